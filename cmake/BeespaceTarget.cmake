@@ -1,0 +1,13 @@
+# What every target of the project has in common: the language, the warnings, exact arithmetic.
+function(beespace_target target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES
+    CXX_EXTENSIONS OFF
+    CXX_VISIBILITY_PRESET hidden
+    VISIBILITY_INLINES_HIDDEN ON)
+  target_compile_options(${target} PRIVATE
+    -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow
+    $<$<BOOL:${BEESPACE_WERROR}>:-Werror>
+    # a*b+c must round twice everywhere, or answers would depend on the processor.
+    -ffp-contract=off)
+endfunction()

@@ -1,0 +1,12 @@
+// All of beespace in one include.
+#pragma once
+
+#include <beespace/at_risk.hpp>
+#include <beespace/brute_force.hpp>
+#include <beespace/geodesy.hpp>
+#include <beespace/nearest.hpp>
+#include <beespace/point.hpp>
+#include <beespace/points_view.hpp>
+#include <beespace/result.hpp>
+#include <beespace/search_options.hpp>
+#include <beespace/version.hpp>

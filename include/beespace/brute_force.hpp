@@ -1,0 +1,21 @@
+// The reference: every pair is looked at, every distance is compared exactly.
+//
+// Quadratic, plain, single-threaded, and right by inspection. All fast searches are tested
+// against these; use them to check beespace, or anything else, on small inputs.
+// Same meaning, errors and order as the functions of the same name in namespace beespace.
+#pragma once
+
+#include <beespace/at_risk.hpp>
+#include <beespace/nearest.hpp>
+
+namespace beespace::brute_force {
+
+BEESPACE_API Result<std::vector<PointId>> find_at_risk(const PointsView& points,
+                                                       const SearchOptions& options = {});
+
+BEESPACE_API Result<std::optional<ClosestPair>> find_closest_pair(const PointsView& points);
+
+BEESPACE_API Result<std::vector<Nearest>> find_nearest(const PointsView& points,
+                                                       const SearchOptions& options = {});
+
+}  // namespace beespace::brute_force

@@ -1,0 +1,32 @@
+// A place in space, and the number by which beespace names it.
+//
+// Units: metres, in any Cartesian frame (local, ECEF, ...). Plain values: copy them freely.
+#pragma once
+
+#include <cstdint>
+
+namespace beespace {
+
+// One position, in metres.
+//
+// Every coordinate given to a search must lie in the coordinate domain: zero, or a magnitude
+// between kSmallestCoordinate_m and kLargestCoordinate_m. Inside it no square overflows or loses
+// a bit, which is what the exactness of the answers rests on. NaN and infinities are outside.
+struct Point {
+  double x = 0.0;
+  double y = 0.0;
+  double z = 0.0;
+
+  friend constexpr bool operator==(const Point&, const Point&) = default;
+};
+
+inline constexpr double kSmallestCoordinate_m = 0x1p-400;  // about 3.9e-121 m
+inline constexpr double kLargestCoordinate_m = 0x1p+400;   // about 2.6e+120 m
+
+// The 0-based position of a point in the caller's order.
+using PointId = std::uint32_t;
+
+// The most points that one search takes: every id fits a PointId.
+inline constexpr std::uint64_t kMaxPoints = 0xFFFF'FFFFu;
+
+}  // namespace beespace

@@ -1,0 +1,89 @@
+#include "core/lattice.hpp"
+
+#include <bit>
+#include <cmath>
+
+namespace beespace::core {
+
+namespace {
+
+constexpr std::uint64_t kMostCells = std::uint64_t{1} << 29;  // positions stay below 2^30
+constexpr unsigned kMostFractionBits = 22;  // differences of two cells are exact in a float
+
+double margin_for(double extent, double reach) {
+  return std::max(0x1p-20, 0x1p-50 * (extent / reach));
+}
+
+}  // namespace
+
+Lattice::Lattice(const PointsView& points, const Bounds& bounds, double reach,
+                 std::uint64_t extent_limit_cells) {
+  double longest_stretch = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    axes_[axis].low = bounds.low[axis];
+    const double extent = bounds.high[axis] - bounds.low[axis];
+    if (extent / reach < static_cast<double>(extent_limit_cells)) {
+      longest_stretch = std::max(longest_stretch, extent);
+    } else {
+      longest_stretch = std::max(longest_stretch, fold(points, axis, 4.0 * reach));
+    }
+  }
+  cell_m_ = reach * (1.0 + margin_for(longest_stretch, reach));
+  while (!number_cells(bounds)) cell_m_ *= 2.0;  // larger cells are as right, only slower
+
+  std::uint64_t most = 1;
+  for (const Axis& axis : axes_) most = std::max(most, axis.cells);
+  const auto cell_bits = static_cast<unsigned>(std::bit_width(most));
+  fraction_bits_ = std::min(kMostFractionBits, 30 - cell_bits);
+  units_per_m_ = std::ldexp(1.0, static_cast<int>(fraction_bits_)) / cell_m_;
+}
+
+// Cuts the axis wherever no point lies for more than `gap`; returns the longest stretch.
+double Lattice::fold(const PointsView& points, std::size_t axis, double gap) {
+  std::vector<double> sorted(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) sorted[i] = points.coordinate(axis, i);
+  std::sort(sorted.begin(), sorted.end());
+
+  Axis& folded = axes_[axis];
+  double longest = 0.0;
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    if (i == 0 || sorted[i] - sorted[i - 1] > gap) {
+      folded.stretches.push_back({sorted[i], sorted[i], 0});
+    }
+    folded.stretches.back().last = sorted[i];
+    longest = std::max(longest, sorted[i] - folded.stretches.back().first);
+  }
+  return longest;
+}
+
+bool Lattice::number_cells(const Bounds& bounds) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    Axis& axis = axes_[i];
+    // One cell more than the quotient says: the last point may be rounded up into it.
+    const auto cells_of = [this](double extent) {
+      return static_cast<std::uint64_t>(extent / cell_m_) + 2;
+    };
+    if (!axis.folded()) {
+      axis.cells = cells_of(bounds.high[i] - bounds.low[i]);
+    } else {
+      axis.cells = 0;
+      for (Stretch& stretch : axis.stretches) {
+        stretch.first_cell = axis.cells;
+        axis.cells += cells_of(stretch.last - stretch.first) + 1;  // and an empty one behind it
+      }
+    }
+    if (axis.cells > kMostCells) return false;
+  }
+  return true;
+}
+
+std::uint64_t Lattice::folded_position(const Axis& axis, double value) const {
+  const auto after = std::upper_bound(
+      axis.stretches.begin(), axis.stretches.end(), value,
+      [](double coordinate, const Stretch& stretch) { return coordinate < stretch.first; });
+  const Stretch& stretch = *std::prev(after);
+  return (stretch.first_cell << fraction_bits_) +
+         static_cast<std::uint64_t>((value - stretch.first) * units_per_m_);
+}
+
+}  // namespace beespace::core

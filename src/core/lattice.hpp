@@ -1,0 +1,73 @@
+// Cells in space: doubles become fixed-point numbers whose high bits name a cell.
+//
+//   position = (coordinate - low) * units_per_m      in units, 2^fraction_bits of them a cell
+//   cell     = position >> fraction_bits
+//
+// A lattice is made for a *reach*: cells are at least reach * (1 + margin) wide, so two points
+// closer than the reach lie in the same or in adjacent cells, whatever was rounded. The margin is
+// max(2^-20, 8 * 2^-53 * extent / reach): a position carries a relative error of 2 * 2^-53, so the
+// positions of two points are as far apart as the points, give or take less than
+// 4 * 2^-53 * extent / reach cells.
+//
+// Empty space costs nothing: an axis that would have more than 2^20 cells is folded, which cuts
+// out every gap that no point lies in. There are then at most a handful of cells a point.
+#pragma once
+
+#include "core/bounds.hpp"
+
+#include <beespace/points_view.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <iterator>
+#include <vector>
+
+namespace beespace::core {
+
+class Lattice {
+ public:
+  static constexpr std::uint64_t kFoldBeyondCells = std::uint64_t{1} << 20;
+
+  // `bounds` are those of `points`. `fold_beyond_cells` is lowered by tests only.
+  Lattice(const PointsView& points, const Bounds& bounds, double reach,
+          std::uint64_t fold_beyond_cells = kFoldBeyondCells);
+
+  // Position of a point's coordinate on `axis`, in units: below cells(axis) << fraction_bits(),
+  // at most 2^30, monotone in `value`.
+  [[nodiscard]] std::uint64_t position(std::size_t axis, double value) const {
+    const Axis& a = axes_[axis];
+    if (a.folded()) return folded_position(a, value);
+    return static_cast<std::uint64_t>((value - a.low) * units_per_m_);
+  }
+
+  [[nodiscard]] std::uint64_t cells(std::size_t axis) const { return axes_[axis].cells; }
+  [[nodiscard]] unsigned fraction_bits() const { return fraction_bits_; }
+  [[nodiscard]] double units_per_m() const { return units_per_m_; }
+  [[nodiscard]] double cell_m() const { return cell_m_; }
+
+ private:
+  struct Stretch {
+    double first = 0.0;
+    double last = 0.0;
+    std::uint64_t first_cell = 0;
+  };
+  struct Axis {
+    double low = 0.0;
+    std::uint64_t cells = 1;
+    std::vector<Stretch> stretches = {};  // ascending; empty unless folded
+
+    [[nodiscard]] bool folded() const { return !stretches.empty(); }
+  };
+
+  double fold(const PointsView& points, std::size_t axis, double gap);
+  bool number_cells(const Bounds& bounds);
+  [[nodiscard]] std::uint64_t folded_position(const Axis& axis, double value) const;
+
+  std::array<Axis, 3> axes_;
+  double cell_m_ = 0.0;
+  double units_per_m_ = 0.0;
+  unsigned fraction_bits_ = 0;
+};
+
+}  // namespace beespace::core

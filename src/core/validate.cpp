@@ -1,0 +1,64 @@
+#include "core/validate.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+namespace beespace::core {
+
+namespace {
+
+std::string shown(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.17g", value);
+  return text;
+}
+
+}  // namespace
+
+std::optional<Error> check_options(const SearchOptions& options) {
+  const double threshold = options.threshold_m;
+  if (threshold > 0.0 && in_domain(threshold)) return std::nullopt;
+  return Error{ErrorCode::kInvalidThreshold,
+               "the threshold is " + shown(threshold) +
+                   " m; give a finite distance above zero (3.9e-121 m to 2.6e+120 m)",
+               {}};
+}
+
+std::optional<Error> check_size(std::size_t size) {
+  if (size <= kMaxPoints) return std::nullopt;
+  return Error{ErrorCode::kTooManyPoints,
+               std::to_string(size) + " points, but ids have 32 bits: give at most " +
+                   std::to_string(kMaxPoints) + " at a time",
+               {}};
+}
+
+bool in_domain(double coordinate) {
+  const double magnitude = std::abs(coordinate);
+  return magnitude <= kLargestCoordinate_m &&
+         (magnitude >= kSmallestCoordinate_m || magnitude == 0.0);
+}
+
+std::optional<Error> check_points(const PointsView& points, std::size_t begin, std::size_t end) {
+  for (std::size_t i = begin; i < end; ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double value = points.coordinate(axis, i);
+      if (in_domain(value)) continue;
+      const std::string name(1, "xyz"[axis]);
+      Place place;
+      place.record = i;
+      if (!std::isfinite(value)) {
+        return Error{ErrorCode::kNotFinite,
+                     name + " is " + shown(value) + "; every coordinate must be a finite number",
+                     place};
+      }
+      return Error{ErrorCode::kOutsideDomain,
+                   name + " is " + shown(value) +
+                       " m, outside the coordinate domain (0, or 3.9e-121 m to 2.6e+120 m in "
+                       "magnitude); scale the coordinates",
+                   place};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace beespace::core

@@ -1,0 +1,66 @@
+#include "cpu/sweep.hpp"
+
+namespace beespace::cpu {
+
+void sweep_baseline(const Positions&, const Neighbourhood&, const Limits&, std::uint8_t*,
+                    std::uint32_t, const Unsure&);
+#if defined(BEESPACE_X86_KERNELS)
+void sweep_avx2(const Positions&, const Neighbourhood&, const Limits&, std::uint8_t*, std::uint32_t,
+                const Unsure&);
+void sweep_avx512(const Positions&, const Neighbourhood&, const Limits&, std::uint8_t*,
+                  std::uint32_t, const Unsure&);
+#endif
+
+const char* name_of(InstructionSet set) {
+  switch (set) {
+    case InstructionSet::kBaseline:
+      return "baseline";
+    case InstructionSet::kAvx2:
+      return "avx2";
+    case InstructionSet::kAvx512:
+      return "avx512";
+  }
+  return "unknown";
+}
+
+bool is_available(InstructionSet set) {
+  switch (set) {
+    case InstructionSet::kBaseline:
+      return true;
+#if defined(BEESPACE_X86_KERNELS)
+    case InstructionSet::kAvx2:
+      return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("popcnt");
+    case InstructionSet::kAvx512:
+      return is_available(InstructionSet::kAvx2) && __builtin_cpu_supports("avx512f") &&
+             __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
+             __builtin_cpu_supports("avx512vl");
+#else
+    default:
+      return false;
+#endif
+  }
+  return false;
+}
+
+InstructionSet best_instruction_set() {
+  auto best = InstructionSet::kBaseline;
+  for (const InstructionSet set : kInstructionSets) {
+    if (is_available(set)) best = set;
+  }
+  return best;
+}
+
+SweepKernel sweep_kernel(InstructionSet set) {
+  switch (set) {
+#if defined(BEESPACE_X86_KERNELS)
+    case InstructionSet::kAvx2:
+      return sweep_avx2;
+    case InstructionSet::kAvx512:
+      return sweep_avx512;
+#endif
+    default:
+      return sweep_baseline;
+  }
+}
+
+}  // namespace beespace::cpu
