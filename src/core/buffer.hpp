@@ -1,10 +1,18 @@
 // An array whose elements start uninitialised: large working memory that is written before it is
-// read. Owns its memory; moves, does not copy.
+// read. Owns its memory; moves, does not copy. Throws std::bad_alloc.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
-#include <memory>
+#include <cstdint>
+#include <cstdlib>
+#include <new>
 #include <type_traits>
+#include <utility>
+
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
 
 namespace beespace::core {
 
@@ -14,16 +22,41 @@ class Buffer {
 
  public:
   Buffer() = default;
-  explicit Buffer(std::size_t size) : data_(std::make_unique_for_overwrite<T[]>(size)) {}
+  explicit Buffer(std::size_t size) : data_(allocate(size * sizeof(T))) {}
+  Buffer(Buffer&& other) noexcept : data_(std::exchange(other.data_, nullptr)) {}
+  Buffer& operator=(Buffer&& other) noexcept {
+    std::swap(data_, other.data_);
+    return *this;
+  }
+  Buffer(const Buffer&) = delete;
+  Buffer& operator=(const Buffer&) = delete;
+  ~Buffer() { std::free(data_); }
 
-  [[nodiscard]] T* data() { return data_.get(); }
-  [[nodiscard]] const T* data() const { return data_.get(); }
+  [[nodiscard]] T* data() { return data_; }
+  [[nodiscard]] const T* data() const { return data_; }
   T& operator[](std::size_t index) { return data_[index]; }
   const T& operator[](std::size_t index) const { return data_[index]; }
-  void release() { data_.reset(); }
 
  private:
-  std::unique_ptr<T[]> data_;
+  static constexpr std::size_t kHugePage = std::size_t{1} << 21;
+  static constexpr std::size_t kCacheLine = 64;
+
+  // Huge pages where the system has them: 512 times fewer page faults when the memory is new, and
+  // scattered writes that do not miss the translation buffer.
+  static T* allocate(std::size_t bytes) {
+    const bool large = bytes >= 2 * kHugePage;
+    const std::size_t alignment = large ? kHugePage : kCacheLine;
+    if (bytes > SIZE_MAX - alignment) throw std::bad_alloc();
+    const std::size_t whole = (bytes + alignment - 1) / alignment * alignment;
+    void* data = std::aligned_alloc(alignment, std::max(whole, alignment));
+    if (data == nullptr) throw std::bad_alloc();
+#if defined(__linux__) && defined(MADV_HUGEPAGE)
+    if (large) madvise(data, bytes, MADV_HUGEPAGE);  // advice: nothing depends on it
+#endif
+    return static_cast<T*>(data);
+  }
+
+  T* data_ = nullptr;
 };
 
 }  // namespace beespace::core

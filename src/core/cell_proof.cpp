@@ -2,10 +2,14 @@
 
 #include "core/hash.hpp"
 #include "core/lattice.hpp"
+#include "core/point_block.hpp"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 #include <utility>
 
 namespace beespace::core {
@@ -20,14 +24,25 @@ std::uint64_t number_densely(const PointsView& points, const Lattice& lattice, C
                              Buffer<std::uint32_t>& cell) {
   const std::uint64_t row = lattice.cells(0);
   const std::uint64_t layer = row * lattice.cells(1);
+  const auto row_cells = static_cast<std::uint32_t>(row);
+  const auto layer_cells = static_cast<std::uint32_t>(layer);
   const unsigned shift = lattice.fraction_bits();
   crew.split(points.size(), [&](std::size_t begin, std::size_t end, unsigned) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const Point p = points[i];
-      cell[i] = static_cast<std::uint32_t>((lattice.position(0, p.x) >> shift) +
-                                           (lattice.position(1, p.y) >> shift) * row +
-                                           (lattice.position(2, p.z) >> shift) * layer);
-    }
+    PointBlock block;
+    std::array<std::array<std::int32_t, PointBlock::kSize>, 3> positions;
+    for_each_block(begin, end, [&](std::size_t first, std::size_t count) {
+      block.load(points, first, count);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        lattice.positions(axis, block.axis(axis), count, positions[axis].data());
+      }
+      std::uint32_t* to = cell.data() + first;
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto cell_on = [&](std::size_t axis) {
+          return static_cast<std::uint32_t>(positions[axis][i]) >> shift;
+        };
+        to[i] = cell_on(0) + cell_on(1) * row_cells + cell_on(2) * layer_cells;
+      }
+    });
   });
   return layer * lattice.cells(2);
 }
@@ -44,12 +59,11 @@ std::uint64_t number_by_hashing(const PointsView& points, const Lattice& lattice
   Buffer<Cell> table(slots);
   std::memset(static_cast<void*>(table.data()), 0xFF, slots * sizeof(Cell));  // number: kNoCell
   std::uint32_t count = 0;
-  const unsigned shift = lattice.fraction_bits();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Point p = points[i];
-    const auto x = static_cast<std::uint32_t>(lattice.position(0, p.x) >> shift);
-    const std::uint64_t y = lattice.position(1, p.y) >> shift;
-    const std::uint64_t z = lattice.position(2, p.z) >> shift;
+    const std::uint32_t x = lattice.cell(0, p.x);
+    const std::uint64_t y = lattice.cell(1, p.y);
+    const std::uint64_t z = lattice.cell(2, p.z);
     const std::uint64_t yz = y << 32 | z;
     std::size_t slot = mix(hash_cell(x, y, z)) & (slots - 1);
     while (table[slot].number != kNoCell && (table[slot].yz != yz || table[slot].x != x)) {
@@ -61,13 +75,81 @@ std::uint64_t number_by_hashing(const PointsView& points, const Lattice& lattice
   return count;
 }
 
-// Adds the points [begin, end) to saturating counters: 0, 1, or 2 for "more".
-void count_points(const Buffer<std::uint32_t>& cell, std::size_t begin, std::size_t end,
-                  std::uint8_t* counters) {
-  for (std::size_t i = begin; i < end; ++i) {
-    std::uint8_t& counter = counters[cell[i]];
-    counter = static_cast<std::uint8_t>(counter + (counter < 2 ? 1 : 0));
+// What a cell's byte says: how many points it holds (0, 1, or 2 for more), and whether it lies
+// within the threshold of a cell that holds one.
+constexpr std::uint8_t kCountMask = 3;
+constexpr std::uint8_t kNearAlone = 4;
+
+std::vector<std::uint8_t> count_points(const Buffer<std::uint32_t>& cell, std::size_t size,
+                                       std::size_t numbers, Crew& crew) {
+  const auto saturated = [](int count) { return static_cast<std::uint8_t>(count < 2 ? count : 2); };
+  std::vector<std::vector<std::uint8_t>> counts(crew.size());
+  crew.split(size, [&](std::size_t begin, std::size_t end, unsigned worker) {
+    counts[worker].resize(numbers);
+    std::uint8_t* mine = counts[worker].data();
+    for (std::size_t i = begin; i < end; ++i) mine[cell[i]] = saturated(mine[cell[i]] + 1);
+  });
+  crew.split(numbers, [&](std::size_t begin, std::size_t end, unsigned) {
+    for (unsigned worker = 1; worker < crew.size(); ++worker) {
+      for (std::size_t i = begin; i < end; ++i) {
+        counts[0][i] = saturated(counts[0][i] + counts[worker][i]);
+      }
+    }
+  });
+  return std::move(counts[0]);
+}
+
+// Flags every cell within the threshold of a cell that holds one point: at most two cells away on
+// each axis, since the threshold is sqrt(3) cells. False, with nothing flagged, when there are so
+// many that flagging would cost more than it saves.
+bool flag_around_alone(std::vector<std::uint8_t>& cells, const Lattice& lattice) {
+  constexpr std::size_t kBlockOfCells = 5 * 5 * 5;
+  const auto alone = static_cast<std::size_t>(std::count(cells.begin(), cells.end(), 1));
+  if (alone * kBlockOfCells > cells.size()) return false;
+
+  const auto along = [&](std::size_t axis) {
+    return static_cast<std::size_t>(lattice.cells(axis));
+  };
+  const auto clipped = [&](std::size_t axis, std::size_t cell) {
+    return std::pair{cell < 2 ? 0 : cell - 2, std::min(cell + 3, along(axis))};
+  };
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if ((cells[i] & kCountMask) != 1) continue;
+    const auto [x_begin, x_end] = clipped(0, i % along(0));
+    const auto [y_begin, y_end] = clipped(1, i / along(0) % along(1));
+    const auto [z_begin, z_end] = clipped(2, i / along(0) / along(1));
+    for (std::size_t z = z_begin; z < z_end; ++z) {
+      for (std::size_t y = y_begin; y < y_end; ++y) {
+        std::uint8_t* row = cells.data() + (z * along(1) + y) * along(0);
+        for (std::size_t x = x_begin; x < x_end; ++x) row[x] |= kNearAlone;
+      }
+    }
   }
+  return true;
+}
+
+std::vector<PointId> joined(std::vector<std::vector<PointId>>&& parts) {
+  for (std::size_t part = 1; part < parts.size(); ++part) {
+    parts[0].insert(parts[0].end(), parts[part].begin(), parts[part].end());
+  }
+  return std::move(parts[0]);
+}
+
+CellProof read_off(const Buffer<std::uint32_t>& cell, const std::vector<std::uint8_t>& cells,
+                   std::size_t size, Crew& crew, Buffer<std::uint8_t>& at_risk) {
+  std::vector<std::vector<PointId>> alone(crew.size());
+  std::vector<std::vector<PointId>> around(crew.size());
+  crew.split(size, [&](std::size_t begin, std::size_t end, unsigned worker) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::uint8_t state = cells[cell[i]];
+      const bool company = (state & kCountMask) == 2;
+      at_risk[i] = company ? 1 : 0;
+      if (state == 2) continue;
+      if (!company) alone[worker].push_back(static_cast<PointId>(i));
+      if ((state & kNearAlone) != 0) around[worker].push_back(static_cast<PointId>(i));
+    }
+  });
+  return {joined(std::move(alone)), joined(std::move(around))};
 }
 
 }  // namespace
@@ -76,54 +158,33 @@ double proof_cell_side(double threshold) {
   return threshold / std::sqrt(3.0);
 }
 
-std::vector<PointId> prove_by_cells(const PointsView& points, const Bounds& bounds,
-                                    double threshold, Crew& crew, Buffer<std::uint8_t>& at_risk,
-                                    CellTable table) {
+CellProof prove_by_cells(const PointsView& points, const Bounds& bounds, double threshold,
+                         Crew& crew, Buffer<std::uint8_t>& at_risk, CellTable table) {
   const std::size_t size = points.size();
   const Lattice lattice(points, bounds, proof_cell_side(threshold) * (1.0 - 0x1p-14));
   // Two points of a cell are less than a cell side apart on each axis, give or take 2^-17 of it:
   // positions have a relative error of 2^-52, and there are less than 2^30 cells.
-  const bool proves = lattice.cell_m() <= proof_cell_side(threshold) * (1.0 - 0x1p-16);
+  if (lattice.cell_m() > proof_cell_side(threshold) * (1.0 - 0x1p-16)) {
+    CellProof nothing;
+    nothing.alone.resize(size);
+    std::iota(nothing.alone.begin(), nothing.alone.end(), PointId{0});
+    std::fill_n(at_risk.data(), size, std::uint8_t{0});
+    return nothing;
+  }
 
   const double cells = static_cast<double>(lattice.cells(0)) *
                        static_cast<double>(lattice.cells(1)) *
                        static_cast<double>(lattice.cells(2));
-  const bool dense_fits = cells * crew.size() <= 4.0 * static_cast<double>(size) + 4096.0;
+  const bool dense = table != CellTable::kHashed &&
+                     cells * crew.size() <= 4.0 * static_cast<double>(size) + 4096.0;
   Buffer<std::uint32_t> cell(size);
-  std::uint64_t numbers = 0;
-  if (table != CellTable::kHashed && dense_fits) {
-    numbers = number_densely(points, lattice, crew, cell);
-  } else {
-    numbers = number_by_hashing(points, lattice, cell);
-  }
-
-  std::vector<std::vector<std::uint8_t>> counters(crew.size());
-  crew.split(size, [&](std::size_t begin, std::size_t end, unsigned worker) {
-    counters[worker].resize(numbers);
-    count_points(cell, begin, end, counters[worker].data());
-  });
-  crew.split(numbers, [&](std::size_t begin, std::size_t end, unsigned) {
-    for (unsigned worker = 1; worker < crew.size(); ++worker) {
-      for (std::size_t i = begin; i < end; ++i) {
-        const int sum = counters[0][i] + counters[worker][i];
-        counters[0][i] = static_cast<std::uint8_t>(sum < 2 ? sum : 2);
-      }
-    }
-  });
-
-  std::vector<std::vector<PointId>> alone(crew.size());
-  const std::uint8_t* total = counters[0].data();
-  crew.split(size, [&](std::size_t begin, std::size_t end, unsigned worker) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const bool company = proves && total[cell[i]] >= 2;
-      at_risk[i] = company ? 1 : 0;
-      if (!company) alone[worker].push_back(static_cast<PointId>(i));
-    }
-  });
-  for (unsigned worker = 1; worker < crew.size(); ++worker) {
-    alone[0].insert(alone[0].end(), alone[worker].begin(), alone[worker].end());
-  }
-  return std::move(alone[0]);
+  const std::uint64_t numbers = dense ? number_densely(points, lattice, crew, cell)
+                                      : number_by_hashing(points, lattice, cell);
+  std::vector<std::uint8_t> counts = count_points(cell, size, numbers, crew);
+  const bool flagged = dense && flag_around_alone(counts, lattice);
+  CellProof proof = read_off(cell, counts, size, crew, at_risk);
+  if (!flagged) proof.around.reset();
+  return proof;
 }
 
 }  // namespace beespace::core

@@ -11,7 +11,7 @@
 namespace beespace::core {
 
 double mean_cell_mates(const PointsView& points, double cell_m) {
-  constexpr std::size_t kSample = 16384;
+  constexpr std::size_t kSample = 4096;
   const std::size_t sample = std::min(points.size(), kSample);
   if (sample < 2) return 0.0;
 
@@ -22,10 +22,12 @@ double mean_cell_mates(const PointsView& points, double cell_m) {
     const std::size_t begin = points.size() * i / sample;
     const std::size_t end = points.size() * (i + 1) / sample;
     const Point p = points[begin + mix(i + 1) % (end - begin)];
-    const auto cell = [cell_m](double v) {
-      return std::bit_cast<std::uint64_t>(std::floor(v / cell_m) + 0.0);
-    };
-    cells[i] = mix(hash_cell(cell(p.x), cell(p.y), cell(p.z)));
+    std::uint64_t hash = 0;
+    for (const double coordinate : {p.x, p.y, p.z}) {
+      // Any bit pattern that is the same for the same cell will do; + 0.0 makes -0 plain 0.
+      hash = mix(hash + std::bit_cast<std::uint64_t>(std::floor(coordinate / cell_m) + 0.0));
+    }
+    cells[i] = hash;
   }
   std::sort(cells.begin(), cells.end());
   double pairs = 0.0;

@@ -7,8 +7,8 @@
 namespace beespace::core {
 
 // The expected number of other points in a point's own cell, for cubic cells of side `cell_m`:
-// the share of pairs of a sample of 16,384 points that share a cell, times the number of points.
-// Deterministic. Below about 0.01 * size / 10^6 the estimate is often plain zero.
+// the share of pairs of a sample of 4,096 points that share a cell, times the number of points.
+// Deterministic. Sees a tenth of a mate among a million points as plain zero.
 double mean_cell_mates(const PointsView& points, double cell_m);
 
 }  // namespace beespace::core

@@ -77,13 +77,28 @@ bool Lattice::number_cells(const Bounds& bounds) {
   return true;
 }
 
-std::uint64_t Lattice::folded_position(const Axis& axis, double value) const {
+void Lattice::positions(std::size_t axis, const double* values, std::size_t count,
+                        std::int32_t* positions) const {
+  const Axis& a = axes_[axis];
+  if (a.folded()) {
+    for (std::size_t i = 0; i < count; ++i) positions[i] = folded_position(a, values[i]);
+    return;
+  }
+  const double low = a.low;
+  const double units_per_m = units_per_m_;
+  for (std::size_t i = 0; i < count; ++i) {
+    positions[i] = static_cast<std::int32_t>((values[i] - low) * units_per_m);
+  }
+}
+
+std::int32_t Lattice::folded_position(const Axis& axis, double value) const {
   const auto after = std::upper_bound(
       axis.stretches.begin(), axis.stretches.end(), value,
       [](double coordinate, const Stretch& stretch) { return coordinate < stretch.first; });
   const Stretch& stretch = *std::prev(after);
-  return (stretch.first_cell << fraction_bits_) +
-         static_cast<std::uint64_t>((value - stretch.first) * units_per_m_);
+  const std::uint64_t first = stretch.first_cell << fraction_bits_;
+  return static_cast<std::int32_t>(first) +
+         static_cast<std::int32_t>((value - stretch.first) * units_per_m_);
 }
 
 }  // namespace beespace::core

@@ -35,10 +35,19 @@ class Lattice {
 
   // Position of a point's coordinate on `axis`, in units: below cells(axis) << fraction_bits(),
   // at most 2^30, monotone in `value`.
-  [[nodiscard]] std::uint64_t position(std::size_t axis, double value) const {
+  [[nodiscard]] std::int32_t position(std::size_t axis, double value) const {
     const Axis& a = axes_[axis];
-    if (a.folded()) return folded_position(a, value);
-    return static_cast<std::uint64_t>((value - a.low) * units_per_m_);
+    if (a.folded()) [[unlikely]] {
+      return folded_position(a, value);
+    }
+    return static_cast<std::int32_t>((value - a.low) * units_per_m_);
+  }
+  // The same for `count` coordinates at once.
+  void positions(std::size_t axis, const double* values, std::size_t count,
+                 std::int32_t* positions) const;
+
+  [[nodiscard]] std::uint32_t cell(std::size_t axis, double value) const {
+    return static_cast<std::uint32_t>(position(axis, value)) >> fraction_bits_;
   }
 
   [[nodiscard]] std::uint64_t cells(std::size_t axis) const { return axes_[axis].cells; }
@@ -62,7 +71,7 @@ class Lattice {
 
   double fold(const PointsView& points, std::size_t axis, double gap);
   bool number_cells(const Bounds& bounds);
-  [[nodiscard]] std::uint64_t folded_position(const Axis& axis, double value) const;
+  [[nodiscard]] std::int32_t folded_position(const Axis& axis, double value) const;
 
   std::array<Axis, 3> axes_;
   double cell_m_ = 0.0;

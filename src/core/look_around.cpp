@@ -87,11 +87,10 @@ class Looker {
 
 std::vector<PointId> surroundings(const PointsView& points, const Lattice& lattice,
                                   std::span<const PointId> asked, Crew& crew) {
-  const unsigned shift = lattice.fraction_bits();
   const auto cell_of = [&](PointId id) {
     std::array<std::uint64_t, 3> cell{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      cell[axis] = lattice.position(axis, points.coordinate(axis, id)) >> shift;
+      cell[axis] = lattice.cell(axis, points.coordinate(axis, id));
     }
     return cell;
   };

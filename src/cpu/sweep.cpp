@@ -33,7 +33,7 @@ bool is_available(InstructionSet set) {
     case InstructionSet::kAvx512:
       return is_available(InstructionSet::kAvx2) && __builtin_cpu_supports("avx512f") &&
              __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
-             __builtin_cpu_supports("avx512vl");
+             __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("bmi2");
 #else
     default:
       return false;

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <span>
 
 namespace beespace::search {
 
@@ -33,21 +32,20 @@ struct Search {
   }
 
   void sweep(std::uint8_t* at_risk) const {
-    const core::SortedGrid grid =
-        core::sort_into_grid(points, {}, lattice(), crew, choices.key_width);
+    const core::SortedGrid grid = core::sort_into_grid(points, {}, lattice(), crew);
     cpu::sweep_all(grid, points, closer, options.threshold_m,
                    cpu::sweep_kernel(choices.instruction_set), crew, at_risk);
   }
 
-  // `alone`: the points that nothing is known of yet.
-  void look(std::span<const PointId> alone, std::uint8_t* at_risk) const {
+  void look(const core::CellProof& proof, std::uint8_t* at_risk) const {
     const core::Lattice cells = lattice();
     std::vector<PointId> subset;
-    if (alone.size() * 32 < points.size()) {
-      subset = core::surroundings(points, cells, alone, crew);
+    if (proof.around) {
+      subset = *proof.around;
+    } else if (proof.alone.size() * 32 < points.size()) {
+      subset = core::surroundings(points, cells, proof.alone, crew);
     }
-    const core::SortedGrid grid =
-        core::sort_into_grid(points, subset, cells, crew, choices.key_width);
+    const core::SortedGrid grid = core::sort_into_grid(points, subset, cells, crew);
     core::look_around(grid, points, closer, options.threshold_m, crew, at_risk);
   }
 
@@ -60,13 +58,13 @@ struct Search {
       std::memset(at_risk.data(), 0, points.size());
       return sweep(at_risk.data());
     }
-    const std::vector<PointId> alone = core::prove_by_cells(points, bounds, options.threshold_m,
-                                                            crew, at_risk, choices.cell_table);
-    if (alone.empty()) return;
-    const bool few =
-        mates * static_cast<double>(points.size()) > kLookCost * static_cast<double>(alone.size());
+    const core::CellProof proof = core::prove_by_cells(points, bounds, options.threshold_m, crew,
+                                                       at_risk, choices.cell_table);
+    if (proof.alone.empty()) return;
+    const bool few = mates * static_cast<double>(points.size()) >
+                     kLookCost * static_cast<double>(proof.alone.size());
     if (choices.method == Method::kAutomatic ? few : choices.method == Method::kProveThenLook) {
-      look(alone, at_risk.data());
+      look(proof, at_risk.data());
     } else {
       sweep(at_risk.data());
     }

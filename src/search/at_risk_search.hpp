@@ -29,7 +29,6 @@ struct Choices {
 
   Method method = Method::kAutomatic;
   core::CellTable cell_table = core::CellTable::kAutomatic;
-  core::KeyWidth key_width = core::KeyWidth::kAutomatic;
   cpu::InstructionSet instruction_set = cpu::best_instruction_set();
   std::uint64_t fold_beyond_cells = core::Lattice::kFoldBeyondCells;
 };
