@@ -18,6 +18,18 @@ namespace {
 
 constexpr std::uint32_t kNoCell = 0xFFFF'FFFFU;
 
+using BlockPositions = std::array<std::array<std::int32_t, PointBlock::kSize>, 3>;
+
+void combine(const BlockPositions& positions, std::size_t count, unsigned shift,
+             std::uint32_t row_cells, std::uint32_t layer_cells, std::uint32_t* cell) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t x = static_cast<std::uint32_t>(positions[0][i]) >> shift;
+    const std::uint32_t y = static_cast<std::uint32_t>(positions[1][i]) >> shift;
+    const std::uint32_t z = static_cast<std::uint32_t>(positions[2][i]) >> shift;
+    cell[i] = x + y * row_cells + z * layer_cells;
+  }
+}
+
 // cell[id] becomes a number that points share exactly when they share a cell; returns how many
 // numbers there are at most.
 std::uint64_t number_densely(const PointsView& points, const Lattice& lattice, Crew& crew,
@@ -29,19 +41,13 @@ std::uint64_t number_densely(const PointsView& points, const Lattice& lattice, C
   const unsigned shift = lattice.fraction_bits();
   crew.split(points.size(), [&](std::size_t begin, std::size_t end, unsigned) {
     PointBlock block;
-    std::array<std::array<std::int32_t, PointBlock::kSize>, 3> positions;
+    BlockPositions positions;
     for_each_block(begin, end, [&](std::size_t first, std::size_t count) {
       block.load(points, first, count);
       for (std::size_t axis = 0; axis < 3; ++axis) {
         lattice.positions(axis, block.axis(axis), count, positions[axis].data());
       }
-      std::uint32_t* to = cell.data() + first;
-      for (std::size_t i = 0; i < count; ++i) {
-        const auto cell_on = [&](std::size_t axis) {
-          return static_cast<std::uint32_t>(positions[axis][i]) >> shift;
-        };
-        to[i] = cell_on(0) + cell_on(1) * row_cells + cell_on(2) * layer_cells;
-      }
+      combine(positions, count, shift, row_cells, layer_cells, cell.data() + first);
     });
   });
   return layer * lattice.cells(2);
@@ -87,7 +93,8 @@ std::vector<std::uint8_t> count_points(const Buffer<std::uint32_t>& cell, std::s
   crew.split(size, [&](std::size_t begin, std::size_t end, unsigned worker) {
     counts[worker].resize(numbers);
     std::uint8_t* mine = counts[worker].data();
-    for (std::size_t i = begin; i < end; ++i) mine[cell[i]] = saturated(mine[cell[i]] + 1);
+    const std::uint32_t* cell_of = cell.data();
+    for (std::size_t i = begin; i < end; ++i) mine[cell_of[i]] = saturated(mine[cell_of[i]] + 1);
   });
   crew.split(numbers, [&](std::size_t begin, std::size_t end, unsigned) {
     for (unsigned worker = 1; worker < crew.size(); ++worker) {
@@ -140,11 +147,16 @@ CellProof read_off(const Buffer<std::uint32_t>& cell, const std::vector<std::uin
   std::vector<std::vector<PointId>> alone(crew.size());
   std::vector<std::vector<PointId>> around(crew.size());
   crew.split(size, [&](std::size_t begin, std::size_t end, unsigned worker) {
+    const std::uint32_t* cell_of = cell.data();
+    const std::uint8_t* states = cells.data();
+    std::uint8_t* result = at_risk.data();
     for (std::size_t i = begin; i < end; ++i) {
-      const std::uint8_t state = cells[cell[i]];
+      const std::uint8_t state = states[cell_of[i]];
       const bool company = (state & kCountMask) == 2;
-      at_risk[i] = company ? 1 : 0;
-      if (state == 2) continue;
+      result[i] = company ? 1 : 0;
+      if (state == 2) [[likely]] {
+        continue;
+      }
       if (!company) alone[worker].push_back(static_cast<PointId>(i));
       if ((state & kNearAlone) != 0) around[worker].push_back(static_cast<PointId>(i));
     }

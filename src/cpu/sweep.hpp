@@ -29,10 +29,14 @@ struct Range {
   std::uint32_t end;
 };
 
-// The forward half of a row's neighbourhood: the row itself and the (at most four) later rows.
+// The forward half of a row's neighbourhood. Rows are long or short: along a long row a window of
+// three cells is followed; short rows that stand together are looked at whole, as one.
 struct Neighbourhood {
   Range row;
-  Range later[4];
+  std::uint32_t own_end;  // the row's points are compared with those behind them, up to here:
+                          // row.end, or the end of the next row if the two are short
+  Range together;         // short later rows, possibly none
+  Range later[4];         // long later rows
   unsigned later_count;
 };
 

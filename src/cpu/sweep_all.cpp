@@ -3,6 +3,7 @@
 #include "core/near_pairs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace beespace::cpu {
@@ -42,6 +43,37 @@ std::size_t first_row_of(const core::SortedGrid& grid, std::size_t point) {
       begins);
 }
 
+// Rows of the grid stand together in memory, so short neighbours make one short run.
+Neighbourhood neighbourhood_of(const core::SortedGrid& grid, std::size_t row, const Range& own,
+                               const std::array<std::size_t, 4>& later, unsigned later_count) {
+  constexpr std::uint32_t kShort = 16;  // the lanes of the widest kernel
+  const auto range = [&](std::size_t first, std::size_t last) {
+    return Range{grid.row_begin[first], grid.row_begin[last + 1]};
+  };
+  Neighbourhood hood{own, own.end, {0, 0}, {}, 0};
+  unsigned next = 0;
+  if (later_count > 0 && later[0] == row + 1 &&
+      grid.row_number[row + 1] == grid.row_number[row] + 1) {
+    const Range behind = range(row + 1, row + 1);
+    if (behind.end - own.begin <= kShort) {
+      hood.own_end = behind.end;
+    } else {
+      hood.later[hood.later_count++] = behind;
+    }
+    next = 1;
+  }
+  if (next == later_count) return hood;
+  const Range layer_up = range(later[next], later[later_count - 1]);
+  if (layer_up.end - layer_up.begin <= kShort) {
+    hood.together = layer_up;
+  } else {
+    for (; next < later_count; ++next) {
+      hood.later[hood.later_count++] = range(later[next], later[next]);
+    }
+  }
+  return hood;
+}
+
 void sweep_part(const core::SortedGrid& grid, const Limits& limits, SweepKernel kernel, Part& part,
                 Decision& decision) {
   if (part.first_row == part.end_row) return;
@@ -58,11 +90,9 @@ void sweep_part(const core::SortedGrid& grid, const Limits& limits, SweepKernel 
   std::size_t layer_up = part.first_row;
   for (std::size_t row = part.first_row; row < part.end_row; ++row) {
     const auto [later, later_count] = core::later_rows(grid, row, layer_up);
-    Neighbourhood hood{{grid.row_begin[row], grid.row_begin[row + 1]}, {}, later_count};
-    if (later_count == 0 && hood.row.end - hood.row.begin == 1) continue;
-    for (unsigned k = 0; k < later_count; ++k) {
-      hood.later[k] = {grid.row_begin[later[k]], grid.row_begin[later[k] + 1]};
-    }
+    const Range own{grid.row_begin[row], grid.row_begin[row + 1]};
+    if (later_count == 0 && own.end - own.begin == 1) continue;
+    const Neighbourhood hood = neighbourhood_of(grid, row, own, later, later_count);
     kernel(positions, hood, limits, part.marks.data(), part.first_mark, unsure);
   }
 }

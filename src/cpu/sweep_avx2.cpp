@@ -12,7 +12,7 @@ class Lanes {
 
   struct Found {
     unsigned near;
-    unsigned open;
+    unsigned within;
     unsigned before;
   };
 
@@ -39,7 +39,7 @@ class Lanes {
     const unsigned within = bits(_mm256_cmp_ps(squared, far_, _CMP_LE_OQ)) & valid;
     const unsigned before =
         bits(_mm256_castsi256_ps(_mm256_cmpgt_epi32(first_x_, other_x))) & valid;
-    return {near, within & ~near, before};
+    return {near, within, before};
   }
 
   static void mark(std::uint8_t* marks, unsigned near) {

@@ -12,7 +12,7 @@ class Lanes {
 
   struct Found {
     unsigned near;
-    unsigned open;
+    unsigned within;
     unsigned before;
   };
 
@@ -37,7 +37,7 @@ class Lanes {
     const unsigned near = _mm512_mask_cmp_ps_mask(valid, squared, near_, _CMP_LT_OQ);
     const unsigned within = _mm512_mask_cmp_ps_mask(valid, squared, far_, _CMP_LE_OQ);
     const unsigned before = _mm512_mask_cmplt_epi32_mask(valid, other_x, first_x_);
-    return {near, within & ~near, before};
+    return {near, within, before};
   }
 
   static void mark(std::uint8_t* marks, unsigned near) {

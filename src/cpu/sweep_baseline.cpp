@@ -17,7 +17,7 @@ class Lanes {
 
   struct Found {
     unsigned near;
-    unsigned open;
+    unsigned within;
     unsigned before;
   };
 
@@ -40,7 +40,7 @@ class Lanes {
     const Floats squared = dx * dx + dy * dy + dz * dz;
     const unsigned near = bits(squared < near_) & valid;
     const unsigned within = bits(squared <= far_) & valid;
-    return {near, within & ~near, bits(other_x < first_x_) & valid};
+    return {near, within, bits(other_x < first_x_) & valid};
   }
 
   static void mark(std::uint8_t* marks, unsigned near) {

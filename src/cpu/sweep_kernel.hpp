@@ -11,7 +11,8 @@
 //   select(x, y, z, first_x)      the point to compare with, and where its window along x starts
 //   Found look(x, y, z, count)    compares it with the next kLanes points, of which `count` count
 //   mark(marks, near_lanes)       marks[lane] = nonzero for every lane set
-// where Found has one bit a lane: near, open (unsure), and before (left of the window).
+// where Found has one bit a lane: surely near, within (near or unsure), and before (left of the
+// window).
 #pragma once
 
 #include "cpu/sweep.hpp"
@@ -45,9 +46,10 @@ template <class Lanes>
     Lanes::mark(marks.of(from), found.near);
     any_near |= found.near;
     before += static_cast<std::uint32_t>(__builtin_popcount(found.before));
-    if (found.open != 0) [[unlikely]] {
+    if (found.within != found.near) [[unlikely]] {
+      const unsigned open = found.within & ~found.near;
       for (unsigned lane = 0; lane < Lanes::kLanes; ++lane) {
-        if ((found.open >> lane & 1U) != 0) unsure.decide(unsure.context, i, from + lane);
+        if ((open >> lane & 1U) != 0) unsure.decide(unsure.context, i, from + lane);
       }
     }
     if (left <= Lanes::kLanes || at.x[from + Lanes::kLanes - 1] >= end_x) break;
@@ -64,6 +66,8 @@ template <class Lanes>
   const Neighbourhood hood = around;
   const Marks marks{near_marks, first_mark};
   const std::int32_t cell = 1 << at.fraction_bits;
+  constexpr std::int32_t kEverywhere = 0x7FFF'FFFF;
+  const bool own_is_whole = hood.own_end != hood.row.end;
   Lanes lanes(limits);
 
   // Where in each later row the window of the current point starts. Points of a row are in the
@@ -75,7 +79,10 @@ template <class Lanes>
     const std::int32_t end_x = first_x + 3 * cell;
     lanes.select(at.x[i], at.y[i], at.z[i], first_x);
     unsigned any_near = 0;
-    (void)scan(lanes, at, i, i + 1, hood.row.end, end_x, marks, any_near, unsure);
+    (void)scan(lanes, at, i, i + 1, hood.own_end, own_is_whole ? kEverywhere : end_x, marks,
+               any_near, unsure);
+    (void)scan(lanes, at, i, hood.together.begin, hood.together.end, kEverywhere, marks, any_near,
+               unsure);
     for (unsigned k = 0; k < hood.later_count; ++k) {
       window[k] += scan(lanes, at, i, window[k], hood.later[k].end, end_x, marks, any_near, unsure);
     }
