@@ -1,0 +1,223 @@
+#include "core/closest_pair.hpp"
+
+#include "core/bounds.hpp"
+#include "core/exact_distance.hpp"
+#include "core/hash.hpp"
+#include "core/lattice.hpp"
+#include "core/near_pairs.hpp"
+#include "core/point_block.hpp"
+#include "core/sorted_grid.hpp"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace beespace::core {
+
+namespace {
+
+constexpr std::size_t kFew = 256;           // compared each with each
+constexpr std::size_t kSampleShare = 16;    // one point of so many is drawn
+constexpr double kSieveCellInBounds = 8.0;  // wide cells: few of their points are near a face
+constexpr std::uint64_t kSieveBitsAPoint = 16;
+
+// The best pair so far, compared exactly.
+class Closest {
+ public:
+  explicit Closest(const PointsView& points) : points_(points) {}
+
+  void offer(PointId a, PointId b) {
+    const double squared = squared_distance(points_[a], points_[b]);
+    if (squared > surely_farther_) return;
+    const IdPair pair = a < b ? IdPair{a, b} : IdPair{b, a};
+    if (found_) {
+      const int sign = compare_distances(points_[pair.first], points_[pair.second],
+                                         points_[best_.first], points_[best_.second]);
+      const bool lower =
+          pair.first != best_.first ? pair.first < best_.first : pair.second < best_.second;
+      if (sign > 0 || (sign == 0 && !lower)) return;
+    }
+    best_ = pair;
+    found_ = true;
+    surely_farther_ = squared * (1.0 + 0x1p-49);  // both carry at most 5 * 2^-53
+  }
+
+  [[nodiscard]] IdPair best() const { return best_; }
+
+ private:
+  const PointsView& points_;
+  IdPair best_{0, 0};
+  bool found_ = false;
+  double surely_farther_ = std::numeric_limits<double>::infinity();
+};
+
+// The lowest pair of points at the same place; there must be one.
+IdPair lowest_duplicates(const PointsView& points) {
+  constexpr PointId kEmpty = std::numeric_limits<PointId>::max();
+  const std::size_t slots = std::bit_ceil(points.size() * 2);
+  std::vector<PointId> first_at(slots, kEmpty);
+  IdPair lowest{kEmpty, kEmpty};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point p = points[i];
+    std::uint64_t hash = 0;
+    for (const double value : {p.x, p.y, p.z}) {
+      hash = mix(hash + std::bit_cast<std::uint64_t>(value + 0.0));  // -0 is 0
+    }
+    std::size_t slot = hash & (slots - 1);
+    while (first_at[slot] != kEmpty && points[first_at[slot]] != p) slot = (slot + 1) & (slots - 1);
+    const auto id = static_cast<PointId>(i);
+    if (first_at[slot] == kEmpty) {
+      first_at[slot] = id;
+    } else if (first_at[slot] < lowest.first) {
+      lowest = {first_at[slot], id};
+    }
+  }
+  return lowest;
+}
+
+std::vector<Point> random_sample(const PointsView& points) {
+  std::vector<Point> sample(points.size() / kSampleShare);
+  for (std::size_t i = 0; i < sample.size(); ++i) {
+    sample[i] = points[i * kSampleShare + mix(i + points.size()) % kSampleShare];
+  }
+  return sample;
+}
+
+// Which cells hold points, by their hashes: a set that may say yes too often, never no.
+class Sieve {
+ public:
+  Sieve(const Lattice& lattice, double bound, std::size_t size)
+      : lattice_(lattice),
+        // Positions are cut to whole units: 1 unit for each of two points.
+        reach_(static_cast<std::int32_t>(bound * lattice.units_per_m()) + 2),
+        mask_(std::bit_ceil(size * kSieveBitsAPoint) - 1),
+        once_(mask_ / 64 + 1),
+        twice_(mask_ / 64 + 1) {}
+
+  void add(const std::array<std::int32_t, 3>& position) {
+    const std::uint64_t slot = slot_of(cell(position[0]), cell(position[1]), cell(position[2]));
+    const std::uint64_t bit = std::uint64_t{1} << slot % 64;
+    twice_[slot / 64] |= once_[slot / 64] & bit;
+    once_[slot / 64] |= bit;
+  }
+
+  // Whether another point may lie within the bound.
+  [[nodiscard]] bool has_company(const std::array<std::int32_t, 3>& position) const {
+    const std::array<std::uint32_t, 3> own{cell(position[0]), cell(position[1]), cell(position[2])};
+    if (contains(twice_, own[0], own[1], own[2])) return true;
+    const auto low = [&](std::size_t axis) { return cell(position[axis] - reach_); };
+    const auto high = [&](std::size_t axis) { return cell(position[axis] + reach_); };
+    const std::array<std::uint32_t, 3> first{low(0), low(1), low(2)};
+    const std::array<std::uint32_t, 3> last{high(0), high(1), high(2)};
+    if (first == own && last == own) return false;
+    for (std::uint32_t z = first[2]; z != last[2] + 1; ++z) {
+      for (std::uint32_t y = first[1]; y != last[1] + 1; ++y) {
+        for (std::uint32_t x = first[0]; x != last[0] + 1; ++x) {
+          const bool is_own = x == own[0] && y == own[1] && z == own[2];
+          if (!is_own && contains(once_, x, y, z)) return true;
+        }
+      }
+    }
+    return false;
+  }
+
+ private:
+  // Arithmetic shift: just below the lattice lies cell -1, as good a number as any.
+  [[nodiscard]] std::uint32_t cell(std::int32_t position) const {
+    return static_cast<std::uint32_t>(position >> lattice_.fraction_bits());
+  }
+  [[nodiscard]] std::uint64_t slot_of(std::uint32_t x, std::uint32_t y, std::uint32_t z) const {
+    return hash_cell(x, y, z) >> 16 & mask_;
+  }
+  [[nodiscard]] bool contains(const std::vector<std::uint64_t>& bits, std::uint32_t x,
+                              std::uint32_t y, std::uint32_t z) const {
+    const std::uint64_t slot = slot_of(x, y, z);
+    return (bits[slot / 64] >> slot % 64 & 1) != 0;
+  }
+
+  const Lattice& lattice_;
+  std::int32_t reach_;
+  std::uint64_t mask_;
+  std::vector<std::uint64_t> once_;
+  std::vector<std::uint64_t> twice_;
+};
+
+// Calls visit(position, id) for all points.
+template <class Visit>
+void for_each_position(const PointsView& points, const Lattice& lattice, std::size_t begin,
+                       std::size_t end, Visit&& visit) {
+  PointBlock block;
+  std::array<std::array<std::int32_t, PointBlock::kSize>, 3> positions;
+  for_each_block(begin, end, [&](std::size_t first, std::size_t count) {
+    block.load(points, first, count);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      lattice.positions(axis, block.axis(axis), count, positions[axis].data());
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      visit({positions[0][i], positions[1][i], positions[2][i]}, static_cast<PointId>(first + i));
+    }
+  });
+}
+
+std::vector<PointId> sieve(const PointsView& points, const Lattice& lattice, double bound,
+                           Crew& crew) {
+  using Position = std::array<std::int32_t, 3>;
+  Sieve cells(lattice, bound, points.size());
+  for_each_position(points, lattice, 0, points.size(),
+                    [&](const Position& position, PointId) { cells.add(position); });
+  std::vector<std::vector<PointId>> left(crew.size());
+  crew.split(points.size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
+    for_each_position(points, lattice, begin, end, [&](const Position& position, PointId id) {
+      if (cells.has_company(position)) left[worker].push_back(id);
+    });
+  });
+  for (unsigned worker = 1; worker < crew.size(); ++worker) {
+    left[0].insert(left[0].end(), left[worker].begin(), left[worker].end());
+  }
+  return std::move(left[0]);
+}
+
+// The closest pair among points of which two are at most `bound` apart.
+IdPair closest_within(const PointsView& points, const Bounds& bounds, double bound, Crew& crew) {
+  const Lattice lattice(points, bounds, bound);
+  const SortedGrid grid = sort_into_grid(points, {}, lattice, crew);
+  const SquaredLimits limits(bound, grid.units_per_m);
+  Closest closest(points);
+  for_each_near_pair(grid, limits.surely_far, [&](std::uint32_t i, std::uint32_t j, float) {
+    closest.offer(grid.id[i], grid.id[j]);
+  });
+  return closest.best();
+}
+
+}  // namespace
+
+IdPair closest_pair(const PointsView& points, Crew& crew) {
+  if (points.size() <= kFew) {
+    Closest closest(points);
+    const auto size = static_cast<PointId>(points.size());
+    for (PointId i = 0; i < size; ++i) {
+      for (PointId j = i + 1; j < size; ++j) closest.offer(i, j);
+    }
+    return closest.best();
+  }
+
+  const std::vector<Point> sample = random_sample(points);
+  const IdPair near = closest_pair(sample, crew);
+  // Rounded up, so that the pair itself is within the bound.
+  const double bound =
+      std::sqrt(squared_distance(sample[near.first], sample[near.second])) * (1.0 + 0x1p-40);
+  if (bound == 0.0) return lowest_duplicates(points);
+
+  const Bounds bounds = *measure(points, crew);
+  const Lattice lattice(points, bounds, kSieveCellInBounds * bound);
+  const std::vector<PointId> left = sieve(points, lattice, bound, crew);
+  std::vector<Point> few(left.size());
+  for (std::size_t i = 0; i < left.size(); ++i) few[i] = points[left[i]];
+  // Ids ascend, so the lowest pair of the few is the lowest pair of all.
+  const IdPair pair = closest_within(few, *measure(few, crew), bound, crew);
+  return {left[pair.first], left[pair.second]};
+}
+
+}  // namespace beespace::core
