@@ -43,12 +43,12 @@ class Looker {
     const std::int32_t first_x = (cell - 1) * (1 << grid_.fraction_bits);
     for (const Rows& rows : around_) {
       for (std::size_t row = rows.begin; row < rows.end; ++row) {
-        const std::int32_t* begin = grid_.x.data() + grid_.row_begin[row];
-        const std::int32_t* end = grid_.x.data() + grid_.row_begin[row + 1];
+        const std::int32_t* begin = grid_.x + grid_.row_begin[row];
+        const std::int32_t* end = grid_.x + grid_.row_begin[row + 1];
         // A row stands in the order of its cells, so this is a valid partition point.
         const std::int32_t* from =
             std::partition_point(begin, end, [=](std::int32_t x) { return x < first_x; });
-        if (run_has_company(i, static_cast<std::uint32_t>(from - grid_.x.data()),
+        if (run_has_company(i, static_cast<std::uint32_t>(from - grid_.x),
                             grid_.row_begin[row + 1])) {
           return true;
         }

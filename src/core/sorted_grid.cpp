@@ -40,22 +40,27 @@ SortedGrid sort_into_grid(const PointsView& points, std::span<const PointId> sub
   const Buffer<CellRecord> records = sort_by_cell(points, subset, lattice, order, crew);
   find_rows(grid, records, order);
   const std::size_t padded = grid.size + kPadding;
-  grid.x = Buffer<std::int32_t>(padded);
-  grid.y = Buffer<std::int32_t>(padded);
-  grid.z = Buffer<std::int32_t>(padded);
-  grid.id = Buffer<PointId>(padded);
+  grid.storage = Buffer<std::int32_t>(4 * padded);
+  std::int32_t* x = grid.storage.data();
+  std::int32_t* y = x + padded;
+  std::int32_t* z = y + padded;
+  auto* id = reinterpret_cast<PointId*>(z + padded);  // int's unsigned twin may share its memory
   crew.split(grid.size, [&](std::size_t begin, std::size_t end, unsigned) {
     for (std::size_t i = begin; i < end; ++i) {
-      grid.x[i] = records[i].position[0];
-      grid.y[i] = records[i].position[1];
-      grid.z[i] = records[i].position[2];
-      grid.id[i] = records[i].id;
+      x[i] = records[i].position[0];
+      y[i] = records[i].position[1];
+      z[i] = records[i].position[2];
+      id[i] = records[i].id;
     }
   });
   for (std::size_t i = grid.size; i < padded; ++i) {
-    grid.x[i] = grid.y[i] = grid.z[i] = 0;
-    grid.id[i] = 0;
+    x[i] = y[i] = z[i] = 0;
+    id[i] = 0;
   }
+  grid.x = x;
+  grid.y = y;
+  grid.z = z;
+  grid.id = id;
   return grid;
 }
 

@@ -29,10 +29,10 @@ inline constexpr std::size_t kPadding = 16;
 
 struct SortedGrid {
   std::size_t size = 0;
-  Buffer<std::int32_t> x;  // lattice positions, below 2^30
-  Buffer<std::int32_t> y;
-  Buffer<std::int32_t> z;
-  Buffer<PointId> id;  // in the caller's numbering
+  const std::int32_t* x = nullptr;  // lattice positions, below 2^30
+  const std::int32_t* y = nullptr;
+  const std::int32_t* z = nullptr;
+  const PointId* id = nullptr;  // in the caller's numbering
   unsigned fraction_bits = 0;
   double units_per_m = 0.0;
 
@@ -40,6 +40,8 @@ struct SortedGrid {
   std::vector<std::uint32_t> row_begin;
   std::vector<std::uint64_t> row_number;  // ascending: z * rows_a_layer + y
   std::uint64_t rows_a_layer = 0;
+
+  Buffer<std::int32_t> storage;  // of the four arrays
 
   [[nodiscard]] std::size_t rows() const { return row_number.size(); }
 

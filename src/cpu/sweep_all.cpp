@@ -85,7 +85,7 @@ void sweep_part(const core::SortedGrid& grid, const Limits& limits, SweepKernel 
       grid.row_begin[static_cast<std::size_t>(reach_end - grid.row_number.begin())];
   part.marks.assign(end_mark - part.first_mark + core::kPadding, 0);
 
-  const Positions positions{grid.x.data(), grid.y.data(), grid.z.data(), grid.fraction_bits};
+  const Positions positions{grid.x, grid.y, grid.z, grid.fraction_bits};
   const Unsure unsure{&Decision::decide, &decision};
   std::size_t layer_up = part.first_row;
   for (std::size_t row = part.first_row; row < part.end_row; ++row) {
