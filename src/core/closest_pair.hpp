@@ -9,6 +9,7 @@
 // memory are proportional to the number of points, for any points.
 #pragma once
 
+#include "core/bounds.hpp"
 #include "core/crew.hpp"
 
 #include <beespace/point.hpp>
@@ -22,7 +23,7 @@ struct IdPair {
 };
 
 // first < second; of equally close pairs the one with the lowest first id, then second. Needs at
-// least two points, all valid.
-IdPair closest_pair(const PointsView& points, Crew& crew);
+// least two points, all valid and within `bounds`.
+IdPair closest_pair(const PointsView& points, const Bounds& bounds, Crew& crew);
 
 }  // namespace beespace::core

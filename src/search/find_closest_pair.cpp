@@ -13,7 +13,7 @@ Result<std::optional<ClosestPair>> find_closest_pair(const PointsView& points, u
   const Result<core::Bounds> bounds = core::measure(points, crew);
   if (!bounds) return bounds.error();
   if (points.size() < 2) return std::optional<ClosestPair>();
-  const core::IdPair pair = core::closest_pair(points, crew);
+  const core::IdPair pair = core::closest_pair(points, *bounds, crew);
   return std::optional(
       ClosestPair{pair.first, pair.second, distance(points[pair.first], points[pair.second])});
 }
