@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# The kernels are compiled for processors that the rest of the library must not require. An inline
+# function of theirs that the linker may choose for everybody (a weak symbol) would crash older
+# processors; each kernel's object file must define its entry and nothing else that is shared.
+# usage: kernel_symbols_test.sh ARCHIVE
+set -euo pipefail
+
+symbols=$(nm -C --defined-only "$1" 2>/dev/null)
+kernels=$(grep -cE '^sweep_(avx2|avx512|baseline)\.cpp\.o:$' <<<"$symbols" || true)
+[ "$kernels" -ge 1 ] || { echo "no kernel object found in $1" >&2; exit 1; }
+
+awk '
+  /^[^ ]+\.o:$/ { kernel = /^sweep_(avx2|avx512|baseline)\.cpp/; next }
+  kernel && NF >= 3 {
+    shared = $2 ~ /^[A-Zuvw]$/
+    if (shared && !($2 == "T" && $3 ~ /^beespace::cpu::sweep_/)) { print "shared: " $0; bad = 1 }
+    if ($2 == "T") entries++
+  }
+  END { if (bad || entries < 1) exit 1; print entries " kernel entries, nothing else shared" }
+' <<<"$symbols"
