@@ -13,6 +13,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace beespace::core {
@@ -93,96 +94,149 @@ std::vector<Point> random_sample(const PointsView& points) {
   return sample;
 }
 
-// Which cells hold points, by their hashes: a set that may say yes too often, never no.
+using BlockPositions = std::array<std::array<std::int32_t, PointBlock::kSize>, 3>;
+
+// Which cells hold points, by their hashes: a set that may say yes too often, never no. Works on
+// blocks of points in short loops without branches, so that many table look-ups are under way at
+// once.
 class Sieve {
  public:
   Sieve(const Lattice& lattice, double bound, std::size_t size)
-      : lattice_(lattice),
+      : fraction_bits_(lattice.fraction_bits()),
         // Positions are cut to whole units: 1 unit for each of two points.
         reach_(static_cast<std::int32_t>(bound * lattice.units_per_m()) + 2),
         mask_(std::bit_ceil(size * kSieveSlotsAPoint) - 1),
-        slots_(mask_ / kSlotsAWord + 1) {}
+        words_(mask_ / kSlotsAWord + 1) {}
 
-  void add(const std::array<std::int32_t, 3>& position) {
-    const std::uint64_t slot = slot_of(cell(position[0]), cell(position[1]), cell(position[2]));
-    std::uint64_t& word = slots_[slot / kSlotsAWord];
-    const std::uint64_t once = kOnce << slot % kSlotsAWord * 2;
-    word |= once | (word & once) << 1;
+  // With few units a cell, a point may be near both faces of it: the sieve cannot tell then.
+  [[nodiscard]] bool is_useful() const { return 2 * reach_ < 1 << fraction_bits_; }
+
+  void add(const BlockPositions& positions, std::size_t count) {
+    std::array<std::uint64_t, PointBlock::kSize> slots;
+    for (std::size_t i = 0; i < count; ++i) slots[i] = looked_up(sum_of(positions, i));
+    for (std::size_t i = 0; i < count; ++i) {
+      std::uint64_t& word = words_[slots[i] / kSlotsAWord];
+      const std::uint64_t once = kOnce << slots[i] % kSlotsAWord * 2;
+      word |= once | (word & once) << 1;
+    }
   }
 
-  // Whether another point may lie within the bound.
-  [[nodiscard]] bool has_company(const std::array<std::int32_t, 3>& position) const {
-    const std::array<std::uint32_t, 3> own{cell(position[0]), cell(position[1]), cell(position[2])};
-    if (contains(kTwice, own[0], own[1], own[2])) return true;
-    const auto low = [&](std::size_t axis) { return cell(position[axis] - reach_); };
-    const auto high = [&](std::size_t axis) { return cell(position[axis] + reach_); };
-    const std::array<std::uint32_t, 3> first{low(0), low(1), low(2)};
-    const std::array<std::uint32_t, 3> last{high(0), high(1), high(2)};
-    if (first == own && last == own) return false;
-    for (std::uint32_t z = first[2]; z != last[2] + 1; ++z) {
-      for (std::uint32_t y = first[1]; y != last[1] + 1; ++y) {
-        for (std::uint32_t x = first[0]; x != last[0] + 1; ++x) {
-          const bool is_own = x == own[0] && y == own[1] && z == own[2];
-          if (!is_own && contains(kOnce, x, y, z)) return true;
-        }
+  // Sets company[i] when another point may lie within the bound of point i of the block.
+  void find_company(const BlockPositions& positions, std::size_t count,
+                    std::array<bool, PointBlock::kSize>& company) const {
+    struct LookUp {
+      std::uint64_t slot;
+      std::size_t point;
+    };
+    std::array<std::uint64_t, PointBlock::kSize> own;
+    std::array<LookUp, 7 * PointBlock::kSize> beside;
+    std::size_t look_ups = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::uint64_t sum = sum_of(positions, i);
+      own[i] = looked_up(sum);
+      std::array<std::uint64_t, 3> step;
+      const unsigned faces = near_faces(positions, i, step);
+      // The cells across a face, an edge or the corner: every subset of the near faces.
+      for (unsigned subset = 1; subset < 8; ++subset) {
+        const std::uint64_t other = sum + ((subset & 1) != 0 ? step[0] : 0) +
+                                    ((subset & 2) != 0 ? step[1] : 0) +
+                                    ((subset & 4) != 0 ? step[2] : 0);
+        beside[look_ups] = {slot_of(other), i};
+        look_ups += (subset & ~faces) == 0 ? 1 : 0;
       }
     }
-    return false;
+    for (std::size_t i = 0; i < look_ups; ++i) __builtin_prefetch(&word_of(beside[i].slot));
+    for (std::size_t i = 0; i < count; ++i) company[i] = holds(own[i], kTwice);
+    for (std::size_t i = 0; i < look_ups; ++i) {
+      company[beside[i].point] |= holds(beside[i].slot, kOnce);
+    }
   }
 
  private:
-  // Arithmetic shift: just below the lattice lies cell -1, as good a number as any.
-  [[nodiscard]] std::uint32_t cell(std::int32_t position) const {
-    return static_cast<std::uint32_t>(position >> lattice_.fraction_bits());
-  }
-  [[nodiscard]] std::uint64_t slot_of(std::uint32_t x, std::uint32_t y, std::uint32_t z) const {
-    return hash_cell(x, y, z) >> 16 & mask_;
-  }
-  [[nodiscard]] bool contains(std::uint64_t state, std::uint32_t x, std::uint32_t y,
-                              std::uint32_t z) const {
-    const std::uint64_t slot = slot_of(x, y, z);
-    return (slots_[slot / kSlotsAWord] >> slot % kSlotsAWord * 2 & state) != 0;
-  }
-
   // Two bits a slot: a point is there, another one is there too.
   static constexpr std::uint64_t kSlotsAWord = 32;
   static constexpr std::uint64_t kOnce = 1;
   static constexpr std::uint64_t kTwice = 2;
 
-  const Lattice& lattice_;
+  [[nodiscard]] std::uint64_t sum_of(const BlockPositions& positions, std::size_t i) const {
+    const auto cell = [&](std::size_t axis) {
+      return static_cast<std::uint64_t>(positions[axis][i] >> fraction_bits_);
+    };
+    return cell_sum(cell(0), cell(1), cell(2));
+  }
+  // One bit an axis for the faces within the bound, and what it takes to hash across them.
+  [[nodiscard]] unsigned near_faces(const BlockPositions& positions, std::size_t i,
+                                    std::array<std::uint64_t, 3>& step) const {
+    unsigned faces = 0;
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      const std::int32_t within = positions[axis][i] & ((1 << fraction_bits_) - 1);
+      const bool low = within < reach_;
+      const bool high = within + reach_ >= 1 << fraction_bits_;
+      step[axis] = low ? 0 - kCellStep[axis] : kCellStep[axis];
+      faces |= static_cast<unsigned>(low | high) << axis;
+    }
+    return faces;
+  }
+  [[nodiscard]] std::uint64_t slot_of(std::uint64_t sum) const {
+    return hash_cell_sum(sum) >> 16 & mask_;
+  }
+  [[nodiscard]] const std::uint64_t& word_of(std::uint64_t slot) const {
+    return words_[slot / kSlotsAWord];
+  }
+  [[nodiscard]] std::uint64_t looked_up(std::uint64_t sum) const {
+    const std::uint64_t slot = slot_of(sum);
+    __builtin_prefetch(&word_of(slot));
+    return slot;
+  }
+  [[nodiscard]] bool holds(std::uint64_t slot, std::uint64_t state) const {
+    return (word_of(slot) >> slot % kSlotsAWord * 2 & state) != 0;
+  }
+
+  unsigned fraction_bits_;
   std::int32_t reach_;
   std::uint64_t mask_;
-  std::vector<std::uint64_t> slots_;
+  std::vector<std::uint64_t> words_;
 };
 
-// Calls visit(position, id) for all points.
+// Calls visit(positions, first id, count) for [begin, end) in blocks.
 template <class Visit>
-void for_each_position(const PointsView& points, const Lattice& lattice, std::size_t begin,
-                       std::size_t end, Visit&& visit) {
+void for_each_position_block(const PointsView& points, const Lattice& lattice, std::size_t begin,
+                             std::size_t end, Visit&& visit) {
   PointBlock block;
-  std::array<std::array<std::int32_t, PointBlock::kSize>, 3> positions;
+  BlockPositions positions;
   for_each_block(begin, end, [&](std::size_t first, std::size_t count) {
     block.load(points, first, count);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       lattice.positions(axis, block.axis(axis), count, positions[axis].data());
     }
-    for (std::size_t i = 0; i < count; ++i) {
-      visit({positions[0][i], positions[1][i], positions[2][i]}, static_cast<PointId>(first + i));
-    }
+    visit(positions, first, count);
   });
 }
 
+// The points that may have company within the bound, ascending.
 std::vector<PointId> sieve(const PointsView& points, const Lattice& lattice, double bound,
                            Crew& crew) {
-  using Position = std::array<std::int32_t, 3>;
   Sieve cells(lattice, bound, points.size());
-  for_each_position(points, lattice, 0, points.size(),
-                    [&](const Position& position, PointId) { cells.add(position); });
   std::vector<std::vector<PointId>> left(crew.size());
+  if (!cells.is_useful()) {
+    left[0].resize(points.size());
+    std::iota(left[0].begin(), left[0].end(), PointId{0});
+    return std::move(left[0]);
+  }
+  for_each_position_block(points, lattice, 0, points.size(),
+                          [&](const BlockPositions& positions, std::size_t, std::size_t count) {
+                            cells.add(positions, count);
+                          });
   crew.split(points.size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
-    for_each_position(points, lattice, begin, end, [&](const Position& position, PointId id) {
-      if (cells.has_company(position)) left[worker].push_back(id);
-    });
+    std::array<bool, PointBlock::kSize> company;
+    for_each_position_block(
+        points, lattice, begin, end,
+        [&](const BlockPositions& positions, std::size_t first, std::size_t count) {
+          cells.find_company(positions, count, company);
+          for (std::size_t i = 0; i < count; ++i) {
+            if (company[i]) left[worker].push_back(static_cast<PointId>(first + i));
+          }
+        });
   });
   for (unsigned worker = 1; worker < crew.size(); ++worker) {
     left[0].insert(left[0].end(), left[worker].begin(), left[worker].end());

@@ -13,11 +13,20 @@ inline std::uint64_t mix(std::uint64_t value) {
   return value ^ (value >> 31);
 }
 
-inline std::uint64_t hash_cell(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
-  // Odd multipliers keep neighbouring cells apart before the high bits are folded down.
-  const std::uint64_t sum =
-      x * 0x9E3779B97F4A7C15U + y * 0xC2B2AE3D27D4EB4FU + z * 0x165667B19E3779F9U;
+// Cells are hashed by a sum, so that the hash of a cell beside another one costs an addition.
+inline constexpr std::uint64_t kCellStep[3] = {0x9E3779B97F4A7C15U, 0xC2B2AE3D27D4EB4FU,
+                                               0x165667B19E3779F9U};
+
+inline std::uint64_t cell_sum(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
+  return x * kCellStep[0] + y * kCellStep[1] + z * kCellStep[2];
+}
+
+inline std::uint64_t hash_cell_sum(std::uint64_t sum) {
   return (sum ^ (sum >> 29)) * 0xBF58476D1CE4E5B9U;
+}
+
+inline std::uint64_t hash_cell(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
+  return hash_cell_sum(cell_sum(x, y, z));
 }
 
 }  // namespace beespace::core
