@@ -1,0 +1,39 @@
+// `beespace detect`: its options, and what it does with them.
+#pragma once
+
+#include "cli/detection.hpp"
+#include "cli/exit_code.hpp"
+
+#include <string>
+
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
+class App;
+}
+
+namespace beespace::cli {
+
+// As typed, before it is checked.
+struct DetectOptions {
+  std::string input;
+  std::string output = "-";
+  std::string threshold = "100";
+  std::string frame = "auto";
+  std::string format = "auto";
+  std::string columns;
+  unsigned threads = 0;
+  bool inclusive = false;
+  bool csv = false;
+  bool json = false;
+  bool geojson = false;
+  bool nearest = false;
+  bool skip_bad = false;
+  bool fail_on_risk = false;
+  bool quiet = false;
+};
+
+// Adds the subcommand to the command; `options` must outlive the parsing.
+CLI::App* add_detect_command(CLI::App& command, DetectOptions& options);
+
+ExitCode run_detect(const DetectOptions& options);
+
+}  // namespace beespace::cli

@@ -1,0 +1,94 @@
+#include "cli/detect_command.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <initializer_list>
+#include <string>
+
+namespace beespace::cli {
+namespace {
+
+constexpr const char* kDescription = "Tell which bees are too close to another one";
+
+constexpr const char* kDetails =
+    "Reads text tables (longitude, latitude, height or x, y, z), .npy arrays and raw float64, "
+    "each\n"
+    "plain or gzip-compressed. Writes the ids of the bees at risk to standard output, one a line\n"
+    "(the 0-based data row, or the file's id column), and a summary to standard error.\n"
+    "\n"
+    "Examples:\n"
+    "  beespace detect bees.csv\n"
+    "  beespace detect bees.csv --threshold 50 --csv --nearest --output risky.csv\n"
+    "  zcat swarm.txt.gz | beespace detect --columns id=1,lon=2,lat=3,height=4 --json\n"
+    "  beespace detect swarm.npy --crs metres --quiet --fail-on-risk || echo danger\n"
+    "\n"
+    "Exit status: 0 fine, 1 somebody is at risk (with --fail-on-risk), 2 wrong usage, 3 bad "
+    "input,\n"
+    "4 cannot open, read or write, 130 interrupted, 141 closed pipe.";
+
+// One of a few words; the words are the option's type in the help.
+CLI::Validator one_of(std::initializer_list<std::string> words) {
+  return CLI::IsMember(words).description("");
+}
+
+void add_input_options(CLI::App& detect, DetectOptions& options) {
+  detect.add_option("FILE", options.input, "What to read (default, or -: standard input)")
+      ->type_name(" ");
+  detect.add_option("--crs", options.frame, "Whether the input is in degrees or metres")
+      ->check(one_of({"auto", "wgs84", "metres"}))
+      ->type_name("auto|wgs84|metres")
+      ->group("Input");
+  detect.add_option("--columns", options.columns, "By number or name: id=1,lon=2,lat=3,height=4")
+      ->type_name("LIST")
+      ->group("Input");
+  detect.add_option("--format", options.format, "How the input is written")
+      ->check(one_of({"auto", "text", "npy", "bin"}))
+      ->type_name("auto|text|npy|bin")
+      ->group("Input");
+  detect.add_flag("--skip-bad", options.skip_bad, "Leave bad records out and list them")
+      ->group("Input");
+}
+
+void add_search_options(CLI::App& detect, DetectOptions& options) {
+  detect
+      .add_option("--threshold", options.threshold, "Closer than this is too close (default: 100)")
+      ->type_name("METRES")
+      ->group("Search");
+  detect
+      .add_flag("--inclusive", options.inclusive, "A distance of exactly the threshold counts too")
+      ->group("Search");
+  detect.add_option("--threads", options.threads, "How many threads work (default: 0, all)")
+      ->type_name("N")
+      ->group("Search");
+}
+
+void add_output_options(CLI::App& detect, DetectOptions& options) {
+  detect.add_option("--output", options.output, "Where the answer goes (default: standard output)")
+      ->type_name("FILE")
+      ->group("Output");
+  detect.add_flag("--csv", options.csv, "The records at risk as they stand in the input")
+      ->group("Output");
+  detect.add_flag("--json", options.json, "One JSON document with everything in it")
+      ->group("Output");
+  detect.add_flag("--geojson", options.geojson, "Points for map tools (input in degrees only)")
+      ->group("Output");
+  detect.add_flag("--nearest", options.nearest, "Also the nearest other bee and its distance")
+      ->group("Output");
+  detect.add_flag("--fail-on-risk", options.fail_on_risk, "Exit with 1 when somebody is at risk")
+      ->group("Output");
+  detect.add_flag("--quiet", options.quiet, "No summary and no progress, only errors")
+      ->group("Output");
+}
+
+}  // namespace
+
+CLI::App* add_detect_command(CLI::App& command, DetectOptions& options) {
+  CLI::App* detect = command.add_subcommand("detect", kDescription);
+  detect->footer(kDetails);
+  add_input_options(*detect, options);
+  add_search_options(*detect, options);
+  add_output_options(*detect, options);
+  return detect;
+}
+
+}  // namespace beespace::cli

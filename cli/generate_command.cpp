@@ -1,0 +1,163 @@
+#include "cli/generate_command.hpp"
+
+#include "cli/number_text.hpp"
+#include "cli/swarm_output.hpp"
+#include "cli/terminal.hpp"
+#include "io/atomic_output.hpp"
+#include "scenes/swarm_scenes.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace beespace::cli {
+namespace {
+
+constexpr double kDefaultSide_m = 12'800.0;
+constexpr std::uint64_t kDefaultClusters = 100;
+constexpr double kDefaultSigma_m = 200.0;
+constexpr double kLargestSize_m = 1e15;
+
+struct Swarm {
+  std::vector<Point> points;
+  SwarmUnits units = SwarmUnits::kMetres;
+};
+
+Error usage_error(std::string message) {
+  return {
+      ErrorCode::kInvalidArgument, std::move(message) + " (see 'beespace generate --help')", {}};
+}
+
+// A whole number from 1 to `most`.
+Result<std::uint64_t> read_count(const std::string& text, const std::string& option,
+                                 std::uint64_t most) {
+  std::uint64_t count = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, problem] = std::from_chars(text.data(), end, count);
+  if (problem != std::errc{} || stop != end || count == 0 || count > most) {
+    return usage_error(option + " '" + printable(text) + "' is not a whole number from 1 to " +
+                       grouped(most));
+  }
+  return count;
+}
+
+std::optional<double> read_length(std::string_view text) {
+  const auto value = parse_number(text);
+  const bool good = value && *value > 0.0 && *value <= kLargestSize_m;
+  return good ? value : std::nullopt;
+}
+
+// "12800" or "3300x2300x480".
+Result<Point> read_size(const std::string& text) {
+  const Error error = usage_error("--size '" + printable(text) +
+                                  "' is not a length in metres, nor three as in 3300x2300x480");
+  std::vector<double> sides;
+  std::string_view rest = text;
+  while (true) {
+    const std::size_t end = std::min(rest.find('x'), rest.size());
+    const auto side = read_length(rest.substr(0, end));
+    if (!side) return error;
+    sides.push_back(*side);
+    if (end == rest.size()) break;
+    rest.remove_prefix(end + 1);
+  }
+  if (sides.size() == 1) return Point{sides[0], sides[0], sides[0]};
+  if (sides.size() != 3) return error;
+  return Point{sides[0], sides[1], sides[2]};
+}
+
+std::string scene_of(const GenerateOptions& options) {
+  if (!options.scene.empty()) return options.scene;
+  if (!options.area.empty()) return "area";
+  return options.clusters.empty() && options.sigma.empty() ? "uniform" : "clusters";
+}
+
+// An option that the scene would ignore is a misunderstanding.
+std::optional<Error> check_fit(const GenerateOptions& options, const std::string& scene) {
+  const auto misfit = [&scene](const char* option) {
+    return usage_error(std::string(option) + " does not apply to --scene " + scene);
+  };
+  if (scene != "area" && !options.area.empty()) return misfit("--area");
+  if (scene == "area" && !options.size.empty()) return misfit("--size");
+  if (scene != "clusters" && !options.clusters.empty()) return misfit("--clusters");
+  if (scene != "clusters" && !options.sigma.empty()) return misfit("--sigma");
+  return std::nullopt;
+}
+
+Result<Swarm> make_clusters(const GenerateOptions& options, std::size_t count, const Point& size) {
+  if (size.x != size.y || size.x != size.z) {
+    return usage_error("--scene clusters lives in a cube; give --size one length");
+  }
+  std::uint64_t clusters = kDefaultClusters;
+  if (!options.clusters.empty()) {
+    const auto given = read_count(options.clusters, "--clusters", kMaxPoints);
+    if (!given) return given.error();
+    clusters = *given;
+  }
+  std::optional<double> sigma = kDefaultSigma_m;
+  if (!options.sigma.empty()) sigma = read_length(options.sigma);
+  if (!sigma) {
+    return usage_error("--sigma '" + printable(options.sigma) + "' is not a length in metres");
+  }
+  return Swarm{scenes::gaussian_clusters(count, static_cast<std::uint32_t>(clusters), *sigma,
+                                         size.x, options.seed),
+               SwarmUnits::kMetres};
+}
+
+Result<Swarm> make_swarm(const GenerateOptions& options) {
+  const auto count = read_count(options.points, "--points", kMaxPoints);
+  if (!count) return count.error();
+  const std::string scene = scene_of(options);
+  if (const auto misfit = check_fit(options, scene)) return *misfit;
+  if (scene == "area") {
+    const auto area = scenes::find_area(options.area.empty() ? "medellin" : options.area);
+    if (!area) {
+      return usage_error("there is no area '" + printable(options.area) + "'; known: medellin");
+    }
+    return Swarm{scenes::geographic_area(*count, *area, options.seed), SwarmUnits::kDegrees};
+  }
+  Point size{kDefaultSide_m, kDefaultSide_m, kDefaultSide_m};
+  if (!options.size.empty()) {
+    const auto given = read_size(options.size);
+    if (!given) return given.error();
+    size = *given;
+  }
+  if (scene == "clusters") return make_clusters(options, *count, size);
+  return Swarm{scenes::uniform_box(*count, size, options.seed), SwarmUnits::kMetres};
+}
+
+Result<SwarmFormat> format_of(const GenerateOptions& options) {
+  if (!options.format.empty()) return *swarm_format(options.format);
+  if (options.output == "-") return SwarmFormat{};
+  if (const auto format = swarm_format(options.output)) return *format;
+  return usage_error("the ending of '" + printable(options.output) +
+                     "' does not tell the format; add --format csv, tsv, npy or bin");
+}
+
+Result<ExitCode> generate(const GenerateOptions& options) {
+  const auto format = format_of(options);
+  if (!format) return format.error();
+  const auto swarm = make_swarm(options);
+  if (!swarm) return swarm.error();
+  auto output = io::AtomicOutput::open(options.output);
+  if (!output) return std::move(output).error();
+  const Status written = write_swarm(swarm->points, swarm->units, *format, *output);
+  if (!written && output->pipe_closed()) return ExitCode::kPipeClosed;
+  if (!written) return written.error();
+  return ExitCode::kFine;
+}
+
+}  // namespace
+
+ExitCode run_generate(const GenerateOptions& options) {
+  const auto code = generate(options);
+  if (code) return *code;
+  say_error(printable(to_string(code.error())));
+  return exit_code_for(code.error().code);
+}
+
+}  // namespace beespace::cli

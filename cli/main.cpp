@@ -1,0 +1,113 @@
+// The beespace command: reads the command line and hands over to the subcommand.
+
+#include "cli/detect_command.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/generate_command.hpp"
+#include "cli/signals.hpp"
+#include "cli/similar_word.hpp"
+#include "cli/terminal.hpp"
+
+#include <beespace/version.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <cerrno>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+#include <vector>
+
+namespace beespace::cli {
+namespace {
+
+constexpr const char* kDescription =
+    "Who is too close to whom, exactly and fast: separation checks for swarms.";
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  beespace detect bees.csv                      who is closer than 100 m to another bee\n"
+    "  beespace generate --points 1000 --area medellin --output bees.csv\n"
+    "\n"
+    "'beespace detect --help' and 'beespace generate --help' say more.";
+
+ExitCode print(const std::string& text) {
+  const bool complete = std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0;
+  if (complete) return ExitCode::kFine;
+  if (errno == EPIPE) return ExitCode::kPipeClosed;
+  say_error("cannot write to standard output");
+  return ExitCode::kSystem;
+}
+
+// The subcommand in use, or the command itself: whose help is meant.
+const CLI::App& used_command(const CLI::App& command) {
+  const auto used = command.get_subcommands();
+  return used.empty() ? command : *used.front();
+}
+
+// " (did you mean ...?)" for a word that nothing was called by.
+std::string suggestion(const CLI::App& command) {
+  const auto unknown = command.remaining();
+  if (unknown.empty()) return {};
+  std::vector<std::string> known;
+  for (const CLI::Option* option : command.get_options()) known.push_back(option->get_name());
+  for (const CLI::App* sub : command.get_subcommands({})) known.push_back(sub->get_name());
+  const auto word = most_similar(unknown.front().substr(0, unknown.front().find('=')), known);
+  return word ? "; did you mean '" + *word + "'?" : std::string();
+}
+
+ExitCode explain(const CLI::App& command, const CLI::ParseError& error) {
+  if (dynamic_cast<const CLI::CallForVersion*>(&error) != nullptr) {
+    return print("beespace " + std::string(version()) + "\n");
+  }
+  if (dynamic_cast<const CLI::CallForHelp*>(&error) != nullptr) return print(command.help());
+  std::string message = error.what();
+  while (!message.empty() && message.back() == '\n') message.pop_back();
+  message += suggestion(used_command(command));
+  const std::string name = &used_command(command) == &command
+                               ? "beespace"
+                               : "beespace " + used_command(command).get_name();
+  say_error(printable(message) + " (see '" + name + " --help')");
+  return ExitCode::kUsage;
+}
+
+ExitCode run(int argc, char** argv) {
+  handle_signals();
+  CLI::App command(kDescription, "beespace");
+  command.set_version_flag("--version", std::string(version()), "Print the version and exit");
+  command.set_help_flag("-h,--help", "Print this help and exit");
+  command.footer(kExamples);
+  command.get_formatter()->column_width(34);
+  DetectOptions detect_options;
+  GenerateOptions generate_options;
+  const CLI::App* detect = add_detect_command(command, detect_options);
+  add_generate_command(command, generate_options);
+  try {
+    command.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return explain(command, error);
+  }
+  if (command.get_subcommands().empty()) {
+    say_error("say what to do: detect or generate (see 'beespace --help')");
+    return ExitCode::kUsage;
+  }
+  return detect->parsed() ? run_detect(detect_options) : run_generate(generate_options);
+}
+
+}  // namespace
+}  // namespace beespace::cli
+
+int main(int argc, char** argv) {
+  using beespace::cli::ExitCode;
+  try {
+    return static_cast<int>(beespace::cli::run(argc, argv));
+  } catch (const std::bad_alloc&) {
+    // Said without a string, for which there may be no memory either.
+    beespace::cli::say("beespace: error: out of memory; close other programs or split the input\n");
+  } catch (const std::exception& problem) {
+    beespace::cli::say("beespace: error: this is a defect of beespace, please report it: ");
+    beespace::cli::say(problem.what());
+    beespace::cli::say("\n");
+  }
+  return static_cast<int>(ExitCode::kSystem);
+}

@@ -1,0 +1,37 @@
+// Numbers as text, whatever the locale: exact ones for machines, grouped ones for people.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace beespace::cli {
+
+// The shortest text that reads back as the same double.
+void append_exact(std::string& out, double value);
+void append_exact(std::string& out, std::uint64_t value);
+std::string exact(double value);
+
+// "1,234,567".
+std::string grouped(std::uint64_t value);
+
+// A fixed number of decimals, the integer part grouped: "12,345.68".
+std::string grouped(double value, int decimals);
+
+// A length from millimetres to kilometres, with its unit: "57.294 m". 0 is "0 m".
+std::string length(double metres);
+
+// "0.4 ms", "12.3 ms", "1.25 s".
+std::string duration(double seconds);
+
+// "29.6 %".
+std::string percentage(double share);
+
+// "39.2 kB", "50.1 MB": powers of a thousand.
+std::string byte_count(std::uint64_t bytes);
+
+// The whole text as a number, "inf" and "nan" included; nothing when it is something else.
+std::optional<double> parse_number(std::string_view text);
+
+}  // namespace beespace::cli

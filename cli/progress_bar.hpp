@@ -1,0 +1,46 @@
+// A line on the terminal that says how far the work has come, when it takes more than a second.
+//
+// One small thread draws ten times a second; the working threads only write atomics. The line is
+// wiped when the object ends. Nothing is drawn where standard error is no terminal.
+#pragma once
+
+#include "io/load_points.hpp"
+
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+namespace beespace::cli {
+
+class ProgressBar {
+ public:
+  explicit ProgressBar(bool wanted);
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
+  // What is being done from now on: a literal, such as "searching".
+  void enter_stage(const char* name);
+
+  // For the reader to fill in; the bar shows its fraction during the stage kReading.
+  io::Progress& reading() { return reading_; }
+  static constexpr const char* kReading = "reading";
+
+  // Wipes the line and ends the thread; before other messages.
+  void finish();
+
+ private:
+  void run();
+  void draw();
+
+  io::Progress reading_;
+  std::atomic<const char*> stage_{kReading};
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  bool finished_ = false;
+  bool drawn_ = false;
+  std::thread thread_;
+};
+
+}  // namespace beespace::cli

@@ -1,0 +1,56 @@
+#include "cli/shown_ids.hpp"
+
+#include "cli/json_text.hpp"
+#include "cli/number_text.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace beespace::cli {
+
+ShownIds::ShownIds(const io::LoadedPoints& loaded, const std::vector<PointId>& ascending)
+    : own_ids_(io::has_id_column(loaded)),
+      rows_are_points_(!own_ids_ && loaded.skipped_count == 0),
+      points_(&ascending) {
+  if (rows_are_points_) return;
+  begin_.reserve(ascending.size() + 1);
+  io::for_each_record(loaded, ascending, [this](const io::Record& record) {
+    begin_.push_back(texts_.size());
+    if (own_ids_) {
+      texts_ += record.id;
+    } else {
+      append_exact(texts_, record.row);
+    }
+  });
+  begin_.push_back(texts_.size());
+}
+
+std::string_view ShownIds::find(PointId point) const {
+  const auto place = std::lower_bound(points_->begin(), points_->end(), point);
+  const auto i = static_cast<std::size_t>(place - points_->begin());
+  return std::string_view(texts_).substr(begin_[i], begin_[i + 1] - begin_[i]);
+}
+
+void ShownIds::append(std::string& out, PointId point) const {
+  if (rows_are_points_) {
+    append_exact(out, std::uint64_t{point});
+  } else {
+    out += find(point);
+  }
+}
+
+std::string ShownIds::text(PointId point) const {
+  std::string out;
+  append(out, point);
+  return out;
+}
+
+void ShownIds::append_json(std::string& out, PointId point) const {
+  if (own_ids_) {
+    append_json_string(out, find(point));
+  } else {
+    append(out, point);
+  }
+}
+
+}  // namespace beespace::cli

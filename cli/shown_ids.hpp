@@ -1,0 +1,42 @@
+// The ids that people know: the file's own id column, or the 0-based data row.
+//
+// Made for some points at once, because the records lie in the file in their order. `loaded`
+// must outlive it. Memory: none where the row is the point's number; the text of the ids otherwise.
+#pragma once
+
+#include "io/load_points.hpp"
+
+#include <beespace/point.hpp>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace beespace::cli {
+
+class ShownIds {
+ public:
+  ShownIds(const io::LoadedPoints& loaded, const std::vector<PointId>& ascending);
+
+  // The id of one of the points given, for people and lines of text.
+  void append(std::string& out, PointId point) const;
+  [[nodiscard]] std::string text(PointId point) const;
+
+  // The same for JSON: a number when it is a row, a string when it is the file's own.
+  void append_json(std::string& out, PointId point) const;
+
+  // Whether each id is the point's own number, which is quicker written directly.
+  [[nodiscard]] bool are_point_numbers() const { return rows_are_points_; }
+
+ private:
+  [[nodiscard]] std::string_view find(PointId point) const;
+
+  bool own_ids_ = false;          // the file has an id column
+  bool rows_are_points_ = false;  // nothing was skipped: no table is needed
+  const std::vector<PointId>* points_;
+  std::string texts_;               // all ids, one after the other
+  std::vector<std::size_t> begin_;  // of each in texts_, and the end of the last
+};
+
+}  // namespace beespace::cli

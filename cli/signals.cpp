@@ -1,0 +1,37 @@
+#include "cli/signals.hpp"
+
+#include "io/atomic_output.hpp"
+
+#include <unistd.h>
+#include <csignal>
+#include <initializer_list>
+
+namespace beespace::cli {
+namespace {
+
+constexpr int kSignalExitCode = 128;
+
+// Only async-signal-safe calls; the process ends here, so errno need not be kept.
+extern "C" void leave(int signal) {
+  io::discard_open_outputs_in_signal_handler();
+  _exit(kSignalExitCode + signal);
+}
+
+}  // namespace
+
+void handle_signals() {
+  struct sigaction ignore {};
+  ignore.sa_handler = SIG_IGN;
+  sigaction(SIGPIPE, &ignore, nullptr);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction current {};
+    sigaction(signal, nullptr, &current);
+    if (current.sa_handler == SIG_IGN) continue;
+    struct sigaction action {};
+    action.sa_handler = leave;
+    sigfillset(&action.sa_mask);
+    sigaction(signal, &action, nullptr);
+  }
+}
+
+}  // namespace beespace::cli

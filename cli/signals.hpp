@@ -1,0 +1,11 @@
+// Ctrl-C, termination and closed pipes: leave quietly, with the right exit code, and leave no
+// temporary files behind.
+#pragma once
+
+namespace beespace::cli {
+
+// SIGINT ends the program with 130, SIGTERM with 143, SIGHUP with 129, unless the one who started
+// it had them ignored (nohup). SIGPIPE is ignored: a closed pipe is seen as a failed write.
+void handle_signals();
+
+}  // namespace beespace::cli

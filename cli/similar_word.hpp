@@ -1,0 +1,16 @@
+// What somebody may have meant who mistyped a word.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace beespace::cli {
+
+// The known word that is fewest edits away (insert, delete, replace), if it takes at most a third
+// of the word's length; the first of several.
+std::optional<std::string> most_similar(std::string_view word,
+                                        const std::vector<std::string>& known);
+
+}  // namespace beespace::cli

@@ -1,0 +1,13 @@
+// What a person wants to know after a run, on a few aligned lines.
+#pragma once
+
+#include "cli/detection.hpp"
+
+#include <string>
+
+namespace beespace::cli {
+
+std::string summary(const io::LoadedPoints& loaded, const Detection& detection,
+                    const DetectRequest& request);
+
+}  // namespace beespace::cli

@@ -1,0 +1,58 @@
+// Starting the built command as a shell would, and seeing what it says.
+#pragma once
+
+#include <sys/types.h>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace beespace::cli_test {
+
+struct Finished {
+  int exit_code = -1;  // -1 when a signal killed it
+  std::string out;
+  std::string err;
+};
+
+using Arguments = std::vector<std::string>;
+
+// Runs `beespace <arguments>` to its end; `input` is its standard input.
+Finished run(const Arguments& arguments, std::string_view input = {});
+
+// The same with standard error on a terminal, and NO_COLOR set to `no_colour` unless it is empty.
+Finished run_on_terminal(const Arguments& arguments, const std::string& no_colour = {});
+
+// How a command is started, where that matters.
+struct Surroundings {
+  enum class Output { kCollected, kFile, kClosedPipe };
+
+  Output output = Output::kCollected;  // kClosedPipe: a pipe that nobody reads
+  std::string file = {};               // where standard output goes with kFile
+  bool input_on_terminal = false;
+  bool error_on_terminal = false;
+  std::size_t memory_bytes = 0;  // the most it may take; 0: no limit
+};
+
+// A command that is still running. Its standard input stays open until asked.
+class Running {
+ public:
+  explicit Running(const Arguments& arguments, const Surroundings& surroundings = {});
+  ~Running();
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+
+  void send(std::string_view input) const;
+  void close_input();
+  void signal(int number) const;
+  // Waits for its end; at most a minute, then it is killed.
+  Finished finish();
+
+ private:
+  pid_t process_ = -1;
+  int input_ = -1;
+  int output_ = -1;
+  int error_ = -1;
+};
+
+}  // namespace beespace::cli_test

@@ -1,0 +1,57 @@
+#include "cli/number_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace beespace::cli {
+namespace {
+
+TEST(NumberText, ExactNumbersReadBackAsTheSameDouble) {
+  for (const double value : {0.1, 1.0 / 3.0, 73.19845091175326, 1e-300, -2.5, 1e22, 100.0}) {
+    const auto back = parse_number(exact(value));
+    ASSERT_TRUE(back.has_value());
+    EXPECT_EQ(*back, value);
+  }
+  EXPECT_EQ(exact(100.0), "100");
+}
+
+TEST(NumberText, ThousandsAreGrouped) {
+  EXPECT_EQ(grouped(std::uint64_t{0}), "0");
+  EXPECT_EQ(grouped(std::uint64_t{999}), "999");
+  EXPECT_EQ(grouped(std::uint64_t{1'000}), "1,000");
+  EXPECT_EQ(grouped(std::uint64_t{1'234'567}), "1,234,567");
+  EXPECT_EQ(grouped(1234.5678, 2), "1,234.57");
+  EXPECT_EQ(grouped(-1234.5, 0), "-1,234");
+}
+
+TEST(NumberText, LengthsKeepTheirMeaningAtEveryScale) {
+  EXPECT_EQ(length(0.0), "0 m");
+  EXPECT_EQ(length(73.19845), "73.198 m");
+  EXPECT_EQ(length(0.0001), "1e-04 m");  // never rounded to zero
+  EXPECT_EQ(length(12'345.6), "12.3 km");
+  EXPECT_EQ(length(1e20), "1e+20 m");
+}
+
+TEST(NumberText, SizesTimesAndSharesAreForPeople) {
+  EXPECT_EQ(byte_count(999), "999 B");
+  EXPECT_EQ(byte_count(39'200), "39.2 kB");
+  EXPECT_EQ(byte_count(999'999), "1.0 MB");
+  EXPECT_EQ(duration(0.0123), "12.3 ms");
+  EXPECT_EQ(duration(1.25), "1.25 s");
+  EXPECT_EQ(percentage(0.296), "29.6 %");
+}
+
+TEST(NumberText, OnlyAWholeNumberIsANumber) {
+  EXPECT_EQ(parse_number("1e2"), 100.0);
+  EXPECT_TRUE(std::isnan(parse_number("nan").value_or(0.0)));
+  EXPECT_EQ(parse_number("-inf"), -std::numeric_limits<double>::infinity());
+  EXPECT_FALSE(parse_number("").has_value());
+  EXPECT_FALSE(parse_number("100m").has_value());
+  EXPECT_FALSE(parse_number("1,5").has_value());
+  EXPECT_FALSE(std::isfinite(parse_number("1e999").value_or(0.0)));
+}
+
+}  // namespace
+}  // namespace beespace::cli
