@@ -1,0 +1,20 @@
+// Gzip-compressed input, unpacked in memory. One or more members one after the other, as written
+// by gzip, pigz, bgzip or `cat a.gz b.gz`.
+#pragma once
+
+#include "io/byte_source.hpp"
+
+#include <beespace/result.hpp>
+
+#include <string>
+#include <string_view>
+
+namespace beespace::io {
+
+// By the first two bytes, whatever the file is called.
+bool is_gzip(std::string_view bytes);
+
+// Errors: kTruncated when the end is missing, kCorrupt when the content is damaged.
+Result<Bytes> gunzip(std::string_view compressed, const std::string& source, Progress* progress);
+
+}  // namespace beespace::io

@@ -1,0 +1,256 @@
+#include "io/load_points.hpp"
+
+#include "io/array_layout.hpp"
+#include "io/byte_source.hpp"
+#include "io/excerpt.hpp"
+#include "io/frame_decision.hpp"
+#include "io/gzip.hpp"
+#include "io/piece_reading.hpp"
+#include "io/record_source.hpp"
+#include "io/table_reading.hpp"
+#include "io/text_check.hpp"
+#include "io/to_metres.hpp"
+#include "io/worker_threads.hpp"
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace beespace::io {
+namespace {
+
+bool ends_with(std::string_view text, std::string_view end) {
+  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
+}
+
+Format detect_format(std::string_view bytes, const std::string& path, Format asked) {
+  if (asked != Format::kAuto) return asked;
+  if (is_npy(bytes)) return Format::kNpy;
+  return ends_with(path, ".bin") || ends_with(path, ".bin.gz") ? Format::kRawFloat64
+                                                               : Format::kText;
+}
+
+// Explains a point that is no position in its frame, by where it came from.
+Error explain(const RecordSource& source, std::uint64_t row, const Point& point,
+              const RangeProblem& problem) {
+  if (source.table) {
+    const TableLayout& layout = *source.table;
+    Error error = range_error_in_text(source.text.substr(layout.data_offset), layout, row, point,
+                                      problem.axis, problem.code);
+    *error.place.line += layout.lines_before;
+    return error;
+  }
+  Error error = range_error(problem, point, source.array->coordinate_text(row, problem.axis));
+  error.place.record = row;
+  return error;
+}
+
+// The frame of points that are still as they were read, and the points in metres.
+std::optional<Error> settle_by_values(LoadedPoints& loaded, RecordSource& source,
+                                      const Extent& extent, const LoadOptions& options) {
+  if (loaded.frame == Frame::kAuto) {
+    auto decision = frame_from_values(loaded.points, extent);
+    if (!decision) {
+      Error error = std::move(decision).error();
+      if (error.place.record) {
+        const std::uint64_t row = source.skipped.row_of(*error.place.record);
+        const Point& point = loaded.points[*error.place.record];
+        const RangeProblem odd{0, std::abs(point.x) <= 360.0 ? std::size_t{1} : 0, error.code};
+        error.place = explain(source, row, point, odd).place;
+      }
+      return error;
+    }
+    loaded.frame = decision->frame;
+    loaded.frame_reason = decision->reason;
+  }
+  if (!surely_in_range(extent, loaded.frame)) {
+    const auto problem = find_out_of_range(loaded.points, 0, loaded.frame);
+    if (problem && !options.skip_bad) {
+      return explain(source, source.skipped.row_of(problem->index), loaded.points[problem->index],
+                     *problem);
+    }
+    if (problem) {
+      skip_out_of_range(
+          loaded.points, loaded.frame, source.skipped,
+          [&source](std::uint64_t row, const Point& point, const RangeProblem& found) {
+            return explain(source, row, point, found);
+          });
+    }
+  }
+  const Status status =
+      convert_to_metres(loaded.points, loaded.frame, thread_count(options.threads));
+  if (!status) return status.error();
+  return std::nullopt;
+}
+
+void note_columns(const TableLayout& layout, Frame frame, std::vector<std::string>& notes) {
+  const auto& choice = layout.choice;
+  const bool geographic = frame == Frame::kWgs84;
+  if (choice.dimensions == 2) {
+    notes.emplace_back(geographic ? "no height column: every height is taken as 0 m"
+                                  : "no z column: every z is taken as 0 m");
+  }
+  bool in_order = true;
+  std::string text = geographic ? "longitude, latitude" : "x, y";
+  if (choice.dimensions == 3) text += geographic ? ", height" : ", z";
+  text += " are read from columns";
+  for (std::size_t axis = 0; axis < choice.dimensions; ++axis) {
+    const std::size_t column = choice.axes[axis];
+    in_order = in_order && column == axis;
+    text.append(axis == 0 ? " " : ", ").append(std::to_string(column + 1));
+    if (column < layout.names.size()) text.append(" ").append(excerpt(layout.names[column]));
+  }
+  if (!in_order) notes.push_back(std::move(text));
+}
+
+std::optional<Error> load_table(LoadedPoints& loaded, RecordSource& source,
+                                const LoadOptions& options) {
+  if (auto problem = text_problem(source.bytes.view)) return problem;
+  source.text = without_byte_order_mark(source.bytes.view);
+  auto layout = find_layout(source.text, options);
+  if (!layout) return layout.error();
+  source.table = std::move(layout).value();
+  const auto& choice = source.table->choice;
+  const FrameDecision known = frame_before_values(options.frame, {choice.evidence, choice.reason});
+  loaded.frame = known.frame;
+  loaded.frame_reason = known.reason;
+
+  TableOptions table_options;
+  table_options.frame = known.frame;
+  table_options.skip_bad = options.skip_bad;
+  table_options.threads = options.threads;
+  table_options.progress = options.progress;
+  if (options.progress != nullptr) {
+    // Everything before the records.
+    options.progress->done +=
+        source.bytes.view.size() - source.text.size() + source.table->data_offset;
+  }
+  auto content = read_table(source.text, *source.table, table_options);
+  if (!content) return content.error();
+  loaded.points = std::move(content->points);
+  source.skipped = std::move(content->skipped);
+  loaded.format_description =
+      "text, " + std::string(delimiter_name(source.table->delimiter)) + "-separated";
+  if (known.frame == Frame::kAuto && !loaded.points.empty()) {
+    if (auto error = settle_by_values(loaded, source, content->extent, options)) return error;
+  }
+  note_columns(*source.table, loaded.frame, loaded.notes);
+  return std::nullopt;
+}
+
+// All points of the array, as they are.
+std::optional<Error> read_array(LoadedPoints& loaded, RecordSource& source,
+                                const LoadOptions& options) {
+  const ArrayLayout& layout = *source.array;
+  if (layout.rows > kMaxPoints) {
+    return Error{
+        ErrorCode::kTooManyPoints, "more than 4,294,967,295 points; split the file into parts", {}};
+  }
+  loaded.points.reserve(layout.rows);
+  for (std::uint64_t row = 0; row < layout.rows; ++row) {
+    const Point point{layout.coordinate(row, 0), layout.coordinate(row, 1),
+                      layout.coordinate(row, 2)};
+    if (std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z)) {
+      loaded.points.push_back(point);
+      continue;
+    }
+    Error error{ErrorCode::kNotFinite,
+                layout.coordinate_text(row, 0) + ", " + layout.coordinate_text(row, 1) + ", " +
+                    layout.coordinate_text(row, 2) +
+                    " is no position; correct it, or leave such records out with --skip-bad",
+                {}};
+    error.place.record = row;
+    if (!options.skip_bad) return error;
+    source.skipped.add(row, std::move(error));
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> load_array(LoadedPoints& loaded, RecordSource& source, Format format,
+                                const LoadOptions& options) {
+  if (format == Format::kNpy && !is_npy(source.bytes.view)) {
+    return Error{ErrorCode::kUnsupportedFormat,
+                 "this is no .npy file: it does not begin with \\x93NUMPY",
+                 {}};
+  }
+  if (!options.columns.empty()) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "--columns is for text tables; the columns of an array are x, y, z or longitude, "
+                 "latitude, height",
+                 {}};
+  }
+  auto layout =
+      format == Format::kNpy ? npy_layout(source.bytes.view) : raw_layout(source.bytes.view);
+  if (!layout) return layout.error();
+  source.array = std::move(layout).value();
+  loaded.format_description = source.array->description;
+  const FrameDecision known = frame_before_values(options.frame, {});
+  loaded.frame = known.frame;
+  loaded.frame_reason = known.reason;
+  if (auto error = read_array(loaded, source, options)) return error;
+  if (options.progress != nullptr) options.progress->done += source.bytes.view.size();
+  if (loaded.points.empty()) return std::nullopt;
+  return settle_by_values(loaded, source, extent_of(loaded.points), options);
+}
+
+Result<LoadedPoints> load_bytes(Bytes bytes, const std::string& path, const LoadOptions& options) {
+  const std::string name = source_name(path);
+  const auto placed = [&name](Error error) {
+    error.place.source = name;
+    return error;
+  };
+  LoadedPoints loaded;
+  loaded.bytes = bytes.view.size();
+  Progress* const progress = options.progress;
+  const bool compressed = is_gzip(bytes.view);
+  if (progress != nullptr) {
+    progress->done = 0;
+    progress->total = bytes.view.size();
+  }
+  if (compressed) {
+    auto unpacked = gunzip(bytes.view, name, progress);
+    if (!unpacked) return placed(unpacked.error());
+    bytes = std::move(unpacked).value();
+    if (progress != nullptr) progress->total = progress->done + bytes.view.size();
+  }
+  auto source = std::make_shared<RecordSource>();
+  source->bytes = std::move(bytes);
+  const Format format = detect_format(source->bytes.view, path, options.format);
+  auto error = format == Format::kText ? load_table(loaded, *source, options)
+                                       : load_array(loaded, *source, format, options);
+  if (error) return placed(*std::move(error));
+
+  loaded.skipped = source->skipped.errors;
+  loaded.skipped_count = source->skipped.rows.size();
+  for (Error& skipped : loaded.skipped) skipped.place.source = name;
+  if (loaded.points.empty()) {
+    std::string message = "no record is left";
+    if (!loaded.skipped.empty()) {
+      message = "all " + std::to_string(loaded.skipped_count) +
+                " records are bad; the first: " + loaded.skipped.front().message;
+    }
+    return placed({ErrorCode::kNoPoints, std::move(message), {}});
+  }
+  if (compressed) loaded.format_description += ", gzip-compressed";
+  loaded.records = std::move(source);
+  return loaded;
+}
+
+}  // namespace
+
+Result<LoadedPoints> load_points(const std::string& path, const LoadOptions& options) {
+  auto bytes = open_bytes(path, options.progress);
+  if (!bytes) return bytes.error();
+  return load_bytes(std::move(bytes).value(), path, options);
+}
+
+Result<LoadedPoints> load_points_from_memory(std::string_view content, const std::string& name,
+                                             const LoadOptions& options) {
+  GrowingBytes copy;
+  copy.make_room(content.size());
+  std::copy(content.begin(), content.end(), copy.free_begin());
+  copy.add(content.size());
+  return load_bytes(copy.release(), name, options);
+}
+
+}  // namespace beespace::io

@@ -1,0 +1,59 @@
+// The bad records that were left out, and which data row each remaining point comes from.
+#pragma once
+
+#include "io/load_points.hpp"
+
+#include <beespace/result.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace beespace::io {
+
+struct SkippedRecords {
+  std::vector<std::uint64_t> rows = {};  // 0-based data rows, ascending
+  std::vector<Error> errors = {};        // the first kMostSkippedListed, in the order of the rows
+
+  void add(std::uint64_t row, Error error) {
+    rows.push_back(row);
+    if (errors.size() < LoadedPoints::kMostSkippedListed) errors.push_back(std::move(error));
+  }
+
+  // The data row of point `index`: the rows before it that were skipped come on top.
+  [[nodiscard]] std::uint64_t row_of(std::uint64_t index) const {
+    std::size_t low = 0;
+    std::size_t high = rows.size();
+    while (low < high) {
+      const std::size_t middle = low + (high - low) / 2;
+      if (rows[middle] - middle <= index) {
+        low = middle + 1;
+      } else {
+        high = middle;
+      }
+    }
+    return index + low;
+  }
+
+  // Takes in others, found later, of rows that may lie between.
+  void merge(SkippedRecords&& later) {
+    const auto middle = static_cast<std::ptrdiff_t>(rows.size());
+    rows.insert(rows.end(), later.rows.begin(), later.rows.end());
+    const bool behind = middle == 0 || rows.size() == static_cast<std::size_t>(middle) ||
+                        rows[static_cast<std::size_t>(middle) - 1] < *(rows.begin() + middle);
+    if (!behind) std::inplace_merge(rows.begin(), rows.begin() + middle, rows.end());
+    errors.insert(errors.end(), std::make_move_iterator(later.errors.begin()),
+                  std::make_move_iterator(later.errors.end()));
+    std::stable_sort(errors.begin(), errors.end(), [](const Error& a, const Error& b) {
+      return a.place.record < b.place.record;
+    });
+    if (errors.size() > LoadedPoints::kMostSkippedListed) {
+      errors.resize(LoadedPoints::kMostSkippedListed);
+    }
+  }
+};
+
+}  // namespace beespace::io

@@ -1,0 +1,17 @@
+// Is this text at all? Tells apart what people hand over by mistake, by the first bytes.
+#pragma once
+
+#include <beespace/result.hpp>
+
+#include <optional>
+#include <string_view>
+
+namespace beespace::io {
+
+// Without the UTF-8 byte-order mark, if there is one.
+std::string_view without_byte_order_mark(std::string_view bytes);
+
+// kUnsupportedFormat with what was found and where; empty for anything that may be a text table.
+std::optional<Error> text_problem(std::string_view bytes);
+
+}  // namespace beespace::io
