@@ -14,15 +14,21 @@
 
 namespace beespace {
 
+class PointsView;
+
+namespace detail {
+template <class T>
+concept SpanOfPoints =
+    std::convertible_to<const T&, std::span<const Point>> && !std::same_as<T, PointsView>;
+}  // namespace detail
+
 class PointsView {
  public:
   constexpr PointsView() = default;
 
   // Points one after the other: std::span<const Point>, std::vector<Point>, std::array<Point, N>.
-  template <class Points>
-  requires std::convertible_to<const Points&, std::span<const Point>> &&
-      (!std::same_as<Points, PointsView>)constexpr PointsView(
-          const Points& points)  // NOLINT(google-explicit-constructor): a view
+  template <detail::SpanOfPoints Points>
+  constexpr PointsView(const Points& points)  // NOLINT(google-explicit-constructor): a view
       : PointsView(std::span<const Point>(points), FromSpan{}) {}
 
   // x0 y0 z0 x1 y1 z1 ...: `xyz.size() / 3` points; left-over doubles at the end are not read.

@@ -1,0 +1,44 @@
+# The everyday commands. Each works on a brand-new Debian 12 or Ubuntu 24.04 machine.
+.DEFAULT_GOAL := help
+.PHONY: help demo test bench format lint clean install
+
+PREFIX ?= /usr/local
+
+help: ## this list
+	@echo "make demo     build beespace, and check a swarm of 1,000 and one of 1,000,000 bees"
+	@echo "make test     build everything and run all tests"
+	@echo "make bench    build and run the benchmarks"
+	@echo "make format   format the sources with clang-format 14"
+	@echo "make lint     format, include and header checks, clang-tidy"
+	@echo "make install  install under PREFIX ($(PREFIX)); DESTDIR is honoured"
+	@echo "make clean    remove what was built"
+	@echo "After make demo or make test the command is build/release/beespace."
+
+demo:
+	@scripts/install-packages build
+	@scripts/demo
+
+test:
+	@scripts/install-packages build test
+	@scripts/build release -DBEESPACE_BUILD_TESTS=ON
+	@ctest --preset release --parallel "$$(nproc)"
+
+bench:
+	@scripts/install-packages build bench
+	@scripts/bench
+
+format:
+	@scripts/install-packages ci
+	@scripts/format
+
+lint:
+	@scripts/install-packages build test bench ci
+	@scripts/lint
+
+install:
+	@scripts/install-packages build
+	@scripts/build-command
+	@cmake --install build/release --prefix "$(PREFIX)"
+
+clean:
+	rm -rf build demo

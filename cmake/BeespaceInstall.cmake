@@ -1,0 +1,62 @@
+# What `cmake --install` puts where: the library and its headers, the CMake package, beespace.pc,
+# and, where it is built, the command with its manual page and completions.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+install(TARGETS beespace
+  EXPORT beespaceTargets
+  LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+  ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/beespace"
+  DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
+  FILES_MATCHING PATTERN "*.hpp")
+install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+
+# find_package(beespace)
+set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/beespace")
+configure_package_config_file(
+  "${PROJECT_SOURCE_DIR}/cmake/beespaceConfig.cmake.in"
+  "${PROJECT_BINARY_DIR}/beespaceConfig.cmake"
+  INSTALL_DESTINATION "${package_dir}"
+  NO_SET_AND_CHECK_MACRO)
+# While the version is 0.x, a new minor version may break its users.
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/beespaceConfigVersion.cmake"
+  COMPATIBILITY SameMinorVersion)
+install(EXPORT beespaceTargets NAMESPACE beespace:: DESTINATION "${package_dir}")
+install(FILES
+  "${PROJECT_BINARY_DIR}/beespaceConfig.cmake"
+  "${PROJECT_BINARY_DIR}/beespaceConfigVersion.cmake"
+  DESTINATION "${package_dir}")
+
+# pkg-config. The prefix is found from where the file lies, so that the tree may be moved.
+set(pc_dir "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig")
+file(RELATIVE_PATH pc_to_prefix "${pc_dir}" "${CMAKE_INSTALL_PREFIX}")
+string(REGEX REPLACE "/$" "" pc_to_prefix "${pc_to_prefix}")
+if(BUILD_SHARED_LIBS)
+  set(pc_cflags "")
+  set(pc_libs "")
+else()
+  # An archive does not know what it needs, so whoever links it has to.
+  set(pc_cflags " -DBEESPACE_STATIC")
+  set(pc_libs " -pthread")
+endif()
+configure_file("${PROJECT_SOURCE_DIR}/cmake/beespace.pc.in" "${PROJECT_BINARY_DIR}/beespace.pc" @ONLY)
+install(FILES "${PROJECT_BINARY_DIR}/beespace.pc"
+  DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
+
+if(TARGET beespace_cli)
+  install(TARGETS beespace_cli RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+  install(FILES man/beespace.1 DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")
+  install(FILES completions/beespace.bash
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions"
+    RENAME beespace)
+  install(FILES completions/_beespace
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/site-functions")
+  install(FILES completions/beespace.fish
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d")
+  if(BUILD_SHARED_LIBS)
+    # The installed command finds the installed library, wherever the prefix is.
+    file(RELATIVE_PATH bin_to_lib "${CMAKE_INSTALL_FULL_BINDIR}" "${CMAKE_INSTALL_FULL_LIBDIR}")
+    set_target_properties(beespace_cli PROPERTIES INSTALL_RPATH "$ORIGIN/${bin_to_lib}")
+  endif()
+endif()

@@ -1,0 +1,46 @@
+# shellcheck shell=bash
+# Completion of the beespace command for bash.
+_beespace() {
+  local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
+  local subcommand=${COMP_WORDS[1]:-}
+  COMPREPLY=()
+
+  if [ "$COMP_CWORD" -eq 1 ]; then
+    mapfile -t COMPREPLY < <(compgen -W 'detect generate --help --version' -- "$current")
+    return
+  fi
+
+  local words=''
+  case $subcommand:$previous in
+    detect:--crs) words='auto wgs84 metres' ;;
+    detect:--format) words='auto text npy bin' ;;
+    generate:--scene) words='uniform clusters area' ;;
+    generate:--area) words='medellin' ;;
+    generate:--format) words='csv tsv npy bin csv.gz tsv.gz npy.gz bin.gz' ;;
+    *:--output)
+      compopt -o filenames
+      mapfile -t COMPREPLY < <(compgen -f -- "$current")
+      return
+      ;;
+    detect:--threshold | detect:--columns | detect:--threads) return ;;
+    generate:--points | generate:--size | generate:--clusters | generate:--sigma | generate:--seed) return ;;
+    *)
+      case $subcommand in
+        detect)
+          words='--threshold --inclusive --threads --crs --columns --format --skip-bad --output
+            --csv --json --geojson --nearest --fail-on-risk --quiet --help'
+          ;;
+        generate)
+          words='--scene --area --points --size --clusters --sigma --seed --format --output --help'
+          ;;
+      esac
+      if [ "$subcommand" = detect ] && [[ "$current" != -* ]]; then
+        compopt -o filenames
+        mapfile -t COMPREPLY < <(compgen -f -- "$current")
+        return
+      fi
+      ;;
+  esac
+  mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current")
+}
+complete -F _beespace beespace
