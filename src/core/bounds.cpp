@@ -23,7 +23,6 @@ struct Extent {
 // GNU vectors, because a compiler must not reorder minima by itself: SSE2 on x86-64, NEON on ARM64.
 using Doubles [[gnu::vector_size(16)]] = double;
 using Masks [[gnu::vector_size(16)]] = std::int64_t;
-constexpr std::size_t kLanes = 2;
 
 // Written with masks, which every compiler turns into the two or three instructions that they are.
 Doubles select(const Masks& chosen, const Doubles& yes, const Doubles& no) {
@@ -49,27 +48,62 @@ struct ExtentLanes {
   }
 };
 
-Extent extent_of(const double* values, std::size_t count) {
-  ExtentLanes even;
-  ExtentLanes odd;
+using Extents = std::array<Extent, 3>;
+
+void add_to(Extents& extents, const ExtentLanes& lanes, std::size_t lane, std::size_t axis) {
+  extents[axis].low = std::min(extents[axis].low, lanes.low[lane]);
+  extents[axis].high = std::max(extents[axis].high, lanes.high[lane]);
+  extents[axis].valid &= lanes.outside[lane] == 0;
+}
+
+// x y z x y z ...: three vectors hold two points.
+Extents extents_of_interleaved(const double* xyz, std::size_t count) {
+  std::array<ExtentLanes, 3> lanes;
   std::size_t i = 0;
-  for (; i + 2 * kLanes <= count; i += 2 * kLanes) {
-    even.add(values + i);
-    odd.add(values + i + kLanes);
+  for (; i + 2 <= count; i += 2, xyz += 6) {
+    __builtin_prefetch(xyz + 512);
+    for (std::size_t k = 0; k < 3; ++k) lanes[k].add(xyz + 2 * k);
   }
-  for (; i < count; ++i) {
-    const std::array<double, kLanes> twice{values[i], values[i]};
-    even.add(twice.data());
+  Extents extents;
+  for (std::size_t value = 0; value < 6; ++value) {
+    add_to(extents, lanes[value / 2], value % 2, value % 3);
   }
-  const Masks outside = even.outside | odd.outside;
-  Extent extent;
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    extent.low = std::min({extent.low, even.low[lane], odd.low[lane]});
-    extent.high = std::max({extent.high, even.high[lane], odd.high[lane]});
-    extent.valid &= outside[lane] == 0;
+  if (i < count) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::array<double, 2> twice{xyz[axis], xyz[axis]};
+      ExtentLanes last;
+      last.add(twice.data());
+      add_to(extents, last, 0, axis);
+    }
   }
-  extent.valid &= extent.low >= -kLargestCoordinate_m && extent.high <= kLargestCoordinate_m;
-  return extent;
+  return extents;
+}
+
+Extents extents_of_any(const PointsView& points, std::size_t begin, std::size_t end) {
+  Extents extents;
+  PointBlock block;
+  for_each_block(begin, end, [&](std::size_t first, std::size_t count) {
+    block.load(points, first, count);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      ExtentLanes lanes;
+      const double* values = block.axis(axis);
+      std::size_t i = 0;
+      for (; i + 2 <= count; i += 2) lanes.add(values + i);
+      const std::array<double, 2> last{values[count - 1], values[count - 1]};
+      lanes.add(last.data());
+      add_to(extents, lanes, 0, axis);
+      add_to(extents, lanes, 1, axis);
+    }
+  });
+  return extents;
+}
+
+bool is_interleaved(const PointsView& points) {
+  const auto& axes = points.axes();
+  const auto& strides = points.stride_bytes();
+  return axes[1] == axes[0] + 1 && axes[2] == axes[0] + 2 &&
+         std::all_of(strides.begin(), strides.end(),
+                     [](std::ptrdiff_t stride) { return stride == sizeof(Point); });
 }
 
 }  // namespace
@@ -77,20 +111,11 @@ Extent extent_of(const double* values, std::size_t count) {
 Result<Bounds> measure(const PointsView& points, Crew& crew) {
   Bounds bounds;
   if (points.empty()) return bounds;
-  std::vector<std::array<Extent, 3>> parts(crew.size());
+  std::vector<Extents> parts(crew.size());
   crew.split(points.size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
-    std::array<Extent, 3> mine;
-    PointBlock block;
-    for_each_block(begin, end, [&](std::size_t first, std::size_t count) {
-      block.load(points, first, count);
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const Extent extent = extent_of(block.axis(axis), count);
-        mine[axis].low = std::min(mine[axis].low, extent.low);
-        mine[axis].high = std::max(mine[axis].high, extent.high);
-        mine[axis].valid &= extent.valid;
-      }
-    });
-    parts[worker] = mine;
+    parts[worker] = is_interleaved(points)
+                        ? extents_of_interleaved(points.axes()[0] + 3 * begin, end - begin)
+                        : extents_of_any(points, begin, end);
   });
   for (std::size_t axis = 0; axis < 3; ++axis) {
     Extent whole;
@@ -99,6 +124,7 @@ Result<Bounds> measure(const PointsView& points, Crew& crew) {
       whole.high = std::max(whole.high, part[axis].high);
       whole.valid &= part[axis].valid;
     }
+    whole.valid &= whole.low >= -kLargestCoordinate_m && whole.high <= kLargestCoordinate_m;
     if (!whole.valid) return *check_points(points, 0, points.size());
     bounds.low[axis] = whole.low;
     bounds.high[axis] = whole.high;

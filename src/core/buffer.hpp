@@ -32,6 +32,14 @@ class Buffer {
   Buffer& operator=(const Buffer&) = delete;
   ~Buffer() { std::free(data_); }
 
+  // The same memory as an array of other elements, which must fit; its contents are forgotten.
+  template <class Other>
+  [[nodiscard]] Buffer<Other> reused_as() && {
+    Buffer<Other> other;
+    other.data_ = reinterpret_cast<Other*>(std::exchange(data_, nullptr));
+    return other;
+  }
+
   [[nodiscard]] T* data() { return data_; }
   [[nodiscard]] const T* data() const { return data_; }
   T& operator[](std::size_t index) { return data_[index]; }
@@ -55,6 +63,9 @@ class Buffer {
 #endif
     return static_cast<T*>(data);
   }
+
+  template <class Other>
+  friend class Buffer;
 
   T* data_ = nullptr;
 };

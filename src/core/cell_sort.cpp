@@ -89,15 +89,16 @@ void sort_bucket(CellRecord* from, CellRecord* other, std::size_t size, const Ce
 
 }  // namespace
 
-Buffer<CellRecord> sort_by_cell(const PointsView& points, std::span<const PointId> subset,
-                                const Lattice& lattice, const CellOrder& order, Crew& crew) {
+SortedCells sort_by_cell(const PointsView& points, std::span<const PointId> subset,
+                         const Lattice& lattice, const CellOrder& order, std::size_t room,
+                         Crew& crew) {
   const std::size_t size = subset.empty() ? points.size() : subset.size();
   const unsigned low_bits = order.key_bits() - std::min(order.key_bits(), kDigitBits);
   const auto bucket_of = [order, low_bits](const CellRecord& record) {
     return static_cast<std::size_t>(order.key(record, low_bits));
   };
 
-  Buffer<CellRecord> records(size);
+  Buffer<CellRecord> records(size + room);
   std::vector<std::uint32_t> next(kDigits * crew.size());  // [worker][bucket]
   crew.split(size, [&](std::size_t begin, std::size_t end, unsigned worker) {
     std::uint32_t* counts = next.data() + worker * kDigits;
@@ -117,7 +118,7 @@ Buffer<CellRecord> sort_by_cell(const PointsView& points, std::span<const PointI
   }
   bucket_begin[kDigits] = sum;
 
-  Buffer<CellRecord> scattered(size);
+  Buffer<CellRecord> scattered(size + room);
   crew.split(size, [&](std::size_t begin, std::size_t end, unsigned worker) {
     std::uint32_t* places = next.data() + worker * kDigits;
     const auto bucket = bucket_of;
@@ -135,7 +136,8 @@ Buffer<CellRecord> sort_by_cell(const PointsView& points, std::span<const PointI
                   order, passes);
     }
   });
-  return passes.ends_where_it_began() ? std::move(scattered) : std::move(records);
+  if (passes.ends_where_it_began()) std::swap(records, scattered);
+  return {std::move(records), std::move(scattered)};
 }
 
 }  // namespace beespace::core

@@ -62,10 +62,17 @@ class CellOrder {
   unsigned row_bits_;
 };
 
+struct SortedCells {
+  Buffer<CellRecord> records;
+  Buffer<CellRecord> spare;  // as large; the sort is done with it
+};
+
 // The records of all points, or of those of `subset` if it is not empty, in the order of their
-// cells; points of one cell stand in the order of their ids. Cost: two looks at every point, and
-// two moves of 16 bytes for each 11 bits of key. Working memory: 32 bytes a point.
-Buffer<CellRecord> sort_by_cell(const PointsView& points, std::span<const PointId> subset,
-                                const Lattice& lattice, const CellOrder& order, Crew& crew);
+// cells; points of one cell stand in the order of their ids. Both buffers have room for `room`
+// more records. Cost: one look at every point, and two moves of 16 bytes or a few more. Working
+// memory: the two buffers, 32 bytes a point.
+SortedCells sort_by_cell(const PointsView& points, std::span<const PointId> subset,
+                         const Lattice& lattice, const CellOrder& order, std::size_t room,
+                         Crew& crew);
 
 }  // namespace beespace::core

@@ -37,10 +37,12 @@ SortedGrid sort_into_grid(const PointsView& points, std::span<const PointId> sub
   grid.units_per_m = lattice.units_per_m();
   grid.rows_a_layer = order.rows_a_layer();
 
-  const Buffer<CellRecord> records = sort_by_cell(points, subset, lattice, order, crew);
+  SortedCells sorted = sort_by_cell(points, subset, lattice, order, kPadding, crew);
+  const Buffer<CellRecord>& records = sorted.records;
   find_rows(grid, records, order);
   const std::size_t padded = grid.size + kPadding;
-  grid.storage = Buffer<std::int32_t>(4 * padded);
+  static_assert(sizeof(CellRecord) == 4 * sizeof(std::int32_t));
+  grid.storage = std::move(sorted.spare).reused_as<std::int32_t>();
   std::int32_t* x = grid.storage.data();
   std::int32_t* y = x + padded;
   std::int32_t* z = y + padded;

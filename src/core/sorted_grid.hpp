@@ -52,8 +52,8 @@ struct SortedGrid {
   }
 };
 
-// All points, or those of `subset` if it is not empty. Working memory: 32 bytes a point, plus 12 an
-// occupied row; the grid keeps 16 a point.
+// All points, or those of `subset` if it is not empty. Working memory: 32 bytes a point and 12 an
+// occupied row, of which the grid keeps 16 and 12.
 SortedGrid sort_into_grid(const PointsView& points, std::span<const PointId> subset,
                           const Lattice& lattice, Crew& crew);
 

@@ -83,8 +83,11 @@ template <class Lanes>
                any_near, unsure);
     (void)scan(lanes, at, i, hood.together.begin, hood.together.end, kEverywhere, marks, any_near,
                unsure);
-    for (unsigned k = 0; k < hood.later_count; ++k) {
-      window[k] += scan(lanes, at, i, window[k], hood.later[k].end, end_x, marks, any_near, unsure);
+    if (hood.later_count != 0) {
+      for (unsigned k = 0; k < 4; ++k) {
+        window[k] +=
+            scan(lanes, at, i, window[k], hood.later[k].end, end_x, marks, any_near, unsure);
+      }
     }
     Lanes::mark(marks.of(i), any_near != 0 ? 1U : 0U);
   }

@@ -116,7 +116,7 @@ TEST(CellSort, SortsLargeBucketsByWideKeys) {
   const Lattice lattice(points, *measure(points, alone), 1.0);
   const CellOrder order(lattice);
   EXPECT_GT(order.key_bits(), 40U);
-  const Buffer<CellRecord> records = sort_by_cell(points, {}, lattice, order, alone);
+  const Buffer<CellRecord> records = sort_by_cell(points, {}, lattice, order, 0, alone).records;
   EXPECT_TRUE(std::is_sorted(records.data(), records.data() + points.size(), order));
 }
 
