@@ -16,6 +16,19 @@
 
 namespace beespace::core {
 
+inline constexpr std::size_t kHugePage = std::size_t{1} << 21;
+
+// Asks for huge pages where the system has them: 512 times fewer page faults when the memory is
+// new, and scattered writes that do not miss the translation buffer. Advice: nothing depends on it.
+inline void advise_huge_pages([[maybe_unused]] void* data, [[maybe_unused]] std::size_t bytes) {
+#if defined(__linux__) && defined(MADV_HUGEPAGE)
+  const auto begin = reinterpret_cast<std::uintptr_t>(data);
+  const std::uintptr_t first = (begin + kHugePage - 1) / kHugePage * kHugePage;
+  if (first + kHugePage > begin + bytes) return;
+  madvise(static_cast<std::byte*>(data) + (first - begin), begin + bytes - first, MADV_HUGEPAGE);
+#endif
+}
+
 template <class T>
 class Buffer {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -46,21 +59,15 @@ class Buffer {
   const T& operator[](std::size_t index) const { return data_[index]; }
 
  private:
-  static constexpr std::size_t kHugePage = std::size_t{1} << 21;
   static constexpr std::size_t kCacheLine = 64;
 
-  // Huge pages where the system has them: 512 times fewer page faults when the memory is new, and
-  // scattered writes that do not miss the translation buffer.
   static T* allocate(std::size_t bytes) {
-    const bool large = bytes >= 2 * kHugePage;
-    const std::size_t alignment = large ? kHugePage : kCacheLine;
+    const std::size_t alignment = bytes >= kHugePage ? kHugePage : kCacheLine;
     if (bytes > SIZE_MAX - alignment) throw std::bad_alloc();
     const std::size_t whole = (bytes + alignment - 1) / alignment * alignment;
     void* data = std::aligned_alloc(alignment, std::max(whole, alignment));
     if (data == nullptr) throw std::bad_alloc();
-#if defined(__linux__) && defined(MADV_HUGEPAGE)
-    if (large) madvise(data, bytes, MADV_HUGEPAGE);  // advice: nothing depends on it
-#endif
+    advise_huge_pages(data, whole);
     return static_cast<T*>(data);
   }
 

@@ -1,6 +1,7 @@
 #include "core/closest_pair.hpp"
 
 #include "core/bounds.hpp"
+#include "core/buffer.hpp"
 #include "core/exact_distance.hpp"
 #include "core/hash.hpp"
 #include "core/lattice.hpp"
@@ -22,7 +23,7 @@ namespace {
 
 constexpr std::size_t kFew = 256;           // compared each with each
 constexpr std::size_t kRun = 16;            // points that are drawn together
-constexpr std::size_t kRunShare = 16;       // one run of so many is drawn
+constexpr std::size_t kRunShare = 8;        // one run of so many is drawn
 constexpr double kSieveCellInBounds = 8.0;  // wide cells: few of their points are near a face
 constexpr std::uint64_t kSieveSlotsAPoint = 16;
 
@@ -106,7 +107,9 @@ class Sieve {
         // Positions are cut to whole units: 1 unit for each of two points.
         reach_(static_cast<std::int32_t>(bound * lattice.units_per_m()) + 2),
         mask_(std::bit_ceil(size * kSieveSlotsAPoint) - 1),
-        words_(mask_ / kSlotsAWord + 1) {}
+        words_(mask_ / kSlotsAWord + 1) {
+    std::fill_n(words_.data(), mask_ / kSlotsAWord + 1, std::uint64_t{0});
+  }
 
   // With few units a cell, a point may be near both faces of it: the sieve cannot tell then.
   [[nodiscard]] bool is_useful() const { return 2 * reach_ < 1 << fraction_bits_; }
@@ -136,13 +139,18 @@ class Sieve {
       own[i] = looked_up(sum);
       std::array<std::uint64_t, 3> step;
       const unsigned faces = near_faces(positions, i, step);
-      // The cells across a face, an edge or the corner: every subset of the near faces.
-      for (unsigned subset = 1; subset < 8; ++subset) {
-        const std::uint64_t other = sum + ((subset & 1) != 0 ? step[0] : 0) +
-                                    ((subset & 2) != 0 ? step[1] : 0) +
-                                    ((subset & 4) != 0 ? step[2] : 0);
+      const auto look_up_if = [&](bool needed, std::uint64_t other) {
         beside[look_ups] = {slot_of(other), i};
-        look_ups += (subset & ~faces) == 0 ? 1 : 0;
+        look_ups += needed ? 1 : 0;
+      };
+      look_up_if((faces & 1) != 0, sum + step[0]);
+      look_up_if((faces & 2) != 0, sum + step[1]);
+      look_up_if((faces & 4) != 0, sum + step[2]);
+      if ((faces & (faces - 1)) != 0) {  // near an edge or a corner: one in six
+        look_up_if((faces & 3) == 3, sum + step[0] + step[1]);
+        look_up_if((faces & 5) == 5, sum + step[0] + step[2]);
+        look_up_if((faces & 6) == 6, sum + step[1] + step[2]);
+        look_up_if(faces == 7, sum + step[0] + step[1] + step[2]);
       }
     }
     for (std::size_t i = 0; i < look_ups; ++i) __builtin_prefetch(&word_of(beside[i].slot));
@@ -195,7 +203,7 @@ class Sieve {
   unsigned fraction_bits_;
   std::int32_t reach_;
   std::uint64_t mask_;
-  std::vector<std::uint64_t> words_;
+  Buffer<std::uint64_t> words_;
 };
 
 // Calls visit(positions, first id, count) for [begin, end) in blocks.

@@ -82,7 +82,10 @@ std::vector<PointId> ids_of(const core::Buffer<std::uint8_t>& at_risk, std::size
   for (std::size_t worker = 1; worker < offsets.size(); ++worker) {
     offsets[worker] += offsets[worker - 1];
   }
-  std::vector<PointId> ids(offsets.back());
+  std::vector<PointId> ids;
+  ids.reserve(offsets.back());
+  core::advise_huge_pages(ids.data(), ids.capacity() * sizeof(PointId));
+  ids.resize(offsets.back());
   crew.split(size, [&](std::size_t begin, std::size_t end, unsigned worker) {
     std::size_t next = offsets[worker];
     for (std::size_t i = begin; i < end; ++i) {
