@@ -81,12 +81,13 @@ double cpu_seconds() {
 }
 
 double floor_seconds(const std::vector<Point>& points) {
+  constexpr int kWarmUps = 20;
   std::vector<double> times;
-  for (int run = 0; run < 9; ++run) {
+  for (int run = -kWarmUps; run < 31; ++run) {
     const double start = cpu_seconds();
     double sum = sum_in_order(points);
     benchmark::DoNotOptimize(sum);
-    times.push_back(cpu_seconds() - start);
+    if (run >= 0) times.push_back(cpu_seconds() - start);
   }
   std::sort(times.begin(), times.end());
   return times[times.size() / 2];

@@ -110,7 +110,7 @@ std::vector<std::uint8_t> count_points(const Buffer<std::uint32_t>& cell, std::s
 // each axis, since the threshold is sqrt(3) cells. False, with nothing flagged, when there are so
 // many that flagging would cost more than it saves.
 bool flag_around_alone(std::vector<std::uint8_t>& cells, const Lattice& lattice) {
-  constexpr std::size_t kBlockOfCells = 5 * 5 * 5;
+  constexpr std::size_t kBlockOfCells = 125;  // 5 x 5 x 5
   const auto alone = static_cast<std::size_t>(std::count(cells.begin(), cells.end(), 1));
   if (alone * kBlockOfCells > cells.size()) return false;
 

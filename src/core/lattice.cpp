@@ -17,12 +17,12 @@ double margin_for(double extent, double reach) {
 }  // namespace
 
 Lattice::Lattice(const PointsView& points, const Bounds& bounds, double reach,
-                 std::uint64_t extent_limit_cells) {
+                 std::uint64_t fold_beyond_cells) {
   double longest_stretch = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     axes_[axis].low = bounds.low[axis];
     const double extent = bounds.high[axis] - bounds.low[axis];
-    if (extent / reach < static_cast<double>(extent_limit_cells)) {
+    if (extent / reach < static_cast<double>(fold_beyond_cells)) {
       longest_stretch = std::max(longest_stretch, extent);
     } else {
       longest_stretch = std::max(longest_stretch, fold(points, axis, 4.0 * reach));

@@ -19,6 +19,8 @@ unsigned crew_size(unsigned requested, std::size_t points);
 class ThreadCrew final : public core::Crew {
  public:
   explicit ThreadCrew(unsigned size);
+  ThreadCrew(const ThreadCrew&) = delete;
+  ThreadCrew& operator=(const ThreadCrew&) = delete;
   ~ThreadCrew() override;
 
   [[nodiscard]] unsigned size() const override {

@@ -84,6 +84,15 @@ void drain(int out, int error, Finished& finished, int timeout_ms) {
 
 }  // namespace
 
+bool has_terminals() {
+  int master = -1;
+  int slave = -1;
+  if (openpty(&master, &slave, nullptr, nullptr, nullptr) != 0) return false;
+  close(master);
+  close(slave);
+  return true;
+}
+
 Running::Running(const Arguments& arguments, const Surroundings& surroundings) {
   using Output = Surroundings::Output;
   std::signal(SIGPIPE, SIG_IGN);  // of this test program: the command may not read its input

@@ -20,6 +20,9 @@ using Arguments = std::vector<std::string>;
 // Runs `beespace <arguments>` to its end; `input` is its standard input.
 Finished run(const Arguments& arguments, std::string_view input = {});
 
+// Whether this system can make terminals; a bare chroot without /dev/pts cannot.
+bool has_terminals();
+
 // The same with standard error on a terminal, and NO_COLOR set to `no_colour` unless it is empty.
 Finished run_on_terminal(const Arguments& arguments, const std::string& no_colour = {});
 

@@ -14,14 +14,21 @@ namespace {
 constexpr std::string_view kTwo = "x,y,z\n0,0,0\n1,0,0\n";
 constexpr std::string_view kWipeLine = "\r\x1b[K";
 
-TEST(Terminal, TheSummaryHasColour) {
+class Terminal : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!has_terminals()) GTEST_SKIP() << "this system has no pseudo-terminals";
+  }
+};
+
+TEST_F(Terminal, TheSummaryHasColour) {
   const TemporaryFolder folder;
   const Finished finished = run_on_terminal({"detect", folder.file("bees.csv", kTwo)});
   EXPECT_EQ(finished.exit_code, 0);
   EXPECT_NE(finished.err.find("\x1b[1;31m2 (100.0 %)\x1b[0m"), std::string::npos) << finished.err;
 }
 
-TEST(Terminal, NoColorIsRespected) {
+TEST_F(Terminal, NoColorIsRespected) {
   const TemporaryFolder folder;
   const Finished finished = run_on_terminal({"detect", folder.file("bees.csv", kTwo)}, "1");
   EXPECT_EQ(finished.exit_code, 0);
@@ -29,7 +36,7 @@ TEST(Terminal, NoColorIsRespected) {
   EXPECT_EQ(finished.err.find('\x1b'), std::string::npos) << finished.err;
 }
 
-TEST(Terminal, NobodyIsLeftWaitingForInputThatNobodyTypes) {
+TEST_F(Terminal, NobodyIsLeftWaitingForInputThatNobodyTypes) {
   Surroundings surroundings;
   surroundings.input_on_terminal = true;
   Running running({"detect"}, surroundings);
@@ -48,14 +55,14 @@ std::string messages_of_slow_run(const Arguments& arguments, bool terminal) {
   return running.finish().err;
 }
 
-TEST(Terminal, WorkOfMoreThanASecondShowsProgressAndWipesIt) {
+TEST_F(Terminal, WorkOfMoreThanASecondShowsProgressAndWipesIt) {
   const std::string messages = messages_of_slow_run({"detect"}, true);
   EXPECT_NE(messages.find(std::string(kWipeLine) + "reading"), std::string::npos) << messages;
   const std::size_t last = messages.rfind(kWipeLine);
   EXPECT_EQ(messages.substr(last + kWipeLine.size(), 7), "  input") << messages;
 }
 
-TEST(Terminal, ProgressIsForTerminalsAndNotForQuietRuns) {
+TEST_F(Terminal, ProgressIsForTerminalsAndNotForQuietRuns) {
   EXPECT_EQ(messages_of_slow_run({"detect"}, false).find("reading"), std::string::npos);
   EXPECT_EQ(messages_of_slow_run({"detect", "--quiet"}, true), "");
 }
