@@ -18,9 +18,7 @@ namespace {
 
 constexpr std::uint32_t kNoCell = 0xFFFF'FFFFU;
 
-using BlockPositions = std::array<std::array<std::int32_t, PointBlock::kSize>, 3>;
-
-void combine(const BlockPositions& positions, std::size_t count, unsigned shift,
+void combine(const PositionBlock& positions, std::size_t count, unsigned shift,
              std::uint32_t row_cells, std::uint32_t layer_cells, std::uint32_t* cell) {
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint32_t x = static_cast<std::uint32_t>(positions[0][i]) >> shift;
@@ -40,15 +38,11 @@ std::uint64_t number_densely(const PointsView& points, const Lattice& lattice, C
   const auto layer_cells = static_cast<std::uint32_t>(layer);
   const unsigned shift = lattice.fraction_bits();
   crew.split(points.size(), [&](std::size_t begin, std::size_t end, unsigned) {
-    PointBlock block;
-    BlockPositions positions;
-    for_each_block(begin, end, [&](std::size_t first, std::size_t count) {
-      block.load(points, first, count);
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        lattice.positions(axis, block.axis(axis), count, positions[axis].data());
-      }
-      combine(positions, count, shift, row_cells, layer_cells, cell.data() + first);
-    });
+    for_each_position_block(
+        points, lattice, begin, end,
+        [&](const PositionBlock& positions, std::size_t first, std::size_t count) {
+          combine(positions, count, shift, row_cells, layer_cells, cell.data() + first);
+        });
   });
   return layer * lattice.cells(2);
 }

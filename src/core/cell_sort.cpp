@@ -32,18 +32,14 @@ void make_records(const PointsView& points, std::span<const PointId> subset, con
     }
     return;
   }
-  PointBlock block;
-  std::array<std::array<std::int32_t, PointBlock::kSize>, 3> positions;
-  for_each_block(begin, end, [&](std::size_t first, std::size_t count) {
-    block.load(points, first, count);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      lattice.positions(axis, block.axis(axis), count, positions[axis].data());
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      records[first + i] = {{positions[0][i], positions[1][i], positions[2][i]},
-                            static_cast<PointId>(first + i)};
-    }
-  });
+  for_each_position_block(
+      points, lattice, begin, end,
+      [&](const PositionBlock& positions, std::size_t first, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) {
+          records[first + i] = {{positions[0][i], positions[1][i], positions[2][i]},
+                                static_cast<PointId>(first + i)};
+        }
+      });
 }
 
 // One stable counting pass over [from, from + size) by the key's digit at `shift`.

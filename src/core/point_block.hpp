@@ -1,11 +1,15 @@
 // A block of points on its way through a loop: the coordinates copied out of whatever layout the
-// caller has into one short array an axis, which the compiler can vectorise over.
+// caller has into one short array an axis, which the compiler can vectorise over; and their
+// positions in a lattice.
 #pragma once
+
+#include "core/lattice.hpp"
 
 #include <beespace/points_view.hpp>
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 namespace beespace::core {
 
@@ -56,6 +60,24 @@ void for_each_block(std::size_t begin, std::size_t end, Visit&& visit) {
   for (; begin < end; begin += PointBlock::kSize) {
     visit(begin, end - begin < PointBlock::kSize ? end - begin : PointBlock::kSize);
   }
+}
+
+// Lattice positions of a block: one short array an axis.
+using PositionBlock = std::array<std::array<std::int32_t, PointBlock::kSize>, 3>;
+
+// Calls visit(positions, first, count) for the points [begin, end) in blocks.
+template <class Visit>
+void for_each_position_block(const PointsView& points, const Lattice& lattice, std::size_t begin,
+                             std::size_t end, Visit&& visit) {
+  PointBlock block;
+  PositionBlock positions;
+  for_each_block(begin, end, [&](std::size_t first, std::size_t count) {
+    block.load(points, first, count);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      lattice.positions(axis, block.axis(axis), count, positions[axis].data());
+    }
+    visit(positions, first, count);
+  });
 }
 
 }  // namespace beespace::core
