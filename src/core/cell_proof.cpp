@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -75,11 +76,6 @@ std::uint64_t number_by_hashing(const PointsView& points, const Lattice& lattice
   return count;
 }
 
-// What a cell's byte says: how many points it holds (0, 1, or 2 for more), and whether it lies
-// within the threshold of a cell that holds one.
-constexpr std::uint8_t kCountMask = 3;
-constexpr std::uint8_t kNearAlone = 4;
-
 std::vector<std::uint8_t> count_points(const Buffer<std::uint32_t>& cell, std::size_t size,
                                        std::size_t numbers, Crew& crew) {
   const auto saturated = [](int count) { return static_cast<std::uint8_t>(count < 2 ? count : 2); };
@@ -100,33 +96,81 @@ std::vector<std::uint8_t> count_points(const Buffer<std::uint32_t>& cell, std::s
   return std::move(counts[0]);
 }
 
-// Flags every cell within the threshold of a cell that holds one point: at most two cells away on
-// each axis, since the threshold is sqrt(3) cells. False, with nothing flagged, when there are so
-// many that flagging would cost more than it saves.
-bool flag_around_alone(std::vector<std::uint8_t>& cells, const Lattice& lattice) {
-  constexpr std::size_t kBlockOfCells = 125;  // 5 x 5 x 5
-  const auto alone = static_cast<std::size_t>(std::count(cells.begin(), cells.end(), 1));
-  if (alone * kBlockOfCells > cells.size()) return false;
+// For every cell the points alone in theirs that may be within the threshold of a point of the
+// cell: those at most two cells away on each axis, since the threshold is sqrt(3) cells.
+class AloneNearby {
+ public:
+  static constexpr std::size_t kCellsEach = 125;  // 5 x 5 x 5
 
-  const auto along = [&](std::size_t axis) {
-    return static_cast<std::size_t>(lattice.cells(axis));
-  };
-  const auto clipped = [&](std::size_t axis, std::size_t cell) {
-    return std::pair{cell < 2 ? 0 : cell - 2, std::min(cell + 3, along(axis))};
-  };
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if ((cells[i] & kCountMask) != 1) continue;
-    const auto [x_begin, x_end] = clipped(0, i % along(0));
-    const auto [y_begin, y_end] = clipped(1, i / along(0) % along(1));
-    const auto [z_begin, z_end] = clipped(2, i / along(0) / along(1));
-    for (std::size_t z = z_begin; z < z_end; ++z) {
-      for (std::size_t y = y_begin; y < y_end; ++y) {
-        std::uint8_t* row = cells.data() + (z * along(1) + y) * along(0);
-        for (std::size_t x = x_begin; x < x_end; ++x) row[x] |= kNearAlone;
+  AloneNearby(const std::vector<PointId>& alone, const Buffer<std::uint32_t>& cell,
+              const Lattice& lattice, std::size_t cells)
+      : first_(cells, kNone) {
+    const auto along = [&](std::size_t axis) {
+      return static_cast<std::size_t>(lattice.cells(axis));
+    };
+    const auto clipped = [&](std::size_t axis, std::size_t middle) {
+      return std::pair{middle < 2 ? 0 : middle - 2, std::min(middle + 3, along(axis))};
+    };
+    entries_.reserve(alone.size() * kCellsEach);
+    for (const PointId id : alone) {
+      const std::size_t own = cell[id];
+      const auto [x_begin, x_end] = clipped(0, own % along(0));
+      const auto [y_begin, y_end] = clipped(1, own / along(0) % along(1));
+      const auto [z_begin, z_end] = clipped(2, own / along(0) / along(1));
+      for (std::size_t z = z_begin; z < z_end; ++z) {
+        for (std::size_t y = y_begin; y < y_end; ++y) {
+          for (std::size_t x = x_begin; x < x_end; ++x) {
+            std::uint32_t& first = first_[(z * along(1) + y) * along(0) + x];
+            entries_.push_back({id, first});
+            first = static_cast<std::uint32_t>(entries_.size() - 1);
+          }
+        }
       }
     }
   }
-  return true;
+
+  template <class Visit>
+  void for_each(std::uint32_t cell, Visit&& visit) const {
+    for (std::uint32_t at = first_[cell]; at != kNone; at = entries_[at].next) {
+      visit(entries_[at].id);
+    }
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = 0xFFFF'FFFFU;
+  struct Entry {
+    PointId id;
+    std::uint32_t next;
+  };
+
+  std::vector<std::uint32_t> first_;
+  std::vector<Entry> entries_;
+};
+
+// Decides the few points that are alone in their cells: every point is held against those nearby.
+// Most find company among the first points that come; the lists are made anew for the others, so
+// that the bulk of the points has nobody to be held against.
+void settle_alone(const PointsView& points, const ProximityTest& closer,
+                  const Buffer<std::uint32_t>& cell, const Lattice& lattice, std::size_t cells,
+                  std::vector<PointId> alone, Crew& crew, Buffer<std::uint8_t>& at_risk) {
+  const std::size_t size = points.size();
+  std::size_t done = 0;
+  for (std::size_t step = size / 64 + 1; done < size && !alone.empty(); step *= 4) {
+    const AloneNearby nearby(alone, cell, lattice, cells);
+    const std::size_t count = std::min(step, size - done);
+    crew.split(count, [&](std::size_t begin, std::size_t end, unsigned) {
+      for (std::size_t i = done + begin; i < done + end; ++i) {
+        nearby.for_each(cell[i], [&](PointId id) {
+          // Several workers may find company for the same point; all of them write the same.
+          const std::atomic_ref<std::uint8_t> found(at_risk[id]);
+          if (found.load(std::memory_order_relaxed) != 0 || id == i) return;
+          if (closer(points[i], points[id])) found.store(1, std::memory_order_relaxed);
+        });
+      }
+    });
+    done += count;
+    std::erase_if(alone, [&](PointId id) { return at_risk[id] != 0; });
+  }
 }
 
 std::vector<PointId> joined(std::vector<std::vector<PointId>>&& parts) {
@@ -136,26 +180,24 @@ std::vector<PointId> joined(std::vector<std::vector<PointId>>&& parts) {
   return std::move(parts[0]);
 }
 
-CellProof read_off(const Buffer<std::uint32_t>& cell, const std::vector<std::uint8_t>& cells,
-                   std::size_t size, Crew& crew, Buffer<std::uint8_t>& at_risk) {
+// Marks the points with company in their cell; returns those alone.
+std::vector<PointId> read_off(const Buffer<std::uint32_t>& cell,
+                              const std::vector<std::uint8_t>& counts, std::size_t size, Crew& crew,
+                              Buffer<std::uint8_t>& at_risk) {
   std::vector<std::vector<PointId>> alone(crew.size());
-  std::vector<std::vector<PointId>> around(crew.size());
   crew.split(size, [&](std::size_t begin, std::size_t end, unsigned worker) {
     const std::uint32_t* cell_of = cell.data();
-    const std::uint8_t* states = cells.data();
+    const std::uint8_t* count_in = counts.data();
     std::uint8_t* result = at_risk.data();
     for (std::size_t i = begin; i < end; ++i) {
-      const std::uint8_t state = states[cell_of[i]];
-      const bool company = (state & kCountMask) == 2;
+      const bool company = count_in[cell_of[i]] == 2;
       result[i] = company ? 1 : 0;
-      if (state == 2) [[likely]] {
-        continue;
+      if (!company) [[unlikely]] {
+        alone[worker].push_back(static_cast<PointId>(i));
       }
-      if (!company) alone[worker].push_back(static_cast<PointId>(i));
-      if ((state & kNearAlone) != 0) around[worker].push_back(static_cast<PointId>(i));
     }
   });
-  return {joined(std::move(alone)), joined(std::move(around))};
+  return joined(std::move(alone));
 }
 
 }  // namespace
@@ -164,18 +206,18 @@ double proof_cell_side(double threshold) {
   return threshold / std::sqrt(3.0);
 }
 
-CellProof prove_by_cells(const PointsView& points, const Bounds& bounds, double threshold,
-                         Crew& crew, Buffer<std::uint8_t>& at_risk, CellTable table) {
+std::vector<PointId> prove_by_cells(const PointsView& points, const Bounds& bounds,
+                                    double threshold, const ProximityTest& closer, Crew& crew,
+                                    Buffer<std::uint8_t>& at_risk, CellTable table) {
   const std::size_t size = points.size();
   const Lattice lattice(points, bounds, proof_cell_side(threshold) * (1.0 - 0x1p-14));
   // Two points of a cell are less than a cell side apart on each axis, give or take 2^-17 of it:
   // positions have a relative error of 2^-52, and there are less than 2^30 cells.
   if (lattice.cell_m() > proof_cell_side(threshold) * (1.0 - 0x1p-16)) {
-    CellProof nothing;
-    nothing.alone.resize(size);
-    std::iota(nothing.alone.begin(), nothing.alone.end(), PointId{0});
+    std::vector<PointId> all(size);
+    std::iota(all.begin(), all.end(), PointId{0});
     std::fill_n(at_risk.data(), size, std::uint8_t{0});
-    return nothing;
+    return all;
   }
 
   const double cells = static_cast<double>(lattice.cells(0)) *
@@ -186,11 +228,13 @@ CellProof prove_by_cells(const PointsView& points, const Bounds& bounds, double 
   Buffer<std::uint32_t> cell(size);
   const std::uint64_t numbers = dense ? number_densely(points, lattice, crew, cell)
                                       : number_by_hashing(points, lattice, cell);
-  std::vector<std::uint8_t> counts = count_points(cell, size, numbers, crew);
-  const bool flagged = dense && flag_around_alone(counts, lattice);
-  CellProof proof = read_off(cell, counts, size, crew, at_risk);
-  if (!flagged) proof.around.reset();
-  return proof;
+  std::vector<PointId> alone =
+      read_off(cell, count_points(cell, size, numbers, crew), size, crew, at_risk);
+  if (dense && !alone.empty() && alone.size() * AloneNearby::kCellsEach <= size / 2) {
+    settle_alone(points, closer, cell, lattice, numbers, std::move(alone), crew, at_risk);
+    return {};
+  }
+  return alone;
 }
 
 }  // namespace beespace::core

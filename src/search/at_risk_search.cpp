@@ -37,13 +37,11 @@ struct Search {
                    cpu::sweep_kernel(choices.instruction_set), crew, at_risk);
   }
 
-  void look(const core::CellProof& proof, std::uint8_t* at_risk) const {
+  void look(const std::vector<PointId>& undecided, std::uint8_t* at_risk) const {
     const core::Lattice cells = lattice();
     std::vector<PointId> subset;
-    if (proof.around) {
-      subset = *proof.around;
-    } else if (proof.alone.size() * 32 < points.size()) {
-      subset = core::surroundings(points, cells, proof.alone, crew);
+    if (undecided.size() * 32 < points.size()) {
+      subset = core::surroundings(points, cells, undecided, crew);
     }
     const core::SortedGrid grid = core::sort_into_grid(points, subset, cells, crew);
     core::look_around(grid, points, closer, options.threshold_m, crew, at_risk);
@@ -58,13 +56,13 @@ struct Search {
       std::memset(at_risk.data(), 0, points.size());
       return sweep(at_risk.data());
     }
-    const core::CellProof proof = core::prove_by_cells(points, bounds, options.threshold_m, crew,
-                                                       at_risk, choices.cell_table);
-    if (proof.alone.empty()) return;
+    const std::vector<PointId> undecided = core::prove_by_cells(
+        points, bounds, options.threshold_m, closer, crew, at_risk, choices.cell_table);
+    if (undecided.empty()) return;
     const bool few = mates * static_cast<double>(points.size()) >
-                     kLookCost * static_cast<double>(proof.alone.size());
+                     kLookCost * static_cast<double>(undecided.size());
     if (choices.method == Method::kAutomatic ? few : choices.method == Method::kProveThenLook) {
-      look(proof, at_risk.data());
+      look(undecided, at_risk.data());
     } else {
       sweep(at_risk.data());
     }

@@ -21,43 +21,45 @@ struct Case {
 
 class CellProofs : public testing::TestWithParam<Case> {};
 
-TEST_P(CellProofs, ProveOnlyWhatIsTrueAndNameTheRest) {
+TEST_P(CellProofs, ProveOnlyWhatIsTrueAndNameTheUndecided) {
   cpu::ThreadCrew crew(GetParam().threads);
   for (const test::SearchScene& scene : test::search_scenes()) {
-    SCOPED_TRACE(scene.name);
-    const auto true_ids = *brute_force::find_at_risk(scene.points, {scene.threshold_m});
-    Buffer<std::uint8_t> at_risk(scene.points.size());
-    const CellProof proof = prove_by_cells(scene.points, *measure(scene.points, crew),
-                                           scene.threshold_m, crew, at_risk, GetParam().table);
-    std::vector<PointId> alone;
-    for (PointId id = 0; id < scene.points.size(); ++id) {
-      if (at_risk[id] == 0) alone.push_back(id);
-      const bool truly = std::binary_search(true_ids.begin(), true_ids.end(), id);
-      if (at_risk[id] != 0) {
-        ASSERT_TRUE(truly) << id;
+    for (const bool inclusive : {false, true}) {
+      SCOPED_TRACE(scene.name + (inclusive ? " inclusive" : " strict"));
+      const auto true_ids =
+          *brute_force::find_at_risk(scene.points, {scene.threshold_m, inclusive});
+      const ProximityTest closer(scene.threshold_m, inclusive);
+      Buffer<std::uint8_t> at_risk(scene.points.size());
+      const std::vector<PointId> undecided =
+          prove_by_cells(scene.points, *measure(scene.points, crew), scene.threshold_m, closer,
+                         crew, at_risk, GetParam().table);
+      EXPECT_TRUE(std::is_sorted(undecided.begin(), undecided.end()));
+      for (PointId id = 0; id < scene.points.size(); ++id) {
+        const bool open = std::binary_search(undecided.begin(), undecided.end(), id);
+        const bool truly = std::binary_search(true_ids.begin(), true_ids.end(), id);
+        if (open) {
+          ASSERT_EQ(at_risk[id], 0) << id;
+        } else {
+          ASSERT_EQ(at_risk[id], truly ? 1 : 0) << id;
+        }
       }
     }
-    EXPECT_EQ(proof.alone, alone);
   }
 }
 
-TEST_P(CellProofs, SurroundingsHoldEverybodyNearThoseAlone) {
-  cpu::ThreadCrew crew(GetParam().threads);
+TEST(Surroundings, HoldEverybodyNearThoseAskedFor) {
+  Crew alone;
   for (const test::SearchScene& scene : test::search_scenes()) {
     SCOPED_TRACE(scene.name);
-    const Bounds bounds = *measure(scene.points, crew);
-    Buffer<std::uint8_t> at_risk(scene.points.size());
-    const CellProof proof =
-        prove_by_cells(scene.points, bounds, scene.threshold_m, crew, at_risk, GetParam().table);
-    const Lattice lattice(scene.points, bounds, scene.threshold_m);
-    const std::vector<PointId> by_hash = surroundings(scene.points, lattice, proof.alone, crew);
+    const Lattice lattice(scene.points, *measure(scene.points, alone), scene.threshold_m);
+    std::vector<PointId> asked;
+    for (PointId id = 0; id < scene.points.size(); id += 50) asked.push_back(id);
+    const std::vector<PointId> found = surroundings(scene.points, lattice, asked, alone);
     const ProximityTest near(scene.threshold_m, true);
-    for (const PointId lonely : proof.alone) {
+    for (const PointId asker : asked) {
       for (PointId id = 0; id < scene.points.size(); ++id) {
-        if (!near(scene.points[lonely], scene.points[id])) continue;
-        ASSERT_TRUE(std::binary_search(by_hash.begin(), by_hash.end(), id));
-        if (!proof.around) continue;
-        ASSERT_TRUE(std::binary_search(proof.around->begin(), proof.around->end(), id));
+        if (!near(scene.points[asker], scene.points[id])) continue;
+        ASSERT_TRUE(std::binary_search(found.begin(), found.end(), id)) << asker << " " << id;
       }
     }
   }
@@ -74,17 +76,31 @@ INSTANTIATE_TEST_SUITE_P(Tables, CellProofs,
                            return name + std::to_string(test_case.param.threads);
                          });
 
-TEST(CellProof, SettlesACrowdAndFindsItsEdgeCheaply) {
+// A crowd with a rough edge: some points are alone in their cells, in all ways that matter.
+TEST(CellProof, SettlesACrowdToTheLastPoint) {
   test::SceneMaker make(8);
   std::vector<Point> points = make.box(200'000, {0, 0, 0}, {100, 100, 100});
-  points.push_back({100.9, 50, 50});  // in a cell of its own, beyond the edge
-  Crew alone;
-  Buffer<std::uint8_t> at_risk(points.size());
-  const CellProof proof =
-      prove_by_cells(points, *measure(points, alone), 10.0, alone, at_risk, CellTable::kDense);
-  EXPECT_LT(proof.alone.size(), 50U);
-  ASSERT_TRUE(proof.around.has_value());
-  EXPECT_LT(proof.around->size(), points.size() / 2);
+  for (const Point& p : make.box(60, {-40, -40, -40}, {140, 140, 140})) points.push_back(p);
+  points.push_back({112.0, 50, 50});
+  const double threshold = 10.0;
+  const ProximityTest closer(threshold, false);
+  for (const unsigned threads : {1U, 3U}) {
+    cpu::ThreadCrew crew(threads);
+    Buffer<std::uint8_t> at_risk(points.size());
+    const std::vector<PointId> undecided = prove_by_cells(points, *measure(points, crew), threshold,
+                                                          closer, crew, at_risk, CellTable::kDense);
+    EXPECT_TRUE(undecided.empty());
+    std::size_t lonely = 0;
+    for (PointId id = 200'000; id < points.size(); ++id) {
+      bool truly = false;
+      for (PointId other = 0; other < points.size() && !truly; ++other) {
+        truly = other != id && closer(points[id], points[other]);
+      }
+      EXPECT_EQ(at_risk[id], truly ? 1 : 0) << id;
+      lonely += truly ? 0U : 1U;
+    }
+    EXPECT_GT(lonely, 5U);
+  }
 }
 
 }  // namespace
