@@ -17,7 +17,8 @@
 
 namespace beespace {
 
-// The Euclidean distance in metres, rounded as doubles round.
+// The Euclidean distance in metres: the square root of the sum of three squares, each step rounded
+// to the nearest double, so within 4 * 2^-53 of the true one, relatively. For points of the domain.
 BEESPACE_API double distance(const Point& a, const Point& b);
 
 struct ClosestPair {
@@ -28,7 +29,7 @@ struct ClosestPair {
 
 // The two points that are closest to each other; empty when there are fewer than two points.
 // `threads` as in SearchOptions. Expected cost: a few tens of nanoseconds a point.
-// Errors: as find_at_risk.
+// Errors: kTooManyPoints, kNotFinite, kOutsideDomain as find_at_risk.
 BEESPACE_API Result<std::optional<ClosestPair>> find_closest_pair(const PointsView& points,
                                                                   unsigned threads = 1);
 
@@ -40,7 +41,8 @@ struct Nearest {
 };
 
 // For every point the nearest other point among those within the threshold (strictly, or
-// inclusively, as the options say). Entry i belongs to point i. Errors: as find_at_risk.
+// inclusively, as the options say). Entry i belongs to point i. Expected cost: some hundred
+// nanoseconds a point, in crowds too. Errors: as find_at_risk.
 BEESPACE_API Result<std::vector<Nearest>> find_nearest(const PointsView& points,
                                                        const SearchOptions& options = {});
 

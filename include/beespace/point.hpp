@@ -11,7 +11,8 @@ namespace beespace {
 //
 // Every coordinate given to a search must lie in the coordinate domain: zero, or a magnitude
 // between kSmallestCoordinate_m and kLargestCoordinate_m. Inside it no square overflows or loses
-// a bit, which is what the exactness of the answers rests on. NaN and infinities are outside.
+// a bit, which is what the exactness of the answers rests on. NaN and infinities are outside. It
+// also rests on the rounding mode that programs start with, to the nearest double.
 struct Point {
   double x = 0.0;
   double y = 0.0;

@@ -27,6 +27,7 @@ class PointsView {
   constexpr PointsView() = default;
 
   // Points one after the other: std::span<const Point>, std::vector<Point>, std::array<Point, N>.
+  // As a function's argument a temporary vector is fine; a view that is kept must not outlive it.
   template <detail::SpanOfPoints Points>
   constexpr PointsView(const Points& points)  // NOLINT(google-explicit-constructor): a view
       : PointsView(std::span<const Point>(points), FromSpan{}) {}
@@ -47,6 +48,7 @@ class PointsView {
 
   // The first point's three coordinates, and the distance in bytes from one point to the next
   // (for example sizeof(MyBee)). A stride may be negative; a stride of 0 repeats a coordinate.
+  // Every coordinate must be aligned as doubles are: packed structures must be copied first.
   static PointsView strided(const double* x, const double* y, const double* z, std::size_t size,
                             std::ptrdiff_t stride_bytes) {
     return strided({x, y, z}, size, {stride_bytes, stride_bytes, stride_bytes});

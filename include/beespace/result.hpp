@@ -63,7 +63,8 @@ struct Error {
 // "bees.csv:3:2: 'abc' is not a number ...", the way compilers say it.
 BEESPACE_API std::string to_string(const Error& error);
 
-// Either a value or an Error. `value()` needs `has_value()`, `error()` needs its opposite.
+// Either a value or an Error. Ask has_value() first: value() of an error, and error() of a value,
+// are undefined behaviour (caught by an assertion in debug builds).
 template <class T>
 class [[nodiscard]] Result {
  public:
@@ -75,14 +76,15 @@ class [[nodiscard]] Result {
 
   [[nodiscard]] T& value() & { return *checked(std::get_if<0>(&content_)); }
   [[nodiscard]] const T& value() const& { return *checked(std::get_if<0>(&content_)); }
-  [[nodiscard]] T&& value() && { return std::move(*checked(std::get_if<0>(&content_))); }
+  // By value, so that `for (auto id : *find_at_risk(points))` has something to stand on.
+  [[nodiscard]] T value() && { return std::move(*checked(std::get_if<0>(&content_))); }
   [[nodiscard]] Error& error() & { return *checked(std::get_if<1>(&content_)); }
   [[nodiscard]] const Error& error() const& { return *checked(std::get_if<1>(&content_)); }
-  [[nodiscard]] Error&& error() && { return std::move(*checked(std::get_if<1>(&content_))); }
+  [[nodiscard]] Error error() && { return std::move(*checked(std::get_if<1>(&content_))); }
 
   T& operator*() & { return value(); }
   const T& operator*() const& { return value(); }
-  T&& operator*() && { return std::move(*this).value(); }
+  T operator*() && { return std::move(*this).value(); }
   T* operator->() { return &value(); }
   const T* operator->() const { return &value(); }
 

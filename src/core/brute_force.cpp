@@ -3,13 +3,7 @@
 #include "core/exact_distance.hpp"
 #include "core/validate.hpp"
 
-#include <cmath>
-
 namespace beespace {
-
-double distance(const Point& a, const Point& b) {
-  return std::sqrt(core::squared_distance(a, b));
-}
 
 namespace brute_force {
 

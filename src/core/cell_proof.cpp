@@ -9,7 +9,6 @@
 #include <atomic>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <numeric>
 #include <utility>
 
@@ -17,7 +16,7 @@ namespace beespace::core {
 
 namespace {
 
-constexpr std::uint32_t kNoCell = 0xFFFF'FFFFU;
+constexpr PointId kNobody = 0xFFFF'FFFFU;
 
 void combine(const PositionBlock& positions, std::size_t count, unsigned shift,
              std::uint32_t row_cells, std::uint32_t layer_cells, std::uint32_t* cell) {
@@ -48,32 +47,28 @@ std::uint64_t number_densely(const PointsView& points, const Lattice& lattice, C
   return layer * lattice.cells(2);
 }
 
-// Open addressing with whole keys: a hash collision must not prove anything.
+// Open addressing; a slot holds a point of its cell, whose cell is worked out again to compare: a
+// hash collision must not prove anything.
 std::uint64_t number_by_hashing(const PointsView& points, const Lattice& lattice,
                                 Buffer<std::uint32_t>& cell) {
-  struct Cell {
-    std::uint64_t yz;
-    std::uint32_t x;
-    std::uint32_t number;
+  const auto cell_of = [&](std::size_t id) {
+    const Point p = points[id];
+    return std::array<std::uint32_t, 3>{lattice.cell(0, p.x), lattice.cell(1, p.y),
+                                        lattice.cell(2, p.z)};
   };
   const std::size_t slots = std::bit_ceil(points.size() + points.size() / 2);
-  Buffer<Cell> table(slots);
-  std::memset(static_cast<void*>(table.data()), 0xFF, slots * sizeof(Cell));  // number: kNoCell
-  std::uint32_t count = 0;
+  Buffer<PointId> first_in(slots);
+  std::fill_n(first_in.data(), slots, kNobody);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Point p = points[i];
-    const std::uint32_t x = lattice.cell(0, p.x);
-    const std::uint64_t y = lattice.cell(1, p.y);
-    const std::uint64_t z = lattice.cell(2, p.z);
-    const std::uint64_t yz = y << 32 | z;
-    std::size_t slot = mix(hash_cell(x, y, z)) & (slots - 1);
-    while (table[slot].number != kNoCell && (table[slot].yz != yz || table[slot].x != x)) {
+    const auto own = cell_of(i);
+    std::size_t slot = mix(hash_cell(own[0], own[1], own[2])) & (slots - 1);
+    while (first_in[slot] != kNobody && cell_of(first_in[slot]) != own) {
       slot = (slot + 1) & (slots - 1);
     }
-    if (table[slot].number == kNoCell) table[slot] = {yz, x, count++};
-    cell[i] = table[slot].number;
+    if (first_in[slot] == kNobody) first_in[slot] = static_cast<PointId>(i);
+    cell[i] = first_in[slot];
   }
-  return count;
+  return points.size();
 }
 
 std::vector<std::uint8_t> count_points(const Buffer<std::uint32_t>& cell, std::size_t size,
@@ -223,13 +218,15 @@ std::vector<PointId> prove_by_cells(const PointsView& points, const Bounds& boun
   const double cells = static_cast<double>(lattice.cells(0)) *
                        static_cast<double>(lattice.cells(1)) *
                        static_cast<double>(lattice.cells(2));
-  const bool dense = table != CellTable::kHashed &&
+  const bool dense = table != CellTable::kHashed && cells < 4294967295.0 &&
                      cells * crew.size() <= 4.0 * static_cast<double>(size) + 4096.0;
   Buffer<std::uint32_t> cell(size);
   const std::uint64_t numbers = dense ? number_densely(points, lattice, crew, cell)
                                       : number_by_hashing(points, lattice, cell);
-  std::vector<PointId> alone =
-      read_off(cell, count_points(cell, size, numbers, crew), size, crew, at_risk);
+  // A table a worker; hashed cells are as many as points, and counted by one.
+  Crew one;
+  const std::vector<std::uint8_t> counts = count_points(cell, size, numbers, dense ? crew : one);
+  std::vector<PointId> alone = read_off(cell, counts, size, crew, at_risk);
   if (dense && !alone.empty() && alone.size() * AloneNearby::kCellsEach <= size / 2) {
     settle_alone(points, closer, cell, lattice, numbers, std::move(alone), crew, at_risk);
     return {};

@@ -62,11 +62,7 @@ IdPair lowest_duplicates(const PointsView& points) {
   IdPair lowest{kEmpty, kEmpty};
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Point p = points[i];
-    std::uint64_t hash = 0;
-    for (const double value : {p.x, p.y, p.z}) {
-      hash = mix(hash + std::bit_cast<std::uint64_t>(value + 0.0));  // -0 is 0
-    }
-    std::size_t slot = hash & (slots - 1);
+    std::size_t slot = hash_place(p) & (slots - 1);
     while (first_at[slot] != kEmpty && points[first_at[slot]] != p) slot = (slot + 1) & (slots - 1);
     const auto id = static_cast<PointId>(i);
     if (first_at[slot] == kEmpty) {

@@ -1,6 +1,6 @@
 // The two closest points of all.
 //
-//   a sixteenth of the points, at random  --(same again)-->  their closest pair: a bound
+//   an eighth of the points, in short runs  --(same again)-->  their closest pair: a bound
 //   all points  --sieve: who may have company within the bound?-->  few
 //   those few, sorted into a grid as fine as the bound  -->  the closest pair, exactly
 //

@@ -2,6 +2,9 @@
 // distribution costs time, never correctness.
 #pragma once
 
+#include <beespace/point.hpp>
+
+#include <bit>
 #include <cstdint>
 
 namespace beespace::core {
@@ -11,6 +14,13 @@ inline std::uint64_t mix(std::uint64_t value) {
   value = (value ^ (value >> 30)) * 0xBF58476D1CE4E5B9U;
   value = (value ^ (value >> 27)) * 0x94D049BB133111EBU;
   return value ^ (value >> 31);
+}
+
+// The same for the same place: -0 is 0.
+inline std::uint64_t hash_place(const Point& p) {
+  std::uint64_t hash = mix(std::bit_cast<std::uint64_t>(p.x + 0.0));
+  hash = mix(hash + std::bit_cast<std::uint64_t>(p.y + 0.0));
+  return mix(hash + std::bit_cast<std::uint64_t>(p.z + 0.0));
 }
 
 // Cells are hashed by a sum, so that the hash of a cell beside another one costs an addition.

@@ -7,7 +7,6 @@ namespace beespace::core {
 
 namespace {
 
-constexpr std::uint64_t kMostCells = std::uint64_t{1} << 29;  // positions stay below 2^30
 constexpr unsigned kMostFractionBits = 22;  // differences of two cells are exact in a float
 
 double margin_for(double extent, double reach) {
@@ -17,7 +16,8 @@ double margin_for(double extent, double reach) {
 }  // namespace
 
 Lattice::Lattice(const PointsView& points, const Bounds& bounds, double reach,
-                 std::uint64_t fold_beyond_cells) {
+                 std::uint64_t fold_beyond_cells, std::uint64_t most_cells)
+    : most_cells_(most_cells) {
   double longest_stretch = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     axes_[axis].low = bounds.low[axis];
@@ -29,7 +29,10 @@ Lattice::Lattice(const PointsView& points, const Bounds& bounds, double reach,
     }
   }
   cell_m_ = reach * (1.0 + margin_for(longest_stretch, reach));
-  while (!number_cells(bounds)) cell_m_ *= 2.0;  // larger cells are as right, only slower
+  while (!number_cells(bounds)) {
+    cell_m_ *= 2.0;  // larger cells are as right, only slower
+    for (Axis& axis : axes_) join_stretches(axis, 4.0 * cell_m_);
+  }
 
   std::uint64_t most = 1;
   for (const Axis& axis : axes_) most = std::max(most, axis.cells);
@@ -45,6 +48,9 @@ double Lattice::fold(const PointsView& points, std::size_t axis, double gap) {
   std::sort(sorted.begin(), sorted.end());
 
   Axis& folded = axes_[axis];
+  std::size_t gaps = 0;
+  for (std::size_t i = 1; i < sorted.size(); ++i) gaps += sorted[i] - sorted[i - 1] > gap ? 1U : 0U;
+  folded.stretches.reserve(gaps + 1);
   double longest = 0.0;
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     if (i == 0 || sorted[i] - sorted[i - 1] > gap) {
@@ -54,6 +60,20 @@ double Lattice::fold(const PointsView& points, std::size_t axis, double gap) {
     longest = std::max(longest, sorted[i] - folded.stretches.back().first);
   }
   return longest;
+}
+
+// A stretch takes three cells however short it is; with larger cells, narrower gaps are cells too.
+void Lattice::join_stretches(Axis& axis, double gap) {
+  if (!axis.folded()) return;
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < axis.stretches.size(); ++i) {
+    if (axis.stretches[i].first - axis.stretches[last].last > gap) {
+      axis.stretches[++last] = axis.stretches[i];
+    } else {
+      axis.stretches[last].last = axis.stretches[i].last;
+    }
+  }
+  axis.stretches.resize(last + 1);
 }
 
 bool Lattice::number_cells(const Bounds& bounds) {
@@ -72,7 +92,7 @@ bool Lattice::number_cells(const Bounds& bounds) {
         axis.cells += cells_of(stretch.last - stretch.first) + 1;  // and an empty one behind it
       }
     }
-    if (axis.cells > kMostCells) return false;
+    if (axis.cells > most_cells_) return false;
   }
   return true;
 }

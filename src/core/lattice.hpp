@@ -10,7 +10,8 @@
 // 4 * 2^-53 * extent / reach cells.
 //
 // Empty space costs nothing: an axis that would have more than 2^20 cells is folded, which cuts
-// out every gap that no point lies in. There are then at most a handful of cells a point.
+// out every gap that no point lies in. There are then at most a handful of cells a point, on each
+// axis.
 #pragma once
 
 #include "core/bounds.hpp"
@@ -29,12 +30,15 @@ class Lattice {
  public:
   static constexpr std::uint64_t kFoldBeyondCells = std::uint64_t{1} << 20;
 
-  // `bounds` are those of `points`. `fold_beyond_cells` is lowered by tests only.
+  static constexpr std::uint64_t kMostCells = std::uint64_t{1} << 29;  // positions below 2^30
+
+  // `bounds` are those of `points`. The last two are lowered by tests only.
   Lattice(const PointsView& points, const Bounds& bounds, double reach,
-          std::uint64_t fold_beyond_cells = kFoldBeyondCells);
+          std::uint64_t fold_beyond_cells = kFoldBeyondCells,
+          std::uint64_t most_cells = kMostCells);
 
   // Position of a point's coordinate on `axis`, in units: below cells(axis) << fraction_bits(),
-  // at most 2^30, monotone in `value`.
+  // itself at most 2^30, monotone in `value`.
   [[nodiscard]] std::int32_t position(std::size_t axis, double value) const {
     const Axis& a = axes_[axis];
     if (a.folded()) [[unlikely]] {
@@ -56,6 +60,7 @@ class Lattice {
   [[nodiscard]] double cell_m() const { return cell_m_; }
 
  private:
+  // A run of coordinates without a wide gap.
   struct Stretch {
     double first = 0.0;
     double last = 0.0;
@@ -70,10 +75,12 @@ class Lattice {
   };
 
   double fold(const PointsView& points, std::size_t axis, double gap);
+  static void join_stretches(Axis& axis, double gap);
   bool number_cells(const Bounds& bounds);
   [[nodiscard]] std::int32_t folded_position(const Axis& axis, double value) const;
 
   std::array<Axis, 3> axes_;
+  std::uint64_t most_cells_;
   double cell_m_ = 0.0;
   double units_per_m_ = 0.0;
   unsigned fraction_bits_ = 0;

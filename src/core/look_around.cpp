@@ -2,6 +2,7 @@
 
 #include "core/hash.hpp"
 #include "core/near_pairs.hpp"
+#include "core/neighbour_rows.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,74 +15,6 @@ namespace {
 std::uint64_t slot_of(std::uint64_t x, std::uint64_t y, std::uint64_t z, std::uint64_t mask) {
   return (hash_cell(x, y, z) >> 20) & mask;
 }
-
-class Looker {
- public:
-  Looker(const SortedGrid& grid, const PointsView& points, const ProximityTest& closer,
-         double threshold)
-      : grid_(grid), points_(points), closer_(closer), limits_(threshold, grid.units_per_m) {}
-
-  // Fills in the rows around `row`; rows must come in ascending order.
-  void select(std::size_t row) {
-    const std::uint64_t number = grid_.row_number[row];
-    // Rows y-1, y, y+1 of the layers below, at and above. Layer 0 has none below.
-    for (std::uint64_t layer = 0; layer < 3; ++layer) {
-      const std::uint64_t middle = number + layer * grid_.rows_a_layer;
-      if (middle < grid_.rows_a_layer + 1) {
-        around_[layer] = {0, 0};
-        continue;
-      }
-      const std::uint64_t first = middle - grid_.rows_a_layer - 1;
-      cursor_[layer] = grid_.skip_to(first, cursor_[layer]);
-      around_[layer] = {cursor_[layer], grid_.skip_to(first + 3, cursor_[layer])};
-    }
-  }
-
-  // Whether sorted point i of the selected row has company.
-  [[nodiscard]] bool has_company(std::uint32_t i) const {
-    const std::int32_t cell = grid_.x[i] >> grid_.fraction_bits;
-    const std::int32_t first_x = (cell - 1) * (1 << grid_.fraction_bits);
-    for (const Rows& rows : around_) {
-      for (std::size_t row = rows.begin; row < rows.end; ++row) {
-        const std::int32_t* begin = grid_.x + grid_.row_begin[row];
-        const std::int32_t* end = grid_.x + grid_.row_begin[row + 1];
-        // A row stands in the order of its cells, so this is a valid partition point.
-        const std::int32_t* from =
-            std::partition_point(begin, end, [=](std::int32_t x) { return x < first_x; });
-        if (run_has_company(i, static_cast<std::uint32_t>(from - grid_.x),
-                            grid_.row_begin[row + 1])) {
-          return true;
-        }
-      }
-    }
-    return false;
-  }
-
- private:
-  struct Rows {
-    std::size_t begin = 0;
-    std::size_t end = 0;
-  };
-
-  [[nodiscard]] bool run_has_company(std::uint32_t i, std::uint32_t from, std::uint32_t end) const {
-    const std::int32_t last_cell = (grid_.x[i] >> grid_.fraction_bits) + 1;
-    for (std::uint32_t j = from; j < end && grid_.x[j] >> grid_.fraction_bits <= last_cell; ++j) {
-      const float squared = squared_units(grid_, i, j);
-      if (squared > limits_.surely_far || i == j) continue;
-      if (squared < limits_.surely_near || closer_(points_[grid_.id[i]], points_[grid_.id[j]])) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  const SortedGrid& grid_;
-  const PointsView& points_;
-  const ProximityTest& closer_;
-  SquaredLimits limits_;
-  std::array<Rows, 3> around_{};
-  std::array<std::size_t, 3> cursor_{};
-};
 
 }  // namespace
 
@@ -122,15 +55,20 @@ std::vector<PointId> surroundings(const PointsView& points, const Lattice& latti
 
 void look_around(const SortedGrid& grid, const PointsView& points, const ProximityTest& closer,
                  double threshold, Crew& crew, std::uint8_t* at_risk) {
+  const SquaredLimits limits(threshold, grid.units_per_m);
   crew.split(grid.rows(), [&](std::size_t begin, std::size_t end, unsigned) {
-    Looker looker(grid, points, closer, threshold);
+    NeighbourRows around(grid);
     for (std::size_t row = begin; row < end; ++row) {
       bool selected = false;
       for (std::uint32_t i = grid.row_begin[row]; i < grid.row_begin[row + 1]; ++i) {
         if (at_risk[grid.id[i]] != 0) continue;
-        if (!selected) looker.select(row);
+        if (!selected) around.select(row);
         selected = true;
-        if (looker.has_company(i)) at_risk[grid.id[i]] = 1;
+        const bool company =
+            around.any_near(i, limits.surely_far, [&](std::uint32_t j, float squared) {
+              return squared < limits.surely_near || closer(points[grid.id[i]], points[grid.id[j]]);
+            });
+        if (company) at_risk[grid.id[i]] = 1;
       }
     }
   });

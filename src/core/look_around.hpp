@@ -1,7 +1,7 @@
 // For a few points among many: does any other point lie within the threshold of this one?
 //
 // Cost: for each point asked for, nine short runs of the grid, left at the first hit. In a crowd
-// that cell_proof has been through, at most 238 points of any 3 x 3 x 3 cells are asked for (each
+// that cell_proof has been through, at most 343 points of any 3 x 3 x 3 cells are asked for (each
 // has its own smaller cell), so the whole stays proportional to the number of points.
 #pragma once
 

@@ -2,6 +2,7 @@
 // ARM64.
 #include "cpu/sweep_kernel.hpp"
 
+#include <bit>
 #include <cstring>
 
 namespace beespace::cpu {
@@ -44,6 +45,7 @@ class Lanes {
   }
 
   static void mark(std::uint8_t* marks, unsigned near) {
+    static_assert(std::endian::native == std::endian::little);
     // Byte `lane` keeps bit `lane` of the copies of `near`, which is all that "nonzero" needs.
     std::uint32_t old = 0;
     std::memcpy(&old, marks, sizeof old);

@@ -7,7 +7,7 @@
 //
 // Lanes gives
 //   kLanes                        how many points it looks at together
-//   Lanes(limits, fraction_bits)
+//   Lanes(limits)
 //   select(x, y, z, first_x)      the point to compare with, and where its window along x starts
 //   Found look(x, y, z, count)    compares it with the next kLanes points, of which `count` count
 //   mark(marks, near_lanes)       marks[lane] = nonzero for every lane set

@@ -1,7 +1,7 @@
 #include "cpu/thread_crew.hpp"
 
 #include <algorithm>
-#include <system_error>
+#include <exception>
 
 namespace beespace::cpu {
 
@@ -18,8 +18,8 @@ ThreadCrew::ThreadCrew(unsigned size) {
   for (unsigned worker = 1; worker < size; ++worker) {
     try {
       threads_.emplace_back([this, worker] { work(worker); });
-    } catch (const std::system_error&) {
-      break;  // fewer hands, the same answer
+    } catch (const std::exception&) {  // no thread to be had, or no memory for one
+      break;                           // fewer hands, the same answer
     }
   }
 }

@@ -45,7 +45,6 @@ TEST(Lattice, PutsNeighboursInAdjacentCellsOnEveryScene) {
   }
 }
 
-// From an extent of 10^10 reaches on, a margin of 2^-20 alone was seen to fail.
 TEST(Lattice, PutsNeighboursInAdjacentCellsWhateverTheExtent) {
   for (double extent = 1e3; extent < 1e16; extent *= 10.0) {
     test::SceneMaker make(11);
@@ -58,6 +57,35 @@ TEST(Lattice, PutsNeighboursInAdjacentCellsWhateverTheExtent) {
     SCOPED_TRACE(extent);
     expect_neighbours_adjacent(points, 1.0, Lattice::kFoldBeyondCells);
     expect_neighbours_adjacent(points, 1.0, std::uint64_t{1} << 29);
+  }
+}
+
+// Without the margin, rounding puts 8 pairs in 28 million two cells apart: those that lie just
+// before and just behind a cell's border, a reach from each other. Here are some that do.
+TEST(Lattice, MarginOutweighsTheRoundingOfPositions) {
+  const double reach = 0.007;
+  const Bounds bounds{{0, 0, 0}, {0.007e6, 0, 0}};
+  const std::vector<Point> none;
+  const Lattice lattice(none, bounds, reach, std::uint64_t{1} << 29);
+  for (int k = 2; k < 1'000'000; ++k) {
+    const double border = k * reach;
+    for (const double a : {std::nextafter(border, 0.0), border, std::nextafter(border, 1e9)}) {
+      for (const double b : {a + reach, std::nextafter(a + reach, 0.0)}) {
+        if (!ProximityTest(reach, true)({a, 0, 0}, {b, 0, 0})) continue;
+        ASSERT_LE(lattice.cell(0, b) - lattice.cell(0, a), 1U) << k;
+      }
+    }
+  }
+}
+
+TEST(Lattice, JoinsStretchesWhenThereAreMoreThanCells) {
+  std::vector<Point> points;
+  for (int i = 0; i < 2000; ++i) points.push_back({i * 1e5, 0, 0});
+  for (int i = 0; i < 2000; i += 10) points.push_back({i * 1e5 + 0.9, 0, 0});
+  const Lattice lattice(points, bounds_of(points), 1.0, 16, 1024);
+  EXPECT_LE(lattice.cells(0), 1024U);
+  for (int i = 0; i < 2000; i += 10) {
+    ASSERT_LE(lattice.cell(0, i * 1e5 + 0.9) - lattice.cell(0, i * 1e5), 1U);
   }
 }
 

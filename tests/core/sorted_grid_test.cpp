@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -90,6 +91,36 @@ TEST_P(EveryScene, NearPairsVisitEveryPairWithinTheReachOnce) {
       }
     }
   });
+}
+
+// Few units a cell, and distances at the reach: what is called sure must be true.
+TEST(SquaredLimits, AreRightWhereAUnitIsCoarse) {
+  Crew alone;
+  std::size_t sure = 0;
+  for (int power = 10; power <= 28; ++power) {
+    test::SceneMaker make(static_cast<std::uint32_t>(power));
+    const double side = std::ldexp(1.0, power);
+    std::vector<Point> points = make.box(300, {0, 0, 0}, {side, side, side});
+    for (std::size_t i = 0; i < 300; ++i) {
+      const Point d{make.between(-1, 1), make.between(-1, 1), make.between(-1, 1)};
+      const double scale = make.between(0.9, 1.1) / std::sqrt(squared_distance(d, {}));
+      points.push_back(
+          {points[i].x + scale * d.x, points[i].y + scale * d.y, points[i].z + scale * d.z});
+    }
+    const Lattice lattice(points, *measure(points, alone), 1.0, std::uint64_t{1} << 29);
+    const SortedGrid grid = sort_into_grid(points, {}, lattice, alone);
+    const SquaredLimits limits(1.0, grid.units_per_m);
+    std::vector<std::size_t> place(points.size());
+    for (std::size_t i = 0; i < grid.size; ++i) place[grid.id[i]] = i;
+    for (std::size_t i = 0; i < 300; ++i) {
+      const float squared = squared_units(grid, place[i], place[i + 300]);
+      const bool near = ProximityTest(1.0, false)(points[i], points[i + 300]);
+      ASSERT_TRUE(near || squared >= limits.surely_near) << power;
+      ASSERT_TRUE(!near || squared <= limits.surely_far) << power;
+      sure += squared < limits.surely_near || squared > limits.surely_far ? 1U : 0U;
+    }
+  }
+  EXPECT_GT(sure, 3000U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Crews, EveryScene, testing::Values(1U, 3U));

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -59,6 +60,41 @@ TEST(ClosestPair, ManyDuplicatesGiveTheLowestIds) {
   EXPECT_EQ(pair.distance_m, 0.0);
   EXPECT_EQ(pair.first, 3U);
   EXPECT_EQ(pair.second, 18'000U);
+}
+
+TEST(ClosestPair, MinusZeroIsZeroAmongManyToo) {
+  std::vector<Point> points = test::SceneMaker(2).box(4000, {1, 1, 1}, {100, 100, 100});
+  for (std::size_t i = 0; i < 2000; ++i) points[2000 + i] = points[2 + i % 1000];
+  points[0] = {0.0, 0.0, 0.0};
+  points[1] = {-0.0, 0.0, -0.0};
+  const auto pair = **find_closest_pair(points);
+  EXPECT_EQ(pair.first, 0U);
+  EXPECT_EQ(pair.second, 1U);
+}
+
+// A clump beside open country, and half of everybody at one place: nothing quadratic may hide.
+// Brute force needs 10^10 comparisons here, the search must stay within the test's time.
+TEST(Nearest, ClumpsAndDuplicatesStayCheap) {
+  constexpr std::size_t kHalf = 50'000;
+  test::SceneMaker make(9);
+  std::vector<Point> points = make.box(2 * kHalf, {0, 0, 0}, {2e6, 2e6, 2e6});
+  for (std::size_t i = 0; i < kHalf; ++i) points[i] = {5, 5, 5};
+  const std::vector<Nearest> of_duplicates = *find_nearest(points, {1e5});
+  EXPECT_EQ(of_duplicates[0].id, 1U);
+  EXPECT_EQ(of_duplicates[kHalf - 1].id, 0U);
+
+  const std::vector<Point> clump = make.box(kHalf, {0, 0, 0}, {1, 1, 1});
+  std::copy(clump.begin(), clump.end(), points.begin());
+  const std::vector<Nearest> nearest = *find_nearest(points, {1e5, false, 2});
+  for (std::size_t i = 0; i < points.size(); i += 9973) {
+    Nearest expected;
+    for (PointId j = 0; j < points.size(); ++j) {
+      const double apart = distance(points[i], points[j]);
+      if (j != i && apart < 1e5 && apart < expected.distance_m) expected = {j, apart};
+    }
+    EXPECT_EQ(nearest[i].id, expected.id) << i;
+    EXPECT_EQ(nearest[i].distance_m, expected.distance_m) << i;
+  }
 }
 
 TEST(Nearest, EqualsBruteForceOnEveryScene) {

@@ -1,0 +1,64 @@
+// The sieve may keep too many, never drop one that has company within the bound.
+#include "core/sieve.hpp"
+
+#include "core/bounds.hpp"
+#include "core/exact_distance.hpp"
+#include "cpu/thread_crew.hpp"
+#include "tests/support/search_scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace beespace::core {
+namespace {
+
+// Pairs just within the bound, across faces, edges and corners of cells, in boxes of all sizes: few
+// units a cell where the box is large.
+TEST(Sieve, KeepsEveryPairWithinTheBound) {
+  const double bound = 1.0;
+  for (int power = 4; power <= 26; ++power) {
+    const double side = std::ldexp(1.0, power);
+    test::SceneMaker make(static_cast<std::uint32_t>(power));
+    std::vector<Point> points = make.box(400, {0, 0, 0}, {side, side, side});
+    for (std::size_t i = 0; i < 400; ++i) {
+      const Point direction{make.between(-1, 1), make.between(-1, 1), make.between(-1, 1)};
+      const double length = std::sqrt(squared_distance(direction, {}));
+      const double step = bound * (1.0 - 1e-9) / length;
+      points.push_back({points[i].x + step * direction.x, points[i].y + step * direction.y,
+                        points[i].z + step * direction.z});
+    }
+    for (const unsigned threads : {1U, 3U}) {
+      cpu::ThreadCrew crew(threads);
+      for (const double cell_in_bounds : {2.5, 8.0}) {
+        const Lattice lattice(points, *measure(points, crew), cell_in_bounds * bound);
+        const std::vector<PointId> left = sieve(points, lattice, bound, crew);
+        const ProximityTest near(bound, true);
+        for (PointId id = 0; id < 400; ++id) {
+          if (!near(points[id], points[id + 400])) continue;
+          ASSERT_TRUE(std::binary_search(left.begin(), left.end(), id)) << power << " " << id;
+          ASSERT_TRUE(std::binary_search(left.begin(), left.end(), id + 400));
+        }
+      }
+    }
+  }
+}
+
+TEST(Sieve, DropsMostOfThoseWithoutCompany) {
+  test::SceneMaker make(1);
+  const std::vector<Point> points = make.box(20'000, {0, 0, 0}, {10'000, 10'000, 10'000});
+  Crew alone;
+  const Lattice lattice(points, *measure(points, alone), 8.0);
+  EXPECT_LT(sieve(points, lattice, 1.0, alone).size(), points.size() / 4);
+}
+
+TEST(Sieve, KeepsEverybodyWhereItCannotTell) {
+  const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {1e9, 0, 0}};
+  Crew alone;
+  const Lattice lattice(points, *measure(points, alone), 2.0, std::uint64_t{1} << 40);
+  EXPECT_EQ(sieve(points, lattice, 1.0, alone).size(), points.size());
+}
+
+}  // namespace
+}  // namespace beespace::core
