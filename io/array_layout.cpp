@@ -207,7 +207,8 @@ Result<ArrayLayout> npy_layout(std::string_view bytes) {
   if (layout.data.size() > needed) {
     return Error{ErrorCode::kCorrupt,
                  std::to_string(layout.data.size() - needed) +
-                     " bytes follow the array that the .npy header announces; " + kHowToSave,
+                     (layout.data.size() - needed == 1 ? " byte follows" : " bytes follow") +
+                     " the array that the .npy header announces; " + kHowToSave,
                  {}};
   }
   if (layout.rows == 0) {
@@ -223,8 +224,8 @@ Result<ArrayLayout> raw_layout(std::string_view bytes) {
   }
   if (bytes.size() % kPointBytes != 0) {
     return Error{ErrorCode::kTruncated,
-                 std::to_string(bytes.size()) +
-                     " bytes are no whole number of points (24 bytes each: x, y, z as "
+                 std::to_string(bytes.size()) + (bytes.size() == 1 ? " byte is" : " bytes are") +
+                     " no whole number of points (24 bytes each: x, y, z as "
                      "little-endian float64); the file is cut off, or in another format",
                  {}};
   }

@@ -6,15 +6,21 @@
 
 #include <beespace/result.hpp>
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace beespace::io {
 
+// What the first records hold in a column. An empty field, or "N/A", is unknown: a number may
+// follow.
+enum class ColumnContent : std::uint8_t { kUnknown, kNumber, kText };
+
 struct ColumnsSeen {
   std::size_t count = 0;
   std::vector<std::string> names = {};  // empty when there is no header
-  std::vector<bool> numeric = {};       // whether the first record holds a number there
+  std::vector<ColumnContent> contents = {};
 };
 
 // Errors: kInvalidArgument for wishes that make no sense, kMissingColumn, kUnsupportedFormat for a

@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace beespace::io {
@@ -13,17 +14,21 @@ namespace {
 using Words = std::span<const std::string_view>;
 
 constexpr std::string_view kLongitudeWords[] = {
-    "lon", "longitude", "longitud", "lng", "long", "laenge", "länge", "lengte", "longitudine"};
-constexpr std::string_view kLatitudeWords[] = {"lat",    "latitude", "latitud",
-                                               "breite", "breedte",  "latitudine"};
+    "lon",    "longitude",   "longitud",   "lng",         "long",    "laenge", "länge",
+    "lengte", "longitudine", "längengrad", "laengengrad", "долгота", "boylam", "lengtegraad"};
+constexpr std::string_view kLatitudeWords[] = {
+    "lat",   "latitude", "latitud",    "breite",      "breedte",
+    "enlem", "широта",   "latitudine", "breitengrad", "breedtegraad"};
 constexpr std::string_view kHeightWords[] = {
-    "height", "altitude", "alt",     "elevation", "elev",  "h",         "altura",    "altitud",
-    "höhe",   "hoehe",    "hauteur", "hoogte",    "quota", "elevación", "elevacion", "geoaltitude"};
+    "height",  "altitude",  "alt",       "elevation",   "elev",    "h",         "altura",
+    "altitud", "höhe",      "hoehe",     "hauteur",     "hoogte",  "quota",     "elevación",
+    "высота",  "elevacion", "élévation", "geoaltitude", "altezza", "yükseklik", "altitudine"};
 constexpr std::string_view kIdWords[] = {"id",     "name",     "icao",       "icao24",
                                          "hex",    "callsign", "identifier", "uuid",
                                          "nombre", "label",    "nom",        "hexid"};
 constexpr std::string_view kMetreUnits[] = {"m",      "meter", "meters", "metre",
                                             "metres", "metro", "metros", "mts"};
+constexpr std::string_view kMetreFrames[] = {"ecef", "enu", "ned", "local"};
 constexpr std::string_view kDegreeUnits[] = {"deg",    "degree", "degrees", "grad",
                                              "grados", "°",      "dd"};
 constexpr std::string_view kForeignUnits[] = {
@@ -31,11 +36,18 @@ constexpr std::string_view kForeignUnits[] = {
     "rad",   "nm",   "mi",     "mile",   "miles",   "yd",         "yard",
     "yards", "inch", "inches", "radian", "radians", "kilometers", "kilometres"};
 // Words that may stand beside a coordinate's name without changing what it is.
-constexpr std::string_view kFillers[] = {
-    "gps",        "wgs84",      "pos",        "position",    "coord", "coordinate", "coordinates",
-    "coordenada", "koordinate", "coordonnee", "coordonnée",  "the",   "of",         "in",
-    "de",         "la",         "el",         "der",         "die",   "du",         "degrees",
-    "decimal",    "geo",        "geodetic",   "ellipsoidal", "drone", "bee",        "aircraft"};
+constexpr std::string_view kFillers[] = {"gps",      "wgs84", "degrees",     "decimal", "geo",
+                                         "geodetic", "drone", "ellipsoidal", "aircraft"};
+constexpr std::string_view kArticles[] = {
+    "the", "of", "in", "de", "la", "el",  "der", "die", "das", "du", "des", "dell", "della", "di",
+    "l",   "d",  "le", "da", "do", "del", "las", "los", "les", "a",  "von", "each", "cada"};
+// Words that make another quantity of a coordinate, or a coordinate of something else.
+constexpr std::string_view kOtherQuantities[] = {
+    "std",      "sigma", "err",  "error",  "acc",   "accuracy", "var",  "cov",
+    "delta",    "diff",  "rel",  "vel",    "speed", "velocity", "rate", "relative",
+    "min",      "max",   "ref",  "home",   "start", "last",     "prev", "base",
+    "target",   "next",  "goal", "origin", "accel", "gyro",     "mag",  "force",
+    "previous", "size",  "old",  "end",    "first", "v"};
 
 bool is_among(std::string_view word, Words words) {
   return std::find(words.begin(), words.end(), word) != words.end();
@@ -54,12 +66,11 @@ bool starts_with_any(std::string_view word, std::initializer_list<std::string_vi
 std::vector<std::string> split_words(std::string_view name) {
   std::vector<std::string> words;
   bool inside = false;
-  for (const char c : name) {
-    const bool upper = c >= 'A' && c <= 'Z';
-    const bool part = upper || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ||
-                      static_cast<unsigned char>(c) >= 0x80;
+  for (const char c : lower_case(name)) {
+    const bool part =
+        (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80;
     if (part && !inside) words.emplace_back();
-    if (part) words.back() += upper ? static_cast<char>(c - 'A' + 'a') : c;
+    if (part) words.back() += c;
     inside = part;
   }
   return words;
@@ -100,59 +111,139 @@ bool speaks_of_a_bee(std::string_view word) {
          is_among(word, {"ape", "api"});
 }
 
+bool speaks_of_a_coordinate(std::string_view word) {
+  return starts_with_any(word, {"coord", "koord"});
+}
+
+// A coordinate of a bee and nothing else: units and frames are for the general rules.
 std::optional<HeaderWord> read_course_word(const std::vector<std::string>& words) {
-  const bool coordinate = std::any_of(words.begin(), words.end(), [](std::string_view word) {
-    return starts_with_any(word, {"coord", "koord"});
-  });
-  if (!coordinate || std::none_of(words.begin(), words.end(), speaks_of_a_bee)) return {};
+  bool coordinate = false;
+  bool bee = false;
+  bool metres = false;
+  Role axis = Role::kNone;
+  for (const auto& word : words) {
+    if (axis_role(word) != Role::kNone) {
+      if (axis != Role::kNone) return std::nullopt;
+      axis = axis_role(word);
+    } else if (speaks_of_a_coordinate(word)) {
+      coordinate = true;
+    } else if (speaks_of_a_bee(word)) {
+      bee = true;
+    } else if (is_among(word, kMetreUnits)) {
+      metres = true;
+    } else if (!is_among(word, kArticles)) {
+      return std::nullopt;
+    }
+  }
+  const bool height = axis == Role::kZ;
+  if (!coordinate || !bee || axis == Role::kNone || (metres && !height)) return std::nullopt;
   HeaderWord found;
   found.course_format = true;
   found.frame = Frame::kWgs84;
-  for (const auto& word : words) {
-    if (axis_role(word) != Role::kNone) found.role = as_geographic(axis_role(word));
-  }
+  found.role = as_geographic(axis);
   return found;
 }
 
+// Whether any of the words may speak of a coordinate, in whatever way.
+bool may_say_position(const std::vector<std::string>& words) {
+  constexpr std::string_view kStems[] = {"lat",   "lon",   "lng",  "alt",   "breit",  "läng",
+                                         "laeng", "шир",   "долг", "enlem", "boylam", "heigh",
+                                         "höhe",  "hoehe", "выс",  "elev",  "coord",  "koord"};
+  for (const std::string& word : words) {
+    if (word_role(word) != Role::kNone) return true;
+    for (const std::string_view stem : kStems) {
+      if (word.find(stem) != std::string::npos) return true;
+    }
+    // "px", "x1", "e", "n".
+    if (is_among(word, {"e", "n"})) return true;
+    if (word.size() == 2 && word.find_first_of("xyz") != std::string::npos) return true;
+  }
+  return false;
+}
+
+// The words of one name, taken in one after the other.
+class NameReading {
+ public:
+  void take(const std::string& word) {
+    const Role role = word_role(word);
+    if (role != Role::kNone) {
+      understood_ = understood_ && found_.role == Role::kNone;
+      found_.role = role;
+    } else if (is_among(word, {"n", "e"})) {
+      compass_ = word.front();
+    } else if (is_among(word, kDegreeUnits)) {
+      degrees_ = true;
+    } else if (is_among(word, kForeignUnits)) {
+      found_.foreign_unit = word;
+    } else if (is_among(word, kMetreUnits) || is_among(word, kMetreFrames)) {
+      found_.says_metres = true;
+    } else if (is_among(word, kFillers) || is_among(word, kArticles) || speaks_of_a_bee(word) ||
+               speaks_of_a_coordinate(word)) {
+      plain_ = false;
+    } else if (!is_among(word, {"pos", "position"})) {
+      // Behind the coordinate it may say anything: "lat_error".
+      understood_ = understood_ && found_.role == Role::kNone && !is_among(word, kOtherQuantities);
+      found_.prefix += (found_.prefix.empty() ? "" : "_") + word;
+    }
+  }
+
+  // Nothing when it is not understood to its last word.
+  std::optional<HeaderWord> finish() {
+    if (!understood_ || found_.role == Role::kNone) return std::nullopt;
+    if (compass_ == 'n' && found_.role != Role::kLatitude) return std::nullopt;
+    if (compass_ == 'e' && found_.role != Role::kLongitude) return std::nullopt;
+    if (degrees_) found_.role = as_geographic(found_.role);
+    if (found_.role == Role::kLongitude || found_.role == Role::kLatitude) {
+      found_.frame = Frame::kWgs84;
+    } else if (found_.role != Role::kHeight &&
+               (found_.says_metres || (plain_ && found_.prefix.empty()))) {
+      found_.frame = Frame::kMetres;
+    }
+    return std::move(found_);
+  }
+
+ private:
+  HeaderWord found_;
+  bool understood_ = true;
+  bool degrees_ = false;
+  bool plain_ = true;  // nothing but the coordinate and what names metres
+  char compass_ = '\0';
+};
+
 }  // namespace
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  unsigned char before = 0;
+  for (char& c : lower) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 'A' && byte <= 'Z') c = static_cast<char>(byte + 32);
+    // U+00C0 ... U+00DE without the multiplication sign; U+0410 ... U+042F in two halves.
+    if (before == 0xC3 && byte >= 0x80 && byte <= 0x9E && byte != 0x97) {
+      c = static_cast<char>(byte + 0x20);
+    }
+    if (before == 0xD0 && byte >= 0x90 && byte <= 0x9F) c = static_cast<char>(byte + 0x20);
+    if (before == 0xD0 && byte >= 0xA0 && byte <= 0xAF) {
+      c = static_cast<char>(byte - 0x20);
+      *(&c - 1) = '\xD1';
+    }
+    before = byte;
+  }
+  return lower;
+}
 
 HeaderWord read_header_word(std::string_view name) {
   const std::vector<std::string> words = split_words(name);
   if (auto course = read_course_word(words)) return *std::move(course);
-
-  HeaderWord found;
-  bool degrees = false;
-  bool plain = true;  // nothing but the coordinate, its unit and what names metres
-  std::size_t unknown = 0;
-  for (const auto& word : words) {
-    const Role role = word_role(word);
-    if (role != Role::kNone) {
-      unknown += found.role == Role::kNone ? 0 : 1;
-      found.role = role;
-    } else if (is_among(word, kDegreeUnits)) {
-      degrees = true;
-    } else if (is_among(word, kForeignUnits)) {
-      found.foreign_unit = word;
-    } else if (is_among(word, kFillers)) {
-      plain = false;
-    } else if (!is_among(word, kMetreUnits) && !is_among(word, {"ecef", "enu", "local"})) {
-      ++unknown;
-    }
-  }
-  if (found.role == Role::kNone || unknown > 0) {
-    const bool id = std::any_of(words.begin(), words.end(),
-                                [](std::string_view word) { return is_among(word, kIdWords); });
-    HeaderWord other;
-    other.role = id ? Role::kId : Role::kNone;
-    return other;
-  }
-  if (degrees) found.role = as_geographic(found.role);
-  if (found.role == Role::kLongitude || found.role == Role::kLatitude) {
-    found.frame = Frame::kWgs84;
-  } else if (found.role != Role::kHeight && plain) {
-    found.frame = Frame::kMetres;
-  }
-  return found;
+  NameReading reading;
+  for (const auto& word : words) reading.take(word);
+  if (auto found = reading.finish()) return *std::move(found);
+  HeaderWord other;
+  const bool id = std::any_of(words.begin(), words.end(),
+                              [](std::string_view word) { return is_among(word, kIdWords); });
+  other.role = id ? Role::kId : Role::kNone;
+  other.says_position = !id && may_say_position(words);
+  return other;
 }
 
 }  // namespace beespace::io

@@ -1,7 +1,8 @@
 // What the name of a column says: which coordinate it holds, in which unit, in which frame.
 //
 // Words are looked for as whole tokens, in any case, in several languages: "lat", "GPS latitude",
-// "longitud [deg]", "alt_m", "Coordenada x de la abeja".
+// "longitud [deg]", "alt_m", "uav_lat", "Coordenada x de la abeja". A name that is not understood
+// to its last word has no role, but says whether it has to do with a position.
 #pragma once
 
 #include "io/load_points.hpp"
@@ -19,9 +20,15 @@ struct HeaderWord {
   // The frame that this name alone speaks for; kAuto when it does not say.
   Frame frame = Frame::kAuto;
   bool course_format = false;     // a coordinate of a bee, as in the course files
+  bool says_metres = false;       // with its unit or its kind of frame: "x [m]", "ecef_x"
+  bool says_position = false;     // has to do with a position, though no role can be told from it
+  std::string prefix = {};        // whose coordinate it is: "uav" of "uav_lat"
   std::string foreign_unit = {};  // a unit that is not read: "ft", "km", ...
 };
 
 HeaderWord read_header_word(std::string_view name);
+
+// In lower case: ASCII, the letters of western Europe, and Cyrillic, in UTF-8.
+std::string lower_case(std::string_view text);
 
 }  // namespace beespace::io

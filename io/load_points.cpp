@@ -5,6 +5,7 @@
 #include "io/excerpt.hpp"
 #include "io/frame_decision.hpp"
 #include "io/gzip.hpp"
+#include "io/header_words.hpp"
 #include "io/piece_reading.hpp"
 #include "io/record_source.hpp"
 #include "io/table_reading.hpp"
@@ -26,8 +27,9 @@ bool ends_with(std::string_view text, std::string_view end) {
 Format detect_format(std::string_view bytes, const std::string& path, Format asked) {
   if (asked != Format::kAuto) return asked;
   if (is_npy(bytes)) return Format::kNpy;
-  return ends_with(path, ".bin") || ends_with(path, ".bin.gz") ? Format::kRawFloat64
-                                                               : Format::kText;
+  const std::string name = lower_case(path);
+  const bool raw = ends_with(name, ".bin") || ends_with(name, ".bin.gz");
+  return raw ? Format::kRawFloat64 : Format::kText;
 }
 
 // Explains a point that is no position in its frame, by where it came from.
@@ -49,7 +51,10 @@ Error explain(const RecordSource& source, std::uint64_t row, const Point& point,
 std::optional<Error> settle_by_values(LoadedPoints& loaded, RecordSource& source,
                                       const Extent& extent, const LoadOptions& options) {
   if (loaded.frame == Frame::kAuto) {
-    auto decision = frame_from_values(loaded.points, extent);
+    const bool table = source.table.has_value();
+    auto decision =
+        frame_from_values(loaded.points, extent, table ? source.table->choice.dimensions : 3,
+                          table ? source.table->choice.naming : Naming::kNone);
     if (!decision) {
       Error error = std::move(decision).error();
       if (error.place.record) {
@@ -62,6 +67,7 @@ std::optional<Error> settle_by_values(LoadedPoints& loaded, RecordSource& source
     }
     loaded.frame = decision->frame;
     loaded.frame_reason = decision->reason;
+    if (!decision->note.empty()) loaded.notes.push_back(decision->note);
   }
   if (!surely_in_range(extent, loaded.frame)) {
     const auto problem = find_out_of_range(loaded.points, 0, loaded.frame);
@@ -86,6 +92,10 @@ std::optional<Error> settle_by_values(LoadedPoints& loaded, RecordSource& source
 void note_columns(const TableLayout& layout, Frame frame, std::vector<std::string>& notes) {
   const auto& choice = layout.choice;
   const bool geographic = frame == Frame::kWgs84;
+  if (choice.naming == Naming::kNone && !layout.header.empty()) {
+    notes.push_back("line " + std::to_string(layout.lines_before) +
+                    " is taken as the header: " + excerpt(layout.header));
+  }
   if (choice.dimensions == 2) {
     notes.emplace_back(geographic ? "no height column: every height is taken as 0 m"
                                   : "no z column: every z is taken as 0 m");
@@ -134,6 +144,10 @@ std::optional<Error> load_table(LoadedPoints& loaded, RecordSource& source,
   if (known.frame == Frame::kAuto && !loaded.points.empty()) {
     if (auto error = settle_by_values(loaded, source, content->extent, options)) return error;
   }
+  if (options.frame == Frame::kAuto && choice.naming == Naming::kBareAxes) {
+    auto error = contradiction_to_metres(loaded.points, content->extent, choice.dimensions);
+    if (error) return error;
+  }
   note_columns(*source.table, loaded.frame, loaded.notes);
   return std::nullopt;
 }
@@ -156,8 +170,8 @@ std::optional<Error> read_array(LoadedPoints& loaded, RecordSource& source,
     }
     Error error{ErrorCode::kNotFinite,
                 layout.coordinate_text(row, 0) + ", " + layout.coordinate_text(row, 1) + ", " +
-                    layout.coordinate_text(row, 2) +
-                    " is no position; correct it, or leave such records out with --skip-bad",
+                    layout.coordinate_text(row, 2) + " is no position; correct it" +
+                    std::string(kOrLeaveOut),
                 {}};
     error.place.record = row;
     if (!options.skip_bad) return error;
@@ -216,6 +230,11 @@ Result<LoadedPoints> load_bytes(Bytes bytes, const std::string& path, const Load
   auto source = std::make_shared<RecordSource>();
   source->bytes = std::move(bytes);
   const Format format = detect_format(source->bytes.view, path, options.format);
+  if (compressed && format == Format::kText && is_gzip(source->bytes.view)) {
+    return placed({ErrorCode::kUnsupportedFormat,
+                   "this is compressed twice; unpack it once first: gzip -dc",
+                   {}});
+  }
   auto error = format == Format::kText ? load_table(loaded, *source, options)
                                        : load_array(loaded, *source, format, options);
   if (error) return placed(*std::move(error));
@@ -226,8 +245,10 @@ Result<LoadedPoints> load_bytes(Bytes bytes, const std::string& path, const Load
   if (loaded.points.empty()) {
     std::string message = "no record is left";
     if (!loaded.skipped.empty()) {
-      message = "all " + std::to_string(loaded.skipped_count) +
-                " records are bad; the first: " + loaded.skipped.front().message;
+      message = loaded.skipped_count == 1 ? "the only record is bad: "
+                                          : "all " + std::to_string(loaded.skipped_count) +
+                                                " records are bad; the first: ";
+      message += loaded.skipped.front().message;
     }
     return placed({ErrorCode::kNoPoints, std::move(message), {}});
   }

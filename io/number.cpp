@@ -74,13 +74,15 @@ NumberKind parse_number(std::string_view text, double& value) {
   }
   double magnitude = 0.0;
   if (!scan.zero && scan.magnitude > 400) return NumberKind::kTooLarge;
-  if (!scan.zero && scan.magnitude > -400) {
+  if (!scan.zero && scan.magnitude <= -400) return NumberKind::kTooSmall;
+  if (!scan.zero) {
     const auto result = std::from_chars(text.data(), text.data() + text.size(), magnitude);
     if (result.ec == std::errc::result_out_of_range) {
       if (scan.magnitude > 0) return NumberKind::kTooLarge;
-      magnitude = 0.0;
+      return NumberKind::kTooSmall;
     }
     if (!std::isfinite(magnitude)) return NumberKind::kTooLarge;
+    if (magnitude == 0.0) return NumberKind::kTooSmall;
   }
   value = negative ? -magnitude : magnitude;
   return NumberKind::kNumber;

@@ -19,10 +19,11 @@ enum class NumberKind : std::uint8_t {
   kNotANumber,
   kNotFinite,  // nan, inf, infinity, in any case, with or without a sign
   kTooLarge,   // a number that no finite double is nearest to
+  kTooSmall,   // a number other than 0 that 0 is nearest to
 };
 
 // The whole of `text` as a number: [+-] digits [. digits] [e [+-] digits], where the digits before
-// or after the point may be missing, but not both. What is too small for a double becomes 0.
+// or after the point may be missing, but not both.
 NumberKind parse_number(std::string_view text, double& value);
 
 // How many bytes behind its last digit join_plain_number() may touch.

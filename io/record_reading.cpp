@@ -2,6 +2,7 @@
 
 #include "io/excerpt.hpp"
 #include "io/number.hpp"
+#include "io/skipped_records.hpp"
 
 #include <array>
 
@@ -35,35 +36,42 @@ Error number_error(NumberKind kind, std::string_view text, const TableLayout& la
   const std::size_t column = layout.choice.axes[axis];
   const std::string name(coordinate_name(layout, axis));
   if (kind == NumberKind::kNotFinite) {
-    return at_column(ErrorCode::kNotFinite,
-                     excerpt(text) + " is no position (" + name +
-                         "); correct it, or leave such records out with --skip-bad",
-                     column);
+    return at_column(
+        ErrorCode::kNotFinite,
+        excerpt(text) + " is no position (" + name + "); correct it" + std::string(kOrLeaveOut),
+        column);
   }
   if (kind == NumberKind::kTooLarge) {
     return at_column(ErrorCode::kNotFinite,
                      excerpt(text) + " is too large for a number (" + name + "); correct it",
                      column);
   }
+  if (kind == NumberKind::kTooSmall) {
+    return at_column(ErrorCode::kOutsideDomain,
+                     excerpt(text) + " is too small for a number (" + name +
+                         "); use 0, or 3.9e-121 m to 2.6e+120 m",
+                     column);
+  }
   if (text.empty()) {
     return at_column(ErrorCode::kNotANumber,
-                     "the field is empty where a number should be (" + name +
-                         "); fill it in, or leave such records out with --skip-bad",
+                     "the field is empty where a number should be (" + name + "); fill it in" +
+                         std::string(kOrLeaveOut),
                      column);
   }
   const bool comma = text.find(',') != std::string_view::npos;
   return at_column(ErrorCode::kNotANumber,
                    excerpt(text) + " is not a number (" + name + "); " +
-                       (comma ? "write decimals with a point, not with a comma"
-                              : "correct it, or leave such records out with --skip-bad"),
+                       (comma ? std::string("write decimals with a point, not with a comma")
+                              : "correct it" + std::string(kOrLeaveOut)),
                    column);
 }
 
 Error count_error(std::size_t count, const TableLayout& layout, std::string_view line) {
   return {ErrorCode::kColumnCount,
-          std::to_string(count) + (count == 1 ? " column" : " columns") +
-              " where the first line has " + std::to_string(layout.columns) + ": " + excerpt(line) +
-              "; correct it, or leave such records out with --skip-bad",
+          std::to_string(count) + (count == 1 ? " column" : " columns") + " where the " +
+              (layout.header.empty() ? "table" : "header") + " has " +
+              std::to_string(layout.columns) + ": " + excerpt(line) + "; correct it" +
+              std::string(kOrLeaveOut),
           {}};
 }
 
@@ -90,6 +98,12 @@ std::optional<Error> read_record(std::string_view line, const TableLayout& layou
     return Error{ErrorCode::kUnsupportedFormat,
                  "a NUL byte stands in this line: " + excerpt(line) +
                      "; this is no text table, or it is damaged",
+                 {}};
+  }
+  if (const auto text = without_padding(line); !text.empty() && text.front() == '#') {
+    return Error{ErrorCode::kMalformedRecord,
+                 "a comment line: " + excerpt(line) + "; comments are not read, remove it" +
+                     std::string(kOrLeaveOut),
                  {}};
   }
   if (!cursor.problem().empty()) {

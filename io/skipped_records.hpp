@@ -9,10 +9,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace beespace::io {
+
+// How a message ends while the record is not yet left out.
+inline constexpr std::string_view kOrLeaveOut = ", or leave such records out with --skip-bad";
 
 struct SkippedRecords {
   std::vector<std::uint64_t> rows = {};  // 0-based data rows, ascending
@@ -20,7 +25,10 @@ struct SkippedRecords {
 
   void add(std::uint64_t row, Error error) {
     rows.push_back(row);
-    if (errors.size() < LoadedPoints::kMostSkippedListed) errors.push_back(std::move(error));
+    if (errors.size() >= LoadedPoints::kMostSkippedListed) return;
+    const std::size_t advice = error.message.rfind(kOrLeaveOut);
+    if (advice != std::string::npos) error.message.erase(advice, kOrLeaveOut.size());
+    errors.push_back(std::move(error));
   }
 
   // The data row of point `index`: the rows before it that were skipped come on top.

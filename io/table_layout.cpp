@@ -3,10 +3,13 @@
 #include "io/column_choice.hpp"
 #include "io/excerpt.hpp"
 #include "io/fields.hpp"
+#include "io/header_words.hpp"
 #include "io/number.hpp"
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
+#include <utility>
 
 namespace beespace::io {
 namespace {
@@ -46,20 +49,26 @@ FieldCount count_fields(std::string_view line, char delimiter) {
   return count;
 }
 
-// The delimiter that makes the most numbers of the first lines; where none does, the first that
-// splits the first line. ',' is asked after ';' and tab, since it may also be a decimal comma.
+// The delimiter that makes the most numbers of the first lines, and the least else; where none
+// does, the first that splits the first line. ',' is asked after ';' and tab, since it may also be
+// a decimal comma.
 char find_delimiter(const std::vector<std::string_view>& lines) {
   char best = '\0';
   std::size_t most = 0;
+  std::size_t least_else = 0;
   char splitting = '\0';
   for (const char delimiter : {'\t', ';', ',', ' '}) {
     std::size_t numeric = 0;
+    std::size_t other = 0;
     for (const auto line : lines) {
       const FieldCount count = count_fields(line, delimiter);
-      if (count.fields > 1) numeric += count.numeric;
+      if (count.fields < 2) continue;
+      numeric += count.numeric;
+      other += count.fields - count.numeric;
     }
-    if (numeric > most) {
+    if (numeric > most || (numeric == most && numeric > 0 && other < least_else)) {
       most = numeric;
+      least_else = other;
       best = delimiter;
     }
     if (splitting == '\0' && count_fields(lines.front(), delimiter).fields > 1) {
@@ -95,29 +104,99 @@ std::vector<std::string_view> sample_lines(std::string_view text, std::size_t of
   return lines;
 }
 
-// The fields of the first record and what they look like.
-struct FirstRecord {
+// The fields of a line and what they look like.
+struct LineFields {
   std::vector<std::string> fields = {};
-  std::vector<bool> numeric = {};
+  std::vector<ColumnContent> contents = {};
+
+  [[nodiscard]] bool has_number() const {
+    return std::find(contents.begin(), contents.end(), ColumnContent::kNumber) != contents.end();
+  }
 };
 
-Result<FirstRecord> read_first_record(std::string_view line, char delimiter) {
-  FirstRecord record;
+ColumnContent content_of_field(std::string_view text) {
+  text = without_padding(text);
+  if (looks_numeric(text)) return ColumnContent::kNumber;
+  const std::string lower = lower_case(text);
+  for (const std::string_view nothing : {"", "n/a", "na", "null", "none", "nil", "-", "--", "?"}) {
+    if (lower == nothing) return ColumnContent::kUnknown;
+  }
+  return ColumnContent::kText;
+}
+
+Result<LineFields> read_fields(std::string_view line, char delimiter) {
+  LineFields found;
   Field field;
   FieldCursor cursor(line, delimiter);
   while (cursor.next(field)) {
-    record.fields.push_back(unquoted(field));
-    record.numeric.push_back(looks_numeric(field.text));
+    found.fields.push_back(unquoted(field));
+    found.contents.push_back(content_of_field(field.text));
   }
   if (!cursor.problem().empty()) {
     Error error{ErrorCode::kMalformedRecord,
                 std::string(cursor.problem()) + ": " + excerpt(line) +
                     "; correct the line, a record may not span several lines",
                 {}};
-    error.place.column = record.fields.size() + 1;
+    error.place.column = found.fields.size() + 1;
     return error;
   }
-  return record;
+  return found;
+}
+
+// What most of the lines from `first` on have in common: how many columns, and what they hold.
+ColumnsSeen look_at_records(const std::vector<std::string_view>& lines, std::size_t first,
+                            char delimiter) {
+  std::vector<LineFields> records;
+  for (std::size_t i = first; i < lines.size(); ++i) {
+    auto record = read_fields(lines[i], delimiter);
+    if (record) records.push_back(std::move(record).value());
+  }
+  ColumnsSeen seen;
+  std::ptrdiff_t most = 0;
+  for (const LineFields& record : records) {
+    const std::size_t fields = record.fields.size();
+    const auto alike = std::count_if(records.begin(), records.end(), [fields](const auto& other) {
+      return other.fields.size() == fields;
+    });
+    if (alike > most) {
+      most = alike;
+      seen.count = fields;
+    }
+  }
+  seen.contents.assign(seen.count, ColumnContent::kUnknown);
+  for (const LineFields& record : records) {
+    if (record.fields.size() != seen.count) continue;
+    for (std::size_t i = 0; i < seen.count; ++i) {
+      if (seen.contents[i] != ColumnContent::kNumber &&
+          record.contents[i] != ColumnContent::kUnknown) {
+        seen.contents[i] = record.contents[i];
+      }
+    }
+  }
+  return seen;
+}
+
+bool is_value_like(const std::string& field) {
+  const std::string_view text = without_padding(field);
+  if (content_of_field(text) == ColumnContent::kUnknown) return true;
+  const std::size_t digit = text.find_first_not_of("+-.");
+  return digit != std::string_view::npos && text[digit] >= '0' && text[digit] <= '9';
+}
+
+// Whether a first line without any number is a damaged record rather than names. A name that is
+// known, or a comment sign, makes it a header.
+std::optional<std::size_t> damaged_value(const LineFields& line) {
+  for (const std::string& name : line.fields) {
+    const HeaderWord word = read_header_word(name);
+    if (word.role != Role::kNone || word.says_position) return std::nullopt;
+  }
+  const auto begin = line.fields.begin();
+  const auto full = std::find_if(begin, line.fields.end(), [](const std::string& field) {
+    return !without_padding(field).empty() && is_value_like(field);
+  });
+  if (full != line.fields.end()) return static_cast<std::size_t>(full - begin);
+  if (std::all_of(begin, line.fields.end(), is_value_like)) return 0;
+  return std::nullopt;
 }
 
 Error no_points(bool header) {
@@ -127,8 +206,55 @@ Error no_points(bool header) {
           {}};
 }
 
-bool none(const std::vector<bool>& flags) {
-  return std::none_of(flags.begin(), flags.end(), [](bool flag) { return flag; });
+// The line without the "#" that some programs put before the names.
+std::string_view without_comment_sign(std::string_view line) {
+  const std::string_view text = without_padding(line);
+  return !text.empty() && text.front() == '#' ? without_padding(text.substr(1)) : line;
+}
+
+Error comment_error(std::string_view line) {
+  return {ErrorCode::kMalformedRecord,
+          "a comment line: " + excerpt(line) +
+              "; comments are not read, remove it (or name the columns: # x y z)",
+          {}};
+}
+
+// Takes the first line as the header, where it is one.
+std::optional<Error> read_header_line(const std::vector<std::string_view>& samples,
+                                      const Line& line, bool skip_bad, TableLayout& layout,
+                                      ColumnsSeen& seen) {
+  const std::string_view names = samples.front();
+  const bool comment = names.data() != line.text.data() || names.size() > line.text.size();
+  auto first = read_fields(names, layout.delimiter);
+  if (!first) {
+    if (skip_bad && seen.count > 0) return std::nullopt;
+    return first.error();
+  }
+  if (first->has_number()) {
+    if (comment) return comment_error(line.text);
+    return std::nullopt;
+  }
+  if (const auto damaged = damaged_value(first.value()); damaged && !comment) {
+    if (skip_bad) return std::nullopt;
+    Error error{ErrorCode::kNotANumber,
+                excerpt(first->fields[*damaged]) +
+                    " is neither a number nor the name of a column; correct the line, or put a "
+                    "header before it",
+                {}};
+    error.place.column = *damaged + 1;
+    return error;
+  }
+  const ColumnsSeen records = look_at_records(samples, 1, layout.delimiter);
+  const std::size_t count = first->fields.size();
+  if (comment && records.count != 0 && records.count != count) return comment_error(line.text);
+  layout.header = comment ? names : line.text;
+  layout.names = seen.names = std::move(first->fields);
+  layout.data_offset = line.next;
+  layout.lines_before += 1;
+  seen.contents = records.contents;
+  seen.contents.resize(count, ColumnContent::kUnknown);
+  seen.count = count;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -183,32 +309,22 @@ Result<TableLayout> find_layout(std::string_view text, const LoadOptions& option
                        excerpt(line.text) + ", is too long for a record (the limit is 1 MiB)",
                    {}});
   }
-  const auto samples = sample_lines(text, offset, layout.line_end);
+  auto samples = sample_lines(text, offset, layout.line_end);
+  samples.front() = without_comment_sign(samples.front());
   layout.delimiter = find_delimiter(samples);
-  const auto first = read_first_record(line.text, layout.delimiter);
-  if (!first) return placed(first.error());
-
-  ColumnsSeen seen;
-  layout.columns = seen.count = first.value().fields.size();
   layout.data_offset = offset;
-  seen.numeric = first.value().numeric;
-  const std::uint64_t first_line = layout.lines_before;
-  if (none(seen.numeric)) {
-    layout.header = line.text;
-    layout.names = seen.names = first.value().fields;
-    layout.data_offset = line.next;
-    layout.lines_before = first_line + 1;
-    if (samples.size() > 1) {
-      const auto second = read_first_record(samples[1], layout.delimiter);
-      if (second) seen.numeric = second.value().numeric;
-    }
-  }
-  auto choice = choose_columns(seen, options);
-  if (!choice) {
-    Error error = choice.error();
-    if (error.code != ErrorCode::kInvalidArgument) error.place.line = first_line + 1;
+  const std::uint64_t first_line = layout.lines_before + 1;
+  const auto placed_first = [first_line](Error error) {
+    if (error.code != ErrorCode::kInvalidArgument) error.place.line = first_line;
     return error;
+  };
+  ColumnsSeen seen = look_at_records(samples, 0, layout.delimiter);
+  if (auto error = read_header_line(samples, line, options.skip_bad, layout, seen)) {
+    return placed_first(*std::move(error));
   }
+  layout.columns = seen.count;
+  auto choice = choose_columns(seen, options);
+  if (!choice) return placed_first(choice.error());
   layout.choice = std::move(choice).value();
   if (text.find_first_not_of(" \t\r\n\v\f", layout.data_offset) == std::string_view::npos) {
     return no_points(true);

@@ -2,6 +2,7 @@
 // which columns hold the position. Found from the first lines, the header and the caller's wishes.
 #pragma once
 
+#include "io/frame_decision.hpp"
 #include "io/load_points.hpp"
 
 #include <beespace/result.hpp>
@@ -23,6 +24,7 @@ struct ColumnChoice {
   std::optional<std::size_t> id = {};
   Frame evidence = Frame::kAuto;  // what names and wishes say; kAuto: nothing
   std::string reason = {};        // and why
+  Naming naming = Naming::kSure;  // how sure that is
 };
 
 struct TableLayout {

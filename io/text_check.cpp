@@ -71,12 +71,12 @@ std::optional<Error> text_problem(std::string_view bytes) {
     const auto byte = static_cast<unsigned char>(bytes[i]);
     if (byte == 0) {
       return unsupported("no text: byte " + std::to_string(i) +
-                         " is NUL; for UTF-16 save it as UTF-8, for raw float64 call it .bin");
+                         " is NUL; for UTF-16 save it as UTF-8, for raw float64 say --format bin");
     }
     const bool control = byte < 0x20 && (byte < '\t' || byte > '\r');
     if (control || byte == 0x7F) {
       return unsupported("no text: byte " + std::to_string(i) + " is " + hex(byte) +
-                         "; a text table, .npy or raw float64 (.bin) is needed");
+                         "; for raw float64 say --format bin");
     }
   }
   return std::nullopt;

@@ -77,7 +77,7 @@ Error range_error(const RangeProblem& problem, const Point& point, const std::st
     default:
       message = "coordinate " + shown + " is too " +
                 (shown.find("e-") != std::string::npos ? "small" : "large") +
-                " to compare exactly; use 0, or 4e-121 to 2.5e120 m";
+                " to compare exactly; use 0, or 3.9e-121 m to 2.6e+120 m";
       break;
   }
   return {problem.code, std::move(message), {}};

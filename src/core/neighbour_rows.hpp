@@ -5,7 +5,6 @@
 #include "core/near_pairs.hpp"
 #include "core/sorted_grid.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -18,50 +17,48 @@ class NeighbourRows {
   // Finds the rows around `row`; rows must come in ascending order.
   void select(std::size_t row) {
     const std::uint64_t number = grid_.row_number[row];
+    count_ = 0;
     // Rows y-1, y, y+1 of the layers below, at and above. Layer 0 has none below.
     for (std::uint64_t layer = 0; layer < 3; ++layer) {
       const std::uint64_t middle = number + layer * grid_.rows_a_layer;
-      if (middle < grid_.rows_a_layer + 1) {
-        around_[layer] = {0, 0};
-        continue;
-      }
+      if (middle < grid_.rows_a_layer + 1) continue;
       const std::uint64_t first = middle - grid_.rows_a_layer - 1;
       cursor_[layer] = grid_.skip_to(first, cursor_[layer]);
-      around_[layer] = {cursor_[layer], grid_.skip_to(first + 3, cursor_[layer])};
+      for (std::size_t near = cursor_[layer];
+           near < grid_.rows() && grid_.row_number[near] < first + 3; ++near) {
+        windows_[count_++] = {grid_.row_begin[near], grid_.row_begin[near + 1]};
+      }
     }
   }
 
   // Calls visit(j, squared distance in units) for the other points of the cells around sorted
   // point i of the selected row that are at most `farthest` away, until it returns true; returns
-  // whether it did.
+  // whether it did. Within a row, points must come in ascending order.
   template <class Visit>
-  bool any_near(std::uint32_t i, float farthest, Visit&& visit) const {
+  bool any_near(std::uint32_t i, float farthest, Visit&& visit) {
     const std::int32_t cell = grid_.x[i] >> grid_.fraction_bits;
-    const std::int32_t first_x = (cell - 1) * (1 << grid_.fraction_bits);
-    for (const Rows& rows : around_) {
-      for (std::size_t row = rows.begin; row < rows.end; ++row) {
-        const std::int32_t* end = grid_.x + grid_.row_begin[row + 1];
-        // A row stands in the order of its cells, so this is a valid partition point.
-        const std::int32_t* at = std::partition_point(grid_.x + grid_.row_begin[row], end,
-                                                      [=](std::int32_t x) { return x < first_x; });
-        for (; at != end && *at >> grid_.fraction_bits <= cell + 1; ++at) {
-          const auto j = static_cast<std::uint32_t>(at - grid_.x);
-          const float squared = squared_units(grid_, i, j);
-          if (squared <= farthest && i != j && visit(j, squared)) return true;
-        }
+    for (unsigned k = 0; k < count_; ++k) {
+      Window& window = windows_[k];
+      const auto cell_of = [this](std::uint32_t j) { return grid_.x[j] >> grid_.fraction_bits; };
+      // Rows stand in the order of their cells, so windows only move forward.
+      while (window.begin < window.end && cell_of(window.begin) < cell - 1) ++window.begin;
+      for (std::uint32_t j = window.begin; j < window.end && cell_of(j) <= cell + 1; ++j) {
+        const float squared = squared_units(grid_, i, j);
+        if (squared <= farthest && i != j && visit(j, squared)) return true;
       }
     }
     return false;
   }
 
  private:
-  struct Rows {
-    std::size_t begin = 0;
-    std::size_t end = 0;
+  struct Window {
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
   };
 
   const SortedGrid& grid_;
-  std::array<Rows, 3> around_{};
+  std::array<Window, 9> windows_{};
+  unsigned count_ = 0;
   std::array<std::size_t, 3> cursor_{};
 };
 
