@@ -60,8 +60,8 @@ TEST(Lattice, PutsNeighboursInAdjacentCellsWhateverTheExtent) {
   }
 }
 
-// Without the margin, rounding puts 8 pairs in 28 million two cells apart: those that lie just
-// before and just behind a cell's border, a reach from each other. Here are some that do.
+// Without the margin, rounding puts one pair in some 30 million two cells apart: those that lie
+// just before and just behind a cell's border, a reach from each other. Here are some that do.
 TEST(Lattice, MarginOutweighsTheRoundingOfPositions) {
   const double reach = 0.007;
   const Bounds bounds{{0, 0, 0}, {0.007e6, 0, 0}};
