@@ -121,6 +121,36 @@ Header read_header(const ColumnsSeen& seen, std::optional<std::size_t> id) {
   return header;
 }
 
+// Whether a name that is not understood still has something of that coordinate in it.
+bool resembles(const std::string& name, Role role) {
+  constexpr std::array<std::string_view, 6> kLongitude = {"lon",   "lng",  "läng",
+                                                          "laeng", "долг", "boylam"};
+  constexpr std::array<std::string_view, 6> kLatitude = {"lat", "breit", "breed",
+                                                         "шир", "enlem", "latitud"};
+  if (role != Role::kLongitude && role != Role::kLatitude) return false;
+  const auto& stems = role == Role::kLongitude ? kLongitude : kLatitude;
+  const std::string lower = lower_case(name);
+  return std::any_of(stems.begin(), stems.end(), [&lower](std::string_view stem) {
+    return lower.find(stem) != std::string::npos;
+  });
+}
+
+// The column to offer for a role: by its name, or else the first that is free.
+std::size_t column_to_offer(Role role, const Header& header, const ColumnsSeen& seen,
+                            const std::vector<bool>& used) {
+  if (header.has(role)) return header.columns(role).front();
+  for (std::size_t i = 0; i < seen.names.size() && i < seen.count; ++i) {
+    if (!used[i] && resembles(seen.names[i], role)) return i;
+  }
+  for (std::size_t i = 0; i < seen.count; ++i) {
+    const bool other = i < seen.names.size() && (resembles(seen.names[i], Role::kLongitude) ||
+                                                 resembles(seen.names[i], Role::kLatitude));
+    const bool geographic = role == Role::kLongitude || role == Role::kLatitude;
+    if (!used[i] && !(other && geographic)) return i;
+  }
+  return seen.count;
+}
+
 // "say which ... with --columns lon=2,lat=1,height=3 or --columns x=2,y=1,z=3": the columns that
 // the header tells, and the free ones for the rest.
 std::string say_which(const Header& header, const ColumnsSeen& seen) {
@@ -135,9 +165,7 @@ std::string say_which(const Header& header, const ColumnsSeen& seen) {
     }
     std::vector<std::pair<Role, std::size_t>> roles;
     for (const Role role : wanted) {
-      std::size_t column = 0;
-      while (column < seen.count && used[column]) ++column;
-      if (header.has(role)) column = header.columns(role).front();
+      const std::size_t column = column_to_offer(role, header, seen, used);
       if (column >= seen.count) continue;
       used[column] = true;
       roles.emplace_back(role, column);

@@ -85,11 +85,10 @@ Error refusal(const std::string& why) {
   return {ErrorCode::kUnknownFrame, "degrees or metres? " + why, {}};
 }
 
-// The two ways to say it, with the columns of a table without names.
-std::string say_columns(std::size_t dimensions) {
-  return std::string("say which columns hold what with --columns lon=1,lat=2") +
-         (dimensions == 3 ? ",height=3" : "") + " (or in another order), or --crs metres";
-}
+// What to say where the values do not show the order.
+constexpr const char* kSayOrder =
+    "say --crs wgs84 if they are longitude, latitude, height in this order, name the columns of a "
+    "table with --columns lat=1,lon=2,height=3, or say --crs metres";
 
 // Whether the first coordinate is 0, 1, 2, ... or 1, 2, 3, ...
 bool counts_rows(std::span<const Point> points) {
@@ -113,8 +112,7 @@ std::optional<Error> hidden_degrees(std::span<const Point> points, const Extent&
       }
       return refusal("The values of columns " + std::to_string(first + 1) + " and " +
                      std::to_string(second + 1) +
-                     " of the position could be longitude and latitude; " +
-                     say_columns(dimensions));
+                     " of the position could be longitude and latitude; " + kSayOrder);
     }
   }
   const Span x = span_of(extent, 0);
@@ -197,8 +195,9 @@ Result<FrameDecision> frame_from_values(std::span<const Point> points, const Ext
   // Beyond 90 the first column cannot be the latitude; below, either order is possible.
   if (span_of(extent, 0).magnitude() <= kGreatestLatitude || points.size() < kSwarm) {
     return refusal(
-        "The values look like degrees, but not which column is the longitude; say --columns "
-        "lon=1,lat=2,height=3 or --columns lat=1,lon=2,height=3");
+        std::string(
+            "The values look like degrees, but do not show which column is the longitude; ") +
+        kSayOrder);
   }
   const double width = std::max(span_of(extent, 0).width(), span_of(extent, 1).width());
   return FrameDecision{Frame::kWgs84,

@@ -96,9 +96,9 @@ std::vector<std::string_view> sample_lines(std::string_view text, std::size_t of
   const std::size_t end = std::min(text.size(), offset + kSampleBytes);
   while (offset < end && lines.size() < kSampleLines) {
     const Line line = line_at(text, offset, line_end);
-    if (!is_blank_line(line.text.substr(0, kSampleBytes))) {
-      lines.push_back(line.text.substr(0, kSampleBytes));
-    }
+    // The first one whole; of others no halves.
+    const bool taken = lines.empty() || line.text.size() <= kSampleBytes;
+    if (taken && !is_blank_line(line.text)) lines.push_back(line.text);
     offset = line.next;
   }
   return lines;
@@ -187,6 +187,7 @@ bool is_value_like(const std::string& field) {
 // known, or a comment sign, makes it a header.
 std::optional<std::size_t> damaged_value(const LineFields& line) {
   for (const std::string& name : line.fields) {
+    if (content_of_field(name) == ColumnContent::kUnknown) continue;
     const HeaderWord word = read_header_word(name);
     if (word.role != Role::kNone || word.says_position) return std::nullopt;
   }
@@ -224,12 +225,9 @@ std::optional<Error> read_header_line(const std::vector<std::string_view>& sampl
                                       const Line& line, bool skip_bad, TableLayout& layout,
                                       ColumnsSeen& seen) {
   const std::string_view names = samples.front();
-  const bool comment = names.data() != line.text.data() || names.size() > line.text.size();
+  const bool comment = names.data() != line.text.data();
   auto first = read_fields(names, layout.delimiter);
-  if (!first) {
-    if (skip_bad && seen.count > 0) return std::nullopt;
-    return first.error();
-  }
+  if (!first) return first.error();
   if (first->has_number()) {
     if (comment) return comment_error(line.text);
     return std::nullopt;

@@ -106,7 +106,7 @@ TEST(Npy, EveryTruncationIsAnError) {
   }
   expect_error(load_array(whole.substr(0, whole.size() - 1)),
                {ErrorCode::kTruncated, "bees.npy", "after 1 of 2 points"});
-  expect_error(load_array(whole + "x"), {ErrorCode::kCorrupt, "bees.npy", "1 bytes follow"});
+  expect_error(load_array(whole + "x"), {ErrorCode::kCorrupt, "bees.npy", "1 byte follows"});
 }
 
 TEST(Npy, ShapesThatWouldOverflowAreTruncations) {
@@ -144,11 +144,16 @@ TEST(Array, ValuesDecideTheFrameOrItIsRefused) {
   const auto metres = load({1, 2, 3, 1000, 5, 6});
   ASSERT_EQ(points_of(metres).size(), 2u);
   EXPECT_EQ(metres.value().frame, Frame::kMetres);
-  const auto degrees = load({-75.50, 6.30, 1400, -75.51, 6.31, 1500});
-  ASSERT_EQ(points_of(degrees).size(), 2u);
+  expect_error(load({-75.50, 6.30, 1400, -75.51, 6.31, 1500}),
+               {ErrorCode::kUnknownFrame, "bees.bin", "--crs wgs84"});
+  std::vector<double> swarm;
+  for (int i = 0; i < 40; ++i) swarm.insert(swarm.end(), {-175.5 + i / 1e3, 6.3, 1400.0 + 10 * i});
+  const auto degrees = load(swarm);
+  ASSERT_EQ(points_of(degrees).size(), 40u);
   EXPECT_EQ(degrees.value().frame, Frame::kWgs84);
-  expect_error(load({-75.50, 6.30, 1400, -75.51, 6.31, 2e6}),
-               {ErrorCode::kInvalidHeight, "bees.bin: point 1", "height 2e+06 m"});
+  EXPECT_EQ(degrees.value().notes.size(), 1u);
+  swarm[5] = 2e6;
+  expect_error(load(swarm), {ErrorCode::kInvalidHeight, "bees.bin: point 1", "height 2e+06 m"});
 }
 
 TEST(Raw, IsTakenByItsNameOrWhenAskedFor) {

@@ -60,9 +60,9 @@ TEST(BadText, NanAndInfinity) {
 
 TEST(BadText, ARecordWithAnotherNumberOfColumns) {
   expect_error(load_text("x,y,z\n1,2,3\n1,2\n"),
-               {ErrorCode::kColumnCount, "bees.csv:3", "2 columns where the first line has 3"});
+               {ErrorCode::kColumnCount, "bees.csv:3", "2 columns where the header has 3"});
   expect_error(load_text("x,y,z\n1,2,3,4\n"),
-               {ErrorCode::kColumnCount, "bees.csv:2", "4 columns where the first line has 3"});
+               {ErrorCode::kColumnCount, "bees.csv:2", "4 columns where the header has 3"});
   expect_error(load_text("x,y,z\n7\n"), {ErrorCode::kColumnCount, "bees.csv:2", "1 column where"});
 }
 
@@ -157,6 +157,8 @@ TEST(BadText, MetresOutsideTheCoordinateDomain) {
                {ErrorCode::kOutsideDomain, "bees.csv:3:2", "too large"});
   expect_error(load_text("x,y,z\n1,2,1e-200\n"),
                {ErrorCode::kOutsideDomain, "bees.csv:2:3", "too small"});
+  expect_error(load_text("x,y,z\n1,2,1e-400\n"),
+               {ErrorCode::kOutsideDomain, "bees.csv:2:3", "3.9e-121 m to 2.6e+120 m"});
 }
 
 TEST(BadText, ColumnsThatCannotBeTold) {

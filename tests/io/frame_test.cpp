@@ -9,10 +9,11 @@
 namespace beespace::io {
 namespace {
 
+// Longitudes beyond 90: they can be no latitudes.
 std::string geographic_rows(int count) {
   std::string text;
   for (int i = 0; i < count; ++i) {
-    text += "-75.5" + std::to_string(10 + i % 80) + ",6.3" + std::to_string(10 + i % 70) + "," +
+    text += "-175.5" + std::to_string(10 + i % 80) + ",6.3" + std::to_string(10 + i % 70) + "," +
             std::to_string(1310 + i * 7 % 480) + "\n";
   }
   return text;
@@ -23,6 +24,9 @@ TEST(Frame, AHeaderlessSwarmThatWouldBeAPillarIsInDegrees) {
   ASSERT_EQ(points_of(loaded).size(), 50u);
   EXPECT_EQ(loaded.value().frame, Frame::kWgs84);
   EXPECT_NE(loaded.value().frame_reason.find("pillar"), std::string::npos);
+  ASSERT_EQ(loaded.value().notes.size(), 1u);
+  EXPECT_NE(loaded.value().notes[0].find("longitude, latitude, height is taken"),
+            std::string::npos);
 }
 
 TEST(Frame, ValuesBeyondDegreesAreMetres) {
@@ -49,13 +53,13 @@ TEST(Frame, RefusesWhatFitsBoth) {
                {ErrorCode::kUnknownFrame, "bees.csv", "--crs"});
   // Words that say nothing of the frame.
   expect_error(load_text("a,b,c\n1,2,3\n4,5,6\n"), {ErrorCode::kUnknownFrame, "bees.csv", "--crs"});
-  expect_error(load_text("pos_x,pos_y,pos_z\n1,2,3\n"),
+  expect_error(load_text("agent_x,agent_y,agent_z\n1,2,3\n"),
                {ErrorCode::kUnknownFrame, "bees.csv", "--crs"});
 }
 
 TEST(Frame, AFewOddRowsAmongDegreesAreNamedNotGuessedAway) {
   const std::string rows = geographic_rows(60);
-  expect_error(load_text(rows + "\n-75.5,635.0,1500\n" + rows),
+  expect_error(load_text(rows + "\n-175.5,635.0,1500\n" + rows),
                {ErrorCode::kUnknownFrame, "bees.csv:62:2", "635"});
   expect_error(load_text(rows + "-7550,6.3,1500\n" + rows),
                {ErrorCode::kUnknownFrame, "bees.csv:61:1", "-7550"});
@@ -84,12 +88,14 @@ TEST(Frame, ReasonsSayWhatDecided) {
 
 TEST(Frame, PillarNeedsSlendernessAndDistanceBothAtTheirLimits) {
   const auto decides = [](const std::vector<Point>& points) {
-    return frame_from_values(points, extent_of(points)).has_value();
+    std::vector<Point> swarm = points;  // as many as a swarm takes, all in the same box
+    swarm.resize(40, points.front());
+    return frame_from_values(swarm, extent_of(swarm), 3, Naming::kNone).has_value();
   };
-  EXPECT_TRUE(decides({{10, 0, 0}, {11, 0, 1000}}));
-  EXPECT_FALSE(decides({{10, 0, 0}, {11, 0, 999}}));
-  EXPECT_TRUE(decides({{9.5, 0, 0}, {10.5, 0, 1000}}));
-  EXPECT_FALSE(decides({{9.4, 0, 0}, {10.4, 0, 1000}}));
+  EXPECT_TRUE(decides({{110, 0, 0}, {111, 0, 1000}}));
+  EXPECT_FALSE(decides({{110, 0, 0}, {111, 0, 999}}));
+  EXPECT_TRUE(decides({{95, 0, 0}, {105, 0, 10000}}));
+  EXPECT_FALSE(decides({{94.9, 0, 0}, {104.9, 0, 10000}}));
 }
 
 }  // namespace

@@ -59,16 +59,18 @@ TEST(ParseNumber, TellsNotFiniteFromNoNumber) {
   }
 }
 
-TEST(ParseNumber, TellsTooLargeAndTakesTooSmallAsZero) {
+TEST(ParseNumber, TellsTooLargeAndTooSmall) {
   EXPECT_EQ(kind("1e999"), NumberKind::kTooLarge);
   EXPECT_EQ(kind("-1e309"), NumberKind::kTooLarge);
   EXPECT_EQ(kind("1.7976931348623159e308"), NumberKind::kTooLarge);
   EXPECT_EQ(kind("1e99999999999999999999"), NumberKind::kTooLarge);
   EXPECT_EQ(kind("1" + std::string(400, '0')), NumberKind::kTooLarge);
   EXPECT_EQ(parsed("1.7976931348623157e308"), 1.7976931348623157e308);
-  EXPECT_EQ(bits(parsed("1e-999")), bits(0.0));
-  EXPECT_EQ(bits(parsed("-1e-999")), bits(-0.0));
-  EXPECT_EQ(bits(parsed("1e-99999999999999999999")), bits(0.0));
+  EXPECT_EQ(kind("1e-999"), NumberKind::kTooSmall);
+  EXPECT_EQ(kind("-1e-400"), NumberKind::kTooSmall);
+  EXPECT_EQ(kind("1e-324"), NumberKind::kTooSmall);
+  EXPECT_EQ(kind("1e-99999999999999999999"), NumberKind::kTooSmall);
+  EXPECT_EQ(bits(parsed("-0e-999")), bits(-0.0));
   EXPECT_EQ(parsed("5e-324"), 5e-324);
   EXPECT_EQ(parsed("0e999"), 0.0);
   EXPECT_EQ(parsed("1" + std::string(400, '0') + "e-400"), 1.0);

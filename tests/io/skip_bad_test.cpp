@@ -56,9 +56,9 @@ TEST(SkipBad, PositionsOutOfRangeAreBadToo) {
 TEST(SkipBad, PositionsOutOfRangeAreBadWhenTheValuesDecideTheFrame) {
   std::string text;
   for (int i = 0; i < 100; ++i) {
-    text += "-75." + std::to_string(500 + i) + ",6.3," + std::to_string(1000 * i) + "\n";
+    text += "-175." + std::to_string(500 + i) + ",6.3," + std::to_string(1000 * i) + "\n";
   }
-  text += "-75.5,oops,1\n-75.5,6.3,5000000\n";
+  text += "-175.5,oops,1\n-175.5,6.3,5000000\n";
   const auto loaded = load_text(text, skipping());
   EXPECT_EQ(points_of(loaded).size(), 100u);
   EXPECT_EQ(loaded.value().frame, Frame::kWgs84);
@@ -76,9 +76,20 @@ TEST(SkipBad, ListsTheFirstTwentyAndCountsAll) {
   EXPECT_EQ(loaded.value().skipped.size(), LoadedPoints::kMostSkippedListed);
 }
 
+TEST(SkipBad, TheListDoesNotAdviseWhatIsDoneAlready) {
+  const std::string text = "x,y,z\n1,2,3\nfoo,2,3\n4,5\n7,nan,9\n1,2,\n";
+  const auto loaded = load_text(text, skipping());
+  ASSERT_EQ(points_of(loaded).size(), 1u);
+  ASSERT_EQ(loaded.value().skipped.size(), 4u);
+  for (const Error& error : loaded.value().skipped) {
+    EXPECT_EQ(error.message.find("--skip-bad"), std::string::npos) << error.message;
+  }
+  EXPECT_NE(load_text(text).error().message.find("--skip-bad"), std::string::npos);
+}
+
 TEST(SkipBad, NothingLeftIsAnError) {
   expect_error(load_text("x,y,z\na,b,c\n", skipping()),
-               {ErrorCode::kNoPoints, "bees.csv", "all 1 records are bad; the first: 'a' is not"});
+               {ErrorCode::kNoPoints, "bees.csv", "the only record is bad: 'a' is not"});
 }
 
 }  // namespace

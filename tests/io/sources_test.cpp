@@ -106,6 +106,20 @@ TEST(Gzip, IsKnownByItsContentAndMayHaveSeveralMembers) {
   EXPECT_EQ(points_of(load_points_from_memory(two + std::string(512, '\0'), "bees.gz")), kPoints);
 }
 
+TEST(Gzip, CompressedTwiceIsNamed) {
+  expect_error(load_points_from_memory(gzipped(gzipped(kText)), "bees.csv.gz"),
+               {ErrorCode::kUnsupportedFormat, "bees.csv.gz", "compressed twice"});
+}
+
+TEST(Sources, TheEndingOfRawArraysIsKnownInCapitalsToo) {
+  std::string rows(48, '\0');
+  const double values[] = {1, 2, 3, 4, 5, 6};
+  std::memcpy(rows.data(), values, rows.size());
+  EXPECT_EQ(points_of(load_points_from_memory(rows, "BEES.BIN", in_metres())), kPoints);
+  expect_error(load_points_from_memory(rows, "bees", in_metres()),
+               {ErrorCode::kUnsupportedFormat, "bees", "--format bin"});
+}
+
 TEST(Gzip, HoldsRawArraysToo) {
   std::string rows(48, '\0');
   const double values[] = {1, 2, 3, 4, 5, 6};
