@@ -11,8 +11,12 @@
 #include <beespace/at_risk.hpp>
 #include <beespace/nearest.hpp>
 
-#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace beespace::cli {
 namespace {
@@ -25,12 +29,25 @@ Error usage_error(std::string message) {
 
 Result<double> read_threshold(const std::string& text) {
   const auto value = parse_number(text);
-  if (value && std::isfinite(*value) && *value > 0.0) return *value;
-  const std::string problem = value ? "is not above zero and finite" : "is not a number";
+  if (!value) {
+    return Error{
+        ErrorCode::kInvalidThreshold,
+        "the threshold '" + text + "' is not a number; give metres, for example --threshold 100",
+        {}};
+  }
+  if (*value >= kSmallestCoordinate_m && *value <= kLargestCoordinate_m) return *value;
   return Error{ErrorCode::kInvalidThreshold,
-               "the threshold '" + printable(text) + "' " + problem +
-                   "; give metres, for example --threshold 100",
+               "the threshold is " + text +
+                   " m; give a finite distance above zero (3.9e-121 m to 2.6e+120 m)",
                {}};
+}
+
+Result<unsigned> read_threads(const std::string& text) {
+  constexpr unsigned kMost = std::numeric_limits<unsigned>::max();
+  const auto count = parse_whole(text);
+  if (count && *count <= kMost) return static_cast<unsigned>(*count);
+  return usage_error("--threads '" + text + "' is not a whole number from 0 (all) to " +
+                     grouped(std::uint64_t{kMost}));
 }
 
 Answer answer_of(const DetectOptions& options) {
@@ -48,11 +65,12 @@ Result<DetectRequest> check(const DetectOptions& options) {
   if (int{options.csv} + int{options.json} + int{options.geojson} > 1) {
     return usage_error("--csv, --json and --geojson exclude each other");
   }
-  if (options.output.empty()) return usage_error("--output needs the name of a file");
   request.output = options.output;
   auto threshold = read_threshold(options.threshold);
   if (!threshold) return std::move(threshold).error();
-  request.search = {*threshold, options.inclusive, options.threads};
+  const auto threads = read_threads(options.threads);
+  if (!threads) return threads.error();
+  request.search = {*threshold, options.inclusive, *threads};
 
   if (options.frame == "wgs84") request.load.frame = io::Frame::kWgs84;
   if (options.frame == "metres") request.load.frame = io::Frame::kMetres;
@@ -61,7 +79,7 @@ Result<DetectRequest> check(const DetectOptions& options) {
   if (options.format == "bin") request.load.format = io::Format::kRawFloat64;
   request.load.columns = options.columns;
   request.load.skip_bad = options.skip_bad;
-  request.load.threads = options.threads;
+  request.load.threads = *threads;
 
   request.answer = answer_of(options);
   request.nearest = options.nearest;
@@ -106,17 +124,29 @@ Result<Detection> search(const io::LoadedPoints& loaded, const DetectRequest& re
   return detection;
 }
 
-void write_answer(const io::LoadedPoints& loaded, const Detection& detection,
+// Says when an id is not shown as the file has it; JSON needs no blanks.
+void note_ids(const ShownIds& ids, Answer answer, std::vector<std::string>& notes) {
+  if (const std::size_t count = ids.empty_count(); count > 0) {
+    notes.push_back(grouped(count) + (count == 1 ? " bee at risk has" : " bees at risk have") +
+                    " an empty id: the data row stands for it");
+  }
+  if (const std::size_t count = ids.broken_count(); count > 0 && answer == Answer::kIds) {
+    notes.push_back("tabs and line ends inside an id are written as blanks (" + grouped(count) +
+                    (count == 1 ? " id)" : " ids)"));
+  }
+}
+
+void write_answer(const io::LoadedPoints& loaded, const Detection& detection, const ShownIds& ids,
                   const DetectRequest& request, io::AtomicOutput& output) {
   switch (request.answer) {
     case Answer::kIds:
-      return write_ids(loaded, detection, request.nearest, output);
+      return write_ids(detection, ids, request.nearest, output);
     case Answer::kCsv:
       return write_csv(loaded, detection, request.nearest, output);
     case Answer::kJson:
-      return write_json(loaded, detection, request, output);
+      return write_json(loaded, detection, ids, request, output);
     case Answer::kGeoJson:
-      return write_geojson(loaded, detection, request.nearest, output);
+      return write_geojson(loaded, detection, ids, request.nearest, output);
   }
 }
 
@@ -164,7 +194,11 @@ Result<ExitCode> detect(const DetectRequest& request) {
   detection->timings.search_s = watch.lap();
 
   progress.enter_stage("writing");
-  write_answer(*loaded, *detection, request, *output);
+  // Records that are written as they stand need no ids.
+  const std::vector<PointId> none;
+  const ShownIds ids(*loaded, request.answer == Answer::kCsv ? none : detection->at_risk);
+  note_ids(ids, request.answer, loaded->notes);
+  write_answer(*loaded, *detection, ids, request, *output);
   const Status written = output->commit();
   if (!written && output->pipe_closed()) return ExitCode::kPipeClosed;
   if (!written) return written.error();

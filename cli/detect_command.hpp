@@ -20,7 +20,7 @@ struct DetectOptions {
   std::string frame = "auto";
   std::string format = "auto";
   std::string columns;
-  unsigned threads = 0;
+  std::string threads = "0";
   bool inclusive = false;
   bool csv = false;
   bool json = false;

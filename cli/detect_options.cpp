@@ -1,8 +1,10 @@
 #include "cli/detect_command.hpp"
+#include "cli/option_checks.hpp"
+
+#include <beespace/version.hpp>
 
 #include <CLI/CLI.hpp>
 
-#include <initializer_list>
 #include <string>
 
 namespace beespace::cli {
@@ -20,31 +22,28 @@ constexpr const char* kDetails =
     "  beespace detect bees.csv\n"
     "  beespace detect bees.csv --threshold 50 --csv --nearest --output risky.csv\n"
     "  zcat swarm.txt.gz | beespace detect --columns id=1,lon=2,lat=3,height=4 --json\n"
-    "  beespace detect swarm.npy --crs metres --quiet --fail-on-risk || echo danger\n"
+    "  beespace detect swarm.npy --crs metres --quiet --fail-on-risk --output /dev/null\n"
+    "  [ $? -eq 1 ] && echo danger\n"
     "\n"
     "Exit status: 0 fine, 1 somebody is at risk (with --fail-on-risk), 2 wrong usage, 3 bad "
     "input,\n"
-    "4 cannot open, read or write, 130 interrupted, 141 closed pipe.";
-
-// One of a few words; the words are the option's type in the help.
-CLI::Validator one_of(std::initializer_list<std::string> words) {
-  return CLI::IsMember(words).description("");
-}
+    "4 cannot open, read or write, 130 interrupted, 143 terminated, 141 closed pipe.";
 
 void add_input_options(CLI::App& detect, DetectOptions& options) {
   detect.add_option("FILE", options.input, "What to read (default, or -: standard input)")
       ->type_name(" ");
-  detect.add_option("--crs", options.frame, "Whether the input is in degrees or metres")
-      ->check(one_of({"auto", "wgs84", "metres"}))
-      ->type_name("auto|wgs84|metres")
-      ->group("Input");
+  CLI::Option* frame =
+      detect.add_option("--crs", options.frame, "Whether the input is in degrees or metres")
+          ->type_name("auto|wgs84|metres")
+          ->group("Input");
+  allow_only(*frame, {"auto", "wgs84", "metres"});
   detect.add_option("--columns", options.columns, "By number or name: id=1,lon=2,lat=3,height=4")
       ->type_name("LIST")
       ->group("Input");
-  detect.add_option("--format", options.format, "How the input is written")
-      ->check(one_of({"auto", "text", "npy", "bin"}))
-      ->type_name("auto|text|npy|bin")
-      ->group("Input");
+  CLI::Option* format = detect.add_option("--format", options.format, "How the input is written")
+                            ->type_name("auto|text|npy|bin")
+                            ->group("Input");
+  allow_only(*format, {"auto", "text", "npy", "bin"});
   detect.add_flag("--skip-bad", options.skip_bad, "Leave bad records out and list them")
       ->group("Input");
 }
@@ -85,9 +84,11 @@ void add_output_options(CLI::App& detect, DetectOptions& options) {
 CLI::App* add_detect_command(CLI::App& command, DetectOptions& options) {
   CLI::App* detect = command.add_subcommand("detect", kDescription);
   detect->footer(kDetails);
+  detect->set_version_flag("--version", std::string(version()), "Print the version and exit");
   add_input_options(*detect, options);
   add_search_options(*detect, options);
   add_output_options(*detect, options);
+  refuse_pointless_values(*detect);
   return detect;
 }
 

@@ -1,10 +1,10 @@
 // One run of `beespace detect`: what was asked, what was read, what was found.
 #pragma once
 
-#include "cli/shown_ids.hpp"
 #include "io/load_points.hpp"
 
 #include <beespace/nearest.hpp>
+#include <beespace/point.hpp>
 #include <beespace/search_options.hpp>
 
 #include <cstdint>

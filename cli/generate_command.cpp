@@ -7,8 +7,8 @@
 #include "scenes/swarm_scenes.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -20,7 +20,10 @@ namespace {
 constexpr double kDefaultSide_m = 12'800.0;
 constexpr std::uint64_t kDefaultClusters = 100;
 constexpr double kDefaultSigma_m = 200.0;
+// Within these every coordinate is surely one that a search takes.
+constexpr double kSmallestSize_m = 1e-6;
 constexpr double kLargestSize_m = 1e15;
+constexpr const char* kSizes = " (0.000001 to 1e15)";
 
 struct Swarm {
   std::vector<Point> points;
@@ -35,26 +38,21 @@ Error usage_error(std::string message) {
 // A whole number from 1 to `most`.
 Result<std::uint64_t> read_count(const std::string& text, const std::string& option,
                                  std::uint64_t most) {
-  std::uint64_t count = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, problem] = std::from_chars(text.data(), end, count);
-  if (problem != std::errc{} || stop != end || count == 0 || count > most) {
-    return usage_error(option + " '" + printable(text) + "' is not a whole number from 1 to " +
-                       grouped(most));
-  }
-  return count;
+  const auto count = parse_whole(text);
+  if (count && *count >= 1 && *count <= most) return *count;
+  return usage_error(option + " '" + text + "' is not a whole number from 1 to " + grouped(most));
 }
 
 std::optional<double> read_length(std::string_view text) {
   const auto value = parse_number(text);
-  const bool good = value && *value > 0.0 && *value <= kLargestSize_m;
+  const bool good = value && *value >= kSmallestSize_m && *value <= kLargestSize_m;
   return good ? value : std::nullopt;
 }
 
 // "12800" or "3300x2300x480".
 Result<Point> read_size(const std::string& text) {
-  const Error error = usage_error("--size '" + printable(text) +
-                                  "' is not a length in metres, nor three as in 3300x2300x480");
+  const Error error = usage_error("--size '" + text + "' is not a length in metres" + kSizes +
+                                  ", nor three as in 3300x2300x480");
   std::vector<double> sides;
   std::string_view rest = text;
   while (true) {
@@ -88,7 +86,8 @@ std::optional<Error> check_fit(const GenerateOptions& options, const std::string
   return std::nullopt;
 }
 
-Result<Swarm> make_clusters(const GenerateOptions& options, std::size_t count, const Point& size) {
+Result<Swarm> make_clusters(const GenerateOptions& options, std::size_t count, const Point& size,
+                            std::uint64_t seed) {
   if (size.x != size.y || size.x != size.z) {
     return usage_error("--scene clusters lives in a cube; give --size one length");
   }
@@ -101,24 +100,29 @@ Result<Swarm> make_clusters(const GenerateOptions& options, std::size_t count, c
   std::optional<double> sigma = kDefaultSigma_m;
   if (!options.sigma.empty()) sigma = read_length(options.sigma);
   if (!sigma) {
-    return usage_error("--sigma '" + printable(options.sigma) + "' is not a length in metres");
+    return usage_error("--sigma '" + options.sigma + "' is not a length in metres" + kSizes);
   }
-  return Swarm{scenes::gaussian_clusters(count, static_cast<std::uint32_t>(clusters), *sigma,
-                                         size.x, options.seed),
-               SwarmUnits::kMetres};
+  return Swarm{
+      scenes::gaussian_clusters(count, static_cast<std::uint32_t>(clusters), *sigma, size.x, seed),
+      SwarmUnits::kMetres};
 }
 
 Result<Swarm> make_swarm(const GenerateOptions& options) {
   const auto count = read_count(options.points, "--points", kMaxPoints);
   if (!count) return count.error();
+  const auto seed = parse_whole(options.seed);
+  if (!seed) {
+    return usage_error("--seed '" + options.seed + "' is not a whole number from 0 to " +
+                       std::to_string(std::numeric_limits<std::uint64_t>::max()));
+  }
   const std::string scene = scene_of(options);
   if (const auto misfit = check_fit(options, scene)) return *misfit;
   if (scene == "area") {
     const auto area = scenes::find_area(options.area.empty() ? "medellin" : options.area);
     if (!area) {
-      return usage_error("there is no area '" + printable(options.area) + "'; known: medellin");
+      return usage_error("there is no area '" + options.area + "'; known: medellin");
     }
-    return Swarm{scenes::geographic_area(*count, *area, options.seed), SwarmUnits::kDegrees};
+    return Swarm{scenes::geographic_area(*count, *area, *seed), SwarmUnits::kDegrees};
   }
   Point size{kDefaultSide_m, kDefaultSide_m, kDefaultSide_m};
   if (!options.size.empty()) {
@@ -126,15 +130,21 @@ Result<Swarm> make_swarm(const GenerateOptions& options) {
     if (!given) return given.error();
     size = *given;
   }
-  if (scene == "clusters") return make_clusters(options, *count, size);
-  return Swarm{scenes::uniform_box(*count, size, options.seed), SwarmUnits::kMetres};
+  if (scene == "clusters") return make_clusters(options, *count, size, *seed);
+  return Swarm{scenes::uniform_box(*count, size, *seed), SwarmUnits::kMetres};
 }
 
 Result<SwarmFormat> format_of(const GenerateOptions& options) {
-  if (!options.format.empty()) return *swarm_format(options.format);
-  if (options.output == "-") return SwarmFormat{};
+  const bool named = options.output != "-";
+  if (!options.format.empty()) {
+    const SwarmFormat format = *swarm_format(options.format);
+    if (!named || ending_allows(options.output, format)) return format;
+    return usage_error("--format " + options.format + " contradicts the ending of '" +
+                       options.output + "'; correct one of them");
+  }
+  if (!named) return SwarmFormat{};
   if (const auto format = swarm_format(options.output)) return *format;
-  return usage_error("the ending of '" + printable(options.output) +
+  return usage_error("the ending of '" + options.output +
                      "' does not tell the format; add --format csv, tsv, npy or bin");
 }
 

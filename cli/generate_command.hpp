@@ -3,7 +3,6 @@
 
 #include "cli/exit_code.hpp"
 
-#include <cstdint>
 #include <string>
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
@@ -20,7 +19,7 @@ struct GenerateOptions {
   std::string clusters;
   std::string sigma;
   std::string area;
-  std::uint64_t seed = 1;
+  std::string seed = "1";
   std::string output = "-";
   std::string format;  // empty: by the output's ending
 };

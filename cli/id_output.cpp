@@ -27,9 +27,8 @@ void write_numbers(const std::vector<PointId>& numbers, io::AtomicOutput& output
 
 }  // namespace
 
-void write_ids(const io::LoadedPoints& loaded, const Detection& detection, bool nearest,
+void write_ids(const Detection& detection, const ShownIds& ids, bool nearest,
                io::AtomicOutput& output) {
-  const ShownIds ids(loaded, detection.at_risk);
   if (ids.are_point_numbers() && !nearest) return write_numbers(detection.at_risk, output);
   BlockWriter out(output);
   for (const PointId point : detection.at_risk) {

@@ -25,6 +25,35 @@ void append_list(std::string& out, const std::vector<std::string>& texts) {
   out += ']';
 }
 
+void append_optional(std::string& out, std::string_view key,
+                     const std::optional<std::uint64_t>& value) {
+  out += ", \"";
+  out += key;
+  out += "\": " + (value ? std::to_string(*value) : std::string("null"));
+}
+
+// What an error says and where it lies, as the members of an object.
+void append_members(std::string& out, const Error& error) {
+  out += "\"code\": " + json_string(to_string(error.code));
+  out += ", \"message\": " + json_string(error.message);
+  out += ", \"file\": " +
+         (error.place.source.empty() ? std::string("null") : json_string(error.place.source));
+  append_optional(out, "line", error.place.line);
+  append_optional(out, "column", error.place.column);
+  append_optional(out, "record", error.place.record);
+}
+
+void append_skipped(std::string& out, const std::vector<Error>& skipped) {
+  if (skipped.empty()) return;
+  out += ",\n    \"first_skipped\": [";
+  for (std::size_t i = 0; i < skipped.size(); ++i) {
+    out += i > 0 ? ",\n      {" : "\n      {";
+    append_members(out, skipped[i]);
+    out += '}';
+  }
+  out += "\n    ]";
+}
+
 void append_input(std::string& out, const io::LoadedPoints& loaded, const DetectRequest& request) {
   out += "  \"input\": {\n    \"file\": " + json_string(source_of(request));
   out += ",\n    \"format\": " + json_string(loaded.format_description);
@@ -32,6 +61,7 @@ void append_input(std::string& out, const io::LoadedPoints& loaded, const Detect
   out += ",\n    \"reason\": " + json_string(loaded.frame_reason);
   out += ",\n    \"points\": " + std::to_string(loaded.points.size());
   out += ",\n    \"skipped\": " + std::to_string(loaded.skipped_count);
+  append_skipped(out, loaded.skipped);
   out += ",\n    \"notes\": ";
   append_list(out, loaded.notes);
   out += "\n  },\n";
@@ -68,16 +98,9 @@ void append_entry(std::string& out, const ShownIds& ids, const Detection& detect
   out += '}';
 }
 
-void append_optional(std::string& out, std::string_view key,
-                     const std::optional<std::uint64_t>& value) {
-  out += ", \"";
-  out += key;
-  out += "\": " + (value ? std::to_string(*value) : std::string("null"));
-}
-
 }  // namespace
 
-void write_json(const io::LoadedPoints& loaded, const Detection& detection,
+void write_json(const io::LoadedPoints& loaded, const Detection& detection, const ShownIds& ids,
                 const DetectRequest& request, io::AtomicOutput& output) {
   BlockWriter out(output);
   out.text += "{\n  \"version\": " + json_string(version()) + ",\n";
@@ -91,7 +114,6 @@ void write_json(const io::LoadedPoints& loaded, const Detection& detection,
   out.text += "  \"timings\": {\"read_s\": " + exact(detection.timings.read_s);
   out.text += ", \"search_s\": " + exact(detection.timings.search_s) + "},\n";
   out.text += request.nearest ? "  \"at_risk\": [\n    " : "  \"at_risk\": [";
-  const ShownIds ids(loaded, detection.at_risk);
   const std::string_view separator = request.nearest ? ",\n    " : ", ";
   for (std::size_t i = 0; i < detection.at_risk.size(); ++i) {
     if (i > 0) out.text += separator;
@@ -102,13 +124,8 @@ void write_json(const io::LoadedPoints& loaded, const Detection& detection,
 }
 
 std::string error_as_json(const Error& error) {
-  std::string out = "{\"error\": {\"code\": " + json_string(to_string(error.code));
-  out += ", \"message\": " + json_string(error.message);
-  out += ", \"file\": " +
-         (error.place.source.empty() ? std::string("null") : json_string(error.place.source));
-  append_optional(out, "line", error.place.line);
-  append_optional(out, "column", error.place.column);
-  append_optional(out, "record", error.place.record);
+  std::string out = "{\"error\": {";
+  append_members(out, error);
   return out + "}}\n";
 }
 

@@ -3,9 +3,10 @@
 #include "cli/detect_command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/generate_command.hpp"
+#include "cli/option_checks.hpp"
 #include "cli/signals.hpp"
-#include "cli/similar_word.hpp"
 #include "cli/terminal.hpp"
+#include "cli/usage_sentence.hpp"
 
 #include <beespace/version.hpp>
 
@@ -16,7 +17,6 @@
 #include <exception>
 #include <new>
 #include <string>
-#include <vector>
 
 namespace beespace::cli {
 namespace {
@@ -29,7 +29,7 @@ constexpr const char* kExamples =
     "  beespace detect bees.csv                      who is closer than 100 m to another bee\n"
     "  beespace generate --points 1000 --area medellin --output bees.csv\n"
     "\n"
-    "'beespace detect --help' and 'beespace generate --help' say more.";
+    "'beespace help detect' and 'beespace help generate' say more.";
 
 ExitCode print(const std::string& text) {
   const bool complete = std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0;
@@ -45,30 +45,24 @@ const CLI::App& used_command(const CLI::App& command) {
   return used.empty() ? command : *used.front();
 }
 
-// " (did you mean ...?)" for a word that nothing was called by.
-std::string suggestion(const CLI::App& command) {
-  const auto unknown = command.remaining();
-  if (unknown.empty()) return {};
-  std::vector<std::string> known;
-  for (const CLI::Option* option : command.get_options()) known.push_back(option->get_name());
-  for (const CLI::App* sub : command.get_subcommands({})) known.push_back(sub->get_name());
-  const auto word = most_similar(unknown.front().substr(0, unknown.front().find('=')), known);
-  return word ? "; did you mean '" + *word + "'?" : std::string();
-}
-
 ExitCode explain(const CLI::App& command, const CLI::ParseError& error) {
   if (dynamic_cast<const CLI::CallForVersion*>(&error) != nullptr) {
     return print("beespace " + std::string(version()) + "\n");
   }
   if (dynamic_cast<const CLI::CallForHelp*>(&error) != nullptr) return print(command.help());
-  std::string message = error.what();
-  while (!message.empty() && message.back() == '\n') message.pop_back();
-  message += suggestion(used_command(command));
   const std::string name = &used_command(command) == &command
                                ? "beespace"
                                : "beespace " + used_command(command).get_name();
-  say_error(printable(message) + " (see '" + name + " --help')");
+  say_error(printable(usage_sentence(command, error)) + " (see '" + name + " --help')");
   return ExitCode::kUsage;
+}
+
+// "beespace help detect", for those who do not try --help first.
+CLI::App* add_help_command(CLI::App& command, std::string& topic) {
+  CLI::App* help = command.add_subcommand("help", "Print this help, or that of detect or generate");
+  CLI::Option* option = help->add_option("COMMAND", topic, "Whose help to print")->type_name(" ");
+  allow_only(*option, {"detect", "generate"});
+  return help;
 }
 
 ExitCode run(int argc, char** argv) {
@@ -80,10 +74,15 @@ ExitCode run(int argc, char** argv) {
   command.get_formatter()->column_width(34);
   DetectOptions detect_options;
   GenerateOptions generate_options;
+  std::string help_topic;
   const CLI::App* detect = add_detect_command(command, detect_options);
   add_generate_command(command, generate_options);
+  const CLI::App* help = add_help_command(command, help_topic);
+  // At most one, so that a file may be called as the other.
+  command.require_subcommand(0, 1);
   try {
     command.parse(argc, argv);
+    if (help->parsed()) command.parse(help_topic.empty() ? "--help" : help_topic + " --help");
   } catch (const CLI::ParseError& error) {
     return explain(command, error);
   }

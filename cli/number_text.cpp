@@ -88,10 +88,20 @@ std::string byte_count(std::uint64_t bytes) {
 }
 
 std::optional<double> parse_number(std::string_view text) {
+  const bool plus = text.starts_with('+') && !text.starts_with("+-");
+  if (plus) text.remove_prefix(1);
   double value = 0.0;
   const char* end = text.data() + text.size();
   const auto [stop, problem] = std::from_chars(text.data(), end, value);
   if (problem == std::errc::result_out_of_range && stop == end) return HUGE_VAL;
+  if (problem != std::errc{} || stop != end) return std::nullopt;
+  return value;
+}
+
+std::optional<std::uint64_t> parse_whole(std::string_view text) {
+  std::uint64_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, problem] = std::from_chars(text.data(), end, value);
   if (problem != std::errc{} || stop != end) return std::nullopt;
   return value;
 }

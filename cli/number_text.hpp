@@ -32,6 +32,10 @@ std::string percentage(double share);
 std::string byte_count(std::uint64_t bytes);
 
 // The whole text as a number, "inf" and "nan" included; nothing when it is something else.
+// A "+" may come before it, as in the input files.
 std::optional<double> parse_number(std::string_view text);
+
+// Decimal digits and nothing else, of a number below 2^64.
+std::optional<std::uint64_t> parse_whole(std::string_view text);
 
 }  // namespace beespace::cli

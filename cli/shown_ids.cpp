@@ -4,9 +4,24 @@
 #include "cli/number_text.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 
 namespace beespace::cli {
+
+namespace {
+
+constexpr std::string_view kTabsAndLineEnds = "\t\n\v\f\r";
+
+bool is_empty(std::string_view id) {
+  return id.find_first_not_of(" \t\n\v\f\r") == std::string_view::npos;
+}
+
+bool is_broken(std::string_view id) {
+  return id.find_first_of(kTabsAndLineEnds) != std::string_view::npos;
+}
+
+}  // namespace
 
 ShownIds::ShownIds(const io::LoadedPoints& loaded, const std::vector<PointId>& ascending)
     : own_ids_(io::has_id_column(loaded)),
@@ -16,11 +31,13 @@ ShownIds::ShownIds(const io::LoadedPoints& loaded, const std::vector<PointId>& a
   begin_.reserve(ascending.size() + 1);
   io::for_each_record(loaded, ascending, [this](const io::Record& record) {
     begin_.push_back(texts_.size());
-    if (own_ids_) {
+    if (own_ids_ && !is_empty(record.id)) {
       texts_ += record.id;
-    } else {
-      append_exact(texts_, record.row);
+      if (is_broken(record.id)) ++broken_count_;
+      return;
     }
+    append_exact(texts_, record.row);
+    if (own_ids_) empty_.push_back(record.point);
   });
   begin_.push_back(texts_.size());
 }
@@ -34,9 +51,14 @@ std::string_view ShownIds::find(PointId point) const {
 void ShownIds::append(std::string& out, PointId point) const {
   if (rows_are_points_) {
     append_exact(out, std::uint64_t{point});
-  } else {
-    out += find(point);
+    return;
   }
+  const std::size_t begin = out.size();
+  out += find(point);
+  if (broken_count_ == 0) return;
+  std::replace_if(
+      out.begin() + static_cast<std::ptrdiff_t>(begin), out.end(),
+      [](char c) { return kTabsAndLineEnds.find(c) != std::string_view::npos; }, ' ');
 }
 
 std::string ShownIds::text(PointId point) const {
@@ -46,7 +68,7 @@ std::string ShownIds::text(PointId point) const {
 }
 
 void ShownIds::append_json(std::string& out, PointId point) const {
-  if (own_ids_) {
+  if (own_ids_ && !std::binary_search(empty_.begin(), empty_.end(), point)) {
     append_json_string(out, find(point));
   } else {
     append(out, point);

@@ -1,4 +1,5 @@
-// The ids that people know: the file's own id column, or the 0-based data row.
+// The ids that people know: the file's own id column, or the 0-based data row, which also stands
+// for an id that is empty.
 //
 // Made for some points at once, because the records lie in the file in their order. `loaded`
 // must outlive it. Memory: none where the row is the point's number; the text of the ids otherwise.
@@ -19,7 +20,8 @@ class ShownIds {
  public:
   ShownIds(const io::LoadedPoints& loaded, const std::vector<PointId>& ascending);
 
-  // The id of one of the points given, for people and lines of text.
+  // The id of one of the points given, for people and lines of text: tabs and line ends, which
+  // would end it there, become blanks.
   void append(std::string& out, PointId point) const;
   [[nodiscard]] std::string text(PointId point) const;
 
@@ -29,6 +31,10 @@ class ShownIds {
   // Whether each id is the point's own number, which is quicker written directly.
   [[nodiscard]] bool are_point_numbers() const { return rows_are_points_; }
 
+  // How many have an empty id, and how many one with tabs or line ends in it.
+  [[nodiscard]] std::size_t empty_count() const { return empty_.size(); }
+  [[nodiscard]] std::size_t broken_count() const { return broken_count_; }
+
  private:
   [[nodiscard]] std::string_view find(PointId point) const;
 
@@ -36,6 +42,8 @@ class ShownIds {
   bool rows_are_points_ = false;  // nothing was skipped: no table is needed
   const std::vector<PointId>* points_;
   std::string texts_;               // all ids, one after the other
+  std::vector<PointId> empty_;      // whose own id is empty, ascending
+  std::size_t broken_count_ = 0;    // whose own id holds tabs or line ends
   std::vector<std::size_t> begin_;  // of each in texts_, and the end of the last
 };
 

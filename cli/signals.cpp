@@ -22,8 +22,10 @@ extern "C" void leave(int signal) {
 void handle_signals() {
   struct sigaction ignore {};
   ignore.sa_handler = SIG_IGN;
+  // Writing then fails with an error that is said: EPIPE, EFBIG.
   sigaction(SIGPIPE, &ignore, nullptr);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+  sigaction(SIGXFSZ, &ignore, nullptr);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGALRM, SIGXCPU}) {
     struct sigaction current {};
     sigaction(signal, nullptr, &current);
     if (current.sa_handler == SIG_IGN) continue;

@@ -29,6 +29,12 @@ std::optional<std::string> most_similar(std::string_view word,
                                         const std::vector<std::string>& known) {
   constexpr std::size_t kLongestWord = 40;
   if (word.size() > kLongestWord) return std::nullopt;
+  constexpr std::size_t kShortestBeginning = 3;
+  if (word.size() >= kShortestBeginning) {
+    for (const std::string& candidate : known) {
+      if (candidate.starts_with(word)) return candidate;
+    }
+  }
   std::optional<std::string> best;
   std::size_t fewest = word.size() / 3 + 1;
   for (const std::string& candidate : known) {

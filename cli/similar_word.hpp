@@ -8,8 +8,9 @@
 
 namespace beespace::cli {
 
-// The known word that is fewest edits away (insert, delete, replace), if it takes at most a third
-// of the word's length; the first of several.
+// The known word that begins with this one, of three characters or more; else the one that is
+// fewest edits away (insert, delete, replace), if it takes at most a third of the word's length.
+// The first of several.
 std::optional<std::string> most_similar(std::string_view word,
                                         const std::vector<std::string>& known);
 

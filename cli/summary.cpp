@@ -1,6 +1,7 @@
 #include "cli/summary.hpp"
 
 #include "cli/number_text.hpp"
+#include "cli/shown_ids.hpp"
 #include "cli/terminal.hpp"
 
 #include <algorithm>
@@ -23,10 +24,19 @@ std::string input_line(const io::LoadedPoints& loaded, const DetectRequest& requ
   return printable(name) + " (" + byte_count(loaded.bytes) + ", " + loaded.format_description + ")";
 }
 
+// The reader notes what it did not find.
+bool has_height(const io::LoadedPoints& loaded) {
+  return std::none_of(loaded.notes.begin(), loaded.notes.end(),
+                      [](const std::string& note) { return note.starts_with("no height column"); });
+}
+
 std::string frame_line(const io::LoadedPoints& loaded) {
-  const std::string_view frame =
-      loaded.frame == io::Frame::kWgs84 ? "WGS84 longitude, latitude, height" : "metres";
-  return std::string(frame) + ": " + printable(loaded.frame_reason);
+  std::string frame = "metres";
+  if (loaded.frame == io::Frame::kWgs84) {
+    frame = "WGS84 longitude, latitude";
+    if (has_height(loaded)) frame += ", height";
+  }
+  return frame + ": " + printable(loaded.frame_reason);
 }
 
 std::string threshold_line(const SearchOptions& search) {
@@ -59,7 +69,9 @@ std::string time_line(const io::LoadedPoints& loaded, const Timings& timings) {
 }
 
 void append_skipped(std::string& out, const io::LoadedPoints& loaded) {
-  append_line(out, "skipped", grouped(loaded.skipped_count) + " bad records");
+  append_line(
+      out, "skipped",
+      grouped(loaded.skipped_count) + (loaded.skipped_count == 1 ? " bad record" : " bad records"));
   for (const Error& error : loaded.skipped) append_line(out, "", printable(to_string(error)));
   if (loaded.skipped_count > loaded.skipped.size()) {
     append_line(out, "", "and " + grouped(loaded.skipped_count - loaded.skipped.size()) + " more");

@@ -91,14 +91,24 @@ void write_array(const std::vector<Point>& points, GzipWriter& out) {
   out.write({reinterpret_cast<const char*>(points.data()), points.size() * sizeof(Point)});
 }
 
+std::string lower_case(std::string_view text) {
+  std::string out(text);
+  for (char& c : out) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return out;
+}
+
 }  // namespace
 
 std::optional<SwarmFormat> swarm_format(std::string_view name) {
   SwarmFormat format;
-  const auto take_ending = [&name](std::string_view ending) {
-    const bool whole = name == ending.substr(1);
-    if (!whole && !name.ends_with(ending)) return false;
-    name.remove_suffix(whole ? name.size() : ending.size());
+  const std::string lowered = lower_case(name);
+  std::string_view rest = lowered;
+  const auto take_ending = [&rest](std::string_view ending) {
+    const bool whole = rest == ending.substr(1);
+    if (!whole && !rest.ends_with(ending)) return false;
+    rest.remove_suffix(whole ? rest.size() : ending.size());
     return true;
   };
   format.compressed = take_ending(".gz");
@@ -115,6 +125,16 @@ std::optional<SwarmFormat> swarm_format(std::string_view name) {
     return std::nullopt;
   }
   return format;
+}
+
+bool ending_allows(std::string_view name, SwarmFormat format) {
+  const std::string lowered = lower_case(name);
+  const auto ending = swarm_format(name);
+  if (!ending) return !lowered.ends_with(".gz") || format.compressed;
+  // Any text may be called .txt.
+  const bool any_text = lowered.ends_with(".txt") || lowered.ends_with(".txt.gz");
+  const bool tabs = any_text && format.kind == SwarmFormat::Kind::kTsv;
+  return ending->compressed == format.compressed && (ending->kind == format.kind || tabs);
 }
 
 Status write_swarm(const std::vector<Point>& points, SwarmUnits units, SwarmFormat format,

@@ -20,8 +20,11 @@ struct SwarmFormat {
   bool compressed = false;  // gzip
 };
 
-// By the ending of a file name, or a format's own name: "bees.csv.gz", "npy".
+// By the ending of a file name, in capitals or not, or a format's own name: "bees.csv.gz", "npy".
 std::optional<SwarmFormat> swarm_format(std::string_view name);
+
+// Whether a file of this name may hold this format: its ending says the same, or nothing.
+bool ending_allows(std::string_view name, SwarmFormat format);
 
 enum class SwarmUnits : std::uint8_t { kMetres, kDegrees };
 

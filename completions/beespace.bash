@@ -5,13 +5,21 @@ _beespace() {
   local subcommand=${COMP_WORDS[1]:-}
   COMPREPLY=()
 
+  # bash splits --crs=wgs84 at the "=" into three words.
+  if [ "$current" = = ]; then
+    current=''
+  elif [ "$previous" = = ] && [ "$COMP_CWORD" -ge 2 ]; then
+    previous=${COMP_WORDS[COMP_CWORD - 2]}
+  fi
+
   if [ "$COMP_CWORD" -eq 1 ]; then
-    mapfile -t COMPREPLY < <(compgen -W 'detect generate --help --version' -- "$current")
+    mapfile -t COMPREPLY < <(compgen -W 'detect generate help --help --version' -- "$current")
     return
   fi
 
   local words=''
   case $subcommand:$previous in
+    help:help) words='detect generate' ;;
     detect:--crs) words='auto wgs84 metres' ;;
     detect:--format) words='auto text npy bin' ;;
     generate:--scene) words='uniform clusters area' ;;
@@ -28,10 +36,12 @@ _beespace() {
       case $subcommand in
         detect)
           words='--threshold --inclusive --threads --crs --columns --format --skip-bad --output
-            --csv --json --geojson --nearest --fail-on-risk --quiet --help'
+            --csv --json --geojson --nearest --fail-on-risk --quiet --help
+            --version'
           ;;
         generate)
-          words='--scene --area --points --size --clusters --sigma --seed --format --output --help'
+          words='--scene --area --points --size --clusters --sigma --seed --format --output --quiet
+            --help --version'
           ;;
       esac
       if [ "$subcommand" = detect ] && [[ "$current" != -* ]]; then

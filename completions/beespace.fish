@@ -1,7 +1,8 @@
 # Completion of the beespace command for fish.
 complete -c beespace -n __fish_use_subcommand -f -a detect -d 'Tell which bees are too close to another one'
 complete -c beespace -n __fish_use_subcommand -f -a generate -d 'Make up a swarm'
-complete -c beespace -n __fish_use_subcommand -f -l version -d 'Print the version'
+complete -c beespace -n __fish_use_subcommand -f -a help -d 'Print a help text'
+complete -c beespace -f -l version -d 'Print the version'
 complete -c beespace -f -s h -l help -d 'Print a help text'
 
 set --local detect -c beespace -n '__fish_seen_subcommand_from detect'
@@ -20,6 +21,8 @@ complete $detect -f -l nearest -d 'Also the distance to the nearest other bee'
 complete $detect -f -l fail-on-risk -d 'Exit with 1 when some bee is at risk'
 complete $detect -f -l quiet -d 'No summary and no progress'
 
+complete -c beespace -n '__fish_seen_subcommand_from help' -f -a 'detect generate'
+
 set --local generate -c beespace -n '__fish_seen_subcommand_from generate'
 complete $generate -x -l points -d 'How many bees'
 complete $generate -x -l scene -a 'uniform clusters area' -d 'How they are spread'
@@ -30,3 +33,4 @@ complete $generate -x -l area -a medellin -d 'Which part of the Earth'
 complete $generate -x -l seed -d 'Another number, another swarm'
 complete $generate -r -l output -d 'Where the swarm goes'
 complete $generate -x -l format -a 'csv tsv npy bin csv.gz tsv.gz npy.gz bin.gz' -d 'The format'
+complete $generate -f -l quiet -d 'Only errors'

@@ -104,6 +104,35 @@ TEST(Answers, JsonOfNobodyIsStillADocument) {
   EXPECT_NE(finished.out.find(R"("at_risk": [])"), std::string::npos);
 }
 
+TEST(Answers, TheRowStandsForAnEmptyIdAndThatIsSaid) {
+  constexpr std::string_view kInput = "id,x,y,z\nmaya,0,0,0\n,1,0,0\n\" \",2,0,0\n";
+  const Finished finished = run({"detect", "--nearest"}, kInput);
+  EXPECT_EQ(finished.out, "maya\t1\t1\n1\tmaya\t1\n2\t1\t1\n");
+  EXPECT_NE(finished.err.find("2 bees at risk have an empty id: the data row stands for it"),
+            std::string::npos)
+      << finished.err;
+  const std::string json = run({"detect", "--json"}, kInput).out;
+  EXPECT_TRUE(is_json(json)) << json;
+  EXPECT_NE(json.find(R"("at_risk": ["maya", 1, 2])"), std::string::npos) << json;
+  EXPECT_NE(json.find("2 bees at risk have an empty id"), std::string::npos) << json;
+  const std::string geojson =
+      run({"detect", "--geojson"}, "id,lon,lat,height\n,5,5,0\nb,5,5,1\n").out;
+  EXPECT_NE(geojson.find(R"("id": 0})"), std::string::npos) << geojson;
+  EXPECT_NE(geojson.find(R"("id": "b"})"), std::string::npos) << geojson;
+}
+
+TEST(Answers, ATabInsideAnIdDoesNotSplitTheLine) {
+  constexpr std::string_view kInput = "id,x,y,z\n\"ma\tya\",0,0,0\nwilli,1,0,0\n";
+  const Finished finished = run({"detect", "--nearest"}, kInput);
+  EXPECT_EQ(finished.out, "ma ya\twilli\t1\nwilli\tma ya\t1\n");
+  EXPECT_NE(finished.err.find("tabs and line ends inside an id are written as blanks (1 id)"),
+            std::string::npos)
+      << finished.err;
+  const Finished json = run({"detect", "--json"}, kInput);
+  EXPECT_NE(json.out.find(R"("at_risk": ["ma\tya", "willi"])"), std::string::npos) << json.out;
+  EXPECT_EQ(json.err.find("written as blanks"), std::string::npos) << json.err;
+}
+
 TEST(Answers, JsonSurvivesHostileIds) {
   const Finished finished = run({"detect", "--json", "--nearest"},
                                 "id,x,y,z\n\"a\"\"\\\",0,0,0\n\xF0\x9F\x90\x9D,1,0,0\n");
@@ -120,6 +149,23 @@ TEST(Answers, GeoJsonPlacesTheBeesAsInTheFile) {
   EXPECT_NE(finished.out.find(R"("coordinates": [-75.5, 6.25, 1530])"), std::string::npos);
   EXPECT_NE(finished.out.find(R"("properties": {"id": 1, "nearest_m": )"), std::string::npos);
   EXPECT_EQ(finished.out.find("-75.4"), std::string::npos) << "this one is not at risk";
+}
+
+TEST(Answers, GeoJsonWritesLongitudesWithinHalfATurn) {
+  const auto written = [](const std::string& longitude) {
+    const std::string input =
+        "longitude,latitude,height\n" + longitude + ",5,0\n" + longitude + ",5,1\n";
+    const std::string text = run({"detect", "--geojson"}, input).out;
+    const std::size_t begin = text.find("\"coordinates\": [") + 16;
+    return text.substr(begin, text.find(',', begin) - begin);
+  };
+  EXPECT_EQ(written("200"), "-160");
+  EXPECT_EQ(written("-200.5"), "159.5");
+  EXPECT_EQ(written("360"), "0");
+  EXPECT_EQ(written("-360"), "0");
+  EXPECT_EQ(written("180"), "180");
+  EXPECT_EQ(written("-180"), "-180");
+  EXPECT_EQ(written("-75.5"), "-75.5");
 }
 
 TEST(Answers, GeoJsonOfMetresIsRefused) {
@@ -154,6 +200,10 @@ TEST(Answers, TwoColumnFilesSayThatTheHeightIsTakenAsZero) {
   const Finished finished = run({"detect"}, "longitude,latitude\n-75.5,6.25\n-75.5,6.25\n");
   EXPECT_EQ(finished.out, "0\n1\n");
   EXPECT_NE(finished.err.find("every height is taken as 0 m"), std::string::npos) << finished.err;
+  EXPECT_NE(finished.err.find("frame      WGS84 longitude, latitude: "), std::string::npos)
+      << finished.err;
+  EXPECT_NE(run({"detect"}, kDegrees).err.find("frame      WGS84 longitude, latitude, height: "),
+            std::string::npos);
 }
 
 TEST(Answers, QuietSaysNothing) {
@@ -168,6 +218,22 @@ TEST(Answers, FailOnRiskExitsWithOneOnlyWhenSomebodyIsAtRisk) {
   EXPECT_EQ(run({"detect"}, kMetres).exit_code, 0);
 }
 
+// The check that the help and the manual show: only 1 is danger, and nothing is printed.
+TEST(Answers, TheExampleOfACheckInAScriptTellsDangerFromAFailure) {
+  const Arguments check = {"detect",         "-",        "--crs",    "metres", "--quiet",
+                           "--fail-on-risk", "--output", "/dev/null"};
+  const Finished danger = run(check, kMetres);
+  EXPECT_EQ(danger.exit_code, 1);
+  EXPECT_EQ(danger.out + danger.err, "");
+  EXPECT_EQ(run(check, "x,y,z\n0,0,0\n").exit_code, 0);
+  Arguments missing = check;
+  missing[1] = "/nobody.csv";
+  EXPECT_EQ(run(missing).exit_code, 4);
+  const std::string help = run({"detect", "--help"}).out;
+  EXPECT_NE(help.find("--fail-on-risk --output /dev/null\n  [ $? -eq 1 ] && echo danger\n"),
+            std::string::npos);
+}
+
 TEST(Answers, SkipBadKeepsTheRowsOfTheFileAndListsWhatItLeftOut) {
   const Finished finished =
       run({"detect", "--skip-bad"}, "x,y,z\n0,0,0\noops,0,0\n60,0,0\n5,nan,5\n");
@@ -175,6 +241,24 @@ TEST(Answers, SkipBadKeepsTheRowsOfTheFileAndListsWhatItLeftOut) {
   EXPECT_EQ(finished.out, "0\n2\n");
   EXPECT_NE(finished.err.find("skipped    2 bad records"), std::string::npos) << finished.err;
   EXPECT_NE(finished.err.find("<stdin>:3:1: 'oops'"), std::string::npos) << finished.err;
+  const Finished one = run({"detect", "--skip-bad"}, "x,y,z\n0,0,0\noops,0,0\n");
+  EXPECT_NE(one.err.find("skipped    1 bad record\n"), std::string::npos) << one.err;
+}
+
+TEST(Answers, JsonListsWhatWasSkippedWithPlaceAndMessage) {
+  const std::string json =
+      run({"detect", "--skip-bad", "--json"}, "x,y,z\n0,0,0\noops,0,0\n60,0,0\n5,nan,5\n").out;
+  EXPECT_TRUE(is_json(json)) << json;
+  EXPECT_NE(json.find(R"("skipped": 2)"), std::string::npos) << json;
+  const std::size_t list = json.find(R"("first_skipped": [)");
+  ASSERT_NE(list, std::string::npos) << json;
+  const std::size_t first = json.find(R"({"code": "not_a_number", "message": "'oops')", list);
+  ASSERT_NE(first, std::string::npos) << json;
+  EXPECT_NE(json.find(R"("line": 3, "column": 1)", first), std::string::npos) << json;
+  const std::size_t second = json.find(R"({"code": "not_finite", "message": "'nan')", first);
+  ASSERT_NE(second, std::string::npos) << json;
+  EXPECT_NE(json.find(R"("line": 5, "column": 2)", second), std::string::npos) << json;
+  EXPECT_EQ(run({"detect", "--json"}, kMetres).out.find("first_skipped"), std::string::npos);
 }
 
 TEST(Answers, SkipBadWorksWithEveryForm) {

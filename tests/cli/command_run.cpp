@@ -1,6 +1,7 @@
 #include "tests/cli/command_run.hpp"
 
 #include <fcntl.h>
+#include <grp.h>
 #include <poll.h>
 #include <pty.h>
 #include <sys/resource.h>
@@ -41,24 +42,41 @@ void close_if_open(int& descriptor) {
   descriptor = -1;
 }
 
-void limit_memory(std::size_t bytes) {
+void limit(decltype(RLIMIT_AS) resource, std::size_t bytes) {
   if (bytes == 0) return;
-  const rlimit limit{bytes, bytes};
-  setrlimit(RLIMIT_AS, &limit);
+  const rlimit most{bytes, bytes};
+  setrlimit(resource, &most);
 }
 
-[[noreturn]] void become_command(const Arguments& arguments, int in, int out, int error) {
+constexpr int kCannotStart = 127;
+
+// From here on the permissions of files count, as they do not for root.
+void give_up_privileges() {
+  constexpr unsigned kNobody = 65'534;
+  if (geteuid() != 0) return;
+  if (setgroups(0, nullptr) != 0 || setgid(kNobody) != 0 || setuid(kNobody) != 0) {
+    _exit(kCannotStart);
+  }
+}
+
+[[noreturn]] void become_command(const Arguments& arguments, int in, int out, int error,
+                                 bool unprivileged) {
   dup2(in, STDIN_FILENO);
   dup2(out, STDOUT_FILENO);
   dup2(error, STDERR_FILENO);
-  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) std::signal(number, SIG_DFL);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGALRM, SIGXCPU, SIGXFSZ, SIGPIPE}) {
+    std::signal(number, SIG_DFL);
+  }
   std::string command = BEESPACE_COMMAND;
   std::vector<char*> pointers = {command.data()};
   std::vector<std::string> copies = arguments;
   for (std::string& argument : copies) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
-  execv(command.c_str(), pointers.data());
-  _exit(127);
+  // Opened first: the folder of the build may be closed to others.
+  const int program = open(command.c_str(), O_RDONLY | O_CLOEXEC);
+  if (unprivileged) give_up_privileges();
+  fexecve(program, pointers.data(), environ);
+  _exit(kCannotStart);
 }
 
 // Reads both to their ends. A terminal whose other side is closed reports an error instead.
@@ -113,8 +131,10 @@ Running::Running(const Arguments& arguments, const Surroundings& surroundings) {
   process_ = fork();
   if (process_ < 0) std::abort();
   if (process_ == 0) {
-    limit_memory(surroundings.memory_bytes);
-    become_command(arguments, in.read_end, out.write_end, error.write_end);
+    limit(RLIMIT_AS, surroundings.memory_bytes);
+    limit(RLIMIT_FSIZE, surroundings.file_bytes);
+    become_command(arguments, in.read_end, out.write_end, error.write_end,
+                   surroundings.unprivileged);
   }
   close_if_open(in.read_end);
   close_if_open(out.write_end);
@@ -175,8 +195,8 @@ Finished feed_and_finish(Running& running, std::string_view input) {
 
 }  // namespace
 
-Finished run(const Arguments& arguments, std::string_view input) {
-  Running running(arguments);
+Finished run(const Arguments& arguments, std::string_view input, const Surroundings& surroundings) {
+  Running running(arguments, surroundings);
   return feed_and_finish(running, input);
 }
 

@@ -17,9 +17,6 @@ struct Finished {
 
 using Arguments = std::vector<std::string>;
 
-// Runs `beespace <arguments>` to its end; `input` is its standard input.
-Finished run(const Arguments& arguments, std::string_view input = {});
-
 // Whether this system can make terminals; a bare chroot without /dev/pts cannot.
 bool has_terminals();
 
@@ -35,7 +32,13 @@ struct Surroundings {
   bool input_on_terminal = false;
   bool error_on_terminal = false;
   std::size_t memory_bytes = 0;  // the most it may take; 0: no limit
+  std::size_t file_bytes = 0;    // the longest file that it may write; 0: no limit
+  bool unprivileged = false;     // of root's rights it keeps none
 };
+
+// Runs `beespace <arguments>` to its end; `input` is its standard input.
+Finished run(const Arguments& arguments, std::string_view input = {},
+             const Surroundings& surroundings = {});
 
 // A command that is still running. Its standard input stays open until asked.
 class Running {

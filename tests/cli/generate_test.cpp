@@ -97,6 +97,43 @@ INSTANTIATE_TEST_SUITE_P(All, GenerateFormat,
                                          "tsv.gz", "npy.gz", "bin.gz"),
                          name_of);
 
+TEST(Generate, TheLargestSeedIsASeed) {
+  const Finished finished = run({"generate", "--points", "3", "--seed", "18446744073709551615"});
+  EXPECT_EQ(finished.exit_code, 0);
+  EXPECT_NE(finished.out, run({"generate", "--points", "3", "--seed", "1"}).out);
+}
+
+TEST(Generate, DetectTakesTheSmallestAndTheLargestBox) {
+  for (const char* size : {"0.000001", "1e15"}) {
+    const std::string swarm = run({"generate", "--points", "500", "--size", size}).out;
+    EXPECT_EQ(run({"detect"}, swarm).exit_code, 0) << size;
+  }
+}
+
+TEST(Generate, AFormatMayBeNamedWhereTheEndingAgreesOrSaysNothing) {
+  const TemporaryFolder folder;
+  const auto write = [&folder](const std::string& name, const std::string& format) {
+    return run({"generate", "--points", "3", "--output", folder.path(name), "--format", format})
+        .exit_code;
+  };
+  EXPECT_EQ(write("a.npy", "npy"), 0);
+  EXPECT_EQ(write("a.xyz", "npy"), 0);
+  EXPECT_EQ(write("a.txt", "tsv"), 0);
+  EXPECT_EQ(write("a.gz", "bin.gz"), 0);
+  EXPECT_EQ(run({"generate", "--points", "3", "--output", folder.path("A.NPY")}).exit_code, 0);
+  EXPECT_EQ(folder.read("A.NPY"), folder.read("a.npy"));
+}
+
+TEST(Generate, QuietChangesNothing) {
+  const Arguments arguments = {"generate", "--points", "3"};
+  Arguments quiet = arguments;
+  quiet.emplace_back("--quiet");
+  const Finished finished = run(quiet);
+  EXPECT_EQ(finished.exit_code, 0);
+  EXPECT_EQ(finished.err, "");
+  EXPECT_EQ(finished.out, run(arguments).out);
+}
+
 TEST(Generate, ClustersAreCrowdedAndTheBoxIsNot) {
   const auto at_risk = [](const Arguments& swarm) {
     const std::string ids = run({"detect"}, run(swarm).out).out;

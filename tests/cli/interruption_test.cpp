@@ -59,6 +59,21 @@ TEST(Interruption, AClosedTerminalEndsWith129AndLeavesNothing) {
   expect_clean_end(SIGHUP, 129);
 }
 
+TEST(Interruption, OtherSignalsThatEndItLeaveNothing) {
+  for (const int signal : {SIGQUIT, SIGALRM, SIGXCPU}) expect_clean_end(signal, 128 + signal);
+}
+
+TEST(Interruption, AFileLongerThanAllowedIsAnErrorThatLeavesNothing) {
+  const TemporaryFolder folder;
+  Surroundings narrow;
+  narrow.file_bytes = 65'536;
+  const Finished finished =
+      run({"generate", "--points", "200000", "--output", folder.path("bees.csv")}, {}, narrow);
+  EXPECT_EQ(finished.exit_code, 4);
+  EXPECT_NE(finished.err.find("File too large"), std::string::npos) << finished.err;
+  EXPECT_TRUE(folder.names().empty());
+}
+
 TEST(Interruption, DetectEndsQuietlyWhenNobodyReads) {
   Running running({"detect"}, closed_pipe());
   running.send(kTwo);

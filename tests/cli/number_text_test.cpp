@@ -53,5 +53,21 @@ TEST(NumberText, OnlyAWholeNumberIsANumber) {
   EXPECT_FALSE(std::isfinite(parse_number("1e999").value_or(0.0)));
 }
 
+TEST(NumberText, OnePlusSignMayComeFirst) {
+  EXPECT_EQ(parse_number("+5"), 5.0);
+  EXPECT_EQ(parse_number("+.5"), 0.5);
+  for (const char* bad : {"+", "++5", "+-5", "-+5", "5+"}) {
+    EXPECT_FALSE(parse_number(bad).has_value()) << bad;
+  }
+}
+
+TEST(NumberText, WholeNumbersAreDigitsBelowTwoToThe64) {
+  EXPECT_EQ(parse_whole("0"), 0u);
+  EXPECT_EQ(parse_whole("18446744073709551615"), std::numeric_limits<std::uint64_t>::max());
+  for (const char* bad : {"", "-1", "+1", "1.0", "1e3", " 1", "0x10", "18446744073709551616"}) {
+    EXPECT_FALSE(parse_whole(bad).has_value()) << bad;
+  }
+}
+
 }  // namespace
 }  // namespace beespace::cli

@@ -13,6 +13,12 @@ TEST(SimilarWord, AMistypedWordIsRecognised) {
   EXPECT_EQ(most_similar("detekt", kWords), "detect");
 }
 
+TEST(SimilarWord, ABeginningIsEnough) {
+  EXPECT_EQ(most_similar("--thresh", kWords), "--threshold");
+  EXPECT_EQ(most_similar("--o", kWords), "--output");
+  EXPECT_FALSE(most_similar("--", kWords).has_value());
+}
+
 TEST(SimilarWord, SomethingElseIsNotGuessedAt) {
   EXPECT_FALSE(most_similar("--banana", kWords).has_value());
   EXPECT_FALSE(most_similar("", kWords).has_value());

@@ -4,6 +4,7 @@
 #include <beespace/version.hpp>
 
 #include <string>
+#include <utility>
 
 #include "tests/cli/command_run.hpp"
 #include "tests/cli/temporary_folder.hpp"
@@ -23,14 +24,20 @@ void expect_usage_error(const Arguments& arguments, const std::string& message) 
 }
 
 TEST(Usage, ThresholdsThatAreNotAboveZeroAndFiniteAreRefused) {
-  for (const std::string bad : {"0", "-0", "-5", "nan", "inf", "-inf", "1e999"}) {
+  for (const std::string bad :
+       {"0", "-0", "-5", "nan", "inf", "-inf", "1e999", "1e-400", "1e300", "1e-200"}) {
     expect_usage_error({"detect", "--threshold", bad},
-                       "the threshold '" + bad + "' is not above zero and finite");
+                       "the threshold is " + bad +
+                           " m; give a finite distance above zero (3.9e-121 m to 2.6e+120 m)");
   }
-  for (const std::string bad : {"abc", "100m", "1,5"}) {
+  for (const std::string bad : {"abc", "100m", "1,5", "+-5", "++5", "+"}) {
     expect_usage_error({"detect", "--threshold=" + bad}, "is not a number");
   }
-  expect_usage_error({"detect", "--threshold", "1e300"}, "threshold");
+}
+
+TEST(Usage, AThresholdMayHaveAPlusSignAsNumbersInFilesMay) {
+  EXPECT_EQ(run({"detect", "--threshold", "+5"}, kTwo).out, "0\n1\n");
+  EXPECT_EQ(run({"detect", "--threshold", "+.5"}, kTwo).out, "");
 }
 
 TEST(Usage, ABadThresholdLeavesNoOutput) {
@@ -45,6 +52,51 @@ TEST(Usage, UnknownOptionsGetAHint) {
   expect_usage_error({"detect", "--banana"}, "beespace detect --help");
   expect_usage_error({"generate", "--point", "5"}, "did you mean '--points'?");
   expect_usage_error({"detekt"}, "did you mean 'detect'?");
+  expect_usage_error({"detect", "--thresh", "5"}, "did you mean '--threshold'?");
+  expect_usage_error({"detect", "-threshold", "5"}, "did you mean '--threshold'?");
+  expect_usage_error({"detect", "-q"}, "did you mean '--quiet'?");
+  expect_usage_error({"--quiet", "detect"}, "'--quiet' is no option of 'beespace', whose options");
+}
+
+TEST(Usage, OfAnUnknownOptionAndItsValueTheOptionIsNamed) {
+  expect_usage_error({"detect", "bees.csv", "--treshold", "5"},
+                     "'--treshold' is no option of 'beespace detect'; did you mean '--threshold'?");
+  expect_usage_error({"generate", "5", "--treshold", "5"},
+                     "'--treshold' is no option of 'beespace generate'");
+}
+
+TEST(Usage, AnArgumentTooManyIsNamed) {
+  expect_usage_error({"detect", "a", "b"}, "'b' is one argument too many for 'beespace detect'");
+  expect_usage_error({"x", "y"}, "'x' is nothing that beespace does; say detect or generate");
+}
+
+TEST(Usage, AnOptionGivenTwiceWithoutItsValueOrAFlagWithOneIsRefused) {
+  expect_usage_error({"detect", "--threshold", "5", "--threshold", "6"},
+                     "--threshold is given 2 times; give it once");
+  expect_usage_error({"detect", "--threshold"}, "--threshold needs a value");
+  expect_usage_error({"detect", "--crs="}, "--crs needs a value");
+  expect_usage_error({"detect", "--csv=5"}, "--csv takes no value");
+  expect_usage_error({"detect", "--quiet=false"}, "--quiet takes no value");
+}
+
+TEST(Usage, AnEmptyValueIsNoValue) {
+  expect_usage_error({"detect", ""}, "FILE: the value is empty");
+  expect_usage_error({"detect", "--columns", ""}, "--columns: the value is empty");
+  for (const char* option : {"--points", "--size", "--sigma", "--area", "--seed", "--output"}) {
+    expect_usage_error({"generate", option, ""}, std::string(option) + ": the value is empty");
+  }
+}
+
+TEST(Usage, ColumnsThatContradictTheFrameAreRefused) {
+  expect_usage_error({"detect", "--crs", "metres", "--columns", "lon=1,lat=2,height=3"}, "--crs");
+  expect_usage_error({"detect", "--crs", "wgs84", "--columns", "x=1,y=2,z=3"}, "--crs");
+}
+
+TEST(Usage, AFileMayBeCalledAsACommandIs) {
+  const Finished finished = run({"detect", "generate"});
+  EXPECT_EQ(finished.exit_code, 4);
+  EXPECT_NE(finished.err.find("generate: there is no such file"), std::string::npos)
+      << finished.err;
 }
 
 TEST(Usage, ACommandIsNeeded) {
@@ -56,9 +108,14 @@ TEST(Usage, AnswersExcludeEachOther) {
 }
 
 TEST(Usage, WordsAndNumbersAreChecked) {
-  expect_usage_error({"detect", "--crs", "mars"}, "--crs");
+  expect_usage_error({"detect", "--crs", "mars"}, "--crs: 'mars' is none of auto, wgs84, metres");
+  expect_usage_error({"detect", "--crs", "meters"}, "did you mean 'metres'?");
+  expect_usage_error({"generate", "--scene", "unifrom"}, "did you mean 'uniform'?");
   expect_usage_error({"detect", "--format", "xls"}, "--format");
-  expect_usage_error({"detect", "--threads", "-1"}, "--threads");
+  for (const std::string bad : {"-1", "1.5", "two", "4294967296", "99999999999999999999"}) {
+    expect_usage_error({"detect", "--threads", bad},
+                       "--threads '" + bad + "' is not a whole number from 0 (all) to");
+  }
   expect_usage_error({"detect", "--output", ""}, "--output");
 }
 
@@ -67,9 +124,14 @@ TEST(Usage, GenerateChecksItsNumbers) {
   for (const char* bad : {"0", "-1", "many", "1.5", "99999999999"}) {
     expect_usage_error({"generate", "--points", bad}, "whole number");
   }
-  for (const char* bad : {"0", "1x2", "axbxc", "1x2x3x4", "inf", "-1", "1x"}) {
+  for (const char* bad :
+       {"0", "1x2", "axbxc", "1x2x3x4", "inf", "-1", "1x", "1e-300", "1x1e-300x1", "1e16"}) {
     const std::string option = std::string("--size=") + bad;
     expect_usage_error({"generate", "--points", "5", option}, "--size");
+  }
+  for (const std::string bad : {"-1", "1.5", "99999999999999999999", "18446744073709551616"}) {
+    expect_usage_error({"generate", "--points", "5", "--seed", bad},
+                       "--seed '" + bad + "' is not a whole number from 0 to");
   }
   expect_usage_error({"generate", "--points", "5", "--clusters", "0"}, "--clusters");
   expect_usage_error({"generate", "--points", "5", "--sigma", "nan"}, "--sigma");
@@ -83,6 +145,14 @@ TEST(Usage, TheFormatIsToldByTheEndingOrRefused) {
   const TemporaryFolder folder;
   expect_usage_error({"generate", "--points", "5", "--output", folder.path("bees.xls")},
                      "does not tell the format");
+  for (const auto& [name, format] :
+       {std::pair{"bees.npy", "csv"}, std::pair{"BEES.BIN", "npy"}, std::pair{"bees.csv", "tsv"},
+        std::pair{"bees.csv", "csv.gz"}, std::pair{"bees.csv.gz", "csv"},
+        std::pair{"bees.gz", "npy"}}) {
+    expect_usage_error(
+        {"generate", "--points", "5", "--output", folder.path(name), "--format", format},
+        "contradicts the ending");
+  }
   EXPECT_TRUE(folder.names().empty());
 }
 
@@ -95,21 +165,34 @@ TEST(Usage, HelpNamesEveryOptionAndGivesExamples) {
   for (const char* word :
        {"--threshold", "--output", "--crs", "--columns", "--format", "--inclusive", "--threads",
         "--csv", "--json", "--geojson", "--nearest", "--skip-bad", "--fail-on-risk", "--quiet",
-        "Examples:", "Exit status:"}) {
+        "Examples:", "Exit status:", "143 terminated"}) {
     EXPECT_NE(detect.out.find(word), std::string::npos) << word;
   }
   const Finished generate = run({"generate", "--help"});
   EXPECT_EQ(generate.exit_code, 0);
   for (const char* word : {"--points", "--scene", "--size", "--clusters", "--sigma", "--area",
-                           "--seed", "--output", "--format", "Examples:"}) {
+                           "--seed", "--output", "--format", "--quiet", "Examples:"}) {
     EXPECT_NE(generate.out.find(word), std::string::npos) << word;
   }
 }
 
+TEST(Usage, HelpIsACommandToo) {
+  for (const std::string topic : {"detect", "generate"}) {
+    const Finished finished = run({"help", topic});
+    EXPECT_EQ(finished.exit_code, 0);
+    EXPECT_EQ(finished.out, run({topic, "--help"}).out);
+  }
+  EXPECT_EQ(run({"help"}).out, run({"--help"}).out);
+  expect_usage_error({"help", "detekt"}, "did you mean 'detect'?");
+}
+
 TEST(Usage, VersionIsTheLibrarys) {
-  const Finished finished = run({"--version"});
-  EXPECT_EQ(finished.exit_code, 0);
-  EXPECT_EQ(finished.out, "beespace " + std::string(version()) + "\n");
+  for (const Arguments& arguments : {Arguments{"--version"}, Arguments{"detect", "--version"},
+                                     Arguments{"generate", "--version"}}) {
+    const Finished finished = run(arguments);
+    EXPECT_EQ(finished.exit_code, 0);
+    EXPECT_EQ(finished.out, "beespace " + std::string(version()) + "\n");
+  }
 }
 
 }  // namespace

@@ -1,0 +1,16 @@
+// What is wrong with a command line that could not be read, in beespace's own words.
+#pragma once
+
+#include <string>
+
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
+class App;
+class ParseError;
+}  // namespace CLI
+
+namespace beespace::cli {
+
+// `command` is the whole command after its parse() threw `error`.
+std::string usage_sentence(const CLI::App& command, const CLI::ParseError& error);
+
+}  // namespace beespace::cli

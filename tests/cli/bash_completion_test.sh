@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# Proves that the completion for bash offers the words that fit, also behind an "=".
+#
+#   bash_completion_test.sh COMPLETION_FILE
+set -euo pipefail
+# shellcheck source=/dev/null
+source "$1"
+wrong=0
+
+# bash itself has this only while somebody presses Tab.
+# shellcheck disable=SC2317
+compopt() { :; }
+
+# expect "WORDS OFFERED" WORD...: the words as bash splits them, the last one being completed.
+expect() {
+  local offered=$1
+  shift
+  COMP_WORDS=("$@")
+  COMP_CWORD=$(($# - 1))
+  COMPREPLY=()
+  _beespace
+  [ "${COMPREPLY[*]}" = "$offered" ] ||
+    { echo "'$*' offers '${COMPREPLY[*]}' instead of '$offered'"; wrong=1; }
+}
+
+expect "detect" beespace det
+expect "help" beespace he
+expect "generate" beespace help gen
+expect "auto wgs84 metres" beespace detect --crs ""
+expect "auto wgs84 metres" beespace detect --crs =
+expect "wgs84" beespace detect --crs = w
+expect "npy npy.gz" beespace generate --format = np
+expect "--threshold --threads" beespace detect --thr
+expect "" beespace detect --threshold = 5
+expect "$1" beespace detect --output = "${1%sh}"
+expect "--quiet" beespace generate --qu
+exit "$wrong"
