@@ -9,13 +9,13 @@ trap 'rm -rf "$folder"' EXIT
 
 for points in 1000000 10000000; do
   file=$folder/bees-$points.csv
-  "$build/beespace" generate --area medellin --points "$points" --seed 7 --output "$folder/short.csv" 2>/dev/null
+  "$build/beespace" generate --area medellin --points "$points" --seed 7 --quiet --output "$folder/short.csv"
   # Heights with eleven decimals as well: about 50 bytes a line.
   awk 'NR == 1 { print; next } { print $0 substr($0, 5, 9) }' "$folder/short.csv" >"$file"
   rm "$folder/short.csv"
   for threads in 1 2; do
     printf '%s threads: %s  ' "$(basename "$file")" "$threads"
-    "$build/end_to_end_benchmark" "$file" \
+    "$build/end_to_end_benchmark" "$file" "$folder/ids.txt" \
       "$build/beespace" detect "$file" --threads "$threads" --output "$folder/ids.txt"
   done
 done

@@ -1,8 +1,10 @@
 // Times a command as a whole process against a newline scan of the same mapped file.
 //
-// usage: end_to_end_benchmark FILE COMMAND [ARGUMENT ...]
-// Prints one line: the medians over the runs of the scan's time, the command's wall time and CPU
-// time, their ratios to the scan, and the command's peak memory beyond the file.
+// usage: end_to_end_benchmark FILE OUTPUT COMMAND [ARGUMENT ...]
+// OUTPUT is what the command writes; it is removed before every run, since some file systems flush
+// a file that is replaced. Prints one line: the medians over the runs of the scan's time, the
+// command's wall time and CPU time, their ratios to the scan, and the command's peak memory beyond
+// the file.
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -64,7 +66,8 @@ double milliseconds(const timeval& time) {
   return 1e3 * static_cast<double>(time.tv_sec) + 1e-3 * static_cast<double>(time.tv_usec);
 }
 
-Run run_command(char** command) {
+Run run_command(const char* output, char** command) {
+  unlink(output);
   const double start = now_ms();
   const pid_t child = fork();
   if (child < 0) fail("fork");
@@ -94,14 +97,14 @@ double median(std::vector<double> values) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 3) {
-    std::fprintf(stderr, "usage: %s FILE COMMAND [ARGUMENT ...]\n", argv[0]);
+  if (argc < 4) {
+    std::fprintf(stderr, "usage: %s FILE OUTPUT COMMAND [ARGUMENT ...]\n", argv[0]);
     return 2;
   }
   const std::string_view text = map_file(argv[1]);
   std::size_t lines = 0;
   scan_ms(text, lines);
-  run_command(argv + 2);  // warms the page cache
+  run_command(argv[2], argv + 3);  // warms the page cache
 
   std::vector<double> scan;
   std::vector<double> wall;
@@ -109,7 +112,7 @@ int main(int argc, char** argv) {
   std::vector<double> peak;
   for (int run = 0; run < kRuns; ++run) {
     scan.push_back(scan_ms(text, lines));
-    const Run one = run_command(argv + 2);
+    const Run one = run_command(argv[2], argv + 3);
     wall.push_back(one.wall_ms);
     cpu.push_back(one.cpu_ms);
     peak.push_back(one.peak_mb);
