@@ -45,14 +45,28 @@ void make_records(const PointsView& points, std::span<const PointId> subset, con
 // One stable counting pass over [from, from + size) by the key's digit at `shift`.
 void pass(const CellRecord* from, CellRecord* to, std::size_t size, const CellOrder& order,
           unsigned shift, unsigned digit_bits) {
-  const CellOrder by = order;  // a copy that no store can be suspected of changing
+  constexpr std::size_t kRemembered = 2048;  // digits are worked out once, for buckets up to this
+  const CellOrder by = order;                // a copy that no store can be suspected of changing
   const std::size_t mask = (std::size_t{1} << digit_bits) - 1;
+  const auto digit_of = [&](std::size_t i) { return by.key(from[i], shift) & mask; };
   std::array<std::uint32_t, std::size_t{1} << kLowDigitBits> next;
+  std::array<std::uint8_t, kRemembered> digits;
+  static_assert(kLowDigitBits <= 8);
   std::fill_n(next.begin(), mask + 1, 0U);
-  for (std::size_t i = 0; i < size; ++i) ++next[by.key(from[i], shift) & mask];
+  const bool remember = size <= kRemembered;
+  if (remember) {
+    for (std::size_t i = 0; i < size; ++i) digits[i] = static_cast<std::uint8_t>(digit_of(i));
+    for (std::size_t i = 0; i < size; ++i) ++next[digits[i]];
+  } else {
+    for (std::size_t i = 0; i < size; ++i) ++next[digit_of(i)];
+  }
   std::uint32_t sum = 0;
   for (std::size_t digit = 0; digit <= mask; ++digit) sum += std::exchange(next[digit], sum);
-  for (std::size_t i = 0; i < size; ++i) to[next[by.key(from[i], shift) & mask]++] = from[i];
+  if (remember) {
+    for (std::size_t i = 0; i < size; ++i) to[next[digits[i]]++] = from[i];
+  } else {
+    for (std::size_t i = 0; i < size; ++i) to[next[digit_of(i)]++] = from[i];
+  }
 }
 
 // How a bucket is sorted: `passes` counting passes, to and fro between two buffers.

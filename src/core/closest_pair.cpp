@@ -27,15 +27,15 @@ constexpr double kSieveCellInBounds = 8.0;  // wide cells: few of their points a
 // The best pair so far, compared exactly.
 class Closest {
  public:
-  explicit Closest(const PointsView& points) : points_(points) {}
+  explicit Closest(const PointsView& points) : points_(&points) {}
 
   void offer(PointId a, PointId b) {
-    const double squared = squared_distance(points_[a], points_[b]);
+    const double squared = squared_distance((*points_)[a], (*points_)[b]);
     if (squared > surely_farther_) return;
     const IdPair pair = a < b ? IdPair{a, b} : IdPair{b, a};
     if (found_) {
-      const int sign = compare_distances(points_[pair.first], points_[pair.second],
-                                         points_[best_.first], points_[best_.second]);
+      const int sign = compare_distances((*points_)[pair.first], (*points_)[pair.second],
+                                         (*points_)[best_.first], (*points_)[best_.second]);
       const bool lower =
           pair.first != best_.first ? pair.first < best_.first : pair.second < best_.second;
       if (sign > 0 || (sign == 0 && !lower)) return;
@@ -45,10 +45,11 @@ class Closest {
     surely_farther_ = squared * (1.0 + 0x1p-49);  // both carry at most 5 * 2^-53
   }
 
+  [[nodiscard]] bool has_found() const { return found_; }
   [[nodiscard]] IdPair best() const { return best_; }
 
  private:
-  const PointsView& points_;
+  const PointsView* points_;
   IdPair best_{0, 0};
   bool found_ = false;
   double surely_farther_ = std::numeric_limits<double>::infinity();
@@ -93,10 +94,18 @@ IdPair closest_within(const PointsView& points, const Bounds& bounds, double bou
   const Lattice lattice(points, bounds, bound);
   const SortedGrid grid = sort_into_grid(points, {}, lattice, crew);
   const SquaredLimits limits(bound, grid.units_per_m);
-  Closest closest(points);
-  for_each_near_pair(grid, limits.surely_far, [&](std::uint32_t i, std::uint32_t j, float) {
-    closest.offer(grid.id[i], grid.id[j]);
+  std::vector<Closest> found(crew.size(), Closest(points));
+  crew.split(grid.rows(), [&](std::size_t begin, std::size_t end, unsigned worker) {
+    Closest closest(points);
+    for_each_near_pair(
+        grid, begin, end, limits.surely_far,
+        [&](std::uint32_t i, std::uint32_t j, float) { closest.offer(grid.id[i], grid.id[j]); });
+    found[worker] = closest;
   });
+  Closest closest(points);
+  for (const Closest& one : found) {
+    if (one.has_found()) closest.offer(one.best().first, one.best().second);
+  }
   return closest.best();
 }
 

@@ -57,10 +57,12 @@ inline std::pair<std::array<std::size_t, 4>, unsigned> later_rows(const SortedGr
 
 // Calls visit(i, j, squared distance in units) for every pair of sorted points in adjacent cells
 // whose squared distance in units is at most `farthest`. Each pair once, in no useful order.
+// Only those whose first point lies in the rows [first_row, end_row).
 template <class Visit>
-void for_each_near_pair(const SortedGrid& grid, float farthest, Visit&& visit) {
-  std::size_t layer_up = 0;
-  for (std::size_t row = 0; row < grid.rows(); ++row) {
+void for_each_near_pair(const SortedGrid& grid, std::size_t first_row, std::size_t end_row,
+                        float farthest, Visit&& visit) {
+  std::size_t layer_up = first_row;
+  for (std::size_t row = first_row; row < end_row; ++row) {
     const auto [later, later_count] = later_rows(grid, row, layer_up);
     std::array<std::uint32_t, 4> window{};
     for (unsigned k = 0; k < later_count; ++k) window[k] = grid.row_begin[later[k]];
@@ -81,6 +83,12 @@ void for_each_near_pair(const SortedGrid& grid, float farthest, Visit&& visit) {
       }
     }
   }
+}
+
+// For all rows.
+template <class Visit>
+void for_each_near_pair(const SortedGrid& grid, float farthest, Visit&& visit) {
+  for_each_near_pair(grid, 0, grid.rows(), farthest, visit);
 }
 
 }  // namespace beespace::core
