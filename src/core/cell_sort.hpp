@@ -30,7 +30,8 @@ class CellOrder {
       : fraction_bits_(lattice.fraction_bits()),
         rows_a_layer_(lattice.cells(1) + 2),
         x_bits_(static_cast<unsigned>(std::bit_width(lattice.cells(0) - 1))),
-        row_bits_(static_cast<unsigned>(std::bit_width(rows_a_layer_ * lattice.cells(2) - 1))) {}
+        rows_(rows_a_layer_ * lattice.cells(2)),
+        row_bits_(static_cast<unsigned>(std::bit_width(rows_ - 1))) {}
 
   // Row numbers leave a row empty before and behind those of a layer, so that one less and one
   // more never name a row of another layer. Below 2^29 * (2^29 + 2).
@@ -38,6 +39,7 @@ class CellOrder {
     return cell(record, 2) * rows_a_layer_ + cell(record, 1) + 1;
   }
   [[nodiscard]] std::uint64_t rows_a_layer() const { return rows_a_layer_; }
+  [[nodiscard]] std::uint64_t rows() const { return rows_; }
 
   [[nodiscard]] unsigned key_bits() const { return x_bits_ + row_bits_; }
   // The key from bit `shift` upward. Keys may have more than 64 bits; those beyond are cut off.
@@ -59,6 +61,7 @@ class CellOrder {
   unsigned fraction_bits_;
   std::uint64_t rows_a_layer_;
   unsigned x_bits_;
+  std::uint64_t rows_;
   unsigned row_bits_;
 };
 

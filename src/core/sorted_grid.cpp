@@ -9,11 +9,15 @@ namespace beespace::core {
 namespace {
 
 void find_rows(SortedGrid& grid, const Buffer<CellRecord>& records, const CellOrder& order) {
-  std::size_t rows = 0;
-  std::uint64_t last = ~std::uint64_t{0};
-  for (std::size_t i = 0; i < grid.size; ++i) {
-    const std::uint64_t row = order.row(records[i]);
-    if (std::exchange(last, row) != row) ++rows;
+  // Counted only where there may be many more or fewer than guessed.
+  std::size_t rows = order.rows();
+  if (rows > grid.size / 8) {
+    rows = 0;
+    std::uint64_t last = ~std::uint64_t{0};
+    for (std::size_t i = 0; i < grid.size; ++i) {
+      const std::uint64_t row = order.row(records[i]);
+      if (std::exchange(last, row) != row) ++rows;
+    }
   }
   grid.row_begin.reserve(rows + 1);
   grid.row_number.reserve(rows);

@@ -118,7 +118,8 @@ void sweep_all(const core::SortedGrid& grid, const PointsView& points,
     crew.split(part.marks.size() - core::kPadding,
                [&](std::size_t begin, std::size_t end, unsigned) {
                  for (std::size_t i = begin; i < end; ++i) {
-                   if (part.marks[i] != 0) at_risk[grid.id[part.first_mark + i]] = 1;
+                   std::uint8_t& known = at_risk[grid.id[part.first_mark + i]];
+                   known = part.marks[i] != 0 ? 1 : known;
                  }
                });
   }
