@@ -1,5 +1,14 @@
 # shellcheck shell=bash
 # Completion of the beespace command for bash.
+
+# Offers what compgen finds for the arguments.
+_beespace_offer() {
+  local found
+  found=$(compgen "$@") || true
+  COMPREPLY=()
+  [ -z "$found" ] || mapfile -t COMPREPLY <<< "$found"
+}
+
 _beespace() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
   local subcommand=${COMP_WORDS[1]:-}
@@ -13,7 +22,7 @@ _beespace() {
   fi
 
   if [ "$COMP_CWORD" -eq 1 ]; then
-    mapfile -t COMPREPLY < <(compgen -W 'detect generate help --help --version' -- "$current")
+    _beespace_offer -W 'detect generate help --help --version' -- "$current"
     return
   fi
 
@@ -27,7 +36,7 @@ _beespace() {
     generate:--format) words='csv tsv npy bin csv.gz tsv.gz npy.gz bin.gz' ;;
     *:--output)
       compopt -o filenames
-      mapfile -t COMPREPLY < <(compgen -f -- "$current")
+      _beespace_offer -f -- "$current"
       return
       ;;
     detect:--threshold | detect:--columns | detect:--threads) return ;;
@@ -46,11 +55,11 @@ _beespace() {
       esac
       if [ "$subcommand" = detect ] && [[ "$current" != -* ]]; then
         compopt -o filenames
-        mapfile -t COMPREPLY < <(compgen -f -- "$current")
+        _beespace_offer -f -- "$current"
         return
       fi
       ;;
   esac
-  mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current")
+  _beespace_offer -W "$words" -- "$current"
 }
 complete -F _beespace beespace

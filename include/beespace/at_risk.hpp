@@ -21,7 +21,7 @@ namespace beespace {
 // The ids of the points at risk, ascending.
 //
 // Cost: time and memory grow with the number of points, not with the space between them. Beyond the
-// input at most 48 bytes a point while it runs, and up to 64 more where the points spread over more
+// input at most 48 bytes a point while it runs, and up to 72 more where the points spread over more
 // than 2^20 thresholds along an axis. Thread-safe: no state is kept.
 // Errors: kInvalidThreshold, kTooManyPoints; kNotFinite and kOutsideDomain with the first such
 // point in place.record.
