@@ -144,13 +144,16 @@ bool AtomicOutput::create_temporary() {
       error_number_ = ENAMETOOLONG;
       break;
     }
+    // Registered before it is there: a signal may come as soon as the file exists. The name holds
+    // this process's id, so whatever else bears it was left behind by a process that is gone.
+    std::memcpy(slot.path.data(), name.c_str(), name.size() + 1);
+    slot.state = kOpen;
     descriptor_ = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ >= 0) {
-      std::memcpy(slot.path.data(), name.c_str(), name.size() + 1);
-      slot.state = kOpen;
       temporary_path_ = name;
       return true;
     }
+    slot.state = kFilling;
     if (errno != EEXIST && errno != EINTR) error_number_ = errno;
   }
   if (error_number_ == 0) error_number_ = EEXIST;
