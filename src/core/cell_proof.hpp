@@ -1,8 +1,8 @@
 // The cheapest proof of all: two points in a cell whose diagonal is below the threshold are closer
 // than the threshold, with no distance computed.
 //
-// In a crowd this settles nearly every point in two passes over the data. The rest is left to the
-// search proper.
+// In a crowd this settles nearly every point in two passes over the data. A few who are left are
+// held against the points of the cells around theirs; many are left to the search proper.
 #pragma once
 
 #include "core/bounds.hpp"
