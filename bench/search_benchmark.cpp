@@ -153,7 +153,7 @@ void nearest(benchmark::State& state, const Scene& scene) {
   const std::vector<Point>& points = scene.points();
   const double floor = floor_seconds(points);
   for (auto _ : state) {
-    auto found = beespace::find_nearest(points, {scene.threshold_m});
+    auto found = beespace::find_nearest_within(points, {scene.threshold_m});
     benchmark::DoNotOptimize(found);
   }
   report(state, scene, floor);

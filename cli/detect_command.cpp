@@ -112,7 +112,7 @@ Result<Detection> search(const io::LoadedPoints& loaded, const DetectRequest& re
   if (!at_risk) return std::move(at_risk).error();
   detection.at_risk = std::move(*at_risk);
   if (request.nearest) {
-    auto nearest = find_nearest(loaded.points, request.search);
+    auto nearest = find_nearest_within(loaded.points, request.search);
     if (!nearest) return std::move(nearest).error();
     detection.nearest = std::move(*nearest);
   }

@@ -3,8 +3,14 @@
 
 #include <beespace/at_risk.hpp>
 #include <beespace/brute_force.hpp>
+#include <beespace/conflict_groups.hpp>
+#include <beespace/crew.hpp>
+#include <beespace/engine.hpp>
 #include <beespace/geodesy.hpp>
+#include <beespace/id_rows.hpp>
 #include <beespace/nearest.hpp>
+#include <beespace/neighbors.hpp>
+#include <beespace/pairs.hpp>
 #include <beespace/point.hpp>
 #include <beespace/points_view.hpp>
 #include <beespace/result.hpp>

@@ -24,6 +24,7 @@ enum class ErrorCode : std::uint8_t {
   kNotFinite,         // a NaN or an infinity among the coordinates
   kOutsideDomain,     // a coordinate outside the coordinate domain (see point.hpp)
   kTooManyPoints,     // more than kMaxPoints
+  kTooManyResults,    // more pairs or neighbours than SearchOptions::max_results
   kInvalidLatitude,   // beyond +-90 degrees
   kInvalidLongitude,  // beyond +-360 degrees
   kInvalidHeight,     // no bee flies there

@@ -1,7 +1,7 @@
 // One pass over the points: do they all lie in the coordinate domain, and in which box?
 #pragma once
 
-#include "core/crew.hpp"
+#include <beespace/crew.hpp>
 
 #include <beespace/points_view.hpp>
 #include <beespace/result.hpp>

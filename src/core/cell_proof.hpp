@@ -5,9 +5,9 @@
 // held against the points of the cells around theirs; many are left to the search proper.
 #pragma once
 
+#include <beespace/crew.hpp>
 #include "core/bounds.hpp"
 #include "core/buffer.hpp"
-#include "core/crew.hpp"
 #include "core/exact_distance.hpp"
 
 #include <beespace/point.hpp>

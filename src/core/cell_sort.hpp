@@ -2,8 +2,8 @@
 // everything into at most 2048 buckets, then each bucket on its own, in the nearest cache.
 #pragma once
 
+#include <beespace/crew.hpp>
 #include "core/buffer.hpp"
-#include "core/crew.hpp"
 #include "core/lattice.hpp"
 
 #include <beespace/point.hpp>

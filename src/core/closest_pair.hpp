@@ -9,8 +9,8 @@
 // memory are proportional to the number of points, for any points.
 #pragma once
 
+#include <beespace/crew.hpp>
 #include "core/bounds.hpp"
-#include "core/crew.hpp"
 
 #include <beespace/point.hpp>
 #include <beespace/points_view.hpp>

@@ -5,8 +5,8 @@
 // has its own smaller cell), so the whole stays proportional to the number of points.
 #pragma once
 
+#include <beespace/crew.hpp>
 #include "core/bounds.hpp"
-#include "core/crew.hpp"
 #include "core/exact_distance.hpp"
 #include "core/lattice.hpp"
 #include "core/sorted_grid.hpp"

@@ -6,8 +6,8 @@
 // still open only, so a clump beside open country costs no more than either.
 #pragma once
 
+#include <beespace/crew.hpp>
 #include "core/bounds.hpp"
-#include "core/crew.hpp"
 
 #include <beespace/nearest.hpp>
 #include <beespace/points_view.hpp>

@@ -1,7 +1,7 @@
 // Leaves out, at the cost of a few table look-ups a point, whoever surely has no company.
 #pragma once
 
-#include "core/crew.hpp"
+#include <beespace/crew.hpp>
 #include "core/lattice.hpp"
 
 #include <beespace/point.hpp>

@@ -11,8 +11,8 @@
 // outlier 10^12 reaches away as without it.
 #pragma once
 
+#include <beespace/crew.hpp>
 #include "core/buffer.hpp"
-#include "core/crew.hpp"
 #include "core/lattice.hpp"
 
 #include <beespace/point.hpp>

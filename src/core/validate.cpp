@@ -61,4 +61,18 @@ std::optional<Error> check_points(const PointsView& points, std::size_t begin, s
   return std::nullopt;
 }
 
+std::optional<Error> check_set(const PointsView& points, const char* name) {
+  auto error = check_size(points.size());
+  if (!error) error = check_points(points, 0, points.size());
+  if (error) error->place.source = name;
+  return error;
+}
+
+Error too_many_results(std::uint64_t most) {
+  return Error{ErrorCode::kTooManyResults,
+               "there are more than " + std::to_string(most) +
+                   " results; raise max_results, lower the threshold, or visit the pairs instead",
+               {}};
+}
+
 }  // namespace beespace::core

@@ -15,6 +15,16 @@ std::optional<Error> check_size(std::size_t size);
 // The coordinate domain of point.hpp.
 bool in_domain(double coordinate);
 
+// What errors about one of two sets name in place.source.
+inline constexpr const char* kPointsName = "points";
+inline constexpr const char* kOthersName = "others";
+
+// The error for a set with too many points, or with one outside the domain; `name` goes into
+// place.source.
+std::optional<Error> check_set(const PointsView& points, const char* name);
+
+Error too_many_results(std::uint64_t most);
+
 // The error for the first point of the range that is outside the domain, if any is.
 std::optional<Error> check_points(const PointsView& points, std::size_t begin, std::size_t end);
 

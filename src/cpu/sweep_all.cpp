@@ -101,7 +101,7 @@ void sweep_part(const core::SortedGrid& grid, const Limits& limits, SweepKernel 
 
 void sweep_all(const core::SortedGrid& grid, const PointsView& points,
                const core::ProximityTest& closer, double threshold, SweepKernel kernel,
-               core::Crew& crew, std::uint8_t* at_risk) {
+               Crew& crew, std::uint8_t* at_risk) {
   const core::SquaredLimits squared(threshold, grid.units_per_m);
   const Limits limits{squared.surely_near, squared.surely_far};
   std::vector<Part> parts(crew.size());

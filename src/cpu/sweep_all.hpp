@@ -1,7 +1,7 @@
 // Runs a sweep kernel over a whole grid, shared by a crew.
 #pragma once
 
-#include "core/crew.hpp"
+#include <beespace/crew.hpp>
 #include "core/exact_distance.hpp"
 #include "core/sorted_grid.hpp"
 #include "cpu/sweep.hpp"
@@ -18,6 +18,6 @@ namespace beespace::cpu {
 // each point of the layer behind a worker's part.
 void sweep_all(const core::SortedGrid& grid, const PointsView& points,
                const core::ProximityTest& closer, double threshold, SweepKernel kernel,
-               core::Crew& crew, std::uint8_t* at_risk);
+               Crew& crew, std::uint8_t* at_risk);
 
 }  // namespace beespace::cpu

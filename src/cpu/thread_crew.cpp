@@ -1,77 +1,145 @@
-#include "cpu/thread_crew.hpp"
+#include <beespace/crew.hpp>
+
+#include "cpu/crew_size.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <condition_variable>
 #include <exception>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
 
-namespace beespace::cpu {
+namespace beespace {
+
+namespace cpu {
+
+namespace {
+
+constexpr unsigned kMostThreads = 256;
+
+unsigned processors() {
+  return std::max(1U, std::thread::hardware_concurrency());
+}
+
+}  // namespace
 
 unsigned crew_size(unsigned requested, std::size_t points) {
   constexpr std::size_t kPointsWorthAThread = 8192;
-  constexpr unsigned kMostThreads = 256;
-  if (requested == 0) requested = std::max(1U, std::thread::hardware_concurrency());
+  if (requested == 0) requested = processors();
   const std::size_t useful = std::max<std::size_t>(1, points / kPointsWorthAThread);
   return static_cast<unsigned>(std::min<std::size_t>({requested, useful, kMostThreads}));
 }
 
-ThreadCrew::ThreadCrew(unsigned size) {
-  threads_.reserve(size);
-  for (unsigned worker = 1; worker < size; ++worker) {
-    try {
-      threads_.emplace_back([this, worker] { work(worker); });
-    } catch (const std::exception&) {  // no thread to be had, or no memory for one
-      break;                           // fewer hands, the same answer
+}  // namespace cpu
+
+Crew::~Crew() = default;
+
+class ThreadCrew::Threads {
+ public:
+  explicit Threads(unsigned size) {
+    if (size == 0) size = cpu::processors();
+    size = std::min(size, cpu::kMostThreads);
+    threads_.reserve(size);
+    for (unsigned worker = 1; worker < size; ++worker) {
+      try {
+        threads_.emplace_back([this, worker] { work(worker); });
+      } catch (const std::exception&) {  // no thread to be had, or no memory for one
+        break;                           // fewer hands, the same answer
+      }
     }
   }
-}
+  Threads(const Threads&) = delete;
+  Threads& operator=(const Threads&) = delete;
 
-ThreadCrew::~ThreadCrew() {
-  {
-    const std::lock_guard lock(mutex_);
-    stopping_ = true;
-  }
-  start_.notify_all();
-  for (std::thread& thread : threads_) thread.join();
-}
-
-void ThreadCrew::run(const Task& task) {
-  {
-    const std::lock_guard lock(mutex_);
-    task_ = &task;
-    busy_ = threads_.size();
-    ++round_;
-  }
-  start_.notify_all();
-  perform(0);
-  std::unique_lock lock(mutex_);
-  done_.wait(lock, [this] { return busy_ == 0; });
-  if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
-}
-
-void ThreadCrew::work(unsigned worker) {
-  unsigned seen = 0;
-  for (;;) {
-    {
-      std::unique_lock lock(mutex_);
-      start_.wait(lock, [&] { return stopping_ || round_ != seen; });
-      if (stopping_) return;
-      seen = round_;
-    }
-    perform(worker);
+  ~Threads() {
     {
       const std::lock_guard lock(mutex_);
-      --busy_;
+      stopping_ = true;
     }
-    done_.notify_one();
+    start_.notify_all();
+    for (std::thread& thread : threads_) thread.join();
   }
+
+  [[nodiscard]] unsigned size() const { return static_cast<unsigned>(threads_.size()) + 1; }
+
+  void run(const Crew::Task& task) {
+    // While the threads are busy, also with a task that this call is part of: all parts, one by
+    // one.
+    if (threads_.empty() || at_work_.exchange(true)) {
+      for (unsigned worker = 0; worker < size(); ++worker) task(worker);
+      return;
+    }
+    share(task);
+    std::exception_ptr failure = std::exchange(failure_, nullptr);
+    at_work_ = false;
+    if (failure) std::rethrow_exception(failure);
+  }
+
+ private:
+  void share(const Crew::Task& task) {
+    {
+      const std::lock_guard lock(mutex_);
+      task_ = &task;
+      busy_ = threads_.size();
+      ++round_;
+    }
+    start_.notify_all();
+    perform(0);
+    std::unique_lock lock(mutex_);
+    done_.wait(lock, [this] { return busy_ == 0; });
+  }
+
+  void work(unsigned worker) {
+    unsigned seen = 0;
+    for (;;) {
+      {
+        std::unique_lock lock(mutex_);
+        start_.wait(lock, [&] { return stopping_ || round_ != seen; });
+        if (stopping_) return;
+        seen = round_;
+      }
+      perform(worker);
+      {
+        const std::lock_guard lock(mutex_);
+        --busy_;
+      }
+      done_.notify_one();
+    }
+  }
+
+  void perform(unsigned worker) {
+    try {
+      (*task_)(worker);
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!failure_) failure_ = std::current_exception();
+    }
+  }
+
+  std::atomic<bool> at_work_ = false;  // on the task of one of the callers
+  std::mutex mutex_;
+  std::condition_variable start_;
+  std::condition_variable done_;
+  const Crew::Task* task_ = nullptr;
+  unsigned round_ = 0;
+  std::size_t busy_ = 0;
+  bool stopping_ = false;
+  std::exception_ptr failure_;
+  std::vector<std::thread> threads_;
+};
+
+ThreadCrew::ThreadCrew(unsigned size) : threads_(std::make_unique<Threads>(size)) {
+}
+ThreadCrew::~ThreadCrew() = default;
+
+unsigned ThreadCrew::size() const {
+  return threads_->size();
 }
 
-void ThreadCrew::perform(unsigned worker) {
-  try {
-    (*task_)(worker);
-  } catch (...) {
-    const std::lock_guard lock(mutex_);
-    if (!failure_) failure_ = std::current_exception();
-  }
+void ThreadCrew::run(Task task) {
+  threads_->run(task);
 }
 
-}  // namespace beespace::cpu
+}  // namespace beespace

@@ -23,7 +23,7 @@ struct Search {
   const PointsView& points;
   const core::Bounds& bounds;
   const SearchOptions& options;
-  core::Crew& crew;
+  Crew& crew;
   const Choices& choices;
   core::ProximityTest closer{options.threshold_m, options.inclusive};
 
@@ -70,7 +70,7 @@ struct Search {
 };
 
 std::vector<PointId> ids_of(const core::Buffer<std::uint8_t>& at_risk, std::size_t size,
-                            core::Crew& crew) {
+                            Crew& crew) {
   std::vector<std::size_t> offsets(crew.size() + 1);
   crew.split(size, [&](std::size_t begin, std::size_t end, unsigned worker) {
     std::size_t count = 0;
@@ -105,7 +105,7 @@ std::array<Element, 3> permuted(const std::array<Element, 3>& values,
 }  // namespace
 
 std::vector<PointId> at_risk_ids(const PointsView& points, const core::Bounds& bounds,
-                                 const SearchOptions& options, core::Crew& crew,
+                                 const SearchOptions& options, Crew& crew,
                                  const Choices& choices) {
   if (points.size() < 2) return {};
   std::array<std::size_t, 3> order{0, 1, 2};

@@ -9,7 +9,7 @@
 
 #include "core/bounds.hpp"
 #include "core/cell_proof.hpp"
-#include "core/crew.hpp"
+#include <beespace/crew.hpp>
 #include "core/lattice.hpp"
 #include "core/sorted_grid.hpp"
 #include "cpu/sweep.hpp"
@@ -35,7 +35,7 @@ struct Choices {
 
 // `points` and `options` must be valid and `bounds` those of the points.
 std::vector<PointId> at_risk_ids(const PointsView& points, const core::Bounds& bounds,
-                                 const SearchOptions& options, core::Crew& crew,
+                                 const SearchOptions& options, Crew& crew,
                                  const Choices& choices = {});
 
 }  // namespace beespace::search

@@ -14,6 +14,8 @@ std::string_view to_string(ErrorCode code) {
       return "outside_domain";
     case ErrorCode::kTooManyPoints:
       return "too_many_points";
+    case ErrorCode::kTooManyResults:
+      return "too_many_results";
     case ErrorCode::kInvalidLatitude:
       return "invalid_latitude";
     case ErrorCode::kInvalidLongitude:

@@ -2,7 +2,7 @@
 
 #include "core/exact_distance.hpp"
 #include "core/look_around.hpp"
-#include "cpu/thread_crew.hpp"
+#include <beespace/crew.hpp>
 #include "tests/support/search_scenes.hpp"
 
 #include <beespace/brute_force.hpp>
@@ -22,7 +22,7 @@ struct Case {
 class CellProofs : public testing::TestWithParam<Case> {};
 
 TEST_P(CellProofs, ProveOnlyWhatIsTrueAndNameTheUndecided) {
-  cpu::ThreadCrew crew(GetParam().threads);
+  ThreadCrew crew(GetParam().threads);
   for (const test::SearchScene& scene : test::search_scenes()) {
     for (const bool inclusive : {false, true}) {
       SCOPED_TRACE(scene.name + (inclusive ? " inclusive" : " strict"));
@@ -85,7 +85,7 @@ TEST(CellProof, SettlesACrowdToTheLastPoint) {
   const double threshold = 10.0;
   const ProximityTest closer(threshold, false);
   for (const unsigned threads : {1U, 3U}) {
-    cpu::ThreadCrew crew(threads);
+    ThreadCrew crew(threads);
     Buffer<std::uint8_t> at_risk(points.size());
     const std::vector<PointId> undecided = prove_by_cells(points, *measure(points, crew), threshold,
                                                           closer, crew, at_risk, CellTable::kDense);

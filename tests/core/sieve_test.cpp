@@ -3,7 +3,7 @@
 
 #include "core/bounds.hpp"
 #include "core/exact_distance.hpp"
-#include "cpu/thread_crew.hpp"
+#include <beespace/crew.hpp>
 #include "tests/support/search_scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ TEST(Sieve, KeepsEveryPairWithinTheBound) {
                         points[i].z + step * direction.z});
     }
     for (const unsigned threads : {1U, 3U}) {
-      cpu::ThreadCrew crew(threads);
+      ThreadCrew crew(threads);
       for (const double cell_in_bounds : {2.5, 8.0}) {
         const Lattice lattice(points, *measure(points, crew), cell_in_bounds * bound);
         const std::vector<PointId> left = sieve(points, lattice, bound, crew);

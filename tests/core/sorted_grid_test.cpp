@@ -3,7 +3,7 @@
 #include "core/cell_sort.hpp"
 #include "core/exact_distance.hpp"
 #include "core/near_pairs.hpp"
-#include "cpu/thread_crew.hpp"
+#include <beespace/crew.hpp>
 #include "tests/support/search_scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ class EveryScene : public testing::TestWithParam<unsigned> {
  protected:
   template <class Check>
   void for_each_grid(Check&& check) {
-    cpu::ThreadCrew crew(GetParam());
+    ThreadCrew crew(GetParam());
     for (const test::SearchScene& scene : test::search_scenes()) {
       for (const std::uint64_t fold_beyond : {std::uint64_t{4}, Lattice::kFoldBeyondCells}) {
         SCOPED_TRACE(scene.name);

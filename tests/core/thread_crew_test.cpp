@@ -1,4 +1,6 @@
-#include "cpu/thread_crew.hpp"
+#include "cpu/crew_size.hpp"
+
+#include <beespace/crew.hpp>
 
 #include <gtest/gtest.h>
 

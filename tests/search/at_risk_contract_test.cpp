@@ -1,7 +1,7 @@
 // One contract: every method, instruction set, cell table, folding and crew gives the ids that
 // brute force gives, on every scene, strictly and inclusively.
 #include "core/bounds.hpp"
-#include "cpu/thread_crew.hpp"
+#include <beespace/crew.hpp>
 #include "search/at_risk_search.hpp"
 #include "tests/support/search_scenes.hpp"
 
@@ -61,7 +61,7 @@ class AtRiskContract : public testing::TestWithParam<Case> {};
 
 TEST_P(AtRiskContract, EqualsBruteForceOnEveryScene) {
   const Case& param = GetParam();
-  cpu::ThreadCrew crew(param.threads);
+  ThreadCrew crew(param.threads);
   for (const test::SearchScene& scene : test::search_scenes()) {
     for (const bool inclusive : {false, true}) {
       SCOPED_TRACE(scene.name + (inclusive ? " inclusive" : " strict"));

@@ -104,7 +104,7 @@ TEST_P(InvalidThreshold, IsAnErrorForEverySearch) {
   EXPECT_EQ(find_at_risk(points, {GetParam()}).error().code, ErrorCode::kInvalidThreshold);
   EXPECT_EQ(brute_force::find_at_risk(points, {GetParam()}).error().code,
             ErrorCode::kInvalidThreshold);
-  EXPECT_EQ(find_nearest(points, {GetParam()}).error().code, ErrorCode::kInvalidThreshold);
+  EXPECT_EQ(find_nearest_within(points, {GetParam()}).error().code, ErrorCode::kInvalidThreshold);
 }
 INSTANTIATE_TEST_SUITE_P(Values, InvalidThreshold,
                          testing::Values(0.0, -1.0, kNan, kInfinity, -kInfinity, 1e-200, 1e200));
@@ -122,7 +122,7 @@ TEST(AtRisk, CoordinatesThatAreNotFiniteAreErrorsWithTheirPlace) {
       EXPECT_NE(result.error().message.find("y is"), std::string::npos);
     }
     EXPECT_EQ(find_closest_pair(points).error().code, ErrorCode::kNotFinite);
-    EXPECT_EQ(find_nearest(points).error().code, ErrorCode::kNotFinite);
+    EXPECT_EQ(find_nearest_within(points).error().code, ErrorCode::kNotFinite);
   }
 }
 

@@ -79,13 +79,13 @@ TEST(Nearest, ClumpsAndDuplicatesStayCheap) {
   test::SceneMaker make(9);
   std::vector<Point> points = make.box(2 * kHalf, {0, 0, 0}, {2e6, 2e6, 2e6});
   for (std::size_t i = 0; i < kHalf; ++i) points[i] = {5, 5, 5};
-  const std::vector<Nearest> of_duplicates = *find_nearest(points, {1e5});
+  const std::vector<Nearest> of_duplicates = *find_nearest_within(points, {1e5});
   EXPECT_EQ(of_duplicates[0].id, 1U);
   EXPECT_EQ(of_duplicates[kHalf - 1].id, 0U);
 
   const std::vector<Point> clump = make.box(kHalf, {0, 0, 0}, {1, 1, 1});
   std::copy(clump.begin(), clump.end(), points.begin());
-  const std::vector<Nearest> nearest = *find_nearest(points, {1e5, false, 2});
+  const std::vector<Nearest> nearest = *find_nearest_within(points, {1e5, false, 2});
   for (std::size_t i = 0; i < points.size(); i += 9973) {
     Nearest expected;
     for (PointId j = 0; j < points.size(); ++j) {
@@ -102,8 +102,8 @@ TEST(Nearest, EqualsBruteForceOnEveryScene) {
     for (const bool inclusive : {false, true}) {
       SCOPED_TRACE(scene.name + (inclusive ? " inclusive" : " strict"));
       const SearchOptions options{scene.threshold_m, inclusive, 2};
-      const std::vector<Nearest> expected = *brute_force::find_nearest(scene.points, options);
-      const std::vector<Nearest> found = *find_nearest(scene.points, options);
+      const std::vector<Nearest> expected = *brute_force::find_nearest_within(scene.points, options);
+      const std::vector<Nearest> found = *find_nearest_within(scene.points, options);
       ASSERT_EQ(found.size(), expected.size());
       for (std::size_t i = 0; i < found.size(); ++i) {
         ASSERT_EQ(found[i].id, expected[i].id) << i;
@@ -115,7 +115,7 @@ TEST(Nearest, EqualsBruteForceOnEveryScene) {
 
 TEST(Nearest, NobodyWithinTheThresholdIsSaid) {
   const std::vector<Nearest> nearest =
-      *find_nearest(std::vector<Point>{{0, 0, 0}, {10, 0, 0}}, {10.0});
+      *find_nearest_within(std::vector<Point>{{0, 0, 0}, {10, 0, 0}}, {10.0});
   EXPECT_EQ(nearest[0].id, Nearest::kNobody);
   EXPECT_TRUE(std::isinf(nearest[0].distance_m));
 }
