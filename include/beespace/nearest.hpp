@@ -25,6 +25,8 @@ struct ClosestPair {
   PointId first = 0;  // first < second; of equally close pairs the lowest first, then second
   PointId second = 0;
   double distance_m = 0.0;
+
+  friend bool operator==(const ClosestPair&, const ClosestPair&) = default;
 };
 
 // The two points that are closest to each other; empty when there are fewer than two points.

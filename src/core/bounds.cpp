@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <vector>
 
 namespace beespace::core {
 
@@ -108,11 +107,11 @@ bool is_interleaved(const PointsView& points) {
 
 }  // namespace
 
-Result<Bounds> measure(const PointsView& points, Crew& crew) {
+Result<Bounds> measure(const PointsView& points, const Resources& with) {
   Bounds bounds;
   if (points.empty()) return bounds;
-  std::vector<Extents> parts(crew.size());
-  crew.split(points.size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
+  Vector<Extents> parts(with.crew.size(), &with.memory);
+  with.crew.split(points.size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
     parts[worker] = is_interleaved(points)
                         ? extents_of_interleaved(points.axes()[0] + 3 * begin, end - begin)
                         : extents_of_any(points, begin, end);

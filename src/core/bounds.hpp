@@ -1,7 +1,7 @@
 // One pass over the points: do they all lie in the coordinate domain, and in which box?
 #pragma once
 
-#include <beespace/crew.hpp>
+#include "core/resources.hpp"
 
 #include <beespace/points_view.hpp>
 #include <beespace/result.hpp>
@@ -17,6 +17,6 @@ struct Bounds {
 
 // The box of the points, or the error for the first point outside the coordinate domain.
 // All zero for no points.
-Result<Bounds> measure(const PointsView& points, Crew& crew);
+Result<Bounds> measure(const PointsView& points, const Resources& with);
 
 }  // namespace beespace::core

@@ -1,33 +1,14 @@
-// An array whose elements start uninitialised: large working memory that is written before it is
-// read. Owns its memory; moves, does not copy. Throws std::bad_alloc.
+// An array in working memory whose elements start uninitialised: it is written before it is read.
+// Owns its memory; moves, does not copy. Throws std::bad_alloc.
 #pragma once
 
-#include <algorithm>
+#include "core/memory.hpp"
+
 #include <cstddef>
-#include <cstdint>
-#include <cstdlib>
-#include <new>
 #include <type_traits>
 #include <utility>
 
-#if defined(__linux__)
-#include <sys/mman.h>
-#endif
-
 namespace beespace::core {
-
-inline constexpr std::size_t kHugePage = std::size_t{1} << 21;
-
-// Asks for huge pages where the system has them: 512 times fewer page faults when the memory is
-// new, and scattered writes that do not miss the translation buffer. Advice: nothing depends on it.
-inline void advise_huge_pages([[maybe_unused]] void* data, [[maybe_unused]] std::size_t bytes) {
-#if defined(__linux__) && defined(MADV_HUGEPAGE)
-  const auto begin = reinterpret_cast<std::uintptr_t>(data);
-  const std::uintptr_t first = (begin + kHugePage - 1) / kHugePage * kHugePage;
-  if (first + kHugePage > begin + bytes) return;
-  madvise(static_cast<std::byte*>(data) + (first - begin), begin + bytes - first, MADV_HUGEPAGE);
-#endif
-}
 
 template <class T>
 class Buffer {
@@ -35,22 +16,19 @@ class Buffer {
 
  public:
   Buffer() = default;
-  explicit Buffer(std::size_t size) : data_(allocate(size * sizeof(T))) {}
-  Buffer(Buffer&& other) noexcept : data_(std::exchange(other.data_, nullptr)) {}
+  Buffer(Memory& memory, std::size_t size)
+      : memory_(&memory),
+        bytes_(size * sizeof(T)),
+        data_(static_cast<T*>(memory.allocate(bytes_))) {}
+  Buffer(Buffer&& other) noexcept { swap(other); }
   Buffer& operator=(Buffer&& other) noexcept {
-    std::swap(data_, other.data_);
+    swap(other);
     return *this;
   }
   Buffer(const Buffer&) = delete;
   Buffer& operator=(const Buffer&) = delete;
-  ~Buffer() { std::free(data_); }
-
-  // The same memory as an array of other elements, which must fit; its contents are forgotten.
-  template <class Other>
-  [[nodiscard]] Buffer<Other> reused_as() && {
-    Buffer<Other> other;
-    other.data_ = reinterpret_cast<Other*>(std::exchange(data_, nullptr));
-    return other;
+  ~Buffer() {
+    if (data_ != nullptr) memory_->deallocate(data_, bytes_);
   }
 
   [[nodiscard]] T* data() { return data_; }
@@ -59,21 +37,14 @@ class Buffer {
   const T& operator[](std::size_t index) const { return data_[index]; }
 
  private:
-  static constexpr std::size_t kCacheLine = 64;
-
-  static T* allocate(std::size_t bytes) {
-    const std::size_t alignment = bytes >= kHugePage ? kHugePage : kCacheLine;
-    if (bytes > SIZE_MAX - alignment) throw std::bad_alloc();
-    const std::size_t whole = (bytes + alignment - 1) / alignment * alignment;
-    void* data = std::aligned_alloc(alignment, std::max(whole, alignment));
-    if (data == nullptr) throw std::bad_alloc();
-    advise_huge_pages(data, whole);
-    return static_cast<T*>(data);
+  void swap(Buffer& other) noexcept {
+    std::swap(memory_, other.memory_);
+    std::swap(bytes_, other.bytes_);
+    std::swap(data_, other.data_);
   }
 
-  template <class Other>
-  friend class Buffer;
-
+  Memory* memory_ = nullptr;
+  std::size_t bytes_ = 0;
   T* data_ = nullptr;
 };
 

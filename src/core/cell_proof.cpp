@@ -30,16 +30,16 @@ void combine(const PositionBlock& positions, std::size_t count, unsigned shift,
 
 // cell[id] becomes a number that points share exactly when they share a cell; returns how many
 // numbers there are at most.
-std::uint64_t number_densely(const PointsView& points, const Lattice& lattice, Crew& crew,
-                             Buffer<std::uint32_t>& cell) {
+std::uint64_t number_densely(const PointsView& points, const Lattice& lattice,
+                             const Resources& with, Buffer<std::uint32_t>& cell) {
   const std::uint64_t row = lattice.cells(0);
   const std::uint64_t layer = row * lattice.cells(1);
   const auto row_cells = static_cast<std::uint32_t>(row);
   const auto layer_cells = static_cast<std::uint32_t>(layer);
   const unsigned shift = lattice.fraction_bits();
-  crew.split(points.size(), [&](std::size_t begin, std::size_t end, unsigned) {
+  with.crew.split(points.size(), [&](std::size_t begin, std::size_t end, unsigned) {
     for_each_position_block(
-        points, lattice, begin, end,
+        {points}, lattice, begin, end,
         [&](const PositionBlock& positions, std::size_t first, std::size_t count) {
           combine(positions, count, shift, row_cells, layer_cells, cell.data() + first);
         });
@@ -49,7 +49,7 @@ std::uint64_t number_densely(const PointsView& points, const Lattice& lattice, C
 
 // Open addressing; a slot holds a point of its cell, whose cell is worked out again to compare: a
 // hash collision must not prove anything.
-std::uint64_t number_by_hashing(const PointsView& points, const Lattice& lattice,
+std::uint64_t number_by_hashing(const PointsView& points, const Lattice& lattice, Memory& memory,
                                 Buffer<std::uint32_t>& cell) {
   const auto cell_of = [&](std::size_t id) {
     const Point p = points[id];
@@ -57,7 +57,7 @@ std::uint64_t number_by_hashing(const PointsView& points, const Lattice& lattice
                                         lattice.cell(2, p.z)};
   };
   const std::size_t slots = std::bit_ceil(points.size() + points.size() / 2);
-  Buffer<PointId> first_in(slots);
+  Buffer<PointId> first_in(memory, slots);
   std::fill_n(first_in.data(), slots, kNobody);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto own = cell_of(i);
@@ -71,18 +71,18 @@ std::uint64_t number_by_hashing(const PointsView& points, const Lattice& lattice
   return points.size();
 }
 
-std::vector<std::uint8_t> count_points(const Buffer<std::uint32_t>& cell, std::size_t size,
-                                       std::size_t numbers, Crew& crew) {
+Vector<std::uint8_t> count_points(const Buffer<std::uint32_t>& cell, std::size_t size,
+                                  std::size_t numbers, const Resources& with) {
   const auto saturated = [](int count) { return static_cast<std::uint8_t>(count < 2 ? count : 2); };
-  std::vector<std::vector<std::uint8_t>> counts(crew.size());
-  crew.split(size, [&](std::size_t begin, std::size_t end, unsigned worker) {
+  Vector<Vector<std::uint8_t>> counts(with.crew.size(), &with.memory);
+  with.crew.split(size, [&](std::size_t begin, std::size_t end, unsigned worker) {
     counts[worker].resize(numbers);
     std::uint8_t* mine = counts[worker].data();
     const std::uint32_t* cell_of = cell.data();
     for (std::size_t i = begin; i < end; ++i) mine[cell_of[i]] = saturated(mine[cell_of[i]] + 1);
   });
-  crew.split(numbers, [&](std::size_t begin, std::size_t end, unsigned) {
-    for (unsigned worker = 1; worker < crew.size(); ++worker) {
+  with.crew.split(numbers, [&](std::size_t begin, std::size_t end, unsigned) {
+    for (unsigned worker = 1; worker < with.crew.size(); ++worker) {
       for (std::size_t i = begin; i < end; ++i) {
         counts[0][i] = saturated(counts[0][i] + counts[worker][i]);
       }
@@ -97,9 +97,9 @@ class AloneNearby {
  public:
   static constexpr std::size_t kCellsEach = 125;  // 5 x 5 x 5
 
-  AloneNearby(const std::vector<PointId>& alone, const Buffer<std::uint32_t>& cell,
-              const Lattice& lattice, std::size_t cells)
-      : first_(cells, kNone) {
+  AloneNearby(const Vector<PointId>& alone, const Buffer<std::uint32_t>& cell,
+              const Lattice& lattice, std::size_t cells, Memory& memory)
+      : first_(cells, kNone, &memory), entries_(&memory) {
     const auto along = [&](std::size_t axis) {
       return static_cast<std::size_t>(lattice.cells(axis));
     };
@@ -138,8 +138,8 @@ class AloneNearby {
     std::uint32_t next;
   };
 
-  std::vector<std::uint32_t> first_;
-  std::vector<Entry> entries_;
+  Vector<std::uint32_t> first_;
+  Vector<Entry> entries_;
 };
 
 // Decides the few points that are alone in their cells: every point is held against those nearby.
@@ -147,13 +147,13 @@ class AloneNearby {
 // that the bulk of the points has nobody to be held against.
 void settle_alone(const PointsView& points, const ProximityTest& closer,
                   const Buffer<std::uint32_t>& cell, const Lattice& lattice, std::size_t cells,
-                  std::vector<PointId> alone, Crew& crew, Buffer<std::uint8_t>& at_risk) {
+                  Vector<PointId> alone, const Resources& with, Buffer<std::uint8_t>& at_risk) {
   const std::size_t size = points.size();
   std::size_t done = 0;
   for (std::size_t step = size / 64 + 1; done < size && !alone.empty(); step *= 4) {
-    const AloneNearby nearby(alone, cell, lattice, cells);
+    const AloneNearby nearby(alone, cell, lattice, cells, with.memory);
     const std::size_t count = std::min(step, size - done);
-    crew.split(count, [&](std::size_t begin, std::size_t end, unsigned) {
+    with.crew.split(count, [&](std::size_t begin, std::size_t end, unsigned) {
       for (std::size_t i = done + begin; i < done + end; ++i) {
         nearby.for_each(cell[i], [&](PointId id) {
           // Several workers may find company for the same point; all of them write the same.
@@ -168,19 +168,11 @@ void settle_alone(const PointsView& points, const ProximityTest& closer,
   }
 }
 
-std::vector<PointId> joined(std::vector<std::vector<PointId>>&& parts) {
-  for (std::size_t part = 1; part < parts.size(); ++part) {
-    parts[0].insert(parts[0].end(), parts[part].begin(), parts[part].end());
-  }
-  return std::move(parts[0]);
-}
-
 // Marks the points with company in their cell; returns those alone.
-std::vector<PointId> read_off(const Buffer<std::uint32_t>& cell,
-                              const std::vector<std::uint8_t>& counts, std::size_t size, Crew& crew,
-                              Buffer<std::uint8_t>& at_risk) {
-  std::vector<std::vector<PointId>> alone(crew.size());
-  crew.split(size, [&](std::size_t begin, std::size_t end, unsigned worker) {
+Vector<PointId> read_off(const Buffer<std::uint32_t>& cell, const Vector<std::uint8_t>& counts,
+                         std::size_t size, const Resources& with, Buffer<std::uint8_t>& at_risk) {
+  Vector<Vector<PointId>> alone(with.crew.size(), &with.memory);
+  with.crew.split(size, [&](std::size_t begin, std::size_t end, unsigned worker) {
     const std::uint32_t* cell_of = cell.data();
     const std::uint8_t* count_in = counts.data();
     std::uint8_t* result = at_risk.data();
@@ -201,15 +193,16 @@ double proof_cell_side(double threshold) {
   return threshold / std::sqrt(3.0);
 }
 
-std::vector<PointId> prove_by_cells(const PointsView& points, const Bounds& bounds,
-                                    double threshold, const ProximityTest& closer, Crew& crew,
-                                    Buffer<std::uint8_t>& at_risk, CellTable table) {
+Vector<PointId> prove_by_cells(const PointsView& points, const Bounds& bounds, double threshold,
+                               const ProximityTest& closer, const Resources& with,
+                               Buffer<std::uint8_t>& at_risk, CellTable table) {
   const std::size_t size = points.size();
-  const Lattice lattice(points, bounds, proof_cell_side(threshold) * (1.0 - 0x1p-14));
+  const Lattice lattice(std::span(&points, 1), bounds, proof_cell_side(threshold) * (1.0 - 0x1p-14),
+                        with.memory);
   // Two points of a cell are less than a cell side apart on each axis, give or take 2^-17 of it:
   // positions have a relative error of 2^-52, and there are less than 2^30 cells.
   if (lattice.cell_m() > proof_cell_side(threshold) * (1.0 - 0x1p-16)) {
-    std::vector<PointId> all(size);
+    Vector<PointId> all(size, &with.memory);
     std::iota(all.begin(), all.end(), PointId{0});
     std::fill_n(at_risk.data(), size, std::uint8_t{0});
     return all;
@@ -219,17 +212,18 @@ std::vector<PointId> prove_by_cells(const PointsView& points, const Bounds& boun
                        static_cast<double>(lattice.cells(1)) *
                        static_cast<double>(lattice.cells(2));
   const bool dense = table != CellTable::kHashed && cells < 4294967295.0 &&
-                     cells * crew.size() <= 4.0 * static_cast<double>(size) + 4096.0;
-  Buffer<std::uint32_t> cell(size);
-  const std::uint64_t numbers = dense ? number_densely(points, lattice, crew, cell)
-                                      : number_by_hashing(points, lattice, cell);
+                     cells * with.crew.size() <= 4.0 * static_cast<double>(size) + 4096.0;
+  Buffer<std::uint32_t> cell(with.memory, size);
+  const std::uint64_t numbers = dense ? number_densely(points, lattice, with, cell)
+                                      : number_by_hashing(points, lattice, with.memory, cell);
   // A table a worker; hashed cells are as many as points, and counted by one.
   Crew one;
-  const std::vector<std::uint8_t> counts = count_points(cell, size, numbers, dense ? crew : one);
-  std::vector<PointId> alone = read_off(cell, counts, size, crew, at_risk);
+  const Vector<std::uint8_t> counts =
+      count_points(cell, size, numbers, dense ? with : Resources{one, with.memory});
+  Vector<PointId> alone = read_off(cell, counts, size, with, at_risk);
   if (dense && !alone.empty() && alone.size() * AloneNearby::kCellsEach <= size / 2) {
-    settle_alone(points, closer, cell, lattice, numbers, std::move(alone), crew, at_risk);
-    return {};
+    settle_alone(points, closer, cell, lattice, numbers, std::move(alone), with, at_risk);
+    return Vector<PointId>(&with.memory);
   }
   return alone;
 }

@@ -5,16 +5,15 @@
 // held against the points of the cells around theirs; many are left to the search proper.
 #pragma once
 
-#include <beespace/crew.hpp>
 #include "core/bounds.hpp"
 #include "core/buffer.hpp"
 #include "core/exact_distance.hpp"
+#include "core/resources.hpp"
 
 #include <beespace/point.hpp>
 #include <beespace/points_view.hpp>
 
 #include <cstdint>
-#include <vector>
 
 namespace beespace::core {
 
@@ -29,9 +28,9 @@ enum class CellTable : std::uint8_t { kAutomatic, kDense, kHashed };
 // are still undecided, ascending, with at_risk[id] == 0; `closer` is the test for `threshold`.
 // `table` is forced in tests only; a dense table that would not fit is not used. Working memory:
 // at most 28 bytes a point (dense), 17 (hashed).
-std::vector<PointId> prove_by_cells(const PointsView& points, const Bounds& bounds,
-                                    double threshold, const ProximityTest& closer, Crew& crew,
-                                    Buffer<std::uint8_t>& at_risk,
-                                    CellTable table = CellTable::kAutomatic);
+Vector<PointId> prove_by_cells(const PointsView& points, const Bounds& bounds, double threshold,
+                               const ProximityTest& closer, const Resources& with,
+                               Buffer<std::uint8_t>& at_risk,
+                               CellTable table = CellTable::kAutomatic);
 
 }  // namespace beespace::core

@@ -13,7 +13,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <vector>
+#include <span>
 
 namespace beespace::core {
 
@@ -56,10 +56,10 @@ class Closest {
 };
 
 // The lowest pair of points at the same place; there must be one.
-IdPair lowest_duplicates(const PointsView& points) {
+IdPair lowest_duplicates(const PointsView& points, Memory& memory) {
   constexpr PointId kEmpty = std::numeric_limits<PointId>::max();
   const std::size_t slots = std::bit_ceil(points.size() * 2);
-  std::vector<PointId> first_at(slots, kEmpty);
+  Vector<PointId> first_at(slots, kEmpty, &memory);
   IdPair lowest{kEmpty, kEmpty};
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Point p = points[i];
@@ -77,9 +77,9 @@ IdPair lowest_duplicates(const PointsView& points) {
 
 // Short runs of neighbours in memory: as good as single points for the bound, since a run hides at
 // most the pairs within its own stretch of the input, and six times cheaper to read.
-std::vector<Point> random_sample(const PointsView& points) {
+Vector<Point> random_sample(const PointsView& points, Memory& memory) {
   constexpr std::size_t kStretch = kRun * kRunShare;
-  std::vector<Point> sample;
+  Vector<Point> sample(&memory);
   sample.reserve(points.size() / kRunShare + kRun);
   for (std::size_t begin = 0; begin + kRun <= points.size(); begin += kStretch) {
     const std::size_t room = std::min(kStretch, points.size() - begin) - kRun + 1;
@@ -90,12 +90,13 @@ std::vector<Point> random_sample(const PointsView& points) {
 }
 
 // The closest pair among points of which two are at most `bound` apart.
-IdPair closest_within(const PointsView& points, const Bounds& bounds, double bound, Crew& crew) {
-  const Lattice lattice(points, bounds, bound);
-  const SortedGrid grid = sort_into_grid(points, {}, lattice, crew);
+IdPair closest_within(const PointsView& points, const Bounds& bounds, double bound,
+                      const Resources& with) {
+  const Lattice lattice(std::span(&points, 1), bounds, bound, with.memory);
+  const SortedGrid grid = sort_into_grid({points}, lattice, 0, with);
   const SquaredLimits limits(bound, grid.units_per_m);
-  std::vector<Closest> found(crew.size(), Closest(points));
-  crew.split(grid.rows(), [&](std::size_t begin, std::size_t end, unsigned worker) {
+  Vector<Closest> found(with.crew.size(), Closest(points), &with.memory);
+  with.crew.split(grid.rows(), [&](std::size_t begin, std::size_t end, unsigned worker) {
     Closest closest(points);
     for_each_near_pair(
         grid, begin, end, limits.surely_far,
@@ -111,7 +112,7 @@ IdPair closest_within(const PointsView& points, const Bounds& bounds, double bou
 
 }  // namespace
 
-IdPair closest_pair(const PointsView& points, const Bounds& bounds, Crew& crew) {
+IdPair closest_pair(const PointsView& points, const Bounds& bounds, const Resources& with) {
   if (points.size() <= kFew) {
     Closest closest(points);
     const auto size = static_cast<PointId>(points.size());
@@ -121,19 +122,19 @@ IdPair closest_pair(const PointsView& points, const Bounds& bounds, Crew& crew) 
     return closest.best();
   }
 
-  const std::vector<Point> sample = random_sample(points);
-  const IdPair near = closest_pair(sample, bounds, crew);
+  const Vector<Point> sample = random_sample(points, with.memory);
+  const IdPair near = closest_pair(std::span<const Point>(sample), bounds, with);
   // Rounded up, so that the pair itself is within the bound.
   const double bound =
       std::sqrt(squared_distance(sample[near.first], sample[near.second])) * (1.0 + 0x1p-40);
-  if (bound == 0.0) return lowest_duplicates(points);
+  if (bound == 0.0) return lowest_duplicates(points, with.memory);
 
-  const Lattice lattice(points, bounds, kSieveCellInBounds * bound);
-  const std::vector<PointId> left = sieve(points, lattice, bound, crew);
-  std::vector<Point> few(left.size());
+  const Lattice lattice(std::span(&points, 1), bounds, kSieveCellInBounds * bound, with.memory);
+  const Vector<PointId> left = sieve(points, lattice, bound, with);
+  Vector<Point> few(left.size(), &with.memory);
   for (std::size_t i = 0; i < left.size(); ++i) few[i] = points[left[i]];
   // Ids ascend, so the lowest pair of the few is the lowest pair of all.
-  const IdPair pair = closest_within(few, bounds, bound, crew);
+  const IdPair pair = closest_within(std::span<const Point>(few), bounds, bound, with);
   return {left[pair.first], left[pair.second]};
 }
 

@@ -9,8 +9,8 @@
 // memory are proportional to the number of points, for any points.
 #pragma once
 
-#include <beespace/crew.hpp>
 #include "core/bounds.hpp"
+#include "core/resources.hpp"
 
 #include <beespace/point.hpp>
 #include <beespace/points_view.hpp>
@@ -24,6 +24,6 @@ struct IdPair {
 
 // first < second; of equally close pairs the one with the lowest first id, then second. Needs at
 // least two points, all valid and within `bounds`.
-IdPair closest_pair(const PointsView& points, const Bounds& bounds, Crew& crew);
+IdPair closest_pair(const PointsView& points, const Bounds& bounds, const Resources& with);
 
 }  // namespace beespace::core

@@ -1,5 +1,7 @@
 #include "core/lattice.hpp"
 
+#include "core/buffer.hpp"
+
 #include <bit>
 #include <cmath>
 
@@ -15,9 +17,11 @@ double margin_for(double extent, double reach) {
 
 }  // namespace
 
-Lattice::Lattice(const PointsView& points, const Bounds& bounds, double reach,
-                 std::uint64_t fold_beyond_cells, std::uint64_t most_cells)
-    : most_cells_(most_cells) {
+Lattice::Lattice(std::span<const PointsView> sets, const Bounds& bounds, double reach,
+                 Memory& memory, std::uint64_t fold_beyond_cells, std::uint64_t most_cells)
+    : axes_{Axis{0.0, 1, Vector<Stretch>(&memory)}, Axis{0.0, 1, Vector<Stretch>(&memory)},
+            Axis{0.0, 1, Vector<Stretch>(&memory)}},
+      most_cells_(most_cells) {
   double longest_stretch = 0.0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     axes_[axis].low = bounds.low[axis];
@@ -25,7 +29,7 @@ Lattice::Lattice(const PointsView& points, const Bounds& bounds, double reach,
     if (extent / reach < static_cast<double>(fold_beyond_cells)) {
       longest_stretch = std::max(longest_stretch, extent);
     } else {
-      longest_stretch = std::max(longest_stretch, fold(points, axis, 4.0 * reach));
+      longest_stretch = std::max(longest_stretch, fold(sets, axis, 4.0 * reach, memory));
     }
   }
   cell_m_ = reach * (1.0 + margin_for(longest_stretch, reach));
@@ -42,17 +46,23 @@ Lattice::Lattice(const PointsView& points, const Bounds& bounds, double reach,
 }
 
 // Cuts the axis wherever no point lies for more than `gap`; returns the longest stretch.
-double Lattice::fold(const PointsView& points, std::size_t axis, double gap) {
-  std::vector<double> sorted(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) sorted[i] = points.coordinate(axis, i);
-  std::sort(sorted.begin(), sorted.end());
+double Lattice::fold(std::span<const PointsView> sets, std::size_t axis, double gap,
+                     Memory& memory) {
+  std::size_t size = 0;
+  for (const PointsView& points : sets) size += points.size();
+  Buffer<double> sorted(memory, size);
+  std::size_t next = 0;
+  for (const PointsView& points : sets) {
+    for (std::size_t i = 0; i < points.size(); ++i) sorted[next++] = points.coordinate(axis, i);
+  }
+  std::sort(sorted.data(), sorted.data() + size);
 
   Axis& folded = axes_[axis];
   std::size_t gaps = 0;
-  for (std::size_t i = 1; i < sorted.size(); ++i) gaps += sorted[i] - sorted[i - 1] > gap ? 1U : 0U;
+  for (std::size_t i = 1; i < size; ++i) gaps += sorted[i] - sorted[i - 1] > gap ? 1U : 0U;
   folded.stretches.reserve(gaps + 1);
   double longest = 0.0;
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
+  for (std::size_t i = 0; i < size; ++i) {
     if (i == 0 || sorted[i] - sorted[i - 1] > gap) {
       folded.stretches.push_back({sorted[i], sorted[i], 0});
     }

@@ -15,6 +15,7 @@
 #pragma once
 
 #include "core/bounds.hpp"
+#include "core/resources.hpp"
 
 #include <beespace/points_view.hpp>
 
@@ -22,7 +23,7 @@
 #include <array>
 #include <cstdint>
 #include <iterator>
-#include <vector>
+#include <span>
 
 namespace beespace::core {
 
@@ -32,8 +33,9 @@ class Lattice {
 
   static constexpr std::uint64_t kMostCells = std::uint64_t{1} << 29;  // positions below 2^30
 
-  // `bounds` are those of `points`. The last two are lowered by tests only.
-  Lattice(const PointsView& points, const Bounds& bounds, double reach,
+  // For all points of the `sets`, whose bounds are `bounds`. The last two are lowered by tests
+  // only. Working memory: 8 bytes a point while an axis is folded.
+  Lattice(std::span<const PointsView> sets, const Bounds& bounds, double reach, Memory& memory,
           std::uint64_t fold_beyond_cells = kFoldBeyondCells,
           std::uint64_t most_cells = kMostCells);
 
@@ -69,12 +71,12 @@ class Lattice {
   struct Axis {
     double low = 0.0;
     std::uint64_t cells = 1;
-    std::vector<Stretch> stretches = {};  // ascending; empty unless folded
+    Vector<Stretch> stretches;  // ascending; empty unless folded
 
     [[nodiscard]] bool folded() const { return !stretches.empty(); }
   };
 
-  double fold(const PointsView& points, std::size_t axis, double gap);
+  double fold(std::span<const PointsView> sets, std::size_t axis, double gap, Memory& memory);
   static void join_stretches(Axis& axis, double gap);
   bool number_cells(const Bounds& bounds);
   [[nodiscard]] std::int32_t folded_position(const Axis& axis, double value) const;

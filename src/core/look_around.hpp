@@ -5,29 +5,28 @@
 // has its own smaller cell), so the whole stays proportional to the number of points.
 #pragma once
 
-#include <beespace/crew.hpp>
 #include "core/bounds.hpp"
 #include "core/exact_distance.hpp"
 #include "core/lattice.hpp"
+#include "core/point_block.hpp"
+#include "core/resources.hpp"
 #include "core/sorted_grid.hpp"
 
 #include <beespace/point.hpp>
 #include <beespace/points_view.hpp>
 
 #include <cstdint>
-#include <span>
-#include <vector>
 
 namespace beespace::core {
 
-// The points that may be within the lattice's reach of one of `asked`, `asked` included;
-// ascending. A superset: cells are remembered by their hashes.
-std::vector<PointId> surroundings(const PointsView& points, const Lattice& lattice,
-                                  std::span<const PointId> asked, Crew& crew);
+// Those of `others` that may be within the lattice's reach of one of `asked`, ascending. A
+// superset: cells are remembered by their hashes.
+Vector<PointId> surroundings(const Selection& asked, const Selection& others,
+                             const Lattice& lattice, const Resources& with);
 
 // Sets at_risk[id] to 1 for the points of the grid with at_risk[id] == 0 that have another point
 // of the grid within `threshold`, which is at most the reach of the grid's lattice.
 void look_around(const SortedGrid& grid, const PointsView& points, const ProximityTest& closer,
-                 double threshold, Crew& crew, std::uint8_t* at_risk);
+                 double threshold, const Resources& with, std::uint8_t* at_risk);
 
 }  // namespace beespace::core

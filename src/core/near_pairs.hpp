@@ -31,10 +31,12 @@ struct SquaredLimits {
   }
 };
 
-inline float squared_units(const SortedGrid& grid, std::size_t i, std::size_t j) {
-  const auto dx = static_cast<float>(grid.x[i] - grid.x[j]);
-  const auto dy = static_cast<float>(grid.y[i] - grid.y[j]);
-  const auto dz = static_cast<float>(grid.z[i] - grid.z[j]);
+// Between point i of one grid and point j of another of the same lattice.
+inline float squared_units(const SortedGrid& grid, std::size_t i, const SortedGrid& other,
+                           std::size_t j) {
+  const auto dx = static_cast<float>(grid.x[i] - other.x[j]);
+  const auto dy = static_cast<float>(grid.y[i] - other.y[j]);
+  const auto dz = static_cast<float>(grid.z[i] - other.z[j]);
   return dx * dx + dy * dy + dz * dz;
 }
 
@@ -71,7 +73,7 @@ void for_each_near_pair(const SortedGrid& grid, std::size_t first_row, std::size
       const std::int32_t cell = grid.x[i] >> grid.fraction_bits;
       const auto scan = [&](std::uint32_t from, std::uint32_t end) {
         for (; from < end && grid.x[from] >> grid.fraction_bits <= cell + 1; ++from) {
-          const float squared = squared_units(grid, i, from);
+          const float squared = squared_units(grid, i, grid, from);
           if (squared <= farthest) visit(i, from, squared);
         }
       };

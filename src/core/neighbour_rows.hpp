@@ -1,4 +1,5 @@
 // All neighbours of some points, on every side: for searches that ask for a few points at a time.
+// Those who ask and those around them may be in two grids of one lattice and row shift.
 // (near_pairs.hpp is for all points, and looks at each pair once.)
 #pragma once
 
@@ -12,11 +13,11 @@ namespace beespace::core {
 
 class NeighbourRows {
  public:
-  explicit NeighbourRows(const SortedGrid& grid) : grid_(grid) {}
+  NeighbourRows(const SortedGrid& asked, const SortedGrid& others) : asked_(asked), grid_(others) {}
 
-  // Finds the rows around `row`; rows must come in ascending order.
+  // Finds the rows around `row` of those who ask; rows must come in ascending order.
   void select(std::size_t row) {
-    const std::uint64_t number = grid_.row_number[row];
+    const std::uint64_t number = asked_.row_number[row];
     count_ = 0;
     // Rows y-1, y, y+1 of the layers below, at and above. Layer 0 has none below.
     for (std::uint64_t layer = 0; layer < 3; ++layer) {
@@ -31,20 +32,20 @@ class NeighbourRows {
     }
   }
 
-  // Calls visit(j, squared distance in units) for the other points of the cells around sorted
-  // point i of the selected row that are at most `farthest` away, until it returns true; returns
-  // whether it did. Within a row, points must come in ascending order.
+  // Calls visit(j, squared distance in units) for the points of the cells around sorted point i of
+  // the selected row that are at most `farthest` away (it may be among them itself), until it
+  // returns true; returns whether it did. Within a row, points must come in ascending order.
   template <class Visit>
   bool any_near(std::uint32_t i, float farthest, Visit&& visit) {
-    const std::int32_t cell = grid_.x[i] >> grid_.fraction_bits;
+    const std::int32_t cell = asked_.x[i] >> asked_.fraction_bits;
     for (unsigned k = 0; k < count_; ++k) {
       Window& window = windows_[k];
       const auto cell_of = [this](std::uint32_t j) { return grid_.x[j] >> grid_.fraction_bits; };
       // Rows stand in the order of their cells, so windows only move forward.
       while (window.begin < window.end && cell_of(window.begin) < cell - 1) ++window.begin;
       for (std::uint32_t j = window.begin; j < window.end && cell_of(j) <= cell + 1; ++j) {
-        const float squared = squared_units(grid_, i, j);
-        if (squared <= farthest && i != j && visit(j, squared)) return true;
+        const float squared = squared_units(asked_, i, grid_, j);
+        if (squared <= farthest && visit(j, squared)) return true;
       }
     }
     return false;
@@ -56,6 +57,7 @@ class NeighbourRows {
     std::uint32_t end = 0;
   };
 
+  const SortedGrid& asked_;
   const SortedGrid& grid_;
   std::array<Window, 9> windows_{};
   unsigned count_ = 0;

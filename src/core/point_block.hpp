@@ -10,13 +10,35 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 
 namespace beespace::core {
+
+// All points of a view, or some of them.
+struct Selection {
+  const PointsView& points;
+  std::optional<std::span<const PointId>> ids = {};  // absent: all
+
+  [[nodiscard]] std::size_t size() const { return ids ? ids->size() : points.size(); }
+  [[nodiscard]] PointId id(std::size_t i) const {
+    return ids ? (*ids)[i] : static_cast<PointId>(i);
+  }
+};
 
 class PointBlock {
  public:
   static constexpr std::size_t kSize = 256;  // 6 KiB: stays in the L1 cache
 
+  void load(const Selection& selected, std::size_t begin, std::size_t count) {
+    if (!selected.ids) return load(selected.points, begin, count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Point p = selected.points[(*selected.ids)[begin + i]];
+      values_[0][i] = p.x;
+      values_[1][i] = p.y;
+      values_[2][i] = p.z;
+    }
+  }
   // Loads the points [begin, begin + count), count <= kSize.
   void load(const PointsView& points, std::size_t begin, std::size_t count) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -65,14 +87,14 @@ void for_each_block(std::size_t begin, std::size_t end, Visit&& visit) {
 // Lattice positions of a block: one short array an axis.
 using PositionBlock = std::array<std::array<std::int32_t, PointBlock::kSize>, 3>;
 
-// Calls visit(positions, first, count) for the points [begin, end) in blocks.
+// Calls visit(positions, first, count) for the points [begin, end) of a selection in blocks.
 template <class Visit>
-void for_each_position_block(const PointsView& points, const Lattice& lattice, std::size_t begin,
+void for_each_position_block(const Selection& selected, const Lattice& lattice, std::size_t begin,
                              std::size_t end, Visit&& visit) {
   PointBlock block;
   PositionBlock positions;
   for_each_block(begin, end, [&](std::size_t first, std::size_t count) {
-    block.load(points, first, count);
+    block.load(selected, first, count);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       lattice.positions(axis, block.axis(axis), count, positions[axis].data());
     }

@@ -21,12 +21,12 @@ constexpr std::uint64_t kSlotsAPoint = 16;
 // once.
 class OccupiedCells {
  public:
-  OccupiedCells(const Lattice& lattice, double bound, std::size_t size)
+  OccupiedCells(const Lattice& lattice, double bound, std::size_t size, Memory& memory)
       : fraction_bits_(lattice.fraction_bits()),
         // Positions are cut to whole units: 1 unit for each of two points.
         reach_(static_cast<std::int32_t>(bound * lattice.units_per_m()) + 2),
         mask_(std::bit_ceil(size * kSlotsAPoint) - 1),
-        words_(mask_ / kSlotsAWord + 1) {
+        words_(memory, mask_ / kSlotsAWord + 1) {
     std::fill_n(words_.data(), mask_ / kSlotsAWord + 1, std::uint64_t{0});
   }
 
@@ -129,25 +129,25 @@ class OccupiedCells {
 
 }  // namespace
 
-std::vector<PointId> sieve(const PointsView& points, const Lattice& lattice, double bound,
-                           Crew& crew) {
-  OccupiedCells cells(lattice, bound, points.size());
-  std::vector<std::vector<PointId>> left(crew.size());
+Vector<PointId> sieve(const PointsView& points, const Lattice& lattice, double bound,
+                      const Resources& with) {
+  OccupiedCells cells(lattice, bound, points.size(), with.memory);
+  Vector<Vector<PointId>> left(with.crew.size(), &with.memory);
   if (!cells.is_useful()) {
     left[0].resize(points.size());
     std::iota(left[0].begin(), left[0].end(), PointId{0});
     return std::move(left[0]);
   }
-  crew.split(points.size(), [&](std::size_t begin, std::size_t end, unsigned) {
-    for_each_position_block(points, lattice, begin, end,
+  with.crew.split(points.size(), [&](std::size_t begin, std::size_t end, unsigned) {
+    for_each_position_block({points}, lattice, begin, end,
                             [&](const PositionBlock& positions, std::size_t, std::size_t count) {
                               cells.add(positions, count);
                             });
   });
-  crew.split(points.size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
+  with.crew.split(points.size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
     std::array<bool, PointBlock::kSize> company;
     for_each_position_block(
-        points, lattice, begin, end,
+        {points}, lattice, begin, end,
         [&](const PositionBlock& positions, std::size_t first, std::size_t count) {
           cells.find_company(positions, count, company);
           for (std::size_t i = 0; i < count; ++i) {
@@ -155,10 +155,7 @@ std::vector<PointId> sieve(const PointsView& points, const Lattice& lattice, dou
           }
         });
   });
-  for (unsigned worker = 1; worker < crew.size(); ++worker) {
-    left[0].insert(left[0].end(), left[worker].begin(), left[worker].end());
-  }
-  return std::move(left[0]);
+  return joined(std::move(left));
 }
 
 }  // namespace beespace::core

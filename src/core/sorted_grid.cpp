@@ -1,72 +1,113 @@
 #include "core/sorted_grid.hpp"
 
-#include "core/cell_sort.hpp"
+#include "core/bucket_sort.hpp"
+#include "core/cell_order.hpp"
 
-#include <utility>
+#include <algorithm>
 
 namespace beespace::core {
 
 namespace {
 
-void find_rows(SortedGrid& grid, const Buffer<CellRecord>& records, const CellOrder& order) {
-  // Counted only where there may be many more or fewer than guessed.
-  std::size_t rows = order.rows();
-  if (rows > grid.size / 8) {
-    rows = 0;
-    std::uint64_t last = ~std::uint64_t{0};
-    for (std::size_t i = 0; i < grid.size; ++i) {
-      const std::uint64_t row = order.row(records[i]);
-      if (std::exchange(last, row) != row) ++rows;
-    }
+struct RowStart {
+  std::uint32_t begin;
+  std::uint64_t number;
+};
+
+// Adds the rows that start among the points [begin, end). Where `one_row` says that all of these
+// are in one row, only the first is looked at.
+void add_rows(const SortedGrid& grid, const CellOrder& order, std::uint32_t begin,
+              std::uint32_t end, bool one_row, Vector<RowStart>& rows) {
+  if (begin == end) return;
+  const std::uint32_t last = one_row ? begin + 1 : end;
+  std::uint64_t row = rows.empty() ? ~std::uint64_t{0} : rows.back().number;
+  for (std::uint32_t i = begin; i < last; ++i) {
+    const std::uint64_t number = order.row(grid.y[i], grid.z[i]);
+    if (number == row) continue;
+    row = number;
+    rows.push_back({i, number});
   }
-  grid.row_begin.reserve(rows + 1);
-  grid.row_number.reserve(rows);
-  for (std::size_t i = 0; i < grid.size; ++i) {
-    const std::uint64_t row = order.row(records[i]);
-    if (!grid.row_number.empty() && grid.row_number.back() == row) continue;
-    grid.row_begin.push_back(static_cast<std::uint32_t>(i));
-    grid.row_number.push_back(row);
+}
+
+void join_rows(SortedGrid& grid, const Vector<Vector<RowStart>>& parts) {
+  std::size_t count = 0;
+  for (const auto& part : parts) count += part.size();
+  grid.row_begin.reserve(count + 1);
+  grid.row_number.reserve(count);
+  for (const auto& part : parts) {
+    for (const RowStart& row : part) {
+      if (!grid.row_number.empty() && grid.row_number.back() == row.number) continue;
+      grid.row_begin.push_back(row.begin);
+      grid.row_number.push_back(row.number);
+    }
   }
   grid.row_begin.push_back(static_cast<std::uint32_t>(grid.size));
 }
 
+// Asks for a bucket, and for where it goes, while the one before it is sorted.
+void prefetch(const Buckets& buckets, std::size_t bucket, const SortedArrays& to) {
+  constexpr std::uint32_t kMost = 1024;
+  constexpr std::uint32_t kRecordsALine = 64 / sizeof(CellRecord);
+  const std::uint32_t begin = buckets.begin[bucket];
+  const std::uint32_t end = std::min(buckets.begin[bucket + 1], begin + kMost);
+  for (std::uint32_t i = begin; i < end; i += kRecordsALine) {
+    __builtin_prefetch(buckets.records.data() + i);
+  }
+  for (std::uint32_t i = begin; i < end; i += 64 / sizeof(PointId)) {
+    __builtin_prefetch(to.x + i, 1);
+    __builtin_prefetch(to.y + i, 1);
+    __builtin_prefetch(to.z + i, 1);
+    __builtin_prefetch(to.id + i, 1);
+  }
+}
+
 }  // namespace
 
-SortedGrid sort_into_grid(const PointsView& points, std::span<const PointId> subset,
-                          const Lattice& lattice, Crew& crew) {
-  const CellOrder order(lattice);
-  SortedGrid grid;
-  grid.size = subset.empty() ? points.size() : subset.size();
+SortedGrid sort_into_grid(const Selection& selected, const Lattice& lattice, unsigned row_shift,
+                          const Resources& with) {
+  const CellOrder order(lattice, row_shift);
+  SortedGrid grid(with.memory);
+  grid.size = selected.size();
   grid.fraction_bits = lattice.fraction_bits();
+  grid.row_shift = row_shift;
+  grid.slice_bits = order.slice_bits();
   grid.units_per_m = lattice.units_per_m();
   grid.rows_a_layer = order.rows_a_layer();
 
-  SortedCells sorted = sort_by_cell(points, subset, lattice, order, kPadding, crew);
-  const Buffer<CellRecord>& records = sorted.records;
-  find_rows(grid, records, order);
+  Buckets buckets = scatter_into_buckets(selected, lattice, order, with);
   const std::size_t padded = grid.size + kPadding;
-  static_assert(sizeof(CellRecord) == 4 * sizeof(std::int32_t));
-  grid.storage = std::move(sorted.spare).reused_as<std::int32_t>();
-  std::int32_t* x = grid.storage.data();
-  std::int32_t* y = x + padded;
-  std::int32_t* z = y + padded;
-  auto* id = reinterpret_cast<PointId*>(z + padded);  // int's unsigned twin may share its memory
-  crew.split(grid.size, [&](std::size_t begin, std::size_t end, unsigned) {
-    for (std::size_t i = begin; i < end; ++i) {
-      x[i] = records[i].position[0];
-      y[i] = records[i].position[1];
-      z[i] = records[i].position[2];
-      id[i] = records[i].id;
+  grid.storage = Buffer<std::int32_t>(with.memory, 4 * padded);
+  grid.x = grid.storage.data();
+  grid.y = grid.x + padded;
+  grid.z = grid.y + padded;
+  grid.id = reinterpret_cast<PointId*>(grid.z + padded);  // int's twin may share its memory
+  const SortedArrays arrays{grid.x, grid.y, grid.z, grid.id};
+  const bool bucket_in_row = buckets.low_bits <= order.x_key_bits();
+
+  Vector<Vector<RowStart>> rows(with.crew.size(), &with.memory);
+  with.crew.split(grid.size, [&](std::size_t begin, std::size_t end, unsigned worker) {
+    // A worker sorts the buckets that start in its share.
+    const auto start_in = [&](std::size_t point) {
+      const auto& starts = buckets.begin;
+      return static_cast<std::size_t>(std::lower_bound(starts.begin(), starts.end() - 1, point) -
+                                      starts.begin());
+    };
+    const std::size_t first = start_in(begin);
+    const std::size_t last = end == grid.size ? buckets.begin.size() - 1 : start_in(end);
+    BucketSorter sorter(order, buckets.records, arrays, with.memory);
+    for (std::size_t bucket = first; bucket < last; ++bucket) {
+      const std::uint32_t from = buckets.begin[bucket];
+      const std::uint32_t to = buckets.begin[bucket + 1];
+      if (bucket + 1 < last) prefetch(buckets, bucket + 1, arrays);
+      sorter.sort(from, to - from, buckets.low_bits);
+      add_rows(grid, order, from, to, bucket_in_row, rows[worker]);
     }
   });
+  join_rows(grid, rows);
   for (std::size_t i = grid.size; i < padded; ++i) {
-    x[i] = y[i] = z[i] = 0;
-    id[i] = 0;
+    grid.x[i] = grid.y[i] = grid.z[i] = 0;
+    grid.id[i] = 0;
   }
-  grid.x = x;
-  grid.y = y;
-  grid.z = z;
-  grid.id = id;
   return grid;
 }
 

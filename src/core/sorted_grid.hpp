@@ -1,26 +1,16 @@
-// Points in the order of their cells: the structure that every search walks.
-//
-//   row   all points whose cells share y and z; its points stand together, in order of their cell
-//         along x. Rows stand in order of (z, y). Only occupied rows exist.
-//
-//        y+1  [ . . . ]      A point's neighbours within the reach lie in its own and the 8
-//        y    [ . p . ]      surrounding rows, three cells wide: nine short runs of memory.
-//        y-1  [ . . . ]      (Here is one layer z of the three.)
-//
-// Coordinates are kept as fixed-point units of the lattice, 4 bytes an axis: as precise beside an
-// outlier 10^12 reaches away as without it.
+// Points in the order of their rows and slices (see cell_order.hpp): the structure that every
+// search walks. Coordinates are kept as fixed-point positions of the lattice, 4 bytes an axis: as
+// precise beside an outlier 10^12 reaches away as without it.
 #pragma once
 
-#include <beespace/crew.hpp>
 #include "core/buffer.hpp"
 #include "core/lattice.hpp"
+#include "core/point_block.hpp"
+#include "core/resources.hpp"
 
 #include <beespace/point.hpp>
-#include <beespace/points_view.hpp>
 
 #include <cstdint>
-#include <span>
-#include <vector>
 
 namespace beespace::core {
 
@@ -28,17 +18,23 @@ namespace beespace::core {
 inline constexpr std::size_t kPadding = 16;
 
 struct SortedGrid {
+  explicit SortedGrid(Memory& memory) : row_begin(&memory), row_number(&memory) {}
+
   std::size_t size = 0;
-  const std::int32_t* x = nullptr;  // lattice positions, below 2^30
-  const std::int32_t* y = nullptr;
-  const std::int32_t* z = nullptr;
-  const PointId* id = nullptr;  // in the caller's numbering
-  unsigned fraction_bits = 0;
+  std::int32_t* x = nullptr;  // lattice positions, below 2^30
+  std::int32_t* y = nullptr;
+  std::int32_t* z = nullptr;
+  PointId* id = nullptr;  // in the caller's numbering
+
+  unsigned fraction_bits = 0;  // a cell is 1 << fraction_bits units wide,
+  unsigned row_shift = 0;      // a row 1 << row_shift cells,
+  unsigned slice_bits = 0;     // a slice 1 << slice_bits units
   double units_per_m = 0.0;
 
-  // Row r holds the points [row_begin[r], row_begin[r + 1]); its number is row_number[r].
-  std::vector<std::uint32_t> row_begin;
-  std::vector<std::uint64_t> row_number;  // ascending: z * rows_a_layer + y
+  // Row r holds the points [row_begin[r], row_begin[r + 1]); its number is row_number[r]. Only
+  // rows that hold points exist.
+  Vector<std::uint32_t> row_begin;
+  Vector<std::uint64_t> row_number;  // ascending: z * rows_a_layer + y + 1
   std::uint64_t rows_a_layer = 0;
 
   Buffer<std::int32_t> storage;  // of the four arrays
@@ -52,9 +48,10 @@ struct SortedGrid {
   }
 };
 
-// All points, or those of `subset` if it is not empty. Working memory: 32 bytes a point and 12 an
-// occupied row, of which the grid keeps 16 and 12.
-SortedGrid sort_into_grid(const PointsView& points, std::span<const PointId> subset,
-                          const Lattice& lattice, Crew& crew);
+// Cost: two looks at every point, one scatter of 16 bytes, and passes over a few hundred points at
+// a time in the nearest cache. Working memory: 32 bytes a point and 12 a row that holds points, of
+// which the grid keeps 16 and 12.
+SortedGrid sort_into_grid(const Selection& selected, const Lattice& lattice, unsigned row_shift,
+                          const Resources& with);
 
 }  // namespace beespace::core

@@ -1,15 +1,8 @@
 #include "cpu/sweep.hpp"
 
-namespace beespace::cpu {
+#include "cpu/sweep_variants.hpp"
 
-void sweep_baseline(const Positions&, const Neighbourhood&, const Limits&, std::uint8_t*,
-                    std::uint32_t, const Unsure&);
-#if defined(BEESPACE_X86_KERNELS)
-void sweep_avx2(const Positions&, const Neighbourhood&, const Limits&, std::uint8_t*, std::uint32_t,
-                const Unsure&);
-void sweep_avx512(const Positions&, const Neighbourhood&, const Limits&, std::uint8_t*,
-                  std::uint32_t, const Unsure&);
-#endif
+namespace beespace::cpu {
 
 const char* name_of(InstructionSet set) {
   switch (set) {
@@ -50,16 +43,16 @@ InstructionSet best_instruction_set() {
   return best;
 }
 
-SweepKernel sweep_kernel(InstructionSet set) {
+const Kernels& kernels(InstructionSet set) {
   switch (set) {
 #if defined(BEESPACE_X86_KERNELS)
     case InstructionSet::kAvx2:
-      return sweep_avx2;
+      return kAvx2Kernels;
     case InstructionSet::kAvx512:
-      return sweep_avx512;
+      return kAvx512Kernels;
 #endif
     default:
-      return sweep_baseline;
+      return kBaselineKernels;
   }
 }
 

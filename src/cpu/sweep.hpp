@@ -1,9 +1,11 @@
-// The sweep: every pair of points in adjacent cells is looked at once, many pairs an instruction.
+// The sweep: points of one row are compared with the points of the rows around it, many at once.
 //
-// A kernel works on fixed-point positions and classifies: surely near (marks both points), surely
-// far, or unsure (handed to `Unsure`, which decides exactly). So all kernels lead to the same
-// answer. There is one kernel an instruction set, all compiled from sweep_kernel.hpp.
+// A kernel works on fixed-point positions and classifies: surely near, surely far, or unsure
+// (handed to `Unsure`, which decides exactly). So all kernels lead to the same answer. There is one
+// set of kernels an instruction set, all compiled from sweep_kernel.hpp.
 #pragma once
+
+#include <beespace/point.hpp>
 
 #include <cstdint>
 
@@ -14,7 +16,7 @@ struct Positions {
   const std::int32_t* x;
   const std::int32_t* y;
   const std::int32_t* z;
-  unsigned fraction_bits;
+  const PointId* id;
 };
 
 // Squared distances in units: below `near` a pair is surely within the threshold, above `far`
@@ -29,38 +31,98 @@ struct Range {
   std::uint32_t end;
 };
 
-// The forward half of a row's neighbourhood. Rows are long or short: along a long row a window of
-// three cells is followed; short rows that stand together are looked at whole, as one.
-struct Neighbourhood {
-  Range row;
-  std::uint32_t own_end;  // the row's points are compared with those behind them, up to here:
-                          // row.end, or the end of the next row if the two are short
-  Range together;         // short later rows, possibly none
-  Range later[4];         // long later rows
-  unsigned later_count;
+// At which sides of its row a point's cell lies, and which side a row is beyond.
+enum Side : unsigned { kLowY = 1, kHighY = 2, kLowZ = 4, kHighZ = 8 };
+
+// A row to look into: by those points whose cells lie at all these sides of their own row.
+struct Target {
+  Range points;
+  unsigned sides;
 };
 
 struct Unsure {
-  void (*decide)(void* context, std::uint32_t i, std::uint32_t j);
+  void (*decide)(void* context, std::uint32_t asked, std::uint32_t other);
   void* context;
 };
 
-// Marks the points of the neighbourhood that are near another one: near_marks[i - first_mark]
-// becomes nonzero for sorted point i. Marks are readable and writable for kPadding behind the last.
-using SweepKernel = void (*)(const Positions& positions, const Neighbourhood& neighbourhood,
-                             const Limits& limits, std::uint8_t* near_marks,
-                             std::uint32_t first_mark, const Unsure& unsure);
+struct Sweep {
+  Positions asked;
+  Positions others;  // the same when a set is swept by itself
+  unsigned fraction_bits;
+  unsigned row_shift;
+  unsigned slice_bits;
+  Limits limits;
+
+  bool same_set;  // whether equal ids among asked points and others mean the same point
+
+  Range points;           // the points that ask: all or some of a row
+  std::uint32_t own_end;  // they look at those behind them in their row, up to here; 0: at none
+  Target targets[9];
+  unsigned target_count;
+
+  Unsure unsure;
+};
+
+// What becomes of near pairs. Where a set is swept by itself a pair is met once and both points
+// take note of it; between two sets only the asking one does. Arrays are indexed by sorted points,
+// less first_asked or first_other; those for others can be read and written kPadding beyond.
+
+struct Marks {
+  std::uint8_t* asked;  // nonzero: has a near one
+  std::uint8_t* others;
+  std::uint32_t first_asked;
+  std::uint32_t first_other;
+};
+
+struct Counts {
+  std::uint32_t* asked;
+  std::uint32_t* others;
+  std::uint32_t first_asked;
+  std::uint32_t first_other;
+};
+
+// Near pairs by their ids, asked first. `make_room` empties the buffer when fewer than kMostAtOnce
+// places are left; it returns whether to go on. (`decide` adds a pair in the same way.)
+struct PairSink {
+  static constexpr std::uint32_t kMostAtOnce = 16;  // as many as the widest lanes
+
+  PointId* first;
+  PointId* second;
+  std::uint32_t size;
+  std::uint32_t capacity;
+  bool (*make_room)(void* context);
+  void* context;
+};
+
+// The nearest two of all that were looked at, near or not: squared distances in units, and who the
+// nearest is, as a sorted point. Nobody is its own nearest.
+struct NearestTable {
+  float* best;
+  float* second;
+  std::uint32_t* who;
+  std::uint32_t first;  // of asked and others alike
+};
 
 enum class InstructionSet : std::uint8_t { kBaseline, kAvx2, kAvx512 };
 
 inline constexpr InstructionSet kInstructionSets[] = {
     InstructionSet::kBaseline, InstructionSet::kAvx2, InstructionSet::kAvx512};
 
+struct Kernels {
+  void (*mark)(const Sweep& sweep, const Marks& marks);
+  void (*mark_asked)(const Sweep& sweep, const Marks& marks);  // leaves a point once it is marked
+  void (*count)(const Sweep& sweep, const Counts& counts);
+  void (*count_asked)(const Sweep& sweep, const Counts& counts);
+  bool (*collect)(const Sweep& sweep, PairSink& pairs);  // false when make_room said stop
+  void (*nearest)(const Sweep& sweep, const NearestTable& nearest);
+  void (*nearest_asked)(const Sweep& sweep, const NearestTable& nearest);
+};
+
 const char* name_of(InstructionSet set);
 // Whether this build has the kernels and this processor runs them.
 bool is_available(InstructionSet set);
 InstructionSet best_instruction_set();
-// The kernel of an available instruction set.
-SweepKernel sweep_kernel(InstructionSet set);
+// The kernels of an available instruction set.
+const Kernels& kernels(InstructionSet set);
 
 }  // namespace beespace::cpu

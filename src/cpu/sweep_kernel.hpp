@@ -1,4 +1,4 @@
-// The sweep kernel: the algorithm, written once over lanes of points.
+// The sweep kernels: the algorithm, written once over lanes of points.
 //
 // Included by the sweep_<instruction set>.cpp files only; each brings its own Lanes. Those files
 // are compiled for processors that the rest of the library must not require, so nothing here may
@@ -6,13 +6,21 @@
 // header is called.
 //
 // Lanes gives
-//   kLanes                        how many points it looks at together
+//   kLanes                         how many points it looks at together
 //   Lanes(limits)
-//   select(x, y, z, first_x)      the point to compare with, and where its window along x starts
-//   Found look(x, y, z, count)    compares it with the next kLanes points, of which `count` count
-//   mark(marks, near_lanes)       marks[lane] = nonzero for every lane set
-// where Found has one bit a lane: surely near, within (near or unsure), and before (left of the
-// window).
+//   select(x, y, z, first_x)       the point to compare with, and where its window along x starts
+//   Seen look(x, y, z, count)      compares it with the next kLanes points, of which `count` count
+//   mark(marks, seen)              marks[lane] = nonzero for every near lane
+//   count(counts, seen)            counts[lane] += 1 for every near lane
+//   store(ids, seen, to)           writes the ids of the near lanes one after the other; kLanes
+//                                  places may be written
+//   fill(to, id)                   writes an id kLanes times
+//   leave_out(seen, ids, id)       the lane whose id is this one no longer counts
+// where Seen has one bit a lane: near (surely), within (near or unsure), before (left of the
+// window); and what else the Lanes remember. Nearest keeps, lane by lane, the nearest two:
+//   add(seen, from)                takes the lanes that count, which are others from `from` on
+//   merge_into(best, second, who)  takes the nearest two of all lanes into a table's entry
+//   offer(seen, asked, best, second, who)  takes the asking point into the entries of the lanes
 #pragma once
 
 #include "cpu/sweep.hpp"
@@ -22,75 +30,293 @@
 namespace beespace::cpu {
 namespace {
 
-struct Marks {
-  std::uint8_t* first;
-  std::uint32_t first_point;
+constexpr float kInfinity = __builtin_inff();
 
-  [[nodiscard]] std::uint8_t* of(std::uint32_t point) const {
-    return first + (point - first_point);
+// What becomes of near pairs is up to a sink: start(sweep, i) says whether point i is still worth
+// comparing, take(seen, from) whether to go on with it, finish(i) whether to go on at all. A point
+// is started once for each row that it is compared with.
+
+template <class Lanes>
+class MarkBoth {
+ public:
+  explicit MarkBoth(const Marks& marks) : marks_(marks) {}
+
+  bool start(const Sweep&, std::uint32_t) {
+    any_ = 0;
+    return true;
   }
+  bool take(const typename Lanes::Seen& seen, std::uint32_t from) {
+    Lanes::mark(marks_.others + (from - marks_.first_other), seen);
+    any_ |= seen.near;
+    return true;
+  }
+  bool finish(std::uint32_t i) {
+    std::uint8_t& mark = marks_.asked[i - marks_.first_asked];
+    mark = static_cast<std::uint8_t>(mark | (any_ != 0 ? 1U : 0U));
+    return true;
+  }
+
+ private:
+  Marks marks_;
+  unsigned any_ = 0;
 };
 
-// Compares the selected point i with the points [from, end) that lie within a cell of it along x.
-// Returns how many of them at the start lie before that; `any_near` collects hits.
 template <class Lanes>
+class MarkAsked {
+ public:
+  explicit MarkAsked(const Marks& marks) : marks_(marks) {}
+
+  bool start(const Sweep&, std::uint32_t i) {
+    asked_ = i;
+    return marks_.asked[i - marks_.first_asked] == 0;
+  }
+  bool take(const typename Lanes::Seen& seen, std::uint32_t) {
+    if (seen.near != 0) marks_.asked[asked_ - marks_.first_asked] = 1;
+    return marks_.asked[asked_ - marks_.first_asked] == 0;  // an unsure pair may have marked it too
+  }
+  bool finish(std::uint32_t) { return true; }
+
+ private:
+  Marks marks_;
+  std::uint32_t asked_ = 0;
+};
+
+template <class Lanes, bool kBoth>
+class Count {
+ public:
+  explicit Count(const Counts& counts) : counts_(counts) {}
+
+  bool start(const Sweep&, std::uint32_t) {
+    count_ = 0;
+    return true;
+  }
+  bool take(const typename Lanes::Seen& seen, std::uint32_t from) {
+    if constexpr (kBoth) Lanes::count(counts_.others + (from - counts_.first_other), seen);
+    count_ += static_cast<std::uint32_t>(__builtin_popcount(seen.near));
+    return true;
+  }
+  bool finish(std::uint32_t i) {
+    counts_.asked[i - counts_.first_asked] += count_;
+    return true;
+  }
+
+ private:
+  Counts counts_;
+  std::uint32_t count_ = 0;
+};
+
+template <class Lanes>
+class Collect {
+ public:
+  explicit Collect(PairSink& pairs) : pairs_(pairs) {}
+
+  bool start(const Sweep& sweep, std::uint32_t i) {
+    asked_ = sweep.asked.id[i];
+    others_ = sweep.others.id;
+    return true;
+  }
+  bool take(const typename Lanes::Seen& seen, std::uint32_t from) {
+    if (seen.near == 0) return true;
+    Lanes::fill(pairs_.first + pairs_.size, asked_);
+    Lanes::store(others_ + from, seen, pairs_.second + pairs_.size);
+    pairs_.size += static_cast<std::uint32_t>(__builtin_popcount(seen.near));
+    if (pairs_.capacity - pairs_.size >= PairSink::kMostAtOnce) [[likely]] {
+      return true;
+    }
+    go_on_ = go_on_ && pairs_.make_room(pairs_.context);
+    return go_on_;
+  }
+  bool finish(std::uint32_t) { return go_on_; }
+
+ private:
+  PairSink& pairs_;
+  const PointId* others_ = nullptr;
+  PointId asked_ = 0;
+  bool go_on_ = true;
+};
+
+template <class Lanes, bool kBoth>
+class KeepNearest {
+ public:
+  explicit KeepNearest(const NearestTable& table) : table_(table) {}
+
+  bool start(const Sweep& sweep, std::uint32_t i) {
+    nearest_.clear();
+    asked_ = i;
+    others_ = sweep.others.id;
+    self_ = sweep.same_set ? sweep.asked.id[i] : kNobody;
+    return true;
+  }
+  bool take(typename Lanes::Seen seen, std::uint32_t from) {
+    if constexpr (!kBoth) Lanes::leave_out(seen, others_ + from, self_);
+    nearest_.add(seen, from);
+    if constexpr (kBoth) {
+      const std::uint32_t place = from - table_.first;
+      Lanes::Nearest::offer(seen, asked_, table_.best + place, table_.second + place,
+                            table_.who + place);
+    }
+    return true;
+  }
+  bool finish(std::uint32_t i) {
+    const std::uint32_t place = i - table_.first;
+    nearest_.merge_into(table_.best[place], table_.second[place], table_.who[place]);
+    return true;
+  }
+
+ private:
+  static constexpr PointId kNobody = 0xFFFF'FFFFU;
+
+  NearestTable table_;
+  typename Lanes::Nearest nearest_;
+  const PointId* others_ = nullptr;
+  PointId self_ = kNobody;
+  std::uint32_t asked_ = 0;
+};
+
+template <class Lanes>
+[[gnu::noinline]] void decide_unsure(const Unsure& unsure, std::uint32_t i, std::uint32_t from,
+                                     unsigned open) {
+  for (unsigned lane = 0; lane < Lanes::kLanes; ++lane) {
+    if ((open >> lane & 1U) != 0) unsure.decide(unsure.context, i, from + lane);
+  }
+}
+
+// Compares the selected point i with the points [from, end) that lie within a cell of it along x.
+// Returns how many of those it has seen lie before that.
+template <class Lanes, class Sink>
 [[gnu::always_inline]] inline std::uint32_t scan(const Lanes& lanes, const Positions& at,
                                                  std::uint32_t i, std::uint32_t from,
-                                                 std::uint32_t end, std::int32_t end_x,
-                                                 const Marks& marks, unsigned& any_near,
+                                                 std::uint32_t end, std::int32_t end_x, Sink& sink,
                                                  const Unsure& unsure) {
   std::uint32_t before = 0;
   while (from < end) {
     const std::uint32_t left = end - from;
-    const auto found = lanes.look(at.x + from, at.y + from, at.z + from, left);
-    Lanes::mark(marks.of(from), found.near);
-    any_near |= found.near;
-    before += static_cast<std::uint32_t>(__builtin_popcount(found.before));
-    if (found.within != found.near) [[unlikely]] {
-      const unsigned open = found.within & ~found.near;
-      for (unsigned lane = 0; lane < Lanes::kLanes; ++lane) {
-        if ((open >> lane & 1U) != 0) unsure.decide(unsure.context, i, from + lane);
-      }
+    const auto seen = lanes.look(at.x + from, at.y + from, at.z + from, left);
+    before += static_cast<std::uint32_t>(__builtin_popcount(seen.before));
+    if (seen.within != seen.near) [[unlikely]] {
+      decide_unsure<Lanes>(unsure, i, from, seen.within & ~seen.near);
     }
+    if (!sink.take(seen, from)) break;
     if (left <= Lanes::kLanes || at.x[from + Lanes::kLanes - 1] >= end_x) break;
     from += Lanes::kLanes;
   }
   return before;
 }
 
-template <class Lanes>
-[[gnu::always_inline]] inline void sweep(const Positions& positions, const Neighbourhood& around,
-                                         const Limits& limits, std::uint8_t* near_marks,
-                                         std::uint32_t first_mark, const Unsure& unsure) {
-  const Positions at = positions;
-  const Neighbourhood hood = around;
-  const Marks marks{near_marks, first_mark};
-  const std::int32_t cell = 1 << at.fraction_bits;
-  constexpr std::int32_t kEverywhere = 0x7FFF'FFFF;
-  const bool own_is_whole = hood.own_end != hood.row.end;
-  Lanes lanes(limits);
+// The first point of a range whose slice is not before `first_x`.
+inline std::uint32_t window_start(const std::int32_t* x, Range range, std::int32_t first_x) {
+  while (range.begin < range.end) {
+    const std::uint32_t middle = range.begin + (range.end - range.begin) / 2;
+    if (x[middle] < first_x) {
+      range.begin = middle + 1;
+    } else {
+      range.end = middle;
+    }
+  }
+  return range.begin;
+}
 
-  // Where in each later row the window of the current point starts. Points of a row are in the
-  // order of their cells along x, so windows only move forward.
-  std::uint32_t window[4] = {hood.later[0].begin, hood.later[1].begin, hood.later[2].begin,
-                             hood.later[3].begin};
-  for (std::uint32_t i = hood.row.begin; i < hood.row.end; ++i) {
-    const std::int32_t first_x = (at.x[i] & -cell) - cell;
-    const std::int32_t end_x = first_x + 3 * cell;
-    lanes.select(at.x[i], at.y[i], at.z[i], first_x);
-    unsigned any_near = 0;
-    (void)scan(lanes, at, i, i + 1, hood.own_end, own_is_whole ? kEverywhere : end_x, marks,
-               any_near, unsure);
-    (void)scan(lanes, at, i, hood.together.begin, hood.together.end, kEverywhere, marks, any_near,
-               unsure);
-    if (hood.later_count != 0) {
-      for (unsigned k = 0; k < 4; ++k) {
-        window[k] +=
-            scan(lanes, at, i, window[k], hood.later[k].end, end_x, marks, any_near, unsure);
+// A few hundred points of the row at a time. Whether a point looks into a target depends on its
+// place, which no processor predicts: so the points that do are listed first, without a branch, and
+// the comparisons run through the lists.
+constexpr std::uint32_t kBlock = 256;
+
+struct Block {
+  std::uint32_t points[kBlock + 1];
+  std::uint8_t sides[kBlock];  // of its row, that the point's cell lies at
+
+  void find_sides(const Sweep& sweep, std::uint32_t first, std::uint32_t count) {
+    const auto last = static_cast<std::int32_t>((1U << sweep.row_shift) - 1U);
+    const unsigned shift = sweep.fraction_bits;
+    const std::int32_t* y = sweep.asked.y + first;
+    const std::int32_t* z = sweep.asked.z + first;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const std::int32_t in_y = y[k] >> shift & last;
+      const std::int32_t in_z = z[k] >> shift & last;
+      sides[k] = static_cast<std::uint8_t>((in_y == 0 ? kLowY : 0U) | (in_y == last ? kHighY : 0U) |
+                                           (in_z == 0 ? kLowZ : 0U) | (in_z == last ? kHighZ : 0U));
+    }
+  }
+
+  std::uint32_t list(unsigned wanted, std::uint32_t first, std::uint32_t count) {
+    std::uint32_t listed = 0;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      points[listed] = first + k;
+      listed += (sides[k] & wanted) == wanted ? 1U : 0U;
+    }
+    return listed;
+  }
+};
+
+template <class Lanes, class Sink>
+[[gnu::always_inline]] inline bool sweep_row(const Sweep& given, Sink sink) {
+  const Sweep sweep = given;  // a copy that no store can be suspected of changing
+  const Positions& at = sweep.asked;
+  const std::int32_t cell = 1 << sweep.fraction_bits;
+  const std::int32_t slice = -(1 << sweep.slice_bits);
+  // Whoever is within the reach is at most a cell away along x, give or take a unit of rounding;
+  // windows begin and end with whole slices, whose points stand in any order.
+  const auto first_x_of = [&](std::uint32_t i) { return (at.x[i] - cell - 1) & slice; };
+  const auto end_x_of = [&](std::uint32_t i) { return ((at.x[i] + cell + 1) & slice) - slice; };
+  Lanes lanes(sweep.limits);
+
+  // Where in each target the window of the next point starts; it only moves forward.
+  std::uint32_t window[9];
+  for (unsigned k = 0; k < sweep.target_count; ++k) {
+    window[k] =
+        window_start(sweep.others.x, sweep.targets[k].points, first_x_of(sweep.points.begin));
+  }
+  Block block;
+  for (std::uint32_t first = sweep.points.begin; first < sweep.points.end; first += kBlock) {
+    const std::uint32_t left = sweep.points.end - first;
+    const std::uint32_t count = left < kBlock ? left : kBlock;
+    block.find_sides(sweep, first, count);
+    for (std::uint32_t i = first; i < first + count && i + 1 < sweep.own_end; ++i) {
+      lanes.select(at.x[i], at.y[i], at.z[i], first_x_of(i));
+      if (!sink.start(sweep, i)) continue;
+      (void)scan(lanes, sweep.others, i, i + 1, sweep.own_end, end_x_of(i), sink, sweep.unsure);
+      if (!sink.finish(i)) return false;
+    }
+    for (unsigned k = 0; k < sweep.target_count; ++k) {
+      const std::uint32_t listed = block.list(sweep.targets[k].sides, first, count);
+      for (std::uint32_t next = 0; next < listed; ++next) {
+        const std::uint32_t i = block.points[next];
+        lanes.select(at.x[i], at.y[i], at.z[i], first_x_of(i));
+        if (!sink.start(sweep, i)) continue;
+        window[k] += scan(lanes, sweep.others, i, window[k], sweep.targets[k].points.end,
+                          end_x_of(i), sink, sweep.unsure);
+        if (!sink.finish(i)) return false;
       }
     }
-    Lanes::mark(marks.of(i), any_near != 0 ? 1U : 0U);
   }
+  return true;
+}
+
+template <class Lanes>
+constexpr Kernels kernels_over() {
+  return {
+      [](const Sweep& sweep, const Marks& marks) {
+        (void)sweep_row<Lanes>(sweep, MarkBoth<Lanes>(marks));
+      },
+      [](const Sweep& sweep, const Marks& marks) {
+        (void)sweep_row<Lanes>(sweep, MarkAsked<Lanes>(marks));
+      },
+      [](const Sweep& sweep, const Counts& counts) {
+        (void)sweep_row<Lanes>(sweep, Count<Lanes, true>(counts));
+      },
+      [](const Sweep& sweep, const Counts& counts) {
+        (void)sweep_row<Lanes>(sweep, Count<Lanes, false>(counts));
+      },
+      [](const Sweep& sweep, PairSink& pairs) {
+        return sweep_row<Lanes>(sweep, Collect<Lanes>(pairs));
+      },
+      [](const Sweep& sweep, const NearestTable& nearest) {
+        (void)sweep_row<Lanes>(sweep, KeepNearest<Lanes, true>(nearest));
+      },
+      [](const Sweep& sweep, const NearestTable& nearest) {
+        (void)sweep_row<Lanes>(sweep, KeepNearest<Lanes, false>(nearest));
+      },
+  };
 }
 
 }  // namespace

@@ -1,17 +1,20 @@
 #include "core/sorted_grid.hpp"
 
-#include "core/cell_sort.hpp"
+#include "core/cell_order.hpp"
 #include "core/exact_distance.hpp"
 #include "core/near_pairs.hpp"
-#include <beespace/crew.hpp>
 #include "tests/support/search_scenes.hpp"
+
+#include <beespace/crew.hpp>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
+#include <span>
 
 namespace beespace::core {
 namespace {
@@ -21,22 +24,29 @@ class EveryScene : public testing::TestWithParam<unsigned> {
   template <class Check>
   void for_each_grid(Check&& check) {
     ThreadCrew crew(GetParam());
+    Memory memory;
+    const Resources with{crew, memory};
     for (const test::SearchScene& scene : test::search_scenes()) {
       for (const std::uint64_t fold_beyond : {std::uint64_t{4}, Lattice::kFoldBeyondCells}) {
         SCOPED_TRACE(scene.name);
-        const Bounds bounds = *measure(scene.points, crew);
-        const Lattice lattice(scene.points, bounds, scene.threshold_m, fold_beyond);
-        check(scene, lattice, sort_into_grid(scene.points, {}, lattice, crew));
+        const PointsView points(scene.points);
+        const Bounds bounds = *measure(points, with);
+        const Lattice lattice({&points, 1}, bounds, scene.threshold_m, memory, fold_beyond);
+        for (const unsigned row_shift : {0U, 1U, 3U}) {
+          SCOPED_TRACE(row_shift);
+          check(scene, lattice, sort_into_grid({points}, lattice, row_shift, with));
+        }
       }
     }
   }
 };
 
-TEST_P(EveryScene, HoldsEveryPointOnceInTheOrderOfItsCell) {
+TEST_P(EveryScene, HoldsEveryPointOnceInTheOrderOfRowsAndSlices) {
   for_each_grid([](const test::SearchScene& scene, const Lattice& lattice, const SortedGrid& grid) {
     ASSERT_EQ(grid.size, scene.points.size());
     std::vector<bool> seen(grid.size, false);
-    std::array<std::uint64_t, 3> last{0, 0, 0};
+    const CellOrder order(lattice, grid.row_shift);
+    std::pair<std::uint64_t, std::int32_t> last{0, 0};
     for (std::size_t i = 0; i < grid.size; ++i) {
       const PointId id = grid.id[i];
       ASSERT_FALSE(seen[id]);
@@ -45,13 +55,9 @@ TEST_P(EveryScene, HoldsEveryPointOnceInTheOrderOfItsCell) {
       ASSERT_EQ(grid.x[i], lattice.position(0, p.x));
       ASSERT_EQ(grid.y[i], lattice.position(1, p.y));
       ASSERT_EQ(grid.z[i], lattice.position(2, p.z));
-      const std::array<std::uint64_t, 3> cell{lattice.cell(2, p.z), lattice.cell(1, p.y),
-                                              lattice.cell(0, p.x)};
-      ASSERT_GE(cell, last);
-      if (i > 0 && cell == last) {
-        ASSERT_GT(id, grid.id[i - 1]);
-      }
-      last = cell;
+      const std::pair place{order.row(grid.y[i], grid.z[i]), grid.x[i] >> grid.slice_bits};
+      ASSERT_GE(place, last);
+      last = place;
     }
   });
 }
@@ -59,7 +65,9 @@ TEST_P(EveryScene, HoldsEveryPointOnceInTheOrderOfItsCell) {
 TEST_P(EveryScene, RowsAreTheRunsOfEqualYAndZ) {
   for_each_grid([](const test::SearchScene& scene, const Lattice& lattice, const SortedGrid& grid) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> expected;
-    for (const Point& p : scene.points) ++expected[{lattice.cell(2, p.z), lattice.cell(1, p.y)}];
+    for (const Point& p : scene.points) {
+      ++expected[{lattice.cell(2, p.z) >> grid.row_shift, lattice.cell(1, p.y) >> grid.row_shift}];
+    }
     ASSERT_EQ(grid.rows(), expected.size());
     std::size_t row = 0;
     for (const auto& [zy, count] : expected) {
@@ -96,6 +104,8 @@ TEST_P(EveryScene, NearPairsVisitEveryPairWithinTheReachOnce) {
 // Few units a cell, and distances at the reach: what is called sure must be true.
 TEST(SquaredLimits, AreRightWhereAUnitIsCoarse) {
   Crew alone;
+  Memory memory;
+  const Resources with{alone, memory};
   std::size_t sure = 0;
   for (int power = 10; power <= 28; ++power) {
     test::SceneMaker make(static_cast<std::uint32_t>(power));
@@ -107,13 +117,14 @@ TEST(SquaredLimits, AreRightWhereAUnitIsCoarse) {
       points.push_back(
           {points[i].x + scale * d.x, points[i].y + scale * d.y, points[i].z + scale * d.z});
     }
-    const Lattice lattice(points, *measure(points, alone), 1.0, std::uint64_t{1} << 29);
-    const SortedGrid grid = sort_into_grid(points, {}, lattice, alone);
+    const PointsView view(points);
+    const Lattice lattice({&view, 1}, *measure(view, with), 1.0, memory, std::uint64_t{1} << 29);
+    const SortedGrid grid = sort_into_grid({view}, lattice, 0, with);
     const SquaredLimits limits(1.0, grid.units_per_m);
     std::vector<std::size_t> place(points.size());
     for (std::size_t i = 0; i < grid.size; ++i) place[grid.id[i]] = i;
     for (std::size_t i = 0; i < 300; ++i) {
-      const float squared = squared_units(grid, place[i], place[i + 300]);
+      const float squared = squared_units(grid, place[i], grid, place[i + 300]);
       const bool near = ProximityTest(1.0, false)(points[i], points[i + 300]);
       ASSERT_TRUE(near || squared >= limits.surely_near) << power;
       ASSERT_TRUE(!near || squared <= limits.surely_far) << power;
@@ -125,30 +136,64 @@ TEST(SquaredLimits, AreRightWhereAUnitIsCoarse) {
 
 INSTANTIATE_TEST_SUITE_P(Crews, EveryScene, testing::Values(1U, 3U));
 
-TEST(SortedGrid, OfASubsetHoldsThatSubset) {
+class Sorting : public testing::Test {
+ protected:
+  SortedGrid sorted(const PointsView& points, double reach,
+                    std::optional<std::span<const PointId>> ids = {}) {
+    const Resources with{alone_, memory_};
+    const Lattice lattice({&points, 1}, *measure(points, with), reach, memory_);
+    key_bits_ = CellOrder(lattice, 0).key_bits();
+    return sort_into_grid({points, ids}, lattice, 0, with);
+  }
+
+  static void expect_sorted(const SortedGrid& grid, std::size_t size) {
+    std::vector<bool> seen(size, false);
+    for (std::size_t row = 0; row < grid.rows(); ++row) {
+      if (row > 0) {
+        ASSERT_LT(grid.row_number[row - 1], grid.row_number[row]);
+      }
+      for (std::uint32_t i = grid.row_begin[row]; i < grid.row_begin[row + 1]; ++i) {
+        ASSERT_FALSE(seen[grid.id[i]]);
+        seen[grid.id[i]] = true;
+        if (i == grid.row_begin[row]) continue;
+        ASSERT_LE(grid.x[i - 1] >> grid.slice_bits, grid.x[i] >> grid.slice_bits);
+      }
+    }
+    EXPECT_EQ(std::count(seen.begin(), seen.end(), true), static_cast<std::ptrdiff_t>(grid.size));
+  }
+
+  Crew alone_;
+  Memory memory_;
+  unsigned key_bits_ = 0;
+};
+
+TEST_F(Sorting, OfASubsetHoldsThatSubset) {
   test::SceneMaker make(2);
   const std::vector<Point> points = make.box(5000, {0, 0, 0}, {100, 100, 100});
-  Crew alone;
-  const Lattice lattice(points, *measure(points, alone), 5.0);
   std::vector<PointId> subset;
   for (PointId id = 3; id < 5000; id += 7) subset.push_back(id);
-  const SortedGrid grid = sort_into_grid(points, subset, lattice, alone);
+  const SortedGrid grid = sorted(points, 5.0, subset);
   std::vector<PointId> ids(grid.id, grid.id + grid.size);
   std::sort(ids.begin(), ids.end());
   EXPECT_EQ(ids, subset);
+  EXPECT_EQ(sorted(points, 5.0, std::span<const PointId>()).size, 0U);
 }
 
 // Buckets of many points take the counting sort, and wide keys take several passes of it.
-TEST(CellSort, SortsLargeBucketsByWideKeys) {
+TEST_F(Sorting, SortsBucketsByWideKeys) {
   test::SceneMaker make(4);
   std::vector<Point> points = make.box(40'000, {0, 0, 0}, {3000, 3000, 3000});
-  points.push_back({1e6, 1e6, 1e6});
-  Crew alone;
-  const Lattice lattice(points, *measure(points, alone), 1.0);
-  const CellOrder order(lattice);
-  EXPECT_GT(order.key_bits(), 40U);
-  const Buffer<CellRecord> records = sort_by_cell(points, {}, lattice, order, 0, alone).records;
-  EXPECT_TRUE(std::is_sorted(records.data(), records.data() + points.size(), order));
+  points.push_back({1e5, 1e5, 1e5});
+  expect_sorted(sorted(points, 1.0), points.size());
+  EXPECT_GT(key_bits_, 40U);
+}
+
+// A crowd in a wide space falls into one bucket, which is split in place.
+TEST_F(Sorting, SplitsBucketsThatAreTooLarge) {
+  test::SceneMaker make(5);
+  std::vector<Point> points = make.box(100'000, {0, 0, 0}, {300, 300, 300});
+  points.push_back({1e5, 1e5, 1e5});
+  expect_sorted(sorted(points, 1.0), points.size());
 }
 
 }  // namespace

@@ -1,0 +1,174 @@
+#include "core/bucket_sort.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <utility>
+
+namespace beespace::core {
+
+namespace {
+
+// As many open write streams as the L2 cache and, on huge pages, the translation buffer bear; and
+// buckets of some hundred points, which stay in the L1 cache.
+constexpr unsigned kMostBucketBits = 12;
+constexpr unsigned kPointsABucketBits = 9;
+
+// Below this, a comparison sort is done before a counting sort has cleared its counters.
+constexpr std::size_t kFew = 32;
+
+constexpr unsigned kMostDigitBits = 10;
+
+unsigned bucket_bits_for(std::size_t size, unsigned key_bits) {
+  const auto size_bits = static_cast<unsigned>(std::bit_width(size));
+  const unsigned wanted = size_bits - std::min(size_bits, kPointsABucketBits);
+  return std::min({wanted, kMostBucketBits, key_bits});
+}
+
+using BucketBlock = std::array<std::uint32_t, PointBlock::kSize>;
+
+void find_buckets(const PositionBlock& at, std::size_t count, const CellOrder& order,
+                  unsigned low_bits, BucketBlock& bucket) {
+  const CellOrder by = order;  // a copy that no store can be suspected of changing
+  for (std::size_t i = 0; i < count; ++i) {
+    bucket[i] = static_cast<std::uint32_t>(by.key(at[0][i], at[1][i], at[2][i], low_bits));
+  }
+}
+
+// One stable counting pass by the key's digit at `shift`; put(place, record) takes the result.
+template <class Put>
+void counting_pass(const CellRecord* from, std::size_t size, const CellOrder& order, unsigned shift,
+                   unsigned digit_bits, Put&& put) {
+  constexpr std::size_t kRemembered = 2048;  // digits are worked out once, for buckets up to this
+  const CellOrder by = order;
+  const std::size_t mask = (std::size_t{1} << digit_bits) - 1;
+  const auto digit_of = [&](std::size_t i) { return by.key(from[i], shift) & mask; };
+  std::array<std::uint32_t, std::size_t{1} << kMostDigitBits> next;
+  std::array<std::uint16_t, kRemembered> digits;
+  std::fill_n(next.begin(), mask + 1, 0U);
+  const bool remember = size <= kRemembered;
+  if (remember) {
+    for (std::size_t i = 0; i < size; ++i) digits[i] = static_cast<std::uint16_t>(digit_of(i));
+    for (std::size_t i = 0; i < size; ++i) ++next[digits[i]];
+  } else {
+    for (std::size_t i = 0; i < size; ++i) ++next[digit_of(i)];
+  }
+  std::uint32_t sum = 0;
+  for (std::size_t digit = 0; digit <= mask; ++digit) sum += std::exchange(next[digit], sum);
+  if (remember) {
+    for (std::size_t i = 0; i < size; ++i) put(next[digits[i]]++, from[i]);
+  } else {
+    for (std::size_t i = 0; i < size; ++i) put(next[digit_of(i)]++, from[i]);
+  }
+}
+
+}  // namespace
+
+Buckets scatter_into_buckets(const Selection& selected, const Lattice& lattice,
+                             const CellOrder& order, const Resources& with) {
+  const std::size_t size = selected.size();
+  const unsigned low_bits = order.key_bits() - bucket_bits_for(size, order.key_bits());
+  const std::size_t buckets = std::size_t{1} << (order.key_bits() - low_bits);
+  const unsigned workers = with.crew.size();
+
+  Vector<std::uint32_t> next(buckets * workers, &with.memory);  // [worker][bucket]
+  with.crew.split(size, [&](std::size_t begin, std::size_t end, unsigned worker) {
+    std::uint32_t* counts = next.data() + worker * buckets;
+    BucketBlock bucket;
+    for_each_position_block(selected, lattice, begin, end,
+                            [&](const PositionBlock& at, std::size_t, std::size_t count) {
+                              find_buckets(at, count, order, low_bits, bucket);
+                              for (std::size_t i = 0; i < count; ++i) ++counts[bucket[i]];
+                            });
+  });
+
+  Buckets result{low_bits, Buffer<CellRecord>(with.memory, size),
+                 Vector<std::uint32_t>(buckets + 1, &with.memory)};
+  std::uint32_t sum = 0;
+  for (std::size_t bucket = 0; bucket < buckets; ++bucket) {
+    result.begin[bucket] = sum;
+    for (std::size_t worker = 0; worker < workers; ++worker) {
+      sum += std::exchange(next[worker * buckets + bucket], sum);
+    }
+  }
+  result.begin[buckets] = sum;
+
+  with.crew.split(size, [&](std::size_t begin, std::size_t end, unsigned worker) {
+    std::uint32_t* places = next.data() + worker * buckets;
+    CellRecord* to = result.records.data();
+    BucketBlock bucket;
+    for_each_position_block(
+        selected, lattice, begin, end,
+        [&](const PositionBlock& at, std::size_t first, std::size_t count) {
+          find_buckets(at, count, order, low_bits, bucket);
+          // All lines of a block are asked for together, so that waiting for one is waiting for
+          // all.
+          for (std::size_t i = 0; i < count; ++i) __builtin_prefetch(to + places[bucket[i]], 1);
+          for (std::size_t i = 0; i < count; ++i) {
+            to[places[bucket[i]]++] = {{at[0][i], at[1][i], at[2][i]}, selected.id(first + i)};
+          }
+        });
+  });
+  return result;
+}
+
+void BucketSorter::sort(std::size_t first, std::size_t size, unsigned bits) {
+  if (bits != 0 && size > kLarge) return split(first, size, bits);
+  if (bits != 0 && size > kFew) return sort_by_digits(first, size, bits);
+  CellRecord* from = records_ + first;
+  if (bits != 0) std::sort(from, from + size, order_);
+  for (std::size_t i = 0; i < size; ++i) to_.put(first + i, from[i]);
+}
+
+void BucketSorter::sort_by_digits(std::size_t first, std::size_t size, unsigned bits) {
+  CellRecord* from = records_ + first;
+  CellRecord* spare = spare_.data();
+  // Counters must not outnumber the points by much.
+  const unsigned most_digit_bits =
+      std::clamp(static_cast<unsigned>(std::bit_width(size)), 6U, kMostDigitBits);
+  const unsigned passes = (bits + most_digit_bits - 1) / most_digit_bits;
+  const unsigned digit_bits = (bits + passes - 1) / passes;
+  for (unsigned shift = 0; shift < bits; shift += digit_bits) {
+    const unsigned digit = std::min(digit_bits, bits - shift);
+    if (shift + digit_bits >= bits) {
+      counting_pass(from, size, order_, shift, digit,
+                    [this, first](std::size_t place, const CellRecord& record) {
+                      to_.put(first + place, record);
+                    });
+    } else {
+      counting_pass(
+          from, size, order_, shift, digit,
+          [spare](std::size_t place, const CellRecord& record) { spare[place] = record; });
+      std::swap(from, spare);
+    }
+  }
+}
+
+// By the highest digit, in place: every record is swapped to where its digit's run goes on (the
+// American flag sort of McIlroy, Bostic and McIlroy, 1993).
+void BucketSorter::split(std::size_t first, std::size_t size, unsigned bits) {
+  const unsigned digit_bits = std::min(bits, kMostDigitBits);
+  const unsigned shift = bits - digit_bits;
+  const std::size_t mask = (std::size_t{1} << digit_bits) - 1;
+  CellRecord* records = records_ + first;
+  const auto digit_of = [&](const CellRecord& record) { return order_.key(record, shift) & mask; };
+
+  std::array<std::size_t, (std::size_t{1} << kMostDigitBits) + 1> begin{};
+  for (std::size_t i = 0; i < size; ++i) ++begin[digit_of(records[i]) + 1];
+  for (std::size_t digit = 0; digit <= mask; ++digit) begin[digit + 1] += begin[digit];
+  std::array<std::size_t, (std::size_t{1} << kMostDigitBits) + 1> next = begin;
+  for (std::size_t digit = 0; digit <= mask; ++digit) {
+    while (next[digit] < begin[digit + 1]) {
+      CellRecord moving = records[next[digit]];
+      for (std::size_t to = digit_of(moving); to != digit; to = digit_of(moving)) {
+        std::swap(moving, records[next[to]++]);
+      }
+      records[next[digit]++] = moving;
+    }
+  }
+  for (std::size_t digit = 0; digit <= mask; ++digit) {
+    sort(first + begin[digit], begin[digit + 1] - begin[digit], shift);
+  }
+}
+
+}  // namespace beespace::core

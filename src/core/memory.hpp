@@ -1,0 +1,45 @@
+// Working memory that is kept: what a search gives back is there for the next one.
+//
+// A memory resource for Buffer and the std::pmr containers. Thread-safe. Large blocks are aligned
+// to huge pages and ask for them: 512 times fewer page faults when the memory is new, and scattered
+// writes that do not miss the translation buffer.
+#pragma once
+
+#include <cstddef>
+#include <memory_resource>
+#include <mutex>
+#include <vector>
+
+namespace beespace::core {
+
+// Asks for huge pages where the system has them. Advice: nothing depends on it.
+void advise_huge_pages(void* data, std::size_t bytes);
+
+class Memory final : public std::pmr::memory_resource {
+ public:
+  Memory();
+  Memory(const Memory&) = delete;
+  Memory& operator=(const Memory&) = delete;
+  ~Memory() override;
+
+  // Gives the blocks that nobody uses back to the system.
+  void release();
+
+ private:
+  struct Block {
+    void* data;
+    std::size_t bytes;
+  };
+
+  void* do_allocate(std::size_t bytes, std::size_t alignment) override;
+  void do_deallocate(void* data, std::size_t bytes, std::size_t alignment) override;
+  [[nodiscard]] bool do_is_equal(const std::pmr::memory_resource& other) const noexcept override {
+    return this == &other;
+  }
+
+  std::mutex mutex_;
+  std::vector<Block> kept_;  // nobody's, for whoever asks next
+  std::vector<Block> lent_;
+};
+
+}  // namespace beespace::core

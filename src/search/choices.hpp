@@ -1,0 +1,24 @@
+// What is chosen from the data unless a test or a benchmark forces it.
+#pragma once
+
+#include "core/cell_proof.hpp"
+#include "core/lattice.hpp"
+#include "cpu/sweep.hpp"
+
+#include <cstdint>
+#include <optional>
+
+namespace beespace::search {
+
+struct Choices {
+  // How points at risk are found in one swarm.
+  enum class Method : std::uint8_t { kAutomatic, kSweep, kProveThenSweep, kProveThenLook };
+
+  Method method = Method::kAutomatic;
+  core::CellTable cell_table = core::CellTable::kAutomatic;
+  cpu::InstructionSet instruction_set = cpu::best_instruction_set();
+  std::optional<unsigned> row_shift = {};  // lowered where positions do not have the bits
+  std::uint64_t fold_beyond_cells = core::Lattice::kFoldBeyondCells;
+};
+
+}  // namespace beespace::search

@@ -1,0 +1,239 @@
+#include <beespace/engine.hpp>
+
+#include "core/closest_pair.hpp"
+#include "core/resources.hpp"
+#include "core/validate.hpp"
+#include "cpu/crew_size.hpp"
+#include "search/at_risk_search.hpp"
+#include "search/frame.hpp"
+#include "search/group_search.hpp"
+#include "search/nearest_search.hpp"
+#include "search/pair_search.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace beespace {
+
+// What an engine keeps between calls.
+class Engine::Workshop {
+ public:
+  explicit Workshop(Crew* lent) : lent_(lent) {}
+
+  // Hands and memory for a search of so many points.
+  core::Resources resources(unsigned threads, std::size_t points) {
+    return {crew(threads, points), memory_};
+  }
+  core::Memory& memory() { return memory_; }
+
+  // Measures the points and calls search(frame, resources), whose Status it returns.
+  template <class Search>
+  Status run(const PointsView& points, unsigned threads, Search&& search) {
+    const core::Resources with = resources(threads, points.size());
+    const Result<search::Frame> frame = search::Frame::of(points, with);
+    if (!frame) return frame.error();
+    return search(*frame, with);
+  }
+  template <class Search>
+  Status run(const PointsView& points, const PointsView& others, unsigned threads,
+             Search&& search) {
+    const core::Resources with = resources(threads, std::max(points.size(), others.size()));
+    const Result<search::Frame> frame = search::Frame::of(points, others, with);
+    if (!frame) return frame.error();
+    return search(*frame, with);
+  }
+
+  const search::Choices choices = {};
+
+ private:
+  Crew& crew(unsigned threads, std::size_t points) {
+    if (lent_ != nullptr) return *lent_;
+    const unsigned size = cpu::crew_size(threads, points);
+    if (size == 1) return alone_;
+    if (!own_ || asked_for_ != size) {
+      own_.emplace(size);
+      asked_for_ = size;
+    }
+    return *own_;
+  }
+
+  core::Memory memory_;
+  Crew* lent_;
+  Crew alone_;
+  std::optional<ThreadCrew> own_;
+  unsigned asked_for_ = 0;
+};
+
+namespace {
+
+constexpr std::monostate kDone{};
+
+}  // namespace
+
+Engine::Engine() : workshop_(std::make_unique<Workshop>(nullptr)) {
+}
+Engine::Engine(Crew& crew) : workshop_(std::make_unique<Workshop>(&crew)) {
+}
+Engine::Engine(Engine&&) noexcept = default;
+Engine& Engine::operator=(Engine&&) noexcept = default;
+Engine::~Engine() = default;
+
+void Engine::release_memory() {
+  workshop_->memory().release();
+}
+
+Status Engine::find_at_risk(const PointsView& points, const SearchOptions& options,
+                            std::vector<PointId>& at_risk) {
+  if (auto error = core::check_options(options)) return *std::move(error);
+  return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
+    search::find_at_risk(frame, options, with, workshop_->choices, at_risk);
+    return kDone;
+  });
+}
+
+Status Engine::find_at_risk_between(const PointsView& points, const PointsView& others,
+                                    const SearchOptions& options, std::vector<PointId>& at_risk) {
+  if (auto error = core::check_options(options)) return *std::move(error);
+  return workshop_->run(points, others, options.threads, [&](const auto& frame, const auto& with) {
+    search::find_at_risk(frame, options, with, workshop_->choices, at_risk);
+    return kDone;
+  });
+}
+
+Status Engine::find_pairs(const PointsView& points, const SearchOptions& options,
+                          std::vector<Pair>& pairs) {
+  if (auto error = core::check_options(options)) return *std::move(error);
+  return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
+    return search::find_pairs(frame, options, with, workshop_->choices, pairs);
+  });
+}
+
+Status Engine::find_pairs_between(const PointsView& points, const PointsView& others,
+                                  const SearchOptions& options, std::vector<Pair>& pairs) {
+  if (auto error = core::check_options(options)) return *std::move(error);
+  return workshop_->run(points, others, options.threads, [&](const auto& frame, const auto& with) {
+    return search::find_pairs(frame, options, with, workshop_->choices, pairs);
+  });
+}
+
+Result<bool> Engine::visit_pairs(const PointsView& points, const SearchOptions& options,
+                                 const PairVisitor& visit) {
+  if (auto error = core::check_options(options)) return *std::move(error);
+  bool saw_all = false;
+  const Status status =
+      workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
+        saw_all = search::visit_pairs(frame, options, with, workshop_->choices, visit);
+        return kDone;
+      });
+  if (!status) return status.error();
+  return saw_all;
+}
+
+Status Engine::find_neighbors(const PointsView& points, const SearchOptions& options,
+                              IdRows& neighbors) {
+  if (auto error = core::check_options(options)) return *std::move(error);
+  return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
+    return search::find_neighbors(frame, options, with, workshop_->choices, neighbors);
+  });
+}
+
+Status Engine::find_neighbors_between(const PointsView& points, const PointsView& others,
+                                      const SearchOptions& options, IdRows& neighbors) {
+  if (auto error = core::check_options(options)) return *std::move(error);
+  return workshop_->run(points, others, options.threads, [&](const auto& frame, const auto& with) {
+    return search::find_neighbors(frame, options, with, workshop_->choices, neighbors);
+  });
+}
+
+Status Engine::count_neighbors(const PointsView& points, const SearchOptions& options,
+                               std::vector<std::uint32_t>& counts) {
+  if (auto error = core::check_options(options)) return *std::move(error);
+  return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
+    search::count_neighbors(frame, options, with, workshop_->choices, counts);
+    return kDone;
+  });
+}
+
+Status Engine::count_neighbors_between(const PointsView& points, const PointsView& others,
+                                       const SearchOptions& options,
+                                       std::vector<std::uint32_t>& counts) {
+  if (auto error = core::check_options(options)) return *std::move(error);
+  return workshop_->run(points, others, options.threads, [&](const auto& frame, const auto& with) {
+    search::count_neighbors(frame, options, with, workshop_->choices, counts);
+    return kDone;
+  });
+}
+
+Status Engine::find_conflict_groups(const PointsView& points, const SearchOptions& options,
+                                    IdRows& groups) {
+  if (auto error = core::check_options(options)) return *std::move(error);
+  return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
+    search::find_conflict_groups(frame, options, with, workshop_->choices, groups);
+    return kDone;
+  });
+}
+
+Status Engine::find_nearest(const PointsView& points, std::vector<Nearest>& nearest,
+                            unsigned threads) {
+  return workshop_->run(points, threads, [&](const auto& frame, const auto& with) {
+    search::find_nearest(frame, std::nullopt, with, workshop_->choices, nearest);
+    return kDone;
+  });
+}
+
+Status Engine::find_nearest_within(const PointsView& points, const SearchOptions& options,
+                                   std::vector<Nearest>& nearest) {
+  if (auto error = core::check_options(options)) return *std::move(error);
+  return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
+    search::find_nearest(frame, options, with, workshop_->choices, nearest);
+    return kDone;
+  });
+}
+
+Status Engine::find_nearest_between(const PointsView& points, const PointsView& others,
+                                    std::vector<Nearest>& nearest, unsigned threads) {
+  return workshop_->run(points, others, threads, [&](const auto& frame, const auto& with) {
+    search::find_nearest(frame, std::nullopt, with, workshop_->choices, nearest);
+    return kDone;
+  });
+}
+
+Status Engine::find_nearest_within_between(const PointsView& points, const PointsView& others,
+                                           const SearchOptions& options,
+                                           std::vector<Nearest>& nearest) {
+  if (auto error = core::check_options(options)) return *std::move(error);
+  return workshop_->run(points, others, options.threads, [&](const auto& frame, const auto& with) {
+    search::find_nearest(frame, options, with, workshop_->choices, nearest);
+    return kDone;
+  });
+}
+
+Result<std::optional<ClosestPair>> Engine::find_closest_pair(const PointsView& points,
+                                                             unsigned threads) {
+  std::optional<ClosestPair> closest;
+  const core::Resources with = workshop_->resources(threads, points.size());
+  if (auto error = core::check_size(points.size())) return *std::move(error);
+  const Result<core::Bounds> bounds = core::measure(points, with);
+  if (!bounds) return bounds.error();
+  if (points.size() >= 2) {
+    const core::IdPair pair = core::closest_pair(points, *bounds, with);
+    closest = {pair.first, pair.second, distance(points[pair.first], points[pair.second])};
+  }
+  return closest;
+}
+
+Result<std::optional<ClosestPair>> Engine::find_closest_pair_between(const PointsView& points,
+                                                                     const PointsView& others,
+                                                                     unsigned threads) {
+  std::optional<ClosestPair> closest;
+  const Status status =
+      workshop_->run(points, others, threads, [&](const auto& frame, const auto& with) {
+        closest = search::closest_between(frame, with, workshop_->choices);
+        return kDone;
+      });
+  if (!status) return status.error();
+  return closest;
+}
+
+}  // namespace beespace

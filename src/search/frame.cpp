@@ -1,0 +1,113 @@
+#include "search/frame.hpp"
+
+#include "core/validate.hpp"
+
+#include <algorithm>
+
+namespace beespace::search {
+
+namespace {
+
+// As many as fill the lanes of a kernel, on the half of a row's window that lies ahead.
+constexpr double kMates = 12.0;
+
+using Order = std::array<std::size_t, 3>;
+
+template <class Element>
+std::array<Element, 3> permuted(const std::array<Element, 3>& values, const Order& order) {
+  return {values[order[0]], values[order[1]], values[order[2]]};
+}
+
+double extent(const core::Bounds& bounds, std::size_t axis) {
+  return bounds.high[axis] - bounds.low[axis];
+}
+
+// Rows run along the axis with the longest extent: fewer, longer rows.
+Order longest_first(const core::Bounds& bounds) {
+  Order order{0, 1, 2};
+  const auto longer = [&](std::size_t a, std::size_t b) {
+    return extent(bounds, a) > extent(bounds, b);
+  };
+  // Three comparisons, in which equal axes keep their order.
+  if (longer(order[1], order[0])) std::swap(order[0], order[1]);
+  if (longer(order[2], order[1])) std::swap(order[1], order[2]);
+  if (longer(order[1], order[0])) std::swap(order[0], order[1]);
+  return order;
+}
+
+PointsView turned(const PointsView& points, const Order& order) {
+  return PointsView::strided(permuted(points.axes(), order), points.size(),
+                             permuted(points.stride_bytes(), order));
+}
+
+Result<core::Bounds> measured(const PointsView& points, const char* name,
+                              const core::Resources& with) {
+  if (auto error = core::check_size(points.size())) {
+    error->place.source = name;
+    return *std::move(error);
+  }
+  Result<core::Bounds> bounds = core::measure(points, with);
+  if (!bounds) bounds.error().place.source = name;
+  return bounds;
+}
+
+}  // namespace
+
+Frame::Frame(std::array<PointsView, 2> sets, std::size_t set_count, const core::Bounds& bounds,
+             const core::Resources& with)
+    : originals_(sets),
+      sets_(sets),
+      set_count_(set_count),
+      bounds_(bounds),
+      sample_(others(), with.memory),
+      mates_side_(0.0) {
+  const Order order = longest_first(bounds);
+  for (PointsView& set : sets_) set = turned(set, order);
+  bounds_ = {permuted(bounds.low, order), permuted(bounds.high, order)};
+  mates_side_ = sample_.side_for(kMates, bounds_);
+}
+
+Result<Frame> Frame::of(const PointsView& points, const core::Resources& with) {
+  const Result<core::Bounds> bounds = measured(points, "", with);
+  if (!bounds) return bounds.error();
+  return Frame({points, {}}, 1, *bounds, with);
+}
+
+Result<Frame> Frame::of(const PointsView& points, const PointsView& others,
+                        const core::Resources& with) {
+  const Result<core::Bounds> first = measured(points, core::kPointsName, with);
+  if (!first) return first.error();
+  const Result<core::Bounds> second = measured(others, core::kOthersName, with);
+  if (!second) return second.error();
+  core::Bounds both = points.empty() ? *second : *first;
+  for (std::size_t axis = 0; axis < 3 && !others.empty(); ++axis) {
+    both.low[axis] = std::min(both.low[axis], second->low[axis]);
+    both.high[axis] = std::max(both.high[axis], second->high[axis]);
+  }
+  return Frame({points, others}, 2, both, with);
+}
+
+double Frame::mates(double side_m) const {
+  // Far below the side that holds some, only a crowd that the sample has met would show.
+  return sample_.mates(side_m);
+}
+
+unsigned Frame::row_shift(const core::Lattice& lattice, double reach) const {
+  constexpr double kMostInWindow = 1.5 * kMates;
+  const unsigned most = 30 - lattice.fraction_bits();
+  const double widest = std::max(extent(bounds_, 1), extent(bounds_, 2));
+  const auto share = [&](std::size_t axis, double width) {
+    const double across = extent(bounds_, axis);
+    const double own = std::min(mates_side_, across);
+    return own > 0.0 ? std::min(width, across) / own : 1.0;
+  };
+  const double ahead = mates_side_ > 0.0 ? reach / mates_side_ : 1.0;
+  unsigned shift = 0;
+  for (double width = 2.0 * reach; shift < most && width < 2.0 * widest; width *= 2.0) {
+    if (kMates * ahead * share(1, width) * share(2, width) > kMostInWindow) break;
+    ++shift;
+  }
+  return shift;
+}
+
+}  // namespace beespace::search

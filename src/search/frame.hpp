@@ -1,0 +1,57 @@
+// The points of one search, looked at once: checked, measured, turned so that rows run along the
+// longest axis, and sampled for how crowded they are.
+#pragma once
+
+#include "core/bounds.hpp"
+#include "core/density.hpp"
+#include "core/lattice.hpp"
+#include "core/resources.hpp"
+
+#include <beespace/points_view.hpp>
+#include <beespace/result.hpp>
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace beespace::search {
+
+class Frame {
+ public:
+  // Of one swarm, or of two whose points share a frame. Errors: as find_at_risk(_between).
+  static Result<Frame> of(const PointsView& points, const core::Resources& with);
+  static Result<Frame> of(const PointsView& points, const PointsView& others,
+                          const core::Resources& with);
+
+  [[nodiscard]] const PointsView& points() const { return sets_[0]; }
+  [[nodiscard]] const PointsView& others() const { return sets_[set_count_ - 1]; }
+  // The same as the caller gave them, with x first.
+  [[nodiscard]] const PointsView& original_points() const { return originals_[0]; }
+  [[nodiscard]] const PointsView& original_others() const { return originals_[set_count_ - 1]; }
+  [[nodiscard]] bool has_others() const { return set_count_ == 2; }
+  [[nodiscard]] std::span<const PointsView> sets() const { return {sets_.data(), set_count_}; }
+  [[nodiscard]] const core::Bounds& bounds() const { return bounds_; }
+
+  // The longest side of the box, and that of a cube that holds about a dozen others.
+  [[nodiscard]] double widest() const { return bounds_.high[0] - bounds_.low[0]; }
+  [[nodiscard]] double side_with_some() const { return mates_side_; }
+  // The expected number of others in a cube of side `side_m` around a point's own place.
+  [[nodiscard]] double mates(double side_m) const;
+
+  // How wide rows should be, as a power of two, for searches up to `reach`: so wide that the points
+  // a kernel compares at once are mostly worth comparing, and no wider.
+  [[nodiscard]] unsigned row_shift(const core::Lattice& lattice, double reach) const;
+
+ private:
+  Frame(std::array<PointsView, 2> sets, std::size_t set_count, const core::Bounds& bounds,
+        const core::Resources& with);
+
+  std::array<PointsView, 2> originals_;
+  std::array<PointsView, 2> sets_;
+  std::size_t set_count_;
+  core::Bounds bounds_;
+  core::DensitySample sample_;
+  double mates_side_;  // of a cube that holds about kMates others
+};
+
+}  // namespace beespace::search

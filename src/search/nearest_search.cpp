@@ -1,0 +1,235 @@
+#include "search/nearest_search.hpp"
+
+#include "core/buffer.hpp"
+#include "core/exact_distance.hpp"
+#include "core/hash.hpp"
+#include "core/look_around.hpp"
+#include "core/sorted_grid.hpp"
+#include "cpu/nearest_all.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace beespace::search {
+
+namespace {
+
+// So few are faster compared with everybody than looked for in grids of their own.
+constexpr std::size_t kFew = 16;
+
+class NearestSearch {
+ public:
+  NearestSearch(const Frame& frame, const std::optional<SearchOptions>& within,
+                const core::Resources& with, const Choices& choices, std::vector<Nearest>& nearest)
+      : frame_(frame),
+        with_(with),
+        choices_(choices),
+        within_(within),
+        farthest_(within ? within->threshold_m : std::numeric_limits<double>::infinity()),
+        nearest_(nearest),
+        ids_(with.memory, frame.points().size()),
+        candidates_(&with.memory),
+        open_(&with.memory) {}
+
+  void run() {
+    const std::size_t size = frame_.points().size();
+    nearest_.assign(size, Nearest{});
+    if (frame_.others().size() < (frame_.has_others() ? 1U : 2U)) return;
+    bool all_open = true;
+    if (!frame_.has_others() && frame_.mates(frame_.widest() * kTwinCells) > 1.0) {
+      settle_duplicates();
+      all_open = false;
+      if (open_.empty()) return;
+    }
+    double radius = std::min(frame_.side_with_some() * kFirstRadius, farthest_);
+    if (radius == 0.0) radius = std::min(1.0, farthest_);  // all asked and others at one place
+    for (;;) {
+      look_within(radius, all_open);
+      settle(radius, all_open);
+      all_open = false;
+      if (radius == farthest_ || open_.empty()) return;
+      if (open_.size() <= kFew) return compare_with_everybody();
+      // The few who are left in open country may take longer steps.
+      const double step = open_.size() * 32 < size ? 4.0 : 2.0;
+      radius = std::min(step * radius, farthest_);
+    }
+  }
+
+ private:
+  // Of the cube that holds a dozen: within this radius nearly everybody of an even swarm finds one
+  // of four.
+  static constexpr double kFirstRadius = 0.43;
+  static constexpr double kTwinCells = 0x1p-40;
+
+  // Points at one place are each other's nearest, however many there are. Only the first of each
+  // place takes part in what follows: the others could be nearest to nobody else.
+  void settle_duplicates() {
+    const PointsView& points = frame_.points();
+    const std::size_t slots = std::bit_ceil(points.size() * 2);
+    core::Buffer<PointId> first_at(with_.memory, slots);
+    std::fill_n(first_at.data(), slots, Nearest::kNobody);
+    candidates_.reserve(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Point p = points[i];
+      std::size_t slot = core::hash_place(p) & (slots - 1);
+      while (first_at[slot] != Nearest::kNobody && points[first_at[slot]] != p) {
+        slot = (slot + 1) & (slots - 1);
+      }
+      const auto id = static_cast<PointId>(i);
+      const PointId first = first_at[slot];
+      if (first == Nearest::kNobody) {
+        first_at[slot] = id;
+        candidates_.push_back(id);
+        continue;
+      }
+      nearest_[id] = {first, 0.0};
+      if (nearest_[first].id == Nearest::kNobody) nearest_[first] = {id, 0.0};
+    }
+    for (const PointId id : candidates_) {
+      if (nearest_[id].id == Nearest::kNobody) open_.push_back(id);
+    }
+  }
+
+  // Writes to ids_ the nearest of those whom every open point sees within the radius, and maybe
+  // beyond.
+  void look_within(double radius, bool all_open) {
+    const core::Lattice lattice(frame_.sets(), frame_.bounds(), radius, with_.memory,
+                                choices_.fold_beyond_cells);
+    unsigned row_shift = frame_.row_shift(lattice, radius);
+    if (choices_.row_shift) row_shift = std::min(*choices_.row_shift, 30 - lattice.fraction_bits());
+    core::Selection asking{frame_.points()};
+    core::Selection around{frame_.others()};
+    core::Vector<PointId> surrounding(&with_.memory);
+    if (!all_open) {
+      asking.ids = open_;
+      if (!candidates_.empty()) around.ids = candidates_;
+      if (open_.size() * 32 < around.size()) {
+        surrounding = core::surroundings(asking, around, lattice, with_);
+        around.ids = surrounding;
+      }
+    }
+    const core::SortedGrid asked = core::sort_into_grid(asking, lattice, row_shift, with_);
+    const core::ProximityTest unused(radius, false);
+    const bool both = all_open && !frame_.has_others();
+    if (both) return ask({asked, frame_.points()}, {asked, frame_.points()}, unused);
+    const core::SortedGrid others = core::sort_into_grid(around, lattice, row_shift, with_);
+    ask({asked, frame_.points()}, {others, frame_.others()}, unused);
+  }
+
+  void ask(const cpu::Swarm& asked, const cpu::Swarm& others, const core::ProximityTest& unused) {
+    const cpu::Question question{
+        asked, others, unused, {}, cpu::kernels(choices_.instruction_set), !frame_.has_others()};
+    cpu::nearest_all(question, with_, ids_.data());
+  }
+
+  // Whoever has found somebody within the radius has found the nearest; at the last radius, whoever
+  // has found nobody within the threshold has nobody. The others stay open.
+  void settle(double radius, bool all_open) {
+    const bool last = radius == farthest_;
+    const core::ProximityTest closer(radius, last && within_->inclusive);
+    const std::size_t size = all_open ? frame_.points().size() : open_.size();
+    core::Vector<core::Vector<PointId>> still_open(with_.crew.size(), &with_.memory);
+    with_.crew.split(size, [&](std::size_t begin, std::size_t end, unsigned worker) {
+      for (std::size_t i = begin; i < end; ++i) {
+        constexpr std::size_t kAhead = 16;
+        if (all_open && i + kAhead < end) prefetch_found(static_cast<PointId>(i + kAhead));
+        const PointId id = all_open ? static_cast<PointId>(i) : open_[i];
+        const PointId found = ids_[id];
+        if (found != Nearest::kNobody) {
+          const Point p = frame_.points()[id];
+          const Point q = frame_.others()[found];
+          if (closer(p, q)) {
+            nearest_[id] = {found, found_distance(id, found)};
+            continue;
+          }
+        }
+        if (!last) still_open[worker].push_back(id);
+      }
+    });
+    open_ = core::joined(std::move(still_open));
+  }
+
+  void prefetch_found(PointId id) const {
+    const PointId found = ids_[id];
+    if (found == Nearest::kNobody) return;
+    const auto* place = reinterpret_cast<const std::byte*>(frame_.others().axes()[0]);
+    __builtin_prefetch(place +
+                       static_cast<std::ptrdiff_t>(found) * frame_.others().stride_bytes()[0]);
+  }
+
+  // By the points as the caller has them, not as they are turned: sums of squares round
+  // differently.
+  [[nodiscard]] double found_distance(PointId id, PointId found) const {
+    return distance(frame_.original_points()[id], frame_.original_others()[found]);
+  }
+
+  void compare_with_everybody() {
+    const PointsView& points = frame_.points();
+    const PointsView& others = frame_.others();
+    for (const PointId id : open_) {
+      const Point place = points[id];
+      PointId best = Nearest::kNobody;
+      double surely_farther = std::numeric_limits<double>::infinity();
+      for (std::size_t j = 0; j < others.size(); ++j) {
+        const double squared = core::squared_distance(place, others[j]);
+        if (squared > surely_farther) continue;
+        const auto other = static_cast<PointId>(j);
+        if (!frame_.has_others() && other == id) continue;
+        if (best != Nearest::kNobody &&
+            core::compare_distances(place, others[other], place, others[best]) >= 0) {
+          continue;  // ids ascend, so a tie stays with the lower one
+        }
+        best = other;
+        surely_farther = squared * (1.0 + 0x1p-49);  // both carry at most 5 * 2^-53
+      }
+      if (best == Nearest::kNobody) continue;
+      if (within_ &&
+          !core::ProximityTest(within_->threshold_m, within_->inclusive)(place, others[best])) {
+        continue;
+      }
+      nearest_[id] = {best, found_distance(id, best)};
+    }
+  }
+
+  const Frame& frame_;
+  const core::Resources& with_;
+  const Choices& choices_;
+  const std::optional<SearchOptions>& within_;
+  double farthest_;
+  std::vector<Nearest>& nearest_;
+  core::Buffer<PointId> ids_;
+  core::Vector<PointId> candidates_;  // empty: everybody
+  core::Vector<PointId> open_;        // who has not found the nearest yet, once not all are
+};
+
+}  // namespace
+
+void find_nearest(const Frame& frame, const std::optional<SearchOptions>& within,
+                  const core::Resources& with, const Choices& choices,
+                  std::vector<Nearest>& nearest) {
+  NearestSearch(frame, within, with, choices, nearest).run();
+}
+
+std::optional<ClosestPair> closest_between(const Frame& frame, const core::Resources& with,
+                                           const Choices& choices) {
+  std::vector<Nearest> nearest;
+  find_nearest(frame, std::nullopt, with, choices, nearest);
+  const PointsView& points = frame.points();
+  const PointsView& others = frame.others();
+  std::optional<ClosestPair> closest;
+  for (PointId id = 0; id < nearest.size(); ++id) {
+    const Nearest& found = nearest[id];
+    if (found.id == Nearest::kNobody) continue;
+    if (closest && core::compare_distances(points[id], others[found.id], points[closest->first],
+                                           others[closest->second]) >= 0) {
+      continue;  // ids ascend, so a tie stays with the lower ones
+    }
+    closest = {id, found.id, found.distance_m};
+  }
+  return closest;
+}
+
+}  // namespace beespace::search
