@@ -1,5 +1,5 @@
-// An array in working memory whose elements start uninitialised: it is written before it is read.
-// Owns its memory; moves, does not copy. Throws std::bad_alloc.
+// An array whose elements start uninitialised: it is written before it is read. Lies in working
+// memory, or in memory of its own where it is to stay. Moves, does not copy. Throws std::bad_alloc.
 #pragma once
 
 #include "core/memory.hpp"
@@ -20,6 +20,8 @@ class Buffer {
       : memory_(&memory),
         bytes_(size * sizeof(T)),
         data_(static_cast<T*>(memory.allocate(bytes_))) {}
+  explicit Buffer(std::size_t size)
+      : bytes_(size * sizeof(T)), data_(static_cast<T*>(allocate_block(bytes_))) {}
   Buffer(Buffer&& other) noexcept { swap(other); }
   Buffer& operator=(Buffer&& other) noexcept {
     swap(other);
@@ -28,7 +30,21 @@ class Buffer {
   Buffer(const Buffer&) = delete;
   Buffer& operator=(const Buffer&) = delete;
   ~Buffer() {
-    if (data_ != nullptr) memory_->deallocate(data_, bytes_);
+    if (memory_ != nullptr) {
+      if (data_ != nullptr) memory_->deallocate(data_, bytes_);
+    } else {
+      free_block(data_, bytes_);
+    }
+  }
+
+  // The same memory as an array of other elements, which must fit; its contents are forgotten.
+  template <class Other>
+  [[nodiscard]] Buffer<Other> reused_as() && {
+    Buffer<Other> other;
+    other.memory_ = std::exchange(memory_, nullptr);
+    other.bytes_ = std::exchange(bytes_, 0);
+    other.data_ = reinterpret_cast<Other*>(std::exchange(data_, nullptr));
+    return other;
   }
 
   [[nodiscard]] T* data() { return data_; }
@@ -42,6 +58,9 @@ class Buffer {
     std::swap(bytes_, other.bytes_);
     std::swap(data_, other.data_);
   }
+
+  template <class Other>
+  friend class Buffer;
 
   Memory* memory_ = nullptr;
   std::size_t bytes_ = 0;

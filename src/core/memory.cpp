@@ -40,6 +40,16 @@ void advise_huge_pages([[maybe_unused]] void* data, [[maybe_unused]] std::size_t
 #endif
 }
 
+void* allocate_block(std::size_t bytes) {
+  void* const data = ::operator new(bytes, alignment_of(bytes));
+  advise_huge_pages(data, bytes);
+  return data;
+}
+
+void free_block(void* data, std::size_t bytes) {
+  ::operator delete(data, alignment_of(bytes));
+}
+
 Memory::Memory() {
   kept_.reserve(kBlocks);
   lent_.reserve(kBlocks);
@@ -51,7 +61,7 @@ Memory::~Memory() {
 
 void Memory::release() {
   const std::lock_guard lock(mutex_);
-  for (const Block& block : kept_) ::operator delete(block.data, alignment_of(block.bytes));
+  for (const Block& block : kept_) free_block(block.data, block.bytes);
   kept_.clear();
 }
 
@@ -79,9 +89,8 @@ void* Memory::do_allocate(std::size_t bytes, std::size_t /*alignment: a cache li
   }
   if (block.bytes < whole || block.data == nullptr) {
     // Replaced, not added to: frames that grow slowly must not leave a trail of blocks.
-    ::operator delete(block.data, alignment_of(block.bytes));
-    block = {::operator new(whole, alignment_of(whole)), whole};
-    advise_huge_pages(block.data, whole);
+    free_block(block.data, block.bytes);
+    block = {allocate_block(whole), whole};
   }
   lent_.push_back(block);
   kept_.reserve(kept_.size() + lent_.size());

@@ -15,6 +15,10 @@ namespace beespace::core {
 // Asks for huge pages where the system has them. Advice: nothing depends on it.
 void advise_huge_pages(void* data, std::size_t bytes);
 
+// A block of uninitialised memory from the system, and back to it.
+void* allocate_block(std::size_t bytes);
+void free_block(void* data, std::size_t bytes);
+
 class Memory final : public std::pmr::memory_resource {
  public:
   Memory();
