@@ -35,14 +35,14 @@ void find_buckets(const PositionBlock& at, std::size_t count, const CellOrder& o
   }
 }
 
-// One stable counting pass by the key's digit at `shift`; put(place, record) takes the result.
-template <class Put>
-void counting_pass(const CellRecord* from, std::size_t size, const CellOrder& order, unsigned shift,
-                   unsigned digit_bits, Put&& put) {
+// One stable counting pass; digit_of(record) is below 1 << digit_bits, and put(place, record) takes
+// the result.
+template <class DigitOf, class Put>
+void counting_pass(const CellRecord* from, std::size_t size, unsigned digit_bits,
+                   const DigitOf& digit_of_record, const Put& put) {
   constexpr std::size_t kRemembered = 2048;  // digits are worked out once, for buckets up to this
-  const CellOrder by = order;
   const std::size_t mask = (std::size_t{1} << digit_bits) - 1;
-  const auto digit_of = [&](std::size_t i) { return by.key(from[i], shift) & mask; };
+  const auto digit_of = [&](std::size_t i) { return digit_of_record(from[i]); };
   std::array<std::uint32_t, std::size_t{1} << kMostDigitBits> next;
   std::array<std::uint16_t, kRemembered> digits;
   std::fill_n(next.begin(), mask + 1, 0U);
@@ -121,27 +121,45 @@ void BucketSorter::sort(std::size_t first, std::size_t size, unsigned bits) {
 }
 
 void BucketSorter::sort_by_digits(std::size_t first, std::size_t size, unsigned bits) {
-  CellRecord* from = records_ + first;
-  CellRecord* spare = spare_.data();
   // Counters must not outnumber the points by much.
   const unsigned most_digit_bits =
       std::clamp(static_cast<unsigned>(std::bit_width(size)), 6U, kMostDigitBits);
   const unsigned passes = (bits + most_digit_bits - 1) / most_digit_bits;
   const unsigned digit_bits = (bits + passes - 1) / passes;
+  const CellRecord* from = records_ + first;
+  CellRecord* spare = spare_.data();
   for (unsigned shift = 0; shift < bits; shift += digit_bits) {
     const unsigned digit = std::min(digit_bits, bits - shift);
-    if (shift + digit_bits >= bits) {
-      counting_pass(from, size, order_, shift, digit,
-                    [this, first](std::size_t place, const CellRecord& record) {
-                      to_.put(first + place, record);
-                    });
+    const bool last = shift + digit_bits >= bits;
+    // Within a row the key is the slice, which is cheap to tell.
+    if (shift + digit <= order_.x_key_bits()) {
+      const unsigned down = order_.slice_bits() + shift;
+      const std::uint32_t mask = (1U << digit) - 1;
+      pass(from, size, digit, last, first, spare, [=](const CellRecord& record) {
+        return static_cast<std::uint32_t>(record.position[0]) >> down & mask;
+      });
     } else {
-      counting_pass(
-          from, size, order_, shift, digit,
-          [spare](std::size_t place, const CellRecord& record) { spare[place] = record; });
-      std::swap(from, spare);
+      const CellOrder order = order_;  // a copy that no store can be suspected of changing
+      const std::uint64_t mask = (std::uint64_t{1} << digit) - 1;
+      pass(from, size, digit, last, first, spare, [=](const CellRecord& record) {
+        return static_cast<std::uint32_t>(order.key(record, shift) & mask);
+      });
     }
+    from = std::exchange(spare, const_cast<CellRecord*>(from));
   }
+}
+
+template <class DigitOf>
+void BucketSorter::pass(const CellRecord* from, std::size_t size, unsigned digit_bits, bool last,
+                        std::size_t first, CellRecord* spare, const DigitOf& digit_of) {
+  if (!last) {
+    counting_pass(from, size, digit_bits, digit_of,
+                  [spare](std::size_t place, const CellRecord& record) { spare[place] = record; });
+    return;
+  }
+  const SortedArrays to{to_.x + first, to_.y + first, to_.z + first, to_.id + first};
+  counting_pass(from, size, digit_bits, digit_of,
+                [to](std::size_t place, const CellRecord& record) { to.put(place, record); });
 }
 
 // By the highest digit, in place: every record is swapped to where its digit's run goes on (the

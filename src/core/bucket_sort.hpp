@@ -53,6 +53,9 @@ class BucketSorter {
   static constexpr std::size_t kLarge = std::size_t{1} << 15;
 
   void sort_by_digits(std::size_t first, std::size_t size, unsigned bits);
+  template <class DigitOf>
+  void pass(const CellRecord* from, std::size_t size, unsigned digit_bits, bool last,
+            std::size_t first, CellRecord* spare, const DigitOf& digit_of);
   void split(std::size_t first, std::size_t size, unsigned bits);
 
   CellOrder order_;
