@@ -23,9 +23,9 @@ void collect(const Question& question, std::uint32_t begin, std::uint32_t end, P
     // Whether to go on is asked again at the next regular pair or row.
     if (pairs.capacity - pairs.size < PairSink::kMostAtOnce) (void)pairs.make_room(pairs.context);
   };
-  RowSweeps(question, {decide, &decision}).for_each(begin, end, [&](const Sweep& sweep) {
-    return question.kernels.collect(sweep, sink);
-  });
+  RowSweeps(question, {decide, &decision}, question.by_itself())
+      .for_each(begin, end,
+                [&](const Sweep& sweep) { return question.kernels.collect(sweep, sink); });
 }
 
 class Collector {

@@ -53,7 +53,7 @@ void join_near(const Question& question, const core::Resources& with, core::Disj
   with.crew.split(size, [&](std::size_t begin, std::size_t end, unsigned) {
     if (begin == end) return;
     Joining joining(question, groups);
-    RowSweeps rows(question, {&Joining::decide, &joining});
+    RowSweeps rows(question, {&Joining::decide, &joining}, true);
     rows.for_each(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end),
                   [&](Sweep sweep) {
                     sweep.asked.id = sweep.others.id = places.data();

@@ -14,37 +14,6 @@ namespace {
 
 constexpr float kFar = std::numeric_limits<float>::infinity();
 
-// The nearest two that one worker has met, for its own points and for those that these reach.
-struct Table {
-  Table(Range noted_points, core::Memory& memory)
-      : noted(noted_points),
-        best(memory, noted.end - noted.begin + core::kPadding),
-        second(memory, noted.end - noted.begin + core::kPadding),
-        who(memory, noted.end - noted.begin + core::kPadding) {
-    const std::size_t size = noted.end - noted.begin + core::kPadding;
-    std::fill_n(best.data(), size, kFar);
-    std::fill_n(second.data(), size, kFar);
-    std::fill_n(who.data(), size, 0U);
-  }
-
-  void add(std::uint32_t place, float other_best, float other_second, std::uint32_t other_who) {
-    if (other_best < best[place]) {
-      second[place] = std::min(best[place], other_second);
-      best[place] = other_best;
-      who[place] = other_who;
-    } else {
-      second[place] = std::min(second[place], other_best);
-    }
-  }
-
-  Range noted;
-  core::Buffer<float> best;
-  core::Buffer<float> second;
-  core::Buffer<std::uint32_t> who;
-};
-
-using Tables = core::Vector<std::optional<Table>>;
-
 // Distances in units are wrong by less than 2 (see SquaredLimits): beyond this squared distance
 // nobody can be nearer than somebody at `squared`.
 float not_surely_farther(float squared) {
@@ -52,88 +21,78 @@ float not_surely_farther(float squared) {
   return units * units * (1.0F + 0x1p-18F);
 }
 
+// The points of one row that one worker asks for, a few hundred at a time.
+struct Batch {
+  static constexpr std::uint32_t kMost = 512;
+
+  std::array<float, kMost> best;
+  std::array<float, kMost> second;
+  std::array<std::uint32_t, kMost> who;
+};
+
 class NearestAll {
  public:
-  NearestAll(const Question& question, const core::Resources& with)
-      : question_(question), with_(with), tables_(with.crew.size(), &with.memory) {}
+  NearestAll(const Question& question, PointId* nearest)
+      : question_(question),
+        nearest_(nearest),
+        around_(question.asked.grid, question.others.grid) {}
 
-  void sweep() {
-    const core::SortedGrid& grid = question_.asked.grid;
-    with_.crew.split(grid.size, [&](std::size_t begin, std::size_t end, unsigned worker) {
-      if (begin == end) return;
-      const Range points{static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
-      RowSweeps rows(everything(), {nullptr, nullptr});
-      const bool both = question_.by_itself();
-      Table& table = tables_[worker].emplace(both ? rows.reach(points.begin, points.end) : points,
-                                             with_.memory);
-      const NearestTable into{table.best.data(), table.second.data(), table.who.data(),
-                              table.noted.begin};
-      const auto kernel = both ? question_.kernels.nearest : question_.kernels.nearest_asked;
-      rows.for_each(points.begin, points.end, [&](const Sweep& sweep) {
-        kernel(sweep, into);
-        return true;
-      });
+  // Asks for the sorted points [begin, end).
+  void ask(std::uint32_t begin, std::uint32_t end) {
+    // The kernel has no limits: everybody it sees counts, and surely so.
+    Question everything = question_;
+    everything.limits = {kFar, kFar};
+    const auto nobody = [this](Range points) {
+      for (std::uint32_t i = points.begin; i < points.end; ++i) result_of(i) = Nearest::kNobody;
+    };
+    std::uint32_t next = begin;
+    RowSweeps(everything, {nullptr, nullptr}, false).for_each(begin, end, [&](const Sweep& row) {
+      nobody({next, row.points.begin});  // of rows with nobody around
+      next = row.points.end;
+      ask_row(row);
+      return true;
     });
+    nobody({next, end});
   }
 
-  // A worker's points come with what the workers before it noted about them.
-  void join() {
-    for (std::size_t worker = 1; worker < tables_.size(); ++worker) {
-      if (!tables_[worker]) continue;
-      Table& mine = *tables_[worker];
-      for (std::size_t before = 0; before < worker; ++before) {
-        if (!tables_[before]) continue;
-        const Table& earlier = *tables_[before];
-        const std::uint32_t end = std::min(mine.noted.end, earlier.noted.end);
-        for (std::uint32_t i = mine.noted.begin; i < end; ++i) {
-          const std::uint32_t there = i - earlier.noted.begin;
-          mine.add(i - mine.noted.begin, earlier.best[there], earlier.second[there],
-                   earlier.who[there]);
-        }
+ private:
+  void ask_row(const Sweep& row) {
+    Sweep part = row;
+    for (; part.points.begin < row.points.end; part.points.begin = part.points.end) {
+      part.points.end = std::min(row.points.end, part.points.begin + Batch::kMost);
+      question_.kernels.nearest_asked(
+          part, {batch_.best.data(), batch_.second.data(), batch_.who.data(), part.points.begin});
+      write(part.points);
+    }
+  }
+
+  void write(Range points) {
+    for (std::uint32_t i = points.begin; i < points.end; ++i) {
+      const std::uint32_t place = i - points.begin;
+      const float best = batch_.best[place];
+      if (best == kFar) {
+        result_of(i) = Nearest::kNobody;
+      } else if (batch_.second[place] > not_surely_farther(best)) [[likely]] {
+        result_of(i) = question_.others.grid.id[batch_.who[place]];
+      } else {
+        result_of(i) = exactly(i, not_surely_farther(best));
       }
     }
   }
 
-  void write(PointId* nearest) {
+  PointId& result_of(std::uint32_t i) { return nearest_[question_.asked.grid.id[i]]; }
+
+  // Among all who may be as near as `farthest`.
+  PointId exactly(std::uint32_t i, float farthest) {
     const core::SortedGrid& grid = question_.asked.grid;
-    with_.crew.split(grid.size, [&](std::size_t begin, std::size_t end, unsigned worker) {
-      if (begin == end) return;
-      const Table& table = *tables_[worker];
-      core::NeighbourRows around(grid, question_.others.grid);
-      auto row = static_cast<std::size_t>(
-          std::upper_bound(grid.row_begin.begin(), grid.row_begin.end(), begin) -
-          grid.row_begin.begin() - 1);
-      std::size_t selected = grid.rows();
-      for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
-        const std::uint32_t place = i - table.noted.begin;
-        PointId& result = nearest[grid.id[i]];
-        if (table.best[place] == kFar) {
-          result = Nearest::kNobody;
-        } else if (table.second[place] > not_surely_farther(table.best[place])) [[likely]] {
-          result = question_.others.grid.id[table.who[place]];
-        } else {
-          while (grid.row_begin[row + 1] <= i) ++row;
-          if (row != selected) around.select(row);
-          selected = row;
-          result = exactly(around, i, not_surely_farther(table.best[place]));
-        }
-      }
-    });
-  }
-
- private:
-  // The kernels for nearest ones have no limits: everybody they see counts, and surely so.
-  [[nodiscard]] Question everything() const {
-    return {question_.asked, question_.others,  question_.closer,
-            {kFar, kFar},    question_.kernels, question_.same_set};
-  }
-
-  [[nodiscard]] PointId exactly(core::NeighbourRows& around, std::uint32_t i,
-                                float farthest) const {
-    const PointId asking = question_.asked.grid.id[i];
+    while (row_ == kNoRow || grid.row_begin[row_ + 1] <= i) {
+      row_ = row_ == kNoRow ? first_row(grid, i) : row_ + 1;
+      if (grid.row_begin[row_ + 1] > i) around_.select(row_);
+    }
+    const PointId asking = grid.id[i];
     const Point place = question_.asked.point(i);
     PointId best = Nearest::kNobody;
-    around.any_near(i, farthest, [&](std::uint32_t j, float) {
+    around_.any_near(i, farthest, [&](std::uint32_t j, float) {
       const PointId id = question_.others.grid.id[j];
       if (question_.same_set && id == asking) return false;
       if (best != Nearest::kNobody) {
@@ -147,18 +106,29 @@ class NearestAll {
     return best;
   }
 
+  static std::size_t first_row(const core::SortedGrid& grid, std::uint32_t i) {
+    return static_cast<std::size_t>(
+        std::upper_bound(grid.row_begin.begin(), grid.row_begin.end(), i) - grid.row_begin.begin() -
+        1);
+  }
+
+  static constexpr std::size_t kNoRow = std::numeric_limits<std::size_t>::max();
+
   const Question& question_;
-  const core::Resources& with_;
-  Tables tables_;
+  PointId* nearest_;
+  core::NeighbourRows around_;  // of row_
+  std::size_t row_ = kNoRow;
+  Batch batch_;
 };
 
 }  // namespace
 
 void nearest_all(const Question& question, const core::Resources& with, PointId* nearest) {
-  NearestAll all(question, with);
-  all.sweep();
-  if (question.by_itself()) all.join();
-  all.write(nearest);
+  with.crew.split(question.asked.grid.size, [&](std::size_t begin, std::size_t end, unsigned) {
+    if (begin == end) return;
+    NearestAll(question, nearest)
+        .ask(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
+  });
 }
 
 }  // namespace beespace::cpu

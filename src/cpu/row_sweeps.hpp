@@ -39,10 +39,12 @@ struct Question {
 
 class RowSweeps {
  public:
-  RowSweeps(const Question& question, const Unsure& unsure)
+  // `both_told`: a pair of a swarm by itself is met once, for both. Else everybody meets everybody
+  // around, itself included.
+  RowSweeps(const Question& question, const Unsure& unsure, bool both_told)
       : asked_(question.asked.grid),
         others_(question.others.grid),
-        by_itself_(question.by_itself()),
+        both_told_(both_told),
         sweep_{positions(asked_),
                positions(others_),
                others_.fraction_bits,
@@ -63,7 +65,7 @@ class RowSweeps {
     for (std::size_t row = row_of(asked_, begin); begin < end; ++row) {
       const std::uint32_t row_end = asked_.row_begin[row + 1];
       sweep_.points = {begin, std::min(end, row_end)};
-      sweep_.own_end = by_itself_ ? row_end : 0;
+      sweep_.own_end = both_told_ ? row_end : 0;
       find_targets(asked_.row_number[row]);
       begin = sweep_.points.end;
       if (nobody_to_meet()) continue;
@@ -81,7 +83,7 @@ class RowSweeps {
     const auto after = std::upper_bound(numbers.begin(), numbers.end(), last + step);
     const auto from = std::lower_bound(numbers.begin(), after, first < step ? 0 : first - step);
     return {
-        by_itself_ ? begin : others_.row_begin[static_cast<std::size_t>(from - numbers.begin())],
+        both_told_ ? begin : others_.row_begin[static_cast<std::size_t>(from - numbers.begin())],
         others_.row_begin[static_cast<std::size_t>(after - numbers.begin())]};
   }
 
@@ -101,7 +103,7 @@ class RowSweeps {
   void find_targets(std::uint64_t number) {
     const std::uint64_t layer = others_.rows_a_layer;
     sweep_.target_count = 0;
-    if (by_itself_) {
+    if (both_told_) {
       add_targets(number + 1, number + 1, kHighY, 0);
       add_targets(number + layer - 1, number + layer + 1, kHighZ | kLowY, 2);
       return;
@@ -132,7 +134,7 @@ class RowSweeps {
 
   const core::SortedGrid& asked_;
   const core::SortedGrid& others_;
-  bool by_itself_;
+  bool both_told_;
   Sweep sweep_;
   std::array<std::size_t, 3> cursors_{};
 };

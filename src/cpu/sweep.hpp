@@ -97,10 +97,10 @@ struct PairSink {
 // The nearest two of all that were looked at, near or not: squared distances in units, and who the
 // nearest is, as a sorted point. Nobody is its own nearest.
 struct NearestTable {
-  float* best;
+  float* best;  // infinite: nobody
   float* second;
   std::uint32_t* who;
-  std::uint32_t first;  // of asked and others alike
+  std::uint32_t first_asked;
 };
 
 enum class InstructionSet : std::uint8_t { kBaseline, kAvx2, kAvx512 };
@@ -114,7 +114,7 @@ struct Kernels {
   void (*count)(const Sweep& sweep, const Counts& counts);
   void (*count_asked)(const Sweep& sweep, const Counts& counts);
   bool (*collect)(const Sweep& sweep, PairSink& pairs);  // false when make_room said stop
-  void (*nearest)(const Sweep& sweep, const NearestTable& nearest);
+  // Also of a swarm by itself; the row of its own must be among the targets.
   void (*nearest_asked)(const Sweep& sweep, const NearestTable& nearest);
 };
 

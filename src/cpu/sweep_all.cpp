@@ -43,7 +43,7 @@ void sweep_parts(const Question& question, const core::Resources& with, Parts<No
       question.asked.grid.size, [&](std::size_t begin, std::size_t end, unsigned worker) {
         if (begin == end) return;
         const Range points{static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
-        const RowSweeps map(question, {nullptr, nullptr});
+        const RowSweeps map(question, {nullptr, nullptr}, question.by_itself());
         parts[worker].emplace(question, points, map.reach(points.begin, points.end), with.memory);
         sweep_part(*parts[worker]);
       });
@@ -84,7 +84,7 @@ void mark_all(const Question& question, const core::Resources& with, std::uint8_
                       notes.reach.begin};
     const Kernels& kernels = notes.question.kernels;
     const auto kernel = notes.both ? kernels.mark : kernels.mark_asked;
-    RowSweeps(notes.question, {decide, &notes})
+    RowSweeps(notes.question, {decide, &notes}, notes.both)
         .for_each(notes.asked.begin, notes.asked.end, [&](const Sweep& sweep) {
           kernel(sweep, marks);
           return true;
@@ -108,7 +108,7 @@ void count_all(const Question& question, const core::Resources& with, std::uint3
                       notes.reach.begin};
     const Kernels& kernels = notes.question.kernels;
     const auto kernel = notes.both ? kernels.count : kernels.count_asked;
-    RowSweeps(notes.question, {decide, &notes})
+    RowSweeps(notes.question, {decide, &notes}, notes.both)
         .for_each(notes.asked.begin, notes.asked.end, [&](const Sweep& sweep) {
           kernel(sweep, into);
           return true;

@@ -86,13 +86,14 @@ class Lanes {
           _mm256_add_epi32(_mm256_set1_epi32(static_cast<std::int32_t>(from)), numbers());
       who_ = _mm256_blendv_epi8(who_, lane, keep_two(seen, best_, second_));
     }
-    void merge_into(float& best, float& second, std::uint32_t& who) const {
+    void write(float& best, float& second, std::uint32_t& who) const {
       float bests[kLanes];
       float seconds[kLanes];
       std::uint32_t whos[kLanes];
       _mm256_storeu_ps(bests, best_);
       _mm256_storeu_ps(seconds, second_);
       store(whos, who_);
+      best = second = kInfinity;
       for (unsigned lane = 0; lane < kLanes; ++lane) {
         if (bests[lane] < best) {
           second = best < seconds[lane] ? best : seconds[lane];
@@ -102,16 +103,6 @@ class Lanes {
           second = bests[lane];
         }
       }
-    }
-    static void offer(const Seen& seen, std::uint32_t asked, float* best, float* second,
-                      std::uint32_t* who) {
-      __m256 best_of = _mm256_loadu_ps(best);
-      __m256 second_of = _mm256_loadu_ps(second);
-      const __m256i nearer = keep_two(seen, best_of, second_of);
-      _mm256_storeu_ps(best, best_of);
-      _mm256_storeu_ps(second, second_of);
-      const __m256i one = _mm256_set1_epi32(static_cast<std::int32_t>(asked));
-      store(who, _mm256_blendv_epi8(load(who), one, nearer));
     }
 
    private:

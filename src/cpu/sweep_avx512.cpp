@@ -77,29 +77,13 @@ class Lanes {
           _mm512_add_epi32(_mm512_set1_epi32(static_cast<std::int32_t>(from)), numbers());
       who_ = _mm512_mask_mov_epi32(who_, keep_two(seen, best_, second_), lane);
     }
-    void merge_into(float& best, float& second, std::uint32_t& who) const {
-      const float nearest = _mm512_reduce_min_ps(best_);
-      const auto holds = _mm512_cmp_ps_mask(best_, _mm512_set1_ps(nearest), _CMP_EQ_OQ);
+    void write(float& best, float& second, std::uint32_t& who) const {
+      best = _mm512_reduce_min_ps(best_);
+      const auto holds = _mm512_cmp_ps_mask(best_, _mm512_set1_ps(best), _CMP_EQ_OQ);
       const auto lane = static_cast<__mmask16>(holds & -holds);
-      const __m512 runners = _mm512_mask_mov_ps(best_, lane, second_);
-      const float runner_up = _mm512_reduce_min_ps(runners);
-      if (nearest < best) {
-        second = best < runner_up ? best : runner_up;
-        best = nearest;
-        who = static_cast<std::uint32_t>(
-            _mm_cvtsi128_si32(_mm512_castsi512_si128(_mm512_maskz_compress_epi32(lane, who_))));
-      } else if (nearest < second) {
-        second = nearest;
-      }
-    }
-    static void offer(const Seen& seen, std::uint32_t asked, float* best, float* second,
-                      std::uint32_t* who) {
-      __m512 best_of = _mm512_loadu_ps(best);
-      __m512 second_of = _mm512_loadu_ps(second);
-      const __mmask16 nearer = keep_two(seen, best_of, second_of);
-      _mm512_storeu_ps(best, best_of);
-      _mm512_storeu_ps(second, second_of);
-      _mm512_mask_storeu_epi32(who, nearer, _mm512_set1_epi32(static_cast<std::int32_t>(asked)));
+      second = _mm512_reduce_min_ps(_mm512_mask_mov_ps(best_, lane, second_));
+      who = static_cast<std::uint32_t>(
+          _mm_cvtsi128_si32(_mm512_castsi512_si128(_mm512_maskz_compress_epi32(lane, who_))));
     }
 
    private:

@@ -85,7 +85,8 @@ class Lanes {
       const Ints nearer = keep_two(seen, best_, second_);
       who_ = (lane & nearer) | (who_ & ~nearer);
     }
-    void merge_into(float& best, float& second, std::uint32_t& who) const {
+    void write(float& best, float& second, std::uint32_t& who) const {
+      best = second = kInfinity;
       for (unsigned lane = 0; lane < kLanes; ++lane) {
         if (best_[lane] < best) {
           second = best < second_[lane] ? best : second_[lane];
@@ -95,16 +96,6 @@ class Lanes {
           second = best_[lane];
         }
       }
-    }
-    static void offer(const Seen& seen, std::uint32_t asked, float* best, float* second,
-                      std::uint32_t* who) {
-      auto best_of = load<Floats>(best);
-      auto second_of = load<Floats>(second);
-      const Ints nearer = keep_two(seen, best_of, second_of);
-      Lanes::store(best, best_of);
-      Lanes::store(second, second_of);
-      const Ints one = Ints{} + static_cast<std::int32_t>(asked);
-      Lanes::store(who, (one & nearer) | (load<Ints>(who) & ~nearer));
     }
 
    private:

@@ -19,8 +19,7 @@
 // where Seen has one bit a lane: near (surely), within (near or unsure), before (left of the
 // window); and what else the Lanes remember. Nearest keeps, lane by lane, the nearest two:
 //   add(seen, from)                takes the lanes that count, which are others from `from` on
-//   merge_into(best, second, who)  takes the nearest two of all lanes into a table's entry
-//   offer(seen, asked, best, second, who)  takes the asking point into the entries of the lanes
+//   write(best, second, who)       the nearest two of all lanes
 #pragma once
 
 #include "cpu/sweep.hpp"
@@ -33,8 +32,7 @@ namespace {
 constexpr float kInfinity = __builtin_inff();
 
 // What becomes of near pairs is up to a sink: start(sweep, i) says whether point i is still worth
-// comparing, take(seen, from) whether to go on with it, finish(i) whether to go on at all. A point
-// is started once for each row that it is compared with.
+// comparing, take(seen, from) whether to go on with a row, finish(i) whether to go on at all.
 
 template <class Lanes>
 class MarkBoth {
@@ -135,31 +133,25 @@ class Collect {
   bool go_on_ = true;
 };
 
-template <class Lanes, bool kBoth>
+template <class Lanes>
 class KeepNearest {
  public:
   explicit KeepNearest(const NearestTable& table) : table_(table) {}
 
   bool start(const Sweep& sweep, std::uint32_t i) {
     nearest_.clear();
-    asked_ = i;
     others_ = sweep.others.id;
     self_ = sweep.same_set ? sweep.asked.id[i] : kNobody;
     return true;
   }
   bool take(typename Lanes::Seen seen, std::uint32_t from) {
-    if constexpr (!kBoth) Lanes::leave_out(seen, others_ + from, self_);
+    Lanes::leave_out(seen, others_ + from, self_);
     nearest_.add(seen, from);
-    if constexpr (kBoth) {
-      const std::uint32_t place = from - table_.first;
-      Lanes::Nearest::offer(seen, asked_, table_.best + place, table_.second + place,
-                            table_.who + place);
-    }
     return true;
   }
   bool finish(std::uint32_t i) {
-    const std::uint32_t place = i - table_.first;
-    nearest_.merge_into(table_.best[place], table_.second[place], table_.who[place]);
+    const std::uint32_t place = i - table_.first_asked;
+    nearest_.write(table_.best[place], table_.second[place], table_.who[place]);
     return true;
   }
 
@@ -170,7 +162,6 @@ class KeepNearest {
   typename Lanes::Nearest nearest_;
   const PointId* others_ = nullptr;
   PointId self_ = kNobody;
-  std::uint32_t asked_ = 0;
 };
 
 template <class Lanes>
@@ -216,78 +207,74 @@ inline std::uint32_t window_start(const std::int32_t* x, Range range, std::int32
   return range.begin;
 }
 
-// A few hundred points of the row at a time. Whether a point looks into a target depends on its
-// place, which no processor predicts: so the points that do are listed first, without a branch, and
-// the comparisons run through the lists.
-constexpr std::uint32_t kBlock = 256;
+// The sides of its row that the cell of a point lies at.
+inline unsigned sides_of(std::int32_t y, std::int32_t z, unsigned fraction_bits,
+                         unsigned row_shift) {
+  const unsigned last = (1U << row_shift) - 1U;
+  const unsigned in_y = static_cast<unsigned>(y) >> fraction_bits & last;
+  const unsigned in_z = static_cast<unsigned>(z) >> fraction_bits & last;
+  return (in_y == 0 ? kLowY : 0U) | (in_y == last ? kHighY : 0U) | (in_z == 0 ? kLowZ : 0U) |
+         (in_z == last ? kHighZ : 0U);
+}
 
-struct Block {
-  std::uint32_t points[kBlock + 1];
-  std::uint8_t sides[kBlock];  // of its row, that the point's cell lies at
-
-  void find_sides(const Sweep& sweep, std::uint32_t first, std::uint32_t count) {
-    const auto last = static_cast<std::int32_t>((1U << sweep.row_shift) - 1U);
-    const unsigned shift = sweep.fraction_bits;
-    const std::int32_t* y = sweep.asked.y + first;
-    const std::int32_t* z = sweep.asked.z + first;
-    for (std::uint32_t k = 0; k < count; ++k) {
-      const std::int32_t in_y = y[k] >> shift & last;
-      const std::int32_t in_z = z[k] >> shift & last;
-      sides[k] = static_cast<std::uint8_t>((in_y == 0 ? kLowY : 0U) | (in_y == last ? kHighY : 0U) |
-                                           (in_z == 0 ? kLowZ : 0U) | (in_z == last ? kHighZ : 0U));
+// A sweep under way: where in each target the window of the next point starts, which only moves
+// forward.
+template <class Lanes>
+struct Walk {
+  // A copy of the sweep, so that no store can be suspected of changing it.
+  explicit Walk(const Sweep& given)
+      : sweep(given),
+        cell(1 << sweep.fraction_bits),
+        slice(-(1 << sweep.slice_bits)),
+        lanes(sweep.limits) {
+    for (unsigned k = 0; k < sweep.target_count; ++k) {
+      window[k] =
+          window_start(sweep.others.x, sweep.targets[k].points, first_x_of(sweep.points.begin));
     }
   }
 
-  std::uint32_t list(unsigned wanted, std::uint32_t first, std::uint32_t count) {
-    std::uint32_t listed = 0;
-    for (std::uint32_t k = 0; k < count; ++k) {
-      points[listed] = first + k;
-      listed += (sides[k] & wanted) == wanted ? 1U : 0U;
-    }
-    return listed;
+  // Whoever is within the reach is at most a cell away along x, give or take a unit of rounding;
+  // windows begin and end with whole slices, whose points stand in any order.
+  [[nodiscard]] std::int32_t first_x_of(std::uint32_t i) const {
+    return (sweep.asked.x[i] - cell - 1) & slice;
   }
+  [[nodiscard]] std::int32_t end_x_of(std::uint32_t i) const {
+    return ((sweep.asked.x[i] + cell + 1) & slice) - slice;
+  }
+  [[gnu::always_inline]] void select(std::uint32_t i) {
+    lanes.select(sweep.asked.x[i], sweep.asked.y[i], sweep.asked.z[i], first_x_of(i));
+  }
+  template <class Sink>
+  [[gnu::always_inline]] void look_behind(std::uint32_t i, Sink& sink) {
+    (void)scan(lanes, sweep.others, i, i + 1, sweep.own_end, end_x_of(i), sink, sweep.unsure);
+  }
+  template <class Sink>
+  [[gnu::always_inline]] void look_into(unsigned k, std::uint32_t i, Sink& sink) {
+    window[k] += scan(lanes, sweep.others, i, window[k], sweep.targets[k].points.end, end_x_of(i),
+                      sink, sweep.unsure);
+  }
+
+  const Sweep sweep;
+  const std::int32_t cell;
+  const std::int32_t slice;
+  Lanes lanes;
+  std::uint32_t window[9];
 };
 
 template <class Lanes, class Sink>
 [[gnu::always_inline]] inline bool sweep_row(const Sweep& given, Sink sink) {
-  const Sweep sweep = given;  // a copy that no store can be suspected of changing
-  const Positions& at = sweep.asked;
-  const std::int32_t cell = 1 << sweep.fraction_bits;
-  const std::int32_t slice = -(1 << sweep.slice_bits);
-  // Whoever is within the reach is at most a cell away along x, give or take a unit of rounding;
-  // windows begin and end with whole slices, whose points stand in any order.
-  const auto first_x_of = [&](std::uint32_t i) { return (at.x[i] - cell - 1) & slice; };
-  const auto end_x_of = [&](std::uint32_t i) { return ((at.x[i] + cell + 1) & slice) - slice; };
-  Lanes lanes(sweep.limits);
-
-  // Where in each target the window of the next point starts; it only moves forward.
-  std::uint32_t window[9];
-  for (unsigned k = 0; k < sweep.target_count; ++k) {
-    window[k] =
-        window_start(sweep.others.x, sweep.targets[k].points, first_x_of(sweep.points.begin));
-  }
-  Block block;
-  for (std::uint32_t first = sweep.points.begin; first < sweep.points.end; first += kBlock) {
-    const std::uint32_t left = sweep.points.end - first;
-    const std::uint32_t count = left < kBlock ? left : kBlock;
-    block.find_sides(sweep, first, count);
-    for (std::uint32_t i = first; i < first + count && i + 1 < sweep.own_end; ++i) {
-      lanes.select(at.x[i], at.y[i], at.z[i], first_x_of(i));
-      if (!sink.start(sweep, i)) continue;
-      (void)scan(lanes, sweep.others, i, i + 1, sweep.own_end, end_x_of(i), sink, sweep.unsure);
-      if (!sink.finish(i)) return false;
-    }
+  Walk<Lanes> walk(given);
+  const Sweep& sweep = walk.sweep;
+  for (std::uint32_t i = sweep.points.begin; i < sweep.points.end; ++i) {
+    walk.select(i);
+    if (!sink.start(sweep, i)) continue;
+    walk.look_behind(i, sink);
+    const unsigned sides =
+        sides_of(sweep.asked.y[i], sweep.asked.z[i], sweep.fraction_bits, sweep.row_shift);
     for (unsigned k = 0; k < sweep.target_count; ++k) {
-      const std::uint32_t listed = block.list(sweep.targets[k].sides, first, count);
-      for (std::uint32_t next = 0; next < listed; ++next) {
-        const std::uint32_t i = block.points[next];
-        lanes.select(at.x[i], at.y[i], at.z[i], first_x_of(i));
-        if (!sink.start(sweep, i)) continue;
-        window[k] += scan(lanes, sweep.others, i, window[k], sweep.targets[k].points.end,
-                          end_x_of(i), sink, sweep.unsure);
-        if (!sink.finish(i)) return false;
-      }
+      if ((sweep.targets[k].sides & ~sides) == 0) walk.look_into(k, i, sink);
     }
+    if (!sink.finish(i)) return false;
   }
   return true;
 }
@@ -311,10 +298,7 @@ constexpr Kernels kernels_over() {
         return sweep_row<Lanes>(sweep, Collect<Lanes>(pairs));
       },
       [](const Sweep& sweep, const NearestTable& nearest) {
-        (void)sweep_row<Lanes>(sweep, KeepNearest<Lanes, true>(nearest));
-      },
-      [](const Sweep& sweep, const NearestTable& nearest) {
-        (void)sweep_row<Lanes>(sweep, KeepNearest<Lanes, false>(nearest));
+        (void)sweep_row<Lanes>(sweep, KeepNearest<Lanes>(nearest));
       },
   };
 }

@@ -36,10 +36,13 @@ class NearestSearch {
 
   void run() {
     const std::size_t size = frame_.points().size();
-    nearest_.assign(size, Nearest{});
-    if (frame_.others().size() < (frame_.has_others() ? 1U : 2U)) return;
+    if (frame_.others().size() < (frame_.has_others() ? 1U : 2U)) {
+      return nearest_.assign(size, Nearest{});
+    }
+    nearest_.resize(size);
     bool all_open = true;
     if (!frame_.has_others() && frame_.mates(frame_.widest() * kTwinCells) > 1.0) {
+      nearest_.assign(size, Nearest{});
       settle_duplicates();
       all_open = false;
       if (open_.empty()) return;
@@ -146,6 +149,7 @@ class NearestSearch {
             continue;
           }
         }
+        nearest_[id] = Nearest{};
         if (!last) still_open[worker].push_back(id);
       }
     });
