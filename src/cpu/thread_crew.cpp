@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
@@ -87,19 +88,35 @@ class ThreadCrew::Threads {
     }
     start_.notify_all();
     perform(0);
+    if (comes_soon([this] { return busy_ == 0; })) return;
     std::unique_lock lock(mutex_);
     done_.wait(lock, [this] { return busy_ == 0; });
+  }
+
+  // A search is a row of short tasks: who sleeps after each wakes up late for the next.
+  template <class Condition>
+  static bool comes_soon(const Condition& condition) {
+    constexpr auto kSoon = std::chrono::microseconds(50);
+    constexpr int kLooks = 64;  // between two looks at the clock
+    const auto give_up = std::chrono::steady_clock::now() + kSoon;
+    do {
+      for (int look = 0; look < kLooks; ++look) {
+        if (condition()) return true;
+      }
+    } while (std::chrono::steady_clock::now() < give_up);
+    return false;
   }
 
   void work(unsigned worker) {
     unsigned seen = 0;
     for (;;) {
-      {
+      const auto wanted = [&] { return stopping_ || round_ != seen; };
+      if (!comes_soon(wanted)) {
         std::unique_lock lock(mutex_);
-        start_.wait(lock, [&] { return stopping_ || round_ != seen; });
-        if (stopping_) return;
-        seen = round_;
+        start_.wait(lock, wanted);
       }
+      if (stopping_) return;
+      seen = round_;
       perform(worker);
       {
         const std::lock_guard lock(mutex_);
@@ -123,9 +140,10 @@ class ThreadCrew::Threads {
   std::condition_variable start_;
   std::condition_variable done_;
   const Crew::Task* task_ = nullptr;
-  unsigned round_ = 0;
-  std::size_t busy_ = 0;
-  bool stopping_ = false;
+  // Written under the mutex, looked at without it too.
+  std::atomic<unsigned> round_ = 0;
+  std::atomic<std::size_t> busy_ = 0;
+  std::atomic<bool> stopping_ = false;
   std::exception_ptr failure_;
   std::vector<std::thread> threads_;
 };

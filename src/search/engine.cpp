@@ -45,6 +45,7 @@ class Engine::Workshop {
   }
 
   const search::Choices choices = {};
+  std::vector<Nearest> nearest;  // of the closest pair between two swarms
 
  private:
   Crew& crew(unsigned threads, std::size_t points) {
@@ -229,7 +230,7 @@ Result<std::optional<ClosestPair>> Engine::find_closest_pair_between(const Point
   std::optional<ClosestPair> closest;
   const Status status =
       workshop_->run(points, others, threads, [&](const auto& frame, const auto& with) {
-        closest = search::closest_between(frame, with, workshop_->choices);
+        closest = search::find_closest_between(frame, with, workshop_->choices, workshop_->nearest);
         return kDone;
       });
   if (!status) return status.error();

@@ -217,9 +217,9 @@ void find_nearest(const Frame& frame, const std::optional<SearchOptions>& within
   NearestSearch(frame, within, with, choices, nearest).run();
 }
 
-std::optional<ClosestPair> closest_between(const Frame& frame, const core::Resources& with,
-                                           const Choices& choices) {
-  std::vector<Nearest> nearest;
+std::optional<ClosestPair> find_closest_between(const Frame& frame, const core::Resources& with,
+                                                const Choices& choices,
+                                                std::vector<Nearest>& nearest) {
   find_nearest(frame, std::nullopt, with, choices, nearest);
   const PointsView& points = frame.points();
   const PointsView& others = frame.others();

@@ -23,7 +23,9 @@ void find_nearest(const Frame& frame, const std::optional<SearchOptions>& within
                   std::vector<Nearest>& nearest);
 
 // The closest of all pairs of one of the frame's points and one of its others.
-std::optional<ClosestPair> closest_between(const Frame& frame, const core::Resources& with,
-                                           const Choices& choices);
+// `nearest` is room to work in.
+std::optional<ClosestPair> find_closest_between(const Frame& frame, const core::Resources& with,
+                                                const Choices& choices,
+                                                std::vector<Nearest>& nearest);
 
 }  // namespace beespace::search
