@@ -1,7 +1,6 @@
 // `beespace detect`: its options, and what it does with them.
 #pragma once
 
-#include "cli/detection.hpp"
 #include "cli/exit_code.hpp"
 
 #include <string>
@@ -15,17 +14,20 @@ namespace beespace::cli {
 // As typed, before it is checked.
 struct DetectOptions {
   std::string input;
+  std::string others;
+  std::string report = "at-risk";
   std::string output = "-";
   std::string threshold = "100";
   std::string frame = "auto";
   std::string format = "auto";
   std::string columns;
   std::string threads = "0";
+  std::string max_results;
   bool inclusive = false;
   bool csv = false;
   bool json = false;
   bool geojson = false;
-  bool nearest = false;
+  bool at_risk_only = false;
   bool skip_bad = false;
   bool fail_on_risk = false;
   bool quiet = false;

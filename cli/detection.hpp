@@ -1,6 +1,8 @@
 // One run of `beespace detect`: what was asked, what was read, what was found.
 #pragma once
 
+#include "cli/reports/report.hpp"
+#include "cli/table.hpp"
 #include "io/load_points.hpp"
 
 #include <beespace/nearest.hpp>
@@ -14,17 +16,27 @@
 
 namespace beespace::cli {
 
-enum class Answer : std::uint8_t { kIds, kCsv, kJson, kGeoJson };
+enum class Form : std::uint8_t { kText, kCsv, kJson, kGeoJson };
 
 struct DetectRequest {
   std::string input = "-";
+  std::optional<std::string> others;
   std::string output = "-";
-  io::LoadOptions load;
+  io::LoadOptions load;  // of both inputs
   SearchOptions search;
-  Answer answer = Answer::kIds;
-  bool nearest = false;
+  const Report* report = nullptr;
+  Form form = Form::kText;
+  bool at_risk_only = false;
   bool fail_on_risk = false;
   bool quiet = false;
+};
+
+struct Inputs {
+  io::LoadedPoints ours;
+  std::optional<io::LoadedPoints> others;
+
+  // Whose ids stand second in pairs, and in columns of ids.
+  [[nodiscard]] const io::LoadedPoints& theirs() const { return others ? *others : ours; }
 };
 
 struct Timings {
@@ -36,7 +48,7 @@ struct Timings {
 struct Detection {
   std::vector<PointId> at_risk;
   std::optional<ClosestPair> closest;  // only when somebody will see it
-  std::vector<Nearest> nearest;        // of every point; empty unless asked for
+  Table table;
   Timings timings;
 
   [[nodiscard]] double share(const io::LoadedPoints& loaded) const {

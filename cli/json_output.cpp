@@ -1,5 +1,6 @@
 #include "cli/answer_output.hpp"
 #include "cli/block_writer.hpp"
+#include "cli/json_cell.hpp"
 #include "cli/json_text.hpp"
 #include "cli/number_text.hpp"
 
@@ -12,8 +13,8 @@ std::string_view name_of(io::Frame frame) {
   return frame == io::Frame::kWgs84 ? "wgs84" : "metres";
 }
 
-std::string source_of(const DetectRequest& request) {
-  return request.input == "-" ? "<stdin>" : request.input;
+std::string source_of(const std::string& path) {
+  return path == "-" ? "<stdin>" : path;
 }
 
 void append_list(std::string& out, const std::vector<std::string>& texts) {
@@ -54,8 +55,9 @@ void append_skipped(std::string& out, const std::vector<Error>& skipped) {
   out += "\n    ]";
 }
 
-void append_input(std::string& out, const io::LoadedPoints& loaded, const DetectRequest& request) {
-  out += "  \"input\": {\n    \"file\": " + json_string(source_of(request));
+void append_input(std::string& out, const char* key, const io::LoadedPoints& loaded,
+                  const std::string& path) {
+  out += std::string("  \"") + key + "\": {\n    \"file\": " + json_string(source_of(path));
   out += ",\n    \"format\": " + json_string(loaded.format_description);
   out += ",\n    \"frame\": " + json_string(name_of(loaded.frame));
   out += ",\n    \"reason\": " + json_string(loaded.frame_reason);
@@ -67,60 +69,111 @@ void append_input(std::string& out, const io::LoadedPoints& loaded, const Detect
   out += "\n  },\n";
 }
 
-void append_closest(std::string& out, const io::LoadedPoints& loaded, const Detection& detection) {
+void append_pair(std::string& out, const Pair& pair, const Inputs& inputs, const ShownIds& ours,
+                 const ShownIds& theirs) {
+  out += "{\"first\": ";
+  ours.append_json(out, pair.first);
+  out += ", \"second\": ";
+  theirs.append_json(out, pair.second);
+  out += ", \"distance_m\": ";
+  append_exact(out, distance(inputs.ours.points[pair.first], inputs.theirs().points[pair.second]));
+  out += '}';
+}
+
+void append_closest(std::string& out, const Answer& answer) {
+  const Inputs& inputs = answer.inputs;
+  const auto& closest = answer.detection.closest;
   out += "  \"closest_pair\": ";
-  if (!detection.closest) {
+  if (!closest) {
     out += "null,\n";
     return;
   }
-  const ClosestPair& pair = *detection.closest;
-  const std::vector<PointId> both = {pair.first, pair.second};
-  const ShownIds ids(loaded, both);
-  out += "{\"first\": ";
-  ids.append_json(out, pair.first);
-  out += ", \"second\": ";
-  ids.append_json(out, pair.second);
-  out += ", \"distance_m\": " + exact(pair.distance_m) + "},\n";
+  const PairTable table{{{closest->first, closest->second}}};
+  const AnswerIds ids(inputs, Table{table}, Form::kJson);
+  append_pair(out, table.pairs.front(), inputs, ids.ours(), ids.theirs());
+  out += ",\n";
 }
 
-void append_entry(std::string& out, const ShownIds& ids, const Detection& detection, PointId point,
-                  bool nearest) {
-  if (!nearest) {
-    ids.append_json(out, point);
-    return;
+void write_rows(const BeeTable& table, const Answer& answer, BlockWriter& out) {
+  const bool bare = table.columns.empty();
+  const std::string_view separator = bare ? ", " : ",\n    ";
+  if (!bare) out.text += "\n    ";
+  bool first = true;
+  for (const PointId bee : table.bees) {
+    if (!first) out.text += separator;
+    first = false;
+    if (!bare) out.text += "{\"id\": ";
+    answer.ids.ours().append_json(out.text, bee);
+    append_json_members(out.text, table.columns, bee, answer.ids.theirs());
+    if (!bare) out.text += '}';
+    out.pass_on();
   }
-  out += "{\"id\": ";
-  ids.append_json(out, point);
-  out += ", \"nearest\": ";
-  ids.append_json(out, detection.nearest[point].id);
-  out += ", \"distance_m\": ";
-  append_exact(out, detection.nearest[point].distance_m);
-  out += '}';
+}
+
+void write_rows(const PairTable& table, const Answer& answer, BlockWriter& out) {
+  bool first = true;
+  for (const Pair& pair : table.pairs) {
+    out.text += first ? "\n    " : ",\n    ";
+    first = false;
+    append_pair(out.text, pair, answer.inputs, answer.ids.ours(), answer.ids.theirs());
+    out.pass_on();
+  }
+}
+
+void write_rows(const GroupTable& table, const Answer& answer, BlockWriter& out) {
+  for (std::size_t i = 0; i < table.groups.size(); ++i) {
+    out.text += i == 0 ? "\n    {\"group\": " : ",\n    {\"group\": ";
+    append_exact(out.text, std::uint64_t{i});
+    out.text += ", \"size\": ";
+    append_exact(out.text, std::uint64_t{table.groups[i].size()});
+    out.text += ", \"members\": ";
+    append_json_ids(out.text, table.groups[i], answer.ids.ours());
+    out.text += '}';
+    out.pass_on();
+  }
+}
+
+// How many rows there are, where that is not a number said before.
+void append_row_count(std::string& out, const Table& table) {
+  if (const auto* pairs = std::get_if<PairTable>(&table.rows)) {
+    out += "  \"pair_count\": " + std::to_string(pairs->pairs.size()) + ",\n";
+  }
+  if (const auto* groups = std::get_if<GroupTable>(&table.rows)) {
+    out += "  \"group_count\": " + std::to_string(groups->groups.size()) + ",\n";
+  }
+}
+
+void write_table(const Answer& answer, BlockWriter& out) {
+  append_row_count(out.text, answer.detection.table);
+  out.text += std::string("  \"") + answer.request.report->key + "\": [";
+  std::visit([&](const auto& rows) { write_rows(rows, answer, out); }, answer.detection.table.rows);
+  out.text += "]";
 }
 
 }  // namespace
 
-void write_json(const io::LoadedPoints& loaded, const Detection& detection, const ShownIds& ids,
-                const DetectRequest& request, io::AtomicOutput& output) {
+void write_json(const Answer& answer, io::AtomicOutput& output) {
+  const DetectRequest& request = answer.request;
+  const Detection& detection = answer.detection;
   BlockWriter out(output);
-  out.text += "{\n  \"version\": " + json_string(version()) + ",\n";
-  append_input(out.text, loaded, request);
+  out.text += "{\n  \"version\": " + json_string(version());
+  out.text += ",\n  \"report\": " + json_string(request.report->name) + ",\n";
+  append_input(out.text, "input", answer.inputs.ours, request.input);
+  if (request.others) append_input(out.text, "others", *answer.inputs.others, *request.others);
   out.text += "  \"threshold_m\": " + exact(request.search.threshold_m);
   out.text += ",\n  \"inclusive\": ";
   out.text += request.search.inclusive ? "true" : "false";
   out.text += ",\n  \"at_risk_count\": " + std::to_string(detection.at_risk.size());
-  out.text += ",\n  \"share\": " + exact(detection.share(loaded)) + ",\n";
-  append_closest(out.text, loaded, detection);
+  out.text += ",\n  \"share\": " + exact(detection.share(answer.inputs.ours)) + ",\n";
+  append_closest(out.text, answer);
+  const bool has_rows = *request.report->key != '\0';
   out.text += "  \"timings\": {\"read_s\": " + exact(detection.timings.read_s);
-  out.text += ", \"search_s\": " + exact(detection.timings.search_s) + "},\n";
-  out.text += request.nearest ? "  \"at_risk\": [\n    " : "  \"at_risk\": [";
-  const std::string_view separator = request.nearest ? ",\n    " : ", ";
-  for (std::size_t i = 0; i < detection.at_risk.size(); ++i) {
-    if (i > 0) out.text += separator;
-    append_entry(out.text, ids, detection, detection.at_risk[i], request.nearest);
-    out.pass_on();
+  out.text += ", \"search_s\": " + exact(detection.timings.search_s) + '}';
+  if (has_rows) {
+    out.text += ",\n";
+    write_table(answer, out);
   }
-  out.text += "]\n}\n";
+  out.text += "\n}\n";
 }
 
 std::string error_as_json(const Error& error) {

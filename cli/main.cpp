@@ -1,10 +1,12 @@
 // The beespace command: reads the command line and hands over to the subcommand.
 
+#include "cli/bench_command.hpp"
 #include "cli/detect_command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/generate_command.hpp"
 #include "cli/option_checks.hpp"
 #include "cli/signals.hpp"
+#include "cli/standard_output.hpp"
 #include "cli/terminal.hpp"
 #include "cli/usage_sentence.hpp"
 
@@ -12,8 +14,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <cerrno>
-#include <cstdio>
 #include <exception>
 #include <new>
 #include <string>
@@ -27,17 +27,11 @@ constexpr const char* kDescription =
 constexpr const char* kExamples =
     "Examples:\n"
     "  beespace detect bees.csv                      who is closer than 100 m to another bee\n"
+    "  beespace detect bees.csv --report pairs       who is too close to whom, and how close\n"
     "  beespace generate --points 1000 --area medellin --output bees.csv\n"
+    "  beespace bench                                how fast it is on this machine\n"
     "\n"
-    "'beespace help detect' and 'beespace help generate' say more.";
-
-ExitCode print(const std::string& text) {
-  const bool complete = std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0;
-  if (complete) return ExitCode::kFine;
-  if (errno == EPIPE) return ExitCode::kPipeClosed;
-  say_error("cannot write to standard output");
-  return ExitCode::kSystem;
-}
+    "'beespace help detect', 'beespace help generate' and 'beespace help bench' say more.";
 
 // The subcommand in use, or the command itself: whose help is meant.
 const CLI::App& used_command(const CLI::App& command) {
@@ -59,9 +53,9 @@ ExitCode explain(const CLI::App& command, const CLI::ParseError& error) {
 
 // "beespace help detect", for those who do not try --help first.
 CLI::App* add_help_command(CLI::App& command, std::string& topic) {
-  CLI::App* help = command.add_subcommand("help", "Print this help, or that of detect or generate");
+  CLI::App* help = command.add_subcommand("help", "Print this help, or that of a subcommand");
   CLI::Option* option = help->add_option("COMMAND", topic, "Whose help to print")->type_name(" ");
-  allow_only(*option, {"detect", "generate"});
+  allow_only(*option, {"detect", "generate", "bench"});
   return help;
 }
 
@@ -74,9 +68,11 @@ ExitCode run(int argc, char** argv) {
   command.get_formatter()->column_width(34);
   DetectOptions detect_options;
   GenerateOptions generate_options;
+  BenchOptions bench_options;
   std::string help_topic;
   const CLI::App* detect = add_detect_command(command, detect_options);
-  add_generate_command(command, generate_options);
+  const CLI::App* generate = add_generate_command(command, generate_options);
+  add_bench_command(command, bench_options);
   const CLI::App* help = add_help_command(command, help_topic);
   // At most one, so that a file may be called as the other.
   command.require_subcommand(0, 1);
@@ -87,10 +83,11 @@ ExitCode run(int argc, char** argv) {
     return explain(command, error);
   }
   if (command.get_subcommands().empty()) {
-    say_error("say what to do: detect or generate (see 'beespace --help')");
+    say_error("say what to do: detect, generate or bench (see 'beespace --help')");
     return ExitCode::kUsage;
   }
-  return detect->parsed() ? run_detect(detect_options) : run_generate(generate_options);
+  if (detect->parsed()) return run_detect(detect_options);
+  return generate->parsed() ? run_generate(generate_options) : run_bench(bench_options);
 }
 
 }  // namespace

@@ -19,8 +19,8 @@ void append_line(std::string& out, std::string_view label, std::string_view text
   out += '\n';
 }
 
-std::string input_line(const io::LoadedPoints& loaded, const DetectRequest& request) {
-  const std::string name = request.input == "-" ? "standard input" : request.input;
+std::string input_line(const io::LoadedPoints& loaded, const std::string& path) {
+  const std::string name = path == "-" ? "standard input" : path;
   return printable(name) + " (" + byte_count(loaded.bytes) + ", " + loaded.format_description + ")";
 }
 
@@ -50,20 +50,23 @@ std::string at_risk_line(const io::LoadedPoints& loaded, const Detection& detect
   return red(text);
 }
 
-std::string closest_line(const io::LoadedPoints& loaded, const ClosestPair& pair) {
-  const std::vector<PointId> both = {pair.first, pair.second};
-  const ShownIds ids(loaded, both);
-  return printable(ids.text(pair.first)) + " and " + printable(ids.text(pair.second)) + ", " +
-         length(pair.distance_m) + " apart";
+std::string closest_line(const Inputs& inputs, const ClosestPair& pair) {
+  const std::vector<PointId> first = {pair.first};
+  const std::vector<PointId> second = {pair.second};
+  const ShownIds ours(inputs.ours, first);
+  const ShownIds theirs(inputs.theirs(), second);
+  return printable(ours.text(pair.first)) + " and " + (inputs.others ? "their " : "") +
+         printable(theirs.text(pair.second)) + ", " + length(pair.distance_m) + " apart";
 }
 
-std::string time_line(const io::LoadedPoints& loaded, const Timings& timings) {
+std::string time_line(const Inputs& inputs, const Timings& timings) {
   const double total = timings.read_s + timings.search_s + timings.write_s;
   std::string text = "read " + duration(timings.read_s) + ", search " + duration(timings.search_s) +
                      ", write " + duration(timings.write_s);
   if (total > 0.0) {
-    const double rate = static_cast<double>(loaded.points.size()) / total;
-    text += " (" + grouped(rate, 0) + " points/s)";
+    const std::size_t points =
+        inputs.ours.points.size() + (inputs.others ? inputs.others->points.size() : 0);
+    text += " (" + grouped(static_cast<double>(points) / total, 0) + " points/s)";
   }
   return text;
 }
@@ -78,20 +81,30 @@ void append_skipped(std::string& out, const io::LoadedPoints& loaded) {
   }
 }
 
-}  // namespace
-
-std::string summary(const io::LoadedPoints& loaded, const Detection& detection,
-                    const DetectRequest& request) {
-  std::string out;
-  append_line(out, "input", input_line(loaded, request));
+// What one file turned out to be.
+void append_input(std::string& out, std::string_view label, const io::LoadedPoints& loaded,
+                  const std::string& path) {
+  append_line(out, label, input_line(loaded, path));
   append_line(out, "frame", frame_line(loaded));
   for (const std::string& note : loaded.notes) append_line(out, "note", printable(note));
   if (loaded.skipped_count > 0) append_skipped(out, loaded);
   append_line(out, "points", grouped(loaded.points.size()));
+}
+
+}  // namespace
+
+std::string summary(const Inputs& inputs, const Detection& detection,
+                    const DetectRequest& request) {
+  std::string out;
+  append_input(out, "input", inputs.ours, request.input);
+  if (inputs.others) append_input(out, "others", *inputs.others, *request.others);
   append_line(out, "threshold", threshold_line(request.search));
-  append_line(out, "at risk", at_risk_line(loaded, detection));
-  if (detection.closest) append_line(out, "closest", closest_line(loaded, *detection.closest));
-  append_line(out, "time", time_line(loaded, detection.timings));
+  append_line(out, "at risk", at_risk_line(inputs.ours, detection));
+  if (!detection.table.finding.empty()) {
+    append_line(out, request.report->label, detection.table.finding);
+  }
+  if (detection.closest) append_line(out, "closest", closest_line(inputs, *detection.closest));
+  append_line(out, "time", time_line(inputs, detection.timings));
   return out;
 }
 

@@ -7,7 +7,6 @@
 
 namespace beespace::cli {
 
-std::string summary(const io::LoadedPoints& loaded, const Detection& detection,
-                    const DetectRequest& request);
+std::string summary(const Inputs& inputs, const Detection& detection, const DetectRequest& request);
 
 }  // namespace beespace::cli

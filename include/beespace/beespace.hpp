@@ -8,6 +8,7 @@
 #include <beespace/engine.hpp>
 #include <beespace/geodesy.hpp>
 #include <beespace/id_rows.hpp>
+#include <beespace/index.hpp>
 #include <beespace/nearest.hpp>
 #include <beespace/neighbors.hpp>
 #include <beespace/pairs.hpp>

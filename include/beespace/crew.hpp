@@ -21,7 +21,8 @@ class BEESPACE_API Crew {
    public:
     template <class Callable>
     requires(!std::is_same_v<std::remove_cvref_t<Callable>, Task>)
-        Task(Callable&& callable)  // NOLINT(google-explicit-constructor): like a reference
+        // NOLINTNEXTLINE(google-explicit-constructor, bugprone-forwarding-reference-overload)
+    Task(Callable&& callable)  // like a reference
         : callable_(const_cast<void*>(static_cast<const void*>(std::addressof(callable)))),
           call_([](void* object, unsigned worker) {
             (*static_cast<std::remove_reference_t<Callable>*>(object))(worker);
@@ -73,6 +74,8 @@ class BEESPACE_API ThreadCrew final : public Crew {
   // `size` workers, of which the caller of run() is one; 0 means one per processor. If the system
   // gives fewer threads than asked for, the crew is smaller.
   explicit ThreadCrew(unsigned size = 0);
+  ThreadCrew(const ThreadCrew&) = delete;
+  ThreadCrew& operator=(const ThreadCrew&) = delete;
   ~ThreadCrew() override;
 
   [[nodiscard]] unsigned size() const override;

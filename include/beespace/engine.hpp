@@ -31,6 +31,8 @@ class BEESPACE_API Engine {
   Engine();
   // With the threads of `crew`, all of which work on every call: SearchOptions::threads is ignored.
   explicit Engine(Crew& crew);
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
   Engine(Engine&&) noexcept;
   Engine& operator=(Engine&&) noexcept;
   ~Engine();

@@ -32,8 +32,9 @@ TEST(Answers, TheIdColumnReplacesTheRows) {
 }
 
 TEST(Answers, NearestAddsWhoAndHowFar) {
-  EXPECT_EQ(run({"detect", "--nearest"}, kMetres).out, "0\t1\t60\n1\t0\t60\n3\t1\t80\n");
-  EXPECT_EQ(run({"detect", "--nearest"}, kNamed).out,
+  EXPECT_EQ(run({"detect", "--report", "nearest", "--at-risk-only"}, kMetres).out,
+            "0\t1\t60\n1\t0\t60\n3\t1\t80\n");
+  EXPECT_EQ(run({"detect", "--report", "nearest", "--at-risk-only"}, kNamed).out,
             "maya\twil\"li\t60\nwil\"li\tmaya\t60\nthekla\twil\"li\t80\n");
 }
 
@@ -46,19 +47,23 @@ TEST(Answers, TheThresholdIsStrictUnlessInclusive) {
 
 TEST(Answers, EveryThreadCountGivesTheSameBytes) {
   const std::string swarm = run({"generate", "--points", "20000"}).out;
-  const Finished one = run({"detect", "--threads", "1", "--nearest"}, swarm);
+  const Finished one =
+      run({"detect", "--threads", "1", "--report", "nearest", "--at-risk-only"}, swarm);
   ASSERT_GT(one.out.size(), 1'000u);
   for (const char* threads : {"0", "2", "5"}) {
-    EXPECT_EQ(run({"detect", "--threads", threads, "--nearest"}, swarm).out, one.out);
+    EXPECT_EQ(
+        run({"detect", "--threads", threads, "--report", "nearest", "--at-risk-only"}, swarm).out,
+        one.out);
   }
 }
 
 TEST(Answers, CsvGivesTheRecordsBackAsTheyStood) {
   EXPECT_EQ(run({"detect", "--csv"}, kMetres).out, "x,y,z\n0,0,0\n60,0,0\n60,80,0\n");
-  EXPECT_EQ(run({"detect", "--csv", "--nearest"}, kMetres).out,
-            "x,y,z,nearest_m\n0,0,0,60\n60,0,0,60\n60,80,0,80\n");
-  EXPECT_EQ(run({"detect", "--csv", "--nearest"}, kNamed).out,
-            "id;x;y;z;nearest_m\nmaya;0;0;0;60\n\"wil\"\"li\";60;0;0;60\nthekla;60;80;0;80\n");
+  EXPECT_EQ(run({"detect", "--csv", "--report", "nearest", "--at-risk-only"}, kMetres).out,
+            "x,y,z,row,nearest,distance_m\n0,0,0,0,1,60\n60,0,0,1,0,60\n60,80,0,3,1,80\n");
+  EXPECT_EQ(run({"detect", "--csv", "--report", "nearest", "--at-risk-only"}, kNamed).out,
+            "id;x;y;z;nearest;distance_m\nmaya;0;0;0;\"wil\"\"li\";60\n"
+            "\"wil\"\"li\";60;0;0;maya;60\nthekla;60;80;0;\"wil\"\"li\";80\n");
 }
 
 TEST(Answers, CsvWithoutHeaderStaysWithoutHeader) {
@@ -81,8 +86,8 @@ TEST(Answers, JsonHoldsEverythingInOneDocument) {
   const Finished finished = run({"detect", "--json", "--quiet"}, kNamed);
   EXPECT_TRUE(is_json(finished.out)) << finished.out;
   for (const char* part :
-       {R"("version": ")", R"("file": "<stdin>")", R"("frame": "metres")", R"("points": 4)",
-        R"("skipped": 0)", R"("threshold_m": 100)", R"("inclusive": false)",
+       {R"("version": ")", R"("report": "at-risk")", R"("file": "<stdin>")", R"("frame": "metres")",
+        R"("points": 4)", R"("skipped": 0)", R"("threshold_m": 100)", R"("inclusive": false)",
         R"("at_risk_count": 3)", R"("share": 0.75)", R"("reason": ")", R"("timings": {)",
         R"("closest_pair": {"first": "maya", "second": "wil\"li", "distance_m": 60})",
         R"("at_risk": ["maya", "wil\"li", "thekla"])"}) {
@@ -91,7 +96,8 @@ TEST(Answers, JsonHoldsEverythingInOneDocument) {
 }
 
 TEST(Answers, JsonWithNearestHasAnObjectForEachBee) {
-  const Finished finished = run({"detect", "--json", "--nearest"}, kMetres);
+  const Finished finished =
+      run({"detect", "--json", "--report", "nearest", "--at-risk-only"}, kMetres);
   EXPECT_TRUE(is_json(finished.out)) << finished.out;
   EXPECT_NE(finished.out.find(R"({"id": 3, "nearest": 1, "distance_m": 80})"), std::string::npos)
       << finished.out;
@@ -106,15 +112,15 @@ TEST(Answers, JsonOfNobodyIsStillADocument) {
 
 TEST(Answers, TheRowStandsForAnEmptyIdAndThatIsSaid) {
   constexpr std::string_view kInput = "id,x,y,z\nmaya,0,0,0\n,1,0,0\n\" \",2,0,0\n";
-  const Finished finished = run({"detect", "--nearest"}, kInput);
+  const Finished finished = run({"detect", "--report", "nearest", "--at-risk-only"}, kInput);
   EXPECT_EQ(finished.out, "maya\t1\t1\n1\tmaya\t1\n2\t1\t1\n");
-  EXPECT_NE(finished.err.find("2 bees at risk have an empty id: the data row stands for it"),
+  EXPECT_NE(finished.err.find("2 bees of the answer have an empty id: the data row stands for it"),
             std::string::npos)
       << finished.err;
   const std::string json = run({"detect", "--json"}, kInput).out;
   EXPECT_TRUE(is_json(json)) << json;
   EXPECT_NE(json.find(R"("at_risk": ["maya", 1, 2])"), std::string::npos) << json;
-  EXPECT_NE(json.find("2 bees at risk have an empty id"), std::string::npos) << json;
+  EXPECT_NE(json.find("2 bees of the answer have an empty id"), std::string::npos) << json;
   const std::string geojson =
       run({"detect", "--geojson"}, "id,lon,lat,height\n,5,5,0\nb,5,5,1\n").out;
   EXPECT_NE(geojson.find(R"("id": 0})"), std::string::npos) << geojson;
@@ -123,7 +129,7 @@ TEST(Answers, TheRowStandsForAnEmptyIdAndThatIsSaid) {
 
 TEST(Answers, ATabInsideAnIdDoesNotSplitTheLine) {
   constexpr std::string_view kInput = "id,x,y,z\n\"ma\tya\",0,0,0\nwilli,1,0,0\n";
-  const Finished finished = run({"detect", "--nearest"}, kInput);
+  const Finished finished = run({"detect", "--report", "nearest", "--at-risk-only"}, kInput);
   EXPECT_EQ(finished.out, "ma ya\twilli\t1\nwilli\tma ya\t1\n");
   EXPECT_NE(finished.err.find("tabs and line ends inside an id are written as blanks (1 id)"),
             std::string::npos)
@@ -134,7 +140,7 @@ TEST(Answers, ATabInsideAnIdDoesNotSplitTheLine) {
 }
 
 TEST(Answers, JsonSurvivesHostileIds) {
-  const Finished finished = run({"detect", "--json", "--nearest"},
+  const Finished finished = run({"detect", "--json", "--report", "nearest", "--at-risk-only"},
                                 "id,x,y,z\n\"a\"\"\\\",0,0,0\n\xF0\x9F\x90\x9D,1,0,0\n");
   EXPECT_TRUE(is_json(finished.out)) << finished.out;
   EXPECT_NE(finished.out.find(R"("id": "a\"\\")"), std::string::npos) << finished.out;
@@ -142,12 +148,14 @@ TEST(Answers, JsonSurvivesHostileIds) {
 }
 
 TEST(Answers, GeoJsonPlacesTheBeesAsInTheFile) {
-  const Finished finished = run({"detect", "--geojson", "--nearest"}, kDegrees);
+  const Finished finished =
+      run({"detect", "--geojson", "--report", "nearest", "--at-risk-only"}, kDegrees);
   EXPECT_EQ(finished.exit_code, 0);
   EXPECT_TRUE(is_json(finished.out)) << finished.out;
   EXPECT_NE(finished.out.find(R"("type": "FeatureCollection")"), std::string::npos);
   EXPECT_NE(finished.out.find(R"("coordinates": [-75.5, 6.25, 1530])"), std::string::npos);
-  EXPECT_NE(finished.out.find(R"("properties": {"id": 1, "nearest_m": )"), std::string::npos);
+  EXPECT_NE(finished.out.find(R"("properties": {"id": 1, "nearest": 0, "distance_m": )"),
+            std::string::npos);
   EXPECT_EQ(finished.out.find("-75.4"), std::string::npos) << "this one is not at risk";
 }
 
@@ -263,7 +271,8 @@ TEST(Answers, JsonListsWhatWasSkippedWithPlaceAndMessage) {
 
 TEST(Answers, SkipBadWorksWithEveryForm) {
   constexpr std::string_view kInput = "x,y,z\noops,0,0\n0,0,0\n60,0,0\n";
-  EXPECT_EQ(run({"detect", "--skip-bad", "--nearest"}, kInput).out, "1\t2\t60\n2\t1\t60\n");
+  EXPECT_EQ(run({"detect", "--skip-bad", "--report", "nearest", "--at-risk-only"}, kInput).out,
+            "1\t2\t60\n2\t1\t60\n");
   EXPECT_EQ(run({"detect", "--skip-bad", "--csv"}, kInput).out, "x,y,z\n0,0,0\n60,0,0\n");
   const std::string json = run({"detect", "--skip-bad", "--json"}, kInput).out;
   EXPECT_TRUE(is_json(json)) << json;

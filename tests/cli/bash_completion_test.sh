@@ -31,6 +31,11 @@ expect "auto wgs84 metres" beespace detect --crs =
 expect "wgs84" beespace detect --crs = w
 expect "npy npy.gz" beespace generate --format = np
 expect "--threshold --threads" beespace detect --thr
+expect "neighbors nearest" beespace detect --report ne
+expect "closest-pair" beespace detect --report = cl
+expect "$1" beespace detect --others "${1%sh}"
+expect "bench" beespace be
+expect "--points" beespace bench --po
 expect "" beespace detect --threshold = 5
 expect "$1" beespace detect --output = "${1%sh}"
 expect "--quiet" beespace generate --qu

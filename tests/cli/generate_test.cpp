@@ -59,7 +59,8 @@ class GenerateFormat : public testing::TestWithParam<const char*> {};
 TEST_P(GenerateFormat, DetectReadsTheSameSwarmBack) {
   const Arguments swarm = {"generate", "--points", "3000", "--size", "2000x2000x500"};
   const std::string expected =
-      run({"detect", "--nearest", "--threshold", "60"}, run(swarm).out).out;
+      run({"detect", "--report", "nearest", "--at-risk-only", "--threshold", "60"}, run(swarm).out)
+          .out;
   ASSERT_GT(expected.size(), 1'000u);
 
   const TemporaryFolder folder;
@@ -69,7 +70,8 @@ TEST_P(GenerateFormat, DetectReadsTheSameSwarmBack) {
   const Finished made = run(to_file);
   EXPECT_EQ(made.exit_code, 0) << made.err;
   EXPECT_EQ(made.out + made.err, "");
-  const Finished found = run({"detect", file, "--nearest", "--threshold", "60"});
+  const Finished found =
+      run({"detect", file, "--report", "nearest", "--at-risk-only", "--threshold", "60"});
   EXPECT_EQ(found.exit_code, 0) << found.err;
   EXPECT_EQ(found.out, expected);
 }

@@ -84,19 +84,22 @@ TEST(Interruption, DetectEndsQuietlyWhenNobodyReads) {
 }
 
 TEST(Interruption, EveryFormOfTheAnswerEndsQuietlyWhenNobodyReads) {
-  for (const char* form : {"--csv", "--json", "--nearest"}) {
-    Running running({"detect", form}, closed_pipe());
-    running.send(kTwo);
-    running.close_input();
-    const Finished finished = running.finish();
-    EXPECT_EQ(finished.exit_code, 141) << form;
-    EXPECT_EQ(finished.err, "") << form;
+  for (const char* report : {"at-risk", "pairs", "neighbors", "groups"}) {
+    for (const char* form : {"--csv", "--json", "--quiet"}) {
+      Running running({"detect", "--report", report, form}, closed_pipe());
+      running.send(kTwo);
+      running.close_input();
+      const Finished finished = running.finish();
+      EXPECT_EQ(finished.exit_code, 141) << report << form;
+      EXPECT_EQ(finished.err, "") << report << form;
+    }
   }
 }
 
-TEST(Interruption, GenerateAndHelpEndQuietlyWhenNobodyReads) {
+TEST(Interruption, GenerateHelpAndBenchEndQuietlyWhenNobodyReads) {
   for (const Arguments& arguments :
-       {Arguments{"generate", "--points", "200000"}, Arguments{"detect", "--help"}}) {
+       {Arguments{"generate", "--points", "200000"}, Arguments{"detect", "--help"},
+        Arguments{"bench", "--points", "1000", "--quiet"}}) {
     Running running(arguments, closed_pipe());
     running.close_input();
     const Finished finished = running.finish();

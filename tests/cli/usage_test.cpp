@@ -67,7 +67,8 @@ TEST(Usage, OfAnUnknownOptionAndItsValueTheOptionIsNamed) {
 
 TEST(Usage, AnArgumentTooManyIsNamed) {
   expect_usage_error({"detect", "a", "b"}, "'b' is one argument too many for 'beespace detect'");
-  expect_usage_error({"x", "y"}, "'x' is nothing that beespace does; say detect or generate");
+  expect_usage_error({"x", "y"},
+                     "'x' is nothing that beespace does; say detect, generate or bench");
 }
 
 TEST(Usage, AnOptionGivenTwiceWithoutItsValueOrAFlagWithOneIsRefused) {
@@ -87,6 +88,44 @@ TEST(Usage, AnEmptyValueIsNoValue) {
   }
 }
 
+TEST(Usage, AnUnknownReportIsToldWhichThereAre) {
+  expect_usage_error(
+      {"detect", "--report", "neighbours"},
+      "--report: 'neighbours' is none of at-risk, pairs, neighbors, counts, nearest, "
+      "groups, closest-pair; did you mean 'neighbors'?");
+  expect_usage_error({"detect", "--report", ""}, "--report");
+}
+
+TEST(Usage, OptionsThatTheReportWouldIgnoreAreRefused) {
+  expect_usage_error({"detect", "--report", "groups", "--others", "x.csv"},
+                     "--others does not apply to --report groups");
+  expect_usage_error({"detect", "--max-results", "5"},
+                     "--max-results does not apply to --report at-risk");
+  expect_usage_error({"detect", "--report", "pairs", "--at-risk-only"},
+                     "--at-risk-only does not apply to --report pairs");
+}
+
+TEST(Usage, TheLimitOfResultsIsAWholeNumberAboveZero) {
+  for (const std::string bad : {"0", "-1", "1.5", "many", "18446744073709551616"}) {
+    expect_usage_error({"detect", "--report", "pairs", "--max-results", bad},
+                       "--max-results '" + bad + "' is not a whole number from 1 to");
+  }
+}
+
+TEST(Usage, StandardInputIsReadOnce) {
+  expect_usage_error({"detect", "-", "--others", "-"}, "standard input can be read once");
+  expect_usage_error({"detect", "--others", "-"}, "say which file to read");
+}
+
+TEST(Usage, BenchChecksItsNumbers) {
+  for (const std::string bad : {"0", "999", "-1", "many", "100000001"}) {
+    expect_usage_error({"bench", "--points", bad},
+                       "--points '" + bad + "' is not a whole number from 1,000 to 100,000,000");
+  }
+  expect_usage_error({"bench", "--threads", "1025"}, "--threads '1025' is not a whole number");
+  expect_usage_error({"bench", "bees.csv"}, "'bees.csv' is one argument too many");
+}
+
 TEST(Usage, ColumnsThatContradictTheFrameAreRefused) {
   expect_usage_error({"detect", "--crs", "metres", "--columns", "lon=1,lat=2,height=3"}, "--crs");
   expect_usage_error({"detect", "--crs", "wgs84", "--columns", "x=1,y=2,z=3"}, "--crs");
@@ -100,7 +139,7 @@ TEST(Usage, AFileMayBeCalledAsACommandIs) {
 }
 
 TEST(Usage, ACommandIsNeeded) {
-  expect_usage_error({}, "detect or generate");
+  expect_usage_error({}, "detect, generate or bench");
 }
 
 TEST(Usage, AnswersExcludeEachOther) {
@@ -163,9 +202,11 @@ TEST(Usage, HelpNamesEveryOptionAndGivesExamples) {
   const Finished detect = run({"detect", "--help"});
   EXPECT_EQ(detect.exit_code, 0);
   for (const char* word :
-       {"--threshold", "--output", "--crs", "--columns", "--format", "--inclusive", "--threads",
-        "--csv", "--json", "--geojson", "--nearest", "--skip-bad", "--fail-on-risk", "--quiet",
-        "Examples:", "Exit status:", "143 terminated"}) {
+       {"--threshold",   "--output",       "--crs",          "--columns",     "--format",
+        "--inclusive",   "--threads",      "--csv",          "--json",        "--geojson",
+        "--report",      "--others",       "--at-risk-only", "--max-results", "closest-pair",
+        "--skip-bad",    "--fail-on-risk", "--quiet",        "Examples:",     "Exit status:",
+        "143 terminated"}) {
     EXPECT_NE(detect.out.find(word), std::string::npos) << word;
   }
   const Finished generate = run({"generate", "--help"});
@@ -177,7 +218,7 @@ TEST(Usage, HelpNamesEveryOptionAndGivesExamples) {
 }
 
 TEST(Usage, HelpIsACommandToo) {
-  for (const std::string topic : {"detect", "generate"}) {
+  for (const std::string topic : {"detect", "generate", "bench"}) {
     const Finished finished = run({"help", topic});
     EXPECT_EQ(finished.exit_code, 0);
     EXPECT_EQ(finished.out, run({topic, "--help"}).out);
@@ -187,8 +228,9 @@ TEST(Usage, HelpIsACommandToo) {
 }
 
 TEST(Usage, VersionIsTheLibrarys) {
-  for (const Arguments& arguments : {Arguments{"--version"}, Arguments{"detect", "--version"},
-                                     Arguments{"generate", "--version"}}) {
+  for (const Arguments& arguments :
+       {Arguments{"--version"}, Arguments{"detect", "--version"},
+        Arguments{"generate", "--version"}, Arguments{"bench", "--version"}}) {
     const Finished finished = run(arguments);
     EXPECT_EQ(finished.exit_code, 0);
     EXPECT_EQ(finished.out, "beespace " + std::string(version()) + "\n");

@@ -19,7 +19,7 @@ options_in_help() {
   "$command" "$@" --help | grep -E '^ +-' | grep -oE -- '--[a-z][a-z-]*' | sort -u
 }
 
-all=$(for subcommand in detect generate; do options_in_help "$subcommand"; done | sort -u)
+all=$(for subcommand in detect generate bench; do options_in_help "$subcommand"; done | sort -u)
 if [ "$(wc -l <<< "$all")" -lt 10 ]; then
   echo "the help lists hardly any options: $all" >&2
   exit 1
@@ -32,6 +32,20 @@ for option in $all; do
   for file in "${completions[@]}"; do
     # fish writes -l threshold.
     grep -qE -- "(--|-l )$name([^a-z-]|$)" "$file" || { echo "$file does not name $option"; wrong=1; }
+  done
+done
+
+# What --report takes, as the help lists it.
+reports=$("$command" detect --help | awk '/^Reports/ {inside = 1; next} inside && NF == 0 {exit} inside {print $1}')
+if [ "$(wc -w <<< "$reports")" -lt 5 ]; then
+  echo "the help lists hardly any reports: $reports" >&2
+  exit 1
+fi
+for report in $reports; do
+  for text in "$manual_text" "$(cat "${completions[0]}")" "$(cat "${completions[1]}")" \
+    "$(cat "${completions[2]}")"; do
+    grep -qE -- "(^|[^a-z-])$report([^a-z-]|$)" <<< "$text" ||
+      { echo "the manual or a completion does not name the report $report"; wrong=1; }
   done
 done
 

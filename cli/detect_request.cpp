@@ -1,0 +1,119 @@
+#include "cli/detect_request.hpp"
+
+#include "cli/number_text.hpp"
+#include "cli/terminal.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace beespace::cli {
+namespace {
+
+Result<double> read_threshold(const std::string& text) {
+  const auto value = parse_number(text);
+  if (!value) {
+    return Error{
+        ErrorCode::kInvalidThreshold,
+        "the threshold '" + text + "' is not a number; give metres, for example --threshold 100",
+        {}};
+  }
+  if (*value >= kSmallestCoordinate_m && *value <= kLargestCoordinate_m) return *value;
+  return Error{ErrorCode::kInvalidThreshold,
+               "the threshold is " + text +
+                   " m; give a finite distance above zero (3.9e-121 m to 2.6e+120 m)",
+               {}};
+}
+
+Result<unsigned> read_threads(const std::string& text) {
+  constexpr unsigned kMost = std::numeric_limits<unsigned>::max();
+  const auto count = parse_whole(text);
+  if (count && *count <= kMost) return static_cast<unsigned>(*count);
+  return detect_usage_error("--threads '" + text + "' is not a whole number from 0 (all) to " +
+                            grouped(std::uint64_t{kMost}));
+}
+
+Result<std::uint64_t> read_max_results(const std::string& text) {
+  constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+  if (text.empty()) return kMost;
+  const auto count = parse_whole(text);
+  if (count && *count >= 1) return *count;
+  return detect_usage_error("--max-results '" + text + "' is not a whole number from 1 to " +
+                            std::to_string(kMost));
+}
+
+Form form_of(const DetectOptions& options) {
+  if (options.csv) return Form::kCsv;
+  if (options.json) return Form::kJson;
+  return options.geojson ? Form::kGeoJson : Form::kText;
+}
+
+// An option that the report would ignore is a misunderstanding.
+std::optional<Error> check_fit(const DetectOptions& options, const Report& report) {
+  const auto misfit = [&report](const char* option) {
+    return detect_usage_error(std::string(option) + " does not apply to --report " + report.name);
+  };
+  if (!options.others.empty() && !report.takes_others) return misfit("--others");
+  if (!options.max_results.empty() && !report.has_limit) return misfit("--max-results");
+  if (options.at_risk_only && !report.lists_everybody) return misfit("--at-risk-only");
+  return std::nullopt;
+}
+
+std::optional<Error> check_inputs(const DetectOptions& options) {
+  if (options.input.empty() && (input_is_terminal() || options.others == "-")) {
+    return detect_usage_error("say which file to read, or pipe the input in");
+  }
+  if (options.input == "-" && options.others == "-") {
+    return detect_usage_error("standard input can be read once; name a file for one of the two");
+  }
+  return std::nullopt;
+}
+
+io::LoadOptions load_options(const DetectOptions& options, unsigned threads) {
+  io::LoadOptions load;
+  if (options.frame == "wgs84") load.frame = io::Frame::kWgs84;
+  if (options.frame == "metres") load.frame = io::Frame::kMetres;
+  if (options.format == "text") load.format = io::Format::kText;
+  if (options.format == "npy") load.format = io::Format::kNpy;
+  if (options.format == "bin") load.format = io::Format::kRawFloat64;
+  load.columns = options.columns;
+  load.skip_bad = options.skip_bad;
+  load.threads = threads;
+  return load;
+}
+
+}  // namespace
+
+Error detect_usage_error(std::string message) {
+  return {ErrorCode::kInvalidArgument, std::move(message) + " (see 'beespace detect --help')", {}};
+}
+
+Result<DetectRequest> request_of(const DetectOptions& options) {
+  if (auto error = check_inputs(options)) return *std::move(error);
+  if (int{options.csv} + int{options.json} + int{options.geojson} > 1) {
+    return detect_usage_error("--csv, --json and --geojson exclude each other");
+  }
+  DetectRequest request;
+  request.report = find_report(options.report);
+  if (auto error = check_fit(options, *request.report)) return *std::move(error);
+  const auto threshold = read_threshold(options.threshold);
+  if (!threshold) return threshold.error();
+  const auto threads = read_threads(options.threads);
+  if (!threads) return threads.error();
+  const auto max_results = read_max_results(options.max_results);
+  if (!max_results) return max_results.error();
+  request.search = {*threshold, options.inclusive, *threads, *max_results};
+
+  if (!options.input.empty()) request.input = options.input;
+  if (!options.others.empty()) request.others = options.others;
+  request.output = options.output;
+  request.load = load_options(options, *threads);
+  request.form = form_of(options);
+  request.at_risk_only = options.at_risk_only;
+  request.fail_on_risk = options.fail_on_risk;
+  request.quiet = options.quiet;
+  return request;
+}
+
+}  // namespace beespace::cli

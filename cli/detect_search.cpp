@@ -1,0 +1,73 @@
+#include "cli/detect_search.hpp"
+
+#include "cli/number_text.hpp"
+
+#include <string>
+#include <utility>
+
+namespace beespace::cli {
+namespace {
+
+using Closest = std::optional<ClosestPair>;
+
+// The closest pair of all. When somebody is at risk, both of the pair are (with others: the first
+// is), so that it is enough to look among these; their order is that of all, so that ties are
+// decided alike.
+Result<Closest> closest_pair(Engine& engine, const Inputs& inputs,
+                             const std::vector<PointId>& at_risk, unsigned threads) {
+  const std::vector<Point>& points = inputs.ours.points;
+  const auto find = [&](const std::vector<Point>& among) {
+    return inputs.others ? engine.find_closest_pair_between(among, inputs.others->points, threads)
+                         : engine.find_closest_pair(among, threads);
+  };
+  if (at_risk.empty() || at_risk.size() > points.size() / 2) return find(points);
+  std::vector<Point> some;
+  some.reserve(at_risk.size());
+  for (const PointId id : at_risk) some.push_back(points[id]);
+  auto found = find(some);
+  if (!found || !*found) return found;
+  ClosestPair pair = **found;
+  pair.first = at_risk[pair.first];
+  if (!inputs.others) pair.second = at_risk[pair.second];
+  return Closest(pair);
+}
+
+Status find_at_risk(Engine& engine, const Inputs& inputs, const SearchOptions& options,
+                    std::vector<PointId>& at_risk) {
+  if (!inputs.others) return engine.find_at_risk(inputs.ours.points, options, at_risk);
+  return engine.find_at_risk_between(inputs.ours.points, inputs.others->points, options, at_risk);
+}
+
+// The library speaks to those who call it; here --max-results is what they can turn.
+Error in_words_of_the_command(Error error, const DetectRequest& request) {
+  if (error.code != ErrorCode::kTooManyResults) return error;
+  const bool pairs = std::string_view(request.report->name) == "pairs";
+  error.message = std::string("there are more than ") + grouped(request.search.max_results) +
+                  (pairs ? " pairs" : " neighbours") +
+                  "; raise --max-results, or lower the threshold";
+  return error;
+}
+
+}  // namespace
+
+Result<Detection> search(const Inputs& inputs, const DetectRequest& request) {
+  Engine engine;
+  Detection detection;
+  const Status at_risk = find_at_risk(engine, inputs, request.search, detection.at_risk);
+  if (!at_risk) return at_risk.error();
+  if (!request.quiet || request.form == Form::kJson || request.report->needs_closest) {
+    auto closest = closest_pair(engine, inputs, detection.at_risk, request.search.threads);
+    if (!closest) return std::move(closest).error();
+    detection.closest = *closest;
+  }
+  const Question question{
+      engine,           inputs.ours.points,   inputs.others ? &inputs.others->points : nullptr,
+      request.search,   request.at_risk_only, detection.at_risk,
+      detection.closest};
+  auto table = request.report->find(question);
+  if (!table) return in_words_of_the_command(std::move(table).error(), request);
+  detection.table = *std::move(table);
+  return detection;
+}
+
+}  // namespace beespace::cli

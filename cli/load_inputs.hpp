@@ -1,0 +1,15 @@
+// Reading what a detection is about: the swarm, and the others where there are some.
+#pragma once
+
+#include "cli/detection.hpp"
+#include "cli/progress_bar.hpp"
+
+#include <beespace/result.hpp>
+
+namespace beespace::cli {
+
+// Errors: those of reading; kInvalidArgument where the two are in different frames, or the form of
+// the answer needs another one.
+Result<Inputs> load_inputs(const DetectRequest& request, ProgressBar& progress);
+
+}  // namespace beespace::cli

@@ -1,0 +1,62 @@
+// What a report found, as rows of values: the same for every form of the answer.
+//
+// The values are looked up when a row is written, in what the search returned, so that a long
+// answer is not there twice.
+#pragma once
+
+#include <beespace/id_rows.hpp>
+#include <beespace/nearest.hpp>
+#include <beespace/pairs.hpp>
+#include <beespace/point.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace beespace::cli {
+
+// Another bee, or one of the others; Nearest::kNobody where there is none.
+struct BeeCell {
+  PointId id = Nearest::kNobody;
+};
+
+// Metres; infinite where there is nobody.
+struct DistanceCell {
+  double distance_m = 0.0;
+};
+
+// The last are several bees, ascending.
+using Cell = std::variant<std::uint64_t, BeeCell, DistanceCell, std::span<const PointId>>;
+
+struct Column {
+  const char* name;
+  bool names_bees;  // its cells hold ids
+  std::function<Cell(PointId)> cell;
+};
+
+// A row for each of these bees, ascending.
+struct BeeTable {
+  std::vector<PointId> bees;
+  std::vector<Column> columns;
+};
+
+// A row for each pair. How far apart the two are follows from their positions.
+struct PairTable {
+  std::vector<Pair> pairs;
+};
+
+// A row for each group; or for each member, in the forms that give the records themselves.
+struct GroupTable {
+  IdRows groups;
+  BeeTable members;
+};
+
+struct Table {
+  std::variant<BeeTable, PairTable, GroupTable> rows;
+  std::string finding = {};  // for the summary: what is worth knowing about it all
+};
+
+}  // namespace beespace::cli
