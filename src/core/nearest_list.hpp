@@ -1,0 +1,63 @@
+// The nearest points seen so far around a place, at most k: the exact nearest, whatever the order
+// in which they are seen; of equally near ones those with the lowest ids.
+#pragma once
+
+#include <beespace/nearest.hpp>
+#include <beespace/point.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace beespace::core {
+
+class NearestList {
+ public:
+  // Looks for the `count` nearest to `place`, at least one. Points farther away than
+  // `reach_within_m` may be left out: give a distance within which there surely are as many, or
+  // infinity.
+  void start(const Point& place, std::size_t count, double reach_within_m);
+
+  // Takes a candidate, at `squared` as core::squared_distance says. The point must stay where it
+  // is until the list is written.
+  void offer(const Point& point, PointId id, double squared);
+
+  // Whether a point there, with an id of at least this one, would still be taken.
+  [[nodiscard]] bool would_take(const Point& point, PointId id) const;
+
+  // Writes what was found, the nearest first, and returns how many. The list is empty after that.
+  std::size_t write(Nearest* nearest);
+
+  // Nobody farther away can be taken any more.
+  [[nodiscard]] double reach_m() const;
+
+  // For the walks, which call no inline functions: nobody whose distance, exact or rounded, has a
+  // larger square can be taken any more.
+  double largest_squared = 0.0;
+  std::size_t most = 0;
+  bool is_full = false;  // whether as many were found
+
+ private:
+  struct Candidate {
+    double squared;
+    const Point* point;
+    PointId id;
+  };
+
+  // Whether a is nearer than b, by real numbers, or as near with a lower id.
+  [[nodiscard]] bool is_before(const Candidate& a, const Candidate& b) const;
+  [[nodiscard]] bool is_sorted() const { return most <= kMostSorted; }
+  [[nodiscard]] const Candidate& last() const {
+    return is_sorted() ? found_.back() : found_.front();
+  }
+  void insert(const Candidate& candidate);
+  void push(const Candidate& candidate);
+  void limit();
+
+  // Up to this many are kept in order; more are a heap, the last in front, once the list is full.
+  static constexpr std::size_t kMostSorted = 64;
+
+  Point place_;
+  std::vector<Candidate> found_;
+};
+
+}  // namespace beespace::core
