@@ -22,7 +22,7 @@ class BEESPACE_API Crew {
     template <class Callable>
     requires(!std::is_same_v<std::remove_cvref_t<Callable>, Task>)
         // NOLINTNEXTLINE(google-explicit-constructor, bugprone-forwarding-reference-overload)
-    Task(Callable&& callable)  // like a reference
+        Task(Callable&& callable)  // like a reference
         : callable_(const_cast<void*>(static_cast<const void*>(std::addressof(callable)))),
           call_([](void* object, unsigned worker) {
             (*static_cast<std::remove_reference_t<Callable>*>(object))(worker);

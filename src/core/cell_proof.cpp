@@ -74,7 +74,7 @@ std::uint64_t number_by_hashing(const PointsView& points, const Lattice& lattice
 Vector<std::uint8_t> count_points(const Buffer<std::uint32_t>& cell, std::size_t size,
                                   std::size_t numbers, const Resources& with) {
   const auto saturated = [](int count) { return static_cast<std::uint8_t>(count < 2 ? count : 2); };
-  Vector<Vector<std::uint8_t>> counts(with.crew.size(), &with.memory);
+  PerWorker<std::uint8_t> counts(with);
   with.crew.split(size, [&](std::size_t begin, std::size_t end, unsigned worker) {
     counts[worker].resize(numbers);
     std::uint8_t* mine = counts[worker].data();
@@ -171,7 +171,7 @@ void settle_alone(const PointsView& points, const ProximityTest& closer,
 // Marks the points with company in their cell; returns those alone.
 Vector<PointId> read_off(const Buffer<std::uint32_t>& cell, const Vector<std::uint8_t>& counts,
                          std::size_t size, const Resources& with, Buffer<std::uint8_t>& at_risk) {
-  Vector<Vector<PointId>> alone(with.crew.size(), &with.memory);
+  PerWorker<PointId> alone(with);
   with.crew.split(size, [&](std::size_t begin, std::size_t end, unsigned worker) {
     const std::uint32_t* cell_of = cell.data();
     const std::uint8_t* count_in = counts.data();
@@ -184,7 +184,7 @@ Vector<PointId> read_off(const Buffer<std::uint32_t>& cell, const Vector<std::ui
       }
     }
   });
-  return joined(std::move(alone));
+  return std::move(alone).joined();
 }
 
 }  // namespace

@@ -80,8 +80,10 @@ double DensitySample::side_for(double wanted, const Bounds& bounds) const {
     if (axes == 0) break;
     side = std::exp((log_volume + std::log(wanted / all)) / axes);
   }
-  constexpr double kSmallest = 0x1p-40;  // of the widest extent: below it, only duplicates meet
-  const double smallest = widest * kSmallest;
+  // Of the widest extent: below it, only duplicates meet, even in a clump with an outlier. And
+  // cells of the whole coordinate domain must be numbers.
+  constexpr double kSmallest = 0x1p-200;
+  const double smallest = std::max(widest * kSmallest, 0x1p-500);
   side = std::clamp(side, smallest, widest);
   double met = mates(side);
   if (met > 0.5 * wanted && met < 2.0 * wanted) return side;

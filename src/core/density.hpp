@@ -23,7 +23,7 @@ class DensitySample {
   [[nodiscard]] double mates(double cell_m) const;
 
   // A cell side with about `wanted` mates, found from the average over the box downward: at most
-  // some 40 looks, one for an even swarm. Duplicates share cells of any size and do not count.
+  // some 200 looks, one for an even swarm. Duplicates share cells of any size and do not count.
   [[nodiscard]] double side_for(double wanted, const Bounds& bounds) const;
 
  private:

@@ -4,12 +4,46 @@
 
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace beespace::core {
 
 namespace {
 
 constexpr unsigned kMostFractionBits = 22;  // differences of two cells are exact in a float
+
+// Doubles by their bits, which order those of one sign; the others are turned around.
+std::uint64_t key_of(double value) {
+  constexpr std::uint64_t kSign = std::uint64_t{1} << 63;
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  return (bits & kSign) != 0 ? ~bits : bits | kSign;
+}
+
+// One pass a digit of the keys, least significant first, except for digits that all have in common.
+void sort_numbers(Buffer<double>& numbers, std::size_t size, Memory& memory) {
+  constexpr unsigned kDigitBits = 11;
+  constexpr unsigned kDigits = 6;
+  constexpr std::size_t kValues = std::size_t{1} << kDigitBits;
+  const auto digit_of = [](double value, unsigned digit) {
+    return static_cast<std::size_t>(key_of(value) >> (digit * kDigitBits)) & (kValues - 1);
+  };
+  Buffer<std::size_t> places(memory, kDigits * kValues);
+  std::fill_n(places.data(), kDigits * kValues, std::size_t{0});
+  for (std::size_t i = 0; i < size; ++i) {
+    for (unsigned digit = 0; digit < kDigits; ++digit) {
+      ++places[digit * kValues + digit_of(numbers[i], digit)];
+    }
+  }
+  Buffer<double> spare(memory, size);
+  for (unsigned digit = 0; digit < kDigits; ++digit) {
+    std::size_t* const next = places.data() + digit * kValues;
+    if (size == 0 || next[digit_of(numbers[0], digit)] == size) continue;
+    std::size_t sum = 0;
+    for (std::size_t value = 0; value < kValues; ++value) sum += std::exchange(next[value], sum);
+    for (std::size_t i = 0; i < size; ++i) spare[next[digit_of(numbers[i], digit)]++] = numbers[i];
+    std::swap(numbers, spare);
+  }
+}
 
 double margin_for(double extent, double reach) {
   return std::max(0x1p-20, 0x1p-50 * (extent / reach));
@@ -55,7 +89,7 @@ double Lattice::fold(std::span<const PointsView> sets, std::size_t axis, double 
   for (const PointsView& points : sets) {
     for (std::size_t i = 0; i < points.size(); ++i) sorted[next++] = points.coordinate(axis, i);
   }
-  std::sort(sorted.data(), sorted.data() + size);
+  sort_numbers(sorted, size, memory);
 
   Axis& folded = axes_[axis];
   std::size_t gaps = 0;

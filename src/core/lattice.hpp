@@ -34,7 +34,7 @@ class Lattice {
   static constexpr std::uint64_t kMostCells = std::uint64_t{1} << 29;  // positions below 2^30
 
   // For all points of the `sets`, whose bounds are `bounds`. The last two are lowered by tests
-  // only. Working memory: 8 bytes a point while an axis is folded.
+  // only. Working memory: 16 bytes a point while an axis is folded.
   Lattice(std::span<const PointsView> sets, const Bounds& bounds, double reach, Memory& memory,
           std::uint64_t fold_beyond_cells = kFoldBeyondCells,
           std::uint64_t most_cells = kMostCells);

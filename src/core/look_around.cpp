@@ -44,7 +44,7 @@ Vector<PointId> surroundings(const Selection& asked, const Selection& others,
                     near[slot / 64] |= std::uint64_t{1} << slot % 64;
                   }
                 });
-  Vector<Vector<PointId>> found(with.crew.size(), &with.memory);
+  PerWorker<PointId> found(with);
   with.crew.split(others.size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
     for_each_cell(others, lattice, begin, end,
                   [&](std::size_t i, std::uint64_t x, std::uint64_t y, std::uint64_t z) {
@@ -53,7 +53,7 @@ Vector<PointId> surroundings(const Selection& asked, const Selection& others,
                     found[worker].push_back(others.id(i));
                   });
   });
-  return joined(std::move(found));
+  return std::move(found).joined();
 }
 
 void look_around(const SortedGrid& grid, const PointsView& points, const ProximityTest& closer,

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdint>
 #include <new>
+#include <vector>
 
 #if defined(__linux__)
 #include <sys/mman.h>
@@ -15,18 +16,20 @@ namespace {
 
 constexpr std::size_t kHugePage = std::size_t{1} << 21;
 constexpr std::size_t kCacheLine = 64;
-constexpr std::size_t kBlocks = 64;  // more than any search uses; room for them is made at once
+constexpr std::size_t kBlocks = 64;  // as many as most searches use
 
 std::align_val_t alignment_of(std::size_t bytes) {
   return std::align_val_t{bytes >= kHugePage ? kHugePage : kCacheLine};
 }
 
-// Sizes are rounded up by at most an eighth, so that the blocks of a frame fit the next one, which
-// is never quite the same.
+// Sizes are rounded up, large ones by an eighth at most, so that the blocks of one frame fit the
+// next, which is never quite the same.
 std::size_t rounded_up(std::size_t bytes) {
   if (bytes > SIZE_MAX / 2) throw std::bad_alloc();
-  const std::size_t step = std::max(kCacheLine, std::bit_floor(bytes) / 8);
-  return std::max(kCacheLine, (bytes + step - 1) / step * step);
+  constexpr std::size_t kLarge = std::size_t{1} << 18;
+  if (bytes < kLarge) return std::bit_ceil(std::max(bytes, kCacheLine));
+  const std::size_t step = std::bit_floor(bytes) / 8;
+  return (bytes + step - 1) / step * step;
 }
 
 }  // namespace
@@ -59,42 +62,56 @@ Memory::~Memory() {
   release();
 }
 
+Memory& Memory::of(unsigned worker) {
+  if (worker == 0) return *this;
+  const std::lock_guard lock(mutex_);
+  while (of_workers_.size() < worker) of_workers_.push_back(std::make_unique<Memory>());
+  return *of_workers_[worker - 1];
+}
+
 void Memory::release() {
   const std::lock_guard lock(mutex_);
+  for (const auto& memory : of_workers_) memory->release();
   for (const Block& block : kept_) free_block(block.data, block.bytes);
   kept_.clear();
+}
+
+// A block of the very size: so a frame finds again what one like it took, whatever came between.
+std::size_t Memory::find_kept(std::size_t bytes) const {
+  const auto found = std::find_if(kept_.begin(), kept_.end(),
+                                  [bytes](const Block& kept) { return kept.bytes == bytes; });
+  return static_cast<std::size_t>(found - kept_.begin());
+}
+
+void Memory::start_call() {
+  constexpr std::uint64_t kRemembered = 32;
+  const std::lock_guard lock(mutex_);
+  ++calls_;
+  for (const auto& memory : of_workers_) memory->start_call();
+  std::erase_if(kept_, [this](const Block& block) {
+    if (calls_ - block.last_call <= kRemembered) return false;
+    free_block(block.data, block.bytes);
+    return true;
+  });
 }
 
 void* Memory::do_allocate(std::size_t bytes, std::size_t /*alignment: a cache line serves all*/) {
   const std::size_t whole = rounded_up(bytes);
   const std::lock_guard lock(mutex_);
-  // The smallest kept block that is large enough, or the largest of those that are not.
-  auto best = kept_.end();
-  for (auto block = kept_.begin(); block != kept_.end(); ++block) {
-    const bool fits = block->bytes >= whole;
-    if (best == kept_.end()) {
-      best = block;
-    } else if (fits != (best->bytes >= whole)) {
-      if (fits) best = block;
-    } else if (fits ? block->bytes < best->bytes : block->bytes > best->bytes) {
-      best = block;
-    }
-  }
-  lent_.reserve(lent_.size() + 1);
-  Block block{nullptr, whole};
-  if (best != kept_.end()) {
-    block = *best;
-    *best = kept_.back();
+  const std::size_t found = find_kept(whole);
+  if (found < kept_.size()) {
+    lent_.push_back(kept_[found]);
+    kept_[found] = kept_.back();
     kept_.pop_back();
+  } else {
+    // Room for all blocks in either list first: giving back must not fail.
+    const std::size_t blocks = kept_.size() + lent_.size() + 1;
+    if (kept_.capacity() < blocks) kept_.reserve(2 * blocks);
+    if (lent_.capacity() < blocks) lent_.reserve(2 * blocks);
+    lent_.push_back({allocate_block(whole), whole, calls_});
   }
-  if (block.bytes < whole || block.data == nullptr) {
-    // Replaced, not added to: frames that grow slowly must not leave a trail of blocks.
-    free_block(block.data, block.bytes);
-    block = {allocate_block(whole), whole};
-  }
-  lent_.push_back(block);
-  kept_.reserve(kept_.size() + lent_.size());
-  return block.data;
+  lent_.back().last_call = calls_;
+  return lent_.back().data;
 }
 
 void Memory::do_deallocate(void* data, std::size_t, std::size_t) {

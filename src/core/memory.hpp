@@ -6,6 +6,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <memory_resource>
 #include <mutex>
 #include <vector>
@@ -26,24 +28,36 @@ class Memory final : public std::pmr::memory_resource {
   Memory& operator=(const Memory&) = delete;
   ~Memory() override;
 
-  // Gives the blocks that nobody uses back to the system.
+  // The memory that a worker of a crew takes from: one of its own, so that what it finds there does
+  // not depend on what the others take meanwhile. Worker 0, the caller, takes from this one.
+  Memory& of(unsigned worker);
+
+  // To be called at the start of a search: gives blocks that no search of some time has used back
+  // to the system, so that a swarm that grows from frame to frame does not leave a trail of them.
+  void start_call();
+
+  // Gives all blocks that nobody uses back to the system.
   void release();
 
  private:
   struct Block {
     void* data;
     std::size_t bytes;
+    std::uint64_t last_call;
   };
 
   void* do_allocate(std::size_t bytes, std::size_t alignment) override;
   void do_deallocate(void* data, std::size_t bytes, std::size_t alignment) override;
+  [[nodiscard]] std::size_t find_kept(std::size_t bytes) const;
   [[nodiscard]] bool do_is_equal(const std::pmr::memory_resource& other) const noexcept override {
     return this == &other;
   }
 
   std::mutex mutex_;
+  std::uint64_t calls_ = 0;
   std::vector<Block> kept_;  // nobody's, for whoever asks next
   std::vector<Block> lent_;
+  std::vector<std::unique_ptr<Memory>> of_workers_;
 };
 
 }  // namespace beespace::core

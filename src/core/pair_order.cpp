@@ -1,6 +1,7 @@
 #include "core/pair_order.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <utility>
 
@@ -11,6 +12,16 @@ namespace {
 constexpr unsigned kMostBucketBits = 12;  // open write streams that the L2 cache bears
 constexpr unsigned kPairsABucketBits = 8;
 constexpr std::size_t kFew = 24;  // below this, a comparison sort is the fastest
+
+// And so it is where a bucket has this many times more ids than pairs: to count by id would take
+// more time, and memory, than there are pairs.
+constexpr std::size_t kSparse = 8;
+
+// With this many pairs an id, rows are too long to be sorted by comparisons.
+constexpr std::size_t kLong = 32;
+
+constexpr unsigned kDigitBits = 10;
+constexpr std::size_t kDigits = std::size_t{1} << kDigitBits;
 
 template <class Visit>
 void for_each_pair(const FoundPairs& found, Direction direction, Visit&& visit) {
@@ -41,14 +52,15 @@ void for_each_pair(const FoundPairs& found, Direction direction, Visit&& visit) 
 class BucketOrder {
  public:
   BucketOrder(unsigned low_bits, std::size_t largest, Memory& memory)
-      : mask_((PointId{1} << low_bits) - 1),
-        next_(memory, std::size_t{mask_} + 2),
+      : mask_((std::size_t{1} << low_bits) - 1),
+        next_(memory, std::min(mask_, kSparse * largest) + 2),
         spare_(memory, largest) {}
 
   void sort(Pair* pairs, std::size_t size) {
-    if (size <= kFew) return std::sort(pairs, pairs + size);
+    if (size <= kFew || mask_ > kSparse * size) return std::sort(pairs, pairs + size);
+    if (size > kLong * mask_) return sort_by_digits(pairs, size);
     std::uint64_t* next = next_.data();
-    std::fill_n(next, std::size_t{mask_} + 2, std::uint64_t{0});
+    std::fill_n(next, mask_ + 2, std::uint64_t{0});
     for (std::size_t i = 0; i < size; ++i) ++next[(pairs[i].first & mask_) + 1];
     for (std::size_t id = 0; id <= mask_; ++id) next[id + 1] += next[id];
     for (std::size_t i = 0; i < size; ++i) spare_[next[pairs[i].first & mask_]++] = pairs[i];
@@ -62,6 +74,35 @@ class BucketOrder {
   }
 
  private:
+  // Digit by digit, from the lowest of the second id to the highest of the first.
+  void sort_by_digits(Pair* pairs, std::size_t size) {
+    PointId highest = 0;
+    for (std::size_t i = 0; i < size; ++i) highest = std::max(highest, pairs[i].second);
+    Pair* from = pairs;
+    Pair* to = spare_.data();
+    const auto pass = [&](const auto& id_of, unsigned bits) {
+      for (unsigned shift = 0; shift < bits; shift += kDigitBits) {
+        counting_pass(from, to, size,
+                      [&](const Pair& pair) { return id_of(pair) >> shift & (kDigits - 1); });
+        std::swap(from, to);
+      }
+    };
+    pass([](const Pair& pair) { return pair.second; },
+         static_cast<unsigned>(std::bit_width(highest)));
+    pass([this](const Pair& pair) { return pair.first & mask_; },
+         static_cast<unsigned>(std::bit_width(mask_)));
+    if (from != pairs) std::copy_n(from, size, pairs);
+  }
+
+  template <class DigitOf>
+  static void counting_pass(const Pair* from, Pair* to, std::size_t size, const DigitOf& digit_of) {
+    std::array<std::size_t, kDigits> next{};
+    for (std::size_t i = 0; i < size; ++i) ++next[digit_of(from[i])];
+    std::size_t sum = 0;
+    for (std::size_t& place : next) sum += std::exchange(place, sum);
+    for (std::size_t i = 0; i < size; ++i) to[next[digit_of(from[i])]++] = from[i];
+  }
+
   static void sort_by_second(Pair* pairs, std::size_t size) {
     if (size > kFew) {
       std::sort(pairs, pairs + size,
@@ -78,7 +119,7 @@ class BucketOrder {
     }
   }
 
-  PointId mask_;
+  std::size_t mask_;
   Buffer<std::uint64_t> next_;
   Buffer<Pair> spare_;
 };
@@ -130,8 +171,8 @@ void order_pairs(const Vector<FoundPairs>& found, Direction direction, std::uint
   std::uint64_t largest = 0;
   for (std::size_t b = 0; b < buckets; ++b)
     largest = std::max(largest, begin_of[b + 1] - begin_of[b]);
-  with.crew.split(size, [&](std::size_t begin, std::size_t end, unsigned) {
-    BucketOrder order(low_bits, largest, with.memory);
+  with.crew.split(size, [&](std::size_t begin, std::size_t end, unsigned worker) {
+    BucketOrder order(low_bits, largest, with.memory.of(worker));
     // A worker sorts the buckets that start in its share.
     auto bucket = std::lower_bound(begin_of.begin(), begin_of.end() - 1, begin);
     for (; bucket + 1 != begin_of.end() && *bucket < end; ++bucket) {

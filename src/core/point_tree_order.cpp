@@ -6,7 +6,6 @@
 #include <bit>
 #include <cstring>
 #include <utility>
-#include <vector>
 
 namespace beespace::core {
 
@@ -312,7 +311,7 @@ Buffer<std::uint32_t> point_tree_order(const PointsView& points, const Bounds& b
   if (with.crew.size() == 1) {
     arranger.arrange(whole, keep_none);
   } else {
-    std::vector<Part> children;
+    Vector<Part> children(&with.memory);
     arranger.arrange(whole, [&](const Part& part) {
       if (part.size() > part.unit) return false;
       children.push_back(part);

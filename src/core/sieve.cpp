@@ -132,7 +132,7 @@ class OccupiedCells {
 Vector<PointId> sieve(const PointsView& points, const Lattice& lattice, double bound,
                       const Resources& with) {
   OccupiedCells cells(lattice, bound, points.size(), with.memory);
-  Vector<Vector<PointId>> left(with.crew.size(), &with.memory);
+  PerWorker<PointId> left(with);
   if (!cells.is_useful()) {
     left[0].resize(points.size());
     std::iota(left[0].begin(), left[0].end(), PointId{0});
@@ -155,7 +155,7 @@ Vector<PointId> sieve(const PointsView& points, const Lattice& lattice, double b
           }
         });
   });
-  return joined(std::move(left));
+  return std::move(left).joined();
 }
 
 }  // namespace beespace::core

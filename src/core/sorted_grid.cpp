@@ -29,13 +29,13 @@ void add_rows(const SortedGrid& grid, const CellOrder& order, std::uint32_t begi
   }
 }
 
-void join_rows(SortedGrid& grid, const Vector<Vector<RowStart>>& parts) {
+void join_rows(SortedGrid& grid, const PerWorker<RowStart>& parts) {
   std::size_t count = 0;
-  for (const auto& part : parts) count += part.size();
+  for (std::size_t worker = 0; worker < parts.size(); ++worker) count += parts[worker].size();
   grid.row_begin.reserve(count + 1);
   grid.row_number.reserve(count);
-  for (const auto& part : parts) {
-    for (const RowStart& row : part) {
+  for (std::size_t worker = 0; worker < parts.size(); ++worker) {
+    for (const RowStart& row : parts[worker]) {
       if (!grid.row_number.empty() && grid.row_number.back() == row.number) continue;
       grid.row_begin.push_back(row.begin);
       grid.row_number.push_back(row.number);
@@ -84,7 +84,7 @@ SortedGrid sort_into_grid(const Selection& selected, const Lattice& lattice, uns
   const SortedArrays arrays{grid.x, grid.y, grid.z, grid.id};
   const bool bucket_in_row = buckets.low_bits <= order.x_key_bits();
 
-  Vector<Vector<RowStart>> rows(with.crew.size(), &with.memory);
+  PerWorker<RowStart> rows(with);
   with.crew.split(grid.size, [&](std::size_t begin, std::size_t end, unsigned worker) {
     // A worker sorts the buckets that start in its share.
     const auto start_in = [&](std::size_t point) {
@@ -94,7 +94,7 @@ SortedGrid sort_into_grid(const Selection& selected, const Lattice& lattice, uns
     };
     const std::size_t first = start_in(begin);
     const std::size_t last = end == grid.size ? buckets.begin.size() - 1 : start_in(end);
-    BucketSorter sorter(order, buckets.records, arrays, with.memory);
+    BucketSorter sorter(order, buckets.records, arrays, with.memory.of(worker));
     for (std::size_t bucket = first; bucket < last; ++bucket) {
       const std::uint32_t from = buckets.begin[bucket];
       const std::uint32_t to = buckets.begin[bucket + 1];

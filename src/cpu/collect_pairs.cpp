@@ -103,7 +103,9 @@ core::Vector<core::FoundPairs> collect_pairs(const Question& question, const cor
                                              std::uint64_t most) {
   core::Vector<core::FoundPairs> found(&with.memory);
   found.reserve(with.crew.size());
-  for (unsigned worker = 0; worker < with.crew.size(); ++worker) found.emplace_back(with.memory);
+  for (unsigned worker = 0; worker < with.crew.size(); ++worker) {
+    found.emplace_back(with.memory.of(worker));
+  }
   std::atomic<std::uint64_t> total = 0;
   with.crew.split(question.asked.grid.size,
                   [&](std::size_t begin, std::size_t end, unsigned worker) {

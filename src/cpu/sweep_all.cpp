@@ -44,7 +44,8 @@ void sweep_parts(const Question& question, const core::Resources& with, Parts<No
         if (begin == end) return;
         const Range points{static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
         const RowSweeps map(question, {nullptr, nullptr}, question.by_itself());
-        parts[worker].emplace(question, points, map.reach(points.begin, points.end), with.memory);
+        parts[worker].emplace(question, points, map.reach(points.begin, points.end),
+                              with.memory.of(worker));
         sweep_part(*parts[worker]);
       });
 }

@@ -114,14 +114,14 @@ class Collect {
     return true;
   }
   bool take(const typename Lanes::Seen& seen, std::uint32_t from) {
-    if (seen.near == 0) return true;
+    if (seen.near == 0 || !go_on_) return go_on_;
     Lanes::fill(pairs_.first + pairs_.size, asked_);
     Lanes::store(others_ + from, seen, pairs_.second + pairs_.size);
     pairs_.size += static_cast<std::uint32_t>(__builtin_popcount(seen.near));
     if (pairs_.capacity - pairs_.size >= PairSink::kMostAtOnce) [[likely]] {
       return true;
     }
-    go_on_ = go_on_ && pairs_.make_room(pairs_.context);
+    go_on_ = pairs_.make_room(pairs_.context);
     return go_on_;
   }
   bool finish(std::uint32_t) { return go_on_; }

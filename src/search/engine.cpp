@@ -23,6 +23,7 @@ class Engine::Workshop {
 
   // Hands and memory for a search of so many points.
   core::Resources resources(unsigned threads, std::size_t points) {
+    memory_.start_call();
     return {crew(threads, points), memory_};
   }
   core::Memory& memory() { return memory_; }

@@ -1,11 +1,16 @@
 #include "search/group_search.hpp"
 
+#include "core/crowd_groups.hpp"
+#include "core/crowd_places.hpp"
+#include "core/crowd_tree.hpp"
 #include "core/disjoint_sets.hpp"
 #include "cpu/join_groups.hpp"
+#include "search/crowded.hpp"
 #include "search/question_grids.hpp"
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 
 namespace beespace::search {
 
@@ -13,19 +18,65 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xFFFF'FFFFU;
 
+// Measured: from about this many others in a cube of the threshold on, boxes are joined faster than
+// pairs.
+constexpr double kCrowded = 25.0;
+
+using Roots = core::Buffer<std::uint32_t>;  // by id
+
+void find_roots_in_grid(const Frame& frame, const SearchOptions& options,
+                        const core::Resources& with, const Choices& choices, Roots& root_of) {
+  const QuestionGrids grids(frame, options, with, choices);
+  const cpu::Question question = grids.question();
+  const core::SortedGrid& grid = question.asked.grid;
+  core::DisjointSets sets(with.memory, static_cast<std::uint32_t>(grid.size));
+  cpu::join_near(question, with, sets);
+  with.crew.split(grid.size, [&](std::size_t begin, std::size_t end, unsigned) {
+    for (std::size_t i = begin; i < end; ++i) {
+      root_of[grid.id[i]] = sets.root(static_cast<std::uint32_t>(i));
+    }
+  });
+}
+
+// For every one of `points` the slot that is the root of its set.
+void find_roots_in_tree(const PointsView& points, const Frame& frame, const SearchOptions& options,
+                        const core::Resources& with, const Choices& choices, Roots& root_of) {
+  const core::Lattice lattice(frame.sets(), frame.bounds(), options.threshold_m, with.memory,
+                              choices.fold_beyond_cells);
+  const core::CrowdTree tree(points, frame.bounds(), lattice, with);
+  const core::ProximityTest closer(options.threshold_m, options.inclusive);
+  core::DisjointSets sets(with.memory, static_cast<std::uint32_t>(tree.size()));
+  core::join_crowds(tree, options.threshold_m, lattice.units_per_m(), closer, with, sets);
+  with.crew.split(tree.size(), [&](std::size_t begin, std::size_t end, unsigned) {
+    for (std::size_t slot = begin; slot < end; ++slot) {
+      root_of[tree.index(slot)] = sets.root(static_cast<std::uint32_t>(slot));
+    }
+  });
+}
+
+void find_roots(const Frame& frame, const SearchOptions& options, const core::Resources& with,
+                const Choices& choices, Roots& root_of) {
+  if (!is_crowded(frame, options.threshold_m, kCrowded, choices)) {
+    return find_roots_in_grid(frame, options, with, choices, root_of);
+  }
+  if (!has_duplicates(frame, options.threshold_m)) {
+    return find_roots_in_tree(frame.points(), frame, options, with, choices, root_of);
+  }
+  const core::CrowdPlaces places(frame.points(), with.memory);
+  Roots root_of_place(with.memory, places.size());
+  find_roots_in_tree(places.places(), frame, options, with, choices, root_of_place);
+  for (PointId id = 0; id < frame.points().size(); ++id) {
+    root_of[id] = root_of_place[places.place_of(id)];
+  }
+}
+
 // Writes groups of two or more in the order of their lowest member, members ascending: ids are
 // gone through in order, and each goes to the end of its group.
-void write_groups(core::DisjointSets& sets, const core::SortedGrid& grid,
-                  const core::Resources& with, IdRows& groups) {
-  const auto size = static_cast<std::uint32_t>(grid.size);
-  core::Buffer<std::uint32_t> root_of(with.memory, size);  // by id
+void write_groups(const Roots& root_of, std::size_t size, const core::Resources& with,
+                  IdRows& groups) {
   core::Buffer<std::uint32_t> members(with.memory, size);  // by root
   std::fill_n(members.data(), size, 0U);
-  for (std::uint32_t i = 0; i < size; ++i) {
-    const std::uint32_t root = sets.root(i);
-    root_of[grid.id[i]] = root;
-    ++members[root];
-  }
+  for (PointId id = 0; id < size; ++id) ++members[root_of[id]];
   core::Buffer<std::uint32_t> group_of(with.memory, size);  // by root
   std::fill_n(group_of.data(), size, kNone);
   groups.offsets.assign(1, 0);
@@ -47,12 +98,10 @@ void write_groups(core::DisjointSets& sets, const core::SortedGrid& grid,
 
 void find_conflict_groups(const Frame& frame, const SearchOptions& options,
                           const core::Resources& with, const Choices& choices, IdRows& groups) {
-  const QuestionGrids grids(frame, options, with, choices);
-  const cpu::Question question = grids.question();
-  const core::SortedGrid& grid = question.asked.grid;
-  core::DisjointSets sets(with.memory, static_cast<std::uint32_t>(grid.size));
-  cpu::join_near(question, with, sets);
-  write_groups(sets, grid, with, groups);
+  const std::size_t size = frame.points().size();
+  Roots root_of(with.memory, size);
+  find_roots(frame, options, with, choices, root_of);
+  write_groups(root_of, size, with, groups);
 }
 
 }  // namespace beespace::search

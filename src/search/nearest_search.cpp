@@ -134,7 +134,7 @@ class NearestSearch {
     const bool last = radius == farthest_;
     const core::ProximityTest closer(radius, last && within_->inclusive);
     const std::size_t size = all_open ? frame_.points().size() : open_.size();
-    core::Vector<core::Vector<PointId>> still_open(with_.crew.size(), &with_.memory);
+    core::PerWorker<PointId> still_open(with_);
     with_.crew.split(size, [&](std::size_t begin, std::size_t end, unsigned worker) {
       for (std::size_t i = begin; i < end; ++i) {
         constexpr std::size_t kAhead = 16;
@@ -153,7 +153,7 @@ class NearestSearch {
         if (!last) still_open[worker].push_back(id);
       }
     });
-    open_ = core::joined(std::move(still_open));
+    open_ = std::move(still_open).joined();
   }
 
   void prefetch_found(PointId id) const {

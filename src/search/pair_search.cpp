@@ -4,6 +4,8 @@
 #include "core/validate.hpp"
 #include "cpu/collect_pairs.hpp"
 #include "cpu/sweep_all.hpp"
+#include "search/count_in_crowds.hpp"
+#include "search/crowded.hpp"
 #include "search/question_grids.hpp"
 
 #include <algorithm>
@@ -11,6 +13,10 @@
 namespace beespace::search {
 
 namespace {
+
+// Measured: from about this many others in a cube of the threshold on, boxes are counted faster
+// than pairs.
+constexpr double kCrowded = 260.0;
 
 std::uint64_t size_of(const core::Vector<core::FoundPairs>& found) {
   std::uint64_t size = 0;
@@ -93,6 +99,9 @@ Status find_neighbors(const Frame& frame, const SearchOptions& options, const co
 void count_neighbors(const Frame& frame, const SearchOptions& options, const core::Resources& with,
                      const Choices& choices, std::vector<std::uint32_t>& counts) {
   resize_for(counts, frame.points().size());
+  if (is_crowded(frame, options.threshold_m, kCrowded, choices)) {
+    return count_in_crowds(frame, options, with, choices, counts.data());
+  }
   const QuestionGrids grids(frame, options, with, choices);
   cpu::count_all(grids.question(), with, counts.data());
 }

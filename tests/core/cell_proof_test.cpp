@@ -2,7 +2,7 @@
 
 #include "core/exact_distance.hpp"
 #include "core/look_around.hpp"
-#include <beespace/crew.hpp>
+#include "tests/support/own_resources.hpp"
 #include "tests/support/search_scenes.hpp"
 
 #include <beespace/brute_force.hpp>
@@ -22,7 +22,7 @@ struct Case {
 class CellProofs : public testing::TestWithParam<Case> {};
 
 TEST_P(CellProofs, ProveOnlyWhatIsTrueAndNameTheUndecided) {
-  ThreadCrew crew(GetParam().threads);
+  test::OwnResources own(GetParam().threads);
   for (const test::SearchScene& scene : test::search_scenes()) {
     for (const bool inclusive : {false, true}) {
       SCOPED_TRACE(scene.name + (inclusive ? " inclusive" : " strict"));
@@ -30,9 +30,9 @@ TEST_P(CellProofs, ProveOnlyWhatIsTrueAndNameTheUndecided) {
           *brute_force::find_at_risk(scene.points, {scene.threshold_m, inclusive});
       const ProximityTest closer(scene.threshold_m, inclusive);
       Buffer<std::uint8_t> at_risk(scene.points.size());
-      const std::vector<PointId> undecided =
-          prove_by_cells(scene.points, *measure(scene.points, crew), scene.threshold_m, closer,
-                         crew, at_risk, GetParam().table);
+      const Vector<PointId> undecided =
+          prove_by_cells(scene.points, *measure(scene.points, own.with), scene.threshold_m, closer,
+                         own.with, at_risk, GetParam().table);
       EXPECT_TRUE(std::is_sorted(undecided.begin(), undecided.end()));
       for (PointId id = 0; id < scene.points.size(); ++id) {
         const bool open = std::binary_search(undecided.begin(), undecided.end(), id);
@@ -48,13 +48,15 @@ TEST_P(CellProofs, ProveOnlyWhatIsTrueAndNameTheUndecided) {
 }
 
 TEST(Surroundings, HoldEverybodyNearThoseAskedFor) {
-  Crew alone;
+  test::OwnResources own(2);
   for (const test::SearchScene& scene : test::search_scenes()) {
     SCOPED_TRACE(scene.name);
-    const Lattice lattice(scene.points, *measure(scene.points, alone), scene.threshold_m);
+    const PointsView points(scene.points);
+    const Lattice lattice({&points, 1}, *measure(points, own.with), scene.threshold_m, own.memory);
     std::vector<PointId> asked;
-    for (PointId id = 0; id < scene.points.size(); id += 50) asked.push_back(id);
-    const std::vector<PointId> found = surroundings(scene.points, lattice, asked, alone);
+    for (PointId id = 0; id < points.size(); id += 50) asked.push_back(id);
+    const Vector<PointId> found = surroundings({points, asked}, {points}, lattice, own.with);
+    EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
     const ProximityTest near(scene.threshold_m, true);
     for (const PointId asker : asked) {
       for (PointId id = 0; id < scene.points.size(); ++id) {
@@ -85,10 +87,10 @@ TEST(CellProof, SettlesACrowdToTheLastPoint) {
   const double threshold = 10.0;
   const ProximityTest closer(threshold, false);
   for (const unsigned threads : {1U, 3U}) {
-    ThreadCrew crew(threads);
+    test::OwnResources own(threads);
     Buffer<std::uint8_t> at_risk(points.size());
-    const std::vector<PointId> undecided = prove_by_cells(points, *measure(points, crew), threshold,
-                                                          closer, crew, at_risk, CellTable::kDense);
+    const Vector<PointId> undecided = prove_by_cells(points, *measure(points, own.with), threshold,
+                                                     closer, own.with, at_risk, CellTable::kDense);
     EXPECT_TRUE(undecided.empty());
     std::size_t lonely = 0;
     for (PointId id = 200'000; id < points.size(); ++id) {

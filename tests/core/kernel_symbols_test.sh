@@ -6,15 +6,15 @@
 set -euo pipefail
 
 symbols=$(nm -C --defined-only "$1" 2>/dev/null)
-kernels=$(grep -cE '^sweep_(avx2|avx512|baseline)\.cpp\.o:$' <<<"$symbols" || true)
+kernels=$(grep -cE '^(sweep|tree_walk|crowd)_(avx2|avx512|baseline)\.cpp\.o:$' <<<"$symbols" || true)
 [ "$kernels" -ge 1 ] || { echo "no kernel object found in $1" >&2; exit 1; }
 
 awk '
-  /^[^ ]+\.o:$/ { kernel = /^sweep_(avx2|avx512|baseline)\.cpp/; next }
+  /^[^ ]+\.o:$/ { kernel = /^(sweep|tree_walk|crowd)_(avx2|avx512|baseline)\.cpp/; next }
   kernel && NF >= 3 {
     shared = $2 ~ /^[TWui]$/  # code; weak data (type names for sanitizers) does no harm
-    if (shared && !($2 == "T" && $3 ~ /^beespace::cpu::sweep_/)) { print "shared: " $0; bad = 1 }
-    if ($2 == "T") entries++
+    if (shared && !($2 == "T" && $3 ~ /^beespace::cpu::(tree_walks?_|crowd_)/)) { print "shared: " $0; bad = 1 }
+    if ($2 ~ /^[TDR]$/ && $3 ~ /^beespace::cpu::/) entries++
   }
   END { if (bad || entries < 1) exit 1; print entries " kernel entries, nothing else shared" }
 ' <<<"$symbols"

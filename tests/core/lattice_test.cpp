@@ -2,6 +2,7 @@
 #include "core/lattice.hpp"
 
 #include "core/exact_distance.hpp"
+#include "tests/support/own_resources.hpp"
 #include "tests/support/search_scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -12,14 +13,25 @@
 namespace beespace::core {
 namespace {
 
-Bounds bounds_of(const std::vector<Point>& points) {
-  Crew alone;
-  return *measure(points, alone);
-}
+// A lattice of one set, with the memory that it lives in.
+class LatticeOf {
+ public:
+  LatticeOf(const PointsView& points, double reach,
+            std::uint64_t fold_beyond_cells = Lattice::kFoldBeyondCells,
+            std::uint64_t most_cells = Lattice::kMostCells)
+      : lattice_({&points, 1}, *measure(points, own_.with), reach, own_.memory, fold_beyond_cells,
+                 most_cells) {}
+
+  const Lattice* operator->() const { return &lattice_; }
+
+ private:
+  test::OwnResources own_;
+  Lattice lattice_;
+};
 
 void expect_neighbours_adjacent(const std::vector<Point>& points, double reach,
                                 std::uint64_t fold_beyond) {
-  const Lattice lattice(points, bounds_of(points), reach, fold_beyond);
+  const LatticeOf lattice(points, reach, fold_beyond);
   const ProximityTest within(reach, true);
   for (const Point& p : points) {
     for (const Point& q : points) {
@@ -28,8 +40,8 @@ void expect_neighbours_adjacent(const std::vector<Point>& points, double reach,
         const auto coordinate = [axis](const Point& point) {
           return axis == 0 ? point.x : axis == 1 ? point.y : point.z;
         };
-        const auto a = static_cast<std::int64_t>(lattice.cell(axis, coordinate(p)));
-        const auto b = static_cast<std::int64_t>(lattice.cell(axis, coordinate(q)));
+        const auto a = static_cast<std::int64_t>(lattice->cell(axis, coordinate(p)));
+        const auto b = static_cast<std::int64_t>(lattice->cell(axis, coordinate(q)));
         ASSERT_LE(std::abs(a - b), 1);
       }
     }
@@ -65,8 +77,8 @@ TEST(Lattice, PutsNeighboursInAdjacentCellsWhateverTheExtent) {
 TEST(Lattice, MarginOutweighsTheRoundingOfPositions) {
   const double reach = 0.007;
   const Bounds bounds{{0, 0, 0}, {0.007e6, 0, 0}};
-  const std::vector<Point> none;
-  const Lattice lattice(none, bounds, reach, std::uint64_t{1} << 29);
+  Memory memory;
+  const Lattice lattice({}, bounds, reach, memory, std::uint64_t{1} << 29);
   for (int k = 2; k < 1'000'000; ++k) {
     const double border = k * reach;
     for (const double a : {std::nextafter(border, 0.0), border, std::nextafter(border, 1e9)}) {
@@ -82,25 +94,25 @@ TEST(Lattice, JoinsStretchesWhenThereAreMoreThanCells) {
   std::vector<Point> points;
   for (int i = 0; i < 2000; ++i) points.push_back({i * 1e5, 0, 0});
   for (int i = 0; i < 2000; i += 10) points.push_back({i * 1e5 + 0.9, 0, 0});
-  const Lattice lattice(points, bounds_of(points), 1.0, 16, 1024);
-  EXPECT_LE(lattice.cells(0), 1024U);
+  const LatticeOf lattice(points, 1.0, 16, 1024);
+  EXPECT_LE(lattice->cells(0), 1024U);
   for (int i = 0; i < 2000; i += 10) {
-    ASSERT_LE(lattice.cell(0, i * 1e5 + 0.9) - lattice.cell(0, i * 1e5), 1U);
+    ASSERT_LE(lattice->cell(0, i * 1e5 + 0.9) - lattice->cell(0, i * 1e5), 1U);
   }
 }
 
 TEST(Lattice, NumbersStayInRangeAndInOrder) {
   for (const test::SearchScene& scene : test::search_scenes()) {
     SCOPED_TRACE(scene.name);
-    const Lattice lattice(scene.points, bounds_of(scene.points), scene.threshold_m);
+    const LatticeOf lattice(scene.points, scene.threshold_m);
     std::vector<double> xs;
     for (const Point& p : scene.points) xs.push_back(p.x);
     std::sort(xs.begin(), xs.end());
     std::int32_t last = 0;
     for (const double x : xs) {
-      const std::int32_t position = lattice.position(0, x);
+      const std::int32_t position = lattice->position(0, x);
       ASSERT_GE(position, last);
-      ASSERT_LT(lattice.cell(0, x), lattice.cells(0));
+      ASSERT_LT(lattice->cell(0, x), lattice->cells(0));
       last = position;
     }
     ASSERT_LT(last, 1 << 30);
@@ -110,21 +122,21 @@ TEST(Lattice, NumbersStayInRangeAndInOrder) {
 TEST(Lattice, EmptySpaceCostsNothing) {
   std::vector<Point> points;
   for (int power = 0; power < 300; ++power) points.push_back({std::ldexp(1.0, power), 0, 0});
-  const Lattice lattice(points, bounds_of(points), 1.0);
-  EXPECT_LE(lattice.cells(0), 8 * points.size());
+  const LatticeOf lattice(points, 1.0);
+  EXPECT_LE(lattice->cells(0), 8 * points.size());
 }
 
 TEST(Lattice, ManyAtOnceAreAsOneByOne) {
   test::SceneMaker make(1);
   const std::vector<Point> points = make.box(500, {-10, -10, -10}, {10, 10, 10});
   for (const std::uint64_t fold_beyond : {std::uint64_t{2}, Lattice::kFoldBeyondCells}) {
-    const Lattice lattice(points, bounds_of(points), 0.01, fold_beyond);
+    const LatticeOf lattice(points, 0.01, fold_beyond);
     std::vector<double> ys;
     for (const Point& p : points) ys.push_back(p.y);
     std::vector<std::int32_t> positions(ys.size());
-    lattice.positions(1, ys.data(), ys.size(), positions.data());
+    lattice->positions(1, ys.data(), ys.size(), positions.data());
     for (std::size_t i = 0; i < ys.size(); ++i) {
-      ASSERT_EQ(positions[i], lattice.position(1, ys[i]));
+      ASSERT_EQ(positions[i], lattice->position(1, ys[i]));
     }
   }
 }

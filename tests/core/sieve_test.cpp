@@ -3,7 +3,7 @@
 
 #include "core/bounds.hpp"
 #include "core/exact_distance.hpp"
-#include <beespace/crew.hpp>
+#include "tests/support/own_resources.hpp"
 #include "tests/support/search_scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -30,10 +30,12 @@ TEST(Sieve, KeepsEveryPairWithinTheBound) {
                         points[i].z + step * direction.z});
     }
     for (const unsigned threads : {1U, 3U}) {
-      ThreadCrew crew(threads);
+      test::OwnResources own(threads);
+      const PointsView view(points);
       for (const double cell_in_bounds : {2.5, 8.0}) {
-        const Lattice lattice(points, *measure(points, crew), cell_in_bounds * bound);
-        const std::vector<PointId> left = sieve(points, lattice, bound, crew);
+        const Lattice lattice({&view, 1}, *measure(view, own.with), cell_in_bounds * bound,
+                              own.memory);
+        const Vector<PointId> left = sieve(view, lattice, bound, own.with);
         const ProximityTest near(bound, true);
         for (PointId id = 0; id < 400; ++id) {
           if (!near(points[id], points[id + 400])) continue;
@@ -48,16 +50,19 @@ TEST(Sieve, KeepsEveryPairWithinTheBound) {
 TEST(Sieve, DropsMostOfThoseWithoutCompany) {
   test::SceneMaker make(1);
   const std::vector<Point> points = make.box(20'000, {0, 0, 0}, {10'000, 10'000, 10'000});
-  Crew alone;
-  const Lattice lattice(points, *measure(points, alone), 8.0);
-  EXPECT_LT(sieve(points, lattice, 1.0, alone).size(), points.size() / 4);
+  test::OwnResources own;
+  const PointsView view(points);
+  const Lattice lattice({&view, 1}, *measure(view, own.with), 8.0, own.memory);
+  EXPECT_LT(sieve(view, lattice, 1.0, own.with).size(), points.size() / 4);
 }
 
 TEST(Sieve, KeepsEverybodyWhereItCannotTell) {
   const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {1e9, 0, 0}};
-  Crew alone;
-  const Lattice lattice(points, *measure(points, alone), 2.0, std::uint64_t{1} << 40);
-  EXPECT_EQ(sieve(points, lattice, 1.0, alone).size(), points.size());
+  test::OwnResources own;
+  const PointsView view(points);
+  const Lattice lattice({&view, 1}, *measure(view, own.with), 2.0, own.memory,
+                        std::uint64_t{1} << 40);
+  EXPECT_EQ(sieve(view, lattice, 1.0, own.with).size(), points.size());
 }
 
 }  // namespace

@@ -1,128 +1,377 @@
-// Every kernel of this processor, neighbourhood by neighbourhood, against plain double arithmetic
-// on the same positions.
+// Every kernel of this processor, row by row, against plain double arithmetic on the same
+// positions.
 #include "cpu/sweep.hpp"
 
-#include "core/sorted_grid.hpp"
+#include "tests/core/sweep_scene.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
-#include <set>
+#include <limits>
+#include <sstream>
 #include <utility>
 #include <vector>
 
 namespace beespace::cpu {
 namespace {
 
-constexpr unsigned kFractionBits = 10;
-constexpr std::int32_t kCell = 1 << kFractionBits;
+using test::SweepScene;
+using test::SweepShape;
+using PlacePairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;  // asked, other
 
-class Kernels : public testing::TestWithParam<InstructionSet> {
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+class EveryKernel : public testing::TestWithParam<InstructionSet> {
  protected:
-  // Rows of points in the order of their cells along x, as in a sorted grid.
-  void make_rows(const std::vector<std::uint32_t>& sizes, std::int32_t cells_along_x) {
-    rows_.clear();
-    x_.clear();
-    y_.clear();
-    z_.clear();
-    for (const std::uint32_t size : sizes) {
-      std::vector<std::int32_t> xs(size);
-      for (std::int32_t& x : xs) x = number_below(cells_along_x * kCell);
-      std::stable_sort(xs.begin(), xs.end(),
-                       [](std::int32_t a, std::int32_t b) { return a / kCell < b / kCell; });
-      rows_.push_back(
-          {static_cast<std::uint32_t>(x_.size()), static_cast<std::uint32_t>(x_.size()) + size});
-      x_.insert(x_.end(), xs.begin(), xs.end());
-      for (std::uint32_t i = 0; i < size; ++i) {
-        y_.push_back(number_below(2 * kCell));
-        z_.push_back(number_below(2 * kCell));
+  [[nodiscard]] static const Kernels& kernels() { return cpu::kernels(GetParam()); }
+
+  // Scenes of all shapes: rows shorter and longer than lanes and blocks, narrow and wide ones, of
+  // a unit a cell and of as many as there can be.
+  template <class Check>
+  static void for_each_scene(bool by_itself, Check&& check) {
+    std::uint32_t seed = 0;
+    for (const unsigned row_shift : {0U, 1U, 3U}) {
+      for (const unsigned fraction_bits : {0U, 1U, 10U, 22U}) {
+        for (const std::int32_t cells_along_x : {2, 12}) {
+          for (std::uint32_t row_size = 1; row_size <= 33; ++row_size) {
+            run({by_itself, fraction_bits, row_shift, cells_along_x, row_size}, ++seed, check);
+          }
+        }
       }
-    }
-    for (std::size_t i = 0; i < core::kPadding; ++i) {
-      for (auto* axis : {&x_, &y_, &z_}) axis->push_back(0);
+      run({by_itself, 10, row_shift, 40, 700}, ++seed, check);
     }
   }
 
-  std::int32_t number_below(std::int32_t limit) {
-    return static_cast<std::int32_t>(random_() % static_cast<std::uint32_t>(limit));
+  // Distances up to a cell: whoever is farther need not be met. Where a unit is finer than a float
+  // tells, no distance comes near a limit.
+  static Limits limits_of(const SweepShape& shape) {
+    const double share = shape.fraction_bits > 10 ? 0.97 : 1.0;
+    return {static_cast<float>(0.3 * shape.squared_cell()),
+            static_cast<float>(share * shape.squared_cell())};
   }
 
-  [[nodiscard]] double squared(std::uint32_t i, std::uint32_t j) const {
-    const double dx = x_[i] - x_[j];
-    const double dy = y_[i] - y_[j];
-    const double dz = z_[i] - z_[j];
-    return dx * dx + dy * dy + dz * dz;
+ private:
+  template <class Check>
+  static void run(const SweepShape& shape, std::uint32_t seed, Check&& check) {
+    if (HasFatalFailure()) return;
+    SweepScene scene = test::random_sweep_scene(shape, seed);
+    if (seed % 4 == 0) scene.points.begin += shape.row_size / 3;
+    if (seed % 4 == 1) scene.points.end -= shape.row_size / 2;
+    std::ostringstream described;
+    described << shape;
+    SCOPED_TRACE(described.str());
+    check(scene);
   }
-
-  // Runs the kernel on row 0 against the others and compares marks and unsure pairs.
-  void check(const Neighbourhood& hood, const Limits& limits) {
-    std::set<std::pair<std::uint32_t, std::uint32_t>> unsure;
-    const Unsure collect{[](void* context, std::uint32_t i, std::uint32_t j) {
-                           static_cast<decltype(unsure)*>(context)->insert({i, j});
-                         },
-                         &unsure};
-    const auto size = static_cast<std::uint32_t>(x_.size() - core::kPadding);
-    std::vector<std::uint8_t> marks(x_.size(), 0);
-    sweep_kernel(GetParam())({x_.data(), y_.data(), z_.data(), kFractionBits}, hood, limits,
-                             marks.data(), 0, collect);
-
-    std::vector<bool> near(size, false);
-    std::set<std::pair<std::uint32_t, std::uint32_t>> open;
-    const auto compare = [&](std::uint32_t i, const Range& range) {
-      for (std::uint32_t j = range.begin; j < range.end; ++j) {
-        const double distance = squared(i, j);
-        if (distance < static_cast<double>(limits.near)) near[i] = near[j] = true;
-        const bool above = distance > static_cast<double>(limits.far);
-        if (distance >= static_cast<double>(limits.near) && !above) open.insert({i, j});
-      }
-    };
-    for (std::uint32_t i = hood.row.begin; i < hood.row.end; ++i) {
-      compare(i, {i + 1, hood.own_end});
-      compare(i, hood.together);
-      for (unsigned k = 0; k < hood.later_count; ++k) compare(i, hood.later[k]);
-    }
-    for (std::uint32_t i = 0; i < size; ++i) ASSERT_EQ(marks[i] != 0, near[i]) << i;
-    ASSERT_EQ(unsure, open);
-  }
-
-  // Squares of distances up to one cell, so that nothing beyond three cells can be within.
-  static constexpr Limits kLimits{0.81F * kCell * kCell, 0.998F * kCell* kCell};
-
-  std::mt19937 random_{7};
-  std::vector<Range> rows_;
-  std::vector<std::int32_t> x_;
-  std::vector<std::int32_t> y_;
-  std::vector<std::int32_t> z_;
 };
 
-TEST_P(Kernels, FollowTheWindowAlongLongRows) {
-  for (const std::int32_t cells : {3, 8, 40}) {
-    for (const std::uint32_t size : {1U, 15U, 16U, 17U, 33U, 200U}) {
-      make_rows({size, size, size + 1, 2, size}, cells);
-      Neighbourhood hood{rows_[0], rows_[0].end, {0, 0}, {}, 4};
-      for (unsigned k = 0; k < 4; ++k) hood.later[k] = rows_[k + 1];
-      SCOPED_TRACE(std::to_string(cells) + " cells, rows of " + std::to_string(size));
-      check(hood, kLimits);
+struct Found {
+  PlacePairs near;
+  PlacePairs unsure;
+};
+
+Found expected_of(const SweepScene& scene, const Limits& limits) {
+  Found found;
+  scene.for_each_pair([&](std::uint32_t i, std::uint32_t j, double squared) {
+    if (squared < static_cast<double>(limits.near)) {
+      found.near.emplace_back(i, j);
+    } else if (squared <= static_cast<double>(limits.far)) {
+      found.unsure.emplace_back(i, j);
+    }
+  });
+  std::sort(found.near.begin(), found.near.end());
+  std::sort(found.unsure.begin(), found.unsure.end());
+  return found;
+}
+
+// Remembers what a kernel was unsure of.
+struct Open {
+  PlacePairs pairs;
+
+  Unsure unsure() {
+    return {[](void* context, std::uint32_t i, std::uint32_t j) {
+              static_cast<Open*>(context)->pairs.emplace_back(i, j);
+            },
+            this};
+  }
+  const PlacePairs& sorted() {
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
+  }
+};
+
+TEST_P(EveryKernel, MarksBothOfEveryNearPair) {
+  std::size_t near = 0;
+  std::size_t unsure = 0;
+  for_each_scene(true, [&](const SweepScene& scene) {
+    const Limits limits = limits_of(scene.shape);
+    const Found expected = expected_of(scene, limits);
+    const std::uint32_t first = scene.points.begin;
+    std::vector<std::uint8_t> marks(scene.others().size() - first, 0);
+    Open open;
+    kernels().mark(scene.sweep(limits, open.unsure()), {marks.data(), marks.data(), first, first});
+    std::vector<std::uint8_t> truly(marks.size(), 0);
+    for (const auto& [i, j] : expected.near) truly[i - first] = truly[j - first] = 1;
+    for (std::size_t i = 0; i < marks.size(); ++i) ASSERT_EQ(marks[i] != 0, truly[i] != 0) << i;
+    ASSERT_EQ(open.sorted(), expected.unsure);
+    near += expected.near.size();
+    unsure += expected.unsure.size();
+  });
+  EXPECT_GT(near, 10'000U);
+  EXPECT_GT(unsure, 10'000U);
+}
+
+TEST_P(EveryKernel, MarksThoseWhoAskAndLeavesThemOnceMarked) {
+  for_each_scene(false, [&](const SweepScene& scene) {
+    const Limits limits = limits_of(scene.shape);
+    const Found expected = expected_of(scene, limits);
+    const auto [first, end] = scene.points;
+    std::vector<std::uint8_t> marks(end - first, 0);
+    std::vector<std::uint8_t> truly(end - first, 0);
+    for (const auto& [i, j] : expected.near) truly[i - first] = 1;
+    for (std::size_t i = 0; i < marks.size(); i += 5) marks[i] = truly[i] = 1;  // marked before
+    Open open;
+    kernels().mark_asked(scene.sweep(limits, open.unsure()), {marks.data(), nullptr, first, 0});
+    ASSERT_EQ(marks, truly);
+    PlacePairs of_unmarked;
+    for (const auto& pair : expected.unsure) {
+      if (truly[pair.first - first] == 0) of_unmarked.push_back(pair);
+    }
+    const PlacePairs& reported = open.sorted();
+    ASSERT_TRUE(
+        std::includes(reported.begin(), reported.end(), of_unmarked.begin(), of_unmarked.end()));
+    ASSERT_TRUE(std::includes(expected.unsure.begin(), expected.unsure.end(), reported.begin(),
+                              reported.end()));
+    for (const auto& [i, j] : reported) ASSERT_NE((i - first) % 5, 0U) << "was marked before";
+  });
+}
+
+TEST_P(EveryKernel, CountsForBoth) {
+  for_each_scene(true, [&](const SweepScene& scene) {
+    const Limits limits = limits_of(scene.shape);
+    const Found expected = expected_of(scene, limits);
+    const std::uint32_t first = scene.points.begin;
+    std::vector<std::uint32_t> counts(scene.others().size() - first, 5);
+    std::vector<std::uint32_t> truly = counts;
+    Open open;
+    kernels().count(scene.sweep(limits, open.unsure()),
+                    {counts.data(), counts.data(), first, first});
+    for (const auto& [i, j] : expected.near) {
+      ++truly[i - first];
+      ++truly[j - first];
+    }
+    ASSERT_EQ(counts, truly);
+    ASSERT_EQ(open.sorted(), expected.unsure);
+  });
+}
+
+TEST_P(EveryKernel, CountsForThoseWhoAsk) {
+  for_each_scene(false, [&](const SweepScene& scene) {
+    const Limits limits = limits_of(scene.shape);
+    const Found expected = expected_of(scene, limits);
+    const auto [first, end] = scene.points;
+    std::vector<std::uint32_t> counts(end - first, 5);
+    std::vector<std::uint32_t> truly = counts;
+    Open open;
+    kernels().count_asked(scene.sweep(limits, open.unsure()), {counts.data(), nullptr, first, 0});
+    for (const auto& [i, j] : expected.near) ++truly[i - first];
+    ASSERT_EQ(counts, truly);
+    ASSERT_EQ(open.sorted(), expected.unsure);
+  });
+}
+
+// A buffer of pairs that is emptied when it is full, so many times and no more.
+class Collected {
+ public:
+  Collected(std::uint32_t capacity, std::size_t rounds)
+      : first_(capacity + kBeyond, kUntouched),
+        second_(capacity + kBeyond, kUntouched),
+        rounds_left_(rounds) {
+    const auto make_room = [](void* self) { return static_cast<Collected*>(self)->empty(); };
+    sink = {first_.data(), second_.data(), 0, capacity, make_room, this};
+  }
+  Collected(const Collected&) = delete;
+  Collected& operator=(const Collected&) = delete;
+
+  // All pairs so far, in order.
+  PlacePairs take_all() {
+    take();
+    std::sort(ids_.begin(), ids_.end());
+    return ids_;
+  }
+  [[nodiscard]] bool kept_inside() const {
+    const auto untouched_beyond = [this](const std::vector<PointId>& ids) {
+      return std::count(ids.begin() + sink.capacity, ids.end(), kUntouched) == kBeyond;
+    };
+    return untouched_beyond(first_) && untouched_beyond(second_);
+  }
+
+  PairSink sink{};
+  std::size_t calls = 0;
+
+ private:
+  static constexpr PointId kUntouched = 0xABCD'EF01U;
+  static constexpr std::ptrdiff_t kBeyond = 1000;
+
+  void take() {
+    for (std::uint32_t k = 0; k < sink.size; ++k) ids_.emplace_back(first_[k], second_[k]);
+    sink.size = 0;
+  }
+  bool empty() {
+    ++calls;
+    EXPECT_LE(sink.size, sink.capacity);
+    EXPECT_LT(sink.capacity - sink.size, PairSink::kMostAtOnce) << "there was room";
+    take();
+    return --rounds_left_ > 0;
+  }
+
+  std::vector<PointId> first_;
+  std::vector<PointId> second_;
+  std::size_t rounds_left_;
+  PlacePairs ids_;
+};
+
+PlacePairs by_ids(const SweepScene& scene, PlacePairs pairs) {
+  for (auto& [i, j] : pairs) {
+    i = scene.asked().id[i];
+    j = scene.others().id[j];
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+TEST_P(EveryKernel, CollectsEveryNearPairOnceInBuffersOfAnySize) {
+  for (const bool by_itself : {true, false}) {
+    for_each_scene(by_itself, [&](const SweepScene& scene) {
+      const Limits limits = limits_of(scene.shape);
+      const Found expected = expected_of(scene, limits);
+      for (const std::uint32_t capacity : {16U, 17U, 40U, 100'000U}) {
+        Collected collected(capacity, std::numeric_limits<std::size_t>::max());
+        Open open;
+        ASSERT_TRUE(kernels().collect(scene.sweep(limits, open.unsure()), collected.sink));
+        ASSERT_TRUE(collected.kept_inside());
+        ASSERT_EQ(collected.take_all(), by_ids(scene, expected.near));
+        ASSERT_EQ(open.sorted(), expected.unsure);
+      }
+    });
+  }
+}
+
+TEST_P(EveryKernel, StopsCollectingWhenThereIsNoMoreRoom) {
+  std::size_t stopped = 0;
+  for_each_scene(true, [&](const SweepScene& scene) {
+    const Limits limits = limits_of(scene.shape);
+    const PlacePairs all = by_ids(scene, expected_of(scene, limits).near);
+    for (const std::size_t rounds : {1U, 3U}) {
+      Collected collected(20, rounds);
+      Open open;
+      const bool went_on = kernels().collect(scene.sweep(limits, open.unsure()), collected.sink);
+      ASSERT_EQ(went_on, collected.calls < rounds);
+      ASSERT_LE(collected.calls, rounds);
+      ASSERT_TRUE(collected.kept_inside());
+      const PlacePairs some = collected.take_all();
+      ASSERT_TRUE(std::includes(all.begin(), all.end(), some.begin(), some.end()));
+      stopped += went_on ? 0U : 1U;
+    }
+  });
+  EXPECT_GT(stopped, 100U);
+}
+
+// The nearest two of everybody, and what is known of them: all within a cell, and some beyond.
+struct NearestTwo {
+  double best = std::numeric_limits<double>::infinity();
+  double second = std::numeric_limits<double>::infinity();
+
+  void add(double squared) {
+    if (squared < best) std::swap(squared, best);
+    second = std::min(second, squared);
+  }
+};
+
+struct Table {
+  explicit Table(std::size_t size) : best(size, kInfinity), second(size, kInfinity), who(size, 0) {}
+
+  void expect(std::size_t place, const NearestTwo& truly, double cell, double to_who) const {
+    const auto rounded = [](double squared) { return static_cast<float>(squared); };
+    if (truly.best <= cell) {
+      ASSERT_FLOAT_EQ(best[place], rounded(truly.best)) << place;
+    } else {
+      ASSERT_GT(best[place], rounded(cell)) << place;
+    }
+    if (truly.second <= cell) {
+      ASSERT_FLOAT_EQ(second[place], rounded(truly.second)) << place;
+    } else {
+      ASSERT_GT(second[place], rounded(cell)) << place;
+    }
+    if (best[place] < kInfinity) {
+      ASSERT_FLOAT_EQ(best[place], rounded(to_who)) << place;
     }
   }
-}
 
-TEST_P(Kernels, LookAtShortRowsWhole) {
-  for (std::uint32_t size = 1; size <= 5; ++size) {
-    make_rows({size, size, size, size, size}, 50);
-    const Neighbourhood hood{rows_[0], rows_[1].end, {rows_[2].begin, rows_[4].end}, {}, 0};
-    SCOPED_TRACE(size);
-    check(hood, {1600.0F * kCell * kCell, 1700.0F * kCell * kCell});
+  std::vector<float> best;
+  std::vector<float> second;
+  std::vector<std::uint32_t> who;
+};
+
+TEST_P(EveryKernel, FindsTheNearestTwo) {
+  for (const bool same_set : {true, false}) {
+    for_each_scene(false, [&](SweepScene& scene) {
+      scene.same_set = same_set;
+      const std::uint32_t first = scene.points.begin;
+      const std::uint32_t end = scene.points.end;
+      Table table(end - first);
+      const NearestTable into{table.best.data(), table.second.data(), table.who.data(), first};
+      kernels().nearest_asked(scene.sweep({kInfinity, kInfinity}, {nullptr, nullptr}), into);
+      std::vector<NearestTwo> truly(end - first);
+      scene.for_each_pair([&](std::uint32_t i, std::uint32_t j, double squared) {
+        if (same_set && scene.asked().id[i] == scene.others().id[j]) return;
+        truly[i - first].add(squared);
+      });
+      const double cell = scene.shape.squared_cell();
+      for (std::uint32_t i = first; i < end; ++i) {
+        const std::uint32_t who = table.who[i - first];
+        table.expect(i - first, truly[i - first], cell, scene.squared(i, who));
+        if (same_set && table.best[i - first] < kInfinity) {
+          ASSERT_NE(scene.others().id[who], scene.asked().id[i]);
+        }
+      }
+    });
   }
 }
 
-TEST_P(Kernels, LeaveLaterRowsAloneThatAreNotThere) {
-  make_rows({40, 30}, 5);
-  Neighbourhood hood{rows_[0], rows_[0].end, {0, 0}, {}, 1};
-  hood.later[0] = rows_[1];
-  check(hood, kLimits);
-  check({rows_[0], rows_[0].end, {0, 0}, {}, 0}, kLimits);
+// Rounding may bring two points that are within the reach a unit farther apart than a cell: one
+// with others to both sides, at the very edge of the row, for every place in a slice. Some ask
+// twice: the first time must not move the window too far for the second.
+TEST_P(EveryKernel, SeesAUnitBeyondACellAlongX) {
+  for (const bool by_itself : {true, false}) {
+    const SweepShape shape{by_itself, 6, 1, 12, 0};
+    const std::int32_t cell = shape.cell();
+    const std::int32_t edge = 2 * shape.row_width() - 1;
+    for (std::int32_t x = 5 * cell; x < 6 * cell; ++x) {
+      std::vector<test::Spot> own;
+      std::vector<test::Spot> beyond;
+      for (const std::int32_t apart :
+           {-cell - 2, -cell - 1, -cell, -1, 0, 0, cell, cell + 1, cell + 2}) {
+        own.push_back({x + apart, edge, edge});
+        beyond.push_back({x + apart, edge + 1, edge});
+        for (int k = 0; k < 9; ++k) beyond.push_back({x + apart + 4 * cell, edge + 1, edge});
+      }
+      SweepScene scene(shape);
+      scene.ask(own);
+      scene.add_target(2, 1, beyond, 1000);
+      scene.pad();
+      const auto squared = [](std::int32_t along, std::int32_t across) {
+        return static_cast<float>(along * along + across * across);
+      };
+      const Limits limits{squared(cell, 1) + 0.5F, squared(cell + 1, 1)};
+      const Found expected = expected_of(scene, limits);
+      Collected collected(64, std::numeric_limits<std::size_t>::max());
+      Open open;
+      ASSERT_TRUE(kernels().collect(scene.sweep(limits, open.unsure()), collected.sink));
+      ASSERT_EQ(collected.take_all(), by_ids(scene, expected.near)) << x;
+      ASSERT_EQ(open.sorted(), expected.unsure) << x;
+      ASSERT_FALSE(expected.near.empty() || expected.unsure.empty());
+    }
+  }
 }
 
 std::vector<InstructionSet> available() {
@@ -133,7 +382,7 @@ std::vector<InstructionSet> available() {
   return sets;
 }
 
-INSTANTIATE_TEST_SUITE_P(OfThisProcessor, Kernels, testing::ValuesIn(available()),
+INSTANTIATE_TEST_SUITE_P(OfThisProcessor, EveryKernel, testing::ValuesIn(available()),
                          [](const auto& test_case) { return name_of(test_case.param); });
 
 }  // namespace

@@ -147,5 +147,29 @@ TEST(AtRisk, MorePointsThanIdsIsAnError) {
   EXPECT_EQ(find_at_risk(view).error().code, ErrorCode::kTooManyPoints);
 }
 
+// Larger than one crew member's minimum, so that threads really share the work.
+TEST(AtRisk, SameAnswerForOneToEightThreads) {
+  test::SceneMaker make(7);
+  for (const double threshold : {30.0, 68.0, 400.0}) {
+    const std::vector<Point> points = make.box(100'000, {0, 0, 0}, {4000, 4000, 4000});
+    const auto one = find_at_risk(points, {threshold, false, 1});
+    ASSERT_TRUE(one.has_value());
+    for (unsigned threads = 2; threads <= 8; ++threads) {
+      EXPECT_EQ(*find_at_risk(points, {threshold, false, threads}), *one) << threads;
+    }
+  }
+}
+
+TEST(AtRisk, EqualsBruteForceOnManyRandomSwarms) {
+  for (std::uint32_t seed = 0; seed < 200; ++seed) {
+    test::SceneMaker make(seed);
+    const double side = make.between(1.0, 1000.0);
+    const std::vector<Point> points =
+        make.box(150, {-side, -side, 0.0}, {side, side, make.between(0.0, side)});
+    const SearchOptions options{make.between(0.001, 0.4) * side, seed % 2 == 0, seed % 3};
+    EXPECT_EQ(*find_at_risk(points, options), *brute_force::find_at_risk(points, options)) << seed;
+  }
+}
+
 }  // namespace
 }  // namespace beespace

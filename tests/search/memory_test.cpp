@@ -1,7 +1,10 @@
-// Working memory is bounded by the number of points: at most 48 bytes a point beyond the input,
-// the answer included. Measured as the peak of the process's resident memory.
+// Working memory is bounded by the number of points and of results. Measured as the peak of the
+// process's resident memory beyond the input, the answer included.
 #include <beespace/at_risk.hpp>
+#include <beespace/conflict_groups.hpp>
 #include <beespace/nearest.hpp>
+#include <beespace/neighbors.hpp>
+#include <beespace/pairs.hpp>
 
 #include "scenes/swarm_scenes.hpp"
 
@@ -11,8 +14,10 @@
 
 #include <cstdint>
 #include <fstream>
+#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define BEESPACE_TEST_SANITIZED 1
@@ -24,6 +29,8 @@
 
 namespace beespace {
 namespace {
+
+constexpr std::size_t kSize = 2'000'000;
 
 std::optional<std::uint64_t> status_bytes(const std::string& field) {
   std::ifstream status("/proc/self/status");
@@ -48,32 +55,107 @@ struct Scene {
   double threshold_m;
 };
 
-TEST(WorkingMemory, IsAtMost48BytesAPoint) {
-#if defined(BEESPACE_TEST_SANITIZED)
-  GTEST_SKIP() << "a sanitizer's shadow memory would be measured";
-#endif
-  if (!reset_peak()) GTEST_SKIP() << "this system does not tell the peak of resident memory";
-  constexpr std::size_t kSize = 2'000'000;
-  const Scene scenes[] = {
+std::vector<Point> on_a_line() {
+  std::vector<Point> points = scenes::uniform_box(kSize, {1e8, 0, 0}, 1);
+  for (Point& p : points) p.y = p.z = 5.0;
+  return points;
+}
+
+std::vector<Point> clump_and_outlier() {
+  std::vector<Point> points = scenes::uniform_box(kSize, {3'000, 3'000, 3'000}, 1);
+  points.back() = {1e12, 1e12, 1e12};
+  return points;
+}
+
+std::vector<Scene> even_scenes() {
+  return {
       {"uniform, two neighbours", scenes::uniform_box(kSize, {16'127, 16'127, 16'127}, 1), 100.0},
-      {"dense", scenes::uniform_box(kSize, {3'300, 2'300, 480}, 1), 100.0},
+      {"dense box, one neighbour", scenes::uniform_box(kSize, {4'158, 2'898, 605}, 1), 10.0},
       {"sparse: every point in a row of its own", scenes::uniform_box(kSize, {1e6, 1e6, 1e6}, 1),
        100.0},
-      {"clusters", scenes::gaussian_clusters(kSize, 1'000, 200.0, 100'000.0, 1), 20.0},
-  };
+      {"clusters", scenes::gaussian_clusters(kSize, 1'000, 200.0, 100'000.0, 1), 20.0}};
+}
+
+std::vector<Scene> hostile_scenes() {
+  return {{"dense box, a thousand neighbours", scenes::uniform_box(kSize, {4'158, 2'898, 605}, 1),
+           100.0},
+          {"a line", on_a_line(), 100.0},
+          {"all in one cell", scenes::uniform_box(kSize, {1, 1, 1}, 1), 100.0},
+          {"all at one place", std::vector<Point>(kSize, Point{3, 3, 3}), 1.0},
+          {"a clump and an outlier", clump_and_outlier(), 30.0}};
+}
+
+// Runs ask(options), which returns how many results it got, and says how much memory that took.
+struct Measured {
+  double bytes = 0.0;
+  double results = 0.0;
+};
+
+template <class Ask>
+Measured measured(const Scene& scene, unsigned threads, Ask&& ask) {
+  malloc_trim(0);  // or memory kept from the run before would be used again, unseen
+  EXPECT_TRUE(reset_peak());
+  const std::uint64_t before = *status_bytes("VmRSS:");
+  const std::size_t results = ask(scene.points, SearchOptions{scene.threshold_m, false, threads});
+  const std::uint64_t peak = *status_bytes("VmHWM:");
+  EXPECT_GE(peak, before);
+  return {static_cast<double>(peak - before), static_cast<double>(results)};
+}
+
+class WorkingMemory : public testing::Test {
+ protected:
+  void SetUp() override {
+#if defined(BEESPACE_TEST_SANITIZED)
+    GTEST_SKIP() << "a sanitizer's shadow memory would be measured";
+#endif
+    if (!reset_peak()) GTEST_SKIP() << "this system does not tell the peak of resident memory";
+  }
+};
+
+void expect_little_for_at_risk(const std::vector<Scene>& scenes, unsigned threads) {
   for (const Scene& scene : scenes) {
-    for (const unsigned threads : {1U, 2U}) {
-      malloc_trim(0);  // or memory kept from the run before would be used again, unseen
-      ASSERT_TRUE(reset_peak());
-      const std::uint64_t before = *status_bytes("VmRSS:");
-      const auto at_risk = find_at_risk(scene.points, {scene.threshold_m, false, threads});
-      ASSERT_TRUE(at_risk.has_value());
-      const std::uint64_t peak = *status_bytes("VmHWM:");
-      ASSERT_GE(peak, before);
-      EXPECT_LE(static_cast<double>(peak - before) / kSize, 48.0)
-          << scene.name << ", threads: " << threads;
-      EXPECT_GE(static_cast<double>(peak - before) / kSize, 4.0) << "nothing was measured";
-    }
+    const Measured took = measured(scene, threads, [](const auto& points, const auto& options) {
+      return find_at_risk(points, options)->size();
+    });
+    EXPECT_LE(took.bytes / kSize, 40.0) << scene.name;
+    EXPECT_GE(took.bytes / kSize, 4.0) << "nothing was measured";
+  }
+}
+
+TEST_F(WorkingMemory, ForPointsAtRiskIsAtMost40BytesAPoint) {
+  expect_little_for_at_risk(even_scenes(), 2);
+}
+
+TEST_F(WorkingMemory, ForPointsAtRiskIsAtMost40BytesAPointOfHostileScenesToo) {
+  expect_little_for_at_risk(hostile_scenes(), 1);
+}
+
+struct Question {
+  const char* name;
+  std::function<std::size_t(const PointsView&, const SearchOptions&)> ask;
+  double bytes_a_point;
+  double bytes_a_result;
+};
+
+// The answer's own memory is part of it.
+TEST_F(WorkingMemory, GrowsWithPointsAndResultsOnly) {
+  const PairVisitor all = [](std::span<const Pair>) { return true; };
+  const Question questions[] = {
+      {"pairs", [](auto p, auto& o) { return find_pairs(p, o)->size(); }, 40, 16},
+      {"visit", [all](auto p, auto& o) { return visit_pairs(p, o, all) ? 0U : 1U; }, 40, 0},
+      {"neighbours", [](auto p, auto& o) { return find_neighbors(p, o)->ids.size(); }, 48, 12},
+      {"counts", [](auto p, auto& o) { return count_neighbors(p, o)->empty() ? 1U : 0U; }, 44, 0},
+      {"groups", [](auto p, auto& o) { return find_conflict_groups(p, o)->size(); }, 56, 0},
+      {"nearest", [](auto p, auto& o) { return find_nearest(p, o.threads) ? 0U : 1U; }, 104, 0},
+      {"within", [](auto p, auto& o) { return find_nearest_within(p, o) ? 0U : 1U; }, 60, 0},
+      {"closest", [](auto p, auto& o) { return find_closest_pair(p, o.threads) ? 0U : 1U; }, 40,
+       0}};
+  const Scene scene = even_scenes().front();
+  for (const Question& question : questions) {
+    const Measured took = measured(scene, 1, question.ask);
+    EXPECT_LE(took.bytes / kSize,
+              question.bytes_a_point + question.bytes_a_result * took.results / kSize)
+        << question.name;
   }
 }
 

@@ -102,7 +102,8 @@ TEST(Nearest, EqualsBruteForceOnEveryScene) {
     for (const bool inclusive : {false, true}) {
       SCOPED_TRACE(scene.name + (inclusive ? " inclusive" : " strict"));
       const SearchOptions options{scene.threshold_m, inclusive, 2};
-      const std::vector<Nearest> expected = *brute_force::find_nearest_within(scene.points, options);
+      const std::vector<Nearest> expected =
+          *brute_force::find_nearest_within(scene.points, options);
       const std::vector<Nearest> found = *find_nearest_within(scene.points, options);
       ASSERT_EQ(found.size(), expected.size());
       for (std::size_t i = 0; i < found.size(); ++i) {

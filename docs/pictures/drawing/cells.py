@@ -1,4 +1,4 @@
-"""Cells: of diagonal X, as in the paper; a little wider than X, as here; and none in empty space."""
+"""Cells: of diagonal X, as in the paper; a little wider than X, as here; none in empty space."""
 
 import math
 import random
@@ -112,7 +112,8 @@ def _cells():
                  "what the margin leaves for rounding (drawn far too wide)", "soft", None, "small")
 
     left = 420
-    picture.text(left, 30, "A coordinate is 30 bits: which cell, where in it", "ink", None, "strong")
+    picture.text(left, 30, "A coordinate is 30 bits: which cell, where in it", "ink", None,
+                 "strong")
     picture.lines(left, 48, ["position = (coordinate − low) · units a metre, cut to an integer"])
     for k, (name, extent_over_reach) in enumerate((("128 cells along the longest axis", 128),
                                                    ("10,000 cells", 10_000),

@@ -1,4 +1,4 @@
-"""Exact in three steps: the bands around X that each leaves open, and how many pairs are in them."""
+"""Exact in three steps: the bands around X that each leaves open, and how many pairs they hold."""
 
 import math
 import random
@@ -67,8 +67,8 @@ def left_to_expansions(samples=12_000):
     for _ in range(samples):
         p = [12_800.0 * chance.random() for _ in range(3)]
         q = [a + threshold * along for a, along in zip(p, _direction(chance))]
-        exact = sum((Fraction(a) - Fraction(b)) ** 2 for a, b in zip(p, q)) / Fraction(threshold) ** 2
-        if abs(exact - 1) > width:
+        exact = sum((Fraction(a) - Fraction(b)) ** 2 for a, b in zip(p, q))
+        if abs(exact / Fraction(threshold) ** 2 - 1) > width:
             continue
         in_shell += 1
         dx, dy, dz = (a - b for a, b in zip(p, q))
@@ -95,9 +95,8 @@ def _bands():
     doubles = threshold * (math.sqrt(1.0 + 8.0 * U * 1e6) - 1.0) / 1e6
     left, width, middle = 210, 620, 520
     picture.text(22, 30, "What each step leaves open", "ink", None, "strong")
-    picture.lines(22, 48, ["The axis is the distance of two points; X = 100 m, 128 cells across, 22 "
-                           "bits a cell. Each band is drawn as wide as it can be, and is far "
-                           "narrower than the one above."])
+    picture.lines(22, 48, ["The distance of two points, for X = 100 m and 22 bits a cell. Each "
+                           "line is the open band of the one above, magnified."])
     steps = (("1  floats", "on fixed-point positions", floats, 90),
              ("2  doubles", "on the given doubles", doubles, 70),
              ("3  expansions", "without rounding", 0.0, 0))
@@ -119,8 +118,7 @@ def _bands():
                 picture.line(middle + sign * drawn, top + 36, middle + sign * (width - middle + left
                              if sign > 0 else middle - left), top + 104, "rule", 1, dashed=True)
         else:
-            picture.text(middle + 10, top + 57, "nothing is open: at X itself the sign is 0", "soft",
-                         None, "small")
+            picture.lines(middle + 10, top + 57, ["nothing is open: at X itself the sign is 0"])
     return picture
 
 
@@ -128,8 +126,8 @@ def _shares():
     picture = Picture(860, 400, "How many pairs reach each step")
     plot = Plot(picture, 80, 84, 560, 250, (MOST_BITS, FEWEST_BITS), (1e-17, 1.0), y_log=True)
     picture.text(22, 30, "Of all pairs compared: how many reach which step", "ink", None, "strong")
-    picture.lines(22, 48, ["Simulated: pairs of points anywhere in 27 adjacent cells, with the limits "
-                           "of the code."])
+    picture.lines(22, 48, ["Simulated: pairs of points anywhere in 27 adjacent cells, with the "
+                           "limits of the code."])
     bits = range(MOST_BITS, FEWEST_BITS - 1, -1)
     powers = "⁰¹²³⁴⁵⁶⁷⁸⁹"
     ticks = [(10.0 ** -k, "1" if k == 0 else "10⁻" + "".join(powers[int(d)] for d in str(k)))
@@ -146,10 +144,8 @@ def _shares():
     plot.curve([(b, third) for b in bits], "hot", 2.4)
     x = plot.left + plot.width + 12
     picture.text(x, plot.y_at(1.0) + 4, "1  floats: every pair", "good", None, "small")
-    picture.text(x, plot.y_at(values[-1][1]) + 4, f"2  doubles: {_power(values[0][1])}", "cool", None,
-                 "small")
-    picture.text(x, plot.y_at(values[-1][1]) + 20, f"    to {_power(values[-1][1])}", "cool", None,
-                 "small")
+    picture.lines(x, plot.y_at(values[-1][1]) + 4,
+                  [f"2  doubles: {_power(values[0][1])}", f"to {_power(values[-1][1])}"], "cool")
     picture.text(x, plot.y_at(third) + 4, f"3  expansions: {_power(third)}", "hot", None, "small")
     return picture
 

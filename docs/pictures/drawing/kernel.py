@@ -36,8 +36,8 @@ def _look():
     verdicts = [verdict(lane) for lane in lanes]
     left, step, top, row = 132, 44.5, 74, 30
     picture.text(22, 30, "Sixteen comparisons at once", "ink", None, "strong")
-    picture.lines(22, 48, [f"Differences to one point, in units; here X is {THRESHOLD} units. Surely "
-                           f"near: below {THRESHOLD - 2}² = {NEAR:,}; surely far: above "
+    picture.lines(22, 48, [f"Differences to one point, in units; here X is {THRESHOLD} units. "
+                           f"Surely near: below {THRESHOLD - 2}² = {NEAR:,}; surely far: above "
                            f"{THRESHOLD + 2}² = {FAR:,}."])
     tints = {"near": "good", "far": "soft", "unsure": "hot"}
     washes = {"near": "goodwash", "far": "wash", "unsure": "hotwash"}
@@ -57,8 +57,8 @@ def _look():
     y = top + 5 * (row + 6) + 26
     mask = "".join("1" if name == "near" else "0" for name in verdicts)
     picture.text(left - 12, y, "near", "good", "end", "small")
-    picture.text(left, y, f"{mask}: marked, counted or stored with one instruction more", "ink",
-                 None, "small")
+    picture.text(left, y, f"{mask}: a bit a lane, by which all near ones are marked, counted or "
+                 "stored together", "ink", None, "small")
     lane = verdicts.index("unsure")
     picture.text(left - 12, y + 24, "unsure", "hot", "end", "small")
     picture.text(left, y + 24, f"lane {lane + 1}: the given doubles decide; √"

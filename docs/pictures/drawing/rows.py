@@ -171,8 +171,8 @@ def _windows():
     picture.arrow(first, tops[1] + height + 16, first + 52, tops[1] + height + 16, "cool", 2)
     picture.lines(first + 62, tops[1] + height + 20,
                   ["the window starts where the last one's did, or later; it never goes back"])
-    picture.lines(left, 304, ["Strong lines: cells. Fine lines: slices, a quarter of a cell; within "
-                              "a slice points stand in any order."])
+    picture.lines(left, 304, ["Strong lines: cells. Fine lines: slices, a quarter of a cell; "
+                              "within a slice points stand in any order."])
     return picture
 
 

@@ -25,11 +25,11 @@ def _steps():
     buckets = buckets_for(million)
     kib = million / buckets * RECORD_BYTES / 1024
     names = (
-        ("As given", "Each bar is a point; its height is the place in the grid that it belongs to."),
+        ("As given", "Each bar is a point; its height is the place in the grid where it belongs."),
         ("After one scatter by the high bits of the key",
          f"Drawn: {1 << bucket_bits} buckets. A million points go to {buckets:,}, of "
          f"{million / buckets:.0f} points or {kib:.1f} KiB each: a bucket fits the nearest cache."),
-        ("After sorting each bucket", "Counting sorts, bucket by bucket, that read and write one "
+        ("After sorting each bucket", "Counting sorts, bucket by bucket: each reads and writes a "
          "small piece of memory."))
     left, width, height = 22, 816, 62
     for k, (keys, (name, remark)) in enumerate(zip((given, scattered, ordered), names)):

@@ -1,0 +1,73 @@
+#include "search/count_in_crowds.hpp"
+
+#include "core/crowd_places.hpp"
+#include "core/crowd_tree.hpp"
+#include "core/exact_distance.hpp"
+#include "core/lattice.hpp"
+#include "cpu/count_crowds.hpp"
+#include "search/crowded.hpp"
+
+#include <optional>
+
+namespace beespace::search {
+
+namespace {
+
+// The places of a set, and how many of its points are at each.
+class Side {
+ public:
+  Side(const PointsView& points, bool has_duplicates, const core::Bounds& bounds,
+       const core::Lattice& lattice, const core::Resources& with) {
+    if (has_duplicates) places_.emplace(points, with.memory);
+    tree_.emplace(places_ ? places_->places() : points, bounds, lattice, with);
+    if (!places_) return;
+    const std::size_t padded = tree_->leaves() * core::kLeafPoints;
+    weights_ = core::Buffer<std::uint32_t>(with.memory, padded);
+    for (std::size_t slot = 0; slot < padded; ++slot) {
+      weights_[slot] = slot < tree_->size() ? places_->points_at(tree_->index(slot)) : 0;
+    }
+  }
+
+  [[nodiscard]] cpu::Crowds crowds() const { return {*tree_, weights_.data()}; }
+  [[nodiscard]] const std::optional<core::CrowdPlaces>& places() const { return places_; }
+
+ private:
+  std::optional<core::CrowdPlaces> places_;
+  std::optional<core::CrowdTree> tree_;
+  core::Buffer<std::uint32_t> weights_;
+};
+
+}  // namespace
+
+void count_in_crowds(const Frame& frame, const SearchOptions& options, const core::Resources& with,
+                     const Choices& choices, std::uint32_t* counts) {
+  const core::Lattice lattice(frame.sets(), frame.bounds(), options.threshold_m, with.memory,
+                              choices.fold_beyond_cells);
+  const core::ProximityTest closer(options.threshold_m, options.inclusive);
+  const bool duplicates = has_duplicates(frame, options.threshold_m);
+  const Side asked(frame.points(), duplicates, frame.bounds(), lattice, with);
+  std::optional<Side> others;
+  if (frame.has_others()) {
+    others.emplace(frame.others(), duplicates, frame.bounds(), lattice, with);
+  }
+  const cpu::CrowdQuestion question{asked.crowds(),
+                                    others ? others->crowds() : asked.crowds(),
+                                    options.threshold_m,
+                                    lattice.units_per_m(),
+                                    closer,
+                                    choices.instruction_set};
+  const std::size_t size = frame.points().size();
+  const std::uint32_t self = frame.has_others() ? 0 : 1;
+  if (!asked.places()) {
+    cpu::count_crowds(question, with, counts);
+    for (std::size_t id = 0; id < size; ++id) counts[id] -= self;
+    return;
+  }
+  core::Buffer<std::uint32_t> of_places(with.memory, asked.places()->size());
+  cpu::count_crowds(question, with, of_places.data());
+  for (PointId id = 0; id < size; ++id) {
+    counts[id] = of_places[asked.places()->place_of(id)] - self;
+  }
+}
+
+}  // namespace beespace::search
