@@ -65,15 +65,17 @@ Memory::~Memory() {
 Memory& Memory::of(unsigned worker) {
   if (worker == 0) return *this;
   const std::lock_guard lock(mutex_);
-  while (of_workers_.size() < worker) of_workers_.push_back(std::make_unique<Memory>());
+  while (of_workers_.size() < worker) {
+    of_workers_.push_back(std::make_unique<Memory>());
+    of_workers_.back()->calls_ = calls_;
+  }
   return *of_workers_[worker - 1];
 }
 
 void Memory::release() {
   const std::lock_guard lock(mutex_);
   for (const auto& memory : of_workers_) memory->release();
-  for (const Block& block : kept_) free_block(block.data, block.bytes);
-  kept_.clear();
+  free_kept();
 }
 
 // A block of the very size: so a frame finds again what one like it took, whatever came between.
@@ -81,6 +83,11 @@ std::size_t Memory::find_kept(std::size_t bytes) const {
   const auto found = std::find_if(kept_.begin(), kept_.end(),
                                   [bytes](const Block& kept) { return kept.bytes == bytes; });
   return static_cast<std::size_t>(found - kept_.begin());
+}
+
+void Memory::free_kept() {
+  for (const Block& block : kept_) free_block(block.data, block.bytes);
+  kept_.clear();
 }
 
 void Memory::start_call() {
@@ -104,6 +111,7 @@ void* Memory::do_allocate(std::size_t bytes, std::size_t /*alignment: a cache li
     kept_[found] = kept_.back();
     kept_.pop_back();
   } else {
+    if (calls_ <= 1) free_kept();
     // Room for all blocks in either list first: giving back must not fail.
     const std::size_t blocks = kept_.size() + lent_.size() + 1;
     if (kept_.capacity() < blocks) kept_.reserve(2 * blocks);

@@ -1,5 +1,8 @@
 // Working memory that is kept: what a search gives back is there for the next one.
 //
+// During its first call it keeps only what the same call can use again: a search that is made once
+// should not hold the memory of all its steps at a time.
+//
 // A memory resource for Buffer and the std::pmr containers. Thread-safe. Large blocks are aligned
 // to huge pages and ask for them: 512 times fewer page faults when the memory is new, and scattered
 // writes that do not miss the translation buffer.
@@ -32,8 +35,9 @@ class Memory final : public std::pmr::memory_resource {
   // not depend on what the others take meanwhile. Worker 0, the caller, takes from this one.
   Memory& of(unsigned worker);
 
-  // To be called at the start of a search: gives blocks that no search of some time has used back
-  // to the system, so that a swarm that grows from frame to frame does not leave a trail of them.
+  // To be called at the start of each search. Also gives blocks that no search of some time has
+  // used back to the system, so that a swarm that grows from frame to frame does not leave a trail
+  // of them.
   void start_call();
 
   // Gives all blocks that nobody uses back to the system.
@@ -45,6 +49,8 @@ class Memory final : public std::pmr::memory_resource {
     std::size_t bytes;
     std::uint64_t last_call;
   };
+
+  void free_kept();
 
   void* do_allocate(std::size_t bytes, std::size_t alignment) override;
   void do_deallocate(void* data, std::size_t bytes, std::size_t alignment) override;
