@@ -13,27 +13,29 @@
 
 namespace beespace {
 
+// What a worker does: a reference to something callable with a worker's number, which must outlive
+// it. (std::function may allocate memory; this never does.)
+class CrewTask {
+ public:
+  template <class Callable>
+  requires(!std::is_same_v<std::remove_cvref_t<Callable>, CrewTask>)
+      // NOLINTNEXTLINE(google-explicit-constructor, bugprone-forwarding-reference-overload)
+      CrewTask(Callable&& callable)  // like a reference
+      : callable_(const_cast<void*>(static_cast<const void*>(std::addressof(callable)))),
+        call_([](void* object, unsigned worker) {
+          (*static_cast<std::remove_reference_t<Callable>*>(object))(worker);
+        }) {}
+
+  void operator()(unsigned worker) const { call_(callable_, worker); }
+
+ private:
+  void* callable_;
+  void (*call_)(void* object, unsigned worker);
+};
+
 class BEESPACE_API Crew {
  public:
-  // What a worker does: a reference to something callable with a worker's number, which must
-  // outlive it. (std::function may allocate memory; this never does.)
-  class Task {
-   public:
-    template <class Callable>
-    requires(!std::is_same_v<std::remove_cvref_t<Callable>, Task>)
-        // NOLINTNEXTLINE(google-explicit-constructor, bugprone-forwarding-reference-overload)
-        Task(Callable&& callable)  // like a reference
-        : callable_(const_cast<void*>(static_cast<const void*>(std::addressof(callable)))),
-          call_([](void* object, unsigned worker) {
-            (*static_cast<std::remove_reference_t<Callable>*>(object))(worker);
-          }) {}
-
-    void operator()(unsigned worker) const { call_(callable_, worker); }
-
-   private:
-    void* callable_;
-    void (*call_)(void* object, unsigned worker);
-  };
+  using Task = CrewTask;
 
   Crew() = default;
   Crew(const Crew&) = delete;
@@ -54,9 +56,10 @@ class BEESPACE_API Crew {
     return {count * worker / size(), count * (worker + 1) / size()};
   }
 
-  // Calls task(begin, end, worker) with each worker's share of `count` things.
+  // Calls task(begin, end, worker) with each worker's share of `count` things. (Hidden: what
+  // the compiler makes of it belongs to whoever calls.)
   template <class SharedTask>
-  void split(std::size_t count, SharedTask&& task) {
+  [[gnu::visibility("hidden")]] void split(std::size_t count, SharedTask&& task) {
     run([&](unsigned worker) {
       const auto [begin, end] = share(count, worker);
       task(begin, end, worker);
