@@ -22,7 +22,7 @@ struct Pair {
   PointId first = 0;
   PointId second = 0;
 
-  friend constexpr auto operator<=>(const Pair&, const Pair&) = default;
+  friend constexpr auto operator<=>(const Pair&, const Pair&) = default;  // NOLINT(*-use-nullptr)
 };
 
 // All pairs closer than the threshold, each once with first < second, in ascending order.

@@ -28,7 +28,7 @@ std::size_t rounded_up(std::size_t bytes) {
   if (bytes > SIZE_MAX / 2) throw std::bad_alloc();
   constexpr std::size_t kLarge = std::size_t{1} << 18;
   if (bytes < kLarge) return std::bit_ceil(std::max(bytes, kCacheLine));
-  const std::size_t step = std::bit_floor(bytes) / 8;
+  const std::size_t step = std::max(kCacheLine, std::bit_floor(bytes) / 8);
   return (bytes + step - 1) / step * step;
 }
 

@@ -228,6 +228,7 @@ class PointTree::Builder {
     std::size_t children = leaf_count_;
     if (level > 0) children = first_[level] - first_[level - 1];
     const std::size_t end = std::min((node + 1) * kFanOut, children);
+    // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): levels end at 0
     const std::size_t points_a_child = kFanOut << (4 * level);
     for (std::size_t child = node * kFanOut; child < end; ++child) {
       if ((tree_.view_.levels[level][node].same_place >> (child % kFanOut) & 1U) != 0) {

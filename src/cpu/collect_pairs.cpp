@@ -36,6 +36,7 @@ class Collector {
   }
   Collector(const Collector&) = delete;
   Collector& operator=(const Collector&) = delete;
+  ~Collector() = default;
 
   PairSink& sink() { return sink_; }
 

@@ -88,8 +88,8 @@ class Counter {
         kernels_(crowd_kernels(question.instruction_set)),
         weighted_(question.others.weights != nullptr ? 1U : 0U),
         tally_(tally),
-        of_slot_lanes_(memory, kNodePoints * kCrowdLanes),
-        of_leaf_lanes_(memory, kCrowdLanes * kCrowdLanes) {}
+        of_slot_lanes_(memory, std::size_t{kNodePoints} * kCrowdLanes),
+        of_leaf_lanes_(memory, std::size_t{kCrowdLanes} * kCrowdLanes) {}
 
   // Counts whom the points of a node are near to; of a set with itself, among themselves and
   // the points behind them, for both.

@@ -57,7 +57,7 @@ struct BoxesSeen {
                                    const CrowdNode& others, const Limits& limits) {
     Floats nearest{};
     Floats farthest{};
-    for (std::uint32_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
       const Ints up =
           lanes(others.high + axis * kCrowdLanes) - asked.low[axis * kCrowdLanes + leaf];
       const Ints down =
@@ -79,7 +79,7 @@ class Pairs {
       : asked_(asked), others_(others), limits_(limits), sums_(sums), unsure_(unsure) {}
 
   // Of two leaves, those of the second in lanes. Floats of pairs lie between those of their boxes.
-  template <bool kBoth, bool kWeighted>
+  template <bool Both, bool Weighted>
   [[gnu::always_inline]] void count(std::uint32_t leaf, std::uint32_t other) const {
     const std::uint32_t begin = leaf * kCrowdLanes;
     const std::uint32_t left = asked_.size - begin;
@@ -88,25 +88,25 @@ class Pairs {
     const Ints x = lanes(others_.position[0] + from);
     const Ints y = lanes(others_.position[1] + from);
     const Ints z = lanes(others_.position[2] + from);
-    const Ints weights = kWeighted ? lanes(others_.weights + from) : Ints{};
+    const Ints weights = Weighted ? lanes(others_.weights + from) : Ints{};
     Ints of_others{};
     Ints open{};
     for (std::uint32_t i = begin; i < end; ++i) {
       const Floats squared = squared_units(x, y, z, i);
       const Ints near = squared < limits_.near;
-      Ints& of_asked = lanes(sums_.of_asked + i * kCrowdLanes);
-      if constexpr (kWeighted) {
+      Ints& of_asked = lanes(sums_.of_asked + std::size_t{i} * kCrowdLanes);
+      if constexpr (Weighted) {
         of_asked += near & weights;
-        if constexpr (kBoth) of_others += near & static_cast<std::int32_t>(asked_.weights[i]);
+        if constexpr (Both) of_others += near & static_cast<std::int32_t>(asked_.weights[i]);
       } else {
         of_asked -= near;
-        if constexpr (kBoth) of_others -= near;
+        if constexpr (Both) of_others -= near;
       }
       open |= (squared <= limits_.far) & ~near;
     }
-    if constexpr (kBoth) lanes(sums_.of_others + from) += of_others;
+    if constexpr (Both) lanes(sums_.of_others + from) += of_others;
     if (any(open)) [[unlikely]] {
-      decide(begin, end, from, kBoth);
+      decide(begin, end, from, Both);
     }
   }
 
@@ -152,20 +152,20 @@ class Pairs {
 
 enum class With : std::uint8_t { kOthers, kOthersBothWays, kItself };
 
-template <With kWith, bool kWeighted>
+template <With Whom, bool Weighted>
 void count_crowds(const CrowdNode& asked, const CrowdNode& others, const Limits& limits,
                   const CrowdSums& sums, const CrowdUnsure& unsure) {
-  constexpr bool kBoth = kWith != With::kOthers;
+  constexpr bool kBoth = Whom != With::kOthers;
   constexpr Ints kNumbers{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
   const Pairs pairs(asked, others, limits, sums, unsure);
   const std::uint32_t leaves = (asked.size + kCrowdLanes - 1) / kCrowdLanes;
   for (std::uint32_t leaf = 0; leaf < leaves; ++leaf) {
     BoxesSeen seen(asked, leaf, others, limits);
-    Ints& of_leaf = lanes(sums.of_asked_leaves + leaf * kCrowdLanes);
-    if constexpr (kWith == With::kItself) {
+    Ints& of_leaf = lanes(sums.of_asked_leaves + std::size_t{leaf} * kCrowdLanes);
+    if constexpr (Whom == With::kItself) {
       const auto own = static_cast<std::int32_t>(leaf);
       of_leaf += seen.near & (kNumbers == own) & lanes(others.leaf_weights);
-      if (seen.near[leaf] == 0) pairs.count<false, kWeighted>(leaf, leaf);
+      if (seen.near[leaf] == 0) pairs.count<false, Weighted>(leaf, leaf);
       seen.near &= kNumbers > own;
       seen.open &= kNumbers > own;
     }
@@ -176,12 +176,13 @@ void count_crowds(const CrowdNode& asked, const CrowdNode& others, const Limits&
     }
     const Lanes open(seen.open);
     for (std::uint32_t k = 0; k < open.count; ++k) {
-      pairs.count<kBoth, kWeighted>(leaf, open.lane[k]);
+      pairs.count<kBoth, Weighted>(leaf, open.lane[k]);
     }
   }
 }
 
 constexpr CrowdKernels kKernels{
+    // NOLINT(misc-definitions-in-headers)
     {count_crowds<With::kOthersBothWays, false>, count_crowds<With::kOthersBothWays, true>},
     {count_crowds<With::kOthers, false>, count_crowds<With::kOthers, true>},
     {count_crowds<With::kItself, false>, count_crowds<With::kItself, true>}};

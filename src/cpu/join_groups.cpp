@@ -16,6 +16,7 @@ struct Joining {
   Joining(const Question& asking, core::DisjointSets& sets) : question(asking), groups(sets) {}
   Joining(const Joining&) = delete;
   Joining& operator=(const Joining&) = delete;
+  ~Joining() = default;
 
   void join_all() {
     for (std::uint32_t k = 0; k < sink.size; ++k) groups.join(first[k], second[k]);

@@ -29,7 +29,7 @@
 namespace beespace::cpu {
 namespace {
 
-constexpr float kInfinity = __builtin_inff();
+constexpr float kInfinity = __builtin_inff();  // NOLINT(misc-definitions-in-headers)
 
 // What becomes of near pairs is up to a sink: start(sweep, i) says whether point i is still worth
 // comparing, take(seen, from) whether to go on with a row, finish(i) whether to go on at all.
@@ -79,7 +79,7 @@ class MarkAsked {
   std::uint32_t asked_ = 0;
 };
 
-template <class Lanes, bool kBoth>
+template <class Lanes, bool Both>
 class Count {
  public:
   explicit Count(const Counts& counts) : counts_(counts) {}
@@ -89,7 +89,7 @@ class Count {
     return true;
   }
   bool take(const typename Lanes::Seen& seen, std::uint32_t from) {
-    if constexpr (kBoth) Lanes::count(counts_.others + (from - counts_.first_other), seen);
+    if constexpr (Both) Lanes::count(counts_.others + (from - counts_.first_other), seen);
     count_ += static_cast<std::uint32_t>(__builtin_popcount(seen.near));
     return true;
   }
@@ -158,8 +158,8 @@ class KeepNearest {
  private:
   static constexpr PointId kNobody = 0xFFFF'FFFFU;
 
-  NearestTable table_;
   typename Lanes::Nearest nearest_;
+  NearestTable table_;
   const PointId* others_ = nullptr;
   PointId self_ = kNobody;
 };
@@ -223,10 +223,10 @@ template <class Lanes>
 struct Walk {
   // A copy of the sweep, so that no store can be suspected of changing it.
   explicit Walk(const Sweep& given)
-      : sweep(given),
+      : lanes(given.limits),
+        sweep(given),
         cell(1 << sweep.fraction_bits),
-        slice(-(1 << sweep.slice_bits)),
-        lanes(sweep.limits) {
+        slice(-(1 << sweep.slice_bits)) {
     for (unsigned k = 0; k < sweep.target_count; ++k) {
       window[k] =
           window_start(sweep.others.x, sweep.targets[k].points, first_x_of(sweep.points.begin));
@@ -254,11 +254,11 @@ struct Walk {
                       sink, sweep.unsure);
   }
 
+  Lanes lanes;
   const Sweep sweep;
+  std::uint32_t window[9];
   const std::int32_t cell;
   const std::int32_t slice;
-  Lanes lanes;
-  std::uint32_t window[9];
 };
 
 template <class Lanes, class Sink>

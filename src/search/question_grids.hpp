@@ -20,6 +20,7 @@ class QuestionGrids {
                 const Choices& choices);
   QuestionGrids(const QuestionGrids&) = delete;
   QuestionGrids& operator=(const QuestionGrids&) = delete;
+  ~QuestionGrids() = default;
 
   [[nodiscard]] cpu::Question question() const;
 
