@@ -46,6 +46,8 @@ class BEESPACE_API Index {
   // Errors: kTooManyPoints, kNotFinite, kOutsideDomain as find_at_risk.
   static Result<Index> build(const PointsView& points, unsigned threads = 1);
 
+  Index(const Index&) = delete;
+  Index& operator=(const Index&) = delete;
   Index(Index&&) noexcept;
   Index& operator=(Index&&) noexcept;
   ~Index();

@@ -181,8 +181,8 @@ void count_crowds(const CrowdNode& asked, const CrowdNode& others, const Limits&
   }
 }
 
+// NOLINTNEXTLINE(misc-definitions-in-headers): in an unnamed namespace, once in each kernel
 constexpr CrowdKernels kKernels{
-    // NOLINT(misc-definitions-in-headers)
     {count_crowds<With::kOthersBothWays, false>, count_crowds<With::kOthersBothWays, true>},
     {count_crowds<With::kOthers, false>, count_crowds<With::kOthers, true>},
     {count_crowds<With::kItself, false>, count_crowds<With::kItself, true>}};

@@ -46,9 +46,11 @@ using core::TreeLeaf;
 using core::TreeNode;
 using core::TreeView;
 
+// NOLINTBEGIN(misc-definitions-in-headers): in an unnamed namespace, once in each kernel
 constexpr double kSlack = 0x1p-20;
 constexpr double kLargestFar = 0x1p+126;
 constexpr double kLargestNear = 0x1p+118;
+// NOLINTEND(misc-definitions-in-headers)
 
 // The upper limit of squared floats for a radius in the units of a frame.
 [[gnu::always_inline]] inline float far_limit(double radius) {
@@ -227,7 +229,7 @@ template <class Lanes>
   }
 }
 
-constexpr float kProbable = 0.04F;
+constexpr float kProbable = 0.04F;  // NOLINT(misc-definitions-in-headers)
 
 // A node on the path from the root to where the walk is, and which of its children are left.
 template <class Lanes>
