@@ -15,9 +15,9 @@ namespace {
 // A sink that is as large as its vector's memory, or grows it.
 class VectorSink final : public cpu::IdSink {
  public:
-  // NOLINTNEXTLINE(clang-analyzer-optin.cplusplus.UninitializedObject): use_from sets the rest
   explicit VectorSink(std::vector<PointId>& ids) : IdSink{nullptr, nullptr, grow}, ids_(ids) {
     ids_.resize(kFirst);
+    // NOLINTNEXTLINE(clang-analyzer-optin.cplusplus.UninitializedObject): make_room is set above
     use_from(0);
   }
 
