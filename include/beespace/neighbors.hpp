@@ -16,7 +16,7 @@ namespace beespace {
 
 // Row i holds the ids of the other points closer than the threshold to point i, ascending.
 //
-// Cost: some ten nanoseconds a point, and a few a neighbour. Memory: 40 bytes a point, and 12 a
+// Cost: some ten nanoseconds a point, and a few a neighbour. Memory: 48 bytes a point, and 12 a
 // neighbour. Errors: as find_at_risk; kTooManyResults when all rows together hold more than
 // options.max_results.
 BEESPACE_API Result<IdRows> find_neighbors(const PointsView& points,
@@ -28,7 +28,7 @@ BEESPACE_API Result<IdRows> find_neighbors_between(const PointsView& points,
                                                    const SearchOptions& options = {});
 
 // How many other points are closer than the threshold to each point: the lengths of the rows above,
-// without the rows. Memory: 40 bytes a point. Errors: as find_at_risk.
+// without the rows. Memory: 44 bytes a point. Errors: as find_at_risk.
 BEESPACE_API Result<std::vector<std::uint32_t>> count_neighbors(const PointsView& points,
                                                                 const SearchOptions& options = {});
 
