@@ -4,10 +4,10 @@
 #include "core/validate.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <optional>
 
 namespace beespace::core {
 
@@ -23,12 +23,6 @@ struct Extent {
 using Doubles [[gnu::vector_size(16)]] = double;
 using Masks [[gnu::vector_size(16)]] = std::int64_t;
 
-// Written with masks, which every compiler turns into the two or three instructions that they are.
-Doubles select(const Masks& chosen, const Doubles& yes, const Doubles& no) {
-  return std::bit_cast<Doubles>((std::bit_cast<Masks>(yes) & chosen) |
-                                (std::bit_cast<Masks>(no) & ~chosen));
-}
-
 // Magnitudes above the domain show in low and high; a NaN shows here, as it is neither zero nor
 // above anything.
 struct ExtentLanes {
@@ -39,11 +33,10 @@ struct ExtentLanes {
   void add(const double* values) {
     Doubles value;
     std::memcpy(&value, values, sizeof value);
-    constexpr std::int64_t kMagnitude = std::numeric_limits<std::int64_t>::max();
-    const Doubles magnitude = std::bit_cast<Doubles>(std::bit_cast<Masks>(value) & kMagnitude);
+    const Doubles magnitude = value < 0.0 ? -value : value;
     outside |= ~(magnitude >= kSmallestCoordinate_m) & (value != 0.0);
-    low = select(value < low, value, low);
-    high = select(value > high, value, high);
+    low = value < low ? value : low;
+    high = value > high ? value : high;
   }
 };
 
@@ -97,14 +90,6 @@ Extents extents_of_any(const PointsView& points, std::size_t begin, std::size_t 
   return extents;
 }
 
-bool is_interleaved(const PointsView& points) {
-  const auto& axes = points.axes();
-  const auto& strides = points.stride_bytes();
-  return axes[1] == axes[0] + 1 && axes[2] == axes[0] + 2 &&
-         std::all_of(strides.begin(), strides.end(),
-                     [](std::ptrdiff_t stride) { return stride == sizeof(Point); });
-}
-
 }  // namespace
 
 Result<Bounds> measure(const PointsView& points, const Resources& with) {
@@ -112,9 +97,13 @@ Result<Bounds> measure(const PointsView& points, const Resources& with) {
   if (points.empty()) return bounds;
   Vector<Extents> parts(with.crew.size(), &with.memory);
   with.crew.split(points.size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
-    parts[worker] = is_interleaved(points)
-                        ? extents_of_interleaved(points.axes()[0] + 3 * begin, end - begin)
-                        : extents_of_any(points, begin, end);
+    const std::optional<Interleaved> given = interleaved(points);
+    if (!given) {
+      parts[worker] = extents_of_any(points, begin, end);
+      return;
+    }
+    const Extents extents = extents_of_interleaved(given->xyz + 3 * begin, end - begin);
+    for (std::size_t axis = 0; axis < 3; ++axis) parts[worker][axis] = extents[given->place[axis]];
   });
   for (std::size_t axis = 0; axis < 3; ++axis) {
     Extent whole;

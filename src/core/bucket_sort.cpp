@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstring>
 #include <utility>
 
 namespace beespace::core {
@@ -25,22 +26,34 @@ unsigned bucket_bits_for(std::size_t size, unsigned key_bits) {
   return std::min({wanted, kMostBucketBits, key_bits});
 }
 
+// A record in one store, of which a processor bears far more in flight than of single words.
+using Words [[gnu::vector_size(sizeof(CellRecord))]] = std::int32_t;
+
 using BucketBlock = std::array<std::uint32_t, PointBlock::kSize>;
 
 void find_buckets(const PositionBlock& at, std::size_t count, const CellOrder& order,
                   unsigned low_bits, BucketBlock& bucket) {
   const CellOrder by = order;  // a copy that no store can be suspected of changing
+  if (low_bits >= by.x_key_bits()) {
+    // Rows only; known before the loop, so that it is one of vectors.
+    const unsigned down = low_bits - by.x_key_bits();
+    for (std::size_t i = 0; i < count; ++i) {
+      bucket[i] = static_cast<std::uint32_t>(by.row(at[1][i], at[2][i]) >> down);
+    }
+    return;
+  }
   for (std::size_t i = 0; i < count; ++i) {
     bucket[i] = static_cast<std::uint32_t>(by.key(at[0][i], at[1][i], at[2][i], low_bits));
   }
 }
+
+constexpr std::size_t kRemembered = 2048;  // digits are worked out once, for buckets up to this
 
 // One stable counting pass; digit_of(record) is below 1 << digit_bits, and put(place, record) takes
 // the result.
 template <class DigitOf, class Put>
 void counting_pass(const CellRecord* from, std::size_t size, unsigned digit_bits,
                    const DigitOf& digit_of_record, const Put& put) {
-  constexpr std::size_t kRemembered = 2048;  // digits are worked out once, for buckets up to this
   const std::size_t mask = (std::size_t{1} << digit_bits) - 1;
   const auto digit_of = [&](std::size_t i) { return digit_of_record(from[i]); };
   std::array<std::uint32_t, std::size_t{1} << kMostDigitBits> next;
@@ -97,17 +110,20 @@ Buckets scatter_into_buckets(const Selection& selected, const Lattice& lattice,
     std::uint32_t* places = next.data() + worker * buckets;
     CellRecord* to = result.records.data();
     BucketBlock bucket;
-    for_each_position_block(
-        selected, lattice, begin, end,
-        [&](const PositionBlock& at, std::size_t first, std::size_t count) {
-          find_buckets(at, count, order, low_bits, bucket);
-          // All lines of a block are asked for together, so that waiting for one is waiting for
-          // all.
-          for (std::size_t i = 0; i < count; ++i) __builtin_prefetch(to + places[bucket[i]], 1);
-          for (std::size_t i = 0; i < count; ++i) {
-            to[places[bucket[i]]++] = {{at[0][i], at[1][i], at[2][i]}, selected.id(first + i)};
-          }
-        });
+    for_each_position_block(selected, lattice, begin, end,
+                            [&](const PositionBlock& at, std::size_t first, std::size_t count) {
+                              find_buckets(at, count, order, low_bits, bucket);
+                              // All lines of a block are asked for together, so that waiting for
+                              // one is waiting for all.
+                              for (std::size_t i = 0; i < count; ++i)
+                                __builtin_prefetch(to + places[bucket[i]], 1);
+                              for (std::size_t i = 0; i < count; ++i) {
+                                const Words record{
+                                    at[0][i], at[1][i], at[2][i],
+                                    static_cast<std::int32_t>(selected.id(first + i))};
+                                std::memcpy(&to[places[bucket[i]]++], &record, sizeof record);
+                              }
+                            });
   });
   return result;
 }
@@ -158,8 +174,22 @@ void BucketSorter::pass(const CellRecord* from, std::size_t size, unsigned digit
     return;
   }
   const SortedArrays to{to_.x + first, to_.y + first, to_.z + first, to_.id + first};
+  if (size > kRemembered) {
+    counting_pass(from, size, digit_bits, digit_of,
+                  [to](std::size_t place, const CellRecord& record) { to.put(place, record); });
+    return;
+  }
+  // By way of the nearest cache: four words here and there in memory that is not in a cache would
+  // fill up what a processor has in flight.
+  std::array<std::int32_t, 3 * kRemembered> xyz;
+  std::array<PointId, kRemembered> id;
+  const SortedArrays near{xyz.data(), xyz.data() + size, xyz.data() + 2 * size, id.data()};
   counting_pass(from, size, digit_bits, digit_of,
-                [to](std::size_t place, const CellRecord& record) { to.put(place, record); });
+                [near](std::size_t place, const CellRecord& record) { near.put(place, record); });
+  std::copy_n(near.x, size, to.x);
+  std::copy_n(near.y, size, to.y);
+  std::copy_n(near.z, size, to.z);
+  std::copy_n(near.id, size, to.id);
 }
 
 // By the highest digit, in place: every record is swapped to where its digit's run goes on (the

@@ -155,6 +155,29 @@ void Lattice::positions(std::size_t axis, const double* values, std::size_t coun
   }
 }
 
+void Lattice::positions(const double* xyz, const std::array<std::size_t, 3>& place,
+                        std::size_t count, const std::array<std::int32_t*, 3>& positions) const {
+  std::array<double, 3> low{};  // in the order of memory, as all that follows
+  std::array<std::int32_t*, 3> to{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    low[place[axis]] = axes_[axis].low;
+    to[place[axis]] = positions[axis];
+  }
+  // Copies that no store can be suspected of changing.
+  const double units_per_m = units_per_m_;
+  const double low0 = low[0];
+  const double low1 = low[1];
+  const double low2 = low[2];
+  std::int32_t* const to0 = to[0];
+  std::int32_t* const to1 = to[1];
+  std::int32_t* const to2 = to[2];
+  for (std::size_t i = 0; i < count; ++i) {
+    to0[i] = static_cast<std::int32_t>((xyz[3 * i] - low0) * units_per_m);
+    to1[i] = static_cast<std::int32_t>((xyz[3 * i + 1] - low1) * units_per_m);
+    to2[i] = static_cast<std::int32_t>((xyz[3 * i + 2] - low2) * units_per_m);
+  }
+}
+
 std::int32_t Lattice::folded_position(const Axis& axis, double value) const {
   const auto after = std::upper_bound(
       axis.stretches.begin(), axis.stretches.end(), value,

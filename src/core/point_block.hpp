@@ -1,15 +1,16 @@
-// A block of points on its way through a loop: the coordinates copied out of whatever layout the
-// caller has into one short array an axis, which the compiler can vectorise over; and their
-// positions in a lattice.
+// A block of points on its way through a loop: coordinates, or positions in a lattice, in one short
+// array an axis, which the compiler can vectorise over, whatever layout the caller has.
 #pragma once
 
 #include "core/lattice.hpp"
 
 #include <beespace/points_view.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -25,6 +26,34 @@ struct Selection {
     return ids ? (*ids)[i] : static_cast<PointId>(i);
   }
 };
+
+// Points that lie one behind the other in memory.
+struct Interleaved {
+  const double* xyz;                 // three coordinates a point
+  std::array<std::size_t, 3> place;  // which of the three is on axis 0, 1 and 2
+};
+
+// Asks for points before they are worked on; asking beyond the end does no harm.
+inline void prefetch(const double* xyz, std::size_t count) {
+  for (std::size_t i = 0; i < 3 * count; i += 64 / sizeof(double)) __builtin_prefetch(xyz + i);
+}
+
+inline std::optional<Interleaved> interleaved(const PointsView& points) {
+  const auto& axes = points.axes();
+  for (const std::ptrdiff_t stride : points.stride_bytes()) {
+    if (stride != sizeof(Point)) return std::nullopt;
+  }
+  const double* const first = std::min({axes[0], axes[1], axes[2]}, std::less<>());
+  Interleaved found{first, {}};
+  std::array<bool, 3> taken{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (axes[axis] - first > 2) return std::nullopt;
+    found.place[axis] = static_cast<std::size_t>(axes[axis] - first);
+    taken[found.place[axis]] = true;
+  }
+  if (!taken[1] || !taken[2]) return std::nullopt;
+  return found;
+}
 
 class PointBlock {
  public:
@@ -91,8 +120,19 @@ using PositionBlock = std::array<std::array<std::int32_t, PointBlock::kSize>, 3>
 template <class Visit>
 void for_each_position_block(const Selection& selected, const Lattice& lattice, std::size_t begin,
                              std::size_t end, Visit&& visit) {
-  PointBlock block;
   PositionBlock positions;
+  if (const auto given = interleaved(selected.points);
+      given && !selected.ids && !lattice.folded()) {
+    for_each_block(begin, end, [&](std::size_t first, std::size_t count) {
+      const double* const xyz = given->xyz + 3 * first;
+      prefetch(xyz + 3 * count, count);
+      lattice.positions(xyz, given->place, count,
+                        {positions[0].data(), positions[1].data(), positions[2].data()});
+      visit(positions, first, count);
+    });
+    return;
+  }
+  PointBlock block;
   for_each_block(begin, end, [&](std::size_t first, std::size_t count) {
     block.load(selected, first, count);
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -10,22 +10,11 @@ namespace {
 
 // Runs the collecting kernel over the sorted points [begin, end). `sink` tells where pairs go.
 void collect(const Question& question, std::uint32_t begin, std::uint32_t end, PairSink& sink) {
-  struct Decision {
-    const Question& question;
-    PairSink& sink;
-  } decision{question, sink};
-  const auto decide = [](void* context, std::uint32_t i, std::uint32_t j) {
-    const auto& [asking, pairs] = *static_cast<Decision*>(context);
-    if (!asking.decide(i, j)) return;
-    pairs.first[pairs.size] = asking.asked.grid.id[i];
-    pairs.second[pairs.size] = asking.others.grid.id[j];
-    ++pairs.size;
-    // Whether to go on is asked again at the next regular pair or row.
-    if (pairs.capacity - pairs.size < PairSink::kMostAtOnce) (void)pairs.make_room(pairs.context);
-  };
-  RowSweeps(question, {decide, &decision}, question.by_itself())
-      .for_each(begin, end,
-                [&](const Sweep& sweep) { return question.kernels.collect(sweep, sink); });
+  const Kernels& kernels = question.kernels;
+  const auto kernel = question.by_itself() ? kernels.collect : kernels.collect_asked;
+  RowSweeps(question, decided_by(question)).for_each(begin, end, [&](const Sweep& sweep) {
+    return kernel(sweep, sink);
+  });
 }
 
 class Collector {

@@ -23,10 +23,9 @@ struct Joining {
     sink.size = 0;
   }
 
-  static void decide(void* context, std::uint32_t i, std::uint32_t j) {
+  static bool decide(void* context, std::uint32_t i, std::uint32_t j) {
     auto& self = *static_cast<Joining*>(context);
-    if (self.groups.root(i) == self.groups.root(j)) return;
-    if (self.question.decide(i, j)) self.groups.join(i, j);
+    return self.groups.root(i) != self.groups.root(j) && self.question.decide(i, j);
   }
 
   const Question& question;
@@ -54,7 +53,7 @@ void join_near(const Question& question, const core::Resources& with, core::Disj
   with.crew.split(size, [&](std::size_t begin, std::size_t end, unsigned) {
     if (begin == end) return;
     Joining joining(question, groups);
-    RowSweeps rows(question, {&Joining::decide, &joining}, true);
+    RowSweeps rows(question, {&Joining::decide, &joining});
     rows.for_each(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end),
                   [&](Sweep sweep) {
                     sweep.asked.id = sweep.others.id = places.data();

@@ -46,7 +46,8 @@ class NearestAll {
       for (std::uint32_t i = points.begin; i < points.end; ++i) result_of(i) = Nearest::kNobody;
     };
     std::uint32_t next = begin;
-    RowSweeps(everything, {nullptr, nullptr}, false).for_each(begin, end, [&](const Sweep& row) {
+    RowSweeps rows(everything, {nullptr, nullptr}, RowSweeps::Around::kAllRows);
+    rows.for_each(begin, end, [&](const Sweep& row) {
       nobody({next, row.points.begin});  // of rows with nobody around
       next = row.points.end;
       ask_row(row);
@@ -57,11 +58,13 @@ class NearestAll {
 
  private:
   void ask_row(const Sweep& row) {
+    const Kernels& kernels = question_.kernels;
+    const auto kernel = question_.by_itself() ? kernels.nearest : kernels.nearest_asked;
     Sweep part = row;
     for (; part.points.begin < row.points.end; part.points.begin = part.points.end) {
       part.points.end = std::min(row.points.end, part.points.begin + Batch::kMost);
-      question_.kernels.nearest_asked(
-          part, {batch_.best.data(), batch_.second.data(), batch_.who.data(), part.points.begin});
+      kernel(part,
+             {batch_.best.data(), batch_.second.data(), batch_.who.data(), part.points.begin});
       write(part.points);
     }
   }

@@ -37,14 +37,24 @@ struct Question {
   }
 };
 
+// Unsure pairs are decided by the question, which must outlive this.
+inline Unsure decided_by(const Question& question) {
+  const auto decide = [](void* asking, std::uint32_t i, std::uint32_t j) {
+    return static_cast<const Question*>(asking)->decide(i, j);
+  };
+  return {decide, const_cast<Question*>(&question)};
+}
+
 class RowSweeps {
  public:
-  // `both_told`: a pair of a swarm by itself is met once, for both. Else everybody meets everybody
-  // around, itself included.
-  RowSweeps(const Question& question, const Unsure& unsure, bool both_told)
+  // `around`: which rows around its own a swarm by itself looks into. Between two swarms it is all.
+  enum class Around { kLaterRows, kAllRows };
+
+  RowSweeps(const Question& question, const Unsure& unsure, Around around = Around::kLaterRows)
       : asked_(question.asked.grid),
         others_(question.others.grid),
-        both_told_(both_told),
+        by_itself_(question.by_itself()),
+        later_only_(by_itself_ && around == Around::kLaterRows),
         sweep_{positions(asked_),
                positions(others_),
                others_.fraction_bits,
@@ -53,7 +63,7 @@ class RowSweeps {
                question.limits,
                question.same_set,
                {0, 0},
-               0,
+               {0, 0},
                {},
                0,
                unsure} {}
@@ -65,7 +75,7 @@ class RowSweeps {
     for (std::size_t row = row_of(asked_, begin); begin < end; ++row) {
       const std::uint32_t row_end = asked_.row_begin[row + 1];
       sweep_.points = {begin, std::min(end, row_end)};
-      sweep_.own_end = both_told_ ? row_end : 0;
+      sweep_.own = by_itself_ ? Range{asked_.row_begin[row], row_end} : Range{0, 0};
       find_targets(asked_.row_number[row]);
       begin = sweep_.points.end;
       if (nobody_to_meet()) continue;
@@ -83,7 +93,7 @@ class RowSweeps {
     const auto after = std::upper_bound(numbers.begin(), numbers.end(), last + step);
     const auto from = std::lower_bound(numbers.begin(), after, first < step ? 0 : first - step);
     return {
-        both_told_ ? begin : others_.row_begin[static_cast<std::size_t>(from - numbers.begin())],
+        later_only_ ? begin : others_.row_begin[static_cast<std::size_t>(from - numbers.begin())],
         others_.row_begin[static_cast<std::size_t>(after - numbers.begin())]};
   }
 
@@ -99,17 +109,21 @@ class RowSweeps {
            1;
   }
 
-  // By itself: the later half of the rows around, as the earlier ones have met this one already.
   void find_targets(std::uint64_t number) {
     const std::uint64_t layer = others_.rows_a_layer;
     sweep_.target_count = 0;
-    if (both_told_) {
+    if (later_only_) {
       add_targets(number + 1, number + 1, kHighY, 0);
       add_targets(number + layer - 1, number + layer + 1, kHighZ | kLowY, 2);
       return;
     }
     if (number > layer) add_targets(number - layer - 1, number - layer + 1, kLowZ | kLowY, 0);
-    add_targets(number - 1, number + 1, kLowY, 1);
+    if (by_itself_) {
+      add_targets(number - 1, number - 1, kLowY, 1);
+      add_targets(number + 1, number + 1, kHighY, 3);
+    } else {
+      add_targets(number - 1, number + 1, kLowY, 1);
+    }
     add_targets(number + layer - 1, number + layer + 1, kHighZ | kLowY, 2);
   }
 
@@ -129,14 +143,15 @@ class RowSweeps {
   }
 
   [[nodiscard]] bool nobody_to_meet() const {
-    return sweep_.target_count == 0 && sweep_.own_end <= sweep_.points.begin + 1;
+    return sweep_.target_count == 0 && sweep_.own.end - sweep_.own.begin < 2;
   }
 
   const core::SortedGrid& asked_;
   const core::SortedGrid& others_;
-  bool both_told_;
+  bool by_itself_;
+  bool later_only_;
   Sweep sweep_;
-  std::array<std::size_t, 3> cursors_{};
+  std::array<std::size_t, 4> cursors_{};
 };
 
 }  // namespace beespace::cpu

@@ -1,7 +1,7 @@
 // The sweep: points of one row are compared with the points of the rows around it, many at once.
 //
 // A kernel works on fixed-point positions and classifies: surely near, surely far, or unsure
-// (handed to `Unsure`, which decides exactly). So all kernels lead to the same answer. There is one
+// (decided exactly by `Unsure`). So all kernels lead to the same answer. There is one
 // set of kernels an instruction set, all compiled from sweep_kernel.hpp.
 #pragma once
 
@@ -40,8 +40,9 @@ struct Target {
   unsigned sides;
 };
 
+// Whether a pair is near, and worth a note.
 struct Unsure {
-  void (*decide)(void* context, std::uint32_t asked, std::uint32_t other);
+  bool (*decide)(void* context, std::uint32_t asked, std::uint32_t other);
   void* context;
 };
 
@@ -55,17 +56,19 @@ struct Sweep {
 
   bool same_set;  // whether equal ids among asked points and others mean the same point
 
-  Range points;           // the points that ask: all or some of a row
-  std::uint32_t own_end;  // they look at those behind them in their row, up to here; 0: at none
+  Range points;  // the points that ask: all or some of a row
+  Range own;     // all points of that row, where a set is swept by itself
   Target targets[9];
   unsigned target_count;
 
   Unsure unsure;
 };
 
-// What becomes of near pairs. Where a set is swept by itself a pair is met once and both points
-// take note of it; between two sets only the asking one does. Arrays are indexed by sorted points,
-// less first_asked or first_other; those for others can be read and written kPadding beyond.
+// What becomes of near pairs. Between two sets the asking point takes note. Where a set is swept by
+// itself, `targets` are the rows of higher numbers, a pair is met once, and both points take note;
+// only counts are taken within a row by everybody for itself. Arrays are indexed by sorted points,
+// less first_asked or first_other; where a set is swept by itself they are the same arrays, and can
+// be read and written kPadding beyond.
 
 struct Marks {
   std::uint8_t* asked;  // nonzero: has a near one
@@ -82,7 +85,7 @@ struct Counts {
 };
 
 // Near pairs by their ids, asked first. `make_room` empties the buffer when fewer than kMostAtOnce
-// places are left; it returns whether to go on. (`decide` adds a pair in the same way.)
+// places are left; it returns whether to go on.
 struct PairSink {
   static constexpr std::uint32_t kMostAtOnce = 16;  // as many as the widest lanes
 
@@ -109,12 +112,14 @@ inline constexpr InstructionSet kInstructionSets[] = {
     InstructionSet::kBaseline, InstructionSet::kAvx2, InstructionSet::kAvx512};
 
 struct Kernels {
+  // The first of each two is for a set by itself, the other for points that ask for others.
   void (*mark)(const Sweep& sweep, const Marks& marks);
   void (*mark_asked)(const Sweep& sweep, const Marks& marks);  // leaves a point once it is marked
   void (*count)(const Sweep& sweep, const Counts& counts);
   void (*count_asked)(const Sweep& sweep, const Counts& counts);
   bool (*collect)(const Sweep& sweep, PairSink& pairs);  // false when make_room said stop
-  // Also of a swarm by itself; the row of its own must be among the targets.
+  bool (*collect_asked)(const Sweep& sweep, PairSink& pairs);
+  void (*nearest)(const Sweep& sweep, const NearestTable& nearest);  // all rows around are targets
   void (*nearest_asked)(const Sweep& sweep, const NearestTable& nearest);
 };
 

@@ -43,26 +43,35 @@ void sweep_parts(const Question& question, const core::Resources& with, Parts<No
       question.asked.grid.size, [&](std::size_t begin, std::size_t end, unsigned worker) {
         if (begin == end) return;
         const Range points{static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
-        const RowSweeps map(question, {nullptr, nullptr}, question.by_itself());
+        const RowSweeps map(question, {nullptr, nullptr});
         parts[worker].emplace(question, points, map.reach(points.begin, points.end),
                               with.memory.of(worker));
         sweep_part(*parts[worker]);
       });
 }
 
-// Calls take(id, note) for everything noted. Parts overlap where they reach into each other, so
-// they come one after another, each shared by the crew.
-template <class Note, class Take>
+// Calls first(id, note) once for every point, then add(id, note) for whatever else is noted about
+// it: parts reach into each other, so what they noted beyond their own points comes afterwards, one
+// part after another.
+template <class Note, class First, class Add>
 void read_notes(const Question& question, const core::Resources& with, Parts<Note>& parts,
-                Take&& take) {
+                const First& first, const Add& add) {
   const PointId* const id = question.asked.grid.id;
+  with.crew.split(question.asked.grid.size,
+                  [&](std::size_t begin, std::size_t end, unsigned worker) {
+                    if (begin == end) return;
+                    const Note* const notes = parts[worker]->asked_notes();
+                    for (std::size_t i = begin; i < end; ++i) first(id[i], notes[i - begin]);
+                  });
   for (std::optional<Notes<Note>>& part : parts) {
-    if (!part) continue;
-    const Range noted = part->both ? part->reach : part->asked;
-    const Note* const notes = part->asked_notes();
-    with.crew.split(noted.end - noted.begin, [&](std::size_t begin, std::size_t end, unsigned) {
-      for (std::size_t i = begin; i < end; ++i) take(id[noted.begin + i], notes[i]);
-    });
+    if (!part || !part->both) continue;
+    const Note* const notes = part->other_notes() - part->reach.begin;
+    with.crew.split(
+        part->reach.end - part->asked.end, [&](std::size_t begin, std::size_t end, unsigned) {
+          for (std::size_t i = part->asked.end + begin; i < part->asked.end + end; ++i) {
+            add(id[i], notes[i]);
+          }
+        });
   }
 }
 
@@ -73,51 +82,42 @@ void mark_all(const Question& question, const core::Resources& with, std::uint8_
   sweep_parts(question, with, parts, [](Notes<std::uint8_t>& notes) {
     const auto decide = [](void* context, std::uint32_t i, std::uint32_t j) {
       auto& mine = *static_cast<Notes<std::uint8_t>*>(context);
-      std::uint8_t& asked = mine.asked_notes()[i - mine.asked.begin];
-      if (!mine.both) {
-        if (asked == 0 && mine.question.decide(i, j)) asked = 1;
-        return;
-      }
-      std::uint8_t& other = mine.other_notes()[j - mine.reach.begin];
-      if ((asked == 0 || other == 0) && mine.question.decide(i, j)) asked = other = 1;
+      const bool known = mine.asked_notes()[i - mine.asked.begin] != 0 &&
+                         (!mine.both || mine.other_notes()[j - mine.reach.begin] != 0);
+      return !known && mine.question.decide(i, j);
     };
     const Marks marks{notes.asked_notes(), notes.other_notes(), notes.asked.begin,
                       notes.reach.begin};
     const Kernels& kernels = notes.question.kernels;
     const auto kernel = notes.both ? kernels.mark : kernels.mark_asked;
-    RowSweeps(notes.question, {decide, &notes}, notes.both)
+    RowSweeps(notes.question, {decide, &notes})
         .for_each(notes.asked.begin, notes.asked.end, [&](const Sweep& sweep) {
           kernel(sweep, marks);
           return true;
         });
   });
-  read_notes(question, with, parts, [at_risk](PointId id, std::uint8_t mark) {
-    at_risk[id] = mark != 0 ? 1 : at_risk[id];
-  });
+  read_notes(
+      question, with, parts,
+      [at_risk](PointId id, std::uint8_t mark) { at_risk[id] = mark != 0 ? 1 : 0; },
+      [at_risk](PointId id, std::uint8_t mark) { at_risk[id] = mark != 0 ? 1 : at_risk[id]; });
 }
 
 void count_all(const Question& question, const core::Resources& with, std::uint32_t* counts) {
   Parts<std::uint32_t> parts(with.crew.size(), &with.memory);
   sweep_parts(question, with, parts, [](Notes<std::uint32_t>& notes) {
-    const auto decide = [](void* context, std::uint32_t i, std::uint32_t j) {
-      auto& mine = *static_cast<Notes<std::uint32_t>*>(context);
-      if (!mine.question.decide(i, j)) return;
-      ++mine.asked_notes()[i - mine.asked.begin];
-      if (mine.both) ++mine.other_notes()[j - mine.reach.begin];
-    };
     const Counts into{notes.asked_notes(), notes.other_notes(), notes.asked.begin,
                       notes.reach.begin};
     const Kernels& kernels = notes.question.kernels;
     const auto kernel = notes.both ? kernels.count : kernels.count_asked;
-    RowSweeps(notes.question, {decide, &notes}, notes.both)
+    RowSweeps(notes.question, decided_by(notes.question))
         .for_each(notes.asked.begin, notes.asked.end, [&](const Sweep& sweep) {
           kernel(sweep, into);
           return true;
         });
   });
-  std::fill_n(counts, question.asked.points.size(), 0U);
-  read_notes(question, with, parts,
-             [counts](PointId id, std::uint32_t count) { counts[id] += count; });
+  read_notes(
+      question, with, parts, [counts](PointId id, std::uint32_t count) { counts[id] = count; },
+      [counts](PointId id, std::uint32_t count) { counts[id] += count; });
 }
 
 }  // namespace beespace::cpu

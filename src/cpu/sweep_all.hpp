@@ -10,8 +10,8 @@
 
 namespace beespace::cpu {
 
-// Sets at_risk[id] to 1 for every asked point that is near another one; leaves other entries alone.
-// Working memory: 1 byte a point and worker's reach.
+// Writes to at_risk[id] of every asked point 1 if it is near another one, else 0. Working memory: 1
+// byte a point and worker's reach.
 void mark_all(const Question& question, const core::Resources& with, std::uint8_t* at_risk);
 
 // Writes how many others are near to counts[id] of every asked point. Working memory: 4 bytes a

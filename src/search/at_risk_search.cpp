@@ -8,7 +8,6 @@
 #include "search/question_grids.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <span>
 
 namespace beespace::search {
@@ -57,10 +56,7 @@ struct Search {
       mates = frame.mates(core::proof_cell_side(options.threshold_m));
       if (choices.method == Method::kAutomatic) prove = mates > kCrowded;
     }
-    if (!prove) {
-      std::memset(at_risk.data(), 0, size);
-      return sweep(at_risk.data());
-    }
+    if (!prove) return sweep(at_risk.data());
     const core::Vector<PointId> undecided =
         core::prove_by_cells(frame.points(), frame.bounds(), options.threshold_m, closer, with,
                              at_risk, choices.cell_table);

@@ -64,7 +64,7 @@ class NearestSearch {
  private:
   // Of the cube that holds a dozen: within this radius nearly everybody of an even swarm finds one
   // of four.
-  static constexpr double kFirstRadius = 0.43;
+  static constexpr double kFirstRadius = 0.40;
   static constexpr double kTwinCells = 0x1p-40;
 
   // Points at one place are each other's nearest, however many there are. Only the first of each
@@ -134,6 +134,8 @@ class NearestSearch {
     const bool last = radius == farthest_;
     const core::ProximityTest closer(radius, last && within_->inclusive);
     const std::size_t size = all_open ? frame_.points().size() : open_.size();
+    const PointsView points = frame_.original_points();
+    const PointsView others = frame_.original_others();
     core::PerWorker<PointId> still_open(with_);
     with_.crew.split(size, [&](std::size_t begin, std::size_t end, unsigned worker) {
       for (std::size_t i = begin; i < end; ++i) {
@@ -142,10 +144,11 @@ class NearestSearch {
         const PointId id = all_open ? static_cast<PointId>(i) : open_[i];
         const PointId found = ids_[id];
         if (found != Nearest::kNobody) {
-          const Point p = frame_.points()[id];
-          const Point q = frame_.others()[found];
+          // As the caller has them, not as they are turned: sums of squares round differently.
+          const Point p = points[id];
+          const Point q = others[found];
           if (closer(p, q)) {
-            nearest_[id] = {found, found_distance(id, found)};
+            nearest_[id] = {found, std::sqrt(core::squared_distance(p, q))};
             continue;
           }
         }

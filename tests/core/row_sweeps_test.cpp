@@ -1,5 +1,5 @@
 // Rows, targets and sides, without a kernel: what the sweeps ask for, each by the rules of
-// sweep.hpp, is every pair within the reach, once.
+// sweep.hpp, is every pair within the reach, as often as it should be.
 #include "cpu/row_sweeps.hpp"
 
 #include "tests/support/own_resources.hpp"
@@ -18,16 +18,22 @@ namespace {
 
 using IdPairs = std::map<std::pair<PointId, PointId>, int>;  // how often each was asked for
 
-// Calls visit(asked, other) for all that a sweep asks for.
+using Around = RowSweeps::Around;
+
+// Calls visit(asked, other) for all that a sweep asks for. Pairs of a row are met once, or by both
+// points where all rows around are asked for.
 template <class Visit>
-void for_each_asked(const Sweep& sweep, Visit&& visit) {
+void for_each_asked(const Sweep& sweep, Around around, Visit&& visit) {
   const std::int32_t last = (1 << sweep.row_shift) - 1;
   const auto sides = [&](std::int32_t position, unsigned low, unsigned high) {
     const std::int32_t cell = position >> sweep.fraction_bits & last;
     return (cell == 0 ? low : 0U) | (cell == last ? high : 0U);
   };
   for (std::uint32_t i = sweep.points.begin; i < sweep.points.end; ++i) {
-    for (std::uint32_t j = i + 1; j < sweep.own_end; ++j) visit(i, j);
+    const std::uint32_t first = around == Around::kAllRows ? sweep.own.begin : i + 1;
+    for (std::uint32_t j = first; j < sweep.own.end; ++j) {
+      if (j != i) visit(i, j);
+    }
     const unsigned at =
         sides(sweep.asked.y[i], kLowY, kHighY) | sides(sweep.asked.z[i], kLowZ, kHighZ);
     for (unsigned k = 0; k < sweep.target_count; ++k) {
@@ -55,14 +61,14 @@ void expect_true_sides(const Sweep& sweep) {
 class Sweeps : public testing::TestWithParam<unsigned> {
  protected:
   // All pairs that all workers together ask for.
-  IdPairs asked_for(const Swarm& asked, const Swarm& others, bool both_told) {
+  IdPairs asked_for(const Swarm& asked, const Swarm& others, Around around) {
     const Question question{asked, others, closer_, {1.0F, 1.0F}, kernels_, false};
     IdPairs found;
     for (unsigned worker = 0; worker < own_.crew.size(); ++worker) {
       const auto share = own_.crew.share(asked.grid.size, worker);
       const auto begin = static_cast<std::uint32_t>(share.first);
       const auto end = static_cast<std::uint32_t>(share.second);
-      RowSweeps sweeps(question, {nullptr, nullptr}, both_told);
+      RowSweeps sweeps(question, {nullptr, nullptr}, around);
       const Range reach = sweeps.reach(begin, end);
       EXPECT_LE(reach.end, others.grid.size);
       std::uint32_t next = begin;
@@ -72,7 +78,7 @@ class Sweeps : public testing::TestWithParam<unsigned> {
         EXPECT_LE(sweep.target_count, 9U);
         next = sweep.points.end;
         expect_true_sides(sweep);
-        for_each_asked(sweep, [&](std::uint32_t i, std::uint32_t j) {
+        for_each_asked(sweep, around, [&](std::uint32_t i, std::uint32_t j) {
           EXPECT_TRUE(reach.begin <= j && j < reach.end) << j;
           ++found[{asked.grid.id[i], others.grid.id[j]}];
         });
@@ -119,14 +125,14 @@ class Sweeps : public testing::TestWithParam<unsigned> {
   }
 };
 
-TEST_P(Sweeps, ThatTellBothAskForEveryPairOnce) {
+TEST_P(Sweeps, OfASwarmByItselfAskForEveryPairOnce) {
   std::size_t close = 0;
   for_each_scene([&](const test::SearchScene& scene, unsigned row_shift) {
     const PointsView points(scene.points);
     const core::Lattice lattice({&points, 1}, *core::measure(points, own_.with), 1.0, own_.memory);
     const core::SortedGrid grid = core::sort_into_grid({points}, lattice, row_shift, own_.with);
     const Swarm swarm{grid, points};
-    const IdPairs found = asked_for(swarm, swarm, true);
+    const IdPairs found = asked_for(swarm, swarm, Around::kLaterRows);
     for (const auto& [pair, times] : found) {
       ASSERT_NE(pair.first, pair.second);
       ASSERT_EQ(times, 1);
@@ -143,17 +149,17 @@ TEST_P(Sweeps, ThatTellBothAskForEveryPairOnce) {
   EXPECT_GT(close, 1000U);
 }
 
-TEST_P(Sweeps, OfASwarmByItselfThatTellOneAskForEveryPairFromBothSides) {
+TEST_P(Sweeps, IntoAllRowsAskForEveryPairFromBothSides) {
   for_each_scene([&](const test::SearchScene& scene, unsigned row_shift) {
     const PointsView points(scene.points);
     const core::Lattice lattice({&points, 1}, *core::measure(points, own_.with), 1.0, own_.memory);
     const core::SortedGrid grid = core::sort_into_grid({points}, lattice, row_shift, own_.with);
     const Swarm swarm{grid, points};
-    const IdPairs found = asked_for(swarm, swarm, false);
+    const IdPairs found = asked_for(swarm, swarm, Around::kAllRows);
     for (const auto& [pair, times] : found) ASSERT_EQ(times, 1);
     for (PointId i = 0; i < points.size(); ++i) {
       for (PointId j = 0; j < points.size(); ++j) {
-        if (!closer_(points[i], points[j])) continue;
+        if (i == j || !closer_(points[i], points[j])) continue;
         ASSERT_EQ(found.count({i, j}), 1U) << i << " " << j;
       }
     }
@@ -177,7 +183,7 @@ TEST_P(Sweeps, BetweenTwoSwarmsAskForEveryPairOnce) {
     const core::Lattice lattice(sets, bounds, 1.0, own_.memory);
     const core::SortedGrid asked = core::sort_into_grid({sets[0]}, lattice, row_shift, own_.with);
     const core::SortedGrid around = core::sort_into_grid({sets[1]}, lattice, row_shift, own_.with);
-    const IdPairs found = asked_for({asked, sets[0]}, {around, sets[1]}, false);
+    const IdPairs found = asked_for({asked, sets[0]}, {around, sets[1]}, Around::kAllRows);
     for (const auto& [pair, times] : found) ASSERT_EQ(times, 1);
     for (PointId i = 0; i < sets[0].size(); ++i) {
       for (PointId j = 0; j < sets[1].size(); ++j) {
@@ -198,7 +204,7 @@ TEST_P(Sweeps, EndWhenTheirVisitorSaysSo) {
   const Question question{
       {grid, view}, {grid, view}, closer_, {1.0F, 1.0F}, kernels(InstructionSet::kBaseline), true};
   int calls = 0;
-  RowSweeps(question, {nullptr, nullptr}, true).for_each(0, 300, [&](const Sweep&) {
+  RowSweeps(question, {nullptr, nullptr}).for_each(0, 300, [&](const Sweep&) {
     return ++calls < 3;
   });
   EXPECT_EQ(calls, 3);

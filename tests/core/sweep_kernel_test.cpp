@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <sstream>
 #include <utility>
@@ -21,24 +22,37 @@ using PlacePairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;  // ask
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
+// What is decided about pairs that a kernel is unsure of.
+bool decided_near(std::uint32_t i, std::uint32_t j) {
+  return (i + j) % 3 == 0;
+}
+
 class EveryKernel : public testing::TestWithParam<InstructionSet> {
  protected:
   [[nodiscard]] static const Kernels& kernels() { return cpu::kernels(GetParam()); }
+  [[nodiscard]] static auto collect(bool by_itself) {
+    return by_itself ? kernels().collect : kernels().collect_asked;
+  }
 
   // Scenes of all shapes: rows shorter and longer than lanes and blocks, narrow and wide ones, of
   // a unit a cell and of as many as there can be.
   template <class Check>
   static void for_each_scene(bool by_itself, Check&& check) {
+    for_each_scene(by_itself, false, check);
+  }
+  template <class Check>
+  static void for_each_scene(bool by_itself, bool all_rows, Check&& check) {
     std::uint32_t seed = 0;
     for (const unsigned row_shift : {0U, 1U, 3U}) {
       for (const unsigned fraction_bits : {0U, 1U, 10U, 22U}) {
         for (const std::int32_t cells_along_x : {2, 12}) {
           for (std::uint32_t row_size = 1; row_size <= 33; ++row_size) {
-            run({by_itself, fraction_bits, row_shift, cells_along_x, row_size}, ++seed, check);
+            run({by_itself, all_rows, fraction_bits, row_shift, cells_along_x, row_size}, ++seed,
+                check);
           }
         }
       }
-      run({by_itself, 10, row_shift, 40, 700}, ++seed, check);
+      run({by_itself, all_rows, 10, row_shift, 40, 700}, ++seed, check);
     }
   }
 
@@ -67,29 +81,44 @@ class EveryKernel : public testing::TestWithParam<InstructionSet> {
 struct Found {
   PlacePairs near;
   PlacePairs unsure;
+
+  // The near ones, with those of the unsure that are decided to be.
+  [[nodiscard]] PlacePairs all_near() const {
+    PlacePairs all = near;
+    std::copy_if(unsure.begin(), unsure.end(), std::back_inserter(all),
+                 [](const auto& pair) { return decided_near(pair.first, pair.second); });
+    std::sort(all.begin(), all.end());
+    return all;
+  }
 };
 
-Found expected_of(const SweepScene& scene, const Limits& limits) {
+Found expected_of(const SweepScene& scene, const Limits& limits, bool each_for_itself = false) {
   Found found;
-  scene.for_each_pair([&](std::uint32_t i, std::uint32_t j, double squared) {
+  const auto add = [&](std::uint32_t i, std::uint32_t j, double squared) {
     if (squared < static_cast<double>(limits.near)) {
       found.near.emplace_back(i, j);
     } else if (squared <= static_cast<double>(limits.far)) {
       found.unsure.emplace_back(i, j);
     }
-  });
+  };
+  if (each_for_itself) {
+    scene.for_each_pair_of_asked(add);
+  } else {
+    scene.for_each_pair(add);
+  }
   std::sort(found.near.begin(), found.near.end());
   std::sort(found.unsure.begin(), found.unsure.end());
   return found;
 }
 
-// Remembers what a kernel was unsure of.
+// Remembers what a kernel was unsure of, and decides it: some of it is near.
 struct Open {
   PlacePairs pairs;
 
   Unsure unsure() {
     return {[](void* context, std::uint32_t i, std::uint32_t j) {
               static_cast<Open*>(context)->pairs.emplace_back(i, j);
+              return decided_near(i, j);
             },
             this};
   }
@@ -110,7 +139,7 @@ TEST_P(EveryKernel, MarksBothOfEveryNearPair) {
     Open open;
     kernels().mark(scene.sweep(limits, open.unsure()), {marks.data(), marks.data(), first, first});
     std::vector<std::uint8_t> truly(marks.size(), 0);
-    for (const auto& [i, j] : expected.near) truly[i - first] = truly[j - first] = 1;
+    for (const auto& [i, j] : expected.all_near()) truly[i - first] = truly[j - first] = 1;
     for (std::size_t i = 0; i < marks.size(); ++i) ASSERT_EQ(marks[i] != 0, truly[i] != 0) << i;
     ASSERT_EQ(open.sorted(), expected.unsure);
     near += expected.near.size();
@@ -127,7 +156,7 @@ TEST_P(EveryKernel, MarksThoseWhoAskAndLeavesThemOnceMarked) {
     const auto [first, end] = scene.points;
     std::vector<std::uint8_t> marks(end - first, 0);
     std::vector<std::uint8_t> truly(end - first, 0);
-    for (const auto& [i, j] : expected.near) truly[i - first] = 1;
+    for (const auto& [i, j] : expected.all_near()) truly[i - first] = 1;
     for (std::size_t i = 0; i < marks.size(); i += 5) marks[i] = truly[i] = 1;  // marked before
     Open open;
     kernels().mark_asked(scene.sweep(limits, open.unsure()), {marks.data(), nullptr, first, 0});
@@ -145,19 +174,19 @@ TEST_P(EveryKernel, MarksThoseWhoAskAndLeavesThemOnceMarked) {
   });
 }
 
-TEST_P(EveryKernel, CountsForBoth) {
+TEST_P(EveryKernel, CountsForBothAndInItsRowForThoseWhoAsk) {
   for_each_scene(true, [&](const SweepScene& scene) {
     const Limits limits = limits_of(scene.shape);
-    const Found expected = expected_of(scene, limits);
+    const Found expected = expected_of(scene, limits, true);
     const std::uint32_t first = scene.points.begin;
     std::vector<std::uint32_t> counts(scene.others().size() - first, 5);
     std::vector<std::uint32_t> truly = counts;
     Open open;
     kernels().count(scene.sweep(limits, open.unsure()),
                     {counts.data(), counts.data(), first, first});
-    for (const auto& [i, j] : expected.near) {
+    for (const auto& [i, j] : expected.all_near()) {
       ++truly[i - first];
-      ++truly[j - first];
+      if (j >= scene.own.end) ++truly[j - first];
     }
     ASSERT_EQ(counts, truly);
     ASSERT_EQ(open.sorted(), expected.unsure);
@@ -173,7 +202,7 @@ TEST_P(EveryKernel, CountsForThoseWhoAsk) {
     std::vector<std::uint32_t> truly = counts;
     Open open;
     kernels().count_asked(scene.sweep(limits, open.unsure()), {counts.data(), nullptr, first, 0});
-    for (const auto& [i, j] : expected.near) ++truly[i - first];
+    for (const auto& [i, j] : expected.all_near()) ++truly[i - first];
     ASSERT_EQ(counts, truly);
     ASSERT_EQ(open.sorted(), expected.unsure);
   });
@@ -247,9 +276,9 @@ TEST_P(EveryKernel, CollectsEveryNearPairOnceInBuffersOfAnySize) {
       for (const std::uint32_t capacity : {16U, 17U, 40U, 100'000U}) {
         Collected collected(capacity, std::numeric_limits<std::size_t>::max());
         Open open;
-        ASSERT_TRUE(kernels().collect(scene.sweep(limits, open.unsure()), collected.sink));
+        ASSERT_TRUE(collect(by_itself)(scene.sweep(limits, open.unsure()), collected.sink));
         ASSERT_TRUE(collected.kept_inside());
-        ASSERT_EQ(collected.take_all(), by_ids(scene, expected.near));
+        ASSERT_EQ(collected.take_all(), by_ids(scene, expected.all_near()));
         ASSERT_EQ(open.sorted(), expected.unsure);
       }
     });
@@ -258,21 +287,23 @@ TEST_P(EveryKernel, CollectsEveryNearPairOnceInBuffersOfAnySize) {
 
 TEST_P(EveryKernel, StopsCollectingWhenThereIsNoMoreRoom) {
   std::size_t stopped = 0;
-  for_each_scene(true, [&](const SweepScene& scene) {
-    const Limits limits = limits_of(scene.shape);
-    const PlacePairs all = by_ids(scene, expected_of(scene, limits).near);
-    for (const std::size_t rounds : {1U, 3U}) {
-      Collected collected(20, rounds);
-      Open open;
-      const bool went_on = kernels().collect(scene.sweep(limits, open.unsure()), collected.sink);
-      ASSERT_EQ(went_on, collected.calls < rounds);
-      ASSERT_LE(collected.calls, rounds);
-      ASSERT_TRUE(collected.kept_inside());
-      const PlacePairs some = collected.take_all();
-      ASSERT_TRUE(std::includes(all.begin(), all.end(), some.begin(), some.end()));
-      stopped += went_on ? 0U : 1U;
-    }
-  });
+  for (const bool by_itself : {true, false}) {
+    for_each_scene(by_itself, [&](const SweepScene& scene) {
+      const Limits limits = limits_of(scene.shape);
+      const PlacePairs all = by_ids(scene, expected_of(scene, limits).all_near());
+      for (const std::size_t rounds : {1U, 3U}) {
+        Collected collected(20, rounds);
+        Open open;
+        const bool went_on = collect(by_itself)(scene.sweep(limits, open.unsure()), collected.sink);
+        ASSERT_EQ(went_on, collected.calls < rounds);
+        ASSERT_LE(collected.calls, rounds);
+        ASSERT_TRUE(collected.kept_inside());
+        const PlacePairs some = collected.take_all();
+        ASSERT_TRUE(std::includes(all.begin(), all.end(), some.begin(), some.end()));
+        stopped += went_on ? 0U : 1U;
+      }
+    });
+  }
   EXPECT_GT(stopped, 100U);
 }
 
@@ -313,16 +344,20 @@ struct Table {
 };
 
 TEST_P(EveryKernel, FindsTheNearestTwo) {
-  for (const bool same_set : {true, false}) {
-    for_each_scene(false, [&](SweepScene& scene) {
+  enum class Case { kByItself, kOfTheSameSet, kBetweenTwo };
+  for (const Case asking : {Case::kByItself, Case::kOfTheSameSet, Case::kBetweenTwo}) {
+    const bool by_itself = asking == Case::kByItself;
+    const bool same_set = asking != Case::kBetweenTwo;
+    const auto kernel = by_itself ? kernels().nearest : kernels().nearest_asked;
+    for_each_scene(by_itself, by_itself, [&](SweepScene& scene) {
       scene.same_set = same_set;
       const std::uint32_t first = scene.points.begin;
       const std::uint32_t end = scene.points.end;
       Table table(end - first);
       const NearestTable into{table.best.data(), table.second.data(), table.who.data(), first};
-      kernels().nearest_asked(scene.sweep({kInfinity, kInfinity}, {nullptr, nullptr}), into);
+      kernel(scene.sweep({kInfinity, kInfinity}, {nullptr, nullptr}), into);
       std::vector<NearestTwo> truly(end - first);
-      scene.for_each_pair([&](std::uint32_t i, std::uint32_t j, double squared) {
+      scene.for_each_pair_of_asked([&](std::uint32_t i, std::uint32_t j, double squared) {
         if (same_set && scene.asked().id[i] == scene.others().id[j]) return;
         truly[i - first].add(squared);
       });
@@ -343,7 +378,7 @@ TEST_P(EveryKernel, FindsTheNearestTwo) {
 // twice: the first time must not move the window too far for the second.
 TEST_P(EveryKernel, SeesAUnitBeyondACellAlongX) {
   for (const bool by_itself : {true, false}) {
-    const SweepShape shape{by_itself, 6, 1, 12, 0};
+    const SweepShape shape{by_itself, false, 6, 1, 12, 0};
     const std::int32_t cell = shape.cell();
     const std::int32_t edge = 2 * shape.row_width() - 1;
     for (std::int32_t x = 5 * cell; x < 6 * cell; ++x) {
@@ -366,8 +401,8 @@ TEST_P(EveryKernel, SeesAUnitBeyondACellAlongX) {
       const Found expected = expected_of(scene, limits);
       Collected collected(64, std::numeric_limits<std::size_t>::max());
       Open open;
-      ASSERT_TRUE(kernels().collect(scene.sweep(limits, open.unsure()), collected.sink));
-      ASSERT_EQ(collected.take_all(), by_ids(scene, expected.near)) << x;
+      ASSERT_TRUE(collect(by_itself)(scene.sweep(limits, open.unsure()), collected.sink));
+      ASSERT_EQ(collected.take_all(), by_ids(scene, expected.all_near())) << x;
       ASSERT_EQ(open.sorted(), expected.unsure) << x;
       ASSERT_FALSE(expected.near.empty() || expected.unsure.empty());
     }

@@ -16,6 +16,7 @@ namespace beespace::test {
 
 struct SweepShape {
   bool by_itself = true;
+  bool all_rows = false;  // around a set by itself
   unsigned fraction_bits = 10;
   unsigned row_shift = 0;
   std::int32_t cells_along_x = 9;
@@ -27,7 +28,8 @@ struct SweepShape {
   [[nodiscard]] unsigned slice_bits() const { return fraction_bits - std::min(fraction_bits, 2U); }
 
   friend std::ostream& operator<<(std::ostream& out, const SweepShape& shape) {
-    return out << (shape.by_itself ? "by itself" : "between two") << ", " << shape.row_size
+    return out << (shape.by_itself ? "by itself" : "between two")
+               << (shape.all_rows ? ", all rows" : "") << ", " << shape.row_size
                << " points a row along " << shape.cells_along_x << " cells, row shift "
                << shape.row_shift << ", fraction bits " << shape.fraction_bits;
   }
@@ -55,8 +57,8 @@ inline double squared_between(const PlacedPoints& a, std::uint32_t i, const Plac
   return sum;
 }
 
-// One row that asks, and rows around it. By itself, the points after each one in its row and the
-// rows of later numbers are looked at; between two sets, all rows around, the same one included.
+// One row that asks, and rows around it. By itself, the row and the rows of later numbers are
+// looked at, or all rows; between two sets, all rows around, the same one included.
 class SweepScene {
  public:
   explicit SweepScene(const SweepShape& of) : shape(of) {}
@@ -64,7 +66,7 @@ class SweepScene {
   // The asking row, in the middle of 3 x 3 rows. First of all.
   void ask(std::vector<Spot> spots) {
     points = add(asked_, std::move(spots), 100);
-    own_end_ = shape.by_itself ? points.end : 0;
+    if (shape.by_itself) own = points;
   }
 
   // The row at place y, z of the 3 x 3. `first_id` names its points.
@@ -100,7 +102,7 @@ class SweepScene {
                      limits,
                      same_set,
                      points,
-                     own_end_,
+                     own,
                      {},
                      static_cast<unsigned>(targets_.size()),
                      unsure};
@@ -108,11 +110,28 @@ class SweepScene {
     return sweep;
   }
 
-  // Calls visit(asked, other, squared distance) for all that the sweep is asked about.
+  // Calls visit(asked, other, squared distance) for all that the sweep is asked about, pairs of the
+  // own row once.
   template <class Visit>
   void for_each_pair(Visit&& visit) const {
     for (std::uint32_t i = points.begin; i < points.end; ++i) {
-      for (std::uint32_t j = i + 1; j < own_end_; ++j) visit(i, j, squared(i, j));
+      for (std::uint32_t j = i + 1; j < own.end; ++j) visit(i, j, squared(i, j));
+    }
+    for_each_pair_across(visit);
+  }
+  // The same, pairs of the own row for each of the two that asks.
+  template <class Visit>
+  void for_each_pair_of_asked(Visit&& visit) const {
+    for (std::uint32_t i = points.begin; i < points.end; ++i) {
+      for (std::uint32_t j = own.begin; j < own.end; ++j) {
+        if (j != i) visit(i, j, squared(i, j));
+      }
+    }
+    for_each_pair_across(visit);
+  }
+  template <class Visit>
+  void for_each_pair_across(Visit&& visit) const {
+    for (std::uint32_t i = points.begin; i < points.end; ++i) {
       for (const cpu::Target& target : targets_) {
         for (std::uint32_t j = target.points.begin; j < target.points.end; ++j) {
           visit(i, j, squared(i, j));
@@ -126,6 +145,7 @@ class SweepScene {
 
   SweepShape shape;
   cpu::Range points{0, 0};  // who asks: all of the row, or a part of it
+  cpu::Range own{0, 0};     // the row, by itself
   bool same_set = true;
 
  private:
@@ -146,7 +166,6 @@ class SweepScene {
   PlacedPoints asked_;
   PlacedPoints others_;
   std::vector<cpu::Target> targets_;
-  std::uint32_t own_end_ = 0;
   std::uint32_t size_ = 0;
 };
 
@@ -175,7 +194,7 @@ inline SweepScene random_sweep_scene(const SweepShape& shape, std::uint32_t seed
     for (unsigned y = 0; y < 3; ++y) {
       const bool middle = y == 1 && z == 1;
       const bool earlier = 3 * z + y < 5;
-      if (shape.by_itself && earlier) continue;
+      if (shape.by_itself && (shape.all_rows ? middle : earlier)) continue;
       if (middle) {
         scene.add_target(y, z, own, 100);
       } else {
