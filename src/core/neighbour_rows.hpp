@@ -13,7 +13,9 @@ namespace beespace::core {
 
 class NeighbourRows {
  public:
-  NeighbourRows(const SortedGrid& asked, const SortedGrid& others) : asked_(asked), grid_(others) {}
+  // Those around are at most `reach_cells` away on an axis, itself at most the width of a row.
+  NeighbourRows(const SortedGrid& asked, const SortedGrid& others, std::int32_t reach_cells = 1)
+      : asked_(asked), grid_(others), reach_cells_(reach_cells) {}
 
   // Finds the rows around `row` of those who ask; rows must come in ascending order.
   void select(std::size_t row) {
@@ -42,8 +44,11 @@ class NeighbourRows {
       Window& window = windows_[k];
       const auto cell_of = [this](std::uint32_t j) { return grid_.x[j] >> grid_.fraction_bits; };
       // Rows stand in the order of their cells, so windows only move forward.
-      while (window.begin < window.end && cell_of(window.begin) < cell - 1) ++window.begin;
-      for (std::uint32_t j = window.begin; j < window.end && cell_of(j) <= cell + 1; ++j) {
+      while (window.begin < window.end && cell_of(window.begin) < cell - reach_cells_) {
+        ++window.begin;
+      }
+      for (std::uint32_t j = window.begin; j < window.end && cell_of(j) <= cell + reach_cells_;
+           ++j) {
         const float squared = squared_units(asked_, i, grid_, j);
         if (squared <= farthest && visit(j, squared)) return true;
       }
@@ -59,6 +64,7 @@ class NeighbourRows {
 
   const SortedGrid& asked_;
   const SortedGrid& grid_;
+  std::int32_t reach_cells_;
   std::array<Window, 9> windows_{};
   unsigned count_ = 0;
   std::array<std::size_t, 3> cursor_{};

@@ -55,7 +55,7 @@ class BlockSweep {
         task_(task),
         lanes_(given.limits),
         reach_(given),
-        row_width_(reach_.cell << given.row_shift) {
+        row_width_(1 << (given.fraction_bits + given.row_shift)) {
     for (unsigned k = 0; k < sweep_.target_count; ++k) next_[k] = sweep_.targets[k].points.begin;
   }
 
@@ -107,7 +107,7 @@ class BlockSweep {
       const std::int32_t from = reach_.first_x(at.x[i]);
       const std::int32_t end = reach_.end_x(at.x[i + count - 1]);
       while (at.x[first] < from) ++first;
-      lanes.select_block(at.x + i, at.y + i, at.z + i, reach_.cell, reach_.slice);
+      lanes.select_block(at.x + i, at.y + i, at.z + i, reach_.units, reach_.slice);
       task_.start(i);
       for (std::uint32_t j = first; j < own.end && at.x[j] < end; ++j) {
         const unsigned itself = j - i < Lanes::kLanes ? 1U << (j - i) : 0U;
@@ -129,7 +129,7 @@ class BlockSweep {
     Lanes lanes = lanes_;
     for (std::uint32_t i = part.begin; i < part.end; i += Lanes::kLanes) {
       const std::uint32_t count = least(part.end - i, Lanes::kLanes);
-      lanes.select_block(at.x + i, at.y + i, at.z + i, reach_.cell, reach_.slice);
+      lanes.select_block(at.x + i, at.y + i, at.z + i, reach_.units, reach_.slice);
       task_.start(i);
       for (std::uint32_t j = i + 1; j < end; ++j) {
         auto seen = lanes.look(at.x + j, at.y + j, at.z + j, least(count, end - j));
@@ -150,7 +150,7 @@ class BlockSweep {
     std::uint32_t size = to.size;
     for (std::uint32_t i = points.begin; i < points.end; i += Lanes::kLanes) {
       const unsigned chosen =
-          Lanes::at_sides(from.y + i, from.z + i, sides, reach_.cell, row_width_, points.end - i);
+          Lanes::at_sides(from.y + i, from.z + i, sides, reach_.units, row_width_, points.end - i);
       Lanes::pack(from.x + i, chosen, to.x + size);
       Lanes::pack(from.y + i, chosen, to.y + size);
       Lanes::pack(from.z + i, chosen, to.z + size);
@@ -202,7 +202,7 @@ class BlockSweep {
       const std::int32_t end = reach_.end_x(mine_.x[i + count - 1]);
       while (first < theirs_.size && theirs_.x[first] < from) ++first;
       if (first == theirs_.size) return true;
-      lanes.select_block(mine_.x + i, mine_.y + i, mine_.z + i, reach_.cell, reach_.slice);
+      lanes.select_block(mine_.x + i, mine_.y + i, mine_.z + i, reach_.units, reach_.slice);
       task_.start(mine_.place + i, count);
       for (std::uint32_t j = first; j < theirs_.size && theirs_.x[j] < end; ++j) {
         auto seen = lanes.meet(theirs_.x[j], theirs_.y[j], theirs_.z[j], everybody(count));

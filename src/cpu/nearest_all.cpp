@@ -35,7 +35,7 @@ class NearestAll {
   NearestAll(const Question& question, PointId* nearest)
       : question_(question),
         nearest_(nearest),
-        around_(question.asked.grid, question.others.grid) {}
+        around_(question.asked.grid, question.others.grid, question.reach_cells) {}
 
   // Asks for the sorted points [begin, end).
   void ask(std::uint32_t begin, std::uint32_t end) {

@@ -150,14 +150,12 @@ template <class Lanes, class Sink>
   return before;
 }
 
-// The sides of its row that the cell of a point lies at.
-inline unsigned sides_of(std::int32_t y, std::int32_t z, unsigned fraction_bits,
-                         unsigned row_shift) {
-  const unsigned last = (1U << row_shift) - 1U;
-  const unsigned in_y = static_cast<unsigned>(y) >> fraction_bits & last;
-  const unsigned in_z = static_cast<unsigned>(z) >> fraction_bits & last;
-  return (in_y == 0 ? kLowY : 0U) | (in_y == last ? kHighY : 0U) | (in_z == 0 ? kLowZ : 0U) |
-         (in_z == last ? kHighZ : 0U);
+// The sides of its row that a point lies beside.
+inline unsigned sides_of(std::int32_t y, std::int32_t z, std::int32_t reach, std::int32_t row) {
+  const std::int32_t in_y = y & (row - 1);
+  const std::int32_t in_z = z & (row - 1);
+  return (in_y < reach ? kLowY : 0U) | (in_y >= row - reach ? kHighY : 0U) |
+         (in_z < reach ? kLowZ : 0U) | (in_z >= row - reach ? kHighZ : 0U);
 }
 
 // A sweep under way: where in each target the window of the next point starts, which only moves
@@ -192,11 +190,12 @@ template <class Lanes, class Sink>
 [[gnu::always_inline]] inline bool sweep_points(const Sweep& given, Sink sink) {
   Walk<Lanes> walk(given);
   const Sweep& sweep = walk.sweep;
+  const std::int32_t row_width = 1 << (sweep.fraction_bits + sweep.row_shift);
   for (std::uint32_t i = sweep.points.begin; i < sweep.points.end; ++i) {
     walk.select(i);
     if (!sink.start(sweep, i)) continue;
     const unsigned sides =
-        sides_of(sweep.asked.y[i], sweep.asked.z[i], sweep.fraction_bits, sweep.row_shift);
+        sides_of(sweep.asked.y[i], sweep.asked.z[i], walk.reach.units, row_width);
     for (unsigned k = 0; k < sweep.target_count; ++k) {
       if ((sweep.targets[k].sides & ~sides) == 0) walk.look_into(k, i, sink);
     }

@@ -30,6 +30,7 @@ struct Question {
   Limits limits;
   const Kernels& kernels;
   bool same_set;  // also when the grids are two, of some points of a set and of others of it
+  std::int32_t reach_cells = 1;  // how far one looks, at most the width of a row
 
   [[nodiscard]] bool by_itself() const { return &asked.grid == &others.grid; }
   [[nodiscard]] bool decide(std::uint32_t i, std::uint32_t j) const {
@@ -60,6 +61,7 @@ class RowSweeps {
                others_.fraction_bits,
                others_.row_shift,
                others_.slice_bits,
+               question.reach_cells,
                question.limits,
                question.same_set,
                {0, 0},

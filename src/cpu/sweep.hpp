@@ -31,10 +31,11 @@ struct Range {
   std::uint32_t end;
 };
 
-// At which sides of its row a point's cell lies, and which side a row is beyond.
+// Which sides of its row a point lies beside, that is within the reach, and which side a row is
+// beyond.
 enum Side : unsigned { kLowY = 1, kHighY = 2, kLowZ = 4, kHighZ = 8 };
 
-// A row to look into: by those points whose cells lie at all these sides of their own row.
+// A row to look into: by those points that lie beside all these sides of their own row.
 struct Target {
   Range points;
   unsigned sides;
@@ -52,6 +53,7 @@ struct Sweep {
   unsigned fraction_bits;
   unsigned row_shift;
   unsigned slice_bits;
+  std::int32_t reach_cells;  // how far one looks on an axis: a cell, or up to the width of a row
   Limits limits;
 
   bool same_set;  // whether equal ids among asked points and others mean the same point

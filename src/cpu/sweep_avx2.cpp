@@ -30,12 +30,12 @@ class Lanes {
     bound_x_ = _mm256_set1_epi32(bound_x);
   }
   void select_block(const std::int32_t* x, const std::int32_t* y, const std::int32_t* z,
-                    std::int32_t cell, std::int32_t slice) {
+                    std::int32_t reach, std::int32_t slice) {
     x_ = load(x);
     y_ = load(y);
     z_ = load(z);
     const __m256i slices = _mm256_set1_epi32(slice);
-    const __m256i farthest = _mm256_add_epi32(x_, _mm256_set1_epi32(cell + 1));
+    const __m256i farthest = _mm256_add_epi32(x_, _mm256_set1_epi32(reach + 1));
     bound_x_ = _mm256_sub_epi32(_mm256_and_si256(farthest, slices), slices);
   }
 
@@ -54,12 +54,12 @@ class Lanes {
   }
 
   static unsigned at_sides(const std::int32_t* y, const std::int32_t* z, unsigned sides,
-                           std::int32_t cell, std::int32_t row, std::uint32_t count) {
+                           std::int32_t reach, std::int32_t row, std::uint32_t count) {
     const __m256i in_row = _mm256_set1_epi32(row - 1);
     const __m256i in_y = _mm256_and_si256(load(y), in_row);
     const __m256i in_z = _mm256_and_si256(load(z), in_row);
-    const __m256i low = _mm256_set1_epi32(cell);
-    const __m256i high = _mm256_set1_epi32(row - cell - 1);
+    const __m256i low = _mm256_set1_epi32(reach);
+    const __m256i high = _mm256_set1_epi32(row - reach - 1);
     unsigned chosen = count < kLanes ? (1U << count) - 1U : 0xFFU;
     if ((sides & kLowY) != 0) chosen &= bits(_mm256_cmpgt_epi32(low, in_y));
     if ((sides & kHighY) != 0) chosen &= bits(_mm256_cmpgt_epi32(in_y, high));

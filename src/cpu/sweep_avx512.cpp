@@ -29,12 +29,12 @@ class Lanes {
     bound_x_ = _mm512_set1_epi32(bound_x);
   }
   void select_block(const std::int32_t* x, const std::int32_t* y, const std::int32_t* z,
-                    std::int32_t cell, std::int32_t slice) {
+                    std::int32_t reach, std::int32_t slice) {
     x_ = _mm512_loadu_si512(x);
     y_ = _mm512_loadu_si512(y);
     z_ = _mm512_loadu_si512(z);
     const __m512i slices = _mm512_set1_epi32(slice);
-    const __m512i farthest = _mm512_add_epi32(x_, _mm512_set1_epi32(cell + 1));
+    const __m512i farthest = _mm512_add_epi32(x_, _mm512_set1_epi32(reach + 1));
     bound_x_ = _mm512_sub_epi32(_mm512_and_si512(farthest, slices), slices);
   }
 
@@ -52,12 +52,12 @@ class Lanes {
   }
 
   static unsigned at_sides(const std::int32_t* y, const std::int32_t* z, unsigned sides,
-                           std::int32_t cell, std::int32_t row, std::uint32_t count) {
+                           std::int32_t reach, std::int32_t row, std::uint32_t count) {
     const __m512i in_row = _mm512_set1_epi32(row - 1);
     const __m512i in_y = _mm512_and_si512(_mm512_loadu_si512(y), in_row);
     const __m512i in_z = _mm512_and_si512(_mm512_loadu_si512(z), in_row);
-    const __m512i low = _mm512_set1_epi32(cell);
-    const __m512i high = _mm512_set1_epi32(row - cell);
+    const __m512i low = _mm512_set1_epi32(reach);
+    const __m512i high = _mm512_set1_epi32(row - reach);
     unsigned chosen = _bzhi_u32(0xFFFF, count < kLanes ? count : kLanes);
     if ((sides & kLowY) != 0) chosen &= _mm512_cmplt_epi32_mask(in_y, low);
     if ((sides & kHighY) != 0) chosen &= _mm512_cmpge_epi32_mask(in_y, high);

@@ -35,11 +35,11 @@ class Lanes {
     bound_x_ = Ints{} + bound_x;
   }
   void select_block(const std::int32_t* x, const std::int32_t* y, const std::int32_t* z,
-                    std::int32_t cell, std::int32_t slice) {
+                    std::int32_t reach, std::int32_t slice) {
     x_ = load<Ints>(x);
     y_ = load<Ints>(y);
     z_ = load<Ints>(z);
-    bound_x_ = ((x_ + (cell + 1)) & slice) - slice;
+    bound_x_ = ((x_ + (reach + 1)) & slice) - slice;
   }
 
   [[nodiscard]] Seen look(const std::int32_t* x, const std::int32_t* y, const std::int32_t* z,
@@ -55,14 +55,14 @@ class Lanes {
   }
 
   static unsigned at_sides(const std::int32_t* y, const std::int32_t* z, unsigned sides,
-                           std::int32_t cell, std::int32_t row, std::uint32_t count) {
+                           std::int32_t reach, std::int32_t row, std::uint32_t count) {
     const Ints in_y = load<Ints>(y) & (row - 1);
     const Ints in_z = load<Ints>(z) & (row - 1);
     Ints chosen = kNumbers < static_cast<std::int32_t>(count < kLanes ? count : kLanes);
-    if ((sides & kLowY) != 0) chosen &= in_y < cell;
-    if ((sides & kHighY) != 0) chosen &= in_y >= row - cell;
-    if ((sides & kLowZ) != 0) chosen &= in_z < cell;
-    if ((sides & kHighZ) != 0) chosen &= in_z >= row - cell;
+    if ((sides & kLowY) != 0) chosen &= in_y < reach;
+    if ((sides & kHighY) != 0) chosen &= in_y >= row - reach;
+    if ((sides & kLowZ) != 0) chosen &= in_z < reach;
+    if ((sides & kHighZ) != 0) chosen &= in_z >= row - reach;
     return bits(chosen);
   }
   static void pack(const std::int32_t* from, unsigned chosen, std::int32_t* to) {

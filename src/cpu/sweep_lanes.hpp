@@ -9,7 +9,7 @@
 //   kLanes                          how many comparisons are made together
 //   Lanes(limits)
 //   select(x, y, z, bound_x)        one point that asks, in every lane, and a bound along x
-//   select_block(x, y, z, cell, slice)   the next kLanes points, a lane each; the bound of each is
+//   select_block(x, y, z, reach, slice)  the next kLanes points, a lane each; the bound of each is
 //                                   where its reach along x ends (see Reach)
 //   look(x, y, z, count)            every lane with its own of the next kLanes points, of which the
 //                                   first `count` count
@@ -22,8 +22,8 @@
 //   store(ids, seen, to)            writes the ids of the near lanes one after the other; kLanes
 //                                   places may be written
 //   fill(to, id)                    writes an id kLanes times
-//   at_sides(y, z, sides, cell, row, count)   which of the next points lie at all these sides of
-//                                   their rows, of which the first `count` count
+//   at_sides(y, z, sides, reach, row, count)   which of the next points lie within the reach of all
+//                                   these sides of their row, of which the first `count` count
 //   pack(from, chosen, to)          writes the chosen ones of kLanes words, as store does
 //   pack_numbers(first, chosen, to) the same of the numbers from `first` on
 //   Tally                           counts the near, lane by lane: add(seen), total(), write(to)
@@ -41,18 +41,19 @@ namespace {
 
 constexpr float kInfinity = __builtin_inff();  // NOLINT(misc-definitions-in-headers)
 
-// Whoever is within the reach is at most a cell away along x, give or take a unit of rounding;
-// windows begin and end with whole slices, whose points stand in any order.
+// How far one looks, in units. Whoever is within the reach is at most so far away along x, give or
+// take a unit of rounding; windows begin and end with whole slices, whose points stand in any
+// order.
 struct Reach {
   explicit Reach(const Sweep& sweep)
-      : cell(1 << sweep.fraction_bits), slice(-(1 << sweep.slice_bits)) {}
+      : units(sweep.reach_cells << sweep.fraction_bits), slice(-(1 << sweep.slice_bits)) {}
 
-  [[nodiscard]] std::int32_t first_x(std::int32_t x) const { return (x - cell - 1) & slice; }
+  [[nodiscard]] std::int32_t first_x(std::int32_t x) const { return (x - units - 1) & slice; }
   [[nodiscard]] std::int32_t end_x(std::int32_t x) const {
-    return ((x + cell + 1) & slice) - slice;
+    return ((x + units + 1) & slice) - slice;
   }
 
-  std::int32_t cell;
+  std::int32_t units;
   std::int32_t slice;
 };
 

@@ -96,36 +96,75 @@ class NearestSearch {
     }
   }
 
+  // Points in a grid that later rounds may look into again: its rows are wider than its cells.
+  struct Around {
+    Around(core::Lattice&& of, double reach, core::SortedGrid&& sorted)
+        : lattice(std::move(of)), radius(reach), grid(std::move(sorted)) {}
+
+    // How many of its cells the radius is; none if that is more than a row, or if what is more than
+    // a cell away may be farther than it looks.
+    [[nodiscard]] std::optional<std::int32_t> cells(double wanted) const {
+      constexpr unsigned kMostUnitsBits = 28;  // positions are below 2^30
+      const unsigned most =
+          lattice.folded() ? 0 : std::min(grid.row_shift, kMostUnitsBits - grid.fraction_bits);
+      for (unsigned shift = 0; shift <= most; ++shift) {
+        const std::int32_t count = 1 << shift;
+        if (count * radius >= wanted) return count;
+      }
+      return std::nullopt;
+    }
+
+    core::Lattice lattice;
+    double radius;
+    core::SortedGrid grid;
+  };
+
   // Writes to ids_ the nearest of those whom every open point sees within the radius, and maybe
   // beyond.
   void look_within(double radius, bool all_open) {
-    const core::Lattice lattice(frame_.sets(), frame_.bounds(), radius, with_.memory,
-                                choices_.fold_beyond_cells);
+    core::Selection asking{frame_.points()};
+    if (!all_open) asking.ids = open_;
+    if (around_) {
+      if (const auto cells = around_->cells(radius)) {
+        const core::SortedGrid asked =
+            core::sort_into_grid(asking, around_->lattice, around_->grid.row_shift, with_);
+        return ask(asked, around_->grid, *cells);
+      }
+      around_.reset();
+    }
+
+    core::Lattice lattice(frame_.sets(), frame_.bounds(), radius, with_.memory,
+                          choices_.fold_beyond_cells);
     unsigned row_shift = frame_.row_shift(lattice, radius);
     if (choices_.row_shift) row_shift = std::min(*choices_.row_shift, 30 - lattice.fraction_bits());
-    core::Selection asking{frame_.points()};
     core::Selection around{frame_.others()};
     core::Vector<PointId> surrounding(&with_.memory);
-    if (!all_open) {
-      asking.ids = open_;
-      if (!candidates_.empty()) around.ids = candidates_;
-      if (open_.size() * 32 < around.size()) {
-        surrounding = core::surroundings(asking, around, lattice, with_);
-        around.ids = surrounding;
-      }
+    if (!candidates_.empty()) around.ids = candidates_;
+    const bool few = !all_open && open_.size() * 32 < around.size();
+    if (few) {
+      surrounding = core::surroundings(asking, around, lattice, with_);
+      around.ids = surrounding;
     }
-    const core::SortedGrid asked = core::sort_into_grid(asking, lattice, row_shift, with_);
-    const core::ProximityTest unused(radius, false);
-    const bool both = all_open && !frame_.has_others();
-    if (both) return ask({asked, frame_.points()}, {asked, frame_.points()}, unused);
-    const core::SortedGrid others = core::sort_into_grid(around, lattice, row_shift, with_);
-    ask({asked, frame_.points()}, {others, frame_.others()}, unused);
+    core::SortedGrid others = core::sort_into_grid(around, lattice, row_shift, with_);
+    if (all_open && !frame_.has_others()) {
+      ask(others, others, 1);
+    } else {
+      ask(core::sort_into_grid(asking, lattice, row_shift, with_), others, 1);
+    }
+    if (!few) around_.emplace(std::move(lattice), radius, std::move(others));
   }
 
-  void ask(const cpu::Swarm& asked, const cpu::Swarm& others, const core::ProximityTest& unused) {
-    const cpu::Question question{
-        asked, others, unused, {}, cpu::kernels(choices_.instruction_set), !frame_.has_others()};
-    cpu::nearest_all(question, with_, ids_.data());
+  void ask(const core::SortedGrid& asked, const core::SortedGrid& others,
+           std::int32_t reach_cells) {
+    const core::ProximityTest unused(1.0, false);
+    cpu::nearest_all({{asked, frame_.points()},
+                      {others, frame_.others()},
+                      unused,
+                      {},
+                      cpu::kernels(choices_.instruction_set),
+                      !frame_.has_others(),
+                      reach_cells},
+                     with_, ids_.data());
   }
 
   // Whoever has found somebody within the radius has found the nearest; at the last radius, whoever
@@ -209,7 +248,8 @@ class NearestSearch {
   std::vector<Nearest>& nearest_;
   core::Buffer<PointId> ids_;
   core::Vector<PointId> candidates_;  // empty: everybody
-  core::Vector<PointId> open_;        // who has not found the nearest yet, once not all are
+  std::optional<Around> around_;
+  core::Vector<PointId> open_;  // who has not found the nearest yet, once not all are
 };
 
 }  // namespace

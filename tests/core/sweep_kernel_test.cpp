@@ -47,8 +47,11 @@ class EveryKernel : public testing::TestWithParam<InstructionSet> {
       for (const unsigned fraction_bits : {0U, 1U, 10U, 22U}) {
         for (const std::int32_t cells_along_x : {2, 12}) {
           for (std::uint32_t row_size = 1; row_size <= 33; ++row_size) {
-            run({by_itself, all_rows, fraction_bits, row_shift, cells_along_x, row_size}, ++seed,
-                check);
+            // One cell, or as many as a row is wide.
+            const std::int32_t reach_cells = ++seed % 3 == 0 ? 1 << row_shift : 1;
+            run({by_itself, all_rows, fraction_bits, row_shift, cells_along_x, row_size,
+                 reach_cells},
+                seed, check);
           }
         }
       }
@@ -56,12 +59,12 @@ class EveryKernel : public testing::TestWithParam<InstructionSet> {
     }
   }
 
-  // Distances up to a cell: whoever is farther need not be met. Where a unit is finer than a float
-  // tells, no distance comes near a limit.
+  // Distances up to the reach: whoever is farther need not be met. Where a unit is finer than a
+  // float tells, no distance comes near a limit.
   static Limits limits_of(const SweepShape& shape) {
     const double share = shape.fraction_bits > 10 ? 0.97 : 1.0;
-    return {static_cast<float>(0.3 * shape.squared_cell()),
-            static_cast<float>(share * shape.squared_cell())};
+    return {static_cast<float>(0.3 * shape.squared_reach()),
+            static_cast<float>(share * shape.squared_reach())};
   }
 
  private:
@@ -307,7 +310,7 @@ TEST_P(EveryKernel, StopsCollectingWhenThereIsNoMoreRoom) {
   EXPECT_GT(stopped, 100U);
 }
 
-// The nearest two of everybody, and what is known of them: all within a cell, and some beyond.
+// The nearest two of everybody, and what is known of them: all within the reach, and some beyond.
 struct NearestTwo {
   double best = std::numeric_limits<double>::infinity();
   double second = std::numeric_limits<double>::infinity();
@@ -321,17 +324,17 @@ struct NearestTwo {
 struct Table {
   explicit Table(std::size_t size) : best(size, kInfinity), second(size, kInfinity), who(size, 0) {}
 
-  void expect(std::size_t place, const NearestTwo& truly, double cell, double to_who) const {
+  void expect(std::size_t place, const NearestTwo& truly, double reach, double to_who) const {
     const auto rounded = [](double squared) { return static_cast<float>(squared); };
-    if (truly.best <= cell) {
+    if (truly.best <= reach) {
       ASSERT_FLOAT_EQ(best[place], rounded(truly.best)) << place;
     } else {
-      ASSERT_GT(best[place], rounded(cell)) << place;
+      ASSERT_GT(best[place], rounded(reach)) << place;
     }
-    if (truly.second <= cell) {
+    if (truly.second <= reach) {
       ASSERT_FLOAT_EQ(second[place], rounded(truly.second)) << place;
     } else {
-      ASSERT_GT(second[place], rounded(cell)) << place;
+      ASSERT_GT(second[place], rounded(reach)) << place;
     }
     if (best[place] < kInfinity) {
       ASSERT_FLOAT_EQ(best[place], rounded(to_who)) << place;
@@ -361,10 +364,10 @@ TEST_P(EveryKernel, FindsTheNearestTwo) {
         if (same_set && scene.asked().id[i] == scene.others().id[j]) return;
         truly[i - first].add(squared);
       });
-      const double cell = scene.shape.squared_cell();
+      const double reach = scene.shape.squared_reach();
       for (std::uint32_t i = first; i < end; ++i) {
         const std::uint32_t who = table.who[i - first];
-        table.expect(i - first, truly[i - first], cell, scene.squared(i, who));
+        table.expect(i - first, truly[i - first], reach, scene.squared(i, who));
         if (same_set && table.best[i - first] < kInfinity) {
           ASSERT_NE(scene.others().id[who], scene.asked().id[i]);
         }

@@ -21,9 +21,13 @@ struct SweepShape {
   unsigned row_shift = 0;
   std::int32_t cells_along_x = 9;
   std::uint32_t row_size = 20;
+  std::int32_t reach_cells = 1;
 
   [[nodiscard]] std::int32_t cell() const { return 1 << fraction_bits; }
-  [[nodiscard]] double squared_cell() const { return static_cast<double>(cell()) * cell(); }
+  [[nodiscard]] double squared_reach() const {
+    const double reach = static_cast<double>(cell()) * reach_cells;
+    return reach * reach;
+  }
   [[nodiscard]] std::int32_t row_width() const { return cell() << row_shift; }
   [[nodiscard]] unsigned slice_bits() const { return fraction_bits - std::min(fraction_bits, 2U); }
 
@@ -31,7 +35,8 @@ struct SweepShape {
     return out << (shape.by_itself ? "by itself" : "between two")
                << (shape.all_rows ? ", all rows" : "") << ", " << shape.row_size
                << " points a row along " << shape.cells_along_x << " cells, row shift "
-               << shape.row_shift << ", fraction bits " << shape.fraction_bits;
+               << shape.row_shift << ", fraction bits " << shape.fraction_bits << ", reach of "
+               << shape.reach_cells;
   }
 };
 
@@ -99,6 +104,7 @@ class SweepScene {
                      shape.fraction_bits,
                      shape.row_shift,
                      shape.slice_bits(),
+                     shape.reach_cells,
                      limits,
                      same_set,
                      points,
