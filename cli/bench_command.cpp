@@ -72,15 +72,17 @@ Result<BenchSceneResult> measure(Engines& engines, const BenchScene& scene, std:
   const std::vector<Point> points = scene.make(count);
   const Status right = check(engines, scene, points);
   if (!right) return right.error();
-  BenchSceneResult result{&scene, read_floor_seconds(points), {}};
+  BenchSceneResult result{&scene, 0.0, {}};
+  ReadFloor floor(points);
   BenchAnswers answers;
   for (const BenchQuestion& question : bench_questions()) {
     BenchFigure figure{question.name, {}, {}};
     const auto seconds = [&](Engine& engine) {
-      return median_seconds([&] {
+      const auto ask = [&] {
         // The same call succeeded a moment ago.
         static_cast<void>(question.ask(engine, points, scene.threshold_m, answers));
-      });
+      };
+      return median_seconds(ask, floor);
     };
     if (is_asked(question, scene)) {
       figure.one_thread_s = seconds(engines.one);
@@ -88,6 +90,7 @@ Result<BenchSceneResult> measure(Engines& engines, const BenchScene& scene, std:
     }
     result.figures.push_back(figure);
   }
+  result.read_floor_s = floor.median_seconds();
   return result;
 }
 

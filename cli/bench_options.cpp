@@ -13,11 +13,10 @@ namespace {
 constexpr const char* kDescription = "Take a quick look at how fast the searches are here";
 
 constexpr const char* kDetails =
-    "Makes five swarms, from crowded to sparse, asks five questions about each, compares a part "
-    "of\n"
-    "every answer with brute force, and only then times it, with one thread and with all. Figures "
-    "are\n"
-    "nanoseconds a bee, and multiples of the time to read the coordinates. Takes some seconds.\n"
+    "Makes five swarms, from crowded to sparse, asks five questions about each, compares a part\n"
+    "of every answer with brute force, and only then times it, with one thread and with all.\n"
+    "Figures are nanoseconds a bee, and multiples of the time to read the coordinates in order,\n"
+    "as a search finds the points: between its repetitions. Takes some seconds.\n"
     "\n"
     "Examples:\n"
     "  beespace bench\n"

@@ -1,5 +1,6 @@
 #include "bench/compare/cost_meters.hpp"
 
+#include <algorithm>
 #include <ctime>
 #include <fstream>
 #include <string>
@@ -35,6 +36,11 @@ double Stopwatch::cpu_ms() const {
 
 double Stopwatch::wall_ms() const {
   return milliseconds(CLOCK_MONOTONIC) - wall_start_ms_;
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
 }
 
 double peak_of_process_mb() {

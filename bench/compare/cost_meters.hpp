@@ -1,7 +1,7 @@
 // What a run costs: processor time, wall time, and the peak of resident memory.
 #pragma once
 
-#include <cstdint>
+#include <vector>
 
 namespace beespace::compare {
 
@@ -16,6 +16,9 @@ class Stopwatch {
   double cpu_start_ms_;
   double wall_start_ms_;
 };
+
+// The middle one; of two in the middle the greater.
+double median(std::vector<double> values);
 
 // The most resident memory that the process ever had, in megabytes (10^6 bytes; Linux only).
 double peak_of_process_mb();

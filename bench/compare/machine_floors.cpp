@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 namespace beespace::compare {
@@ -25,8 +26,7 @@ double median_ms(int warm_ups, int runs, Work&& work) {
     work();
     if (run >= 0) times.push_back(watch.cpu_ms());
   }
-  std::sort(times.begin(), times.end());
-  return times[times.size() / 2];
+  return median(std::move(times));
 }
 
 // Short work is repeated oftener. 3 runs at least; some 100 million points a second.
@@ -34,19 +34,27 @@ int runs_for(std::size_t points) {
   return static_cast<int>(std::clamp<std::size_t>(30'000'000 / (points + 1), 3, 31));
 }
 
+void sum_in_order(std::span<const Point> points) {
+  double sum = 0.0;
+  for (const Point& point : points) {
+    sum += point.x;
+    sum += point.y;
+    sum += point.z;
+  }
+  keep(sum);
+}
+
 }  // namespace
 
-double read_floor_ms(std::span<const Point> points) {
-  const auto sum_in_order = [points] {
-    double sum = 0.0;
-    for (const Point& point : points) {
-      sum += point.x;
-      sum += point.y;
-      sum += point.z;
-    }
-    keep(sum);
-  };
-  return median_ms(runs_for(points.size()) / 2, runs_for(points.size()), sum_in_order);
+double read_pass_ms(std::span<const Point> points) {
+  const Stopwatch watch;
+  sum_in_order(points);
+  return watch.cpu_ms();
+}
+
+double warm_read_floor_ms(std::span<const Point> points) {
+  const int runs = runs_for(points.size());
+  return median_ms(runs / 2, runs, [points] { sum_in_order(points); });
 }
 
 double copy_floor_ms(std::span<const Point> points) {

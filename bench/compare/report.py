@@ -47,24 +47,31 @@ def summary_section(results):
             ours = results.time(swarm, question, plan.OURS.key)
             if ours is None:
                 continue
-            floor = results.read_floor(swarm)
+            floor = results.read_floor(swarm, question)
             best = results.best_peer(swarm, question)
             aim = results.aim(swarm, question)
             rows.append((
                 swarm, question.replace("_", " "), rounded(ours),
                 rounded(1e6 * ours / results.points(swarm)),
-                rounded(ours / floor) + (f" (aim ≤ {aim})" if aim else ""),
+                rounded_ratio(ours, floor) + (f" (aim ≤ {aim})" if aim else ""),
+                rounded_ratio(ours, results.warm_read_floor(swarm)),
                 f"{best[0]}: {rounded(best[1])}" if best else "–",
                 f"**{rounded(best[1] / ours)}**" if best else "–",
                 rounded_ratio(results.wall(swarm, question, plan.ENGINE.key),
                               results.wall(swarm, question, plan.TWO_THREADS.key))))
-    header = ("swarm", "question", "beespace, ms", "ns a point", "× read floor",
+    header = ("swarm", "question", "beespace, ms", "ns a point", "× floor", "× warm floor",
               "best Debian peer, ms", "peer ÷ beespace", "two threads")
     return f"""## In short
 
-One thread, from the points in memory to the answer, nothing prepared. *The read floor* is a plain
-scalar loop that sums all input doubles in order, in the same run: {results.floor_sentence()}.
-*Two threads* is how many times as fast an Engine is with two as with one, by the clock on the wall.
+One thread, from the points in memory to the answer, nothing prepared. *Two threads* is how many
+times as fast an Engine is with two as with one, by the clock on the wall.
+
+*The floor* is a plain scalar loop that sums all input doubles in order, one pass after every timed
+run of the same search, which finds the points as that search does: {results.read_floor_range()}.
+*The warm floor* is the same loop many times in a row: {results.warm_read_floor_range()}. There are
+two because a loop by itself still has in the caches what it read before, while the working memory
+of a search has evicted its input since the last run, unless both fit into the caches. The aims are
+multiples of the floor, set on a machine where it was 2.5 ns a point.
 
 {table(header, rows)}"""
 
@@ -81,8 +88,10 @@ def question_table(results, question):
         if any(text != "–" for text in times):
             rows.append((results.name(contender.key), *times))
     remark = PAIRS_REMARK if question == "pairs" else ""
-    floors = [results.read_floor(swarm) for swarm in swarms]
-    rows.append(("*read floor*", *(rounded(floor) for floor in floors)))
+    rows.append(("*read floor, between the runs*",
+                 *(rounded(results.read_floor(swarm, question)) for swarm in swarms)))
+    rows.append(("*read floor, warm*",
+                 *(rounded(results.warm_read_floor(swarm)) for swarm in swarms)))
     if question == "pairs":
         rows.append(("*writing as many pairs*",
                      *(rounded(results.write_floor(swarm)) for swarm in swarms)))

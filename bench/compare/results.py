@@ -112,12 +112,17 @@ class Results:
     def _floors(self, swarm):
         return next((row for row in self.rows("floors") if row["swarm"] == swarm), None)
 
-    def read_floor(self, swarm):
+    def read_floor(self, swarm, question):
+        """Between the runs of our own search, which finds the points in the same places."""
+        row = self._asked.get((swarm, question, plan.OURS.key), {})
+        return row.get("read_floor_ms")
+
+    def warm_read_floor(self, swarm):
         """The median over all that measured it on this swarm."""
-        measured = [row["read_floor_ms"] for key, row in self._asked.items()
+        measured = [row["warm_read_floor_ms"] for key, row in self._asked.items()
                     if key[0] == swarm and "read_floor_ms" in row]
         floors = self._floors(swarm)
-        return median(measured + ([floors["read_ms"]] if floors else []))
+        return median(measured + ([floors["warm_read_ms"]] if floors else []))
 
     def write_floor(self, swarm):
         floors = self._floors(swarm)
@@ -134,9 +139,19 @@ class Results:
         return (f"{100 * median(spreads):.0f} % apart (more than {100 * tenth:.0f} % in a tenth of "
                 "the cases)")
 
-    def floor_sentence(self):
-        costs = [1e6 * self.read_floor(swarm) / self.points(swarm)
-                 for swarm in self.swarm_names()]
+    def read_floor_range(self):
+        return self._range_a_point((self.read_floor(swarm, question), swarm)
+                                   for swarm, question, contender in self._asked
+                                   if contender == plan.OURS.key)
+
+    def warm_read_floor_range(self):
+        return self._range_a_point((self.warm_read_floor(swarm), swarm)
+                                   for swarm in self.swarm_names())
+
+    def _range_a_point(self, floors):
+        costs = [1e6 * floor / self.points(swarm) for floor, swarm in floors if floor is not None]
+        if not costs:
+            return "not measured"
         low, high = rounded(min(costs)), rounded(max(costs))
         return f"{low} ns a point" if low == high else f"{low} to {high} ns a point"
 

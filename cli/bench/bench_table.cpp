@@ -60,9 +60,9 @@ std::string bench_rows(const BenchRun& run, const BenchSceneResult& result) {
 }
 
 std::string bench_foot() {
-  return "\nThe floor is reading all coordinates in order, on one thread. Each figure is the "
-         "median "
-         "of\nseveral runs of one Engine; before them " +
+  return "\nThe floor is reading all coordinates in order, on one thread, as a search finds the "
+         "points:\nbetween its repetitions. Each figure is the median of several runs of one "
+         "Engine; before\nthem " +
          std::to_string(kBeesChecked) +
          " bees of every answer were compared with brute force.\n"
          "A dash: the answer would hold hundreds of pairs for every bee.\n";

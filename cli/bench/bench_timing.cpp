@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace beespace::cli {
 namespace {
@@ -12,9 +13,32 @@ constexpr double kEnough_s = 0.15;
 constexpr std::size_t kLeastRuns = 3;
 constexpr std::size_t kMostRuns = 51;
 
+double median(std::vector<double> times) {
+  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+  std::nth_element(times.begin(), middle, times.end());
+  return *middle;
+}
+
 }  // namespace
 
-double median_seconds(const std::function<void()>& run) {
+void ReadFloor::pass() {
+  Stopwatch watch;
+  double sum = 0.0;
+  for (const Point& point : points_) {
+    sum += point.x;
+    sum += point.y;
+    sum += point.z;
+  }
+  // Volatile, so that the sum is needed.
+  [[maybe_unused]] volatile double sum_of_all = sum;
+  times_.push_back(watch.lap());
+}
+
+double ReadFloor::median_seconds() const {
+  return median(times_);
+}
+
+double median_seconds(const std::function<void()>& run, ReadFloor& floor) {
   run();
   std::vector<double> times;
   double spent = 0.0;
@@ -23,24 +47,9 @@ double median_seconds(const std::function<void()>& run) {
     run();
     times.push_back(watch.lap());
     spent += times.back();
+    floor.pass();
   }
-  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-  std::nth_element(times.begin(), middle, times.end());
-  return *middle;
-}
-
-double read_floor_seconds(const std::vector<Point>& points) {
-  // Volatile, so that the sum is needed.
-  volatile double sum_of_all = 0.0;
-  return median_seconds([&] {
-    double sum = 0.0;
-    for (const Point& point : points) {
-      sum += point.x;
-      sum += point.y;
-      sum += point.z;
-    }
-    sum_of_all = sum;
-  });
+  return median(std::move(times));
 }
 
 }  // namespace beespace::cli
