@@ -118,7 +118,7 @@ void expect_little_for_at_risk(const std::vector<Scene>& scenes, unsigned thread
       return find_at_risk(points, options)->size();
     });
     EXPECT_LE(took.bytes / kSize, 40.0) << scene.name;
-    EXPECT_GE(took.bytes / kSize, 4.0) << "nothing was measured";
+    EXPECT_GE(took.bytes / kSize, 1.0) << "not even the marks were measured";
   }
 }
 
