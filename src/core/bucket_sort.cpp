@@ -47,7 +47,7 @@ void find_buckets(const PositionBlock& at, std::size_t count, const CellOrder& o
   }
 }
 
-constexpr std::size_t kRemembered = 2048;  // digits are worked out once, for buckets up to this
+constexpr std::size_t kRemembered = 4096;  // digits are worked out once, for buckets up to this
 
 // One stable counting pass; digit_of(record) is below 1 << digit_bits, and put(place, record) takes
 // the result.
@@ -173,23 +173,18 @@ void BucketSorter::pass(const CellRecord* from, std::size_t size, unsigned digit
                   [spare](std::size_t place, const CellRecord& record) { spare[place] = record; });
     return;
   }
-  const SortedArrays to{to_.x + first, to_.y + first, to_.z + first, to_.id + first};
-  if (size > kRemembered) {
-    counting_pass(from, size, digit_bits, digit_of,
-                  [to](std::size_t place, const CellRecord& record) { to.put(place, record); });
-    return;
-  }
-  // By way of the nearest cache: four words here and there in memory that is not in a cache would
-  // fill up what a processor has in flight.
-  std::array<std::int32_t, 3 * kRemembered> xyz;
-  std::array<PointId, kRemembered> id;
-  const SortedArrays near{xyz.data(), xyz.data() + size, xyz.data() + 2 * size, id.data()};
+  // By way of the records that are of no use any more, which are in a cache: four words here and
+  // there in memory that is not would fill up what a processor has in flight.
+  static_assert(sizeof(CellRecord) == 4 * sizeof(std::int32_t));
+  auto* const words = reinterpret_cast<std::int32_t*>(spare);
+  const SortedArrays near{words, words + size, words + 2 * size,
+                          reinterpret_cast<PointId*>(words + 3 * size)};
   counting_pass(from, size, digit_bits, digit_of,
                 [near](std::size_t place, const CellRecord& record) { near.put(place, record); });
-  std::copy_n(near.x, size, to.x);
-  std::copy_n(near.y, size, to.y);
-  std::copy_n(near.z, size, to.z);
-  std::copy_n(near.id, size, to.id);
+  std::copy_n(near.x, size, to_.x + first);
+  std::copy_n(near.y, size, to_.y + first);
+  std::copy_n(near.z, size, to_.z + first);
+  std::copy_n(near.id, size, to_.id + first);
 }
 
 // By the highest digit, in place: every record is swapped to where its digit's run goes on (the

@@ -316,12 +316,12 @@ class CollectOnce {
     for (std::uint32_t lane = 0; lane < count; ++lane) asked_[lane] = id_[places[lane]];
   }
   bool beside(const Seen& seen, std::uint32_t i, std::uint32_t j) {
-    Lanes::store(id_ + i, seen, pairs_.first + pairs_.size);
-    Lanes::store(id_ + j, seen, pairs_.second + pairs_.size);
+    Lanes::store(id_ + i, seen.near, pairs_.first + pairs_.size);
+    Lanes::store(id_ + j, seen.near, pairs_.second + pairs_.size);
     return go_on_after(seen);
   }
   bool across(const Seen& seen, std::uint32_t j) {
-    Lanes::store(asked_, seen, pairs_.first + pairs_.size);
+    Lanes::store(asked_, seen.near, pairs_.first + pairs_.size);
     Lanes::fill(pairs_.second + pairs_.size, id_[j]);
     return go_on_after(seen);
   }

@@ -71,7 +71,7 @@ class CollectAsked {
   bool take(const typename Lanes::Seen& seen, std::uint32_t from) {
     if (seen.near == 0 || !go_on_) return go_on_;
     Lanes::fill(pairs_.first + pairs_.size, asked_);
-    Lanes::store(others_ + from, seen, pairs_.second + pairs_.size);
+    Lanes::store(others_ + from, seen.near, pairs_.second + pairs_.size);
     pairs_.size += static_cast<std::uint32_t>(__builtin_popcount(seen.near));
     if (pairs_.capacity - pairs_.size >= PairSink::kMostAtOnce) [[likely]] {
       return true;
@@ -85,6 +85,49 @@ class CollectAsked {
   PairSink& pairs_;
   const PointId* others_ = nullptr;
   PointId asked_ = 0;
+  bool go_on_ = true;
+};
+
+template <class Lanes>
+class CollectRows {
+ public:
+  explicit CollectRows(RowSink& rows) : rows_(rows) {}
+
+  bool start(const Sweep& sweep, std::uint32_t i) {
+    asked_ = sweep.asked.id[i];
+    others_ = sweep.others.id;
+    same_set_ = sweep.same_set;
+    length_ = 0;
+    return true;
+  }
+  bool take(const typename Lanes::Seen& seen, std::uint32_t from) {
+    unsigned near = seen.near;
+    if (rows_.above_only) {
+      near &= Lanes::above(others_ + from, asked_);
+    } else if (same_set_) {
+      near &= ~Lanes::equal(others_ + from, asked_);
+    }
+    Lanes::store(others_ + from, near, rows_.ids + rows_.size);
+    const auto count = static_cast<std::uint32_t>(__builtin_popcount(near));
+    rows_.size += count;
+    length_ += count;
+    if (rows_.capacity - rows_.size >= PairSink::kMostAtOnce) [[likely]] {
+      return true;
+    }
+    go_on_ = rows_.make_room(rows_.context);
+    return go_on_;
+  }
+  bool finish(std::uint32_t i) {
+    rows_.lengths[i] = length_;
+    return go_on_;
+  }
+
+ private:
+  RowSink& rows_;
+  const PointId* others_ = nullptr;
+  PointId asked_ = 0;
+  std::uint32_t length_ = 0;
+  bool same_set_ = false;
   bool go_on_ = true;
 };
 
@@ -128,7 +171,7 @@ template <class Lanes>
   }
 }
 
-// Compares the selected point i with the points [from, end) that lie within a cell of it along x.
+// Compares the selected point i with the points [from, end) that lie within its reach along x.
 // Returns how many of those it has seen lie before that.
 template <class Lanes, class Sink>
 [[gnu::always_inline]] inline std::uint32_t scan(const Lanes& lanes, const Positions& at,

@@ -48,13 +48,14 @@ inline Unsure decided_by(const Question& question) {
 
 class RowSweeps {
  public:
-  // `around`: which rows around its own a swarm by itself looks into. Between two swarms it is all.
-  enum class Around { kLaterRows, kAllRows };
+  // Which rows a swarm by itself looks into: its own and the later ones around it, its own and all
+  // around it, or all nine alike, as between two swarms.
+  enum class Around { kLaterRows, kAllRows, kOwnRowToo };
 
   RowSweeps(const Question& question, const Unsure& unsure, Around around = Around::kLaterRows)
       : asked_(question.asked.grid),
         others_(question.others.grid),
-        by_itself_(question.by_itself()),
+        by_itself_(question.by_itself() && around != Around::kOwnRowToo),
         later_only_(by_itself_ && around == Around::kLaterRows),
         sweep_{positions(asked_),
                positions(others_),

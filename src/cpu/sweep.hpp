@@ -68,9 +68,9 @@ struct Sweep {
 
 // What becomes of near pairs. Between two sets the asking point takes note. Where a set is swept by
 // itself, `targets` are the rows of higher numbers, a pair is met once, and both points take note;
-// only counts are taken within a row by everybody for itself. Arrays are indexed by sorted points,
-// less first_asked or first_other; where a set is swept by itself they are the same arrays, and can
-// be read and written kPadding beyond.
+// but counts and nearest ones are taken within a row by everybody for itself. Arrays are indexed by
+// sorted points, less first_asked or first_other; where a set is swept by itself they are the same
+// arrays, and can be read and written kPadding beyond.
 
 struct Marks {
   std::uint8_t* asked;  // nonzero: has a near one
@@ -99,6 +99,17 @@ struct PairSink {
   void* context;
 };
 
+// The near ones of each point that asks, one row behind the other. `make_room` as in PairSink.
+struct RowSink {
+  PointId* ids;
+  std::uint32_t size;
+  std::uint32_t capacity;
+  std::uint32_t* lengths;  // by sorted point
+  bool above_only;         // leave out ids below that of the point that asks
+  bool (*make_room)(void* context);
+  void* context;
+};
+
 // The nearest two of all that were looked at, near or not: squared distances in units, and who the
 // nearest is, as a sorted point. Nobody is its own nearest.
 struct NearestTable {
@@ -114,13 +125,16 @@ inline constexpr InstructionSet kInstructionSets[] = {
     InstructionSet::kBaseline, InstructionSet::kAvx2, InstructionSet::kAvx512};
 
 struct Kernels {
-  // The first of each two is for a set by itself, the other for points that ask for others.
+  // The first of each two is for a set by itself, the other for points that ask for others; that a
+  // point is among the others itself makes no difference to it, except as the sweep's same_set
+  // says.
   void (*mark)(const Sweep& sweep, const Marks& marks);
   void (*mark_asked)(const Sweep& sweep, const Marks& marks);  // leaves a point once it is marked
   void (*count)(const Sweep& sweep, const Counts& counts);
   void (*count_asked)(const Sweep& sweep, const Counts& counts);
   bool (*collect)(const Sweep& sweep, PairSink& pairs);  // false when make_room said stop
   bool (*collect_asked)(const Sweep& sweep, PairSink& pairs);
+  bool (*collect_rows)(const Sweep& sweep, RowSink& rows);  // of points that ask for others only
   void (*nearest)(const Sweep& sweep, const NearestTable& nearest);  // all rows around are targets
   void (*nearest_asked)(const Sweep& sweep, const NearestTable& nearest);
 };

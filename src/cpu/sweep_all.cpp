@@ -34,8 +34,7 @@ struct Notes {
 template <class Note>
 using Parts = core::Vector<std::optional<Notes<Note>>>;
 
-// Calls sweep_part(sweeps, notes) for every worker's part; combine(mine, note) then brings the
-// notes of all workers together.
+// Calls sweep_part(notes) for every worker's part.
 template <class Note, class SweepPart>
 void sweep_parts(const Question& question, const core::Resources& with, Parts<Note>& parts,
                  SweepPart&& sweep_part) {

@@ -87,8 +87,18 @@ class Lanes {
     _mm_storel_epi64(place, _mm_or_si128(_mm_loadl_epi64(place), chosen));
   }
 
-  static void store(const PointId* ids, const Seen& seen, PointId* to) {
-    store(to, _mm256_permutevar8x32_epi32(load(ids), chosen_first(seen.near)));
+  static unsigned above(const PointId* ids, PointId id) {
+    // Without the highest bit, which would be a sign here.
+    const __m256i sign = _mm256_set1_epi32(INT32_MIN);
+    const __m256i own = _mm256_set1_epi32(static_cast<std::int32_t>(id));
+    return bits(_mm256_cmpgt_epi32(_mm256_xor_si256(load(ids), sign), _mm256_xor_si256(own, sign)));
+  }
+  static unsigned equal(const PointId* ids, PointId id) {
+    const __m256i own = _mm256_set1_epi32(static_cast<std::int32_t>(id));
+    return bits(_mm256_cmpeq_epi32(load(ids), own));
+  }
+  static void store(const PointId* ids, unsigned near, PointId* to) {
+    store(to, _mm256_permutevar8x32_epi32(load(ids), chosen_first(near)));
   }
   static void fill(PointId* to, PointId id) {
     store(to, _mm256_set1_epi32(static_cast<std::int32_t>(id)));

@@ -80,9 +80,17 @@ class Lanes {
     _mm_mask_storeu_epi8(marks, static_cast<__mmask16>(near), _mm_set1_epi8(-1));
   }
 
-  static void store(const PointId* ids, const Seen& seen, PointId* to) {
-    _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(static_cast<__mmask16>(seen.near),
-                                                        _mm512_loadu_si512(ids)));
+  static unsigned above(const PointId* ids, PointId id) {
+    return _mm512_cmpgt_epu32_mask(_mm512_loadu_si512(ids),
+                                   _mm512_set1_epi32(static_cast<std::int32_t>(id)));
+  }
+  static unsigned equal(const PointId* ids, PointId id) {
+    return _mm512_cmpeq_epi32_mask(_mm512_loadu_si512(ids),
+                                   _mm512_set1_epi32(static_cast<std::int32_t>(id)));
+  }
+  static void store(const PointId* ids, unsigned near, PointId* to) {
+    _mm512_storeu_si512(
+        to, _mm512_maskz_compress_epi32(static_cast<__mmask16>(near), _mm512_loadu_si512(ids)));
   }
   static void fill(PointId* to, PointId id) {
     _mm512_storeu_si512(to, _mm512_set1_epi32(static_cast<std::int32_t>(id)));

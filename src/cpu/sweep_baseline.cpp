@@ -12,6 +12,7 @@ namespace {
 
 class Lanes {
   using Ints [[gnu::vector_size(16)]] = std::int32_t;
+  using Ids [[gnu::vector_size(16)]] = PointId;
   using Floats [[gnu::vector_size(16)]] = float;
 
  public:
@@ -91,8 +92,10 @@ class Lanes {
     store(marks, old);
   }
 
-  static void store(const PointId* ids, const Seen& seen, PointId* to) {
-    for (unsigned near = seen.near; near != 0; near &= near - 1) {
+  static unsigned above(const PointId* ids, PointId id) { return bits(load<Ids>(ids) > id); }
+  static unsigned equal(const PointId* ids, PointId id) { return bits(load<Ids>(ids) == id); }
+  static void store(const PointId* ids, unsigned near, PointId* to) {
+    for (; near != 0; near &= near - 1) {
       *to++ = ids[__builtin_ctz(near)];
     }
   }

@@ -29,6 +29,9 @@ constexpr Kernels kernels_over() {
       [](const Sweep& sweep, PairSink& pairs) {
         return sweep_points<Lanes>(sweep, CollectAsked<Lanes>(pairs));
       },
+      [](const Sweep& sweep, RowSink& rows) {
+        return sweep_points<Lanes>(sweep, CollectRows<Lanes>(rows));
+      },
       [](const Sweep& sweep, const NearestTable& nearest) {
         (void)sweep_blocks<Lanes>(sweep, KeepNearestOfAll<Lanes>(nearest));
       },

@@ -19,14 +19,15 @@
 //   add_near(seen, lane)            an unsure one is near
 //   leave_out(seen, ids, id)        the lane whose id is this one no longer counts
 //   mark(marks, near)               marks[lane] = nonzero for every near lane
-//   store(ids, seen, to)            writes the ids of the near lanes one after the other; kLanes
+//   above(ids, id), equal(ids, id)  the lanes whose ids are
+//   store(ids, near, to)            writes the ids of the near lanes one after the other; kLanes
 //                                   places may be written
 //   fill(to, id)                    writes an id kLanes times
 //   at_sides(y, z, sides, reach, row, count)   which of the next points lie within the reach of all
 //                                   these sides of their row, of which the first `count` count
 //   pack(from, chosen, to)          writes the chosen ones of kLanes words, as store does
 //   pack_numbers(first, chosen, to) the same of the numbers from `first` on
-//   Tally                           counts the near, lane by lane: add(seen), total(), write(to)
+//   Tally                           counts the near, lane by lane: add(seen), write(to)
 //   Nearest                         keeps the nearest two, lane by lane, among all that count:
 //                                   add(seen, from), whose lanes met `from` and those behind it;
 //                                   add_one(seen, who); read, write_lanes; write, of all lanes

@@ -38,8 +38,8 @@ class Frame {
   // The expected number of others in a cube of side `side_m` around a point's own place.
   [[nodiscard]] double mates(double side_m) const;
 
-  // How wide rows should be, as a power of two, for searches up to `reach`: so wide that the points
-  // a kernel compares at once are mostly worth comparing, and no wider.
+  // How wide rows should be, as a power of two, for searches up to `reach`: so wide that few points
+  // lie beside a seam, and no wider.
   [[nodiscard]] unsigned row_shift(const core::Lattice& lattice, double reach) const;
 
  private:

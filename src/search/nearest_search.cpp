@@ -62,8 +62,8 @@ class NearestSearch {
   }
 
  private:
-  // Of the cube that holds a dozen: within this radius nearly everybody of an even swarm finds one
-  // of four.
+  // Of the cube that holds a dozen: within this radius everybody of an even swarm expects three
+  // others, and one in 25 finds nobody. Measured, between 0.40 and 0.54.
   static constexpr double kFirstRadius = 0.40;
   static constexpr double kTwinCells = 0x1p-40;
 

@@ -288,6 +288,67 @@ TEST_P(EveryKernel, CollectsEveryNearPairOnceInBuffersOfAnySize) {
   }
 }
 
+// Rows in a buffer that is emptied when it is full.
+struct CollectedRows {
+  CollectedRows(std::uint32_t capacity, std::size_t points, bool above_only)
+      : buffer(capacity), lengths(points, 0) {
+    const auto make_room = [](void* self) {
+      static_cast<CollectedRows*>(self)->take();
+      return true;
+    };
+    sink = {buffer.data(), 0, capacity, lengths.data(), above_only, make_room, this};
+  }
+  CollectedRows(const CollectedRows&) = delete;
+  CollectedRows& operator=(const CollectedRows&) = delete;
+
+  void take() {
+    ids.insert(ids.end(), buffer.begin(), buffer.begin() + sink.size);
+    sink.size = 0;
+  }
+
+  std::vector<PointId> buffer;
+  std::vector<std::uint32_t> lengths;
+  std::vector<PointId> ids;
+  RowSink sink{};
+};
+
+TEST_P(EveryKernel, CollectsRowsOfAllOrOfThoseAbove) {
+  for (const bool above_only : {false, true}) {
+    for (const bool same_set : {false, true}) {
+      for_each_scene(false, [&](SweepScene& scene) {
+        scene.same_set = same_set;
+        const Limits limits = limits_of(scene.shape);
+        PlacePairs expected;
+        for (const auto& [i, j] : expected_of(scene, limits).all_near()) {
+          const PointId asked = scene.asked().id[i];
+          const PointId other = scene.others().id[j];
+          if (above_only ? other > asked : !(same_set && other == asked)) {
+            expected.emplace_back(i, other);
+          }
+        }
+        std::sort(expected.begin(), expected.end());
+        for (const std::uint32_t capacity : {16U, 40U, 100'000U}) {
+          CollectedRows rows(capacity, scene.asked().size(), above_only);
+          Open open;
+          ASSERT_TRUE(kernels().collect_rows(scene.sweep(limits, open.unsure()), rows.sink));
+          rows.take();
+          PlacePairs found;
+          std::size_t next = 0;
+          for (std::uint32_t i = 0; i < rows.lengths.size(); ++i) {
+            for (std::uint32_t k = 0; k < rows.lengths[i]; ++k) {
+              ASSERT_LT(next, rows.ids.size());
+              found.emplace_back(i, rows.ids[next++]);
+            }
+          }
+          ASSERT_EQ(next, rows.ids.size());
+          std::sort(found.begin(), found.end());
+          ASSERT_EQ(found, expected);
+        }
+      });
+    }
+  }
+}
+
 TEST_P(EveryKernel, StopsCollectingWhenThereIsNoMoreRoom) {
   std::size_t stopped = 0;
   for (const bool by_itself : {true, false}) {
