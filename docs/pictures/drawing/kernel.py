@@ -1,4 +1,4 @@
-"""One look of a kernel: sixteen points are compared with one, in whole units."""
+"""One comparison of a kernel: sixteen pairs of points, a lane each, in whole units."""
 
 import itertools
 import random
@@ -31,20 +31,20 @@ def verdict(difference):
 
 
 def _look():
-    picture = Picture(860, 330, "One look of a kernel")
+    picture = Picture(860, 330, "One comparison of a kernel")
     lanes = _differences()
     verdicts = [verdict(lane) for lane in lanes]
     left, step, top, row = 132, 44.5, 74, 30
-    picture.text(22, 30, "Sixteen comparisons at once", "ink", None, "strong")
-    picture.lines(22, 48, [f"Differences to one point, in units; here X is {THRESHOLD} units. "
-                           f"Surely near: below {THRESHOLD - 2}² = {NEAR:,}; surely far: above "
-                           f"{THRESHOLD + 2}² = {FAR:,}."])
+    picture.text(22, 30, "Sixteen pairs at once", "ink", None, "strong")
+    picture.lines(22, 48, ["In each lane p asks and q is met; differences in units, X is "
+                           f"{THRESHOLD}. Surely near: below {THRESHOLD - 2}² = {NEAR:,}; surely "
+                           f"far: above {THRESHOLD + 2}² = {FAR:,}."])
     tints = {"near": "good", "far": "soft", "unsure": "hot"}
     washes = {"near": "goodwash", "far": "wash", "unsure": "hotwash"}
     rows = [[f"{lane[axis]:,}".replace("-", "−") for lane in lanes] for axis in range(3)]
     rows.append([f"{sum(c * c for c in lane):,}" for lane in lanes])
     rows.append(verdicts)
-    for k, (name, values) in enumerate(zip(("x − x of p", "y − y of p", "z − z of p",
+    for k, (name, values) in enumerate(zip(("x of q − p", "y of q − p", "z of q − p",
                                             "sum of squares", "verdict"), rows)):
         y = top + k * (row + 6)
         picture.text(left - 12, y + 20, name, "ink", "end", "small")
@@ -61,7 +61,7 @@ def _look():
                  "stored together", "ink", None, "small")
     lane = verdicts.index("unsure")
     picture.text(left - 12, y + 24, "unsure", "hot", "end", "small")
-    picture.text(left, y + 24, f"lane {lane + 1}: the given doubles decide; √"
+    picture.text(left, y + 24, f"lane {lane + 1}: the given doubles decide at once; √"
                  f"{sum(c * c for c in lanes[lane]):,} is within 2 units of {THRESHOLD}", "ink",
                  None, "small")
     return picture

@@ -5,7 +5,7 @@ import math
 from canvas import Picture, Plot
 from points import clustered, nearest_of
 
-FIRST_RADIUS = 0.43  # of a cube with a dozen mates, as in nearest_search.cpp
+FIRST_RADIUS = 0.40  # of a cube with a dozen mates, as in nearest_search.cpp
 MATES = 12.0
 TINTS = ("good", "cool", "odd", "hot", "ink")
 

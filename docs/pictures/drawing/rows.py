@@ -1,54 +1,69 @@
-"""Rows of cells as wide as the swarm is thin, and the windows that move along them."""
+"""Rows of cells as wide as the swarm is thin, and what the width of a row costs."""
 
+import bisect
 import math
 import random
 
 from canvas import Picture, Plot
-from points import scattered
 
 LANES = 16
 SLICES = 4  # a cell
-# In cells: how much of a row's length the points of a window come from, on average. Windows begin
-# and end with whole slices; in its own row a point meets only those behind it.
-OWN_LENGTH = (SLICES + 0.5) / SLICES
-OTHER_LENGTH = (2 * SLICES + 1) / SLICES
+# In cells along a row, on average: how far a lane reaches ahead, to the end of a slice; and how
+# much more than its own length a block of lanes reaches, at both ends.
+AHEAD = (SLICES + 0.5) / SLICES
+AROUND = 2.0 * AHEAD
+# A million points with two neighbours each, AVX-512, as (own row, across seams, packings); their
+# rows are 4 cells wide.
+MEASURED = (4, (0.82, 0.70, 0.48))
 
 
 def rows_a_point(width):
-    """Its own, and half of those beyond the edges that its cell is at (the other half has met it):
-    ((1 + 2/w)^2 - 1) / 2 + 1."""
+    """Its own, and half of those beyond the seams that its cell lies beside (the other half meets
+    it): ((1 + 2/w)^2 - 1) / 2 + 1."""
     return 1.0 + 2.0 / width + 2.0 / width ** 2
-
-
-def looks(mean):
-    """Expected instructions for a window that holds a Poisson number of points: one, and another
-    for every full one."""
-    if mean > 500.0:
-        return mean / LANES + 1.0 - (LANES - 1) / (2.0 * LANES)
-    probability = math.exp(-mean)
-    expected = below = 0.0
-    count = 0
-    while below < 1.0 - 1e-12 and count < mean + 20.0 * math.sqrt(mean) + 50.0:
-        expected += probability * (count // LANES + 1)
-        below += probability
-        count += 1
-        probability *= mean / count
-    return expected
 
 
 def points_a_cell(neighbours):
     return neighbours / (4.0 / 3.0 * math.pi)
 
 
-def instructions_a_point(width, neighbours):
+def most_ahead(section, blocks=400):
+    """How many points the lane of a block that reaches farthest has ahead, on average, where so
+    many points come along a cell's length of a row."""
+    chance = random.Random(16)
+    points = LANES * blocks + math.ceil(2.0 * AHEAD * section) + 64
+    slices = sorted(int(chance.random() * points / section * SLICES) for _ in range(points))
+    ahead = [bisect.bisect_left(slices, slices[i] + SLICES + 1) - 1 - i
+             for i in range(LANES * blocks)]
+    return sum(max(ahead[k:k + LANES]) for k in range(0, len(ahead), LANES)) / blocks
+
+
+def own_row(width, neighbours):
+    """Comparisons a point: a block's steps, the last of which reaches nobody."""
+    return (most_ahead(points_a_cell(neighbours) * width ** 2) + 1.0) / LANES
+
+
+def across_seams(width, neighbours):
+    """Comparisons a point. Of the later rows, two are beyond an edge that 1/w of the points lie
+    beside, two beyond a corner, 1/w^2. A block of those meets who lies beside its own length, and
+    beside what it reaches at both ends."""
     section = points_a_cell(neighbours) * width ** 2
-    return (looks(OWN_LENGTH * section)
-            + (rows_a_point(width) - 1.0) * looks(OTHER_LENGTH * section))
+    return sum(2.0 * share * (LANES - 1 + AROUND * share * section) / LANES
+               for share in (1.0 / width, 1.0 / width ** 2))
+
+
+def packings(seams=4):
+    """Groups of lanes a point that are packed: once on each side of every seam to a later row."""
+    return 2.0 * seams / LANES
+
+
+def groups_a_point(width, neighbours):
+    return own_row(width, neighbours) + across_seams(width, neighbours) + packings()
 
 
 def chosen_width(neighbours):
-    """As in frame.cpp, in a wide and even swarm: doubled while no more than 18 points lie in a
-    row's window ahead of a point, a cell long."""
+    """As in frame.cpp, in a wide and even swarm: doubled while no more than 18 points are expected
+    ahead of a point in its own row, within a cell's length."""
     width = 1
     while points_a_cell(neighbours) * (2 * width) ** 2 <= 18.0:
         width *= 2
@@ -66,7 +81,7 @@ def _sections():
         side = 30
         name = "Rows one cell wide" if width == 1 else f"Rows {width} cells wide"
         picture.text(left, 30, name, "ink", None, "strong")
-        picture.lines(left, 48, ["Colour: how many rows a point there looks into, with its own."])
+        picture.lines(left, 48, ["Colour: in how many rows, with its own, somebody near may be."])
         for column in range(cells):
             for row in range(cells):
                 both = 1
@@ -101,82 +116,46 @@ def _sections():
     return picture
 
 
-def _cost():
-    picture = Picture(860, 390, "What the width of rows costs")
-    plot = Plot(picture, 56, 74, 300, 240, (1, 32), (0, 5.5), x_log=True)
-    picture.text(22, 30, "Rows a point looks into", "ink", None, "strong")
-    ticks = [(w, str(w)) for w in (1, 2, 4, 8, 16, 32)]
-    plot.axes(ticks, [(k, str(k)) for k in range(6)], "width w of a row, in cells", "rows")
-    plot.curve([(2 ** (k / 20), rows_a_point(2 ** (k / 20))) for k in range(101)], "cool", 2.4)
-    for width, _ in ticks:
-        picture.dot(plot.x_at(width), plot.y_at(rows_a_point(width)), 3.6, "cool")
-        picture.text(plot.x_at(width) + 6, plot.y_at(rows_a_point(width)) - 9,
-                     _short(rows_a_point(width)), "cool", None, "small")
-    picture.text(plot.x_at(3.2), plot.y_at(3.4), "1 + 2/w + 2/w²", "cool")
+def _widths(most):
+    return [2 ** (k / 8) for k in range(8 * int(math.log2(most)) + 1)]
 
-    plot = Plot(picture, 468, 74, 300, 240, (1, 32), (1, 64), x_log=True, y_log=True)
-    picture.text(432, 30, "Instructions a point, sixteen comparisons each", "ink", None, "strong")
-    plot.axes(ticks, [(k, str(k)) for k in (1, 2, 4, 8, 16, 32, 64)],
-              "width w of a row, in cells (dot: what is chosen)", "instructions")
+
+def _cost():
+    picture = Picture(860, 404, "What the width of rows costs")
+    ticks = [(w, str(w)) for w in (1, 2, 4, 8, 16, 32)]
+    plot = Plot(picture, 56, 88, 300, 240, (1, 16), (0, 5), x_log=True)
+    picture.text(22, 30, "Two neighbours: what a point costs", "ink", None, "strong")
+    picture.lines(22, 48, ["In groups of sixteen lanes. Circles: measured."])
+    plot.axes(ticks[:-1], [(k, str(k)) for k in range(6)], "width w of a row, in cells", "groups")
+    parts = (("own row", "hot", own_row), ("across seams", "cool", across_seams),
+             ("packings", "odd", lambda width, neighbours: packings()))
+    for k, (name, tint, cost) in enumerate((("together", "ink", groups_a_point), *parts)):
+        values = [(w, cost(w, 2)) for w in _widths(16)]
+        plot.curve([value for value in values if value[1] <= 5], tint, 2.2)
+        picture.line(158, 100 + 18 * k, 180, 100 + 18 * k, tint, 2.2)
+        picture.text(188, 104 + 18 * k, name, tint, None, "small")
+    width, measured = MEASURED
+    for value, (_, tint, _) in zip(measured, parts):
+        picture.circle(plot.x_at(width), plot.y_at(value), 5, tint, "page", 2)
+    picture.circle(plot.x_at(width), plot.y_at(sum(measured)), 5, "ink", "page", 2)
+
+    plot = Plot(picture, 468, 88, 300, 240, (1, 32), (0.5, 32), x_log=True, y_log=True)
+    picture.text(432, 30, "Thinner and denser swarms, together", "ink", None, "strong")
+    picture.lines(432, 48, ["λ neighbours each. Dots: the width that is chosen."])
+    plot.axes(ticks, [(k, f"{k:g}") for k in (0.5, 1, 2, 4, 8, 16, 32)],
+              "width w of a row, in cells", "groups")
     for neighbours, tint in ((0.02, "good"), (0.2, "odd"), (2, "hot"), (20, "cool")):
-        values = [(2 ** (k / 10), instructions_a_point(2 ** (k / 10), neighbours))
-                  for k in range(51)]
-        values = [value for value in values if value[1] <= 64]
+        values = [(w, groups_a_point(w, neighbours)) for w in _widths(32)
+                  if points_a_cell(neighbours) * w ** 2 < 32 * LANES]
+        values = [value for value in values if value[1] <= 32]
         plot.curve(values, tint, 2.2)
         x, y = values[-1]
         picture.text(plot.x_at(x) + 8, plot.y_at(y) + 4, f"λ = {neighbours:g}", tint, None, "small")
         width = chosen_width(neighbours)
-        picture.dot(plot.x_at(width), plot.y_at(instructions_a_point(width, neighbours)), 5, tint)
-    return picture
-
-
-def _windows():
-    picture = Picture(860, 320, "Windows that only move forward")
-    left, cell = 30, 100
-    slice_width = cell / SLICES
-    length = 8 * cell
-    chance = random.Random(3)
-    tops = (64, 190)
-    height = 60
-    asked = left + 3.30 * cell
-    behind = [left + x for x, _ in scattered(8, 26, length, 1)]
-    others = [left + x for x, _ in scattered(9, 26, length, 1)]
-    first = left + math.floor((asked - left - cell) / slice_width) * slice_width
-    end = left + (math.floor((asked - left + cell) / slice_width) + 1) * slice_width
-    own_slice = left + math.floor((asked - left) / slice_width) * slice_width
-    picture.text(left, 30, "A point asks in its own row …", "ink", None, "strong")
-    picture.lines(left, 48, ["Those behind it in the order, to the end of the slice that is a cell "
-                             "away. Those before it have asked already."])
-    picture.text(left, 176, "… and in a row around it", "ink", None, "strong")
-    for top in tops:
-        start = own_slice if top == tops[0] else first
-        picture.box(left, top, length, height, "wash")
-        picture.box(start, top, end - start, height, "coolwash")
-        for k in range(8 * SLICES + 1):
-            x = left + k * slice_width
-            strong = k % SLICES == 0
-            picture.line(x, top, x, top + height, "soft" if strong else "rule",
-                         1.2 if strong else 0.6)
-    places = {top: [(x, top + 8 + 44 * chance.random()) for x in row]
-              for top, row in ((tops[0], behind), (tops[1], others))}
-    at = (asked, tops[0] + height - 16)
-    for top in tops:
-        start = own_slice if top == tops[0] else first
-        for place in places[top]:
-            inside = start <= place[0] < end
-            picture.dot(*place, 3.2, "cool" if inside else "soft")
-    picture.dot(*at, 5, "hot")
-    picture.line(at[0], tops[0], at[0], tops[1] + height, "hot", 1.2, dashed=True)
-    picture.line(first, tops[1] - 5, first, tops[1] + height + 5, "cool", 2.5)
-    picture.arrow(first, tops[1] + height + 16, first + 52, tops[1] + height + 16, "cool", 2)
-    picture.lines(first + 62, tops[1] + height + 20,
-                  ["the window starts where the last one's did, or later; it never goes back"])
-    picture.lines(left, 304, ["Strong lines: cells. Fine lines: slices, a quarter of a cell; "
-                              "within a slice points stand in any order."])
+        picture.dot(plot.x_at(width), plot.y_at(groups_a_point(width, neighbours)), 5, tint)
     return picture
 
 
 def pictures():
     yield "rows", _sections()
     yield "row-width", _cost()
-    yield "windows", _windows()
