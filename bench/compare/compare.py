@@ -40,7 +40,7 @@ class Comparison:
 
     def _swarms(self):
         for swarm in plan.SWARMS:
-            if self._only and not any(swarm.name.startswith(name) for name in self._only):
+            if not is_one_of(swarm.name, self._only):
                 continue
             if not self._quick:
                 yield swarm
@@ -143,7 +143,8 @@ def parse_arguments():
     parser.add_argument("--quick", action="store_true",
                         help="a twentieth of the points; writes to build/compare/quick")
     parser.add_argument("--only", nargs="+", default=[], metavar="SWARM",
-                        help="these swarms only (D1, D2, ...); writes to build/compare/partly")
+                        help="these swarms only (D1, D2, ...); writes to build/compare/partly, "
+                             "or with --sections anew into the whole")
     parser.add_argument("--sections", nargs="+", default=[], choices=SECTIONS, metavar="SECTION",
                         help="these sections only (%(choices)s); the rows of the others are kept")
     parser.add_argument("--render", action="store_true", help="measure nothing, write anew")
@@ -152,18 +153,24 @@ def parse_arguments():
     return parser.parse_args()
 
 
-def rows_of_other_sections(path, sections):
+def is_one_of(swarm_name, only):
+    return not only or any(swarm_name.startswith(name) for name in only)
+
+
+def kept_rows(path, sections, only):
     if not path.exists():
         return []
     # The floors belong to the swarms.
-    measured = set(sections) | ({"floors"} if "swarms" in sections else set()) | {"machine"}
+    measured = set(sections) | ({"floors"} if "swarms" in sections else set())
     lines = path.read_text(encoding="utf-8").splitlines(keepends=True)
-    return [line for line in lines if json.loads(line)["section"] not in measured]
+    rows = [(line, json.loads(line)) for line in lines]
+    return [line for line, row in rows if row["section"] != "machine" and not
+            (row["section"] in measured and is_one_of(row.get("swarm", ""), only))]
 
 
 def measure(options, rows_path):
     sections = options.sections or SECTIONS
-    kept = rows_of_other_sections(rows_path, sections) if options.sections else []
+    kept = kept_rows(rows_path, sections, options.only) if options.sections else []
     unfinished = rows_path.with_suffix(".unfinished")
     with tempfile.TemporaryDirectory(dir=rows_path.parent) as workspace, \
             open(unfinished, "w", encoding="utf-8") as rows_file:
@@ -179,7 +186,8 @@ def measure(options, rows_path):
 
 def main():
     options = parse_arguments()
-    part = "quick" if options.quick else "partly" if options.only else ""
+    partly = options.only and not options.sections
+    part = "quick" if options.quick else "partly" if partly else ""
     rows_path = options.build / part / "results.jsonl"
     rows_path.parent.mkdir(parents=True, exist_ok=True)
     output = options.build / part if part else PROJECT / "docs" / "benchmarks"
