@@ -66,7 +66,9 @@ LD_LIBRARY_PATH=$libraries check_output "$work/with-pkg-config"
 
 if [ "$kind" = shared ]; then
   # A static archive must not have been linked by mistake, and only beespace's own is exported.
-  LD_LIBRARY_PATH=$libraries ldd "$work/with-pkg-config" | grep -q "$prefix.*libbeespace.so" ||
+  # (Not in a pipe to grep -q, which may end before ldd has written all.)
+  used=$(LD_LIBRARY_PATH=$libraries ldd "$work/with-pkg-config")
+  grep -q "$prefix.*libbeespace.so" <<< "$used" ||
     fail "the program does not use the shared library"
   leaked=$(nm -D --defined-only "$libraries/libbeespace.so" | awk '$2 !~ /^[VvWwu]$/ {print $3}' |
     grep -v beespace || true)
