@@ -98,7 +98,7 @@ class Comparison:
                          if question == "pairs"), default=0)
             floors = json.loads(self._programs.run("floors", [points, pairs]))
             self._keep("floors", swarm=swarm.name, pairs=pairs, **floors)
-        if not self._quick and not self._only:
+        if not self._quick and is_one_of(plan.HUGE.name, self._only):
             self._ask_all("swarms", plan.HUGE, ["at_risk"], [plan.OURS])
 
     def sizes(self):

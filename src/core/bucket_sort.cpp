@@ -15,6 +15,9 @@ namespace {
 constexpr unsigned kMostBucketBits = 12;
 constexpr unsigned kPointsABucketBits = 9;
 
+// More streams than that are still better than buckets of more points, which have to be split.
+constexpr unsigned kMostPointsABucketBits = 13;
+
 // Below this, a comparison sort is done before a counting sort has cleared its counters.
 constexpr std::size_t kFew = 32;
 
@@ -23,7 +26,8 @@ constexpr unsigned kMostDigitBits = 10;
 unsigned bucket_bits_for(std::size_t size, unsigned key_bits) {
   const auto size_bits = static_cast<unsigned>(std::bit_width(size));
   const unsigned wanted = size_bits - std::min(size_bits, kPointsABucketBits);
-  return std::min({wanted, kMostBucketBits, key_bits});
+  const unsigned least = size_bits - std::min(size_bits, kMostPointsABucketBits);
+  return std::min({wanted, std::max(least, kMostBucketBits), key_bits});
 }
 
 // A record in one store, of which a processor bears far more in flight than of single words.
