@@ -158,7 +158,7 @@ std::optional<Error> read_array(LoadedPoints& loaded, RecordSource& source,
   const ArrayLayout& layout = *source.array;
   if (layout.rows > kMaxPoints) {
     return Error{
-        ErrorCode::kTooManyPoints, "more than 4,294,967,295 points; split the file into parts", {}};
+        ErrorCode::kTooManyPoints, "more than 4,294,963,200 points; split the file into parts", {}};
   }
   loaded.points.reserve(layout.rows);
   for (std::uint64_t row = 0; row < layout.rows; ++row) {

@@ -91,7 +91,7 @@ class TableReading {
       error_ = std::move(content.error);
     } else if (content_.points.size() + content.points.size() > kMaxPoints) {
       error_ = Error{ErrorCode::kTooManyPoints,
-                     "more than 4,294,967,295 points; split the file into parts",
+                     "more than 4,294,963,200 points; split the file into parts",
                      {}};
     }
     if (error_) {

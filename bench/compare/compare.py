@@ -164,8 +164,11 @@ def kept_rows(path, sections, only):
     measured = set(sections) | ({"floors"} if "swarms" in sections else set())
     lines = path.read_text(encoding="utf-8").splitlines(keepends=True)
     rows = [(line, json.loads(line)) for line in lines]
+    # Other sections measure all of theirs, whatever swarms are asked for.
+    by_swarm = {"check", "swarms", "floors", "sizes"}
     return [line for line, row in rows if row["section"] != "machine" and not
-            (row["section"] in measured and is_one_of(row.get("swarm", ""), only))]
+            (row["section"] in measured and
+             (row["section"] not in by_swarm or is_one_of(row["swarm"], only)))]
 
 
 def measure(options, rows_path):

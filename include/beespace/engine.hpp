@@ -1,8 +1,9 @@
 // The searches of beespace for those who ask again and again: frame after frame of a swarm.
 //
 // An Engine keeps its working memory and its threads between calls, and writes answers into the
-// caller's own containers. Once it has seen two frames as large as those that follow, a call
-// allocates nothing. The answers are those of the functions of the same name.
+// caller's own containers. Once it has seen two frames like those that follow, a call allocates
+// nothing; a frame much fuller or emptier than those may be searched in another way, and allocate
+// again. The answers are those of the functions of the same name.
 //
 // Ownership: an Engine owns its memory and threads; a Crew given to it must outlive it. Not
 // thread-safe: use one Engine a thread (they may share a ThreadCrew). On an error the answer's

@@ -52,8 +52,8 @@ struct Nearest {
 
 // For every point the nearest other point, however far. Entry i belongs to point i; with a single
 // point it is nobody. `threads` as in SearchOptions. Cost: one to three hundred nanoseconds a
-// point, in crowds too; working memory: at most 104 bytes a point, the answer included. Errors: as
-// find_closest_pair.
+// point, in crowds too, and more where density differs by many powers of ten; working memory: at
+// most 104 bytes a point, the answer included. Errors: as find_closest_pair.
 BEESPACE_API Result<std::vector<Nearest>> find_nearest(const PointsView& points,
                                                        unsigned threads = 1);
 

@@ -27,7 +27,8 @@ inline constexpr double kLargestCoordinate_m = 0x1p+400;   // about 2.6e+120 m
 // The 0-based position of a point in the caller's order.
 using PointId = std::uint32_t;
 
-// The most points that one search takes: every id fits a PointId.
-inline constexpr std::uint64_t kMaxPoints = 0xFFFF'FFFFu;
+// The most points that one search takes: every id fits a PointId, and so do the places of a few
+// thousand more, so that loops may count beyond the last.
+inline constexpr std::uint64_t kMaxPoints = 0xFFFF'F000u;
 
 }  // namespace beespace

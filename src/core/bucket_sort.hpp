@@ -1,5 +1,5 @@
 // Brings points into the order of a grid, in two steps that suit the caches: one scatter of
-// everything into a few thousand buckets, then each bucket on its own, in the nearest cache.
+// everything into some thousand buckets, then each bucket on its own, in the nearest cache.
 #pragma once
 
 #include "core/buffer.hpp"

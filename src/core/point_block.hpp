@@ -33,9 +33,12 @@ struct Interleaved {
   std::array<std::size_t, 3> place;  // which of the three is on axis 0, 1 and 2
 };
 
-// Asks for points before they are worked on; asking beyond the end does no harm.
-inline void prefetch(const double* xyz, std::size_t count) {
-  for (std::size_t i = 0; i < 3 * count; i += 64 / sizeof(double)) __builtin_prefetch(xyz + i);
+// Asks for the `count` points behind those before they are worked on; asking beyond the end does no
+// harm.
+inline void prefetch_behind(const double* xyz, std::size_t count) {
+  const auto* const first = reinterpret_cast<const std::byte*>(xyz);
+  const std::size_t bytes = count * sizeof(Point);
+  for (std::size_t at = bytes; at < 2 * bytes; at += 64) __builtin_prefetch(first + at);
 }
 
 inline std::optional<Interleaved> interleaved(const PointsView& points) {
@@ -47,8 +50,11 @@ inline std::optional<Interleaved> interleaved(const PointsView& points) {
   Interleaved found{first, {}};
   std::array<bool, 3> taken{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (axes[axis] - first > 2) return std::nullopt;
-    found.place[axis] = static_cast<std::size_t>(axes[axis] - first);
+    // As numbers: they may point into arrays that have nothing to do with each other.
+    const std::uintptr_t bytes =
+        reinterpret_cast<std::uintptr_t>(axes[axis]) - reinterpret_cast<std::uintptr_t>(first);
+    if (bytes > 2 * sizeof(double)) return std::nullopt;
+    found.place[axis] = bytes / sizeof(double);
     taken[found.place[axis]] = true;
   }
   if (!taken[1] || !taken[2]) return std::nullopt;
@@ -125,7 +131,7 @@ void for_each_position_block(const Selection& selected, const Lattice& lattice, 
       given && !selected.ids && !lattice.folded()) {
     for_each_block(begin, end, [&](std::size_t first, std::size_t count) {
       const double* const xyz = given->xyz + 3 * first;
-      prefetch(xyz + 3 * count, count);
+      prefetch_behind(xyz, count);
       lattice.positions(xyz, given->place, count,
                         {positions[0].data(), positions[1].data(), positions[2].data()});
       visit(positions, first, count);

@@ -11,7 +11,7 @@
 //                       those who lie beside it on this side. Both are packed together first, so
 //                       that no lane idles for the many in the middle of a wide row.
 //
-// Nothing here branches on whether a pair is near.
+// Comparing does not branch on whether a pair is near.
 #pragma once
 
 #include "cpu/sweep_lanes.hpp"
@@ -165,6 +165,9 @@ class BlockSweep {
     mine_.size = 0;
     pack(sweep_.asked, part, target.sides, mine_);
     if (mine_.size == 0) return true;
+    Lanes::clear(mine_.x + mine_.size);  // the last block reads so far
+    Lanes::clear(mine_.y + mine_.size);
+    Lanes::clear(mine_.z + mine_.size);
     const std::int32_t* const x = sweep_.others.x;
     const std::int32_t end = reach_.end_x(mine_.x[mine_.size - 1]);
     next_[k] = first_not_before(x, {next_[k], target.points.end}, reach_.first_x(mine_.x[0]));
@@ -183,7 +186,7 @@ class BlockSweep {
 
   // The first point of a range that is not before `x`; most likely one of its first.
   static std::uint32_t first_not_before(const std::int32_t* at, Range range, std::int32_t x) {
-    for (std::uint32_t step = 4; range.begin + step < range.end; step *= 2) {
+    for (std::uint32_t step = 4; step < range.end - range.begin; step *= 2) {
       if (at[range.begin + step] >= x) {
         range.end = range.begin + step;
         break;

@@ -64,11 +64,12 @@ void read_notes(const Question& question, const core::Resources& with, Parts<Not
                   });
   for (std::optional<Notes<Note>>& part : parts) {
     if (!part || !part->both) continue;
-    const Note* const notes = part->other_notes() - part->reach.begin;
+    const std::uint32_t first_noted = part->reach.begin;
+    const Note* const notes = part->other_notes();
     with.crew.split(
         part->reach.end - part->asked.end, [&](std::size_t begin, std::size_t end, unsigned) {
           for (std::size_t i = part->asked.end + begin; i < part->asked.end + end; ++i) {
-            add(id[i], notes[i]);
+            add(id[i], notes[i - first_noted]);
           }
         });
   }

@@ -70,6 +70,7 @@ class Lanes {
   static void pack(const std::int32_t* from, unsigned chosen, std::int32_t* to) {
     store(to, _mm256_permutevar8x32_epi32(load(from), chosen_first(chosen)));
   }
+  static void clear(std::int32_t* words) { store(words, _mm256_setzero_si256()); }
   static void pack_numbers(std::uint32_t first, unsigned chosen, std::uint32_t* to) {
     store(to, _mm256_permutevar8x32_epi32(numbers_from(first), chosen_first(chosen)));
   }

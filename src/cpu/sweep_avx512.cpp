@@ -69,6 +69,7 @@ class Lanes {
     _mm512_storeu_si512(
         to, _mm512_maskz_compress_epi32(static_cast<__mmask16>(chosen), _mm512_loadu_si512(from)));
   }
+  static void clear(std::int32_t* words) { _mm512_storeu_si512(words, _mm512_setzero_si512()); }
   static void pack_numbers(std::uint32_t first, unsigned chosen, std::uint32_t* to) {
     _mm512_storeu_si512(
         to, _mm512_maskz_compress_epi32(static_cast<__mmask16>(chosen), numbers_from(first)));

@@ -72,6 +72,7 @@ class Lanes {
       to += chosen >> lane & 1U;
     }
   }
+  static void clear(std::int32_t* words) { store(words, Ints{}); }
   static void pack_numbers(std::uint32_t first, unsigned chosen, std::uint32_t* to) {
     for (unsigned lane = 0; lane < kLanes; ++lane) {
       *to = first + lane;

@@ -27,6 +27,7 @@
 //                                   these sides of their row, of which the first `count` count
 //   pack(from, chosen, to)          writes the chosen ones of kLanes words, as store does
 //   pack_numbers(first, chosen, to) the same of the numbers from `first` on
+//   clear(words)                    writes kLanes zeros
 //   Tally                           counts the near, lane by lane: add(seen), write(to)
 //   Nearest                         keeps the nearest two, lane by lane, among all that count:
 //                                   add(seen, from), whose lanes met `from` and those behind it;

@@ -14,7 +14,8 @@ struct Choices {
   // How points at risk are found in one swarm.
   enum class Method : std::uint8_t { kAutomatic, kSweep, kProveThenSweep, kProveThenLook };
 
-  // Whether whole boxes of points are counted and joined at once, or pairs one by one.
+  // Whether whole boxes of points are counted and joined at once, and pairs found row by row; or
+  // pairs one by one.
   enum class Crowds : std::uint8_t { kAutomatic, kNever, kAlways };
 
   Method method = Method::kAutomatic;

@@ -1,4 +1,5 @@
-// Whether a frame is crowded enough for the searches that take whole boxes of points at once.
+// Whether a frame is crowded enough for searches that take whole boxes of points at once, or whole
+// rows of pairs.
 #pragma once
 
 #include "search/choices.hpp"

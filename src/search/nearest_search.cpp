@@ -96,7 +96,7 @@ class NearestSearch {
     }
   }
 
-  // Points in a grid that later rounds may look into again: its rows are wider than its cells.
+  // Points in a grid that later rounds may look into again, as far as its rows are wide.
   struct Around {
     Around(core::Lattice&& of, double reach, core::SortedGrid&& sorted)
         : lattice(std::move(of)), radius(reach), grid(std::move(sorted)) {}

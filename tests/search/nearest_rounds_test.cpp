@@ -41,13 +41,18 @@ struct Forced {
 
 std::vector<Forced> forced_choices() {
   std::vector<Forced> all{{"chosen", {}}};
-  for (const unsigned row_shift : {1U, 2U, 3U, 5U}) {
-    for (const std::uint64_t fold_beyond : {std::uint64_t{1}, core::Lattice::kFoldBeyondCells}) {
-      Forced forced{"row shift " + std::to_string(row_shift) + (fold_beyond == 1 ? ", folded" : ""),
-                    {}};
-      forced.choices.row_shift = row_shift;
-      forced.choices.fold_beyond_cells = fold_beyond;
-      all.push_back(forced);
+  for (const cpu::InstructionSet set : cpu::kInstructionSets) {
+    if (!cpu::is_available(set)) continue;
+    for (const unsigned row_shift : {1U, 2U, 3U, 5U}) {
+      for (const std::uint64_t fold_beyond : {std::uint64_t{1}, core::Lattice::kFoldBeyondCells}) {
+        Forced forced{std::string(cpu::name_of(set)) + ", row shift " + std::to_string(row_shift) +
+                          (fold_beyond == 1 ? ", folded" : ""),
+                      {}};
+        forced.choices.instruction_set = set;
+        forced.choices.row_shift = row_shift;
+        forced.choices.fold_beyond_cells = fold_beyond;
+        all.push_back(forced);
+      }
     }
   }
   return all;
@@ -64,9 +69,10 @@ void expect_same(const std::vector<Nearest>& found, const std::vector<Nearest>& 
 void expect_the_nearest(const std::vector<Point>& points, const SearchOptions& within) {
   const std::vector<Nearest> truly = *brute_force::find_nearest(points);
   const std::vector<Nearest> truly_within = *brute_force::find_nearest_within(points, within);
+  unsigned workers = 0;
   for (const Forced& forced : forced_choices()) {
     SCOPED_TRACE(forced.name);
-    test::OwnResources own(1);
+    test::OwnResources own(1 + ++workers % 3);
     const search::Frame frame = *search::Frame::of(points, own.with);
     std::vector<Nearest> nearest;
     search::find_nearest(frame, std::nullopt, own.with, forced.choices, nearest);
