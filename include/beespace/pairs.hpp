@@ -27,7 +27,7 @@ struct Pair {
 
 // All pairs closer than the threshold, each once with first < second, in ascending order.
 //
-// Cost: some ten nanoseconds a point, and a few a pair. Memory: 40 bytes a point, and 16 a pair.
+// Cost: some tens of nanoseconds a point, and ten to thirty a pair. Memory: 40 bytes a point, and 16 a pair.
 // Errors: as find_at_risk; kTooManyResults when there are more than options.max_results.
 BEESPACE_API Result<std::vector<Pair>> find_pairs(const PointsView& points,
                                                   const SearchOptions& options = {});
