@@ -16,8 +16,8 @@ namespace beespace {
 
 // Row i holds the ids of the other points closer than the threshold to point i, ascending.
 //
-// Cost: some tens of nanoseconds a point, and about ten a neighbour. Memory: 48 bytes a point, and 12 a
-// neighbour. Errors: as find_at_risk; kTooManyResults when all rows together hold more than
+// Cost: some tens of nanoseconds a point, and about ten a neighbour. Memory: 48 bytes a point, and
+// 12 a neighbour. Errors: as find_at_risk; kTooManyResults when all rows together hold more than
 // options.max_results.
 BEESPACE_API Result<IdRows> find_neighbors(const PointsView& points,
                                            const SearchOptions& options = {});

@@ -27,8 +27,8 @@ struct Pair {
 
 // All pairs closer than the threshold, each once with first < second, in ascending order.
 //
-// Cost: some tens of nanoseconds a point, and ten to thirty a pair. Memory: 40 bytes a point, and 16 a pair.
-// Errors: as find_at_risk; kTooManyResults when there are more than options.max_results.
+// Cost: some tens of nanoseconds a point, and ten to thirty a pair. Memory: 40 bytes a point, and
+// 16 a pair. Errors: as find_at_risk; kTooManyResults when there are more than options.max_results.
 BEESPACE_API Result<std::vector<Pair>> find_pairs(const PointsView& points,
                                                   const SearchOptions& options = {});
 
