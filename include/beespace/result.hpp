@@ -28,6 +28,7 @@ enum class ErrorCode : std::uint8_t {
   kInvalidLatitude,   // beyond +-90 degrees
   kInvalidLongitude,  // beyond +-360 degrees
   kInvalidHeight,     // no bee flies there
+  kTimeOrder,         // a time that does not come after the one before it
   // Reading.
   kCannotOpen,         // missing, a directory, or not readable
   kReadFailed,         // the system failed us in the middle

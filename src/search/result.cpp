@@ -22,6 +22,8 @@ std::string_view to_string(ErrorCode code) {
       return "invalid_longitude";
     case ErrorCode::kInvalidHeight:
       return "invalid_height";
+    case ErrorCode::kTimeOrder:
+      return "time_order";
     case ErrorCode::kCannotOpen:
       return "cannot_open";
     case ErrorCode::kReadFailed:

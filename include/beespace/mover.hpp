@@ -1,0 +1,82 @@
+// A bee that moves: where it is now, and how fast it goes which way.
+//
+// Units: metres and metres per second, in one Cartesian frame whose third axis is the height where
+// the height matters. Plain values; a view owns nothing, as in points_view.hpp.
+//
+// Everything that moves lies in the motion domain: positions, velocities, times and thresholds are
+// zero or of a magnitude between kSmallestInMotion and kLargestInMotion. Inside it no product of
+// four of them overflows or loses a bit.
+#pragma once
+
+#include <beespace/point.hpp>
+#include <beespace/points_view.hpp>
+
+#include <cstddef>
+#include <span>
+
+namespace beespace {
+
+inline constexpr double kSmallestInMotion = 0x1p-100;  // about 7.9e-31
+inline constexpr double kLargestInMotion = 0x1p+100;   // about 1.3e+30
+
+// Metres per second, along the axes of the positions.
+struct Velocity {
+  double x = 0.0;
+  double y = 0.0;
+  double z = 0.0;
+
+  friend constexpr bool operator==(const Velocity&, const Velocity&) = default;
+};
+
+struct Mover {
+  Point position;
+  Velocity velocity;
+
+  friend constexpr bool operator==(const Mover&, const Mover&) = default;
+};
+
+// Movers in the caller's memory: positions, and as many velocities, whatever their layout.
+class MoversView {
+ public:
+  constexpr MoversView() = default;
+
+  // Movers one after the other: std::vector<Mover>, std::array<Mover, N>, std::span<const Mover>.
+  template <class Movers>
+  requires std::convertible_to<const Movers&, std::span<const Mover>>
+  MoversView(const Movers& movers)  // NOLINT(google-explicit-constructor): a view
+      : MoversView(std::span<const Mover>(movers), FromSpan{}) {}
+
+  // `velocities` has one vector in metres per second for each of `positions`; the view is as long
+  // as the shorter of the two.
+  MoversView(const PointsView& positions, const PointsView& velocities)
+      : positions_(positions), velocities_(velocities) {}
+
+  [[nodiscard]] std::size_t size() const {
+    return positions_.size() < velocities_.size() ? positions_.size() : velocities_.size();
+  }
+  [[nodiscard]] bool empty() const { return size() == 0; }
+  [[nodiscard]] const PointsView& positions() const { return positions_; }
+  [[nodiscard]] const PointsView& velocities() const { return velocities_; }
+
+  // Mover `index`, unchecked.
+  [[nodiscard]] Mover operator[](std::size_t index) const {
+    const Point v = velocities_[index];
+    return {positions_[index], {v.x, v.y, v.z}};
+  }
+
+ private:
+  struct FromSpan {};
+  MoversView(std::span<const Mover> movers, FromSpan) {
+    if (movers.empty()) return;
+    const Mover& first = movers.front();
+    positions_ = PointsView::strided(&first.position.x, &first.position.y, &first.position.z,
+                                     movers.size(), sizeof(Mover));
+    velocities_ = PointsView::strided(&first.velocity.x, &first.velocity.y, &first.velocity.z,
+                                      movers.size(), sizeof(Mover));
+  }
+
+  PointsView positions_;
+  PointsView velocities_;
+};
+
+}  // namespace beespace
