@@ -98,11 +98,15 @@ struct Header {
   [[nodiscard]] bool has(Role role) const { return !columns(role).empty(); }
 };
 
+bool is_taken(const ColumnsSeen& seen, std::size_t column) {
+  return column < seen.taken.size() && seen.taken[column];
+}
+
 Header read_header(const ColumnsSeen& seen, std::optional<std::size_t> id) {
   Header header;
   for (std::size_t i = 0; i < seen.names.size(); ++i) {
     header.words.push_back(read_header_word(seen.names[i]));
-    if (i == id) header.words.back() = {};
+    if (i == id || is_taken(seen, i)) header.words.back() = {};
     if (i == id) header.words.back().role = Role::kId;
     header.by_role[index_of(header.words.back().role)].push_back(i);
   }
@@ -206,6 +210,7 @@ Result<std::optional<std::size_t>> find_third(const Header& header, const Column
     return std::optional<std::size_t>(column);
   }
   for (const std::size_t column : header.columns(Role::kNone)) {
+    if (is_taken(seen, column)) continue;
     const bool nameless = seen.names[column].empty() && column + 1 == seen.count;
     const ColumnContent content =
         column < seen.contents.size() ? seen.contents[column] : ColumnContent::kUnknown;

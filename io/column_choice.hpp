@@ -21,6 +21,7 @@ struct ColumnsSeen {
   std::size_t count = 0;
   std::vector<std::string> names = {};  // empty when there is no header
   std::vector<ColumnContent> contents = {};
+  std::vector<bool> taken = {};  // columns that are known to hold no coordinate; may be empty
 };
 
 // Errors: kInvalidArgument for wishes that make no sense, kMissingColumn, kUnsupportedFormat for a

@@ -93,16 +93,16 @@ std::optional<Error> wishes_problem(const std::vector<Wish>& wishes, Frame frame
 
 // The only column for which `same` holds; nothing when there is none.
 template <typename Same>
-Result<std::optional<std::size_t>> only_column(const Wish& wish, const ColumnsSeen& seen,
-                                               const Same& same) {
+Result<std::optional<std::size_t>> only_column(std::string_view role, const std::string& wanted,
+                                               const ColumnsSeen& seen, const Same& same) {
   std::optional<std::size_t> found;
   for (std::size_t i = 0; i < seen.names.size(); ++i) {
     if (!same(seen.names[i])) continue;
     if (found) {
       return missing("columns " + std::to_string(*found + 1) + " and " + std::to_string(i + 1) +
-                     " are both named " + excerpt(wish.column) + "; give the number: " +
-                     std::string(role_name(wish.role)) + "=" + std::to_string(*found + 1) + " or " +
-                     std::string(role_name(wish.role)) + "=" + std::to_string(i + 1));
+                     " are both named " + excerpt(wanted) + "; give the number: " +
+                     std::string(role) + "=" + std::to_string(*found + 1) + " or " +
+                     std::string(role) + "=" + std::to_string(i + 1));
     }
     found = i;
   }
@@ -154,7 +154,11 @@ Result<std::vector<Wish>> read_wishes(std::string_view text, Frame frame) {
 }
 
 Result<std::size_t> find_wished_column(const Wish& wish, const ColumnsSeen& seen) {
-  const std::string& wanted = wish.column;
+  return find_wished_column(role_name(wish.role), wish.column, seen);
+}
+
+Result<std::size_t> find_wished_column(std::string_view role, const std::string& wanted,
+                                       const ColumnsSeen& seen) {
   std::size_t number = 0;
   const char* const end = wanted.data() + wanted.size();
   const auto parsed = std::from_chars(wanted.data(), end, number);
@@ -163,12 +167,12 @@ Result<std::size_t> find_wished_column(const Wish& wish, const ColumnsSeen& seen
     return missing("there is no column " + wanted + "; " + list_columns(seen));
   }
   const auto exact =
-      only_column(wish, seen, [&wanted](const std::string& name) { return name == wanted; });
+      only_column(role, wanted, seen, [&wanted](const std::string& name) { return name == wanted; });
   if (!exact) return exact.error();
   if (exact.value()) return *exact.value();
   const std::string lower = lower_case(wanted);
   const auto near = only_column(
-      wish, seen, [&lower](const std::string& name) { return lower_case(name) == lower; });
+      role, wanted, seen, [&lower](const std::string& name) { return lower_case(name) == lower; });
   if (!near) return near.error();
   if (near.value()) return *near.value();
   return missing("there is no column named " + excerpt(wanted) + "; " + list_columns(seen));

@@ -22,6 +22,9 @@ Result<std::vector<Wish>> read_wishes(std::string_view text, Frame frame);
 
 // Which column (0-based) is meant. Errors: kMissingColumn when there is none, or more than one.
 Result<std::size_t> find_wished_column(const Wish& wish, const ColumnsSeen& seen);
+// The same for a role that is no coordinate: `role` as the caller writes it.
+Result<std::size_t> find_wished_column(std::string_view role, const std::string& wanted,
+                                       const ColumnsSeen& seen);
 
 // "lon", "lat", "height", "x", "y", "z" or "id".
 std::string_view role_name(Role role);

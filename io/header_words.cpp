@@ -62,20 +62,6 @@ bool starts_with_any(std::string_view word, std::initializer_list<std::string_vi
                      [word](std::string_view stem) { return word.substr(0, stem.size()) == stem; });
 }
 
-// Runs of letters and digits, in lower case; bytes beyond ASCII count as letters.
-std::vector<std::string> split_words(std::string_view name) {
-  std::vector<std::string> words;
-  bool inside = false;
-  for (const char c : lower_case(name)) {
-    const bool part =
-        (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80;
-    if (part && !inside) words.emplace_back();
-    if (part) words.back() += c;
-    inside = part;
-  }
-  return words;
-}
-
 Role axis_role(std::string_view word) {
   if (word == "x") return Role::kX;
   if (word == "y") return Role::kY;
@@ -230,6 +216,19 @@ std::string lower_case(std::string_view text) {
     before = byte;
   }
   return lower;
+}
+
+std::vector<std::string> split_words(std::string_view name) {
+  std::vector<std::string> words;
+  bool inside = false;
+  for (const char c : lower_case(name)) {
+    const bool part =
+        (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80;
+    if (part && !inside) words.emplace_back();
+    if (part) words.back() += c;
+    inside = part;
+  }
+  return words;
 }
 
 HeaderWord read_header_word(std::string_view name) {

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace beespace::io {
 
@@ -27,6 +28,9 @@ struct HeaderWord {
 };
 
 HeaderWord read_header_word(std::string_view name);
+
+// Runs of letters and digits, in lower case; bytes beyond ASCII count as letters.
+std::vector<std::string> split_words(std::string_view name);
 
 // In lower case: ASCII, the letters of western Europe, and Cyrillic, in UTF-8.
 std::string lower_case(std::string_view text);

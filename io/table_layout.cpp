@@ -5,6 +5,7 @@
 #include "io/fields.hpp"
 #include "io/header_words.hpp"
 #include "io/number.hpp"
+#include "io/record_problems.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -257,6 +258,13 @@ std::optional<Error> read_header_line(const std::vector<std::string_view>& sampl
 
 }  // namespace
 
+std::optional<Error> no_record_problem(std::string_view text, const TableLayout& layout) {
+  if (text.find_first_not_of(" \t\r\n\v\f", layout.data_offset) != std::string_view::npos) {
+    return std::nullopt;
+  }
+  return no_points(true);
+}
+
 std::string_view delimiter_name(char delimiter) {
   switch (delimiter) {
     case ';':
@@ -285,7 +293,11 @@ Line line_at(std::string_view text, std::size_t offset, char line_end) {
   return {line, offset + length + 1};
 }
 
-Result<TableLayout> find_layout(std::string_view text, const LoadOptions& options) {
+std::uint64_t first_line(const TableLayout& layout) {
+  return layout.lines_before + (layout.header.empty() ? 1 : 0);
+}
+
+Result<TableLayout> find_table(std::string_view text, bool skip_bad, ColumnsSeen& seen) {
   TableLayout layout;
   layout.line_end = find_line_end(text);
   std::size_t offset = 0;
@@ -297,36 +309,37 @@ Result<TableLayout> find_layout(std::string_view text, const LoadOptions& option
     offset = line.next;
     ++layout.lines_before;
   }
-  const auto placed = [&layout](Error error) {
-    if (error.code != ErrorCode::kInvalidArgument) error.place.line = layout.lines_before + 1;
-    return error;
-  };
+  const std::uint64_t line_number = layout.lines_before + 1;
   if (line.text.size() > kLongestLine) {
-    return placed({ErrorCode::kMalformedRecord,
-                   "a line of " + std::to_string(line.text.size()) + " bytes, beginning with " +
-                       excerpt(line.text) + ", is too long for a record (the limit is 1 MiB)",
-                   {}});
+    Error error = long_line(line.text);
+    error.place.line = line_number;
+    return error;
   }
   auto samples = sample_lines(text, offset, layout.line_end);
   samples.front() = without_comment_sign(samples.front());
   layout.delimiter = find_delimiter(samples);
   layout.data_offset = offset;
-  const std::uint64_t first_line = layout.lines_before + 1;
-  const auto placed_first = [first_line](Error error) {
-    if (error.code != ErrorCode::kInvalidArgument) error.place.line = first_line;
-    return error;
-  };
-  ColumnsSeen seen = look_at_records(samples, 0, layout.delimiter);
-  if (auto error = read_header_line(samples, line, options.skip_bad, layout, seen)) {
-    return placed_first(*std::move(error));
+  seen = look_at_records(samples, 0, layout.delimiter);
+  if (auto error = read_header_line(samples, line, skip_bad, layout, seen)) {
+    if (error->code != ErrorCode::kInvalidArgument) error->place.line = line_number;
+    return *std::move(error);
   }
   layout.columns = seen.count;
+  return layout;
+}
+
+Result<TableLayout> find_layout(std::string_view text, const LoadOptions& options) {
+  ColumnsSeen seen;
+  auto layout = find_table(text, options.skip_bad, seen);
+  if (!layout) return layout;
   auto choice = choose_columns(seen, options);
-  if (!choice) return placed_first(choice.error());
-  layout.choice = std::move(choice).value();
-  if (text.find_first_not_of(" \t\r\n\v\f", layout.data_offset) == std::string_view::npos) {
-    return no_points(true);
+  if (!choice) {
+    Error error = choice.error();
+    if (error.code != ErrorCode::kInvalidArgument) error.place.line = first_line(*layout);
+    return error;
   }
+  layout->choice = std::move(choice).value();
+  if (auto error = no_record_problem(text, *layout)) return *std::move(error);
   return layout;
 }
 

@@ -42,6 +42,17 @@ struct TableLayout {
 // kInvalidArgument, kUnsupportedFormat; without place.source.
 Result<TableLayout> find_layout(std::string_view text, const LoadOptions& options);
 
+// The same without the choice of columns: that is left to who knows what they mean, with what can
+// be seen of them in `seen`.
+struct ColumnsSeen;
+Result<TableLayout> find_table(std::string_view text, bool skip_bad, ColumnsSeen& seen);
+
+// kNoPoints where nothing follows the header.
+std::optional<Error> no_record_problem(std::string_view text, const TableLayout& layout);
+
+// The line (1-based) that what is wrong with the columns as such is blamed on.
+std::uint64_t first_line(const TableLayout& layout);
+
 // "comma", "semicolon", "tab" or "space".
 std::string_view delimiter_name(char delimiter);
 

@@ -10,6 +10,7 @@
 #include <beespace/nearest.hpp>
 #include <beespace/neighbors.hpp>
 #include <beespace/pairs.hpp>
+#include <beespace/predict_conflicts.hpp>
 
 namespace beespace::brute_force {
 
@@ -50,5 +51,8 @@ BEESPACE_API Result<std::vector<Nearest>> find_nearest_between(const PointsView&
                                                                const PointsView& others);
 BEESPACE_API Result<std::vector<Nearest>> find_nearest_within_between(
     const PointsView& points, const PointsView& others, const SearchOptions& options = {});
+
+BEESPACE_API Result<std::vector<Conflict>> predict_conflicts(const MoversView& movers,
+                                                             const PredictOptions& options = {});
 
 }  // namespace beespace::brute_force

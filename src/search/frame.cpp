@@ -36,11 +36,6 @@ Order longest_first(const core::Bounds& bounds) {
   return order;
 }
 
-PointsView turned(const PointsView& points, const Order& order) {
-  return PointsView::strided(permuted(points.axes(), order), points.size(),
-                             permuted(points.stride_bytes(), order));
-}
-
 Result<core::Bounds> measured(const PointsView& points, const char* name,
                               const core::Resources& with) {
   if (auto error = core::check_size(points.size())) {
@@ -57,15 +52,20 @@ Result<core::Bounds> measured(const PointsView& points, const char* name,
 Frame::Frame(std::array<PointsView, 2> sets, std::size_t set_count, const core::Bounds& bounds,
              const core::Resources& with)
     : originals_(sets),
+      order_(longest_first(bounds)),
       sets_(sets),
       set_count_(set_count),
       bounds_(bounds),
       sample_(others(), with.memory),
       mates_side_(0.0) {
-  const Order order = longest_first(bounds);
-  for (PointsView& set : sets_) set = turned(set, order);
-  bounds_ = {permuted(bounds.low, order), permuted(bounds.high, order)};
+  for (PointsView& set : sets_) set = turned(set);
+  bounds_ = {permuted(bounds.low, order_), permuted(bounds.high, order_)};
   mates_side_ = sample_.side_for(kMates, bounds_);
+}
+
+PointsView Frame::turned(const PointsView& vectors) const {
+  return PointsView::strided(permuted(vectors.axes(), order_), vectors.size(),
+                             permuted(vectors.stride_bytes(), order_));
 }
 
 Result<Frame> Frame::of(const PointsView& points, const core::Resources& with) {

@@ -28,6 +28,8 @@ class Frame {
   // The same as the caller gave them, with x first.
   [[nodiscard]] const PointsView& original_points() const { return originals_[0]; }
   [[nodiscard]] const PointsView& original_others() const { return originals_[set_count_ - 1]; }
+  // Other vectors of the frame, turned as the points are.
+  [[nodiscard]] PointsView turned(const PointsView& vectors) const;
   [[nodiscard]] bool has_others() const { return set_count_ == 2; }
   [[nodiscard]] std::span<const PointsView> sets() const { return {sets_.data(), set_count_}; }
   [[nodiscard]] const core::Bounds& bounds() const { return bounds_; }
@@ -47,6 +49,7 @@ class Frame {
         const core::Resources& with);
 
   std::array<PointsView, 2> originals_;
+  std::array<std::size_t, 3> order_;  // of the axes
   std::array<PointsView, 2> sets_;
   std::size_t set_count_;
   core::Bounds bounds_;

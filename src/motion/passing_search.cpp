@@ -1,0 +1,155 @@
+#include "motion/passing_search.hpp"
+
+#include "cpu/passing.hpp"
+#include "search/frame.hpp"
+#include "search/question_grids.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace beespace::motion {
+
+namespace {
+
+// The moves of a set in the order of its grid.
+class SortedMoves {
+ public:
+  SortedMoves(const MovingBalls& balls, const search::Frame& frame, const core::SortedGrid& grid,
+              double half_s, const core::Resources& with)
+      : padded_(grid.size + core::kPadding), values_(with.memory, 4 * padded_) {
+    const PointsView velocities = frame.turned(balls.velocities);
+    const double units = half_s * grid.units_per_m;
+    for (std::size_t part = 0; part < 4; ++part) {
+      std::fill_n(values_.data() + part * padded_ + grid.size, core::kPadding, 0.0F);
+    }
+    with.crew.split(grid.size, [&](std::size_t begin, std::size_t end, unsigned) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const Point v = velocities[grid.id[i]];
+        values_[i] = static_cast<float>(v.x * units);
+        values_[padded_ + i] = static_cast<float>(v.y * units);
+        values_[2 * padded_ + i] = static_cast<float>(v.z * units);
+      }
+      for (std::size_t i = begin; i < end; ++i) {
+        const float radius_m = balls.radii_m.empty() ? 0.0F : balls.radii_m[grid.id[i]];
+        values_[3 * padded_ + i] = static_cast<float>(radius_m * grid.units_per_m);
+      }
+    });
+  }
+
+  [[nodiscard]] cpu::Moves moves() const {
+    const float* const first = values_.data();
+    return {first, first + padded_, first + 2 * padded_, first + 3 * padded_};
+  }
+
+ private:
+  std::size_t padded_;
+  core::Buffer<float> values_;
+};
+
+// How far from the middle of its step a ball of the set reaches at most.
+double farthest_reach(const MovingBalls& balls, double half_s, const core::Resources& with) {
+  core::PerWorker<double> farthest(with);
+  with.crew.split(balls.middles.size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
+    double most = 0.0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Point v = balls.velocities[i];
+      const double radius = balls.radii_m.empty() ? 0.0 : double{balls.radii_m[i]};
+      most = std::max(most, std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z) * half_s + radius);
+    }
+    farthest[worker].push_back(most);
+  });
+  double most = 0.0;
+  for (const double reach : std::move(farthest).joined()) most = std::max(most, reach);
+  return most;
+}
+
+// Pairs of one worker, in chunks.
+class Chunks {
+ public:
+  explicit Chunks(core::FoundPairs& found) : found_(found) { open(); }
+  Chunks(const Chunks&) = delete;
+  Chunks& operator=(const Chunks&) = delete;
+  ~Chunks() { close(); }
+
+  cpu::PairSink& sink() { return sink_; }
+
+ private:
+  void close() { chunk_->size = sink_.size; }
+  void open() {
+    chunk_ = &found_.open_chunk();
+    const auto make_room = [](void* context) {
+      auto& self = *static_cast<Chunks*>(context);
+      self.close();
+      self.open();
+      return true;
+    };
+    sink_ = {
+        chunk_->first.data(), chunk_->second.data(), 0, core::FoundPairs::kChunk, make_room, this};
+  }
+
+  core::FoundPairs& found_;
+  core::FoundPairs::Chunk* chunk_ = nullptr;
+  cpu::PairSink sink_{};
+};
+
+core::Vector<core::FoundPairs> sweep(const search::Frame& frame, const MovingBalls& balls,
+                                     const MovingBalls& others, double reach_m, const Step& step,
+                                     const core::Resources& with, const search::Choices& choices) {
+  core::Vector<core::FoundPairs> found(&with.memory);
+  found.reserve(with.crew.size());
+  for (unsigned worker = 0; worker < with.crew.size(); ++worker) {
+    found.emplace_back(with.memory.of(worker));
+  }
+  const search::QuestionGrids grids(frame, {.threshold_m = reach_m}, with, choices);
+  const cpu::Question question = grids.question();
+  const core::SortedGrid& asked = question.asked.grid;
+  const SortedMoves asked_moves(balls, frame, asked, step.half_s, with);
+  std::optional<SortedMoves> other_moves;
+  if (frame.has_others()) {
+    other_moves.emplace(others, frame, question.others.grid, step.half_s, with);
+  }
+  // Positions are cut to whole units, as in core::SquaredLimits; moves and what the kernel makes of
+  // them are wrong by some 2^-20 of a cell.
+  const double margin = 3.0 + std::ldexp(1.0, static_cast<int>(asked.fraction_bits) - 17);
+  const auto clearance = static_cast<float>(step.clearance_m * asked.units_per_m + margin);
+  const cpu::CollectPassing collect = cpu::collect_passing(choices.instruction_set);
+  with.crew.split(asked.size, [&](std::size_t begin, std::size_t end, unsigned worker) {
+    if (begin == end) return;
+    Chunks chunks(found[worker]);
+    const cpu::Moves moves = asked_moves.moves();
+    const cpu::Moves theirs = other_moves ? other_moves->moves() : moves;
+    cpu::RowSweeps(question, cpu::decided_by(question))
+        .for_each(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end),
+                  [&](const cpu::Sweep& swept) {
+                    return collect(swept, moves, theirs, clearance, chunks.sink());
+                  });
+  });
+  return found;
+}
+
+// Rounded sums and roots, and then some.
+constexpr double kUpward = 1.0 + 0x1p-30;
+
+}  // namespace
+
+core::Vector<core::FoundPairs> find_passing(const MovingBalls& balls, const Step& step,
+                                            const core::Resources& with,
+                                            const search::Choices& choices) {
+  const Result<search::Frame> frame = search::Frame::of(balls.middles, with);
+  const double reach_m =
+      (step.clearance_m + 2.0 * farthest_reach(balls, step.half_s, with)) * kUpward;
+  return sweep(*frame, balls, balls, reach_m, step, with, choices);
+}
+
+core::Vector<core::FoundPairs> find_passing_between(const MovingBalls& balls,
+                                                    const MovingBalls& others, const Step& step,
+                                                    const core::Resources& with,
+                                                    const search::Choices& choices) {
+  const Result<search::Frame> frame = search::Frame::of(balls.middles, others.middles, with);
+  const double reach_m = (step.clearance_m + farthest_reach(balls, step.half_s, with) +
+                          farthest_reach(others, step.half_s, with)) *
+                         kUpward;
+  return sweep(*frame, balls, others, reach_m, step, with, choices);
+}
+
+}  // namespace beespace::motion

@@ -1,0 +1,228 @@
+#include "motion/prediction.hpp"
+
+#include "core/density.hpp"
+#include "core/validate.hpp"
+#include "motion/passing_search.hpp"
+#include "motion/separation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <tuple>
+
+namespace beespace::motion {
+
+namespace {
+
+bool by_pair(const Conflict& a, const Conflict& b) {
+  return std::tie(a.first, a.second) < std::tie(b.first, b.second);
+}
+bool same_pair(const Conflict& a, const Conflict& b) {
+  return a.first == b.first && a.second == b.second;
+}
+
+// What the movers have in common, measured once.
+struct Crowd {
+  Velocity drift;        // about the mean velocity: moving along with it, everybody is slower
+  double fastest = 0.0;  // relative to it
+  double farthest_m = 0.0;  // largest coordinate
+};
+
+Crowd measure(const MoversView& movers, const core::Resources& with) {
+  struct Sums {
+    std::array<double, 3> velocity{};
+    double farthest_m = 0.0;
+    double fastest = 0.0;
+  };
+  core::PerWorker<Sums> parts(with);
+  const auto each = [&](auto&& add) {
+    with.crew.split(movers.size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
+      Sums sums;
+      for (std::size_t i = begin; i < end; ++i) add(sums, movers[i]);
+      parts[worker].push_back(sums);
+    });
+  };
+  each([](Sums& sums, const Mover& mover) {
+    sums.velocity[0] += mover.velocity.x;
+    sums.velocity[1] += mover.velocity.y;
+    sums.velocity[2] += mover.velocity.z;
+    const Point& p = mover.position;
+    sums.farthest_m = std::max({sums.farthest_m, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  });
+  Crowd crowd;
+  std::array<double, 3> sum{};
+  for (std::size_t worker = 0; worker < parts.size(); ++worker) {
+    for (const Sums& part : parts[worker]) {
+      for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += part.velocity[axis];
+      crowd.farthest_m = std::max(crowd.farthest_m, part.farthest_m);
+    }
+    parts[worker].clear();
+  }
+  const auto count = static_cast<double>(std::max<std::size_t>(1, movers.size()));
+  crowd.drift = {sum[0] / count, sum[1] / count, sum[2] / count};
+  each([&](Sums& sums, const Mover& mover) {
+    const double x = mover.velocity.x - crowd.drift.x;
+    const double y = mover.velocity.y - crowd.drift.y;
+    const double z = mover.velocity.z - crowd.drift.z;
+    sums.fastest = std::max(sums.fastest, std::sqrt(x * x + y * y + z * z));
+  });
+  for (std::size_t worker = 0; worker < parts.size(); ++worker) {
+    for (const Sums& part : parts[worker]) crowd.fastest = std::max(crowd.fastest, part.fastest);
+  }
+  return crowd;
+}
+
+class Prediction {
+ public:
+  Prediction(const MoversView& movers, const PredictOptions& options, const core::Resources& with,
+             const PredictionChoices& choices)
+      : movers_(movers),
+        options_(options),
+        separation_(separation_of(options)),
+        with_(with),
+        choices_(choices),
+        crowd_(measure(movers, with)),
+        // Cylinders lie in spheres.
+        clearance_m_(std::hypot(options.threshold_m, options.vertical_m.value_or(0.0))),
+        // Positions along the way are wrong by a few roundings of these.
+        blur_m_(0x1p-48 * (crowd_.farthest_m +
+                           options.horizon_s * (crowd_.fastest + length(crowd_.drift)))),
+        middles_(with.memory, movers.size()) {}
+
+  Result<std::vector<Conflict>> run() {
+    double begin = 0.0;
+    for (bool first = true; first || begin < options_.horizon_s; first = false) {
+      const double end = step_end(begin);
+      take_step(begin, end);
+      if (found_.size() > options_.max_results) {
+        settle();
+        if (found_.size() > options_.max_results) {
+          return core::too_many_results(options_.max_results);
+        }
+      }
+      begin = end;
+    }
+    settle();
+    return std::move(found_);
+  }
+
+ private:
+  static double length(const Velocity& v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+
+  [[nodiscard]] PointsView positions_at(double time) {
+    with_.crew.split(movers_.size(), [&](std::size_t begin, std::size_t end, unsigned) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const auto [p, v] = movers_[i];
+        middles_[i] = {p.x + (v.x - crowd_.drift.x) * time, p.y + (v.y - crowd_.drift.y) * time,
+                       p.z + (v.z - crowd_.drift.z) * time};
+      }
+    });
+    return std::span<const Point>(middles_.data(), movers_.size());
+  }
+
+  // Where the step from `begin` on ends: later than it, unless that is the horizon.
+  double step_end(double begin) {
+    const double left = options_.horizon_s - begin;
+    const double step = choices_.step_s ? *choices_.step_s : cheapest_step(begin, left);
+    const double end = begin + step;
+    const bool last = step > 0.999'999 * left || !(end > begin);
+    return last ? options_.horizon_s : end;
+  }
+
+  // The step whose cost is least for the time that it covers: short ones look around often, long
+  // ones look at many.
+  double cheapest_step(double begin, double left) {
+    const core::DensitySample sample(begin == 0.0 ? movers_.positions() : positions_at(begin),
+                                     with_.memory);
+    // Measured, in nanoseconds: of sorting a bee, and of comparing it with one other.
+    constexpr double kSorting = 60.0;
+    constexpr double kComparing = 0.25;
+    double best = left;
+    double best_cost = 0.0;
+    for (double step = left; step > 0.0; step *= 0.7) {
+      const double reach = clearance_m_ + crowd_.fastest * step;
+      // Rows around, as far as the reach: as large as a cube of 2.6 times that.
+      const double cost = (kSorting + 0.5 * kComparing * sample.mates(2.6 * reach)) / step;
+      if (step == left || cost < best_cost) {
+        best = step;
+        best_cost = cost;
+      }
+      if (crowd_.fastest * step < 0.25 * clearance_m_) break;
+    }
+    return left / std::ceil(left / best * 0.999'999);  // steps of one length end at the horizon
+  }
+
+  void take_step(double begin, double end) {
+    const double half = 0.5 * (end - begin);
+    const MovingBalls balls{positions_at(begin + half), movers_.velocities()};
+    // The middle is rounded, and so is the half.
+    const Step step{half * (1.0 + 0x1p-50), clearance_m_ + 2.0 * blur_m_};
+    const auto candidates = find_passing(balls, step, with_, choices_.search);
+    judge(candidates, begin);
+  }
+
+  void judge(const core::Vector<core::FoundPairs>& candidates, double step_begin) {
+    core::PerWorker<Conflict> found(with_);
+    with_.crew.run([&](unsigned worker) {
+      for (const auto& chunk : candidates[worker].chunks()) {
+        for (std::uint32_t k = 0; k < chunk.size; ++k) {
+          const PointId first = std::min(chunk.first[k], chunk.second[k]);
+          const PointId second = std::max(chunk.first[k], chunk.second[k]);
+          const Mover a = movers_[first];
+          const Mover b = movers_[second];
+          if (step_begin > 0.0 && surely_found_before(a, b, step_begin)) continue;
+          if (!in_conflict(a, b, separation_, options_.horizon_s)) continue;
+          const ConflictReport report = report_conflict(a, b, separation_, options_.horizon_s);
+          found[worker].push_back({first, second, report.span.begins_s, report.closest_s,
+                                   report.span.ends_s, report.closest_m});
+        }
+      }
+    });
+    for (std::size_t worker = 0; worker < found.size(); ++worker) {
+      found_.insert(found_.end(), found[worker].begin(), found[worker].end());
+    }
+  }
+
+  // Whether the two are in conflict where this step begins and the one before it ended.
+  [[nodiscard]] bool surely_found_before(const Mover& a, const Mover& b, double time) const {
+    const double x = (b.position.x - a.position.x) + (b.velocity.x - a.velocity.x) * time;
+    const double y = (b.position.y - a.position.y) + (b.velocity.y - a.velocity.y) * time;
+    const double z = (b.position.z - a.position.z) + (b.velocity.z - a.velocity.z) * time;
+    const auto surely = [this](double distance, double threshold) {
+      return distance + 4.0 * blur_m_ < threshold * (1.0 - 0x1p-40);
+    };
+    if (!options_.vertical_m) {
+      return surely(std::sqrt(x * x + y * y + z * z), options_.threshold_m);
+    }
+    return surely(std::sqrt(x * x + y * y), options_.threshold_m) &&
+           surely(std::abs(z), *options_.vertical_m);
+  }
+
+  // Sorts, and drops whom several steps have found.
+  void settle() {
+    std::sort(found_.begin(), found_.end(), by_pair);
+    found_.erase(std::unique(found_.begin(), found_.end(), same_pair), found_.end());
+  }
+
+  const MoversView& movers_;
+  const PredictOptions& options_;
+  Separation separation_;
+  const core::Resources& with_;
+  const PredictionChoices& choices_;
+  Crowd crowd_;
+  double clearance_m_;
+  double blur_m_;
+  core::Buffer<Point> middles_;
+  std::vector<Conflict> found_;
+};
+
+}  // namespace
+
+Result<std::vector<Conflict>> predict(const MoversView& movers, const PredictOptions& options,
+                                      const core::Resources& with,
+                                      const PredictionChoices& choices) {
+  return Prediction(movers, options, with, choices).run();
+}
+
+}  // namespace beespace::motion

@@ -1,0 +1,93 @@
+#include "motion/validate.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace beespace::motion {
+
+namespace {
+
+constexpr const char* kDomain = "0, or 7.9e-31 to 1.3e+30 in magnitude";
+
+std::string shown(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.17g", value);
+  return text;
+}
+
+Error error_of(double value, const std::string& name, const std::string& unit, std::size_t record) {
+  Place place;
+  place.record = record;
+  if (!std::isfinite(value)) {
+    return {ErrorCode::kNotFinite, name + " is " + shown(value) + "; it must be a finite number",
+            place};
+  }
+  return {ErrorCode::kOutsideDomain,
+          name + " is " + shown(value) + " " + unit + ", outside the motion domain (" + kDomain +
+              "); scale the units",
+          place};
+}
+
+std::optional<Error> check_vector(double x, double y, double z, const char* what, const char* unit,
+                                  std::size_t record) {
+  constexpr const char* kAxes[] = {" x", " y", " z"};
+  const double values[] = {x, y, z};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (in_motion_domain(values[axis])) continue;
+    return error_of(values[axis], std::string(what) + kAxes[axis], unit, record);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool in_motion_domain(double value) {
+  const double magnitude = std::abs(value);
+  return magnitude <= kLargestInMotion && (magnitude >= kSmallestInMotion || magnitude == 0.0);
+}
+
+std::optional<Error> check_separation(double threshold_m, const std::optional<double>& vertical_m) {
+  const auto good = [](double value) { return value > 0.0 && in_motion_domain(value); };
+  if (!good(threshold_m)) {
+    return Error{ErrorCode::kInvalidThreshold,
+                 "the threshold is " + shown(threshold_m) +
+                     " m; give a finite distance above zero (7.9e-31 m to 1.3e+30 m)",
+                 {}};
+  }
+  if (vertical_m && !good(*vertical_m)) {
+    return Error{ErrorCode::kInvalidThreshold,
+                 "the vertical threshold is " + shown(*vertical_m) +
+                     " m; give a finite distance above zero (7.9e-31 m to 1.3e+30 m)",
+                 {}};
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> check_options(const PredictOptions& options) {
+  if (auto error = check_separation(options.threshold_m, options.vertical_m)) return error;
+  if (options.horizon_s >= 0.0 && in_motion_domain(options.horizon_s)) return std::nullopt;
+  return Error{ErrorCode::kInvalidArgument,
+               "the horizon is " + shown(options.horizon_s) +
+                   " s; give a finite time, zero or more (at most 1.3e+30 s)",
+               {}};
+}
+
+std::optional<Error> check_position(const Point& position, std::size_t record) {
+  return check_vector(position.x, position.y, position.z, "position", "m", record);
+}
+
+std::optional<Error> check_mover(const Mover& mover, std::size_t record) {
+  if (auto error = check_position(mover.position, record)) return error;
+  const Velocity& v = mover.velocity;
+  return check_vector(v.x, v.y, v.z, "velocity", "m/s", record);
+}
+
+std::optional<Error> check_movers(const MoversView& movers, std::size_t begin, std::size_t end) {
+  for (std::size_t i = begin; i < end; ++i) {
+    if (auto error = check_mover(movers[i], i)) return error;
+  }
+  return std::nullopt;
+}
+
+}  // namespace beespace::motion

@@ -1,0 +1,22 @@
+// Whether a question about moving bees makes sense, and lies in the motion domain of mover.hpp.
+#pragma once
+
+#include <beespace/closest_approach.hpp>
+#include <beespace/mover.hpp>
+#include <beespace/result.hpp>
+
+#include <optional>
+
+namespace beespace::motion {
+
+bool in_motion_domain(double value);
+
+std::optional<Error> check_separation(double threshold_m, const std::optional<double>& vertical_m);
+std::optional<Error> check_options(const PredictOptions& options);
+
+// `record` says whose position or time it is.
+std::optional<Error> check_position(const Point& position, std::size_t record);
+std::optional<Error> check_mover(const Mover& mover, std::size_t record);
+std::optional<Error> check_movers(const MoversView& movers, std::size_t begin, std::size_t end);
+
+}  // namespace beespace::motion
