@@ -165,7 +165,7 @@ std::string say_which(const Header& header, const ColumnsSeen& seen) {
                    : std::array<Role, 3>{Role::kX, Role::kY, Role::kZ};
     std::vector<bool> used(seen.count, false);
     for (std::size_t i = 0; i < header.words.size() && i < seen.count; ++i) {
-      used[i] = header.words[i].role != Role::kNone;
+      used[i] = header.words[i].role != Role::kNone || is_taken(seen, i);
     }
     std::vector<std::pair<Role, std::size_t>> roles;
     for (const Role role : wanted) {

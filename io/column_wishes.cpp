@@ -100,9 +100,9 @@ Result<std::optional<std::size_t>> only_column(std::string_view role, const std:
     if (!same(seen.names[i])) continue;
     if (found) {
       return missing("columns " + std::to_string(*found + 1) + " and " + std::to_string(i + 1) +
-                     " are both named " + excerpt(wanted) + "; give the number: " +
-                     std::string(role) + "=" + std::to_string(*found + 1) + " or " +
-                     std::string(role) + "=" + std::to_string(i + 1));
+                     " are both named " + excerpt(wanted) +
+                     "; give the number: " + std::string(role) + "=" + std::to_string(*found + 1) +
+                     " or " + std::string(role) + "=" + std::to_string(i + 1));
     }
     found = i;
   }
@@ -166,8 +166,8 @@ Result<std::size_t> find_wished_column(std::string_view role, const std::string&
     if (parsed.ec == std::errc() && number >= 1 && number <= seen.count) return number - 1;
     return missing("there is no column " + wanted + "; " + list_columns(seen));
   }
-  const auto exact =
-      only_column(role, wanted, seen, [&wanted](const std::string& name) { return name == wanted; });
+  const auto exact = only_column(role, wanted, seen,
+                                 [&wanted](const std::string& name) { return name == wanted; });
   if (!exact) return exact.error();
   if (exact.value()) return *exact.value();
   const std::string lower = lower_case(wanted);

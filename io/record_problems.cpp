@@ -61,10 +61,9 @@ Error number_problem(NumberKind kind, std::string_view text, std::string_view na
                      std::string_view least, std::size_t column) {
   const std::string role = " (" + std::string(name) + "); ";
   if (kind == NumberKind::kNotFinite) {
-    return at_column(ErrorCode::kNotFinite,
-                     excerpt(text) + " is no position" + role + "correct it" +
-                         std::string(kOrLeaveOut),
-                     column);
+    return at_column(
+        ErrorCode::kNotFinite,
+        excerpt(text) + " is no position" + role + "correct it" + std::string(kOrLeaveOut), column);
   }
   if (kind == NumberKind::kTooLarge) {
     return at_column(ErrorCode::kNotFinite,

@@ -60,8 +60,8 @@ TimeUnit unit_behind_time(std::string_view word) {
 std::optional<TrackWord> read_time_word(const Words& words) {
   TrackWord found;
   found.role = TrackRole::kTime;
-  bool time = words.size() == 1 && words.front().size() > 2 &&
-              unit_of(words.front()) != TimeUnit::kAuto;
+  bool time =
+      words.size() == 1 && words.front().size() > 2 && unit_of(words.front()) != TimeUnit::kAuto;
   for (const std::string& word : words) {
     const TimeUnit joined = unit_behind_time(word);
     const TimeUnit unit = joined != TimeUnit::kAuto ? joined : unit_of(word);
@@ -111,9 +111,9 @@ std::optional<TrackWord> read_velocity_word(const Words& words) {
     } else if (is_among(word, {"v", "vel", "velocity", "speed", "velocidad", "vitesse",
                                "geschwindigkeit", "velocita"})) {
       velocity = true;
-    } else if (is_among(word, {"kt",   "kts", "kn", "knot", "knots", "km",  "kmh", "kph",
-                               "mph",  "ft",  "fps", "fpm", "min",   "h",   "hr",  "hour",
-                               "mile", "cm",  "cms", "mm",  "feet",  "mi"})) {
+    } else if (is_among(word, {"kt",   "kts", "kn",  "knot", "knots", "km", "kmh", "kph",
+                               "mph",  "ft",  "fps", "fpm",  "min",   "h",  "hr",  "hour",
+                               "mile", "cm",  "cms", "mm",   "feet",  "mi"})) {
       found.foreign_unit = word;
     } else if (!is_among(word, {"m", "s", "mps", "ms", "meter", "meters", "metre", "metres", "per",
                                 "sec", "second"})) {

@@ -9,6 +9,7 @@
 #include <beespace/conflict_groups.hpp>
 #include <beespace/crew.hpp>
 #include <beespace/engine.hpp>
+#include <beespace/find_conflicts.hpp>
 #include <beespace/geodesy.hpp>
 #include <beespace/id_rows.hpp>
 #include <beespace/index.hpp>

@@ -7,6 +7,7 @@
 
 #include <beespace/at_risk.hpp>
 #include <beespace/conflict_groups.hpp>
+#include <beespace/find_conflicts.hpp>
 #include <beespace/nearest.hpp>
 #include <beespace/neighbors.hpp>
 #include <beespace/pairs.hpp>
@@ -54,5 +55,8 @@ BEESPACE_API Result<std::vector<Nearest>> find_nearest_within_between(
 
 BEESPACE_API Result<std::vector<Conflict>> predict_conflicts(const MoversView& movers,
                                                              const PredictOptions& options = {});
+
+BEESPACE_API Result<RecordedConflicts> find_conflicts(std::span<const Track> tracks,
+                                                      const ConflictOptions& options = {});
 
 }  // namespace beespace::brute_force

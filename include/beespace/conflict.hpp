@@ -17,6 +17,10 @@ struct Conflict {
   double ends_s = 0.0;     // when they are apart again, or where we stop looking
   double closest_m = 0.0;  // how far apart they are then, in a straight line
 
+  // False where the paths are known with some tolerance only (Track::tolerance_m), and the two may
+  // have kept apart.
+  bool certain = true;
+
   friend constexpr bool operator==(const Conflict&, const Conflict&) = default;
 };
 

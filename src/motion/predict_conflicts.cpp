@@ -41,7 +41,8 @@ Result<std::vector<Conflict>> predict_conflicts(const MoversView& movers,
     for (PointId j = i + 1; j < movers.size(); ++j) {
       if (!motion::in_conflict(movers[i], movers[j], separation, options.horizon_s)) continue;
       const auto report =
-          motion::report_conflict(movers[i], movers[j], separation, options.horizon_s);
+          motion::report_conflict(
+              motion::relative_motion(movers[i], movers[j]), separation, options.horizon_s);
       conflicts.push_back({i, j, report.span.begins_s, report.closest_s, report.span.ends_s,
                            report.closest_m});
       if (conflicts.size() > options.max_results) {

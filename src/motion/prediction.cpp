@@ -173,7 +173,7 @@ class Prediction {
           const Mover b = movers_[second];
           if (step_begin > 0.0 && surely_found_before(a, b, step_begin)) continue;
           if (!in_conflict(a, b, separation_, options_.horizon_s)) continue;
-          const ConflictReport report = report_conflict(a, b, separation_, options_.horizon_s);
+          const ConflictReport report = report_conflict(relative_motion(a, b), separation_, options_.horizon_s);
           found[worker].push_back({first, second, report.span.begins_s, report.closest_s,
                                    report.span.ends_s, report.closest_m});
         }

@@ -1,7 +1,6 @@
 #include "motion/separation.hpp"
 
 #include "motion/encounter.hpp"
-#include "motion/relative_motion.hpp"
 
 #include <algorithm>
 
@@ -31,11 +30,6 @@ std::optional<bool> decide(const Mover& a, const Mover& b, const Separation& sep
   return comes_close(passage, height, separation.inclusive);
 }
 
-RelativeMotion<3> relative(const Mover& a, const Mover& b) {
-  return {{b.position.x - a.position.x, b.position.y - a.position.y, b.position.z - a.position.z},
-          {b.velocity.x - a.velocity.x, b.velocity.y - a.velocity.y, b.velocity.z - a.velocity.z}};
-}
-
 TimeSpan conflict_span(const RelativeMotion<3>& motion, const Separation& separation,
                        double horizon_s) {
   if (!separation.vertical_m) return time_closer(motion, separation.threshold_m, horizon_s);
@@ -56,14 +50,13 @@ bool in_conflict(const Mover& a, const Mover& b, const Separation& separation, d
   return *decide<ExactNumber>(a, b, separation, horizon_s);
 }
 
-Approach closest_in(const Mover& a, const Mover& b, double horizon_s) {
-  const Nearness nearest = closest_within(relative(a, b), {0.0, horizon_s});
-  return {nearest.time_s, nearest.distance_m, {}};
+RelativeMotion<3> relative_motion(const Mover& a, const Mover& b) {
+  return {{b.position.x - a.position.x, b.position.y - a.position.y, b.position.z - a.position.z},
+          {b.velocity.x - a.velocity.x, b.velocity.y - a.velocity.y, b.velocity.z - a.velocity.z}};
 }
 
-ConflictReport report_conflict(const Mover& a, const Mover& b, const Separation& separation,
+ConflictReport report_conflict(const RelativeMotion<3>& motion, const Separation& separation,
                                double horizon_s) {
-  const RelativeMotion<3> motion = relative(a, b);
   TimeSpan span = conflict_span(motion, separation, horizon_s);
   const bool sphere = !separation.vertical_m;
   const Nearness nearest =

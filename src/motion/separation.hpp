@@ -2,6 +2,8 @@
 // decision, and the times and distances of the report.
 #pragma once
 
+#include "motion/relative_motion.hpp"
+
 #include <beespace/closest_approach.hpp>
 #include <beespace/mover.hpp>
 
@@ -15,22 +17,24 @@ struct Separation {
   bool inclusive = false;
 };
 
-inline Separation separation_of(const PredictOptions& options) {
+// Of PredictOptions or ConflictOptions.
+template <class Options>
+Separation separation_of(const Options& options) {
   return {options.threshold_m, options.vertical_m, options.inclusive};
 }
 
 // Whether two bees in constant motion are in conflict at some instant of [0, horizon]: exact.
 bool in_conflict(const Mover& a, const Mover& b, const Separation& separation, double horizon_s);
 
-// When they are closest in [0, horizon]; and, for two of whom in_conflict says so, from when to when
-// they are in conflict, and closest in between.
+RelativeMotion<3> relative_motion(const Mover& a, const Mover& b);
+
+// Of two who are in conflict: from when to when, and closest in between.
 struct ConflictReport {
   TimeSpan span;
   double closest_s;
   double closest_m;
 };
-Approach closest_in(const Mover& a, const Mover& b, double horizon_s);
-ConflictReport report_conflict(const Mover& a, const Mover& b, const Separation& separation,
+ConflictReport report_conflict(const RelativeMotion<3>& motion, const Separation& separation,
                                double horizon_s);
 
 }  // namespace beespace::motion

@@ -73,6 +73,14 @@ std::optional<Error> check_options(const PredictOptions& options) {
                {}};
 }
 
+std::optional<Error> check_options(const ConflictOptions& options) {
+  if (auto error = check_separation(options.threshold_m, options.vertical_m)) return error;
+  if (options.max_gap_s > 0.0) return std::nullopt;
+  return Error{ErrorCode::kInvalidArgument,
+               "the greatest gap is " + shown(options.max_gap_s) + " s; give a time above zero",
+               {}};
+}
+
 std::optional<Error> check_position(const Point& position, std::size_t record) {
   return check_vector(position.x, position.y, position.z, "position", "m", record);
 }
@@ -81,6 +89,46 @@ std::optional<Error> check_mover(const Mover& mover, std::size_t record) {
   if (auto error = check_position(mover.position, record)) return error;
   const Velocity& v = mover.velocity;
   return check_vector(v.x, v.y, v.z, "velocity", "m/s", record);
+}
+
+namespace {
+
+std::optional<Error> check_track(const Track& track, std::size_t record) {
+  if (!(track.tolerance_m >= 0.0) || !in_motion_domain(track.tolerance_m)) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "the tolerance is " + shown(track.tolerance_m) +
+                     " m; give a finite distance, zero or more",
+                 {}};
+  }
+  const auto& fixes = track.fixes;
+  for (std::size_t i = 0; i < fixes.size(); ++i) {
+    std::optional<Error> error = check_position(fixes[i].position, record);
+    if (!error && !in_motion_domain(fixes[i].time_s)) {
+      error = error_of(fixes[i].time_s, "time", "s", record);
+    }
+    if (!error && i > 0 && !(fixes[i - 1].time_s < fixes[i].time_s)) {
+      error = Error{ErrorCode::kTimeOrder,
+                    "time " + shown(fixes[i].time_s) + " s does not come after " +
+                        shown(fixes[i - 1].time_s) + " s; sort the fixes by time",
+                    {}};
+    }
+    if (!error) continue;
+    error->message = "fix " + std::to_string(i) + ": " + error->message;
+    return error;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Error> check_tracks(std::span<const Track> tracks) {
+  for (std::size_t id = 0; id < tracks.size(); ++id) {
+    if (auto error = check_track(tracks[id], id)) {
+      error->place.record = id;
+      return error;
+    }
+  }
+  return std::nullopt;
 }
 
 std::optional<Error> check_movers(const MoversView& movers, std::size_t begin, std::size_t end) {

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <beespace/closest_approach.hpp>
+#include <beespace/find_conflicts.hpp>
 #include <beespace/mover.hpp>
 #include <beespace/result.hpp>
+#include <beespace/track.hpp>
 
 #include <optional>
+#include <span>
 
 namespace beespace::motion {
 
@@ -13,10 +16,12 @@ bool in_motion_domain(double value);
 
 std::optional<Error> check_separation(double threshold_m, const std::optional<double>& vertical_m);
 std::optional<Error> check_options(const PredictOptions& options);
+std::optional<Error> check_options(const ConflictOptions& options);
 
 // `record` says whose position or time it is.
 std::optional<Error> check_position(const Point& position, std::size_t record);
 std::optional<Error> check_mover(const Mover& mover, std::size_t record);
+std::optional<Error> check_tracks(std::span<const Track> tracks);
 std::optional<Error> check_movers(const MoversView& movers, std::size_t begin, std::size_t end);
 
 }  // namespace beespace::motion

@@ -1,0 +1,75 @@
+// Several inputs -> one recording: what they must agree on, and what must be said aloud.
+//
+// Used in this order: begin_source(), then agree(), bad(), note(), tracks() for what is in it, for
+// each input; finish() at the end.
+#pragma once
+
+#include "io/frame_decision.hpp"
+#include "io/load_recording.hpp"
+#include "io/track_gathering.hpp"
+
+#include <beespace/result.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace beespace::io {
+
+// What an input says of all its bees.
+struct SourceFacts {
+  Frame frame = Frame::kAuto;  // kAuto: the values must tell
+  std::string frame_reason = {};
+  Naming naming = Naming::kSure;
+  std::size_t dimensions = 3;
+  bool has_time = true;
+  bool since_1970 = false;
+  HeightDatum heights = HeightDatum::kUnstated;
+  std::string description = {};  // "text, comma-separated"
+};
+
+class RecordingAssembly {
+ public:
+  explicit RecordingAssembly(const RecordingOptions& options) : options_(options) {}
+
+  [[nodiscard]] const RecordingOptions& options() const { return options_; }
+  // Whatever is wrong from here on is blamed on `name`.
+  void begin_source(std::string name) { sources_.push_back(std::move(name)); }
+  [[nodiscard]] std::uint32_t source() const {
+    return static_cast<std::uint32_t>(sources_.size() - 1);
+  }
+
+  // Errors: kUnknownFrame, kMissingColumn, kInvalidArgument for inputs that do not go together.
+  std::optional<Error> agree(const SourceFacts& facts);
+  // Says it once, however often it is handed in.
+  void note(std::string text);
+  // An error that skip_bad leaves out: nothing then. Otherwise the error, with its source.
+  std::optional<Error> bad(Error error);
+  void declare_threshold(double metres);
+  void add_bytes(std::uint64_t count) { recording_.bytes += count; }
+  TrackGathering& tracks() { return tracks_; }
+  // The number of the next record that has no id, over all inputs.
+  std::uint64_t next_nameless() { return nameless_++; }
+
+  // Errors: kTimeOrder, kUnknownFrame, kNoPoints.
+  Result<Recording> finish();
+
+ private:
+  std::optional<Error> settle_times();
+  std::optional<Error> settle_frame();
+  [[nodiscard]] Error conflict_error(const TimeConflict& conflict) const;
+  void note_counts();
+  [[nodiscard]] Error nothing_left() const;
+
+  const RecordingOptions& options_;
+  Recording recording_;
+  TrackGathering tracks_;
+  std::vector<std::string> sources_;
+  std::optional<SourceFacts> facts_;  // of all inputs so far
+  std::string facts_source_;          // who said so first
+  std::uint64_t nameless_ = 0;
+};
+
+}  // namespace beespace::io

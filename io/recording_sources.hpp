@@ -1,0 +1,25 @@
+// Which inputs a list of paths means, and what they are called.
+#pragma once
+
+#include <beespace/result.hpp>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace beespace::io {
+
+// Whether `path` is a folder.
+bool is_folder(const std::string& path);
+
+// Whether a name ends as those of text tables do: .csv, .tsv or .txt, perhaps with .gz behind.
+bool is_table_name(std::string_view name);
+
+// The tables in the folder, by name; hidden files are left out. Errors: kCannotOpen, kNoPoints
+// when there is none.
+Result<std::vector<std::string>> tables_in(const std::string& folder);
+
+// "swarm" of "data/swarm.csv.gz"; "stdin" of "-".
+std::string stem_of(std::string_view path);
+
+}  // namespace beespace::io

@@ -1,0 +1,20 @@
+// What positions, times and velocities of recordings may be: zero, or of a magnitude that motion can
+// be computed with exactly (see mover.hpp).
+#pragma once
+
+#include <beespace/mover.hpp>
+
+#include <cmath>
+#include <string_view>
+
+namespace beespace::io {
+
+inline bool in_motion_domain(double value) {
+  const double magnitude = std::abs(value);
+  return magnitude == 0.0 || (magnitude >= kSmallestInMotion && magnitude <= kLargestInMotion);
+}
+
+// For messages.
+inline constexpr std::string_view kMotionDomain = "7.9e-31 to 1.3e+30";
+
+}  // namespace beespace::io

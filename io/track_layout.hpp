@@ -1,0 +1,47 @@
+// How a table of fixes is laid out: which columns hold the id, the time, the position and the
+// velocity. Told by the names in the header and the caller's wishes; nothing is guessed.
+#pragma once
+
+#include "io/load_recording.hpp"
+#include "io/table_layout.hpp"
+
+#include <beespace/result.hpp>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace beespace::io {
+
+struct TimeChoice {
+  std::size_t column = 0;
+  TimeUnit unit = TimeUnit::kAuto;
+  bool iso = false;  // dates and times, not numbers
+  bool since_1970 = false;
+};
+
+struct VelocityChoice {
+  std::array<std::size_t, 3> columns = {};  // along x, y, z, or east, north, up
+  std::size_t dimensions = 3;               // 2: there is no third one
+  bool down = false;                        // the third one counts downwards
+};
+
+struct TrackLayout {
+  TableLayout table = {};  // the position in table.choice, and the id
+  Frame frame = Frame::kAuto;
+  std::string frame_reason = {};
+  std::optional<TimeChoice> time = {};  // none: a snapshot
+  std::optional<VelocityChoice> velocity = {};
+  std::vector<std::string> notes = {};
+};
+
+// `text` has no byte-order mark. `bare_skybrush`: a table without a header is a Skybrush CSV.
+// Errors: those of find_layout(), kInvalidArgument where a unit of time must be said,
+// kUnsupportedFormat for a unit that is not read; with line, without source.
+Result<TrackLayout> find_track_layout(std::string_view text, const RecordingOptions& options,
+                                      bool bare_skybrush);
+
+}  // namespace beespace::io

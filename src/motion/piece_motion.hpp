@@ -1,0 +1,19 @@
+// Two bees while each is on one straight piece of its track: the exact decision, and what is needed
+// for the report.
+#pragma once
+
+#include "motion/relative_motion.hpp"
+#include "motion/runs.hpp"
+#include "motion/separation.hpp"
+
+namespace beespace::motion {
+
+// Whether they are in conflict at some instant of the window, during which both are on their piece:
+// exact, on the rational lines through the fixes.
+bool in_conflict(const Piece& first, const Piece& second, const TimeSpan& window,
+                 const Separation& separation);
+
+// The second as seen from the first, from `time_s` on.
+RelativeMotion<3> relative_motion(const Piece& first, const Piece& second, double time_s);
+
+}  // namespace beespace::motion

@@ -1,0 +1,101 @@
+#include "motion/step_balls.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+namespace beespace::motion {
+
+namespace {
+
+Point between(const Point& p, const Point& q, double share) {
+  return {p.x + (q.x - p.x) * share, p.y + (q.y - p.y) * share, p.z + (q.z - p.z) * share};
+}
+
+double distance_between(const Point& p, const Point& q) {
+  const double x = q.x - p.x;
+  const double y = q.y - p.y;
+  const double z = q.z - p.z;
+  return std::sqrt(x * x + y * y + z * z);
+}
+
+// Calls visit(time, position) where the run enters and leaves the time, and at its fixes in between:
+// it is farthest from a straight line at one of them.
+template <class Visit>
+void for_each_corner(const Run& run, std::size_t piece, const TimeSpan& time, Visit&& visit) {
+  const double begin = std::max(time.begins_s, run.begins_s());
+  visit(begin, position_on(piece_of(run, piece), begin));
+  for (; piece < run.pieces(); ++piece) {
+    const Piece at = piece_of(run, piece);
+    if (at.to.time_s > time.ends_s) {
+      if (at.from.time_s < time.ends_s) visit(time.ends_s, position_on(at, time.ends_s));
+      return;
+    }
+    visit(at.to.time_s, at.to.position);
+  }
+}
+
+}  // namespace
+
+Point position_on(const Piece& piece, double time_s) {
+  if (piece.instant()) return piece.from.position;
+  const double share = (time_s - piece.from.time_s) / (piece.to.time_s - piece.from.time_s);
+  return between(piece.from.position, piece.to.position, share);
+}
+
+StepBalls::StepBalls(const std::vector<Run>& runs, const std::vector<ActiveRun>& active,
+                     const TimeSpan& time, const core::Resources& with)
+    : size_(active.size()),
+      middles_(with.memory, size_),
+      velocities_(with.memory, size_),
+      radii_m_(with.memory, size_) {
+  with.crew.split(size_, [&](std::size_t begin, std::size_t end, unsigned) {
+    for (std::size_t ball = begin; ball < end; ++ball) {
+      enclose(runs[active[ball].run], active[ball].piece, time, ball);
+    }
+  });
+}
+
+void StepBalls::enclose(const Run& run, std::size_t piece, const TimeSpan& time, std::size_t ball) {
+  Point entered;
+  Point left;
+  Point low;
+  Point high;
+  bool first = true;
+  for_each_corner(run, piece, time, [&](double, const Point& p) {
+    if (first) low = high = entered = p;
+    first = false;
+    left = p;
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  });
+  // Who is not there all the time stands still in the middle of where it is.
+  const double lasts = time.ends_s - time.begins_s;
+  const bool all_the_time =
+      lasts > 0.0 && run.begins_s() <= time.begins_s && run.ends_s() >= time.ends_s;
+  const Point middle = all_the_time ? between(entered, left, 0.5) : between(low, high, 0.5);
+  Point velocity;
+  if (all_the_time) {
+    velocity = {(left.x - entered.x) / lasts, (left.y - entered.y) / lasts,
+                (left.z - entered.z) / lasts};
+  }
+  double radius = 0.0;
+  for_each_corner(run, piece, time, [&](double at, const Point& p) {
+    const double since = at - (time.begins_s + 0.5 * lasts);
+    const Point line{middle.x + velocity.x * since, middle.y + velocity.y * since,
+                     middle.z + velocity.z * since};
+    radius = std::max(radius, distance_between(line, p));
+  });
+  middles_[ball] = middle;
+  velocities_[ball] = velocity;
+  radii_m_[ball] = std::nextafter(static_cast<float>(radius + run.tolerance_m),
+                                  std::numeric_limits<float>::infinity());
+}
+
+MovingBalls StepBalls::balls() const {
+  return {std::span<const Point>(middles_.data(), size_),
+          std::span<const Point>(velocities_.data(), size_), {radii_m_.data(), size_}};
+}
+
+}  // namespace beespace::motion
