@@ -13,8 +13,8 @@ Error syntax_error(std::string_view text, simdjson::error_code code, std::string
   Error error{ErrorCode::kCorrupt, {}, {std::move(source)}};
   const JsonFault fault = find_json_fault(text);
   if (!fault.found) {
-    error.message = "this JSON cannot be read: " + std::string(simdjson::error_message(code)) +
-                    "; correct it";
+    error.message =
+        "this JSON cannot be read: " + std::string(simdjson::error_message(code)) + "; correct it";
     return error;
   }
   error.place.line = fault.line;
@@ -69,38 +69,52 @@ std::string_view json_kind(JsonElement element) {
   }
 }
 
-Result<double> json_number(JsonElement element, const std::string& path) {
-  double value = 0.0;
-  if (element.get(value) != simdjson::SUCCESS) {
-    return Error{ErrorCode::kNotANumber,
-                 path + " is " + std::string(json_kind(element)) +
-                     " where a number should be; correct it",
-                 {}};
-  }
-  if (in_motion_domain(value)) return value;
-  return Error{ErrorCode::kOutsideDomain,
-               path + " cannot be computed with exactly; use 0, or a size of " +
-                   std::string(kMotionDomain),
-               {}};
+bool read_json(JsonElement element, double& value) {
+  return element.get(value) == simdjson::SUCCESS && in_motion_domain(value);
 }
 
-Result<Point> json_point(JsonElement element, const std::string& path) {
+bool read_json(JsonElement element, Point& point) {
   simdjson::dom::array items;
-  if (element.get(items) != simdjson::SUCCESS || items.size() != 3) {
-    return Error{ErrorCode::kColumnCount,
-                 path + " is " + std::string(json_kind(element)) +
-                     (element.is_array() ? " of " + std::to_string(items.size()) + " values" : "") +
-                     " where a position [x, y, z] should be; correct it",
-                 {}};
-  }
+  if (element.get(items) != simdjson::SUCCESS || items.size() != 3) return false;
   std::array<double, 3> values = {};
   std::size_t axis = 0;
   for (const JsonElement item : items) {
-    const auto value = json_number(item, path + "[" + std::to_string(axis) + "]");
-    if (!value) return value.error();
-    values[axis++] = *value;
+    if (!read_json(item, values[axis++])) return false;
   }
-  return Point{values[0], values[1], values[2]};
+  point = {values[0], values[1], values[2]};
+  return true;
+}
+
+Error json_number_problem(JsonElement element, const std::string& path) {
+  double value = 0.0;
+  if (element.get(value) == simdjson::SUCCESS) {
+    return {ErrorCode::kOutsideDomain,
+            path + " cannot be computed with exactly; use 0, or a size of " +
+                std::string(kMotionDomain),
+            {}};
+  }
+  return {ErrorCode::kNotANumber,
+          path + " is " + std::string(json_kind(element)) + " where a number should be; correct it",
+          {}};
+}
+
+Error json_point_problem(JsonElement element, const std::string& path) {
+  simdjson::dom::array items;
+  const bool array = element.get(items) == simdjson::SUCCESS;
+  if (!array || items.size() != 3) {
+    return {ErrorCode::kColumnCount,
+            path + " is " + std::string(json_kind(element)) +
+                (array ? " of " + std::to_string(items.size()) + " values" : "") +
+                " where a position [x, y, z] should be; correct it",
+            {}};
+  }
+  std::size_t axis = 0;
+  for (const JsonElement item : items) {
+    double value = 0.0;
+    const std::string name = path + "[" + std::to_string(axis++) + "]";
+    if (!read_json(item, value)) return json_number_problem(item, name);
+  }
+  return {ErrorCode::kNotANumber, path + " is no position; correct it", {}};
 }
 
 }  // namespace beespace::io

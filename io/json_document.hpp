@@ -37,11 +37,14 @@ std::optional<JsonElement> json_member(JsonElement object, std::string_view key)
 // "a number", "a string", ...; what stands there instead of what is wanted.
 std::string_view json_kind(JsonElement element);
 
-// A number that motion can be computed with; `path` names it in messages ("points[3][0]"). Errors:
-// kNotANumber, kOutsideDomain; without place.
-Result<double> json_number(JsonElement element, const std::string& path);
+// A number that motion can be computed with; false when it is not.
+bool read_json(JsonElement element, double& value);
+// An array of three such numbers; false when it is not.
+bool read_json(JsonElement element, Point& point);
 
-// An array of x, y, z. Errors: kColumnCount too.
-Result<Point> json_point(JsonElement element, const std::string& path);
+// Why read_json() said false; `path` names the value in the message ("points[3]"). Errors:
+// kNotANumber, kOutsideDomain, of points kColumnCount too; without place.
+Error json_number_problem(JsonElement element, const std::string& path);
+Error json_point_problem(JsonElement element, const std::string& path);
 
 }  // namespace beespace::io

@@ -51,20 +51,16 @@ class JsonWalk {
     return true;
   }
 
-  void skip_blanks() {
-    at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size());
-  }
+  void skip_blanks() { at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size()); }
 
   bool string() {
-    const std::size_t begin = at_;
     if (!take('"')) return fail("a name in quotes");
     while (at_ < text_.size() && text_[at_] != '"') {
       if (static_cast<unsigned char>(text_[at_]) < 0x20) return fail("a closing quote");
-      at_ += text_[at_] == '\\' ? 2 : 1;
+      at_ += text_[at_] == '\\' ? 2u : 1u;
     }
-    if (at_ < text_.size()) return ++at_, true;
-    at_ = text_.size();
-    return begin < at_ && fail("a closing quote");
+    at_ = std::min(at_, text_.size());
+    return take('"') || fail("a closing quote");
   }
 
   bool digits() {
@@ -149,8 +145,8 @@ JsonFault find_json_fault(std::string_view text) {
   if (!fault.at_end) {
     const std::string_view rest = text.substr(at, 12);
     const std::size_t end = rest.find_first_of(" \t\r\n,]}:");
-    fault.what += ", not " + excerpt(rest.substr(0, std::max<std::size_t>(
-                                                       1, std::min(end, rest.size()))));
+    fault.what +=
+        ", not " + excerpt(rest.substr(0, std::max<std::size_t>(1, std::min(end, rest.size()))));
   }
   return fault;
 }

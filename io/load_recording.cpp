@@ -1,11 +1,15 @@
 #include "io/load_recording.hpp"
 
 #include "io/byte_source.hpp"
+#include "io/excerpt.hpp"
 #include "io/gzip.hpp"
 #include "io/recording_assembly.hpp"
 #include "io/recording_sources.hpp"
+#include "io/show_documents.hpp"
+#include "io/show_reading.hpp"
 #include "io/text_check.hpp"
 #include "io/track_table.hpp"
+#include "io/zip_archive.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -14,26 +18,111 @@
 namespace beespace::io {
 namespace {
 
+Result<Bytes> unpacked(Bytes bytes, const std::string& source) {
+  if (!is_gzip(bytes.view)) return bytes;
+  auto inside = gunzip(bytes.view, source, nullptr);
+  if (inside && is_gzip(inside->view)) {
+    return Error{ErrorCode::kUnsupportedFormat,
+                 "this is compressed twice; unpack it once first: gzip -dc",
+                 {source}};
+  }
+  return inside;
+}
+
+std::optional<Error> read_table(const Bytes& bytes, const std::string& path, bool bare_skybrush,
+                                RecordingAssembly& assembly) {
+  const RecordingOptions& options = assembly.options();
+  if (options.progress != nullptr) options.progress->total += bytes.view.size();
+  return read_track_table({bytes.view, stem_of(path), bare_skybrush}, assembly);
+}
+
+// The tables of an archive, by name.
+Result<std::vector<std::string>> tables_of(const ZipArchive& archive, const std::string& source) {
+  std::vector<std::string> tables;
+  std::string others;
+  for (const std::string& name : archive.names()) {
+    const std::string_view last = std::string_view(name).substr(name.rfind('/') + 1);
+    const bool hidden = last.front() == '.' || name.substr(0, 9) == "__MACOSX/";
+    if (is_table_name(name) && !hidden) tables.push_back(name);
+    if (others.size() < 100) others.append(others.empty() ? "" : ", ").append(excerpt(name));
+  }
+  if (tables.empty()) {
+    return Error{ErrorCode::kUnsupportedFormat,
+                 "this zip archive holds neither a show.json nor any .csv file, but " +
+                     (others.empty() ? "nothing" : others) +
+                     "; name a Skybrush show (.skyc) or an archive of tables",
+                 {source}};
+  }
+  std::sort(tables.begin(), tables.end());
+  return tables;
+}
+
+std::optional<Error> read_archive(Bytes bytes, const std::string& source,
+                                  RecordingAssembly& assembly) {
+  const RecordingFormat format = assembly.options().format;
+  auto archive = ZipArchive::open(std::move(bytes), source);
+  if (!archive) return archive.error();
+  const auto& names = archive->names();
+  const bool show = std::find(names.begin(), names.end(), ShowDocuments::kRoot) != names.end();
+  if (format == RecordingFormat::kSkybrushShow || (format == RecordingFormat::kAuto && show)) {
+    auto documents = ShowDocuments::from_archive(std::move(archive).value());
+    if (!documents) return documents.error();
+    return read_show(*documents, assembly);
+  }
+  const auto tables = tables_of(*archive, source);
+  if (!tables) return tables.error();
+  for (const std::string& table : *tables) {
+    const std::string place = archive->place_of(table);
+    assembly.begin_source(place);
+    auto content = archive->read(table);
+    if (!content) return content.error();
+    content = unpacked(std::move(content).value(), place);
+    if (!content) return content.error();
+    if (auto error = read_table(*content, table, format != RecordingFormat::kTable, assembly)) {
+      if (error->place.source.empty()) error->place.source = place;
+      return error;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> read_show_file(const Bytes& bytes, const std::string& source,
+                                    RecordingAssembly& assembly) {
+  auto documents = ShowDocuments::from_text(without_byte_order_mark(bytes.view), source);
+  if (!documents) return documents.error();
+  if (is_show(*documents)) return read_show(*documents, assembly);
+  return Error{ErrorCode::kUnsupportedFormat,
+               "this is JSON, but no Skybrush show: it has no 'swarm'; name a show, or export the "
+               "recording as CSV",
+               {}};
+}
+
+bool is_json_object(std::string_view bytes) {
+  const std::string_view text = without_byte_order_mark(bytes);
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && text[first] == '{';
+}
+
 // One input, whatever it holds.
 std::optional<Error> read_source(Bytes bytes, const std::string& path,
                                  RecordingAssembly& assembly) {
-  const RecordingOptions& options = assembly.options();
-  const std::string name = source_name(path);
-  assembly.begin_source(name);
+  const RecordingFormat format = assembly.options().format;
+  const std::string source = source_name(path);
+  assembly.begin_source(source);
   assembly.add_bytes(bytes.view.size());
-  if (is_gzip(bytes.view)) {
-    auto unpacked = gunzip(bytes.view, name, nullptr);
-    if (!unpacked) return unpacked.error();
-    bytes = std::move(unpacked).value();
-    if (is_gzip(bytes.view)) {
-      return Error{ErrorCode::kUnsupportedFormat,
-                   "this is compressed twice; unpack it once first: gzip -dc",
-                   {}};
-    }
+  auto content = unpacked(std::move(bytes), source);
+  if (!content) return content.error();
+  if (is_zip(content->view)) return read_archive(*std::move(content), source, assembly);
+  const bool tables = format == RecordingFormat::kTable || format == RecordingFormat::kSkybrushCsv;
+  if (!tables && is_json_object(content->view)) return read_show_file(*content, source, assembly);
+  if (format == RecordingFormat::kSkybrushShow) {
+    return Error{
+        ErrorCode::kUnsupportedFormat,
+        "this is no Skybrush show: neither a zip archive nor a JSON object; name the .skyc "
+        "file",
+        {}};
   }
-  if (options.progress != nullptr) options.progress->total += bytes.view.size();
-  return read_track_table(
-      {bytes.view, stem_of(path), options.format == RecordingFormat::kSkybrushCsv}, assembly);
+  return read_table(*content, path, format == RecordingFormat::kSkybrushCsv, assembly);
 }
 
 std::optional<Error> placed(std::optional<Error> error, const std::string& path) {

@@ -1,5 +1,5 @@
-// What positions, times and velocities of recordings may be: zero, or of a magnitude that motion can
-// be computed with exactly (see mover.hpp).
+// What positions, times and velocities of recordings may be: zero, or of a magnitude that motion
+// can be computed with exactly (see mover.hpp).
 #pragma once
 
 #include <beespace/mover.hpp>

@@ -80,7 +80,8 @@ void ZipArchive::Closer::operator()(zip* archive) const {
 }
 
 ZipArchive::ZipArchive(Bytes bytes, std::string source, zip* archive)
-    : bytes_(std::move(bytes)), source_(std::move(source)), archive_(archive) {}
+    : bytes_(std::move(bytes)), source_(std::move(source)), archive_(archive) {
+}
 
 Result<ZipArchive> ZipArchive::open(Bytes bytes, std::string source) {
   ZipError error;

@@ -23,6 +23,21 @@ Separation changed(const Separation& separation, double by_m) {
   return other;
 }
 
+double largest_coordinate(const Piece& piece) {
+  const Point& p = piece.from.position;
+  const Point& q = piece.to.position;
+  return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z), std::abs(q.x), std::abs(q.y),
+                   std::abs(q.z)});
+}
+
+// For nearly all windows, faster than the exact decision: what was rounded is a few units in the
+// last place of the coordinates.
+bool surely_apart(const Piece& first, const Piece& second, const RelativeMotion<3>& motion,
+                  double lasts, double reach_m) {
+  const double blur_m = 0x1p-44 * std::max(largest_coordinate(first), largest_coordinate(second));
+  return closest_within(motion, {0.0, lasts}).distance_m > reach_m * (1.0 + 0x1p-40) + blur_m;
+}
+
 double sum_rounded_up(double a, double b) {
   const double sum = a + b;
   return sum == 0.0 ? 0.0 : std::nextafter(sum, std::numeric_limits<double>::infinity());
@@ -35,6 +50,7 @@ PairWalk::PairWalk(const Run& first, const Run& second, const Separation& separa
       second_(second),
       possible_(changed(separation, sum_rounded_up(first.tolerance_m, second.tolerance_m))),
       certain_(changed(separation, -sum_rounded_up(first.tolerance_m, second.tolerance_m))),
+      reach_m_(std::hypot(possible_.threshold_m, possible_.vertical_m.value_or(0.0))),
       exact_(first.tolerance_m == 0.0 && second.tolerance_m == 0.0) {
 }
 
@@ -57,10 +73,11 @@ void PairWalk::walk(const TimeSpan& time, State& state, std::vector<Conflict>& e
 void PairWalk::walk_window(const Piece& first, const Piece& second, const TimeSpan& window,
                            State& state, std::vector<Conflict>& ended) const {
   state.walked_until = window.ends_s;
-  if (!in_conflict(first, second, window, possible_)) return;
   const double lasts = window.ends_s - window.begins_s;
-  const ConflictReport report =
-      report_conflict(relative_motion(first, second, window.begins_s), possible_, lasts);
+  const RelativeMotion<3> motion = relative_motion(first, second, window.begins_s);
+  if (surely_apart(first, second, motion, lasts, reach_m_)) return;
+  if (!in_conflict(first, second, window, possible_)) return;
+  const ConflictReport report = report_conflict(motion, possible_, lasts);
   const auto clock = [&](double since) { return std::min(window.begins_s + since, window.ends_s); };
   const double begins_s = clock(report.span.begins_s);
   const double closest_s = clock(report.closest_s);

@@ -41,7 +41,8 @@ class PairWalk {
   const Run& second_;
   Separation possible_;  // widened by both tolerances,
   Separation certain_;   // and narrowed by them
-  bool exact_;           // there are none
+  double reach_m_;       // of the wider one: cylinders lie in spheres
+  bool exact_;           // there are no tolerances
 };
 
 }  // namespace beespace::motion
