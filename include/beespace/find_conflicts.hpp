@@ -69,4 +69,12 @@ struct RecordedConflicts {
 BEESPACE_API Result<RecordedConflicts> find_conflicts(std::span<const Track> tracks,
                                                       const ConflictOptions& options = {});
 
+// Of all the time in which two of the tracks are there: when which two are closest in a straight
+// line, and how close. Nothing where no two are there at the same time. The times of the span are
+// all the closest instant. Cost: a few searches as above, with thresholds that grow until somebody
+// is found. Errors: as find_conflicts.
+BEESPACE_API Result<std::optional<Conflict>> find_closest_encounter(
+    std::span<const Track> tracks,
+    double max_gap_s = std::numeric_limits<double>::infinity(), unsigned threads = 1);
+
 }  // namespace beespace

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <beespace/export.hpp>
+#include <beespace/mover.hpp>
 #include <beespace/point.hpp>
 #include <beespace/points_view.hpp>
 #include <beespace/result.hpp>
@@ -36,5 +37,17 @@ BEESPACE_API Result<Point> to_ecef(const GeographicPosition& position);
 // Errors: as above, with the index of the first bad position in place.record, and
 // kInvalidArgument when the sizes differ; then `ecef` is left with unspecified contents.
 BEESPACE_API Status to_ecef(const PointsView& positions, std::span<Point> ecef);
+
+// Metres per second along the parallel, the meridian and the ellipsoid's normal.
+struct LocalVelocity {
+  double east_mps = 0.0;
+  double north_mps = 0.0;
+  double up_mps = 0.0;
+};
+
+// The velocity in the ECEF frame of a bee at `position`. Errors: as to_ecef, and kNotFinite for a
+// velocity that is not.
+BEESPACE_API Result<Velocity> to_ecef_velocity(const GeographicPosition& position,
+                                               const LocalVelocity& velocity);
 
 }  // namespace beespace

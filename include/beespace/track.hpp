@@ -5,8 +5,11 @@
 // not there. Units: metres, and seconds from any zero that all tracks of a recording share.
 #pragma once
 
+#include <beespace/export.hpp>
 #include <beespace/point.hpp>
 
+#include <limits>
+#include <optional>
 #include <vector>
 
 namespace beespace {
@@ -25,5 +28,11 @@ struct Track {
   // of them, more for one that they only approximate (see bezier_path.hpp).
   double tolerance_m = 0.0;
 };
+
+// Where the bee is at a time, rounded; nowhere before its first and after its last fix, and between
+// two fixes that are more than `max_gap_s` apart.
+BEESPACE_API std::optional<Point> position_at(
+    const Track& track, double time_s,
+    double max_gap_s = std::numeric_limits<double>::infinity());
 
 }  // namespace beespace

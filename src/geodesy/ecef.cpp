@@ -121,4 +121,17 @@ Status to_ecef(const PointsView& positions, std::span<Point> ecef) {
   return std::monostate{};
 }
 
+Result<Velocity> to_ecef_velocity(const GeographicPosition& position,
+                                  const LocalVelocity& velocity) {
+  if (!geodesy::is_valid(position)) return explain(position);
+  if (!std::isfinite(velocity.east_mps) || !std::isfinite(velocity.north_mps) ||
+      !std::isfinite(velocity.up_mps)) {
+    return Error{ErrorCode::kNotFinite,
+                 "the velocity " + number(velocity.east_mps) + ", " + number(velocity.north_mps) +
+                     ", " + number(velocity.up_mps) + " m/s is not finite; correct it",
+                 {}};
+  }
+  return geodesy::convert_velocity(position, velocity);
+}
+
 }  // namespace beespace

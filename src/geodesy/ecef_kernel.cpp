@@ -182,6 +182,15 @@ EcefConversion fastest_conversion() {
   return convert_baseline;
 }
 
+Velocity convert_velocity(const GeographicPosition& position, const LocalVelocity& velocity) {
+  const SineCosine lambda = sine_cosine(position.longitude_deg);
+  const SineCosine phi = sine_cosine(position.latitude_deg);
+  const double outward = velocity.up_mps * phi.cosine - velocity.north_mps * phi.sine;
+  return {outward * lambda.cosine - velocity.east_mps * lambda.sine,
+          outward * lambda.sine + velocity.east_mps * lambda.cosine,
+          velocity.up_mps * phi.sine + velocity.north_mps * phi.cosine};
+}
+
 Point convert_position(const GeographicPosition& position) {
   return convert_one(position.longitude_deg, position.latitude_deg, position.height_m);
 }

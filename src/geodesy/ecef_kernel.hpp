@@ -39,6 +39,9 @@ EcefConversion fastest_conversion();
 // One position, with the same bits as in a block.
 Point convert_position(const GeographicPosition& position);
 
+// The velocity of a valid position.
+Velocity convert_velocity(const GeographicPosition& position, const LocalVelocity& velocity);
+
 // Finite, and inside the limits of geodesy.hpp.
 bool is_valid(const GeographicPosition& position);
 

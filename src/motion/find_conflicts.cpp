@@ -8,6 +8,10 @@
 #include "motion/runs.hpp"
 #include "motion/validate.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace beespace {
@@ -18,6 +22,24 @@ std::optional<Error> check(std::span<const Track> tracks, const ConflictOptions&
   if (auto error = motion::check_options(options)) return error;
   if (auto error = core::check_size(tracks.size())) return error;
   return motion::check_tracks(tracks);
+}
+
+// Of the box that everybody stays in.
+double diagonal_of(std::span<const Track> tracks) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  std::array<double, 3> low{kNone, kNone, kNone};
+  std::array<double, 3> high{-kNone, -kNone, -kNone};
+  for (const Track& track : tracks) {
+    for (const auto& [time, p] : track.fixes) {
+      const std::array<double, 3> at{p.x, p.y, p.z};
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        low[axis] = std::min(low[axis], at[axis]);
+        high[axis] = std::max(high[axis], at[axis]);
+      }
+    }
+  }
+  if (low[0] > high[0]) return 0.0;
+  return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
 }
 
 }  // namespace
@@ -33,6 +55,28 @@ Result<RecordedConflicts> find_conflicts(std::span<const Track> tracks,
                                             options.max_results, {crew, memory});
   if (!conflicts) return std::move(conflicts).error();
   return RecordedConflicts{*std::move(conflicts), std::move(cut.gaps)};
+}
+
+Result<std::optional<Conflict>> find_closest_encounter(std::span<const Track> tracks,
+                                                       double max_gap_s, unsigned threads) {
+  ConflictOptions options;
+  options.max_gap_s = max_gap_s;
+  options.threads = threads;
+  options.inclusive = true;
+  if (auto error = check(tracks, options)) return *std::move(error);
+  // From what is surely much less than the swarm is wide to what is more.
+  const double widest = std::clamp(1.01 * diagonal_of(tracks), 0x1p-90, kLargestInMotion);
+  for (double threshold = widest * 0x1p-12;; threshold *= 2.0) {
+    options.threshold_m = std::min(threshold, widest);
+    const Result<RecordedConflicts> found = find_conflicts(tracks, options);
+    if (!found) return found.error();
+    std::optional<Conflict> closest;
+    for (const Conflict& conflict : found->conflicts) {
+      if (!closest || conflict.closest_m < closest->closest_m) closest = conflict;
+    }
+    if (closest) closest->begins_s = closest->ends_s = closest->closest_s;
+    if (closest || threshold >= widest) return closest;
+  }
 }
 
 namespace brute_force {
