@@ -3,6 +3,7 @@
 #include "cli/answer_output.hpp"
 #include "cli/detect_request.hpp"
 #include "cli/detect_search.hpp"
+#include "cli/failure.hpp"
 #include "cli/load_inputs.hpp"
 #include "cli/number_text.hpp"
 #include "cli/progress_bar.hpp"
@@ -42,20 +43,6 @@ void write_answer(const Answer& answer, io::AtomicOutput& output) {
     case Form::kGeoJson:
       return write_geojson(answer, output);
   }
-}
-
-// Says what went wrong; with --json also where a program looks for it.
-ExitCode fail(const Error& error, bool json) {
-  say_error(printable(to_string(error)));
-  if (json) {
-    auto output = io::AtomicOutput::open("-");
-    if (output) {
-      output->write(error_as_json(error));
-      // That nobody reads it is not worse than what went wrong already.
-      static_cast<void>(output->commit());
-    }
-  }
-  return exit_code_for(error.code);
 }
 
 // The whole run; the exit code, or what went wrong.

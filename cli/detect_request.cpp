@@ -1,47 +1,13 @@
 #include "cli/detect_request.hpp"
 
-#include "cli/number_text.hpp"
+#include "cli/option_values.hpp"
 #include "cli/terminal.hpp"
 
-#include <cstdint>
-#include <limits>
 #include <optional>
 #include <utility>
 
 namespace beespace::cli {
 namespace {
-
-Result<double> read_threshold(const std::string& text) {
-  const auto value = parse_number(text);
-  if (!value) {
-    return Error{
-        ErrorCode::kInvalidThreshold,
-        "the threshold '" + text + "' is not a number; give metres, for example --threshold 100",
-        {}};
-  }
-  if (*value >= kSmallestCoordinate_m && *value <= kLargestCoordinate_m) return *value;
-  return Error{ErrorCode::kInvalidThreshold,
-               "the threshold is " + text +
-                   " m; give a finite distance above zero (3.9e-121 m to 2.6e+120 m)",
-               {}};
-}
-
-Result<unsigned> read_threads(const std::string& text) {
-  constexpr unsigned kMost = std::numeric_limits<unsigned>::max();
-  const auto count = parse_whole(text);
-  if (count && *count <= kMost) return static_cast<unsigned>(*count);
-  return detect_usage_error("--threads '" + text + "' is not a whole number from 0 (all) to " +
-                            grouped(std::uint64_t{kMost}));
-}
-
-Result<std::uint64_t> read_max_results(const std::string& text) {
-  constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
-  if (text.empty()) return kMost;
-  const auto count = parse_whole(text);
-  if (count && *count >= 1) return *count;
-  return detect_usage_error("--max-results '" + text + "' is not a whole number from 1 to " +
-                            std::to_string(kMost));
-}
 
 Form form_of(const DetectOptions& options) {
   if (options.csv) return Form::kCsv;
@@ -86,7 +52,7 @@ io::LoadOptions load_options(const DetectOptions& options, unsigned threads) {
 }  // namespace
 
 Error detect_usage_error(std::string message) {
-  return {ErrorCode::kInvalidArgument, std::move(message) + " (see 'beespace detect --help')", {}};
+  return usage_error("detect", std::move(message));
 }
 
 Result<DetectRequest> request_of(const DetectOptions& options) {
@@ -99,9 +65,9 @@ Result<DetectRequest> request_of(const DetectOptions& options) {
   if (auto error = check_fit(options, *request.report)) return *std::move(error);
   const auto threshold = read_threshold(options.threshold);
   if (!threshold) return threshold.error();
-  const auto threads = read_threads(options.threads);
+  const auto threads = read_threads("detect", options.threads);
   if (!threads) return threads.error();
-  const auto max_results = read_max_results(options.max_results);
+  const auto max_results = read_max_results("detect", options.max_results);
   if (!max_results) return max_results.error();
   request.search = {*threshold, options.inclusive, *threads, *max_results};
 

@@ -1,6 +1,7 @@
 #include "cli/generate_command.hpp"
 
 #include "cli/number_text.hpp"
+#include "cli/option_values.hpp"
 #include "cli/swarm_output.hpp"
 #include "cli/terminal.hpp"
 #include "io/atomic_output.hpp"
@@ -31,8 +32,7 @@ struct Swarm {
 };
 
 Error usage_error(std::string message) {
-  return {
-      ErrorCode::kInvalidArgument, std::move(message) + " (see 'beespace generate --help')", {}};
+  return cli::usage_error("generate", std::move(message));
 }
 
 // A whole number from 1 to `most`.

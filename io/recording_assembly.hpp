@@ -50,8 +50,9 @@ class RecordingAssembly {
   void declare_threshold(double metres);
   void add_bytes(std::uint64_t count) { recording_.bytes += count; }
   TrackGathering& tracks() { return tracks_; }
-  // The number of the next record that has no id, over all inputs.
-  std::uint64_t next_nameless() { return nameless_++; }
+  // How many records without any id came before, over all inputs.
+  [[nodiscard]] std::uint64_t nameless() const { return nameless_; }
+  void add_nameless(std::uint64_t count) { nameless_ += count; }
 
   // Errors: kTimeOrder, kUnknownFrame, kNoPoints.
   Result<Recording> finish();

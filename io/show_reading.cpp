@@ -118,7 +118,7 @@ class ShowReading {
       } else if (!drone->flies) {
         ++grounded_;
       } else {
-        stood_ += drone->stood ? 1 : 0;
+        if (drone->stood) ++stood_;
         assembly_.tracks().add_path(std::move(drone->name), std::move(drone->path));
       }
       ++index;

@@ -1,8 +1,10 @@
 #include "io/show_trajectory.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace beespace::io {
@@ -44,24 +46,23 @@ std::optional<Error> read_controls(JsonElement element, const std::string& path,
 
 // [t, [x, y, z], [controls]], where the last may be missing.
 std::optional<Error> read_entry(JsonElement element, std::size_t index, Entry& entry) {
-  const auto path = [index](int part) {
-    return "points[" + std::to_string(index) + "]" +
-           (part < 0 ? "" : "[" + std::to_string(part) + "]");
+  const auto path = [index](std::string_view part) {
+    return "points[" + std::to_string(index) + "]" + std::string(part);
   };
   simdjson::dom::array parts;
   if (element.get(parts) != simdjson::SUCCESS || parts.size() < 2 || parts.size() > 3) {
     return malformed(ErrorCode::kMalformedRecord,
-                     path(-1) + " is no [time, [x, y, z], [control points]]; correct it");
+                     path("") + " is no [time, [x, y, z], [control points]]; correct it");
   }
   int part = 0;
   for (const JsonElement item : parts) {
-    if (part == 0 && !read_json(item, entry.time_s)) return json_number_problem(item, path(0));
-    if (part == 1 && !read_json(item, entry.point)) return json_point_problem(item, path(1));
+    if (part == 0 && !read_json(item, entry.time_s)) return json_number_problem(item, path("[0]"));
+    if (part == 1 && !read_json(item, entry.point)) return json_point_problem(item, path("[1]"));
     if (part == 2) {
       simdjson::dom::array controls;
       const bool none = item.get(controls) == simdjson::SUCCESS && controls.size() == 0;
       if (!none) {
-        if (auto error = read_controls(item, path(2), entry)) return error;
+        if (auto error = read_controls(item, path("[2]"), entry)) return error;
       }
     }
     ++part;

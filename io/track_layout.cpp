@@ -21,6 +21,12 @@ Error missing(std::string message) {
   return {ErrorCode::kMissingColumn, std::move(message), {}};
 }
 
+Error at_column(ErrorCode code, std::string message, std::size_t column) {
+  Error error{code, std::move(message), {}};
+  error.place.column = column + 1;
+  return error;
+}
+
 std::string column_text(const ColumnsSeen& seen, std::size_t column) {
   std::string text = "column " + std::to_string(column + 1);
   if (column < seen.names.size()) text.append(" ").append(excerpt(seen.names[column]));
@@ -90,17 +96,17 @@ Result<TimeChoice> choose_unit(TimeChoice time, const TrackWord& word, const Col
   time.since_1970 = word.since_1970;
   time.unit = options.time_unit != TimeUnit::kAuto ? options.time_unit : word.unit;
   if (options.time_unit == TimeUnit::kAuto && !word.foreign_unit.empty()) {
-    return Error{ErrorCode::kUnsupportedFormat,
-                 column_text(seen, time.column) + " is in '" + word.foreign_unit +
-                     "'; convert it first: beespace reads s, ms, us, ns and dates of ISO 8601",
-                 {}};
+    return at_column(ErrorCode::kUnsupportedFormat,
+                     column_text(seen, time.column) + " is in '" + word.foreign_unit +
+                         "'; convert it first: beespace reads s, ms, us, ns and dates of ISO 8601",
+                     time.column);
   }
   if (time.unit == TimeUnit::kAuto) {
-    return Error{ErrorCode::kInvalidArgument,
-                 column_text(seen, time.column) +
-                     " holds the time, but in which unit? Say it with --time-unit s, ms, us or "
-                     "ns, or in the header: time_s",
-                 {}};
+    return at_column(ErrorCode::kInvalidArgument,
+                     column_text(seen, time.column) +
+                         " holds the time, but in which unit? Say it with --time-unit s, ms, us "
+                         "or ns, or in the header: time_s",
+                     time.column);
   }
   return time;
 }
@@ -220,7 +226,10 @@ Result<TrackLayout> skybrush_layout(TrackLayout layout, const ColumnsSeen& seen,
   ColumnChoice& choice = layout.table.choice;
   choice.axes = {1, 2, 3};
   choice.evidence = Frame::kMetres;
-  choice.reason = "a Skybrush CSV is in metres";
+  const FrameDecision frame =
+      frame_before_values(options.frame, {Frame::kMetres, "a Skybrush CSV is in metres"});
+  layout.frame = frame.frame;
+  layout.frame_reason = frame.reason;
   TimeChoice time;
   time.unit = options.time_unit != TimeUnit::kAuto ? options.time_unit : TimeUnit::kMilliseconds;
   layout.time = time;
@@ -283,7 +292,8 @@ Result<TrackLayout> find_track_layout(std::string_view text, const RecordingOpti
                     : choose_all(std::move(layout), text, seen, options);
   if (chosen) return chosen;
   Error error = chosen.error();
-  if (!error.place.line) error.place.line = line;
+  // What is wrong with --columns as such is no matter of a line.
+  if (error.code != ErrorCode::kInvalidArgument || error.place.column) error.place.line = line;
   return error;
 }
 

@@ -33,11 +33,13 @@ std::optional<Error> read_records(std::string_view text, const TrackLayout& layo
   TrackRecord record;
   record.id = stem;
   std::string row_id;
-  const char* reported = text.data() + layout.table.data_offset;
+  std::uint64_t rows = 0;
+  const char* reported = text.data();
   RecordWalk walk(text, layout.table.data_offset, layout.table.line_end);
   while (walk.next()) {
     const std::uint64_t line = layout.table.lines_before + walk.line() + 1;
     const char* const here = walk.record().data();
+    rows = walk.row() + 1;
     if (progress != nullptr && walk.row() % kRowsPerReport == 0) {
       progress->done += static_cast<std::uint64_t>(here - reported);
       reported = here;
@@ -49,7 +51,7 @@ std::optional<Error> read_records(std::string_view text, const TrackLayout& layo
       continue;
     }
     if (nameless_rows) {
-      row_id = std::to_string(assembly.next_nameless());
+      row_id = std::to_string(assembly.nameless() + walk.row());
       record.id = row_id;
     }
     Origin origin;
@@ -61,6 +63,7 @@ std::optional<Error> read_records(std::string_view text, const TrackLayout& layo
   if (progress != nullptr) {
     progress->done += static_cast<std::uint64_t>(text.data() + text.size() - reported);
   }
+  if (nameless_rows) assembly.add_nameless(rows);
   return std::nullopt;
 }
 

@@ -62,8 +62,8 @@ Error zip_problem(int code, const std::string& text, std::string place) {
 
 Error too_large(std::size_t limit, std::string place) {
   return {ErrorCode::kUnsupportedFormat,
-          "this unpacks to more than " + std::to_string(limit >> 20) +
-              " MiB; if that is right, unpack it first",
+          "this unpacks to more than " + std::to_string(limit) +
+              " bytes; if that is right, unpack it first",
           {std::move(place)}};
 }
 
@@ -83,7 +83,7 @@ ZipArchive::ZipArchive(Bytes bytes, std::string source, zip* archive)
     : bytes_(std::move(bytes)), source_(std::move(source)), archive_(archive) {
 }
 
-Result<ZipArchive> ZipArchive::open(Bytes bytes, std::string source) {
+Result<ZipArchive> ZipArchive::open(Bytes bytes, std::string source, const ZipLimits& limits) {
   ZipError error;
   zip_source_t* const memory =
       zip_source_buffer_create(bytes.view.data(), bytes.view.size(), 0, error.get());
@@ -93,7 +93,7 @@ Result<ZipArchive> ZipArchive::open(Bytes bytes, std::string source) {
     zip_source_free(memory);
     return zip_problem(error.code(), error.text(), std::move(source));
   }
-  ZipArchive archive(std::move(bytes), std::move(source), opened);
+  ZipArchive archive(std::move(bytes), std::move(source), limits, opened);
   const zip_int64_t count = zip_get_num_entries(opened, 0);
   for (zip_int64_t i = 0; i < count; ++i) {
     const char* const name = zip_get_name(opened, static_cast<zip_uint64_t>(i), 0);
@@ -137,8 +137,8 @@ Result<Bytes> ZipArchive::read(const std::string& member) {
     if (count == 0) return content.release();
     content.add(static_cast<std::size_t>(count));
     unpacked_ += static_cast<std::size_t>(count);
-    if (content.size() > kLargestMember) return too_large(kLargestMember, place);
-    if (unpacked_ > kMostUnpacked) return too_large(kMostUnpacked, source_);
+    if (content.size() > limits_.one_file) return too_large(limits_.one_file, place);
+    if (unpacked_ > limits_.together) return too_large(limits_.together, source_);
   }
 }
 

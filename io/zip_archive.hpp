@@ -1,7 +1,7 @@
 // The files in a zip archive, unpacked in memory one at a time. Their checksums are compared.
 //
-// What unpacks to more than kLargestMember, or in all to more than kMostUnpacked, is
-// refused: a zip of some kilobytes can hold a file of any size.
+// What unpacks to more than its limits is refused: a zip of some kilobytes can hold files of any
+// size.
 #pragma once
 
 #include "io/byte_source.hpp"
@@ -22,13 +22,16 @@ namespace beespace::io {
 // By the first bytes, whatever the file is called.
 bool is_zip(std::string_view bytes);
 
+// In bytes.
+struct ZipLimits {
+  std::size_t one_file = std::size_t{256} << 20;
+  std::size_t together = std::size_t{1} << 30;
+};
+
 class ZipArchive {
  public:
-  static constexpr std::size_t kLargestMember = std::size_t{256} << 20;  // bytes
-  static constexpr std::size_t kMostUnpacked = std::size_t{1} << 30;     // bytes
-
   // Errors: kTruncated when its directory is not there, kCorrupt; with `source` as the place.
-  static Result<ZipArchive> open(Bytes bytes, std::string source);
+  static Result<ZipArchive> open(Bytes bytes, std::string source, const ZipLimits& limits = {});
 
   // Of the files, not the folders, in the order of the archive.
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
@@ -46,10 +49,11 @@ class ZipArchive {
     void operator()(zip* archive) const;
   };
 
-  ZipArchive(Bytes bytes, std::string source, zip* archive);
+  ZipArchive(Bytes bytes, std::string source, const ZipLimits& limits, zip* archive);
 
   Bytes bytes_;  // libzip reads from them
   std::string source_;
+  ZipLimits limits_;
   std::unique_ptr<zip, Closer> archive_;
   std::vector<std::string> names_;
   std::size_t unpacked_ = 0;

@@ -5,6 +5,7 @@
 // doubles: grazing at exactly the threshold is no conflict, unless `inclusive`.
 #pragma once
 
+#include <beespace/conflict.hpp>
 #include <beespace/export.hpp>
 #include <beespace/mover.hpp>
 #include <beespace/result.hpp>
@@ -36,13 +37,6 @@ struct PredictOptions {
 
   // More conflicts than this are an error, kTooManyResults.
   std::uint64_t max_results = std::numeric_limits<std::uint64_t>::max();
-};
-
-struct TimeSpan {
-  double begins_s = 0.0;
-  double ends_s = 0.0;
-
-  friend constexpr bool operator==(const TimeSpan&, const TimeSpan&) = default;
 };
 
 struct Approach {

@@ -9,6 +9,13 @@
 
 namespace beespace {
 
+struct TimeSpan {
+  double begins_s = 0.0;
+  double ends_s = 0.0;
+
+  friend constexpr bool operator==(const TimeSpan&, const TimeSpan&) = default;
+};
+
 struct Conflict {
   PointId first = 0;  // below second
   PointId second = 0;

@@ -1,0 +1,35 @@
+// From what was recorded to what the library searches: metres in one Cartesian frame, as tracks or as
+// movers at one instant.
+#pragma once
+
+#include "io/recording.hpp"
+
+#include <beespace/mover.hpp>
+#include <beespace/result.hpp>
+#include <beespace/track.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace beespace::cli {
+
+// One track for each bee. Curves become straight lines within the tolerance.
+Result<std::vector<Track>> tracks_of(const io::Recording& recording, double tolerance_m);
+
+// Everybody at one instant, the last that the recording knows of. Whoever was last heard of before
+// is brought there in a straight line; or left out when that is more than max_age_s ago.
+struct Snapshot {
+  std::vector<Mover> movers;
+  std::vector<std::uint32_t> bees;   // whose each mover is: ascending places in the recording
+  double time_s = 0.0;
+  std::uint64_t brought_forward = 0;
+  double oldest_s = 0.0;             // of those: how far
+  std::uint64_t stale = 0;           // left out
+  std::uint64_t estimated = 0;       // velocities that come from the last two fixes
+};
+
+// Errors: kMissingColumn where somebody has neither a velocity nor two fixes.
+Result<Snapshot> snapshot_of(const io::Recording& recording, double max_age_s);
+
+}  // namespace beespace::cli

@@ -1,0 +1,139 @@
+#include "cli/moving/moving_options.hpp"
+
+#include "cli/option_checks.hpp"
+#include "cli/option_values.hpp"
+#include "cli/terminal.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace beespace::cli {
+namespace {
+
+io::RecordingOptions load_options(const MovingOptions& options) {
+  io::RecordingOptions load;
+  if (options.frame == "wgs84") load.frame = io::Frame::kWgs84;
+  if (options.frame == "metres") load.frame = io::Frame::kMetres;
+  if (options.time_unit == "s") load.time_unit = io::TimeUnit::kSeconds;
+  if (options.time_unit == "ms") load.time_unit = io::TimeUnit::kMilliseconds;
+  if (options.time_unit == "us") load.time_unit = io::TimeUnit::kMicroseconds;
+  if (options.time_unit == "ns") load.time_unit = io::TimeUnit::kNanoseconds;
+  load.columns = options.columns;
+  load.skip_bad = options.skip_bad;
+  load.grounded = options.grounded;
+  return load;
+}
+
+std::optional<Error> check_inputs(const char* command, const MovingOptions& options) {
+  if (options.inputs.empty() && input_is_terminal()) {
+    return usage_error(command, "say which file to read, or pipe the input in");
+  }
+  if (std::count(options.inputs.begin(), options.inputs.end(), "-") > 1) {
+    return usage_error(command, "standard input can be read once");
+  }
+  if (options.csv && options.json) {
+    return usage_error(command, "--csv and --json exclude each other");
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void add_input_options(CLI::App& command, MovingOptions& options) {
+  CLI::Option* frame =
+      command.add_option("--crs", options.frame, "Whether positions are in degrees or metres")
+          ->type_name("auto|wgs84|metres")
+          ->group("Input");
+  allow_only(*frame, {"auto", "wgs84", "metres"});
+  command
+      .add_option("--columns", options.columns, "By number or name: id=1,time=2,x=3,y=4,z=5,vx=6")
+      ->type_name("LIST")
+      ->group("Input");
+  CLI::Option* unit = command
+                          .add_option("--time-unit", options.time_unit,
+                                      "Of times, where the input does not say")
+                          ->type_name("auto|s|ms|us|ns")
+                          ->group("Input");
+  allow_only(*unit, {"auto", "s", "ms", "us", "ns"});
+  command
+      .add_flag("--grounded", options.grounded,
+                "Of drone shows, count those that stand on the ground as well")
+      ->group("Input");
+  command.add_flag("--skip-bad", options.skip_bad, "Leave bad records out and list them")
+      ->group("Input");
+}
+
+void add_separation_options(CLI::App& command, MovingOptions& options) {
+  command
+      .add_option("--threshold", options.threshold,
+                  "Closer than this is too close (default: what the\ninput declares, or 100)")
+      ->type_name("METRES")
+      ->group("Separation");
+  command
+      .add_option("--vertical", options.vertical,
+                  "Too close only if closer than this in height too;\nthe threshold is then "
+                  "horizontal")
+      ->type_name("METRES")
+      ->group("Separation");
+  command
+      .add_flag("--inclusive", options.inclusive, "A distance of exactly the threshold counts too")
+      ->group("Separation");
+  command
+      .add_option("--max-results", options.max_results,
+                  "Fail beyond so many conflicts (default: no limit)")
+      ->type_name("N")
+      ->group("Separation");
+  command.add_option("--threads", options.threads, "How many threads work (default: 0, all)")
+      ->type_name("N")
+      ->group("Separation");
+}
+
+void add_output_options(CLI::App& command, MovingOptions& options) {
+  command.add_option("--output", options.output, "Where the answer goes (default: standard output)")
+      ->type_name("FILE")
+      ->group("Output");
+  command.add_flag("--csv", options.csv, "With a header, values between commas")->group("Output");
+  command.add_flag("--json", options.json, "One JSON document with everything in it")
+      ->group("Output");
+  command.add_flag("--fail-on-risk", options.fail_on_risk, "Exit with 1 when there is a conflict")
+      ->group("Output");
+  command.add_flag("--quiet", options.quiet, "No summary and no progress, only errors")
+      ->group("Output");
+}
+
+Result<MovingRequest> moving_request(const char* command, const MovingOptions& options) {
+  if (auto error = check_inputs(command, options)) return *std::move(error);
+  MovingRequest request;
+  request.command = command;
+  request.inputs = options.inputs;
+  if (request.inputs.empty()) request.inputs.emplace_back("-");
+  request.load = load_options(options);
+  if (!options.threshold.empty()) {
+    const auto threshold = read_threshold(options.threshold);
+    if (!threshold) return threshold.error();
+    request.threshold_m = *threshold;
+  }
+  if (!options.vertical.empty()) {
+    const auto vertical =
+        read_amount(command, "--vertical", options.vertical, "metres", {0.0, false});
+    if (!vertical) return vertical.error();
+    request.vertical_m = *vertical;
+  }
+  request.inclusive = options.inclusive;
+  const auto max_results = read_max_results(command, options.max_results);
+  if (!max_results) return max_results.error();
+  request.max_results = *max_results;
+  const auto threads = read_threads(command, options.threads);
+  if (!threads) return threads.error();
+  request.threads = *threads;
+  request.output = options.output;
+  if (options.csv) request.form = MovingForm::kCsv;
+  if (options.json) request.form = MovingForm::kJson;
+  request.fail_on_risk = options.fail_on_risk;
+  request.quiet = options.quiet;
+  return request;
+}
+
+}  // namespace beespace::cli

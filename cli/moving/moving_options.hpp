@@ -1,0 +1,65 @@
+// What `predict` and `replay` are both told: what to read, how close is too close, where the answer
+// goes.
+#pragma once
+
+#include "cli/moving/rows.hpp"
+#include "io/load_recording.hpp"
+
+#include <beespace/result.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
+class App;
+}
+
+namespace beespace::cli {
+
+// As typed, before it is checked.
+struct MovingOptions {
+  std::vector<std::string> inputs;
+  std::string frame = "auto";
+  std::string columns;
+  std::string time_unit = "auto";
+  std::string threshold;  // empty: what the input declares, or 100
+  std::string vertical;
+  std::string max_results;
+  std::string threads = "0";
+  std::string output = "-";
+  bool inclusive = false;
+  bool grounded = false;
+  bool skip_bad = false;
+  bool csv = false;
+  bool json = false;
+  bool fail_on_risk = false;
+  bool quiet = false;
+};
+
+enum class MovingForm : std::uint8_t { kText, kCsv, kJson };
+
+// Checked: a request that makes sense.
+struct MovingRequest {
+  const char* command;
+  std::vector<std::string> inputs;
+  io::RecordingOptions load;
+  std::optional<double> threshold_m;  // absent: what the input declares, or the default
+  std::optional<double> vertical_m;
+  bool inclusive = false;
+  std::uint64_t max_results = 0;
+  unsigned threads = 0;
+  std::string output;
+  MovingForm form = MovingForm::kText;
+  bool fail_on_risk = false;
+  bool quiet = false;
+};
+
+void add_input_options(CLI::App& command, MovingOptions& options);
+void add_separation_options(CLI::App& command, MovingOptions& options);
+void add_output_options(CLI::App& command, MovingOptions& options);
+
+Result<MovingRequest> moving_request(const char* command, const MovingOptions& options);
+
+}  // namespace beespace::cli

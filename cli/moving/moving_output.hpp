@@ -1,0 +1,48 @@
+// What `predict` and `replay` both say: the input on the summary's lines and in the JSON document,
+// conflicts as rows, and the answer written where it is wanted.
+#pragma once
+
+#include "cli/moving/moving_options.hpp"
+#include "cli/moving/rows.hpp"
+#include "io/atomic_output.hpp"
+#include "io/recording.hpp"
+
+#include <beespace/conflict.hpp>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace beespace::cli {
+
+// "  label      text", for the summary.
+void append_summary_line(std::string& out, std::string_view label, std::string_view text);
+
+// The lines about what was read.
+std::string input_summary(const io::Recording& recording, const MovingRequest& request);
+
+// "5 m (closer than), as the show declares".
+std::string separation_summary(const MovingRequest& request, double threshold_m, bool declared);
+
+// "12.5 s", or the date and time where seconds count from 1970.
+std::string moment(double time_s, const io::Recording& recording);
+
+// "drone_01 and drone_02, 4.31 m apart at 63.2 s".
+std::string encounter_text(const Conflict& conflict, const io::Recording& recording);
+
+// Whose a bee of the answer is.
+std::string shown_id(PointId bee, const io::Recording& recording);
+
+// first, second, begins_s, closest_s, closest_m, ends_s; and certain, where there are tolerances.
+Rows conflict_rows(const std::vector<Conflict>& conflicts, const io::Recording& recording,
+                   bool with_certain);
+
+// The beginning of the JSON document, up to and with the separation: an open object.
+std::string json_head(const io::Recording& recording, const MovingRequest& request,
+                      double threshold_m);
+
+// Writes the rows in the form wished for; in JSON between `head` and the end, under `key`.
+void write_answer(const Rows& rows, const MovingRequest& request, const std::string& head,
+                  const char* key, io::AtomicOutput& output);
+
+}  // namespace beespace::cli

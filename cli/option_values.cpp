@@ -1,0 +1,62 @@
+#include "cli/option_values.hpp"
+
+#include "cli/number_text.hpp"
+
+#include <beespace/point.hpp>
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace beespace::cli {
+
+Error usage_error(std::string_view command, std::string message) {
+  return {ErrorCode::kInvalidArgument,
+          std::move(message) + " (see 'beespace " + std::string(command) + " --help')",
+          {}};
+}
+
+Result<double> read_threshold(const std::string& text) {
+  const auto value = parse_number(text);
+  if (!value) {
+    return Error{
+        ErrorCode::kInvalidThreshold,
+        "the threshold '" + text + "' is not a number; give metres, for example --threshold 100",
+        {}};
+  }
+  if (*value >= kSmallestCoordinate_m && *value <= kLargestCoordinate_m) return *value;
+  return Error{ErrorCode::kInvalidThreshold,
+               "the threshold is " + text +
+                   " m; give a finite distance above zero (3.9e-121 m to 2.6e+120 m)",
+               {}};
+}
+
+Result<unsigned> read_threads(std::string_view command, const std::string& text) {
+  constexpr unsigned kMost = std::numeric_limits<unsigned>::max();
+  const auto count = parse_whole(text);
+  if (count && *count <= kMost) return static_cast<unsigned>(*count);
+  return usage_error(command, "--threads '" + text + "' is not a whole number from 0 (all) to " +
+                                  grouped(std::uint64_t{kMost}));
+}
+
+Result<std::uint64_t> read_max_results(std::string_view command, const std::string& text) {
+  constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+  if (text.empty()) return kMost;
+  const auto count = parse_whole(text);
+  if (count && *count >= 1) return *count;
+  return usage_error(command, "--max-results '" + text + "' is not a whole number from 1 to " +
+                                  std::to_string(kMost));
+}
+
+Result<double> read_amount(std::string_view command, const std::string& option,
+                           const std::string& text, const char* unit, Least least) {
+  const auto value = parse_number(text);
+  const bool enough =
+      value && (least.itself ? *value >= least.value : *value > least.value);
+  if (enough && std::isfinite(*value)) return *value;
+  return usage_error(command, option + " '" + text + "' is not a number of " + unit +
+                                  (least.itself ? " from " : " above ") + exact(least.value) +
+                                  (least.itself ? " on" : ""));
+}
+
+}  // namespace beespace::cli

@@ -1,0 +1,32 @@
+// What options mean, as typed: numbers in the units and limits of the library, or what is wrong.
+//
+// `command` is the subcommand whose help an error points at.
+#pragma once
+
+#include <beespace/result.hpp>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace beespace::cli {
+
+// kInvalidArgument, with the way to the help.
+Error usage_error(std::string_view command, std::string message);
+
+// Metres above zero, inside the coordinate domain. Error: kInvalidThreshold.
+Result<double> read_threshold(const std::string& text);
+
+// Whole numbers. 0 threads are all; an empty `max_results` is no limit.
+Result<unsigned> read_threads(std::string_view command, const std::string& text);
+Result<std::uint64_t> read_max_results(std::string_view command, const std::string& text);
+
+// A finite number from `least` on (or above it), of what `unit` says ("seconds").
+struct Least {
+  double value;
+  bool itself;
+};
+Result<double> read_amount(std::string_view command, const std::string& option,
+                           const std::string& text, const char* unit, Least least);
+
+}  // namespace beespace::cli

@@ -1,0 +1,147 @@
+#include "cli/replay_command.hpp"
+
+#include "cli/failure.hpp"
+#include "cli/moving/moving_input.hpp"
+#include "cli/moving/moving_output.hpp"
+#include "cli/moving/replay_findings.hpp"
+#include "cli/moving/replay_summary.hpp"
+#include "cli/number_text.hpp"
+#include "cli/option_values.hpp"
+#include "cli/progress_bar.hpp"
+#include "cli/stopwatch.hpp"
+#include "cli/terminal.hpp"
+#include "io/atomic_output.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace beespace::cli {
+namespace {
+
+constexpr const char* kName = "replay";
+constexpr double kDefaultThreshold_m = 100.0;
+
+struct ReplayRequest {
+  MovingRequest moving;
+  std::string report;
+  double max_gap_s;
+  double tolerance_m;
+  double every_s;
+};
+
+Result<ReplayRequest> request_of(const ReplayOptions& options) {
+  auto moving = moving_request(kName, options.moving);
+  if (!moving) return std::move(moving).error();
+  double max_gap_s = std::numeric_limits<double>::infinity();
+  if (!options.max_gap.empty()) {
+    const auto given = read_amount(kName, "--max-gap", options.max_gap, "seconds", {0.0, false});
+    if (!given) return given.error();
+    max_gap_s = *given;
+  }
+  const auto tolerance =
+      read_amount(kName, "--tolerance", options.tolerance, "metres", {0.0, false});
+  if (!tolerance) return tolerance.error();
+  const auto every = read_amount(kName, "--every", options.every, "seconds", {0.0, false});
+  if (!every) return every.error();
+  return ReplayRequest{*std::move(moving), options.report, max_gap_s, *tolerance, *every};
+}
+
+Rows rows_of(const ReplayRequest& request, const Findings& findings) {
+  if (request.report == "bees") return bee_rows(findings);
+  if (request.report == "separation") {
+    return separation_rows(separation_over_time(findings, request.every_s), findings.recording);
+  }
+  const bool curved = std::any_of(findings.tracks.begin(), findings.tracks.end(),
+                                  [](const Track& track) { return track.tolerance_m > 0.0; });
+  return conflict_rows(findings.recorded.conflicts, findings.recording, curved);
+}
+
+std::string json_head_of(const ReplayRequest& request, const Findings& findings,
+                         double threshold_m) {
+  std::string head = json_head(findings.recording, request.moving, threshold_m);
+  const auto& conflicts = findings.recorded.conflicts;
+  head += ",\n  \"conflict_count\": " + std::to_string(conflicts.size());
+  head += ",\n  \"pair_count\": " + std::to_string(pairs_in_conflict(conflicts).size());
+  head += ",\n  \"gap_count\": " + std::to_string(findings.recorded.gaps.size());
+  head += ",\n  \"closest\": ";
+  if (findings.closest) {
+    append_json_row(head, {"first", "second", "time_s", "distance_m"},
+                    {shown_id(findings.closest->first, findings.recording),
+                     shown_id(findings.closest->second, findings.recording),
+                     findings.closest->closest_s, findings.closest->closest_m});
+  } else {
+    head += "null";
+  }
+  return head;
+}
+
+// The closest of the conflicts, or of all encounters where there is none.
+Result<std::optional<Conflict>> closest_of(const RecordedConflicts& recorded,
+                                           const std::vector<Track>& tracks,
+                                           const ReplayRequest& request) {
+  // Within a cylinder the closest in a straight line need not be in conflict.
+  if (recorded.conflicts.empty() || request.moving.vertical_m) {
+    return find_closest_encounter(tracks, request.max_gap_s, request.moving.threads);
+  }
+  return std::optional<Conflict>(*std::min_element(
+      recorded.conflicts.begin(), recorded.conflicts.end(),
+      [](const Conflict& a, const Conflict& b) { return a.closest_m < b.closest_m; }));
+}
+
+Result<ExitCode> replay(const ReplayRequest& request) {
+  const MovingRequest& moving = request.moving;
+  auto output = io::AtomicOutput::open(moving.output);
+  if (!output) return std::move(output).error();
+  ProgressBar progress(!moving.quiet);
+  Stopwatch watch;
+  io::RecordingOptions load = moving.load;
+  load.progress = &progress.reading();
+  const auto recording = io::load_recording(moving.inputs, load);
+  if (!recording) return recording.error();
+  const auto tracks = tracks_of(*recording, request.tolerance_m);
+  if (!tracks) return tracks.error();
+  const double read_s = watch.lap();
+
+  progress.enter_stage("searching");
+  const double threshold_m =
+      moving.threshold_m.value_or(recording->declared_threshold_m.value_or(kDefaultThreshold_m));
+  const auto recorded = find_conflicts(*tracks, {.threshold_m = threshold_m,
+                                                 .vertical_m = moving.vertical_m,
+                                                 .inclusive = moving.inclusive,
+                                                 .max_gap_s = request.max_gap_s,
+                                                 .threads = moving.threads,
+                                                 .max_results = moving.max_results});
+  if (!recorded) return recorded.error();
+  const auto closest = closest_of(*recorded, *tracks, request);
+  if (!closest) return closest.error();
+  const double search_s = watch.lap();
+
+  const Findings findings{*recording, *tracks, request.max_gap_s, *recorded, *closest};
+  progress.enter_stage("writing");
+  const std::string head =
+      moving.form == MovingForm::kJson ? json_head_of(request, findings, threshold_m) : "";
+  write_answer(rows_of(request, findings), moving, head, request.report.c_str(), *output);
+  const Status written = output->commit();
+  if (!written && output->pipe_closed()) return ExitCode::kPipeClosed;
+  if (!written) return written.error();
+  progress.finish();
+  if (!moving.quiet) {
+    say(replay_summary(findings, moving, {threshold_m, read_s, search_s}));
+  }
+  const bool risk = moving.fail_on_risk && !recorded->conflicts.empty();
+  return risk ? ExitCode::kRiskFound : ExitCode::kFine;
+}
+
+}  // namespace
+
+ExitCode run_replay(const ReplayOptions& options) {
+  const bool json = options.moving.json;
+  const auto request = request_of(options);
+  if (!request) return fail(request.error(), json);
+  const auto code = replay(*request);
+  return code ? *code : fail(code.error(), json);
+}
+
+}  // namespace beespace::cli

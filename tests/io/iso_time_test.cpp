@@ -1,0 +1,96 @@
+#include "io/iso_time.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+#include <string_view>
+
+namespace beespace::io {
+namespace {
+
+constexpr double kBad = std::numeric_limits<double>::infinity();
+
+double seconds_of(std::string_view text) {
+  double seconds = kBad;
+  const std::string_view problem = parse_iso_time(text, seconds);
+  EXPECT_EQ(problem, "") << text;
+  return problem.empty() ? seconds : kBad;
+}
+
+std::string problem_of(std::string_view text) {
+  double seconds = 0.0;
+  return std::string(parse_iso_time(text, seconds));
+}
+
+TEST(IsoTime, CountsSecondsSince1970) {
+  EXPECT_EQ(seconds_of("1970-01-01T00:00:00Z"), 0.0);
+  EXPECT_EQ(seconds_of("1970-01-02T00:00:01Z"), 86401.0);
+  EXPECT_EQ(seconds_of("2000-02-29T12:34:56Z"), 951827696.0);
+  EXPECT_EQ(seconds_of("2024-05-01T12:00:00Z"), 1714564800.0);
+  EXPECT_EQ(seconds_of("2038-01-19T03:14:08Z"), 2147483648.0);
+}
+
+TEST(IsoTime, CountsBackwardsBefore1970) {
+  EXPECT_EQ(seconds_of("1969-12-31T23:59:59Z"), -1.0);
+  EXPECT_EQ(seconds_of("1969-12-31T23:59:59.75Z"), -0.25);
+  EXPECT_EQ(seconds_of("1969-12-31T23:59:58.75Z"), -1.25);
+  EXPECT_EQ(seconds_of("0001-01-01T00:00:00Z"), -62135596800.0);
+}
+
+TEST(IsoTime, FractionsAreTheNearestDouble) {
+  EXPECT_EQ(seconds_of("2024-05-01T12:00:00.25Z"), 1714564800.25);
+  EXPECT_EQ(seconds_of("2024-05-01T12:00:00,25Z"), 1714564800.25);
+  EXPECT_EQ(seconds_of("2024-05-01T12:00:00.123456Z"), 1714564800.123456);
+  EXPECT_EQ(seconds_of("2024-05-01T12:00:00.123456789Z"), 1714564800.123456789);
+  EXPECT_EQ(seconds_of("2024-05-01T12:00:00.1234567891234567Z"), 1714564800.123456789);
+  EXPECT_EQ(seconds_of("1970-01-01T00:00:00.1Z"), 0.1);
+}
+
+TEST(IsoTime, OffsetsAreEastOfGreenwich) {
+  EXPECT_EQ(seconds_of("2024-05-01T14:00:00+02:00"), 1714564800.0);
+  EXPECT_EQ(seconds_of("2024-05-01T14:00:00+0200"), 1714564800.0);
+  EXPECT_EQ(seconds_of("2024-05-01T14:00:00+02"), 1714564800.0);
+  EXPECT_EQ(seconds_of("2024-05-01T06:30:00-05:30"), 1714564800.0);
+  EXPECT_EQ(seconds_of("2024-05-01t12:00:00z"), 1714564800.0);
+  EXPECT_EQ(seconds_of("2024-05-01 12:00:00Z"), 1714564800.0);
+}
+
+TEST(IsoTime, AMissingZoneIsNotGuessed) {
+  EXPECT_NE(problem_of("2024-05-01T12:00:00").find("no time zone"), std::string::npos);
+  EXPECT_NE(problem_of("2024-05-01T12:00:00.5").find("no time zone"), std::string::npos);
+}
+
+TEST(IsoTime, WhatDoesNotExistIsRefused) {
+  EXPECT_NE(problem_of("2023-02-29T12:00:00Z").find("no such day"), std::string::npos);
+  EXPECT_NE(problem_of("2023-13-01T12:00:00Z").find("no such day"), std::string::npos);
+  EXPECT_NE(problem_of("2023-01-01T24:00:00Z").find("no such time of day"), std::string::npos);
+  EXPECT_NE(problem_of("2023-01-01T12:60:00Z").find("no such time of day"), std::string::npos);
+  EXPECT_NE(problem_of("2016-12-31T23:59:60Z").find("leap seconds"), std::string::npos);
+  EXPECT_NE(problem_of("2023-01-01T12:00:00+25:00").find("no such offset"), std::string::npos);
+}
+
+TEST(IsoTime, OtherFormsAreRefusedAndTheRightOneIsShown) {
+  for (const std::string_view text :
+       {"", "2024", "2024-05", "20240501T120000Z", "2024-5-1T12:00:00Z", "2024-05-01X12:00:00Z",
+        "2024-05-01T12Z", "2024-05-01T12:00:00.Z", "2024-05-01T12:00:00Zulu",
+        "2024-05-01T12:00:00+2", "2024-05-01T12:00:00+02:0", "2024-05-01T-1:00:00Z",
+        "2024-05-01T12:00:00 UTC"}) {
+    EXPECT_NE(problem_of(text).find("write it as 2024-05-01T12:00:00.25Z"), std::string::npos)
+        << text;
+  }
+  EXPECT_NE(problem_of("2024-05-01T12:00Z").find("seconds are missing"), std::string::npos);
+  EXPECT_NE(problem_of("2024-05-01").find("a day without a time"), std::string::npos);
+}
+
+TEST(IsoTime, IsToldFromNumbersByItsYear) {
+  EXPECT_TRUE(looks_like_iso_time("2024-05-01T12:00:00Z"));
+  EXPECT_TRUE(looks_like_iso_time("2024-"));
+  EXPECT_FALSE(looks_like_iso_time("20240501"));
+  EXPECT_FALSE(looks_like_iso_time("2024.5"));
+  EXPECT_FALSE(looks_like_iso_time("-2024"));
+  EXPECT_FALSE(looks_like_iso_time(""));
+}
+
+}  // namespace
+}  // namespace beespace::io

@@ -1,0 +1,189 @@
+// The search of predictions: for every instruction set, number of threads and length of step, bit
+// for bit what brute force says, which says what fractions say.
+#include "motion/prediction.hpp"
+
+#include "tests/support/exact_motion_oracle.hpp"
+#include "tests/support/mover_scenes.hpp"
+#include "tests/support/own_resources.hpp"
+#include "tests/support/rounds.hpp"
+
+#include <beespace/brute_force.hpp>
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <sstream>
+
+namespace beespace::motion {
+namespace {
+
+using Conflicts = std::vector<Conflict>;
+
+// One way to run the search.
+struct Way {
+  cpu::InstructionSet set;
+  unsigned threads;
+  std::optional<double> step_s;
+};
+
+std::string name_of(const Way& way) {
+  std::ostringstream name;
+  name << cpu::name_of(way.set) << ", " << way.threads << " threads, step ";
+  if (way.step_s) {
+    name << *way.step_s << " s";
+  } else {
+    name << "chosen";
+  }
+  return name.str();
+}
+
+// Chosen, one step for all, steps that end at the edges of encounters, and many that fit nothing.
+std::vector<std::optional<double>> steps_of(const test::MoverScene& scene) {
+  if (scene.horizon_s == 0.0) return {std::nullopt, 1e-9};
+  const double rhythm = std::min(test::kStepOfEdges_s, scene.horizon_s / 8.0);
+  return {std::nullopt, 1e9 * scene.horizon_s, std::max(rhythm, scene.horizon_s / 30.0),
+          scene.horizon_s / 41.3};
+}
+
+std::vector<cpu::InstructionSet> available_sets() {
+  std::vector<cpu::InstructionSet> sets;
+  for (const cpu::InstructionSet set : cpu::kInstructionSets) {
+    if (cpu::is_available(set)) sets.push_back(set);
+  }
+  return sets;
+}
+
+class EveryWay {
+ public:
+  // Calls check(answer) for every way to predict.
+  template <class Check>
+  void for_each(const test::MoverScene& scene, const PredictOptions& options, Check&& check) {
+    for (const std::optional<double>& step : steps_of(scene)) {
+      for (const cpu::InstructionSet set : available_sets()) {
+        for (const unsigned threads : {1U, 2U, 5U}) {
+          // All kernels, all numbers of threads, and not every two of them.
+          const bool often = set == cpu::best_instruction_set() && !step;
+          if (threads == 1 || often) run({set, threads, step}, scene, options, check);
+        }
+      }
+    }
+  }
+
+ private:
+  template <class Check>
+  void run(const Way& way, const test::MoverScene& scene, const PredictOptions& options,
+           Check&& check) {
+    if (testing::Test::HasFatalFailure()) return;
+    SCOPED_TRACE(scene.name + ": " + name_of(way) + (options.inclusive ? ", inclusive" : "") +
+                 (options.vertical_m ? ", cylinders" : ""));
+    PredictionChoices choices;
+    choices.search.instruction_set = way.set;
+    choices.step_s = way.step_s;
+    test::OwnResources& own = way.threads == 1 ? one_ : way.threads == 2 ? two_ : five_;
+    own.memory.start_call();
+    check(predict(scene.movers, options, own.with, choices));
+  }
+
+  test::OwnResources one_{1};
+  test::OwnResources two_{2};
+  test::OwnResources five_{5};
+};
+
+class Scene : public testing::TestWithParam<test::MoverScene> {
+ protected:
+  template <class Check>
+  static void for_each_question(Check&& check) {
+    for (const bool cylinder : {false, true}) {
+      for (const bool inclusive : {false, true}) check(GetParam().options(cylinder, inclusive));
+    }
+  }
+};
+
+void expect_same(const Conflicts& found, const Conflicts& expected) {
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    ASSERT_EQ(found[k].first, expected[k].first) << "conflict " << k;
+    ASSERT_EQ(found[k].second, expected[k].second) << "conflict " << k;
+    ASSERT_EQ(found[k], expected[k]) << "the times or distances of conflict " << k;
+  }
+}
+
+TEST_P(Scene, IsPredictedAsByBruteForceInEveryWay) {
+  EveryWay ways;
+  for_each_question([&](const PredictOptions& options) {
+    const Conflicts expected = *brute_force::predict_conflicts(GetParam().movers, options);
+    ways.for_each(GetParam(), options, [&](const Result<Conflicts>& found) {
+      ASSERT_TRUE(found.has_value());
+      expect_same(*found, expected);
+    });
+    expect_same(*predict_conflicts(GetParam().movers, options), expected);
+  });
+}
+
+TEST_P(Scene, IsJudgedByBruteForceAsByFractions) {
+  const std::vector<Mover>& movers = GetParam().movers;
+  const std::size_t stride = test::kSanitized ? 101 : 13;  // of those who are said to keep apart
+  for_each_question([&](const PredictOptions& options) {
+    const Conflicts found = *brute_force::predict_conflicts(movers, options);
+    auto next = found.begin();
+    for (PointId i = 0; i < movers.size(); ++i) {
+      for (PointId j = i + 1; j < movers.size(); ++j) {
+        const bool said = next != found.end() && next->first == i && next->second == j;
+        if (said) ++next;
+        if (!said && (31 * i + j) % stride != 0) continue;
+        const test::ExactEncounter truly(movers[i], movers[j], options);
+        ASSERT_EQ(said, truly.in_conflict()) << i << " " << j;
+      }
+    }
+    EXPECT_EQ(next, found.end()) << "out of order, or twice";
+  });
+}
+
+// One more conflict than allowed is an error in every way, as many as allowed are none.
+TEST_P(Scene, HasItsResultsCountedInEveryWay) {
+  PredictOptions options = GetParam().options(false, true);
+  const Conflicts expected = *brute_force::predict_conflicts(GetParam().movers, options);
+  EveryWay ways;
+  options.max_results = expected.size();
+  ways.for_each(GetParam(), options, [&](const Result<Conflicts>& found) {
+    ASSERT_TRUE(found.has_value());
+    ASSERT_EQ(found->size(), expected.size());
+  });
+  ASSERT_TRUE(brute_force::predict_conflicts(GetParam().movers, options).has_value());
+  if (expected.empty()) return;
+  --options.max_results;
+  ways.for_each(GetParam(), options, [](const Result<Conflicts>& found) {
+    ASSERT_FALSE(found.has_value());
+    ASSERT_EQ(found.error().code, ErrorCode::kTooManyResults);
+  });
+  const auto brute = brute_force::predict_conflicts(GetParam().movers, options);
+  ASSERT_FALSE(brute.has_value());
+  EXPECT_EQ(brute.error().code, ErrorCode::kTooManyResults);
+}
+
+INSTANTIATE_TEST_SUITE_P(Predicted, Scene, testing::ValuesIn(test::mover_scenes()),
+                         [](const auto& instance) { return instance.param.name; });
+
+// The comparisons above would be worth little if hardly anybody met, or if everybody did.
+TEST(MoverScenes, HaveConflictsAndPairsWithoutAndManyAtTheEdge) {
+  std::size_t at_the_edge = 0;
+  for (const test::MoverScene& scene : test::mover_scenes()) {
+    if (scene.movers.size() < 3) continue;
+    SCOPED_TRACE(scene.name);
+    const auto count = [&](bool cylinder, bool inclusive) {
+      return brute_force::predict_conflicts(scene.movers, scene.options(cylinder, inclusive))
+          ->size();
+    };
+    const std::size_t pairs = scene.movers.size() * (scene.movers.size() - 1) / 2;
+    EXPECT_GT(count(false, true), 20U);
+    EXPECT_GT(count(true, true), 20U);
+    EXPECT_TRUE(count(false, true) < pairs || scene.name == "SphereSwap" ||
+                scene.name == "AllAtOnePlace");
+    at_the_edge += count(false, true) - count(false, false);
+    at_the_edge += count(true, true) - count(true, false);
+  }
+  EXPECT_GT(at_the_edge, 3000U);
+}
+
+}  // namespace
+}  // namespace beespace::motion
