@@ -121,14 +121,15 @@ Result<ExitCode> predict(const PredictRequest& request) {
   load.progress = &progress.reading();
   const auto recording = io::load_recording(moving.inputs, load);
   if (!recording) return recording.error();
-  const auto snapshot = snapshot_of(*recording, request.max_age_s);
+  const Geometry geometry = geometry_for(*recording, moving.vertical_m.has_value());
+  const auto snapshot = snapshot_of(*recording, geometry, request.max_age_s);
   if (!snapshot) return snapshot.error();
 
   progress.enter_stage("predicting");
   Stopwatch watch;
   const double threshold_m =
       moving.threshold_m.value_or(recording->declared_threshold_m.value_or(kDefaultThreshold_m));
-  auto conflicts = predict_conflicts(snapshot->movers, {.threshold_m = threshold_m,
+  auto conflicts = predict_conflicts(snapshot->view(), {.threshold_m = threshold_m,
                                                         .vertical_m = moving.vertical_m,
                                                         .horizon_s = request.horizon_s,
                                                         .inclusive = moving.inclusive,

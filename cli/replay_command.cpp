@@ -77,12 +77,13 @@ std::string json_head_of(const ReplayRequest& request, const Findings& findings,
   return head;
 }
 
-// The closest of the conflicts, or of all encounters where there is none.
+// The closest of the conflicts, or of all encounters where there is none. With a vertical threshold
+// how far apart two are in a straight line says little.
 Result<std::optional<Conflict>> closest_of(const RecordedConflicts& recorded,
                                            const std::vector<Track>& tracks,
                                            const ReplayRequest& request) {
-  // Within a cylinder the closest in a straight line need not be in conflict.
-  if (recorded.conflicts.empty() || request.moving.vertical_m) {
+  if (recorded.conflicts.empty()) {
+    if (request.moving.vertical_m) return std::optional<Conflict>();
     return find_closest_encounter(tracks, request.max_gap_s, request.moving.threads);
   }
   return std::optional<Conflict>(*std::min_element(
@@ -100,7 +101,8 @@ Result<ExitCode> replay(const ReplayRequest& request) {
   load.progress = &progress.reading();
   const auto recording = io::load_recording(moving.inputs, load);
   if (!recording) return recording.error();
-  const auto tracks = tracks_of(*recording, request.tolerance_m);
+  const Geometry geometry = geometry_for(*recording, moving.vertical_m.has_value());
+  const auto tracks = tracks_of(*recording, geometry, request.tolerance_m);
   if (!tracks) return tracks.error();
   const double read_s = watch.lap();
 

@@ -21,22 +21,33 @@ Error of_bee(Error error, const io::RecordedBee& bee) {
   return error;
 }
 
-Status to_metres(std::vector<Fix>& fixes) {
-  for (Fix& fix : fixes) {
-    const auto ecef = to_ecef(geographic(fix.position));
-    if (!ecef) return ecef.error();
-    fix.position = *ecef;
-  }
-  return std::monostate{};
+// A fix of the input in metres, with its height where that is kept apart.
+struct Placed {
+  Fix fix;
+  double height_m = 0.0;
+};
+
+Result<Placed> placed(const Fix& fix, io::Frame frame, Geometry geometry) {
+  if (frame == io::Frame::kMetres) return Placed{fix, 0.0};
+  GeographicPosition place = geographic(fix.position);
+  // Checked as it is given; what lies below it at height 0 is as good.
+  auto ecef = to_ecef(place);
+  if (!ecef) return ecef.error();
+  if (geometry == Geometry::kSpace) return Placed{{fix.time_s, *ecef}, 0.0};
+  place.height_m = 0.0;
+  return Placed{{fix.time_s, *to_ecef(place)}, fix.position.z};
 }
 
-Result<Track> track_of(const io::RecordedBee& bee, io::Frame frame, double tolerance_m) {
+Result<Track> track_of(const io::RecordedBee& bee, io::Frame frame, Geometry geometry,
+                       double tolerance_m) {
   if (bee.path) return to_track(*bee.path, tolerance_m);
   Track track;
-  track.fixes = bee.fixes;
-  if (frame == io::Frame::kWgs84) {
-    const Status done = to_metres(track.fixes);
-    if (!done) return done.error();
+  track.fixes.reserve(bee.fixes.size());
+  for (const Fix& fix : bee.fixes) {
+    const auto at = placed(fix, frame, geometry);
+    if (!at) return at.error();
+    track.fixes.push_back(at->fix);
+    if (geometry == Geometry::kGroundAndHeight) track.heights_m.push_back(at->height_m);
   }
   return track;
 }
@@ -45,52 +56,59 @@ bool is_known(const Velocity& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// The last fix in metres, with the velocity that the input gives it, or that of the last two fixes.
-Result<Mover> last_state(const io::RecordedBee& bee, io::Frame frame, bool& estimated) {
-  std::vector<Fix> last(bee.fixes.end() - std::min<std::ptrdiff_t>(2, std::ssize(bee.fixes)),
-                        bee.fixes.end());
-  const bool given = !bee.velocities.empty() && is_known(bee.velocities.back());
-  const GeographicPosition place = geographic(last.back().position);
-  if (frame == io::Frame::kWgs84) {
-    const Status done = to_metres(last);
-    if (!done) return done.error();
+// Where somebody was last heard of, and how fast it went.
+struct LastState {
+  Mover mover;
+  double height_m = 0.0;
+  double climb_mps = 0.0;
+  bool estimated = false;  // the velocity is that of the last two fixes
+};
+
+Result<LastState> given_state(const Fix& fix, const Velocity& v, io::Frame frame,
+                              Geometry geometry) {
+  const auto at = placed(fix, frame, geometry);
+  if (!at) return at.error();
+  if (frame == io::Frame::kMetres) return LastState{{at->fix.position, v}};
+  const bool apart = geometry == Geometry::kGroundAndHeight;
+  const auto ecef = to_ecef_velocity(geographic(fix.position), {v.x, v.y, apart ? 0.0 : v.z});
+  if (!ecef) return ecef.error();
+  return LastState{{at->fix.position, *ecef}, at->height_m, apart ? v.z : 0.0};
+}
+
+Result<LastState> last_state(const io::RecordedBee& bee, io::Frame frame, Geometry geometry) {
+  const Fix& last = bee.fixes.back();
+  if (!bee.velocities.empty() && is_known(bee.velocities.back())) {
+    return given_state(last, bee.velocities.back(), frame, geometry);
   }
-  estimated = !given;
-  if (given) {
-    const Velocity& v = bee.velocities.back();
-    if (frame == io::Frame::kMetres) return Mover{last.back().position, v};
-    const auto ecef = to_ecef_velocity(place, {v.x, v.y, v.z});
-    if (!ecef) return ecef.error();
-    return Mover{last.back().position, *ecef};
-  }
-  if (last.size() < 2) {
+  if (bee.fixes.size() < 2) {
     return Error{ErrorCode::kMissingColumn,
                  "there is no velocity, and only one fix to tell it from; give velocities (columns "
                  "vx, vy, vz; or ve, vn, vu beside degrees)",
                  {}};
   }
-  const Point& p = last[0].position;
-  const Point& q = last[1].position;
-  const double lasts = last[1].time_s - last[0].time_s;
-  return Mover{q, {(q.x - p.x) / lasts, (q.y - p.y) / lasts, (q.z - p.z) / lasts}};
+  const auto before = placed(bee.fixes[bee.fixes.size() - 2], frame, geometry);
+  if (!before) return before.error();
+  const auto now = placed(last, frame, geometry);
+  if (!now) return now.error();
+  const Point& p = before->fix.position;
+  const Point& q = now->fix.position;
+  const double lasts = now->fix.time_s - before->fix.time_s;
+  return LastState{{q, {(q.x - p.x) / lasts, (q.y - p.y) / lasts, (q.z - p.z) / lasts}},
+                   now->height_m,
+                   (now->height_m - before->height_m) / lasts,
+                   true};
 }
 
-}  // namespace
-
-Result<std::vector<Track>> tracks_of(const io::Recording& recording, double tolerance_m) {
-  std::vector<Track> tracks;
-  tracks.reserve(recording.bees.size());
-  for (const io::RecordedBee& bee : recording.bees) {
-    auto track = track_of(bee, recording.frame, tolerance_m);
-    if (!track) return of_bee(std::move(track).error(), bee);
-    tracks.push_back(*std::move(track));
-  }
-  return tracks;
+void bring_forward(LastState& state, double by_s) {
+  Point& p = state.mover.position;
+  const Velocity& v = state.mover.velocity;
+  p = {p.x + v.x * by_s, p.y + v.y * by_s, p.z + v.z * by_s};
+  state.height_m += state.climb_mps * by_s;
 }
 
-Result<Snapshot> snapshot_of(const io::Recording& recording, double max_age_s) {
-  Snapshot snapshot;
-  snapshot.time_s = -std::numeric_limits<double>::infinity();
+// Of the last fix of all. Error: where the input says nothing of the present.
+Result<double> last_time(const io::Recording& recording) {
+  double time_s = -std::numeric_limits<double>::infinity();
   for (const io::RecordedBee& bee : recording.bees) {
     if (bee.path) {
       return of_bee({ErrorCode::kUnsupportedFormat,
@@ -98,31 +116,62 @@ Result<Snapshot> snapshot_of(const io::Recording& recording, double max_age_s) {
                      {}},
                     bee);
     }
-    if (!bee.fixes.empty()) {
-      snapshot.time_s = std::max(snapshot.time_s, bee.fixes.back().time_s);
-    }
+    if (!bee.fixes.empty()) time_s = std::max(time_s, bee.fixes.back().time_s);
   }
+  return time_s;
+}
+
+}  // namespace
+
+Geometry geometry_for(const io::Recording& recording, bool vertical) {
+  return vertical && recording.frame == io::Frame::kWgs84 ? Geometry::kGroundAndHeight
+                                                          : Geometry::kSpace;
+}
+
+MoversView Snapshot::view() const {
+  if (heights_m.empty()) return movers;
+  const MoversView positions(movers);
+  return {positions.positions(), positions.velocities(), heights_m, climbs_mps};
+}
+
+Result<std::vector<Track>> tracks_of(const io::Recording& recording, Geometry geometry,
+                                     double tolerance_m) {
+  std::vector<Track> tracks;
+  tracks.reserve(recording.bees.size());
+  for (const io::RecordedBee& bee : recording.bees) {
+    auto track = track_of(bee, recording.frame, geometry, tolerance_m);
+    if (!track) return of_bee(std::move(track).error(), bee);
+    tracks.push_back(*std::move(track));
+  }
+  return tracks;
+}
+
+Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, double max_age_s) {
+  const auto now = last_time(recording);
+  if (!now) return now.error();
+  Snapshot snapshot;
+  snapshot.time_s = *now;
   for (std::size_t i = 0; i < recording.bees.size(); ++i) {
     const io::RecordedBee& bee = recording.bees[i];
     if (bee.fixes.empty()) continue;
-    const double age = snapshot.time_s - bee.fixes.back().time_s;
+    const double age = *now - bee.fixes.back().time_s;
     if (age > max_age_s) {
       ++snapshot.stale;
       continue;
     }
-    bool estimated = false;
-    auto mover = last_state(bee, recording.frame, estimated);
-    if (!mover) return of_bee(std::move(mover).error(), bee);
+    auto state = last_state(bee, recording.frame, geometry);
+    if (!state) return of_bee(std::move(state).error(), bee);
     if (age > 0.0) {
-      Point& p = mover->position;
-      const Velocity& v = mover->velocity;
-      p = {p.x + v.x * age, p.y + v.y * age, p.z + v.z * age};
+      bring_forward(*state, age);
       ++snapshot.brought_forward;
       snapshot.oldest_s = std::max(snapshot.oldest_s, age);
     }
-    snapshot.estimated += estimated ? 1 : 0;
-    snapshot.movers.push_back(*mover);
+    if (state->estimated) ++snapshot.estimated;
+    snapshot.movers.push_back(state->mover);
     snapshot.bees.push_back(static_cast<std::uint32_t>(i));
+    if (geometry == Geometry::kSpace) continue;
+    snapshot.heights_m.push_back(state->height_m);
+    snapshot.climbs_mps.push_back(state->climb_mps);
   }
   return snapshot;
 }

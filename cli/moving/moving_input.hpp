@@ -14,22 +14,33 @@
 
 namespace beespace::cli {
 
+// What distances are taken of: positions in space; or, for a vertical threshold between geographic
+// positions, those on the ground, and heights apart from them.
+enum class Geometry : std::uint8_t { kSpace, kGroundAndHeight };
+Geometry geometry_for(const io::Recording& recording, bool vertical);
+
 // One track for each bee. Curves become straight lines within the tolerance.
-Result<std::vector<Track>> tracks_of(const io::Recording& recording, double tolerance_m);
+Result<std::vector<Track>> tracks_of(const io::Recording& recording, Geometry geometry,
+                                     double tolerance_m);
 
 // Everybody at one instant, the last that the recording knows of. Whoever was last heard of before
 // is brought there in a straight line; or left out when that is more than max_age_s ago.
 struct Snapshot {
   std::vector<Mover> movers;
+  std::vector<double> heights_m;  // empty, or of each mover, kept apart from its position
+  std::vector<double> climbs_mps;
   std::vector<std::uint32_t> bees;   // whose each mover is: ascending places in the recording
   double time_s = 0.0;
   std::uint64_t brought_forward = 0;
   double oldest_s = 0.0;             // of those: how far
   std::uint64_t stale = 0;           // left out
   std::uint64_t estimated = 0;       // velocities that come from the last two fixes
+
+  [[nodiscard]] MoversView view() const;
 };
 
 // Errors: kMissingColumn where somebody has neither a velocity nor two fixes.
-Result<Snapshot> snapshot_of(const io::Recording& recording, double max_age_s);
+Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry,
+                             double max_age_s);
 
 }  // namespace beespace::cli

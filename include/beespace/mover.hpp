@@ -11,6 +11,7 @@
 #include <beespace/point.hpp>
 #include <beespace/points_view.hpp>
 
+#include <concepts>
 #include <cstddef>
 #include <span>
 
@@ -51,6 +52,21 @@ class MoversView {
   MoversView(const PointsView& positions, const PointsView& velocities)
       : positions_(positions), velocities_(velocities) {}
 
+  // The same with heights that are kept apart from positions, and climb rates: for a vertical
+  // threshold between bees whose third axis is not the height. Then positions and velocities are
+  // horizontal: of geographic positions, those brought to height 0 (see to_ecef). Both spans are as
+  // long as the view.
+  MoversView(const PointsView& positions, const PointsView& velocities,
+             std::span<const double> heights_m, std::span<const double> climbs_mps)
+      : positions_(positions),
+        velocities_(velocities),
+        heights_m_(heights_m),
+        climbs_mps_(climbs_mps) {}
+
+  [[nodiscard]] bool has_heights() const { return !heights_m_.empty(); }
+  [[nodiscard]] std::span<const double> heights_m() const { return heights_m_; }
+  [[nodiscard]] std::span<const double> climbs_mps() const { return climbs_mps_; }
+
   [[nodiscard]] std::size_t size() const {
     return positions_.size() < velocities_.size() ? positions_.size() : velocities_.size();
   }
@@ -77,6 +93,8 @@ class MoversView {
 
   PointsView positions_;
   PointsView velocities_;
+  std::span<const double> heights_m_;
+  std::span<const double> climbs_mps_;
 };
 
 }  // namespace beespace

@@ -24,6 +24,11 @@ struct Fix {
 struct Track {
   std::vector<Fix> fixes;  // of strictly ascending times
 
+  // Empty, or a height for each fix, kept apart from the positions: for a vertical threshold between
+  // bees whose third axis is not the height. Then positions are horizontal: of geographic ones,
+  // those brought to height 0 (see to_ecef).
+  std::vector<double> heights_m = {};
+
   // The bee is never farther than this from where the straight lines say: 0 for a path that is made
   // of them, more for one that they only approximate (see bezier_path.hpp).
   double tolerance_m = 0.0;

@@ -13,10 +13,12 @@ Result<Approach> closest_approach(const Mover& first, const Mover& second,
   if (auto error = motion::check_mover(first, 0)) return *std::move(error);
   if (auto error = motion::check_mover(second, 1)) return *std::move(error);
   const motion::Separation separation = motion::separation_of(options);
-  const auto relative = motion::relative_motion(first, second);
+  const motion::State a = motion::state_of(first);
+  const motion::State b = motion::state_of(second);
+  const auto relative = motion::relative_motion(a, b);
   const motion::Nearness nearest = motion::closest_within(relative, {0.0, options.horizon_s});
   Approach approach{nearest.time_s, nearest.distance_m, {}};
-  if (motion::in_conflict(first, second, separation, options.horizon_s)) {
+  if (motion::in_conflict(a, b, separation, options.horizon_s)) {
     approach.conflict = motion::report_conflict(relative, separation, options.horizon_s).span;
   }
   return approach;

@@ -6,6 +6,7 @@
 
 #include "motion/bounded_number.hpp"
 #include "motion/exact_number.hpp"
+#include "motion/separation.hpp"
 
 #include <array>
 #include <optional>
@@ -148,6 +149,23 @@ std::optional<bool> comes_close(Passage<Number> p, HeightPassage<Number> h, bool
   p.duration = {end.numerator * h.climb - until_entering * end.denominator,
                 end.denominator * h.climb};
   return comes_close(p, inclusive);
+}
+
+// Either of the above, as the separation says, for motion on four axes. Lengths are those of the
+// separation times `scale`.
+template <class Number>
+std::optional<bool> comes_close(const std::array<Number, 4>& r, const std::array<Number, 4>& w,
+                                const Number& scale, const Ratio<Number>& duration,
+                                const Separation& separation) {
+  Passage<Number> passage{{r[0], r[1], r[2]},
+                          {w[0], w[1], w[2]},
+                          Number(separation.threshold_m) * scale,
+                          duration};
+  if (!separation.vertical_m) return comes_close(passage, separation.inclusive);
+  const std::size_t up = separation.vertical_axis();
+  if (up < 3) passage.r[up] = passage.w[up] = Number(0.0);
+  const HeightPassage<Number> height{r[up], w[up], Number(*separation.vertical_m) * scale};
+  return comes_close(passage, height, separation.inclusive);
 }
 
 }  // namespace beespace::motion

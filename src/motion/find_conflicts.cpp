@@ -18,8 +18,14 @@ namespace beespace {
 
 namespace {
 
+bool have_heights(std::span<const Track> tracks) {
+  return std::any_of(tracks.begin(), tracks.end(),
+                     [](const Track& track) { return !track.heights_m.empty(); });
+}
+
 std::optional<Error> check(std::span<const Track> tracks, const ConflictOptions& options) {
   if (auto error = motion::check_options(options)) return error;
+  if (auto error = motion::check_heights(have_heights(tracks), options.vertical_m)) return error;
   if (auto error = core::check_size(tracks.size())) return error;
   return motion::check_tracks(tracks);
 }
@@ -51,7 +57,7 @@ Result<RecordedConflicts> find_conflicts(std::span<const Track> tracks,
   ThreadCrew crew(cpu::crew_size(options.threads, cut.runs.size()));
   core::Memory memory;
   memory.start_call();
-  auto conflicts = motion::search_recording(cut.runs, motion::separation_of(options),
+  auto conflicts = motion::search_recording(cut.runs, motion::separation_of(options, have_heights(tracks)),
                                             options.max_results, {crew, memory});
   if (!conflicts) return std::move(conflicts).error();
   return RecordedConflicts{*std::move(conflicts), std::move(cut.gaps)};
@@ -85,15 +91,18 @@ Result<RecordedConflicts> find_conflicts(std::span<const Track> tracks,
                                          const ConflictOptions& options) {
   if (auto error = check(tracks, options)) return *std::move(error);
   motion::Runs cut = motion::cut_at_gaps(tracks, options.max_gap_s);
-  const motion::Separation separation = motion::separation_of(options);
+  const motion::Separation separation = motion::separation_of(options, have_heights(tracks));
   constexpr double kEver = std::numeric_limits<double>::infinity();
   RecordedConflicts answer;
   for (std::size_t i = 0; i < cut.runs.size(); ++i) {
     for (std::size_t j = i + 1; j < cut.runs.size(); ++j) {
       if (cut.runs[i].track == cut.runs[j].track) continue;
+      const auto wide = motion::WalkSeparation::within(separation, cut.runs[i], cut.runs[j]);
       motion::PairWalk::State state;
-      motion::PairWalk(cut.runs[i], cut.runs[j], separation)
-          .walk({-kEver, kEver}, state, answer.conflicts);
+      motion::PairWalk(cut.runs[i], cut.runs[j], wide)
+          .walk({-kEver, kEver}, state, [&](const motion::PairWalk::Stretch& stretch) {
+            answer.conflicts.push_back(stretch.conflict);
+          });
       if (answer.conflicts.size() > options.max_results) {
         return core::too_many_results(options.max_results);
       }

@@ -31,9 +31,11 @@ double largest_coordinate(const Piece& piece) {
 }
 
 // For nearly all windows, faster than the exact decision: what was rounded is a few units in the
-// last place of the coordinates.
-bool surely_apart(const Piece& first, const Piece& second, const RelativeMotion<3>& motion,
-                  double lasts, double reach_m) {
+// last place of the coordinates. Heights that are apart only make distances longer than those of
+// positions, which the reach is about.
+bool surely_apart(const Piece& first, const Piece& second, RelativeMotion<4> motion, double lasts,
+                  double reach_m) {
+  motion.r[3] = motion.w[3] = 0.0;
   const double blur_m = 0x1p-44 * std::max(largest_coordinate(first), largest_coordinate(second));
   return closest_within(motion, {0.0, lasts}).distance_m > reach_m * (1.0 + 0x1p-40) + blur_m;
 }
@@ -45,55 +47,46 @@ double sum_rounded_up(double a, double b) {
 
 }  // namespace
 
-PairWalk::PairWalk(const Run& first, const Run& second, const Separation& separation)
-    : first_(first),
-      second_(second),
-      possible_(changed(separation, sum_rounded_up(first.tolerance_m, second.tolerance_m))),
-      certain_(changed(separation, -sum_rounded_up(first.tolerance_m, second.tolerance_m))),
-      reach_m_(std::hypot(possible_.threshold_m, possible_.vertical_m.value_or(0.0))),
-      exact_(first.tolerance_m == 0.0 && second.tolerance_m == 0.0) {
+WalkSeparation WalkSeparation::within(const Separation& separation, const Run& first,
+                                      const Run& second) {
+  const double tolerance_m = sum_rounded_up(first.tolerance_m, second.tolerance_m);
+  if (tolerance_m == 0.0) return {separation, separation, true};
+  return {changed(separation, tolerance_m), changed(separation, -tolerance_m), false};
 }
 
-void PairWalk::walk(const TimeSpan& time, State& state, std::vector<Conflict>& ended) const {
-  while (state.first_piece < first_.pieces() && state.second_piece < second_.pieces()) {
-    const Piece first = piece_of(first_, state.first_piece);
-    const Piece second = piece_of(second_, state.second_piece);
-    const TimeSpan window{std::max(first.from.time_s, second.from.time_s),
-                          std::min(first.to.time_s, second.to.time_s)};
-    if (window.begins_s > time.ends_s) return;
-    if (window.begins_s <= window.ends_s && window.ends_s >= time.begins_s) {
-      walk_window(first, second, window, state, ended);
-    }
-    if (first.to.time_s <= window.ends_s) ++state.first_piece;
-    if (second.to.time_s <= window.ends_s) ++state.second_piece;
-  }
-  if (state.open) ended.push_back(*std::exchange(state.open, std::nullopt));
-}
-
-void PairWalk::walk_window(const Piece& first, const Piece& second, const TimeSpan& window,
-                           State& state, std::vector<Conflict>& ended) const {
+PairWalk::Step PairWalk::walk_window(const Piece& first, const Piece& second,
+                                     const TimeSpan& window, State& state) const {
+  Step step;
   state.walked_until = window.ends_s;
+  const Separation& outer = separation_.outer;
   const double lasts = window.ends_s - window.begins_s;
-  const RelativeMotion<3> motion = relative_motion(first, second, window.begins_s);
-  if (surely_apart(first, second, motion, lasts, reach_m_)) return;
-  if (!in_conflict(first, second, window, possible_)) return;
-  const ConflictReport report = report_conflict(motion, possible_, lasts);
+  const RelativeMotion<4> motion = relative_motion(first, second, window.begins_s);
+  if (surely_apart(first, second, motion, lasts, reach_m_)) return step;
+  if (!in_conflict(first, second, window, outer)) return step;
+  const ConflictReport report = report_conflict(motion, outer, lasts);
   const auto clock = [&](double since) { return std::min(window.begins_s + since, window.ends_s); };
   const double begins_s = clock(report.span.begins_s);
   const double closest_s = clock(report.closest_s);
   if (!state.open) {
-    state.open = Conflict{first_.track, second_.track, begins_s, closest_s, 0.0, report.closest_m,
-                          exact_};
-  } else if (report.closest_m < state.open->closest_m) {
-    state.open->closest_s = closest_s;
-    state.open->closest_m = report.closest_m;
+    state.open = Stretch{{first_.track, second_.track, begins_s, closest_s, 0.0, report.closest_m,
+                          separation_.same},
+                         begins_s};
+  } else if (report.closest_m < state.open->conflict.closest_m) {
+    state.open->conflict.closest_s = closest_s;
+    state.open->conflict.closest_m = report.closest_m;
   }
-  Conflict& open = *state.open;
-  if (!open.certain) open.certain = in_conflict(first, second, window, certain_);
+  Conflict& open = state.open->conflict;
+  if (!open.certain && in_conflict(first, second, window, separation_.inner)) {
+    open.certain = true;
+    state.open->certain_s =
+        clock(report_conflict(motion, separation_.inner, lasts).span.begins_s);
+  }
   const TimeSpan last{window.ends_s, window.ends_s};
-  const bool goes_on = in_conflict(first, second, last, possible_);
+  const bool goes_on = in_conflict(first, second, last, outer);
   open.ends_s = goes_on ? window.ends_s : clock(report.span.ends_s);
-  if (!goes_on) ended.push_back(*std::exchange(state.open, std::nullopt));
+  step.distance_m = closest_within(motion, {lasts, lasts}).distance_m;
+  if (!goes_on) step.ended = std::exchange(state.open, std::nullopt);
+  return step;
 }
 
 }  // namespace beespace::motion

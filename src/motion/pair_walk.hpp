@@ -11,38 +11,92 @@
 
 #include <beespace/conflict.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <optional>
-#include <vector>
+#include <utility>
 
 namespace beespace::motion {
 
+// Conflict by the outer separation makes a stretch; conflict by the inner one, in some window of it,
+// makes it certain. Outer and inner are what tolerances leave open (recordings), or where bees leave
+// and where they enter (live).
+struct WalkSeparation {
+  Separation outer;
+  Separation inner;
+  bool same = true;  // there is no difference
+
+  // What the tolerances of the two make of a separation.
+  static WalkSeparation within(const Separation& separation, const Run& first, const Run& second);
+};
+
 class PairWalk {
  public:
+  // A stretch under way: where it began, and what there was of it.
+  struct Stretch {
+    Conflict conflict;       // ends at the end of the last window
+    double certain_s = 0.0;  // since when, if it is
+  };
+
   // Where a walk has come to: what it needs to go on later.
   struct State {
     std::size_t first_piece = 0;  // the window to walk next
     std::size_t second_piece = 0;
     double walked_until = -std::numeric_limits<double>::infinity();  // the end of the one before
-    std::optional<Conflict> open = {};  // one that goes on beyond it
+    std::optional<Stretch> open = {};  // in conflict at that instant
   };
 
-  PairWalk(const Run& first, const Run& second, const Separation& separation);
+  PairWalk(const Run& first, const Run& second, const WalkSeparation& separation)
+      : first_(first),
+        second_(second),
+        separation_(separation),
+        reach_m_(separation.outer.reach_m()) {}
 
-  // Walks the windows that meet the time, each as a whole, from where `state` has come to. Conflicts
-  // that have ended are added to `ended`.
-  void walk(const TimeSpan& time, State& state, std::vector<Conflict>& ended) const;
+  // Walks the windows that meet the time, each as a whole, from where `state` has come to. Calls
+  // ended(stretch) with each that has ended, and walked(stretch, distance) after each window at whose
+  // end one goes on, with how far apart the two then are.
+  template <class Ended, class Walked>
+  void walk(const TimeSpan& time, State& state, Ended&& ended, Walked&& walked) const;
+  template <class Ended>
+  void walk(const TimeSpan& time, State& state, Ended&& ended) const {
+    walk(time, state, ended, [](const Stretch&, double) {});
+  }
 
  private:
-  void walk_window(const Piece& first, const Piece& second, const TimeSpan& window, State& state,
-                   std::vector<Conflict>& ended) const;
+  // What a window has done to a walk.
+  struct Step {
+    std::optional<Stretch> ended = {};
+    double distance_m = 0.0;  // at the end of a stretch that goes on
+  };
+  Step walk_window(const Piece& first, const Piece& second, const TimeSpan& window,
+                   State& state) const;
 
   const Run& first_;
   const Run& second_;
-  Separation possible_;  // widened by both tolerances,
-  Separation certain_;   // and narrowed by them
-  double reach_m_;       // of the wider one: cylinders lie in spheres
-  bool exact_;           // there are no tolerances
+  const WalkSeparation& separation_;
+  double reach_m_;
 };
+
+template <class Ended, class Walked>
+void PairWalk::walk(const TimeSpan& time, State& state, Ended&& ended, Walked&& walked) const {
+  while (state.first_piece < first_.pieces() && state.second_piece < second_.pieces()) {
+    const Piece first = piece_of(first_, state.first_piece);
+    const Piece second = piece_of(second_, state.second_piece);
+    const TimeSpan window{std::max(first.from.time_s, second.from.time_s),
+                          std::min(first.to.time_s, second.to.time_s)};
+    if (window.begins_s > time.ends_s) return;
+    if (window.begins_s <= window.ends_s && window.ends_s >= time.begins_s) {
+      const Step step = walk_window(first, second, window, state);
+      if (step.ended) ended(*step.ended);
+      if (state.open) walked(std::as_const(*state.open), step.distance_m);
+    }
+    if (first.to.time_s <= window.ends_s) ++state.first_piece;
+    if (second.to.time_s <= window.ends_s) ++state.second_piece;
+  }
+  const bool over = (state.first_piece >= first_.pieces() && first_.complete) ||
+                    (state.second_piece >= second_.pieces() && second_.complete);
+  if (over && state.open) ended(*std::exchange(state.open, std::nullopt));
+}
 
 }  // namespace beespace::motion

@@ -14,6 +14,6 @@ bool in_conflict(const Piece& first, const Piece& second, const TimeSpan& window
                  const Separation& separation);
 
 // The second as seen from the first, from `time_s` on.
-RelativeMotion<3> relative_motion(const Piece& first, const Piece& second, double time_s);
+RelativeMotion<4> relative_motion(const Piece& first, const Piece& second, double time_s);
 
 }  // namespace beespace::motion

@@ -79,12 +79,11 @@ class Prediction {
              const PredictionChoices& choices)
       : movers_(movers),
         options_(options),
-        separation_(separation_of(options)),
+        separation_(separation_of(options, movers.has_heights())),
         with_(with),
         choices_(choices),
         crowd_(measure(movers, with)),
-        // Cylinders lie in spheres.
-        clearance_m_(std::hypot(options.threshold_m, options.vertical_m.value_or(0.0))),
+        clearance_m_(separation_.reach_m()),
         // Positions along the way are wrong by a few roundings of these.
         blur_m_(0x1p-48 * (crowd_.farthest_m +
                            options.horizon_s * (crowd_.fastest + length(crowd_.drift)))),
@@ -169,8 +168,8 @@ class Prediction {
         for (std::uint32_t k = 0; k < chunk.size; ++k) {
           const PointId first = std::min(chunk.first[k], chunk.second[k]);
           const PointId second = std::max(chunk.first[k], chunk.second[k]);
-          const Mover a = movers_[first];
-          const Mover b = movers_[second];
+          const State a = state_of(movers_, first);
+          const State b = state_of(movers_, second);
           if (step_begin > 0.0 && surely_found_before(a, b, step_begin)) continue;
           if (!in_conflict(a, b, separation_, options_.horizon_s)) continue;
           const ConflictReport report = report_conflict(relative_motion(a, b), separation_, options_.horizon_s);
@@ -185,18 +184,19 @@ class Prediction {
   }
 
   // Whether the two are in conflict where this step begins and the one before it ended.
-  [[nodiscard]] bool surely_found_before(const Mover& a, const Mover& b, double time) const {
-    const double x = (b.position.x - a.position.x) + (b.velocity.x - a.velocity.x) * time;
-    const double y = (b.position.y - a.position.y) + (b.velocity.y - a.velocity.y) * time;
-    const double z = (b.position.z - a.position.z) + (b.velocity.z - a.velocity.z) * time;
-    const auto surely = [this](double distance, double threshold) {
-      return distance + 4.0 * blur_m_ < threshold * (1.0 - 0x1p-40);
-    };
-    if (!options_.vertical_m) {
-      return surely(std::sqrt(x * x + y * y + z * z), options_.threshold_m);
+  [[nodiscard]] bool surely_found_before(const State& a, const State& b, double time) const {
+    RelativeMotion<4> motion = relative_motion(a, b);
+    for (std::size_t axis = 0; axis < 4; ++axis) motion.r[axis] += motion.w[axis] * time;
+    const std::size_t up = separation_.vertical_axis();
+    double squared = 0.0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (!options_.vertical_m || axis != up) squared += motion.r[axis] * motion.r[axis];
     }
-    return surely(std::sqrt(x * x + y * y), options_.threshold_m) &&
-           surely(std::abs(z), *options_.vertical_m);
+    const double slack = 4.0 * blur_m_;
+    constexpr double kRounded = 1.0 - 0x1p-40;
+    if (std::sqrt(squared) + slack >= options_.threshold_m * kRounded) return false;
+    return !options_.vertical_m ||
+           std::abs(motion.r[up]) + slack < *options_.vertical_m * kRounded;
   }
 
   // Sorts, and drops whom several steps have found.

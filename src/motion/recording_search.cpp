@@ -45,7 +45,7 @@ class RecordingSearch {
         max_results_(max_results),
         with_(with),
         choices_(choices),
-        clearance_m_(std::hypot(separation.threshold_m, separation.vertical_m.value_or(0.0))),
+        clearance_m_(separation.reach_m()),
         by_begin_(runs.size()) {
     std::iota(by_begin_.begin(), by_begin_.end(), 0U);
     std::sort(by_begin_.begin(), by_begin_.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -73,7 +73,7 @@ class RecordingSearch {
       begin = time.ends_s;
     }
     for (PairState& pair : walks_) {
-      if (pair.state.open) found_.push_back(*pair.state.open);
+      if (pair.state.open) found_.push_back(pair.state.open->conflict);
     }
     if (found_.size() > max_results_) return core::too_many_results(max_results_);
     order_conflicts(found_);
@@ -184,8 +184,13 @@ class RecordingSearch {
     with_.crew.split(pairs.size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
       for (std::size_t i = begin; i < end; ++i) {
         PairState& pair = pairs[i];
-        PairWalk(runs_[pair.first], runs_[pair.second], separation_)
-            .walk(time, pair.state, ended[worker]);
+        const Run& first = runs_[pair.first];
+        const Run& second = runs_[pair.second];
+        const WalkSeparation separation = WalkSeparation::within(separation_, first, second);
+        PairWalk(first, second, separation)
+            .walk(time, pair.state, [&](const PairWalk::Stretch& stretch) {
+              ended[worker].push_back(stretch.conflict);
+            });
       }
     });
     for (const std::vector<Conflict>& part : ended) {

@@ -72,9 +72,8 @@ TimeSpan time_closer(const RelativeMotion<Axes>& motion, double threshold, doubl
   return {begins, std::clamp(ends, begins, duration)};
 }
 
-template Nearness closest_within(const RelativeMotion<3>&, const TimeSpan&);
 template Nearness closest_within(const RelativeMotion<4>&, const TimeSpan&);
 template TimeSpan time_closer(const RelativeMotion<1>&, double, double);
-template TimeSpan time_closer(const RelativeMotion<3>&, double, double);
+template TimeSpan time_closer(const RelativeMotion<4>&, double, double);
 
 }  // namespace beespace::motion

@@ -7,8 +7,12 @@ Runs cut_at_gaps(std::span<const Track> tracks, double max_gap_s) {
   for (std::size_t id = 0; id < tracks.size(); ++id) {
     const Track& track = tracks[id];
     const auto add = [&](std::size_t begin, std::size_t end) {
-      cut.runs.push_back({static_cast<PointId>(id), track.tolerance_m,
-                          std::span(track.fixes).subspan(begin, end - begin)});
+      Run run{static_cast<PointId>(id), track.tolerance_m,
+              std::span(track.fixes).subspan(begin, end - begin), {}, true};
+      if (!track.heights_m.empty()) {
+        run.heights_m = std::span(track.heights_m).subspan(begin, end - begin);
+      }
+      cut.runs.push_back(run);
     };
     std::size_t begin = 0;
     for (std::size_t i = 1; i < track.fixes.size(); ++i) {

@@ -15,22 +15,32 @@ struct Run {
   PointId track = 0;
   double tolerance_m = 0.0;
   std::span<const Fix> fixes;
+  std::span<const double> heights_m;  // empty, or one for each fix
+  bool complete = true;               // no fix will be added to it
 
   [[nodiscard]] double begins_s() const { return fixes.front().time_s; }
   [[nodiscard]] double ends_s() const { return fixes.back().time_s; }
-  [[nodiscard]] std::size_t pieces() const { return fixes.size() > 1 ? fixes.size() - 1 : 1; }
+  // A single fix is a piece, unless it may yet become the beginning of one.
+  [[nodiscard]] std::size_t pieces() const {
+    return fixes.size() > 1 || !complete ? fixes.size() - 1 : 1;
+  }
 };
 
 // From one fix to the next; a single fix is a piece that stands for an instant.
 struct Piece {
   const Fix& from;
   const Fix& to;
+  double from_height_m = 0.0;
+  double to_height_m = 0.0;
 
   [[nodiscard]] bool instant() const { return &from == &to; }
+  [[nodiscard]] double lasts_s() const { return to.time_s - from.time_s; }
 };
 
 inline Piece piece_of(const Run& run, std::size_t index) {
-  return {run.fixes[index], run.fixes[index + (run.fixes.size() > 1 ? 1 : 0)]};
+  const std::size_t next = index + (run.fixes.size() > 1 ? 1 : 0);
+  if (run.heights_m.empty()) return {run.fixes[index], run.fixes[next]};
+  return {run.fixes[index], run.fixes[next], run.heights_m[index], run.heights_m[next]};
 }
 
 struct Runs {

@@ -7,26 +7,58 @@
 #include <beespace/closest_approach.hpp>
 #include <beespace/mover.hpp>
 
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <optional>
 
 namespace beespace::motion {
+
+// Where a bee is and how fast it goes, on x, y, z, and on a fourth axis where heights are kept apart
+// from positions (see MoversView); 0 there otherwise.
+using Axes4 = std::array<double, 4>;
+
+struct State {
+  Axes4 position;
+  Axes4 velocity;
+};
+
+inline State state_of(const Mover& mover) {
+  const auto& [p, v] = mover;
+  return {{p.x, p.y, p.z, 0.0}, {v.x, v.y, v.z, 0.0}};
+}
+inline State state_of(const MoversView& movers, std::size_t i) {
+  State state = state_of(movers[i]);
+  if (!movers.has_heights()) return state;
+  state.position[3] = movers.heights_m()[i];
+  state.velocity[3] = movers.climbs_mps()[i];
+  return state;
+}
 
 struct Separation {
   double threshold_m;
   std::optional<double> vertical_m = {};
   bool inclusive = false;
+  bool heights_apart = false;  // what counts in height is on the fourth axis, not on the third
+
+  [[nodiscard]] std::size_t vertical_axis() const { return heights_apart ? 3 : 2; }
+  // Whoever is farther apart is not in conflict: cylinders lie in spheres. Where heights are apart,
+  // of positions.
+  [[nodiscard]] double reach_m() const {
+    return heights_apart ? threshold_m : std::hypot(threshold_m, vertical_m.value_or(0.0));
+  }
 };
 
 // Of PredictOptions or ConflictOptions.
 template <class Options>
-Separation separation_of(const Options& options) {
-  return {options.threshold_m, options.vertical_m, options.inclusive};
+Separation separation_of(const Options& options, bool heights_apart = false) {
+  return {options.threshold_m, options.vertical_m, options.inclusive, heights_apart};
 }
 
 // Whether two bees in constant motion are in conflict at some instant of [0, horizon]: exact.
-bool in_conflict(const Mover& a, const Mover& b, const Separation& separation, double horizon_s);
+bool in_conflict(const State& a, const State& b, const Separation& separation, double horizon_s);
 
-RelativeMotion<3> relative_motion(const Mover& a, const Mover& b);
+RelativeMotion<4> relative_motion(const State& a, const State& b);
 
 // Of two who are in conflict: from when to when, and closest in between.
 struct ConflictReport {
@@ -34,7 +66,7 @@ struct ConflictReport {
   double closest_s;
   double closest_m;
 };
-ConflictReport report_conflict(const RelativeMotion<3>& motion, const Separation& separation,
+ConflictReport report_conflict(const RelativeMotion<4>& motion, const Separation& separation,
                                double horizon_s);
 
 }  // namespace beespace::motion

@@ -64,6 +64,14 @@ std::optional<Error> check_separation(double threshold_m, const std::optional<do
   return std::nullopt;
 }
 
+std::optional<Error> check_heights(bool given, const std::optional<double>& vertical_m) {
+  if (!given || vertical_m) return std::nullopt;
+  return Error{ErrorCode::kInvalidArgument,
+               "there are heights apart from the positions, but no vertical threshold to compare "
+               "them with; give one, or positions in space",
+               {}};
+}
+
 std::optional<Error> check_options(const PredictOptions& options) {
   if (auto error = check_separation(options.threshold_m, options.vertical_m)) return error;
   if (options.horizon_s >= 0.0 && in_motion_domain(options.horizon_s)) return std::nullopt;
@@ -101,8 +109,17 @@ std::optional<Error> check_track(const Track& track, std::size_t record) {
                  {}};
   }
   const auto& fixes = track.fixes;
+  if (!track.heights_m.empty() && track.heights_m.size() != fixes.size()) {
+    return Error{ErrorCode::kInvalidArgument,
+                 std::to_string(track.heights_m.size()) + " heights for " +
+                     std::to_string(fixes.size()) + " fixes; give one for each, or none",
+                 {}};
+  }
   for (std::size_t i = 0; i < fixes.size(); ++i) {
     std::optional<Error> error = check_position(fixes[i].position, record);
+    if (!error && !track.heights_m.empty() && !in_motion_domain(track.heights_m[i])) {
+      error = error_of(track.heights_m[i], "height", "m", record);
+    }
     if (!error && !in_motion_domain(fixes[i].time_s)) {
       error = error_of(fixes[i].time_s, "time", "s", record);
     }
@@ -122,11 +139,20 @@ std::optional<Error> check_track(const Track& track, std::size_t record) {
 }  // namespace
 
 std::optional<Error> check_tracks(std::span<const Track> tracks) {
+  bool heights = false;
+  bool none = false;
   for (std::size_t id = 0; id < tracks.size(); ++id) {
-    if (auto error = check_track(tracks[id], id)) {
-      error->place.record = id;
-      return error;
+    auto error = check_track(tracks[id], id);
+    if (!tracks[id].fixes.empty()) (tracks[id].heights_m.empty() ? none : heights) = true;
+    if (!error && heights && none) {
+      error = Error{ErrorCode::kInvalidArgument,
+                    "some tracks have heights apart from their positions, and others have none; "
+                    "give them to all, or to none",
+                    {}};
     }
+    if (!error) continue;
+    error->place.record = id;
+    return error;
   }
   return std::nullopt;
 }
@@ -134,6 +160,13 @@ std::optional<Error> check_tracks(std::span<const Track> tracks) {
 std::optional<Error> check_movers(const MoversView& movers, std::size_t begin, std::size_t end) {
   for (std::size_t i = begin; i < end; ++i) {
     if (auto error = check_mover(movers[i], i)) return error;
+    if (!movers.has_heights()) continue;
+    if (!in_motion_domain(movers.heights_m()[i])) {
+      return error_of(movers.heights_m()[i], "height", "m", i);
+    }
+    if (!in_motion_domain(movers.climbs_mps()[i])) {
+      return error_of(movers.climbs_mps()[i], "climb", "m/s", i);
+    }
   }
   return std::nullopt;
 }
