@@ -22,5 +22,6 @@
 #include <beespace/predict_conflicts.hpp>
 #include <beespace/result.hpp>
 #include <beespace/search_options.hpp>
+#include <beespace/swarm.hpp>
 #include <beespace/track.hpp>
 #include <beespace/version.hpp>

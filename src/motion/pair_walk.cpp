@@ -54,39 +54,42 @@ WalkSeparation WalkSeparation::within(const Separation& separation, const Run& f
   return {changed(separation, tolerance_m), changed(separation, -tolerance_m), false};
 }
 
-PairWalk::Step PairWalk::walk_window(const Piece& first, const Piece& second,
-                                     const TimeSpan& window, State& state) const {
-  Step step;
+std::optional<PairWalk::Stretch> PairWalk::walk_window(const Piece& first, const Piece& second,
+                                                       const TimeSpan& window,
+                                                       State& state) const {
   state.walked_until = window.ends_s;
   const Separation& outer = separation_.outer;
   const double lasts = window.ends_s - window.begins_s;
   const RelativeMotion<4> motion = relative_motion(first, second, window.begins_s);
-  if (surely_apart(first, second, motion, lasts, reach_m_)) return step;
-  if (!in_conflict(first, second, window, outer)) return step;
+  if (surely_apart(first, second, motion, lasts, reach_m_)) return std::nullopt;
+  if (!in_conflict(first, second, window, outer)) return std::nullopt;
   const ConflictReport report = report_conflict(motion, outer, lasts);
   const auto clock = [&](double since) { return std::min(window.begins_s + since, window.ends_s); };
-  const double begins_s = clock(report.span.begins_s);
-  const double closest_s = clock(report.closest_s);
+  const auto distance = [&](double since) {
+    return closest_within(motion, {since, since}).distance_m;
+  };
   if (!state.open) {
-    state.open = Stretch{{first_.track, second_.track, begins_s, closest_s, 0.0, report.closest_m,
-                          separation_.same},
-                         begins_s};
-  } else if (report.closest_m < state.open->conflict.closest_m) {
-    state.open->conflict.closest_s = closest_s;
-    state.open->conflict.closest_m = report.closest_m;
+    state.open.emplace();
+    state.open->conflict = {first_.track, second_.track, clock(report.span.begins_s),
+                            clock(report.closest_s), 0.0, report.closest_m, false};
   }
-  Conflict& open = state.open->conflict;
-  if (!open.certain && in_conflict(first, second, window, separation_.inner)) {
-    open.certain = true;
-    state.open->certain_s =
-        clock(report_conflict(motion, separation_.inner, lasts).span.begins_s);
+  Stretch& open = *state.open;
+  if (report.closest_m < open.conflict.closest_m) {
+    open.conflict.closest_s = clock(report.closest_s);
+    open.conflict.closest_m = report.closest_m;
   }
-  const TimeSpan last{window.ends_s, window.ends_s};
-  const bool goes_on = in_conflict(first, second, last, outer);
-  open.ends_s = goes_on ? window.ends_s : clock(report.span.ends_s);
-  step.distance_m = closest_within(motion, {lasts, lasts}).distance_m;
-  if (!goes_on) step.ended = std::exchange(state.open, std::nullopt);
-  return step;
+  if (!open.conflict.certain &&
+      (separation_.same || in_conflict(first, second, window, separation_.inner))) {
+    const double since = report_conflict(motion, separation_.inner, lasts).span.begins_s;
+    open.conflict.certain = true;
+    open.certain_s = clock(since);
+    open.certain_m = distance(since);
+  }
+  const bool goes_on = in_conflict(first, second, {window.ends_s, window.ends_s}, outer);
+  const double end = goes_on ? lasts : report.span.ends_s;
+  open.conflict.ends_s = clock(end);
+  open.end_m = distance(end);
+  return goes_on ? std::nullopt : std::exchange(state.open, std::nullopt);
 }
 
 }  // namespace beespace::motion

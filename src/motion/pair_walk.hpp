@@ -36,7 +36,9 @@ class PairWalk {
   // A stretch under way: where it began, and what there was of it.
   struct Stretch {
     Conflict conflict;       // ends at the end of the last window
-    double certain_s = 0.0;  // since when, if it is
+    double end_m = 0.0;      // how far apart the two are there
+    double certain_s = 0.0;  // since when it is certain, if it is
+    double certain_m = 0.0;  // and how far apart they are then
   };
 
   // Where a walk has come to: what it needs to go on later.
@@ -54,23 +56,19 @@ class PairWalk {
         reach_m_(separation.outer.reach_m()) {}
 
   // Walks the windows that meet the time, each as a whole, from where `state` has come to. Calls
-  // ended(stretch) with each that has ended, and walked(stretch, distance) after each window at whose
-  // end one goes on, with how far apart the two then are.
-  template <class Ended, class Walked>
-  void walk(const TimeSpan& time, State& state, Ended&& ended, Walked&& walked) const;
+  // ended(stretch) with each that has ended, and going_on(stretch) after each window at whose end one
+  // goes on.
+  template <class Ended, class GoingOn>
+  void walk(const TimeSpan& time, State& state, Ended&& ended, GoingOn&& going_on) const;
   template <class Ended>
   void walk(const TimeSpan& time, State& state, Ended&& ended) const {
-    walk(time, state, ended, [](const Stretch&, double) {});
+    walk(time, state, ended, [](const Stretch&) {});
   }
 
  private:
-  // What a window has done to a walk.
-  struct Step {
-    std::optional<Stretch> ended = {};
-    double distance_m = 0.0;  // at the end of a stretch that goes on
-  };
-  Step walk_window(const Piece& first, const Piece& second, const TimeSpan& window,
-                   State& state) const;
+  // The stretch that the window has ended, if it has.
+  std::optional<Stretch> walk_window(const Piece& first, const Piece& second,
+                                     const TimeSpan& window, State& state) const;
 
   const Run& first_;
   const Run& second_;
@@ -78,8 +76,8 @@ class PairWalk {
   double reach_m_;
 };
 
-template <class Ended, class Walked>
-void PairWalk::walk(const TimeSpan& time, State& state, Ended&& ended, Walked&& walked) const {
+template <class Ended, class GoingOn>
+void PairWalk::walk(const TimeSpan& time, State& state, Ended&& ended, GoingOn&& going_on) const {
   while (state.first_piece < first_.pieces() && state.second_piece < second_.pieces()) {
     const Piece first = piece_of(first_, state.first_piece);
     const Piece second = piece_of(second_, state.second_piece);
@@ -87,9 +85,9 @@ void PairWalk::walk(const TimeSpan& time, State& state, Ended&& ended, Walked&& 
                           std::min(first.to.time_s, second.to.time_s)};
     if (window.begins_s > time.ends_s) return;
     if (window.begins_s <= window.ends_s && window.ends_s >= time.begins_s) {
-      const Step step = walk_window(first, second, window, state);
-      if (step.ended) ended(*step.ended);
-      if (state.open) walked(std::as_const(*state.open), step.distance_m);
+      const std::optional<Stretch> over = walk_window(first, second, window, state);
+      if (over) ended(*over);
+      if (state.open) going_on(std::as_const(*state.open));
     }
     if (first.to.time_s <= window.ends_s) ++state.first_piece;
     if (second.to.time_s <= window.ends_s) ++state.second_piece;

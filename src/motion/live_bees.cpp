@@ -1,0 +1,88 @@
+#include "motion/live_bees.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+namespace beespace::motion {
+
+std::optional<Mover> LiveRun::at(double now_s) const {
+  const Fix& last = fixes.back();
+  Velocity v;
+  if (velocity) {
+    v = *velocity;
+  } else if (fixes.size() > 1) {
+    const Fix& before = fixes[fixes.size() - 2];
+    const double lasts = last.time_s - before.time_s;
+    v = {(last.position.x - before.position.x) / lasts,
+         (last.position.y - before.position.y) / lasts,
+         (last.position.z - before.position.z) / lasts};
+  } else {
+    return std::nullopt;
+  }
+  const double since = now_s - last.time_s;
+  const Point& p = last.position;
+  return Mover{{p.x + v.x * since, p.y + v.y * since, p.z + v.z * since}, v};
+}
+
+LiveBees::Taken LiveBees::take(const Report& report, double max_age_s) {
+  const Fix fix{report.time_s, report.position};
+  const auto known = under_way_.find(report.id);
+  if (known != under_way_.end()) {
+    LiveRun& run = runs_[known->second];
+    if (fix == run.fixes.back()) return Taken::kRepeated;
+    if (fix.time_s <= run.last_s()) return Taken::kLate;
+    if (fix.time_s - run.last_s() <= max_age_s) {
+      run.fixes.push_back(fix);
+      run.velocity = report.velocity;
+      return Taken::kYes;
+    }
+    complete(report.id);
+  }
+  std::uint32_t place = 0;
+  if (free_.empty()) {
+    place = static_cast<std::uint32_t>(runs_.size());
+    runs_.emplace_back();
+  } else {
+    place = free_.back();
+    free_.pop_back();
+  }
+  runs_[place] = {report.id, false, {fix}, report.velocity, report.time_s};
+  under_way_[report.id] = place;
+  return Taken::kYes;
+}
+
+void LiveBees::complete(PointId bee) {
+  const auto known = under_way_.find(bee);
+  if (known == under_way_.end()) return;
+  runs_[known->second].complete = true;
+  under_way_.erase(known);
+}
+
+double LiveBees::forget(std::vector<std::uint32_t>& dropped) {
+  double known_from_s = std::numeric_limits<double>::infinity();
+  dropped.assign(runs_.size(), 0);
+  for (std::uint32_t place = 0; place < runs_.size(); ++place) {
+    LiveRun& run = runs_[place];
+    if (run.complete && !run.fixes.empty()) {
+      run = {};
+      free_.push_back(place);
+    } else if (!run.complete) {
+      run.searched_until_s = run.last_s();
+      known_from_s = std::min(known_from_s, run.last_s());
+    }
+  }
+  for (std::uint32_t place = 0; place < runs_.size(); ++place) {
+    LiveRun& run = runs_[place];
+    // The last two stay, for the velocity.
+    while (dropped[place] + 2 < run.fixes.size() &&
+           run.fixes[dropped[place] + 1].time_s < known_from_s) {
+      ++dropped[place];
+    }
+    run.fixes.erase(run.fixes.begin(),
+                    run.fixes.begin() + static_cast<std::ptrdiff_t>(dropped[place]));
+  }
+  return known_from_s;
+}
+
+}  // namespace beespace::motion

@@ -1,0 +1,72 @@
+// What is said of a pair of live bees, and what has been said already.
+#pragma once
+
+#include "motion/pair_walk.hpp"
+
+#include <beespace/swarm.hpp>
+
+#include <limits>
+#include <vector>
+
+namespace beespace::motion {
+
+// Turns what a walk finds into events, each said once a stretch; the closest again only when the two
+// have come clearly closer than at the one that was said.
+class PairTeller {
+ public:
+  // What has been said of the stretch under way.
+  struct Said {
+    bool entered = false;
+    double closest_m = std::numeric_limits<double>::infinity();
+  };
+
+  PairTeller(PointId a, PointId b, double margin_m, Said& said, std::vector<SwarmEvent>& events)
+      : first_(std::min(a, b)),
+        second_(std::max(a, b)),
+        margin_m_(margin_m),
+        said_(said),
+        events_(events) {}
+
+  void going_on(const PairWalk::Stretch& stretch) {
+    if (!stretch.conflict.certain) return;
+    tell_entered(stretch);
+    // How far apart they must be again before the closest counts as passed.
+    if (stretch.end_m >= stretch.conflict.closest_m + margin_m_) tell_closest(stretch);
+  }
+
+  void ended(const PairWalk::Stretch& stretch) {
+    if (stretch.conflict.certain) {
+      tell_entered(stretch);
+      tell_closest(stretch);
+      tell(EventKind::kLeft, stretch.conflict.ends_s, stretch.end_m, stretch);
+    }
+    said_ = {};
+  }
+
+ private:
+  void tell_entered(const PairWalk::Stretch& stretch) {
+    if (said_.entered) return;
+    said_.entered = true;
+    tell(EventKind::kEntered, stretch.certain_s, stretch.certain_m, stretch);
+  }
+  void tell_closest(const PairWalk::Stretch& stretch) {
+    const double closest_m = stretch.conflict.closest_m;
+    if (!(closest_m < said_.closest_m - margin_m_) && !first_closest()) return;
+    said_.closest_m = closest_m;
+    tell(EventKind::kClosestPassed, stretch.conflict.closest_s, closest_m, stretch);
+  }
+  [[nodiscard]] bool first_closest() const {
+    return said_.closest_m == std::numeric_limits<double>::infinity();
+  }
+  void tell(EventKind kind, double time_s, double distance_m, const PairWalk::Stretch& stretch) {
+    events_.push_back({kind, time_s, first_, second_, distance_m, stretch.conflict.closest_s});
+  }
+
+  PointId first_;
+  PointId second_;
+  double margin_m_;
+  Said& said_;
+  std::vector<SwarmEvent>& events_;
+};
+
+}  // namespace beespace::motion
