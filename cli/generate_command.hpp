@@ -13,12 +13,16 @@ namespace beespace::cli {
 
 // As typed, before it is checked.
 struct GenerateOptions {
-  std::string scene;  // empty: area when one is named, uniform otherwise
+  std::string scene;  // empty: what the other options speak of, or else uniform
   std::string points;
   std::string size;
   std::string clusters;
   std::string sigma;
   std::string area;
+  std::string speed;
+  std::string miss;
+  std::string duration;
+  std::string interval;
   std::string seed = "1";
   std::string output = "-";
   std::string format;  // empty: by the output's ending

@@ -17,25 +17,43 @@ constexpr const char* kDetails =
     "The format follows the ending of FILE: .csv, .txt, .tsv, .npy, .bin, each also with .gz;\n"
     "without FILE it is csv. An area is written in degrees, in the course format; else metres.\n"
     "\n"
+    "Scenes:\n"
+    "  uniform      evenly in a box (the default)\n"
+    "  clusters     around centres in a cube\n"
+    "  area         evenly in a part of the Earth\n"
+    "and, of bees that fly, as text only:\n"
+    "  flight       from anywhere in a box, straight on in any direction\n"
+    "  head-on      pairs that fly at each other, within 60 s or the duration\n"
+    "  crossing     two streams through a box at right angles\n"
+    "  sphere-swap  everybody through the centre of a sphere to its other side\n"
+    "  encounters   pairs, each far from all others, that pass within 60 s or the duration\n"
+    "With velocities at one instant; or with --duration as a recording, fix by fix.\n"
+    "\n"
     "Examples:\n"
     "  beespace generate --points 1000000 --size 12800 --output bees.csv\n"
     "  beespace generate --points 150000 --size 66000x46000x9600 --seed 7 --output bees.npy\n"
     "  beespace generate --scene clusters --points 100000 --clusters 50 --sigma 200\n"
     "  beespace generate --area medellin --points 1000 --output bees.csv\n"
-    "  beespace generate --points 1000 | beespace detect --threshold 500";
+    "  beespace generate --points 1000 | beespace detect --threshold 500\n"
+    "  beespace generate --scene flight --points 1000 | beespace predict --threshold 10\n"
+    "  beespace generate --scene head-on --points 20 --duration 60 | beespace replay";
 
 void add_swarm_options(CLI::App& generate, GenerateOptions& options) {
   generate.add_option("--points", options.points, "How many bees")
       ->required()
       ->type_name("N")
       ->group("Swarm");
-  CLI::Option* scene = generate
-                           .add_option("--scene", options.scene,
-                                       "Evenly in a box, around centres in a cube, or on Earth")
-                           ->type_name("uniform|clusters|area")
-                           ->group("Swarm");
-  allow_only(*scene, {"uniform", "clusters", "area"});
-  generate.add_option("--size", options.size, "The box, or its side, in metres (default: 12800)")
+  CLI::Option* scene =
+      generate
+          .add_option("--scene", options.scene, "How they are spread, and how they fly: see below")
+          ->type_name("SCENE")
+          ->group("Swarm");
+  allow_only(*scene, {"uniform", "clusters", "area", "flight", "head-on", "crossing", "sphere-swap",
+                      "encounters"});
+  generate
+      .add_option("--size", options.size,
+                  "The box, or its side, or the diameter of the\nsphere, in metres (default: "
+                  "12800, or 1000 for\nbees that fly)")
       ->type_name("SIDE|AxBxC")
       ->group("Swarm");
   generate.add_option("--clusters", options.clusters, "How many centres (default: 100)")
@@ -53,6 +71,30 @@ void add_swarm_options(CLI::App& generate, GenerateOptions& options) {
       ->group("Swarm");
 }
 
+void add_flight_options(CLI::App& generate, GenerateOptions& options) {
+  generate
+      .add_option("--speed", options.speed,
+                  "How fast bees fly, in metres per second\n(default: 5-20)")
+      ->type_name("SPEED|LOW-HIGH")
+      ->group("Flight");
+  generate
+      .add_option("--miss", options.miss,
+                  "How far apart the pairs of head-on pass, and at\nmost those of encounters "
+                  "(default: 10)")
+      ->type_name("METRES")
+      ->group("Flight");
+  generate
+      .add_option("--duration", options.duration,
+                  "Write a recording that lasts so long\n(default: everybody at one instant)")
+      ->type_name("SECONDS")
+      ->group("Flight");
+  generate
+      .add_option("--interval", options.interval,
+                  "About how long from fix to fix of a bee (default: 1)")
+      ->type_name("SECONDS")
+      ->group("Flight");
+}
+
 void add_output_options(CLI::App& generate, GenerateOptions& options) {
   generate
       .add_option("--output", options.output, "Where the swarm goes (default: standard output)")
@@ -63,7 +105,7 @@ void add_output_options(CLI::App& generate, GenerateOptions& options) {
           ->type_name("csv|tsv|npy|bin[.gz]")
           ->group("Output");
   allow_only(*format, {"csv", "tsv", "npy", "bin", "csv.gz", "tsv.gz", "npy.gz", "bin.gz"});
-  // There is nothing to silence; scripts may say it to both subcommands alike.
+  // There is nothing to silence; scripts may say it to all subcommands alike.
   generate.add_flag("--quiet")
       ->description("Only errors; generate never says more")
       ->group("Output");
@@ -76,6 +118,7 @@ CLI::App* add_generate_command(CLI::App& command, GenerateOptions& options) {
   generate->footer(kDetails);
   generate->set_version_flag("--version", std::string(version()), "Print the version and exit");
   add_swarm_options(*generate, options);
+  add_flight_options(*generate, options);
   add_output_options(*generate, options);
   refuse_pointless_values(*generate);
   return generate;

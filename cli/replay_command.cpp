@@ -3,6 +3,7 @@
 #include "cli/failure.hpp"
 #include "cli/moving/moving_input.hpp"
 #include "cli/moving/moving_output.hpp"
+#include "cli/moving/replay_events.hpp"
 #include "cli/moving/replay_findings.hpp"
 #include "cli/moving/replay_summary.hpp"
 #include "cli/number_text.hpp"
@@ -13,6 +14,7 @@
 #include "io/atomic_output.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -29,6 +31,7 @@ struct ReplayRequest {
   double max_gap_s;
   double tolerance_m;
   double every_s;
+  LiveRequest live;
 };
 
 Result<ReplayRequest> request_of(const ReplayOptions& options) {
@@ -45,7 +48,30 @@ Result<ReplayRequest> request_of(const ReplayOptions& options) {
   if (!tolerance) return tolerance.error();
   const auto every = read_amount(kName, "--every", options.every, "seconds", {0.0, false});
   if (!every) return every.error();
-  return ReplayRequest{*std::move(moving), options.report, max_gap_s, *tolerance, *every};
+  const auto live = live_request(kName, options.live);
+  if (!live) return live.error();
+  return ReplayRequest{*std::move(moving), options.report, max_gap_s, *tolerance, *every, *live};
+}
+
+// Events are lines of JSON, as `watch` prints them, unless another form is wished for.
+Status write_events(const ReplayRequest& request, const Findings& findings, double threshold_m,
+                    const std::string& head, io::AtomicOutput& output) {
+  const bool gaps = std::isfinite(request.max_gap_s);
+  const SwarmOptions options{.threshold_m = threshold_m,
+                             .vertical_m = request.moving.vertical_m,
+                             .leave_factor = request.live.leave_factor,
+                             .horizon_s = request.live.horizon_s,
+                             .max_age_s = gaps ? request.max_gap_s : kDefaultMaxAge_s,
+                             .threads = request.moving.threads};
+  const auto events =
+      events_of(findings.recording, findings.tracks, options, request.live.look_every_s);
+  if (!events) return events.error();
+  if (request.moving.form == MovingForm::kText) {
+    output.write(events->lines);
+  } else {
+    write_answer(events->rows, request.moving, head, "events", output);
+  }
+  return std::monostate{};
 }
 
 Rows rows_of(const ReplayRequest& request, const Findings& findings) {
@@ -124,7 +150,12 @@ Result<ExitCode> replay(const ReplayRequest& request) {
   progress.enter_stage("writing");
   const std::string head =
       moving.form == MovingForm::kJson ? json_head_of(request, findings, threshold_m) : "";
-  write_answer(rows_of(request, findings), moving, head, request.report.c_str(), *output);
+  if (request.report == "events") {
+    const Status done = write_events(request, findings, threshold_m, head, *output);
+    if (!done) return done.error();
+  } else {
+    write_answer(rows_of(request, findings), moving, head, request.report.c_str(), *output);
+  }
   const Status written = output->commit();
   if (!written && output->pipe_closed()) return ExitCode::kPipeClosed;
   if (!written) return written.error();

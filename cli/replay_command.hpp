@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/exit_code.hpp"
+#include "cli/moving/live_options.hpp"
 #include "cli/moving/moving_options.hpp"
 
 #include <string>
@@ -15,6 +16,7 @@ struct ReplayOptions {
   std::string max_gap;
   std::string tolerance = "0.001";
   std::string every = "1";
+  LiveOptions live;
 };
 
 // Adds the subcommand to the command; `options` must outlive the parsing.

@@ -31,6 +31,7 @@ constexpr const char* kDetails =
     "  bees        each bee: id, conflicts, time in conflict, its closest: how close, when, with "
     "whom\n"
     "  separation  how far apart the closest two are, every so often: time, distance, id, id\n"
+    "  events      what 'beespace watch' would have said, line by line\n"
     "\n"
     "Examples:\n"
     "  beespace replay show.skyc\n"
@@ -69,11 +70,12 @@ CLI::App* add_replay_command(CLI::App& command, ReplayOptions& options) {
       replay->add_option("--report", options.report, "What to find, see below (default: conflicts)")
           ->type_name("WHAT")
           ->group("Separation");
-  allow_only(*report, {"conflicts", "bees", "separation"});
+  allow_only(*report, {"conflicts", "bees", "separation", "events"});
   replay
       ->add_option("--every", options.every, "How often --report separation looks (default: 1)")
       ->type_name("SECONDS")
       ->group("Separation");
+  add_live_options(*replay, options.live, "Events");
   add_output_options(*replay, options.moving);
   refuse_pointless_values(*replay);
   return replay;

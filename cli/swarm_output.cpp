@@ -3,6 +3,7 @@
 #include "cli/gzip_writer.hpp"
 #include "cli/number_text.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
@@ -31,12 +32,16 @@ void append_fixed(std::string& out, double value, int decimals) {
   out.append(text.data(), end);
 }
 
+void append_axes(std::string& out, double x, double y, double z, char delimiter) {
+  append_exact(out, x);
+  out += delimiter;
+  append_exact(out, y);
+  out += delimiter;
+  append_exact(out, z);
+}
+
 void append_metres(std::string& out, const Point& point, char delimiter) {
-  append_exact(out, point.x);
-  out += delimiter;
-  append_exact(out, point.y);
-  out += delimiter;
-  append_exact(out, point.z);
+  append_axes(out, point.x, point.y, point.z, delimiter);
   out += '\n';
 }
 
@@ -49,14 +54,33 @@ void append_degrees(std::string& out, const Point& point, char delimiter) {
   out += '\n';
 }
 
-std::string header(SwarmUnits units, char delimiter) {
-  if (units == SwarmUnits::kDegrees && delimiter == ',') return std::string(kCourseHeader) + '\n';
-  std::string text =
-      units == SwarmUnits::kDegrees ? "longitude,latitude,height\n" : "x_m,y_m,z_m\n";
-  for (char& c : text) {
-    if (c == ',') c = delimiter;
-  }
+// Position and velocity at the end of a line.
+void append_motion(std::string& out, const Point& p, const Velocity& v, char delimiter) {
+  append_axes(out, p.x, p.y, p.z, delimiter);
+  out += delimiter;
+  append_axes(out, v.x, v.y, v.z, delimiter);
+  out += '\n';
+}
+
+std::string delimited(std::string text, char delimiter) {
+  std::replace(text.begin(), text.end(), ',', delimiter);
   return text;
+}
+
+std::string header(SwarmUnits units, char delimiter) {
+  if (units == SwarmUnits::kMetres) return delimited("x_m,y_m,z_m\n", delimiter);
+  if (delimiter == ',') return std::string(kCourseHeader) + '\n';
+  return delimited("longitude,latitude,height\n", delimiter);
+}
+
+char delimiter_of(SwarmFormat format) {
+  return format.kind == SwarmFormat::Kind::kTsv ? '\t' : ',';
+}
+
+void write_full(std::string& block, GzipWriter& out) {
+  if (block.size() < kBlock) return;
+  out.write(block);
+  block.clear();
 }
 
 void write_text(const std::vector<Point>& points, SwarmUnits units, char delimiter,
@@ -65,9 +89,7 @@ void write_text(const std::vector<Point>& points, SwarmUnits units, char delimit
   std::string text = header(units, delimiter);
   for (const Point& point : points) {
     append(text, point, delimiter);
-    if (text.size() < kBlock) continue;
-    out.write(text);
-    text.clear();
+    write_full(text, out);
   }
   out.write(text);
 }
@@ -142,10 +164,8 @@ Status write_swarm(const std::vector<Point>& points, SwarmUnits units, SwarmForm
   GzipWriter out(output, format.compressed);
   switch (format.kind) {
     case SwarmFormat::Kind::kCsv:
-      write_text(points, units, ',', out);
-      break;
     case SwarmFormat::Kind::kTsv:
-      write_text(points, units, '\t', out);
+      write_text(points, units, delimiter_of(format), out);
       break;
     case SwarmFormat::Kind::kNpy:
       out.write(npy_header(points.size()));
@@ -155,6 +175,44 @@ Status write_swarm(const std::vector<Point>& points, SwarmUnits units, SwarmForm
       write_array(points, out);
       break;
   }
+  out.finish();
+  return output.commit();
+}
+
+Status write_movers(const std::vector<Mover>& movers, SwarmFormat format,
+                    io::AtomicOutput& output) {
+  GzipWriter out(output, format.compressed);
+  const char delimiter = delimiter_of(format);
+  std::string text = delimited("id,x,y,z,vx,vy,vz\n", delimiter);
+  for (std::size_t bee = 0; bee < movers.size(); ++bee) {
+    append_exact(text, std::uint64_t{bee});
+    text += delimiter;
+    append_motion(text, movers[bee].position, movers[bee].velocity, delimiter);
+    write_full(text, out);
+  }
+  out.write(text);
+  out.finish();
+  return output.commit();
+}
+
+Status write_flights(const std::vector<Mover>& movers, const scenes::FixTimes& times,
+                     std::uint64_t seed, SwarmFormat format, io::AtomicOutput& output) {
+  GzipWriter out(output, format.compressed);
+  const char delimiter = delimiter_of(format);
+  std::string text = delimited("id,time_s,x,y,z,vx,vy,vz\n", delimiter);
+  for (std::size_t bee = 0; bee < movers.size(); ++bee) {
+    // One at a time, as all of them may be more than the memory holds.
+    const Track track = scenes::fly(movers[bee], static_cast<PointId>(bee), times, seed);
+    for (const Fix& fix : track.fixes) {
+      append_exact(text, std::uint64_t{bee});
+      text += delimiter;
+      append_exact(text, fix.time_s);
+      text += delimiter;
+      append_motion(text, fix.position, movers[bee].velocity, delimiter);
+      write_full(text, out);
+    }
+  }
+  out.write(text);
   out.finish();
   return output.commit();
 }

@@ -1,8 +1,11 @@
-// A generated swarm as a file, in any format that detect reads.
+// A generated swarm as a file, in any format that detect reads; and moving ones, as predict and
+// replay read them.
 #pragma once
 
 #include "io/atomic_output.hpp"
+#include "scenes/recorded_flights.hpp"
 
+#include <beespace/mover.hpp>
 #include <beespace/point.hpp>
 #include <beespace/result.hpp>
 
@@ -32,5 +35,12 @@ enum class SwarmUnits : std::uint8_t { kMetres, kDegrees };
 // decimals for degrees and 2 for metres. Commits the output. Errors: kWriteFailed.
 Status write_swarm(const std::vector<Point>& points, SwarmUnits units, SwarmFormat format,
                    io::AtomicOutput& output);
+
+// Bees that move, as text with all digits: a line for each with its number, its position and its
+// velocity; or one for each fix of its flight (see scenes::fly), one bee after the other. The
+// format is kCsv or kTsv. Commits the output. Errors: kWriteFailed.
+Status write_movers(const std::vector<Mover>& movers, SwarmFormat format, io::AtomicOutput& output);
+Status write_flights(const std::vector<Mover>& movers, const scenes::FixTimes& times,
+                     std::uint64_t seed, SwarmFormat format, io::AtomicOutput& output);
 
 }  // namespace beespace::cli

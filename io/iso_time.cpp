@@ -150,7 +150,7 @@ std::string_view parse_iso_time(std::string_view text, double& seconds) {
   if (!front.rest().empty()) return kForm;
 
   const std::int64_t days = std::chrono::sys_days(date).time_since_epoch().count();
-  const std::int64_t minutes = days * 1440 + clock.hour * 60 + clock.minute - offset_minutes;
+  const std::int64_t minutes = (days * 24 + clock.hour) * 60 + clock.minute - offset_minutes;
   seconds = nearest_double(minutes * 60 + clock.second, clock.nanos);
   return {};
 }

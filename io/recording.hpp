@@ -40,7 +40,7 @@ struct Recording {
   Frame frame = Frame::kMetres;    // what the input was taken for: never kAuto
   std::string frame_reason;        // why, as a phrase
   std::string format_description;  // "text, comma-separated", "Skybrush show", ...
-  bool since_1970 = false;         // times are seconds since 1970 (UTC), not from a zero of their own
+  bool since_1970 = false;  // times are seconds since 1970 (UTC), not from a zero of their own
   HeightDatum heights = HeightDatum::kUnstated;
   std::optional<double> declared_threshold_m;  // the least distance that a show promises
   std::vector<std::string> notes;              // what else was decided and must be said aloud

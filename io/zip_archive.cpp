@@ -79,8 +79,8 @@ void ZipArchive::Closer::operator()(zip* archive) const {
   zip_discard(archive);
 }
 
-ZipArchive::ZipArchive(Bytes bytes, std::string source, zip* archive)
-    : bytes_(std::move(bytes)), source_(std::move(source)), archive_(archive) {
+ZipArchive::ZipArchive(Bytes bytes, std::string source, const ZipLimits& limits, zip* archive)
+    : bytes_(std::move(bytes)), source_(std::move(source)), limits_(limits), archive_(archive) {
 }
 
 Result<ZipArchive> ZipArchive::open(Bytes bytes, std::string source, const ZipLimits& limits) {

@@ -146,6 +146,16 @@ Result<std::vector<Track>> tracks_of(const io::Recording& recording, Geometry ge
   return tracks;
 }
 
+std::optional<Velocity> velocity_at(const io::Recording& recording, std::size_t bee,
+                                    std::size_t fix) {
+  const io::RecordedBee& of = recording.bees[bee];
+  if (of.velocities.size() <= fix || !is_known(of.velocities[fix])) return std::nullopt;
+  const auto state =
+      given_state(of.fixes[fix], of.velocities[fix], recording.frame, Geometry::kSpace);
+  if (!state) return std::nullopt;
+  return state->mover.velocity;
+}
+
 Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, double max_age_s) {
   const auto now = last_time(recording);
   if (!now) return now.error();

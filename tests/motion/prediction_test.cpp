@@ -53,50 +53,44 @@ std::vector<cpu::InstructionSet> available_sets() {
   return sets;
 }
 
+using test::Shape;
+
 class EveryWay {
  public:
   // Calls check(answer) for every way to predict.
   template <class Check>
-  void for_each(const test::MoverScene& scene, const PredictOptions& options, Check&& check) {
+  void for_each(const test::MoverScene& scene, Shape shape, const PredictOptions& options,
+                Check&& check) {
     for (const std::optional<double>& step : steps_of(scene)) {
       for (const cpu::InstructionSet set : available_sets()) {
         for (const unsigned threads : {1U, 2U, 5U}) {
           // All kernels, all numbers of threads, and not every two of them.
           const bool often = set == cpu::best_instruction_set() && !step;
-          if (threads == 1 || often) run({set, threads, step}, scene, options, check);
+          if (threads > 1 && !often) continue;
+          const Way way{set, threads, step};
+          SCOPED_TRACE(name_of(way) + ", " + name_of(shape) +
+                       (options.inclusive ? ", inclusive" : ", strict"));
+          check(answer(way, scene.view(shape), options));
+          if (testing::Test::HasFatalFailure()) return;
         }
       }
     }
   }
 
  private:
-  template <class Check>
-  void run(const Way& way, const test::MoverScene& scene, const PredictOptions& options,
-           Check&& check) {
-    if (testing::Test::HasFatalFailure()) return;
-    SCOPED_TRACE(scene.name + ": " + name_of(way) + (options.inclusive ? ", inclusive" : "") +
-                 (options.vertical_m ? ", cylinders" : ""));
+  Result<Conflicts> answer(const Way& way, const MoversView& movers,
+                           const PredictOptions& options) {
     PredictionChoices choices;
     choices.search.instruction_set = way.set;
     choices.step_s = way.step_s;
     test::OwnResources& own = way.threads == 1 ? one_ : way.threads == 2 ? two_ : five_;
     own.memory.start_call();
-    check(predict(scene.movers, options, own.with, choices));
+    return predict(movers, options, own.with, choices);
   }
 
   test::OwnResources one_{1};
   test::OwnResources two_{2};
   test::OwnResources five_{5};
-};
-
-class Scene : public testing::TestWithParam<test::MoverScene> {
- protected:
-  template <class Check>
-  static void for_each_question(Check&& check) {
-    for (const bool cylinder : {false, true}) {
-      for (const bool inclusive : {false, true}) check(GetParam().options(cylinder, inclusive));
-    }
-  }
 };
 
 void expect_same(const Conflicts& found, const Conflicts& expected) {
@@ -108,31 +102,44 @@ void expect_same(const Conflicts& found, const Conflicts& expected) {
   }
 }
 
+class Scene : public testing::TestWithParam<test::MoverScene> {};
+
 TEST_P(Scene, IsPredictedAsByBruteForceInEveryWay) {
   EveryWay ways;
-  for_each_question([&](const PredictOptions& options) {
-    const Conflicts expected = *brute_force::predict_conflicts(GetParam().movers, options);
-    ways.for_each(GetParam(), options, [&](const Result<Conflicts>& found) {
+  test::for_each_question([&](Shape shape, bool inclusive) {
+    const PredictOptions options = GetParam().options(shape, inclusive);
+    const MoversView movers = GetParam().view(shape);
+    const Conflicts expected = *brute_force::predict_conflicts(movers, options);
+    ways.for_each(GetParam(), shape, options, [&](const Result<Conflicts>& found) {
       ASSERT_TRUE(found.has_value());
       expect_same(*found, expected);
     });
-    expect_same(*predict_conflicts(GetParam().movers, options), expected);
+    expect_same(*predict_conflicts(movers, options), expected);
   });
 }
 
 TEST_P(Scene, IsJudgedByBruteForceAsByFractions) {
-  const std::vector<Mover>& movers = GetParam().movers;
+  const test::MoverScene& scene = GetParam();
+  const std::vector<Mover>& movers = scene.movers;
   const std::size_t stride = test::kSanitized ? 101 : 13;  // of those who are said to keep apart
-  for_each_question([&](const PredictOptions& options) {
-    const Conflicts found = *brute_force::predict_conflicts(movers, options);
+  test::for_each_question([&](Shape shape, bool inclusive) {
+    const PredictOptions options = scene.options(shape, inclusive);
+    const auto truly_in_conflict = [&](PointId i, PointId j) {
+      if (shape != Shape::kHeightsApart) {
+        return test::ExactEncounter(movers[i], movers[j], options).in_conflict();
+      }
+      return test::ExactEncounter(movers[i], {scene.heights_m[i], scene.climbs_mps[i]}, movers[j],
+                                  {scene.heights_m[j], scene.climbs_mps[j]}, options)
+          .in_conflict();
+    };
+    const Conflicts found = *brute_force::predict_conflicts(scene.view(shape), options);
     auto next = found.begin();
     for (PointId i = 0; i < movers.size(); ++i) {
       for (PointId j = i + 1; j < movers.size(); ++j) {
         const bool said = next != found.end() && next->first == i && next->second == j;
         if (said) ++next;
         if (!said && (31 * i + j) % stride != 0) continue;
-        const test::ExactEncounter truly(movers[i], movers[j], options);
-        ASSERT_EQ(said, truly.in_conflict()) << i << " " << j;
+        ASSERT_EQ(said, truly_in_conflict(i, j)) << i << " " << j << ", " << name_of(shape);
       }
     }
     EXPECT_EQ(next, found.end()) << "out of order, or twice";
@@ -141,18 +148,18 @@ TEST_P(Scene, IsJudgedByBruteForceAsByFractions) {
 
 // One more conflict than allowed is an error in every way, as many as allowed are none.
 TEST_P(Scene, HasItsResultsCountedInEveryWay) {
-  PredictOptions options = GetParam().options(false, true);
-  const Conflicts expected = *brute_force::predict_conflicts(GetParam().movers, options);
+  PredictOptions options = GetParam().options(Shape::kSphere, true);
+  const std::size_t all = brute_force::predict_conflicts(GetParam().movers, options)->size();
   EveryWay ways;
-  options.max_results = expected.size();
-  ways.for_each(GetParam(), options, [&](const Result<Conflicts>& found) {
+  options.max_results = all;
+  ways.for_each(GetParam(), Shape::kSphere, options, [&](const Result<Conflicts>& found) {
     ASSERT_TRUE(found.has_value());
-    ASSERT_EQ(found->size(), expected.size());
+    ASSERT_EQ(found->size(), all);
   });
   ASSERT_TRUE(brute_force::predict_conflicts(GetParam().movers, options).has_value());
-  if (expected.empty()) return;
+  if (all == 0) return;
   --options.max_results;
-  ways.for_each(GetParam(), options, [](const Result<Conflicts>& found) {
+  ways.for_each(GetParam(), Shape::kSphere, options, [](const Result<Conflicts>& found) {
     ASSERT_FALSE(found.has_value());
     ASSERT_EQ(found.error().code, ErrorCode::kTooManyResults);
   });
@@ -167,22 +174,26 @@ INSTANTIATE_TEST_SUITE_P(Predicted, Scene, testing::ValuesIn(test::mover_scenes(
 // The comparisons above would be worth little if hardly anybody met, or if everybody did.
 TEST(MoverScenes, HaveConflictsAndPairsWithoutAndManyAtTheEdge) {
   std::size_t at_the_edge = 0;
+  std::size_t with_heights_apart = 0;
   for (const test::MoverScene& scene : test::mover_scenes()) {
     if (scene.movers.size() < 3) continue;
     SCOPED_TRACE(scene.name);
-    const auto count = [&](bool cylinder, bool inclusive) {
-      return brute_force::predict_conflicts(scene.movers, scene.options(cylinder, inclusive))
+    const auto count = [&](Shape shape, bool inclusive) {
+      return brute_force::predict_conflicts(scene.view(shape), scene.options(shape, inclusive))
           ->size();
     };
     const std::size_t pairs = scene.movers.size() * (scene.movers.size() - 1) / 2;
-    EXPECT_GT(count(false, true), 20U);
-    EXPECT_GT(count(true, true), 20U);
-    EXPECT_TRUE(count(false, true) < pairs || scene.name == "SphereSwap" ||
+    EXPECT_TRUE(count(Shape::kSphere, true) < pairs || scene.name == "SphereSwap" ||
                 scene.name == "AllAtOnePlace");
-    at_the_edge += count(false, true) - count(false, false);
-    at_the_edge += count(true, true) - count(true, false);
+    EXPECT_GT(count(Shape::kSphere, true), 20U);
+    EXPECT_GT(count(Shape::kCylinder, true), 20U);
+    with_heights_apart += count(Shape::kHeightsApart, true);
+    test::for_each_question([&](Shape shape, bool inclusive) {
+      if (inclusive) at_the_edge += count(shape, true) - count(shape, false);
+    });
   }
-  EXPECT_GT(at_the_edge, 3000U);
+  EXPECT_GT(with_heights_apart, 2000U);
+  EXPECT_GT(at_the_edge, 2500U);
 }
 
 }  // namespace

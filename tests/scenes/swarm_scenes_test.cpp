@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <cmath>
 
 #include "scenes/random_stream.hpp"
+#include "tests/scenes/fingerprint.hpp"
 
 namespace beespace::scenes {
 namespace {
@@ -13,13 +13,9 @@ namespace {
 constexpr std::size_t kMany = 200'000;
 
 std::uint64_t fingerprint(const std::vector<Point>& points) {
-  std::uint64_t hash = 14'695'981'039'346'656'037u;
-  for (const Point& point : points) {
-    for (const double coordinate : {point.x, point.y, point.z}) {
-      hash = (hash ^ std::bit_cast<std::uint64_t>(coordinate)) * 1'099'511'628'211u;
-    }
-  }
-  return hash;
+  Fingerprint fingerprint;
+  for (const Point& point : points) fingerprint.take({point.x, point.y, point.z});
+  return fingerprint.value();
 }
 
 TEST(RandomStream, IsSplitMix64) {

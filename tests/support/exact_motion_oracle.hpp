@@ -33,11 +33,17 @@ inline Wide wide(const Fraction& value) {
          Wide(boost::multiprecision::denominator(value));
 }
 
-using FractionVector = std::array<Fraction, 3>;
+// On x, y and z, and on a fourth axis for heights that are kept apart.
+using FractionVector = std::array<Fraction, 4>;
 
 inline Fraction product(const FractionVector& a, const FractionVector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
 }
+
+struct HeightApart {
+  double height_m = 0.0;
+  double climb_mps = 0.0;
+};
 
 struct FractionSpan {
   Fraction begin;
@@ -47,24 +53,15 @@ struct FractionSpan {
 class ExactEncounter {
  public:
   ExactEncounter(const Mover& first, const Mover& second, const PredictOptions& options)
-      : from_{difference(first.position.x, second.position.x),
-              difference(first.position.y, second.position.y),
-              difference(first.position.z, second.position.z)},
-        speed_{difference(first.velocity.x, second.velocity.x),
-               difference(first.velocity.y, second.velocity.y),
-               difference(first.velocity.z, second.velocity.z)},
-        level_from_{from_[0], from_[1], options.vertical_m ? Fraction(0) : from_[2]},
-        level_speed_{speed_[0], speed_[1], options.vertical_m ? Fraction(0) : speed_[2]},
-        squared_threshold_(Fraction(options.threshold_m) * Fraction(options.threshold_m)),
-        horizon_(options.horizon_s),
-        inclusive_(options.inclusive) {
-    if (options.vertical_m) height_ = Fraction(*options.vertical_m);
-  }
+      : ExactEncounter(first, {}, second, {}, options, 2) {}
+  ExactEncounter(const Mover& first, const HeightApart& first_height, const Mover& second,
+                 const HeightApart& second_height, const PredictOptions& options)
+      : ExactEncounter(first, first_height, second, second_height, options, 3) {}
 
   // The definition: whether they are too close at this instant.
   [[nodiscard]] bool too_close_at(const Fraction& time) const {
     if (!below(squared_level_distance(time), squared_threshold_)) return false;
-    return !height_ || below(abs(from_[2] + speed_[2] * time), *height_);
+    return !height_ || below(height_difference(time), *height_);
   }
 
   // An instant of [0, horizon] at which they are too close, if there is one.
@@ -84,13 +81,22 @@ class ExactEncounter {
 
   [[nodiscard]] bool in_conflict() const { return witness().has_value(); }
 
-  // The first instant of [0, horizon] at which they are closest in a straight line.
-  [[nodiscard]] Fraction closest_time() const {
-    return lowest_within(from_, speed_, {Fraction(0), horizon_});
+  // The first instant of a span at which they are closest in a straight line.
+  [[nodiscard]] Fraction closest_time(const FractionSpan& span) const {
+    return lowest_within(from_, speed_, span);
   }
+  [[nodiscard]] Fraction closest_time() const { return closest_time({Fraction(0), horizon_}); }
   [[nodiscard]] Fraction squared_distance(const Fraction& time) const {
     return squared_at(from_, speed_, time);
   }
+  // Where the height counts by itself, the horizontal one; all of it otherwise.
+  [[nodiscard]] Fraction squared_level_distance(const Fraction& time) const {
+    return squared_at(level_from_, level_speed_, time);
+  }
+  [[nodiscard]] Fraction height_difference(const Fraction& time) const {
+    return abs(from_[up_] + speed_[up_] * time);
+  }
+  [[nodiscard]] Fraction squared_speed() const { return product(speed_, speed_); }
 
   // From when to when they are in conflict, of two who are: the closure of it where the ends do
   // not belong to it themselves.
@@ -109,20 +115,37 @@ class ExactEncounter {
   }
 
  private:
+  ExactEncounter(const Mover& first, const HeightApart& first_height, const Mover& second,
+                 const HeightApart& second_height, const PredictOptions& options, std::size_t up)
+      : up_(up),
+        from_{difference(first.position.x, second.position.x),
+              difference(first.position.y, second.position.y),
+              difference(first.position.z, second.position.z),
+              difference(first_height.height_m, second_height.height_m)},
+        speed_{difference(first.velocity.x, second.velocity.x),
+               difference(first.velocity.y, second.velocity.y),
+               difference(first.velocity.z, second.velocity.z),
+               difference(first_height.climb_mps, second_height.climb_mps)},
+        level_from_(from_),
+        level_speed_(speed_),
+        squared_threshold_(Fraction(options.threshold_m) * Fraction(options.threshold_m)),
+        horizon_(options.horizon_s),
+        inclusive_(options.inclusive) {
+    if (!options.vertical_m) return;
+    height_ = Fraction(*options.vertical_m);
+    level_from_[up_] = level_speed_[up_] = 0;
+  }
+
   static Fraction difference(double from, double to) { return Fraction(to) - Fraction(from); }
 
   static Fraction squared_at(const FractionVector& from, const FractionVector& speed,
                              const Fraction& time) {
     Fraction sum = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t axis = 0; axis < from.size(); ++axis) {
       const Fraction at = from[axis] + speed[axis] * time;
       sum += at * at;
     }
     return sum;
-  }
-
-  [[nodiscard]] Fraction squared_level_distance(const Fraction& time) const {
-    return squared_at(level_from_, level_speed_, time);
   }
 
   [[nodiscard]] bool below(const Fraction& value, const Fraction& limit) const {
@@ -141,18 +164,19 @@ class ExactEncounter {
   [[nodiscard]] std::optional<FractionSpan> span_in_height() const {
     const FractionSpan all{Fraction(0), horizon_};
     if (!height_) return all;
-    if (speed_[2] == 0) {
-      if (!below(abs(from_[2]), *height_)) return std::nullopt;
+    if (speed_[up_] == 0) {
+      if (!below(abs(from_[up_]), *height_)) return std::nullopt;
       return all;
     }
-    const Fraction one = (-*height_ - from_[2]) / speed_[2];
-    const Fraction other = (*height_ - from_[2]) / speed_[2];
+    const Fraction one = (-*height_ - from_[up_]) / speed_[up_];
+    const Fraction other = (*height_ - from_[up_]) / speed_[up_];
     const FractionSpan span{std::max(all.begin, std::min(one, other)),
                             std::min(all.end, std::max(one, other))};
     if (span.begin > span.end) return std::nullopt;
     return span;
   }
 
+  std::size_t up_;  // the axis of heights
   FractionVector from_;
   FractionVector speed_;
   FractionVector level_from_;  // without the height, where that counts by itself

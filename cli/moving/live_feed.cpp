@@ -1,0 +1,85 @@
+#include "cli/moving/live_feed.hpp"
+
+#include "cli/json_text.hpp"
+#include "cli/number_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace beespace::cli {
+
+LiveFeed::LiveFeed(const SwarmOptions& options, double every_s, Tell tell)
+    : swarm_(options), every_s_(every_s), tell_(std::move(tell)) {
+}
+
+PointId LiveFeed::number(std::string_view id) {
+  const auto known = numbers_.find(id);
+  if (known != numbers_.end()) return known->second;
+  const auto number = static_cast<PointId>(ids_.size());
+  ids_.emplace_back(id);
+  numbers_.emplace(id, number);
+  return number;
+}
+
+Status LiveFeed::take(const Report& report) {
+  const double looks = std::floor(report.time_s / every_s_);
+  // Beyond what counts look by look: one look a report.
+  constexpr double kMost = 1e15;
+  if (std::abs(looks) < kMost) {
+    const auto passed = static_cast<std::int64_t>(looks);
+    if (!looks_) looks_ = passed;
+    if (passed > *looks_) {
+      looks_ = passed;
+      if (auto done = look(static_cast<double>(passed) * every_s_); !done) return done;
+    }
+  }
+  Status taken = swarm_.update(report);
+  if (taken) latest_s_ = std::max(latest_s_.value_or(report.time_s), report.time_s);
+  return taken;
+}
+
+Status LiveFeed::finish() {
+  if (!latest_s_) return std::monostate{};
+  return look(*latest_s_);
+}
+
+Status LiveFeed::look(double time_s) {
+  const auto events = swarm_.advance(time_s);
+  if (!events) return events.error();
+  if (!events->empty()) tell_(*events);
+  return std::monostate{};
+}
+
+const char* name_of(EventKind kind) {
+  switch (kind) {
+    case EventKind::kPredicted:
+      return "predicted";
+    case EventKind::kEntered:
+      return "entered";
+    case EventKind::kClosestPassed:
+      return "closest_passed";
+    case EventKind::kLeft:
+      return "left";
+    case EventKind::kStale:
+      return "stale";
+  }
+  return "unknown";
+}
+
+std::string event_line(const SwarmEvent& event, const LiveFeed& feed) {
+  std::string line = "{\"event\": \"";
+  line += name_of(event.kind);
+  line += "\", \"time_s\": " + exact(event.time_s);
+  if (event.kind == EventKind::kStale) {
+    line += ", \"id\": " + json_string(feed.id(event.first));
+    return line + "}\n";
+  }
+  line += ", \"first\": " + json_string(feed.id(event.first));
+  line += ", \"second\": " + json_string(feed.id(event.second));
+  line += ", \"distance_m\": " + exact(event.distance_m);
+  line += ", \"closest_s\": " + exact(event.closest_s);
+  return line + "}\n";
+}
+
+}  // namespace beespace::cli

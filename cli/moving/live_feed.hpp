@@ -1,0 +1,66 @@
+// Reports in the order in which they arrive, events in the order in which they become known: the same
+// for `watch` and for `replay --report events`.
+//
+// The swarm is looked at every so often by the clock of the reports, not by that of the wall, so the
+// same reports give the same events however fast they come.
+#pragma once
+
+#include <beespace/result.hpp>
+#include <beespace/swarm.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace beespace::cli {
+
+class LiveFeed {
+ public:
+  // Sees the events of each look, if there are any, ascending in time.
+  using Tell = std::function<void(const std::vector<SwarmEvent>& events)>;
+
+  LiveFeed(const SwarmOptions& options, double every_s, Tell tell);
+
+  // The number of a bee, by its id.
+  PointId number(std::string_view id);
+  [[nodiscard]] const std::string& id(PointId number) const { return ids_[number]; }
+
+  // Takes a report, after looking at the swarm where its time has come. Times may go back a little:
+  // nobody looks again. Errors: as Swarm::update and Swarm::advance.
+  Status take(const Report& report);
+
+  // The last look, at the time of the last report.
+  Status finish();
+
+  [[nodiscard]] SwarmCounts counts() const { return swarm_.counts(); }
+
+ private:
+  struct Hash {
+    using is_transparent = void;
+    std::size_t operator()(std::string_view text) const {
+      return std::hash<std::string_view>()(text);
+    }
+  };
+
+  Status look(double time_s);
+
+  Swarm swarm_;
+  double every_s_;
+  Tell tell_;
+  std::optional<std::int64_t> looks_;  // how many every_s_ have passed at the last look
+  std::optional<double> latest_s_;     // of all reports
+  std::unordered_map<std::string, PointId, Hash, std::equal_to<>> numbers_;
+  std::vector<std::string> ids_;
+};
+
+// A line of JSON, with its end.
+std::string event_line(const SwarmEvent& event, const LiveFeed& feed);
+
+// "predicted", "entered", "closest_passed", "left", "stale".
+const char* name_of(EventKind kind);
+
+}  // namespace beespace::cli

@@ -1,0 +1,34 @@
+// What the live swarm is told by `watch` and by `replay --report events`.
+#pragma once
+
+#include <beespace/result.hpp>
+#include <beespace/swarm.hpp>
+
+#include <string>
+
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
+class App;
+}
+
+namespace beespace::cli {
+
+// As typed, before it is checked.
+struct LiveOptions {
+  std::string horizon = "10";
+  std::string leave_factor = "1.1";
+  std::string look_every = "0.1";
+};
+
+struct LiveRequest {
+  double horizon_s;
+  double leave_factor;
+  double look_every_s;
+};
+
+inline constexpr double kDefaultMaxAge_s = 5.0;
+
+void add_live_options(CLI::App& command, LiveOptions& options, const char* group);
+
+Result<LiveRequest> live_request(const char* command, const LiveOptions& options);
+
+}  // namespace beespace::cli

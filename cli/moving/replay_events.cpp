@@ -1,0 +1,57 @@
+#include "cli/moving/replay_events.hpp"
+
+#include "cli/moving/moving_input.hpp"
+
+#include <algorithm>
+
+namespace beespace::cli {
+namespace {
+
+struct RecordedFix {
+  double time_s;
+  PointId bee;
+  std::uint32_t fix;
+};
+
+std::vector<Value> row_of(const SwarmEvent& event, const LiveFeed& feed) {
+  if (event.kind == EventKind::kStale) {
+    return {event.time_s, std::string(name_of(event.kind)), feed.id(event.first), {}, {}, {}};
+  }
+  return {event.time_s,           std::string(name_of(event.kind)), feed.id(event.first),
+          feed.id(event.second), event.distance_m,                event.closest_s};
+}
+
+}  // namespace
+
+Result<RecordedEvents> events_of(const io::Recording& recording, const std::vector<Track>& tracks,
+                                 const SwarmOptions& options, double look_every_s) {
+  std::vector<RecordedFix> fixes;
+  for (PointId bee = 0; bee < tracks.size(); ++bee) {
+    for (std::uint32_t i = 0; i < tracks[bee].fixes.size(); ++i) {
+      fixes.push_back({tracks[bee].fixes[i].time_s, bee, i});
+    }
+  }
+  std::stable_sort(fixes.begin(), fixes.end(), [](const RecordedFix& a, const RecordedFix& b) {
+    return a.time_s < b.time_s;
+  });
+  RecordedEvents recorded;
+  recorded.rows.columns = {"time_s", "event", "first", "second", "distance_m", "closest_s"};
+  const LiveFeed* seen = nullptr;
+  LiveFeed feed(options, look_every_s, [&](const std::vector<SwarmEvent>& events) {
+    for (const SwarmEvent& event : events) {
+      recorded.lines += event_line(event, *seen);
+      recorded.rows.rows.push_back(row_of(event, *seen));
+    }
+  });
+  seen = &feed;
+  for (const RecordedFix& at : fixes) {
+    const io::RecordedBee& bee = recording.bees[at.bee];
+    Report report{feed.number(bee.id), at.time_s, tracks[at.bee].fixes[at.fix].position, {}};
+    report.velocity = velocity_at(recording, at.bee, at.fix);
+    if (auto taken = feed.take(report); !taken) return taken.error();
+  }
+  if (auto done = feed.finish(); !done) return done.error();
+  return recorded;
+}
+
+}  // namespace beespace::cli

@@ -1,0 +1,25 @@
+// A recording as `watch` would have seen it: fix after fix in the order of time.
+#pragma once
+
+#include "cli/moving/live_feed.hpp"
+#include "cli/moving/rows.hpp"
+#include "io/recording.hpp"
+
+#include <beespace/result.hpp>
+#include <beespace/swarm.hpp>
+#include <beespace/track.hpp>
+
+#include <string>
+#include <vector>
+
+namespace beespace::cli {
+
+struct RecordedEvents {
+  std::string lines;  // as `watch` prints them
+  Rows rows;
+};
+
+Result<RecordedEvents> events_of(const io::Recording& recording, const std::vector<Track>& tracks,
+                                 const SwarmOptions& options, double look_every_s);
+
+}  // namespace beespace::cli

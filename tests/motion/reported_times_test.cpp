@@ -1,0 +1,203 @@
+// The times and distances that are reported, against fractions.
+//
+// With u = 2^-53: the components of r and w are differences of doubles, so each is wrong by u of
+// itself, and all that is computed of them by a handful of u of the lengths that went in: |r|, the
+// threshold, and |w| times the time, which is no more than |r| until the two are closest and about
+// |r| + X until they are apart. So distances are right to within 2^-48 of |r| + X: 32 u, of which
+// less than 5 have been seen. Begin and end are judged by the distance at the reported instant: it
+// is the threshold to within that. (The instants themselves cannot be that good: to whoever only
+// just grazes, a last bit of the threshold is half the digits of the time.)
+#include "tests/support/encounter_maker.hpp"
+#include "tests/support/exact_motion_oracle.hpp"
+#include "tests/support/rounds.hpp"
+
+#include <beespace/brute_force.hpp>
+#include <beespace/closest_approach.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace beespace {
+namespace {
+
+using test::Encounter;
+using test::EncounterMaker;
+using test::ExactEncounter;
+using test::Fraction;
+using test::rounds;
+
+// Whether `squared`, of a length, is that of one from low to high.
+bool squared_is_between(const Fraction& squared, const Fraction& low, const Fraction& high) {
+  return (low <= 0 || squared >= low * low) && high >= 0 && squared <= high * high;
+}
+
+class Report {
+ public:
+  explicit Report(const Encounter& e)
+      : e_(e), exact_(e.first, e.second, e.options) {
+    constexpr double kShare = 0x1p-48;
+    const Point& p = e.first.position;
+    const Point& q = e.second.position;
+    const double apart = std::hypot(q.x - p.x, q.y - p.y, q.z - p.z) * (1.0 + 0x1p-40);
+    slack_ = Fraction(apart * kShare);
+    level_slack_ = Fraction((apart + e.options.threshold_m) * kShare);
+    const double vertical = e.options.vertical_m.value_or(0.0);
+    height_slack_ = Fraction((std::abs(q.z - p.z) * (1.0 + 0x1p-40) + vertical) * kShare);
+  }
+
+  // Of closest_approach, which looks at all of [0, horizon].
+  void expect_true(const Approach& approach) const {
+    const Fraction truly = exact_.closest_time();
+    const Fraction off = Fraction(approach.closest_s) - truly;
+    EXPECT_TRUE(squared_is_between(off * off * exact_.squared_speed(), 0, slack_))
+        << "closest at " << approach.closest_s;
+    expect_distance(approach.closest_m, truly);
+    EXPECT_GE(approach.closest_s, 0.0);
+    EXPECT_LE(approach.closest_s, e_.options.horizon_s);
+    if (!approach.conflict) return;
+    expect_true(*approach.conflict);
+    if (e_.options.vertical_m) return;
+    EXPECT_LE(approach.conflict->begins_s, approach.closest_s);
+    EXPECT_LE(approach.closest_s, approach.conflict->ends_s);
+  }
+
+  // Of a prediction, where the closest instant is one of the conflict.
+  void expect_true(const Conflict& conflict) const {
+    expect_true(TimeSpan{conflict.begins_s, conflict.ends_s});
+    EXPECT_LE(conflict.begins_s, conflict.closest_s);
+    EXPECT_LE(conflict.closest_s, conflict.ends_s);
+    expect_distance(conflict.closest_m, Fraction(conflict.closest_s));
+    expect_distance(conflict.closest_m, exact_.closest_time({Fraction(conflict.begins_s),
+                                                             Fraction(conflict.ends_s)}));
+  }
+
+ private:
+  void expect_true(const TimeSpan& span) const {
+    EXPECT_GE(span.begins_s, 0.0);
+    EXPECT_LE(span.begins_s, span.ends_s);
+    EXPECT_LE(span.ends_s, e_.options.horizon_s);
+    for (const double end : {span.begins_s, span.ends_s}) {
+      EXPECT_FALSE(is_outside(Fraction(end))) << end << " is no time of conflict";
+    }
+    EXPECT_TRUE(span.begins_s == 0.0 || !is_inside(Fraction(span.begins_s)))
+        << "begins before " << span.begins_s;
+    EXPECT_TRUE(span.ends_s == e_.options.horizon_s || !is_inside(Fraction(span.ends_s)))
+        << "ends after " << span.ends_s;
+    // What lies deep in the conflict lies in the span.
+    const Fraction witness = *exact_.witness();
+    if (is_inside(witness)) {
+      EXPECT_LE(Fraction(span.begins_s), witness);
+      EXPECT_GE(Fraction(span.ends_s), witness);
+    }
+  }
+
+  // Too far away, or too close, by more than rounding explains.
+  [[nodiscard]] bool is_outside(const Fraction& time) const {
+    const Fraction most = Fraction(e_.options.threshold_m) + level_slack_;
+    if (!squared_is_between(exact_.squared_level_distance(time), 0, most)) return true;
+    return e_.options.vertical_m && exact_.height_difference(time) >
+                                        Fraction(*e_.options.vertical_m) + height_slack_;
+  }
+  [[nodiscard]] bool is_inside(const Fraction& time) const {
+    const Fraction most = Fraction(e_.options.threshold_m) - level_slack_;
+    if (!squared_is_between(exact_.squared_level_distance(time), 0, most)) return false;
+    return !e_.options.vertical_m || exact_.height_difference(time) <
+                                         Fraction(*e_.options.vertical_m) - height_slack_;
+  }
+
+  void expect_distance(double reported, const Fraction& time) const {
+    // Until the end of a conflict they have moved as far as they were apart, and the threshold.
+    const Fraction& slack = e_.options.vertical_m ? level_slack_ + height_slack_ : slack_;
+    EXPECT_TRUE(squared_is_between(exact_.squared_distance(time), Fraction(reported) - slack,
+                                   Fraction(reported) + slack))
+        << "not " << reported << " m away at " << time.convert_to<double>();
+  }
+
+  const Encounter& e_;
+  ExactEncounter exact_;
+  Fraction slack_;
+  Fraction level_slack_;
+  Fraction height_slack_;
+};
+
+class ReportedTimes : public testing::Test {
+ protected:
+  void expect_true(const Encounter& e) {
+    std::ostringstream shown;
+    shown << e;
+    SCOPED_TRACE(shown.str());
+    const Report report(e);
+    const Approach approach = *closest_approach(e.first, e.second, e.options);
+    report.expect_true(approach);
+    const std::vector<Mover> movers = {e.first, e.second};
+    const auto conflicts = *brute_force::predict_conflicts(movers, e.options);
+    ASSERT_EQ(conflicts.size(), approach.conflict ? 1U : 0U);
+    if (!conflicts.empty()) {
+      ++conflicts_;
+      report.expect_true(conflicts[0]);
+      EXPECT_EQ((TimeSpan{conflicts[0].begins_s, conflicts[0].ends_s}), *approach.conflict);
+    }
+    const Approach swapped = *closest_approach(e.second, e.first, e.options);
+    EXPECT_EQ(swapped.closest_s, approach.closest_s);
+    EXPECT_EQ(swapped.closest_m, approach.closest_m);
+    EXPECT_EQ(swapped.conflict, approach.conflict);
+    if (HasFailure()) FAIL() << "and no more of these";
+  }
+
+  int conflicts_ = 0;
+};
+
+TEST_F(ReportedTimes, AreTrueOnALatticeAndBesideIt) {
+  EncounterMaker make(21);
+  for (int round = 0; round < rounds(8000) && !HasFatalFailure(); ++round) {
+    const Encounter e = make.on_lattice();
+    expect_true(round % 2 == 0 ? e : make.nudged(e));
+  }
+  EXPECT_GT(conflicts_, rounds(2000));
+}
+
+TEST_F(ReportedTimes, AreTrueForRandomDoublesNearAndFarFromTheOrigin) {
+  EncounterMaker make(22);
+  for (int round = 0; round < rounds(8000) && !HasFatalFailure(); ++round) {
+    const Encounter e = make.ragged();
+    expect_true(round % 2 == 0 ? e : make.moved(e, {1e9, -1e9, 1e9}));
+  }
+  EXPECT_GT(conflicts_, rounds(2000));
+}
+
+TEST_F(ReportedTimes, AreTrueAtAllMagnitudes) {
+  EncounterMaker make(23);
+  for (int round = 0; round < rounds(4000) && !HasFatalFailure(); ++round) {
+    expect_true(make.of_any_magnitude());
+    if (!HasFatalFailure()) expect_true(make.nudged(make.rescaled(make.on_lattice())));
+  }
+  EXPECT_GT(conflicts_, rounds(1000));
+}
+
+// Just below the threshold and moving almost around each other: here the square of the chord is
+// what rounding leaves of two numbers that are almost the same.
+TEST_F(ReportedTimes, AreTrueWhereTheyCircleAtTheThreshold) {
+  EncounterMaker make(24);
+  test::SceneMaker& random = make.random();
+  for (int round = 0; round < rounds(6000) && !HasFatalFailure(); ++round) {
+    const double x = random.between(1, 2);
+    const double y = random.between(1, 2);
+    const double out = std::ldexp(random.between(-1, 1), -static_cast<int>(random.below(70)));
+    Encounter e{{}, {{x, y, 0}, {out * x - y, out * y + x, 0}}, {}};
+    e.options.threshold_m = std::hypot(x, y);
+    for (std::size_t ulps = random.below(3); ulps > 0; --ulps) {
+      e.options.threshold_m = std::nextafter(e.options.threshold_m, 9.0);
+    }
+    e.options.horizon_s = 1e6;
+    e.options.inclusive = round % 2 == 0;
+    if (round % 3 == 0) e.options.vertical_m = 1.0;
+    expect_true(e);
+  }
+  EXPECT_GT(conflicts_, rounds(2000));
+}
+
+}  // namespace
+}  // namespace beespace
