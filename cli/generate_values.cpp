@@ -18,9 +18,9 @@ constexpr double kSmallestSize_m = 1e-6;
 constexpr double kLargestSize_m = 1e15;
 constexpr const char* kSizes = " (0.000001 to 1e15)";
 
-// No way that is flown at these is longer than the largest size.
-constexpr double kSmallestSpeed_mps = 1e-6;
-constexpr double kLargestSpeed_mps = 1e6;
+// Metres per second and seconds: no way that is flown at these is longer than the largest size.
+constexpr double kSmallestSpeed = 1e-6;
+constexpr double kLargestSpeed = 1e6;
 constexpr double kShortest_s = 1e-6;
 constexpr double kLongest_s = 1e9;
 
@@ -94,9 +94,8 @@ Result<scenes::Speeds> read_speeds(const std::string& text) {
   const std::string_view whole = text;
   const std::size_t hyphen = find_hyphen(whole);
   const std::string_view high = hyphen == whole.size() ? whole : whole.substr(hyphen + 1);
-  const auto slowest =
-      number_within(whole.substr(0, hyphen), kSmallestSpeed_mps, kLargestSpeed_mps);
-  const auto fastest = number_within(high, kSmallestSpeed_mps, kLargestSpeed_mps);
+  const auto slowest = number_within(whole.substr(0, hyphen), kSmallestSpeed, kLargestSpeed);
+  const auto fastest = number_within(high, kSmallestSpeed, kLargestSpeed);
   if (slowest && fastest && *slowest <= *fastest) return scenes::Speeds{*slowest, *fastest};
   return generate_error("--speed '" + text +
                         "' is not a speed in metres per second (0.000001 to 1e6), nor two as in "

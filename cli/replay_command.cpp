@@ -56,12 +56,19 @@ Result<ReplayRequest> request_of(const ReplayOptions& options) {
 // Events are lines of JSON, as `watch` prints them, unless another form is wished for.
 Status write_events(const ReplayRequest& request, const Findings& findings, double threshold_m,
                     const std::string& head, io::AtomicOutput& output) {
-  const bool gaps = std::isfinite(request.max_gap_s);
+  // A show is a plan: nobody is out of sight in it, and what lies ahead need not be guessed.
+  const bool plan = std::any_of(findings.recording.bees.begin(), findings.recording.bees.end(),
+                                [](const io::RecordedBee& bee) { return bee.path.has_value(); });
+  double max_age_s = plan ? kLargestInMotion : kDefaultMaxAge_s;
+  if (std::isfinite(request.max_gap_s)) max_age_s = request.max_gap_s;
+  const bool apart = geometry_for(findings.recording, request.moving.vertical_m.has_value()) ==
+                     Geometry::kGroundAndHeight;
   const SwarmOptions options{.threshold_m = threshold_m,
                              .vertical_m = request.moving.vertical_m,
+                             .heights_apart = apart,
                              .leave_factor = request.live.leave_factor,
-                             .horizon_s = request.live.horizon_s,
-                             .max_age_s = gaps ? request.max_gap_s : kDefaultMaxAge_s,
+                             .horizon_s = plan ? 0.0 : request.live.horizon_s,
+                             .max_age_s = max_age_s,
                              .threads = request.moving.threads};
   const auto events =
       events_of(findings.recording, findings.tracks, options, request.live.look_every_s);

@@ -22,17 +22,19 @@ _beespace() {
   fi
 
   if [ "$COMP_CWORD" -eq 1 ]; then
-    _beespace_offer -W 'detect generate bench help --help --version' -- "$current"
+    _beespace_offer -W 'detect predict replay generate bench help --help --version' -- "$current"
     return
   fi
 
   local words=''
   case $subcommand:$previous in
-    help:help) words='detect generate bench' ;;
+    help:help) words='detect predict replay generate bench' ;;
     detect:--report) words='at-risk pairs neighbors counts nearest groups closest-pair' ;;
-    detect:--crs) words='auto wgs84 metres' ;;
+    replay:--report) words='conflicts bees separation' ;;
+    detect:--crs | predict:--crs | replay:--crs) words='auto wgs84 metres' ;;
+    predict:--time-unit | replay:--time-unit) words='auto s ms us ns' ;;
     detect:--format) words='auto text npy bin' ;;
-    generate:--scene) words='uniform clusters area' ;;
+    generate:--scene) words='uniform clusters area flight head-on crossing sphere-swap encounters' ;;
     generate:--area) words='medellin' ;;
     generate:--format) words='csv tsv npy bin csv.gz tsv.gz npy.gz bin.gz' ;;
     *:--output | detect:--others)
@@ -40,9 +42,10 @@ _beespace() {
       _beespace_offer -f -- "$current"
       return
       ;;
-    detect:--threshold | detect:--columns | detect:--threads | detect:--max-results) return ;;
-    bench:--points | bench:--threads) return ;;
-    generate:--points | generate:--size | generate:--clusters | generate:--sigma | generate:--seed) return ;;
+    *:--threshold | *:--columns | *:--threads | *:--max-results | *:--points) return ;;
+    *:--vertical | *:--horizon | *:--max-age | *:--every | *:--max-gap | *:--tolerance) return ;;
+    *:--size | *:--clusters | *:--sigma | *:--seed) return ;;
+    *:--speed | *:--miss | *:--duration | *:--interval) return ;;
     *)
       case $subcommand in
         detect)
@@ -50,17 +53,30 @@ _beespace() {
             --crs --columns --format --skip-bad --output --csv --json --geojson --fail-on-risk
             --quiet --help --version'
           ;;
-        generate)
-          words='--scene --area --points --size --clusters --sigma --seed --format --output --quiet
+        predict)
+          words='--threshold --vertical --inclusive --horizon --max-results --threads --crs --columns
+            --time-unit --max-age --grounded --skip-bad --output --csv --json --fail-on-risk --quiet
             --help --version'
+          ;;
+        replay)
+          words='--report --every --threshold --vertical --inclusive --max-results --threads --crs
+            --columns --time-unit --max-gap --tolerance --grounded --skip-bad --output --csv --json
+            --fail-on-risk --quiet --help --version'
+          ;;
+        generate)
+          words='--scene --area --points --size --clusters --sigma --speed --miss --duration
+            --interval --seed --format --output --quiet --help --version'
           ;;
         bench) words='--points --threads --json --quiet --help --version' ;;
       esac
-      if [ "$subcommand" = detect ] && [[ "$current" != -* ]]; then
-        compopt -o filenames
-        _beespace_offer -f -- "$current"
-        return
-      fi
+      case $subcommand:$current in
+        *:-*) ;;
+        detect:* | predict:* | replay:*)
+          compopt -o filenames
+          _beespace_offer -f -- "$current"
+          return
+          ;;
+      esac
       ;;
   esac
   _beespace_offer -W "$words" -- "$current"

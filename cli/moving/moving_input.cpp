@@ -146,14 +146,26 @@ Result<std::vector<Track>> tracks_of(const io::Recording& recording, Geometry ge
   return tracks;
 }
 
-std::optional<Velocity> velocity_at(const io::Recording& recording, std::size_t bee,
-                                    std::size_t fix) {
+Result<InMetres> in_metres(const Point& position, const std::optional<Velocity>& velocity,
+                           io::Frame frame, Geometry geometry) {
+  const Fix fix{0.0, position};
+  if (velocity && is_known(*velocity)) {
+    const auto state = given_state(fix, *velocity, frame, geometry);
+    if (!state) return state.error();
+    return InMetres{state->mover.position, state->mover.velocity, state->height_m,
+                    state->climb_mps};
+  }
+  const auto at = placed(fix, frame, geometry);
+  if (!at) return at.error();
+  return InMetres{at->fix.position, std::nullopt, at->height_m, 0.0};
+}
+
+Result<InMetres> in_metres(const io::Recording& recording, std::size_t bee, std::size_t fix,
+                           Geometry geometry) {
   const io::RecordedBee& of = recording.bees[bee];
-  if (of.velocities.size() <= fix || !is_known(of.velocities[fix])) return std::nullopt;
-  const auto state =
-      given_state(of.fixes[fix], of.velocities[fix], recording.frame, Geometry::kSpace);
-  if (!state) return std::nullopt;
-  return state->mover.velocity;
+  std::optional<Velocity> velocity;
+  if (of.velocities.size() > fix) velocity = of.velocities[fix];
+  return in_metres(of.fixes[fix].position, velocity, recording.frame, geometry);
 }
 
 Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, double max_age_s) {

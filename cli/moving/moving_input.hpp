@@ -23,10 +23,19 @@ Geometry geometry_for(const io::Recording& recording, bool vertical);
 Result<std::vector<Track>> tracks_of(const io::Recording& recording, Geometry geometry,
                                      double tolerance_m);
 
-// The velocity that the input gives a bee at a fix, in the frame of its track; nothing where it gives
-// none. Of positions in space.
-std::optional<Velocity> velocity_at(const io::Recording& recording, std::size_t bee,
-                                    std::size_t fix);
+// A report of the input, in the units of the library and the frame of tracks_of.
+struct InMetres {
+  Point position;
+  std::optional<Velocity> velocity;  // where the input knows it
+  double height_m = 0.0;
+  double climb_mps = 0.0;
+};
+Result<InMetres> in_metres(const Point& position, const std::optional<Velocity>& velocity,
+                           io::Frame frame, Geometry geometry);
+
+// That of a fix.
+Result<InMetres> in_metres(const io::Recording& recording, std::size_t bee, std::size_t fix,
+                           Geometry geometry);
 
 // Everybody at one instant, the last that the recording knows of. Whoever was last heard of before
 // is brought there in a straight line; or left out when that is more than max_age_s ago.

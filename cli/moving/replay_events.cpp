@@ -25,6 +25,7 @@ std::vector<Value> row_of(const SwarmEvent& event, const LiveFeed& feed) {
 
 Result<RecordedEvents> events_of(const io::Recording& recording, const std::vector<Track>& tracks,
                                  const SwarmOptions& options, double look_every_s) {
+  const Geometry geometry = geometry_for(recording, options.vertical_m.has_value());
   std::vector<RecordedFix> fixes;
   for (PointId bee = 0; bee < tracks.size(); ++bee) {
     for (std::uint32_t i = 0; i < tracks[bee].fixes.size(); ++i) {
@@ -46,8 +47,13 @@ Result<RecordedEvents> events_of(const io::Recording& recording, const std::vect
   seen = &feed;
   for (const RecordedFix& at : fixes) {
     const io::RecordedBee& bee = recording.bees[at.bee];
-    Report report{feed.number(bee.id), at.time_s, tracks[at.bee].fixes[at.fix].position, {}};
-    report.velocity = velocity_at(recording, at.bee, at.fix);
+    Report report{feed.number(bee.id), at.time_s, tracks[at.bee].fixes[at.fix].position};
+    if (!bee.path) {
+      const auto given = in_metres(recording, at.bee, at.fix, geometry);
+      if (!given) return given.error();
+      report = {report.id, at.time_s,        given->position,
+                given->velocity, given->height_m, given->climb_mps};
+    }
     if (auto taken = feed.take(report); !taken) return taken.error();
   }
   if (auto done = feed.finish(); !done) return done.error();

@@ -45,6 +45,11 @@ struct LocalVelocity {
   double up_mps = 0.0;
 };
 
+// The same from a speed over ground and a track over ground, in degrees clockwise from true north
+// (any finite number of turns up to 10^12), as aircraft report them.
+BEESPACE_API LocalVelocity local_velocity(double ground_speed_mps, double track_deg,
+                                          double climb_mps);
+
 // The velocity in the ECEF frame of a bee at `position`. Errors: as to_ecef, and kNotFinite for a
 // velocity that is not.
 BEESPACE_API Result<Velocity> to_ecef_velocity(const GeographicPosition& position,

@@ -31,6 +31,10 @@ struct SwarmOptions {
   double threshold_m = 100.0;
   std::optional<double> vertical_m = {};
 
+  // With vertical_m: heights are those that reports give apart from their positions, not z (as in
+  // Track::heights_m).
+  bool heights_apart = false;
+
   // Thresholds of leaving are those of entering times this: 1 or more.
   double leave_factor = 1.1;
 
@@ -50,6 +54,10 @@ struct Report {
   double time_s = 0.0;
   Point position;
   std::optional<Velocity> velocity = {};  // absent: that of the last two reports
+
+  // With SwarmOptions::heights_apart.
+  double height_m = 0.0;
+  double climb_mps = 0.0;  // counts where there is a velocity
 };
 
 enum class EventKind : std::uint8_t {

@@ -134,4 +134,8 @@ Result<Velocity> to_ecef_velocity(const GeographicPosition& position,
   return geodesy::convert_velocity(position, velocity);
 }
 
+LocalVelocity local_velocity(double ground_speed_mps, double track_deg, double climb_mps) {
+  return geodesy::course_velocity(ground_speed_mps, track_deg, climb_mps);
+}
+
 }  // namespace beespace

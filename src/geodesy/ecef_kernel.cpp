@@ -182,6 +182,11 @@ EcefConversion fastest_conversion() {
   return convert_baseline;
 }
 
+LocalVelocity course_velocity(double ground_speed_mps, double track_deg, double climb_mps) {
+  const SineCosine track = sine_cosine(track_deg);
+  return {ground_speed_mps * track.sine, ground_speed_mps * track.cosine, climb_mps};
+}
+
 Velocity convert_velocity(const GeographicPosition& position, const LocalVelocity& velocity) {
   const SineCosine lambda = sine_cosine(position.longitude_deg);
   const SineCosine phi = sine_cosine(position.latitude_deg);

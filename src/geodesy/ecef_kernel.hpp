@@ -39,6 +39,8 @@ EcefConversion fastest_conversion();
 // One position, with the same bits as in a block.
 Point convert_position(const GeographicPosition& position);
 
+LocalVelocity course_velocity(double ground_speed_mps, double track_deg, double climb_mps);
+
 // The velocity of a valid position.
 Velocity convert_velocity(const GeographicPosition& position, const LocalVelocity& velocity);
 

@@ -6,23 +6,37 @@
 
 namespace beespace::motion {
 
-std::optional<Mover> LiveRun::at(double now_s) const {
+std::optional<LiveRun::Now> LiveRun::at(double now_s) const {
   const Fix& last = fixes.back();
-  Velocity v;
+  const bool apart = !heights_m.empty();
+  Now now{{last.position, {}}, apart ? heights_m.back() : 0.0, 0.0};
   if (velocity) {
-    v = *velocity;
+    now.mover.velocity = *velocity;
+    now.climb_mps = climb_mps;
   } else if (fixes.size() > 1) {
     const Fix& before = fixes[fixes.size() - 2];
     const double lasts = last.time_s - before.time_s;
-    v = {(last.position.x - before.position.x) / lasts,
-         (last.position.y - before.position.y) / lasts,
-         (last.position.z - before.position.z) / lasts};
+    now.mover.velocity = {(last.position.x - before.position.x) / lasts,
+                          (last.position.y - before.position.y) / lasts,
+                          (last.position.z - before.position.z) / lasts};
+    if (apart) now.climb_mps = (heights_m.back() - heights_m[heights_m.size() - 2]) / lasts;
   } else {
     return std::nullopt;
   }
   const double since = now_s - last.time_s;
-  const Point& p = last.position;
-  return Mover{{p.x + v.x * since, p.y + v.y * since, p.z + v.z * since}, v};
+  Point& p = now.mover.position;
+  const Velocity& v = now.mover.velocity;
+  p = {p.x + v.x * since, p.y + v.y * since, p.z + v.z * since};
+  now.height_m += now.climb_mps * since;
+  return now;
+}
+
+void LiveBees::add(LiveRun& run, const Report& report) const {
+  run.fixes.push_back({report.time_s, report.position});
+  run.velocity = report.velocity;
+  if (!heights_apart_) return;
+  run.heights_m.push_back(report.height_m);
+  run.climb_mps = report.climb_mps;
 }
 
 LiveBees::Taken LiveBees::take(const Report& report, double max_age_s) {
@@ -33,8 +47,7 @@ LiveBees::Taken LiveBees::take(const Report& report, double max_age_s) {
     if (fix == run.fixes.back()) return Taken::kRepeated;
     if (fix.time_s <= run.last_s()) return Taken::kLate;
     if (fix.time_s - run.last_s() <= max_age_s) {
-      run.fixes.push_back(fix);
-      run.velocity = report.velocity;
+      add(run, report);
       return Taken::kYes;
     }
     complete(report.id);
@@ -47,7 +60,11 @@ LiveBees::Taken LiveBees::take(const Report& report, double max_age_s) {
     place = free_.back();
     free_.pop_back();
   }
-  runs_[place] = {report.id, false, {fix}, report.velocity, report.time_s};
+  LiveRun& run = runs_[place];
+  run.bee = report.id;
+  run.complete = false;
+  run.searched_until_s = report.time_s;
+  add(run, report);
   under_way_[report.id] = place;
   return Taken::kYes;
 }
@@ -79,8 +96,9 @@ double LiveBees::forget(std::vector<std::uint32_t>& dropped) {
            run.fixes[dropped[place] + 1].time_s < known_from_s) {
       ++dropped[place];
     }
-    run.fixes.erase(run.fixes.begin(),
-                    run.fixes.begin() + static_cast<std::ptrdiff_t>(dropped[place]));
+    const auto gone = static_cast<std::ptrdiff_t>(dropped[place]);
+    run.fixes.erase(run.fixes.begin(), run.fixes.begin() + gone);
+    if (heights_apart_) run.heights_m.erase(run.heights_m.begin(), run.heights_m.begin() + gone);
   }
   return known_from_s;
 }

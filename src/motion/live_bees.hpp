@@ -17,16 +17,25 @@ struct LiveRun {
   PointId bee = 0;
   bool complete = true;          // nothing will be added
   std::vector<Fix> fixes = {};   // empty: the place is free
+  std::vector<double> heights_m = {};     // empty, or one for each fix
   std::optional<Velocity> velocity = {};  // of the last, where it was given
+  double climb_mps = 0.0;
   double searched_until_s = 0.0;          // its last report in the last search; at first its first
 
   [[nodiscard]] double last_s() const { return fixes.back().time_s; }
   // Now, flying on from the last report; nothing where it was heard of once and without a velocity.
-  [[nodiscard]] std::optional<Mover> at(double now_s) const;
+  struct Now {
+    Mover mover;
+    double height_m;
+    double climb_mps;
+  };
+  [[nodiscard]] std::optional<Now> at(double now_s) const;
 };
 
 class LiveBees {
  public:
+  explicit LiveBees(bool heights_apart) : heights_apart_(heights_apart) {}
+
   // Returns what became of the report.
   enum class Taken : std::uint8_t { kYes, kRepeated, kLate };
   Taken take(const Report& report, double max_age_s);
@@ -46,6 +55,9 @@ class LiveBees {
   double forget(std::vector<std::uint32_t>& dropped);
 
  private:
+  void add(LiveRun& run, const Report& report) const;
+
+  bool heights_apart_;
   std::vector<LiveRun> runs_;
   std::vector<std::uint32_t> free_;                        // places
   std::unordered_map<PointId, std::uint32_t> under_way_;  // bee -> place

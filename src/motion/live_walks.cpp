@@ -40,7 +40,7 @@ void LiveWalks::search(LiveBees& bees, const core::Resources& with,
   active.reserve(bees.runs().size());
   for (std::uint32_t place = 0; place < bees.runs().size(); ++place) {
     const LiveRun& live = bees.runs()[place];
-    runs.push_back({place, 0.0, live.fixes, {}, live.complete});
+    runs.push_back({place, 0.0, live.fixes, live.heights_m, live.complete});
     if (live.fixes.empty()) continue;
     std::size_t piece = 0;
     while (piece + 2 < live.fixes.size() && live.fixes[piece + 1].time_s < time.begins_s) ++piece;

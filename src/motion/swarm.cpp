@@ -21,6 +21,7 @@ namespace {
 
 std::optional<Error> check(const SwarmOptions& options) {
   if (auto error = motion::check_separation(options.threshold_m, options.vertical_m)) return error;
+  if (auto error = motion::check_heights(options.heights_apart, options.vertical_m)) return error;
   const auto good = [](double value, double least) {
     return value >= least && motion::in_motion_domain(value);
   };
@@ -35,7 +36,7 @@ std::optional<Error> check(const SwarmOptions& options) {
 }
 
 motion::Separation separation_of(const SwarmOptions& options, double factor) {
-  motion::Separation separation{options.threshold_m * factor, {}, false, false};
+  motion::Separation separation{options.threshold_m * factor, {}, false, options.heights_apart};
   if (options.vertical_m) separation.vertical_m = *options.vertical_m * factor;
   return separation;
 }
@@ -61,6 +62,7 @@ class Swarm::State {
       : options_(options),
         enter_(separation_of(options, 1.0)),
         leave_(separation_of(options, options.leave_factor)),
+        bees_(options.heights_apart),
         walks_({leave_, enter_, options.leave_factor == 1.0},
                std::max(0.05, options.leave_factor - 1.0) * options.threshold_m) {}
 
@@ -100,6 +102,9 @@ Status Swarm::State::update(const Report& report) {
   if (auto error = check(options_)) return *std::move(error);
   const Mover mover{report.position, report.velocity.value_or(Velocity{})};
   if (auto error = motion::check_mover(mover, report.id)) return *std::move(error);
+  if (auto error = motion::check_height(report.height_m, report.climb_mps, report.id)) {
+    return *std::move(error);
+  }
   if (!motion::in_motion_domain(report.time_s)) {
     Place place;
     place.record = report.id;
@@ -160,18 +165,25 @@ Result<std::vector<SwarmEvent>> Swarm::State::advance(double now_s) {
 Status Swarm::State::predict(double now_s, const core::Resources& with,
                              std::vector<SwarmEvent>& events) {
   std::vector<Mover> movers;
+  std::vector<double> heights_m;
+  std::vector<double> climbs_mps;
   std::vector<PointId> ids;
   for (const motion::LiveRun& run : bees_.runs()) {
     if (run.fixes.empty()) continue;
-    const auto mover = run.at(now_s);
-    if (!mover) continue;
-    movers.push_back(*mover);
+    const auto now = run.at(now_s);
+    if (!now) continue;
+    movers.push_back(now->mover);
     ids.push_back(run.bee);
+    if (!options_.heights_apart) continue;
+    heights_m.push_back(now->height_m);
+    climbs_mps.push_back(now->climb_mps);
   }
+  const MoversView all(movers);
+  const MoversView view(all.positions(), all.velocities(), heights_m, climbs_mps);
   const PredictOptions wide{.threshold_m = leave_.threshold_m,
                             .vertical_m = leave_.vertical_m,
                             .horizon_s = options_.horizon_s};
-  const auto conflicts = motion::predict(movers, wide, with);
+  const auto conflicts = motion::predict(view, wide, with);
   if (!conflicts) return conflicts.error();
   std::vector<BeePair> still;
   for (const Conflict& conflict : *conflicts) {
@@ -179,8 +191,8 @@ Status Swarm::State::predict(double now_s, const core::Resources& with,
     PointId b = ids[conflict.second];
     if (a > b) std::swap(a, b);
     const bool said = std::binary_search(predicted_.begin(), predicted_.end(), BeePair{a, b});
-    const motion::State first = motion::state_of(movers[conflict.first]);
-    const motion::State second = motion::state_of(movers[conflict.second]);
+    const motion::State first = motion::state_of(view, conflict.first);
+    const motion::State second = motion::state_of(view, conflict.second);
     if (!said && !motion::in_conflict(first, second, enter_, options_.horizon_s)) continue;
     still.push_back({a, b});
     if (said || walks_.have_entered(a, b)) continue;

@@ -93,6 +93,12 @@ std::optional<Error> check_position(const Point& position, std::size_t record) {
   return check_vector(position.x, position.y, position.z, "position", "m", record);
 }
 
+std::optional<Error> check_height(double height_m, double climb_mps, std::size_t record) {
+  if (!in_motion_domain(height_m)) return error_of(height_m, "height", "m", record);
+  if (!in_motion_domain(climb_mps)) return error_of(climb_mps, "climb", "m/s", record);
+  return std::nullopt;
+}
+
 std::optional<Error> check_mover(const Mover& mover, std::size_t record) {
   if (auto error = check_position(mover.position, record)) return error;
   const Velocity& v = mover.velocity;
@@ -161,12 +167,7 @@ std::optional<Error> check_movers(const MoversView& movers, std::size_t begin, s
   for (std::size_t i = begin; i < end; ++i) {
     if (auto error = check_mover(movers[i], i)) return error;
     if (!movers.has_heights()) continue;
-    if (!in_motion_domain(movers.heights_m()[i])) {
-      return error_of(movers.heights_m()[i], "height", "m", i);
-    }
-    if (!in_motion_domain(movers.climbs_mps()[i])) {
-      return error_of(movers.climbs_mps()[i], "climb", "m/s", i);
-    }
+    if (auto error = check_height(movers.heights_m()[i], movers.climbs_mps()[i], i)) return error;
   }
   return std::nullopt;
 }

@@ -39,4 +39,21 @@ expect "--points" beespace bench --po
 expect "" beespace detect --threshold = 5
 expect "$1" beespace detect --output = "${1%sh}"
 expect "--quiet" beespace generate --qu
+expect "predict" beespace pre
+expect "replay" beespace help rep
+expect "--horizon" beespace predict --ho
+expect "--time-unit" beespace replay --ti
+expect "auto s ms us ns" beespace predict --time-unit ""
+expect "ms" beespace replay --time-unit = m
+expect "conflicts bees separation" beespace replay --report ""
+expect "separation" beespace replay --report = se
+expect "auto wgs84 metres" beespace replay --crs ""
+expect "" beespace predict --horizon ""
+expect "" beespace replay --max-gap = 5
+expect "$1" beespace predict "${1%sh}"
+expect "$1" beespace replay show.skyc "${1%sh}"
+expect "crossing" beespace generate --scene cr
+expect "head-on" beespace generate --scene = he
+expect "--speed" beespace generate --sp
+expect "" beespace generate --duration ""
 exit "$wrong"

@@ -22,8 +22,8 @@ struct Tally {
   int unknown = 0;
 };
 
-// What a number is compared with: doubles on either side of the truth, from the nearest ones to some
-// 2^20 ulps away. If the truth were outside of the bounds, one of those between would show it.
+// What a number is compared with: doubles on either side of the truth, from the nearest ones to
+// some 2^20 ulps away. If the truth were outside of the bounds, one of those between would show it.
 void expect_true_comparisons(const BoundedNumber& number, const Fraction& truly, int seed,
                              Tally& tally) {
   const auto nearest = truly.convert_to<double>();

@@ -67,10 +67,10 @@ class Decision : public testing::Test {
 
 TEST_F(Decision, IsExactOnALatticeOfSmallIntegers) {
   EncounterMaker make(1);
-  for (int round = 0; round < rounds(100'000) && !HasFatalFailure(); ++round) {
+  for (int round = 0; round < rounds(80'000) && !HasFatalFailure(); ++round) {
     expect_exact(make.on_lattice());
   }
-  expect_at_least(30'000, 30'000, 4000);
+  expect_at_least(20'000, 20'000, 3000);
 }
 
 TEST_F(Decision, IsExactOneUlpBesideTheEdge) {

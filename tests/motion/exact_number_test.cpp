@@ -76,9 +76,9 @@ TEST(ExactNumber, TakesEveryPowerOfTwoAndItsNeighbours) {
 
 TEST(ExactNumber, HasOneZero) {
   const ExactNumber zero;
-  for (const ExactNumber& also : {ExactNumber(0.0), ExactNumber(-0.0), -zero,
-                                  ExactNumber(3.0) - ExactNumber(3.0), zero * ExactNumber(-7.0),
-                                  ExactNumber(-7.0) * zero, ExactNumber(0x1p-1074) * zero}) {
+  for (const ExactNumber& also :
+       {ExactNumber(0.0), ExactNumber(-0.0), -zero, ExactNumber(3.0) - ExactNumber(3.0),
+        zero * ExactNumber(-7.0), ExactNumber(-7.0) * zero, ExactNumber(0x1p-1074) * zero}) {
     EXPECT_EQ(*also.sign(), 0);
     EXPECT_EQ(*(also + zero).sign(), 0);
     EXPECT_EQ(*(zero - also).sign(), 0);

@@ -22,8 +22,7 @@ PredictOptions options_of(double threshold, double horizon, bool inclusive = fal
   return options;
 }
 
-PredictOptions cylinder(double threshold, double vertical, double horizon,
-                        bool inclusive = false) {
+PredictOptions cylinder(double threshold, double vertical, double horizon, bool inclusive = false) {
   PredictOptions options = options_of(threshold, horizon, inclusive);
   options.vertical_m = vertical;
   return options;
@@ -47,7 +46,8 @@ void expect_about(double found, double truly) {
   EXPECT_LE(std::abs(found - truly), 0x1p-50 * std::abs(truly)) << found << " is not " << truly;
 }
 
-// Threshold 45 units, closest 27, so half of the way inside is 36 units long. Of few bits, all of it.
+// Threshold 45 units, closest 27, so half of the way inside is 36 units long. Of few bits, all of
+// it.
 struct Plan {
   double unit;
   double speed;      // in lengths of `along`

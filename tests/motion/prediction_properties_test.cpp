@@ -29,7 +29,8 @@ std::vector<Pair> pairs_of(const Conflicts& conflicts) {
 
 bool ascending(const Conflicts& conflicts) {
   const std::vector<Pair> pairs = pairs_of(conflicts);
-  return std::all_of(pairs.begin(), pairs.end(), [](const Pair& p) { return p.first < p.second; }) &&
+  return std::all_of(pairs.begin(), pairs.end(),
+                     [](const Pair& p) { return p.first < p.second; }) &&
          std::adjacent_find(pairs.begin(), pairs.end(), std::greater_equal<>()) == pairs.end();
 }
 

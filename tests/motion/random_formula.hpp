@@ -52,8 +52,8 @@ class RandomFormula {
     double mantissa = 1.0;
     if (kind > 1) mantissa = static_cast<double>(1 + make.below(1000));
     if (kind > 4) mantissa = 1.0 + make.between(0.0, 1.0) + make.between(0.0, 0x1p-30);
-    const int exponent = static_cast<int>(make.below(static_cast<std::size_t>(2 * most_exponent))) -
-                         most_exponent;
+    const int exponent =
+        static_cast<int>(make.below(static_cast<std::size_t>(2 * most_exponent))) - most_exponent;
     return std::ldexp(make.below(2) == 0 ? mantissa : -mantissa, exponent);
   }
 

@@ -20,12 +20,10 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 const std::vector<double> kNotFiniteValues = {kNan, kInfinity, -kInfinity};
-const std::vector<double> kOutsideValues = {std::nextafter(kLargestInMotion, kInfinity),
-                                            -std::nextafter(kLargestInMotion, kInfinity),
-                                            std::nextafter(kSmallestInMotion, 0.0),
-                                            -std::nextafter(kSmallestInMotion, 0.0),
-                                            std::numeric_limits<double>::denorm_min(),
-                                            std::numeric_limits<double>::max()};
+const std::vector<double> kOutsideValues = {
+    std::nextafter(kLargestInMotion, kInfinity), -std::nextafter(kLargestInMotion, kInfinity),
+    std::nextafter(kSmallestInMotion, 0.0),      -std::nextafter(kSmallestInMotion, 0.0),
+    std::numeric_limits<double>::denorm_min(),   std::numeric_limits<double>::max()};
 
 std::vector<Mover> plain_movers(std::size_t size) {
   test::SceneMaker make(7);
@@ -79,9 +77,9 @@ void expect_option_error(const PredictOptions& options, ErrorCode code, const st
 }
 
 TEST(MotionRefusal, AThresholdThatMakesNoSense) {
-  for (const double bad : {0.0, -1.0, kNan, kInfinity, -kInfinity,
-                           std::nextafter(kSmallestInMotion, 0.0),
-                           std::nextafter(kLargestInMotion, kInfinity)}) {
+  for (const double bad :
+       {0.0, -1.0, kNan, kInfinity, -kInfinity, std::nextafter(kSmallestInMotion, 0.0),
+        std::nextafter(kLargestInMotion, kInfinity)}) {
     SCOPED_TRACE(bad);
     PredictOptions options;
     options.threshold_m = bad;
@@ -93,9 +91,9 @@ TEST(MotionRefusal, AThresholdThatMakesNoSense) {
 }
 
 TEST(MotionRefusal, AHorizonThatMakesNoSense) {
-  for (const double bad : {-1.0, -0x1p-100, kNan, kInfinity, -kInfinity,
-                           std::nextafter(kSmallestInMotion, 0.0),
-                           std::nextafter(kLargestInMotion, kInfinity)}) {
+  for (const double bad :
+       {-1.0, -0x1p-100, kNan, kInfinity, -kInfinity, std::nextafter(kSmallestInMotion, 0.0),
+        std::nextafter(kLargestInMotion, kInfinity)}) {
     SCOPED_TRACE(bad);
     PredictOptions options;
     options.horizon_s = bad;
@@ -178,8 +176,8 @@ TEST(MotionRefusal, OneResultMoreThanAllowed) {
   EXPECT_EQ(predict_conflicts(movers, options)->size(), options.max_results);
   EXPECT_EQ(brute_force::predict_conflicts(movers, options)->size(), options.max_results);
   --options.max_results;
-  for (const auto& found : {predict_conflicts(movers, options),
-                            brute_force::predict_conflicts(movers, options)}) {
+  for (const auto& found :
+       {predict_conflicts(movers, options), brute_force::predict_conflicts(movers, options)}) {
     ASSERT_FALSE(found.has_value());
     EXPECT_EQ(found.error().code, ErrorCode::kTooManyResults);
     EXPECT_TRUE(contains(found.error().message, "more than 434 results")) << found.error().message;
@@ -224,8 +222,8 @@ TEST(MotionRefusal, HeightsAndClimbRatesOutsideTheDomain) {
       for (const auto& found :
            {predict_conflicts(view, options), brute_force::predict_conflicts(view, options)}) {
         ASSERT_FALSE(found.has_value());
-        EXPECT_EQ(found.error().code, std::isfinite(bad) ? ErrorCode::kOutsideDomain
-                                                         : ErrorCode::kNotFinite);
+        EXPECT_EQ(found.error().code,
+                  std::isfinite(bad) ? ErrorCode::kOutsideDomain : ErrorCode::kNotFinite);
         EXPECT_EQ(found.error().place.record, 7U);
         EXPECT_TRUE(contains(found.error().message, climbing ? "climb" : "height"));
       }
@@ -239,8 +237,7 @@ TEST(MotionRefusal, MoreMoversThanIds) {
   const double& x = one.position.x;
   const PointsView many = PointsView::strided(&x, &x, &x, kMaxPoints + 1, 0);
   const MoversView movers(many, many);
-  for (const auto& found :
-       {predict_conflicts(movers), brute_force::predict_conflicts(movers)}) {
+  for (const auto& found : {predict_conflicts(movers), brute_force::predict_conflicts(movers)}) {
     ASSERT_FALSE(found.has_value());
     EXPECT_EQ(found.error().code, ErrorCode::kTooManyPoints);
   }

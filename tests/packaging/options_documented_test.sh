@@ -19,7 +19,9 @@ options_in_help() {
   "$command" "$@" --help | grep -E '^ +-' | grep -oE -- '--[a-z][a-z-]*' | sort -u
 }
 
-all=$(for subcommand in detect generate bench; do options_in_help "$subcommand"; done | sort -u)
+all=$(for subcommand in detect predict replay generate bench; do
+  options_in_help "$subcommand"
+done | sort -u)
 if [ "$(wc -l <<< "$all")" -lt 10 ]; then
   echo "the help lists hardly any options: $all" >&2
   exit 1
@@ -35,19 +37,45 @@ for option in $all; do
   done
 done
 
-# What --report takes, as the help lists it.
-reports=$("$command" detect --help | awk '/^Reports/ {inside = 1; next} inside && NF == 0 {exit} inside {print $1}')
-if [ "$(wc -w <<< "$reports")" -lt 5 ]; then
-  echo "the help lists hardly any reports: $reports" >&2
-  exit 1
-fi
-for report in $reports; do
-  for text in "$manual_text" "$(cat "${completions[0]}")" "$(cat "${completions[1]}")" \
-    "$(cat "${completions[2]}")"; do
-    grep -qE -- "(^|[^a-z-])$report([^a-z-]|$)" <<< "$text" ||
-      { echo "the manual or a completion does not name the report $report"; wrong=1; }
-  done
+# What one subcommand takes must not hide that another one's completion lacks it; bash's can be asked.
+offered_by_bash() {
+  bash -c '
+    source "$1"
+    COMP_WORDS=(beespace "$2" --) COMP_CWORD=2
+    _beespace
+    printf "%s\n" "${COMPREPLY[@]}" | sort
+  ' - "${completions[0]}" "$1"
+}
+for subcommand in detect predict replay generate bench; do
+  difference=$(diff <(options_in_help "$subcommand") <(offered_by_bash "$subcommand")) ||
+    { echo "bash is offered other options of $subcommand than its help lists: $difference"; wrong=1; }
 done
+
+# The words that a help text lists under a heading, each at the beginning of a line.
+words_in_help() {
+  "$command" "$1" --help | awk -v heading="^$2" '$0 ~ heading {inside = 1; next}
+    inside && NF == 0 {exit} inside && /^  [a-z]/ {print $1}'
+}
+
+# words_are_named SUBCOMMAND HEADING AT_LEAST: every such word, in the manual and the completions.
+words_are_named() {
+  local words word text
+  words=$(words_in_help "$1" "$2")
+  if [ "$(wc -w <<< "$words")" -lt "$3" ]; then
+    echo "the help of $1 lists hardly anything under $2: $words" >&2
+    exit 1
+  fi
+  for word in $words; do
+    for text in "$manual_text" "$(cat "${completions[0]}")" "$(cat "${completions[1]}")" \
+      "$(cat "${completions[2]}")"; do
+      grep -qE -- "(^|[^a-z-])$word([^a-z-]|$)" <<< "$text" ||
+        { echo "the manual or a completion does not name $word, of $1"; wrong=1; }
+    done
+  done
+}
+words_are_named detect Reports 5
+words_are_named replay Reports 3
+words_are_named generate Scenes 8
 
 named=$(
   {

@@ -39,7 +39,7 @@ double distance(const Point& a, const Point& b) {
 }
 
 void expect_fix_times(const Track& track, const FixTimes& times) {
-  ASSERT_GE(track.fixes.size(), 3'051'010'351'289'423'481u);
+  ASSERT_GE(track.fixes.size(), 2u);
   EXPECT_EQ(track.fixes.front().time_s, 0.0);
   EXPECT_EQ(track.fixes.back().time_s, times.duration_s);
   const double shortest = std::min(times.duration_s, 0.25 * times.interval_s);

@@ -137,7 +137,8 @@ class EncounterMaker {
                 std::ldexp(1.0, exponent(-100, 99));
       if (make_.below(9) == 0) *number = make_.below(2) == 0 ? kSmallestInMotion : kLargestInMotion;
     }
-    for (double* number : {&e.options.threshold_m, &e.options.horizon_s}) *number = std::abs(*number);
+    for (double* number : {&e.options.threshold_m, &e.options.horizon_s})
+      *number = std::abs(*number);
     if (e.options.vertical_m) e.options.vertical_m = std::abs(*e.options.vertical_m);
     return e;
   }
