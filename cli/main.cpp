@@ -11,6 +11,7 @@
 #include "cli/standard_output.hpp"
 #include "cli/terminal.hpp"
 #include "cli/usage_sentence.hpp"
+#include "cli/watch_command.hpp"
 
 #include <beespace/version.hpp>
 
@@ -32,6 +33,7 @@ constexpr const char* kExamples =
     "  beespace detect bees.csv --report pairs       who is too close to whom, and how close\n"
     "  beespace predict swarm.csv --threshold 5      who is about to come too close to whom\n"
     "  beespace replay show.skyc                     whether a drone show keeps its distance\n"
+    "  tail -f swarm.csv | beespace watch            the same live\n"
     "  beespace generate --points 1000 --area medellin --output bees.csv\n"
     "  beespace bench                                how fast it is on this machine\n"
     "\n"
@@ -59,7 +61,7 @@ ExitCode explain(const CLI::App& command, const CLI::ParseError& error) {
 CLI::App* add_help_command(CLI::App& command, std::string& topic) {
   CLI::App* help = command.add_subcommand("help", "Print this help, or that of a subcommand");
   CLI::Option* option = help->add_option("COMMAND", topic, "Whose help to print")->type_name(" ");
-  allow_only(*option, {"detect", "predict", "replay", "generate", "bench"});
+  allow_only(*option, {"detect", "predict", "replay", "watch", "generate", "bench"});
   return help;
 }
 
@@ -73,12 +75,14 @@ ExitCode run(int argc, char** argv) {
   DetectOptions detect_options;
   PredictCommandOptions predict_options;
   ReplayOptions replay_options;
+  WatchOptions watch_options;
   GenerateOptions generate_options;
   BenchOptions bench_options;
   std::string help_topic;
   const CLI::App* detect = add_detect_command(command, detect_options);
   const CLI::App* predict = add_predict_command(command, predict_options);
   const CLI::App* replay = add_replay_command(command, replay_options);
+  const CLI::App* watch = add_watch_command(command, watch_options);
   const CLI::App* generate = add_generate_command(command, generate_options);
   add_bench_command(command, bench_options);
   const CLI::App* help = add_help_command(command, help_topic);
@@ -91,12 +95,13 @@ ExitCode run(int argc, char** argv) {
     return explain(command, error);
   }
   if (command.get_subcommands().empty()) {
-    say_error("say what to do: detect, predict, replay, generate or bench (see 'beespace --help')");
+    say_error("say what to do: detect, predict, replay, watch, generate or bench (see 'beespace --help')");
     return ExitCode::kUsage;
   }
   if (detect->parsed()) return run_detect(detect_options);
   if (predict->parsed()) return run_predict(predict_options);
   if (replay->parsed()) return run_replay(replay_options);
+  if (watch->parsed()) return run_watch(watch_options);
   return generate->parsed() ? run_generate(generate_options) : run_bench(bench_options);
 }
 

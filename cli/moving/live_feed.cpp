@@ -35,8 +35,15 @@ Status LiveFeed::take(const Report& report) {
     }
   }
   Status taken = swarm_.update(report);
+  idle_s_ = 0.0;
   if (taken) latest_s_ = std::max(latest_s_.value_or(report.time_s), report.time_s);
   return taken;
+}
+
+Status LiveFeed::idle(double for_s) {
+  idle_s_ += for_s;
+  if (!latest_s_) return std::monostate{};
+  return look(*latest_s_ + idle_s_);
 }
 
 Status LiveFeed::finish() {
@@ -45,7 +52,8 @@ Status LiveFeed::finish() {
 }
 
 Status LiveFeed::look(double time_s) {
-  const auto events = swarm_.advance(time_s);
+  looked_s_ = std::max(looked_s_, time_s);
+  const auto events = swarm_.advance(looked_s_);
   if (!events) return events.error();
   if (!events->empty()) tell_(*events);
   return std::monostate{};

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -33,6 +34,9 @@ class LiveFeed {
   // nobody looks again. Errors: as Swarm::update and Swarm::advance.
   Status take(const Report& report);
 
+  // Nothing has come for so long: looks, as if the clock of the reports went on like ours.
+  Status idle(double for_s);
+
   // The last look, at the time of the last report.
   Status finish();
 
@@ -53,6 +57,8 @@ class LiveFeed {
   Tell tell_;
   std::optional<std::int64_t> looks_;  // how many every_s_ have passed at the last look
   std::optional<double> latest_s_;     // of all reports
+  double looked_s_ = -std::numeric_limits<double>::infinity();
+  double idle_s_ = 0.0;  // since the last report
   std::unordered_map<std::string, PointId, Hash, std::equal_to<>> numbers_;
   std::vector<std::string> ids_;
 };

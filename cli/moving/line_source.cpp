@@ -1,0 +1,87 @@
+#include "cli/moving/line_source.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+namespace beespace::cli {
+namespace {
+
+Error system_error(ErrorCode code, const std::string& what, const std::string& source) {
+  Place place;
+  place.source = source;
+  return {code, what + ": " + std::strerror(errno), place};
+}
+
+}  // namespace
+
+Result<LineSource> LineSource::open(const std::string& path) {
+  if (path == "-") return LineSource(STDIN_FILENO, false);
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return system_error(ErrorCode::kCannotOpen, "cannot open", path);
+  return LineSource(descriptor, true);
+}
+
+LineSource::LineSource(LineSource&& other) noexcept
+    : descriptor_(std::exchange(other.descriptor_, -1)),
+      owned_(std::exchange(other.owned_, false)),
+      ended_(other.ended_),
+      cutting_(other.cutting_),
+      buffer_(std::move(other.buffer_)),
+      begin_(other.begin_) {
+}
+
+LineSource::~LineSource() {
+  if (owned_) ::close(descriptor_);
+}
+
+bool LineSource::take_line(std::string_view& line) {
+  while (true) {
+    const std::string_view rest = std::string_view(buffer_).substr(begin_);
+    const std::size_t end = rest.find('\n');
+    if (end == std::string_view::npos) {
+      if (ended_ && !rest.empty() && !cutting_) {
+        line = rest;
+        begin_ = buffer_.size();
+        return true;
+      }
+      if (rest.size() <= kLongest) return false;
+      // Shown once as far as it goes; what follows until its end is no line of its own.
+      const bool shown = std::exchange(cutting_, true);
+      line = rest.substr(0, kLongest);
+      begin_ = buffer_.size();
+      if (shown) return false;
+      return true;
+    }
+    begin_ += end + 1;
+    if (std::exchange(cutting_, false)) continue;
+    line = rest.substr(0, end);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    return true;
+  }
+}
+
+Result<LineSource::Got> LineSource::next(std::string_view& line, int patience_ms) {
+  while (!take_line(line)) {
+    if (ended_) return Got::kEnd;
+    buffer_.erase(0, begin_);
+    begin_ = 0;
+    pollfd waiting{descriptor_, POLLIN, 0};
+    const int ready = ::poll(&waiting, 1, patience_ms);
+    if (ready == 0) return Got::kNothingYet;
+    std::array<char, std::size_t{1} << 16> block;
+    const ssize_t count = ready < 0 ? -1 : ::read(descriptor_, block.data(), block.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return system_error(ErrorCode::kReadFailed, "cannot read", "the input");
+    if (count == 0) ended_ = true;
+    buffer_.append(block.data(), static_cast<std::size_t>(count));
+  }
+  return Got::kLine;
+}
+
+}  // namespace beespace::cli

@@ -1,0 +1,42 @@
+// Lines as they come from a file or standard input, without waiting for more than there is.
+#pragma once
+
+#include <beespace/result.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace beespace::cli {
+
+class LineSource {
+ public:
+  // "-" is standard input. Errors: kCannotOpen.
+  static Result<LineSource> open(const std::string& path);
+  LineSource(LineSource&& other) noexcept;
+  LineSource& operator=(LineSource&&) = delete;
+  LineSource(const LineSource&) = delete;
+  LineSource& operator=(const LineSource&) = delete;
+  ~LineSource();
+
+  enum class Got { kLine, kNothingYet, kEnd };
+  // The next line, without its end, valid until the next call; or that none has come for
+  // `patience_ms`. A line longer than kLongest is cut there. Error: kReadFailed.
+  Result<Got> next(std::string_view& line, int patience_ms);
+
+  static constexpr std::size_t kLongest = std::size_t{1} << 20;
+
+ private:
+  LineSource(int descriptor, bool owned) : descriptor_(descriptor), owned_(owned) {}
+  bool take_line(std::string_view& line);
+
+  int descriptor_;
+  bool owned_;
+  bool ended_ = false;
+  bool cutting_ = false;  // the rest of a line that was too long is to be passed over
+  std::string buffer_;
+  std::size_t begin_ = 0;
+};
+
+}  // namespace beespace::cli
