@@ -18,6 +18,7 @@ struct DetectOptions {
   std::string report = "at-risk";
   std::string output = "-";
   std::string threshold = "100";
+  std::string vertical;
   std::string frame = "auto";
   std::string format = "auto";
   std::string columns;

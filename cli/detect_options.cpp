@@ -82,6 +82,12 @@ void add_search_options(CLI::App& detect, DetectOptions& options) {
       ->type_name("METRES")
       ->group("Search");
   detect
+      .add_option("--vertical", options.vertical,
+                  "Too close only if closer than this in height too;\nthe threshold is then "
+                  "horizontal")
+      ->type_name("METRES")
+      ->group("Search");
+  detect
       .add_flag("--inclusive", options.inclusive, "A distance of exactly the threshold counts too")
       ->group("Search");
   detect

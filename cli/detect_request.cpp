@@ -22,6 +22,7 @@ std::optional<Error> check_fit(const DetectOptions& options, const Report& repor
   };
   if (!options.others.empty() && !report.takes_others) return misfit("--others");
   if (!options.max_results.empty() && !report.has_limit) return misfit("--max-results");
+  if (!options.vertical.empty() && !report.takes_vertical) return misfit("--vertical");
   if (options.at_risk_only && !report.lists_everybody) return misfit("--at-risk-only");
   return std::nullopt;
 }
@@ -29,6 +30,9 @@ std::optional<Error> check_fit(const DetectOptions& options, const Report& repor
 std::optional<Error> check_inputs(const DetectOptions& options) {
   if (options.input.empty() && (input_is_terminal() || options.others == "-")) {
     return detect_usage_error("say which file to read, or pipe the input in");
+  }
+  if (!options.vertical.empty() && !options.others.empty()) {
+    return detect_usage_error("--vertical is for one swarm; it does not apply with --others");
   }
   if (options.input == "-" && options.others == "-") {
     return detect_usage_error("standard input can be read once; name a file for one of the two");
@@ -70,6 +74,12 @@ Result<DetectRequest> request_of(const DetectOptions& options) {
   const auto max_results = read_max_results("detect", options.max_results);
   if (!max_results) return max_results.error();
   request.search = {*threshold, options.inclusive, *threads, *max_results};
+  if (!options.vertical.empty()) {
+    const auto vertical =
+        read_amount("detect", "--vertical", options.vertical, "metres", {0.0, false});
+    if (!vertical) return vertical.error();
+    request.search.vertical_m = *vertical;
+  }
 
   if (!options.input.empty()) request.input = options.input;
   if (!options.others.empty()) request.others = options.others;

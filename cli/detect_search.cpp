@@ -2,6 +2,9 @@
 
 #include "cli/number_text.hpp"
 
+#include <beespace/geodesy.hpp>
+
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -14,13 +17,16 @@ using Closest = std::optional<ClosestPair>;
 // is), so that it is enough to look among these; their order is that of all, so that ties are
 // decided alike.
 Result<Closest> closest_pair(Engine& engine, const Inputs& inputs,
-                             const std::vector<PointId>& at_risk, unsigned threads) {
+                             const std::vector<PointId>& at_risk, const SearchOptions& options) {
+  const unsigned threads = options.threads;
   const std::vector<Point>& points = inputs.ours.points;
   const auto find = [&](const std::vector<Point>& among) {
     return inputs.others ? engine.find_closest_pair_between(among, inputs.others->points, threads)
                          : engine.find_closest_pair(among, threads);
   };
-  if (at_risk.empty() || at_risk.size() > points.size() / 2) return find(points);
+  // Those who keep apart in height only may be closer in a straight line.
+  const bool sphere = !options.vertical_m;
+  if (!sphere || at_risk.empty() || at_risk.size() > points.size() / 2) return find(points);
   std::vector<Point> some;
   some.reserve(at_risk.size());
   for (const PointId id : at_risk) some.push_back(points[id]);
@@ -32,9 +38,29 @@ Result<Closest> closest_pair(Engine& engine, const Inputs& inputs,
   return Closest(pair);
 }
 
-Status find_at_risk(Engine& engine, const Inputs& inputs, const SearchOptions& options,
-                    std::vector<PointId>& at_risk) {
-  if (!inputs.others) return engine.find_at_risk(inputs.ours.points, options, at_risk);
+// What distances are taken of: the points, or with a vertical threshold between geographic positions
+// those at height 0, and heights apart from them.
+struct Places {
+  std::vector<Point> ground = {};
+  std::vector<double> heights_m = {};
+};
+
+Places places_for(const Inputs& inputs, const SearchOptions& options) {
+  Places places;
+  if (!options.vertical_m || inputs.ours.frame != io::Frame::kWgs84) return places;
+  std::vector<PointId> everybody(inputs.ours.points.size());
+  std::iota(everybody.begin(), everybody.end(), PointId{0});
+  io::for_each_record(inputs.ours, everybody, [&](const io::Record& record) {
+    GeographicPosition place = record.geographic;
+    places.heights_m.push_back(std::exchange(place.height_m, 0.0));
+    places.ground.push_back(*to_ecef(place));  // was read before, so it is valid
+  });
+  return places;
+}
+
+Status find_at_risk(Engine& engine, const Inputs& inputs, const std::vector<Point>& points,
+                    const SearchOptions& options, std::vector<PointId>& at_risk) {
+  if (!inputs.others) return engine.find_at_risk(points, options, at_risk);
   return engine.find_at_risk_between(inputs.ours.points, inputs.others->points, options, at_risk);
 }
 
@@ -53,16 +79,20 @@ Error in_words_of_the_command(Error error, const DetectRequest& request) {
 Result<Detection> search(const Inputs& inputs, const DetectRequest& request) {
   Engine engine;
   Detection detection;
-  const Status at_risk = find_at_risk(engine, inputs, request.search, detection.at_risk);
+  const Places places = places_for(inputs, request.search);
+  SearchOptions options = request.search;
+  options.heights_m = places.heights_m;
+  const std::vector<Point>& points = places.ground.empty() ? inputs.ours.points : places.ground;
+  const Status at_risk = find_at_risk(engine, inputs, points, options, detection.at_risk);
   if (!at_risk) return at_risk.error();
   if (!request.quiet || request.form == Form::kJson || request.report->needs_closest) {
-    auto closest = closest_pair(engine, inputs, detection.at_risk, request.search.threads);
+    auto closest = closest_pair(engine, inputs, detection.at_risk, request.search);
     if (!closest) return std::move(closest).error();
     detection.closest = *closest;
   }
   const Question question{
-      engine,           inputs.ours.points,   inputs.others ? &inputs.others->points : nullptr,
-      request.search,   request.at_risk_only, detection.at_risk,
+      engine,  points,               inputs.others ? &inputs.others->points : nullptr,
+      options, request.at_risk_only, detection.at_risk,
       detection.closest};
   auto table = request.report->find(question);
   if (!table) return in_words_of_the_command(std::move(table).error(), request);

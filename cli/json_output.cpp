@@ -161,6 +161,8 @@ void write_json(const Answer& answer, io::AtomicOutput& output) {
   append_input(out.text, "input", answer.inputs.ours, request.input);
   if (request.others) append_input(out.text, "others", *answer.inputs.others, *request.others);
   out.text += "  \"threshold_m\": " + exact(request.search.threshold_m);
+  const auto& vertical = request.search.vertical_m;
+  out.text += ",\n  \"vertical_m\": " + (vertical ? exact(*vertical) : std::string("null"));
   out.text += ",\n  \"inclusive\": ";
   out.text += request.search.inclusive ? "true" : "false";
   out.text += ",\n  \"at_risk_count\": " + std::to_string(detection.at_risk.size());

@@ -40,7 +40,10 @@ std::string frame_line(const io::LoadedPoints& loaded) {
 }
 
 std::string threshold_line(const SearchOptions& search) {
-  return exact(search.threshold_m) + (search.inclusive ? " m or closer" : " m (closer than)");
+  const char* const how = search.inclusive ? " m or closer" : " m (closer than)";
+  const std::string text = exact(search.threshold_m) + how;
+  if (!search.vertical_m) return text;
+  return "horizontally " + text + ", and in height " + exact(*search.vertical_m) + how;
 }
 
 std::string at_risk_line(const io::LoadedPoints& loaded, const Detection& detection) {

@@ -278,6 +278,13 @@ Result<TrackLayout> choose_all(TrackLayout layout, std::string_view text, Column
 
 }  // namespace
 
+Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text, ColumnsSeen& seen,
+                                        const RecordingOptions& options) {
+  TrackLayout layout;
+  layout.table = std::move(table);
+  return choose_all(std::move(layout), text, seen, options);
+}
+
 Result<TrackLayout> find_track_layout(std::string_view text, const RecordingOptions& options,
                                       bool bare_skybrush) {
   ColumnsSeen seen;

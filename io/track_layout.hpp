@@ -44,4 +44,9 @@ struct TrackLayout {
 Result<TrackLayout> find_track_layout(std::string_view text, const RecordingOptions& options,
                                       bool bare_skybrush);
 
+// The same for records whose columns are known already: `table` says how `text`, one or more of
+// them, is split, and `seen` what the columns are called and hold. Errors without line.
+Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text, ColumnsSeen& seen,
+                                        const RecordingOptions& options);
+
 }  // namespace beespace::io

@@ -12,20 +12,6 @@
 namespace beespace::cli {
 namespace {
 
-io::RecordingOptions load_options(const MovingOptions& options) {
-  io::RecordingOptions load;
-  if (options.frame == "wgs84") load.frame = io::Frame::kWgs84;
-  if (options.frame == "metres") load.frame = io::Frame::kMetres;
-  if (options.time_unit == "s") load.time_unit = io::TimeUnit::kSeconds;
-  if (options.time_unit == "ms") load.time_unit = io::TimeUnit::kMilliseconds;
-  if (options.time_unit == "us") load.time_unit = io::TimeUnit::kMicroseconds;
-  if (options.time_unit == "ns") load.time_unit = io::TimeUnit::kNanoseconds;
-  load.columns = options.columns;
-  load.skip_bad = options.skip_bad;
-  load.grounded = options.grounded;
-  return load;
-}
-
 std::optional<Error> check_inputs(const char* command, const MovingOptions& options) {
   if (options.inputs.empty() && input_is_terminal()) {
     return usage_error(command, "say which file to read, or pipe the input in");
@@ -40,6 +26,19 @@ std::optional<Error> check_inputs(const char* command, const MovingOptions& opti
 }
 
 }  // namespace
+
+io::RecordingOptions recording_options(const std::string& frame, const std::string& time_unit,
+                                       const std::string& columns) {
+  io::RecordingOptions load;
+  if (frame == "wgs84") load.frame = io::Frame::kWgs84;
+  if (frame == "metres") load.frame = io::Frame::kMetres;
+  if (time_unit == "s") load.time_unit = io::TimeUnit::kSeconds;
+  if (time_unit == "ms") load.time_unit = io::TimeUnit::kMilliseconds;
+  if (time_unit == "us") load.time_unit = io::TimeUnit::kMicroseconds;
+  if (time_unit == "ns") load.time_unit = io::TimeUnit::kNanoseconds;
+  load.columns = columns;
+  return load;
+}
 
 void add_input_options(CLI::App& command, MovingOptions& options) {
   CLI::Option* frame =
@@ -109,7 +108,9 @@ Result<MovingRequest> moving_request(const char* command, const MovingOptions& o
   request.command = command;
   request.inputs = options.inputs;
   if (request.inputs.empty()) request.inputs.emplace_back("-");
-  request.load = load_options(options);
+  request.load = recording_options(options.frame, options.time_unit, options.columns);
+  request.load.skip_bad = options.skip_bad;
+  request.load.grounded = options.grounded;
   if (!options.threshold.empty()) {
     const auto threshold = read_threshold(options.threshold);
     if (!threshold) return threshold.error();

@@ -56,6 +56,10 @@ struct MovingRequest {
   bool quiet = false;
 };
 
+// How to read, by the values of --crs, --time-unit and --columns.
+io::RecordingOptions recording_options(const std::string& frame, const std::string& time_unit,
+                                       const std::string& columns);
+
 void add_input_options(CLI::App& command, MovingOptions& options);
 void add_separation_options(CLI::App& command, MovingOptions& options);
 void add_output_options(CLI::App& command, MovingOptions& options);

@@ -37,6 +37,7 @@ struct Report {
   bool has_limit;        // obeys --max-results
   bool lists_everybody;  // obeys --at-risk-only
   bool needs_closest;
+  bool takes_vertical;  // has a meaning with --vertical
   Result<Table> (*find)(const Question& question);
 };
 

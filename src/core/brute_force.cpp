@@ -1,5 +1,6 @@
 #include <beespace/brute_force.hpp>
 
+#include "core/cylinder.hpp"
 #include "core/exact_distance.hpp"
 #include "core/validate.hpp"
 
@@ -20,6 +21,10 @@ class Pairing {
 
   [[nodiscard]] std::optional<Error> check(const SearchOptions& options = {}) const {
     if (auto error = core::check_options(options)) return error;
+    if (auto error = alone_ ? core::check_vertical(options, points_.size())
+                            : core::check_no_vertical(options)) {
+      return error;
+    }
     if (auto error = core::check_set(points_, alone_ ? "" : core::kPointsName)) return error;
     if (alone_) return std::nullopt;
     return core::check_set(others_, core::kOthersName);
@@ -38,6 +43,13 @@ class Pairing {
   }
   template <class Visit>
   void for_each_closer(const SearchOptions& options, Visit&& visit) const {
+    if (options.vertical_m) {
+      const core::CylinderTest closer(points_, options);
+      for_each([&](PointId i, PointId j) {
+        if (closer(i, j)) visit(i, j);
+      });
+      return;
+    }
     const core::ProximityTest closer(options.threshold_m, options.inclusive);
     for_each([&](PointId i, PointId j) {
       if (closer(points_[i], others_[j])) visit(i, j);
@@ -126,6 +138,7 @@ Result<std::vector<Nearest>> nearest_of(const Pairing& pairing) {
 
 Result<std::vector<Nearest>> nearest_within_of(const Pairing& pairing,
                                                const SearchOptions& options) {
+  if (auto error = core::check_no_vertical(options)) return *std::move(error);
   if (auto error = pairing.check(options)) return *std::move(error);
   std::vector<Nearest> nearest(pairing.size());
   pairing.for_each_closer(options,

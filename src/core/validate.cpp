@@ -24,6 +24,49 @@ std::optional<Error> check_options(const SearchOptions& options) {
                {}};
 }
 
+std::optional<Error> check_vertical(const SearchOptions& options, std::size_t points) {
+  if (!options.vertical_m) {
+    if (options.heights_m.empty()) return std::nullopt;
+    return Error{ErrorCode::kInvalidArgument,
+                 "there are heights apart from the positions, but no vertical threshold to compare "
+                 "them with; give one, or positions in space",
+                 {}};
+  }
+  const double vertical = *options.vertical_m;
+  if (!(vertical > 0.0) || !in_domain(vertical)) {
+    return Error{ErrorCode::kInvalidThreshold,
+                 "the vertical threshold is " + shown(vertical) +
+                     " m; give a finite distance above zero (3.9e-121 m to 2.6e+120 m)",
+                 {}};
+  }
+  if (!options.heights_m.empty() && options.heights_m.size() != points) {
+    return Error{ErrorCode::kInvalidArgument,
+                 std::to_string(options.heights_m.size()) + " heights for " +
+                     std::to_string(points) + " points; give one for each, or none",
+                 {}};
+  }
+  for (std::size_t i = 0; i < options.heights_m.size(); ++i) {
+    const double height = options.heights_m[i];
+    if (in_domain(height)) continue;
+    Place place;
+    place.record = i;
+    return Error{std::isfinite(height) ? ErrorCode::kOutsideDomain : ErrorCode::kNotFinite,
+                 "the height is " + shown(height) +
+                     "; it must be a finite number in the coordinate domain (0, or 3.9e-121 m to "
+                     "2.6e+120 m in magnitude)",
+                 place};
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> check_no_vertical(const SearchOptions& options) {
+  if (!options.vertical_m && options.heights_m.empty()) return std::nullopt;
+  return Error{ErrorCode::kInvalidArgument,
+               "this search knows no vertical threshold; ask for points at risk, pairs, neighbours, "
+               "counts or groups of one swarm",
+               {}};
+}
+
 std::optional<Error> check_size(std::size_t size) {
   if (size <= kMaxPoints) return std::nullopt;
   return Error{ErrorCode::kTooManyPoints,

@@ -10,6 +10,9 @@
 namespace beespace::core {
 
 std::optional<Error> check_options(const SearchOptions& options);
+// The vertical threshold and heights of a search of one swarm; and that there are none.
+std::optional<Error> check_vertical(const SearchOptions& options, std::size_t points);
+std::optional<Error> check_no_vertical(const SearchOptions& options);
 std::optional<Error> check_size(std::size_t size);
 
 // The coordinate domain of point.hpp.

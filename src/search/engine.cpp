@@ -5,6 +5,7 @@
 #include "core/validate.hpp"
 #include "cpu/crew_size.hpp"
 #include "search/at_risk_search.hpp"
+#include "search/cylinder_search.hpp"
 #include "search/frame.hpp"
 #include "search/group_search.hpp"
 #include "search/nearest_search.hpp"
@@ -45,6 +46,15 @@ class Engine::Workshop {
     return search(*frame, with);
   }
 
+  // Calls search(CylinderSearch) for options with a vertical threshold, whose answer it returns.
+  template <class Search>
+  auto run_cylinder(const PointsView& points, const SearchOptions& options, Search&& search)
+      -> decltype(search(std::declval<const search::CylinderSearch&>())) {
+    if (auto error = core::check_options(options)) return *std::move(error);
+    const core::Resources with = resources(options.threads, points.size());
+    return search(search::CylinderSearch(points, options, with, choices));
+  }
+
   const search::Choices choices = {};
   std::vector<Nearest> nearest;  // of the closest pair between two swarms
 
@@ -71,6 +81,16 @@ namespace {
 
 constexpr std::monostate kDone{};
 
+bool is_vertical(const SearchOptions& options) {
+  return options.vertical_m || !options.heights_m.empty();
+}
+
+// Of a search that knows spheres only.
+std::optional<Error> check_sphere(const SearchOptions& options) {
+  if (auto error = core::check_options(options)) return error;
+  return core::check_no_vertical(options);
+}
+
 }  // namespace
 
 Engine::Engine() : workshop_(std::make_unique<Workshop>(nullptr)) {
@@ -87,6 +107,10 @@ void Engine::release_memory() {
 
 Status Engine::find_at_risk(const PointsView& points, const SearchOptions& options,
                             std::vector<PointId>& at_risk) {
+  if (is_vertical(options)) {
+    return workshop_->run_cylinder(points, options,
+                                   [&](const auto& search) { return search.find_at_risk(at_risk); });
+  }
   if (auto error = core::check_options(options)) return *std::move(error);
   return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
     search::find_at_risk(frame, options, with, workshop_->choices, at_risk);
@@ -96,7 +120,7 @@ Status Engine::find_at_risk(const PointsView& points, const SearchOptions& optio
 
 Status Engine::find_at_risk_between(const PointsView& points, const PointsView& others,
                                     const SearchOptions& options, std::vector<PointId>& at_risk) {
-  if (auto error = core::check_options(options)) return *std::move(error);
+  if (auto error = check_sphere(options)) return *std::move(error);
   return workshop_->run(points, others, options.threads, [&](const auto& frame, const auto& with) {
     search::find_at_risk(frame, options, with, workshop_->choices, at_risk);
     return kDone;
@@ -105,6 +129,10 @@ Status Engine::find_at_risk_between(const PointsView& points, const PointsView& 
 
 Status Engine::find_pairs(const PointsView& points, const SearchOptions& options,
                           std::vector<Pair>& pairs) {
+  if (is_vertical(options)) {
+    return workshop_->run_cylinder(points, options,
+                                   [&](const auto& search) { return search.find_pairs(pairs); });
+  }
   if (auto error = core::check_options(options)) return *std::move(error);
   return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
     return search::find_pairs(frame, options, with, workshop_->choices, pairs);
@@ -113,7 +141,7 @@ Status Engine::find_pairs(const PointsView& points, const SearchOptions& options
 
 Status Engine::find_pairs_between(const PointsView& points, const PointsView& others,
                                   const SearchOptions& options, std::vector<Pair>& pairs) {
-  if (auto error = core::check_options(options)) return *std::move(error);
+  if (auto error = check_sphere(options)) return *std::move(error);
   return workshop_->run(points, others, options.threads, [&](const auto& frame, const auto& with) {
     return search::find_pairs(frame, options, with, workshop_->choices, pairs);
   });
@@ -121,6 +149,10 @@ Status Engine::find_pairs_between(const PointsView& points, const PointsView& ot
 
 Result<bool> Engine::visit_pairs(const PointsView& points, const SearchOptions& options,
                                  const PairVisitor& visit) {
+  if (is_vertical(options)) {
+    return workshop_->run_cylinder(points, options,
+                                   [&](const auto& search) { return search.visit_pairs(visit); });
+  }
   if (auto error = core::check_options(options)) return *std::move(error);
   bool saw_all = false;
   const Status status =
@@ -134,6 +166,10 @@ Result<bool> Engine::visit_pairs(const PointsView& points, const SearchOptions& 
 
 Status Engine::find_neighbors(const PointsView& points, const SearchOptions& options,
                               IdRows& neighbors) {
+  if (is_vertical(options)) {
+    return workshop_->run_cylinder(points, options,
+                                   [&](const auto& search) { return search.find_neighbors(neighbors); });
+  }
   if (auto error = core::check_options(options)) return *std::move(error);
   return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
     return search::find_neighbors(frame, options, with, workshop_->choices, neighbors);
@@ -142,7 +178,7 @@ Status Engine::find_neighbors(const PointsView& points, const SearchOptions& opt
 
 Status Engine::find_neighbors_between(const PointsView& points, const PointsView& others,
                                       const SearchOptions& options, IdRows& neighbors) {
-  if (auto error = core::check_options(options)) return *std::move(error);
+  if (auto error = check_sphere(options)) return *std::move(error);
   return workshop_->run(points, others, options.threads, [&](const auto& frame, const auto& with) {
     return search::find_neighbors(frame, options, with, workshop_->choices, neighbors);
   });
@@ -150,6 +186,10 @@ Status Engine::find_neighbors_between(const PointsView& points, const PointsView
 
 Status Engine::count_neighbors(const PointsView& points, const SearchOptions& options,
                                std::vector<std::uint32_t>& counts) {
+  if (is_vertical(options)) {
+    return workshop_->run_cylinder(points, options,
+                                   [&](const auto& search) { return search.count_neighbors(counts); });
+  }
   if (auto error = core::check_options(options)) return *std::move(error);
   return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
     search::count_neighbors(frame, options, with, workshop_->choices, counts);
@@ -160,7 +200,7 @@ Status Engine::count_neighbors(const PointsView& points, const SearchOptions& op
 Status Engine::count_neighbors_between(const PointsView& points, const PointsView& others,
                                        const SearchOptions& options,
                                        std::vector<std::uint32_t>& counts) {
-  if (auto error = core::check_options(options)) return *std::move(error);
+  if (auto error = check_sphere(options)) return *std::move(error);
   return workshop_->run(points, others, options.threads, [&](const auto& frame, const auto& with) {
     search::count_neighbors(frame, options, with, workshop_->choices, counts);
     return kDone;
@@ -169,6 +209,10 @@ Status Engine::count_neighbors_between(const PointsView& points, const PointsVie
 
 Status Engine::find_conflict_groups(const PointsView& points, const SearchOptions& options,
                                     IdRows& groups) {
+  if (is_vertical(options)) {
+    return workshop_->run_cylinder(points, options,
+                                   [&](const auto& search) { return search.find_groups(groups); });
+  }
   if (auto error = core::check_options(options)) return *std::move(error);
   return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
     search::find_conflict_groups(frame, options, with, workshop_->choices, groups);
@@ -186,7 +230,7 @@ Status Engine::find_nearest(const PointsView& points, std::vector<Nearest>& near
 
 Status Engine::find_nearest_within(const PointsView& points, const SearchOptions& options,
                                    std::vector<Nearest>& nearest) {
-  if (auto error = core::check_options(options)) return *std::move(error);
+  if (auto error = check_sphere(options)) return *std::move(error);
   return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
     search::find_nearest(frame, options, with, workshop_->choices, nearest);
     return kDone;
@@ -204,7 +248,7 @@ Status Engine::find_nearest_between(const PointsView& points, const PointsView& 
 Status Engine::find_nearest_within_between(const PointsView& points, const PointsView& others,
                                            const SearchOptions& options,
                                            std::vector<Nearest>& nearest) {
-  if (auto error = core::check_options(options)) return *std::move(error);
+  if (auto error = check_sphere(options)) return *std::move(error);
   return workshop_->run(points, others, options.threads, [&](const auto& frame, const auto& with) {
     search::find_nearest(frame, options, with, workshop_->choices, nearest);
     return kDone;

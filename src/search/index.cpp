@@ -102,6 +102,7 @@ Result<std::vector<Nearest>> Index::k_nearest(const Point& place, std::size_t k)
 
 Result<IdRows> Index::find_around(const PointsView& places, const SearchOptions& options) const {
   if (auto error = search::check_radius(options.threshold_m)) return *std::move(error);
+  if (auto error = core::check_no_vertical(options)) return *std::move(error);
   if (auto error = core::check_size(places.size())) return *std::move(error);
   ThreadCrew crew(cpu::crew_size(options.threads, places.size()));
   core::Memory memory;

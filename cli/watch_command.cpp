@@ -1,0 +1,222 @@
+#include "cli/watch_command.hpp"
+
+#include "cli/failure.hpp"
+#include "cli/moving/line_source.hpp"
+#include "cli/moving/live_feed.hpp"
+#include "cli/moving/moving_input.hpp"
+#include "cli/moving/moving_options.hpp"
+#include "cli/moving/moving_output.hpp"
+#include "cli/moving/pace.hpp"
+#include "cli/number_text.hpp"
+#include "cli/option_values.hpp"
+#include "cli/terminal.hpp"
+#include "io/report_lines.hpp"
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <optional>
+#include <utility>
+
+namespace beespace::cli {
+namespace {
+
+constexpr const char* kName = "watch";
+constexpr std::uint64_t kMostBadLinesSaid = 20;
+
+struct WatchRequest {
+  std::string input;
+  io::RecordingOptions lines;
+  SwarmOptions swarm;
+  double look_every_s;
+  std::optional<double> speed;
+  std::optional<double> rate;
+  bool fail_on_risk;
+  bool quiet;
+};
+
+Result<std::optional<double>> optional_amount(const std::string& option, const std::string& text,
+                                              const char* unit) {
+  if (text.empty()) return std::optional<double>();
+  const auto value = read_amount(kName, option, text, unit, {0.0, false});
+  if (!value) return value.error();
+  return std::optional<double>(*value);
+}
+
+Result<WatchRequest> request_of(const WatchOptions& options) {
+  if (options.input.empty() && input_is_terminal()) {
+    return usage_error(kName, "say which file to read, or pipe the reports in");
+  }
+  if (!options.speed.empty() && !options.rate.empty()) {
+    return usage_error(kName, "--speed and --rate exclude each other");
+  }
+  const auto threshold = read_threshold(options.threshold);
+  if (!threshold) return threshold.error();
+  const auto vertical = optional_amount("--vertical", options.vertical, "metres");
+  if (!vertical) return vertical.error();
+  const auto max_age = read_amount(kName, "--max-age", options.max_age, "seconds", {0.0, false});
+  if (!max_age) return max_age.error();
+  const auto threads = read_threads(kName, options.threads);
+  if (!threads) return threads.error();
+  const auto live = live_request(kName, options.live);
+  if (!live) return live.error();
+  const auto speed = optional_amount("--speed", options.speed, "times");
+  if (!speed) return speed.error();
+  const auto rate = optional_amount("--rate", options.rate, "reports a second");
+  if (!rate) return rate.error();
+  return WatchRequest{options.input.empty() ? "-" : options.input,
+                      recording_options(options.frame, options.time_unit, options.columns),
+                      {.threshold_m = *threshold,
+                       .vertical_m = *vertical,
+                       .leave_factor = live->leave_factor,
+                       .horizon_s = live->horizon_s,
+                       .max_age_s = *max_age,
+                       .threads = *threads},
+                      live->look_every_s,
+                      *speed,
+                      *rate,
+                      options.fail_on_risk,
+                      options.quiet};
+}
+
+class Watch {
+ public:
+  explicit Watch(const WatchRequest& request)
+      : request_(request),
+        lines_(request.lines, request.input == "-" ? "<stdin>" : request.input),
+        pace_(request.speed, request.rate) {}
+
+  Result<ExitCode> run() {
+    auto source = LineSource::open(request_.input);
+    if (!source) return std::move(source).error();
+    std::string_view line;
+    while (!pipe_closed_) {
+      const auto got = source->next(line, kPatience_ms);
+      if (!got) return got.error();
+      if (*got == LineSource::Got::kEnd) break;
+      const Status done = *got == LineSource::Got::kLine ? take(line) : wait();
+      if (!done) return done.error();
+    }
+    if (feed_) {
+      if (auto done = feed_->finish(); !done) return done.error();
+    }
+    if (pipe_closed_) return ExitCode::kPipeClosed;
+    if (write_error_ != 0) {
+      return Error{ErrorCode::kWriteFailed, "cannot write to standard output", {}};
+    }
+    if (!request_.quiet) say(summary());
+    if (!feed_) return nothing_read();
+    return request_.fail_on_risk && told_[place(EventKind::kEntered)] > 0 ? ExitCode::kRiskFound
+                                                                          : ExitCode::kFine;
+  }
+
+ private:
+  static constexpr int kPatience_ms = 1000;
+
+  static std::size_t place(EventKind kind) { return static_cast<std::size_t>(kind); }
+
+  // Whose first report tells what distances are taken of.
+  void begin(io::Frame frame) {
+    geometry_ = request_.swarm.vertical_m && frame == io::Frame::kWgs84 ? Geometry::kGroundAndHeight
+                                                                        : Geometry::kSpace;
+    SwarmOptions options = request_.swarm;
+    options.heights_apart = geometry_ == Geometry::kGroundAndHeight;
+    feed_.emplace(options, request_.look_every_s,
+                  [this](const std::vector<SwarmEvent>& events) { tell(events); });
+  }
+
+  Status take(std::string_view line) {
+    const auto read = lines_.take(line);
+    if (!read) {
+      if (!lines_.understood()) return read.error();  // about the input as a whole
+      note_bad(read.error());
+      return std::monostate{};
+    }
+    if (!*read) return std::monostate{};
+    const io::ReportLine& at = **read;
+    if (!feed_) begin(at.frame);
+    const auto metres = in_metres(at.position, at.velocity, at.frame, geometry_);
+    if (!metres) {
+      note_bad(metres.error());
+      return std::monostate{};
+    }
+    pace_.wait_for(at.time_s);
+    Status taken = feed_->take({feed_->number(at.id), at.time_s, metres->position,
+                                metres->velocity, metres->height_m, metres->climb_mps});
+    if (taken) return taken;
+    note_bad(taken.error());
+    return std::monostate{};
+  }
+
+  // Nothing has come for a while: whoever is silent grows old all the same.
+  Status wait() {
+    if (!feed_) return std::monostate{};
+    return feed_->idle(kPatience_ms / 1000.0);
+  }
+
+  void note_bad(const Error& error) {
+    if (++bad_lines_ > kMostBadLinesSaid || request_.quiet) return;
+    say("beespace: left out: " + printable(to_string(error)) + "\n");
+  }
+
+  void tell(const std::vector<SwarmEvent>& events) {
+    std::string text;
+    for (const SwarmEvent& event : events) {
+      ++told_[place(event.kind)];
+      text += event_line(event, *feed_);
+    }
+    if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() &&
+        std::fflush(stdout) == 0) {
+      return;
+    }
+    if (errno == EPIPE) pipe_closed_ = true;
+    write_error_ = errno;
+  }
+
+  Result<ExitCode> nothing_read() const {
+    if (bad_lines_ > 0) return ExitCode::kBadInput;
+    return Error{ErrorCode::kNoPoints, "there is no report in the input", {}};
+  }
+
+  [[nodiscard]] std::string summary() const {
+    std::string out;
+    append_summary_line(out, "input", printable(lines_.description()));
+    for (const std::string& note : lines_.notes()) append_summary_line(out, "note", printable(note));
+    const SwarmCounts counts = feed_ ? feed_->counts() : SwarmCounts{};
+    append_summary_line(out, "reports", grouped(counts.taken));
+    if (counts.late > 0) append_summary_line(out, "late", grouped(counts.late) + " left out");
+    if (counts.repeated > 0) {
+      append_summary_line(out, "repeated", grouped(counts.repeated) + " left out");
+    }
+    if (bad_lines_ > 0) {
+      append_summary_line(out, "bad lines", red(grouped(bad_lines_)) + " left out");
+    }
+    append_summary_line(out, "bees", grouped(counts.bees) + " heard of, " +
+                                         grouped(counts.stale) + " stale");
+    for (const EventKind kind : {EventKind::kPredicted, EventKind::kEntered, EventKind::kLeft}) {
+      append_summary_line(out, name_of(kind), grouped(told_[place(kind)]));
+    }
+    return out;
+  }
+
+  const WatchRequest& request_;
+  io::ReportLines lines_;
+  Pace pace_;
+  Geometry geometry_ = Geometry::kSpace;
+  std::optional<LiveFeed> feed_;
+  std::array<std::uint64_t, 5> told_{};  // by kind
+  std::uint64_t bad_lines_ = 0;
+  bool pipe_closed_ = false;
+  int write_error_ = 0;
+};
+
+}  // namespace
+
+ExitCode run_watch(const WatchOptions& options) {
+  const auto request = request_of(options);
+  if (!request) return fail(request.error(), false);
+  const auto code = Watch(*request).run();
+  return code ? *code : fail(code.error(), false);
+}
+
+}  // namespace beespace::cli

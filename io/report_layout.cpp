@@ -1,0 +1,50 @@
+#include "io/report_layout.hpp"
+
+#include "io/skipped_records.hpp"
+#include "io/to_metres.hpp"
+
+#include <array>
+#include <charconv>
+#include <span>
+
+namespace beespace::io {
+
+std::optional<Error> live_problem(const TrackLayout& layout) {
+  if (!layout.table.choice.id) {
+    return Error{ErrorCode::kMissingColumn,
+                 "there is no id, by which the bees are told apart; name it id, or say which it is "
+                 "with --columns id=...",
+                 {}};
+  }
+  if (!layout.time) {
+    return Error{ErrorCode::kMissingColumn,
+                 "there is no time; name it, for example, time_s, or say which it is with "
+                 "--columns time=...",
+                 {}};
+  }
+  if (layout.frame == Frame::kAuto) {
+    return Error{ErrorCode::kUnknownFrame,
+                 "degrees or metres? The names do not tell; say it with --crs wgs84 (longitude, "
+                 "latitude in degrees) or --crs metres",
+                 {}};
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> out_of_range(const Point& position, Frame frame) {
+  if (frame != Frame::kWgs84) return std::nullopt;
+  const auto problem = find_out_of_range(std::span<const Point>(&position, 1), 0, frame);
+  if (!problem) return std::nullopt;
+  const std::array<double, 3> values = {position.x, position.y, position.z};
+  std::array<char, 32> text = {};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), values[problem->axis]).ptr;
+  return range_error(*problem, position, std::string(text.data(), end));
+}
+
+Error without_advice(Error error) {
+  const std::size_t advice = error.message.rfind(kOrLeaveOut);
+  if (advice != std::string::npos) error.message.erase(advice, kOrLeaveOut.size());
+  return error;
+}
+
+}  // namespace beespace::io

@@ -1,0 +1,31 @@
+// What live input needs beyond a table of fixes: the frame cannot wait for all values, and every
+// line must say whose it is and when.
+#pragma once
+
+#include "io/track_layout.hpp"
+
+#include <beespace/mover.hpp>
+#include <beespace/point.hpp>
+#include <beespace/result.hpp>
+
+#include <cmath>
+#include <optional>
+
+namespace beespace::io {
+
+// Errors: kMissingColumn without id or time, kUnknownFrame where the names do not tell the frame.
+std::optional<Error> live_problem(const TrackLayout& layout);
+
+// The error without the advice to leave bad records out: who takes lines has to decide on each.
+Error without_advice(Error error);
+
+// What is wrong with a position in degrees that is none.
+std::optional<Error> out_of_range(const Point& position, Frame frame);
+
+// The velocity, if all of it is known.
+inline std::optional<Velocity> known(const Velocity& velocity) {
+  if (!std::isfinite(velocity.x + velocity.y + velocity.z)) return std::nullopt;
+  return velocity;
+}
+
+}  // namespace beespace::io

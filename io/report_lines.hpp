@@ -1,0 +1,78 @@
+// Live input, line by line: where a bee is now, as each line says it.
+//
+// The first line tells the kind. A line is
+// - a record of a table of fixes, whose first line is the header ("id,time_s,lon,lat,height"), or
+//   which RecordingOptions::columns describes; the same words as in load_recording.hpp;
+// - or a JSON object, whose keys are such words: {"id": "a", "time_s": 1, "x": 2, "y": 3, "z": 4};
+// - or an object of readsb's JSON port: {"now": ..., "hex": ..., "lat": ..., "alt_geom": ...}. Its
+//   time is `now` less `seen_pos`: an object without `now` has no time and is refused;
+// - or a message of BaseStation (SBS-1), of which MSG,3 completes a position.
+//
+// Every bee needs an id and a time. Nothing is converted but units, as in recording.hpp. Memory is
+// bounded by the longest line, and for BaseStation by the velocity of each of the last 65,536
+// aircraft. One thread at a time.
+#pragma once
+
+#include "io/load_recording.hpp"
+#include "io/recording.hpp"
+
+#include <beespace/mover.hpp>
+#include <beespace/point.hpp>
+#include <beespace/result.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace beespace::io {
+
+struct ReportLine {
+  std::string_view id = {};      // as long as the line, and until the next one is taken
+  double time_s = 0.0;           // since 1970 (UTC), or from a zero of the input's own
+  Point position = {};           // metres; or longitude, latitude in degrees, height in metres
+  Frame frame = Frame::kMetres;  // which of them: never kAuto, and the same for all lines
+  // m/s along x, y, z; or east, north, up beside degrees. Nothing unless all of it is known.
+  std::optional<Velocity> velocity = {};
+  bool since_1970 = false;
+};
+
+class LineReader;
+
+class ReportLines {
+ public:
+  // Of `options` skip_bad, format and progress are of no account: a bad line is for the caller to
+  // pass over. `source` is what errors blame.
+  explicit ReportLines(RecordingOptions options = {}, std::string source = "<stdin>");
+  ReportLines(ReportLines&&) noexcept;
+  ReportLines& operator=(ReportLines&&) noexcept;
+  ~ReportLines();
+
+  // The next line, with or without its line end. Nothing where it says no position: blank lines,
+  // the header, and what is left out as load_recording() leaves it out (see notes()).
+  // Errors: those of load_recording(), with source and line; the next line may follow.
+  Result<std::optional<ReportLine>> take(std::string_view line);
+
+  // Whether a line was understood as a report, or may have been. Until then an error is likely to
+  // be about the input as a whole: columns that are missing, a unit or a frame that must be said.
+  [[nodiscard]] bool understood() const { return understood_; }
+
+  [[nodiscard]] std::uint64_t lines() const { return lines_; }
+  [[nodiscard]] std::string description() const;  // "text, comma-separated", "readsb JSON", ...
+  [[nodiscard]] HeightDatum heights() const;
+  // What was decided, and how much was left out so far, to be said aloud.
+  [[nodiscard]] std::vector<std::string> notes() const;
+
+ private:
+  Result<std::optional<ReportLine>> read(std::string_view line);
+
+  RecordingOptions options_;
+  std::string source_;
+  std::unique_ptr<LineReader> reader_;  // of the kind that the first line told
+  std::uint64_t lines_ = 0;
+  bool understood_ = false;
+};
+
+}  // namespace beespace::io
