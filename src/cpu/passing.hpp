@@ -15,12 +15,19 @@ struct Moves {
   const float* y;
   const float* z;
   const float* radius;  // to be kept clear besides the clearance
+  const float* reach;   // how far the ball gets from the middle of its step: its move and its radius
+};
+
+// How far two must stay apart besides their radii, and how far the farthest of the others reaches.
+struct Clearance {
+  float clearance;
+  float farthest_other;
 };
 
 // Emits the ids of the pairs, asked first, that may come closer in the step than the clearance and
 // both radii, in units. False when make_room said stop.
 using CollectPassing = bool (*)(const Sweep& sweep, const Moves& asked, const Moves& others,
-                                float clearance, PairSink& pairs);
+                                const Clearance& clearance, PairSink& pairs);
 
 // Of an available instruction set.
 CollectPassing collect_passing(InstructionSet set);

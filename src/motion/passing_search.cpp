@@ -5,62 +5,68 @@
 #include "search/question_grids.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 namespace beespace::motion {
 
 namespace {
+
+// How far a ball gets from the middle of its step.
+float reach_of(const Move& move, float half_s) {
+  return std::sqrt(move.x * move.x + move.y * move.y + move.z * move.z) * half_s + move.radius_m;
+}
 
 // The moves of a set in the order of its grid.
 class SortedMoves {
  public:
   SortedMoves(const MovingBalls& balls, const search::Frame& frame, const core::SortedGrid& grid,
               double half_s, const core::Resources& with)
-      : padded_(grid.size + core::kPadding), values_(with.memory, 4 * padded_) {
-    const PointsView velocities = frame.turned(balls.velocities);
-    const double units = half_s * grid.units_per_m;
-    for (std::size_t part = 0; part < 4; ++part) {
+      : padded_(grid.size + core::kPadding), values_(with.memory, kArrays * padded_) {
+    const std::array<std::size_t, 3> order = frame.order();
+    const auto half = static_cast<float>(half_s);
+    const auto units_per_m = static_cast<float>(grid.units_per_m);
+    for (std::size_t part = 0; part < kArrays; ++part) {
       std::fill_n(values_.data() + part * padded_ + grid.size, core::kPadding, 0.0F);
     }
     with.crew.split(grid.size, [&](std::size_t begin, std::size_t end, unsigned) {
       for (std::size_t i = begin; i < end; ++i) {
-        const Point v = velocities[grid.id[i]];
-        values_[i] = static_cast<float>(v.x * units);
-        values_[padded_ + i] = static_cast<float>(v.y * units);
-        values_[2 * padded_ + i] = static_cast<float>(v.z * units);
-      }
-      for (std::size_t i = begin; i < end; ++i) {
-        const float radius_m = balls.radii_m.empty() ? 0.0F : balls.radii_m[grid.id[i]];
-        values_[3 * padded_ + i] = static_cast<float>(radius_m * grid.units_per_m);
+        const Move& move = balls.moves[grid.id[i]];
+        const std::array<float, 3> velocity{move.x, move.y, move.z};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          values_[axis * padded_ + i] = velocity[order[axis]] * half * units_per_m;
+        }
+        values_[3 * padded_ + i] = move.radius_m * units_per_m;
+        values_[4 * padded_ + i] = reach_of(move, half) * units_per_m;
       }
     });
   }
 
   [[nodiscard]] cpu::Moves moves() const {
     const float* const first = values_.data();
-    return {first, first + padded_, first + 2 * padded_, first + 3 * padded_};
+    return {first, first + padded_, first + 2 * padded_, first + 3 * padded_, first + 4 * padded_};
   }
 
  private:
+  static constexpr std::size_t kArrays = 5;
+
   std::size_t padded_;
   core::Buffer<float> values_;
 };
 
 // How far from the middle of its step a ball of the set reaches at most.
 double farthest_reach(const MovingBalls& balls, double half_s, const core::Resources& with) {
-  core::PerWorker<double> farthest(with);
-  with.crew.split(balls.middles.size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
-    double most = 0.0;
-    for (std::size_t i = begin; i < end; ++i) {
-      const Point v = balls.velocities[i];
-      const double radius = balls.radii_m.empty() ? 0.0 : double{balls.radii_m[i]};
-      most = std::max(most, std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z) * half_s + radius);
-    }
+  core::PerWorker<float> farthest(with);
+  const auto half = static_cast<float>(half_s);
+  with.crew.split(balls.moves.size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
+    float most = 0.0F;
+    for (std::size_t i = begin; i < end; ++i) most = std::max(most, reach_of(balls.moves[i], half));
     farthest[worker].push_back(most);
   });
-  double most = 0.0;
-  for (const double reach : std::move(farthest).joined()) most = std::max(most, reach);
-  return most;
+  float most = 0.0F;
+  for (const float reach : std::move(farthest).joined()) most = std::max(most, reach);
+  return double{most} * (1.0 + 0x1p-20);  // floats have been rounded on the way
 }
 
 // Pairs of one worker, in chunks.
@@ -93,13 +99,17 @@ class Chunks {
 };
 
 core::Vector<core::FoundPairs> sweep(const search::Frame& frame, const MovingBalls& balls,
-                                     const MovingBalls& others, double reach_m, const Step& step,
+                                     const MovingBalls& others, double farthest_m,
+                                     double farthest_other_m, const Step& step,
                                      const core::Resources& with, const search::Choices& choices) {
   core::Vector<core::FoundPairs> found(&with.memory);
   found.reserve(with.crew.size());
   for (unsigned worker = 0; worker < with.crew.size(); ++worker) {
     found.emplace_back(with.memory.of(worker));
   }
+  // Rounded sums and roots, and then some.
+  constexpr double kUpward = 1.0 + 0x1p-30;
+  const double reach_m = (step.clearance_m + farthest_m + farthest_other_m) * kUpward;
   const search::QuestionGrids grids(frame, {.threshold_m = reach_m}, with, choices);
   const cpu::Question question = grids.question();
   const core::SortedGrid& asked = question.asked.grid;
@@ -111,7 +121,9 @@ core::Vector<core::FoundPairs> sweep(const search::Frame& frame, const MovingBal
   // Positions are cut to whole units, as in core::SquaredLimits; moves and what the kernel makes of
   // them are wrong by some 2^-20 of a cell.
   const double margin = 3.0 + std::ldexp(1.0, static_cast<int>(asked.fraction_bits) - 17);
-  const auto clearance = static_cast<float>(step.clearance_m * asked.units_per_m + margin);
+  const cpu::Clearance clearance{
+      static_cast<float>(step.clearance_m * asked.units_per_m + margin),
+      static_cast<float>(farthest_other_m * kUpward * asked.units_per_m)};
   const cpu::CollectPassing collect = cpu::collect_passing(choices.instruction_set);
   with.crew.split(asked.size, [&](std::size_t begin, std::size_t end, unsigned worker) {
     if (begin == end) return;
@@ -127,18 +139,14 @@ core::Vector<core::FoundPairs> sweep(const search::Frame& frame, const MovingBal
   return found;
 }
 
-// Rounded sums and roots, and then some.
-constexpr double kUpward = 1.0 + 0x1p-30;
-
 }  // namespace
 
 core::Vector<core::FoundPairs> find_passing(const MovingBalls& balls, const Step& step,
                                             const core::Resources& with,
                                             const search::Choices& choices) {
   const Result<search::Frame> frame = search::Frame::of(balls.middles, with);
-  const double reach_m =
-      (step.clearance_m + 2.0 * farthest_reach(balls, step.half_s, with)) * kUpward;
-  return sweep(*frame, balls, balls, reach_m, step, with, choices);
+  const double farthest_m = farthest_reach(balls, step.half_s, with);
+  return sweep(*frame, balls, balls, farthest_m, farthest_m, step, with, choices);
 }
 
 core::Vector<core::FoundPairs> find_passing_between(const MovingBalls& balls,
@@ -146,10 +154,8 @@ core::Vector<core::FoundPairs> find_passing_between(const MovingBalls& balls,
                                                     const core::Resources& with,
                                                     const search::Choices& choices) {
   const Result<search::Frame> frame = search::Frame::of(balls.middles, others.middles, with);
-  const double reach_m = (step.clearance_m + farthest_reach(balls, step.half_s, with) +
-                          farthest_reach(others, step.half_s, with)) *
-                         kUpward;
-  return sweep(*frame, balls, others, reach_m, step, with, choices);
+  return sweep(*frame, balls, others, farthest_reach(balls, step.half_s, with),
+               farthest_reach(others, step.half_s, with), step, with, choices);
 }
 
 }  // namespace beespace::motion

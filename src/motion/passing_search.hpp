@@ -15,10 +15,18 @@
 
 namespace beespace::motion {
 
+// How a ball moves: metres per second, and what is to be kept clear around it besides the clearance.
+// As floats, which are as good as positions in a grid are.
+struct Move {
+  float x;
+  float y;
+  float z;
+  float radius_m;
+};
+
 struct MovingBalls {
-  PointsView middles;     // where they are in the middle of the step
-  PointsView velocities;  // metres per second; only differences of them matter
-  std::span<const float> radii_m = {};  // to be kept clear besides the clearance; empty: none
+  PointsView middles;           // where they are in the middle of the step
+  std::span<const Move> moves;  // only differences of velocities matter
 };
 
 struct Step {

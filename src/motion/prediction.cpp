@@ -1,6 +1,8 @@
 #include "motion/prediction.hpp"
 
 #include "core/density.hpp"
+#include "core/memory.hpp"
+#include "core/pair_order.hpp"
 #include "core/validate.hpp"
 #include "motion/passing_search.hpp"
 #include "motion/separation.hpp"
@@ -87,7 +89,10 @@ class Prediction {
         // Positions along the way are wrong by a few roundings of these.
         blur_m_(0x1p-48 * (crowd_.farthest_m +
                            options.horizon_s * (crowd_.fastest + length(crowd_.drift)))),
-        middles_(with.memory, movers.size()) {}
+        middles_(with.memory, movers.size()),
+        moves_(with.memory, movers.size()) {
+    note_moves();
+  }
 
   Result<std::vector<Conflict>> run() {
     double begin = 0.0;
@@ -109,15 +114,30 @@ class Prediction {
  private:
   static double length(const Velocity& v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
-  [[nodiscard]] PointsView positions_at(double time) {
+  [[nodiscard]] PointsView middles() const {
+    return std::span<const Point>(middles_.data(), movers_.size());
+  }
+
+  void move_middles_to(double time) {
+    const Velocity& drift = crowd_.drift;
     with_.crew.split(movers_.size(), [&](std::size_t begin, std::size_t end, unsigned) {
       for (std::size_t i = begin; i < end; ++i) {
         const auto [p, v] = movers_[i];
-        middles_[i] = {p.x + (v.x - crowd_.drift.x) * time, p.y + (v.y - crowd_.drift.y) * time,
-                       p.z + (v.z - crowd_.drift.z) * time};
+        middles_[i] = {p.x + (v.x - drift.x) * time, p.y + (v.y - drift.y) * time,
+                       p.z + (v.z - drift.z) * time};
       }
     });
-    return std::span<const Point>(middles_.data(), movers_.size());
+  }
+
+  void note_moves() {
+    const Velocity& drift = crowd_.drift;
+    with_.crew.split(movers_.size(), [&](std::size_t begin, std::size_t end, unsigned) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const Point v = movers_.velocities()[i];
+        moves_[i] = {static_cast<float>(v.x - drift.x), static_cast<float>(v.y - drift.y),
+                     static_cast<float>(v.z - drift.z), 0.0F};
+      }
+    });
   }
 
   // Where the step from `begin` on ends: later than it, unless that is the horizon.
@@ -132,8 +152,9 @@ class Prediction {
   // The step whose cost is least for the time that it covers: short ones look around often, long
   // ones look at many.
   double cheapest_step(double begin, double left) {
-    const core::DensitySample sample(begin == 0.0 ? movers_.positions() : positions_at(begin),
-                                     with_.memory);
+    // Where they were in the middle of the step before is near enough.
+    const PointsView places = begin == 0.0 ? movers_.positions() : middles();
+    const core::DensitySample sample(places, with_.memory);
     // Measured, in nanoseconds: of sorting a bee, and of comparing it with one other.
     constexpr double kSorting = 60.0;
     constexpr double kComparing = 0.25;
@@ -154,32 +175,61 @@ class Prediction {
 
   void take_step(double begin, double end) {
     const double half = 0.5 * (end - begin);
-    const MovingBalls balls{positions_at(begin + half), movers_.velocities()};
+    move_middles_to(begin + half);
+    const MovingBalls balls{middles(), {moves_.data(), movers_.size()}};
     // The middle is rounded, and so is the half.
     const Step step{half * (1.0 + 0x1p-50), clearance_m_ + 2.0 * blur_m_};
     const auto candidates = find_passing(balls, step, with_, choices_.search);
     judge(candidates, begin);
   }
 
+  // In ascending order, so that the first of each two is read one after the other, and what is found
+  // need not be sorted.
   void judge(const core::Vector<core::FoundPairs>& candidates, double step_begin) {
-    core::PerWorker<Conflict> found(with_);
-    with_.crew.run([&](unsigned worker) {
-      for (const auto& chunk : candidates[worker].chunks()) {
-        for (std::uint32_t k = 0; k < chunk.size; ++k) {
-          const PointId first = std::min(chunk.first[k], chunk.second[k]);
-          const PointId second = std::max(chunk.first[k], chunk.second[k]);
-          const State a = state_of(movers_, first);
-          const State b = state_of(movers_, second);
-          if (step_begin > 0.0 && surely_found_before(a, b, step_begin)) continue;
-          if (!in_conflict(a, b, separation_, options_.horizon_s)) continue;
-          const ConflictReport report = report_conflict(relative_motion(a, b), separation_, options_.horizon_s);
-          found[worker].push_back({first, second, report.span.begins_s, report.closest_s,
-                                   report.span.ends_s, report.closest_m});
-        }
+    std::size_t size = 0;
+    for (const core::FoundPairs& part : candidates) size += part.size();
+    core::Buffer<Pair> pairs(with_.memory, size);
+    core::order_pairs(candidates, core::Direction::kAscending, movers_.size(), with_, pairs.data());
+    const std::size_t before = found_.size();
+    found_.reserve(before + size);
+    core::advise_huge_pages(found_.data() + before, size * sizeof(Conflict));
+    found_.resize(before + size);
+    std::vector<std::size_t> ends(with_.crew.size());  // of what each worker has found
+    with_.crew.split(size, [&](std::size_t begin, std::size_t end, unsigned worker) {
+      std::size_t to = before + begin;
+      for (std::size_t k = begin; k < end; ++k) {
+        constexpr std::size_t kAhead = 16;
+        if (k + kAhead < end) prefetch(pairs[k + kAhead].second);
+        const auto [first, second] = pairs[k];
+        const State a = state_of(movers_, first);
+        const State b = state_of(movers_, second);
+        if (step_begin > 0.0 && surely_found_before(a, b, step_begin)) continue;
+        const auto report = conflict_of(a, b, separation_, options_.horizon_s);
+        if (!report) continue;
+        found_[to++] = {first, second, report->span.begins_s, report->closest_s,
+                        report->span.ends_s, report->closest_m};
       }
+      ends[worker] = to;
     });
-    for (std::size_t worker = 0; worker < found.size(); ++worker) {
-      found_.insert(found_.end(), found[worker].begin(), found[worker].end());
+    close_gaps(before, size, ends);
+  }
+
+  // Puts what workers have found, each at the beginning of its share, one behind the other.
+  void close_gaps(std::size_t before, std::size_t size, const std::vector<std::size_t>& ends) {
+    auto to = found_.begin() + static_cast<std::ptrdiff_t>(before);
+    for (unsigned worker = 0; worker < ends.size(); ++worker) {
+      const auto from = found_.begin() + static_cast<std::ptrdiff_t>(
+                                             before + with_.crew.share(size, worker).first);
+      const auto end = found_.begin() + static_cast<std::ptrdiff_t>(ends[worker]);
+      if (from < end) to = from == to ? end : std::move(from, end, to);
+    }
+    found_.erase(to, found_.end());
+  }
+
+  void prefetch(PointId id) const {
+    for (const PointsView* view : {&movers_.positions(), &movers_.velocities()}) {
+      const auto* const first = reinterpret_cast<const std::byte*>(view->axes()[0]);
+      __builtin_prefetch(first + static_cast<std::ptrdiff_t>(id) * view->stride_bytes()[0]);
     }
   }
 
@@ -199,8 +249,9 @@ class Prediction {
            std::abs(motion.r[up]) + slack < *options_.vertical_m * kRounded;
   }
 
-  // Sorts, and drops whom several steps have found.
+  // Sorts what several steps have found, and drops whom more than one has.
   void settle() {
+    if (std::is_sorted(found_.begin(), found_.end(), by_pair)) return;
     std::sort(found_.begin(), found_.end(), by_pair);
     found_.erase(std::unique(found_.begin(), found_.end(), same_pair), found_.end());
   }
@@ -214,6 +265,7 @@ class Prediction {
   double clearance_m_;
   double blur_m_;
   core::Buffer<Point> middles_;
+  core::Buffer<Move> moves_;
   std::vector<Conflict> found_;
 };
 

@@ -50,16 +50,49 @@ RelativeMotion<4> relative_motion(const State& a, const State& b) {
   return motion;
 }
 
+namespace {
+
+ConflictReport report_of(const TimeSpan& span, const Nearness& nearest) {
+  // The closest instant is one of conflict, whatever rounding has made of the ends.
+  return {{std::min(span.begins_s, nearest.time_s), std::max(span.ends_s, nearest.time_s)},
+          nearest.time_s,
+          nearest.distance_m};
+}
+
+// Whether spheres are in conflict, by how close they come in doubles; nothing where that is too near
+// the threshold to say. What was rounded is less than 2^-46 of how far apart they begin and of how
+// far they move.
+std::optional<bool> surely(const RelativeMotion<4>& motion, const Nearness& nearest,
+                           double threshold_m, double horizon_s) {
+  const auto length = [](const Axes4& v) {
+    return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]) + std::abs(v[3]);
+  };
+  const double blur_m = 0x1p-46 * (length(motion.r) + length(motion.w) * horizon_s + threshold_m);
+  if (nearest.distance_m < threshold_m - blur_m) return true;
+  if (nearest.distance_m > threshold_m + blur_m) return false;
+  return std::nullopt;
+}
+
+}  // namespace
+
 ConflictReport report_conflict(const RelativeMotion<4>& motion, const Separation& separation,
                                double horizon_s) {
-  TimeSpan span = conflict_span(motion, separation, horizon_s);
-  const bool sphere = !separation.vertical_m;
-  const Nearness nearest =
-      closest_within(motion, sphere ? TimeSpan{0.0, horizon_s} : span);
-  // The closest instant is one of conflict, whatever rounding has made of the ends.
-  span.begins_s = std::min(span.begins_s, nearest.time_s);
-  span.ends_s = std::max(span.ends_s, nearest.time_s);
-  return {span, nearest.time_s, nearest.distance_m};
+  const TimeSpan span = conflict_span(motion, separation, horizon_s);
+  const TimeSpan whole{0.0, horizon_s};
+  return report_of(span, closest_within(motion, separation.vertical_m ? span : whole));
+}
+
+std::optional<ConflictReport> conflict_of(const State& a, const State& b,
+                                          const Separation& separation, double horizon_s) {
+  const RelativeMotion<4> motion = relative_motion(a, b);
+  if (separation.vertical_m) {
+    if (!in_conflict(a, b, separation, horizon_s)) return std::nullopt;
+    return report_conflict(motion, separation, horizon_s);
+  }
+  const Nearness nearest = closest_within(motion, {0.0, horizon_s});
+  const auto sure = surely(motion, nearest, separation.threshold_m, horizon_s);
+  if (sure ? !*sure : !in_conflict(a, b, separation, horizon_s)) return std::nullopt;
+  return report_of(time_closer(motion, separation.threshold_m, horizon_s), nearest);
 }
 
 }  // namespace beespace::motion

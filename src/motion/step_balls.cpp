@@ -48,8 +48,7 @@ StepBalls::StepBalls(const std::vector<Run>& runs, const std::vector<ActiveRun>&
                      const TimeSpan& time, const core::Resources& with)
     : size_(active.size()),
       middles_(with.memory, size_),
-      velocities_(with.memory, size_),
-      radii_m_(with.memory, size_) {
+      moves_(with.memory, size_) {
   with.crew.split(size_, [&](std::size_t begin, std::size_t end, unsigned) {
     for (std::size_t ball = begin; ball < end; ++ball) {
       enclose(runs[active[ball].run], active[ball].piece, time, ball);
@@ -75,10 +74,11 @@ void StepBalls::enclose(const Run& run, std::size_t piece, const TimeSpan& time,
   const bool all_the_time =
       lasts > 0.0 && run.begins_s() <= time.begins_s && run.ends_s() >= time.ends_s;
   const Point middle = all_the_time ? between(entered, left, 0.5) : between(low, high, 0.5);
-  Point velocity;
+  Point velocity;  // as the floats say that it is
   if (all_the_time) {
-    velocity = {(left.x - entered.x) / lasts, (left.y - entered.y) / lasts,
-                (left.z - entered.z) / lasts};
+    velocity = {static_cast<float>((left.x - entered.x) / lasts),
+                static_cast<float>((left.y - entered.y) / lasts),
+                static_cast<float>((left.z - entered.z) / lasts)};
   }
   double radius = 0.0;
   for_each_corner(run, piece, time, [&](double at, const Point& p) {
@@ -88,14 +88,14 @@ void StepBalls::enclose(const Run& run, std::size_t piece, const TimeSpan& time,
     radius = std::max(radius, distance_between(line, p));
   });
   middles_[ball] = middle;
-  velocities_[ball] = velocity;
-  radii_m_[ball] = std::nextafter(static_cast<float>(radius + run.tolerance_m),
-                                  std::numeric_limits<float>::infinity());
+  moves_[ball] = {static_cast<float>(velocity.x), static_cast<float>(velocity.y),
+                  static_cast<float>(velocity.z),
+                  std::nextafter(static_cast<float>(radius + run.tolerance_m),
+                                 std::numeric_limits<float>::infinity())};
 }
 
 MovingBalls StepBalls::balls() const {
-  return {std::span<const Point>(middles_.data(), size_),
-          std::span<const Point>(velocities_.data(), size_), {radii_m_.data(), size_}};
+  return {std::span<const Point>(middles_.data(), size_), {moves_.data(), size_}};
 }
 
 }  // namespace beespace::motion

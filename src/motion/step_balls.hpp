@@ -36,8 +36,7 @@ class StepBalls {
 
   std::size_t size_;
   core::Buffer<Point> middles_;
-  core::Buffer<Point> velocities_;
-  core::Buffer<float> radii_m_;
+  core::Buffer<Move> moves_;
 };
 
 }  // namespace beespace::motion

@@ -63,9 +63,9 @@ Frame::Frame(std::array<PointsView, 2> sets, std::size_t set_count, const core::
   mates_side_ = sample_.side_for(kMates, bounds_);
 }
 
-PointsView Frame::turned(const PointsView& vectors) const {
-  return PointsView::strided(permuted(vectors.axes(), order_), vectors.size(),
-                             permuted(vectors.stride_bytes(), order_));
+PointsView Frame::turned(const PointsView& points) const {
+  return PointsView::strided(permuted(points.axes(), order_), points.size(),
+                             permuted(points.stride_bytes(), order_));
 }
 
 Result<Frame> Frame::of(const PointsView& points, const core::Resources& with) {

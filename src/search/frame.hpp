@@ -28,8 +28,8 @@ class Frame {
   // The same as the caller gave them, with x first.
   [[nodiscard]] const PointsView& original_points() const { return originals_[0]; }
   [[nodiscard]] const PointsView& original_others() const { return originals_[set_count_ - 1]; }
-  // Other vectors of the frame, turned as the points are.
-  [[nodiscard]] PointsView turned(const PointsView& vectors) const;
+  // Which of the caller's axes each of the frame's is.
+  [[nodiscard]] const std::array<std::size_t, 3>& order() const { return order_; }
   [[nodiscard]] bool has_others() const { return set_count_ == 2; }
   [[nodiscard]] std::span<const PointsView> sets() const { return {sets_.data(), set_count_}; }
   [[nodiscard]] const core::Bounds& bounds() const { return bounds_; }
@@ -45,6 +45,7 @@ class Frame {
   [[nodiscard]] unsigned row_shift(const core::Lattice& lattice, double reach) const;
 
  private:
+  [[nodiscard]] PointsView turned(const PointsView& points) const;
   Frame(std::array<PointsView, 2> sets, std::size_t set_count, const core::Bounds& bounds,
         const core::Resources& with);
 
