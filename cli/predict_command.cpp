@@ -75,7 +75,9 @@ std::string summary(const Outlook& outlook, const PredictRequest& request, doubl
   if (snapshot.brought_forward > 0) {
     append_summary_line(out, "note",
                         grouped(snapshot.brought_forward) +
-                            " last heard of before now were brought forward, by up to " +
+                            " last heard of before now " +
+                            (snapshot.brought_forward == 1 ? "was" : "were") +
+                            " brought forward, by up to " +
                             grouped(snapshot.oldest_s, 2) + " s");
   }
   if (snapshot.stale > 0) {
@@ -135,7 +137,7 @@ Result<ExitCode> predict(const PredictRequest& request) {
                                                         .inclusive = moving.inclusive,
                                                         .threads = moving.threads,
                                                         .max_results = moving.max_results});
-  if (!conflicts) return std::move(conflicts).error();
+  if (!conflicts) return in_words_of_the_command(std::move(conflicts).error(), moving);
   const double search_s = watch.lap();
   translate(*conflicts, *snapshot);
 

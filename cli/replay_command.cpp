@@ -148,7 +148,7 @@ Result<ExitCode> replay(const ReplayRequest& request) {
                                                  .max_gap_s = request.max_gap_s,
                                                  .threads = moving.threads,
                                                  .max_results = moving.max_results});
-  if (!recorded) return recorded.error();
+  if (!recorded) return in_words_of_the_command(recorded.error(), moving);
   const auto closest = closest_of(*recorded, *tracks, request);
   if (!closest) return closest.error();
   const double search_s = watch.lap();

@@ -91,7 +91,7 @@ class Watch {
     if (!source) return std::move(source).error();
     std::string_view line;
     while (!pipe_closed_) {
-      const auto got = source->next(line, kPatience_ms);
+      const auto got = source->next(line, kPatienceMs);
       if (!got) return got.error();
       if (*got == LineSource::Got::kEnd) break;
       const Status done = *got == LineSource::Got::kLine ? take(line) : wait();
@@ -111,7 +111,7 @@ class Watch {
   }
 
  private:
-  static constexpr int kPatience_ms = 1000;
+  static constexpr int kPatienceMs = 1000;
 
   static std::size_t place(EventKind kind) { return static_cast<std::size_t>(kind); }
 
@@ -151,7 +151,7 @@ class Watch {
   // Nothing has come for a while: whoever is silent grows old all the same.
   Status wait() {
     if (!feed_) return std::monostate{};
-    return feed_->idle(kPatience_ms / 1000.0);
+    return feed_->idle(kPatienceMs / 1000.0);
   }
 
   void note_bad(const Error& error) {
@@ -173,9 +173,11 @@ class Watch {
     write_error_ = errno;
   }
 
-  Result<ExitCode> nothing_read() const {
-    if (bad_lines_ > 0) return ExitCode::kBadInput;
-    return Error{ErrorCode::kNoPoints, "there is no report in the input", {}};
+  [[nodiscard]] Error nothing_read() const {
+    return {ErrorCode::kNoPoints,
+            bad_lines_ > 0 ? "no line of the input could be read as a report"
+                           : "there is no report in the input",
+            {}};
   }
 
   [[nodiscard]] std::string summary() const {

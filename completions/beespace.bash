@@ -22,17 +22,18 @@ _beespace() {
   fi
 
   if [ "$COMP_CWORD" -eq 1 ]; then
-    _beespace_offer -W 'detect predict replay generate bench help --help --version' -- "$current"
+    _beespace_offer -W 'detect predict replay watch generate bench help --help --version' \
+      -- "$current"
     return
   fi
 
   local words=''
   case $subcommand:$previous in
-    help:help) words='detect predict replay generate bench' ;;
+    help:help) words='detect predict replay watch generate bench' ;;
     detect:--report) words='at-risk pairs neighbors counts nearest groups closest-pair' ;;
-    replay:--report) words='conflicts bees separation' ;;
-    detect:--crs | predict:--crs | replay:--crs) words='auto wgs84 metres' ;;
-    predict:--time-unit | replay:--time-unit) words='auto s ms us ns' ;;
+    replay:--report) words='conflicts bees separation events' ;;
+    detect:--crs | predict:--crs | replay:--crs | watch:--crs) words='auto wgs84 metres' ;;
+    predict:--time-unit | replay:--time-unit | watch:--time-unit) words='auto s ms us ns' ;;
     detect:--format) words='auto text npy bin' ;;
     generate:--scene) words='uniform clusters area flight head-on crossing sphere-swap encounters' ;;
     generate:--area) words='medellin' ;;
@@ -44,14 +45,15 @@ _beespace() {
       ;;
     *:--threshold | *:--columns | *:--threads | *:--max-results | *:--points) return ;;
     *:--vertical | *:--horizon | *:--max-age | *:--every | *:--max-gap | *:--tolerance) return ;;
+    *:--leave-factor | *:--look-every | *:--rate) return ;;
     *:--size | *:--clusters | *:--sigma | *:--seed) return ;;
     *:--speed | *:--miss | *:--duration | *:--interval) return ;;
     *)
       case $subcommand in
         detect)
-          words='--report --others --threshold --inclusive --at-risk-only --max-results --threads
-            --crs --columns --format --skip-bad --output --csv --json --geojson --fail-on-risk
-            --quiet --help --version'
+          words='--report --others --threshold --vertical --inclusive --at-risk-only --max-results
+            --threads --crs --columns --format --skip-bad --output --csv --json --geojson
+            --fail-on-risk --quiet --help --version'
           ;;
         predict)
           words='--threshold --vertical --inclusive --horizon --max-results --threads --crs --columns
@@ -60,8 +62,13 @@ _beespace() {
           ;;
         replay)
           words='--report --every --threshold --vertical --inclusive --max-results --threads --crs
-            --columns --time-unit --max-gap --tolerance --grounded --skip-bad --output --csv --json
-            --fail-on-risk --quiet --help --version'
+            --columns --time-unit --max-gap --tolerance --grounded --skip-bad --horizon
+            --leave-factor --look-every --output --csv --json --fail-on-risk --quiet --help
+            --version'
+          ;;
+        watch)
+          words='--threshold --vertical --horizon --leave-factor --look-every --max-age --speed --rate
+            --threads --crs --columns --time-unit --fail-on-risk --quiet --help --version'
           ;;
         generate)
           words='--scene --area --points --size --clusters --sigma --speed --miss --duration
@@ -71,7 +78,7 @@ _beespace() {
       esac
       case $subcommand:$current in
         *:-*) ;;
-        detect:* | predict:* | replay:*)
+        detect:* | predict:* | replay:* | watch:*)
           compopt -o filenames
           _beespace_offer -f -- "$current"
           return

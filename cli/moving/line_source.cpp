@@ -21,14 +21,15 @@ Error system_error(ErrorCode code, const std::string& what, const std::string& s
 }  // namespace
 
 Result<LineSource> LineSource::open(const std::string& path) {
-  if (path == "-") return LineSource(STDIN_FILENO, false);
+  if (path == "-") return LineSource("<stdin>", STDIN_FILENO, false);
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return system_error(ErrorCode::kCannotOpen, "cannot open", path);
-  return LineSource(descriptor, true);
+  return LineSource(path, descriptor, true);
 }
 
 LineSource::LineSource(LineSource&& other) noexcept
-    : descriptor_(std::exchange(other.descriptor_, -1)),
+    : name_(std::move(other.name_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
       owned_(std::exchange(other.owned_, false)),
       ended_(other.ended_),
       cutting_(other.cutting_),
@@ -77,7 +78,7 @@ Result<LineSource::Got> LineSource::next(std::string_view& line, int patience_ms
     std::array<char, std::size_t{1} << 16> block;
     const ssize_t count = ready < 0 ? -1 : ::read(descriptor_, block.data(), block.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return system_error(ErrorCode::kReadFailed, "cannot read", "the input");
+    if (count < 0) return system_error(ErrorCode::kReadFailed, "cannot read", name_);
     if (count == 0) ended_ = true;
     buffer_.append(block.data(), static_cast<std::size_t>(count));
   }

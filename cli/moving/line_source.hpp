@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace beespace::cli {
 
@@ -28,9 +29,11 @@ class LineSource {
   static constexpr std::size_t kLongest = std::size_t{1} << 20;
 
  private:
-  LineSource(int descriptor, bool owned) : descriptor_(descriptor), owned_(owned) {}
+  LineSource(std::string name, int descriptor, bool owned)
+      : name_(std::move(name)), descriptor_(descriptor), owned_(owned) {}
   bool take_line(std::string_view& line);
 
+  std::string name_;  // what errors blame
   int descriptor_;
   bool owned_;
   bool ended_ = false;

@@ -1,5 +1,6 @@
 #include "cli/moving/moving_options.hpp"
 
+#include "cli/number_text.hpp"
 #include "cli/option_checks.hpp"
 #include "cli/option_values.hpp"
 #include "cli/terminal.hpp"
@@ -135,6 +136,14 @@ Result<MovingRequest> moving_request(const char* command, const MovingOptions& o
   request.fail_on_risk = options.fail_on_risk;
   request.quiet = options.quiet;
   return request;
+}
+
+Error in_words_of_the_command(Error error, const MovingRequest& request) {
+  if (error.code != ErrorCode::kTooManyResults) return error;
+  error.message = "there are more than " + grouped(request.max_results) +
+                  (request.max_results == 1 ? " conflict" : " conflicts") +
+                  "; raise --max-results, or lower the threshold";
+  return error;
 }
 
 }  // namespace beespace::cli

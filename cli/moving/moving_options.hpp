@@ -66,4 +66,7 @@ void add_output_options(CLI::App& command, MovingOptions& options);
 
 Result<MovingRequest> moving_request(const char* command, const MovingOptions& options);
 
+// The library speaks to those who call it; here --max-results is what they can turn.
+Error in_words_of_the_command(Error error, const MovingRequest& request);
+
 }  // namespace beespace::cli

@@ -56,7 +56,9 @@ void append_skipped(std::string& out, const io::Recording& recording) {
 
 std::string date_and_time(double since_1970_s) {
   using std::chrono::floor;
-  const double whole = std::floor(since_1970_s);
+  // Rounded first, so that 59.9996 s become the next minute.
+  const double rounded_s = std::round(since_1970_s * 1e3) / 1e3;
+  const double whole = std::floor(rounded_s);
   const std::chrono::sys_seconds seconds{
       std::chrono::seconds(static_cast<std::int64_t>(whole))};
   const auto day = floor<std::chrono::days>(seconds);
@@ -66,7 +68,7 @@ std::string date_and_time(double since_1970_s) {
   std::snprintf(text, sizeof text, "%04d-%02u-%02uT%02d:%02d:%06.3fZ", int{date.year()},
                 unsigned{date.month()}, unsigned{date.day()}, static_cast<int>(time.hours().count()),
                 static_cast<int>(time.minutes().count()),
-                static_cast<double>(time.seconds().count()) + (since_1970_s - whole));
+                static_cast<double>(time.seconds().count()) + (rounded_s - whole));
   return text;
 }
 

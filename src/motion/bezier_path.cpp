@@ -115,18 +115,20 @@ std::optional<Error> flatten(const Curve& curve, std::size_t index, double toler
   if (bow_m > 0.0) {
     const double blur_m = curve.blur_m();
     const double share_m = 0.9 * tolerance_m;  // the rest is for what is rounded
-    const double count = std::ceil(std::sqrt(bow_m / share_m));
-    if (!(count <= kMostFixesAPiece) || blur_m > 0.05 * tolerance_m) {
+    const double wanted = std::ceil(std::sqrt(bow_m / share_m));
+    if (!(wanted <= kMostFixesAPiece) || blur_m > 0.05 * tolerance_m) {
       return error_at(ErrorCode::kInvalidArgument, index,
                       "a tolerance of " + std::to_string(tolerance_m) +
                           " m is too fine for this piece; give a larger one");
     }
-    for (double k = 1.0; k < count; k += 1.0) {
-      const double time = curve.begins_s + (curve.ends_s - curve.begins_s) * (k / count);
-      track.fixes.push_back({time, curve.at(k / count)});
+    const auto count = static_cast<unsigned>(wanted);
+    for (unsigned k = 1; k < count; ++k) {
+      const double share = k / wanted;
+      const double time = curve.begins_s + (curve.ends_s - curve.begins_s) * share;
+      track.fixes.push_back({time, curve.at(share)});
     }
     track.tolerance_m = std::max(track.tolerance_m,
-                                 bow_m / (count * count) * (1.0 + 0x1p-40) + blur_m);
+                                 bow_m / (wanted * wanted) * (1.0 + 0x1p-40) + blur_m);
   }
   track.fixes.push_back({curve.ends_s, curve.points[curve.degree]});
   return std::nullopt;

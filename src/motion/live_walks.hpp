@@ -41,7 +41,7 @@ class LiveWalks {
     PointId first;
     PointId second;
 
-    friend auto operator<=>(const Entered&, const Entered&) = default;
+    friend auto operator<=>(const Entered&, const Entered&) = default;  // NOLINT(*-use-nullptr)
   };
 
   void add_candidates(const core::Vector<core::FoundPairs>& candidates,

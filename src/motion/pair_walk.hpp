@@ -31,23 +31,26 @@ struct WalkSeparation {
   static WalkSeparation within(const Separation& separation, const Run& first, const Run& second);
 };
 
+// A stretch: where it began, and what there was of it.
+struct Stretch {
+  Conflict conflict;       // ends at the end of the last window
+  double end_m = 0.0;      // how far apart the two are there
+  double certain_s = 0.0;  // since when it is certain, if it is
+  double certain_m = 0.0;  // and how far apart they are then
+};
+
+// Where a walk has come to: what it needs to go on later.
+struct WalkState {
+  std::size_t first_piece = 0;  // the window to walk next
+  std::size_t second_piece = 0;
+  double walked_until = -std::numeric_limits<double>::infinity();  // the end of the one before
+  std::optional<Stretch> open = {};  // in conflict at that instant
+};
+
 class PairWalk {
  public:
-  // A stretch under way: where it began, and what there was of it.
-  struct Stretch {
-    Conflict conflict;       // ends at the end of the last window
-    double end_m = 0.0;      // how far apart the two are there
-    double certain_s = 0.0;  // since when it is certain, if it is
-    double certain_m = 0.0;  // and how far apart they are then
-  };
-
-  // Where a walk has come to: what it needs to go on later.
-  struct State {
-    std::size_t first_piece = 0;  // the window to walk next
-    std::size_t second_piece = 0;
-    double walked_until = -std::numeric_limits<double>::infinity();  // the end of the one before
-    std::optional<Stretch> open = {};  // in conflict at that instant
-  };
+  using Stretch = motion::Stretch;
+  using State = WalkState;
 
   PairWalk(const Run& first, const Run& second, const WalkSeparation& separation)
       : first_(first),

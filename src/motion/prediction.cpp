@@ -160,7 +160,8 @@ class Prediction {
     constexpr double kComparing = 0.25;
     double best = left;
     double best_cost = 0.0;
-    for (double step = left; step > 0.0; step *= 0.7) {
+    double step = left;
+    while (step > 0.0) {
       const double reach = clearance_m_ + crowd_.fastest * step;
       // Rows around, as far as the reach: as large as a cube of 2.6 times that.
       const double cost = (kSorting + 0.5 * kComparing * sample.mates(2.6 * reach)) / step;
@@ -169,6 +170,7 @@ class Prediction {
         best_cost = cost;
       }
       if (crowd_.fastest * step < 0.25 * clearance_m_) break;
+      step *= 0.7;
     }
     return left / std::ceil(left / best * 0.999'999);  // steps of one length end at the horizon
   }

@@ -126,7 +126,8 @@ class RecordingSearch {
     const auto bees = static_cast<double>(active_.size());
     double best = left;
     double best_cost = 0.0;
-    for (double step = left; step > 0.0; step *= 0.7) {
+    double step = left;
+    while (step > 0.0) {
       const double reach = clearance_m_ + *most * step;
       const double met = std::min(bees, sample.mates(2.6 * reach));
       const double cost = (kStep + bees * (kSorting + 0.5 * kComparing * met)) / step;
@@ -135,6 +136,7 @@ class RecordingSearch {
         best_cost = cost;
       }
       if (*most * step < 0.25 * clearance_m_) break;
+      step *= 0.7;
     }
     return best;
   }

@@ -46,7 +46,7 @@ struct BeePair {
   PointId first;
   PointId second;
 
-  friend auto operator<=>(const BeePair&, const BeePair&) = default;
+  friend auto operator<=>(const BeePair&, const BeePair&) = default;  // NOLINT(*-use-nullptr)
 };
 
 bool earlier(const SwarmEvent& a, const SwarmEvent& b) {

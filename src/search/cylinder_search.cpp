@@ -90,7 +90,7 @@ Status CylinderSearch::count_neighbors(std::vector<std::uint32_t>& counts) const
 Status CylinderSearch::find_at_risk(std::vector<PointId>& at_risk) const {
   at_risk.clear();
   std::vector<std::uint32_t> counts;
-  const Status counted = count_neighbors(counts);
+  Status counted = count_neighbors(counts);
   if (!counted) return counted;
   for (PointId id = 0; id < counts.size(); ++id) {
     if (counts[id] > 0) at_risk.push_back(id);
@@ -100,7 +100,7 @@ Status CylinderSearch::find_at_risk(std::vector<PointId>& at_risk) const {
 
 Status CylinderSearch::find_neighbors(IdRows& neighbors) const {
   std::vector<Pair> pairs;
-  const Status found = find_pairs(pairs);
+  Status found = find_pairs(pairs);
   if (!found) return found;
   if (2 * pairs.size() > options_.max_results) return core::too_many_results(options_.max_results);
   neighbors.offsets.assign(points_.size() + 1, 0);

@@ -45,10 +45,19 @@ expect "--horizon" beespace predict --ho
 expect "--time-unit" beespace replay --ti
 expect "auto s ms us ns" beespace predict --time-unit ""
 expect "ms" beespace replay --time-unit = m
-expect "conflicts bees separation" beespace replay --report ""
+expect "conflicts bees separation events" beespace replay --report ""
 expect "separation" beespace replay --report = se
 expect "auto wgs84 metres" beespace replay --crs ""
 expect "" beespace predict --horizon ""
+expect "watch" beespace wa
+expect "watch" beespace help wa
+expect "--leave-factor" beespace watch --le
+expect "--speed" beespace watch --sp
+expect "auto s ms us ns" beespace watch --time-unit ""
+expect "wgs84" beespace watch --crs = w
+expect "" beespace watch --rate ""
+expect "$1" beespace watch "${1%sh}"
+expect "--vertical" beespace detect --vert
 expect "" beespace replay --max-gap = 5
 expect "$1" beespace predict "${1%sh}"
 expect "$1" beespace replay show.skyc "${1%sh}"

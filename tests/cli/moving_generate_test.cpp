@@ -3,12 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <sstream>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "tests/cli/command_run.hpp"
+#include "tests/cli/expectations.hpp"
 #include "tests/cli/temporary_folder.hpp"
 
 namespace beespace::cli_test {
@@ -23,11 +22,6 @@ std::uint64_t fingerprint(const std::string& bytes) {
   return hash;
 }
 
-Arguments operator+(Arguments some, const Arguments& more) {
-  some.insert(some.end(), more.begin(), more.end());
-  return some;
-}
-
 std::string generated(const std::string& scene, const Arguments& more = {}) {
   const Finished made =
       run(Arguments{"generate", "--scene", scene, "--points", "40", "--seed", "5"} + more);
@@ -36,32 +30,15 @@ std::string generated(const std::string& scene, const Arguments& more = {}) {
   return made.out;
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
-std::vector<std::string> fields_of(const std::string& line, char delimiter) {
-  std::vector<std::string> fields;
-  std::istringstream stream(line);
-  for (std::string field; std::getline(stream, field, delimiter);) fields.push_back(field);
-  return fields;
-}
-
 // The conflicts that predict or replay finds, as rows of text.
-std::vector<std::vector<std::string>> conflicts_of(const Arguments& question,
-                                                   const std::string& input) {
+TextRows conflicts_of(const Arguments& question, const std::string& input) {
   const Finished found = run(question, input);
   EXPECT_EQ(found.exit_code, 0) << found.err;
-  std::vector<std::vector<std::string>> rows;
-  for (const std::string& line : lines_of(found.out)) rows.push_back(fields_of(line, '\t'));
-  return rows;
+  return rows_of(found.out);
 }
 
 // Pairs 0 and 1, 2 and 3, and so on, and nobody else.
-void expect_the_pairs(const std::vector<std::vector<std::string>>& conflicts, std::size_t pairs) {
+void expect_the_pairs(const TextRows& conflicts, std::size_t pairs) {
   ASSERT_EQ(conflicts.size(), pairs);
   for (std::size_t i = 0; i < pairs; ++i) {
     EXPECT_EQ(conflicts[i].at(0), std::to_string(2 * i));

@@ -1,0 +1,323 @@
+// `beespace watch` as a program that runs for long: what it reads, passes over and refuses, how
+// fast it goes, and how it ends. Its events are in watch_events_test.cpp.
+#include <gtest/gtest.h>
+
+#include <sys/stat.h>
+#include <chrono>
+#include <csignal>
+#include <string>
+#include <thread>
+
+#include "tests/cli/command_run.hpp"
+#include "tests/cli/expectations.hpp"
+#include "tests/cli/json_check.hpp"
+#include "tests/cli/temporary_folder.hpp"
+
+namespace beespace::cli_test {
+namespace {
+
+constexpr int kBadInput = 3;
+constexpr int kSystem = 4;
+
+// 1 m from each other at 0 s and at 1 s: one event.
+constexpr std::string_view kTogether =
+    "id,time_s,x,y,z\na,0,0,0,0\nb,0,1,0,0\na,1,0,0,0\nb,1,1,0,0\n";
+constexpr std::string_view kEntered =
+    R"({"event": "entered", "time_s": 0, "first": "a", "second": "b", )"
+    R"("distance_m": 1, "closest_s": 0})"
+    "\n";
+
+Finished watched(const std::string& reports, const Arguments& more = {}) {
+  return run(Arguments{"watch", "--horizon", "0"} + more, reports);
+}
+
+double seconds_for(const Arguments& arguments, std::string_view input) {
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(run(arguments, input).exit_code, 0);
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Both are heard of again, as lines of a table and of JSON.
+const std::string kAgain = "a,1,0,0,0\nb,1,1,0,0\n";
+const std::string kAgainInJson =
+    "{\"id\": \"a\", \"time_s\": 1, \"x\": 0, \"y\": 0, \"z\": 0}\n"
+    "{\"id\": \"b\", \"time_s\": 1, \"x\": 1, \"y\": 0, \"z\": 0}\n";
+const std::string kAInJson = "{\"id\": \"a\", \"time_s\": 0, \"x\": 0, \"y\": 0, \"z\": 0}\n";
+// With its keys in another order.
+const std::string kBInJson = "{\"x\": 1, \"y\": 0, \"z\": 0, \"id\": \"b\", \"time_s\": 0}\n";
+
+TEST(Watch, TablesAndJsonLinesAreReadAndSaid) {
+  const Finished table = watched(std::string(kTogether));
+  EXPECT_EQ(table.exit_code, 0);
+  EXPECT_EQ(table.out, kEntered);
+  expect_parts(table.err, {"input      text, comma-separated\n", "times are read from column 2",
+                           "reports    4\n", "bees       2 heard of, 0 stale\n", "predicted  0\n",
+                           "entered    1\n", "left       0\n"});
+  const Finished json = watched(kAInJson + kBInJson + kAgainInJson);
+  EXPECT_EQ(json.out, kEntered);
+  expect_parts(json.err, {"input      JSON, an object a line\n", "reports    4\n"});
+}
+
+TEST(Watch, LineEndsOfEveryKindAndALastLineWithoutOneAreRead) {
+  EXPECT_EQ(watched("id,time_s,x,y,z\r\na,0,0,0,0\r\n\r\nb,0,1,0,0\na,1,0,0,0\r\nb,1,1,0,0").out,
+            kEntered);
+}
+
+TEST(Watch, ColumnsFramesAndUnitsMayBeGiven) {
+  EXPECT_EQ(watched("a 0 0 0 0\nb 0 1 0 0\na 9 0 0 0\nb 9 1 0 0\n",
+                    {"--columns", "id=1,time=2,x=3,y=4,z=5", "--time-unit", "ms"})
+                .out,
+            kEntered);
+  EXPECT_EQ(watched("id,time,x,y,z\na,0,0,0,0\nb,0,1,0,0\n" + kAgain, {"--time-unit", "ms"}).out,
+            kEntered);
+  expect_failure({"watch"}, "id,time,x,y,z\na,0,0,0,0\n", 2, "--time-unit s, ms, us or ns");
+  expect_failure({"watch", "--crs", "metres", "--columns", "id=1,time=2,lon=3,lat=4"}, kTogether, 2,
+                 "--crs");
+}
+
+TEST(Watch, IdsCannotBreakALineOfJson) {
+  const auto lines = lines_of(watched("id,time_s,x,y,z\n"
+                                      "\"a\"\"\\\",0,0,0,0\nb\tc,0,1,0,0\n"
+                                      "\"a\"\"\\\",1,0,0,0\nb\tc,1,1,0,0\n")
+                                  .out);
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_TRUE(is_json(lines[0])) << lines[0];
+  expect_parts(lines[0], {R"("first": "a\"\\")", R"("second": "b\tc")"});
+}
+
+TEST(Watch, BadLinesAreSaidAndCountedAndTheRestSurvives) {
+  const Finished finished = watched(
+      "id,time_s,x,y,z\na,0,0,0,0\na,1,nan,0,0\nrubbish\n,,,,\nb,soon,1,0,0\nb,0,1,0,0\n" + kAgain);
+  EXPECT_EQ(finished.exit_code, 0);
+  EXPECT_EQ(finished.out, kEntered);
+  expect_parts(finished.err,
+               {"beespace: left out: <stdin>:3:3: 'nan'", "left out: <stdin>:4: 1 column",
+                "left out: <stdin>:5:", "left out: <stdin>:6:2: 'soon'", "reports    4\n",
+                "bad lines  4 left out\n"});
+  EXPECT_EQ(watched("id,time_s,x,y,z\na,0,0,0,0\nrubbish\nb,0,1,0,0\n", {"--quiet"}).err, "");
+}
+
+TEST(Watch, BadLinesOfJsonAreSaidAndCountedAndTheRestSurvives) {
+  const Finished finished =
+      watched(kAInJson + "{\"id\": \"b\"}\n{\n[1, 2]\n{}\n" +
+              "{\"id\": \"b\", \"time_s\": \"soon\", \"x\": 1, \"y\": 0, \"z\": 0}\n" + kBInJson +
+              kAgainInJson);
+  EXPECT_EQ(finished.exit_code, 0);
+  EXPECT_EQ(finished.out, kEntered);
+  expect_parts(finished.err, {"left out: <stdin>:2:", "left out: <stdin>:3:",
+                              "left out: <stdin>:4:", "left out: <stdin>:5:",
+                              "left out: <stdin>:6:", "reports    4\n", "bad lines  5 left out\n"});
+}
+
+TEST(Watch, OnlyTheFirstBadLinesAreSaidOneByOne) {
+  std::string many(kTogether);
+  for (int i = 0; i < 50; ++i) many += "rubbish\n";
+  const Finished finished = watched(many);
+  int said = 0;
+  for (const std::string& line : lines_of(finished.err)) {
+    if (line.starts_with("beespace: left out: ")) ++said;
+  }
+  EXPECT_EQ(said, 20);
+  expect_parts(finished.err, {"bad lines  50 left out\n"});
+}
+
+TEST(Watch, ALineOfMegabytesIsOneBadLine) {
+  const std::string long_line = "a,0," + std::string(std::size_t{5} << 20, '1') + ",0,0\n";
+  const Finished finished =
+      watched("id,time_s,x,y,z\na,0,0,0,0\n" + long_line + "b,0,1,0,0\n" + kAgain);
+  EXPECT_EQ(finished.exit_code, 0);
+  EXPECT_EQ(finished.out, kEntered);
+  expect_parts(finished.err, {"bad lines  1 left out\n", "reports    4\n"});
+  EXPECT_LT(finished.err.size(), 2'000u);
+}
+
+TEST(Watch, LateAndRepeatedReportsAreCountedAndLeftOut) {
+  // a is said to be at b after it was already heard of later, and twice at the same place.
+  const Finished finished =
+      watched("id,time_s,x,y,z\na,5,0,0,0\nb,5,500,0,0\na,4,500,0,0\na,5,0,0,0\nb,6,500,0,0\n");
+  EXPECT_EQ(finished.exit_code, 0);
+  EXPECT_EQ(finished.out, "");
+  expect_parts(finished.err,
+               {"reports    3\n", "late       1 left out\n", "repeated   1 left out\n"});
+}
+
+TEST(Watch, InputThatCannotBeUnderstoodIsRefusedAtOnce) {
+  for (const auto& [input, message] :
+       {std::pair{"hello world\nfoo bar\n", "the header names no position"},
+        std::pair{"1,2,3,4,5\n6,7,8,9,10\n", "there is no header that tells the columns"},
+        std::pair{"x,y,z\n1,2,3\n", "--columns"},
+        std::pair{"{\"id\": \"a\"}\n", "the keys of this"},
+        std::pair{"\x1f\x8b\x08 zipped\n", "this is no text"}}) {
+    expect_failure({"watch"}, input, kBadInput, message);
+  }
+  // It does not wait for the end of the input.
+  Running running({"watch"});
+  running.send("hello world\nfoo bar\n");
+  EXPECT_EQ(running.finish().exit_code, kBadInput);
+}
+
+TEST(Watch, InputWithoutAReportIsAnErrorThatIsSaidEvenWhenQuiet) {
+  for (const std::string input : {"", "\n\n", "id,time_s,x,y,z\n"}) {
+    expect_failure({"watch", "--quiet"}, input, kBadInput, "there is no report in the input");
+  }
+  expect_failure({"watch", "--quiet"}, "id,time_s,x,y,z\na,0,oops,0,0\n", kBadInput,
+                 "no line of the input could be read as a report");
+}
+
+TEST(Watch, FilesThatCannotBeReadAreNamed) {
+  const TemporaryFolder folder;
+  expect_failure({"watch", folder.path("nobody.csv")}, {}, kSystem, "nobody.csv: cannot open");
+  expect_failure({"watch", folder.path("")}, {}, kSystem, folder.path("") + ": cannot read");
+  Surroundings unprivileged;
+  unprivileged.unprivileged = true;
+  ASSERT_EQ(chmod(folder.path(".").c_str(), 0777), 0);
+  const std::string secret = folder.file("secret.csv", kTogether);
+  ASSERT_EQ(chmod(secret.c_str(), 0), 0);
+  expect_failure({"watch", secret}, {}, kSystem, "secret.csv: cannot open", unprivileged);
+}
+
+TEST(Watch, FilesAreReadAsStandardInputIs) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(run({"watch", folder.file("bees.csv", kTogether), "--horizon", "0"}).out, kEntered);
+  EXPECT_EQ(run({"watch", "-", "--horizon", "0"}, kTogether).out, kEntered);
+}
+
+TEST(Watch, NumbersAndOptionsThatMakeNoSenseAreRefused) {
+  for (const std::string option : {"--max-age", "--look-every"}) {
+    for (const std::string bad : {"0", "-1", "nan", "inf", "soon"}) {
+      expect_usage_error({"watch", option + "=" + bad},
+                         option + " '" + bad + "' is not a number of seconds above 0");
+    }
+  }
+  for (const std::string bad : {"0", "-1", "nan", "inf", "fast"}) {
+    expect_usage_error({"watch", "--speed=" + bad},
+                       "--speed '" + bad + "' is not a number of times");
+    expect_usage_error({"watch", "--rate=" + bad},
+                       "--rate '" + bad + "' is not a number of reports");
+    expect_usage_error({"watch", "--vertical=" + bad}, "--vertical '" + bad + "' is not a number");
+    expect_usage_error({"watch", "--threshold=" + bad}, "the threshold");
+  }
+  expect_usage_error({"watch", "--leave-factor", "0.99"}, "--leave-factor '0.99' is not a number");
+  expect_usage_error({"watch", "--horizon=-1"}, "--horizon '-1' is not a number of seconds from 0");
+  expect_usage_error({"watch", "--threads", "many"}, "--threads 'many' is not a whole number");
+  expect_usage_error({"watch", "--speed", "2", "--rate", "5"},
+                     "--speed and --rate exclude each other");
+  expect_usage_error({"watch", "--crs", "mars"}, "--crs: 'mars' is none of auto, wgs84, metres");
+  expect_usage_error({"watch", "--time-unit", "h"}, "--time-unit: 'h' is none of auto, s, ms");
+  expect_usage_error({"watch", "a.csv", "b.csv"}, "'b.csv' is one argument too many");
+  expect_usage_error({"watch", "--csv"}, "'--csv' is no option of 'beespace watch'");
+  expect_usage_error({"watch", "--columns", ""}, "--columns: the value is empty");
+}
+
+TEST(Watch, FailOnRiskTellsWhetherSomebodyHasEntered) {
+  EXPECT_EQ(watched(std::string(kTogether), {"--fail-on-risk"}).exit_code, 1);
+  EXPECT_EQ(watched(std::string(kTogether)).exit_code, 0);
+  EXPECT_EQ(watched(std::string(kTogether), {"--fail-on-risk", "--threshold", "0.5"}).exit_code, 0);
+}
+
+TEST(Watch, ARateIsKept) {
+  EXPECT_LT(seconds_for({"watch"}, kTogether), 1.0);
+  // The fourth report is due after three tenths of a second.
+  const double took_s = seconds_for({"watch", "--rate", "10"}, kTogether);
+  EXPECT_GT(took_s, 0.29);
+  EXPECT_LT(took_s, 5.0);
+}
+
+TEST(Watch, ASpeedIsThatOfTheClockOfTheReports) {
+  // 1 s of reports in half a second; and in a hundredth.
+  const double took_s = seconds_for({"watch", "--speed", "2"}, kTogether);
+  EXPECT_GT(took_s, 0.49);
+  EXPECT_LT(took_s, 5.0);
+  EXPECT_LT(seconds_for({"watch", "--speed", "100"}, kTogether), 0.49);
+  EXPECT_EQ(watched(std::string(kTogether), {"--speed", "50"}).out, kEntered);
+}
+
+// Runs with its answer in a file, so that it can be looked at before the end.
+class WatchLive : public testing::Test {
+ protected:
+  bool wait_for(const std::string& text) {
+    for (int i = 0; i < 1'000; ++i) {
+      if (folder_.read("events").find(text) != std::string::npos) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return false;
+  }
+
+  TemporaryFolder folder_;
+  Surroundings to_file_ = [this] {
+    Surroundings surroundings;
+    surroundings.output = Surroundings::Output::kFile;
+    surroundings.file = folder_.file("events", "");
+    return surroundings;
+  }();
+};
+
+TEST_F(WatchLive, EventsAreWrittenWhileTheInputIsStillOpen) {
+  Running running({"watch", "--horizon", "0"}, to_file_);
+  running.send(kTogether);
+  EXPECT_TRUE(wait_for("\"entered\"")) << "nothing was said within ten seconds";
+  running.close_input();
+  EXPECT_EQ(running.finish().exit_code, 0);
+}
+
+TEST_F(WatchLive, WhoFallsSilentGrowsStaleThoughNothingElseComes) {
+  Running running({"watch", "--max-age", "0.5"}, to_file_);
+  running.send(kTogether);
+  EXPECT_TRUE(wait_for(R"({"event": "stale", "time_s": 1, "id": "b"})")) << folder_.read("events");
+  running.close_input();
+  expect_parts(running.finish().err, {"bees       0 heard of, 2 stale\n"});
+}
+
+TEST_F(WatchLive, SignalsEndIt) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    folder_.file("events", "");
+    Running running({"watch", "--horizon", "0"}, to_file_);
+    running.send(kTogether);
+    ASSERT_TRUE(wait_for("\"entered\""));
+    running.signal(signal);
+    EXPECT_EQ(running.finish().exit_code, 128 + signal);
+    EXPECT_EQ(folder_.read("events"), kEntered);
+  }
+}
+
+TEST(Watch, EndsQuietlyWhenNobodyReadsThoughTheInputGoesOn) {
+  Surroundings closed;
+  closed.output = Surroundings::Output::kClosedPipe;
+  Running running({"watch"}, closed);
+  running.send(kTogether);  // and does not end
+  running.send("a,2,0,0,0\nb,2,1,0,0\n");
+  const Finished finished = running.finish();
+  EXPECT_EQ(finished.exit_code, 141);
+  EXPECT_EQ(finished.err, "");
+}
+
+TEST(Watch, AFullDiskIsAnError) {
+  Surroundings full;
+  full.output = Surroundings::Output::kFile;
+  full.file = "/dev/full";
+  const Finished finished = run({"watch"}, kTogether, full);
+  EXPECT_EQ(finished.exit_code, kSystem);
+  expect_parts(finished.err, {"beespace: error: cannot write to standard output"});
+}
+
+TEST(Watch, TerminalsSeeColourUnlessNoColorIsSet) {
+  if (!has_terminals()) GTEST_SKIP() << "this system has no pseudo-terminals";
+  const TemporaryFolder folder;
+  const std::string path = folder.file("bees.csv", std::string(kTogether) + "rubbish\n");
+  expect_parts(run_on_terminal({"watch", path}).err, {"bad lines  \x1b[1;31m1\x1b[0m left out"});
+  const Finished plain = run_on_terminal({"watch", path}, "1");
+  EXPECT_EQ(plain.err.find('\x1b'), std::string::npos) << plain.err;
+}
+
+TEST(Watch, NobodyIsLeftWaitingForInputThatNobodyTypes) {
+  if (!has_terminals()) GTEST_SKIP() << "this system has no pseudo-terminals";
+  Surroundings surroundings;
+  surroundings.input_on_terminal = true;
+  Running running({"watch"}, surroundings);
+  const Finished finished = running.finish();
+  EXPECT_EQ(finished.exit_code, 2);
+  expect_parts(finished.err, {"say which file to read"});
+}
+
+}  // namespace
+}  // namespace beespace::cli_test
