@@ -1,6 +1,6 @@
 // How fast bees that move are searched: between two fixes beside the snapshot search of the same
-// bees, a minute ahead a bee, recordings a fix. Answers are compared with brute force before anything
-// is timed. (A live swarm is soaked by swarm_soak.)
+// bees, a minute ahead a bee, recordings a fix. Answers are compared with brute force before
+// anything is timed. (A live swarm is soaked by swarm_soak.)
 #include <beespace/beespace.hpp>
 
 #include "scenes/moving_scenes.hpp"
@@ -72,9 +72,9 @@ void check_answers() {
 }
 
 void per_bee(benchmark::State& state, std::size_t bees, std::size_t found) {
-  state.counters["ns_a_bee"] = benchmark::Counter(
-      static_cast<double>(state.iterations()) * static_cast<double>(bees) * 1e-9,
-      benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["ns_a_bee"] =
+      benchmark::Counter(static_cast<double>(state.iterations()) * static_cast<double>(bees) * 1e-9,
+                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
   state.counters["found"] = static_cast<double>(found);
 }
 

@@ -72,10 +72,11 @@ long resident_mb() {
 
 void print_part(double time_s, std::vector<double>& seconds, const std::array<long, 5>& events) {
   std::sort(seconds.begin(), seconds.end());
-  std::printf("%6.0f s  advance median %6.1f ms, p99 %6.1f ms  memory %ld MB  predicted %ld, entered "
-              "%ld, left %ld\n",
-              time_s, seconds[seconds.size() / 2] * 1e3, seconds[seconds.size() * 99 / 100] * 1e3,
-              resident_mb(), events[0], events[1], events[3]);
+  std::printf(
+      "%6.0f s  advance median %6.1f ms, p99 %6.1f ms  memory %ld MB  predicted %ld, entered "
+      "%ld, left %ld\n",
+      time_s, seconds[seconds.size() / 2] * 1e3, seconds[seconds.size() * 99 / 100] * 1e3,
+      resident_mb(), events[0], events[1], events[3]);
   std::fflush(stdout);
   seconds.clear();
 }

@@ -38,8 +38,8 @@ Result<Closest> closest_pair(Engine& engine, const Inputs& inputs,
   return Closest(pair);
 }
 
-// What distances are taken of: the points, or with a vertical threshold between geographic positions
-// those at height 0, and heights apart from them.
+// What distances are taken of: the points, or with a vertical threshold between geographic
+// positions those at height 0, and heights apart from them.
 struct Places {
   std::vector<Point> ground = {};
   std::vector<double> heights_m = {};
@@ -90,10 +90,13 @@ Result<Detection> search(const Inputs& inputs, const DetectRequest& request) {
     if (!closest) return std::move(closest).error();
     detection.closest = *closest;
   }
-  const Question question{
-      engine,  points,               inputs.others ? &inputs.others->points : nullptr,
-      options, request.at_risk_only, detection.at_risk,
-      detection.closest};
+  const Question question{engine,
+                          points,
+                          inputs.others ? &inputs.others->points : nullptr,
+                          options,
+                          request.at_risk_only,
+                          detection.at_risk,
+                          detection.closest};
   auto table = request.report->find(question);
   if (!table) return in_words_of_the_command(std::move(table).error(), request);
   detection.table = *std::move(table);

@@ -95,7 +95,9 @@ ExitCode run(int argc, char** argv) {
     return explain(command, error);
   }
   if (command.get_subcommands().empty()) {
-    say_error("say what to do: detect, predict, replay, watch, generate or bench (see 'beespace --help')");
+    say_error(
+        "say what to do: detect, predict, replay, watch, generate or bench (see 'beespace "
+        "--help')");
     return ExitCode::kUsage;
   }
   if (detect->parsed()) return run_detect(detect_options);

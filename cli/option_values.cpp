@@ -51,8 +51,7 @@ Result<std::uint64_t> read_max_results(std::string_view command, const std::stri
 Result<double> read_amount(std::string_view command, const std::string& option,
                            const std::string& text, const char* unit, Least least) {
   const auto value = parse_number(text);
-  const bool enough =
-      value && (least.itself ? *value >= least.value : *value > least.value);
+  const bool enough = value && (least.itself ? *value >= least.value : *value > least.value);
   if (enough && std::isfinite(*value)) return *value;
   return usage_error(command, option + " '" + text + "' is not a number of " + unit +
                                   (least.itself ? " from " : " above ") + exact(least.value) +

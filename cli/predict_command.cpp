@@ -74,11 +74,9 @@ std::string summary(const Outlook& outlook, const PredictRequest& request, doubl
   append_summary_line(out, "now", moment(snapshot.time_s, outlook.recording));
   if (snapshot.brought_forward > 0) {
     append_summary_line(out, "note",
-                        grouped(snapshot.brought_forward) +
-                            " last heard of before now " +
+                        grouped(snapshot.brought_forward) + " last heard of before now " +
                             (snapshot.brought_forward == 1 ? "was" : "were") +
-                            " brought forward, by up to " +
-                            grouped(snapshot.oldest_s, 2) + " s");
+                            " brought forward, by up to " + grouped(snapshot.oldest_s, 2) + " s");
   }
   if (snapshot.stale > 0) {
     append_summary_line(out, "stale",

@@ -13,8 +13,10 @@ namespace {
 constexpr const char* kDescription = "Tell which bees are about to come too close to each other";
 
 constexpr const char* kDetails =
-    "Reads where bees are and how fast they fly: text tables with columns named x, y, z, vx, vy, vz\n"
-    "(metres, metres per second) or lon, lat, height, ve, vn, vu (degrees; east, north, up), and id\n"
+    "Reads where bees are and how fast they fly: text tables with columns named x, y, z, vx, vy, "
+    "vz\n"
+    "(metres, metres per second) or lon, lat, height, ve, vn, vu (degrees; east, north, up), and "
+    "id\n"
     "and time where there are such. Everybody flies on in a straight line. Writes a line for each\n"
     "pair in conflict: id, id, when it begins, when it is closest, how close in metres, when it "
     "ends.\n"
@@ -35,8 +37,7 @@ CLI::App* add_predict_command(CLI::App& command, PredictCommandOptions& options)
   CLI::App* predict = command.add_subcommand("predict", kDescription);
   predict->footer(kDetails);
   predict->set_version_flag("--version", std::string(version()), "Print the version and exit");
-  predict
-      ->add_option("FILE", options.moving.inputs, "What to read (default, or -: standard input)")
+  predict->add_option("FILE", options.moving.inputs, "What to read (default, or -: standard input)")
       ->type_name(" ")
       ->expected(0, 1);
   add_input_options(*predict, options.moving);

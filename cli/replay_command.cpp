@@ -153,7 +153,11 @@ Result<ExitCode> replay(const ReplayRequest& request) {
   if (!closest) return closest.error();
   const double search_s = watch.lap();
 
-  const Findings findings{*recording, *tracks, request.max_gap_s, *recorded, *closest};
+  const bool apart = geometry == Geometry::kGroundAndHeight;
+  const auto in_space =
+      apart ? tracks_of(*recording, Geometry::kSpace, request.tolerance_m) : tracks;
+  if (!in_space) return in_space.error();
+  const Findings findings{*recording, *tracks, *in_space, request.max_gap_s, *recorded, *closest};
   progress.enter_stage("writing");
   const std::string head =
       moving.form == MovingForm::kJson ? json_head_of(request, findings, threshold_m) : "";

@@ -10,14 +10,16 @@
 namespace beespace::cli {
 namespace {
 
-constexpr const char* kDescription = "Tell whether a recording, or a drone show, keeps its distance";
+constexpr const char* kDescription =
+    "Tell whether a recording, or a drone show, keeps its distance";
 
 constexpr const char* kDetails =
     "Reads recordings: text tables with columns named id, time, x, y, z (metres) or lon, lat, "
     "height\n"
     "(degrees), several files, folders or zips with a table a bee, and Skybrush shows (.skyc, or "
     "one\n"
-    "JSON file). Between two fixes a bee moves in a straight line, so a pass between fixes is found "
+    "JSON file). Between two fixes a bee moves in a straight line, so a pass between fixes is "
+    "found "
     "as\n"
     "well; curves of shows are followed to within --tolerance, and what that leaves open is "
     "reported\n"
@@ -25,7 +27,8 @@ constexpr const char* kDetails =
     "error.\n"
     "\n"
     "Reports, and what their lines say:\n"
-    "  conflicts   id, id, when it begins, when it is closest, how close, when it ends (and whether "
+    "  conflicts   id, id, when it begins, when it is closest, how close, when it ends (and "
+    "whether "
     "it\n"
     "              is certain, where there are curves)\n"
     "  bees        each bee: id, conflicts, time in conflict, its closest: how close, when, with "
@@ -71,8 +74,7 @@ CLI::App* add_replay_command(CLI::App& command, ReplayOptions& options) {
           ->type_name("WHAT")
           ->group("Separation");
   allow_only(*report, {"conflicts", "bees", "separation", "events"});
-  replay
-      ->add_option("--every", options.every, "How often --report separation looks (default: 1)")
+  replay->add_option("--every", options.every, "How often --report separation looks (default: 1)")
       ->type_name("SECONDS")
       ->group("Separation");
   add_live_options(*replay, options.live, "Events");

@@ -90,7 +90,7 @@ class Watch {
     auto source = LineSource::open(request_.input);
     if (!source) return std::move(source).error();
     std::string_view line;
-    while (!pipe_closed_) {
+    while (!pipe_closed_ && write_error_ == 0) {
       const auto got = source->next(line, kPatienceMs);
       if (!got) return got.error();
       if (*got == LineSource::Got::kEnd) break;
@@ -141,8 +141,8 @@ class Watch {
       return std::monostate{};
     }
     pace_.wait_for(at.time_s);
-    Status taken = feed_->take({feed_->number(at.id), at.time_s, metres->position,
-                                metres->velocity, metres->height_m, metres->climb_mps});
+    Status taken = feed_->take({feed_->number(at.id), at.time_s, metres->position, metres->velocity,
+                                metres->height_m, metres->climb_mps});
     if (taken) return taken;
     note_bad(taken.error());
     return std::monostate{};
@@ -183,18 +183,24 @@ class Watch {
   [[nodiscard]] std::string summary() const {
     std::string out;
     append_summary_line(out, "input", printable(lines_.description()));
-    for (const std::string& note : lines_.notes()) append_summary_line(out, "note", printable(note));
+    for (const std::string& note : lines_.notes())
+      append_summary_line(out, "note", printable(note));
     const SwarmCounts counts = feed_ ? feed_->counts() : SwarmCounts{};
     append_summary_line(out, "reports", grouped(counts.taken));
     if (counts.late > 0) append_summary_line(out, "late", grouped(counts.late) + " left out");
     if (counts.repeated > 0) {
       append_summary_line(out, "repeated", grouped(counts.repeated) + " left out");
     }
+    if (feed_ && feed_->ahead() > 0) {
+      append_summary_line(
+          out, "ahead",
+          red(grouped(feed_->ahead())) + " left out: far ahead of all others in time");
+    }
     if (bad_lines_ > 0) {
       append_summary_line(out, "bad lines", red(grouped(bad_lines_)) + " left out");
     }
-    append_summary_line(out, "bees", grouped(counts.bees) + " heard of, " +
-                                         grouped(counts.stale) + " stale");
+    append_summary_line(out, "bees",
+                        grouped(counts.bees) + " heard of, " + grouped(counts.stale) + " stale");
     for (const EventKind kind : {EventKind::kPredicted, EventKind::kEntered, EventKind::kLeft}) {
       append_summary_line(out, name_of(kind), grouped(told_[place(kind)]));
     }

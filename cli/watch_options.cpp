@@ -35,7 +35,8 @@ constexpr const char* kDetails =
     "  nc receiver 30003 | beespace watch --threshold 5000 --vertical 300\n"
     "  beespace watch flight.csv --threshold 5 --speed 10\n"
     "\n"
-    "Exit status: 0 fine, 1 somebody has entered (with --fail-on-risk), 2 wrong usage, 3 bad input,\n"
+    "Exit status: 0 fine, 1 somebody has entered (with --fail-on-risk), 2 wrong usage, 3 bad "
+    "input,\n"
     "4 cannot open, read or write, 130 interrupted, 143 terminated, 141 closed pipe.";
 
 void add_input_options(CLI::App& watch, WatchOptions& options) {
@@ -46,24 +47,20 @@ void add_input_options(CLI::App& watch, WatchOptions& options) {
           ->type_name("auto|wgs84|metres")
           ->group("Input");
   allow_only(*frame, {"auto", "wgs84", "metres"});
-  watch
-      .add_option("--columns", options.columns, "By number or name: id=1,time=2,x=3,y=4,z=5,vx=6")
+  watch.add_option("--columns", options.columns, "By number or name: id=1,time=2,x=3,y=4,z=5,vx=6")
       ->type_name("LIST")
       ->group("Input");
-  CLI::Option* unit = watch
-                          .add_option("--time-unit", options.time_unit,
-                                      "Of times, where the input does not say")
-                          ->type_name("auto|s|ms|us|ns")
-                          ->group("Input");
+  CLI::Option* unit =
+      watch.add_option("--time-unit", options.time_unit, "Of times, where the input does not say")
+          ->type_name("auto|s|ms|us|ns")
+          ->group("Input");
   allow_only(*unit, {"auto", "s", "ms", "us", "ns"});
   watch
       .add_option("--max-age", options.max_age,
                   "Stale is who was not heard of for so long (default: 5)")
       ->type_name("SECONDS")
       ->group("Input");
-  watch
-      .add_option("--speed", options.speed,
-                  "Read a recording as fast as it happened, times this")
+  watch.add_option("--speed", options.speed, "Read a recording as fast as it happened, times this")
       ->type_name("FACTOR")
       ->group("Input");
   watch.add_option("--rate", options.rate, "Read so many reports a second at most")
@@ -79,8 +76,7 @@ CLI::App* add_watch_command(CLI::App& command, WatchOptions& options) {
   watch->set_version_flag("--version", std::string(version()), "Print the version and exit");
   add_input_options(*watch, options);
   watch
-      ->add_option("--threshold", options.threshold,
-                   "Closer than this is too close (default: 100)")
+      ->add_option("--threshold", options.threshold, "Closer than this is too close (default: 100)")
       ->type_name("METRES")
       ->group("Separation");
   watch

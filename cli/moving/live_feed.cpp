@@ -23,6 +23,24 @@ PointId LiveFeed::number(std::string_view id) {
 }
 
 Status LiveFeed::take(const Report& report) {
+  constexpr double kFarAhead_s = 60.0;
+  if (latest_s_ && report.time_s > *latest_s_ + kFarAhead_s) {
+    const std::optional<Report> before = std::exchange(waiting_, report);
+    if (!before) return std::monostate{};
+    if (std::abs(report.time_s - before->time_s) > kFarAhead_s) {
+      ++ahead_;
+      return std::monostate{};
+    }
+    waiting_.reset();
+    if (auto done = pass_on(*before); !done) return done;
+  } else if (waiting_) {
+    waiting_.reset();
+    ++ahead_;
+  }
+  return pass_on(report);
+}
+
+Status LiveFeed::pass_on(const Report& report) {
   const double looks = std::floor(report.time_s / every_s_);
   // Beyond what counts look by look: one look a report.
   constexpr double kMost = 1e15;
@@ -47,6 +65,10 @@ Status LiveFeed::idle(double for_s) {
 }
 
 Status LiveFeed::finish() {
+  if (waiting_) {
+    const Report last = *std::exchange(waiting_, std::nullopt);
+    if (auto done = pass_on(last); !done) return done;
+  }
   if (!latest_s_) return std::monostate{};
   return look(*latest_s_);
 }

@@ -1,8 +1,8 @@
-// Reports in the order in which they arrive, events in the order in which they become known: the same
-// for `watch` and for `replay --report events`.
+// Reports in the order in which they arrive, events in the order in which they become known: the
+// same for `watch` and for `replay --report events`.
 //
-// The swarm is looked at every so often by the clock of the reports, not by that of the wall, so the
-// same reports give the same events however fast they come.
+// The swarm is looked at every so often by the clock of the reports, not by that of the wall, so
+// the same reports give the same events however fast they come.
 #pragma once
 
 #include <beespace/result.hpp>
@@ -31,7 +31,9 @@ class LiveFeed {
   [[nodiscard]] const std::string& id(PointId number) const { return ids_[number]; }
 
   // Takes a report, after looking at the swarm where its time has come. Times may go back a little:
-  // nobody looks again. Errors: as Swarm::update and Swarm::advance.
+  // nobody looks again. One that is far ahead of all before waits for another that bears it out, or
+  // one wrong clock would make everybody else stale; otherwise it is left out. Errors: as
+  // Swarm::update and Swarm::advance.
   Status take(const Report& report);
 
   // Nothing has come for so long: looks, as if the clock of the reports went on like ours.
@@ -41,6 +43,8 @@ class LiveFeed {
   Status finish();
 
   [[nodiscard]] SwarmCounts counts() const { return swarm_.counts(); }
+  // How many reports were left out because they were far ahead.
+  [[nodiscard]] std::uint64_t ahead() const { return ahead_; }
 
  private:
   struct Hash {
@@ -51,12 +55,15 @@ class LiveFeed {
   };
 
   Status look(double time_s);
+  Status pass_on(const Report& report);
 
   Swarm swarm_;
   double every_s_;
   Tell tell_;
   std::optional<std::int64_t> looks_;  // how many every_s_ have passed at the last look
   std::optional<double> latest_s_;     // of all reports
+  std::optional<Report> waiting_;      // far ahead of these
+  std::uint64_t ahead_ = 0;
   double looked_s_ = -std::numeric_limits<double>::infinity();
   double idle_s_ = 0.0;  // since the last report
   std::unordered_map<std::string, PointId, Hash, std::equal_to<>> numbers_;

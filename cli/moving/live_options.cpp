@@ -8,7 +8,8 @@ namespace beespace::cli {
 
 void add_live_options(CLI::App& command, LiveOptions& options, const char* group) {
   command
-      .add_option("--horizon", options.horizon, "How far to look ahead (default: 10; 0: not at all)")
+      .add_option("--horizon", options.horizon,
+                  "How far to look ahead (default: 10; 0: not at all)")
       ->type_name("SECONDS")
       ->group(group);
   command

@@ -1,5 +1,5 @@
-// From what was recorded to what the library searches: metres in one Cartesian frame, as tracks or as
-// movers at one instant.
+// From what was recorded to what the library searches: metres in one Cartesian frame, as tracks or
+// as movers at one instant.
 #pragma once
 
 #include "io/recording.hpp"
@@ -43,18 +43,17 @@ struct Snapshot {
   std::vector<Mover> movers;
   std::vector<double> heights_m;  // empty, or of each mover, kept apart from its position
   std::vector<double> climbs_mps;
-  std::vector<std::uint32_t> bees;   // whose each mover is: ascending places in the recording
+  std::vector<std::uint32_t> bees;  // whose each mover is: ascending places in the recording
   double time_s = 0.0;
   std::uint64_t brought_forward = 0;
-  double oldest_s = 0.0;             // of those: how far
-  std::uint64_t stale = 0;           // left out
-  std::uint64_t estimated = 0;       // velocities that come from the last two fixes
+  double oldest_s = 0.0;        // of those: how far
+  std::uint64_t stale = 0;      // left out
+  std::uint64_t estimated = 0;  // velocities that come from the last two fixes
 
   [[nodiscard]] MoversView view() const;
 };
 
 // Errors: kMissingColumn where somebody has neither a velocity nor two fixes.
-Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry,
-                             double max_age_s);
+Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, double max_age_s);
 
 }  // namespace beespace::cli

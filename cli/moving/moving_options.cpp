@@ -51,11 +51,11 @@ void add_input_options(CLI::App& command, MovingOptions& options) {
       .add_option("--columns", options.columns, "By number or name: id=1,time=2,x=3,y=4,z=5,vx=6")
       ->type_name("LIST")
       ->group("Input");
-  CLI::Option* unit = command
-                          .add_option("--time-unit", options.time_unit,
-                                      "Of times, where the input does not say")
-                          ->type_name("auto|s|ms|us|ns")
-                          ->group("Input");
+  CLI::Option* unit =
+      command
+          .add_option("--time-unit", options.time_unit, "Of times, where the input does not say")
+          ->type_name("auto|s|ms|us|ns")
+          ->group("Input");
   allow_only(*unit, {"auto", "s", "ms", "us", "ns"});
   command
       .add_flag("--grounded", options.grounded,
@@ -91,7 +91,8 @@ void add_separation_options(CLI::App& command, MovingOptions& options) {
 }
 
 void add_output_options(CLI::App& command, MovingOptions& options) {
-  command.add_option("--output", options.output, "Where the answer goes (default: standard output)")
+  command
+      .add_option("--output", options.output, "Where the answer goes (default: standard output)")
       ->type_name("FILE")
       ->group("Output");
   command.add_flag("--csv", options.csv, "With a header, values between commas")->group("Output");

@@ -44,7 +44,8 @@ std::string counted(std::uint64_t count, const char* one, const char* several) {
 }
 
 void append_skipped(std::string& out, const io::Recording& recording) {
-  append_summary_line(out, "skipped", counted(recording.skipped_count, "bad record", "bad records"));
+  append_summary_line(out, "skipped",
+                      counted(recording.skipped_count, "bad record", "bad records"));
   for (const Error& error : recording.skipped) {
     append_summary_line(out, "", printable(to_string(error)));
   }
@@ -59,15 +60,14 @@ std::string date_and_time(double since_1970_s) {
   // Rounded first, so that 59.9996 s become the next minute.
   const double rounded_s = std::round(since_1970_s * 1e3) / 1e3;
   const double whole = std::floor(rounded_s);
-  const std::chrono::sys_seconds seconds{
-      std::chrono::seconds(static_cast<std::int64_t>(whole))};
+  const std::chrono::sys_seconds seconds{std::chrono::seconds(static_cast<std::int64_t>(whole))};
   const auto day = floor<std::chrono::days>(seconds);
   const std::chrono::year_month_day date{day};
   const std::chrono::hh_mm_ss time{seconds - day};
   char text[40];
   std::snprintf(text, sizeof text, "%04d-%02u-%02uT%02d:%02d:%06.3fZ", int{date.year()},
-                unsigned{date.month()}, unsigned{date.day()}, static_cast<int>(time.hours().count()),
-                static_cast<int>(time.minutes().count()),
+                unsigned{date.month()}, unsigned{date.day()},
+                static_cast<int>(time.hours().count()), static_cast<int>(time.minutes().count()),
                 static_cast<double>(time.seconds().count()) + (rounded_s - whole));
   return text;
 }

@@ -17,8 +17,9 @@ std::vector<Value> row_of(const SwarmEvent& event, const LiveFeed& feed) {
   if (event.kind == EventKind::kStale) {
     return {event.time_s, std::string(name_of(event.kind)), feed.id(event.first), {}, {}, {}};
   }
-  return {event.time_s,           std::string(name_of(event.kind)), feed.id(event.first),
-          feed.id(event.second), event.distance_m,                event.closest_s};
+  return {event.time_s,         std::string(name_of(event.kind)),
+          feed.id(event.first), feed.id(event.second),
+          event.distance_m,     event.closest_s};
 }
 
 }  // namespace
@@ -32,9 +33,8 @@ Result<RecordedEvents> events_of(const io::Recording& recording, const std::vect
       fixes.push_back({tracks[bee].fixes[i].time_s, bee, i});
     }
   }
-  std::stable_sort(fixes.begin(), fixes.end(), [](const RecordedFix& a, const RecordedFix& b) {
-    return a.time_s < b.time_s;
-  });
+  std::stable_sort(fixes.begin(), fixes.end(),
+                   [](const RecordedFix& a, const RecordedFix& b) { return a.time_s < b.time_s; });
   RecordedEvents recorded;
   recorded.rows.columns = {"time_s", "event", "first", "second", "distance_m", "closest_s"};
   const LiveFeed* seen = nullptr;
@@ -51,7 +51,7 @@ Result<RecordedEvents> events_of(const io::Recording& recording, const std::vect
     if (!bee.path) {
       const auto given = in_metres(recording, at.bee, at.fix, geometry);
       if (!given) return given.error();
-      report = {report.id, at.time_s,        given->position,
+      report = {report.id,       at.time_s,       given->position,
                 given->velocity, given->height_m, given->climb_mps};
     }
     if (auto taken = feed.take(report); !taken) return taken.error();

@@ -102,7 +102,7 @@ std::vector<Moment> separation_over_time(const Findings& findings, double every_
     places.clear();
     bees.clear();
     for (PointId bee = 0; bee < findings.tracks.size(); ++bee) {
-      const auto place = position_at(findings.tracks[bee], now, findings.max_gap_s);
+      const auto place = position_at(findings.in_space[bee], now, findings.max_gap_s);
       if (!place) continue;
       places.push_back(*place);
       bees.push_back(bee);

@@ -16,6 +16,7 @@ namespace beespace::cli {
 struct Findings {
   const io::Recording& recording;
   const std::vector<Track>& tracks;
+  const std::vector<Track>& in_space;  // the same; differs where heights are apart from positions
   double max_gap_s;
   const RecordedConflicts& recorded;
   const std::optional<Conflict>& closest;  // of all encounters, conflict or not
@@ -32,8 +33,8 @@ struct PairInConflict {
 };
 std::vector<PairInConflict> pairs_in_conflict(const std::vector<Conflict>& conflicts);
 
-// A row a bee: its id, its conflicts, how long it was in conflict (with however many at a time), how
-// close it came to another one in a conflict, and with whom.
+// A row a bee: its id, its conflicts, how long it was in conflict (with however many at a time),
+// how close it came to another one in a conflict, and with whom.
 Rows bee_rows(const Findings& findings);
 
 // How far apart the closest two are, at one moment after the other.

@@ -87,8 +87,7 @@ std::string replay_summary(const Findings& findings, const MovingRequest& reques
   }
   if (const std::size_t gaps = findings.recorded.gaps.size(); gaps > 0) {
     append_summary_line(out, "gaps",
-                        plural(gaps, "gap", "gaps") + " of more than " +
-                            exact(findings.max_gap_s) +
+                        plural(gaps, "gap", "gaps") + " of more than " + exact(findings.max_gap_s) +
                             " s between two fixes: absent in between (--max-gap)");
   }
   const bool declared =
@@ -102,8 +101,9 @@ std::string replay_summary(const Findings& findings, const MovingRequest& reques
   append_worst(out, findings, pairs);
   if (const std::string bars = bars_over_time(findings, figures.threshold_m); !bars.empty()) {
     append_summary_line(out, "over time", bars);
-    append_summary_line(out, "", "(how far apart the closest two are: a full bar is twice the "
-                                 "threshold, ! a conflict)");
+    append_summary_line(out, "",
+                        "(how far apart the closest two are: a full bar is twice the "
+                        "threshold, ! a conflict)");
   }
   append_summary_line(
       out, "time", "read " + duration(figures.read_s) + ", search " + duration(figures.search_s));

@@ -1,4 +1,5 @@
-// An answer about moving bees as a table: named columns, rows of values, written in every form alike.
+// An answer about moving bees as a table: named columns, rows of values, written in every form
+// alike.
 #pragma once
 
 #include "io/atomic_output.hpp"

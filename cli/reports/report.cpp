@@ -17,7 +17,8 @@ std::span<const Report> reports() {
   static constexpr std::array kReports = {
       Report{"at-risk", "at_risk", "", true, false, false, false, true, report_at_risk},
       Report{"pairs", "pairs", "pairs", true, true, false, false, true, report_pairs},
-      Report{"neighbors", "neighbors", "neighbours", true, true, true, false, true, report_neighbors},
+      Report{"neighbors", "neighbors", "neighbours", true, true, true, false, true,
+             report_neighbors},
       Report{"counts", "counts", "neighbours", true, false, true, false, true, report_counts},
       Report{"nearest", "nearest", "nearest", true, false, true, false, false, report_nearest},
       Report{"groups", "groups", "groups", false, false, false, false, true, report_groups},

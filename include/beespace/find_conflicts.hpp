@@ -1,9 +1,9 @@
 // Who came too close to whom, and when? For recordings: whole tracks, with their own, unaligned and
 // irregular times.
 //
-// Between two fixes a bee moves in a straight line at constant velocity, exactly (see track.hpp), so
-// a pass between two fixes is found as well. Whether two are in conflict at some instant is decided
-// as real numbers on the given doubles.
+// Between two fixes a bee moves in a straight line at constant velocity, exactly (see track.hpp),
+// so a pass between two fixes is found as well. Whether two are in conflict at some instant is
+// decided as real numbers on the given doubles.
 #pragma once
 
 #include <beespace/conflict.hpp>
@@ -74,7 +74,7 @@ BEESPACE_API Result<RecordedConflicts> find_conflicts(std::span<const Track> tra
 // all the closest instant. Cost: a few searches as above, with thresholds that grow until somebody
 // is found. Errors: as find_conflicts.
 BEESPACE_API Result<std::optional<Conflict>> find_closest_encounter(
-    std::span<const Track> tracks,
-    double max_gap_s = std::numeric_limits<double>::infinity(), unsigned threads = 1);
+    std::span<const Track> tracks, double max_gap_s = std::numeric_limits<double>::infinity(),
+    unsigned threads = 1);
 
 }  // namespace beespace

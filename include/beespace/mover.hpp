@@ -43,8 +43,8 @@ class MoversView {
 
   // Movers one after the other: std::vector<Mover>, std::array<Mover, N>, std::span<const Mover>.
   template <class Movers>
-  requires std::convertible_to<const Movers&, std::span<const Mover>>
-  MoversView(const Movers& movers)  // NOLINT(google-explicit-constructor): a view
+  requires std::convertible_to<const Movers&, std::span<const Mover>> MoversView(
+      const Movers& movers)  // NOLINT(google-explicit-constructor): a view
       : MoversView(std::span<const Mover>(movers), FromSpan{}) {}
 
   // `velocities` has one vector in metres per second for each of `positions`; the view is as long

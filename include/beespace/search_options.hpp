@@ -30,9 +30,9 @@ struct SearchOptions {
   // near in a sphere around the cylinder, whatever the question.
   std::optional<double> vertical_m = {};
 
-  // Empty, or a height for each point, kept apart from the positions: for `vertical_m` between points
-  // whose third axis is not the height. Then positions are horizontal: of geographic ones, those
-  // brought to height 0 (see to_ecef).
+  // Empty, or a height for each point, kept apart from the positions: for `vertical_m` between
+  // points whose third axis is not the height. Then positions are horizontal: of geographic ones,
+  // those brought to height 0 (see to_ecef).
   std::span<const double> heights_m = {};
 };
 

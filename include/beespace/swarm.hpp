@@ -6,12 +6,12 @@
 // is about to happen, *predicted*, is told from the last reports and velocities, as by
 // predict_conflicts; it comes again for a pair only after the pair has been out of danger.
 //
-// So that nothing flaps, a pair that has entered (come closer than the threshold) has left only when
-// it is farther apart than the leave threshold.
+// So that nothing flaps, a pair that has entered (come closer than the threshold) has left only
+// when it is farther apart than the leave threshold.
 //
-// Units: metres and seconds, in one Cartesian frame. Ids are the caller's own numbers. Memory: a few
-// hundred bytes a bee, and what is known of the time since the bee that was last heard of longest
-// ago, which max_age_s bounds. Not thread-safe.
+// Units: metres and seconds, in one Cartesian frame. Ids are the caller's own numbers. Memory: a
+// few hundred bytes a bee, and what is known of the time since the bee that was last heard of
+// longest ago, which max_age_s bounds. Not thread-safe.
 #pragma once
 
 #include <beespace/export.hpp>
@@ -99,9 +99,9 @@ class BEESPACE_API Swarm {
   Swarm& operator=(Swarm&&) noexcept;
   ~Swarm();
 
-  // Takes note of a report, in any order of bees; of one bee, late and repeated ones are counted and
-  // left out. Errors: kNotFinite, kOutsideDomain (the motion domain, see mover.hpp), with the bee in
-  // place.record; the report is then left out.
+  // Takes note of a report, in any order of bees; of one bee, late and repeated ones are counted
+  // and left out. Errors: kNotFinite, kOutsideDomain (the motion domain, see mover.hpp), with the
+  // bee in place.record; the report is then left out.
   Status update(const Report& report);
 
   // A bee that is there no longer; unknown ones are no matter.

@@ -24,9 +24,9 @@ struct Fix {
 struct Track {
   std::vector<Fix> fixes;  // of strictly ascending times
 
-  // Empty, or a height for each fix, kept apart from the positions: for a vertical threshold between
-  // bees whose third axis is not the height. Then positions are horizontal: of geographic ones,
-  // those brought to height 0 (see to_ecef).
+  // Empty, or a height for each fix, kept apart from the positions: for a vertical threshold
+  // between bees whose third axis is not the height. Then positions are horizontal: of geographic
+  // ones, those brought to height 0 (see to_ecef).
   std::vector<double> heights_m = {};
 
   // The bee is never farther than this from where the straight lines say: 0 for a path that is made
@@ -37,7 +37,6 @@ struct Track {
 // Where the bee is at a time, rounded; nowhere before its first and after its last fix, and between
 // two fixes that are more than `max_gap_s` apart.
 BEESPACE_API std::optional<Point> position_at(
-    const Track& track, double time_s,
-    double max_gap_s = std::numeric_limits<double>::infinity());
+    const Track& track, double time_s, double max_gap_s = std::numeric_limits<double>::infinity());
 
 }  // namespace beespace

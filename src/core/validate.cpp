@@ -61,10 +61,11 @@ std::optional<Error> check_vertical(const SearchOptions& options, std::size_t po
 
 std::optional<Error> check_no_vertical(const SearchOptions& options) {
   if (!options.vertical_m && options.heights_m.empty()) return std::nullopt;
-  return Error{ErrorCode::kInvalidArgument,
-               "this search knows no vertical threshold; ask for points at risk, pairs, neighbours, "
-               "counts or groups of one swarm",
-               {}};
+  return Error{
+      ErrorCode::kInvalidArgument,
+      "this search knows no vertical threshold; ask for points at risk, pairs, neighbours, "
+      "counts or groups of one swarm",
+      {}};
 }
 
 std::optional<Error> check_size(std::size_t size) {

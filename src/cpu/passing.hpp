@@ -1,5 +1,5 @@
-// Who may pass whom closely, within a step of time: a sweep over positions in the middle of the step
-// and over what everybody moves in half of it.
+// Who may pass whom closely, within a step of time: a sweep over positions in the middle of the
+// step and over what everybody moves in half of it.
 //
 // A kernel only leaves out pairs that surely stay apart; it decides nothing. There is one kernel an
 // instruction set, all compiled from passing_kernel.hpp.
@@ -15,7 +15,7 @@ struct Moves {
   const float* y;
   const float* z;
   const float* radius;  // to be kept clear besides the clearance
-  const float* reach;   // how far the ball gets from the middle of its step: its move and its radius
+  const float* reach;  // how far the ball gets from the middle of its step: its move and its radius
 };
 
 // How far two must stay apart besides their radii, and how far the farthest of the others reaches.

@@ -50,9 +50,9 @@ inline std::uint32_t meeting_lanes(const Asker& asker, const Passers& others, st
 
 // One bit for each of the next 16 others that may come closer than the clearance.
 //
-// Relative to the asking one, another is at r + w t for t from -1 to 1, closest at t = -(r w) / (w w)
-// or at an end. The distance is taken of the difference of positions at that time, not by way of a
-// polynomial, so that it is wrong by no more than positions and moves are: some 2^-21 of them.
+// Relative to the asking one, another is at r + w t for t from -1 to 1, closest at t = -(r w) / (w
+// w) or at an end. The distance is taken of the difference of positions at that time, not by way of
+// a polynomial, so that it is wrong by no more than positions and moves are: some 2^-21 of them.
 inline std::uint32_t near_lanes(const Asker& asker, const Passers& others, std::uint32_t from) {
   const std::int32_t* const x = others.at.x + from;
   const std::int32_t* const y = others.at.y + from;
@@ -145,8 +145,7 @@ inline bool sweep_passing(const Sweep& given, const Moves& asked, const Moves& o
                       sweep.asked.id[i]};
     const std::int32_t around = units_around(asker, clearance, reach);
     const std::int32_t end_x = ((asker.x + around + 1) & reach.slice) - reach.slice;
-    if (i + 1 < sweep.own.end &&
-        !collect_from(others, asker, i + 1, sweep.own.end, end_x, pairs)) {
+    if (i + 1 < sweep.own.end && !collect_from(others, asker, i + 1, sweep.own.end, end_x, pairs)) {
       return false;
     }
     const unsigned sides = sides_near(asker.y, asker.z, around + 1, row);
@@ -155,8 +154,8 @@ inline bool sweep_passing(const Sweep& given, const Moves& asked, const Moves& o
     for (unsigned k = 0; k < sweep.target_count; ++k) {
       const Target& target = sweep.targets[k];
       if ((target.sides & ~sides) != 0) continue;
-      // Windows only move forward, so they begin where the farthest reach does; who reaches less far
-      // passes over their beginning.
+      // Windows only move forward, so they begin where the farthest reach does; who reaches less
+      // far passes over their beginning.
       std::uint32_t from = windows[k];
       while (from < target.points.end && others.at.x[from] < first_x) ++from;
       windows[k] = from;

@@ -79,9 +79,9 @@ Error error_at(ErrorCode code, std::size_t piece, std::string message) {
 
 std::optional<Error> check_piece(const BezierPiece& piece, double begins_s, std::size_t index) {
   if (piece.control_count > piece.controls.size()) {
-    return error_at(ErrorCode::kInvalidArgument, index,
-                    std::to_string(piece.control_count) +
-                        " inner control points; a piece has at most 2");
+    return error_at(
+        ErrorCode::kInvalidArgument, index,
+        std::to_string(piece.control_count) + " inner control points; a piece has at most 2");
   }
   if (auto error = motion::check_position(piece.end, index)) return error;
   for (unsigned k = 0; k < piece.control_count; ++k) {
@@ -127,8 +127,8 @@ std::optional<Error> flatten(const Curve& curve, std::size_t index, double toler
       const double time = curve.begins_s + (curve.ends_s - curve.begins_s) * share;
       track.fixes.push_back({time, curve.at(share)});
     }
-    track.tolerance_m = std::max(track.tolerance_m,
-                                 bow_m / (wanted * wanted) * (1.0 + 0x1p-40) + blur_m);
+    track.tolerance_m =
+        std::max(track.tolerance_m, bow_m / (wanted * wanted) * (1.0 + 0x1p-40) + blur_m);
   }
   track.fixes.push_back({curve.ends_s, curve.points[curve.degree]});
   return std::nullopt;
@@ -138,15 +138,16 @@ std::optional<Error> flatten(const Curve& curve, std::size_t index, double toler
 
 Result<Track> to_track(const BezierPath& path, double tolerance_m) {
   if (!(tolerance_m > 0.0) || !motion::in_motion_domain(tolerance_m)) {
-    return Error{ErrorCode::kInvalidArgument,
-                 "the tolerance is " + std::to_string(tolerance_m) +
-                     " m; give a finite distance above zero",
-                 {}};
+    return Error{
+        ErrorCode::kInvalidArgument,
+        "the tolerance is " + std::to_string(tolerance_m) + " m; give a finite distance above zero",
+        {}};
   }
   if (auto error = motion::check_position(path.begin, 0)) return *std::move(error);
   if (!motion::in_motion_domain(path.begins_s)) {
-    return error_at(std::isfinite(path.begins_s) ? ErrorCode::kOutsideDomain : ErrorCode::kNotFinite,
-                    0, "the time of its beginning must be a finite number of seconds");
+    return error_at(
+        std::isfinite(path.begins_s) ? ErrorCode::kOutsideDomain : ErrorCode::kNotFinite, 0,
+        "the time of its beginning must be a finite number of seconds");
   }
   Track track;
   track.fixes.push_back({path.begins_s, path.begin});

@@ -157,10 +157,8 @@ template <class Number>
 std::optional<bool> comes_close(const std::array<Number, 4>& r, const std::array<Number, 4>& w,
                                 const Number& scale, const Ratio<Number>& duration,
                                 const Separation& separation) {
-  Passage<Number> passage{{r[0], r[1], r[2]},
-                          {w[0], w[1], w[2]},
-                          Number(separation.threshold_m) * scale,
-                          duration};
+  Passage<Number> passage{
+      {r[0], r[1], r[2]}, {w[0], w[1], w[2]}, Number(separation.threshold_m) * scale, duration};
   if (!separation.vertical_m) return comes_close(passage, separation.inclusive);
   const std::size_t up = separation.vertical_axis();
   if (up < 3) passage.r[up] = passage.w[up] = Number(0.0);

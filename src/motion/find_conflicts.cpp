@@ -57,8 +57,9 @@ Result<RecordedConflicts> find_conflicts(std::span<const Track> tracks,
   ThreadCrew crew(cpu::crew_size(options.threads, cut.runs.size()));
   core::Memory memory;
   memory.start_call();
-  auto conflicts = motion::search_recording(cut.runs, motion::separation_of(options, have_heights(tracks)),
-                                            options.max_results, {crew, memory});
+  auto conflicts =
+      motion::search_recording(cut.runs, motion::separation_of(options, have_heights(tracks)),
+                               options.max_results, {crew, memory});
   if (!conflicts) return std::move(conflicts).error();
   return RecordedConflicts{*std::move(conflicts), std::move(cut.gaps)};
 }
@@ -72,7 +73,7 @@ Result<std::optional<Conflict>> find_closest_encounter(std::span<const Track> tr
   if (auto error = check(tracks, options)) return *std::move(error);
   // From what is surely much less than the swarm is wide to what is more.
   const double widest = std::clamp(1.01 * diagonal_of(tracks), 0x1p-90, kLargestInMotion);
-  for (double threshold = widest * 0x1p-12;; threshold *= 2.0) {
+  for (double threshold = std::max(widest * 0x1p-12, kSmallestInMotion);; threshold *= 2.0) {
     options.threshold_m = std::min(threshold, widest);
     const Result<RecordedConflicts> found = find_conflicts(tracks, options);
     if (!found) return found.error();

@@ -15,12 +15,12 @@ namespace beespace::motion {
 // Reports of one bee without a gap. When it comes back after one, another run begins.
 struct LiveRun {
   PointId bee = 0;
-  bool complete = true;          // nothing will be added
-  std::vector<Fix> fixes = {};   // empty: the place is free
+  bool complete = true;                   // nothing will be added
+  std::vector<Fix> fixes = {};            // empty: the place is free
   std::vector<double> heights_m = {};     // empty, or one for each fix
   std::optional<Velocity> velocity = {};  // of the last, where it was given
   double climb_mps = 0.0;
-  double searched_until_s = 0.0;          // its last report in the last search; at first its first
+  double searched_until_s = 0.0;  // its last report in the last search; at first its first
 
   [[nodiscard]] double last_s() const { return fixes.back().time_s; }
   // Now, flying on from the last report; nothing where it was heard of once and without a velocity.
@@ -51,7 +51,8 @@ class LiveBees {
   [[nodiscard]] std::size_t under_way() const { return under_way_.size(); }
 
   // After a search: forgets complete runs, and fixes before those that the next search needs. Sets
-  // dropped[place] to how many fixes of a run are gone. Returns the time from which on all is known.
+  // dropped[place] to how many fixes of a run are gone. Returns the time from which on all is
+  // known.
   double forget(std::vector<std::uint32_t>& dropped);
 
  private:
@@ -59,7 +60,7 @@ class LiveBees {
 
   bool heights_apart_;
   std::vector<LiveRun> runs_;
-  std::vector<std::uint32_t> free_;                        // places
+  std::vector<std::uint32_t> free_;                       // places
   std::unordered_map<PointId, std::uint32_t> under_way_;  // bee -> place
 };
 

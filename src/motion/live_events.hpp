@@ -10,8 +10,8 @@
 
 namespace beespace::motion {
 
-// Turns what a walk finds into events, each said once a stretch; the closest again only when the two
-// have come clearly closer than at the one that was said.
+// Turns what a walk finds into events, each said once a stretch; the closest again only when the
+// two have come clearly closer than at the one that was said.
 class PairTeller {
  public:
   // What has been said of the stretch under way.

@@ -1,4 +1,5 @@
-// What has happened between live bees: walks along the reports that have come since the last search.
+// What has happened between live bees: walks along the reports that have come since the last
+// search.
 #pragma once
 
 #include "core/resources.hpp"
@@ -52,7 +53,7 @@ class LiveWalks {
 
   WalkSeparation separation_;
   double margin_m_;
-  std::vector<LivePair> pairs_;    // under way, ascending
+  std::vector<LivePair> pairs_;   // under way, ascending
   std::vector<Entered> entered_;  // ascending, the lower id first
 };
 

@@ -26,8 +26,8 @@ Separation changed(const Separation& separation, double by_m) {
 double largest_coordinate(const Piece& piece) {
   const Point& p = piece.from.position;
   const Point& q = piece.to.position;
-  return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z), std::abs(q.x), std::abs(q.y),
-                   std::abs(q.z)});
+  return std::max(
+      {std::abs(p.x), std::abs(p.y), std::abs(p.z), std::abs(q.x), std::abs(q.y), std::abs(q.z)});
 }
 
 // For nearly all windows, faster than the exact decision: what was rounded is a few units in the
@@ -55,8 +55,7 @@ WalkSeparation WalkSeparation::within(const Separation& separation, const Run& f
 }
 
 std::optional<PairWalk::Stretch> PairWalk::walk_window(const Piece& first, const Piece& second,
-                                                       const TimeSpan& window,
-                                                       State& state) const {
+                                                       const TimeSpan& window, State& state) const {
   state.walked_until = window.ends_s;
   const Separation& outer = separation_.outer;
   const double lasts = window.ends_s - window.begins_s;
@@ -70,8 +69,9 @@ std::optional<PairWalk::Stretch> PairWalk::walk_window(const Piece& first, const
   };
   if (!state.open) {
     state.open.emplace();
-    state.open->conflict = {first_.track, second_.track, clock(report.span.begins_s),
-                            clock(report.closest_s), 0.0, report.closest_m, false};
+    state.open->conflict = {
+        first_.track,     second_.track, clock(report.span.begins_s), clock(report.closest_s), 0.0,
+        report.closest_m, false};
   }
   Stretch& open = *state.open;
   if (report.closest_m < open.conflict.closest_m) {

@@ -19,9 +19,9 @@
 
 namespace beespace::motion {
 
-// Conflict by the outer separation makes a stretch; conflict by the inner one, in some window of it,
-// makes it certain. Outer and inner are what tolerances leave open (recordings), or where bees leave
-// and where they enter (live).
+// Conflict by the outer separation makes a stretch; conflict by the inner one, in some window of
+// it, makes it certain. Outer and inner are what tolerances leave open (recordings), or where bees
+// leave and where they enter (live).
 struct WalkSeparation {
   Separation outer;
   Separation inner;
@@ -44,7 +44,7 @@ struct WalkState {
   std::size_t first_piece = 0;  // the window to walk next
   std::size_t second_piece = 0;
   double walked_until = -std::numeric_limits<double>::infinity();  // the end of the one before
-  std::optional<Stretch> open = {};  // in conflict at that instant
+  std::optional<Stretch> open = {};                                // in conflict at that instant
 };
 
 class PairWalk {
@@ -59,8 +59,8 @@ class PairWalk {
         reach_m_(separation.outer.reach_m()) {}
 
   // Walks the windows that meet the time, each as a whole, from where `state` has come to. Calls
-  // ended(stretch) with each that has ended, and going_on(stretch) after each window at whose end one
-  // goes on.
+  // ended(stretch) with each that has ended, and going_on(stretch) after each window at whose end
+  // one goes on.
   template <class Ended, class GoingOn>
   void walk(const TimeSpan& time, State& state, Ended&& ended, GoingOn&& going_on) const;
   template <class Ended>

@@ -15,8 +15,8 @@
 
 namespace beespace::motion {
 
-// How a ball moves: metres per second, and what is to be kept clear around it besides the clearance.
-// As floats, which are as good as positions in a grid are.
+// How a ball moves: metres per second, and what is to be kept clear around it besides the
+// clearance. As floats, which are as good as positions in a grid are.
 struct Move {
   float x;
   float y;

@@ -17,8 +17,8 @@ namespace {
 std::optional<Error> check(const MoversView& movers, const PredictOptions& options) {
   if (auto error = motion::check_options(options)) return error;
   if (auto error = motion::check_heights(movers.has_heights(), options.vertical_m)) return error;
-  const bool all_have_heights = movers.heights_m().size() == movers.size() &&
-                                movers.climbs_mps().size() == movers.size();
+  const bool all_have_heights =
+      movers.heights_m().size() == movers.size() && movers.climbs_mps().size() == movers.size();
   if (movers.has_heights() && !all_have_heights) {
     return Error{ErrorCode::kInvalidArgument,
                  std::to_string(movers.heights_m().size()) + " heights and " +
@@ -55,8 +55,8 @@ Result<std::vector<Conflict>> predict_conflicts(const MoversView& movers,
       if (!motion::in_conflict(a, b, separation, options.horizon_s)) continue;
       const auto report =
           motion::report_conflict(motion::relative_motion(a, b), separation, options.horizon_s);
-      conflicts.push_back({i, j, report.span.begins_s, report.closest_s, report.span.ends_s,
-                           report.closest_m});
+      conflicts.push_back(
+          {i, j, report.span.begins_s, report.closest_s, report.span.ends_s, report.closest_m});
       if (conflicts.size() > options.max_results) {
         return core::too_many_results(options.max_results);
       }

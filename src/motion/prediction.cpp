@@ -26,8 +26,8 @@ bool same_pair(const Conflict& a, const Conflict& b) {
 
 // What the movers have in common, measured once.
 struct Crowd {
-  Velocity drift;        // about the mean velocity: moving along with it, everybody is slower
-  double fastest = 0.0;  // relative to it
+  Velocity drift;           // about the mean velocity: moving along with it, everybody is slower
+  double fastest = 0.0;     // relative to it
   double farthest_m = 0.0;  // largest coordinate
 };
 
@@ -87,8 +87,8 @@ class Prediction {
         crowd_(measure(movers, with)),
         clearance_m_(separation_.reach_m()),
         // Positions along the way are wrong by a few roundings of these.
-        blur_m_(0x1p-48 * (crowd_.farthest_m +
-                           options.horizon_s * (crowd_.fastest + length(crowd_.drift)))),
+        blur_m_(0x1p-48 *
+                (crowd_.farthest_m + options.horizon_s * (crowd_.fastest + length(crowd_.drift)))),
         middles_(with.memory, movers.size()),
         moves_(with.memory, movers.size()) {
     note_moves();
@@ -185,8 +185,8 @@ class Prediction {
     judge(candidates, begin);
   }
 
-  // In ascending order, so that the first of each two is read one after the other, and what is found
-  // need not be sorted.
+  // In ascending order, so that the first of each two is read one after the other, and what is
+  // found need not be sorted.
   void judge(const core::Vector<core::FoundPairs>& candidates, double step_begin) {
     std::size_t size = 0;
     for (const core::FoundPairs& part : candidates) size += part.size();
@@ -208,8 +208,12 @@ class Prediction {
         if (step_begin > 0.0 && surely_found_before(a, b, step_begin)) continue;
         const auto report = conflict_of(a, b, separation_, options_.horizon_s);
         if (!report) continue;
-        found_[to++] = {first, second, report->span.begins_s, report->closest_s,
-                        report->span.ends_s, report->closest_m};
+        found_[to++] = {first,
+                        second,
+                        report->span.begins_s,
+                        report->closest_s,
+                        report->span.ends_s,
+                        report->closest_m};
       }
       ends[worker] = to;
     });
@@ -220,8 +224,8 @@ class Prediction {
   void close_gaps(std::size_t before, std::size_t size, const std::vector<std::size_t>& ends) {
     auto to = found_.begin() + static_cast<std::ptrdiff_t>(before);
     for (unsigned worker = 0; worker < ends.size(); ++worker) {
-      const auto from = found_.begin() + static_cast<std::ptrdiff_t>(
-                                             before + with_.crew.share(size, worker).first);
+      const auto from = found_.begin() +
+                        static_cast<std::ptrdiff_t>(before + with_.crew.share(size, worker).first);
       const auto end = found_.begin() + static_cast<std::ptrdiff_t>(ends[worker]);
       if (from < end) to = from == to ? end : std::move(from, end, to);
     }
@@ -247,8 +251,7 @@ class Prediction {
     const double slack = 4.0 * blur_m_;
     constexpr double kRounded = 1.0 - 0x1p-40;
     if (std::sqrt(squared) + slack >= options_.threshold_m * kRounded) return false;
-    return !options_.vertical_m ||
-           std::abs(motion.r[up]) + slack < *options_.vertical_m * kRounded;
+    return !options_.vertical_m || std::abs(motion.r[up]) + slack < *options_.vertical_m * kRounded;
   }
 
   // Sorts what several steps have found, and drops whom more than one has.

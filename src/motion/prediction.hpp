@@ -1,12 +1,12 @@
-// The search behind predict_conflicts: steps of time to the horizon, candidates of each step, and an
-// exact decision about each candidate.
+// The search behind predict_conflicts: steps of time to the horizon, candidates of each step, and
+// an exact decision about each candidate.
 #pragma once
 
 #include "core/resources.hpp"
 #include "search/choices.hpp"
 
-#include <beespace/conflict.hpp>
 #include <beespace/closest_approach.hpp>
+#include <beespace/conflict.hpp>
 #include <beespace/mover.hpp>
 #include <beespace/result.hpp>
 

@@ -1,5 +1,5 @@
-// The search behind find_conflicts: steps of time through the recording, candidates of each step, and
-// for each candidate a walk along both tracks.
+// The search behind find_conflicts: steps of time through the recording, candidates of each step,
+// and for each candidate a walk along both tracks.
 #pragma once
 
 #include "core/resources.hpp"

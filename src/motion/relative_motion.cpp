@@ -53,8 +53,7 @@ TimeSpan time_closer(const RelativeMotion<Axes>& motion, double threshold, doubl
   const double b = dot(r, w);
   const double distance = std::sqrt(dot(r, r));
   const double c = (distance - threshold) * (distance + threshold);
-  const double root =
-      std::sqrt(std::max(0.0, a * (threshold * threshold) - squared_cross(r, w)));
+  const double root = std::sqrt(std::max(0.0, a * (threshold * threshold) - squared_cross(r, w)));
   double begins = 0.0;
   double ends = duration;
   if (b <= 0.0) {

@@ -7,8 +7,11 @@ Runs cut_at_gaps(std::span<const Track> tracks, double max_gap_s) {
   for (std::size_t id = 0; id < tracks.size(); ++id) {
     const Track& track = tracks[id];
     const auto add = [&](std::size_t begin, std::size_t end) {
-      Run run{static_cast<PointId>(id), track.tolerance_m,
-              std::span(track.fixes).subspan(begin, end - begin), {}, true};
+      Run run{static_cast<PointId>(id),
+              track.tolerance_m,
+              std::span(track.fixes).subspan(begin, end - begin),
+              {},
+              true};
       if (!track.heights_m.empty()) {
         run.heights_m = std::span(track.heights_m).subspan(begin, end - begin);
       }

@@ -59,9 +59,9 @@ ConflictReport report_of(const TimeSpan& span, const Nearness& nearest) {
           nearest.distance_m};
 }
 
-// Whether spheres are in conflict, by how close they come in doubles; nothing where that is too near
-// the threshold to say. What was rounded is less than 2^-46 of how far apart they begin and of how
-// far they move.
+// Whether spheres are in conflict, by how close they come in doubles; nothing where that is too
+// near the threshold to say. What was rounded is less than 2^-46 of how far apart they begin and of
+// how far they move.
 std::optional<bool> surely(const RelativeMotion<4>& motion, const Nearness& nearest,
                            double threshold_m, double horizon_s) {
   const auto length = [](const Axes4& v) {

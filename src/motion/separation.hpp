@@ -14,8 +14,8 @@
 
 namespace beespace::motion {
 
-// Where a bee is and how fast it goes, on x, y, z, and on a fourth axis where heights are kept apart
-// from positions (see MoversView); 0 there otherwise.
+// Where a bee is and how fast it goes, on x, y, z, and on a fourth axis where heights are kept
+// apart from positions (see MoversView); 0 there otherwise.
 using Axes4 = std::array<double, 4>;
 
 struct State {

@@ -20,8 +20,8 @@ double distance_between(const Point& p, const Point& q) {
   return std::sqrt(x * x + y * y + z * z);
 }
 
-// Calls visit(time, position) where the run enters and leaves the time, and at its fixes in between:
-// it is farthest from a straight line at one of them.
+// Calls visit(time, position) where the run enters and leaves the time, and at its fixes in
+// between: it is farthest from a straight line at one of them.
 template <class Visit>
 void for_each_corner(const Run& run, std::size_t piece, const TimeSpan& time, Visit&& visit) {
   const double begin = std::max(time.begins_s, run.begins_s());
@@ -46,9 +46,7 @@ Point position_on(const Piece& piece, double time_s) {
 
 StepBalls::StepBalls(const std::vector<Run>& runs, const std::vector<ActiveRun>& active,
                      const TimeSpan& time, const core::Resources& with)
-    : size_(active.size()),
-      middles_(with.memory, size_),
-      moves_(with.memory, size_) {
+    : size_(active.size()), middles_(with.memory, size_), moves_(with.memory, size_) {
   with.crew.split(size_, [&](std::size_t begin, std::size_t end, unsigned) {
     for (std::size_t ball = begin; ball < end; ++ball) {
       enclose(runs[active[ball].run], active[ball].piece, time, ball);

@@ -1,5 +1,5 @@
-// Runs as balls for one step of time: each moves in a straight line through the step, and its radius
-// covers how far the run leaves that line.
+// Runs as balls for one step of time: each moves in a straight line through the step, and its
+// radius covers how far the run leaves that line.
 #pragma once
 
 #include "core/resources.hpp"

@@ -89,7 +89,7 @@ class Swarm::State {
   motion::Separation leave_;
   motion::LiveBees bees_;
   motion::LiveWalks walks_;
-  std::vector<BeePair> predicted_;      // said, and still in danger; ascending
+  std::vector<BeePair> predicted_;     // said, and still in danger; ascending
   std::unordered_set<PointId> stale_;  // until they are heard of again
   std::optional<double> now_s_;
   SwarmCounts counts_;
@@ -160,8 +160,8 @@ Result<std::vector<SwarmEvent>> Swarm::State::advance(double now_s) {
   return events;
 }
 
-// A pair stays predicted as long as it is predicted by the leave threshold; it becomes so by that of
-// entering.
+// A pair stays predicted as long as it is predicted by the leave threshold; it becomes so by that
+// of entering.
 Status Swarm::State::predict(double now_s, const core::Resources& with,
                              std::vector<SwarmEvent>& events) {
   std::vector<Mover> movers;
@@ -196,8 +196,8 @@ Status Swarm::State::predict(double now_s, const core::Resources& with,
     if (!said && !motion::in_conflict(first, second, enter_, options_.horizon_s)) continue;
     still.push_back({a, b});
     if (said || walks_.have_entered(a, b)) continue;
-    const auto report = motion::report_conflict(motion::relative_motion(first, second), enter_,
-                                                options_.horizon_s);
+    const auto report =
+        motion::report_conflict(motion::relative_motion(first, second), enter_, options_.horizon_s);
     events.push_back({EventKind::kPredicted, now_s + report.span.begins_s, a, b, report.closest_m,
                       now_s + report.closest_s});
   }

@@ -109,10 +109,10 @@ namespace {
 
 std::optional<Error> check_track(const Track& track, std::size_t record) {
   if (!(track.tolerance_m >= 0.0) || !in_motion_domain(track.tolerance_m)) {
-    return Error{ErrorCode::kInvalidArgument,
-                 "the tolerance is " + shown(track.tolerance_m) +
-                     " m; give a finite distance, zero or more",
-                 {}};
+    return Error{
+        ErrorCode::kInvalidArgument,
+        "the tolerance is " + shown(track.tolerance_m) + " m; give a finite distance, zero or more",
+        {}};
   }
   const auto& fixes = track.fixes;
   if (!track.heights_m.empty() && track.heights_m.size() != fixes.size()) {

@@ -45,9 +45,9 @@ Result<bool> CylinderSearch::visit_pairs(const PairVisitor& visit) const {
   const PointsView sphere =
       apart ? points_ : PointsView(std::span<const Point>(places.data(), points_.size()));
   // Rounded up, and wider by far than what the stretching rounds.
-  const double radius = (1.0 + 0x1p-20) * (apart ? options_.threshold_m
-                                                 : std::hypot(options_.threshold_m,
-                                                              stretch * *options_.vertical_m));
+  const double radius =
+      (1.0 + 0x1p-20) * (apart ? options_.threshold_m
+                               : std::hypot(options_.threshold_m, stretch * *options_.vertical_m));
   const Result<Frame> frame = Frame::of(sphere, with_);
   if (!frame) return frame.error();
   const QuestionGrids grids(*frame, {.threshold_m = radius, .inclusive = true}, with_, choices_);

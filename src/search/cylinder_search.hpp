@@ -19,8 +19,8 @@ namespace beespace::search {
 class CylinderSearch {
  public:
   // Options have a vertical threshold, and all three must outlive the search.
-  CylinderSearch(const PointsView& points, const SearchOptions& options, const core::Resources& with,
-                 const Choices& choices)
+  CylinderSearch(const PointsView& points, const SearchOptions& options,
+                 const core::Resources& with, const Choices& choices)
       : points_(points), options_(options), with_(with), choices_(choices) {}
 
   Status find_at_risk(std::vector<PointId>& at_risk) const;

@@ -108,8 +108,8 @@ void Engine::release_memory() {
 Status Engine::find_at_risk(const PointsView& points, const SearchOptions& options,
                             std::vector<PointId>& at_risk) {
   if (is_vertical(options)) {
-    return workshop_->run_cylinder(points, options,
-                                   [&](const auto& search) { return search.find_at_risk(at_risk); });
+    return workshop_->run_cylinder(
+        points, options, [&](const auto& search) { return search.find_at_risk(at_risk); });
   }
   if (auto error = core::check_options(options)) return *std::move(error);
   return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
@@ -167,8 +167,8 @@ Result<bool> Engine::visit_pairs(const PointsView& points, const SearchOptions& 
 Status Engine::find_neighbors(const PointsView& points, const SearchOptions& options,
                               IdRows& neighbors) {
   if (is_vertical(options)) {
-    return workshop_->run_cylinder(points, options,
-                                   [&](const auto& search) { return search.find_neighbors(neighbors); });
+    return workshop_->run_cylinder(
+        points, options, [&](const auto& search) { return search.find_neighbors(neighbors); });
   }
   if (auto error = core::check_options(options)) return *std::move(error);
   return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
@@ -187,8 +187,8 @@ Status Engine::find_neighbors_between(const PointsView& points, const PointsView
 Status Engine::count_neighbors(const PointsView& points, const SearchOptions& options,
                                std::vector<std::uint32_t>& counts) {
   if (is_vertical(options)) {
-    return workshop_->run_cylinder(points, options,
-                                   [&](const auto& search) { return search.count_neighbors(counts); });
+    return workshop_->run_cylinder(
+        points, options, [&](const auto& search) { return search.count_neighbors(counts); });
   }
   if (auto error = core::check_options(options)) return *std::move(error);
   return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
