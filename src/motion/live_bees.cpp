@@ -51,6 +51,9 @@ LiveBees::Taken LiveBees::take(const Report& report, double max_age_s) {
       return Taken::kYes;
     }
     complete(report.id);
+  } else if (const auto stale = stale_.find(report.id); stale != stale_.end()) {
+    if (fix.time_s <= stale->second) return Taken::kLate;
+    stale_.erase(stale);
   }
   std::uint32_t place = 0;
   if (free_.empty()) {
@@ -67,6 +70,11 @@ LiveBees::Taken LiveBees::take(const Report& report, double max_age_s) {
   add(run, report);
   under_way_[report.id] = place;
   return Taken::kYes;
+}
+
+void LiveBees::remove(PointId bee) {
+  complete(bee);
+  stale_.erase(bee);
 }
 
 void LiveBees::complete(PointId bee) {

@@ -40,8 +40,8 @@ class LiveBees {
   enum class Taken : std::uint8_t { kYes, kRepeated, kLate };
   Taken take(const Report& report, double max_age_s);
 
-  // Completes the run of a bee; nothing where there is none under way.
-  void complete(PointId bee);
+  // A bee that is there no longer; nothing where it is not known.
+  void remove(PointId bee);
   // Completes all who were last heard of before `oldest_s`; calls stale(bee, last heard of).
   template <class Stale>
   void complete_stale(double oldest_s, Stale&& stale);
@@ -49,6 +49,8 @@ class LiveBees {
   // Runs by their place, which stays as long as the run does.
   [[nodiscard]] const std::vector<LiveRun>& runs() const { return runs_; }
   [[nodiscard]] std::size_t under_way() const { return under_way_.size(); }
+  // Stale, and not heard of since.
+  [[nodiscard]] std::size_t stale() const { return stale_.size(); }
 
   // After a search: forgets complete runs, and fixes before those that the next search needs. Sets
   // dropped[place] to how many fixes of a run are gone. Returns the time from which on all is
@@ -57,11 +59,13 @@ class LiveBees {
 
  private:
   void add(LiveRun& run, const Report& report) const;
+  void complete(PointId bee);
 
   bool heights_apart_;
   std::vector<LiveRun> runs_;
   std::vector<std::uint32_t> free_;                       // places
   std::unordered_map<PointId, std::uint32_t> under_way_;  // bee -> place
+  std::unordered_map<PointId, double> stale_;             // bee -> when last heard of
 };
 
 template <class Stale>
@@ -71,6 +75,7 @@ void LiveBees::complete_stale(double oldest_s, Stale&& stale) {
     stale(run.bee, run.last_s());
     run.complete = true;
     under_way_.erase(run.bee);
+    stale_[run.bee] = run.last_s();
   }
 }
 

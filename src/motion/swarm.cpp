@@ -12,7 +12,6 @@
 #include <iterator>
 #include <string>
 #include <tuple>
-#include <unordered_set>
 #include <utility>
 
 namespace beespace {
@@ -67,16 +66,13 @@ class Swarm::State {
                std::max(0.05, options.leave_factor - 1.0) * options.threshold_m) {}
 
   Status update(const Report& report);
-  void remove(PointId id) {
-    bees_.complete(id);
-    stale_.erase(id);
-  }
+  void remove(PointId id) { bees_.remove(id); }
   Result<std::vector<SwarmEvent>> advance(double now_s);
 
   [[nodiscard]] SwarmCounts counts() const {
     SwarmCounts counts = counts_;
     counts.bees = bees_.under_way();
-    counts.stale = stale_.size();
+    counts.stale = bees_.stale();
     return counts;
   }
 
@@ -90,7 +86,6 @@ class Swarm::State {
   motion::LiveBees bees_;
   motion::LiveWalks walks_;
   std::vector<BeePair> predicted_;     // said, and still in danger; ascending
-  std::unordered_set<PointId> stale_;  // until they are heard of again
   std::optional<double> now_s_;
   SwarmCounts counts_;
   core::Memory memory_;
@@ -116,7 +111,6 @@ Status Swarm::State::update(const Report& report) {
   switch (bees_.take(report, options_.max_age_s)) {
     case motion::LiveBees::Taken::kYes:
       ++counts_.taken;
-      stale_.erase(report.id);
       break;
     case motion::LiveBees::Taken::kRepeated:
       ++counts_.repeated;
@@ -148,7 +142,6 @@ Result<std::vector<SwarmEvent>> Swarm::State::advance(double now_s) {
   std::vector<SwarmEvent> events;
   bees_.complete_stale(now_s - options_.max_age_s, [&](PointId bee, double last_s) {
     events.push_back({EventKind::kStale, last_s, bee, bee, 0.0, last_s});
-    stale_.insert(bee);
   });
   const core::Resources with = resources();
   walks_.search(bees_, with, events);
