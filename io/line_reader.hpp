@@ -39,4 +39,10 @@ std::unique_ptr<LineReader> make_table_lines(const RecordingOptions& options,
                                              std::uint64_t first_line);
 std::unique_ptr<LineReader> make_json_lines(const RecordingOptions& options);
 
+std::unique_ptr<LineReader> make_aircraft_lines(const RecordingOptions& options);
+std::unique_ptr<LineReader> make_base_station_lines(const RecordingOptions& options);
+
+// Of readsb's objects, not of anybody's own words; `line` is one object.
+bool is_aircraft_line(std::string_view line);
+
 }  // namespace beespace::io

@@ -1,5 +1,7 @@
 #include "io/load_recording.hpp"
 
+#include "io/aircraft_reading.hpp"
+#include "io/base_station_reading.hpp"
 #include "io/byte_source.hpp"
 #include "io/excerpt.hpp"
 #include "io/gzip.hpp"
@@ -7,6 +9,8 @@
 #include "io/recording_sources.hpp"
 #include "io/show_documents.hpp"
 #include "io/show_reading.hpp"
+#include "io/telemetry_log.hpp"
+#include "io/telemetry_reading.hpp"
 #include "io/text_check.hpp"
 #include "io/track_table.hpp"
 #include "io/zip_archive.hpp"
@@ -86,14 +90,18 @@ std::optional<Error> read_archive(Bytes bytes, const std::string& source,
   return std::nullopt;
 }
 
-std::optional<Error> read_show_file(const Bytes& bytes, const std::string& source,
+std::optional<Error> read_json_file(const Bytes& bytes, const std::string& source,
                                     RecordingAssembly& assembly) {
   auto documents = ShowDocuments::from_text(without_byte_order_mark(bytes.view), source);
   if (!documents) return documents.error();
   if (is_show(*documents)) return read_show(*documents, assembly);
+  const bool any = assembly.options().format == RecordingFormat::kAuto;
+  const JsonElement root = documents->root().element;
+  if (any && is_aircraft_document(root)) return read_aircraft_document(root, assembly);
   return Error{ErrorCode::kUnsupportedFormat,
-               "this is JSON, but no Skybrush show: it has no 'swarm'; name a show, or export the "
-               "recording as CSV",
+               std::string("this is JSON, but no Skybrush show: it has no 'swarm'") +
+                   (any ? ", nor does it list 'aircraft' (readsb) or 'states' (OpenSky)" : "") +
+                   "; name another file, or export the recording as CSV",
                {}};
 }
 
@@ -114,7 +122,11 @@ std::optional<Error> read_source(Bytes bytes, const std::string& path,
   if (!content) return content.error();
   if (is_zip(content->view)) return read_archive(*std::move(content), source, assembly);
   const bool tables = format == RecordingFormat::kTable || format == RecordingFormat::kSkybrushCsv;
-  if (!tables && is_json_object(content->view)) return read_show_file(*content, source, assembly);
+  if (!tables && is_json_object(content->view)) return read_json_file(*content, source, assembly);
+  if (format == RecordingFormat::kAuto) {
+    if (is_telemetry_log(content->view)) return read_telemetry(content->view, path, assembly);
+    if (is_base_station(content->view)) return read_base_station(content->view, assembly);
+  }
   if (format == RecordingFormat::kSkybrushShow) {
     return Error{
         ErrorCode::kUnsupportedFormat,
@@ -132,10 +144,11 @@ std::optional<Error> placed(std::optional<Error> error, const std::string& path)
 
 std::optional<Error> read_path(const std::string& path, RecordingAssembly& assembly) {
   if (is_folder(path)) {
-    const auto tables = tables_in(path);
-    if (!tables) return tables.error();
-    for (const std::string& table : *tables) {
-      if (auto error = read_path(table, assembly)) return error;
+    const auto files = recordings_in(path);
+    if (!files) return files.error();
+    if (files->size() > 1) assembly.expect_several();
+    for (const std::string& file : *files) {
+      if (auto error = read_path(file, assembly)) return error;
     }
     return std::nullopt;
   }
@@ -156,6 +169,7 @@ Result<Recording> load_recording(const std::vector<std::string>& paths,
     options.progress->total = 0;
   }
   RecordingAssembly assembly(options);
+  if (paths.size() > 1) assembly.expect_several();
   for (const std::string& path : paths) {
     if (auto error = read_path(path, assembly)) return *std::move(error);
   }

@@ -33,6 +33,7 @@ struct RecordedBee {
   // One for each fix, or none: m/s along x, y, z, or east, north, up; not-a-number where unknown.
   std::vector<Velocity> velocities = {};
   std::optional<BezierPath> path = {};  // instead of fixes, where the input has a curve
+  std::string label = {};               // what it is called beside its id: the flight; or nothing
 };
 
 struct Recording {

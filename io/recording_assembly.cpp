@@ -21,6 +21,22 @@ std::string frame_words(Frame frame) {
   return frame == Frame::kWgs84 ? "in degrees" : "in metres";
 }
 
+std::string height_words(HeightDatum heights) {
+  switch (heights) {
+    case HeightDatum::kEllipsoid:
+      return "above the WGS84 ellipsoid";
+    case HeightDatum::kMeanSeaLevel:
+      return "above mean sea level";
+    case HeightDatum::kPressure:
+      return "by pressure";
+    case HeightDatum::kHome:
+      return "above the place of take-off";
+    case HeightDatum::kUnstated:
+      break;
+  }
+  return "not said to be above anything";
+}
+
 std::string counted(std::uint64_t count, std::string_view one, std::string_view many) {
   return std::to_string(count) + " " + std::string(count == 1 ? one : many);
 }
@@ -34,7 +50,7 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
   if (!facts_) {
     facts_ = facts;
     facts_source_ = sources_.back();
-    return std::nullopt;
+    return agree_on_heights(facts.heights);
   }
   if (facts.frame != facts_->frame && facts.frame != Frame::kAuto &&
       facts_->frame != Frame::kAuto) {
@@ -64,14 +80,38 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
   // The least that any of them says.
   facts_->naming = std::min(facts_->naming, facts.naming);
   facts_->dimensions = std::min(facts_->dimensions, facts.dimensions);
-  if (facts.heights != facts_->heights) facts_->heights = HeightDatum::kUnstated;
+  if (auto error = agree_on_heights(facts.heights)) return error;
   if (facts.description != facts_->description) facts_->description = "several formats";
+  return std::nullopt;
+}
+
+std::optional<Error> RecordingAssembly::agree_on_heights(HeightDatum heights) {
+  if (heights != HeightDatum::kUnstated) {
+    if (stated_heights_ != HeightDatum::kUnstated && heights != stated_heights_) {
+      return Error{ErrorCode::kInvalidArgument,
+                   "heights here are " + height_words(heights) + ", but elsewhere, as in " +
+                       stated_by_ + ", " + height_words(stated_heights_) + "; read them apart",
+                   {sources_.back()}};
+    }
+    if (stated_by_.empty()) stated_by_ = sources_.back();
+    stated_heights_ = heights;
+  }
+  if (heights == facts_->heights) return std::nullopt;
+  note("some inputs say that heights are " + height_words(stated_heights_) +
+       ", others say nothing; they are compared as they are");
+  facts_->heights = HeightDatum::kUnstated;
   return std::nullopt;
 }
 
 void RecordingAssembly::note(std::string text) {
   auto& notes = recording_.notes;
   if (std::find(notes.begin(), notes.end(), text) == notes.end()) notes.push_back(std::move(text));
+}
+
+std::string RecordingAssembly::name_of_source(std::string stem) {
+  if (std::find(stems_.begin(), stems_.end(), stem) != stems_.end()) return sources_.back();
+  stems_.push_back(stem);
+  return stem;
 }
 
 std::optional<Error> RecordingAssembly::bad(Error error) {
@@ -164,6 +204,12 @@ void RecordingAssembly::note_counts() {
     note(counted(count, "record repeats", "records repeat") +
          " a time and place of the same bee and " + (count == 1 ? "is" : "are") + " left out");
   }
+  if (const auto count = tracks_.clashing(); count > 0) {
+    note(counted(count, "record says", "records say") +
+         " another place for a time that the same bee has been heard at (times are rounded); the "
+         "first is taken");
+  }
+  for (std::string& text : left_out_.notes()) note(std::move(text));
   if (const auto count = tracks_.in_several_sources(); count > 0) {
     note(counted(count, "bee is", "bees are") +
          " in several files under the same id; each is taken for one, merged by time");
@@ -181,6 +227,10 @@ Error RecordingAssembly::nothing_left() const {
     message = count == 1 ? "the only record is bad: "
                          : "all " + std::to_string(count) + " records are bad; the first: ";
     message += recording_.skipped.front().message;
+  }
+  const std::vector<std::string> left_out = left_out_.notes();
+  for (const std::string& text : left_out) {
+    message += (&text == &left_out.front() ? ": " : ". Also, ") + text;
   }
   return {ErrorCode::kNoPoints, message, {sources_.empty() ? "" : sources_.front()}};
 }

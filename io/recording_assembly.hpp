@@ -5,6 +5,7 @@
 #pragma once
 
 #include "io/frame_decision.hpp"
+#include "io/left_out.hpp"
 #include "io/load_recording.hpp"
 #include "io/track_gathering.hpp"
 
@@ -41,7 +42,16 @@ class RecordingAssembly {
     return static_cast<std::uint32_t>(sources_.size() - 1);
   }
 
-  // Errors: kUnknownFrame, kMissingColumn, kInvalidArgument for inputs that do not go together.
+  [[nodiscard]] const std::string& source_name() const { return sources_.back(); }
+  // Whether there is more than one input, so that what is called by numbers alone needs a name of
+  // its source before it.
+  void expect_several() { several_ = true; }
+  [[nodiscard]] bool has_several() const { return several_; }
+  // That name: `stem`, or where another source has it already, all of the source's name.
+  std::string name_of_source(std::string stem);
+
+  // Errors: kUnknownFrame, kMissingColumn, kInvalidArgument for inputs that do not go together:
+  // in frame, time or what heights are counted from.
   std::optional<Error> agree(const SourceFacts& facts);
   // Says it once, however often it is handed in.
   void note(std::string text);
@@ -50,6 +60,8 @@ class RecordingAssembly {
   void declare_threshold(double metres);
   void add_bytes(std::uint64_t count) { recording_.bytes += count; }
   TrackGathering& tracks() { return tracks_; }
+  // What is left out without being a mistake.
+  LeftOut& left_out() { return left_out_; }
   // How many records without any id came before, over all inputs.
   [[nodiscard]] std::uint64_t nameless() const { return nameless_; }
   void add_nameless(std::uint64_t count) { nameless_ += count; }
@@ -63,13 +75,19 @@ class RecordingAssembly {
   [[nodiscard]] Error conflict_error(const TimeConflict& conflict) const;
   void note_counts();
   [[nodiscard]] Error nothing_left() const;
+  std::optional<Error> agree_on_heights(HeightDatum heights);
 
   const RecordingOptions& options_;
   Recording recording_;
   TrackGathering tracks_;
+  LeftOut left_out_;
   std::vector<std::string> sources_;
-  std::optional<SourceFacts> facts_;  // of all inputs so far
-  std::string facts_source_;          // who said so first
+  std::vector<std::string> stems_;  // those given away by name_of_source()
+  bool several_ = false;
+  std::optional<SourceFacts> facts_;                     // of all inputs so far
+  std::string facts_source_;                             // who said so first
+  HeightDatum stated_heights_ = HeightDatum::kUnstated;  // by whoever says so
+  std::string stated_by_;
   std::uint64_t nameless_ = 0;
 };
 

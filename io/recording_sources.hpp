@@ -15,9 +15,10 @@ bool is_folder(const std::string& path);
 // Whether a name ends as those of text tables do: .csv, .tsv or .txt, perhaps with .gz behind.
 bool is_table_name(std::string_view name);
 
-// The tables in the folder, by name; hidden files are left out. Errors: kCannotOpen, kNoPoints
-// when there is none.
-Result<std::vector<std::string>> tables_in(const std::string& folder);
+// What there is to read in the folder, by name: its tables; where there is none, its .json files,
+// otherwise its .tlog files. Hidden files are left out. Errors: kCannotOpen, kNoPoints when there
+// is nothing.
+Result<std::vector<std::string>> recordings_in(const std::string& folder);
 
 // "swarm" of "data/swarm.csv.gz"; "stdin" of "-".
 std::string stem_of(std::string_view path);

@@ -41,6 +41,23 @@ std::optional<Error> out_of_range(const Point& position, Frame frame) {
   return range_error(*problem, position, std::string(text.data(), end));
 }
 
+Result<std::optional<ReportLine>> report_line(const AircraftReport& report,
+                                              const AircraftChoice& choice, LeftOut& left_out) {
+  auto chosen = choice.choose(report, left_out);
+  if (!chosen) return without_advice(std::move(chosen).error());
+  if (!chosen.value()) return std::optional<ReportLine>();
+  const AircraftFix& fix = **chosen;
+  ReportLine line;
+  line.id = report.id;
+  line.label = report.label;
+  line.time_s = fix.fix.time_s;
+  line.position = fix.fix.position;
+  line.frame = Frame::kWgs84;
+  line.velocity = known(fix.velocity);
+  line.since_1970 = true;
+  return std::optional<ReportLine>(line);
+}
+
 Error without_advice(Error error) {
   const std::size_t advice = error.message.rfind(kOrLeaveOut);
   if (advice != std::string::npos) error.message.erase(advice, kOrLeaveOut.size());

@@ -2,6 +2,8 @@
 // line must say whose it is and when.
 #pragma once
 
+#include "io/aircraft_report.hpp"
+#include "io/report_lines.hpp"
 #include "io/track_layout.hpp"
 
 #include <beespace/mover.hpp>
@@ -15,6 +17,10 @@ namespace beespace::io {
 
 // Errors: kMissingColumn without id or time, kUnknownFrame where the names do not tell the frame.
 std::optional<Error> live_problem(const TrackLayout& layout);
+
+// What a report of an aircraft says; its texts are those of `report`. Errors: those of choose().
+Result<std::optional<ReportLine>> report_line(const AircraftReport& report,
+                                              const AircraftChoice& choice, LeftOut& left_out);
 
 // The error without the advice to leave bad records out: who takes lines has to decide on each.
 Error without_advice(Error error);

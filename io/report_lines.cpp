@@ -1,5 +1,6 @@
 #include "io/report_lines.hpp"
 
+#include "io/base_station.hpp"
 #include "io/fields.hpp"
 #include "io/line_reader.hpp"
 #include "io/record_problems.hpp"
@@ -19,7 +20,10 @@ std::string_view without_line_end(std::string_view line) {
 // By what the first line begins with.
 std::unique_ptr<LineReader> reader_for(std::string_view line, const RecordingOptions& options,
                                        std::uint64_t number) {
-  if (without_padding(line).front() == '{') return make_json_lines(options);
+  if (without_padding(line).front() == '{') {
+    return is_aircraft_line(line) ? make_aircraft_lines(options) : make_json_lines(options);
+  }
+  if (is_base_station_line(line)) return make_base_station_lines(options);
   return make_table_lines(options, number);
 }
 

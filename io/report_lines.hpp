@@ -9,8 +9,8 @@
 // - or a message of BaseStation (SBS-1), of which MSG,3 completes a position.
 //
 // Every bee needs an id and a time. Nothing is converted but units, as in recording.hpp. Memory is
-// bounded by the longest line, and for BaseStation by the velocity of each of the last 65,536
-// aircraft. One thread at a time.
+// bounded by the longest line, and for BaseStation by the velocity and name of 65,536 aircraft.
+// One thread at a time.
 #pragma once
 
 #include "io/load_recording.hpp"
@@ -31,6 +31,7 @@ namespace beespace::io {
 
 struct ReportLine {
   std::string_view id = {};      // as long as the line, and until the next one is taken
+  std::string_view label = {};   // the same: what it is called beside its id, or nothing
   double time_s = 0.0;           // since 1970 (UTC), or from a zero of the input's own
   Point position = {};           // metres; or longitude, latitude in degrees, height in metres
   Frame frame = Frame::kMetres;  // which of them: never kAuto, and the same for all lines
@@ -46,6 +47,8 @@ class ReportLines {
   // Of `options` skip_bad, format and progress are of no account: a bad line is for the caller to
   // pass over. `source` is what errors blame.
   explicit ReportLines(RecordingOptions options = {}, std::string source = "<stdin>");
+  ReportLines(const ReportLines&) = delete;
+  ReportLines& operator=(const ReportLines&) = delete;
   ReportLines(ReportLines&&) noexcept;
   ReportLines& operator=(ReportLines&&) noexcept;
   ~ReportLines();

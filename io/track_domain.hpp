@@ -14,6 +14,12 @@ inline bool in_motion_domain(double value) {
   return magnitude == 0.0 || (magnitude >= kSmallestInMotion && magnitude <= kLargestInMotion);
 }
 
+// Computed values may be as small as a double can be; less than 8e-31 of a metre, or of a metre per
+// second, is nothing.
+inline double without_dust(double value) {
+  return std::abs(value) < kSmallestInMotion ? 0.0 : value;
+}
+
 // For messages.
 inline constexpr std::string_view kMotionDomain = "7.9e-31 to 1.3e+30";
 

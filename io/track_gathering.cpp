@@ -17,6 +17,14 @@ bool strictly_ascending(const std::vector<Fix>& fixes) {
          }) == fixes.end();
 }
 
+// Whether the later fix is the earlier one, said twice. With rounded times the height may have
+// been heard of anew in between: it comes by other messages than the position.
+bool is_heard_again(const Fix& earlier, const Fix& later, std::optional<double> repeat_s) {
+  if (!repeat_s) return earlier == later;
+  return later.time_s - earlier.time_s <= *repeat_s && earlier.position.x == later.position.x &&
+         earlier.position.y == later.position.y;
+}
+
 }  // namespace
 
 TrackGathering::Bee& TrackGathering::bee_of(std::string_view id) {
@@ -57,6 +65,11 @@ void TrackGathering::add(std::string_view id, const Fix& fix, const Velocity* ve
   bee.origins.push_back(origin);
 }
 
+void TrackGathering::label(std::string_view id, std::string_view text) {
+  std::string& label = bee_of(id).recorded.label;
+  if (label != text) label = std::string(text);
+}
+
 void TrackGathering::add_path(std::string id, BezierPath path) {
   Bee& bee = bees_.emplace_back();
   bee.recorded.id = std::move(id);
@@ -84,7 +97,7 @@ std::vector<Point> TrackGathering::positions() const {
 
 void TrackGathering::settle(const std::function<void(const TimeConflict&)>& conflict) {
   for (Bee& bee : bees_) {
-    if (!strictly_ascending(bee.recorded.fixes)) settle(bee, conflict);
+    if (repeat_s_ || !strictly_ascending(bee.recorded.fixes)) settle(bee, conflict);
   }
 }
 
@@ -98,14 +111,20 @@ void TrackGathering::settle(Bee& bee, const std::function<void(const TimeConflic
   });
   Bee settled;
   for (const std::size_t i : order) {
-    if (!settled.recorded.fixes.empty() &&
-        settled.recorded.fixes.back().time_s == fixes[i].time_s) {
-      if (settled.recorded.fixes.back().position == fixes[i].position) {
+    if (!settled.recorded.fixes.empty()) {
+      const Fix& last = settled.recorded.fixes.back();
+      if (is_heard_again(last, fixes[i], repeat_s_)) {
         ++repeated_;
         continue;
       }
-      conflict({bee.recorded.id, fixes[i].time_s, settled.origins.back(), bee.origins[i]});
-      continue;
+      if (last.time_s == fixes[i].time_s) {
+        if (repeat_s_) {
+          ++clashing_;
+        } else {
+          conflict({bee.recorded.id, fixes[i].time_s, settled.origins.back(), bee.origins[i]});
+        }
+        continue;
+      }
     }
     settled.recorded.fixes.push_back(fixes[i]);
     if (!velocities.empty()) settled.recorded.velocities.push_back(velocities[i]);

@@ -40,6 +40,13 @@ class TrackGathering {
   // A bee of its own, whatever its id.
   void add_path(std::string id, BezierPath path);
 
+  // What that bee, which has a fix, is called; the last one counts.
+  void label(std::string_view id, std::string_view text);
+  // From here on times are known to be rounded, or to be those of arrival, as in telemetry: a bee
+  // that is at the same place again within `repeat_s` was heard once, and of two places at one time
+  // the second in the input is no conflict.
+  void round_times(double repeat_s) { repeat_s_ = repeat_s; }
+
   [[nodiscard]] bool empty() const { return bees_.empty(); }
   [[nodiscard]] bool contains(std::string_view id) const { return index_.contains(id); }
   // Where fix `index` comes from, counted bee by bee, and all their positions in that order.
@@ -54,6 +61,8 @@ class TrackGathering {
   // What was found by add() and settle().
   [[nodiscard]] std::uint64_t out_of_order() const { return out_of_order_; }
   [[nodiscard]] std::uint64_t repeated() const { return repeated_; }
+  // How many records say another place for a time that their bee has been heard at, by rounding.
+  [[nodiscard]] std::uint64_t clashing() const { return clashing_; }
   [[nodiscard]] std::uint64_t in_several_sources() const { return in_several_sources_; }
   // How many bees got another id since theirs was taken already ("drone", "drone#2").
   [[nodiscard]] std::uint64_t renamed() const { return renamed_; }
@@ -82,6 +91,8 @@ class TrackGathering {
   std::size_t last_ = 0;  // records of one bee often follow each other
   std::uint64_t out_of_order_ = 0;
   std::uint64_t repeated_ = 0;
+  std::uint64_t clashing_ = 0;
+  std::optional<double> repeat_s_;  // of rounded times
   std::uint64_t in_several_sources_ = 0;
   std::uint64_t renamed_ = 0;
 };

@@ -1,4 +1,5 @@
-// Fuzzes everything that reads recordings: tables of fixes, zip archives, shows in JSON.
+// Fuzzes everything that reads recordings: tables of fixes, zip archives, shows in JSON, aircraft,
+// telemetry logs.
 //
 // The first byte chooses the options and how the rest is handed over: as it is, as the only file of
 // an archive, or as the trajectory that a show refers to. Beyond the sanitizers, it checks what
@@ -30,6 +31,7 @@ RecordingOptions options_from(unsigned choice) {
   options.grounded = (choice / 3) % 2 == 1;
   const char* const columns[] = {
       "", "", "", "id=1,time=2,x=3,y=4,z=5", "time=2", "lon=1,lat=2,height=3,ve=4,vn=5"};
+  options.heights = static_cast<HeightSource>((choice / 9) % 3);
   options.columns = columns[(choice / 6) % 6];
   options.time_unit = choice % 5 == 0 ? TimeUnit::kMilliseconds : TimeUnit::kAuto;
   options.format = choice % 7 == 0 ? RecordingFormat::kSkybrushCsv : RecordingFormat::kAuto;
@@ -68,6 +70,13 @@ void check_point(const Point& point) {
   require(in_motion_domain(point.x) && in_motion_domain(point.y) && in_motion_domain(point.z));
 }
 
+// What is not known of it is not-a-number.
+void check_velocity(const Velocity& velocity) {
+  for (const double value : {velocity.x, velocity.y, velocity.z}) {
+    require(std::isnan(value) || in_motion_domain(value));
+  }
+}
+
 void check_path(const BezierPath& path) {
   check_point(path.begin);
   double time_s = path.begins_s;
@@ -87,6 +96,7 @@ void check_recording(const Recording& recording) {
     require(bee.path.has_value() == bee.fixes.empty());
     require(bee.velocities.empty() || bee.velocities.size() == bee.fixes.size());
     if (bee.path) check_path(*bee.path);
+    for (const Velocity& velocity : bee.velocities) check_velocity(velocity);
     for (std::size_t i = 0; i < bee.fixes.size(); ++i) {
       check_point(bee.fixes[i].position);
       require(in_motion_domain(bee.fixes[i].time_s));

@@ -36,7 +36,7 @@ TEST(BadShow, JsonThatIsNoneOrNoShow) {
                {ErrorCode::kCorrupt, "show.json:1:23", "this is no JSON: a value is expected"});
   expect_error(load("{\"swarm\": {\"drones\": ["),
                {ErrorCode::kTruncated, "show.json:1:23", "the JSON ends too early"});
-  expect_error(load("{\"aircraft\": []}"),
+  expect_error(load("{\"planes\": []}"),
                {ErrorCode::kUnsupportedFormat, "show.json", "no Skybrush show: it has no 'swarm'"});
   RecordingOptions options;
   options.format = RecordingFormat::kSkybrushShow;

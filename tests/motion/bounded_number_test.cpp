@@ -53,7 +53,7 @@ TEST(BoundedNumber, NeverComparesWrongly) {
 
 TEST(BoundedNumber, NeverComparesWronglyWhereNumbersOverflowOrUnderflow) {
   Tally tally;
-  for (int seed = 0; seed < test::rounds(6000) && !testing::Test::HasFatalFailure(); ++seed) {
+  for (int seed = 0; seed < test::rounds(3000) && !testing::Test::HasFatalFailure(); ++seed) {
     const test::RandomFormula formula(static_cast<std::uint32_t>(seed), 480);
     const auto number = formula.value<BoundedNumber>();
     const auto truly = formula.value<Fraction>();
@@ -64,8 +64,8 @@ TEST(BoundedNumber, NeverComparesWronglyWhereNumbersOverflowOrUnderflow) {
     }
     expect_true_comparisons(number, truly, seed, tally);
   }
-  EXPECT_GT(tally.unknown, test::rounds(2000));
-  EXPECT_GT(tally.known, test::rounds(2000));
+  EXPECT_GT(tally.unknown, test::rounds(1000));
+  EXPECT_GT(tally.known, test::rounds(1000));
 }
 
 TEST(BoundedNumber, KnowsSignsThatRoundingLeavesNoDoubtAbout) {

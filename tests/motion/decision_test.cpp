@@ -67,10 +67,10 @@ class Decision : public testing::Test {
 
 TEST_F(Decision, IsExactOnALatticeOfSmallIntegers) {
   EncounterMaker make(1);
-  for (int round = 0; round < rounds(80'000) && !HasFatalFailure(); ++round) {
+  for (int round = 0; round < rounds(60'000) && !HasFatalFailure(); ++round) {
     expect_exact(make.on_lattice());
   }
-  expect_at_least(20'000, 20'000, 3000);
+  expect_at_least(15'000, 15'000, 2000);
 }
 
 TEST_F(Decision, IsExactOneUlpBesideTheEdge) {

@@ -2,6 +2,7 @@
 // for bit what brute force says, which says what fractions say.
 #include "motion/prediction.hpp"
 
+#include "tests/motion/conflict_lists.hpp"
 #include "tests/support/exact_motion_oracle.hpp"
 #include "tests/support/mover_scenes.hpp"
 #include "tests/support/own_resources.hpp"
@@ -17,7 +18,8 @@
 namespace beespace::motion {
 namespace {
 
-using Conflicts = std::vector<Conflict>;
+using test::Conflicts;
+using test::expect_same;
 
 // One way to run the search.
 struct Way {
@@ -41,6 +43,7 @@ std::string name_of(const Way& way) {
 std::vector<std::optional<double>> steps_of(const test::MoverScene& scene) {
   if (scene.horizon_s == 0.0) return {std::nullopt, 1e-9};
   const double rhythm = std::min(test::kStepOfEdges_s, scene.horizon_s / 8.0);
+  if (test::kSanitized) return {std::nullopt, std::max(rhythm, scene.horizon_s / 9.0)};
   return {std::nullopt, 1e9 * scene.horizon_s, std::max(rhythm, scene.horizon_s / 30.0),
           scene.horizon_s / 41.3};
 }
@@ -93,20 +96,12 @@ class EveryWay {
   test::OwnResources five_{5};
 };
 
-void expect_same(const Conflicts& found, const Conflicts& expected) {
-  ASSERT_EQ(found.size(), expected.size());
-  for (std::size_t k = 0; k < found.size(); ++k) {
-    ASSERT_EQ(found[k].first, expected[k].first) << "conflict " << k;
-    ASSERT_EQ(found[k].second, expected[k].second) << "conflict " << k;
-    ASSERT_EQ(found[k], expected[k]) << "the times or distances of conflict " << k;
-  }
-}
-
 class Scene : public testing::TestWithParam<test::MoverScene> {};
 
 TEST_P(Scene, IsPredictedAsByBruteForceInEveryWay) {
   EveryWay ways;
   test::for_each_question([&](Shape shape, bool inclusive) {
+    if (test::kSanitized && !inclusive) return;
     const PredictOptions options = GetParam().options(shape, inclusive);
     const MoversView movers = GetParam().view(shape);
     const Conflicts expected = *brute_force::predict_conflicts(movers, options);
@@ -121,7 +116,8 @@ TEST_P(Scene, IsPredictedAsByBruteForceInEveryWay) {
 TEST_P(Scene, IsJudgedByBruteForceAsByFractions) {
   const test::MoverScene& scene = GetParam();
   const std::vector<Mover>& movers = scene.movers;
-  const std::size_t stride = test::kSanitized ? 101 : 13;  // of those who are said to keep apart
+  // Not all are asked about: of those who are said to keep apart, and of a crowd's conflicts, some.
+  const std::size_t stride = test::kSanitized ? 101 : 17;
   test::for_each_question([&](Shape shape, bool inclusive) {
     const PredictOptions options = scene.options(shape, inclusive);
     const auto truly_in_conflict = [&](PointId i, PointId j) {
@@ -138,7 +134,8 @@ TEST_P(Scene, IsJudgedByBruteForceAsByFractions) {
       for (PointId j = i + 1; j < movers.size(); ++j) {
         const bool said = next != found.end() && next->first == i && next->second == j;
         if (said) ++next;
-        if (!said && (31 * i + j) % stride != 0) continue;
+        const bool always = said && (found.size() < 2000 || (i + j) % 5 == 0);
+        if (!always && (31 * i + j) % stride != 0) continue;
         ASSERT_EQ(said, truly_in_conflict(i, j)) << i << " " << j << ", " << name_of(shape);
       }
     }
@@ -173,6 +170,7 @@ INSTANTIATE_TEST_SUITE_P(Predicted, Scene, testing::ValuesIn(test::mover_scenes(
 
 // The comparisons above would be worth little if hardly anybody met, or if everybody did.
 TEST(MoverScenes, HaveConflictsAndPairsWithoutAndManyAtTheEdge) {
+  if (test::kSanitized) GTEST_SKIP() << "scenes are cut short here";
   std::size_t at_the_edge = 0;
   std::size_t with_heights_apart = 0;
   for (const test::MoverScene& scene : test::mover_scenes()) {

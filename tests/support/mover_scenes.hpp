@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/support/lattice_scenes.hpp"
+#include "tests/support/rounds.hpp"
 #include "tests/support/scene_maker.hpp"
 
 #include <beespace/closest_approach.hpp>
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,6 +34,10 @@ struct MoverScene {
   // Heights apart from positions: those of whoever comes next.
   std::vector<double> heights_m = {};
   std::vector<double> climbs_mps = {};
+
+  friend std::ostream& operator<<(std::ostream& out, const MoverScene& scene) {
+    return out << scene.name;
+  }
 
   [[nodiscard]] PredictOptions options(Shape shape, bool inclusive) const {
     PredictOptions options;
@@ -219,6 +225,7 @@ inline std::vector<MoverScene> mover_scenes() {
   std::vector<MoverScene> scenes;
   const auto add = [&](const char* name, std::vector<Mover> movers, double threshold,
                        double vertical, double horizon) {
+    if (kSanitized && movers.size() > 60) movers.resize(60);
     MoverScene scene{name, std::move(movers), threshold, vertical, horizon};
     for (std::size_t i = 0; i < scene.movers.size(); ++i) {
       const Mover& next = scene.movers[(i + 1) % scene.movers.size()];
@@ -231,6 +238,9 @@ inline std::vector<MoverScene> mover_scenes() {
   add("Nobody", {}, 1, 1, 10);
   add("OneAlone", {one}, 1, 1, 10);
   add("TwoAtTheSamePlace", {one, {{1, 2, 3}, {0, 0, 0}}}, 1e-3, 1e-3, 10);
+  // Found in the step that ends when they pass, and in the next one again.
+  add("TwoPassAtTheEdgeOfAStep", {{{-9, 8, 0}, {3 / kStepOfEdges_s, 0, 0}}, {{0, 0, 0}, {}}}, 9, 9,
+      8 * kStepOfEdges_s);
   add("RandomFlight", flying(make, 300, {800, 800, 200}, 12), 25, 10, 30);
   add("RandomFlightInAPlane", flying(make, 250, {900, 900, 0}, 12), 12, 5, 20);
   add("FarApartForALongTime", flying(make, 200, {2e5, 2e5, 1e3}, 20), 3000, 2500, 20'000);
@@ -248,6 +258,9 @@ inline std::vector<MoverScene> mover_scenes() {
   add("Lattice", lattice_flight(make, 160, 1.0, {0, 0, 0}), 3, 2, 2.5);
   add("LatticeWithoutAHorizon", lattice_flight(make, 200, 1.0, {0, 0, 0}), 3, 2, 0);
   add("LatticeABillionMetresAway", lattice_flight(make, 140, 1.0, {1e9, -1e9, 1e9}), 3, 2, 2);
+  // Places along the way are rounded to a hundredth of a length of the lattice.
+  add("FineLatticeABillionMetresAway", lattice_flight(make, 140, 0x1p-16, {1e9 + 0.375, -1e9, 1e9}),
+      0x3p-16, 0x2p-16, 2.5);
   add("LatticeOfTinyLengths", lattice_flight(make, 120, 0x1p-98, {0, 0, 0}), 0x3p-98, 0x1p-97, 2);
   add("LatticeOfHugeLengths", lattice_flight(make, 120, 0x1p+94, {0, 0, 0}), 0x3p+94, 0x1p+95, 2);
   add("AtEdgesOfSteps", encounters_at_edges_of_steps(make), 9, 8, 6.5);

@@ -1,0 +1,92 @@
+// MAVLink frames and logs, written as the protocol says, by code of their own.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace beespace::io {
+
+inline std::string little_endian(std::uint32_t value, int bytes) {
+  std::string text;
+  for (int i = 0; i < bytes; ++i) text += static_cast<char>(value >> 8 * i & 0xFF);
+  return text;
+}
+
+// One bit after the other, where the reader takes eight: X.25, reflected, not inverted at the end.
+inline std::uint32_t crc_bit_by_bit(std::string_view bytes) {
+  std::uint32_t crc = 0xFFFF;
+  for (const char c : bytes) {
+    crc ^= static_cast<unsigned char>(c);
+    for (int bit = 0; bit < 8; ++bit) crc = (crc & 1) != 0 ? crc >> 1 ^ 0x8408 : crc >> 1;
+  }
+  return crc;
+}
+
+inline char crc_extra(std::uint32_t message) {
+  return static_cast<char>(message == 32 ? 185 : message == 33 ? 104 : 1);
+}
+
+inline std::string frame_v1(int system, std::uint32_t message, std::string_view payload,
+                            int component = 1) {
+  std::string frame = "\xFE";
+  frame += static_cast<char>(payload.size());
+  frame += '\x05';  // sequence
+  frame += static_cast<char>(system);
+  frame += static_cast<char>(component);
+  frame += static_cast<char>(message);
+  frame += payload;
+  const std::string checked = frame.substr(1) + crc_extra(message);
+  return frame + little_endian(crc_bit_by_bit(checked), 2);
+}
+
+inline std::string frame_v2(int system, std::uint32_t message, std::string_view payload,
+                            int component = 1, bool is_signed = false) {
+  while (payload.size() > 1 && payload.back() == '\0') payload.remove_suffix(1);
+  std::string frame = "\xFD";
+  frame += static_cast<char>(payload.size());
+  frame += is_signed ? '\x01' : '\0';
+  frame += '\0';
+  frame += '\x05';  // sequence
+  frame += static_cast<char>(system);
+  frame += static_cast<char>(component);
+  frame += little_endian(message, 3);
+  frame += payload;
+  const std::string checked = frame.substr(1) + crc_extra(message);
+  frame += little_endian(crc_bit_by_bit(checked), 2);
+  return is_signed ? frame + "thirteenbytes" : frame;
+}
+
+// Message 33: 1e-7 degrees, millimetres, cm/s north, east, down.
+inline std::string global_payload(std::int32_t lat, std::int32_t lon, std::int32_t alt, int vn,
+                                  int ve, int vd) {
+  const auto unsigned_of = [](std::int32_t value) { return static_cast<std::uint32_t>(value); };
+  return little_endian(123'456, 4) + little_endian(unsigned_of(lat), 4) +
+         little_endian(unsigned_of(lon), 4) + little_endian(unsigned_of(alt), 4) +
+         little_endian(0, 4) + little_endian(unsigned_of(vn), 2) +
+         little_endian(unsigned_of(ve), 2) + little_endian(unsigned_of(vd), 2) +
+         little_endian(0, 2);
+}
+
+inline std::string somewhere() {
+  return global_payload(470'000'000, 80'000'000, 500'000, 100, 200, 300);
+}
+
+// Message 32: metres and m/s north, east, down.
+inline std::string local_payload(float n, float e, float d, float vn, float ve, float vd) {
+  std::string payload = little_endian(123'456, 4);
+  for (const float value : {n, e, d, vn, ve, vd}) {
+    payload += little_endian(std::bit_cast<std::uint32_t>(value), 4);
+  }
+  return payload;
+}
+
+// The frame behind the time at which it came, as a log holds it.
+inline std::string logged(std::uint64_t micros, const std::string& frame) {
+  std::string text;
+  for (int byte = 7; byte >= 0; --byte) text += static_cast<char>(micros >> 8 * byte & 0xFF);
+  return text + frame;
+}
+
+}  // namespace beespace::io
