@@ -102,9 +102,9 @@ void recording(benchmark::State& state) {
   for (auto _ : state) {
     found = beespace::find_conflicts(tracks, {.threshold_m = kThreshold_m})->conflicts.size();
   }
-  state.counters["time_a_fix"] = benchmark::Counter(
-      static_cast<double>(state.iterations()) * static_cast<double>(fixes),
-      benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["time_a_fix"] =
+      benchmark::Counter(static_cast<double>(state.iterations()) * static_cast<double>(fixes),
+                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
   state.counters["found"] = static_cast<double>(found);
 }
 

@@ -83,6 +83,11 @@ std::string summary(const Outlook& outlook, const PredictRequest& request, doubl
                         red(grouped(snapshot.stale) + " left out") + ", not heard of for " +
                             exact(request.max_age_s) + " s (--max-age)");
   }
+  if (snapshot.unmoving > 0) {
+    append_summary_line(out, "unknown",
+                        red(grouped(snapshot.unmoving) + " left out") +
+                            ": neither a velocity nor two fixes tell how fast they go");
+  }
   if (snapshot.estimated > 0) {
     append_summary_line(
         out, "note",
@@ -144,6 +149,7 @@ Result<ExitCode> predict(const PredictRequest& request) {
   head += ",\n  \"horizon_s\": " + exact(request.horizon_s);
   head += ",\n  \"movers\": " + std::to_string(snapshot->movers.size());
   head += ",\n  \"stale\": " + std::to_string(snapshot->stale);
+  head += ",\n  \"without_velocity\": " + std::to_string(snapshot->unmoving);
   head += ",\n  \"conflict_count\": " + std::to_string(conflicts->size());
   write_answer(conflict_rows(*conflicts, *recording, false), moving, head, "conflicts", *output);
   const Status written = output->commit();

@@ -64,19 +64,20 @@ Result<WatchRequest> request_of(const WatchOptions& options) {
   if (!speed) return speed.error();
   const auto rate = optional_amount("--rate", options.rate, "reports a second");
   if (!rate) return rate.error();
-  return WatchRequest{options.input.empty() ? "-" : options.input,
-                      recording_options(options.frame, options.time_unit, options.columns),
-                      {.threshold_m = *threshold,
-                       .vertical_m = *vertical,
-                       .leave_factor = live->leave_factor,
-                       .horizon_s = live->horizon_s,
-                       .max_age_s = *max_age,
-                       .threads = *threads},
-                      live->look_every_s,
-                      *speed,
-                      *rate,
-                      options.fail_on_risk,
-                      options.quiet};
+  return WatchRequest{
+      options.input.empty() ? "-" : options.input,
+      recording_options({options.frame, options.time_unit, options.columns, options.heights}),
+      {.threshold_m = *threshold,
+       .vertical_m = *vertical,
+       .leave_factor = live->leave_factor,
+       .horizon_s = live->horizon_s,
+       .max_age_s = *max_age,
+       .threads = *threads},
+      live->look_every_s,
+      *speed,
+      *rate,
+      options.fail_on_risk,
+      options.quiet};
 }
 
 class Watch {

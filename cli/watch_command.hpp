@@ -18,6 +18,7 @@ struct WatchOptions {
   std::string frame = "auto";
   std::string columns;
   std::string time_unit = "auto";
+  std::string heights = "auto";
   std::string threshold = "100";
   std::string vertical;
   std::string max_age = "5";

@@ -1,3 +1,4 @@
+#include "cli/moving/moving_options.hpp"
 #include "cli/option_checks.hpp"
 #include "cli/watch_command.hpp"
 
@@ -55,6 +56,7 @@ void add_input_options(CLI::App& watch, WatchOptions& options) {
           ->type_name("auto|s|ms|us|ns")
           ->group("Input");
   allow_only(*unit, {"auto", "s", "ms", "us", "ns"});
+  add_heights_option(watch, options.heights);
   watch
       .add_option("--max-age", options.max_age,
                   "Stale is who was not heard of for so long (default: 5)")

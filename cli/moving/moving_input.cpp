@@ -173,6 +173,7 @@ Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, 
   if (!now) return now.error();
   Snapshot snapshot;
   snapshot.time_s = *now;
+  std::optional<Error> no_velocity;
   for (std::size_t i = 0; i < recording.bees.size(); ++i) {
     const io::RecordedBee& bee = recording.bees[i];
     if (bee.fixes.empty()) continue;
@@ -182,6 +183,11 @@ Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, 
       continue;
     }
     auto state = last_state(bee, recording.frame, geometry);
+    if (!state && state.error().code == ErrorCode::kMissingColumn) {
+      ++snapshot.unmoving;
+      no_velocity = of_bee(std::move(state).error(), bee);
+      continue;
+    }
     if (!state) return of_bee(std::move(state).error(), bee);
     if (age > 0.0) {
       bring_forward(*state, age);
@@ -195,6 +201,7 @@ Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, 
     snapshot.heights_m.push_back(state->height_m);
     snapshot.climbs_mps.push_back(state->climb_mps);
   }
+  if (snapshot.movers.empty() && no_velocity) return *std::move(no_velocity);
   return snapshot;
 }
 

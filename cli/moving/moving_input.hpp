@@ -48,12 +48,13 @@ struct Snapshot {
   std::uint64_t brought_forward = 0;
   double oldest_s = 0.0;        // of those: how far
   std::uint64_t stale = 0;      // left out
+  std::uint64_t unmoving = 0;   // left out: neither a velocity nor two fixes tell how fast they go
   std::uint64_t estimated = 0;  // velocities that come from the last two fixes
 
   [[nodiscard]] MoversView view() const;
 };
 
-// Errors: kMissingColumn where somebody has neither a velocity nor two fixes.
+// Errors: kMissingColumn where nobody has a velocity, or two fixes to tell it from.
 Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, double max_age_s);
 
 }  // namespace beespace::cli

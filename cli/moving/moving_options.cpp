@@ -28,17 +28,26 @@ std::optional<Error> check_inputs(const char* command, const MovingOptions& opti
 
 }  // namespace
 
-io::RecordingOptions recording_options(const std::string& frame, const std::string& time_unit,
-                                       const std::string& columns) {
+io::RecordingOptions recording_options(const ReadingOptions& options) {
   io::RecordingOptions load;
-  if (frame == "wgs84") load.frame = io::Frame::kWgs84;
-  if (frame == "metres") load.frame = io::Frame::kMetres;
-  if (time_unit == "s") load.time_unit = io::TimeUnit::kSeconds;
-  if (time_unit == "ms") load.time_unit = io::TimeUnit::kMilliseconds;
-  if (time_unit == "us") load.time_unit = io::TimeUnit::kMicroseconds;
-  if (time_unit == "ns") load.time_unit = io::TimeUnit::kNanoseconds;
-  load.columns = columns;
+  if (options.frame == "wgs84") load.frame = io::Frame::kWgs84;
+  if (options.frame == "metres") load.frame = io::Frame::kMetres;
+  if (options.time_unit == "s") load.time_unit = io::TimeUnit::kSeconds;
+  if (options.time_unit == "ms") load.time_unit = io::TimeUnit::kMilliseconds;
+  if (options.time_unit == "us") load.time_unit = io::TimeUnit::kMicroseconds;
+  if (options.time_unit == "ns") load.time_unit = io::TimeUnit::kNanoseconds;
+  if (options.heights == "geometric") load.heights = io::HeightSource::kGeometric;
+  if (options.heights == "pressure") load.heights = io::HeightSource::kPressure;
+  load.columns = options.columns;
   return load;
+}
+
+void add_heights_option(CLI::App& command, std::string& heights) {
+  CLI::Option* option =
+      command.add_option("--heights", heights, "Of aircraft, which of their heights to take")
+          ->type_name("auto|geometric|pressure")
+          ->group("Input");
+  allow_only(*option, {"auto", "geometric", "pressure"});
 }
 
 void add_input_options(CLI::App& command, MovingOptions& options) {
@@ -59,8 +68,9 @@ void add_input_options(CLI::App& command, MovingOptions& options) {
   allow_only(*unit, {"auto", "s", "ms", "us", "ns"});
   command
       .add_flag("--grounded", options.grounded,
-                "Of drone shows, count those that stand on the ground as well")
+                "Count those that stand on the ground as well (shows, aircraft)")
       ->group("Input");
+  add_heights_option(command, options.heights);
   command.add_flag("--skip-bad", options.skip_bad, "Leave bad records out and list them")
       ->group("Input");
 }
@@ -110,7 +120,8 @@ Result<MovingRequest> moving_request(const char* command, const MovingOptions& o
   request.command = command;
   request.inputs = options.inputs;
   if (request.inputs.empty()) request.inputs.emplace_back("-");
-  request.load = recording_options(options.frame, options.time_unit, options.columns);
+  request.load =
+      recording_options({options.frame, options.time_unit, options.columns, options.heights});
   request.load.skip_bad = options.skip_bad;
   request.load.grounded = options.grounded;
   if (!options.threshold.empty()) {

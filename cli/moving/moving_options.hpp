@@ -24,6 +24,7 @@ struct MovingOptions {
   std::string frame = "auto";
   std::string columns;
   std::string time_unit = "auto";
+  std::string heights = "auto";
   std::string threshold;  // empty: what the input declares, or 100
   std::string vertical;
   std::string max_results;
@@ -56,9 +57,15 @@ struct MovingRequest {
   bool quiet = false;
 };
 
-// How to read, by the values of --crs, --time-unit and --columns.
-io::RecordingOptions recording_options(const std::string& frame, const std::string& time_unit,
-                                       const std::string& columns);
+// How to read, as `predict`, `replay` and `watch` are told alike.
+struct ReadingOptions {
+  const std::string& frame;
+  const std::string& time_unit;
+  const std::string& columns;
+  const std::string& heights;
+};
+io::RecordingOptions recording_options(const ReadingOptions& options);
+void add_heights_option(CLI::App& command, std::string& heights);
 
 void add_input_options(CLI::App& command, MovingOptions& options);
 void add_separation_options(CLI::App& command, MovingOptions& options);

@@ -47,7 +47,7 @@ struct Approach {
 
   // While they are in conflict, within [0, horizon]; absent when they never are. Where it begins at
   // 0 they are too close now, where it ends at the horizon they still are. With a single instant of
-  // contact (`inclusive`) both ends are the same.
+  // contact (`inclusive`) both ends are the same, up to rounding.
   std::optional<TimeSpan> conflict = {};
 };
 

@@ -23,6 +23,7 @@ class BoundedNumber {
     return {difference, a.error_ + b.error_ + std::abs(difference) * kRounding};
   }
   friend BoundedNumber operator*(const BoundedNumber& a, const BoundedNumber& b) {
+    if (a.is_zero() || b.is_zero()) return {};  // exactly: of bees that hover, or fly as one
     const double product = a.value_ * b.value_;
     return {product, std::abs(a.value_) * b.error_ + a.error_ * (std::abs(b.value_) + b.error_) +
                          std::abs(product) * kRounding + kUnderflow};
@@ -33,11 +34,13 @@ class BoundedNumber {
   [[nodiscard]] std::optional<int> sign() const {
     if (value_ > error_ * kSlack) return 1;
     if (-value_ > error_ * kSlack) return -1;
-    if (value_ == 0.0 && error_ == 0.0) return 0;
+    if (is_zero()) return 0;
     return std::nullopt;
   }
 
  private:
+  [[nodiscard]] bool is_zero() const { return value_ == 0.0 && error_ == 0.0; }
+
   BoundedNumber(double value, double error) : value_(value), error_(error) {}
 
   static constexpr double kRounding = 0x1p-53;

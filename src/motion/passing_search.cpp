@@ -14,8 +14,11 @@ namespace beespace::motion {
 namespace {
 
 // How far a ball gets from the middle of its step.
-float reach_of(const Move& move, float half_s) {
-  return std::sqrt(move.x * move.x + move.y * move.y + move.z * move.z) * half_s + move.radius_m;
+double reach_of(const Move& move, double half_s) {
+  const double x = move.x;
+  const double y = move.y;
+  const double z = move.z;
+  return std::sqrt(x * x + y * y + z * z) * half_s + double{move.radius_m};
 }
 
 // The moves of a set in the order of its grid.
@@ -25,8 +28,7 @@ class SortedMoves {
               double half_s, const core::Resources& with)
       : padded_(grid.size + core::kPadding), values_(with.memory, kArrays * padded_) {
     const std::array<std::size_t, 3> order = frame.order();
-    const auto half = static_cast<float>(half_s);
-    const auto units_per_m = static_cast<float>(grid.units_per_m);
+    const double units_per_m = grid.units_per_m;
     for (std::size_t part = 0; part < kArrays; ++part) {
       std::fill_n(values_.data() + part * padded_ + grid.size, core::kPadding, 0.0F);
     }
@@ -35,10 +37,11 @@ class SortedMoves {
         const Move& move = balls.moves[grid.id[i]];
         const std::array<float, 3> velocity{move.x, move.y, move.z};
         for (std::size_t axis = 0; axis < 3; ++axis) {
-          values_[axis * padded_ + i] = velocity[order[axis]] * half * units_per_m;
+          values_[axis * padded_ + i] =
+              static_cast<float>(velocity[order[axis]] * half_s * units_per_m);
         }
-        values_[3 * padded_ + i] = move.radius_m * units_per_m;
-        values_[4 * padded_ + i] = reach_of(move, half) * units_per_m;
+        values_[3 * padded_ + i] = static_cast<float>(move.radius_m * units_per_m);
+        values_[4 * padded_ + i] = static_cast<float>(reach_of(move, half_s) * units_per_m);
       }
     });
   }
@@ -57,15 +60,15 @@ class SortedMoves {
 
 // How far from the middle of its step a ball of the set reaches at most.
 double farthest_reach(const MovingBalls& balls, double half_s, const core::Resources& with) {
-  core::PerWorker<float> farthest(with);
-  const auto half = static_cast<float>(half_s);
+  core::PerWorker<double> farthest(with);
   with.crew.split(balls.moves.size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
-    float most = 0.0F;
-    for (std::size_t i = begin; i < end; ++i) most = std::max(most, reach_of(balls.moves[i], half));
+    double most = 0.0;
+    for (std::size_t i = begin; i < end; ++i)
+      most = std::max(most, reach_of(balls.moves[i], half_s));
     farthest[worker].push_back(most);
   });
-  float most = 0.0F;
-  for (const float reach : std::move(farthest).joined()) most = std::max(most, reach);
+  double most = 0.0;
+  for (const double reach : std::move(farthest).joined()) most = std::max(most, reach);
   return double{most} * (1.0 + 0x1p-20);  // floats have been rounded on the way
 }
 

@@ -19,7 +19,8 @@ std::optional<Error> check(const MoversView& movers, const PredictOptions& optio
   if (auto error = motion::check_heights(movers.has_heights(), options.vertical_m)) return error;
   const bool all_have_heights =
       movers.heights_m().size() == movers.size() && movers.climbs_mps().size() == movers.size();
-  if (movers.has_heights() && !all_have_heights) {
+  const bool any = movers.has_heights() || !movers.climbs_mps().empty();
+  if (any && !all_have_heights) {
     return Error{ErrorCode::kInvalidArgument,
                  std::to_string(movers.heights_m().size()) + " heights and " +
                      std::to_string(movers.climbs_mps().size()) + " climb rates for " +

@@ -256,7 +256,8 @@ class Prediction {
 
   // Sorts what several steps have found, and drops whom more than one has.
   void settle() {
-    if (std::is_sorted(found_.begin(), found_.end(), by_pair)) return;
+    const auto not_below = [](const Conflict& a, const Conflict& b) { return !by_pair(a, b); };
+    if (std::adjacent_find(found_.begin(), found_.end(), not_below) == found_.end()) return;
     std::sort(found_.begin(), found_.end(), by_pair);
     found_.erase(std::unique(found_.begin(), found_.end(), same_pair), found_.end());
   }

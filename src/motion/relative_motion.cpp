@@ -54,6 +54,10 @@ TimeSpan time_closer(const RelativeMotion<Axes>& motion, double threshold, doubl
   const double distance = std::sqrt(dot(r, r));
   const double c = (distance - threshold) * (distance + threshold);
   const double root = std::sqrt(std::max(0.0, a * (threshold * threshold) - squared_cross(r, w)));
+  if (root == 0.0 && a > 0.0) {  // an instant of contact
+    const double contact = std::clamp(-b / a, 0.0, duration);
+    return {contact, contact};
+  }
   double begins = 0.0;
   double ends = duration;
   if (b <= 0.0) {

@@ -67,10 +67,13 @@ void StepBalls::enclose(const Run& run, std::size_t piece, const TimeSpan& time,
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   });
-  // Who is not there all the time stands still in the middle of where it is.
+  // Who is not there all the time, or is faster than a float can say, stands still in the middle of
+  // where it is.
+  constexpr double kFastest = 0x1p+100;
   const double lasts = time.ends_s - time.begins_s;
-  const bool all_the_time =
-      lasts > 0.0 && run.begins_s() <= time.begins_s && run.ends_s() >= time.ends_s;
+  const bool all_the_time = lasts > 0.0 && run.begins_s() <= time.begins_s &&
+                            run.ends_s() >= time.ends_s &&
+                            distance_between(entered, left) / lasts < kFastest;
   const Point middle = all_the_time ? between(entered, left, 0.5) : between(low, high, 0.5);
   Point velocity;  // as the floats say that it is
   if (all_the_time) {

@@ -85,7 +85,7 @@ class Swarm::State {
   motion::Separation leave_;
   motion::LiveBees bees_;
   motion::LiveWalks walks_;
-  std::vector<BeePair> predicted_;     // said, and still in danger; ascending
+  std::vector<BeePair> predicted_;  // said, and still in danger; ascending
   std::optional<double> now_s_;
   SwarmCounts counts_;
   core::Memory memory_;
