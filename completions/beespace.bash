@@ -34,6 +34,7 @@ _beespace() {
     replay:--report) words='conflicts bees separation events' ;;
     detect:--crs | predict:--crs | replay:--crs | watch:--crs) words='auto wgs84 metres' ;;
     predict:--time-unit | replay:--time-unit | watch:--time-unit) words='auto s ms us ns' ;;
+    predict:--heights | replay:--heights | watch:--heights) words='auto geometric pressure' ;;
     detect:--format) words='auto text npy bin' ;;
     generate:--scene) words='uniform clusters area flight head-on crossing sphere-swap encounters' ;;
     generate:--area) words='medellin' ;;
@@ -57,18 +58,18 @@ _beespace() {
           ;;
         predict)
           words='--threshold --vertical --inclusive --horizon --max-results --threads --crs --columns
-            --time-unit --max-age --grounded --skip-bad --output --csv --json --fail-on-risk --quiet
+            --time-unit --heights --max-age --grounded --skip-bad --output --csv --json --fail-on-risk --quiet
             --help --version'
           ;;
         replay)
           words='--report --every --threshold --vertical --inclusive --max-results --threads --crs
-            --columns --time-unit --max-gap --tolerance --grounded --skip-bad --horizon
+            --columns --time-unit --heights --max-gap --tolerance --grounded --skip-bad --horizon
             --leave-factor --look-every --output --csv --json --fail-on-risk --quiet --help
             --version'
           ;;
         watch)
           words='--threshold --vertical --horizon --leave-factor --look-every --max-age --speed --rate
-            --threads --crs --columns --time-unit --fail-on-risk --quiet --help --version'
+            --threads --crs --columns --time-unit --heights --fail-on-risk --quiet --help --version'
           ;;
         generate)
           words='--scene --area --points --size --clusters --sigma --speed --miss --duration

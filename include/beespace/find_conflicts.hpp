@@ -54,8 +54,9 @@ struct Gap {
 
 struct RecordedConflicts {
   // In ascending order of (first, second, begins_s). A pair may be in conflict several times: the
-  // stretches of time neither overlap nor touch. Where tracks have a tolerance, a stretch is as
-  // long as the two may have been too close.
+  // stretches of time do not overlap; two may share the instant at which the pair is exactly the
+  // threshold apart. Where tracks have a tolerance, a stretch is as long as the two may have been
+  // too close.
   std::vector<Conflict> conflicts;
   std::vector<Gap> gaps;  // in ascending order of (track, begins_s)
 };

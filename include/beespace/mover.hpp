@@ -36,15 +36,19 @@ struct Mover {
   friend constexpr bool operator==(const Mover&, const Mover&) = default;
 };
 
+namespace detail {
+template <class T>
+concept SpanOfMovers = std::convertible_to<const T&, std::span<const Mover>>;
+}  // namespace detail
+
 // Movers in the caller's memory: positions, and as many velocities, whatever their layout.
 class MoversView {
  public:
   constexpr MoversView() = default;
 
   // Movers one after the other: std::vector<Mover>, std::array<Mover, N>, std::span<const Mover>.
-  template <class Movers>
-  requires std::convertible_to<const Movers&, std::span<const Mover>> MoversView(
-      const Movers& movers)  // NOLINT(google-explicit-constructor): a view
+  template <detail::SpanOfMovers Movers>
+  MoversView(const Movers& movers)  // NOLINT(google-explicit-constructor): a view
       : MoversView(std::span<const Mover>(movers), FromSpan{}) {}
 
   // `velocities` has one vector in metres per second for each of `positions`; the view is as long

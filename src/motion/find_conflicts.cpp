@@ -82,7 +82,9 @@ Result<std::optional<Conflict>> find_closest_encounter(std::span<const Track> tr
       if (!closest || conflict.closest_m < closest->closest_m) closest = conflict;
     }
     if (closest) closest->begins_s = closest->ends_s = closest->closest_s;
-    if (closest || threshold >= widest) return closest;
+    // Tolerances find pairs beyond the threshold, of which another may be closer.
+    const bool sure = closest && closest->closest_m <= options.threshold_m;
+    if (sure || threshold >= widest) return closest;
   }
 }
 

@@ -82,6 +82,9 @@ void LiveWalks::add_candidates(const core::Vector<core::FoundPairs>& candidates,
     return a.places() < b.places();
   };
   std::sort(fresh.begin(), fresh.end(), ascending);
+  for (LivePair& kept : pairs_) {
+    kept.candidate = std::binary_search(fresh.begin(), fresh.end(), kept, ascending);
+  }
   // Of two alike, the one under way comes first in the union, and is the one that is kept.
   std::vector<LivePair> all;
   all.reserve(pairs_.size() + fresh.size());
@@ -97,6 +100,7 @@ void LiveWalks::walk(const TimeSpan& time, const std::vector<Run>& runs,
   with.crew.split(pairs_.size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
     for (std::size_t i = begin; i < end; ++i) {
       LivePair& pair = pairs_[i];
+      if (!pair.candidate && !pair.state.open) continue;
       PairTeller teller(bees[pair.first].bee, bees[pair.second].bee, margin_m_, pair.said,
                         told[worker]);
       PairWalk(runs[pair.first], runs[pair.second], separation_)

@@ -35,6 +35,7 @@ class LiveWalks {
     std::uint32_t second;
     PairWalk::State state;
     PairTeller::Said said;
+    bool candidate = true;  // of this search; else it is kept so that no window is walked twice
 
     [[nodiscard]] auto places() const { return std::tie(first, second); }
   };

@@ -21,6 +21,7 @@ struct PairState {
   std::uint32_t first;
   std::uint32_t second;
   PairWalk::State state;
+  bool candidate = true;  // of this step; else it is kept only so that no window is walked twice
 
   [[nodiscard]] auto pair() const { return std::tie(first, second); }
 };
@@ -108,12 +109,19 @@ class RecordingSearch {
   double cheapest_step(double begin, double left) {
     core::Buffer<Point> places(with_.memory, active_.size());
     std::vector<double> speeds;
+    double lasts_s = 0.0;
     const std::size_t stride = active_.size() / 128 + 1;
     for (std::size_t i = 0; i < active_.size(); ++i) {
       const Piece piece = piece_of(runs_[active_[i].run], active_[i].piece);
-      places[i] = position_on(piece, begin);
-      if (i % stride == 0) speeds.push_back(speed_on(piece));
+      places[i] = position_on(piece, std::max(begin, piece.from.time_s));
+      if (i % stride != 0) continue;
+      speeds.push_back(speed_on(piece));
+      lasts_s += piece.lasts_s();
     }
+    // Over many pieces, balls that enclose them all say little.
+    constexpr double kPieces = 4.0;
+    const double mean_s = lasts_s / static_cast<double>(speeds.size());
+    if (mean_s > 0.0) left = std::min(left, kPieces * mean_s);
     const auto most = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() * 9 / 10);
     std::nth_element(speeds.begin(), most, speeds.end());
     const core::DensitySample sample(std::span<const Point>(places.data(), active_.size()),
@@ -172,10 +180,12 @@ class RecordingSearch {
     std::vector<PairState> all;
     all.reserve(pairs.size() + walks_.size());
     auto walk = walks_.begin();
+    for (PairState& kept : walks_) kept.candidate = false;
     for (const PairState& pair : pairs) {
       while (walk != walks_.end() && walk->pair() < pair.pair()) all.push_back(*walk++);
       const bool begun = walk != walks_.end() && walk->pair() == pair.pair();
       all.push_back(begun ? *walk++ : pair);
+      all.back().candidate = true;
     }
     all.insert(all.end(), walk, walks_.end());
     return all;
@@ -186,6 +196,7 @@ class RecordingSearch {
     with_.crew.split(pairs.size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
       for (std::size_t i = begin; i < end; ++i) {
         PairState& pair = pairs[i];
+        if (!pair.candidate && !pair.state.open) continue;
         const Run& first = runs_[pair.first];
         const Run& second = runs_[pair.second];
         const WalkSeparation separation = WalkSeparation::within(separation_, first, second);

@@ -88,10 +88,12 @@ void StepBalls::enclose(const Run& run, std::size_t piece, const TimeSpan& time,
                      middle.z + velocity.z * since};
     radius = std::max(radius, distance_between(line, p));
   });
+  // Tolerances widen a cylinder in both directions: the sphere around it by up to the root of 2.
+  constexpr double kOfCylinders = 1.41422;
   middles_[ball] = middle;
   moves_[ball] = {static_cast<float>(velocity.x), static_cast<float>(velocity.y),
                   static_cast<float>(velocity.z),
-                  std::nextafter(static_cast<float>(radius + run.tolerance_m),
+                  std::nextafter(static_cast<float>(radius + kOfCylinders * run.tolerance_m),
                                  std::numeric_limits<float>::infinity())};
 }
 
