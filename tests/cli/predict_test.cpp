@@ -102,8 +102,18 @@ TEST(Predict, WithoutVelocitiesItIsThatOfTheLastTwoReports) {
   expect_parts(finished.err, {"2 without a velocity: it is that of the last two fixes"});
 }
 
-TEST(Predict, WhoHasNeitherAVelocityNorTwoReportsIsNamed) {
-  expect_failure({"predict"}, "id,time_s,x,y,z\na,0,0,0,0\na,1,1,0,0\nb,1,2,2,2\n", 3,
+TEST(Predict, WhoHasNeitherAVelocityNorTwoReportsIsLeftOutAndCounted) {
+  const Finished finished =
+      run({"predict"}, "id,time_s,x,y,z\na,0,0,0,0\na,1,1,0,0\nb,1,2,2,2\nc,0,9,0,0\nc,1,9,0,0\n");
+  EXPECT_EQ(finished.status, 0);
+  expect_parts(finished.err,
+               {"bees       2\n", "unknown    1 left out: neither a velocity nor two fixes tell"});
+  EXPECT_NE(finished.out, "");
+  EXPECT_EQ(finished.out.find('b'), std::string::npos);
+}
+
+TEST(Predict, WhereNobodyHasAVelocityThatIsAnError) {
+  expect_failure({"predict"}, "id,time_s,x,y,z\na,1,1,0,0\nb,1,2,2,2\n", 3,
                  "bee 'b': there is no velocity, and only one fix to tell it from");
   expect_failure({"predict"}, "id,x,y,z\na,0,0,0\nb,1,1,1\n", 3, "there is no time");
 }
