@@ -105,7 +105,7 @@ TEST(Predict, WithoutVelocitiesItIsThatOfTheLastTwoReports) {
 TEST(Predict, WhoHasNeitherAVelocityNorTwoReportsIsLeftOutAndCounted) {
   const Finished finished =
       run({"predict"}, "id,time_s,x,y,z\na,0,0,0,0\na,1,1,0,0\nb,1,2,2,2\nc,0,9,0,0\nc,1,9,0,0\n");
-  EXPECT_EQ(finished.status, 0);
+  EXPECT_EQ(finished.exit_code, 0);
   expect_parts(finished.err,
                {"bees       2\n", "unknown    1 left out: neither a velocity nor two fixes tell"});
   EXPECT_NE(finished.out, "");
