@@ -41,7 +41,7 @@ std::string frame_line(const io::LoadedPoints& loaded) {
 
 std::string threshold_line(const SearchOptions& search) {
   const char* const how = search.inclusive ? " m or closer" : " m (closer than)";
-  const std::string text = exact(search.threshold_m) + how;
+  std::string text = exact(search.threshold_m) + how;
   if (!search.vertical_m) return text;
   return "horizontally " + text + ", and in height " + exact(*search.vertical_m) + how;
 }
