@@ -24,18 +24,18 @@ PointId LiveFeed::number(std::string_view id) {
 
 Status LiveFeed::take(const Report& report) {
   constexpr double kFarAhead_s = 60.0;
-  if (latest_s_ && report.time_s > *latest_s_ + kFarAhead_s) {
-    const std::optional<Report> before = std::exchange(waiting_, report);
-    if (!before) return std::monostate{};
-    if (std::abs(report.time_s - before->time_s) > kFarAhead_s) {
+  if (waiting_) {
+    // Borne out, unless the clock has gone back.
+    const Report before = *std::exchange(waiting_, std::nullopt);
+    if (report.time_s < before.time_s - kFarAhead_s) {
       ++ahead_;
-      return std::monostate{};
+    } else if (auto done = pass_on(before); !done) {
+      return done;
     }
-    waiting_.reset();
-    if (auto done = pass_on(*before); !done) return done;
-  } else if (waiting_) {
-    waiting_.reset();
-    ++ahead_;
+  }
+  if (latest_s_ && report.time_s > *latest_s_ + kFarAhead_s) {
+    waiting_ = report;
+    return std::monostate{};
   }
   return pass_on(report);
 }
