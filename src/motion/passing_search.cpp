@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 namespace beespace::motion {
 
@@ -102,8 +101,7 @@ class Chunks {
 };
 
 core::Vector<core::FoundPairs> sweep(const search::Frame& frame, const MovingBalls& balls,
-                                     const MovingBalls& others, double farthest_m,
-                                     double farthest_other_m, const Step& step,
+                                     double farthest_m, const Step& step,
                                      const core::Resources& with, const search::Choices& choices) {
   core::Vector<core::FoundPairs> found(&with.memory);
   found.reserve(with.crew.size());
@@ -112,31 +110,25 @@ core::Vector<core::FoundPairs> sweep(const search::Frame& frame, const MovingBal
   }
   // Rounded sums and roots, and then some.
   constexpr double kUpward = 1.0 + 0x1p-30;
-  const double reach_m = (step.clearance_m + farthest_m + farthest_other_m) * kUpward;
+  const double reach_m = (step.clearance_m + 2.0 * farthest_m) * kUpward;
   const search::QuestionGrids grids(frame, {.threshold_m = reach_m}, with, choices);
   const cpu::Question question = grids.question();
   const core::SortedGrid& asked = question.asked.grid;
-  const SortedMoves asked_moves(balls, frame, asked, step.half_s, with);
-  std::optional<SortedMoves> other_moves;
-  if (frame.has_others()) {
-    other_moves.emplace(others, frame, question.others.grid, step.half_s, with);
-  }
+  const SortedMoves sorted(balls, frame, asked, step.half_s, with);
+  const cpu::Moves moves = sorted.moves();
   // Positions are cut to whole units, as in core::SquaredLimits; moves and what the kernel makes of
   // them are wrong by some 2^-20 of a cell.
   const double margin = 3.0 + std::ldexp(1.0, static_cast<int>(asked.fraction_bits) - 17);
-  const cpu::Clearance clearance{
-      static_cast<float>(step.clearance_m * asked.units_per_m + margin),
-      static_cast<float>(farthest_other_m * kUpward * asked.units_per_m)};
+  const cpu::Clearance clearance{static_cast<float>(step.clearance_m * asked.units_per_m + margin),
+                                 static_cast<float>(farthest_m * kUpward * asked.units_per_m)};
   const cpu::CollectPassing collect = cpu::collect_passing(choices.instruction_set);
   with.crew.split(asked.size, [&](std::size_t begin, std::size_t end, unsigned worker) {
     if (begin == end) return;
     Chunks chunks(found[worker]);
-    const cpu::Moves moves = asked_moves.moves();
-    const cpu::Moves theirs = other_moves ? other_moves->moves() : moves;
     cpu::RowSweeps(question, cpu::decided_by(question))
         .for_each(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end),
                   [&](const cpu::Sweep& swept) {
-                    return collect(swept, moves, theirs, clearance, chunks.sink());
+                    return collect(swept, moves, moves, clearance, chunks.sink());
                   });
   });
   return found;
@@ -149,16 +141,7 @@ core::Vector<core::FoundPairs> find_passing(const MovingBalls& balls, const Step
                                             const search::Choices& choices) {
   const Result<search::Frame> frame = search::Frame::of(balls.middles, with);
   const double farthest_m = farthest_reach(balls, step.half_s, with);
-  return sweep(*frame, balls, balls, farthest_m, farthest_m, step, with, choices);
-}
-
-core::Vector<core::FoundPairs> find_passing_between(const MovingBalls& balls,
-                                                    const MovingBalls& others, const Step& step,
-                                                    const core::Resources& with,
-                                                    const search::Choices& choices) {
-  const Result<search::Frame> frame = search::Frame::of(balls.middles, others.middles, with);
-  return sweep(*frame, balls, others, farthest_reach(balls, step.half_s, with),
-               farthest_reach(others, step.half_s, with), step, with, choices);
+  return sweep(*frame, balls, farthest_m, step, with, choices);
 }
 
 }  // namespace beespace::motion

@@ -39,10 +39,4 @@ core::Vector<core::FoundPairs> find_passing(const MovingBalls& balls, const Step
                                             const core::Resources& with,
                                             const search::Choices& choices);
 
-// Pairs of one of `balls` (first) and one of `others` (second).
-core::Vector<core::FoundPairs> find_passing_between(const MovingBalls& balls,
-                                                    const MovingBalls& others, const Step& step,
-                                                    const core::Resources& with,
-                                                    const search::Choices& choices);
-
 }  // namespace beespace::motion
