@@ -55,7 +55,8 @@ bool earlier(const SwarmEvent& a, const SwarmEvent& b) {
 
 }  // namespace
 
-class Swarm::State {
+// What is inside is not for export.
+class __attribute__((visibility("hidden"))) Swarm::State {
  public:
   explicit State(const SwarmOptions& options)
       : options_(options),
