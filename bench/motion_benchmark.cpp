@@ -53,6 +53,13 @@ void fail(const char* what) {
   std::exit(1);
 }
 
+std::vector<beespace::Pair> pairs_of(const std::vector<beespace::Conflict>& conflicts) {
+  std::vector<beespace::Pair> pairs;
+  pairs.reserve(conflicts.size());
+  for (const auto& conflict : conflicts) pairs.push_back({conflict.first, conflict.second});
+  return pairs;
+}
+
 void check_answers() {
   constexpr std::size_t kFew = 3000;
   for (const double density : {with_two_neighbours(), kSparse}) {
@@ -61,6 +68,9 @@ void check_answers() {
       const auto found = beespace::predict_conflicts(movers, ahead(horizon_s));
       const auto truth = beespace::brute_force::predict_conflicts(movers, ahead(horizon_s));
       if (*found != *truth) fail("predict_conflicts");
+      if (*beespace::predict_pairs(movers, ahead(horizon_s)) != pairs_of(*truth)) {
+        fail("predict_pairs");
+      }
     }
   }
   const auto tracks = beespace::scenes::fly(flight(300, 1e-4), {60.0, 0.5});
@@ -78,7 +88,33 @@ void per_bee(benchmark::State& state, std::size_t bees, std::size_t found) {
   state.counters["found"] = static_cast<double>(found);
 }
 
+// As in a frame like those before: an Engine keeps its memory, and the answer's.
 void snapshot_pairs(benchmark::State& state) {
+  const auto places = places_of(flight(kMillion, with_two_neighbours()));
+  beespace::Engine engine;
+  std::vector<beespace::Pair> pairs;
+  for (auto _ : state) (void)engine.find_pairs(places, {.threshold_m = kThreshold_m}, pairs);
+  per_bee(state, places.size(), pairs.size());
+}
+
+void predict_pairs(benchmark::State& state, double density, double horizon_s) {
+  const auto movers = flight(kMillion, density);
+  beespace::Engine engine;
+  std::vector<beespace::Pair> pairs;
+  for (auto _ : state) (void)engine.predict_pairs(movers, ahead(horizon_s), pairs);
+  per_bee(state, movers.size(), pairs.size());
+}
+
+void predict_conflicts(benchmark::State& state, double density, double horizon_s) {
+  const auto movers = flight(kMillion, density);
+  beespace::Engine engine;
+  std::vector<beespace::Conflict> conflicts;
+  for (auto _ : state) (void)engine.predict_conflicts(movers, ahead(horizon_s), conflicts);
+  per_bee(state, movers.size(), conflicts.size());
+}
+
+// As plain calls, which begin with fresh memory.
+void snapshot_pairs_once(benchmark::State& state) {
   const auto places = places_of(flight(kMillion, with_two_neighbours()));
   std::size_t found = 0;
   for (auto _ : state) {
@@ -87,7 +123,14 @@ void snapshot_pairs(benchmark::State& state) {
   per_bee(state, places.size(), found);
 }
 
-void predict(benchmark::State& state, double density, double horizon_s) {
+void predict_pairs_once(benchmark::State& state, double density, double horizon_s) {
+  const auto movers = flight(kMillion, density);
+  std::size_t found = 0;
+  for (auto _ : state) found = beespace::predict_pairs(movers, ahead(horizon_s))->size();
+  per_bee(state, movers.size(), found);
+}
+
+void predict_conflicts_once(benchmark::State& state, double density, double horizon_s) {
   const auto movers = flight(kMillion, density);
   std::size_t found = 0;
   for (auto _ : state) found = beespace::predict_conflicts(movers, ahead(horizon_s))->size();
@@ -119,11 +162,17 @@ int main(int argc, char** argv) {
         ->Repetitions(5)
         ->ReportAggregatesOnly(true);
   };
-  add("snapshot/pairs/two_neighbours", snapshot_pairs);
-  add("between_fixes/0.1_s/two_neighbours",
-      [](benchmark::State& state) { predict(state, with_two_neighbours(), 0.1); });
-  add("a_minute_ahead/2e-5_a_cubic_metre",
-      [](benchmark::State& state) { predict(state, kSparse, 60.0); });
+  const double two = with_two_neighbours();
+  const auto add_motion = [&](const char* name, auto function, double density, double horizon_s) {
+    add(name, [=](benchmark::State& state) { function(state, density, horizon_s); });
+  };
+  add("snapshot/pairs", snapshot_pairs);
+  add_motion("between_fixes/pairs", predict_pairs, two, 0.1);
+  add_motion("between_fixes/conflicts", predict_conflicts, two, 0.1);
+  add("snapshot/pairs/once", snapshot_pairs_once);
+  add_motion("between_fixes/pairs/once", predict_pairs_once, two, 0.1);
+  add_motion("between_fixes/conflicts/once", predict_conflicts_once, two, 0.1);
+  add_motion("a_minute_ahead/conflicts/once", predict_conflicts_once, kSparse, 60.0);
   add("recording/1000_bees_10_minutes", recording);
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();

@@ -18,7 +18,9 @@ constexpr const char* kDetails =
     "Reads text tables (longitude, latitude, height or x, y, z), .npy arrays and raw float64, "
     "each\n"
     "plain or gzip-compressed. Writes the report to standard output and a summary to standard\n"
-    "error. An id is the 0-based data row, or the text of the file's id column.\n"
+    "error. An id is the 0-based data row, or the text of the file's id column. A recording, in "
+    "which\n"
+    "a bee is at several times, is for 'beespace replay'.\n"
     "\n"
     "Reports, and what their lines say:\n"
     "  at-risk       who is closer than the threshold to another bee: id\n"
@@ -84,7 +86,7 @@ void add_search_options(CLI::App& detect, DetectOptions& options) {
   detect
       .add_option("--vertical", options.vertical,
                   "Too close only if closer than this in height too;\nthe threshold is then "
-                  "horizontal")
+                  "horizontal. The distance shown\nis still that in a straight line")
       ->type_name("METRES")
       ->group("Search");
   detect

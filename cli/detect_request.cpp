@@ -74,12 +74,10 @@ Result<DetectRequest> request_of(const DetectOptions& options) {
   const auto max_results = read_max_results("detect", options.max_results);
   if (!max_results) return max_results.error();
   request.search = {*threshold, options.inclusive, *threads, *max_results};
-  if (!options.vertical.empty()) {
-    const auto vertical =
-        read_amount("detect", "--vertical", options.vertical, "metres", {0.0, false});
-    if (!vertical) return vertical.error();
-    request.search.vertical_m = *vertical;
-  }
+  const auto vertical =
+      read_optional_amount("detect", "--vertical", options.vertical, "metres", {0.0, false});
+  if (!vertical) return vertical.error();
+  request.search.vertical_m = *vertical;
 
   if (!options.input.empty()) request.input = options.input;
   if (!options.others.empty()) request.others = options.others;

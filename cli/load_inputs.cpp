@@ -1,6 +1,7 @@
 #include "cli/load_inputs.hpp"
 
 #include "cli/detect_request.hpp"
+#include "cli/recording_check.hpp"
 
 #include <string>
 #include <utility>
@@ -18,12 +19,19 @@ std::string taken_for(const io::LoadedPoints& loaded, const std::string& path) {
          ")";
 }
 
+Result<io::LoadedPoints> load_snapshot(const std::string& path, const io::LoadOptions& options) {
+  auto loaded = io::load_points(path, options);
+  if (!loaded) return or_recording(std::move(loaded).error(), path, options);
+  if (auto problem = recording_problem(*loaded, path)) return *std::move(problem);
+  return loaded;
+}
+
 }  // namespace
 
 Result<Inputs> load_inputs(const DetectRequest& request, ProgressBar& progress) {
   io::LoadOptions options = request.load;
   options.progress = &progress.reading();
-  auto ours = io::load_points(request.input, options);
+  auto ours = load_snapshot(request.input, options);
   if (!ours) return std::move(ours).error();
   if (request.form == Form::kGeoJson && ours->frame != io::Frame::kWgs84) {
     return detect_usage_error(
@@ -32,7 +40,7 @@ Result<Inputs> load_inputs(const DetectRequest& request, ProgressBar& progress) 
   }
   Inputs inputs{*std::move(ours), std::nullopt};
   if (!request.others) return inputs;
-  auto others = io::load_points(*request.others, options);
+  auto others = load_snapshot(*request.others, options);
   if (!others) return std::move(others).error();
   if (others->frame != inputs.ours.frame) {
     return detect_usage_error(

@@ -8,8 +8,8 @@
 
 namespace beespace::cli {
 
-// Errors: those of reading; kInvalidArgument where the two are in different frames, or the form of
-// the answer needs another one.
+// Errors: those of reading, and kUnsupportedFormat for a recording; kInvalidArgument where the two
+// are in different frames, or the form of the answer needs another one.
 Result<Inputs> load_inputs(const DetectRequest& request, ProgressBar& progress);
 
 }  // namespace beespace::cli

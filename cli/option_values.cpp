@@ -58,4 +58,14 @@ Result<double> read_amount(std::string_view command, const std::string& option,
                                   (least.itself ? " on" : ""));
 }
 
+Result<std::optional<double>> read_optional_amount(std::string_view command,
+                                                   const std::string& option,
+                                                   const std::string& text, const char* unit,
+                                                   Least least) {
+  if (text.empty()) return std::optional<double>();
+  const auto value = read_amount(command, option, text, unit, least);
+  if (!value) return value.error();
+  return std::optional<double>(*value);
+}
+
 }  // namespace beespace::cli

@@ -6,6 +6,7 @@
 #include <beespace/result.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -28,5 +29,11 @@ struct Least {
 };
 Result<double> read_amount(std::string_view command, const std::string& option,
                            const std::string& text, const char* unit, Least least);
+
+// The same, or nothing where the option is not given and `text` is empty.
+Result<std::optional<double>> read_optional_amount(std::string_view command,
+                                                   const std::string& option,
+                                                   const std::string& text, const char* unit,
+                                                   Least least);
 
 }  // namespace beespace::cli

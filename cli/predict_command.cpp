@@ -108,8 +108,7 @@ std::string summary(const Outlook& outlook, const PredictRequest& request, doubl
         conflicts.begin(), conflicts.end(),
         [](const Conflict& a, const Conflict& b) { return a.closest_m < b.closest_m; });
     append_summary_line(out, "soonest",
-                        printable(shown_id(soonest->first, outlook.recording)) + " and " +
-                            printable(shown_id(soonest->second, outlook.recording)) + ", in " +
+                        pair_text(*soonest, outlook.recording) + ", in " +
                             grouped(soonest->begins_s - snapshot.time_s, 2) + " s");
     append_summary_line(out, "closest", encounter_text(*closest, outlook.recording));
   }

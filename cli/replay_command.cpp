@@ -34,23 +34,52 @@ struct ReplayRequest {
   LiveRequest live;
 };
 
+// An option that the report would ignore is a misunderstanding.
+Status check_fit(const ReplayOptions& options) {
+  const struct {
+    const char* name;
+    const std::string& given;
+    const char* report;
+  } table[] = {
+      {"--every", options.every, "separation"},
+      {"--horizon", options.live.horizon, "events"},
+      {"--leave-factor", options.live.leave_factor, "events"},
+      {"--look-every", options.live.look_every, "events"},
+  };
+  for (const auto& option : table) {
+    if (option.given.empty() || option.report == options.report) continue;
+    return usage_error(kName, std::string(option.name) + " does not apply to --report " +
+                                  options.report + "; leave it out, or say --report " +
+                                  option.report);
+  }
+  if (options.moving.inclusive && options.report == "events") {
+    return usage_error(kName,
+                       "--inclusive does not apply to --report events, in which exactly the "
+                       "threshold is never too close; leave it out");
+  }
+  return std::monostate{};
+}
+
 Result<ReplayRequest> request_of(const ReplayOptions& options) {
+  if (const Status fit = check_fit(options); !fit) return fit.error();
   auto moving = moving_request(kName, options.moving);
   if (!moving) return std::move(moving).error();
-  double max_gap_s = std::numeric_limits<double>::infinity();
-  if (!options.max_gap.empty()) {
-    const auto given = read_amount(kName, "--max-gap", options.max_gap, "seconds", {0.0, false});
-    if (!given) return given.error();
-    max_gap_s = *given;
-  }
+  const auto max_gap =
+      read_optional_amount(kName, "--max-gap", options.max_gap, "seconds", {0.0, false});
+  if (!max_gap) return max_gap.error();
   const auto tolerance =
       read_amount(kName, "--tolerance", options.tolerance, "metres", {0.0, false});
   if (!tolerance) return tolerance.error();
-  const auto every = read_amount(kName, "--every", options.every, "seconds", {0.0, false});
+  const auto every = read_optional_amount(kName, "--every", options.every, "seconds", {0.0, false});
   if (!every) return every.error();
   const auto live = live_request(kName, options.live);
   if (!live) return live.error();
-  return ReplayRequest{*std::move(moving), options.report, max_gap_s, *tolerance, *every, *live};
+  return ReplayRequest{*std::move(moving),
+                       options.report,
+                       max_gap->value_or(std::numeric_limits<double>::infinity()),
+                       *tolerance,
+                       every->value_or(1.0),
+                       *live};
 }
 
 // Events are lines of JSON, as `watch` prints them, unless another form is wished for.
@@ -91,6 +120,15 @@ Rows rows_of(const ReplayRequest& request, const Findings& findings) {
   return conflict_rows(findings.recorded.conflicts, findings.recording, curved);
 }
 
+Rows closest_row(const Conflict& closest, const io::Recording& recording) {
+  Rows rows{{{"first", "first_label"}, {"second", "second_label"}, {"time_s"}, {"distance_m"}},
+            {{name_of(closest.first, recording), name_of(closest.second, recording),
+              closest.closest_s, closest.closest_m}},
+            has_labels(recording)};
+  set_labels_apart(rows);
+  return rows;
+}
+
 std::string json_head_of(const ReplayRequest& request, const Findings& findings,
                          double threshold_m) {
   std::string head = json_head(findings.recording, request.moving, threshold_m);
@@ -100,10 +138,8 @@ std::string json_head_of(const ReplayRequest& request, const Findings& findings,
   head += ",\n  \"gap_count\": " + std::to_string(findings.recorded.gaps.size());
   head += ",\n  \"closest\": ";
   if (findings.closest) {
-    append_json_row(head, {"first", "second", "time_s", "distance_m"},
-                    {shown_id(findings.closest->first, findings.recording),
-                     shown_id(findings.closest->second, findings.recording),
-                     findings.closest->closest_s, findings.closest->closest_m});
+    const Rows closest = closest_row(*findings.closest, findings.recording);
+    append_json_row(head, closest.columns, closest.rows.front());
   } else {
     head += "null";
   }

@@ -15,7 +15,7 @@ struct ReplayOptions {
   std::string report = "conflicts";
   std::string max_gap;
   std::string tolerance = "0.001";
-  std::string every = "1";
+  std::string every;
   LiveOptions live;
 };
 

@@ -17,6 +17,24 @@ extern "C" void leave(int signal) {
   _exit(kSignalExitCode + signal);
 }
 
+volatile std::sig_atomic_t end_wanted = 0;
+
+extern "C" void ask_for_end(int signal) {
+  if (end_wanted != 0) leave(signal);
+  end_wanted = 1;
+}
+
+// Unless the one who started the program had the signal ignored.
+void handle(int signal, void (*handler)(int)) {
+  struct sigaction current {};
+  sigaction(signal, nullptr, &current);
+  if (current.sa_handler == SIG_IGN) return;
+  struct sigaction action {};
+  action.sa_handler = handler;
+  sigfillset(&action.sa_mask);
+  sigaction(signal, &action, nullptr);
+}
+
 }  // namespace
 
 void handle_signals() {
@@ -26,14 +44,16 @@ void handle_signals() {
   sigaction(SIGPIPE, &ignore, nullptr);
   sigaction(SIGXFSZ, &ignore, nullptr);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGALRM, SIGXCPU}) {
-    struct sigaction current {};
-    sigaction(signal, nullptr, &current);
-    if (current.sa_handler == SIG_IGN) continue;
-    struct sigaction action {};
-    action.sa_handler = leave;
-    sigfillset(&action.sa_mask);
-    sigaction(signal, &action, nullptr);
+    handle(signal, leave);
   }
+}
+
+void let_interruption_wait() {
+  handle(SIGINT, ask_for_end);
+}
+
+bool interrupted() {
+  return end_wanted != 0;
 }
 
 }  // namespace beespace::cli

@@ -8,4 +8,9 @@ namespace beespace::cli {
 // it had them ignored (nohup). SIGPIPE is ignored: a closed pipe is seen as a failed write.
 void handle_signals();
 
+// From now on the first Ctrl-C only asks for an end, which interrupted() tells; the second ends the
+// program as before. For commands that have something to say at their end.
+void let_interruption_wait();
+bool interrupted();
+
 }  // namespace beespace::cli

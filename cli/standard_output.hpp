@@ -4,10 +4,15 @@
 #include "cli/exit_code.hpp"
 
 #include <string>
+#include <string_view>
 
 namespace beespace::cli {
 
 // Whole, or what to end with: kPipeClosed when nobody reads, kSystem after saying so otherwise.
 ExitCode print(const std::string& text);
+
+// For those who go on: 0, or the errno of what went wrong. Ctrl-C that has been let wait ends a
+// write that waits for whoever reads: EINTR.
+int write_out(std::string_view text);
 
 }  // namespace beespace::cli

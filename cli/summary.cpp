@@ -2,6 +2,7 @@
 
 #include "cli/number_text.hpp"
 #include "cli/shown_ids.hpp"
+#include "cli/summary_line.hpp"
 #include "cli/terminal.hpp"
 
 #include <algorithm>
@@ -9,15 +10,6 @@
 
 namespace beespace::cli {
 namespace {
-
-void append_line(std::string& out, std::string_view label, std::string_view text) {
-  constexpr std::size_t kLabelWidth = 11;
-  out += "  ";
-  out += label;
-  out.append(kLabelWidth - std::min(kLabelWidth, label.size()), ' ');
-  out += text;
-  out += '\n';
-}
 
 std::string input_line(const io::LoadedPoints& loaded, const std::string& path) {
   const std::string name = path == "-" ? "standard input" : path;
@@ -37,13 +29,6 @@ std::string frame_line(const io::LoadedPoints& loaded) {
     if (has_height(loaded)) frame += ", height";
   }
   return frame + ": " + printable(loaded.frame_reason);
-}
-
-std::string threshold_line(const SearchOptions& search) {
-  const char* const how = search.inclusive ? " m or closer" : " m (closer than)";
-  std::string text = exact(search.threshold_m) + how;
-  if (!search.vertical_m) return text;
-  return "horizontally " + text + ", and in height " + exact(*search.vertical_m) + how;
 }
 
 std::string at_risk_line(const io::LoadedPoints& loaded, const Detection& detection) {
@@ -75,23 +60,25 @@ std::string time_line(const Inputs& inputs, const Timings& timings) {
 }
 
 void append_skipped(std::string& out, const io::LoadedPoints& loaded) {
-  append_line(
+  append_summary_line(
       out, "skipped",
       grouped(loaded.skipped_count) + (loaded.skipped_count == 1 ? " bad record" : " bad records"));
-  for (const Error& error : loaded.skipped) append_line(out, "", printable(to_string(error)));
+  for (const Error& error : loaded.skipped)
+    append_summary_line(out, "", printable(to_string(error)));
   if (loaded.skipped_count > loaded.skipped.size()) {
-    append_line(out, "", "and " + grouped(loaded.skipped_count - loaded.skipped.size()) + " more");
+    append_summary_line(out, "",
+                        "and " + grouped(loaded.skipped_count - loaded.skipped.size()) + " more");
   }
 }
 
 // What one file turned out to be.
 void append_input(std::string& out, std::string_view label, const io::LoadedPoints& loaded,
                   const std::string& path) {
-  append_line(out, label, input_line(loaded, path));
-  append_line(out, "frame", frame_line(loaded));
-  for (const std::string& note : loaded.notes) append_line(out, "note", printable(note));
+  append_summary_line(out, label, input_line(loaded, path));
+  append_summary_line(out, "frame", frame_line(loaded));
+  for (const std::string& note : loaded.notes) append_summary_line(out, "note", printable(note));
   if (loaded.skipped_count > 0) append_skipped(out, loaded);
-  append_line(out, "points", grouped(loaded.points.size()));
+  append_summary_line(out, "points", grouped(loaded.points.size()));
 }
 
 }  // namespace
@@ -101,13 +88,16 @@ std::string summary(const Inputs& inputs, const Detection& detection,
   std::string out;
   append_input(out, "input", inputs.ours, request.input);
   if (inputs.others) append_input(out, "others", *inputs.others, *request.others);
-  append_line(out, "threshold", threshold_line(request.search));
-  append_line(out, "at risk", at_risk_line(inputs.ours, detection));
+  append_summary_line(out, "threshold",
+                      separation_text(request.search.threshold_m, request.search.vertical_m,
+                                      request.search.inclusive));
+  append_summary_line(out, "at risk", at_risk_line(inputs.ours, detection));
   if (!detection.table.finding.empty()) {
-    append_line(out, request.report->label, detection.table.finding);
+    append_summary_line(out, request.report->label, detection.table.finding);
   }
-  if (detection.closest) append_line(out, "closest", closest_line(inputs, *detection.closest));
-  append_line(out, "time", time_line(inputs, detection.timings));
+  if (detection.closest)
+    append_summary_line(out, "closest", closest_line(inputs, *detection.closest));
+  append_summary_line(out, "time", time_line(inputs, detection.timings));
   return out;
 }
 

@@ -9,12 +9,13 @@
 #include "cli/moving/pace.hpp"
 #include "cli/number_text.hpp"
 #include "cli/option_values.hpp"
+#include "cli/signals.hpp"
+#include "cli/standard_output.hpp"
 #include "cli/terminal.hpp"
 #include "io/report_lines.hpp"
 
 #include <array>
 #include <cerrno>
-#include <cstdio>
 #include <optional>
 #include <utility>
 
@@ -35,14 +36,6 @@ struct WatchRequest {
   bool quiet;
 };
 
-Result<std::optional<double>> optional_amount(const std::string& option, const std::string& text,
-                                              const char* unit) {
-  if (text.empty()) return std::optional<double>();
-  const auto value = read_amount(kName, option, text, unit, {0.0, false});
-  if (!value) return value.error();
-  return std::optional<double>(*value);
-}
-
 Result<WatchRequest> request_of(const WatchOptions& options) {
   if (options.input.empty() && input_is_terminal()) {
     return usage_error(kName, "say which file to read, or pipe the reports in");
@@ -52,7 +45,8 @@ Result<WatchRequest> request_of(const WatchOptions& options) {
   }
   const auto threshold = read_threshold(options.threshold);
   if (!threshold) return threshold.error();
-  const auto vertical = optional_amount("--vertical", options.vertical, "metres");
+  const auto vertical =
+      read_optional_amount(kName, "--vertical", options.vertical, "metres", {0.0, false});
   if (!vertical) return vertical.error();
   const auto max_age = read_amount(kName, "--max-age", options.max_age, "seconds", {0.0, false});
   if (!max_age) return max_age.error();
@@ -60,9 +54,10 @@ Result<WatchRequest> request_of(const WatchOptions& options) {
   if (!threads) return threads.error();
   const auto live = live_request(kName, options.live);
   if (!live) return live.error();
-  const auto speed = optional_amount("--speed", options.speed, "times");
+  const auto speed = read_optional_amount(kName, "--speed", options.speed, "times", {0.0, false});
   if (!speed) return speed.error();
-  const auto rate = optional_amount("--rate", options.rate, "reports a second");
+  const auto rate =
+      read_optional_amount(kName, "--rate", options.rate, "reports a second", {0.0, false});
   if (!rate) return rate.error();
   return WatchRequest{
       options.input.empty() ? "-" : options.input,
@@ -90,25 +85,19 @@ class Watch {
   Result<ExitCode> run() {
     auto source = LineSource::open(request_.input);
     if (!source) return std::move(source).error();
+    let_interruption_wait();
     std::string_view line;
-    while (!pipe_closed_ && write_error_ == 0) {
+    while (write_error_ == 0) {
       const auto got = source->next(line, kPatienceMs);
       if (!got) return got.error();
       if (*got == LineSource::Got::kEnd) break;
       const Status done = *got == LineSource::Got::kLine ? take(line) : wait();
       if (!done) return done.error();
     }
-    if (feed_) {
+    if (feed_ && write_error_ == 0) {
       if (auto done = feed_->finish(); !done) return done.error();
     }
-    if (pipe_closed_) return ExitCode::kPipeClosed;
-    if (write_error_ != 0) {
-      return Error{ErrorCode::kWriteFailed, "cannot write to standard output", {}};
-    }
-    if (!request_.quiet) say(summary());
-    if (!feed_) return nothing_read();
-    return request_.fail_on_risk && told_[place(EventKind::kEntered)] > 0 ? ExitCode::kRiskFound
-                                                                          : ExitCode::kFine;
+    return end();
   }
 
  private:
@@ -116,8 +105,24 @@ class Watch {
 
   static std::size_t place(EventKind kind) { return static_cast<std::size_t>(kind); }
 
+  // What is said last, and how it ends.
+  Result<ExitCode> end() {
+    // Ctrl-C ends whoever reads as well, or a write that waits for them.
+    const bool cut_off = interrupted() && (write_error_ == EPIPE || write_error_ == EINTR);
+    if (write_error_ == EPIPE && !cut_off) return ExitCode::kPipeClosed;
+    if (write_error_ != 0 && !cut_off) {
+      return Error{ErrorCode::kWriteFailed, "cannot write to standard output", {}};
+    }
+    if (!request_.quiet) say(summary());
+    if (interrupted()) return ExitCode::kInterrupted;
+    if (!feed_) return nothing_read();
+    return request_.fail_on_risk && told_[place(EventKind::kEntered)] > 0 ? ExitCode::kRiskFound
+                                                                          : ExitCode::kFine;
+  }
+
   // Whose first report tells what distances are taken of.
   void begin(io::Frame frame) {
+    frame_ = frame;
     geometry_ = request_.swarm.vertical_m && frame == io::Frame::kWgs84 ? Geometry::kGroundAndHeight
                                                                         : Geometry::kSpace;
     SwarmOptions options = request_.swarm;
@@ -142,8 +147,9 @@ class Watch {
       return std::monostate{};
     }
     pace_.wait_for(at.time_s);
-    Status taken = feed_->take({feed_->number(at.id), at.time_s, metres->position, metres->velocity,
-                                metres->height_m, metres->climb_mps});
+    if (interrupted()) return std::monostate{};
+    Status taken = feed_->take({feed_->number(at.id, at.label), at.time_s, metres->position,
+                                metres->velocity, metres->height_m, metres->climb_mps});
     if (taken) return taken;
     note_bad(taken.error());
     return std::monostate{};
@@ -166,12 +172,7 @@ class Watch {
       ++told_[place(event.kind)];
       text += event_line(event, *feed_);
     }
-    if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() &&
-        std::fflush(stdout) == 0) {
-      return;
-    }
-    if (errno == EPIPE) pipe_closed_ = true;
-    write_error_ = errno;
+    if (write_error_ == 0) write_error_ = write_out(text);
   }
 
   [[nodiscard]] Error nothing_read() const {
@@ -184,6 +185,7 @@ class Watch {
   [[nodiscard]] std::string summary() const {
     std::string out;
     append_summary_line(out, "input", printable(lines_.description()));
+    if (feed_) append_frame_lines(out, frame_, "", lines_.heights());
     for (const std::string& note : lines_.notes())
       append_summary_line(out, "note", printable(note));
     const SwarmCounts counts = feed_ ? feed_->counts() : SwarmCounts{};
@@ -202,6 +204,9 @@ class Watch {
     }
     append_summary_line(out, "bees",
                         grouped(counts.bees) + " heard of, " + grouped(counts.stale) + " stale");
+    append_summary_line(
+        out, "threshold",
+        separation_text(request_.swarm.threshold_m, request_.swarm.vertical_m, false));
     for (const EventKind kind : {EventKind::kPredicted, EventKind::kEntered, EventKind::kLeft}) {
       append_summary_line(out, name_of(kind), grouped(told_[place(kind)]));
     }
@@ -211,12 +216,12 @@ class Watch {
   const WatchRequest& request_;
   io::ReportLines lines_;
   Pace pace_;
+  io::Frame frame_ = io::Frame::kMetres;  // once there is a feed
   Geometry geometry_ = Geometry::kSpace;
   std::optional<LiveFeed> feed_;
   std::array<std::uint64_t, 5> told_{};  // by kind
   std::uint64_t bad_lines_ = 0;
-  bool pipe_closed_ = false;
-  int write_error_ = 0;
+  int write_error_ = 0;  // the errno of it
 };
 
 }  // namespace

@@ -22,7 +22,9 @@ constexpr const char* kDetails =
     "as\n"
     "both bees have been heard of again, and what lies ahead. Memory grows with the bees, not with "
     "the\n"
-    "reports. Bad lines are counted and said, and left out.\n"
+    "reports. Bad lines are counted and said, and left out. At the end of the input, or with "
+    "Ctrl-C, a\n"
+    "summary goes to standard error.\n"
     "\n"
     "Events:\n"
     "  predicted       two are about to come too close: when it begins, how close, and when\n"
@@ -81,9 +83,7 @@ CLI::App* add_watch_command(CLI::App& command, WatchOptions& options) {
       ->add_option("--threshold", options.threshold, "Closer than this is too close (default: 100)")
       ->type_name("METRES")
       ->group("Separation");
-  watch
-      ->add_option("--vertical", options.vertical,
-                   "Too close only if closer than this in height too")
+  watch->add_option("--vertical", options.vertical, kVerticalHelp)
       ->type_name("METRES")
       ->group("Separation");
   watch->add_option("--threads", options.threads, "How many threads work (default: 1; 0: all)")

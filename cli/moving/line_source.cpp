@@ -1,5 +1,7 @@
 #include "cli/moving/line_source.hpp"
 
+#include "cli/signals.hpp"
+
 #include <fcntl.h>
 #include <poll.h>
 #include <unistd.h>
@@ -68,7 +70,8 @@ bool LineSource::take_line(std::string_view& line) {
 }
 
 Result<LineSource::Got> LineSource::next(std::string_view& line, int patience_ms) {
-  while (!take_line(line)) {
+  while (!interrupted()) {
+    if (take_line(line)) return Got::kLine;
     if (ended_) return Got::kEnd;
     buffer_.erase(0, begin_);
     begin_ = 0;
@@ -82,7 +85,7 @@ Result<LineSource::Got> LineSource::next(std::string_view& line, int patience_ms
     if (count == 0) ended_ = true;
     buffer_.append(block.data(), static_cast<std::size_t>(count));
   }
-  return Got::kLine;
+  return Got::kEnd;
 }
 
 }  // namespace beespace::cli

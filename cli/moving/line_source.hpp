@@ -23,7 +23,8 @@ class LineSource {
 
   enum class Got { kLine, kNothingYet, kEnd };
   // The next line, without its end, valid until the next call; or that none has come for
-  // `patience_ms`. A line longer than kLongest is cut there. Error: kReadFailed.
+  // `patience_ms`. A line longer than kLongest is cut there. Ctrl-C that has been let wait is an
+  // end too. Error: kReadFailed.
   Result<Got> next(std::string_view& line, int patience_ms);
 
   static constexpr std::size_t kLongest = std::size_t{1} << 20;

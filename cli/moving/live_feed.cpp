@@ -13,13 +13,15 @@ LiveFeed::LiveFeed(const SwarmOptions& options, double every_s, Tell tell)
     : swarm_(options), every_s_(every_s), tell_(std::move(tell)) {
 }
 
-PointId LiveFeed::number(std::string_view id) {
-  const auto known = numbers_.find(id);
-  if (known != numbers_.end()) return known->second;
-  const auto number = static_cast<PointId>(ids_.size());
-  ids_.emplace_back(id);
-  numbers_.emplace(id, number);
-  return number;
+PointId LiveFeed::number(std::string_view id, std::string_view label) {
+  auto known = numbers_.find(id);
+  if (known == numbers_.end()) {
+    known = numbers_.emplace(id, static_cast<PointId>(names_.size())).first;
+    names_.push_back({std::string(id), {}});
+  }
+  std::string& kept = names_[known->second].label;
+  if (!label.empty() && label != kept) kept = label;
+  return known->second;
 }
 
 Status LiveFeed::take(const Report& report) {
@@ -97,18 +99,31 @@ const char* name_of(EventKind kind) {
   return "unknown";
 }
 
+namespace {
+
+// Behind all else, and only where there is one.
+void append_label(std::string& line, const char* key, const BeeName& name) {
+  if (name.label.empty()) return;
+  line += std::string(", \"") + key + "\": " + json_string(name.label);
+}
+
+}  // namespace
+
 std::string event_line(const SwarmEvent& event, const LiveFeed& feed) {
   std::string line = "{\"event\": \"";
   line += name_of(event.kind);
   line += "\", \"time_s\": " + exact(event.time_s);
   if (event.kind == EventKind::kStale) {
-    line += ", \"id\": " + json_string(feed.id(event.first));
+    line += ", \"id\": " + json_string(feed.name(event.first).id);
+    append_label(line, "label", feed.name(event.first));
     return line + "}\n";
   }
-  line += ", \"first\": " + json_string(feed.id(event.first));
-  line += ", \"second\": " + json_string(feed.id(event.second));
+  line += ", \"first\": " + json_string(feed.name(event.first).id);
+  line += ", \"second\": " + json_string(feed.name(event.second).id);
   line += ", \"distance_m\": " + exact(event.distance_m);
   line += ", \"closest_s\": " + exact(event.closest_s);
+  append_label(line, "first_label", feed.name(event.first));
+  append_label(line, "second_label", feed.name(event.second));
   return line + "}\n";
 }
 

@@ -5,6 +5,8 @@
 // the same reports give the same events however fast they come.
 #pragma once
 
+#include "cli/moving/rows.hpp"
+
 #include <beespace/result.hpp>
 #include <beespace/swarm.hpp>
 
@@ -26,9 +28,9 @@ class LiveFeed {
 
   LiveFeed(const SwarmOptions& options, double every_s, Tell tell);
 
-  // The number of a bee, by its id.
-  PointId number(std::string_view id);
-  [[nodiscard]] const std::string& id(PointId number) const { return ids_[number]; }
+  // The number of a bee, by its id. What it is called beside that is kept, if it is said.
+  PointId number(std::string_view id, std::string_view label);
+  [[nodiscard]] const BeeName& name(PointId number) const { return names_[number]; }
 
   // Takes a report, after looking at the swarm where its time has come. Times may go back a little:
   // nobody looks again. One that is far ahead of all before waits for another that bears it out, or
@@ -67,7 +69,7 @@ class LiveFeed {
   double looked_s_ = -std::numeric_limits<double>::infinity();
   double idle_s_ = 0.0;  // since the last report
   std::unordered_map<std::string, PointId, Hash, std::equal_to<>> numbers_;
-  std::vector<std::string> ids_;
+  std::vector<BeeName> names_;
 };
 
 // A line of JSON, with its end.

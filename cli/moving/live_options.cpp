@@ -25,15 +25,16 @@ void add_live_options(CLI::App& command, LiveOptions& options, const char* group
 }
 
 Result<LiveRequest> live_request(const char* command, const LiveOptions& options) {
-  const auto horizon = read_amount(command, "--horizon", options.horizon, "seconds", {0.0, true});
+  const auto horizon =
+      read_optional_amount(command, "--horizon", options.horizon, "seconds", {0.0, true});
   if (!horizon) return horizon.error();
   const auto leave =
-      read_amount(command, "--leave-factor", options.leave_factor, "times", {1.0, true});
+      read_optional_amount(command, "--leave-factor", options.leave_factor, "times", {1.0, true});
   if (!leave) return leave.error();
   const auto every =
-      read_amount(command, "--look-every", options.look_every, "seconds", {0.0, false});
+      read_optional_amount(command, "--look-every", options.look_every, "seconds", {0.0, false});
   if (!every) return every.error();
-  return LiveRequest{*horizon, *leave, *every};
+  return LiveRequest{horizon->value_or(10.0), leave->value_or(1.1), every->value_or(0.1)};
 }
 
 }  // namespace beespace::cli

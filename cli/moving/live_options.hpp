@@ -12,11 +12,11 @@ class App;
 
 namespace beespace::cli {
 
-// As typed, before it is checked.
+// As typed, before it is checked; empty where the default holds.
 struct LiveOptions {
-  std::string horizon = "10";
-  std::string leave_factor = "1.1";
-  std::string look_every = "0.1";
+  std::string horizon;
+  std::string leave_factor;
+  std::string look_every;
 };
 
 struct LiveRequest {

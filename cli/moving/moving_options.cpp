@@ -81,10 +81,7 @@ void add_separation_options(CLI::App& command, MovingOptions& options) {
                   "Closer than this is too close (default: what the\ninput declares, or 100)")
       ->type_name("METRES")
       ->group("Separation");
-  command
-      .add_option("--vertical", options.vertical,
-                  "Too close only if closer than this in height too;\nthe threshold is then "
-                  "horizontal")
+  command.add_option("--vertical", options.vertical, kVerticalHelp)
       ->type_name("METRES")
       ->group("Separation");
   command
@@ -129,12 +126,10 @@ Result<MovingRequest> moving_request(const char* command, const MovingOptions& o
     if (!threshold) return threshold.error();
     request.threshold_m = *threshold;
   }
-  if (!options.vertical.empty()) {
-    const auto vertical =
-        read_amount(command, "--vertical", options.vertical, "metres", {0.0, false});
-    if (!vertical) return vertical.error();
-    request.vertical_m = *vertical;
-  }
+  const auto vertical =
+      read_optional_amount(command, "--vertical", options.vertical, "metres", {0.0, false});
+  if (!vertical) return vertical.error();
+  request.vertical_m = *vertical;
   request.inclusive = options.inclusive;
   const auto max_results = read_max_results(command, options.max_results);
   if (!max_results) return max_results.error();

@@ -57,6 +57,12 @@ struct MovingRequest {
   bool quiet = false;
 };
 
+// Of `predict`, `replay` and `watch`, which find the same.
+inline constexpr const char* kVerticalHelp =
+    "Too close only if closer than this in height too;\n"
+    "the threshold is then horizontal. Of degrees, the\n"
+    "distance shown is then hypot(ground, height)";
+
 // How to read, as `predict`, `replay` and `watch` are told alike.
 struct ReadingOptions {
   const std::string& frame;

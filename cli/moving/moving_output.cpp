@@ -74,13 +74,14 @@ std::string date_and_time(double since_1970_s) {
 
 }  // namespace
 
-void append_summary_line(std::string& out, std::string_view label, std::string_view text) {
-  constexpr std::size_t kLabelWidth = 11;
-  out += "  ";
-  out += label;
-  out.append(kLabelWidth - std::min(kLabelWidth, label.size()), ' ');
-  out += text;
-  out += '\n';
+void append_frame_lines(std::string& out, io::Frame frame, const std::string& reason,
+                        io::HeightDatum heights) {
+  const bool degrees = frame == io::Frame::kWgs84;
+  std::string text = degrees ? "WGS84 longitude, latitude, height" : "metres";
+  if (!reason.empty()) text += ": " + printable(reason);
+  append_summary_line(out, "frame", text);
+  const std::string_view datum = datum_text(heights);
+  if (!datum.empty()) append_summary_line(out, "heights", datum);
 }
 
 std::string input_summary(const io::Recording& recording, const MovingRequest& request) {
@@ -88,13 +89,7 @@ std::string input_summary(const io::Recording& recording, const MovingRequest& r
   append_summary_line(out, "input",
                       inputs_of(request) + " (" + byte_count(recording.bytes) + ", " +
                           recording.format_description + ")");
-  const bool degrees = recording.frame == io::Frame::kWgs84;
-  append_summary_line(out, "frame",
-                      std::string(degrees ? "WGS84 longitude, latitude, height: " : "metres: ") +
-                          printable(recording.frame_reason));
-  if (const std::string_view datum = datum_text(recording.heights); !datum.empty()) {
-    append_summary_line(out, "heights", datum);
-  }
+  append_frame_lines(out, recording.frame, recording.frame_reason, recording.heights);
   for (const std::string& note : recording.notes) {
     append_summary_line(out, "note", printable(note));
   }
@@ -103,13 +98,8 @@ std::string input_summary(const io::Recording& recording, const MovingRequest& r
 }
 
 std::string separation_summary(const MovingRequest& request, double threshold_m, bool declared) {
-  const char* const how = request.inclusive ? " m or closer" : " m (closer than)";
-  std::string text = exact(threshold_m) + how;
-  if (request.vertical_m) {
-    text = "horizontally " + text + ", and in height " + exact(*request.vertical_m) + how;
-  }
-  if (declared) text += ", as the input declares";
-  return text;
+  const std::string text = separation_text(threshold_m, request.vertical_m, request.inclusive);
+  return declared ? text + ", as the input declares" : text;
 }
 
 std::string moment(double time_s, const io::Recording& recording) {
@@ -119,24 +109,39 @@ std::string moment(double time_s, const io::Recording& recording) {
   return grouped(time_s, 2) + " s";
 }
 
-std::string shown_id(PointId bee, const io::Recording& recording) {
-  return recording.bees[bee].id;
+BeeName name_of(PointId bee, const io::Recording& recording) {
+  return {recording.bees[bee].id, recording.bees[bee].label};
+}
+
+bool has_labels(const io::Recording& recording) {
+  return std::any_of(recording.bees.begin(), recording.bees.end(),
+                     [](const io::RecordedBee& bee) { return !bee.label.empty(); });
+}
+
+std::string pair_text(const Conflict& conflict, const io::Recording& recording) {
+  return printable(text_of(name_of(conflict.first, recording))) + " and " +
+         printable(text_of(name_of(conflict.second, recording)));
 }
 
 std::string encounter_text(const Conflict& conflict, const io::Recording& recording) {
-  return printable(shown_id(conflict.first, recording)) + " and " +
-         printable(shown_id(conflict.second, recording)) + ", " + length(conflict.closest_m) +
-         " apart at " + moment(conflict.closest_s, recording);
+  return pair_text(conflict, recording) + ", " + length(conflict.closest_m) + " apart at " +
+         moment(conflict.closest_s, recording);
 }
 
 Rows conflict_rows(const std::vector<Conflict>& conflicts, const io::Recording& recording,
                    bool with_certain) {
-  Rows rows;
-  rows.columns = {"first", "second", "begins_s", "closest_s", "closest_m", "ends_s"};
-  if (with_certain) rows.columns.push_back("certain");
+  Rows rows{{{"first", "first_label"},
+             {"second", "second_label"},
+             {"begins_s"},
+             {"closest_s"},
+             {"closest_m"},
+             {"ends_s"}},
+            {},
+            has_labels(recording)};
+  if (with_certain) rows.columns.push_back({"certain"});
   rows.rows.reserve(conflicts.size());
   for (const Conflict& c : conflicts) {
-    rows.rows.push_back({shown_id(c.first, recording), shown_id(c.second, recording), c.begins_s,
+    rows.rows.push_back({name_of(c.first, recording), name_of(c.second, recording), c.begins_s,
                          c.closest_s, c.closest_m, c.ends_s});
     if (with_certain) rows.rows.back().emplace_back(c.certain);
   }
@@ -174,8 +179,9 @@ std::string json_head(const io::Recording& recording, const MovingRequest& reque
   return out;
 }
 
-void write_answer(const Rows& rows, const MovingRequest& request, const std::string& head,
-                  const char* key, io::AtomicOutput& output) {
+void write_answer(Rows rows, const MovingRequest& request, const std::string& head, const char* key,
+                  io::AtomicOutput& output) {
+  if (request.form != MovingForm::kText) set_labels_apart(rows);
   switch (request.form) {
     case MovingForm::kText:
       return write_rows_as_text(rows, output);

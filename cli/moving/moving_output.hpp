@@ -4,6 +4,7 @@
 
 #include "cli/moving/moving_options.hpp"
 #include "cli/moving/rows.hpp"
+#include "cli/summary_line.hpp"
 #include "io/atomic_output.hpp"
 #include "io/recording.hpp"
 
@@ -15,8 +16,9 @@
 
 namespace beespace::cli {
 
-// "  label      text", for the summary.
-void append_summary_line(std::string& out, std::string_view label, std::string_view text);
+// What positions are in, and why where that is known; what heights are counted from.
+void append_frame_lines(std::string& out, io::Frame frame, const std::string& reason,
+                        io::HeightDatum heights);
 
 // The lines about what was read.
 std::string input_summary(const io::Recording& recording, const MovingRequest& request);
@@ -27,11 +29,13 @@ std::string separation_summary(const MovingRequest& request, double threshold_m,
 // "12.5 s", or the date and time where seconds count from 1970.
 std::string moment(double time_s, const io::Recording& recording);
 
-// "drone_01 and drone_02, 4.31 m apart at 63.2 s".
-std::string encounter_text(const Conflict& conflict, const io::Recording& recording);
+// What a bee of the answer is called; and whether any of them has a label.
+BeeName name_of(PointId bee, const io::Recording& recording);
+bool has_labels(const io::Recording& recording);
 
-// Whose a bee of the answer is.
-std::string shown_id(PointId bee, const io::Recording& recording);
+// "drone_01 and drone_02"; "drone_01 and drone_02, 4.31 m apart at 63.2 s".
+std::string pair_text(const Conflict& conflict, const io::Recording& recording);
+std::string encounter_text(const Conflict& conflict, const io::Recording& recording);
 
 // first, second, begins_s, closest_s, closest_m, ends_s; and certain, where there are tolerances.
 Rows conflict_rows(const std::vector<Conflict>& conflicts, const io::Recording& recording,
@@ -42,7 +46,7 @@ std::string json_head(const io::Recording& recording, const MovingRequest& reque
                       double threshold_m);
 
 // Writes the rows in the form wished for; in JSON between `head` and the end, under `key`.
-void write_answer(const Rows& rows, const MovingRequest& request, const std::string& head,
-                  const char* key, io::AtomicOutput& output);
+void write_answer(Rows rows, const MovingRequest& request, const std::string& head, const char* key,
+                  io::AtomicOutput& output);
 
 }  // namespace beespace::cli

@@ -1,6 +1,7 @@
 #include "cli/moving/replay_events.hpp"
 
 #include "cli/moving/moving_input.hpp"
+#include "cli/moving/moving_output.hpp"
 
 #include <algorithm>
 
@@ -15,11 +16,11 @@ struct RecordedFix {
 
 std::vector<Value> row_of(const SwarmEvent& event, const LiveFeed& feed) {
   if (event.kind == EventKind::kStale) {
-    return {event.time_s, std::string(name_of(event.kind)), feed.id(event.first), {}, {}, {}};
+    return {event.time_s, std::string(name_of(event.kind)), feed.name(event.first), {}, {}, {}};
   }
-  return {event.time_s,         std::string(name_of(event.kind)),
-          feed.id(event.first), feed.id(event.second),
-          event.distance_m,     event.closest_s};
+  return {event.time_s,           std::string(name_of(event.kind)),
+          feed.name(event.first), feed.name(event.second),
+          event.distance_m,       event.closest_s};
 }
 
 }  // namespace
@@ -36,7 +37,10 @@ Result<RecordedEvents> events_of(const io::Recording& recording, const std::vect
   std::stable_sort(fixes.begin(), fixes.end(),
                    [](const RecordedFix& a, const RecordedFix& b) { return a.time_s < b.time_s; });
   RecordedEvents recorded;
-  recorded.rows.columns = {"time_s", "event", "first", "second", "distance_m", "closest_s"};
+  recorded.rows.columns = {
+      {"time_s"},     {"event"},    {"first", "first_label"}, {"second", "second_label"},
+      {"distance_m"}, {"closest_s"}};
+  recorded.rows.labelled = has_labels(recording);
   const LiveFeed* seen = nullptr;
   LiveFeed feed(options, look_every_s, [&](const std::vector<SwarmEvent>& events) {
     for (const SwarmEvent& event : events) {
@@ -47,7 +51,7 @@ Result<RecordedEvents> events_of(const io::Recording& recording, const std::vect
   seen = &feed;
   for (const RecordedFix& at : fixes) {
     const io::RecordedBee& bee = recording.bees[at.bee];
-    Report report{feed.number(bee.id), at.time_s, tracks[at.bee].fixes[at.fix].position};
+    Report report{feed.number(bee.id, bee.label), at.time_s, tracks[at.bee].fixes[at.fix].position};
     if (!bee.path) {
       const auto given = in_metres(recording, at.bee, at.fix, geometry);
       if (!given) return given.error();

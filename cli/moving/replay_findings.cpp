@@ -72,15 +72,22 @@ Rows bee_rows(const Findings& findings) {
       if (closest == nullptr || conflict.closest_m < closest->closest_m) closest = &conflict;
     }
   }
-  Rows rows{{"id", "conflicts", "in_conflict_s", "closest_m", "closest_s", "closest_id"}, {}};
+  Rows rows{{{"id", "label"},
+             {"conflicts"},
+             {"in_conflict_s"},
+             {"closest_m"},
+             {"closest_s"},
+             {"closest_id", "closest_label"}},
+            {},
+            has_labels(findings.recording)};
   for (PointId bee = 0; bee < bees.size(); ++bee) {
     OfBee& of = bees[bee];
-    std::vector<Value> row{shown_id(bee, findings.recording), std::uint64_t{of.spans.size()},
+    std::vector<Value> row{name_of(bee, findings.recording), std::uint64_t{of.spans.size()},
                            length_of_union(of.spans)};
     if (of.closest != nullptr) {
       const PointId other = of.closest->first == bee ? of.closest->second : of.closest->first;
       row.insert(row.end(), {of.closest->closest_m, of.closest->closest_s,
-                             shown_id(other, findings.recording)});
+                             name_of(other, findings.recording)});
     } else {
       row.resize(rows.columns.size());
     }
@@ -116,12 +123,14 @@ std::vector<Moment> separation_over_time(const Findings& findings, double every_
 }
 
 Rows separation_rows(const std::vector<Moment>& moments, const io::Recording& recording) {
-  Rows rows{{"time_s", "distance_m", "first", "second"}, {}};
+  Rows rows{{{"time_s"}, {"distance_m"}, {"first", "first_label"}, {"second", "second_label"}},
+            {},
+            has_labels(recording)};
   for (const Moment& moment : moments) {
     std::vector<Value> row{moment.time_s};
     if (std::isfinite(moment.distance_m)) {
-      row.insert(row.end(), {moment.distance_m, shown_id(moment.first, recording),
-                             shown_id(moment.second, recording)});
+      row.insert(row.end(), {moment.distance_m, name_of(moment.first, recording),
+                             name_of(moment.second, recording)});
     } else {
       row.resize(rows.columns.size());
     }

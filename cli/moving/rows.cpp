@@ -12,12 +12,23 @@ namespace {
 
 std::string text_of(const Value& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  if (const auto* bee = std::get_if<BeeName>(&value)) return bee->id;
   if (const auto* number = std::get_if<double>(&value)) {
     return std::isfinite(*number) ? exact(*number) : std::string();
   }
   if (const auto* count = std::get_if<std::uint64_t>(&value)) return std::to_string(*count);
   if (const auto* yes = std::get_if<bool>(&value)) return *yes ? "yes" : "no";
   return {};
+}
+
+std::string text_for_people(const Value& value) {
+  const auto* bee = std::get_if<BeeName>(&value);
+  return bee != nullptr ? text_of(*bee) : text_of(value);
+}
+
+Value label_of(const Value& value) {
+  const auto* bee = std::get_if<BeeName>(&value);
+  return bee != nullptr && !bee->label.empty() ? Value(bee->label) : Value();
 }
 
 // Tabs and line ends inside an id would look like those between.
@@ -30,12 +41,29 @@ std::string on_one_line(std::string text) {
 
 }  // namespace
 
+std::string text_of(const BeeName& name) {
+  return name.label.empty() ? name.id : name.id + " (" + name.label + ")";
+}
+
+void set_labels_apart(Rows& rows) {
+  if (!rows.labelled) return;
+  const std::vector<RowColumn> columns = rows.columns;
+  for (const RowColumn& column : columns) {
+    if (column.label != nullptr) rows.columns.push_back({column.label});
+  }
+  for (auto& row : rows.rows) {
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      if (columns[i].label != nullptr) row.push_back(label_of(row[i]));
+    }
+  }
+}
+
 void write_rows_as_text(const Rows& rows, io::AtomicOutput& output) {
   BlockWriter out(output);
   for (const auto& row : rows.rows) {
     for (std::size_t i = 0; i < row.size(); ++i) {
       if (i > 0) out.text += '\t';
-      out.text += on_one_line(text_of(row[i]));
+      out.text += on_one_line(text_for_people(row[i]));
     }
     out.text += '\n';
     out.pass_on();
@@ -46,7 +74,7 @@ void write_rows_as_csv(const Rows& rows, io::AtomicOutput& output) {
   BlockWriter out(output);
   for (std::size_t i = 0; i < rows.columns.size(); ++i) {
     if (i > 0) out.text += ',';
-    out.text += rows.columns[i];
+    out.text += rows.columns[i].name;
   }
   out.text += '\n';
   for (const auto& row : rows.rows) {
@@ -62,6 +90,8 @@ void write_rows_as_csv(const Rows& rows, io::AtomicOutput& output) {
 void append_json_value(std::string& out, const Value& value) {
   if (const auto* text = std::get_if<std::string>(&value)) {
     append_json_string(out, *text);
+  } else if (const auto* bee = std::get_if<BeeName>(&value)) {
+    append_json_string(out, bee->id);
   } else if (const auto* yes = std::get_if<bool>(&value)) {
     out += *yes ? "true" : "false";
   } else {
@@ -70,12 +100,12 @@ void append_json_value(std::string& out, const Value& value) {
   }
 }
 
-void append_json_row(std::string& out, const std::vector<const char*>& columns,
+void append_json_row(std::string& out, const std::vector<RowColumn>& columns,
                      const std::vector<Value>& row) {
   out += '{';
   for (std::size_t i = 0; i < row.size(); ++i) {
     if (i > 0) out += ", ";
-    append_json_string(out, columns[i]);
+    append_json_string(out, columns[i].name);
     out += ": ";
     append_json_value(out, row[i]);
   }

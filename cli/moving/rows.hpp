@@ -11,21 +11,38 @@
 
 namespace beespace::cli {
 
-// Nothing, a text such as an id, a number, a count, or yes and no.
-using Value = std::variant<std::monostate, std::string, double, std::uint64_t, bool>;
+// A bee's id, and what it is called beside it, as a flight is; or nothing.
+struct BeeName {
+  std::string id;
+  std::string label;
+};
+// "a1b2c3 (UAL123)".
+std::string text_of(const BeeName& name);
 
-struct Rows {
-  std::vector<const char*> columns;
-  std::vector<std::vector<Value>> rows;
+// Nothing, a text, a bee, a number, a count, or yes and no.
+using Value = std::variant<std::monostate, std::string, BeeName, double, std::uint64_t, bool>;
+
+struct RowColumn {
+  const char* name;
+  const char* label = nullptr;  // of bees: what the column of their labels is called
 };
 
-// A row a line: values between tabs; or with a header and commas.
+struct Rows {
+  std::vector<RowColumn> columns;
+  std::vector<std::vector<Value>> rows;
+  bool labelled = false;  // whether any bee of the input has a label
+};
+
+// For programs, to whom a bee is its id: labels go into columns of their own, behind all others.
+void set_labels_apart(Rows& rows);
+
+// A row a line: values between tabs, bees with their labels; or with a header and commas.
 void write_rows_as_text(const Rows& rows, io::AtomicOutput& output);
 void write_rows_as_csv(const Rows& rows, io::AtomicOutput& output);
 
 // The value as JSON; and a row as an object, or all of them as an array.
 void append_json_value(std::string& out, const Value& value);
-void append_json_row(std::string& out, const std::vector<const char*>& columns,
+void append_json_row(std::string& out, const std::vector<RowColumn>& columns,
                      const std::vector<Value>& row);
 void append_json_rows(std::string& out, const Rows& rows, const char* indent);
 

@@ -10,9 +10,12 @@
 // contents are unspecified.
 #pragma once
 
+#include <beespace/closest_approach.hpp>
+#include <beespace/conflict.hpp>
 #include <beespace/crew.hpp>
 #include <beespace/export.hpp>
 #include <beespace/id_rows.hpp>
+#include <beespace/mover.hpp>
 #include <beespace/nearest.hpp>
 #include <beespace/pairs.hpp>
 #include <beespace/points_view.hpp>
@@ -75,6 +78,11 @@ class BEESPACE_API Engine {
   Result<std::optional<ClosestPair>> find_closest_pair_between(const PointsView& points,
                                                                const PointsView& others,
                                                                unsigned threads = 1);
+
+  Status predict_conflicts(const MoversView& movers, const PredictOptions& options,
+                           std::vector<Conflict>& conflicts);
+  Status predict_pairs(const MoversView& movers, const PredictOptions& options,
+                       std::vector<Pair>& pairs);
 
   // Gives the working memory back to the system.
   void release_memory();

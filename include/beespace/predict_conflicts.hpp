@@ -9,6 +9,7 @@
 #include <beespace/conflict.hpp>
 #include <beespace/export.hpp>
 #include <beespace/mover.hpp>
+#include <beespace/pairs.hpp>
 #include <beespace/result.hpp>
 
 #include <vector>
@@ -21,5 +22,13 @@ namespace beespace {
 // Errors: as closest_approach, with the mover in place.record; kTooManyPoints, kTooManyResults.
 BEESPACE_API Result<std::vector<Conflict>> predict_conflicts(const MoversView& movers,
                                                              const PredictOptions& options = {});
+
+// Who they are, without when and how close: the pairs of predict_conflicts, in the same order. Over
+// a short time this costs little more than the search of one snapshot: for asking, with every new
+// fix, who has come too close since the last one.
+//
+// Errors: as predict_conflicts.
+BEESPACE_API Result<std::vector<Pair>> predict_pairs(const MoversView& movers,
+                                                     const PredictOptions& options = {});
 
 }  // namespace beespace

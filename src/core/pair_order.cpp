@@ -128,8 +128,7 @@ class BucketOrder {
 
 void order_pairs(const Vector<FoundPairs>& found, Direction direction, std::uint64_t first_ids,
                  const Resources& with, Pair* out) {
-  std::uint64_t size = 0;
-  for (const FoundPairs& part : found) size += part.size();
+  std::uint64_t size = size_of(found);
   if (direction == Direction::kBothWays) size *= 2;
   if (size == 0) return;
 

@@ -43,6 +43,13 @@ class FoundPairs {
   Vector<Chunk> chunks_;
 };
 
+// Of all workers.
+inline std::uint64_t size_of(const Vector<FoundPairs>& found) {
+  std::uint64_t size = 0;
+  for (const FoundPairs& part : found) size += part.size();
+  return size;
+}
+
 // How a found pair (a, b) is written down.
 enum class Direction : std::uint8_t {
   kAsFound,    // (a, b)

@@ -345,6 +345,51 @@ class CollectOnce {
   PointId asked_[Lanes::kLanes];
 };
 
+// Of balls, each with a radius of its own.
+template <class Lanes>
+class CollectMeeting {
+ public:
+  static constexpr bool kForItself = false;
+  using Seen = typename Lanes::Seen;
+
+  explicit CollectMeeting(const MeetingSink& meeting)
+      : radius_(meeting.radius), pairs_(meeting.places) {}
+
+  void start(std::uint32_t) {}
+  void start(const std::uint32_t* places, std::uint32_t count) {
+    asked_ = places;
+    for (std::uint32_t lane = 0; lane < count; ++lane) asked_radius_[lane] = radius_[places[lane]];
+  }
+  bool beside(const Seen& seen, std::uint32_t i, std::uint32_t j) {
+    const unsigned meeting = Lanes::meeting(seen, radius_ + i, radius_ + j);
+    Lanes::pack_numbers(i, meeting, pairs_.first + pairs_.size);
+    Lanes::pack_numbers(j, meeting, pairs_.second + pairs_.size);
+    return go_on_after(meeting);
+  }
+  bool across(const Seen& seen, std::uint32_t j) {
+    const unsigned meeting = Lanes::meeting(seen, asked_radius_, radius_[j]);
+    Lanes::store(asked_, meeting, pairs_.first + pairs_.size);
+    Lanes::fill(pairs_.second + pairs_.size, j);
+    return go_on_after(meeting);
+  }
+  void finish(std::uint32_t, std::uint32_t) {}
+  void finish(const std::uint32_t*, std::uint32_t) {}
+
+ private:
+  bool go_on_after(unsigned meeting) {
+    pairs_.size += static_cast<std::uint32_t>(__builtin_popcount(meeting));
+    if (pairs_.capacity - pairs_.size >= PairSink::kMostAtOnce) [[likely]] {
+      return true;
+    }
+    return pairs_.make_room(pairs_.context);
+  }
+
+  const float* radius_;
+  PairSink& pairs_;
+  const std::uint32_t* asked_ = nullptr;
+  float asked_radius_[Lanes::kLanes] = {};
+};
+
 template <class Lanes>
 class KeepNearestOfAll {
  public:

@@ -110,6 +110,13 @@ struct RowSink {
   void* context;
 };
 
+// Pairs of sorted places whose balls meet: squared distances in units at most the square of both
+// radii together. `make_room` as in PairSink.
+struct MeetingSink {
+  const float* radius;  // in units, by sorted point; readable for kPadding elements behind the last
+  PairSink& places;
+};
+
 // The nearest two of all that were looked at, near or not: squared distances in units, and who the
 // nearest is, as a sorted point. Nobody is its own nearest.
 struct NearestTable {
@@ -135,6 +142,7 @@ struct Kernels {
   bool (*collect)(const Sweep& sweep, PairSink& pairs);  // false when make_room said stop
   bool (*collect_asked)(const Sweep& sweep, PairSink& pairs);
   bool (*collect_rows)(const Sweep& sweep, RowSink& rows);  // of points that ask for others only
+  bool (*collect_meeting)(const Sweep& sweep, const MeetingSink& meeting);  // of a set by itself
   void (*nearest)(const Sweep& sweep, const NearestTable& nearest);  // all rows around are targets
   void (*nearest_asked)(const Sweep& sweep, const NearestTable& nearest);
 };

@@ -105,6 +105,13 @@ class Lanes {
     store(to, _mm256_set1_epi32(static_cast<std::int32_t>(id)));
   }
 
+  static unsigned meeting(const Seen& seen, const float* radii, const float* others) {
+    return meeting(seen, _mm256_add_ps(_mm256_loadu_ps(radii), _mm256_loadu_ps(others)));
+  }
+  static unsigned meeting(const Seen& seen, const float* radii, float other) {
+    return meeting(seen, _mm256_add_ps(_mm256_loadu_ps(radii), _mm256_set1_ps(other)));
+  }
+
   static void leave_out(Seen& seen, const PointId* ids, PointId id) {
     const __m256i out =
         _mm256_cmpeq_epi32(load(ids), _mm256_set1_epi32(static_cast<std::int32_t>(id)));
@@ -177,6 +184,11 @@ class Lanes {
   };
 
  private:
+  static unsigned meeting(const Seen& seen, __m256 distance) {
+    const __m256 meets = _mm256_cmp_ps(seen.squared, _mm256_mul_ps(distance, distance), _CMP_LE_OQ);
+    return bits(_mm256_and_si256(_mm256_castps_si256(meets), seen.valid));
+  }
+
   static constexpr long long kBitOfLane = static_cast<long long>(0x8040201008040201U);
 
   static __m256i numbers_from(std::uint32_t first) {

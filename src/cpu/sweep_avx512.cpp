@@ -97,6 +97,13 @@ class Lanes {
     _mm512_storeu_si512(to, _mm512_set1_epi32(static_cast<std::int32_t>(id)));
   }
 
+  static unsigned meeting(const Seen& seen, const float* radii, const float* others) {
+    return meeting(seen, _mm512_add_ps(_mm512_loadu_ps(radii), _mm512_loadu_ps(others)));
+  }
+  static unsigned meeting(const Seen& seen, const float* radii, float other) {
+    return meeting(seen, _mm512_add_ps(_mm512_loadu_ps(radii), _mm512_set1_ps(other)));
+  }
+
   static void leave_out(Seen& seen, const PointId* ids, PointId id) {
     seen.valid = _mm512_mask_cmpneq_epi32_mask(seen.valid, _mm512_loadu_si512(ids),
                                                _mm512_set1_epi32(static_cast<std::int32_t>(id)));
@@ -161,6 +168,11 @@ class Lanes {
   };
 
  private:
+  static unsigned meeting(const Seen& seen, __m512 distance) {
+    return _mm512_mask_cmp_ps_mask(seen.valid, seen.squared, _mm512_mul_ps(distance, distance),
+                                   _CMP_LE_OQ);
+  }
+
   static __m512i numbers_from(std::uint32_t first) {
     return _mm512_add_epi32(_mm512_set1_epi32(static_cast<std::int32_t>(first)),
                             _mm512_set_epi32(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0));

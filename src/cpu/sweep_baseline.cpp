@@ -104,6 +104,13 @@ class Lanes {
     for (unsigned lane = 0; lane < kLanes; ++lane) to[lane] = id;
   }
 
+  static unsigned meeting(const Seen& seen, const float* radii, const float* others) {
+    return meeting(seen, load<Floats>(radii) + load<Floats>(others));
+  }
+  static unsigned meeting(const Seen& seen, const float* radii, float other) {
+    return meeting(seen, load<Floats>(radii) + other);
+  }
+
   static void leave_out(Seen& seen, const PointId* ids, PointId id) {
     seen.valid &= load<Ints>(ids) != static_cast<std::int32_t>(id);
   }
@@ -176,6 +183,10 @@ class Lanes {
   };
 
  private:
+  static unsigned meeting(const Seen& seen, const Floats& distance) {
+    return bits((seen.squared <= distance * distance) & seen.valid);
+  }
+
   static constexpr Ints kNumbers = {0, 1, 2, 3};
 
   template <class Words, class From>

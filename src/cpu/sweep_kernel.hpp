@@ -32,6 +32,9 @@ constexpr Kernels kernels_over() {
       [](const Sweep& sweep, RowSink& rows) {
         return sweep_points<Lanes>(sweep, CollectRows<Lanes>(rows));
       },
+      [](const Sweep& sweep, const MeetingSink& meeting) {
+        return sweep_blocks<Lanes>(sweep, CollectMeeting<Lanes>(meeting));
+      },
       [](const Sweep& sweep, const NearestTable& nearest) {
         (void)sweep_blocks<Lanes>(sweep, KeepNearestOfAll<Lanes>(nearest));
       },

@@ -17,6 +17,8 @@
 // The last two return what was Seen, one bit a lane: near (surely), within (near or unsure), before
 // (left of the bound; look only); and what else the Lanes remember. With that:
 //   add_near(seen, lane)            an unsure one is near
+//   meeting(seen, radii, others)    the lanes that count whose distance is at most both radii; the
+//                                   others' are a lane each, or one for all
 //   leave_out(seen, ids, id)        the lane whose id is this one no longer counts
 //   mark(marks, near)               marks[lane] = nonzero for every near lane
 //   above(ids, id), equal(ids, id)  the lanes whose ids are

@@ -1,6 +1,7 @@
 #include "motion/passing_search.hpp"
 
-#include "cpu/passing.hpp"
+#include "cpu/row_sweeps.hpp"
+#include "motion/pass_check.hpp"
 #include "search/frame.hpp"
 #include "search/question_grids.hpp"
 
@@ -12,136 +13,178 @@ namespace beespace::motion {
 
 namespace {
 
-// How far a ball gets from the middle of its step.
-double reach_of(const Move& move, double half_s) {
-  const double x = move.x;
-  const double y = move.y;
-  const double z = move.z;
-  return std::sqrt(x * x + y * y + z * z) * half_s + double{move.radius_m};
-}
-
-// The moves of a set in the order of its grid.
-class SortedMoves {
+// The balls of a set in the order of its grid.
+class SortedBalls {
  public:
-  SortedMoves(const MovingBalls& balls, const search::Frame& frame, const core::SortedGrid& grid,
-              double half_s, const core::Resources& with)
-      : padded_(grid.size + core::kPadding), values_(with.memory, kArrays * padded_) {
-    const std::array<std::size_t, 3> order = frame.order();
+  SortedBalls(const MovingBalls& balls, const Step& step, const search::Frame& frame,
+              const core::SortedGrid& grid, const core::Resources& with)
+      : balls_(with.memory, grid.size), reach_(with.memory, grid.size + core::kPadding) {
+    std::fill_n(reach_.data() + grid.size, core::kPadding, 0.0F);
+    const auto [x, y, z] = frame.order();
     const double units_per_m = grid.units_per_m;
-    for (std::size_t part = 0; part < kArrays; ++part) {
-      std::fill_n(values_.data() + part * padded_ + grid.size, core::kPadding, 0.0F);
-    }
+    const double units_per_mps = units_per_m * step.half_s;
+    const auto half_clearance = static_cast<float>(
+        0.5 * (step.clearance_m * units_per_m + PassCheck::margin_in(grid)) * kUpward);
     with.crew.split(grid.size, [&](std::size_t begin, std::size_t end, unsigned) {
       for (std::size_t i = begin; i < end; ++i) {
+        constexpr std::size_t kAhead = 32;
+        if (i + kAhead < end) __builtin_prefetch(&balls.moves[grid.id[i + kAhead]]);
         const Move& move = balls.moves[grid.id[i]];
         const std::array<float, 3> velocity{move.x, move.y, move.z};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          values_[axis * padded_ + i] =
-              static_cast<float>(velocity[order[axis]] * half_s * units_per_m);
-        }
-        values_[3 * padded_ + i] = static_cast<float>(move.radius_m * units_per_m);
-        values_[4 * padded_ + i] = static_cast<float>(reach_of(move, half_s) * units_per_m);
+        const BallInGrid ball{grid.x[i],
+                              grid.y[i],
+                              grid.z[i],
+                              grid.id[i],
+                              static_cast<float>(velocity[x] * units_per_mps),
+                              static_cast<float>(velocity[y] * units_per_mps),
+                              static_cast<float>(velocity[z] * units_per_mps),
+                              static_cast<float>(move.radius_m * units_per_m)};
+        balls_[i] = ball;
+        reach_[i] = (length_of_move(ball) + ball.radius + half_clearance) * kUpward;
       }
     });
   }
 
-  [[nodiscard]] cpu::Moves moves() const {
-    const float* const first = values_.data();
-    return {first, first + padded_, first + 2 * padded_, first + 3 * padded_, first + 4 * padded_};
+  [[nodiscard]] const BallInGrid* balls() const { return balls_.data(); }
+  // How far each gets from the middle of its step, with its radius and half of the clearance.
+  [[nodiscard]] const float* reach() const { return reach_.data(); }
+
+ private:
+  static constexpr float kUpward = 1.0F + 0x1p-20F;  // roots and sums are rounded
+
+  static float length_of_move(const BallInGrid& ball) {
+    return std::sqrt(ball.move_x * ball.move_x + ball.move_y * ball.move_y +
+                     ball.move_z * ball.move_z);
+  }
+
+  core::Buffer<BallInGrid> balls_;
+  core::Buffer<float> reach_;
+};
+
+// What one worker finds. The kernel writes down sorted places; whenever it has written some, they
+// are looked at, and the ids of those who pass take their place.
+class Passes {
+ public:
+  Passes(core::FoundPairs& found, const PassCheck& check, const DecidePass& decide)
+      : found_(found), check_(check), decide_(decide) {
+    open();
+  }
+  Passes(const Passes&) = delete;
+  Passes& operator=(const Passes&) = delete;
+  ~Passes() = default;
+
+  cpu::PairSink& sink() { return sink_; }
+  void close() {
+    keep_those_who_pass();
+    chunk_->size = kept_;
   }
 
  private:
-  static constexpr std::size_t kArrays = 5;
+  static constexpr std::uint32_t kLookAt =
+      1024;  // at a time: so few are still in the nearest cache
+  static constexpr std::uint32_t kAhead = 16;
 
-  std::size_t padded_;
-  core::Buffer<float> values_;
-};
-
-// How far from the middle of its step a ball of the set reaches at most.
-double farthest_reach(const MovingBalls& balls, double half_s, const core::Resources& with) {
-  core::PerWorker<double> farthest(with);
-  with.crew.split(balls.moves.size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
-    double most = 0.0;
-    for (std::size_t i = begin; i < end; ++i)
-      most = std::max(most, reach_of(balls.moves[i], half_s));
-    farthest[worker].push_back(most);
-  });
-  double most = 0.0;
-  for (const double reach : std::move(farthest).joined()) most = std::max(most, reach);
-  return double{most} * (1.0 + 0x1p-20);  // floats have been rounded on the way
-}
-
-// Pairs of one worker, in chunks.
-class Chunks {
- public:
-  explicit Chunks(core::FoundPairs& found) : found_(found) { open(); }
-  Chunks(const Chunks&) = delete;
-  Chunks& operator=(const Chunks&) = delete;
-  ~Chunks() { close(); }
-
-  cpu::PairSink& sink() { return sink_; }
-
- private:
-  void close() { chunk_->size = sink_.size; }
   void open() {
     chunk_ = &found_.open_chunk();
+    kept_ = 0;
     const auto make_room = [](void* context) {
-      auto& self = *static_cast<Chunks*>(context);
-      self.close();
-      self.open();
+      static_cast<Passes*>(context)->make_room();
       return true;
     };
-    sink_ = {
-        chunk_->first.data(), chunk_->second.data(), 0, core::FoundPairs::kChunk, make_room, this};
+    sink_ = {chunk_->first.data(), chunk_->second.data(), 0, kLookAt, make_room, this};
+  }
+
+  void make_room() {
+    keep_those_who_pass();
+    if (kept_ + kLookAt + PassCheck::kAtOnce > core::FoundPairs::kChunk) {
+      chunk_->size = kept_;
+      return open();
+    }
+    sink_.size = kept_;
+    sink_.capacity = kept_ + kLookAt;
+  }
+
+  void keep_those_who_pass() {
+    // The last look is at some more than there are: any place will do.
+    for (std::uint32_t k = 0; k < PassCheck::kAtOnce; ++k) {
+      sink_.first[sink_.size + k] = sink_.second[sink_.size + k] = 0;
+    }
+    const bool asks = static_cast<bool>(decide_);
+    std::uint32_t kept = kept_;
+    for (std::uint32_t k = kept_; k < sink_.size; k += PassCheck::kAtOnce) {
+      for (std::uint32_t ahead = k + kAhead; ahead < k + kAhead + PassCheck::kAtOnce; ++ahead) {
+        if (ahead >= sink_.size) break;
+        check_.prefetch(sink_.first[ahead]);
+        check_.prefetch(sink_.second[ahead]);
+      }
+      const PassCheck::Known known = check_({sink_.first + k, sink_.second + k});
+      // Who passes is as good as random: nothing to branch on.
+      unsigned keep = known.possible & ~known.known_before;
+      if (asks) keep = decided(keep, keep & ~known.near, k);
+      if (sink_.size - k < PassCheck::kAtOnce) keep &= (1U << (sink_.size - k)) - 1U;
+      for (std::uint32_t lane = 0; lane < PassCheck::kAtOnce; ++lane) {
+        // Kept ones end before this one.
+        const PointId first = check_.id_of(sink_.first[k + lane]);
+        const PointId second = check_.id_of(sink_.second[k + lane]);
+        sink_.first[kept] = first;
+        sink_.second[kept] = second;
+        kept += keep >> lane & 1U;
+      }
+    }
+    kept_ = kept;
+  }
+
+  // Those to keep, less the unsure ones about whom the answer is no.
+  unsigned decided(unsigned keep, unsigned unsure, std::uint32_t k) const {
+    for (; unsure != 0; unsure &= unsure - 1) {
+      const auto lane = static_cast<unsigned>(__builtin_ctz(unsure));
+      const PointId first = check_.id_of(sink_.first[k + lane]);
+      const PointId second = check_.id_of(sink_.second[k + lane]);
+      if (k + lane < sink_.size && !decide_(first, second)) keep &= ~(1U << lane);
+    }
+    return keep;
   }
 
   core::FoundPairs& found_;
+  const PassCheck check_;
+  const DecidePass& decide_;
   core::FoundPairs::Chunk* chunk_ = nullptr;
+  std::uint32_t kept_ = 0;
   cpu::PairSink sink_{};
 };
-
-core::Vector<core::FoundPairs> sweep(const search::Frame& frame, const MovingBalls& balls,
-                                     double farthest_m, const Step& step,
-                                     const core::Resources& with, const search::Choices& choices) {
-  core::Vector<core::FoundPairs> found(&with.memory);
-  found.reserve(with.crew.size());
-  for (unsigned worker = 0; worker < with.crew.size(); ++worker) {
-    found.emplace_back(with.memory.of(worker));
-  }
-  // Rounded sums and roots, and then some.
-  constexpr double kUpward = 1.0 + 0x1p-30;
-  const double reach_m = (step.clearance_m + 2.0 * farthest_m) * kUpward;
-  const search::QuestionGrids grids(frame, {.threshold_m = reach_m}, with, choices);
-  const cpu::Question question = grids.question();
-  const core::SortedGrid& asked = question.asked.grid;
-  const SortedMoves sorted(balls, frame, asked, step.half_s, with);
-  const cpu::Moves moves = sorted.moves();
-  // Positions are cut to whole units, as in core::SquaredLimits; moves and what the kernel makes of
-  // them are wrong by some 2^-20 of a cell.
-  const double margin = 3.0 + std::ldexp(1.0, static_cast<int>(asked.fraction_bits) - 17);
-  const cpu::Clearance clearance{static_cast<float>(step.clearance_m * asked.units_per_m + margin),
-                                 static_cast<float>(farthest_m * kUpward * asked.units_per_m)};
-  const cpu::CollectPassing collect = cpu::collect_passing(choices.instruction_set);
-  with.crew.split(asked.size, [&](std::size_t begin, std::size_t end, unsigned worker) {
-    if (begin == end) return;
-    Chunks chunks(found[worker]);
-    cpu::RowSweeps(question, cpu::decided_by(question))
-        .for_each(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end),
-                  [&](const cpu::Sweep& swept) {
-                    return collect(swept, moves, moves, clearance, chunks.sink());
-                  });
-  });
-  return found;
-}
 
 }  // namespace
 
 core::Vector<core::FoundPairs> find_passing(const MovingBalls& balls, const Step& step,
                                             const core::Resources& with,
-                                            const search::Choices& choices) {
-  const Result<search::Frame> frame = search::Frame::of(balls.middles, with);
-  const double farthest_m = farthest_reach(balls, step.half_s, with);
-  return sweep(*frame, balls, farthest_m, step, with, choices);
+                                            const search::Choices& choices,
+                                            const DecidePass& decide) {
+  core::Vector<core::FoundPairs> found(&with.memory);
+  found.reserve(with.crew.size());
+  for (unsigned worker = 0; worker < with.crew.size(); ++worker) {
+    found.emplace_back(with.memory.of(worker));
+  }
+  const search::Frame frame = search::Frame::of(balls.middles, balls.bounds, with);
+  // Rounded sums and roots, and then some.
+  constexpr double kUpward = 1.0 + 0x1p-20;
+  const double reach_m = (step.clearance_m + 2.0 * balls.reach_m) * kUpward;
+  const search::QuestionGrids grids(frame, {.threshold_m = reach_m}, with, choices);
+  const cpu::Question question = grids.question();
+  const core::SortedGrid& grid = question.asked.grid;
+  const SortedBalls sorted(balls, step, frame, grid, with);
+  const PassCheck check(grid, sorted.balls(), step);
+  with.crew.split(grid.size, [&](std::size_t begin, std::size_t end, unsigned worker) {
+    if (begin == end) return;
+    Passes passes(found[worker], check, decide);
+    const cpu::MeetingSink meeting{sorted.reach(), passes.sink()};
+    cpu::RowSweeps(question, cpu::decided_by(question))
+        .for_each(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end),
+                  [&](const cpu::Sweep& swept) {
+                    return question.kernels.collect_meeting(swept, meeting);
+                  });
+    passes.close();
+  });
+  return found;
 }
 
 }  // namespace beespace::motion

@@ -1,11 +1,12 @@
 #include <beespace/brute_force.hpp>
+#include <beespace/engine.hpp>
 #include <beespace/predict_conflicts.hpp>
 
 #include "core/validate.hpp"
-#include "cpu/crew_size.hpp"
 #include "motion/prediction.hpp"
 #include "motion/separation.hpp"
 #include "motion/validate.hpp"
+#include "search/workshop.hpp"
 
 #include <string>
 #include <utility>
@@ -14,6 +15,7 @@ namespace beespace {
 
 namespace {
 
+// All but the movers themselves.
 std::optional<Error> check(const MoversView& movers, const PredictOptions& options) {
   if (auto error = motion::check_options(options)) return error;
   if (auto error = motion::check_heights(movers.has_heights(), options.vertical_m)) return error;
@@ -27,19 +29,38 @@ std::optional<Error> check(const MoversView& movers, const PredictOptions& optio
                      std::to_string(movers.size()) + " movers; give one of each for everybody",
                  {}};
   }
-  if (auto error = core::check_size(movers.size())) return error;
-  return motion::check_movers(movers, 0, movers.size());
+  return core::check_size(movers.size());
 }
 
 }  // namespace
 
+Status Engine::predict_conflicts(const MoversView& movers, const PredictOptions& options,
+                                 std::vector<Conflict>& conflicts) {
+  if (auto error = check(movers, options)) return *std::move(error);
+  const core::Resources with = workshop_->resources(options.threads, movers.size());
+  return motion::predict(movers, options, with, conflicts, {workshop_->choices, {}});
+}
+
+Status Engine::predict_pairs(const MoversView& movers, const PredictOptions& options,
+                             std::vector<Pair>& pairs) {
+  if (auto error = check(movers, options)) return *std::move(error);
+  const core::Resources with = workshop_->resources(options.threads, movers.size());
+  return motion::predict_pairs(movers, options, with, pairs, {workshop_->choices, {}});
+}
+
 Result<std::vector<Conflict>> predict_conflicts(const MoversView& movers,
                                                 const PredictOptions& options) {
-  if (auto error = check(movers, options)) return *std::move(error);
-  ThreadCrew crew(cpu::crew_size(options.threads, movers.size()));
-  core::Memory memory;
-  memory.start_call();
-  return motion::predict(movers, options, {crew, memory});
+  std::vector<Conflict> conflicts;
+  Status status = Engine().predict_conflicts(movers, options, conflicts);
+  if (!status) return std::move(status).error();
+  return conflicts;
+}
+
+Result<std::vector<Pair>> predict_pairs(const MoversView& movers, const PredictOptions& options) {
+  std::vector<Pair> pairs;
+  Status status = Engine().predict_pairs(movers, options, pairs);
+  if (!status) return std::move(status).error();
+  return pairs;
 }
 
 namespace brute_force {
@@ -47,6 +68,7 @@ namespace brute_force {
 Result<std::vector<Conflict>> predict_conflicts(const MoversView& movers,
                                                 const PredictOptions& options) {
   if (auto error = check(movers, options)) return *std::move(error);
+  if (auto error = motion::check_movers(movers)) return *std::move(error);
   const motion::Separation separation = motion::separation_of(options, movers.has_heights());
   std::vector<Conflict> conflicts;
   for (PointId i = 0; i < movers.size(); ++i) {

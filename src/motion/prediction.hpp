@@ -1,5 +1,5 @@
-// The search behind predict_conflicts: steps of time to the horizon, candidates of each step, and
-// an exact decision about each candidate.
+// The searches behind predict_conflicts and predict_pairs: steps of time to the horizon, candidates
+// of each step, and an exact decision about each of those that are not clear.
 #pragma once
 
 #include "core/resources.hpp"
@@ -8,6 +8,7 @@
 #include <beespace/closest_approach.hpp>
 #include <beespace/conflict.hpp>
 #include <beespace/mover.hpp>
+#include <beespace/pairs.hpp>
 #include <beespace/result.hpp>
 
 #include <optional>
@@ -21,9 +22,12 @@ struct PredictionChoices {
   std::optional<double> step_s = {};
 };
 
-// Options and movers are valid.
-Result<std::vector<Conflict>> predict(const MoversView& movers, const PredictOptions& options,
-                                      const core::Resources& with,
-                                      const PredictionChoices& choices = {});
+// Of predict_conflicts and predict_pairs. Options are valid; on an error what is written is
+// unspecified.
+Status predict(const MoversView& movers, const PredictOptions& options, const core::Resources& with,
+               std::vector<Conflict>& conflicts, const PredictionChoices& choices = {});
+Status predict_pairs(const MoversView& movers, const PredictOptions& options,
+                     const core::Resources& with, std::vector<Pair>& pairs,
+                     const PredictionChoices& choices = {});
 
 }  // namespace beespace::motion

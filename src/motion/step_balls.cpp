@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 
 namespace beespace::motion {
 
@@ -47,14 +48,20 @@ Point position_on(const Piece& piece, double time_s) {
 StepBalls::StepBalls(const std::vector<Run>& runs, const std::vector<ActiveRun>& active,
                      const TimeSpan& time, const core::Resources& with)
     : size_(active.size()), middles_(with.memory, size_), moves_(with.memory, size_) {
-  with.crew.split(size_, [&](std::size_t begin, std::size_t end, unsigned) {
+  core::PerWorker<double> farthest(with);
+  with.crew.split(size_, [&](std::size_t begin, std::size_t end, unsigned worker) {
+    double most = 0.0;
     for (std::size_t ball = begin; ball < end; ++ball) {
-      enclose(runs[active[ball].run], active[ball].piece, time, ball);
+      most = std::max(most, enclose(runs[active[ball].run], active[ball].piece, time, ball));
     }
+    farthest[worker].push_back(most);
   });
+  for (const double reach : std::move(farthest).joined()) reach_m_ = std::max(reach_m_, reach);
+  bounds_ = *core::measure(middles(), with);
 }
 
-void StepBalls::enclose(const Run& run, std::size_t piece, const TimeSpan& time, std::size_t ball) {
+double StepBalls::enclose(const Run& run, std::size_t piece, const TimeSpan& time,
+                          std::size_t ball) {
   Point entered;
   Point left;
   Point low;
@@ -95,10 +102,13 @@ void StepBalls::enclose(const Run& run, std::size_t piece, const TimeSpan& time,
                   static_cast<float>(velocity.z),
                   std::nextafter(static_cast<float>(radius + kOfCylinders * run.tolerance_m),
                                  std::numeric_limits<float>::infinity())};
+  return std::sqrt(velocity.x * velocity.x + velocity.y * velocity.y + velocity.z * velocity.z) *
+             (0.5 * lasts) +
+         double{moves_[ball].radius_m};
 }
 
 MovingBalls StepBalls::balls() const {
-  return {std::span<const Point>(middles_.data(), size_), {moves_.data(), size_}};
+  return {middles(), bounds_, {moves_.data(), size_}, reach_m_};
 }
 
 }  // namespace beespace::motion

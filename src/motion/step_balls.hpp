@@ -9,6 +9,7 @@
 #include <beespace/closest_approach.hpp>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace beespace::motion {
@@ -32,11 +33,18 @@ class StepBalls {
   [[nodiscard]] MovingBalls balls() const;
 
  private:
-  void enclose(const Run& run, std::size_t piece, const TimeSpan& time, std::size_t ball);
+  [[nodiscard]] PointsView middles() const {
+    return std::span<const Point>(middles_.data(), size_);
+  }
+
+  // Returns how far it gets from its middle.
+  double enclose(const Run& run, std::size_t piece, const TimeSpan& time, std::size_t ball);
 
   std::size_t size_;
   core::Buffer<Point> middles_;
   core::Buffer<Move> moves_;
+  double reach_m_ = 0.0;
+  core::Bounds bounds_;
 };
 
 }  // namespace beespace::motion

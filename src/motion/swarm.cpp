@@ -177,16 +177,17 @@ Status Swarm::State::predict(double now_s, const core::Resources& with,
   const PredictOptions wide{.threshold_m = leave_.threshold_m,
                             .vertical_m = leave_.vertical_m,
                             .horizon_s = options_.horizon_s};
-  const auto conflicts = motion::predict(view, wide, with);
-  if (!conflicts) return conflicts.error();
+  std::vector<Pair> pairs;
+  Status found = motion::predict_pairs(view, wide, with, pairs);
+  if (!found) return found;
   std::vector<BeePair> still;
-  for (const Conflict& conflict : *conflicts) {
-    PointId a = ids[conflict.first];
-    PointId b = ids[conflict.second];
+  for (const Pair& pair : pairs) {
+    PointId a = ids[pair.first];
+    PointId b = ids[pair.second];
     if (a > b) std::swap(a, b);
     const bool said = std::binary_search(predicted_.begin(), predicted_.end(), BeePair{a, b});
-    const motion::State first = motion::state_of(view, conflict.first);
-    const motion::State second = motion::state_of(view, conflict.second);
+    const motion::State first = motion::state_of(view, pair.first);
+    const motion::State second = motion::state_of(view, pair.second);
     if (!said && !motion::in_conflict(first, second, enter_, options_.horizon_s)) continue;
     still.push_back({a, b});
     if (said || walks_.have_entered(a, b)) continue;

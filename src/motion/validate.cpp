@@ -163,8 +163,8 @@ std::optional<Error> check_tracks(std::span<const Track> tracks) {
   return std::nullopt;
 }
 
-std::optional<Error> check_movers(const MoversView& movers, std::size_t begin, std::size_t end) {
-  for (std::size_t i = begin; i < end; ++i) {
+std::optional<Error> check_movers(const MoversView& movers) {
+  for (std::size_t i = 0; i < movers.size(); ++i) {
     if (auto error = check_mover(movers[i], i)) return error;
     if (!movers.has_heights()) continue;
     if (auto error = check_height(movers.heights_m()[i], movers.climbs_mps()[i], i)) return error;

@@ -25,6 +25,6 @@ std::optional<Error> check_position(const Point& position, std::size_t record);
 std::optional<Error> check_height(double height_m, double climb_mps, std::size_t record);
 std::optional<Error> check_mover(const Mover& mover, std::size_t record);
 std::optional<Error> check_tracks(std::span<const Track> tracks);
-std::optional<Error> check_movers(const MoversView& movers, std::size_t begin, std::size_t end);
+std::optional<Error> check_movers(const MoversView& movers);
 
 }  // namespace beespace::motion

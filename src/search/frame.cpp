@@ -71,7 +71,7 @@ PointsView Frame::turned(const PointsView& points) const {
 Result<Frame> Frame::of(const PointsView& points, const core::Resources& with) {
   const Result<core::Bounds> bounds = measured(points, "", with);
   if (!bounds) return bounds.error();
-  return Frame({points, {}}, 1, *bounds, with);
+  return of(points, *bounds, with);
 }
 
 Result<Frame> Frame::of(const PointsView& points, const PointsView& others,

@@ -22,6 +22,11 @@ class Frame {
   static Result<Frame> of(const PointsView& points, const core::Resources& with);
   static Result<Frame> of(const PointsView& points, const PointsView& others,
                           const core::Resources& with);
+  // Of points that have been measured.
+  static Frame of(const PointsView& points, const core::Bounds& bounds,
+                  const core::Resources& with) {
+    return Frame({points, {}}, 1, bounds, with);
+  }
 
   [[nodiscard]] const PointsView& points() const { return sets_[0]; }
   [[nodiscard]] const PointsView& others() const { return sets_[set_count_ - 1]; }

@@ -1,6 +1,7 @@
 #include "search/pair_search.hpp"
 
 #include "core/pair_order.hpp"
+#include "core/resize_for.hpp"
 #include "core/validate.hpp"
 #include "cpu/collect_pairs.hpp"
 #include "cpu/collect_rows.hpp"
@@ -24,23 +25,6 @@ constexpr double kCrowded = 260.0;
 // faster than pairs that are brought into order. Measured.
 constexpr double kLongRows = 20.0;
 
-std::uint64_t size_of(const core::Vector<core::FoundPairs>& found) {
-  std::uint64_t size = 0;
-  for (const core::FoundPairs& part : found) size += part.size();
-  return size;
-}
-
-// A vector that is about to be written throughout, with huge pages if it must grow.
-template <class T>
-void resize_for(std::vector<T>& vector, std::size_t size) {
-  if (vector.capacity() < size) {
-    vector.clear();
-    vector.reserve(size);
-    core::advise_huge_pages(vector.data(), vector.capacity() * sizeof(T));
-  }
-  vector.resize(size);
-}
-
 core::Vector<core::FoundPairs> collect(const Frame& frame, const SearchOptions& options,
                                        const core::Resources& with, const Choices& choices,
                                        std::uint64_t most) {
@@ -51,8 +35,8 @@ core::Vector<core::FoundPairs> collect(const Frame& frame, const SearchOptions& 
 // Rows of the second ids of sorted pairs.
 void write_rows(const core::Buffer<Pair>& pairs, std::size_t size, std::size_t row_count,
                 const core::Resources& with, IdRows& rows) {
-  resize_for(rows.offsets, row_count + 1);
-  resize_for(rows.ids, size);
+  core::resize_for(rows.offsets, row_count + 1);
+  core::resize_for(rows.ids, size);
   with.crew.split(size, [&](std::size_t begin, std::size_t end, unsigned) {
     // Each pair that is the first of its row starts the rows since the pair before.
     std::uint64_t next_row = begin == 0 ? 0 : std::uint64_t{pairs[begin - 1].first} + 1;
@@ -112,7 +96,7 @@ Status find_crowded_pairs(const Frame& frame, const SearchOptions& options,
   if (rows.size() > options.max_results) return core::too_many_results(options.max_results);
   core::Buffer<std::uint64_t> offsets(with.memory, frame.points().size() + 1);
   rows.write_offsets(offsets.data());
-  resize_for(pairs, rows.size());
+  core::resize_for(pairs, rows.size());
   rows.for_each([&](PointId id, const PointId* row, std::size_t length) {
     Pair* const to = pairs.data() + offsets[id];
     for (std::size_t k = 0; k < length; ++k) to[k] = {id, row[k]};
@@ -125,9 +109,9 @@ Status find_crowded_neighbors(const Frame& frame, const SearchOptions& options,
                               IdRows& neighbors) {
   const LongRows rows(frame, options, cpu::Which::kAll, with, choices);
   if (rows.size() > options.max_results) return core::too_many_results(options.max_results);
-  resize_for(neighbors.offsets, frame.points().size() + 1);
+  core::resize_for(neighbors.offsets, frame.points().size() + 1);
   rows.write_offsets(neighbors.offsets.data());
-  resize_for(neighbors.ids, rows.size());
+  core::resize_for(neighbors.ids, rows.size());
   rows.for_each([&](PointId id, const PointId* row, std::size_t length) {
     std::copy_n(row, length, neighbors.ids.data() + neighbors.offsets[id]);
   });
@@ -143,9 +127,9 @@ Status find_pairs(const Frame& frame, const SearchOptions& options, const core::
     return find_crowded_pairs(frame, options, with, choices, pairs);
   }
   const auto found = collect(frame, options, with, choices, options.max_results);
-  const std::uint64_t size = size_of(found);
+  const std::uint64_t size = core::size_of(found);
   if (size > options.max_results) return core::too_many_results(options.max_results);
-  resize_for(pairs, size);
+  core::resize_for(pairs, size);
   core::order_pairs(found,
                     frame.has_others() ? core::Direction::kAsFound : core::Direction::kAscending,
                     frame.points().size(), with, pairs.data());
@@ -167,7 +151,7 @@ Status find_neighbors(const Frame& frame, const SearchOptions& options, const co
   }
   const std::uint64_t rows_a_pair = frame.has_others() ? 1 : 2;
   const auto found = collect(frame, options, with, choices, options.max_results / rows_a_pair);
-  const std::uint64_t size = rows_a_pair * size_of(found);
+  const std::uint64_t size = rows_a_pair * core::size_of(found);
   if (size > options.max_results) return core::too_many_results(options.max_results);
   core::Buffer<Pair> pairs(with.memory, size);
   core::order_pairs(found,
@@ -179,7 +163,7 @@ Status find_neighbors(const Frame& frame, const SearchOptions& options, const co
 
 void count_neighbors(const Frame& frame, const SearchOptions& options, const core::Resources& with,
                      const Choices& choices, std::vector<std::uint32_t>& counts) {
-  resize_for(counts, frame.points().size());
+  core::resize_for(counts, frame.points().size());
   if (is_crowded(frame, options.threshold_m, kCrowded, choices)) {
     return count_in_crowds(frame, options, with, choices, counts.data());
   }

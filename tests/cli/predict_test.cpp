@@ -197,6 +197,44 @@ TEST_F(PredictAircraft, TimesAreShownAsDates) {
                           R"("now_s": 1714564800)", R"("vertical_m": 300)"});
 }
 
+TEST_F(PredictAircraft, TheDistanceShownIsThatOnTheGroundAndTheHeightPutTogether) {
+  // At rest, 20 km apart in a straight line at most.
+  const std::string still =
+      "id,time_s,lon,lat,height,ve,vn,vu\na,0,0,0,10000,0,0,0\nb,0,0.1,0,10200,0,0,0\n";
+  const Arguments question = {"--threshold", "20000", "--vertical", "300"};
+  const TextRows rows = rows_of(run(Arguments{"predict"} + question, still).out);
+  ASSERT_EQ(rows.size(), 1u);
+  expect_rows({{rows[0].at(4)}}, {{std::to_string(std::hypot(apart_m_, 200.0))}});
+  // And the straight line, by the law of cosines.
+  const double a = kRadius_m + 10'000.0;
+  const double b = kRadius_m + 10'200.0;
+  const double straight = std::sqrt(a * a + b * b - 2.0 * a * b * std::cos(2.0 * kHalf));
+  expect_rows(rows_of(run(Arguments{"detect", "--report", "closest-pair"} +
+                              Arguments{"--threshold", "20000"},
+                          still)
+                          .out),
+              {{"a", "b", std::to_string(straight)}});
+  expect_rows(rows_of(run(Arguments{"detect", "--report", "pairs"} + question, still).out),
+              {{"a", "b", std::to_string(straight)}});
+}
+
+TEST(Predict, TheHelpSaysWhatTimesAndDistancesMean) {
+  expect_parts(run({"predict", "--help"}).out,
+               {"These times lie between now and the horizon", "hypot(ground, height)"});
+  expect_parts(run({"replay", "--help"}).out, {"hypot(ground, height)"});
+  expect_parts(run({"watch", "--help"}).out, {"hypot(ground, height)"});
+  expect_parts(run({"detect", "--help"}).out, {"in a straight line"});
+}
+
+TEST(Predict, WhoStandsOnTheGroundCountsWhenAskedFor) {
+  const std::string landed =
+      R"({"now": 1000000.5, "messages": 7, "aircraft": [
+        {"hex":"a","alt_baro":"ground","alt_geom":0,"gs":9,"track":0,"geom_rate":0,"lat":1,"lon":2,"seen_pos":0},
+        {"hex":"b","alt_geom":10,"gs":9,"track":0,"geom_rate":0,"lat":1,"lon":2,"seen_pos":0}]})";
+  EXPECT_EQ(run({"predict"}, landed).out, "");
+  EXPECT_EQ(rows_of(run({"predict", "--grounded"}, landed).out).size(), 1u);
+}
+
 TEST(Predict, NumbersThatMakeNoSenseAreRefused) {
   for (const std::string option : {"--horizon", "--max-age"}) {
     for (const std::string bad : {"-1", "nan", "inf", "soon", "5s"}) {

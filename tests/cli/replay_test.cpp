@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "tests/cli/command_run.hpp"
 #include "tests/cli/expectations.hpp"
@@ -205,18 +206,43 @@ TEST(Replay, TimesAreShownAsDates) {
                {"from       2024-01-01T00:00:00.000Z to 2024-01-01T00:01:00.000Z"});
 }
 
+TEST(Replay, OptionsThatTheReportWouldIgnoreAreRefused) {
+  for (const std::string report : {"conflicts", "bees", "events"}) {
+    expect_usage_error({"replay", "--report", report, "--every", "1"},
+                       "--every does not apply to --report " + report +
+                           "; leave it out, or say --report separation");
+  }
+  for (const std::string report : {"conflicts", "bees", "separation"}) {
+    for (const std::string option : {"--horizon", "--leave-factor", "--look-every"}) {
+      expect_usage_error({"replay", "--report", report, option, "2"},
+                         option + " does not apply to --report " + report +
+                             "; leave it out, or say --report events");
+    }
+  }
+  // Without --report it is conflicts; and the default value, if it is given, is refused like any
+  // other.
+  expect_usage_error({"replay", "--every", "1"}, "--every does not apply to --report conflicts");
+  expect_usage_error({"replay", "--report", "events", "--inclusive"},
+                     "--inclusive does not apply to --report events");
+}
+
 TEST(Replay, NumbersAndWordsThatMakeNoSenseAreRefused) {
-  for (const std::string option : {"--max-gap", "--every", "--look-every"}) {
+  for (const auto& [option, report] :
+       {std::pair<std::string, std::string>{"--max-gap", "bees"},
+        std::pair<std::string, std::string>{"--every", "separation"},
+        std::pair<std::string, std::string>{"--look-every", "events"}}) {
     for (const std::string bad : {"0", "-1", "nan", "inf", "soon"}) {
-      expect_usage_error({"replay", option + "=" + bad},
+      expect_usage_error({"replay", "--report", report, option + "=" + bad},
                          option + " '" + bad + "' is not a number of seconds above 0");
     }
   }
   expect_usage_error({"replay", "--tolerance=0"},
                      "--tolerance '0' is not a number of metres above");
-  expect_usage_error({"replay", "--horizon=-1"},
+  const Arguments events = {"replay", "--report", "events"};
+  expect_usage_error(events + Arguments{"--horizon=-1"},
                      "--horizon '-1' is not a number of seconds from 0");
-  expect_usage_error({"replay", "--leave-factor=0.9"}, "--leave-factor '0.9' is not a number");
+  expect_usage_error(events + Arguments{"--leave-factor=0.9"},
+                     "--leave-factor '0.9' is not a number");
   expect_usage_error({"replay", "--report", "event"}, "did you mean 'events'?");
   expect_usage_error({"replay", "-", "-"}, "standard input can be read once");
   expect_usage_error({"replay", "--speed", "2"}, "'--speed' is no option");

@@ -2,7 +2,9 @@
 // fast it goes, and how it ends. Its events are in watch_events_test.cpp.
 #include <gtest/gtest.h>
 
+#include <fcntl.h>
 #include <sys/stat.h>
+#include <unistd.h>
 #include <chrono>
 #include <csignal>
 #include <string>
@@ -51,8 +53,9 @@ TEST(Watch, TablesAndJsonLinesAreReadAndSaid) {
   EXPECT_EQ(table.exit_code, 0);
   EXPECT_EQ(table.out, kEntered);
   expect_parts(table.err, {"input      text, comma-separated\n", "times are read from column 2",
-                           "reports    4\n", "bees       2 heard of, 0 stale\n", "predicted  0\n",
-                           "entered    1\n", "left       0\n"});
+                           "reports    4\n", "bees       2 heard of, 0 stale\n",
+                           "threshold  100 m (closer than)\n", "predicted  0\n", "entered    1\n",
+                           "left       0\n"});
   const Finished json = watched(kAInJson + kBInJson + kAgainInJson);
   EXPECT_EQ(json.out, kEntered);
   expect_parts(json.err, {"input      JSON, an object a line\n", "reports    4\n"});
@@ -139,6 +142,36 @@ TEST(Watch, LateAndRepeatedReportsAreCountedAndLeftOut) {
   EXPECT_EQ(finished.out, "");
   expect_parts(finished.err,
                {"reports    3\n", "late       1 left out\n", "repeated   1 left out\n"});
+}
+
+TEST(Watch, ASparseFeedLosesNoReport) {
+  // From each report to the next it is more than a minute, as far as all bees go.
+  const Finished finished = watched(
+      "id,time_s,x,y,z\na,0,0,0,0\nb,100,500,0,0\na,161,0,0,0\na,1000,0,0,0\nb,5000,500,0,0\n");
+  EXPECT_EQ(finished.exit_code, 0);
+  expect_parts(finished.err, {"reports    5\n"});
+  EXPECT_EQ(finished.err.find("left out"), std::string::npos) << finished.err;
+}
+
+TEST(Watch, AReportFarAheadOfAllOthersInTimeIsLeftOutAndCounted) {
+  const Finished finished =
+      watched("id,time_s,x,y,z\na,0,0,0,0\nb,0,1,0,0\nb,9999,1,0,0\n" + kAgain);
+  EXPECT_EQ(finished.out, kEntered);
+  expect_parts(finished.err, {"reports    4\n", "ahead      1 left out: far ahead of all others"});
+}
+
+TEST(Watch, TheSummarySaysTheFrameTheHeightsAndTheThreshold) {
+  expect_parts(watched(std::string(kTogether), {"--threshold", "5", "--vertical", "2"}).err,
+               {"input      text, comma-separated\n  frame      metres\n",
+                "threshold  horizontally 5 m (closer than), and in height 2 m (closer than)\n"});
+  const std::string aircraft =
+      R"({"now":1000000.5,"hex":"4B1814","alt_baro":9000,"alt_geom":10000,)"
+      R"("lat":47.25,"lon":8.5,"seen_pos":0})"
+      "\n";
+  expect_parts(watched(aircraft).err, {"frame      WGS84 longitude, latitude, height\n",
+                                       "heights    above the WGS84 ellipsoid\n"});
+  expect_parts(watched(aircraft, {"--heights", "pressure"}).err,
+               {"heights    pressure altitude\n"});
 }
 
 TEST(Watch, InputThatCannotBeUnderstoodIsRefusedAtOnce) {
@@ -268,16 +301,83 @@ TEST_F(WatchLive, WhoFallsSilentGrowsStaleThoughNothingElseComes) {
   expect_parts(running.finish().err, {"bees       0 heard of, 2 stale\n"});
 }
 
-TEST_F(WatchLive, SignalsEndIt) {
-  for (const int signal : {SIGINT, SIGTERM}) {
-    folder_.file("events", "");
-    Running running({"watch", "--horizon", "0"}, to_file_);
-    running.send(kTogether);
-    ASSERT_TRUE(wait_for("\"entered\""));
-    running.signal(signal);
-    EXPECT_EQ(running.finish().exit_code, 128 + signal);
-    EXPECT_EQ(folder_.read("events"), kEntered);
+TEST_F(WatchLive, TerminationEndsItAtOnce) {
+  Running running({"watch", "--horizon", "0"}, to_file_);
+  running.send(kTogether);
+  ASSERT_TRUE(wait_for("\"entered\""));
+  running.signal(SIGTERM);
+  const Finished finished = running.finish();
+  EXPECT_EQ(finished.exit_code, 143);
+  EXPECT_EQ(finished.err, "");
+  EXPECT_EQ(folder_.read("events"), kEntered);
+}
+
+TEST_F(WatchLive, CtrlCEndsItWithTheSummary) {
+  Running running({"watch", "--horizon", "0"}, to_file_);
+  running.send(kTogether);
+  ASSERT_TRUE(wait_for("\"entered\""));
+  running.signal(SIGINT);
+  const Finished finished = running.finish();
+  EXPECT_EQ(finished.exit_code, 130);
+  EXPECT_EQ(folder_.read("events"), kEntered);
+  expect_parts(finished.err, {"reports    4\n", "bees       2 heard of, 0 stale\n",
+                              "threshold  100 m (closer than)\n", "entered    1\n"});
+}
+
+TEST_F(WatchLive, CtrlCEndsItQuietlyWhenItIsToBeQuiet) {
+  Running running({"watch", "--horizon", "0", "--quiet", "--fail-on-risk"}, to_file_);
+  running.send(kTogether);
+  ASSERT_TRUE(wait_for("\"entered\""));
+  running.signal(SIGINT);
+  const Finished finished = running.finish();
+  EXPECT_EQ(finished.exit_code, 130);
+  EXPECT_EQ(finished.err, "");
+}
+
+TEST_F(WatchLive, CtrlCEndsAReadingAtASpeedToo) {
+  // The last two are due after a thousand seconds, and are never taken.
+  Running running({"watch", "--horizon", "0", "--speed", "1"}, to_file_);
+  running.send("id,time_s,x,y,z\na,0,0,0,0\nb,0,1,0,0\na,0.2,0,0,0\nb,0.2,1,0,0\na,0.4,0,0,0\n");
+  running.send("a,1000,0,0,0\nb,1000,1,0,0\n");
+  ASSERT_TRUE(wait_for("\"entered\""));
+  running.signal(SIGINT);
+  const Finished finished = running.finish();
+  EXPECT_EQ(finished.exit_code, 130);
+  expect_parts(finished.err, {"reports    5\n", "bees       2 heard of, 0 stale\n"});
+}
+
+TEST_F(WatchLive, CtrlCBeforeTheFirstReportIsNoError) {
+  const std::string pipe = folder_.path("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  Running running({"watch", pipe}, to_file_);
+  int writing = -1;  // as soon as it has been opened for reading
+  for (int i = 0; i < 1'000 && writing < 0; ++i) {
+    writing = open(pipe.c_str(), O_WRONLY | O_NONBLOCK);
+    if (writing < 0) std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
+  ASSERT_GE(writing, 0) << "the pipe was not opened within ten seconds";
+  running.signal(SIGINT);
+  const Finished finished = running.finish();
+  close(writing);
+  EXPECT_EQ(finished.exit_code, 130);
+  EXPECT_EQ(finished.err.find("error"), std::string::npos) << finished.err;
+}
+
+TEST(Watch, CtrlCEndsAWriteThatWaitsForWhoReads) {
+  // Everybody enters with everybody: more than a pipe holds that nobody reads until the end.
+  std::string reports = "id,time_s,x,y,z\n";
+  for (const char* time : {"0", "1", "2"}) {
+    for (int bee = 0; bee < 60; ++bee) {
+      reports += std::to_string(bee) + "," + time + "," + std::to_string(bee) + ",0,0\n";
+    }
+  }
+  Running running({"watch", "--horizon", "0"});
+  running.send(reports);
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  running.signal(SIGINT);
+  const Finished finished = running.finish();
+  EXPECT_EQ(finished.exit_code, 130);
+  expect_parts(finished.err, {"threshold  100 m (closer than)\n"});
 }
 
 TEST(Watch, EndsQuietlyWhenNobodyReadsThoughTheInputGoesOn) {

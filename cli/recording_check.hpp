@@ -1,0 +1,22 @@
+// Whether what `detect` is to take for a snapshot is a recording, in which every fix would count as
+// a bee of its own.
+#pragma once
+
+#include "io/load_points.hpp"
+
+#include <beespace/result.hpp>
+
+#include <optional>
+#include <string>
+
+namespace beespace::cli {
+
+// kUnsupportedFormat where a table has a time column, and an id of it is there at more than one
+// time. Without names of columns nobody knows.
+std::optional<Error> recording_problem(const io::LoadedPoints& loaded, const std::string& path);
+
+// Why `path` could not be read as a snapshot: `error`, or that it is one of the recordings that are
+// no tables.
+Error or_recording(Error error, const std::string& path, const io::LoadOptions& options);
+
+}  // namespace beespace::cli

@@ -1,7 +1,0 @@
-#include "cpu/passing_kernel.hpp"
-
-namespace beespace::cpu {
-
-constinit const CollectPassing kAvx2Passing = sweep_passing;
-
-}  // namespace beespace::cpu

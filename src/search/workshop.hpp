@@ -1,0 +1,79 @@
+// What an Engine keeps between calls: memory and hands, and how a search is given them.
+#pragma once
+
+#include "core/resources.hpp"
+#include "core/validate.hpp"
+#include "cpu/crew_size.hpp"
+#include "search/choices.hpp"
+#include "search/cylinder_search.hpp"
+#include "search/frame.hpp"
+
+#include <beespace/engine.hpp>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace beespace {
+
+class Engine::Workshop {
+ public:
+  explicit Workshop(Crew* lent) : lent_(lent) {}
+
+  // Hands and memory for a search of so many points.
+  core::Resources resources(unsigned threads, std::size_t points) {
+    memory_.start_call();
+    return {crew(threads, points), memory_};
+  }
+  core::Memory& memory() { return memory_; }
+
+  // Measures the points and calls search(frame, resources), whose Status it returns.
+  template <class Search>
+  Status run(const PointsView& points, unsigned threads, Search&& search) {
+    const core::Resources with = resources(threads, points.size());
+    const Result<search::Frame> frame = search::Frame::of(points, with);
+    if (!frame) return frame.error();
+    return search(*frame, with);
+  }
+  template <class Search>
+  Status run(const PointsView& points, const PointsView& others, unsigned threads,
+             Search&& search) {
+    const core::Resources with = resources(threads, std::max(points.size(), others.size()));
+    const Result<search::Frame> frame = search::Frame::of(points, others, with);
+    if (!frame) return frame.error();
+    return search(*frame, with);
+  }
+
+  // Calls search(CylinderSearch) for options with a vertical threshold, whose answer it returns.
+  template <class Search>
+  auto run_cylinder(const PointsView& points, const SearchOptions& options, Search&& search)
+      -> decltype(search(std::declval<const search::CylinderSearch&>())) {
+    if (auto error = core::check_options(options)) return *std::move(error);
+    const core::Resources with = resources(options.threads, points.size());
+    return search(search::CylinderSearch(points, options, with, choices));
+  }
+
+  const search::Choices choices = {};
+  std::vector<Nearest> nearest;  // of the closest pair between two swarms
+
+ private:
+  Crew& crew(unsigned threads, std::size_t points) {
+    if (lent_ != nullptr) return *lent_;
+    const unsigned size = cpu::crew_size(threads, points);
+    if (size == 1) return alone_;
+    if (!own_ || asked_for_ != size) {
+      own_.emplace(size);
+      asked_for_ = size;
+    }
+    return *own_;
+  }
+
+  core::Memory memory_;
+  Crew* lent_;
+  Crew alone_;
+  std::optional<ThreadCrew> own_;
+  unsigned asked_for_ = 0;
+};
+
+}  // namespace beespace
