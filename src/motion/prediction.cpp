@@ -9,6 +9,7 @@
 #include "motion/validate.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -45,7 +46,7 @@ class Judge {
     found_.reserve(before + size);
     core::advise_huge_pages(found_.data() + before, size * sizeof(Conflict));
     found_.resize(before + size);
-    std::vector<std::size_t> ends(with_.crew.size());  // of what each worker has found
+    core::Vector<std::size_t> ends(with_.crew.size(), &with_.memory);  // of what each has found
     with_.crew.split(size, [&](std::size_t begin, std::size_t end, unsigned worker) {
       std::size_t to = before + begin;
       for (std::size_t k = begin; k < end; ++k) {
@@ -78,7 +79,7 @@ class Judge {
 
  private:
   // Puts what workers have found, each at the beginning of its share, one behind the other.
-  void close_gaps(std::size_t before, std::size_t size, const std::vector<std::size_t>& ends) {
+  void close_gaps(std::size_t before, std::size_t size, const core::Vector<std::size_t>& ends) {
     auto to = found_.begin() + static_cast<std::ptrdiff_t>(before);
     for (unsigned worker = 0; worker < ends.size(); ++worker) {
       const auto from = found_.begin() +
@@ -134,10 +135,11 @@ Status predict_pairs(const MoversView& movers, const PredictOptions& options,
                      const PredictionChoices& choices) {
   PredictionSteps steps(movers, options, with, choices);
   if (auto error = check(movers, steps)) return *std::move(error);
-  const DecidePass decide = [&](PointId a, PointId b) {
+  const auto exactly = [&](PointId a, PointId b) {
     return in_conflict(state_of(movers, a), state_of(movers, b), steps.separation(),
                        options.horizon_s);
   };
+  const DecidePass decide = std::cref(exactly);  // a copy would need memory
   core::Vector<core::FoundPairs> found(&with.memory);
   std::size_t found_in = 0;  // so many steps
   const auto settle = [&] {

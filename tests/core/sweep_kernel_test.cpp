@@ -3,10 +3,12 @@
 #include "cpu/sweep.hpp"
 
 #include "tests/core/sweep_scene.hpp"
+#include "tests/support/scene_maker.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <sstream>
@@ -368,6 +370,114 @@ TEST_P(EveryKernel, StopsCollectingWhenThereIsNoMoreRoom) {
       }
     });
   }
+  EXPECT_GT(stopped, 100U);
+}
+
+// Balls around the points of a scene, whose radii are up to what is promised: two together are no
+// larger than the reach.
+class Balls {
+ public:
+  Balls(const SweepScene& scene, std::uint32_t seed)
+      : radius_(scene.asked().size(), static_cast<float>(reach_of(scene))) {
+    test::SceneMaker make(seed);
+    const double reach = reach_of(scene);
+    // All up to half of the reach, or one of nearly all of it, or one of all of it among points.
+    constexpr double kShares[] = {0.5, 0.125, 0.0};
+    const double share = kShares[make.below(3)];
+    const std::size_t points = scene.size();
+    const std::size_t giant = make.below(points);
+    for (std::size_t i = 0; i < points; ++i) {
+      const double largest = i == giant ? (1.0 - share) * reach : share * reach;
+      const std::size_t kind = make.below(4);
+      const double radius = kind == 0 ? 0.0 : kind == 1 ? largest : make.between(0.0, largest);
+      radius_[i] =
+          static_cast<float>(scene.shape.fraction_bits > 1 ? radius : std::floor(radius * 8) / 8);
+    }
+    // Eighths of few units are exact in a float, and so are their squares.
+    band_ = scene.shape.fraction_bits > 1 ? 0x1p-20 : 0.0;
+  }
+
+  [[nodiscard]] const float* data() const { return radius_.data(); }
+
+  // Who meets: `near` surely, `unsure` within a few roundings of the edge.
+  [[nodiscard]] Found meeting(const SweepScene& scene) const {
+    Found found;
+    scene.for_each_pair([&](std::uint32_t i, std::uint32_t j, double squared) {
+      const double both = double{radius_[i]} + double{radius_[j]};
+      if (squared <= both * both * (1.0 - band_)) {
+        found.near.emplace_back(i, j);
+      } else if (squared <= both * both * (1.0 + band_)) {
+        found.unsure.emplace_back(i, j);
+      }
+    });
+    std::sort(found.near.begin(), found.near.end());
+    std::sort(found.unsure.begin(), found.unsure.end());
+    return found;
+  }
+
+ private:
+  static double reach_of(const SweepScene& scene) { return std::sqrt(scene.shape.squared_reach()); }
+
+  std::vector<float> radius_;  // behind the last point: as large as can be
+  double band_;
+};
+
+// By their places, whatever is decided about distances.
+TEST_P(EveryKernel, CollectsEveryPairOfBallsThatMeetOnceInBuffersOfAnySize) {
+  std::size_t near = 0;
+  std::size_t unsure = 0;
+  std::size_t apart = 0;
+  std::uint32_t seed = 0;
+  for_each_scene(true, [&](const SweepScene& scene) {
+    const Balls balls(scene, ++seed);
+    const Found expected = balls.meeting(scene);
+    for (const std::uint32_t capacity : {16U, 17U, 40U, 100'000U}) {
+      Collected collected(capacity, std::numeric_limits<std::size_t>::max());
+      Open open;
+      ASSERT_TRUE(kernels().collect_meeting(scene.sweep(limits_of(scene.shape), open.unsure()),
+                                            {balls.data(), collected.sink}));
+      ASSERT_TRUE(collected.kept_inside());
+      const PlacePairs found = collected.take_all();
+      ASSERT_EQ(std::adjacent_find(found.begin(), found.end()), found.end()) << "one twice";
+      PlacePairs beyond;
+      std::set_difference(found.begin(), found.end(), expected.near.begin(), expected.near.end(),
+                          std::back_inserter(beyond));
+      ASSERT_EQ(found.size() - beyond.size(), expected.near.size()) << "one is missing";
+      ASSERT_TRUE(std::includes(expected.unsure.begin(), expected.unsure.end(), beyond.begin(),
+                                beyond.end()))
+          << "one too many";
+    }
+    near += expected.near.size();
+    unsure += expected.unsure.size();
+    scene.for_each_pair([&](std::uint32_t, std::uint32_t, double) { ++apart; });
+  });
+  EXPECT_GT(near, 10'000U);
+  EXPECT_LT(unsure, near / 20);
+  EXPECT_GT(apart, 10 * near);
+}
+
+TEST_P(EveryKernel, StopsCollectingBallsThatMeetWhenThereIsNoMoreRoom) {
+  std::size_t stopped = 0;
+  std::uint32_t seed = 0;
+  for_each_scene(true, [&](const SweepScene& scene) {
+    const Balls balls(scene, ++seed);
+    Open open;
+    const Sweep sweep = scene.sweep(limits_of(scene.shape), open.unsure());
+    Collected all(100'000, std::numeric_limits<std::size_t>::max());
+    ASSERT_TRUE(kernels().collect_meeting(sweep, {balls.data(), all.sink}));
+    const PlacePairs everybody = all.take_all();
+    for (const std::size_t rounds : {1U, 3U}) {
+      Collected collected(20, rounds);
+      const bool went_on = kernels().collect_meeting(sweep, {balls.data(), collected.sink});
+      ASSERT_EQ(went_on, collected.calls < rounds);
+      ASSERT_LE(collected.calls, rounds);
+      ASSERT_TRUE(collected.kept_inside());
+      const PlacePairs some = collected.take_all();
+      ASSERT_TRUE(std::includes(everybody.begin(), everybody.end(), some.begin(), some.end()));
+      ASSERT_TRUE(!went_on || some == everybody);
+      stopped += went_on ? 0U : 1U;
+    }
+  });
   EXPECT_GT(stopped, 100U);
 }
 

@@ -33,6 +33,15 @@ inline void expect_same(const Conflicts& found, const Conflicts& expected) {
   ASSERT_EQ(found.size(), expected.size());
 }
 
+inline void expect_same(const std::vector<Pair>& found, const std::vector<Pair>& expected) {
+  for (std::size_t k = 0; k < found.size() && k < expected.size(); ++k) {
+    ASSERT_TRUE(found[k] == expected[k])
+        << "pair " << k << " is " << found[k].first << " and " << found[k].second << "; not "
+        << expected[k].first << " and " << expected[k].second;
+  }
+  ASSERT_EQ(found.size(), expected.size());
+}
+
 inline std::vector<Pair> pairs_of(const Conflicts& conflicts) {
   std::vector<Pair> pairs;
   for (const Conflict& conflict : conflicts) pairs.push_back({conflict.first, conflict.second});

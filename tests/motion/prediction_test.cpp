@@ -2,6 +2,8 @@
 // for bit what brute force says, which says what fractions say.
 #include "motion/prediction.hpp"
 
+#include "core/pair_order.hpp"
+
 #include "tests/motion/conflict_lists.hpp"
 #include "tests/support/exact_motion_oracle.hpp"
 #include "tests/support/mover_scenes.hpp"
@@ -9,17 +11,22 @@
 #include "tests/support/rounds.hpp"
 
 #include <beespace/brute_force.hpp>
+#include <beespace/predict_conflicts.hpp>
 
 #include <gtest/gtest.h>
 
-#include <memory>
+#include <optional>
 #include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace beespace::motion {
 namespace {
 
 using test::Conflicts;
 using test::expect_same;
+using Pairs = std::vector<Pair>;
 
 // One way to run the search.
 struct Way {
@@ -58,9 +65,18 @@ std::vector<cpu::InstructionSet> available_sets() {
 
 using test::Shape;
 
+// What is predicted, in full and as pairs.
+struct Answer {
+  Status full;
+  Status of_pairs;
+  const Conflicts& conflicts;
+  const Pairs& pairs;
+};
+
 class EveryWay {
  public:
-  // Calls check(answer) for every way to predict.
+  // Calls check(answer) for every way to predict. Answers are written over those to what was asked
+  // before.
   template <class Check>
   void for_each(const test::MoverScene& scene, Shape shape, const PredictOptions& options,
                 Check&& check) {
@@ -81,19 +97,23 @@ class EveryWay {
   }
 
  private:
-  Result<Conflicts> answer(const Way& way, const MoversView& movers,
-                           const PredictOptions& options) {
+  Answer answer(const Way& way, const MoversView& movers, const PredictOptions& options) {
     PredictionChoices choices;
     choices.search.instruction_set = way.set;
     choices.step_s = way.step_s;
     test::OwnResources& own = way.threads == 1 ? one_ : way.threads == 2 ? two_ : five_;
     own.memory.start_call();
-    return predict(movers, options, own.with, choices);
+    Status full = predict(movers, options, own.with, conflicts_, choices);
+    own.memory.start_call();
+    Status of_pairs = predict_pairs(movers, options, own.with, pairs_, choices);
+    return {std::move(full), std::move(of_pairs), conflicts_, pairs_};
   }
 
   test::OwnResources one_{1};
   test::OwnResources two_{2};
   test::OwnResources five_{5};
+  Conflicts conflicts_;
+  Pairs pairs_;
 };
 
 class Scene : public testing::TestWithParam<test::MoverScene> {};
@@ -105,11 +125,15 @@ TEST_P(Scene, IsPredictedAsByBruteForceInEveryWay) {
     const PredictOptions options = GetParam().options(shape, inclusive);
     const MoversView movers = GetParam().view(shape);
     const Conflicts expected = *brute_force::predict_conflicts(movers, options);
-    ways.for_each(GetParam(), shape, options, [&](const Result<Conflicts>& found) {
-      ASSERT_TRUE(found.has_value());
-      expect_same(*found, expected);
+    const Pairs expected_pairs = test::pairs_of(expected);
+    ways.for_each(GetParam(), shape, options, [&](const Answer& found) {
+      ASSERT_TRUE(found.full.has_value());
+      expect_same(found.conflicts, expected);
+      ASSERT_TRUE(found.of_pairs.has_value());
+      test::expect_same(found.pairs, expected_pairs);
     });
     expect_same(*predict_conflicts(movers, options), expected);
+    test::expect_same(*beespace::predict_pairs(movers, options), expected_pairs);
   });
 }
 
@@ -143,30 +167,130 @@ TEST_P(Scene, IsJudgedByBruteForceAsByFractions) {
   });
 }
 
-// One more conflict than allowed is an error in every way, as many as allowed are none.
+// One more conflict than allowed is an error in every way, as many as allowed are none: however
+// often steps find the same two.
 TEST_P(Scene, HasItsResultsCountedInEveryWay) {
-  PredictOptions options = GetParam().options(Shape::kSphere, true);
-  const std::size_t all = brute_force::predict_conflicts(GetParam().movers, options)->size();
   EveryWay ways;
-  options.max_results = all;
-  ways.for_each(GetParam(), Shape::kSphere, options, [&](const Result<Conflicts>& found) {
-    ASSERT_TRUE(found.has_value());
-    ASSERT_EQ(found->size(), all);
-  });
-  ASSERT_TRUE(brute_force::predict_conflicts(GetParam().movers, options).has_value());
-  if (all == 0) return;
-  --options.max_results;
-  ways.for_each(GetParam(), Shape::kSphere, options, [](const Result<Conflicts>& found) {
-    ASSERT_FALSE(found.has_value());
-    ASSERT_EQ(found.error().code, ErrorCode::kTooManyResults);
-  });
-  const auto brute = brute_force::predict_conflicts(GetParam().movers, options);
-  ASSERT_FALSE(brute.has_value());
-  EXPECT_EQ(brute.error().code, ErrorCode::kTooManyResults);
+  for (const Shape shape : {Shape::kSphere, Shape::kCylinder, Shape::kHeightsApart}) {
+    if (test::kSanitized && shape != Shape::kSphere) continue;
+    PredictOptions options = GetParam().options(shape, true);
+    const MoversView movers = GetParam().view(shape);
+    const std::size_t all = brute_force::predict_conflicts(movers, options)->size();
+    options.max_results = all;
+    ways.for_each(GetParam(), shape, options, [&](const Answer& found) {
+      ASSERT_TRUE(found.full.has_value());
+      ASSERT_EQ(found.conflicts.size(), all);
+      ASSERT_TRUE(found.of_pairs.has_value());
+      ASSERT_EQ(found.pairs.size(), all);
+    });
+    ASSERT_TRUE(brute_force::predict_conflicts(movers, options).has_value());
+    if (all == 0) continue;
+    --options.max_results;
+    ways.for_each(GetParam(), shape, options, [](const Answer& found) {
+      ASSERT_FALSE(found.full.has_value());
+      ASSERT_EQ(found.full.error().code, ErrorCode::kTooManyResults);
+      ASSERT_FALSE(found.of_pairs.has_value());
+      ASSERT_EQ(found.of_pairs.error().code, ErrorCode::kTooManyResults);
+    });
+    const auto brute = brute_force::predict_conflicts(movers, options);
+    ASSERT_FALSE(brute.has_value());
+    EXPECT_EQ(brute.error().code, ErrorCode::kTooManyResults);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Predicted, Scene, testing::ValuesIn(test::mover_scenes()),
                          [](const auto& instance) { return instance.param.name; });
+
+// More pairs than fit into a chunk of those found, in one step and in many.
+TEST(ManyPairs, ArePredictedAsByBruteForceInEveryWay) {
+  if (test::kSanitized) GTEST_SKIP() << "scenes are cut short here";
+  test::SceneMaker make(77);
+  EveryWay ways;
+  for (const Shape shape : {Shape::kSphere, Shape::kCylinder}) {
+    const test::MoverScene scene{"", test::flying(make, 400, {110, 110, 110}, 12.0), 100, 80, 2};
+    const PredictOptions options = scene.options(shape, false);
+    const Conflicts expected = *brute_force::predict_conflicts(scene.movers, options);
+    EXPECT_GT(expected.size(), core::FoundPairs::kChunk + core::FoundPairs::kChunk / 2);
+    const Pairs expected_pairs = test::pairs_of(expected);
+    ways.for_each(scene, shape, options, [&](const Answer& found) {
+      ASSERT_TRUE(found.full.has_value());
+      expect_same(found.conflicts, expected);
+      ASSERT_TRUE(found.of_pairs.has_value());
+      test::expect_same(found.pairs, expected_pairs);
+    });
+  }
+}
+
+// Head-on, and at the threshold when the horizon or a step ends: in the middle of it as far apart
+// as can be. Along a line so long that a unit of the grid is no small part of a reach.
+TEST(HeadOnPairs, AreFoundAtTheVeryEndOfTheReach) {
+  constexpr double kSpeed = 8.0;
+  for (const double length : {1e4, 1e6, 3e7}) {
+    for (const double short_of : {0.0, 1e-12, 1e-9}) {
+      test::SceneMaker make(78);
+      test::MoverScene scene{"", {}, 2.0, 2.0, 1.0};
+      for (int i = 0; i < (test::kSanitized ? 30 : 200); ++i) {
+        const Point at{make.between(0, length), make.between(0, 90), make.between(0, 90)};
+        const double share = i % 4 == 0 ? 1.0 / 30.0 : 1.0;  // of the horizon
+        const double apart = (2.0 + 2.0 * kSpeed * share) * (1.0 - short_of);
+        scene.movers.push_back({at, {kSpeed, 0, 0}});
+        scene.movers.push_back({{at.x + apart, at.y, at.z}, {-kSpeed, 0, 0}});
+      }
+      const PredictOptions options = scene.options(Shape::kSphere, true);
+      const Conflicts expected = *brute_force::predict_conflicts(scene.movers, options);
+      EXPECT_GT(expected.size(), scene.movers.size() / 8);
+      EveryWay ways;
+      ways.for_each(scene, Shape::kSphere, options, [&](const Answer& found) {
+        ASSERT_TRUE(found.full.has_value());
+        expect_same(found.conflicts, expected);
+        ASSERT_TRUE(found.of_pairs.has_value());
+        test::expect_same(found.pairs, test::pairs_of(expected));
+      });
+    }
+  }
+}
+
+// Whoever looks at it: the fastest is in the share of the first of all workers, or of the last.
+TEST(OneFastMover, IsPredictedAsByBruteForceWhereverItIs) {
+  test::SceneMaker make(80);
+  test::MoverScene scene{"", test::flying(make, 60, {900, 20, 20}, 0.0), 15, 10, 2};
+  for (const std::size_t place : {std::size_t{0}, std::size_t{30}, std::size_t{59}}) {
+    test::MoverScene with_one = scene;
+    with_one.movers[place] = {{0, 10, 10}, {450, 0, 0}};
+    const PredictOptions options = with_one.options(Shape::kSphere, false);
+    const Conflicts expected = *brute_force::predict_conflicts(with_one.movers, options);
+    EXPECT_GT(expected.size(), 20U);
+    EveryWay ways;
+    ways.for_each(with_one, Shape::kSphere, options, [&](const Answer& found) {
+      ASSERT_TRUE(found.full.has_value());
+      expect_same(found.conflicts, expected);
+      ASSERT_TRUE(found.of_pairs.has_value());
+      test::expect_same(found.pairs, test::pairs_of(expected));
+    });
+  }
+}
+
+// Places along the way are rounded to a hundredth of a length of the lattice, on one axis.
+TEST(FineLattice, IsPredictedAsByBruteForceFarAwayOnAnyAxis) {
+  for (const Point& far : {Point{1e9 + 0.375, 0, 0}, Point{0, -1e9, 0}, Point{0, 0, 1e9}}) {
+    test::SceneMaker make(79);
+    const std::size_t size = test::kSanitized ? 50 : 140;
+    const test::MoverScene scene{"", test::lattice_flight(make, size, 0x1p-16, far), 0x3p-16,
+                                 0x2p-16, 2.5};
+    EveryWay ways;
+    for (const bool inclusive : {false, true}) {
+      const PredictOptions options = scene.options(Shape::kSphere, inclusive);
+      const Conflicts expected = *brute_force::predict_conflicts(scene.movers, options);
+      EXPECT_GT(expected.size(), size);
+      ways.for_each(scene, Shape::kSphere, options, [&](const Answer& found) {
+        ASSERT_TRUE(found.full.has_value());
+        expect_same(found.conflicts, expected);
+        ASSERT_TRUE(found.of_pairs.has_value());
+        test::expect_same(found.pairs, test::pairs_of(expected));
+      });
+    }
+  }
+}
 
 // The comparisons above would be worth little if hardly anybody met, or if everybody did.
 TEST(MoverScenes, HaveConflictsAndPairsWithoutAndManyAtTheEdge) {

@@ -1,17 +1,21 @@
-// What closest_approach and predict_conflicts refuse: with which code, at which place, in which
+// What closest_approach and those who predict refuse: with which code, at which place, in which
 // words; and that the ends of the domain are inside it.
 #include "tests/motion/conflict_lists.hpp"
+#include "tests/support/rounds.hpp"
 #include "tests/support/scene_maker.hpp"
 
 #include <beespace/brute_force.hpp>
 #include <beespace/closest_approach.hpp>
+#include <beespace/engine.hpp>
 #include <beespace/predict_conflicts.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace beespace {
@@ -46,22 +50,40 @@ const Field kFields[] = {
     {"velocity y", "m/s", [](Mover& mover) -> double& { return mover.velocity.y; }},
     {"velocity z", "m/s", [](Mover& mover) -> double& { return mover.velocity.z; }}};
 
-// The errors of all three functions, which are the same.
+// The error of one function.
+using Refusal = std::optional<Error>;
+template <class Answer>
+Refusal error_of(const Answer& answer) {
+  return answer.has_value() ? Refusal() : Refusal(answer.error());
+}
+
+// Of all who predict, which are the same; an Engine has answered before.
+std::vector<Refusal> prediction_refusals(const MoversView& movers, const PredictOptions& options) {
+  static Engine engine;
+  static std::vector<Conflict> conflicts;
+  static std::vector<Pair> pairs;
+  const std::vector<Mover> plain = plain_movers(20);
+  EXPECT_TRUE(engine.predict_pairs(plain, {}, pairs));
+  return {error_of(predict_conflicts(movers, options)), error_of(predict_pairs(movers, options)),
+          error_of(engine.predict_conflicts(movers, options, conflicts)),
+          error_of(engine.predict_pairs(movers, options, pairs)),
+          error_of(brute_force::predict_conflicts(movers, options))};
+}
+
+// The errors of all functions, which are the same.
 template <class Check>
 void for_each_error(const std::vector<Mover>& movers, const PredictOptions& options,
                     Check&& check) {
   ASSERT_GE(movers.size(), 2U);
   const auto approach = closest_approach(movers[0], movers[1], options);
-  const auto predicted = predict_conflicts(movers, options);
-  const auto brute = brute_force::predict_conflicts(movers, options);
   if (movers.size() == 2) {
     ASSERT_FALSE(approach.has_value());
     check(approach.error());
   }
-  ASSERT_FALSE(predicted.has_value());
-  check(predicted.error());
-  ASSERT_FALSE(brute.has_value());
-  check(brute.error());
+  for (const Refusal& refusal : prediction_refusals(movers, options)) {
+    ASSERT_TRUE(refusal.has_value());
+    check(*refusal);
+  }
 }
 
 bool contains(const std::string& text, const std::string& part) {
@@ -102,11 +124,11 @@ TEST(MotionRefusal, AHorizonThatMakesNoSense) {
   }
 }
 
-// Every field, of the first and the last, alone or before another wrong one.
+// Every field, of the first, one in the middle and the last, alone or before another wrong one.
 void expect_refused(double bad, ErrorCode code) {
   for (const Field& field : kFields) {
     for (const std::size_t size : {std::size_t{2}, std::size_t{100}}) {
-      for (const std::size_t record : {std::size_t{0}, std::size_t{1}, size - 1}) {
+      for (const std::size_t record : {std::size_t{0}, std::size_t{1}, size / 2, size - 1}) {
         std::vector<Mover> movers = plain_movers(size);
         field.of(movers[record]) = bad;
         field.of(movers.back()) = bad;
@@ -128,6 +150,47 @@ TEST(MotionRefusal, WhatIsNotFiniteIsSaidWithItsPlace) {
 
 TEST(MotionRefusal, WhatLiesOutsideTheMotionDomainIsSaidWithItsPlace) {
   for (const double bad : kOutsideValues) expect_refused(bad, ErrorCode::kOutsideDomain);
+}
+
+// Movers are looked at by all workers, before anything is asked about them: none of what is wrong
+// in the share of anybody is missed, and what comes first is said.
+TEST(MotionRefusal, WhatIsWrongIsSeenByWhoeverLooks) {
+  const std::size_t size = test::kSanitized ? 17'000 : 40'000;  // enough to be shared
+  std::vector<Mover> movers = plain_movers(size);
+  for (Mover& mover : movers) mover.position.x *= 1e6;
+  const std::vector<double> heights(size, 1.0);
+  Engine engine;
+  std::vector<Conflict> conflicts;
+  std::vector<Pair> pairs;
+  PredictOptions options{.threshold_m = 1.0, .horizon_s = 1.0};
+  const auto expect_error = [&](const MoversView& view, double bad, std::size_t record) {
+    for (const unsigned threads : {1U, 3U}) {
+      options.threads = threads;
+      for (const Refusal& refusal : {error_of(engine.predict_conflicts(view, options, conflicts)),
+                                     error_of(engine.predict_pairs(view, options, pairs))}) {
+        ASSERT_TRUE(refusal.has_value());
+        EXPECT_EQ(refusal->code,
+                  std::isfinite(bad) ? ErrorCode::kOutsideDomain : ErrorCode::kNotFinite);
+        EXPECT_EQ(refusal->place.record, record);
+      }
+    }
+  };
+  for (const double bad : {kNan, kInfinity, -kInfinity, 0x1.1p+100, -0x1.fp-101, 0x1p-1070}) {
+    for (const Field& field : kFields) {
+      for (const std::size_t record : {std::size_t{0}, size / 2, size - 1}) {
+        SCOPED_TRACE(std::string(field.name) + " of " + std::to_string(record));
+        const double good = std::exchange(field.of(movers[record]), bad);
+        expect_error(movers, bad, record);
+        const MoversView view(movers);
+        options.vertical_m = 2.0;
+        expect_error({view.positions(), view.velocities(), heights, heights}, bad, record);
+        options.vertical_m.reset();
+        field.of(movers[record]) = good;
+        if (HasFatalFailure()) return;
+      }
+    }
+  }
+  EXPECT_TRUE(engine.predict_pairs(movers, options, pairs)) << "nothing is wrong any more";
 }
 
 // Of several things that are wrong, options come first, then the first mover, then its position.
@@ -164,6 +227,7 @@ TEST(MotionRefusal, TheEndsOfTheDomainAreInsideIt) {
           ASSERT_TRUE(brute.has_value());
           EXPECT_GE(brute->size(), 1U) << "two are at one place";
           test::expect_same(*predict_conflicts(movers, options), *brute);
+          test::expect_same(*predict_pairs(movers, options), test::pairs_of(*brute));
         }
       }
     }
@@ -175,13 +239,13 @@ TEST(MotionRefusal, OneResultMoreThanAllowed) {
   const std::vector<Mover> movers = plain_movers(30);
   options.max_results = 30 * 29 / 2;
   EXPECT_EQ(predict_conflicts(movers, options)->size(), options.max_results);
+  EXPECT_EQ(predict_pairs(movers, options)->size(), options.max_results);
   EXPECT_EQ(brute_force::predict_conflicts(movers, options)->size(), options.max_results);
   --options.max_results;
-  for (const auto& found :
-       {predict_conflicts(movers, options), brute_force::predict_conflicts(movers, options)}) {
-    ASSERT_FALSE(found.has_value());
-    EXPECT_EQ(found.error().code, ErrorCode::kTooManyResults);
-    EXPECT_TRUE(contains(found.error().message, "more than 434 results")) << found.error().message;
+  for (const Refusal& refusal : prediction_refusals(movers, options)) {
+    ASSERT_TRUE(refusal.has_value());
+    EXPECT_EQ(refusal->code, ErrorCode::kTooManyResults);
+    EXPECT_TRUE(contains(refusal->message, "more than 434 results")) << refusal->message;
   }
 }
 
@@ -195,11 +259,10 @@ TEST(MotionRefusal, HeightsWithoutAQuestionOrOfTheWrongNumber) {
     const MoversView view(plain.positions(), plain.velocities(), heights_m, climbs_mps);
     PredictOptions options;
     if (vertical) options.vertical_m = 2.0;
-    for (const auto& found :
-         {predict_conflicts(view, options), brute_force::predict_conflicts(view, options)}) {
-      ASSERT_FALSE(found.has_value()) << heights << " heights, " << climbs << " climb rates";
-      EXPECT_EQ(found.error().code, ErrorCode::kInvalidArgument);
-      EXPECT_TRUE(contains(found.error().message, words)) << found.error().message;
+    for (const Refusal& refusal : prediction_refusals(view, options)) {
+      ASSERT_TRUE(refusal.has_value()) << heights << " heights, " << climbs << " climb rates";
+      EXPECT_EQ(refusal->code, ErrorCode::kInvalidArgument);
+      EXPECT_TRUE(contains(refusal->message, words)) << refusal->message;
     }
   };
   expect_error(10, 10, false, "no vertical threshold");
@@ -220,13 +283,12 @@ TEST(MotionRefusal, HeightsAndClimbRatesOutsideTheDomain) {
       std::vector<double> climbs(10, -0.0);
       (climbing ? climbs : heights)[7] = bad;
       const MoversView view(plain.positions(), plain.velocities(), heights, climbs);
-      for (const auto& found :
-           {predict_conflicts(view, options), brute_force::predict_conflicts(view, options)}) {
-        ASSERT_FALSE(found.has_value());
-        EXPECT_EQ(found.error().code,
+      for (const Refusal& refusal : prediction_refusals(view, options)) {
+        ASSERT_TRUE(refusal.has_value());
+        EXPECT_EQ(refusal->code,
                   std::isfinite(bad) ? ErrorCode::kOutsideDomain : ErrorCode::kNotFinite);
-        EXPECT_EQ(found.error().place.record, 7U);
-        EXPECT_TRUE(contains(found.error().message, climbing ? "climb" : "height"));
+        EXPECT_EQ(refusal->place.record, 7U);
+        EXPECT_TRUE(contains(refusal->message, climbing ? "climb" : "height"));
       }
     }
   }
@@ -238,9 +300,9 @@ TEST(MotionRefusal, MoreMoversThanIds) {
   const double& x = one.position.x;
   const PointsView many = PointsView::strided(&x, &x, &x, kMaxPoints + 1, 0);
   const MoversView movers(many, many);
-  for (const auto& found : {predict_conflicts(movers), brute_force::predict_conflicts(movers)}) {
-    ASSERT_FALSE(found.has_value());
-    EXPECT_EQ(found.error().code, ErrorCode::kTooManyPoints);
+  for (const Refusal& refusal : prediction_refusals(movers, {})) {
+    ASSERT_TRUE(refusal.has_value());
+    EXPECT_EQ(refusal->code, ErrorCode::kTooManyPoints);
   }
 }
 

@@ -23,6 +23,7 @@ struct Frames {
   std::vector<Point> points;
   std::vector<Point> others;
   double threshold_m;
+  std::vector<Point> velocities = {};
 
   // The next frame: everybody a little elsewhere.
   void move(test::SceneMaker& make) {
@@ -55,6 +56,10 @@ std::vector<Frames> swarms() {
     }
   }
   all.push_back(crowds);
+  for (Frames& frames : all) {
+    const double fast = frames.threshold_m;
+    frames.velocities = make.box(kSize, {-fast, -fast, -fast}, {fast, fast, fast});
+  }
   return all;
 }
 
@@ -67,18 +72,28 @@ struct Answers {
     rows.offsets.reserve(kMany);
     rows.ids.reserve(2 * kMany);
     nearest.reserve(kMany);
+    conflicts.reserve(kMany);
   }
 
   std::vector<std::uint32_t> ids;
   std::vector<Pair> pairs;
   IdRows rows;
   std::vector<Nearest> nearest;
+  std::vector<Conflict> conflicts;
 };
 
 struct Method {
   std::string name;
   std::function<bool(Engine&, const Frames&, const SearchOptions&, Answers&)> call;
 };
+
+MoversView movers_of(const Frames& frame) {
+  return {frame.points, frame.velocities};
+}
+
+PredictOptions over_a_short_time(const SearchOptions& options) {
+  return {.threshold_m = options.threshold_m, .horizon_s = 0.2, .threads = options.threads};
+}
 
 std::vector<Method> methods() {
   using F = const Frames&;
@@ -133,6 +148,14 @@ std::vector<Method> methods() {
       {"FindClosestPairBetween",
        [](Engine& e, F f, O o, A) {
          return bool(e.find_closest_pair_between(f.points, f.others, o.threads));
+       }},
+      {"PredictPairs",
+       [](Engine& e, F f, O o, A a) {
+         return bool(e.predict_pairs(movers_of(f), over_a_short_time(o), a.pairs));
+       }},
+      {"PredictConflicts",
+       [](Engine& e, F f, O o, A a) {
+         return bool(e.predict_conflicts(movers_of(f), over_a_short_time(o), a.conflicts));
        }},
   };
 }
