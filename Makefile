@@ -1,6 +1,6 @@
 # The everyday commands. Each works on a brand-new Debian 12 or Ubuntu 24.04 machine.
 .DEFAULT_GOAL := help
-.PHONY: help demo test bench compare format lint clean install
+.PHONY: help demo test bench bench-prevention compare format lint clean install
 
 PREFIX ?= /usr/local
 
@@ -8,6 +8,7 @@ help: ## this list
 	@echo "make demo     build beespace, and check a swarm of 1,000 and one of 1,000,000 bees"
 	@echo "make test     build everything and run all tests"
 	@echo "make bench    build and run the benchmarks"
+	@echo "make bench-prevention  fly whole missions with and without advice (about 20 minutes)"
 	@echo "make compare  compare with other libraries and the paper's methods (about 25 minutes)"
 	@echo "make format   format the sources with clang-format 14"
 	@echo "make lint     format, include and header checks, clang-tidy"
@@ -27,6 +28,11 @@ test:
 bench:
 	@scripts/install-packages build bench
 	@scripts/bench
+
+bench-prevention:
+	@scripts/install-packages build bench
+	@scripts/build release -DBEESPACE_BUILD_BENCHMARKS=ON
+	@build/release/prevention_missions
 
 compare:
 	@scripts/install-packages build compare

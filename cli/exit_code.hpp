@@ -7,7 +7,7 @@ namespace beespace::cli {
 
 enum class ExitCode : int {
   kFine = 0,
-  kRiskFound = 1,  // with --fail-on-risk only
+  kRiskFound = 1,  // with --fail-on-risk only; of verify always
   kUsage = 2,      // the command line makes no sense
   kBadInput = 3,   // the data makes no sense
   kSystem = 4,     // could not open, read or write; out of memory

@@ -8,9 +8,11 @@
 #include "cli/predict_command.hpp"
 #include "cli/replay_command.hpp"
 #include "cli/signals.hpp"
+#include "cli/simulate_command.hpp"
 #include "cli/standard_output.hpp"
 #include "cli/terminal.hpp"
 #include "cli/usage_sentence.hpp"
+#include "cli/verify_command.hpp"
 #include "cli/watch_command.hpp"
 
 #include <beespace/version.hpp>
@@ -34,6 +36,8 @@ constexpr const char* kExamples =
     "  beespace predict swarm.csv --threshold 5      who is about to come too close to whom\n"
     "  beespace replay show.skyc                     whether a drone show keeps its distance\n"
     "  tail -f swarm.csv | beespace watch            the same live\n"
+    "  beespace simulate random-swap                 a swarm that is kept apart, step by step\n"
+    "  beespace verify flight.csv --threshold 5      whether a flight kept its distance\n"
     "  beespace generate --points 1000 --area medellin --output bees.csv\n"
     "  beespace bench                                how fast it is on this machine\n"
     "\n"
@@ -61,7 +65,8 @@ ExitCode explain(const CLI::App& command, const CLI::ParseError& error) {
 CLI::App* add_help_command(CLI::App& command, std::string& topic) {
   CLI::App* help = command.add_subcommand("help", "Print this help, or that of a subcommand");
   CLI::Option* option = help->add_option("COMMAND", topic, "Whose help to print")->type_name(" ");
-  allow_only(*option, {"detect", "predict", "replay", "watch", "generate", "bench"});
+  allow_only(*option,
+             {"detect", "predict", "replay", "watch", "simulate", "verify", "generate", "bench"});
   return help;
 }
 
@@ -76,6 +81,8 @@ ExitCode run(int argc, char** argv) {
   PredictCommandOptions predict_options;
   ReplayOptions replay_options;
   WatchOptions watch_options;
+  SimulateOptions simulate_options;
+  VerifyCommandOptions verify_options;
   GenerateOptions generate_options;
   BenchOptions bench_options;
   std::string help_topic;
@@ -83,6 +90,8 @@ ExitCode run(int argc, char** argv) {
   const CLI::App* predict = add_predict_command(command, predict_options);
   const CLI::App* replay = add_replay_command(command, replay_options);
   const CLI::App* watch = add_watch_command(command, watch_options);
+  const CLI::App* simulate = add_simulate_command(command, simulate_options);
+  const CLI::App* verify = add_verify_command(command, verify_options);
   const CLI::App* generate = add_generate_command(command, generate_options);
   add_bench_command(command, bench_options);
   const CLI::App* help = add_help_command(command, help_topic);
@@ -96,14 +105,16 @@ ExitCode run(int argc, char** argv) {
   }
   if (command.get_subcommands().empty()) {
     say_error(
-        "say what to do: detect, predict, replay, watch, generate or bench (see 'beespace "
-        "--help')");
+        "say what to do: detect, predict, replay, watch, simulate, verify, generate or bench (see "
+        "'beespace --help')");
     return ExitCode::kUsage;
   }
   if (detect->parsed()) return run_detect(detect_options);
   if (predict->parsed()) return run_predict(predict_options);
   if (replay->parsed()) return run_replay(replay_options);
   if (watch->parsed()) return run_watch(watch_options);
+  if (simulate->parsed()) return run_simulate(simulate_options);
+  if (verify->parsed()) return run_verify(verify_options);
   return generate->parsed() ? run_generate(generate_options) : run_bench(bench_options);
 }
 

@@ -55,6 +55,7 @@ ProgressBar::~ProgressBar() {
 }
 
 void ProgressBar::enter_stage(const char* name) {
+  share_.store(kUnknown, std::memory_order_relaxed);
   stage_.store(name, std::memory_order_relaxed);
 }
 
@@ -84,8 +85,10 @@ void ProgressBar::draw() {
   const auto total = static_cast<double>(reading_.total.load(std::memory_order_relaxed));
   std::string line(kWipeLine);
   line += stage;
-  if (stage == kReading && total > 0.0) {
-    const double fraction = std::clamp(done / total, 0.0, 1.0);
+  double fraction = share_.load(std::memory_order_relaxed);
+  if (stage == kReading && total > 0.0) fraction = done / total;
+  if (fraction >= 0.0) {
+    fraction = std::clamp(fraction, 0.0, 1.0);
     line += ' ';
     line += bar(fraction);
     line += ' ';

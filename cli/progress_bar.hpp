@@ -23,6 +23,9 @@ class ProgressBar {
   // What is being done from now on: a literal, such as "searching".
   void enter_stage(const char* name);
 
+  // How much of this stage is done, from 0 to 1, where that is known: then the bar shows it.
+  void set_share(double done) { share_.store(done, std::memory_order_relaxed); }
+
   // For the reader to fill in; the bar shows its fraction during the stage kReading.
   io::Progress& reading() { return reading_; }
   static constexpr const char* kReading = "reading";
@@ -31,11 +34,14 @@ class ProgressBar {
   void finish();
 
  private:
+  static constexpr double kUnknown = -1.0;
+
   void run();
   void draw();
 
   io::Progress reading_;
   std::atomic<const char*> stage_{kReading};
+  std::atomic<double> share_{kUnknown};
   std::mutex mutex_;
   std::condition_variable wake_;
   bool finished_ = false;

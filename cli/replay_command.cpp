@@ -160,6 +160,25 @@ Result<std::optional<Conflict>> closest_of(const RecordedConflicts& recorded,
       [](const Conflict& a, const Conflict& b) { return a.closest_m < b.closest_m; }));
 }
 
+// Whether some two are there at the same time.
+bool anybody_meets(const std::optional<Conflict>& closest, const std::vector<Track>& tracks,
+                   const ReplayRequest& request) {
+  if (closest || !request.moving.vertical_m) return closest.has_value();
+  const auto any = find_closest_encounter(tracks, request.max_gap_s, request.moving.threads);
+  return any && any->has_value();
+}
+
+// Rows of --report separation are kept until all are there.
+Status check_every(const ReplayRequest& request, const std::vector<Track>& tracks) {
+  constexpr double kMostRows = 10'000'000;
+  const auto time = time_of(tracks);
+  if (request.report != "separation" || !time) return std::monostate{};
+  if ((time->ends_s - time->begins_s) / request.every_s <= kMostRows) return std::monostate{};
+  return usage_error(kName, "--every " + exact(request.every_s) + " is more than " +
+                                grouped(static_cast<std::uint64_t>(kMostRows)) +
+                                " rows for this recording; look less often");
+}
+
 Result<ExitCode> replay(const ReplayRequest& request) {
   const MovingRequest& moving = request.moving;
   auto output = io::AtomicOutput::open(moving.output);
@@ -173,6 +192,7 @@ Result<ExitCode> replay(const ReplayRequest& request) {
   const Geometry geometry = geometry_for(*recording, moving.vertical_m.has_value());
   const auto tracks = tracks_of(*recording, geometry, request.tolerance_m);
   if (!tracks) return tracks.error();
+  if (Status few = check_every(request, *tracks); !few) return few.error();
   const double read_s = watch.lap();
 
   progress.enter_stage("searching");
@@ -193,7 +213,13 @@ Result<ExitCode> replay(const ReplayRequest& request) {
   const auto in_space =
       apart ? tracks_of(*recording, Geometry::kSpace, request.tolerance_m) : tracks;
   if (!in_space) return in_space.error();
-  const Findings findings{*recording, *tracks, *in_space, request.max_gap_s, *recorded, *closest};
+  const Findings findings{*recording,
+                          *tracks,
+                          *in_space,
+                          request.max_gap_s,
+                          *recorded,
+                          *closest,
+                          anybody_meets(*closest, *in_space, request)};
   progress.enter_stage("writing");
   const std::string head =
       moving.form == MovingForm::kJson ? json_head_of(request, findings, threshold_m) : "";

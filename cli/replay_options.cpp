@@ -14,7 +14,7 @@ constexpr const char* kDescription =
     "Tell whether a recording, or a drone show, keeps its distance";
 
 constexpr const char* kDetails =
-    "Reads recordings: text tables with columns named id, time, x, y, z (metres) or lon, lat, "
+    "Reads recordings: text tables with columns named id, time_s, x, y, z (metres) or lon, lat, "
     "height\n"
     "(degrees), several files, folders or zips with a table a bee, and Skybrush shows (.skyc, or "
     "one\n"

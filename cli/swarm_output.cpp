@@ -1,6 +1,5 @@
 #include "cli/swarm_output.hpp"
 
-#include "cli/gzip_writer.hpp"
 #include "cli/number_text.hpp"
 
 #include <algorithm>
@@ -215,6 +214,39 @@ Status write_flights(const std::vector<Mover>& movers, const scenes::FixTimes& t
   out.write(text);
   out.finish();
   return output.commit();
+}
+
+FlightWriter::FlightWriter(io::AtomicOutput& output, SwarmFormat format, bool with_velocities)
+    : output_(output),
+      out_(output, format.compressed),
+      delimiter_(delimiter_of(format)),
+      with_velocities_(with_velocities),
+      text_(delimited(with_velocities ? "time_s,id,x,y,z,vx,vy,vz\n" : "time_s,id,x,y,z\n",
+                      delimiter_)) {
+}
+
+void FlightWriter::add(double time_s, const std::vector<Mover>& movers) {
+  std::string time;
+  append_exact(time, time_s);
+  time += delimiter_;
+  for (std::size_t bee = 0; bee < movers.size(); ++bee) {
+    const auto& [position, velocity] = movers[bee];
+    text_ += time;
+    append_exact(text_, std::uint64_t{bee});
+    text_ += delimiter_;
+    if (with_velocities_) {
+      append_motion(text_, position, velocity, delimiter_);
+    } else {
+      append_metres(text_, position, delimiter_);
+    }
+    write_full(text_, out_);
+  }
+}
+
+Status FlightWriter::finish() {
+  out_.write(text_);
+  out_.finish();
+  return output_.commit();
 }
 
 }  // namespace beespace::cli

@@ -2,6 +2,7 @@
 // replay read them.
 #pragma once
 
+#include "cli/gzip_writer.hpp"
 #include "io/atomic_output.hpp"
 #include "scenes/recorded_flights.hpp"
 
@@ -11,6 +12,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -42,5 +44,24 @@ Status write_swarm(const std::vector<Point>& points, SwarmUnits units, SwarmForm
 Status write_movers(const std::vector<Mover>& movers, SwarmFormat format, io::AtomicOutput& output);
 Status write_flights(const std::vector<Mover>& movers, const scenes::FixTimes& times,
                      std::uint64_t seed, SwarmFormat format, io::AtomicOutput& output);
+
+// A recording that is written while it happens, everybody at one time after the other, with all
+// digits: time_s, id, x, y, z, and velocities where they are wished for. The format is kCsv or
+// kTsv.
+class FlightWriter {
+ public:
+  FlightWriter(io::AtomicOutput& output, SwarmFormat format, bool with_velocities);
+
+  void add(double time_s, const std::vector<Mover>& movers);
+  // Commits the output. Errors: kWriteFailed.
+  Status finish();
+
+ private:
+  io::AtomicOutput& output_;
+  GzipWriter out_;
+  char delimiter_;
+  bool with_velocities_;
+  std::string text_;
+};
 
 }  // namespace beespace::cli

@@ -14,7 +14,7 @@ namespace {
 constexpr const char* kDescription = "Watch a swarm live: reports in, events out as they happen";
 
 constexpr const char* kDetails =
-    "Reads a report a line, as they come: a table with a header (id, time, x, y, z in metres or "
+    "Reads a report a line, as they come: a table with a header (id, time_s, x, y, z in metres or "
     "lon,\n"
     "lat, height in degrees, perhaps velocities), an object of JSON with the same keys, readsb's "
     "JSON,\n"

@@ -22,19 +22,23 @@ _beespace() {
   fi
 
   if [ "$COMP_CWORD" -eq 1 ]; then
-    _beespace_offer -W 'detect predict replay watch generate bench help --help --version' \
-      -- "$current"
+    _beespace_offer -W 'detect predict replay watch simulate verify generate bench help --help
+      --version' -- "$current"
     return
   fi
 
   local words=''
   case $subcommand:$previous in
-    help:help) words='detect predict replay watch generate bench' ;;
+    help:help) words='detect predict replay watch simulate verify generate bench' ;;
     detect:--report) words='at-risk pairs neighbors counts nearest groups closest-pair' ;;
     replay:--report) words='conflicts bees separation events' ;;
-    detect:--crs | predict:--crs | replay:--crs | watch:--crs) words='auto wgs84 metres' ;;
-    predict:--time-unit | replay:--time-unit | watch:--time-unit) words='auto s ms us ns' ;;
-    predict:--heights | replay:--heights | watch:--heights) words='auto geometric pressure' ;;
+    detect:--crs | predict:--crs | replay:--crs | watch:--crs | verify:--crs) words='auto wgs84 metres' ;;
+    predict:--time-unit | replay:--time-unit | watch:--time-unit | verify:--time-unit)
+      words='auto s ms us ns' ;;
+    predict:--heights | replay:--heights | watch:--heights | verify:--heights)
+      words='auto geometric pressure' ;;
+    simulate:--method) words='certified none' ;;
+    simulate:--acceleration) words='none' ;;
     detect:--format) words='auto text npy bin' ;;
     generate:--scene) words='uniform clusters area flight head-on crossing sphere-swap encounters' ;;
     generate:--area) words='medellin' ;;
@@ -49,6 +53,7 @@ _beespace() {
     *:--leave-factor | *:--look-every | *:--rate) return ;;
     *:--size | *:--clusters | *:--sigma | *:--seed) return ;;
     *:--speed | *:--miss | *:--duration | *:--interval) return ;;
+    *:--bees | *:--spacing | *:--step | *:--steps | *:--max-speed | *:--max-acceleration) return ;;
     *)
       case $subcommand in
         detect)
@@ -71,6 +76,15 @@ _beespace() {
           words='--threshold --vertical --horizon --leave-factor --look-every --max-age --speed --rate
             --threads --crs --columns --time-unit --heights --fail-on-risk --quiet --help --version'
           ;;
+        simulate)
+          words='--bees --spacing --seed --speed --acceleration --step --steps --threshold --method
+            --threads --output --json --fail-on-risk --quiet --help --version'
+          ;;
+        verify)
+          words='--threshold --max-speed --max-acceleration --straight --threads --crs --columns
+            --time-unit --heights --grounded --skip-bad --output --csv --json --quiet --help
+            --version'
+          ;;
         generate)
           words='--scene --area --points --size --clusters --sigma --speed --miss --duration
             --interval --seed --format --output --quiet --help --version'
@@ -79,7 +93,8 @@ _beespace() {
       esac
       case $subcommand:$current in
         *:-*) ;;
-        detect:* | predict:* | replay:* | watch:*)
+        simulate:*) words='random-swap sphere-swap head-on' ;;
+        detect:* | predict:* | replay:* | watch:* | verify:*)
           compopt -o filenames
           _beespace_offer -f -- "$current"
           return

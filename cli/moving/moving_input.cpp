@@ -75,6 +75,11 @@ Result<LastState> given_state(const Fix& fix, const Velocity& v, io::Frame frame
   return LastState{{at->fix.position, *ecef}, at->height_m, apart ? v.z : 0.0};
 }
 
+// What is computed may be too small for the motion domain; nobody sees the difference to 0.
+double told(double value) {
+  return std::abs(value) < kSmallestInMotion ? 0.0 : value;
+}
+
 Result<LastState> last_state(const io::RecordedBee& bee, io::Frame frame, Geometry geometry) {
   const Fix& last = bee.fixes.back();
   if (!bee.velocities.empty() && is_known(bee.velocities.back())) {
@@ -93,17 +98,18 @@ Result<LastState> last_state(const io::RecordedBee& bee, io::Frame frame, Geomet
   const Point& p = before->fix.position;
   const Point& q = now->fix.position;
   const double lasts = now->fix.time_s - before->fix.time_s;
-  return LastState{{q, {(q.x - p.x) / lasts, (q.y - p.y) / lasts, (q.z - p.z) / lasts}},
-                   now->height_m,
-                   (now->height_m - before->height_m) / lasts,
-                   true};
+  return LastState{
+      {q, {told((q.x - p.x) / lasts), told((q.y - p.y) / lasts), told((q.z - p.z) / lasts)}},
+      now->height_m,
+      told((now->height_m - before->height_m) / lasts),
+      true};
 }
 
 void bring_forward(LastState& state, double by_s) {
   Point& p = state.mover.position;
   const Velocity& v = state.mover.velocity;
-  p = {p.x + v.x * by_s, p.y + v.y * by_s, p.z + v.z * by_s};
-  state.height_m += state.climb_mps * by_s;
+  p = {told(p.x + v.x * by_s), told(p.y + v.y * by_s), told(p.z + v.z * by_s)};
+  state.height_m = told(state.height_m + state.climb_mps * by_s);
 }
 
 // Of the last fix of all. Error: where the input says nothing of the present.

@@ -20,6 +20,7 @@ struct Findings {
   double max_gap_s;
   const RecordedConflicts& recorded;
   const std::optional<Conflict>& closest;  // of all encounters, conflict or not
+  bool anybody_meets;                      // some two are there at the same time
 };
 
 // When the first bee appears and the last one vanishes; nothing where nobody does.

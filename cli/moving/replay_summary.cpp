@@ -17,6 +17,8 @@ std::string plural(std::uint64_t count, const char* one, const char* several) {
 }
 
 std::string verdict(const Findings& findings, const std::vector<PairInConflict>& pairs) {
+  if (!findings.anybody_meets)
+    return red("nothing to compare") + ": no two bees are there at the same time";
   if (pairs.empty()) return bold("keeps its distance");
   const auto& conflicts = findings.recorded.conflicts;
   const bool certain = std::any_of(conflicts.begin(), conflicts.end(),
@@ -92,6 +94,14 @@ std::string replay_summary(const Findings& findings, const MovingRequest& reques
   }
   const bool declared =
       !request.threshold_m.has_value() && recording.declared_threshold_m.has_value();
+  const auto instants = std::count_if(findings.tracks.begin(), findings.tracks.end(),
+                                      [](const Track& track) { return track.fixes.size() == 1; });
+  if (instants > 0) {
+    append_summary_line(out, "note",
+                        plural(static_cast<std::size_t>(instants), "bee has", "bees have") +
+                            " one fix only, and so are there for an instant; 'beespace predict' "
+                            "brings everybody to one time");
+  }
   append_summary_line(out, "threshold", separation_summary(request, figures.threshold_m, declared));
   const auto pairs = pairs_in_conflict(findings.recorded.conflicts);
   append_summary_line(out, "verdict", verdict(findings, pairs));
@@ -99,7 +109,9 @@ std::string replay_summary(const Findings& findings, const MovingRequest& reques
     append_summary_line(out, "closest", encounter_text(*findings.closest, recording));
   }
   append_worst(out, findings, pairs);
-  if (const std::string bars = bars_over_time(findings, figures.threshold_m); !bars.empty()) {
+  const std::string bars =
+      findings.anybody_meets ? bars_over_time(findings, figures.threshold_m) : std::string();
+  if (!bars.empty()) {
     append_summary_line(out, "over time", bars);
     append_summary_line(out, "",
                         "(how far apart the closest two are: a full bar is twice the "

@@ -1,6 +1,7 @@
 // All of beespace in one include.
 #pragma once
 
+#include <beespace/advise.hpp>
 #include <beespace/at_risk.hpp>
 #include <beespace/bezier_path.hpp>
 #include <beespace/brute_force.hpp>
@@ -24,4 +25,5 @@
 #include <beespace/search_options.hpp>
 #include <beespace/swarm.hpp>
 #include <beespace/track.hpp>
+#include <beespace/verify.hpp>
 #include <beespace/version.hpp>

@@ -2,7 +2,9 @@
 //
 // What has happened is told from reports alone: between two reports a bee moves in a straight line,
 // as in track.hpp, so the events *entered*, *closest passed* and *left* are exact, and the same
-// however often advance() is called. They come as soon as both bees have been heard of again. What
+// however often advance() is called, where reports come in the order of their times (a bee that is
+// first heard of late has missed what all others know by then) and nobody is removed in the middle
+// of a conflict. They come as soon as both bees have been heard of again. What
 // is about to happen, *predicted*, is told from the last reports and velocities, as by
 // predict_conflicts; it comes again for a pair only after the pair has been out of danger.
 //

@@ -111,7 +111,7 @@ struct RowSink {
 };
 
 // Pairs of sorted places whose balls meet: squared distances in units at most the square of both
-// radii together. `make_room` as in PairSink.
+// radii together. The limits of the sweep are not asked.
 struct MeetingSink {
   const float* radius;  // in units, by sorted point; readable for kPadding elements behind the last
   PairSink& places;

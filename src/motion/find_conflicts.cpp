@@ -1,5 +1,6 @@
 #include <beespace/brute_force.hpp>
 #include <beespace/find_conflicts.hpp>
+#include <beespace/nearest.hpp>
 
 #include "core/validate.hpp"
 #include "cpu/crew_size.hpp"
@@ -12,7 +13,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace beespace {
 
@@ -48,6 +51,30 @@ double diagonal_of(std::span<const Track> tracks) {
   return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
 }
 
+// How far apart the closest two are at some instants: the closest encounter is no farther. Nothing
+// where no two are there then.
+std::optional<double> closest_at_some_instants(std::span<const Track> tracks, double max_gap_s) {
+  if (tracks.empty()) return std::nullopt;
+  constexpr std::size_t kInstants = 5;
+  std::optional<double> closest_m;
+  std::vector<Point> places;
+  for (std::size_t k = 0; k < kInstants; ++k) {
+    // In the middle of what somebody's track says.
+    const Track& some = tracks[k * tracks.size() / kInstants];
+    if (some.fixes.empty()) continue;
+    const double time_s = some.fixes[some.fixes.size() / 2].time_s;
+    places.clear();
+    for (const Track& track : tracks) {
+      if (const auto place = position_at(track, time_s, max_gap_s)) places.push_back(*place);
+    }
+    const auto pair = find_closest_pair(places);
+    if (!pair || !*pair) continue;
+    const double distance_m = (*pair)->distance_m;
+    closest_m = std::min(closest_m.value_or(distance_m), distance_m);
+  }
+  return closest_m;
+}
+
 }  // namespace
 
 Result<RecordedConflicts> find_conflicts(std::span<const Track> tracks,
@@ -71,9 +98,11 @@ Result<std::optional<Conflict>> find_closest_encounter(std::span<const Track> tr
   options.threads = threads;
   options.inclusive = true;
   if (auto error = check(tracks, options)) return *std::move(error);
-  // From what is surely much less than the swarm is wide to what is more.
+  // From what some two come within to what is wider than the swarm.
   const double widest = std::clamp(1.01 * diagonal_of(tracks), 0x1p-90, kLargestInMotion);
-  for (double threshold = std::max(widest * 0x1p-12, kSmallestInMotion);; threshold *= 2.0) {
+  const auto some_m = closest_at_some_instants(tracks, max_gap_s);
+  const double first = some_m ? *some_m * (1.0 + 0x1p-40) : widest * 0x1p-12;
+  for (double threshold = std::max(first, kSmallestInMotion);; threshold *= 2.0) {
     options.threshold_m = std::min(threshold, widest);
     const Result<RecordedConflicts> found = find_conflicts(tracks, options);
     if (!found) return found.error();

@@ -1,10 +1,24 @@
 #include "motion/live_bees.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
 namespace beespace::motion {
+
+namespace {
+
+// What comes out of reports may be smaller or larger than any of them: it is brought back into the
+// motion domain, at the cost of less than a millionth of a nanometre, or of being so far away that
+// nobody is near.
+double told(double value) {
+  const double magnitude = std::abs(value);
+  if (magnitude < kSmallestInMotion) return 0.0;
+  return std::copysign(std::min(magnitude, kLargestInMotion), value);
+}
+
+}  // namespace
 
 std::optional<LiveRun::Now> LiveRun::at(double now_s) const {
   const Fix& last = fixes.back();
@@ -24,10 +38,12 @@ std::optional<LiveRun::Now> LiveRun::at(double now_s) const {
     return std::nullopt;
   }
   const double since = now_s - last.time_s;
+  Velocity& v = now.mover.velocity;
+  v = {told(v.x), told(v.y), told(v.z)};
+  now.climb_mps = told(now.climb_mps);
   Point& p = now.mover.position;
-  const Velocity& v = now.mover.velocity;
-  p = {p.x + v.x * since, p.y + v.y * since, p.z + v.z * since};
-  now.height_m += now.climb_mps * since;
+  p = {told(p.x + v.x * since), told(p.y + v.y * since), told(p.z + v.z * since)};
+  now.height_m = told(now.height_m + now.climb_mps * since);
   return now;
 }
 

@@ -12,7 +12,9 @@
 
 #include <beespace/points_view.hpp>
 
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 
 namespace beespace::motion {
@@ -41,6 +43,8 @@ struct Step {
   // Whether to leave out those who are surely closer than that when the step begins: the step
   // before has found them.
   bool follows_another = false;
+  // Once more than so many have been found the search ends, and says no more than that.
+  std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
 };
 
 // Whether two pass who may: by their ids.

@@ -9,7 +9,9 @@
 #include "motion/validate.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -104,6 +106,8 @@ class Judge {
   std::vector<Conflict>& found_;
 };
 
+constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
+
 // The steps have looked at positions and velocities on their way.
 std::optional<Error> check(const MoversView& movers, const PredictionSteps& steps) {
   if (steps.in_domain() && !movers.has_heights()) return std::nullopt;
@@ -111,24 +115,6 @@ std::optional<Error> check(const MoversView& movers, const PredictionSteps& step
 }
 
 }  // namespace
-
-Status predict(const MoversView& movers, const PredictOptions& options, const core::Resources& with,
-               std::vector<Conflict>& conflicts, const PredictionChoices& choices) {
-  conflicts.clear();
-  PredictionSteps steps(movers, options, with, choices);
-  if (auto error = check(movers, steps)) return *std::move(error);
-  Judge judge(movers, steps.separation(), options.horizon_s, with, conflicts);
-  bool fits = true;
-  steps.for_each({}, [&](const auto& candidates) {
-    judge.add(candidates);
-    if (conflicts.size() > options.max_results) judge.settle();
-    fits = conflicts.size() <= options.max_results;
-    return fits;
-  });
-  if (!fits) return core::too_many_results(options.max_results);
-  judge.settle();
-  return std::monostate{};
-}
 
 Status predict_pairs(const MoversView& movers, const PredictOptions& options,
                      const core::Resources& with, std::vector<Pair>& pairs,
@@ -149,7 +135,7 @@ Status predict_pairs(const MoversView& movers, const PredictOptions& options,
     return pairs.size() <= options.max_results;
   };
   bool fits = true;
-  steps.for_each(decide, [&](auto&& step) {
+  steps.for_each(decide, options.max_results, [&](auto&& step) {
     ++found_in;
     for (core::FoundPairs& part : step) found.push_back(std::move(part));
     // Few are found twice, so this is seldom asked and more seldom true.
@@ -157,6 +143,25 @@ Status predict_pairs(const MoversView& movers, const PredictOptions& options,
     return fits;
   });
   if (!fits || !settle()) return core::too_many_results(options.max_results);
+  return std::monostate{};
+}
+
+Status predict(const MoversView& movers, const PredictOptions& options, const core::Resources& with,
+               std::vector<Conflict>& conflicts, const PredictionChoices& choices) {
+  conflicts.clear();
+  if (options.max_results < kUnlimited) {
+    // Candidates may be many more than conflicts; who they are takes less memory, and is exact.
+    std::vector<Pair> pairs;
+    if (Status few = predict_pairs(movers, options, with, pairs, choices); !few) return few;
+  }
+  PredictionSteps steps(movers, options, with, choices);
+  if (auto error = check(movers, steps)) return *std::move(error);
+  Judge judge(movers, steps.separation(), options.horizon_s, with, conflicts);
+  steps.for_each({}, kUnlimited, [&](const auto& candidates) {
+    judge.add(candidates);
+    return true;
+  });
+  judge.settle();
   return std::monostate{};
 }
 

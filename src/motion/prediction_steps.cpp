@@ -110,26 +110,38 @@ PredictionSteps::PredictionSteps(const MoversView& movers, const PredictOptions&
       with_(with),
       choices_(choices),
       middles_(with.memory, movers.size()),
-      moves_(with.memory, movers.size()) {
+      moves_(with.memory, movers.size()),
+      speeds_(&with.memory) {
   choose_drift();
   look_at_movers();
+  if (!in_domain_) return;
+  speeds_ = size_levels(movers.size(), fastest_, with.memory, [&](std::size_t i) {
+    const Move& move = moves_[i];
+    return length(move.x, move.y, move.z);
+  });
 }
 
 PointsView PredictionSteps::middles() const {
   return std::span<const Point>(middles_.data(), movers_.size());
 }
 
-// Any drift will do, but the better ones make everybody slower: the mean of some.
+// Any drift will do, but the better ones make everybody slower: the median of some, which a few
+// that are very fast do not move.
 void PredictionSteps::choose_drift() {
   constexpr std::size_t kSome = 1024;
   const std::size_t stride = movers_.size() / kSome + 1;
-  double count = 0.0;
-  for (std::size_t i = 0; i < movers_.size(); i += stride) {
-    const Point v = movers_.velocities()[i];
-    drift_ = {drift_.x + v.x, drift_.y + v.y, drift_.z + v.z};
-    count += 1.0;
-  }
-  if (count > 0.0) drift_ = {drift_.x / count, drift_.y / count, drift_.z / count};
+  core::Vector<double> along(&with_.memory);
+  const auto median_of = [&](double Point::*axis) {
+    along.clear();
+    for (std::size_t i = 0; i < movers_.size(); i += stride) {
+      along.push_back(movers_.velocities()[i].*axis);
+    }
+    if (along.empty()) return 0.0;
+    const auto middle = along.begin() + static_cast<std::ptrdiff_t>(along.size() / 2);
+    std::nth_element(along.begin(), middle, along.end());
+    return *middle;
+  };
+  drift_ = {median_of(&Point::x), median_of(&Point::y), median_of(&Point::z)};
 }
 
 // Most questions are about one step: its middles are noted on the way.
@@ -202,24 +214,27 @@ double PredictionSteps::cheapest_step(double begin, double left) {
   constexpr double kSorting = 80.0;
   constexpr double kComparing = 0.25;
   double best = left;
-  double best_cost = 0.0;
-  double step = left;
-  while (step > 0.0) {
-    const double reach = clearance_m + fastest_ * step;
-    // Rows around, as far as the reach: as large as a cube of 2.6 times that.
-    const double cost = (kSorting + 0.5 * kComparing * sample.mates(2.6 * reach)) / step;
-    if (step == left || cost < best_cost) {
-      best = step;
-      best_cost = cost;
+  double best_cost = std::numeric_limits<double>::infinity();
+  for (const SizeLevel& speed : speeds_) {
+    for (double step = left; step > 0.0; step *= 0.7) {
+      const double reach = clearance_m + speed.size * step;
+      // Rows around, as far as the reach: as large as a cube of 2.6 times that.
+      const double cost = (kSorting + 0.5 * kComparing * sample.mates(2.6 * reach) +
+                           kComparingBeyond * static_cast<double>(speed.beyond)) /
+                          step;
+      if (cost < best_cost) {
+        best = step;
+        best_cost = cost;
+      }
+      if (speed.size * step < 0.25 * clearance_m) break;
     }
-    if (fastest_ * step < 0.25 * clearance_m) break;
-    step *= 0.7;
   }
   return left / std::ceil(left / best * 0.999'999);  // steps of one length end at the horizon
 }
 
 core::Vector<core::FoundPairs> PredictionSteps::passing(double begin, double end,
-                                                        const DecidePass& decide) {
+                                                        const DecidePass& decide,
+                                                        std::uint64_t most) {
   const double half = 0.5 * (end - begin);
   move_middles_to(begin + half);
   // Positions along the way are wrong by a few roundings of these; so are the middle and the half.
@@ -229,6 +244,7 @@ core::Vector<core::FoundPairs> PredictionSteps::passing(double begin, double end
   // Spheres are all that the step's search knows.
   if (!separation_.vertical_m) step.surely_m = separation_.threshold_m - blur_m;
   step.follows_another = begin > 0.0;
+  step.most = most;
   // Velocities are rounded to floats.
   const double reach_m = fastest_ * step.half_s * (1.0 + 0x1p-20);
   const MovingBalls balls{middles(), bounds_, {moves_.data(), movers_.size()}, reach_m};

@@ -6,9 +6,12 @@
 #include "motion/passing_search.hpp"
 #include "motion/prediction.hpp"
 #include "motion/separation.hpp"
+#include "motion/size_levels.hpp"
 
 #include <beespace/closest_approach.hpp>
 #include <beespace/mover.hpp>
+
+#include <cstdint>
 
 namespace beespace::motion {
 
@@ -23,14 +26,14 @@ class PredictionSteps {
   // Whether all positions and velocities lie in the motion domain; or nothing must be asked.
   [[nodiscard]] bool in_domain() const { return in_domain_; }
 
-  // Calls visit(found) after each step, with whom find_passing found in it and no step before;
-  // hardly anybody twice. As long as visit returns true.
+  // Calls visit(found) after each step, with whom find_passing found in it and no step before:
+  // hardly anybody twice, and of a step little more than `most`. As long as visit returns true.
   template <class Visit>
-  void for_each(const DecidePass& decide, Visit&& visit) {
+  void for_each(const DecidePass& decide, std::uint64_t most, Visit&& visit) {
     double begin = 0.0;
     for (bool first = true; first || begin < options_.horizon_s; first = false) {
       const double end = step_end(begin);
-      if (!visit(passing(begin, end, decide))) return;
+      if (!visit(passing(begin, end, decide, most))) return;
       begin = end;
     }
   }
@@ -42,14 +45,15 @@ class PredictionSteps {
   void move_middles_to(double time);
   double step_end(double begin);
   double cheapest_step(double begin, double left);
-  core::Vector<core::FoundPairs> passing(double begin, double end, const DecidePass& decide);
+  core::Vector<core::FoundPairs> passing(double begin, double end, const DecidePass& decide,
+                                         std::uint64_t most);
 
   const MoversView& movers_;
   const PredictOptions& options_;
   Separation separation_;
   const core::Resources& with_;
   const PredictionChoices& choices_;
-  Velocity drift_;           // about the mean velocity: moving along with it, everybody is slower
+  Velocity drift_;           // moving along with it, nearly everybody is slower
   double fastest_ = 0.0;     // relative to it
   double farthest_m_ = 0.0;  // largest coordinate
   bool in_domain_ = true;
@@ -57,6 +61,7 @@ class PredictionSteps {
   double middles_time_ = 0.0;
   core::Bounds bounds_;
   core::Buffer<Move> moves_;
+  core::Vector<SizeLevel> speeds_;  // at which a line could be drawn between slow and fast ones
 };
 
 }  // namespace beespace::motion

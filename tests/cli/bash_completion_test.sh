@@ -65,4 +65,17 @@ expect "crossing" beespace generate --scene cr
 expect "head-on" beespace generate --scene = he
 expect "--speed" beespace generate --sp
 expect "" beespace generate --duration ""
+expect "simulate" beespace si
+expect "verify" beespace help ve
+expect "random-swap sphere-swap head-on" beespace simulate ""
+expect "sphere-swap" beespace simulate sp
+expect "certified none" beespace simulate --method ""
+expect "none" beespace simulate --acceleration = n
+expect "--step --steps" beespace simulate random-swap --step
+expect "" beespace simulate --bees ""
+expect "$1" beespace simulate head-on --output "${1%sh}"
+expect "--max-speed --max-acceleration" beespace verify --max
+expect "wgs84" beespace verify --crs = w
+expect "" beespace verify --max-speed ""
+expect "$1" beespace verify a.csv "${1%sh}"
 exit "$wrong"

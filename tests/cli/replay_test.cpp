@@ -100,7 +100,21 @@ TEST(Replay, WhereNobodyIsThereTogetherTheSeparationIsEmpty) {
   const Finished json = run({"replay", "--report", "separation", "--json"}, input);
   EXPECT_TRUE(is_json(json.out)) << json.out;
   expect_parts(json.out, {R"("closest": null)", R"({"time_s": 0, "distance_m": null, )"});
-  expect_parts(json.err, {"verdict    keeps its distance\n"});
+  expect_parts(json.err,
+               {"verdict    nothing to compare: no two bees are there at the same time\n"});
+}
+
+TEST(Replay, BeesWithOneFixAreSaidToBeThereForAnInstant) {
+  const Finished finished =
+      run({"replay"}, "id,time_s,x,y,z\na,0,0,0,0\nb,1,0,0,0\nc,0,9,0,0\nc,2,9,0,0\n");
+  expect_parts(finished.err, {"2 bees have one fix only, and so are there for an instant; "});
+}
+
+TEST(Replay, MomentsOfTheSeparationAreBounded) {
+  const Finished finished = run({"replay", "--report", "separation", "--every", "1e-9"},
+                                "id,time_s,x,y,z\na,0,0,0,0\na,10,0,0,0\nb,0,9,0,0\nb,1,9,0,0\n");
+  EXPECT_EQ(finished.exit_code, 2);
+  expect_parts(finished.err, {"--every 1e-09 is more than 10,000,000 rows"});
 }
 
 TEST(Replay, InAGapABeeIsAbsentAndThatIsSaid) {

@@ -270,6 +270,29 @@ TEST(OneFastMover, IsPredictedAsByBruteForceWhereverItIs) {
   }
 }
 
+// So much faster than all others that a grid that suits them would hold everybody in a few cells:
+// they are compared with everybody instead, and with each other.
+TEST(SomeFastMovers, ArePredictedAsByBruteForce) {
+  test::SceneMaker make(81);
+  const std::size_t size = test::kSanitized ? 300 : 1500;
+  test::MoverScene scene{"", test::flying(make, size, {400, 400, 400}, 4.0), 8, 6, 5};
+  for (const std::size_t place : {std::size_t{0}, std::size_t{7}, size / 2, size - 1}) {
+    scene.movers[place].velocity = {3000.0, place == 7 ? -2000.0 : 1.0, 5.0};
+  }
+  scene.movers[8] = scene.movers[7];  // two of them fly together
+  scene.movers[8].position.z += 3.0;
+  const PredictOptions options = scene.options(Shape::kSphere, false);
+  const Conflicts expected = *brute_force::predict_conflicts(scene.movers, options);
+  EXPECT_GT(expected.size(), 20U);
+  EveryWay ways;
+  ways.for_each(scene, Shape::kSphere, options, [&](const Answer& found) {
+    ASSERT_TRUE(found.full.has_value());
+    expect_same(found.conflicts, expected);
+    ASSERT_TRUE(found.of_pairs.has_value());
+    test::expect_same(found.pairs, test::pairs_of(expected));
+  });
+}
+
 // Places along the way are rounded to a hundredth of a length of the lattice, on one axis.
 TEST(FineLattice, IsPredictedAsByBruteForceFarAwayOnAnyAxis) {
   for (const Point& far : {Point{1e9 + 0.375, 0, 0}, Point{0, -1e9, 0}, Point{0, 0, 1e9}}) {

@@ -68,6 +68,19 @@ TEST(SwarmEvents, OfAPassAreEnteredClosestPassedAndLeft) {
   }
 }
 
+// A velocity that comes out of two reports may be smaller than any that may be given.
+TEST(SwarmEvents, AreToldWhoeverHardlyMoves) {
+  SwarmOptions options = plain_options();
+  options.horizon_s = 10.0;
+  Swarm swarm(options);
+  hear(swarm, {77, 0.0, {6.123233995736766e-17, 900, 0}});
+  hear(swarm, {77, 1.0, {std::nextafter(6.123233995736766e-17, 1.0), 900, 0}});
+  const Events events = told_of_distances(swarm, {30, 10, 5, 10, 24, 30}, 0.5);
+  for (const EventKind kind : {EventKind::kEntered, EventKind::kClosestPassed, EventKind::kLeft}) {
+    EXPECT_EQ(count(events, kind), 1U) << static_cast<int>(kind);
+  }
+}
+
 TEST(SwarmEvents, AreToldAsSoonAsBothHaveBeenHeardOfAgain) {
   Swarm swarm(plain_options());
   EXPECT_TRUE(told_of_distances(swarm, {30, 25}).empty());

@@ -19,7 +19,7 @@ options_in_help() {
   "$command" "$@" --help | grep -E '^ +-' | grep -oE -- '--[a-z][a-z-]*' | sort -u
 }
 
-all=$(for subcommand in detect predict replay watch generate bench; do
+all=$(for subcommand in detect predict replay watch simulate verify generate bench; do
   options_in_help "$subcommand"
 done | sort -u)
 if [ "$(wc -l <<< "$all")" -lt 10 ]; then
@@ -46,7 +46,7 @@ offered_by_bash() {
     printf "%s\n" "${COMPREPLY[@]}" | sort
   ' - "${completions[0]}" "$1"
 }
-for subcommand in detect predict replay watch generate bench; do
+for subcommand in detect predict replay watch simulate verify generate bench; do
   difference=$(diff <(options_in_help "$subcommand") <(offered_by_bash "$subcommand")) ||
     { echo "bash is offered other options of $subcommand than its help lists: $difference"; wrong=1; }
 done
@@ -76,6 +76,7 @@ words_are_named() {
 words_are_named detect Reports 5
 words_are_named replay Reports 4
 words_are_named generate Scenes 8
+words_are_named simulate Scenarios 3
 
 # Events are no words of the command line: the manual names them.
 events=$(words_in_help watch Events)

@@ -74,7 +74,7 @@ if [ "$kind" = shared ]; then
     grep -v beespace || true)
   [ -z "$leaked" ] || fail "the shared library exports names that are not beespace's: $leaked"
   exported=$(nm -D --defined-only -C "$libraries/libbeespace.so")
-  internals=$(grep -E 'beespace::(core|cpu|search|motion|geodesy)::' <<< "$exported" || true)
+  internals=$(grep -E 'beespace::(core|cpu|search|motion|geodesy|avoidance|verify)::' <<< "$exported" || true)
   [ -z "$internals" ] || fail "the shared library exports internals: $internals"
   grep -q 'beespace::find_at_risk' <<< "$exported" || fail "find_at_risk is not exported"
 else

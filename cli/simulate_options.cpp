@@ -1,0 +1,129 @@
+#include "cli/option_checks.hpp"
+#include "cli/simulate_command.hpp"
+
+#include <beespace/version.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace beespace::cli {
+namespace {
+
+constexpr const char* kDescription =
+    "Fly a swarm that keeps its distance, step by step, and check what it flew";
+
+constexpr const char* kDetails =
+    "Everybody would like to fly straight to its goal, as fast as it can, and to stop there. In "
+    "every\n"
+    "step each is told a velocity with which nobody comes too close to anybody: the one that is "
+    "closest\n"
+    "to its wish. All that is flown is checked by the checker of 'beespace verify', which knows "
+    "nothing\n"
+    "of how velocities are found. Ends when all have arrived (within half of the threshold of "
+    "their\n"
+    "goals) and stand, or after --steps. The summary goes to standard error; the recording is "
+    "written\n"
+    "with --output only: a table of time_s, id, x, y, z, vx, vy, vz (with --acceleration none "
+    "without\n"
+    "velocities, as these jump), which 'beespace verify' and 'beespace replay' read.\n"
+    "\n"
+    "Scenarios:\n"
+    "  random-swap  a cube of bees who change places at random\n"
+    "  sphere-swap  everybody on a sphere, through its middle to the opposite point\n"
+    "  head-on      two who fly straight at each other\n"
+    "\n"
+    "Examples:\n"
+    "  beespace simulate random-swap --bees 1000 --output swap.csv\n"
+    "  beespace verify swap.csv --threshold 5 --max-speed 10 --max-acceleration 5\n"
+    "  beespace simulate random-swap --bees 1000 --method none\n"
+    "  beespace simulate sphere-swap --bees 200 --threshold 2 --speed 15 --acceleration none\n"
+    "  beespace simulate head-on --output - | beespace replay --threshold 5\n"
+    "  beespace simulate random-swap --json --quiet --fail-on-risk\n"
+    "\n"
+    "Exit status: 0 fine, 1 somebody came too close (with --fail-on-risk), 2 wrong usage, 4 "
+    "cannot\n"
+    "write, 130 interrupted, 143 terminated, 141 closed pipe.";
+
+void add_flight_options(CLI::App& simulate, SimulateOptions& options) {
+  simulate.add_option("--bees", options.bees, "How many (default: 1000; head-on is always of two)")
+      ->type_name("N")
+      ->group("Scenario");
+  simulate
+      .add_option("--spacing", options.spacing,
+                  "About how far apart they begin (default: three\ntimes the threshold; of head-on "
+                  "20 times)")
+      ->type_name("METRES")
+      ->group("Scenario");
+  simulate.add_option("--seed", options.seed, "Another number, another swarm (default: 1)")
+      ->type_name("N")
+      ->group("Scenario");
+  simulate.add_option("--speed", options.speed, "The greatest, in m/s (default: 10)")
+      ->type_name("SPEED")
+      ->group("Flight");
+  simulate
+      .add_option("--acceleration", options.acceleration,
+                  "The greatest, in m/s^2 (default: 5); none:\nvelocities change at once")
+      ->type_name("A|none")
+      ->group("Flight");
+  simulate.add_option("--step", options.step, "How long a step is (default: 0.1)")
+      ->type_name("SECONDS")
+      ->group("Flight");
+  simulate.add_option("--steps", options.steps, "The most steps to fly (default: 1000)")
+      ->type_name("N")
+      ->group("Flight");
+}
+
+void add_prevention_options(CLI::App& simulate, SimulateOptions& options) {
+  simulate
+      .add_option("--threshold", options.threshold, "Closer than this is too close (default: 5)")
+      ->type_name("METRES")
+      ->group("Separation");
+  CLI::Option* method =
+      simulate
+          .add_option("--method", options.method,
+                      "Who keeps them apart (default: certified); with\nnone everybody flies as it "
+                      "likes")
+          ->type_name("certified|none")
+          ->group("Separation");
+  allow_only(*method, {"certified", "none"});
+  simulate.add_option("--threads", options.threads, "How many threads work (default: 0, all)")
+      ->type_name("N")
+      ->group("Separation");
+}
+
+void add_output_options(CLI::App& simulate, SimulateOptions& options) {
+  simulate
+      .add_option(
+          "--output", options.output,
+          "Where the recording goes: .csv or .tsv, perhaps\nwith .gz; - for standard output")
+      ->type_name("FILE")
+      ->group("Output");
+  simulate.add_flag("--json", options.json, "The summary as JSON on standard output")
+      ->group("Output");
+  simulate
+      .add_flag("--fail-on-risk", options.fail_on_risk, "Exit with 1 when somebody came too close")
+      ->group("Output");
+  simulate.add_flag("--quiet", options.quiet, "No summary and no progress, only errors")
+      ->group("Output");
+}
+
+}  // namespace
+
+CLI::App* add_simulate_command(CLI::App& command, SimulateOptions& options) {
+  CLI::App* simulate = command.add_subcommand("simulate", kDescription);
+  simulate->footer(kDetails);
+  simulate->set_version_flag("--version", std::string(version()), "Print the version and exit");
+  CLI::Option* scenario =
+      simulate->add_option("SCENARIO", options.scenario, "What to fly, see below")
+          ->required()
+          ->type_name(" ");
+  allow_only(*scenario, {"random-swap", "sphere-swap", "head-on"});
+  add_flight_options(*simulate, options);
+  add_prevention_options(*simulate, options);
+  add_output_options(*simulate, options);
+  refuse_pointless_values(*simulate);
+  return simulate;
+}
+
+}  // namespace beespace::cli

@@ -1,0 +1,148 @@
+#include "cli/verify_command.hpp"
+
+#include "cli/failure.hpp"
+#include "cli/moving/common_times.hpp"
+#include "cli/moving/moving_output.hpp"
+#include "cli/moving/verify_findings.hpp"
+#include "cli/number_text.hpp"
+#include "cli/option_values.hpp"
+#include "cli/progress_bar.hpp"
+#include "cli/stopwatch.hpp"
+#include "cli/terminal.hpp"
+#include "io/atomic_output.hpp"
+
+#include <beespace/verify.hpp>
+
+#include <optional>
+#include <utility>
+
+namespace beespace::cli {
+namespace {
+
+constexpr const char* kName = "verify";
+
+struct VerifyRequest {
+  MovingRequest moving;
+  VerifyOptions check;  // the threshold is the default
+};
+
+Result<VerifyRequest> request_of(const VerifyCommandOptions& options) {
+  auto moving = moving_request(kName, options.moving);
+  if (!moving) return std::move(moving).error();
+  if (options.straight && !options.max_acceleration.empty()) {
+    return usage_error(kName,
+                       "--max-acceleration needs the velocities, and --straight ignores them; "
+                       "leave one out");
+  }
+  VerifyOptions check;
+  const auto speed = read_optional_amount(kName, "--max-speed", options.max_speed,
+                                          "metres per second", {0.0, true});
+  if (!speed) return speed.error();
+  check.max_speed_mps = speed->value_or(check.max_speed_mps);
+  const auto acceleration =
+      read_optional_amount(kName, "--max-acceleration", options.max_acceleration,
+                           "metres per second squared", {0.0, true});
+  if (!acceleration) return acceleration.error();
+  check.max_acceleration_mps2 = acceleration->value_or(check.max_acceleration_mps2);
+  check.straight = options.straight;
+  check.threads = moving->threads;
+  return VerifyRequest{*std::move(moving), check};
+}
+
+// How bees fly from fix to fix, in words; sets `check.straight` where there is no other way.
+Result<std::string> settle_motion(const io::Recording& recording, bool accelerations,
+                                  VerifyOptions& check) {
+  if (check.straight) return std::string("straight lines from fix to fix (--straight)");
+  const auto missing = missing_velocity(recording);
+  if (!missing) {
+    return std::string("curves from fix to fix, with the velocities at both: evenly accelerated");
+  }
+  const io::RecordedBee& bee = recording.bees[missing->bee];
+  if (accelerations) {
+    return Error{ErrorCode::kMissingColumn,
+                 "--max-acceleration needs velocities, and bee '" + bee.id + "' has none at " +
+                     exact(bee.fixes[missing->fix].time_s) +
+                     " s; give velocities (columns vx, vy, vz; or ve, vn, vu beside degrees), or "
+                     "leave the option out",
+                 {}};
+  }
+  check.straight = true;
+  std::size_t fixes = 0;
+  for (const io::RecordedBee& any : recording.bees) fixes += any.fixes.size();
+  if (missing->count == fixes) {
+    return std::string("straight lines from fix to fix: there are no velocities");
+  }
+  return "straight lines from fix to fix: " +
+         red(grouped(missing->count) + " of " + grouped(fixes) + " fixes have no velocity");
+}
+
+// The library counts movers; here they have names.
+Error of_bee(Error error, const io::Recording& recording) {
+  if (!error.place.record || *error.place.record >= recording.bees.size()) return error;
+  error.message.insert(0, "bee '" + recording.bees[*error.place.record].id + "': ");
+  error.place.record.reset();
+  return error;
+}
+
+Status check_all(const io::Recording& recording, const std::vector<double>& times_s,
+                 Verifier& verifier, ProgressBar& progress) {
+  progress.enter_stage("checking");
+  for (std::size_t fix = 0; fix < times_s.size(); ++fix) {
+    const auto movers = movers_at(recording, fix);
+    if (!movers) return movers.error();
+    const Status good = verifier.add(times_s[fix], *movers);
+    if (!good) return of_bee(good.error(), recording);
+    progress.set_share(static_cast<double>(fix + 1) / static_cast<double>(times_s.size()));
+  }
+  return std::monostate{};
+}
+
+Result<ExitCode> verify(const VerifyRequest& request) {
+  const MovingRequest& moving = request.moving;
+  auto output = io::AtomicOutput::open(moving.output);
+  if (!output) return std::move(output).error();
+  ProgressBar progress(!moving.quiet);
+  Stopwatch watch;
+  io::RecordingOptions load = moving.load;
+  load.progress = &progress.reading();
+  const auto recording = io::load_recording(moving.inputs, load);
+  if (!recording) return recording.error();
+  const auto times_s = common_times(*recording);
+  if (!times_s) return times_s.error();
+  VerifyOptions check = request.check;
+  const bool accelerations =
+      request.check.max_acceleration_mps2 < VerifyOptions{}.max_acceleration_mps2;
+  const auto motion = settle_motion(*recording, accelerations, check);
+  if (!motion) return motion.error();
+  check.threshold_m =
+      moving.threshold_m.value_or(recording->declared_threshold_m.value_or(check.threshold_m));
+  const double read_s = watch.lap();
+
+  Verifier verifier(check);
+  const Status checked = check_all(*recording, *times_s, verifier, progress);
+  if (!checked) return checked.error();
+  const Verdict& verdict = verifier.verdict();
+  const Verification verification{*recording, *times_s, check,      verdict,
+                                  *motion,    read_s,   watch.lap()};
+  const std::string head =
+      moving.form == MovingForm::kJson ? verify_json_head(verification, moving) : "";
+  write_answer(finding_rows(verification), moving, head, "findings", *output);
+  const Status written = output->commit();
+  if (!written && output->pipe_closed()) return ExitCode::kPipeClosed;
+  if (!written) return written.error();
+  progress.finish();
+  if (!moving.quiet) say(verify_summary(verification, moving));
+  return verdict.holds() ? ExitCode::kFine : ExitCode::kRiskFound;
+}
+
+}  // namespace
+
+ExitCode run_verify(const VerifyCommandOptions& options) {
+  const bool json = options.moving.json;
+  const auto request = request_of(options);
+  if (!request) return fail(request.error(), json);
+  const auto code = verify(*request);
+  return code ? *code : fail(code.error(), json);
+}
+
+}  // namespace beespace::cli

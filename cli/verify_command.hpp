@@ -1,0 +1,24 @@
+// `beespace verify`: its options, and what it does with them.
+#pragma once
+
+#include "cli/exit_code.hpp"
+#include "cli/moving/moving_options.hpp"
+
+#include <string>
+
+namespace beespace::cli {
+
+// As typed, before it is checked.
+struct VerifyCommandOptions {
+  MovingOptions moving;
+  std::string max_speed;
+  std::string max_acceleration;
+  bool straight = false;
+};
+
+// Adds the subcommand to the command; `options` must outlive the parsing.
+CLI::App* add_verify_command(CLI::App& command, VerifyCommandOptions& options);
+
+ExitCode run_verify(const VerifyCommandOptions& options);
+
+}  // namespace beespace::cli

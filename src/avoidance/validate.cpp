@@ -1,0 +1,83 @@
+#include "avoidance/validate.hpp"
+
+#include "core/validate.hpp"
+#include "motion/validate.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace beespace::avoidance {
+
+namespace {
+
+std::string shown(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.17g", value);
+  return text;
+}
+
+Error invalid(std::string message) {
+  return {ErrorCode::kInvalidArgument, std::move(message), {}};
+}
+
+std::optional<Error> check_options(const AdviseOptions& options) {
+  if (auto error = motion::check_separation(options.threshold_m, std::nullopt)) return error;
+  if (!(options.step_s > 0.0) || !motion::in_motion_domain(options.step_s)) {
+    return invalid("the step is " + shown(options.step_s) + " s; give a finite time above zero");
+  }
+  if (!(options.uncertainty_m >= 0.0) || !motion::in_motion_domain(options.uncertainty_m)) {
+    return invalid("the uncertainty is " + shown(options.uncertainty_m) +
+                   " m; give a finite distance, zero or more");
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> check_limits(const FlightLimits& limits) {
+  if (!(limits.max_speed_mps >= 0.0) || !motion::in_motion_domain(limits.max_speed_mps)) {
+    return invalid("the greatest speed is " + shown(limits.max_speed_mps) +
+                   " m/s; give a finite speed, zero or more");
+  }
+  const double acceleration = limits.max_acceleration_mps2;
+  const bool none = std::isinf(acceleration) && acceleration > 0.0;
+  if (!none && (!(acceleration > 0.0) || !motion::in_motion_domain(acceleration))) {
+    return invalid("the greatest acceleration is " + shown(acceleration) +
+                   " m/s^2; give one above zero, or infinity for none");
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Error> check(const MoversView& movers, std::span<const Velocity> preferred,
+                           std::span<const FlightLimits> limits, const AdviseOptions& options) {
+  if (auto error = check_options(options)) return error;
+  if (auto error = core::check_size(movers.size())) return error;
+  if (movers.has_heights()) {
+    return invalid("there are heights apart from the positions; give positions in space");
+  }
+  if (preferred.size() != movers.size()) {
+    return invalid(std::to_string(preferred.size()) + " preferred velocities for " +
+                   std::to_string(movers.size()) + " movers; give one for each");
+  }
+  if (limits.size() != 1 && limits.size() != movers.size()) {
+    return invalid(std::to_string(limits.size()) + " sets of limits for " +
+                   std::to_string(movers.size()) + " movers; give one for each, or one for all");
+  }
+  if (auto error = motion::check_movers(movers)) return error;
+  for (std::size_t i = 0; i < preferred.size(); ++i) {
+    auto error = motion::check_mover({{}, preferred[i]}, i);
+    if (!error) continue;
+    error->message = "preferred " + error->message;
+    return error;
+  }
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    auto error = check_limits(limits[i]);
+    if (!error) continue;
+    if (limits.size() > 1) error->place.record = i;
+    return error;
+  }
+  return std::nullopt;
+}
+
+}  // namespace beespace::avoidance

@@ -1,0 +1,44 @@
+// Where a few are much larger than all others: a grid that suits them would suit nobody else, so
+// they are better compared with everybody one by one. Which sizes could be drawn a line at?
+#pragma once
+
+#include "core/resources.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace beespace::motion {
+
+struct SizeLevel {
+  double size;
+  std::size_t beyond;  // how many are larger
+};
+
+// Measured, in nanoseconds: of comparing one that is beyond with one other, beside what a grid
+// costs.
+inline constexpr double kComparingBeyond = 3.0;
+
+// The largest size first, beyond which is nobody; where it is much larger than nearly all, some
+// smaller ones. `size_of` tells that of each of `count`. Cost: a look at a thousand, and a few
+// looks at all where there are such.
+template <class SizeOf>
+core::Vector<SizeLevel> size_levels(std::size_t count, double largest, core::Memory& memory,
+                                    const SizeOf& size_of) {
+  core::Vector<SizeLevel> levels({{largest, 0}}, &memory);
+  constexpr std::size_t kSome = 1024;
+  core::Vector<double> sample(&memory);
+  for (std::size_t i = 0; i < count; i += count / kSome + 1) sample.push_back(size_of(i));
+  if (sample.empty()) return levels;
+  const auto nearly_all = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() * 97 / 100);
+  std::nth_element(sample.begin(), nearly_all, sample.end());
+  constexpr double kSmallest = 0x1p-16;  // of the largest
+  for (double size = std::max(1.25 * *nearly_all, kSmallest * largest); size < 0.5 * largest;
+       size *= 2.0) {
+    std::size_t beyond = 0;
+    for (std::size_t i = 0; i < count; ++i) beyond += size_of(i) > size ? 1U : 0U;
+    levels.push_back({size, beyond});
+  }
+  return levels;
+}
+
+}  // namespace beespace::motion

@@ -1,0 +1,272 @@
+// What advice promises besides separation: kinds, limits, wishes, and the same answer again.
+#include "tests/avoidance/flock.hpp"
+#include "tests/support/rounds.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace beespace {
+namespace {
+
+using scenes::RandomStream;
+using test::Flock;
+
+std::vector<Velocity> random_wishes(const Flock& flock, double most, std::uint64_t seed) {
+  RandomStream random(seed);
+  std::vector<Velocity> wishes;
+  for (const FlightLimits& limits : flock.limits) {
+    wishes.push_back(test::random_velocity(random, most * limits.max_speed_mps));
+  }
+  return wishes;
+}
+
+Advised advised_of(const Flock& flock, const std::vector<Velocity>& wishes) {
+  auto advised = advise(flock.movers, wishes, flock.limits, flock.options);
+  EXPECT_TRUE(advised) << advised.error().message;
+  return *std::move(advised);
+}
+
+void expect_same(const Advised& a, const Advised& b) {
+  EXPECT_EQ(a.advice, b.advice);
+  EXPECT_EQ(a.too_close, b.too_close);
+}
+
+// So many that more than one thread is worth while, dense, some of them too close.
+Flock crowd(std::size_t size, std::uint64_t seed) {
+  RandomStream random(seed);
+  Flock flock;
+  const double side_m = 12.0 * std::cbrt(static_cast<double>(size));
+  for (std::size_t bee = 0; bee < size; ++bee) {
+    const auto at = [&] { return random.uniform(0.0, side_m); };
+    flock.movers.push_back({{at(), at(), at()}, test::random_velocity(random, 4.0)});
+    flock.limits.push_back({random.uniform(4.0, 10.0),
+                            random.index(4) == 0 ? test::kNoLimit : random.uniform(10.0, 40.0)});
+  }
+  return flock;
+}
+
+TEST(Advice, OfNobodyAndOfOne) {
+  const auto nobody = advise({}, {}, std::vector<FlightLimits>(1));
+  ASSERT_TRUE(nobody);
+  EXPECT_TRUE(nobody->advice.empty());
+  EXPECT_TRUE(nobody->too_close.empty());
+  EXPECT_TRUE(advise({}, {}, {}));  // limits of each: none
+  Flock flock;
+  flock.movers = {{{1, 2, 3}, {}}};
+  flock.limits = {{10.0, test::kNoLimit}};
+  const Advice as_wished{{4, 5, 6}, AdviceKind::kAsWished, true};
+  EXPECT_EQ(advised_of(flock, {{4, 5, 6}}).advice, (std::vector<Advice>{as_wished}));
+}
+
+// Of velocities that it can reach, the one that is nearest to its wish, shortened to its greatest
+// speed where it is above that.
+Velocity reachable(const Mover& mover, const Velocity& wish, const FlightLimits& limits,
+                   double step_s) {
+  const double speed = test::length_of(wish);
+  const Velocity slow =
+      speed > limits.max_speed_mps ? test::scaled(wish, limits.max_speed_mps / speed) : wish;
+  const Velocity& v = mover.velocity;
+  const double change = test::length_of_change(v, slow);
+  const double most = limits.max_acceleration_mps2 * step_s;
+  if (!(change > most)) return slow;
+  const double share = most / change;
+  return {v.x + (slow.x - v.x) * share, v.y + (slow.y - v.y) * share, v.z + (slow.z - v.z) * share};
+}
+
+TEST(Advice, WhoIsAloneGetsWhatIsNearestToItsWish) {
+  RandomStream random(1);
+  Flock flock;
+  for (int bee = 0; bee < test::rounds(2'000); ++bee) {
+    const double speed = random.uniform(0.1, 20.0);
+    flock.limits.push_back(
+        {speed, random.index(3) == 0 ? test::kNoLimit : test::log_uniform(random, 0.1, 1000.0)});
+    flock.movers.push_back(
+        {{1e4 * static_cast<double>(bee), 0.0, 0.0}, test::random_velocity(random, speed)});
+  }
+  for (const double most : {1.0, 10.0}) {
+    const std::vector<Velocity> wishes = random_wishes(flock, most, 2);
+    const Advised advised = advised_of(flock, wishes);
+    EXPECT_TRUE(test::all_certified(advised));
+    test::expect_within_limits(flock, advised.advice);
+    for (std::size_t bee = 0; bee < flock.size(); ++bee) {
+      const Velocity expected =
+          reachable(flock.movers[bee], wishes[bee], flock.limits[bee], flock.options.step_s);
+      const Advice& advice = advised.advice[bee];
+      ASSERT_EQ(advice.kind, AdviceKind::kAsWished);
+      ASSERT_LE(test::length_of_change(advice.velocity, expected),
+                1e-12 * flock.limits[bee].max_speed_mps);
+      if (most > 1.0 || !flock.at_once(bee)) continue;
+      ASSERT_EQ(advice.velocity, wishes[bee]);
+    }
+  }
+}
+
+// Those who get what they wish are those whose wish is in nobody's way; others are turned aside.
+TEST(Advice, TheKindSaysWhetherTheWishIsGranted) {
+  std::size_t wished = 0;
+  std::size_t deflected = 0;
+  for (std::uint64_t seed = 10; seed < 20; ++seed) {
+    const Flock flock = test::random_flock(20, seed);
+    const std::vector<Velocity> wishes = random_wishes(flock, 1.0, seed);
+    const Advised advised = advised_of(flock, wishes);
+    for (std::size_t bee = 0; bee < flock.size(); ++bee) {
+      const Velocity expected =
+          reachable(flock.movers[bee], wishes[bee], flock.limits[bee], flock.options.step_s);
+      const double off = test::length_of_change(advised.advice[bee].velocity, expected);
+      const bool is_granted = off <= 1e-12 * flock.limits[bee].max_speed_mps;
+      ASSERT_EQ(advised.advice[bee].kind == AdviceKind::kAsWished, is_granted) << "bee " << bee;
+      ++(is_granted ? wished : deflected);
+    }
+  }
+  EXPECT_GT(wished, 10U);
+  EXPECT_GT(deflected, 10U);
+}
+
+// Two face to face, on their marks: each may go half of what is between them beyond the threshold.
+TEST(Advice, TwoFaceToFaceShareWhatIsBetweenThem) {
+  Flock flock;
+  flock.options.threshold_m = 5.0;
+  flock.options.step_s = 1.0;
+  flock.limits.assign(2, {10.0, test::kNoLimit});
+  flock.movers = {{{0, 0, 0}, {}}, {{7, 0, 0}, {}}};
+  // Each wants less than its half: nobody is in the way.
+  Advised advised = advised_of(flock, {{0.99, 0, 0}, {-0.99, 0, 0}});
+  EXPECT_EQ(advised.advice[0], (Advice{{0.99, 0, 0}, AdviceKind::kAsWished, true}));
+  EXPECT_EQ(advised.advice[1], (Advice{{-0.99, 0, 0}, AdviceKind::kAsWished, true}));
+  // More: neither gets beyond it, and both go on.
+  advised = advised_of(flock, {{1.01, 0, 0}, {-1.6, 0, 0}});
+  for (const std::size_t bee : {std::size_t{0}, std::size_t{1}}) {
+    EXPECT_EQ(advised.advice[bee].kind, AdviceKind::kDeflected);
+    EXPECT_LE(std::abs(advised.advice[bee].velocity.x), 1.0);
+    EXPECT_GT(std::abs(advised.advice[bee].velocity.x), 0.99);
+  }
+  // Much more: who gets too little of it turns right, within its own half.
+  advised = advised_of(flock, {{10, 0, 0}, {-10, 0, 0}});
+  EXPECT_LE(advised.advice[0].velocity.x, 1.0);
+  EXPECT_LT(advised.advice[0].velocity.y, -1.0);
+  EXPECT_GE(advised.advice[1].velocity.x, -1.0);
+  EXPECT_GT(advised.advice[1].velocity.y, 1.0);
+  // Away from each other, as fast as they like.
+  advised = advised_of(flock, {{-10, 0, 0}, {10, 0, 0}});
+  EXPECT_EQ(advised.advice[0].kind, AdviceKind::kAsWished);
+  EXPECT_EQ(advised.advice[1].kind, AdviceKind::kAsWished);
+}
+
+TEST(Advice, IsTheSameWithEveryNumberOfThreads) {
+  Flock flock = crowd(17'000, 5);
+  const std::vector<Velocity> wishes = random_wishes(flock, 2.0, 6);
+  const Advised alone = advised_of(flock, wishes);
+  EXPECT_GT(alone.too_close.size(), 100U);
+  EXPECT_TRUE(std::is_sorted(alone.too_close.begin(), alone.too_close.end()));
+  test::expect_within_limits(flock, alone.advice);
+  Adviser adviser;
+  for (const unsigned threads : {2U, 5U, 1U, 3U, 0U}) {
+    SCOPED_TRACE(threads);
+    flock.options.threads = threads;
+    expect_same(advised_of(flock, wishes), alone);
+    Advised again;
+    ASSERT_TRUE(adviser.advise(flock.movers, wishes, flock.limits, flock.options, again));
+    expect_same(again, alone);
+  }
+}
+
+// Large and small flocks by turns, refusals in between, with one Adviser and one Advised.
+TEST(Advice, DependsNotOnEarlierCalls) {
+  Adviser adviser;
+  Advised advised;
+  for (std::uint64_t seed = 30; seed < 40; ++seed) {
+    Flock flock = seed % 3 == 0 ? crowd(test::kSanitized ? 200 : 2'500, seed)
+                                : test::random_flock(3 + seed % 7, seed);
+    flock.options.threads = 1 + static_cast<unsigned>(seed % 4);
+    const std::vector<Velocity> wishes = random_wishes(flock, 3.0, seed);
+    ASSERT_TRUE(adviser.advise(flock.movers, wishes, flock.limits, flock.options, advised));
+    expect_same(advised, advised_of(flock, wishes));
+    EXPECT_FALSE(adviser.advise(flock.movers, {}, flock.limits, flock.options, advised));
+    Adviser moved = std::move(adviser);
+    adviser = std::move(moved);
+  }
+  ASSERT_TRUE(adviser.advise({}, {}, {}, {}, advised));
+  expect_same(advised, {});
+}
+
+TEST(Advice, OneSetOfLimitsIsThatOfAll) {
+  Flock flock = crowd(300, 8);
+  flock.limits.assign(flock.size(), {6.0, 5.0});
+  const std::vector<Velocity> wishes = random_wishes(flock, 1.5, 9);
+  const Advised of_each = advised_of(flock, wishes);
+  flock.limits.resize(1);
+  expect_same(advised_of(flock, wishes), of_each);
+}
+
+// Other ids: those who get what they wish are the same, and so is, but for rounding, what the
+// others get. (Where ways are parallel, or several velocities are as good, the lower id decides;
+// nothing of that is in random flocks.)
+TEST(Advice, DependsOnIdsOnlyWhereNothingElseDecides) {
+  for (std::uint64_t seed = 50; seed < 62; ++seed) {
+    SCOPED_TRACE(seed);
+    const Flock flock = test::random_flock(20, seed);
+    const std::vector<Velocity> wishes = random_wishes(flock, 2.0, seed);
+    const Advised advised = advised_of(flock, wishes);
+    Flock backward = flock;
+    std::reverse(backward.movers.begin(), backward.movers.end());
+    std::reverse(backward.limits.begin(), backward.limits.end());
+    const std::vector<Velocity> backward_wishes(wishes.rbegin(), wishes.rend());
+    const Advised other = advised_of(backward, backward_wishes);
+    for (std::size_t bee = 0; bee < flock.size(); ++bee) {
+      const Advice& a = advised.advice[bee];
+      const Advice& b = other.advice[flock.size() - 1 - bee];
+      ASSERT_EQ(a.kind == AdviceKind::kAsWished, b.kind == AdviceKind::kAsWished);
+      ASSERT_EQ(a.certified, b.certified);
+      // A rounding decides whether the last tries get through: a thousandth of the change.
+      ASSERT_LE(test::length_of_change(a.velocity, b.velocity),
+                2e-3 * flock.limits[bee].max_speed_mps)
+          << "bee " << bee;
+    }
+  }
+}
+
+TEST(Advice, WhoIsTooFastSlowsDownAsHardAsItCan) {
+  Flock flock;
+  flock.movers = {{{0, 0, 0}, {12, 0, 0}}};
+  flock.limits = {{10.0, 5.0}};
+  const Advised advised = advised_of(flock, {{0, 12, 0}});
+  EXPECT_EQ(advised.advice[0].velocity, (Velocity{11.5, 0, 0}));
+  EXPECT_TRUE(advised.advice[0].certified);
+}
+
+// Who cannot fly stands; a wish for standing is granted among neighbours that leave it room.
+TEST(Advice, StandingIsAsWished) {
+  Flock flock;
+  flock.movers = {{{0, 0, 0}, {}}, {{5.1, 0, 0}, {}}, {{0, 5.1, 0}, {}}};
+  for (const double acceleration : {test::kNoLimit, 3.0}) {
+    for (const double speed : {0.0, 10.0}) {
+      flock.limits.assign(3, {speed, acceleration});
+      const Advised advised = advised_of(flock, std::vector<Velocity>(3));
+      const Advice standing{{}, AdviceKind::kAsWished, true};
+      EXPECT_EQ(advised.advice, (std::vector<Advice>(3, standing)));
+    }
+  }
+}
+
+// Where neighbours are is not copied to where bees are: views with any layout will do.
+TEST(Advice, OfSeparateArraysIsThatOfMovers) {
+  const Flock flock = crowd(200, 70);
+  std::vector<double> numbers[6];
+  for (const auto& [p, v] : flock.movers) {
+    std::size_t at = 0;
+    for (const double number : {p.x, p.y, p.z, v.x, v.y, v.z}) numbers[at++].push_back(number);
+  }
+  const MoversView view(PointsView::separate(numbers[0], numbers[1], numbers[2]),
+                        PointsView::separate(numbers[3], numbers[4], numbers[5]));
+  const std::vector<Velocity> wishes = random_wishes(flock, 2.0, 71);
+  const auto advised = advise(view, wishes, flock.limits, flock.options);
+  ASSERT_TRUE(advised);
+  expect_same(*advised, advised_of(flock, wishes));
+}
+
+}  // namespace
+}  // namespace beespace

@@ -1,0 +1,155 @@
+// What a Verifier refuses; and that it goes on from where it was.
+#include <beespace/verify.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace beespace {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<Mover> plain_movers() {
+  return {{{0, 0, 0}, {1, 0, 0}}, {{100, 0, 0}, {0, 1, 0}}, {{0, 200, 0}, {0, 0, 1}}};
+}
+
+void expect_refused(const Status& status, ErrorCode code,
+                    std::optional<std::uint64_t> record = std::nullopt) {
+  ASSERT_FALSE(status);
+  EXPECT_EQ(status.error().code, code) << status.error().message;
+  EXPECT_EQ(status.error().place.record, record) << status.error().message;
+  EXPECT_FALSE(status.error().message.empty());
+}
+
+TEST(VerifierRefusal, AThresholdThatMakesNoSense) {
+  for (const double bad : {0.0, -1.0, kNan, kInfinity, 0x1p-101, 0x1p+101}) {
+    SCOPED_TRACE(bad);
+    VerifyOptions options;
+    options.threshold_m = bad;
+    Verifier verifier(options);
+    expect_refused(verifier.add(0.0, plain_movers()), ErrorCode::kInvalidThreshold);
+    expect_refused(verifier.add(1.0, plain_movers()), ErrorCode::kInvalidThreshold);
+    expect_refused(Verifier(options).add(0.0, {}), ErrorCode::kInvalidThreshold);
+    EXPECT_EQ(verifier.verdict().steps, 0U);
+  }
+}
+
+TEST(VerifierRefusal, LimitsBelowZero) {
+  for (const double bad : {-1.0, -0x1p-1000, kNan, -kInfinity}) {
+    VerifyOptions options;
+    options.max_speed_mps = bad;
+    expect_refused(Verifier(options).add(0.0, plain_movers()), ErrorCode::kInvalidArgument);
+    options = {};
+    options.max_acceleration_mps2 = bad;
+    expect_refused(Verifier(options).add(0.0, plain_movers()), ErrorCode::kInvalidArgument);
+  }
+}
+
+TEST(VerifierRefusal, TimesThatDoNotGoOn) {
+  Verifier verifier({});
+  for (const double bad : {kNan, kInfinity, -kInfinity}) {
+    expect_refused(verifier.add(bad, plain_movers()), ErrorCode::kNotFinite);
+  }
+  ASSERT_TRUE(verifier.add(7.0, plain_movers()));
+  for (const double bad : {7.0, 6.999, -1.0}) {
+    expect_refused(verifier.add(bad, plain_movers()), ErrorCode::kTimeOrder);
+  }
+  for (const double bad : {kNan, kInfinity}) {
+    expect_refused(verifier.add(bad, plain_movers()), ErrorCode::kNotFinite);
+  }
+  EXPECT_TRUE(verifier.add(7.5, plain_movers()));
+  EXPECT_EQ(verifier.verdict().steps, 1U);
+}
+
+TEST(VerifierRefusal, AnotherNumberOfMovers) {
+  Verifier verifier({});
+  ASSERT_TRUE(verifier.add(0.0, plain_movers()));
+  std::vector<Mover> others = plain_movers();
+  others.pop_back();
+  expect_refused(verifier.add(1.0, others), ErrorCode::kInvalidArgument);
+  others.resize(4);
+  expect_refused(verifier.add(1.0, others), ErrorCode::kInvalidArgument);
+  expect_refused(verifier.add(1.0, {}), ErrorCode::kInvalidArgument);
+  EXPECT_TRUE(verifier.add(1.0, plain_movers()));
+}
+
+struct Field {
+  const char* name;
+  double& (*of)(Mover&);
+};
+const Field kFields[] = {{"position x", [](Mover& mover) -> double& { return mover.position.x; }},
+                         {"position y", [](Mover& mover) -> double& { return mover.position.y; }},
+                         {"position z", [](Mover& mover) -> double& { return mover.position.z; }},
+                         {"velocity x", [](Mover& mover) -> double& { return mover.velocity.x; }},
+                         {"velocity y", [](Mover& mover) -> double& { return mover.velocity.y; }},
+                         {"velocity z", [](Mover& mover) -> double& { return mover.velocity.z; }}};
+
+// At the beginning, and in the middle of a flight that goes on.
+void expect_refused_anywhere(const Field& field, double bad, ErrorCode code) {
+  for (const std::size_t record : {std::size_t{0}, std::size_t{2}}) {
+    SCOPED_TRACE(testing::Message() << field.name << " of " << record << " is " << bad);
+    std::vector<Mover> movers = plain_movers();
+    field.of(movers[record]) = bad;
+    Verifier verifier({});
+    expect_refused(verifier.add(0.0, movers), code, record);
+    ASSERT_TRUE(verifier.add(0.0, plain_movers()));
+    expect_refused(verifier.add(1.0, movers), code, record);
+    EXPECT_EQ(verifier.verdict().steps, 0U);
+    EXPECT_TRUE(verifier.verdict().holds());
+    EXPECT_TRUE(verifier.add(1.0, plain_movers()));
+    EXPECT_EQ(verifier.verdict().steps, 1U);
+  }
+}
+
+TEST(VerifierRefusal, NumbersThatAreNotFinite) {
+  for (const Field& field : kFields) {
+    for (const double bad : {kNan, kInfinity, -kInfinity}) {
+      expect_refused_anywhere(field, bad, ErrorCode::kNotFinite);
+    }
+  }
+}
+
+TEST(VerifierRefusal, NumbersOutsideTheDomain) {
+  for (const Field& field : kFields) {
+    for (const double bad : {0x1p+101, -0x1p+101, 0x1p-101}) {
+      expect_refused_anywhere(field, bad, ErrorCode::kOutsideDomain);
+    }
+  }
+}
+
+// Straight flights have no velocities that anybody looks at.
+TEST(VerifierRefusal, VelocitiesOfStraightFlightsAreNotLookedAt) {
+  VerifyOptions options;
+  options.straight = true;
+  Verifier verifier(options);
+  std::vector<Mover> movers = plain_movers();
+  movers[1].velocity = {kNan, 0, 0};
+  EXPECT_TRUE(verifier.add(0.0, movers));
+  EXPECT_TRUE(verifier.add(1.0, movers));
+}
+
+// What is given lies in the domain; that what is computed from it does not, is nobody's fault.
+TEST(VerifierRefusal, ALittleMoveInALongTimeIsNone) {
+  Verifier verifier({});
+  ASSERT_TRUE(verifier.add(0.0, std::vector<Mover>{{{0, 0, 0}, {}}}));
+  const Status slow = verifier.add(1e6, std::vector<Mover>{{{1e-29, 0, 0}, {}}});
+  EXPECT_TRUE(slow) << slow.error().message;
+}
+
+TEST(VerifierRefusal, AVerifierCanBeMoved) {
+  Verifier verifier({});
+  ASSERT_TRUE(verifier.add(0.0, plain_movers()));
+  Verifier other = std::move(verifier);
+  ASSERT_TRUE(other.add(1.0, plain_movers()));
+  EXPECT_EQ(other.verdict().steps, 1U);
+}
+
+}  // namespace
+}  // namespace beespace
