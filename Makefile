@@ -5,7 +5,7 @@
 PREFIX ?= /usr/local
 
 help: ## this list
-	@echo "make demo     build beespace, and check a swarm of 1,000 and one of 1,000,000 bees"
+	@echo "make demo     build beespace, check swarms of 1,000 and 1,000,000 bees, and fly one"
 	@echo "make test     build everything and run all tests"
 	@echo "make bench    build and run the benchmarks"
 	@echo "make bench-prevention  fly whole missions with and without advice (about 20 minutes)"

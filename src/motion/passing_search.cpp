@@ -25,7 +25,7 @@ class SortedBalls {
               const search::Frame& frame, const core::SortedGrid& grid, const core::Resources& with)
       : balls_(with.memory, grid.size), reach_(with.memory, grid.size + core::kPadding) {
     std::fill_n(reach_.data() + grid.size, core::kPadding, 0.0F);
-    const auto [x, y, z] = frame.order();
+    const std::array<std::size_t, 3> order = frame.order();
     const double units_per_m = grid.units_per_m;
     const double units_per_mps = units_per_m * step.half_s;
     const auto half_clearance = static_cast<float>(
@@ -40,9 +40,9 @@ class SortedBalls {
                               grid.y[i],
                               grid.z[i],
                               ids == nullptr ? grid.id[i] : ids[grid.id[i]],
-                              static_cast<float>(velocity[x] * units_per_mps),
-                              static_cast<float>(velocity[y] * units_per_mps),
-                              static_cast<float>(velocity[z] * units_per_mps),
+                              static_cast<float>(velocity[order[0]] * units_per_mps),
+                              static_cast<float>(velocity[order[1]] * units_per_mps),
+                              static_cast<float>(velocity[order[2]] * units_per_mps),
                               static_cast<float>(move.radius_m * units_per_m)};
         balls_[i] = ball;
         reach_[i] = (length_of_move(ball) + ball.radius + half_clearance) * kUpward;
