@@ -160,8 +160,8 @@ TEST_P(AnyWish, LosesNoSeparationAndBreaksNoLimit) {
     closest = std::min(closest, fly(flock, GetParam(), 300, seed));
     if (HasFailure()) return;
   }
-  // They were in each other's way.
-  if (std::string(GetParam().name) != "Zero") {
+  // They were in each other's way; in so few starts as sanitizers have time for, not always.
+  if (!test::kSanitized && std::string(GetParam().name) != "Zero") {
     EXPECT_LT(closest, 1.01);
   }
 }
