@@ -216,7 +216,8 @@ double PredictionSteps::cheapest_step(double begin, double left) {
   double best = left;
   double best_cost = std::numeric_limits<double>::infinity();
   for (const SizeLevel& speed : speeds_) {
-    for (double step = left; step > 0.0; step *= 0.7) {
+    double step = left;
+    while (step > 0.0) {
       const double reach = clearance_m + speed.size * step;
       // Rows around, as far as the reach: as large as a cube of 2.6 times that.
       const double cost = (kSorting + 0.5 * kComparing * sample.mates(2.6 * reach) +
@@ -227,6 +228,7 @@ double PredictionSteps::cheapest_step(double begin, double left) {
         best_cost = cost;
       }
       if (speed.size * step < 0.25 * clearance_m) break;
+      step *= 0.7;
     }
   }
   return left / std::ceil(left / best * 0.999'999);  // steps of one length end at the horizon

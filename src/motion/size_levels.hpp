@@ -32,11 +32,12 @@ core::Vector<SizeLevel> size_levels(std::size_t count, double largest, core::Mem
   const auto nearly_all = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() * 97 / 100);
   std::nth_element(sample.begin(), nearly_all, sample.end());
   constexpr double kSmallest = 0x1p-16;  // of the largest
-  for (double size = std::max(1.25 * *nearly_all, kSmallest * largest); size < 0.5 * largest;
-       size *= 2.0) {
+  double size = std::max(1.25 * *nearly_all, kSmallest * largest);
+  while (size < 0.5 * largest) {
     std::size_t beyond = 0;
     for (std::size_t i = 0; i < count; ++i) beyond += size_of(i) > size ? 1U : 0U;
     levels.push_back({size, beyond});
+    size *= 2.0;
   }
   return levels;
 }
