@@ -77,7 +77,7 @@ TEST(PredictionEngine, ServesFramesOfAnySizeInTurn) {
       ASSERT_TRUE(engine.find_pairs(view.positions(), {20.0}, asked.pairs));
     }
   }
-  EXPECT_GT(found, most / 10);
+  EXPECT_GT(found, test::kSanitized ? 20U : most / 10);
 }
 
 // After an error the engine answers on.

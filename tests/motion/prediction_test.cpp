@@ -283,7 +283,7 @@ TEST(SomeFastMovers, ArePredictedAsByBruteForce) {
   scene.movers[8].position.z += 3.0;
   const PredictOptions options = scene.options(Shape::kSphere, false);
   const Conflicts expected = *brute_force::predict_conflicts(scene.movers, options);
-  EXPECT_GT(expected.size(), 20U);
+  EXPECT_GT(expected.size(), test::kSanitized ? 3U : 20U);
   EveryWay ways;
   ways.for_each(scene, Shape::kSphere, options, [&](const Answer& found) {
     ASSERT_TRUE(found.full.has_value());
@@ -304,7 +304,7 @@ TEST(FineLattice, IsPredictedAsByBruteForceFarAwayOnAnyAxis) {
     for (const bool inclusive : {false, true}) {
       const PredictOptions options = scene.options(Shape::kSphere, inclusive);
       const Conflicts expected = *brute_force::predict_conflicts(scene.movers, options);
-      EXPECT_GT(expected.size(), size);
+      EXPECT_GT(expected.size(), test::kSanitized ? size / 2 : size);
       ways.for_each(scene, Shape::kSphere, options, [&](const Answer& found) {
         ASSERT_TRUE(found.full.has_value());
         expect_same(found.conflicts, expected);
