@@ -8,7 +8,7 @@ help: ## this list
 	@echo "make demo     build beespace, check swarms of 1,000 and 1,000,000 bees, and fly one"
 	@echo "make test     build everything and run all tests"
 	@echo "make bench    build and run the benchmarks"
-	@echo "make bench-prevention  fly whole missions with and without advice (about 20 minutes)"
+	@echo "make bench-prevention  fly whole missions with and without advice (takes long)"
 	@echo "make compare  compare with other libraries and the paper's methods (about 25 minutes)"
 	@echo "make format   format the sources with clang-format 14"
 	@echo "make lint     format, include and header checks, clang-tidy"

@@ -24,7 +24,7 @@ enum class Method : std::uint8_t {
 struct LoopOptions {
   Method method = Method::kCertified;
   FlightLimits limits;     // of everybody
-  AdviseOptions advice;    // the threshold and the step count for all methods
+  AdviseOptions advice;    // its threshold and step are those of every method
   double arrived_m = 1.0;  // who is so near to its goal has arrived
 };
 

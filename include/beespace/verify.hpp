@@ -24,11 +24,13 @@
 namespace beespace {
 
 struct VerifyOptions {
-  // Metres: who comes closer than this to another one has lost separation.
+  // Metres: who comes closer than this to another one has lost separation. What rounding cannot
+  // exclude counts as lost, so two who are exactly the threshold apart may.
   double threshold_m = 5.0;
 
   // What everybody can do; infinite: not checked. Speeds and accelerations are those of the curves,
-  // and may be above these by a billionth, for rounding.
+  // and may be above these by a billionth, and by what the rounding of the given positions and
+  // times makes of them: little, unless coordinates are large or times count from 1970.
   double max_speed_mps = std::numeric_limits<double>::infinity();
   double max_acceleration_mps2 = std::numeric_limits<double>::infinity();
 

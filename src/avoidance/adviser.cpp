@@ -76,6 +76,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
   void take(const MoversView& movers, std::span<const FlightLimits> limits,
             const AdviseOptions& options) {
     flyers_.clear();
+    stops_.clear();
     farthest_reach_m_ = 0.0;
     double farthest_m = 0.0;
     for (std::size_t i = 0; i < movers.size(); ++i) {
@@ -85,7 +86,8 @@ class __attribute__((visibility("hidden"))) Adviser::State {
                                                       avoidance::vector_of(v),
                                                       {limit, options.step_s},
                                                       limit.max_speed_mps});
-      farthest_reach_m_ = std::max(farthest_reach_m_, flyer.reach());
+      const Stop& stop = stops_.emplace_back(Stop{flyer.way_to_stop(), flyer.reach()});
+      farthest_reach_m_ = std::max(farthest_reach_m_, stop.reach_m);
       farthest_m = std::max({farthest_m, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
     }
     const double apart_m = options.threshold_m + 2.0 * options.uncertainty_m;
@@ -98,6 +100,12 @@ class __attribute__((visibility("hidden"))) Adviser::State {
   [[nodiscard]] double farthest_apart() const {
     return (kept_m_ + 2.0 * farthest_reach_m_) * (1.0 + 0x1p-40);
   }
+
+  // The way of a bee to its stop as it flies now, and how far it may get in a step and its stop.
+  struct Stop {
+    Segment way;
+    double reach_m;
+  };
 
   // What one worker works with.
   struct Desk {
@@ -115,16 +123,15 @@ class __attribute__((visibility("hidden"))) Adviser::State {
 
   [[nodiscard]] Advice advise_one(PointId bee, Desk& desk) const {
     const Flyer& flyer = flyers_[bee];
-    const Segment way = flyer.way_to_stop();
+    const auto& [way, reach_m] = stops_[bee];
     desk.keep_to.clear();
     Vector3 pressed;
     bool certified = true;
     for (const PointId other : near_[bee]) {
-      const Flyer& neighbor = flyers_[other];
-      const double meet_m = (kept_m_ + flyer.reach() + neighbor.reach()) * (1.0 + 0x1p-40);
-      const Vector3 between = flyer.position - neighbor.position;
+      const auto& [other_way, other_reach_m] = stops_[other];
+      const double meet_m = (kept_m_ + reach_m + other_reach_m) * (1.0 + 0x1p-40);
+      const Vector3 between = way.from - other_way.from;
       if (dot(between, between) > meet_m * meet_m) continue;
-      const Segment other_way = neighbor.way_to_stop();
       const bool is_first = bee < other;
       const Parting parting =
           is_first ? part(way, other_way, kept_m_) : part(other_way, way, kept_m_);
@@ -164,6 +171,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
   IdRows near_;
   std::span<const Velocity> wishes_;  // of this call
   std::vector<Flyer> flyers_;
+  std::vector<Stop> stops_;  // of each
   double farthest_reach_m_ = 0.0;
   double kept_m_ = 0.0;       // how far apart everybody stays
   double certified_m_ = 0.0;  // who is closer than this has lost what rounding was allowed

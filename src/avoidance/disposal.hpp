@@ -36,11 +36,11 @@ struct Flyer {
 
 class Disposal {
  public:
-  // Half-spaces of one bee, in which its way to a stop lies.
   struct Disposed {
     Vector3 velocity;
     AdviceKind kind;
   };
+  // `keep_to` are the half-spaces of the bee, in which its way to a stop lies.
   Disposed dispose(const Flyer& flyer, const Vector3& wish, std::span<const HalfSpace> keep_to);
 
  private:

@@ -4,18 +4,14 @@
 #include "motion/validate.hpp"
 
 #include <cmath>
-#include <cstdio>
 #include <string>
+#include <utility>
 
 namespace beespace::avoidance {
 
 namespace {
 
-std::string shown(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.17g", value);
-  return text;
-}
+using core::shown;
 
 Error invalid(std::string message) {
   return {ErrorCode::kInvalidArgument, std::move(message), {}};

@@ -5,15 +5,11 @@
 
 namespace beespace::core {
 
-namespace {
-
 std::string shown(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.17g", value);
   return text;
 }
-
-}  // namespace
 
 std::optional<Error> check_options(const SearchOptions& options) {
   const double threshold = options.threshold_m;

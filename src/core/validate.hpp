@@ -6,8 +6,12 @@
 #include <beespace/search_options.hpp>
 
 #include <optional>
+#include <string>
 
 namespace beespace::core {
+
+// A number as messages show it: with all its digits.
+std::string shown(double value);
 
 std::optional<Error> check_options(const SearchOptions& options);
 // The vertical threshold and heights of a search of one swarm; and that there are none.

@@ -1,18 +1,14 @@
 #include "motion/passing_search.hpp"
 
-#include "core/density.hpp"
 #include "cpu/row_sweeps.hpp"
+#include "motion/beyond_grid.hpp"
 #include "motion/pass_check.hpp"
-#include "motion/size_levels.hpp"
 #include "search/frame.hpp"
 #include "search/question_grids.hpp"
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
-#include <span>
-#include <utility>
 
 namespace beespace::motion {
 
@@ -66,20 +62,6 @@ class SortedBalls {
   core::Buffer<float> reach_;
 };
 
-// How many all workers have found.
-class Total {
- public:
-  explicit Total(std::uint64_t most) : most_(most) {}
-  // Whether to go on.
-  bool add(std::uint64_t found) {
-    return found_.fetch_add(found, std::memory_order_relaxed) + found <= most_;
-  }
-
- private:
-  std::uint64_t most_;
-  std::atomic<std::uint64_t> found_ = 0;
-};
-
 // What one worker finds. The kernel writes down sorted places; whenever it has written some, they
 // are looked at, and the ids of those who pass take their place.
 class Passes {
@@ -99,8 +81,8 @@ class Passes {
   }
 
  private:
-  static constexpr std::uint32_t kLookAt =
-      1024;  // at a time: so few are still in the nearest cache
+  // At a time: so few are still in the nearest cache.
+  static constexpr std::uint32_t kLookAt = 1024;
   static constexpr std::uint32_t kAhead = 16;
 
   void open() {
@@ -173,68 +155,6 @@ class Passes {
   cpu::PairSink sink_{};
 };
 
-// How far a ball gets from the middle of its step.
-double reach_of(const Move& move, double half_s) {
-  const double x = move.x;
-  const double y = move.y;
-  const double z = move.z;
-  return (std::sqrt(x * x + y * y + z * z) * half_s + double{move.radius_m}) * (1.0 + 0x1p-40);
-}
-
-// The reach up to which balls come into the grid: all, unless that costs more than to compare a few
-// with everybody.
-double reach_in_grid(const MovingBalls& balls, const Step& step, const core::Resources& with) {
-  const auto levels =
-      size_levels(balls.moves.size(), balls.reach_m, with.memory,
-                  [&](std::size_t i) { return reach_of(balls.moves[i], step.half_s); });
-  if (levels.size() == 1) return balls.reach_m;
-  const core::DensitySample sample(balls.middles, with.memory);
-  const auto cost = [&](const SizeLevel& level) {
-    // Rows around, as far as the reach; see PredictionSteps.
-    constexpr double kComparing = 0.25;
-    return 0.5 * kComparing * sample.mates(2.6 * (step.clearance_m + 2.0 * level.size)) +
-           kComparingBeyond * static_cast<double>(level.beyond);
-  };
-  return std::min_element(levels.begin(), levels.end(),
-                          [&](const SizeLevel& a, const SizeLevel& b) { return cost(a) < cost(b); })
-      ->size;
-}
-
-// Those who reach beyond the grid, and those in it by themselves.
-class Divided {
- public:
-  Divided(const MovingBalls& balls, const Step& step, double reach_m, const core::Resources& with)
-      : in_grid_(&with.memory),
-        beyond_(&with.memory),
-        middles_(&with.memory),
-        moves_(&with.memory) {
-    for (std::size_t i = 0; i < balls.moves.size(); ++i) {
-      const auto id = static_cast<PointId>(i);
-      if (reach_of(balls.moves[i], step.half_s) > reach_m) {
-        beyond_.push_back(id);
-        continue;
-      }
-      in_grid_.push_back(id);
-      middles_.push_back(balls.middles[i]);
-      moves_.push_back(balls.moves[i]);
-    }
-    const PointsView middles = std::span<const Point>(middles_);
-    grid_ = {middles, *core::measure(middles, with), moves_, reach_m};
-  }
-
-  [[nodiscard]] const MovingBalls& grid() const { return grid_; }
-  // Who they are among all.
-  [[nodiscard]] const PointId* in_grid() const { return in_grid_.data(); }
-  [[nodiscard]] std::span<const PointId> beyond() const { return beyond_; }
-
- private:
-  core::Vector<PointId> in_grid_;
-  core::Vector<PointId> beyond_;
-  core::Vector<Point> middles_;
-  core::Vector<Move> moves_;
-  MovingBalls grid_{};
-};
-
 // Pairs of balls in a grid; `ids` says who they are, or is null where they are numbered as such.
 void search_grid(const MovingBalls& balls, const PointId* ids, const Step& step,
                  const core::Resources& with, const search::Choices& choices,
@@ -262,64 +182,6 @@ void search_grid(const MovingBalls& balls, const PointId* ids, const Step& step,
   });
 }
 
-// Pairs of which one is beyond the grid.
-class SearchBeyond {
- public:
-  SearchBeyond(const MovingBalls& balls, const Step& step, std::span<const PointId> beyond,
-               const DecidePass& decide, Total& total)
-      : balls_(balls), step_(step), beyond_(beyond), decide_(decide), total_(total) {}
-
-  // Of these with those beyond.
-  void operator()(std::size_t begin, std::size_t end, core::FoundPairs& found) const {
-    core::FoundPairs::Chunk* chunk = nullptr;
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto id = static_cast<PointId>(i);
-      const bool is_beyond = std::binary_search(beyond_.begin(), beyond_.end(), id);
-      for (const PointId far : beyond_) {
-        if (is_beyond && far <= id) continue;  // once a pair
-        if (!may_pass(id, far) || (decide_ && !decide_(id, far))) continue;
-        if (chunk == nullptr || chunk->size == core::FoundPairs::kChunk) {
-          if (chunk != nullptr && !total_.add(chunk->size)) return;
-          chunk = &found.open_chunk();
-        }
-        chunk->first[chunk->size] = id;
-        chunk->second[chunk->size] = far;
-        ++chunk->size;
-      }
-    }
-  }
-
- private:
-  [[nodiscard]] bool may_pass(PointId i, PointId j) const {
-    const Point p = balls_.middles[i];
-    const Point q = balls_.middles[j];
-    const Move& a = balls_.moves[i];
-    const Move& b = balls_.moves[j];
-    const std::array<double, 3> r{q.x - p.x, q.y - p.y, q.z - p.z};
-    const std::array<double, 3> w{(double{b.x} - a.x) * step_.half_s,
-                                  (double{b.y} - a.y) * step_.half_s,
-                                  (double{b.z} - a.z) * step_.half_s};
-    const double speed_squared = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
-    const double approach = r[0] * w[0] + r[1] * w[1] + r[2] * w[2];
-    const double t = speed_squared > 0.0 ? std::clamp(-approach / speed_squared, -1.0, 1.0) : 0.0;
-    double squared = 0.0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double at = r[axis] + w[axis] * t;
-      squared += at * at;
-    }
-    // Velocities are rounded to floats.
-    const double blur_m = 0x1p-20 * std::sqrt(speed_squared);
-    const double clearance_m = step_.clearance_m + a.radius_m + b.radius_m + blur_m;
-    return !(squared > clearance_m * clearance_m * (1.0 + 0x1p-40));
-  }
-
-  const MovingBalls& balls_;
-  const Step& step_;
-  std::span<const PointId> beyond_;  // ascending
-  const DecidePass& decide_;
-  Total& total_;
-};
-
 }  // namespace
 
 core::Vector<core::FoundPairs> find_passing(const MovingBalls& balls, const Step& step,
@@ -339,10 +201,7 @@ core::Vector<core::FoundPairs> find_passing(const MovingBalls& balls, const Step
   }
   const Divided divided(balls, step, reach_m, with);
   search_grid(divided.grid(), divided.in_grid(), step, with, choices, decide, total, found);
-  const SearchBeyond search(balls, step, divided.beyond(), decide, total);
-  with.crew.split(balls.moves.size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
-    search(begin, end, found[worker]);
-  });
+  search_beyond(balls, step, divided.beyond(), with, decide, total, found);
   return found;
 }
 

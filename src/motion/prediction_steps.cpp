@@ -210,19 +210,14 @@ double PredictionSteps::cheapest_step(double begin, double left) {
   const PointsView places = begin == 0.0 ? movers_.positions() : middles();
   const core::DensitySample sample(places, with_.memory);
   const double clearance_m = separation_.reach_m();
-  // Measured, in nanoseconds: of sorting a bee, and of comparing it with one other.
-  constexpr double kSorting = 80.0;
-  constexpr double kComparing = 0.25;
+  constexpr double kSorting = 80.0;  // nanoseconds a bee, measured
   double best = left;
   double best_cost = std::numeric_limits<double>::infinity();
   for (const SizeLevel& speed : speeds_) {
     double step = left;
     while (step > 0.0) {
       const double reach = clearance_m + speed.size * step;
-      // Rows around, as far as the reach: as large as a cube of 2.6 times that.
-      const double cost = (kSorting + 0.5 * kComparing * sample.mates(2.6 * reach) +
-                           kComparingBeyond * static_cast<double>(speed.beyond)) /
-                          step;
+      const double cost = (kSorting + comparing_cost(sample, reach, speed.beyond)) / step;
       if (cost < best_cost) {
         best = step;
         best_cost = cost;

@@ -2,6 +2,7 @@
 // they are better compared with everybody one by one. Which sizes could be drawn a line at?
 #pragma once
 
+#include "core/density.hpp"
 #include "core/resources.hpp"
 
 #include <algorithm>
@@ -14,9 +15,16 @@ struct SizeLevel {
   std::size_t beyond;  // how many are larger
 };
 
-// Measured, in nanoseconds: of comparing one that is beyond with one other, beside what a grid
-// costs.
-inline constexpr double kComparingBeyond = 3.0;
+// What one ball costs, in nanoseconds, of those that are met within the reach in a grid, and those
+// beyond it. Measured.
+inline double comparing_cost(const core::DensitySample& sample, double reach_m,
+                             std::size_t beyond) {
+  constexpr double kComparing = 0.25;
+  constexpr double kComparingBeyond = 3.0;
+  // Rows around, as far as the reach: as large as a cube of 2.6 times that. Each pair once.
+  return 0.5 * kComparing * sample.mates(2.6 * reach_m) +
+         kComparingBeyond * static_cast<double>(beyond);
+}
 
 // The largest size first, beyond which is nobody; where it is much larger than nearly all, some
 // smaller ones. `size_of` tells that of each of `count`. Cost: a look at a thousand, and a few

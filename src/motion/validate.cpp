@@ -1,20 +1,17 @@
 #include "motion/validate.hpp"
 
+#include "core/validate.hpp"
+
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 namespace beespace::motion {
 
 namespace {
 
-constexpr const char* kDomain = "0, or 7.9e-31 to 1.3e+30 in magnitude";
+using core::shown;
 
-std::string shown(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.17g", value);
-  return text;
-}
+constexpr const char* kDomain = "0, or 7.9e-31 to 1.3e+30 in magnitude";
 
 Error error_of(double value, const std::string& name, const std::string& unit, std::size_t record) {
   Place place;

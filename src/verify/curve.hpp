@@ -115,6 +115,8 @@ inline double farthest_from_origin(const std::array<Point, 3>& curve) {
   constexpr double kTolerance = 1e-9;
   constexpr std::size_t kDeepest = 60;
   double reached = std::max(length(curve[0]), length(curve[2]));
+  // Evenly accelerated motion is fastest at an end.
+  if (length(curve[1]) <= reached) return reached;
   double beyond = reached;
   std::vector<std::array<Point, 3>> open{curve};
   while (!open.empty()) {

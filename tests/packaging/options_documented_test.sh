@@ -51,10 +51,11 @@ for subcommand in detect predict replay watch simulate verify generate bench; do
     { echo "bash is offered other options of $subcommand than its help lists: $difference"; wrong=1; }
 done
 
-# The words that a help text lists under a heading, each at the beginning of a line.
+# The words that a help text lists under a heading, each at the beginning of a line. (Read to the
+# end: the command says so when nobody listens any more.)
 words_in_help() {
   "$command" "$1" --help | awk -v heading="^$2" '$0 ~ heading {inside = 1; next}
-    inside && NF == 0 {exit} inside && /^  [a-z]/ {print $1}'
+    NF == 0 {inside = 0} inside && /^  [a-z]/ {print $1}'
 }
 
 # words_are_named SUBCOMMAND HEADING AT_LEAST: every such word, in the manual and the completions.
