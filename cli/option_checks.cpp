@@ -18,10 +18,17 @@ std::string listed(const std::vector<std::string>& words) {
 }  // namespace
 
 void allow_only(CLI::Option& option, const std::vector<std::string>& words) {
-  const auto problem = [words](const std::string& given) -> std::string {
-    if (std::find(words.begin(), words.end(), given) != words.end()) return {};
+  allow_only_or(
+      option, words, [](const std::string&) { return false; }, "");
+}
+
+void allow_only_or(CLI::Option& option, const std::vector<std::string>& words,
+                   const std::function<bool(const std::string&)>& otherwise,
+                   const std::string& hint) {
+  const auto problem = [words, otherwise, hint](const std::string& given) -> std::string {
+    if (otherwise(given) || std::find(words.begin(), words.end(), given) != words.end()) return {};
     const auto meant = most_similar(given, words);
-    return "'" + given + "' is none of " + listed(words) +
+    return "'" + given + "' is none of " + listed(words) + hint +
            (meant ? "; did you mean '" + *meant + "'?" : std::string());
   };
   option.check(problem);

@@ -17,13 +17,15 @@ struct SimulateOptions {
   std::string bees;
   std::string spacing;
   std::string threshold = "5";
-  std::string speed = "10";
-  std::string acceleration = "5";
+  std::string speed;
+  std::string acceleration;
   std::string step = "0.1";
   std::string steps = "1000";
   std::string seed;
   std::string threads = "0";
   std::string method = "certified";
+  std::string obstacles;
+  std::string clearance;
   std::string output;  // empty: the recording is not written
   bool json = false;
   bool fail_on_risk = false;

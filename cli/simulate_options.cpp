@@ -1,5 +1,6 @@
 #include "cli/option_checks.hpp"
 #include "cli/simulate_command.hpp"
+#include "cli/simulate_scenarios.hpp"
 
 #include <beespace/version.hpp>
 
@@ -16,34 +17,52 @@ constexpr const char* kDescription =
 constexpr const char* kDetails =
     "Everybody would like to fly straight to its goal, as fast as it can, and to stop there. In "
     "every\n"
-    "step each is told a velocity with which nobody comes too close to anybody: the one that is "
-    "closest\n"
-    "to its wish. All that is flown is checked by the checker of 'beespace verify', which knows "
-    "nothing\n"
-    "of how velocities are found. Ends when all have arrived (within half of the threshold of "
-    "their\n"
-    "goals) and stand, or after --steps. The summary goes to standard error; the recording is "
-    "written\n"
-    "with --output only: a table of time_s, id, x, y, z, vx, vy, vz (with --acceleration none "
-    "without\n"
-    "velocities, as these jump), which 'beespace verify' and 'beespace replay' read.\n"
+    "step each is told a velocity with which nobody comes too close to anybody, nor to an "
+    "obstacle: the\n"
+    "one that is closest to its wish. All that is flown is checked by the checker of 'beespace "
+    "verify',\n"
+    "which knows nothing of how velocities are found; how near to obstacles bees are is looked at "
+    "after\n"
+    "each step. Ends when all have arrived (within half of the threshold of their goals) and "
+    "stand, or\n"
+    "after --steps. The summary goes to standard error; the recording is written with --output "
+    "only: a\n"
+    "table of time_s, id, x, y, z, vx, vy, vz (with --acceleration none without velocities, as "
+    "these\n"
+    "jump), which 'beespace verify' and 'beespace replay' read.\n"
     "\n"
     "Scenarios:\n"
-    "  random-swap  a cube of bees who change places at random\n"
-    "  sphere-swap  everybody on a sphere, through its middle to the opposite point\n"
-    "  head-on      two who fly straight at each other\n"
+    "  random-swap       a cube of bees who change places at random\n"
+    "  sphere-swap       everybody on a sphere, through its middle to the opposite point\n"
+    "  crossing-streams  two cubes of bees who fly through each other at right angles\n"
+    "  funnel            a wide field of bees who all fly into a narrow column\n"
+    "  pillars           a cube of bees who fly through a forest of pillars\n"
+    "  head-on           two who fly straight at each other\n"
+    "  density-sweep     random swaps at 3, 2.5, 2, 1.75 and 1.5 thresholds, a line for each\n"
+    "Or a file (with a '.' or '/' in its name, or - for standard input): a table with the columns "
+    "x, y,\n"
+    "z, goal_x, goal_y, goal_z, and perhaps id, max_speed_mps and max_acceleration_mps2.\n"
+    "\n"
+    "Obstacles are a JSON document, metres, z up; without low_m or high_m they have no end there:\n"
+    "  {\"obstacles\": [{\"kind\": \"sphere\", \"center\": [0, 0, 50], \"radius_m\": 10},\n"
+    "    {\"kind\": \"box\", \"low\": [0, 0, 0], \"high\": [20, 30, 40]},\n"
+    "    {\"kind\": \"ground\", \"height_m\": 0},\n"
+    "    {\"kind\": \"cylinder\", \"center\": [50, 0], \"radius_m\": 2, \"high_m\": 60},\n"
+    "    {\"kind\": \"prism\", \"outline\": [[0, 50], [40, 50], [0, 90]], \"high_m\": 25}]}\n"
     "\n"
     "Examples:\n"
     "  beespace simulate random-swap --bees 1000 --output swap.csv\n"
     "  beespace verify swap.csv --threshold 5 --max-speed 10 --max-acceleration 5\n"
     "  beespace simulate random-swap --bees 1000 --method none\n"
     "  beespace simulate sphere-swap --bees 200 --threshold 2 --speed 15 --acceleration none\n"
+    "  beespace simulate mission.csv --obstacles city.json --clearance 2\n"
+    "  beespace simulate density-sweep --method orca\n"
     "  beespace simulate head-on --output - | beespace replay --threshold 5\n"
     "  beespace simulate random-swap --json --quiet --fail-on-risk\n"
     "\n"
-    "Exit status: 0 fine, 1 somebody came too close (with --fail-on-risk), 2 wrong usage, 4 "
-    "cannot\n"
-    "write, 130 interrupted, 143 terminated, 141 closed pipe.";
+    "Exit status: 0 fine, 1 somebody came too close (with --fail-on-risk), 2 wrong usage, 3 bad "
+    "input,\n"
+    "4 cannot open, read or write, 130 interrupted, 143 terminated, 141 closed pipe.";
 
 void add_flight_options(CLI::App& simulate, SimulateOptions& options) {
   simulate.add_option("--bees", options.bees, "How many (default: 1000; head-on is always of two)")
@@ -83,10 +102,22 @@ void add_prevention_options(CLI::App& simulate, SimulateOptions& options) {
       simulate
           .add_option("--method", options.method,
                       "Who keeps them apart (default: certified); with\nnone everybody flies as it "
-                      "likes")
-          ->type_name("certified|none")
+                      "likes; orca and mvp, to\ncompare with, promise nothing and know of no "
+                      "obstacles")
+          ->type_name("certified|orca|mvp|none")
           ->group("Separation");
-  allow_only(*method, {"certified", "none"});
+  allow_only(*method, {"certified", "orca", "mvp", "none"});
+  simulate
+      .add_option("--obstacles", options.obstacles,
+                  "What stands in the way, beside the scenario's own:\nJSON, see below; - for "
+                  "standard input")
+      ->type_name("FILE")
+      ->group("Separation");
+  simulate
+      .add_option("--clearance", options.clearance,
+                  "Closer than this to an obstacle is too close\n(default: 1)")
+      ->type_name("METRES")
+      ->group("Separation");
   simulate.add_option("--threads", options.threads, "How many threads work (default: 0, all)")
       ->type_name("N")
       ->group("Separation");
@@ -115,10 +146,11 @@ CLI::App* add_simulate_command(CLI::App& command, SimulateOptions& options) {
   simulate->footer(kDetails);
   simulate->set_version_flag("--version", std::string(version()), "Print the version and exit");
   CLI::Option* scenario =
-      simulate->add_option("SCENARIO", options.scenario, "What to fly, see below")
+      simulate->add_option("SCENARIO", options.scenario, "What to fly, or a file, see below")
           ->required()
           ->type_name(" ");
-  allow_only(*scenario, {"random-swap", "sphere-swap", "head-on"});
+  allow_only_or(*scenario, scenario_names(), names_a_file,
+                ", and no file (which would have a '.' or '/' in its name)");
   add_flight_options(*simulate, options);
   add_prevention_options(*simulate, options);
   add_output_options(*simulate, options);

@@ -2,13 +2,13 @@
 
 #include "cli/number_text.hpp"
 #include "cli/option_values.hpp"
+#include "cli/simulate_scenarios.hpp"
 
-#include <beespace/nearest.hpp>
+#include <beespace/point.hpp>
 
-#include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <utility>
-#include <vector>
 
 namespace beespace::cli {
 namespace {
@@ -16,6 +16,9 @@ namespace {
 constexpr const char* kName = "simulate";
 constexpr const char* kDefaultBees = "1000";
 constexpr const char* kDefaultSeed = "1";
+constexpr const char* kDefaultSpeed = "10";
+constexpr const char* kDefaultAcceleration = "5";
+constexpr const char* kDefaultClearance = "1";
 
 // Metres and seconds. Within these nothing is lost to rounding that the checker does not allow for.
 constexpr double kSmallest = 1e-6;
@@ -23,13 +26,6 @@ constexpr double kFastest = 1e6;
 constexpr double kHardest = 1e9;
 constexpr double kLongest = 1e6;
 constexpr double kWidest = 1e9;
-
-// Rounding may take a little from a distance: who begins at exactly the threshold would lose it.
-constexpr double kRoom = 1.0 + 1e-6;
-
-Error simulate_error(std::string message) {
-  return usage_error(kName, std::move(message));
-}
 
 Result<double> read_within(const char* option, const std::string& text, const char* unit,
                            double most) {
@@ -50,29 +46,62 @@ std::string or_default(const std::string& given, const char* otherwise) {
   return given.empty() ? otherwise : given;
 }
 
-// An option that the scenario would ignore is a misunderstanding.
-Status check_fit(const SimulateOptions& options) {
+// An option that would be ignored is a misunderstanding.
+Status check_fit(const SimulateOptions& options, bool from_file) {
   if (options.json && options.output == "-") {
     return simulate_error("--json and --output - would both write to standard output");
   }
-  if (options.scenario != "head-on") return std::monostate{};
-  if (!options.bees.empty()) {
-    return simulate_error("--bees does not apply to head-on, which is of two; leave it out");
+  if (options.scenario == "-" && options.obstacles == "-") {
+    return simulate_error("the mission and --obstacles cannot both be standard input");
   }
-  if (!options.seed.empty()) {
-    return simulate_error("--seed does not apply to head-on, which is always the same");
+  if (!options.clearance.empty() && options.obstacles.empty() && options.scenario != kPillars) {
+    return simulate_error("--clearance is of obstacles, and there are none; add --obstacles");
+  }
+  struct Given {
+    const char* option;
+    const std::string& value;
+  };
+  const auto none_of = [&](std::initializer_list<Given> given, const char* because) -> Status {
+    for (const auto& [option, value] : given) {
+      if (value.empty()) continue;
+      return simulate_error(std::string(option) + " does not apply to " + because +
+                            "; leave it out");
+    }
+    return std::monostate{};
+  };
+  if (from_file) {
+    return none_of(
+        {{"--bees", options.bees}, {"--spacing", options.spacing}, {"--seed", options.seed}},
+        "a file, which tells who begins where");
+  }
+  if (options.scenario == kHeadOn) {
+    const Status of_two = none_of({{"--bees", options.bees}}, "head-on, which is of two");
+    if (!of_two) return of_two;
+    return none_of({{"--seed", options.seed}}, "head-on, which is always the same");
+  }
+  if (options.scenario == kDensitySweep) {
+    return none_of({{"--spacing", options.spacing}, {"--output", options.output}},
+                   "density-sweep, which flies several missions");
   }
   return std::monostate{};
 }
 
+sim::Method read_method(const std::string& word) {
+  if (word == "none") return sim::Method::kNone;
+  if (word == "orca") return sim::Method::kOrca;
+  return word == "mvp" ? sim::Method::kMvp : sim::Method::kCertified;
+}
+
 Result<FlightLimits> read_limits(const SimulateOptions& options) {
   FlightLimits limits;
-  const auto speed = read_within("--speed", options.speed, "metres per second", kFastest);
+  const auto speed = read_within("--speed", or_default(options.speed, kDefaultSpeed),
+                                 "metres per second", kFastest);
   if (!speed) return speed.error();
   limits.max_speed_mps = *speed;
   if (options.acceleration == "none") return limits;
   const auto acceleration =
-      read_within("--acceleration", options.acceleration, "metres per second squared", kHardest);
+      read_within("--acceleration", or_default(options.acceleration, kDefaultAcceleration),
+                  "metres per second squared", kHardest);
   if (!acceleration) return acceleration.error();
   limits.max_acceleration_mps2 = *acceleration;
   return limits;
@@ -86,6 +115,10 @@ Result<AdviseOptions> read_advice(const SimulateOptions& options) {
   const auto step = read_within("--step", options.step, "seconds", kLongest);
   if (!step) return step.error();
   advice.step_s = *step;
+  const auto clearance = read_within(
+      "--clearance", or_default(options.clearance, kDefaultClearance), "metres", kWidest);
+  if (!clearance) return clearance.error();
+  advice.clearance_m = *clearance;
   const auto threads = read_threads(kName, options.threads);
   if (!threads) return threads.error();
   advice.threads = *threads;
@@ -93,7 +126,7 @@ Result<AdviseOptions> read_advice(const SimulateOptions& options) {
 }
 
 Result<double> read_spacing(const SimulateOptions& options, double threshold_m) {
-  const double usual = options.scenario == "head-on" ? 20.0 : 3.0;
+  const double usual = options.scenario == kHeadOn ? 20.0 : 3.0;
   if (options.spacing.empty()) return usual * threshold_m;
   const auto spacing = read_within("--spacing", options.spacing, "metres", kWidest);
   if (!spacing) return spacing.error();
@@ -119,31 +152,24 @@ Result<SwarmFormat> format_of(const std::string& name) {
                         "with .gz");
 }
 
-// Of starts, or of goals. Nearly never, as the scenes see to it; for two on a sphere they cannot.
-Status check_apart(const std::vector<Point>& places, double threshold_m, const char* what) {
-  if (places.size() < 2) return std::monostate{};
-  const auto closest = find_closest_pair(places);
-  if (!closest) return closest.error();
-  if (!*closest || (*closest)->distance_m >= threshold_m * (1.0 + 1e-7)) return std::monostate{};
-  return simulate_error("two bees " + std::string(what) + " " + length((*closest)->distance_m) +
-                        " apart, and the threshold is " + exact(threshold_m) +
-                        " m; give a larger --spacing");
-}
-
 }  // namespace
 
-bool SimulateRequest::at_once() const {
-  return std::isinf(loop.limits.max_acceleration_mps2);
+Error simulate_error(std::string message) {
+  return usage_error(kName, std::move(message));
 }
 
 Result<SimulateRequest> simulate_request(const SimulateOptions& options) {
-  if (const Status fit = check_fit(options); !fit) return fit.error();
   SimulateRequest request;
   request.scenario = options.scenario;
-  request.loop.method = options.method == "none" ? sim::Method::kNone : sim::Method::kCertified;
+  request.from_file = names_a_file(options.scenario);
+  if (const Status fit = check_fit(options, request.from_file); !fit) return fit.error();
+  request.loop.method = read_method(options.method);
   const auto limits = read_limits(options);
   if (!limits) return limits.error();
   request.loop.limits = *limits;
+  request.speed_given = !options.speed.empty();
+  request.acceleration_given = !options.acceleration.empty();
+  request.obstacles = options.obstacles;
   const auto advice = read_advice(options);
   if (!advice) return advice.error();
   request.loop.advice = *advice;
@@ -154,7 +180,7 @@ Result<SimulateRequest> simulate_request(const SimulateOptions& options) {
   const auto bees =
       read_count("--bees", or_default(options.bees, kDefaultBees), std::uint64_t{kMaxPoints});
   if (!bees) return bees.error();
-  request.bees = options.scenario == "head-on" ? 2 : *bees;
+  request.bees = options.scenario == kHeadOn ? 2 : *bees;
   const auto steps = read_count("--steps", options.steps, 1'000'000'000);
   if (!steps) return steps.error();
   request.most_steps = *steps;
@@ -172,21 +198,6 @@ Result<SimulateRequest> simulate_request(const SimulateOptions& options) {
   request.fail_on_risk = options.fail_on_risk;
   request.quiet = options.quiet;
   return request;
-}
-
-Result<scenes::Mission> mission_of(const SimulateRequest& request) {
-  if (request.scenario == "head-on") return scenes::head_on(request.spacing_m);
-  const double threshold_m = request.loop.advice.threshold_m;
-  const auto make =
-      request.scenario == "sphere-swap" ? scenes::antipodal_swap : scenes::random_swap;
-  auto mission = make(request.bees, request.spacing_m, threshold_m * kRoom, request.seed);
-  if (const Status apart = check_apart(mission.starts, threshold_m, "begin"); !apart) {
-    return apart.error();
-  }
-  if (const Status apart = check_apart(mission.goals, threshold_m, "want to stop"); !apart) {
-    return apart.error();
-  }
-  return mission;
 }
 
 }  // namespace beespace::cli

@@ -1,173 +1,210 @@
 #include "cli/simulate_summary.hpp"
 
-#include "cli/json_text.hpp"
 #include "cli/number_text.hpp"
 #include "cli/summary_line.hpp"
 #include "cli/terminal.hpp"
+#include "io/byte_source.hpp"
 
-#include <beespace/version.hpp>
-
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <optional>
+#include <string_view>
+#include <vector>
 
 namespace beespace::cli {
 namespace {
-
-// Of all bees together.
-struct Outcome {
-  std::optional<double> path_ratio;  // of those that have flown and arrived: the mean
-  double stuck_s = 0.0;              // the mean
-  std::optional<double> advice_us;   // a bee a step
-};
-
-Outcome outcome_of(const sim::ClosedLoop& loop, const FlightFigures& figures) {
-  Outcome outcome;
-  double ratios = 0.0;
-  std::size_t flown = 0;
-  for (const sim::Flight& flight : loop.flights()) {
-    outcome.stuck_s += flight.stuck_s;
-    // Who begins at its goal has no way to fly.
-    if (!flight.arrived_s || !(*flight.arrived_s > 0.0)) continue;
-    ratios += flight.flown_m / flight.shortest_m;
-    ++flown;
-  }
-  const auto bees = static_cast<double>(loop.flights().size());
-  outcome.stuck_s /= bees;
-  if (flown > 0) outcome.path_ratio = ratios / static_cast<double>(flown);
-  if (figures.steps > 0 && loop.advising_s() > 0.0) {
-    outcome.advice_us = loop.advising_s() / bees / static_cast<double>(figures.steps) * 1e6;
-  }
-  return outcome;
-}
 
 std::string times(std::uint64_t count, const char* one, const char* several) {
   return grouped(count) + " " + (count == 1 ? one : several);
 }
 
 std::string scenario_text(const SimulateRequest& request) {
+  if (request.from_file) return printable(io::source_name(request.scenario));
   const std::string spacing = exact(request.spacing_m) + " m";
   if (request.scenario == "head-on") return "head-on, from " + spacing + " apart";
   return request.scenario + ", about " + spacing + " apart, seed " + std::to_string(request.seed);
 }
 
-std::string limits_text(const SimulateRequest& request) {
-  const FlightLimits& limits = request.loop.limits;
-  std::string text = exact(limits.max_speed_mps) + " m/s";
-  if (request.at_once()) return text + ", velocities change at once";
+std::string method_text(sim::Method method) {
+  switch (method) {
+    case sim::Method::kNone:
+      return "none: everybody as it likes";
+    case sim::Method::kOrca:
+      return "orca: optimal reciprocal collision avoidance, which promises nothing";
+    case sim::Method::kMvp:
+      return "mvp: modified voltage potential, which promises nothing";
+    case sim::Method::kCertified:
+      break;
+  }
+  return "certified";
+}
+
+std::string limits_text(const FlightLimits& limits) {
+  const std::string text = exact(limits.max_speed_mps) + " m/s";
+  if (std::isinf(limits.max_acceleration_mps2)) return text + ", velocities change at once";
   return text + ", " + exact(limits.max_acceleration_mps2) + " m/s^2";
 }
 
-std::string flown_text(const SimulateRequest& request, const sim::ClosedLoop& loop,
-                       const FlightFigures& figures) {
-  std::string text = times(figures.steps, "step", "steps") + " of " +
-                     exact(request.loop.advice.step_s) + " s (" + grouped(loop.time_s(), 2) + " s)";
+std::string threshold_text(const SimulateRequest& request) {
+  return separation_text(request.loop.advice.threshold_m, std::nullopt, false);
+}
+
+void append_obstacles(std::string& out, const SimulatedFlight& flight) {
+  const ObstacleMap* map = flight.loop().obstacles();
+  if (map == nullptr) return;
+  append_summary_line(out, "obstacles",
+                      grouped(std::uint64_t{map->obstacles().size()}) + ", clearance " +
+                          exact(flight.request().loop.advice.clearance_m) + " m");
+}
+
+std::string flown_text(const SimulatedFlight& flight) {
+  const FlightFigures& figures = flight.figures();
+  const std::string text = times(figures.steps, "step", "steps") + " of " +
+                           exact(flight.request().loop.advice.step_s) + " s (" +
+                           grouped(flight.loop().time_s(), 2) + " s)";
   return text + (figures.landed ? ", until all had arrived" : ", the most (--steps)");
 }
 
-std::string losses_text(const Verdict& verdict, const FlightFigures& figures) {
-  if (verdict.losses == 0) return bold("none");
-  return red(times(verdict.losses, "loss", "losses")) + " of separation, a pair a step; in " +
-         grouped(figures.steps_with_losses) + " of " + times(figures.steps, "step", "steps");
+std::string losses_text(const SimulatedFlight& flight) {
+  const std::uint64_t losses = flight.verdict().losses;
+  if (losses == 0) return bold("none");
+  return red(times(losses, "loss", "losses")) + " of separation, a pair a step; in " +
+         grouped(flight.figures().steps_with_losses) + " of " +
+         times(flight.figures().steps, "step", "steps");
 }
 
-std::string closest_text(const SimulateRequest& request, const Verdict& verdict) {
+std::string closest_text(const SimulatedFlight& flight) {
+  const Verdict& verdict = flight.verdict();
   if (!verdict.closest_m) {
-    return "nobody came closer than " + exact(2.0 * request.loop.advice.threshold_m) +
+    return "nobody came closer than " + exact(2.0 * flight.request().loop.advice.threshold_m) +
            " m to anybody";
   }
-  return std::to_string(verdict.closest_pair->first) + " and " +
-         std::to_string(verdict.closest_pair->second) + ", " + length(*verdict.closest_m) +
+  return flight.names().bee(verdict.closest_pair->first) + " and " +
+         flight.names().bee(verdict.closest_pair->second) + ", " + length(*verdict.closest_m) +
          " apart in the step from " + grouped(verdict.closest_step_s, 2) + " s";
+}
+
+// How near to obstacles, and how often too near.
+void append_nearness(std::string& out, const SimulatedFlight& flight) {
+  const ObstacleMap* map = flight.loop().obstacles();
+  if (map == nullptr) return;
+  const WatchFigures& watched = flight.watched();
+  append_summary_line(
+      out, "clearance",
+      watched.too_near == 0
+          ? bold("kept") + " at the end of every step"
+          : red("not kept " + times(watched.too_near, "time", "times")) + ", a bee a step");
+  std::string text = "nobody came closer than " +
+                     exact(2.0 * flight.request().loop.advice.clearance_m) + " m to any obstacle";
+  if (watched.nearest) {
+    const auto& [bee, obstacle, distance_m, time_s] = *watched.nearest;
+    text = flight.names().bee(bee) + ", " +
+           (distance_m < 0.0 ? length(-distance_m) + " inside " : length(distance_m) + " from ") +
+           flight.names().obstacle(obstacle, map->obstacles()[obstacle]) + ", at " +
+           grouped(time_s, 2) + " s";
+  }
+  append_summary_line(out, "nearest", text);
+}
+
+void append_uncertified(std::string& out, const FlightFigures& figures) {
+  if (figures.uncertified_pairs > 0) {
+    append_summary_line(out, "uncertain",
+                        red(times(figures.uncertified_pairs, "pair", "pairs")) +
+                            " not certified, counted anew in each step");
+  }
+  if (figures.uncertified_at_obstacles > 0) {
+    append_summary_line(out, "uncertain",
+                        red(times(figures.uncertified_at_obstacles, "bee", "bees")) +
+                            " near obstacles not certified, counted anew in each step");
+  }
+}
+
+std::string arrived_text(const sim::ClosedLoop& loop) {
+  const auto bees = static_cast<double>(loop.movers().size());
+  return grouped(std::uint64_t{loop.arrived()}) + " (" +
+         percentage(static_cast<double>(loop.arrived()) / bees) + ")";
+}
+
+std::string limits_line(const SimulatedFlight& flight) {
+  if (flight.has_own_limits()) return "of the file, each bee its own";
+  return limits_text(flight.request().loop.limits);
+}
+
+// Columns of the sweep, each as wide as its name and two blanks.
+constexpr std::string_view kColumns[] = {"spacing",    "losses",  "closest",        "arrived",
+                                         "path ratio", "stuck s", "us a bee a step"};
+
+std::string row_of(const std::vector<std::string>& cells) {
+  constexpr std::size_t kNarrowest = 8;
+  std::string row;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const std::size_t width = std::max(kColumns[i].size(), kNarrowest) + 2;
+    row += std::string(width - std::min(width, cells[i].size()), ' ') + cells[i];
+  }
+  return row + '\n';
 }
 
 }  // namespace
 
-std::string simulate_summary(const SimulateRequest& request, const sim::ClosedLoop& loop,
-                             const Verdict& verdict, const FlightFigures& figures) {
-  const Outcome outcome = outcome_of(loop, figures);
-  const bool certified = request.loop.method == sim::Method::kCertified;
+std::string simulate_summary(const SimulatedFlight& flight) {
+  const SimulateRequest& request = flight.request();
+  const FlightOutcome outcome = flight.outcome();
   std::string out;
   append_summary_line(out, "scenario", scenario_text(request));
-  append_summary_line(out, "bees", grouped(request.bees));
-  append_summary_line(out, "method", certified ? "certified" : "none: everybody as it likes");
-  append_summary_line(out, "threshold",
-                      separation_text(request.loop.advice.threshold_m, std::nullopt, false));
-  append_summary_line(out, "limits", limits_text(request));
-  append_summary_line(out, "flown", flown_text(request, loop, figures));
-  append_summary_line(out, "losses", losses_text(verdict, figures));
-  append_summary_line(out, "closest", closest_text(request, verdict));
-  if (verdict.breaches > 0) {
+  append_summary_line(out, "bees", grouped(std::uint64_t{flight.loop().movers().size()}));
+  append_obstacles(out, flight);
+  append_summary_line(out, "method", method_text(request.loop.method));
+  append_summary_line(out, "threshold", threshold_text(request));
+  append_summary_line(out, "limits", limits_line(flight));
+  append_summary_line(out, "flown", flown_text(flight));
+  append_summary_line(out, "losses", losses_text(flight));
+  append_summary_line(out, "closest", closest_text(flight));
+  append_nearness(out, flight);
+  if (flight.breaches() > 0) {
     append_summary_line(out, "breaches",
-                        red(times(verdict.breaches, "breach", "breaches")) + " of the limits");
+                        red(times(flight.breaches(), "breach", "breaches")) + " of the limits");
   }
-  if (figures.uncertified > 0) {
-    append_summary_line(out, "uncertain",
-                        red(times(figures.uncertified, "pair", "pairs")) +
-                            " not certified, counted anew in each step");
-  }
-  append_summary_line(
-      out, "arrived",
-      grouped(loop.arrived()) + " (" +
-          percentage(static_cast<double>(loop.arrived()) / static_cast<double>(request.bees)) +
-          ")");
+  append_uncertified(out, flight.figures());
+  append_summary_line(out, "arrived", arrived_text(flight.loop()));
   append_summary_line(out, "path ratio",
                       outcome.path_ratio ? grouped(*outcome.path_ratio, 3) +
                                                " (flown to shortest, of those that arrived)"
                                          : "none: nobody has flown and arrived");
   append_summary_line(out, "stuck", grouped(outcome.stuck_s, 2) + " s a bee");
-  std::string time = "in all " + duration(figures.total_s);
+  std::string time = "in all " + duration(flight.figures().total_s);
   if (outcome.advice_us) {
     time.insert(0, "advice " + grouped(*outcome.advice_us, 2) + " us a bee a step, ");
   }
   append_summary_line(out, "time", time);
+  for (const std::string& note : flight.notes()) append_summary_line(out, "note", printable(note));
   return out;
 }
 
-std::string simulate_json(const SimulateRequest& request, const sim::ClosedLoop& loop,
-                          const Verdict& verdict, const FlightFigures& figures) {
-  const Outcome outcome = outcome_of(loop, figures);
-  const auto number = [](const std::optional<double>& value) {
-    return value ? exact(*value) : std::string("null");
-  };
-  const sim::LoopOptions& options = request.loop;
-  const bool certified = options.method == sim::Method::kCertified;
-  std::string out = "{\n  \"version\": " + json_string(version());
-  const auto member = [&out](const char* name, const std::string& value) {
-    out += ",\n  \"";
-    out += name;
-    out += "\": " + value;
-  };
-  member("command", "\"simulate\"");
-  member("scenario", json_string(request.scenario));
-  member("bees", std::to_string(request.bees));
-  member("spacing_m", exact(request.spacing_m));
-  member("seed", request.scenario == "head-on" ? "null" : std::to_string(request.seed));
-  member("method", certified ? "\"certified\"" : "\"none\"");
-  member("threshold_m", exact(options.advice.threshold_m));
-  member("max_speed_mps", exact(options.limits.max_speed_mps));
-  member("max_acceleration_mps2",
-         request.at_once() ? "null" : exact(options.limits.max_acceleration_mps2));
-  member("step_s", exact(options.advice.step_s));
-  member("steps", std::to_string(figures.steps));
-  member("time_s", exact(loop.time_s()));
-  member("all_stand", figures.landed ? "true" : "false");
-  member("loss_count", std::to_string(verdict.losses));
-  member("steps_with_losses", std::to_string(figures.steps_with_losses));
-  member("breach_count", std::to_string(verdict.breaches));
-  member("uncertified_count", std::to_string(figures.uncertified));
-  std::string closest = "null";
-  if (verdict.closest_m) {
-    closest = "{\"first\": " + std::to_string(verdict.closest_pair->first) +
-              ", \"second\": " + std::to_string(verdict.closest_pair->second) +
-              ", \"step_begins_s\": " + exact(verdict.closest_step_s) +
-              ", \"distance_m\": " + exact(*verdict.closest_m) + "}";
-  }
-  member("closest", closest);
-  member("arrived", std::to_string(loop.arrived()));
-  member("path_ratio", number(outcome.path_ratio));
-  member("stuck_s", exact(outcome.stuck_s));
-  member("advice_us", number(outcome.advice_us));
-  return out + "\n}\n";
+std::string sweep_head(const SimulateRequest& request) {
+  std::string out;
+  append_summary_line(
+      out, "scenario",
+      "random swaps, closer and closer together, seed " + std::to_string(request.seed));
+  append_summary_line(out, "bees", grouped(std::uint64_t{request.bees}));
+  append_summary_line(out, "method", method_text(request.loop.method));
+  append_summary_line(out, "threshold", threshold_text(request));
+  append_summary_line(out, "limits", limits_text(request.loop.limits));
+  return out + '\n' + row_of({std::begin(kColumns), std::end(kColumns)});
+}
+
+std::string sweep_row(const SimulatedFlight& flight) {
+  const FlightOutcome outcome = flight.outcome();
+  const Verdict& verdict = flight.verdict();
+  const sim::ClosedLoop& loop = flight.loop();
+  const double arrived =
+      static_cast<double>(loop.arrived()) / static_cast<double>(loop.movers().size());
+  return row_of({exact(flight.request().spacing_m) + " m", grouped(verdict.losses),
+                 verdict.closest_m ? length(*verdict.closest_m) : "-", percentage(arrived),
+                 outcome.path_ratio ? grouped(*outcome.path_ratio, 3) : "-",
+                 grouped(outcome.stuck_s, 2),
+                 outcome.advice_us ? grouped(*outcome.advice_us, 2) : "-"});
 }
 
 }  // namespace beespace::cli

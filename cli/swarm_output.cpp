@@ -1,5 +1,6 @@
 #include "cli/swarm_output.hpp"
 
+#include "cli/csv_field.hpp"
 #include "cli/number_text.hpp"
 
 #include <algorithm>
@@ -216,13 +217,15 @@ Status write_flights(const std::vector<Mover>& movers, const scenes::FixTimes& t
   return output.commit();
 }
 
-FlightWriter::FlightWriter(io::AtomicOutput& output, SwarmFormat format, bool with_velocities)
+FlightWriter::FlightWriter(io::AtomicOutput& output, SwarmFormat format,
+                           const std::vector<std::string>& ids, bool with_velocities)
     : output_(output),
       out_(output, format.compressed),
       delimiter_(delimiter_of(format)),
       with_velocities_(with_velocities),
       text_(delimited(with_velocities ? "time_s,id,x,y,z,vx,vy,vz\n" : "time_s,id,x,y,z\n",
                       delimiter_)) {
+  for (const std::string& id : ids) append_csv_field(ids_.emplace_back(), id, delimiter_);
 }
 
 void FlightWriter::add(double time_s, const std::vector<Mover>& movers) {
@@ -232,7 +235,11 @@ void FlightWriter::add(double time_s, const std::vector<Mover>& movers) {
   for (std::size_t bee = 0; bee < movers.size(); ++bee) {
     const auto& [position, velocity] = movers[bee];
     text_ += time;
-    append_exact(text_, std::uint64_t{bee});
+    if (ids_.empty()) {
+      append_exact(text_, std::uint64_t{bee});
+    } else {
+      text_ += ids_[bee];
+    }
     text_ += delimiter_;
     if (with_velocities_) {
       append_motion(text_, position, velocity, delimiter_);

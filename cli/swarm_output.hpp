@@ -50,7 +50,9 @@ Status write_flights(const std::vector<Mover>& movers, const scenes::FixTimes& t
 // kTsv.
 class FlightWriter {
  public:
-  FlightWriter(io::AtomicOutput& output, SwarmFormat format, bool with_velocities);
+  // `ids` has one for each bee, or none where they are called by their numbers.
+  FlightWriter(io::AtomicOutput& output, SwarmFormat format, const std::vector<std::string>& ids,
+               bool with_velocities);
 
   void add(double time_s, const std::vector<Mover>& movers);
   // Commits the output. Errors: kWriteFailed.
@@ -61,6 +63,7 @@ class FlightWriter {
   GzipWriter out_;
   char delimiter_;
   bool with_velocities_;
+  std::vector<std::string> ids_;  // as fields
   std::string text_;
 };
 

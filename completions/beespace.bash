@@ -37,13 +37,13 @@ _beespace() {
       words='auto s ms us ns' ;;
     predict:--heights | replay:--heights | watch:--heights | verify:--heights)
       words='auto geometric pressure' ;;
-    simulate:--method) words='certified none' ;;
+    simulate:--method) words='certified orca mvp none' ;;
     simulate:--acceleration) words='none' ;;
     detect:--format) words='auto text npy bin' ;;
     generate:--scene) words='uniform clusters area flight head-on crossing sphere-swap encounters' ;;
     generate:--area) words='medellin' ;;
     generate:--format) words='csv tsv npy bin csv.gz tsv.gz npy.gz bin.gz' ;;
-    *:--output | detect:--others)
+    *:--output | detect:--others | simulate:--obstacles)
       compopt -o filenames
       _beespace_offer -f -- "$current"
       return
@@ -53,7 +53,8 @@ _beespace() {
     *:--leave-factor | *:--look-every | *:--rate) return ;;
     *:--size | *:--clusters | *:--sigma | *:--seed) return ;;
     *:--speed | *:--miss | *:--duration | *:--interval) return ;;
-    *:--bees | *:--spacing | *:--step | *:--steps | *:--max-speed | *:--max-acceleration) return ;;
+    *:--bees | *:--spacing | *:--step | *:--steps | *:--clearance) return ;;
+    *:--max-speed | *:--max-acceleration) return ;;
     *)
       case $subcommand in
         detect)
@@ -78,7 +79,7 @@ _beespace() {
           ;;
         simulate)
           words='--bees --spacing --seed --speed --acceleration --step --steps --threshold --method
-            --threads --output --json --fail-on-risk --quiet --help --version'
+            --obstacles --clearance --threads --output --json --fail-on-risk --quiet --help --version'
           ;;
         verify)
           words='--threshold --max-speed --max-acceleration --straight --threads --crs --columns
@@ -93,7 +94,15 @@ _beespace() {
       esac
       case $subcommand:$current in
         *:-*) ;;
-        simulate:*) words='random-swap sphere-swap head-on' ;;
+        simulate:*)
+          # A scenario, or else a file of starts and goals.
+          words='random-swap sphere-swap crossing-streams funnel pillars head-on density-sweep'
+          if ! compgen -W "$words" -- "$current" > /dev/null; then
+            compopt -o filenames
+            _beespace_offer -f -- "$current"
+            return
+          fi
+          ;;
         detect:* | predict:* | replay:* | watch:* | verify:*)
           compopt -o filenames
           _beespace_offer -f -- "$current"

@@ -2,6 +2,7 @@
 #include "io/base_station.hpp"
 #include "io/line_reader.hpp"
 #include "io/report_layout.hpp"
+#include "io/skipped_records.hpp"
 
 #include <utility>
 

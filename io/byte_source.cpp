@@ -118,6 +118,14 @@ Bytes GrowingBytes::release() {
   return bytes;
 }
 
+Bytes copy_of(std::string_view content) {
+  GrowingBytes copy;
+  copy.make_room(content.size());
+  std::copy(content.begin(), content.end(), copy.free_begin());
+  copy.add(content.size());
+  return copy.release();
+}
+
 std::string source_name(const std::string& path) {
   return path == "-" ? "<stdin>" : path;
 }

@@ -47,6 +47,9 @@ class GrowingBytes {
   std::size_t capacity_ = 0;
 };
 
+// A copy of bytes that somebody else may change or let go of.
+Bytes copy_of(std::string_view content);
+
 // "<stdin>" for "-", the path itself otherwise.
 std::string source_name(const std::string& path);
 

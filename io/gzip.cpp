@@ -95,4 +95,15 @@ Result<Bytes> gunzip(std::string_view compressed, const std::string& source, Pro
   }
 }
 
+Result<Bytes> unpacked(Bytes bytes, const std::string& source) {
+  if (!is_gzip(bytes.view)) return bytes;
+  auto inside = gunzip(bytes.view, source, nullptr);
+  if (inside && is_gzip(inside->view)) {
+    return Error{ErrorCode::kUnsupportedFormat,
+                 "this is compressed twice; unpack it once first: gzip -dc",
+                 {source}};
+  }
+  return inside;
+}
+
 }  // namespace beespace::io

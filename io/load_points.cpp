@@ -267,11 +267,7 @@ Result<LoadedPoints> load_points(const std::string& path, const LoadOptions& opt
 
 Result<LoadedPoints> load_points_from_memory(std::string_view content, const std::string& name,
                                              const LoadOptions& options) {
-  GrowingBytes copy;
-  copy.make_room(content.size());
-  std::copy(content.begin(), content.end(), copy.free_begin());
-  copy.add(content.size());
-  return load_bytes(copy.release(), name, options);
+  return load_bytes(copy_of(content), name, options);
 }
 
 }  // namespace beespace::io

@@ -22,17 +22,6 @@
 namespace beespace::io {
 namespace {
 
-Result<Bytes> unpacked(Bytes bytes, const std::string& source) {
-  if (!is_gzip(bytes.view)) return bytes;
-  auto inside = gunzip(bytes.view, source, nullptr);
-  if (inside && is_gzip(inside->view)) {
-    return Error{ErrorCode::kUnsupportedFormat,
-                 "this is compressed twice; unpack it once first: gzip -dc",
-                 {source}};
-  }
-  return inside;
-}
-
 std::optional<Error> read_table(const Bytes& bytes, const std::string& path, bool bare_skybrush,
                                 RecordingAssembly& assembly) {
   const RecordingOptions& options = assembly.options();
@@ -178,12 +167,8 @@ Result<Recording> load_recording(const std::vector<std::string>& paths,
 
 Result<Recording> load_recording_from_memory(std::string_view content, const std::string& name,
                                              const RecordingOptions& options) {
-  GrowingBytes copy;
-  copy.make_room(content.size());
-  std::copy(content.begin(), content.end(), copy.free_begin());
-  copy.add(content.size());
   RecordingAssembly assembly(options);
-  if (auto error = placed(read_source(copy.release(), name, assembly), name)) {
+  if (auto error = placed(read_source(copy_of(content), name, assembly), name)) {
     return *std::move(error);
   }
   return assembly.finish();

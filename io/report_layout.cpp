@@ -58,10 +58,4 @@ Result<std::optional<ReportLine>> report_line(const AircraftReport& report,
   return std::optional<ReportLine>(line);
 }
 
-Error without_advice(Error error) {
-  const std::size_t advice = error.message.rfind(kOrLeaveOut);
-  if (advice != std::string::npos) error.message.erase(advice, kOrLeaveOut.size());
-  return error;
-}
-
 }  // namespace beespace::io

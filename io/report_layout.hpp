@@ -22,9 +22,6 @@ std::optional<Error> live_problem(const TrackLayout& layout);
 Result<std::optional<ReportLine>> report_line(const AircraftReport& report,
                                               const AircraftChoice& choice, LeftOut& left_out);
 
-// The error without the advice to leave bad records out: who takes lines has to decide on each.
-Error without_advice(Error error);
-
 // What is wrong with a position in degrees that is none.
 std::optional<Error> out_of_range(const Point& position, Frame frame);
 

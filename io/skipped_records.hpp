@@ -19,6 +19,13 @@ namespace beespace::io {
 // How a message ends while the record is not yet left out.
 inline constexpr std::string_view kOrLeaveOut = ", or leave such records out with --skip-bad";
 
+// The error without that advice, where it cannot be followed.
+inline Error without_advice(Error error) {
+  const std::size_t advice = error.message.rfind(kOrLeaveOut);
+  if (advice != std::string::npos) error.message.erase(advice, kOrLeaveOut.size());
+  return error;
+}
+
 struct SkippedRecords {
   std::vector<std::uint64_t> rows = {};  // 0-based data rows, ascending
   std::vector<Error> errors = {};        // the first kMostSkippedListed, in the order of the rows
@@ -26,9 +33,7 @@ struct SkippedRecords {
   void add(std::uint64_t row, Error error) {
     rows.push_back(row);
     if (errors.size() >= LoadedPoints::kMostSkippedListed) return;
-    const std::size_t advice = error.message.rfind(kOrLeaveOut);
-    if (advice != std::string::npos) error.message.erase(advice, kOrLeaveOut.size());
-    errors.push_back(std::move(error));
+    errors.push_back(without_advice(std::move(error)));
   }
 
   // The data row of point `index`: the rows before it that were skipped come on top.

@@ -1,6 +1,7 @@
 // A table of fixes that comes line by line: the header, then one record a line.
 #include "io/line_reader.hpp"
 #include "io/report_layout.hpp"
+#include "io/skipped_records.hpp"
 #include "io/track_layout.hpp"
 #include "io/track_record.hpp"
 

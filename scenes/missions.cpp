@@ -1,44 +1,17 @@
 #include "scenes/missions.hpp"
 
 #include "scenes/random_stream.hpp"
+#include "scenes/stirred_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <utility>
 
 namespace beespace::scenes {
 
-namespace {
-
-// Whose place each takes: everybody's once, at random.
-std::vector<std::size_t> shuffled(std::size_t count, RandomStream& random) {
-  std::vector<std::size_t> order(count);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  for (std::size_t i = count; i > 1; --i) {
-    std::swap(order[i - 1], order[random.index(static_cast<std::uint32_t>(i))]);
-  }
-  return order;
-}
-
-}  // namespace
-
 Mission random_swap(std::size_t count, double spacing_m, double clear_m, std::uint64_t seed) {
   RandomStream random(seed);
-  std::size_t side = 1;
-  while (side * side * side < count) ++side;
-  // Whoever is moved so far from the middle of its cell on each axis stays clear of all others.
-  const double stir_m = 0.5 * (spacing_m - clear_m) * (1.0 - 0x1p-20);
   Mission mission;
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto at = [&](std::size_t cell) {
-      return static_cast<double>(cell) * spacing_m + random.uniform(-stir_m, stir_m);
-    };
-    const double x = at(i % side);
-    const double y = at(i / side % side);
-    const double z = at(i / (side * side));
-    mission.starts.push_back({x, y, z});
-  }
+  mission.starts = stirred_grid(count, cube_for(count), {}, spacing_m, clear_m, random);
   for (const std::size_t other : shuffled(count, random)) {
     mission.goals.push_back(mission.starts[other]);
   }

@@ -16,15 +16,14 @@
 
 namespace beespace::sim {
 
-enum class Method : std::uint8_t {
-  kNone,       // everybody as it likes
-  kCertified,  // as advise() says
-};
+// As advise() says, by its method; or everybody as it likes.
+enum class Method : std::uint8_t { kNone, kCertified, kOrca, kMvp };
 
 struct LoopOptions {
   Method method = Method::kCertified;
-  FlightLimits limits;     // of everybody
-  AdviseOptions advice;    // its threshold and step are those of every method
+  FlightLimits limits;  // of everybody, where the mission has none
+  // Its threshold and step are those of every method. The obstacles are those of the mission.
+  AdviseOptions advice = {};
   double arrived_m = 1.0;  // who is so near to its goal has arrived
 };
 
@@ -34,6 +33,7 @@ struct Flight {
   double flown_m = 0.0;     // until it arrived, and the rest of the way straight
   std::optional<double> arrived_s = {};
   double stuck_s = 0.0;  // not there, and slower than a twentieth of its greatest speed
+  std::optional<double> stuck_since_s = {};  // who is so now
 };
 
 class ClosedLoop {
@@ -41,25 +41,33 @@ class ClosedLoop {
   // Everybody stands at its start at time 0.
   ClosedLoop(scenes::Mission mission, const LoopOptions& options);
 
-  // Flies on for a step. Errors: as Adviser::advise.
+  // Flies on for a step. Errors: as ObstacleMap::of and Adviser::advise.
   Status step();
 
   [[nodiscard]] double time_s() const { return time_s_; }
   [[nodiscard]] const std::vector<Mover>& movers() const { return movers_; }
   [[nodiscard]] const std::vector<Flight>& flights() const { return flights_; }
   [[nodiscard]] std::size_t arrived() const { return arrived_; }
+  // Null for none.
+  [[nodiscard]] const ObstacleMap* obstacles() const;
   // Of the last step.
   [[nodiscard]] const Advised& advised() const { return advised_; }
   // Seconds of the processor's clock that advice has taken so far.
   [[nodiscard]] double advising_s() const { return advising_s_; }
 
  private:
-  [[nodiscard]] Velocity wish(std::size_t bee) const;
+  [[nodiscard]] const FlightLimits& limits_of(std::size_t bee) const {
+    return limits_[limits_.size() == 1 ? 0 : bee];
+  }
   [[nodiscard]] Velocity as_it_likes(std::size_t bee) const;
+  Status take_advice();
+  void look_at(std::size_t bee);
   void fly(std::size_t bee, const Velocity& next);
 
   scenes::Mission mission_;
   LoopOptions options_;
+  std::vector<FlightLimits> limits_;  // one for all or for each
+  Result<ObstacleMap> obstacles_;
   std::uint64_t steps_ = 0;
   double time_s_ = 0.0;
   std::vector<Mover> movers_;

@@ -91,6 +91,14 @@ struct SwarmCounts {
   std::uint64_t stale = 0;     // now
 };
 
+// Where a bee is, flown on straight from its last report, and how fast it goes.
+struct LiveMover {
+  PointId id = 0;
+  Mover mover;
+
+  friend constexpr bool operator==(const LiveMover&, const LiveMover&) = default;
+};
+
 class BEESPACE_API Swarm {
  public:
   // Errors of a swarm with options that make no sense come from every call.
@@ -115,6 +123,11 @@ class BEESPACE_API Swarm {
   Result<std::vector<SwarmEvent>> advance(double now_s);
 
   [[nodiscard]] SwarmCounts counts() const;
+
+  // Everybody at `time_s`, as predictions see them, in ascending order of ids: but for those that
+  // were stale when advance() was last called, and those heard of once and without a velocity.
+  // Heights that are kept apart are left out. Nobody at a time outside the motion domain.
+  [[nodiscard]] std::vector<LiveMover> movers(double time_s) const;
 
  private:
   class State;

@@ -11,6 +11,7 @@
 
 #include <beespace/export.hpp>
 #include <beespace/mover.hpp>
+#include <beespace/obstacle.hpp>
 #include <beespace/pairs.hpp>
 #include <beespace/result.hpp>
 
@@ -27,6 +28,11 @@ struct VerifyOptions {
   // Metres: who comes closer than this to another one has lost separation. What rounding cannot
   // exclude counts as lost, so two who are exactly the threshold apart may.
   double threshold_m = 5.0;
+
+  // What stands in the way; not owned, and null for nothing. Who comes closer to it than the
+  // clearance, in metres, above zero, has lost it; again what rounding cannot exclude.
+  const ObstacleMap* obstacles = nullptr;
+  double clearance_m = 1.0;
 
   // What everybody can do; infinite: not checked. Speeds and accelerations are those of the curves,
   // and may be above these by a billionth, and by what the rounding of the given positions and
@@ -53,6 +59,17 @@ struct Loss {
   friend constexpr bool operator==(const Loss&, const Loss&) = default;
 };
 
+// One that came closer to an obstacle than the clearance in one step.
+struct ClearanceLoss {
+  PointId bee = 0;
+  std::size_t obstacle = 0;  // the first that it came too close to
+  double begins_s = 0.0;     // of the step
+  double ends_s = 0.0;
+  double closest_m = 0.0;  // how close it was seen to be to any; below zero inside
+
+  friend constexpr bool operator==(const ClearanceLoss&, const ClearanceLoss&) = default;
+};
+
 enum class BreachKind : std::uint8_t { kSpeed, kAcceleration };
 
 // One that flew as it cannot, in one step.
@@ -68,11 +85,13 @@ struct Breach {
 // What was found in all steps so far.
 struct Verdict {
   std::uint64_t steps = 0;
-  std::uint64_t losses = 0;    // pairs, counted anew in each step
-  std::uint64_t breaches = 0;  // of limits
+  std::uint64_t losses = 0;            // pairs, counted anew in each step
+  std::uint64_t clearance_losses = 0;  // bees, counted anew in each step
+  std::uint64_t breaches = 0;          // of limits
   // The first of each, at most kMostShown.
   static constexpr std::size_t kMostShown = 1000;
   std::vector<Loss> first_losses;
+  std::vector<ClearanceLoss> first_clearance_losses;
   std::vector<Breach> first_breaches;
   // The closest that any two came, where they came closer than twice the threshold; to a millionth
   // of the threshold, and never more than it was.
@@ -82,7 +101,7 @@ struct Verdict {
   double fastest_mps = 0.0;
   double hardest_mps2 = 0.0;
 
-  [[nodiscard]] bool holds() const { return losses == 0 && breaches == 0; }
+  [[nodiscard]] bool holds() const { return losses == 0 && clearance_losses == 0 && breaches == 0; }
 };
 
 // Checks step after step, so that what was flown need not be kept.
@@ -100,7 +119,8 @@ class BEESPACE_API Verifier {
   // Where everybody is at a time, and how fast: the end of the step that the call before began. As
   // many movers each time.
   //
-  // Errors: kInvalidThreshold, kInvalidArgument (another number of movers, limits below zero);
+  // Errors: kInvalidThreshold, kInvalidArgument (another number of movers, limits below zero, a
+  // clearance that is not above zero);
   // kTimeOrder for a time that is not after the one before; kNotFinite and kOutsideDomain, with the
   // mover in place.record.
   Status add(double time_s, const MoversView& movers);

@@ -1,14 +1,18 @@
 #include <beespace/advise.hpp>
+#include <beespace/closest_approach.hpp>
 #include <beespace/crew.hpp>
 #include <beespace/engine.hpp>
 
-#include "avoidance/certificate.hpp"
+#include "avoidance/claimants.hpp"
 #include "avoidance/disposal.hpp"
+#include "avoidance/flyers.hpp"
+#include "avoidance/known_methods.hpp"
 #include "avoidance/validate.hpp"
 #include "cpu/crew_size.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -18,24 +22,24 @@ namespace beespace {
 
 namespace {
 
+using avoidance::Claimants;
 using avoidance::Flyer;
-using avoidance::HalfSpace;
-using avoidance::Parting;
-using avoidance::Segment;
-using avoidance::Vector3;
-
-// What rounding may take from a distance along the way: the threshold is widened by it, and a pair
-// is certified while at least half of it is left.
-double spare_of(double threshold_m, double farthest_m) {
-  return 1e-7 * threshold_m + 0x1p-44 * farthest_m;
-}
-
-// Of its greatest speed: how fast somebody makes room.
-constexpr double kAside = 0.5;
+using avoidance::Flyers;
+using core::Vector3;
 
 // Speeds that are no more than rounding are none: nobody is told to leave the motion domain.
 double told(double component_mps) {
   return std::abs(component_mps) < 0x1p-80 ? 0.0 : component_mps;
+}
+Velocity told(const Vector3& v) {
+  return {told(v.x), told(v.y), told(v.z)};
+}
+
+// Whoever wants to fly and is told to stand waits.
+bool waits(const Flyer& flyer, const Vector3& wish, const Vector3& velocity) {
+  constexpr double kStands = 0.05;  // of its greatest speed
+  const double least = kStands * flyer.max_speed;
+  return length(velocity) < least && length(flyer.velocity) < least && length(wish) > 4.0 * least;
 }
 
 }  // namespace
@@ -48,133 +52,140 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     if (auto error = avoidance::check(movers, preferred, limits, options)) {
       return *std::move(error);
     }
-    take(movers, limits, options);
-    wishes_ = preferred;
-    const SearchOptions around{.threshold_m = farthest_apart(), .threads = options.threads};
-    if (Status found = engine_.find_neighbors(movers.positions(), around, near_); !found) {
-      return found;
-    }
+    flyers_.take(movers, limits, options);
+    const double horizon_s = avoidance::looks_ahead_s(flyers_, options.step_s);
+    if (Status found = find_near(movers, options, horizon_s); !found) return found;
     advised.advice.assign(movers.size(), {});
+    const Claimants claimants(flyers_, near_, preferred, options);
     ThreadCrew& crew = crew_for(options.threads, movers.size());
     crew.split(movers.size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
       Desk& desk = desks_[worker];
-      desk.too_close.clear();
       for (std::size_t bee = begin; bee < end; ++bee) {
         const auto id = static_cast<PointId>(bee);
-        advised.advice[bee] = advise_one(id, desk);
+        const Vector3 wish = core::vector_of(preferred[bee]);
+        advised.advice[bee] = options.method == AdviseMethod::kCertified
+                                  ? advise_one(id, wish, claimants, desk)
+                                  : known_advice(id, wish, options, horizon_s, desk);
       }
     });
-    advised.too_close.clear();
-    for (const Desk& desk : desks_) {
-      advised.too_close.insert(advised.too_close.end(), desk.too_close.begin(),
-                               desk.too_close.end());
-    }
+    collect(claimants, options, advised);
     return std::monostate{};
   }
 
  private:
-  void take(const MoversView& movers, std::span<const FlightLimits> limits,
-            const AdviseOptions& options) {
-    flyers_.clear();
-    stops_.clear();
-    farthest_reach_m_ = 0.0;
-    double farthest_m = 0.0;
-    for (std::size_t i = 0; i < movers.size(); ++i) {
-      const auto [p, v] = movers[i];
-      const FlightLimits& limit = limits[limits.size() == 1 ? 0 : i];
-      const Flyer& flyer = flyers_.emplace_back(Flyer{avoidance::vector_of(p),
-                                                      avoidance::vector_of(v),
-                                                      {limit, options.step_s},
-                                                      limit.max_speed_mps});
-      const Stop& stop = stops_.emplace_back(Stop{flyer.way_to_stop(), flyer.reach()});
-      farthest_reach_m_ = std::max(farthest_reach_m_, stop.reach_m);
-      farthest_m = std::max({farthest_m, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-    }
-    const double apart_m = options.threshold_m + 2.0 * options.uncertainty_m;
-    const double spare_m = spare_of(apart_m, farthest_m + farthest_reach_m_);
-    kept_m_ = apart_m + spare_m;
-    certified_m_ = apart_m + 0.5 * spare_m;
-  }
-
-  // Who is farther apart cannot meet, whatever both do.
-  [[nodiscard]] double farthest_apart() const {
-    return (kept_m_ + 2.0 * farthest_reach_m_) * (1.0 + 0x1p-40);
-  }
-
-  // The way of a bee to its stop as it flies now, and how far it may get in a step and its stop.
-  struct Stop {
-    Segment way;
-    double reach_m;
-  };
-
   // What one worker works with.
   struct Desk {
-    std::vector<HalfSpace> keep_to;
+    Claimants::Findings findings;
     avoidance::Disposal disposal;
-    std::vector<Pair> too_close;
+    avoidance::KnownMethod known;
   };
+
+  // Whoever matters to each bee.
+  Status find_near(const MoversView& movers, const AdviseOptions& options, double horizon_s) {
+    SearchOptions around{.threshold_m = flyers_.farthest_apart(), .threads = options.threads};
+    if (options.method == AdviseMethod::kCertified) {
+      return engine_.find_neighbors(flyers_.middles(), around, near_);
+    }
+    around.threshold_m = flyers_.apart().kept_m + 2.0 * flyers_.fastest() * horizon_s;
+    return engine_.find_neighbors(movers.positions(), around, near_);
+  }
 
   ThreadCrew& crew_for(unsigned threads, std::size_t bees) {
     const unsigned size = cpu::crew_size(threads, bees);
     if (!crew_ || crew_->size() != size) crew_.emplace(size);
     desks_.resize(crew_->size());
+    for (Desk& desk : desks_) {
+      desk.findings.too_close.clear();
+      desk.findings.near_obstacle.clear();
+    }
     return *crew_;
   }
 
-  [[nodiscard]] Advice advise_one(PointId bee, Desk& desk) const {
+  [[nodiscard]] Advice advise_one(PointId bee, const Vector3& wish, const Claimants& claimants,
+                                  Desk& desk) const {
+    constexpr double kAside = 0.5;  // of its greatest speed: how fast somebody makes room
     const Flyer& flyer = flyers_[bee];
-    const auto& [way, reach_m] = stops_[bee];
-    desk.keep_to.clear();
-    Vector3 pressed;
-    bool certified = true;
-    for (const PointId other : near_[bee]) {
-      const auto& [other_way, other_reach_m] = stops_[other];
-      const double meet_m = (kept_m_ + reach_m + other_reach_m) * (1.0 + 0x1p-40);
-      const Vector3 between = way.from - other_way.from;
-      if (dot(between, between) > meet_m * meet_m) continue;
-      const bool is_first = bee < other;
-      const Parting parting =
-          is_first ? part(way, other_way, kept_m_) : part(other_way, way, kept_m_);
-      desk.keep_to.push_back(is_first ? parting.of_first(kept_m_) : parting.of_second(kept_m_));
-      pressed = pressed + pressure(other, desk.keep_to.back().normal, parting.gap);
-      if (parting.gap >= certified_m_) continue;
-      certified = false;
-      if (is_first) desk.too_close.push_back({bee, other});
+    Claimants::Findings& findings = desk.findings;
+    claimants.look_at(bee, findings);
+    const bool makes_room = claimants.is_idle(bee) && !(findings.pressed == Vector3{});
+    const Vector3 aside = at_most(findings.pressed, 1.0) * (kAside * flyer.max_speed);
+    const auto [velocity, kind] =
+        desk.disposal.dispose(flyer, makes_room ? wish + aside : wish, findings.claims);
+    Advice advice{told(velocity), kind, findings.certified};
+    if (kind == AdviceKind::kAsWished) {
+      if (makes_room) advice.kind = AdviceKind::kDeflected;
+    } else if (waits(flyer, wish, velocity)) {
+      advice.kind = AdviceKind::kWaiting;
     }
-    const Vector3 wish = avoidance::vector_of(wishes_[bee]);
-    const bool makes_room = is_idle(bee) && !(pressed == Vector3{});
-    const Vector3 aside = at_most(pressed, 1.0) * (kAside * flyer.max_speed);
-    const auto [v, kind] =
-        desk.disposal.dispose(flyer, makes_room ? wish + aside : wish, desk.keep_to);
-    const bool as_wished = kind == AdviceKind::kAsWished && makes_room;
-    return {
-        {told(v.x), told(v.y), told(v.z)}, as_wished ? AdviceKind::kDeflected : kind, certified};
+    return advice;
   }
 
-  // Whoever is where it wants to be makes room for those who are close and want through: how much
-  // another one presses a bee that lies from it in the direction `away`, across a gap.
-  [[nodiscard]] Vector3 pressure(PointId other, const Vector3& away, double gap_m) const {
-    constexpr double kClose = 0.6;  // of the threshold, beyond it
-    const double free = (gap_m - kept_m_) / (kClose * kept_m_);
-    if (free >= 1.0 || is_idle(other) || dot(avoidance::vector_of(wishes_[other]), away) <= 0.0) {
-      return {};
-    }
-    return away * (1.0 - free);
+  [[nodiscard]] Advice known_advice(PointId bee, const Vector3& wish, const AdviseOptions& options,
+                                    double horizon_s, Desk& desk) const {
+    const Vector3 velocity =
+        options.method == AdviseMethod::kOrca
+            ? desk.known.orca(flyers_, bee, near_, wish, horizon_s, options.step_s)
+            : avoidance::KnownMethod::mvp(flyers_, bee, near_, wish, horizon_s, options.step_s);
+    const bool as_wished = velocity == flyers_[bee].able(wish);
+    return {told(velocity), as_wished ? AdviceKind::kAsWished : AdviceKind::kDeflected, false};
   }
 
-  [[nodiscard]] bool is_idle(PointId bee) const {
-    constexpr double kIdle = 0.3;  // of what it can fly
-    return length(avoidance::vector_of(wishes_[bee])) < kIdle * flyers_[bee].max_speed;
+  // What all workers have found that is not certified.
+  void collect(const Claimants& claimants, const AdviseOptions& options, Advised& advised) const {
+    advised.too_close.clear();
+    advised.near_obstacle.clear();
+    for (const Desk& desk : desks_) {
+      const Claimants::Findings& found = desk.findings;
+      advised.too_close.insert(advised.too_close.end(), found.too_close.begin(),
+                               found.too_close.end());
+      advised.near_obstacle.insert(advised.near_obstacle.end(), found.near_obstacle.begin(),
+                                   found.near_obstacle.end());
+    }
+    for (TooClose& close : advised.too_close) {
+      close.clear_s = time_to_clear(close.pair, advised);
+    }
+    const auto place = [](const NearObstacle& near) { return std::pair(near.bee, near.obstacle); };
+    std::sort(advised.near_obstacle.begin(), advised.near_obstacle.end(),
+              [&](const auto& a, const auto& b) { return place(a) < place(b); });
+    advised.intruder_conflicts.clear();
+    for (std::size_t bee = 0; bee < flyers_.size(); ++bee) {
+      collect_intruders(static_cast<PointId>(bee), claimants, options, advised);
+    }
+  }
+
+  // From where it is, as it is advised.
+  [[nodiscard]] Mover as_advised(PointId bee, const Advised& advised) const {
+    const Vector3& p = flyers_[bee].position;
+    return {{p.x, p.y, p.z}, advised.advice[bee].velocity};
+  }
+
+  [[nodiscard]] double time_to_clear(const Pair& pair, const Advised& advised) const {
+    constexpr double kForever_s = 1e9;
+    const auto approach =
+        closest_approach(as_advised(pair.first, advised), as_advised(pair.second, advised),
+                         {.threshold_m = flyers_.apart().asked_m, .horizon_s = kForever_s});
+    if (!approach || !approach->conflict) return 0.0;
+    const double end_s = approach->conflict->ends_s;
+    return end_s < kForever_s ? end_s : std::numeric_limits<double>::infinity();
+  }
+
+  void collect_intruders(PointId bee, const Claimants& claimants, const AdviseOptions& options,
+                         Advised& advised) const {
+    const Mover mover = as_advised(bee, advised);
+    for (std::size_t k = 0; k < options.intruders.size(); ++k) {
+      if (!claimants.may_come_close(bee, options.intruders[k])) continue;
+      const auto approach = closest_approach(
+          mover, options.intruders[k],
+          {.threshold_m = flyers_.apart().asked_m, .horizon_s = options.intruder_horizon_s});
+      if (!approach || !approach->conflict) continue;
+      advised.intruder_conflicts.push_back(
+          {bee, k, approach->conflict->begins_s, approach->closest_m});
+    }
   }
 
   Engine engine_;
   IdRows near_;
-  std::span<const Velocity> wishes_;  // of this call
-  std::vector<Flyer> flyers_;
-  std::vector<Stop> stops_;  // of each
-  double farthest_reach_m_ = 0.0;
-  double kept_m_ = 0.0;       // how far apart everybody stays
-  double certified_m_ = 0.0;  // who is closer than this has lost what rounding was allowed
+  Flyers flyers_;
   std::optional<ThreadCrew> crew_;
   std::vector<Desk> desks_;  // of each worker
 };

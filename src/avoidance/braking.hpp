@@ -6,7 +6,7 @@
 // can stop on for ever. A bee without a limit of acceleration stops where it is.
 #pragma once
 
-#include "avoidance/vector3.hpp"
+#include "core/vector3.hpp"
 
 #include <beespace/advise.hpp>
 
@@ -14,6 +14,8 @@
 #include <cmath>
 
 namespace beespace::avoidance {
+
+using core::Vector3;
 
 class Braking {
  public:
@@ -50,10 +52,12 @@ class Braking {
     return step_s_ + speed * per_acceleration_;
   }
 
-  // How far from where it is the bee may get in a step and the stop after it, at most at `speed`.
-  [[nodiscard]] double reach(const Vector3& old, double speed) const {
-    const double fastest = std::max(speed, length(old));
-    return length(drift(old)) + fastest * growth_across(fastest);
+  // How far from the end of its way to a stop a step may take the bee, and the stop after it: as
+  // far as a step at its speed, and what a change of the velocity moves the stop.
+  [[nodiscard]] double strays(const Vector3& velocity, double max_speed) const {
+    if (at_once_) return max_speed * step_s_;
+    const double speed = length(velocity);
+    return speed * step_s_ + change_ * growth_along(speed + change_);
   }
 
   // The velocity at the end of a step of braking as hard as can be.

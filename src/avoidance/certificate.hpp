@@ -21,13 +21,15 @@ struct Parting {
   double gap;      // between what the two reach along it; below zero where they overlap
   double middle;   // of the gap, along the normal
 
-  // What the first keeps to, and the second, to stay so far apart; or as far as they are.
-  [[nodiscard]] HalfSpace of_first(double apart) const {
-    return {normal, middle + 0.5 * std::min(apart, gap)};
+  // What the first keeps to, and the second, to stay so far apart; or as far as they are. What is
+  // free between them is halved; with `lean` 1 it is all of the second, with -1 all of the first.
+  [[nodiscard]] HalfSpace of_first(double apart, double lean) const {
+    return {normal, middle + 0.5 * (std::min(apart, gap) + lean * free(apart))};
   }
-  [[nodiscard]] HalfSpace of_second(double apart) const {
-    return {-normal, -middle + 0.5 * std::min(apart, gap)};
+  [[nodiscard]] HalfSpace of_second(double apart, double lean) const {
+    return {-normal, -middle + 0.5 * (std::min(apart, gap) - lean * free(apart))};
   }
+  [[nodiscard]] double free(double apart) const { return std::max(0.0, gap - apart); }
 };
 
 // The widest gap, or one that is wide enough. Any normal is right: the gap is what both reach along

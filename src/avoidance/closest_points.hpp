@@ -1,11 +1,13 @@
 // Where two straight ways are closest to each other.
 #pragma once
 
-#include "avoidance/vector3.hpp"
+#include "core/vector3.hpp"
 
 #include <algorithm>
 
 namespace beespace::avoidance {
+
+using core::Vector3;
 
 // From `from` along `way`.
 struct Segment {

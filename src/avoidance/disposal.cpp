@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace beespace::avoidance {
 
@@ -10,10 +9,21 @@ namespace {
 
 // The way in the step lies between the start, half the old velocity on, and the stop after the new
 // one: within the half-spaces if the stop is, as the first two lie on the old way to a stop.
-bool keeps_to(const Flyer& flyer, const Vector3& velocity, std::span<const HalfSpace> keep_to) {
+bool keeps_to(const Flyer& flyer, const Vector3& velocity, const Claims& claims) {
   const Vector3 stop = flyer.stop_after(velocity);
-  return std::all_of(keep_to.begin(), keep_to.end(),
+  return std::all_of(claims.keep_to.begin(), claims.keep_to.end(),
                      [&](const HalfSpace& side) { return side.inside_by(stop) >= 0.0; });
+}
+
+// And whether it does what is asked for beyond that.
+bool does_all(const Flyer& flyer, const Vector3& velocity, const Claims& claims) {
+  const Vector3 stop = flyer.stop_after(velocity);
+  return std::all_of(claims.get_away.begin(), claims.get_away.end(),
+                     [&](const Claims::Farther& farther) {
+                       return claims.keep_to[farther.of].inside_by(stop) >= farther.by;
+                     }) &&
+         std::all_of(claims.give_way.begin(), claims.give_way.end(),
+                     [&](const HalfSpace& side) { return side.inside_by(velocity) >= 0.0; });
 }
 
 // A wish, turned to the right as seen from above: by the angle of this sine.
@@ -28,39 +38,19 @@ Vector3 turned_right(const Vector3& wish, double sine) {
 
 }  // namespace
 
-Vector3 Flyer::able(const Vector3& wish) const {
-  const Vector3 slow = at_most(wish, max_speed);
-  if (braking.at_once()) return slow;
-  // Towards it, as far as the acceleration goes. Who is too fast slows down first.
-  const Vector3 next = velocity + at_most(slow - velocity, braking.change());
-  return length(velocity) > max_speed ? braking.braked(velocity) : at_most(next, max_speed);
-}
-
 Disposal::Disposed Disposal::dispose(const Flyer& flyer, const Vector3& wish,
-                                     std::span<const HalfSpace> keep_to) {
+                                     const Claims& claims) {
   const Vector3 proposed = flyer.able(wish);
-  if (keeps_to(flyer, proposed, keep_to)) return {proposed, AdviceKind::kAsWished};
-
+  if (keeps_to(flyer, proposed, claims) && does_all(flyer, proposed, claims)) {
+    return {proposed, AdviceKind::kAsWished};
+  }
   const Braking& braking = flyer.braking;
   const Vector3 brake = braking.at_once() ? Vector3{} : braking.braked(flyer.velocity);
-  // The half-spaces as they look to small changes of the velocity: a change across it and one along
-  // it move the stop by different lengths.
   const Vector3 from = braking.at_once() ? Vector3{} : flyer.velocity;
-  const double speed = length(from);
-  const double across = braking.growth_across(speed);
-  const double along = braking.growth_along(speed);
-  const Vector3 heading = speed > 0.0 ? from * (1.0 / speed) : Vector3{};
-  const Vector3 stop = flyer.stop_after(from);
-  in_changes_.clear();
-  for (const HalfSpace& side : keep_to) {
-    const Vector3& n = side.normal;
-    const Vector3 slope = n * across + heading * (dot(n, heading) * (along - across));
-    const double steep = length(slope);
-    in_changes_.push_back({slope * (1.0 / steep), -side.inside_by(stop) / steep});
-  }
   const Ball changes{{}, braking.at_once() ? flyer.max_speed : braking.change()};
+  put_in_changes(flyer, from, claims, changes.radius);
   const auto nearest = [&](const Vector3& velocity) {
-    const auto found = nearest_place(velocity - from, in_changes_, changes);
+    const auto found = program_.nearest(velocity - from, firm_, requests_, changes);
     return found ? flyer.able(from + *found) : velocity;
   };
   Vector3 best = nearest(proposed);
@@ -74,9 +64,38 @@ Disposal::Disposed Disposal::dispose(const Flyer& flyer, const Vector3& wish,
   // What is left of the curve that was taken for straight: a little towards braking.
   for (const double share : {1.0, 0.999, 0.99, 0.9, 0.7, 0.4, 0.15, 0.05}) {
     const Vector3 velocity = brake + (best - brake) * share;
-    if (keeps_to(flyer, velocity, keep_to)) return {velocity, AdviceKind::kDeflected};
+    if (keeps_to(flyer, velocity, claims)) return {velocity, AdviceKind::kDeflected};
   }
   return {brake, AdviceKind::kBraking};
+}
+
+// The half-spaces as they look to small changes of the velocity: a change across it and one along
+// it move the stop by different lengths.
+void Disposal::put_in_changes(const Flyer& flyer, const Vector3& from, const Claims& claims,
+                              double most_change) {
+  const double speed = length(from);
+  const double across = flyer.braking.growth_across(speed);
+  const double along = flyer.braking.growth_along(speed);
+  const Vector3 heading = speed > 0.0 ? from * (1.0 / speed) : Vector3{};
+  const Vector3 stop = flyer.stop_after(from);
+  const auto in_changes = [&](const HalfSpace& side, double farther) {
+    const Vector3& n = side.normal;
+    const Vector3 slope = n * across + heading * (dot(n, heading) * (along - across));
+    const double steep = length(slope);
+    return HalfSpace{slope * (1.0 / steep), (farther - side.inside_by(stop)) / steep};
+  };
+  firm_.clear();
+  for (const HalfSpace& side : claims.keep_to) firm_.push_back(in_changes(side, 0.0));
+  requests_.clear();
+  for (const auto& [of, by] : claims.get_away) {
+    const HalfSpace side = in_changes(claims.keep_to[of], by);
+    requests_.push_back({side, side.offset - firm_[of].offset});
+  }
+  for (const HalfSpace& side : claims.give_way) {
+    const HalfSpace change{side.normal, -side.inside_by(from)};
+    // All changes there are lie in it once it has given up as much.
+    requests_.push_back({change, std::max(0.0, change.offset + most_change)});
+  }
 }
 
 }  // namespace beespace::avoidance

@@ -7,12 +7,14 @@
 // in no particular order.
 #pragma once
 
-#include "avoidance/vector3.hpp"
+#include "core/vector3.hpp"
 
 #include <optional>
 #include <span>
 
 namespace beespace::avoidance {
+
+using core::Vector3;
 
 // normal * x >= offset; the normal has length 1.
 struct HalfSpace {

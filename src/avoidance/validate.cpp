@@ -26,6 +26,15 @@ std::optional<Error> check_options(const AdviseOptions& options) {
     return invalid("the uncertainty is " + shown(options.uncertainty_m) +
                    " m; give a finite distance, zero or more");
   }
+  if (!(options.clearance_m > 0.0) || !motion::in_motion_domain(options.clearance_m)) {
+    return invalid("the clearance is " + shown(options.clearance_m) +
+                   " m; give a finite distance above zero");
+  }
+  const double horizon_s = options.intruder_horizon_s;
+  if (!(horizon_s > 0.0) || !motion::in_motion_domain(horizon_s)) {
+    return invalid("the horizon of intruders is " + shown(horizon_s) +
+                   " s; give a finite time above zero");
+  }
   return std::nullopt;
 }
 
@@ -49,7 +58,7 @@ std::optional<Error> check(const MoversView& movers, std::span<const Velocity> p
                            std::span<const FlightLimits> limits, const AdviseOptions& options) {
   if (auto error = check_options(options)) return error;
   if (auto error = core::check_size(movers.size())) return error;
-  if (movers.has_heights()) {
+  if (movers.has_heights() || options.intruders.has_heights()) {
     return invalid("there are heights apart from the positions; give positions in space");
   }
   if (preferred.size() != movers.size()) {
@@ -65,6 +74,10 @@ std::optional<Error> check(const MoversView& movers, std::span<const Velocity> p
     auto error = motion::check_mover({{}, preferred[i]}, i);
     if (!error) continue;
     error->message = "preferred " + error->message;
+    return error;
+  }
+  if (auto error = motion::check_movers(options.intruders)) {
+    error->message.insert(0, "intruder: ");
     return error;
   }
   for (std::size_t i = 0; i < limits.size(); ++i) {

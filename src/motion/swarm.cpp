@@ -76,6 +76,7 @@ class __attribute__((visibility("hidden"))) Swarm::State {
     counts.stale = bees_.stale();
     return counts;
   }
+  [[nodiscard]] std::vector<LiveMover> movers(double time_s) const;
 
  private:
   core::Resources resources();
@@ -201,6 +202,18 @@ Status Swarm::State::predict(double now_s, const core::Resources& with,
   return std::monostate{};
 }
 
+std::vector<LiveMover> Swarm::State::movers(double time_s) const {
+  std::vector<LiveMover> movers;
+  if (!motion::in_motion_domain(time_s)) return movers;
+  for (const motion::LiveRun& run : bees_.runs()) {
+    if (run.complete || run.fixes.empty()) continue;
+    if (const auto now = run.at(time_s)) movers.push_back({run.bee, now->mover});
+  }
+  std::sort(movers.begin(), movers.end(),
+            [](const LiveMover& a, const LiveMover& b) { return a.id < b.id; });
+  return movers;
+}
+
 Swarm::Swarm(const SwarmOptions& options) : state_(std::make_unique<State>(options)) {
 }
 Swarm::Swarm(Swarm&&) noexcept = default;
@@ -221,6 +234,10 @@ Result<std::vector<SwarmEvent>> Swarm::advance(double now_s) {
 
 SwarmCounts Swarm::counts() const {
   return state_->counts();
+}
+
+std::vector<LiveMover> Swarm::movers(double time_s) const {
+  return state_->movers(time_s);
 }
 
 }  // namespace beespace

@@ -55,6 +55,25 @@ inline Curve difference(const Curve& a, const Curve& b) {
   return curve;
 }
 
+// Two curves that one after the other are the same.
+inline std::array<Curve, 2> halves(const Curve& curve) {
+  const auto& c = curve.control;
+  const Point ab = mixed(c[0], c[1]);
+  const Point bc = mixed(c[1], c[2]);
+  const Point cd = mixed(c[2], c[3]);
+  const Point abc = mixed(ab, bc);
+  const Point bcd = mixed(bc, cd);
+  const Point middle = mixed(abc, bcd);
+  return {{{{c[0], ab, abc, middle}}, {{middle, bcd, cd, c[3]}}}};
+}
+
+// How far from its chord a curve gets at most: three quarters of what its inner control points are
+// away from theirs.
+inline double bulge_of(const Curve& curve) {
+  const Curve off = difference(curve, line_of(curve.control[0], curve.control[3]));
+  return 0.75 * std::max(length(off.control[1]), length(off.control[2]));
+}
+
 // A distance from the origin that no point of the curve is below; and at most `tolerance` below
 // that of the closest. Halves the curve where the hull says too little.
 class ClosestToOrigin {
@@ -93,16 +112,10 @@ class ClosestToOrigin {
   }
 
   void halve(const Curve& curve) {
-    const auto& c = curve.control;
-    const Point ab = mixed(c[0], c[1]);
-    const Point bc = mixed(c[1], c[2]);
-    const Point cd = mixed(c[2], c[3]);
-    const Point abc = mixed(ab, bc);
-    const Point bcd = mixed(bc, cd);
-    const Point middle = mixed(abc, bcd);
-    nearest_ = std::min(nearest_, length(middle));
-    open_.push_back({{c[0], ab, abc, middle}});
-    open_.push_back({{middle, bcd, cd, c[3]}});
+    for (const Curve& half : halves(curve)) {
+      nearest_ = std::min(nearest_, length(half.control[3]));
+      open_.push_back(half);
+    }
   }
 
   double nearest_ = 0.0;  // of the points that have been looked at

@@ -2,6 +2,7 @@
 #include <beespace/engine.hpp>
 #include <beespace/verify.hpp>
 
+#include "verify/clearance.hpp"
 #include "verify/curve.hpp"
 
 #include <algorithm>
@@ -39,6 +40,12 @@ std::optional<Error> check_options(const VerifyOptions& options) {
                      "; give zero or more, or infinity for none",
                  {}};
   };
+  if (!(options.clearance_m > 0.0) || !(options.clearance_m <= kLargestInMotion)) {
+    return Error{
+        ErrorCode::kInvalidArgument,
+        "the clearance is " + shown(options.clearance_m) + " m; give a finite distance above zero",
+        {}};
+  }
   if (auto error = check(options.max_speed_mps, "speed", "m/s")) return error;
   return check(options.max_acceleration_mps2, "acceleration", "m/s^2");
 }
@@ -128,7 +135,7 @@ class __attribute__((visibility("hidden"))) Verifier::State {
                                           : verify::curve_of(before_[i], now_[i], lasts_s));
       const Point chord = scaled_difference(q, p, 1.0 / lasts_s);
       chords_[i] = {p, {told(chord.x), told(chord.y), told(chord.z)}};
-      bulge_m = std::max(bulge_m, bulge_of(curves_.back()));
+      bulge_m = std::max(bulge_m, verify::bulge_of(curves_.back()));
       for (const Point& at : {p, q}) {
         farthest_m = std::max({farthest_m, std::abs(at.x), std::abs(at.y), std::abs(at.z)});
       }
@@ -142,15 +149,8 @@ class __attribute__((visibility("hidden"))) Verifier::State {
     check_limits(begin_s, lasts_s, rounded_m,
                  0x1p-52 * std::max(std::abs(begin_s), std::abs(end_s)));
     for (const Pair& pair : pairs_) check_pair(pair, begin_s, end_s, rounded_m);
+    if (options_.obstacles != nullptr) check_clearance(begin_s, end_s, rounded_m);
     return std::monostate{};
-  }
-
-  // How far from its chord a curve gets at most: three quarters of what its inner control points
-  // are away from theirs.
-  static double bulge_of(const Curve& curve) {
-    const Curve line = verify::line_of(curve.control[0], curve.control[3]);
-    const Curve off = verify::difference(curve, line);
-    return 0.75 * std::max(verify::length(off.control[1]), verify::length(off.control[2]));
   }
 
   void check_pair(const Pair& pair, double begin_s, double end_s, double rounded_m) {
@@ -167,6 +167,19 @@ class __attribute__((visibility("hidden"))) Verifier::State {
     ++verdict_.losses;
     if (verdict_.first_losses.size() < Verdict::kMostShown) {
       verdict_.first_losses.push_back({pair, begin_s, end_s, closest_m});
+    }
+  }
+
+  void check_clearance(double begin_s, double end_s, double rounded_m) {
+    verify::ClearanceCheck check(*options_.obstacles, options_.clearance_m);
+    for (PointId bee = 0; bee < curves_.size(); ++bee) {
+      const auto found = check(curves_[bee], rounded_m);
+      if (!found) continue;
+      ++verdict_.clearance_losses;
+      if (verdict_.first_clearance_losses.size() < Verdict::kMostShown) {
+        verdict_.first_clearance_losses.push_back(
+            {bee, found->obstacle, begin_s, end_s, found->closest_m});
+      }
     }
   }
 

@@ -19,7 +19,7 @@ using scenes::RandomStream;
 using test::long_of;
 
 Vector3 direction(RandomStream& random) {
-  return vector_of(scenes::random_direction(random));
+  return core::vector_of(scenes::random_direction(random));
 }
 
 double distance(const Segment& first, const Segment& second) {
@@ -32,14 +32,14 @@ Segment random_way(RandomStream& random) {
   return {direction(random) * random.uniform(0.0, 10.0), direction(random) * long_m};
 }
 
-void expect_parted(const Segment& first, const Segment& second, double apart_m) {
+void expect_parted(const Segment& first, const Segment& second, double apart_m, double lean) {
   const Parting parting = part(first, second);
   const double rounding = 1e-14 * (1.0 + length(first.from) + length(first.way) +
                                    length(second.from) + length(second.way));
   ASSERT_NEAR(length(parting.normal), 1.0, 1e-14);
   ASSERT_LE(parting.gap, distance(first, second) + rounding);
-  const HalfSpace of_first = parting.of_first(apart_m);
-  const HalfSpace of_second = parting.of_second(apart_m);
+  const HalfSpace of_first = parting.of_first(apart_m, lean);
+  const HalfSpace of_second = parting.of_second(apart_m, lean);
   for (const double share : {0.0, 0.3, 1.0}) {
     ASSERT_GE(of_first.inside_by(first.at(share)), -rounding);
     ASSERT_GE(of_second.inside_by(second.at(share)), -rounding);
@@ -54,7 +54,8 @@ TEST(Parting, EachWayLiesInItsOwnHalfSpaceAndTheGapIsNotAboveTheDistance) {
   for (int round = 0; round < test::rounds(100'000); ++round) {
     const Segment first = random_way(random);
     const Segment second = random_way(random);
-    ASSERT_NO_FATAL_FAILURE(expect_parted(first, second, random.uniform(0.1, 10.0)))
+    ASSERT_NO_FATAL_FAILURE(
+        expect_parted(first, second, random.uniform(0.1, 10.0), random.uniform(-1.0, 1.0)))
         << "round " << round;
   }
 }
@@ -100,7 +101,7 @@ TEST(Parting, OfWaysThatMeetIsAtRightAnglesToBoth) {
   EXPECT_EQ(parting.normal, (Vector3{0, 0, 1}));
   EXPECT_EQ(parting.gap, 0.0);
   EXPECT_EQ(part(second, first).normal, (Vector3{0, 0, -1}));  // turned with the roles
-  expect_parted(first, second, 1.0);
+  expect_parted(first, second, 1.0, 0.0);
 }
 
 // Bees on one line, at one place, standing or not: there is a normal, and all are in their own.
@@ -111,7 +112,7 @@ TEST(Parting, OfWaysThatOverlap) {
   for (const Segment& first : ways) {
     for (const Segment& second : ways) {
       if (distance(first, second) > 0.0) continue;
-      ASSERT_NO_FATAL_FAILURE(expect_parted(first, second, 1.0));
+      ASSERT_NO_FATAL_FAILURE(expect_parted(first, second, 1.0, 0.0));
       EXPECT_LE(part(first, second).gap, 0.0);
     }
   }
@@ -138,7 +139,7 @@ TEST(Disposal, WhateverIsProposedKeepsToTheHalfSpacesOrBrakes) {
       keep_to.push_back({n, low - random.uniform(0.0, 0.3) * random.uniform(0.0, 1.0)});
     }
     const Vector3 wish = direction(random) * random.uniform(0.0, 30.0);
-    const auto [v, kind] = disposal.dispose(flyer, wish, keep_to);
+    const auto [v, kind] = disposal.dispose(flyer, wish, {keep_to, {}, {}});
     const Vector3 stop = flyer.stop_after(v);
     if (kind == AdviceKind::kBraking) {
       ASSERT_EQ(v, flyer.braking.braked(flyer.velocity));
@@ -158,7 +159,7 @@ TEST(Disposal, GoesAlongAWall) {
   const Flyer flyer{{}, {}, Braking({10.0, std::numeric_limits<double>::infinity()}, 0.1), 10.0};
   const std::vector<HalfSpace> wall = {{{-1, 0, 0}, -0.5}};  // x <= 0.5
   Disposal disposal;
-  const auto [v, kind] = disposal.dispose(flyer, {6, 8, 0}, wall);
+  const auto [v, kind] = disposal.dispose(flyer, {6, 8, 0}, {wall, {}, {}});
   EXPECT_EQ(kind, AdviceKind::kDeflected);
   EXPECT_NEAR(v.x, 5.0, 1e-9);
   EXPECT_NEAR(v.y, 8.0, 1e-9);

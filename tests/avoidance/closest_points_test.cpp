@@ -22,7 +22,7 @@ LongSegment long_segment(const Segment& segment) {
 }
 
 Vector3 direction(RandomStream& random) {
-  return vector_of(scenes::random_direction(random));
+  return core::vector_of(scenes::random_direction(random));
 }
 
 double size_of(const Segment& first, const Segment& second) {

@@ -99,6 +99,8 @@ inline void expect_within_limits(const Flock& flock, const std::vector<Advice>& 
 inline Verdict verdict_of_step(const Flock& flock, const std::vector<Mover>& after) {
   VerifyOptions options;
   options.threshold_m = flock.options.threshold_m;
+  options.obstacles = flock.options.obstacles;
+  options.clearance_m = flock.options.clearance_m;
   options.max_speed_mps = 0.0;
   options.max_acceleration_mps2 = 0.0;
   std::vector<Mover> before = flock.movers;
@@ -135,8 +137,14 @@ inline Verdict fly_a_step(Flock& flock, Adviser& adviser, const std::vector<Velo
   return verdict;
 }
 
+inline std::vector<Pair> pairs_of(const std::vector<TooClose>& too_close) {
+  std::vector<Pair> pairs;
+  for (const TooClose& close : too_close) pairs.push_back(close.pair);
+  return pairs;
+}
+
 inline bool all_certified(const Advised& advised) {
-  return advised.too_close.empty() &&
+  return advised.too_close.empty() && advised.near_obstacle.empty() &&
          std::all_of(advised.advice.begin(), advised.advice.end(),
                      [](const Advice& advice) { return advice.certified; });
 }

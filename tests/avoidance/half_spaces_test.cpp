@@ -118,7 +118,7 @@ class EveryActiveSet {
 };
 
 Vector3 direction(RandomStream& random) {
-  return vector_of(scenes::random_direction(random));
+  return core::vector_of(scenes::random_direction(random));
 }
 
 // Half-spaces whose planes lie `depth` inside the ball's surface at most, or outside it.

@@ -56,7 +56,7 @@ void expect_named(const Flock& flock, const Advised& advised,
     expected.push_back(pair);
     not_certified.insert({pair.first, pair.second});
   }
-  ASSERT_EQ(advised.too_close, expected);
+  ASSERT_EQ(test::pairs_of(advised.too_close), expected);
   for (PointId bee = 0; bee < flock.size(); ++bee) {
     ASSERT_EQ(advised.advice[bee].certified, not_certified.count(bee) == 0) << "bee " << bee;
   }
@@ -119,7 +119,7 @@ TEST(TooClose, WhoWishesToPartDoesAndIsCertifiedAgain) {
     Advised advised;
     const std::vector<Velocity> wishes = {{-5, 0, 0}, {5, 0, 0}, {0, 0, 0}};
     test::fly_a_step(flock, adviser, wishes, advised);
-    EXPECT_EQ(advised.too_close, (std::vector<Pair>{{0, 1}}));
+    EXPECT_EQ(test::pairs_of(advised.too_close), (std::vector<Pair>{{0, 1}}));
     EXPECT_FALSE(advised.advice[0].certified);
     EXPECT_FALSE(advised.advice[1].certified);
     EXPECT_TRUE(advised.advice[2].certified);

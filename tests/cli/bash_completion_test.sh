@@ -67,9 +67,14 @@ expect "--speed" beespace generate --sp
 expect "" beespace generate --duration ""
 expect "simulate" beespace si
 expect "verify" beespace help ve
-expect "random-swap sphere-swap head-on" beespace simulate ""
+expect "random-swap sphere-swap crossing-streams funnel pillars head-on density-sweep" \
+  beespace simulate ""
 expect "sphere-swap" beespace simulate sp
-expect "certified none" beespace simulate --method ""
+expect "crossing-streams" beespace simulate cr
+expect "$1" beespace simulate "${1%sh}"
+expect "$1" beespace simulate funnel --obstacles "${1%sh}"
+expect "" beespace simulate pillars --clearance ""
+expect "certified orca mvp none" beespace simulate --method ""
 expect "none" beespace simulate --acceleration = n
 expect "--step --steps" beespace simulate random-swap --step
 expect "" beespace simulate --bees ""

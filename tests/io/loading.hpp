@@ -43,7 +43,8 @@ struct Expected {
   std::string_view message;  // a part of it
 };
 
-inline void expect_error(const Result<LoadedPoints>& loaded, const Expected& expected) {
+template <class Content>
+void expect_error(const Result<Content>& loaded, const Expected& expected) {
   ASSERT_FALSE(loaded.has_value());
   const Error& error = loaded.error();
   const std::string text = to_string(error);

@@ -57,15 +57,6 @@ inline bool has_note(const Recording& recording, std::string_view part) {
       [part](const std::string& note) { return note.find(part) != std::string::npos; });
 }
 
-inline void expect_error(const Result<Recording>& loaded, const Expected& expected) {
-  ASSERT_FALSE(loaded.has_value());
-  const Error& error = loaded.error();
-  const std::string text = to_string(error);
-  EXPECT_EQ(to_string(error.code), to_string(expected.code)) << text;
-  EXPECT_EQ(text.substr(0, expected.place.size() + 2), std::string(expected.place) + ": ") << text;
-  EXPECT_NE(text.find(expected.message), std::string::npos) << text;
-}
-
 using Members = std::vector<std::pair<std::string, std::string>>;  // name, content
 
 // A zip archive of these files.

@@ -1,9 +1,9 @@
+#include "tests/io/gzipping.hpp"
 #include "tests/io/loading.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <zlib.h>
 
 #include <cstring>
 #include <fstream>
@@ -16,20 +16,6 @@ namespace {
 
 const std::vector<Point> kPoints = {{1, 2, 3}, {4, 5, 6}};
 constexpr std::string_view kText = "x,y,z\n1,2,3\n4,5,6\n";
-
-std::string gzipped(std::string_view text) {
-  z_stream stream = {};
-  EXPECT_EQ(deflateInit2(&stream, 6, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY), Z_OK);
-  std::string packed(deflateBound(&stream, text.size()) + 64, '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
-  stream.avail_in = static_cast<uInt>(text.size());
-  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
-  stream.avail_out = static_cast<uInt>(packed.size());
-  EXPECT_EQ(deflate(&stream, Z_FINISH), Z_STREAM_END);
-  packed.resize(packed.size() - stream.avail_out);
-  deflateEnd(&stream);
-  return packed;
-}
 
 TEST(Sources, ReadsAFile) {
   const TemporaryFolder folder;

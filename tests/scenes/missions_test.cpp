@@ -1,65 +1,27 @@
 #include "scenes/missions.hpp"
 
-#include "tests/scenes/fingerprint.hpp"
+#include "tests/scenes/mission_checks.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <tuple>
 #include <vector>
 
 namespace beespace::scenes {
 namespace {
 
-std::uint64_t fingerprint(const Mission& mission) {
-  Fingerprint fingerprint;
-  for (const std::vector<Point>* points : {&mission.starts, &mission.goals}) {
-    for (const auto& [x, y, z] : *points) fingerprint.take({x, y, z});
-  }
-  return fingerprint.value();
-}
+using Make = Mission (*)(std::size_t count, double spacing_m, double clear_m, std::uint64_t seed);
 
-double distance(const Point& p, const Point& q) {
-  return std::hypot(p.x - q.x, p.y - q.y, p.z - q.z);
-}
-
-double least_distance(const std::vector<Point>& points) {
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    for (std::size_t j = i + 1; j < points.size(); ++j) {
-      least = std::min(least, distance(points[i], points[j]));
-    }
-  }
-  return least;
-}
-
-std::vector<Point> sorted(std::vector<Point> points) {
-  std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) {
-    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-  });
-  return points;
-}
-
-void expect_clear(const Mission& mission, std::size_t count, double clear_m) {
-  ASSERT_EQ(mission.starts.size(), count);
-  ASSERT_EQ(mission.goals.size(), count);
-  if (count < 2) return;
-  ASSERT_GE(least_distance(mission.starts), clear_m);
-  ASSERT_GE(least_distance(mission.goals), clear_m);
-}
-
+constexpr Make kAll[] = {random_swap, antipodal_swap, crossing_streams, funnel, pillars};
 constexpr std::size_t kCounts[] = {0, 1, 2, 3, 5, 7, 8, 9, 20, 27, 28, 100, 333};
 
 TEST(Missions, StartsAndGoalsAreClearOfEachOther) {
-  for (const std::size_t count : kCounts) {
-    for (const double spacing_m : {5.0, 5.5, 15.0}) {
-      for (const std::uint64_t seed : {1U, 2U, 3U}) {
-        SCOPED_TRACE(testing::Message() << count << " bees, " << spacing_m << " m apart");
-        ASSERT_NO_FATAL_FAILURE(expect_clear(random_swap(count, spacing_m, 5.0, seed), count, 5.0));
-        ASSERT_NO_FATAL_FAILURE(
-            expect_clear(antipodal_swap(count, spacing_m, 5.0, seed), count, 5.0));
+  for (const Make make : kAll) {
+    for (const std::size_t count : kCounts) {
+      for (const double spacing_m : {5.0, 5.5, 15.0}) {
+        for (const std::uint64_t seed : {1U, 2U, 3U}) {
+          SCOPED_TRACE(testing::Message() << count << " bees, " << spacing_m << " m apart");
+          ASSERT_NO_FATAL_FAILURE(expect_clear(make(count, spacing_m, 5.0, seed), count, 5.0));
+        }
       }
     }
   }
@@ -96,19 +58,18 @@ TEST(Missions, HeadOnAreTwoOnOneLine) {
 }
 
 TEST(Missions, TheSameSeedGivesTheSameAndAnotherAnother) {
-  EXPECT_EQ(fingerprint(random_swap(100, 15.0, 5.0, 1)),
-            fingerprint(random_swap(100, 15.0, 5.0, 1)));
-  EXPECT_NE(fingerprint(random_swap(100, 15.0, 5.0, 1)),
-            fingerprint(random_swap(100, 15.0, 5.0, 2)));
-  EXPECT_EQ(fingerprint(antipodal_swap(100, 15.0, 5.0, 1)),
-            fingerprint(antipodal_swap(100, 15.0, 5.0, 1)));
-  EXPECT_NE(fingerprint(antipodal_swap(100, 15.0, 5.0, 1)),
-            fingerprint(antipodal_swap(100, 15.0, 5.0, 2)));
+  for (const Make make : kAll) {
+    EXPECT_EQ(fingerprint(make(100, 15.0, 5.0, 1)), fingerprint(make(100, 15.0, 5.0, 1)));
+    EXPECT_NE(fingerprint(make(100, 15.0, 5.0, 1)), fingerprint(make(100, 15.0, 5.0, 2)));
+  }
 }
 
 // Of the sphere not: sines and cosines of standard libraries differ in their last bits.
-TEST(Missions, ARandomSwapHasTheseBitsOnEveryMachine) {
+TEST(Missions, TheOthersHaveTheseBitsOnEveryMachine) {
   EXPECT_EQ(fingerprint(random_swap(500, 15.0, 5.0, 1)), 14'404'843'168'588'355'565u);
+  EXPECT_EQ(fingerprint(crossing_streams(500, 15.0, 5.0, 1)), 1'220'574'774'855'663'755u);
+  EXPECT_EQ(fingerprint(funnel(500, 15.0, 5.0, 1)), 7'388'912'607'765'380'433u);
+  EXPECT_EQ(fingerprint(pillars(500, 15.0, 5.0, 1)), 16'639'880'182'003'151'589u);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace beespace::avoidance {
+namespace beespace::core {
 
 struct Vector3 {
   double x = 0.0;
@@ -51,4 +51,4 @@ inline Vector3 at_most(const Vector3& a, double longest) {
   return squared > longest * longest ? a * (longest / std::sqrt(squared)) : a;
 }
 
-}  // namespace beespace::avoidance
+}  // namespace beespace::core

@@ -1,0 +1,26 @@
+// What bees and obstacles of a simulation are called.
+#pragma once
+
+#include <beespace/obstacle.hpp>
+#include <beespace/point.hpp>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace beespace::cli {
+
+struct SimulateNames {
+  std::vector<std::string> ids = {};   // of the file; empty where bees are called by their numbers
+  std::size_t scenario_obstacles = 0;  // so many, the first ones, are not of a file
+  std::string obstacles_file = {};
+
+  // For people.
+  [[nodiscard]] std::string bee(PointId bee) const;
+  // A number, or a string where the file says so.
+  [[nodiscard]] std::string bee_as_json(PointId bee) const;
+  // "obstacles[2] of city.json, a box".
+  [[nodiscard]] std::string obstacle(std::size_t number, const Obstacle& obstacle) const;
+};
+
+}  // namespace beespace::cli

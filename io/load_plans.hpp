@@ -1,0 +1,56 @@
+// From a file, or standard input, to bees and what they intend: where each is, and where it wants
+// to go or how it would like to fly.
+//
+// Reads text tables, plain or gzip-compressed, whose header names the columns: x, y, z, and as far
+// as they are there
+// - id; otherwise bees are numbered in their order, from 0;
+// - vx, vy, vz: how fast it flies now;
+// - goal_x, goal_y, goal_z: where it wants to go;
+// - want_vx, want_vy, want_vz: the velocity that it would like to have;
+// - max_speed_mps, max_acceleration_mps2: what it can do.
+// Metres, seconds, z up. Of what has three columns all are there, or none.
+#pragma once
+
+#include <beespace/advise.hpp>
+#include <beespace/mover.hpp>
+#include <beespace/point.hpp>
+#include <beespace/result.hpp>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace beespace::io {
+
+// What the table must tell of every bee, beside where it is.
+enum class PlanNeed : std::uint8_t { kNothing, kGoals, kGoalsOrWishes };
+
+// One entry a bee; empty what the table has no columns for.
+struct FlightPlans {
+  std::vector<std::string> ids;
+  bool has_ids = false;  // of an id column; otherwise they are numbers
+  std::vector<Point> positions;
+  std::vector<Velocity> velocities;
+  std::vector<Point> goals;
+  std::vector<Velocity> wishes;
+  std::vector<double> max_speeds_mps;
+  std::vector<double> max_accelerations_mps2;
+  std::string format_description;  // "text, comma-separated"
+  std::vector<std::string> notes;  // what else was decided and must be said aloud
+};
+
+// `path` is a file name, or "-" for standard input. Errors carry file, line and column: of a table
+// those of load_points(), kMissingColumn, kMalformedRecord also where two bees have the same id,
+// kOutsideDomain also for limits that are not above zero.
+Result<FlightPlans> load_flight_plans(const std::string& path, PlanNeed need);
+
+// The same for bytes in memory (copied); `name` stands for the file.
+Result<FlightPlans> load_flight_plans_from_memory(std::string_view content, const std::string& name,
+                                                  PlanNeed need);
+
+// What each bee can do, with `otherwise` for what the table does not tell; empty where it tells
+// neither of the two.
+std::vector<FlightLimits> limits_of(const FlightPlans& plans, const FlightLimits& otherwise);
+
+}  // namespace beespace::io

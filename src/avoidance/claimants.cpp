@@ -1,0 +1,132 @@
+#include "avoidance/claimants.hpp"
+
+#include "avoidance/certificate.hpp"
+#include "avoidance/obstacle_parting.hpp"
+#include "avoidance/velocity_obstacle.hpp"
+#include "obstacles/obstacle_map.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace beespace::avoidance {
+
+namespace {
+
+Vector3 wish_of(std::span<const Velocity> wishes, PointId bee) {
+  return core::vector_of(wishes[bee]);
+}
+
+// Once an obstacle, whatever pieces it has.
+void note(const NearObstacle& near, std::size_t since, std::vector<NearObstacle>& all) {
+  const auto begin = all.begin() + static_cast<std::ptrdiff_t>(since);
+  const auto known = std::find_if(
+      begin, all.end(), [&](const NearObstacle& one) { return one.obstacle == near.obstacle; });
+  if (known == all.end()) {
+    all.push_back(near);
+  } else {
+    known->gap_m = std::min(known->gap_m, near.gap_m);
+  }
+}
+
+}  // namespace
+
+void Claimants::look_at(PointId bee, Findings& findings) const {
+  findings.claims.clear();
+  findings.pressed = {};
+  findings.certified = true;
+  look_at_bees(bee, findings);
+  if (options_.obstacles != nullptr) look_at_obstacles(bee, findings);
+  look_at_intruders(bee, findings);
+}
+
+void Claimants::look_at_bees(PointId bee, Findings& findings) const {
+  const Segment& way = flyers_.way_to_stop(bee);
+  const auto& [asked_m, kept_m, certified_m] = flyers_.apart();
+  Claims& claims = findings.claims;
+  for (const PointId other : near_[bee]) {
+    if (!flyers_.may_meet(bee, other)) continue;
+    const Segment& other_way = flyers_.way_to_stop(other);
+    const bool is_first = bee < other;
+    const Parting parting = is_first ? part(way, other_way, kept_m) : part(other_way, way, kept_m);
+    const double lean = is_first ? leaves_to(bee, other) : leaves_to(other, bee);
+    const HalfSpace side =
+        is_first ? parting.of_first(kept_m, lean) : parting.of_second(kept_m, lean);
+    findings.pressed = findings.pressed + pressure(other, side.normal, parting.gap);
+    const bool certified = parting.gap >= certified_m;
+    if (certified && is_kept_anyhow(bee, side)) continue;
+    claims.keep_to.push_back(side);
+    if (certified) continue;
+    findings.certified = false;
+    claims.get_away.push_back({claims.keep_to.size() - 1, 0.5 * (kept_m - parting.gap)});
+    if (is_first) findings.too_close.push_back({{bee, other}, parting.gap, 0.0});
+  }
+}
+
+void Claimants::look_at_obstacles(PointId bee, Findings& findings) const {
+  const Segment& way = flyers_.way_to_stop(bee);
+  const auto& [asked_m, kept_m, certified_m] = flyers_.clearance();
+  const double reach_m = (kept_m + flyers_.reach(bee)) * (1.0 + 0x1p-40);
+  const Vector3 middle = core::vector_of(flyers_.middles()[bee]);
+  Claims& claims = findings.claims;
+  const std::size_t before = findings.near_obstacle.size();
+  options_.obstacles->state().visit_near(middle, reach_m, [&](const obstacles::ConvexPiece& piece) {
+    const Obstacle& whole = options_.obstacles->obstacles()[piece.obstacle()];
+    const ObstacleParting parting = part(way, piece, whole, kept_m);
+    const HalfSpace side = parting.of_way(kept_m);
+    if (side.inside_by(way.at(1.0)) >= flyers_.strays(bee)) return;  // wherever it flies
+    claims.keep_to.push_back(side);
+    if (parting.gap >= certified_m) return;
+    findings.certified = false;
+    claims.get_away.push_back({claims.keep_to.size() - 1, kept_m - parting.gap});
+    note({bee, piece.obstacle(), parting.gap}, before, findings.near_obstacle);
+  });
+}
+
+void Claimants::look_at_intruders(PointId bee, Findings& findings) const {
+  const Flyer& flyer = flyers_[bee];
+  for (std::size_t k = 0; k < options_.intruders.size(); ++k) {
+    const auto [p, v] = options_.intruders[k];
+    if (!may_come_close(bee, options_.intruders[k])) continue;
+    const Vector3 place = core::vector_of(p) - flyer.position;
+    const Vector3 velocity = core::vector_of(v);
+    findings.claims.give_way.push_back(
+        half_space_of({place, flyer.velocity - velocity, flyers_.apart().kept_m,
+                       options_.intruder_horizon_s, options_.step_s},
+                      flyer.velocity, 1.0));
+  }
+}
+
+bool Claimants::may_come_close(PointId bee, const Mover& intruder) const {
+  const Vector3 between = core::vector_of(intruder.position) - flyers_[bee].position;
+  const double speeds = length(core::vector_of(intruder.velocity)) + flyers_.fastest();
+  const double far_m = flyers_.apart().kept_m + speeds * options_.intruder_horizon_s;
+  return dot(between, between) <= far_m * far_m;
+}
+
+// Whether a bee stops within a half-space whatever it does in the step.
+bool Claimants::is_kept_anyhow(PointId bee, const HalfSpace& side) const {
+  return side.inside_by(flyers_.way_to_stop(bee).at(1.0)) >= flyers_.strays(bee);
+}
+
+// Whoever is where it wants to be leaves most of what is free to who wants to fly: how much more
+// than half the first leaves to the second, of that half.
+double Claimants::leaves_to(PointId first, PointId second) const {
+  constexpr double kLeft = 0.9;
+  return kLeft * ((is_idle(first) ? 1.0 : 0.0) - (is_idle(second) ? 1.0 : 0.0));
+}
+
+// Whoever is where it wants to be makes room for those who are close and want through: how much
+// another one presses a bee that lies from it in the direction `away`, across a gap.
+Vector3 Claimants::pressure(PointId other, const Vector3& away, double gap_m) const {
+  const double kept_m = flyers_.apart().kept_m;
+  const double free = (gap_m - kept_m) / (kPresses * kept_m);
+  if (free >= 1.0 || is_idle(other) || dot(wish_of(wishes_, other), away) <= 0.0) return {};
+  return away * (1.0 - free);
+}
+
+bool Claimants::is_idle(PointId bee) const {
+  constexpr double kIdle = 0.3;  // of what it can fly
+  return length(wish_of(wishes_, bee)) < kIdle * flyers_[bee].max_speed;
+}
+
+}  // namespace beespace::avoidance

@@ -1,0 +1,52 @@
+// Who makes a bee do what in a step: other bees, obstacles, intruders.
+#pragma once
+
+#include "avoidance/claims.hpp"
+#include "avoidance/flyers.hpp"
+
+#include <beespace/advise.hpp>
+#include <beespace/id_rows.hpp>
+#include <beespace/mover.hpp>
+
+#include <span>
+#include <vector>
+
+namespace beespace::avoidance {
+
+class Claimants {
+ public:
+  // `near` has whoever may meet a bee. All of these outlive this.
+  Claimants(const Flyers& flyers, const IdRows& near, std::span<const Velocity> wishes,
+            const AdviseOptions& options)
+      : flyers_(flyers), near_(near), wishes_(wishes), options_(options) {}
+
+  // What is found of one bee after the other.
+  struct Findings {
+    Claims claims;    // of the last one
+    Vector3 pressed;  // where others want it, who is idle
+    bool certified;
+    std::vector<TooClose> too_close;  // of all so far
+    std::vector<NearObstacle> near_obstacle;
+  };
+  void look_at(PointId bee, Findings& findings) const;
+
+  // Whether a bee is where it wants to be.
+  [[nodiscard]] bool is_idle(PointId bee) const;
+  // Whether an intruder that flies straight on may come too close to a bee within the horizon.
+  [[nodiscard]] bool may_come_close(PointId bee, const Mover& intruder) const;
+
+ private:
+  void look_at_bees(PointId bee, Findings& findings) const;
+  void look_at_obstacles(PointId bee, Findings& findings) const;
+  void look_at_intruders(PointId bee, Findings& findings) const;
+  [[nodiscard]] bool is_kept_anyhow(PointId bee, const HalfSpace& side) const;
+  [[nodiscard]] double leaves_to(PointId first, PointId second) const;
+  [[nodiscard]] Vector3 pressure(PointId other, const Vector3& away, double gap_m) const;
+
+  const Flyers& flyers_;
+  const IdRows& near_;
+  std::span<const Velocity> wishes_;
+  const AdviseOptions& options_;
+};
+
+}  // namespace beespace::avoidance

@@ -1,0 +1,33 @@
+// A bee at the beginning of a step.
+#pragma once
+
+#include "avoidance/braking.hpp"
+#include "avoidance/closest_points.hpp"
+
+namespace beespace::avoidance {
+
+struct Flyer {
+  Vector3 position;
+  Vector3 velocity;
+  Braking braking;
+  double max_speed;
+
+  [[nodiscard]] Segment way_to_stop() const { return {position, braking.way_to_stop(velocity)}; }
+  // Where it comes to a stop if it has a velocity at the end of the step.
+  [[nodiscard]] Vector3 stop_after(const Vector3& next) const {
+    return position + braking.drift(velocity) + braking.way_after(next);
+  }
+  // How far from its way to a stop it may get in a step, and the stop after it.
+  [[nodiscard]] double strays() const { return braking.strays(velocity, max_speed); }
+
+  // The nearest velocity within its limits: towards the wish, as far as the acceleration goes. Who
+  // is too fast slows down first.
+  [[nodiscard]] Vector3 able(const Vector3& wish) const {
+    const Vector3 slow = at_most(wish, max_speed);
+    if (braking.at_once()) return slow;
+    if (length(velocity) > max_speed) return braking.braked(velocity);
+    return at_most(velocity + at_most(slow - velocity, braking.change()), max_speed);
+  }
+};
+
+}  // namespace beespace::avoidance

@@ -1,0 +1,77 @@
+// Everybody at the beginning of a step, and how far apart they are to be.
+#pragma once
+
+#include "avoidance/flyer.hpp"
+
+#include <beespace/advise.hpp>
+#include <beespace/mover.hpp>
+#include <beespace/pairs.hpp>
+#include <beespace/points_view.hpp>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace beespace::avoidance {
+
+// A distance to keep.
+struct Keep {
+  double asked_m = 0.0;
+  double kept_m = 0.0;       // a little more, for rounding
+  double certified_m = 0.0;  // who is closer than this has lost what rounding was allowed
+};
+
+// Of the distance to keep: who is no farther beyond it presses others.
+inline constexpr double kPresses = 0.6;
+
+class Flyers {
+ public:
+  // `limits` has one for each or one for all.
+  void take(const MoversView& movers, std::span<const FlightLimits> limits,
+            const AdviseOptions& options);
+
+  [[nodiscard]] std::size_t size() const { return flyers_.size(); }
+  [[nodiscard]] const Flyer& operator[](std::size_t bee) const { return flyers_[bee]; }
+  // How a bee comes to a stop as it flies now.
+  [[nodiscard]] const Segment& way_to_stop(std::size_t bee) const { return ways_[bee].to_stop; }
+  // How far from there it may get in the step and the stop after it.
+  [[nodiscard]] double strays(std::size_t bee) const { return ways_[bee].strays_m; }
+  [[nodiscard]] double fastest() const { return fastest_mps_; }
+
+  [[nodiscard]] const Keep& apart() const { return apart_; }
+  [[nodiscard]] const Keep& clearance() const { return clearance_; }
+
+  // Everything that a bee may do in the step and the stop after it lies in a ball; and so does
+  // half of what it presses.
+  [[nodiscard]] PointsView middles() const { return std::span<const Point>(middles_); }
+  [[nodiscard]] double reach(std::size_t bee) const { return ways_[bee].reach_m; }
+  // Two whose middles are farther apart than this are nothing to each other, whatever both do: any
+  // two; these two.
+  [[nodiscard]] double farthest_apart() const { return meet(farthest_reach_m_, farthest_reach_m_); }
+  [[nodiscard]] bool may_meet(PointId bee, PointId other) const {
+    const Vector3 between = core::vector_of(middles_[bee]) - core::vector_of(middles_[other]);
+    const double meet_m = meet(ways_[bee].reach_m, ways_[other].reach_m);
+    return dot(between, between) <= meet_m * meet_m;
+  }
+
+ private:
+  struct Way {
+    Segment to_stop;
+    double strays_m;
+    double reach_m;
+  };
+
+  [[nodiscard]] double meet(double reach_m, double other_reach_m) const {
+    return (apart_.kept_m + reach_m + other_reach_m) * (1.0 + 0x1p-40);
+  }
+
+  std::vector<Point> middles_;  // of the ways
+  std::vector<Way> ways_;
+  std::vector<Flyer> flyers_;
+  double farthest_reach_m_ = 0.0;
+  double fastest_mps_ = 0.0;
+  Keep apart_;      // from each other
+  Keep clearance_;  // from obstacles
+};
+
+}  // namespace beespace::avoidance

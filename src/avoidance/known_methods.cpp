@@ -1,0 +1,59 @@
+#include "avoidance/known_methods.hpp"
+
+#include "avoidance/velocity_obstacle.hpp"
+
+#include <algorithm>
+
+namespace beespace::avoidance {
+
+double looks_ahead_s(const Flyers& flyers, double step_s) {
+  constexpr double kAtOnce_s = 2.0;
+  double longest_s = 0.0;
+  for (std::size_t bee = 0; bee < flyers.size(); ++bee) {
+    const Braking& braking = flyers[bee].braking;
+    const double stop_s =
+        braking.at_once() ? kAtOnce_s : flyers[bee].max_speed * step_s / braking.change();
+    longest_s = std::max(longest_s, stop_s);
+  }
+  return longest_s + step_s;
+}
+
+Vector3 KnownMethod::orca(const Flyers& flyers, PointId bee, const IdRows& near,
+                          const Vector3& wish, double horizon_s, double step_s) {
+  const Flyer& flyer = flyers[bee];
+  requests_.clear();
+  for (const PointId other : near[bee]) {
+    const VelocityObstacle obstacle{flyers[other].position - flyer.position,
+                                    flyer.velocity - flyers[other].velocity, flyers.apart().kept_m,
+                                    horizon_s, step_s};
+    const HalfSpace side = half_space_of(obstacle, flyer.velocity, 0.5);
+    requests_.push_back({side, std::max(0.0, side.offset + flyer.max_speed)});
+  }
+  const auto found = program_.nearest(wish, {}, requests_, {{}, flyer.max_speed});
+  return flyer.able(found.value_or(flyer.velocity));
+}
+
+Vector3 KnownMethod::mvp(const Flyers& flyers, PointId bee, const IdRows& near, const Vector3& wish,
+                         double horizon_s, double step_s) {
+  const Flyer& flyer = flyers[bee];
+  const double apart = flyers.apart().kept_m;
+  Vector3 sum = wish;
+  for (const PointId other : near[bee]) {
+    const Vector3 place = flyers[other].position - flyer.position;
+    const Vector3 velocity = wish - flyers[other].velocity;  // seen from the other one
+    const double squared = dot(velocity, velocity);
+    const double closest_s =
+        squared > 0.0 ? std::clamp(dot(place, velocity) / squared, 0.0, horizon_s) : 0.0;
+    const Vector3 miss = velocity * closest_s - place;  // from the other one, when closest
+    const double missed = length(miss);
+    if (missed >= apart) continue;
+    const Vector3 away =
+        missed > 1e-9 * apart
+            ? miss * (1.0 / missed)
+            : VelocityObstacle::right_of(place * (1.0 / std::max(length(place), 1e-9 * apart)));
+    sum = sum + away * ((apart - missed) / std::max(closest_s, step_s));
+  }
+  return flyer.able(sum);
+}
+
+}  // namespace beespace::avoidance

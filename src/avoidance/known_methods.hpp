@@ -1,0 +1,34 @@
+// Methods that are well known, to compare with: what they tell one bee.
+#pragma once
+
+#include "avoidance/flyers.hpp"
+#include "avoidance/soft_program.hpp"
+
+#include <beespace/advise.hpp>
+#include <beespace/id_rows.hpp>
+
+#include <vector>
+
+namespace beespace::avoidance {
+
+// How far ahead they look: as long as it takes to come to a stop.
+double looks_ahead_s(const Flyers& flyers, double step_s);
+
+class KnownMethod {
+ public:
+  // Half-spaces of velocities, half of each change for either of two; the nearest to the wish in
+  // them.
+  Vector3 orca(const Flyers& flyers, PointId bee, const IdRows& near, const Vector3& wish,
+               double horizon_s, double step_s);
+  // For each conflict that lies ahead, sideways by what is missing when the two are closest; the
+  // sum of these. Hoekstra, van Gent, Ruigrok: Designing for safety: the free flight air traffic
+  // management concept (2002).
+  static Vector3 mvp(const Flyers& flyers, PointId bee, const IdRows& near, const Vector3& wish,
+                     double horizon_s, double step_s);
+
+ private:
+  std::vector<Request> requests_;
+  SoftProgram program_;
+};
+
+}  // namespace beespace::avoidance

@@ -1,0 +1,33 @@
+// The place that is nearest to a wish within some half-spaces, and within as much of others as
+// there is room for.
+#pragma once
+
+#include "avoidance/half_spaces.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace beespace::avoidance {
+
+// Asked for, and given up by so much at most.
+struct Request {
+  HalfSpace side;
+  double yields = 0.0;
+};
+
+class SoftProgram {
+ public:
+  // Where not all requests can be met, each gives up the same share of what it may, and no more of
+  // it than must be (to a five-hundredth). Nothing where they cannot be met at all.
+  std::optional<Vector3> nearest(const Vector3& wish, std::span<const HalfSpace> firm,
+                                 std::span<const Request> requests, const Ball& ball);
+
+ private:
+  std::optional<Vector3> at(double share, const Vector3& wish, std::span<const HalfSpace> firm,
+                            std::span<const Request> requests, const Ball& ball);
+
+  std::vector<HalfSpace> all_;
+};
+
+}  // namespace beespace::avoidance

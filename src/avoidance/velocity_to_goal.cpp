@@ -1,0 +1,26 @@
+#include <beespace/advise.hpp>
+
+#include "core/vector3.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace beespace {
+
+// Slowly enough to stop at the goal with half of its acceleration.
+Velocity velocity_to_goal(const Point& position, const Point& goal, const FlightLimits& limits,
+                          double step_s) {
+  const core::Vector3 way = core::vector_of(goal) - core::vector_of(position);
+  const double left_m = length(way);
+  constexpr double kThere_m = 1e-9;  // no need to creep any nearer
+  if (!(left_m > kThere_m)) return {};
+  double speed = std::min(limits.max_speed_mps, left_m / step_s);
+  if (std::isfinite(limits.max_acceleration_mps2)) {
+    speed =
+        std::min({speed, std::sqrt(limits.max_acceleration_mps2 * left_m), 0.5 * left_m / step_s});
+  }
+  const core::Vector3 velocity = way * (speed / left_m);
+  return {velocity.x, velocity.y, velocity.z};
+}
+
+}  // namespace beespace

@@ -1,0 +1,74 @@
+#include "io/plan_words.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+
+namespace beespace::io {
+namespace {
+
+std::string meaning(std::string_view name) {
+  constexpr std::string_view kRoles[] = {"none",   "id",   "position",  "velocity",
+                                         "goal",   "wish", "max_speed", "max_acceleration",
+                                         "degrees"};
+  const PlanWord word = read_plan_word(name);
+  std::string text(kRoles[static_cast<std::size_t>(word.role)]);
+  const bool along = word.role >= PlanRole::kPosition && word.role <= PlanRole::kWish;
+  if (along) text.append(" ").append(1, "xyz"[word.axis]);
+  return word.foreign_unit.empty() ? text : text + " in " + word.foreign_unit;
+}
+
+void expect_meaning(std::string_view expected, std::initializer_list<std::string_view> names) {
+  for (const std::string_view name : names) EXPECT_EQ(meaning(name), expected) << name;
+}
+
+TEST(PlanWords, WhereABeeIs) {
+  expect_meaning("position x", {"x", "X", " x [m]", "pos_x", "start_x", "from x (m)", "current_x",
+                                "startX", "easting"});
+  expect_meaning("position y", {"y", "position_y", "y_m", "initial_y", "North"});
+  expect_meaning("position z", {"z", "Z", "start_z", "up"});
+}
+
+TEST(PlanWords, WhereItWantsToGo) {
+  expect_meaning("goal x", {"goal_x", "Goal X [m]", "goalX", "target_x", "destination_x", "dest x",
+                            "x_goal", "x_target", "goal_pos_x", "desired_x", "ziel_x"});
+  expect_meaning("goal z", {"goal_z", "goalz", "target-z", "wanted z"});
+}
+
+TEST(PlanWords, HowFastItFliesAndHowFastItWouldLikeTo) {
+  expect_meaning("velocity x", {"vx", "v_x", "velocity_x", "vx [m/s]", "initial_vx", "vel_x_mps"});
+  expect_meaning("velocity z", {"vz", "speed z"});
+  expect_meaning("wish x", {"want_vx", "wish_vx", "preferred_vx", "pref_velocity_x", "target_vx",
+                            "desired_velocity_x [m/s]", "vx_wanted"});
+  expect_meaning("wish y", {"want_vy", "intended vy"});
+}
+
+TEST(PlanWords, WhatItCanDo) {
+  expect_meaning("max_speed", {"max_speed", "max_speed_mps", "Max. speed [m/s]", "vmax", "v_max",
+                               "speed_limit", "maximum velocity"});
+  expect_meaning("max_acceleration", {"max_acceleration", "max_acceleration_mps2", "amax", "a_max",
+                                      "max_accel [m/s^2]", "max acc (m/s²)"});
+}
+
+TEST(PlanWords, WhoItIs) {
+  expect_meaning("id", {"id", "ID", "bee_id", "name", "drone", "bee"});
+}
+
+TEST(PlanWords, UnitsThatAreNotReadAreSaid) {
+  expect_meaning("position x in ft", {"x [ft]"});
+  expect_meaning("goal y in km", {"goal_y_km"});
+  expect_meaning("velocity x in kt", {"vx_kt"});
+  expect_meaning("wish x in kt", {"want_vx_kt"});
+  expect_meaning("max_speed in kmh", {"max_speed_kmh"});
+  expect_meaning("degrees", {"lon", "latitude", "goal_lat", "x [deg]"});
+}
+
+TEST(PlanWords, WhatIsNotUnderstoodToItsLastWordIsNothing) {
+  expect_meaning("none", {"", "battery", "goal", "x_error", "goal_x_error", "goal_vx", "speed",
+                          "uav_x", "goal_goal_x", "max_x", "max_speed_acceleration", "maximum",
+                          "acceleration", "ve", "want_ve", "goal_battery", "last_x", "x y"});
+}
+
+}  // namespace
+}  // namespace beespace::io
