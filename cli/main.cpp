@@ -1,5 +1,6 @@
 // The beespace command: reads the command line and hands over to the subcommand.
 
+#include "cli/advise_command.hpp"
 #include "cli/bench_command.hpp"
 #include "cli/detect_command.hpp"
 #include "cli/exit_code.hpp"
@@ -36,6 +37,7 @@ constexpr const char* kExamples =
     "  beespace predict swarm.csv --threshold 5      who is about to come too close to whom\n"
     "  beespace replay show.skyc                     whether a drone show keeps its distance\n"
     "  tail -f swarm.csv | beespace watch            the same live\n"
+    "  beespace advise swarm.csv                     how everybody should fly to keep apart\n"
     "  beespace simulate random-swap                 a swarm that is kept apart, step by step\n"
     "  beespace verify flight.csv --threshold 5      whether a flight kept its distance\n"
     "  beespace generate --points 1000 --area medellin --output bees.csv\n"
@@ -65,8 +67,8 @@ ExitCode explain(const CLI::App& command, const CLI::ParseError& error) {
 CLI::App* add_help_command(CLI::App& command, std::string& topic) {
   CLI::App* help = command.add_subcommand("help", "Print this help, or that of a subcommand");
   CLI::Option* option = help->add_option("COMMAND", topic, "Whose help to print")->type_name(" ");
-  allow_only(*option,
-             {"detect", "predict", "replay", "watch", "simulate", "verify", "generate", "bench"});
+  allow_only(*option, {"detect", "predict", "replay", "watch", "advise", "simulate", "verify",
+                       "generate", "bench"});
   return help;
 }
 
@@ -81,6 +83,7 @@ ExitCode run(int argc, char** argv) {
   PredictCommandOptions predict_options;
   ReplayOptions replay_options;
   WatchOptions watch_options;
+  AdviseCommandOptions advise_options;
   SimulateOptions simulate_options;
   VerifyCommandOptions verify_options;
   GenerateOptions generate_options;
@@ -90,6 +93,7 @@ ExitCode run(int argc, char** argv) {
   const CLI::App* predict = add_predict_command(command, predict_options);
   const CLI::App* replay = add_replay_command(command, replay_options);
   const CLI::App* watch = add_watch_command(command, watch_options);
+  const CLI::App* advise = add_advise_command(command, advise_options);
   const CLI::App* simulate = add_simulate_command(command, simulate_options);
   const CLI::App* verify = add_verify_command(command, verify_options);
   const CLI::App* generate = add_generate_command(command, generate_options);
@@ -105,14 +109,16 @@ ExitCode run(int argc, char** argv) {
   }
   if (command.get_subcommands().empty()) {
     say_error(
-        "say what to do: detect, predict, replay, watch, simulate, verify, generate or bench (see "
-        "'beespace --help')");
+        "say what to do: detect, predict, replay, watch, advise, simulate, verify, generate or "
+        "bench "
+        "(see 'beespace --help')");
     return ExitCode::kUsage;
   }
   if (detect->parsed()) return run_detect(detect_options);
   if (predict->parsed()) return run_predict(predict_options);
   if (replay->parsed()) return run_replay(replay_options);
   if (watch->parsed()) return run_watch(watch_options);
+  if (advise->parsed()) return run_advise(advise_options);
   if (simulate->parsed()) return run_simulate(simulate_options);
   if (verify->parsed()) return run_verify(verify_options);
   return generate->parsed() ? run_generate(generate_options) : run_bench(bench_options);

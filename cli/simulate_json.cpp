@@ -73,6 +73,15 @@ std::string nearest_obstacle(const SimulatedFlight& flight) {
          ", \"distance_m\": " + exact(nearest->distance_m) + "}";
 }
 
+std::string stuck_bees(const SimulatedFlight& flight, const FlightOutcome& outcome) {
+  std::string list = "[";
+  for (const PointId bee : outcome.stuck) {
+    if (list.size() > 1) list += ", ";
+    list += flight.names().bee_as_json(bee);
+  }
+  return list + "]";
+}
+
 void add_question(JsonObject& object, const SimulatedFlight& flight) {
   const SimulateRequest& request = flight.request();
   const sim::LoopOptions& options = request.loop;
@@ -103,7 +112,7 @@ void add_answer(JsonObject& object, const SimulatedFlight& flight) {
   object.add("all_stand", yes_or_no(figures.landed));
   object.add("loss_count", flight.verdict().losses);
   object.add("steps_with_losses", figures.steps_with_losses);
-  object.add("clearance_loss_count", flight.watched().too_near);
+  object.add("clearance_loss_count", flight.verdict().clearance_losses);
   object.add("breach_count", flight.breaches());
   object.add("uncertified_count", figures.uncertified_pairs);
   object.add("uncertified_at_obstacles_count", figures.uncertified_at_obstacles);
@@ -112,6 +121,7 @@ void add_answer(JsonObject& object, const SimulatedFlight& flight) {
   object.add("arrived", std::uint64_t{flight.loop().arrived()});
   object.add("path_ratio", or_null(outcome.path_ratio));
   object.add("stuck_s", exact(outcome.stuck_s));
+  object.add("stuck_at_end", stuck_bees(flight, outcome));
   object.add("advice_us", or_null(outcome.advice_us));
 }
 

@@ -1,9 +1,9 @@
 #include "cli/simulate_mission.hpp"
 
 #include "cli/number_text.hpp"
+#include "cli/obstacle_file.hpp"
 #include "cli/simulate_scenarios.hpp"
 #include "io/byte_source.hpp"
-#include "io/load_obstacles.hpp"
 #include "io/load_plans.hpp"
 
 #include <beespace/nearest.hpp>
@@ -54,17 +54,11 @@ Result<MissionToFly> mission_of_file(const SimulateRequest& request) {
 }
 
 Status add_obstacles(const std::string& file, MissionToFly& flown) {
-  auto obstacles = io::load_obstacles(file);
-  if (!obstacles) return obstacles.error();
-  // By themselves, so that what is none is blamed on the file.
-  if (const auto map = ObstacleMap::of(*obstacles); !map) {
-    Error error = map.error();
-    const std::string which =
-        error.place.record ? "obstacles[" + std::to_string(*error.place.record) + "]: " : "";
-    return Error{ErrorCode::kMalformedRecord, which + error.message, {io::source_name(file)}};
-  }
+  const auto map = load_obstacle_map(file);
+  if (!map) return map.error();
   flown.names.obstacles_file = io::source_name(file);
-  std::move(obstacles->begin(), obstacles->end(), std::back_inserter(flown.mission.obstacles));
+  const auto obstacles = map->obstacles();
+  std::copy(obstacles.begin(), obstacles.end(), std::back_inserter(flown.mission.obstacles));
   return std::monostate{};
 }
 
@@ -104,14 +98,16 @@ Status check_clear(const SimulateRequest& request, const SimulateNames& names,
     const double distance_m = nearest->surface.distance_m;
     const std::string obstacle =
         names.obstacle(nearest->obstacle, map.obstacles()[nearest->obstacle]);
-    const std::string who = "the bee '" + names.bee(static_cast<PointId>(bee)) + "' " + words.one;
+    std::string text = "the bee '" + names.bee(static_cast<PointId>(bee)) + "' ";
+    text.append(words.one).append(" ");
     if (distance_m < 0.0) {
-      return misplaced(request, who + " inside " + obstacle + "; move one of the two");
+      text.append("inside ").append(obstacle).append("; move one of the two");
+    } else {
+      text.append(length(distance_m)).append(" from ").append(obstacle);
+      text.append(", and the clearance is ").append(exact(request.loop.advice.clearance_m));
+      text.append(" m; move one of the two, or give another --clearance");
     }
-    return misplaced(request, who + " " + length(distance_m) + " from " + obstacle +
-                                  ", and the clearance is " +
-                                  exact(request.loop.advice.clearance_m) +
-                                  " m; move one of the two, or give another --clearance");
+    return misplaced(request, std::move(text));
   }
   return std::monostate{};
 }

@@ -19,7 +19,7 @@ struct SimulateNames {
   [[nodiscard]] std::string bee(PointId bee) const;
   // A number, or a string where the file says so.
   [[nodiscard]] std::string bee_as_json(PointId bee) const;
-  // "obstacles[2] of city.json, a box".
+  // "obstacles[2], a box of city.json".
   [[nodiscard]] std::string obstacle(std::size_t number, const Obstacle& obstacle) const;
 };
 

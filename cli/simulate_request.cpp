@@ -75,7 +75,7 @@ Status check_fit(const SimulateOptions& options, bool from_file) {
         "a file, which tells who begins where");
   }
   if (options.scenario == kHeadOn) {
-    const Status of_two = none_of({{"--bees", options.bees}}, "head-on, which is of two");
+    Status of_two = none_of({{"--bees", options.bees}}, "head-on, which is of two");
     if (!of_two) return of_two;
     return none_of({{"--seed", options.seed}}, "head-on, which is always the same");
   }

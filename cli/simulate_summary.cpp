@@ -91,11 +91,10 @@ void append_nearness(std::string& out, const SimulatedFlight& flight) {
   const ObstacleMap* map = flight.loop().obstacles();
   if (map == nullptr) return;
   const WatchFigures& watched = flight.watched();
+  const std::uint64_t losses = flight.verdict().clearance_losses;
   append_summary_line(
       out, "clearance",
-      watched.too_near == 0
-          ? bold("kept") + " at the end of every step"
-          : red("not kept " + times(watched.too_near, "time", "times")) + ", a bee a step");
+      losses == 0 ? bold("kept") : red(times(losses, "loss", "losses")) + ", a bee a step");
   std::string text = "nobody came closer than " +
                      exact(2.0 * flight.request().loop.advice.clearance_m) + " m to any obstacle";
   if (watched.nearest) {
@@ -125,6 +124,19 @@ std::string arrived_text(const sim::ClosedLoop& loop) {
   const auto bees = static_cast<double>(loop.movers().size());
   return grouped(std::uint64_t{loop.arrived()}) + " (" +
          percentage(static_cast<double>(loop.arrived()) / bees) + ")";
+}
+
+std::string stuck_text(const SimulatedFlight& flight, const FlightOutcome& outcome) {
+  std::string text = grouped(outcome.stuck_s, 2) + " s a bee";
+  if (outcome.stuck.empty()) return text;
+  text += "; at the end " + red(grouped(std::uint64_t{outcome.stuck.size()})) + " for up to " +
+          grouped(outcome.longest_stuck_s, 2) + " s: ";
+  constexpr std::size_t kShown = 5;
+  const std::size_t shown = std::min(kShown, outcome.stuck.size());
+  for (std::size_t i = 0; i < shown; ++i) {
+    text += (i > 0 ? ", " : "") + flight.names().bee(outcome.stuck[i]);
+  }
+  return text + (outcome.stuck.size() > shown ? ", ..." : "");
 }
 
 std::string limits_line(const SimulatedFlight& flight) {
@@ -172,7 +184,7 @@ std::string simulate_summary(const SimulatedFlight& flight) {
                       outcome.path_ratio ? grouped(*outcome.path_ratio, 3) +
                                                " (flown to shortest, of those that arrived)"
                                          : "none: nobody has flown and arrived");
-  append_summary_line(out, "stuck", grouped(outcome.stuck_s, 2) + " s a bee");
+  append_summary_line(out, "stuck", stuck_text(flight, outcome));
   std::string time = "in all " + duration(flight.figures().total_s);
   if (outcome.advice_us) {
     time.insert(0, "advice " + grouped(*outcome.advice_us, 2) + " us a bee a step, ");

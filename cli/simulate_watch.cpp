@@ -5,7 +5,7 @@
 namespace beespace::cli {
 namespace {
 
-// What rounding may add to a speed, or take from a distance.
+// What rounding may add to a speed.
 constexpr double kRelative = 1e-9;
 constexpr double kOfSpeed = 1e-14;
 
@@ -40,7 +40,6 @@ void SimulateWatch::see_obstacles(const sim::ClosedLoop& loop, const ObstacleMap
     const auto found = map.nearest(movers[bee].position, 2.0 * clearance_m_);
     if (!found) continue;
     const double distance_m = found->surface.distance_m;
-    if (distance_m < clearance_m_ * (1.0 - kRelative)) ++figures_.too_near;
     if (figures_.nearest && distance_m >= figures_.nearest->distance_m) continue;
     figures_.nearest = {static_cast<PointId>(bee), found->obstacle, distance_m, loop.time_s()};
   }

@@ -1,5 +1,5 @@
-// What the verifier does not look at while a simulation flies: limits that each bee has of its own,
-// and how near everybody is to obstacles at the end of each step.
+// What the verifier does not tell of a simulation: whether bees keep to limits of their own, and
+// who is nearest to an obstacle at the end of a step.
 #pragma once
 
 #include "sim/closed_loop.hpp"
@@ -24,7 +24,6 @@ struct NearestApproach {
 
 struct WatchFigures {
   std::uint64_t breaches = 0;  // of limits of their own, a bee a step
-  std::uint64_t too_near = 0;  // closer to an obstacle than the clearance, a bee a step
   // The nearest that anybody came to an obstacle, where that is less than twice the clearance.
   std::optional<NearestApproach> nearest = {};
 };

@@ -12,17 +12,8 @@ namespace {
 // Who is slower than this share of its greatest speed stands: the rest of the way is crept.
 constexpr double kStands = 0.01;
 
-// Limits that each has of its own are for the watch.
-VerifyOptions verify_options(const SimulateRequest& request, bool own_limits, bool at_once) {
-  VerifyOptions options;
-  options.threshold_m = request.loop.advice.threshold_m;
-  options.straight = at_once;
-  options.threads = request.loop.advice.threads;
-  if (own_limits) return options;
-  options.max_speed_mps = request.loop.limits.max_speed_mps;
-  options.max_acceleration_mps2 = request.loop.limits.max_acceleration_mps2;
-  return options;
-}
+// Who has been stuck for so long is worth a word.
+constexpr double kStuck_s = 1.0;
 
 }  // namespace
 
@@ -33,12 +24,27 @@ SimulatedFlight::SimulatedFlight(const SimulateRequest& request, MissionToFly mi
       names_(std::move(mission.names)),
       notes_(std::move(mission.notes)),
       loop_(std::move(mission.mission), request.loop),
-      verifier_(verify_options(request, has_own_limits(), at_once())),
+      verifier_(verify_options()),
       watch_(limits_, request.loop.advice),
       output_(output) {
   if (output == nullptr) return;
   // Velocities that jump at each fix say nothing of how a bee flies between two.
   writer_.emplace(*output, request.format, names_.ids, !at_once());
+}
+
+// Limits that each has of its own are for the watch.
+VerifyOptions SimulatedFlight::verify_options() const {
+  const AdviseOptions& advice = request_.loop.advice;
+  VerifyOptions options;
+  options.threshold_m = advice.threshold_m;
+  options.obstacles = loop_.obstacles();
+  options.clearance_m = advice.clearance_m;
+  options.straight = at_once();
+  options.threads = advice.threads;
+  if (has_own_limits()) return options;
+  options.max_speed_mps = request_.loop.limits.max_speed_mps;
+  options.max_acceleration_mps2 = request_.loop.limits.max_acceleration_mps2;
+  return options;
 }
 
 bool SimulatedFlight::at_once() const {
@@ -95,7 +101,7 @@ double SimulatedFlight::share_done() const {
 }
 
 bool SimulatedFlight::holds() const {
-  return verdict().holds() && watched().breaches == 0 && watched().too_near == 0;
+  return verdict().holds() && watched().breaches == 0;
 }
 
 FlightOutcome SimulatedFlight::outcome() const {
@@ -115,7 +121,24 @@ FlightOutcome SimulatedFlight::outcome() const {
   if (figures_.steps > 0 && loop_.advising_s() > 0.0) {
     outcome.advice_us = loop_.advising_s() / bees / static_cast<double>(figures_.steps) * 1e6;
   }
+  outcome.stuck = stuck();
+  if (!outcome.stuck.empty()) outcome.longest_stuck_s = stuck_for(outcome.stuck.front());
   return outcome;
+}
+
+double SimulatedFlight::stuck_for(PointId bee) const {
+  const auto& since_s = loop_.flights()[bee].stuck_since_s;
+  return since_s ? loop_.time_s() - *since_s : 0.0;
+}
+
+std::vector<PointId> SimulatedFlight::stuck() const {
+  std::vector<PointId> bees;
+  for (PointId bee = 0; bee < loop_.flights().size(); ++bee) {
+    if (stuck_for(bee) >= kStuck_s) bees.push_back(bee);
+  }
+  std::stable_sort(bees.begin(), bees.end(),
+                   [this](PointId a, PointId b) { return stuck_for(a) > stuck_for(b); });
+  return bees;
 }
 
 }  // namespace beespace::cli

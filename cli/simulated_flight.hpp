@@ -9,6 +9,7 @@
 #include "io/atomic_output.hpp"
 #include "sim/closed_loop.hpp"
 
+#include <beespace/point.hpp>
 #include <beespace/result.hpp>
 #include <beespace/verify.hpp>
 
@@ -34,12 +35,18 @@ struct FlightOutcome {
   std::optional<double> path_ratio;  // of those that have flown and arrived: the mean
   double stuck_s = 0.0;              // the mean
   std::optional<double> advice_us;   // a bee a step
+  // Who is stuck at the end, for a second and more, the longest first; and for how long that one.
+  std::vector<PointId> stuck;
+  double longest_stuck_s = 0.0;
 };
 
 class SimulatedFlight {
  public:
   // `request` and `output`, null for no recording, must outlive it.
   SimulatedFlight(const SimulateRequest& request, MissionToFly mission, io::AtomicOutput* output);
+  SimulatedFlight(const SimulatedFlight&) = delete;  // the verifier looks at the loop's obstacles
+  SimulatedFlight& operator=(const SimulatedFlight&) = delete;
+  ~SimulatedFlight() = default;
 
   // To the end, or until the output takes no more.
   Status fly(ProgressBar& progress);
@@ -61,11 +68,12 @@ class SimulatedFlight {
   [[nodiscard]] bool at_once() const;
 
  private:
-  SimulatedFlight(const SimulateRequest& request, MissionToFly mission,
-                  std::vector<FlightLimits> limits, io::AtomicOutput* output);
+  [[nodiscard]] VerifyOptions verify_options() const;
   Status see();
   [[nodiscard]] bool have_landed() const;
   [[nodiscard]] double share_done() const;
+  [[nodiscard]] double stuck_for(PointId bee) const;
+  [[nodiscard]] std::vector<PointId> stuck() const;
 
   const SimulateRequest& request_;
   std::vector<FlightLimits> limits_;  // of each, or none

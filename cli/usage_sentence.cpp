@@ -37,8 +37,8 @@ std::string unknown_option(const CLI::App& command, const std::string& word) {
   std::string text = "'" + word + "' is no option of '" + full_name(command) + "'";
   if (command.get_parent() == nullptr)
     text +=
-        ", whose options follow detect, predict, replay, watch, simulate, verify, generate or "
-        "bench";
+        ", whose options follow detect, predict, replay, watch, advise, simulate, verify, generate "
+        "or bench";
   return text + did_you_mean("--" + name.substr(letters), known);
 }
 
@@ -49,8 +49,8 @@ std::string unknown_argument(const CLI::App& command, const std::string& word) {
   std::vector<std::string> known;
   for (const CLI::App* sub : command.get_subcommands({})) known.push_back(sub->get_name());
   return "'" + word +
-         "' is nothing that beespace does; say detect, predict, replay, watch, simulate, verify, "
-         "generate or bench" +
+         "' is nothing that beespace does; say detect, predict, replay, watch, advise, simulate, "
+         "verify, generate or bench" +
          did_you_mean(word, known);
 }
 

@@ -5,6 +5,7 @@
 #include "cli/moving/moving_output.hpp"
 #include "cli/moving/verify_findings.hpp"
 #include "cli/number_text.hpp"
+#include "cli/obstacle_file.hpp"
 #include "cli/option_values.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/stopwatch.hpp"
@@ -14,6 +15,7 @@
 #include <beespace/verify.hpp>
 
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace beespace::cli {
@@ -23,7 +25,8 @@ constexpr const char* kName = "verify";
 
 struct VerifyRequest {
   MovingRequest moving;
-  VerifyOptions check;  // the threshold is the default
+  VerifyOptions check;    // the threshold is the default, the obstacles are not there yet
+  std::string obstacles;  // a file; empty for none
 };
 
 Result<VerifyRequest> request_of(const VerifyCommandOptions& options) {
@@ -44,9 +47,16 @@ Result<VerifyRequest> request_of(const VerifyCommandOptions& options) {
                            "metres per second squared", {0.0, true});
   if (!acceleration) return acceleration.error();
   check.max_acceleration_mps2 = acceleration->value_or(check.max_acceleration_mps2);
+  const auto clearance =
+      read_optional_amount(kName, "--clearance", options.clearance, "metres", {0.0, false});
+  if (!clearance) return clearance.error();
+  if (*clearance && options.obstacles.empty()) {
+    return usage_error(kName, "--clearance is of obstacles, and there are none; add --obstacles");
+  }
+  check.clearance_m = clearance->value_or(check.clearance_m);
   check.straight = options.straight;
   check.threads = moving->threads;
-  return VerifyRequest{*std::move(moving), check};
+  return VerifyRequest{*std::move(moving), check, options.obstacles};
 }
 
 // How bees fly from fix to fix, in words; sets `check.straight` where there is no other way.
@@ -84,6 +94,15 @@ Error of_bee(Error error, const io::Recording& recording) {
   return error;
 }
 
+// Obstacles are upright: they make no sense beside degrees.
+Status check_frame(const io::Recording& recording, const std::string& obstacles) {
+  if (obstacles.empty() || recording.frame == io::Frame::kMetres) return std::monostate{};
+  return Error{ErrorCode::kUnknownFrame,
+               "obstacles are in metres, and the flight is in degrees; give the flight in metres, "
+               "or leave --obstacles out",
+               {}};
+}
+
 Status check_all(const io::Recording& recording, const std::vector<double>& times_s,
                  Verifier& verifier, ProgressBar& progress) {
   progress.enter_stage("checking");
@@ -101,12 +120,16 @@ Result<ExitCode> verify(const VerifyRequest& request) {
   const MovingRequest& moving = request.moving;
   auto output = io::AtomicOutput::open(moving.output);
   if (!output) return std::move(output).error();
+  Result<ObstacleMap> obstacles = ObstacleMap();
+  if (!request.obstacles.empty()) obstacles = load_obstacle_map(request.obstacles);
+  if (!obstacles) return obstacles.error();
   ProgressBar progress(!moving.quiet);
   Stopwatch watch;
   io::RecordingOptions load = moving.load;
   load.progress = &progress.reading();
   const auto recording = io::load_recording(moving.inputs, load);
   if (!recording) return recording.error();
+  if (Status good = check_frame(*recording, request.obstacles); !good) return good.error();
   const auto times_s = common_times(*recording);
   if (!times_s) return times_s.error();
   VerifyOptions check = request.check;
@@ -116,6 +139,7 @@ Result<ExitCode> verify(const VerifyRequest& request) {
   if (!motion) return motion.error();
   check.threshold_m =
       moving.threshold_m.value_or(recording->declared_threshold_m.value_or(check.threshold_m));
+  if (!request.obstacles.empty()) check.obstacles = &*obstacles;
   const double read_s = watch.lap();
 
   Verifier verifier(check);

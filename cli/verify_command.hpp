@@ -13,6 +13,8 @@ struct VerifyCommandOptions {
   MovingOptions moving;
   std::string max_speed;
   std::string max_acceleration;
+  std::string obstacles;
+  std::string clearance;
   bool straight = false;
 };
 

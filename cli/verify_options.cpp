@@ -22,10 +22,13 @@ constexpr const char* kDetails =
     "with\n"
     "--straight, it flies straight lines. All of the time in between is looked at, not samples of "
     "it.\n"
-    "Writes a line for each finding, the first 1000 of losses and of breaches:\n"
+    "Writes a line for each finding, the first 1000 of each kind:\n"
     "  loss          id, id: closer than the threshold within one step; when that step begins and "
     "ends,\n"
     "                and how close they came at least\n"
+    "  clearance     id, obstacle: closer to an obstacle than --clearance within one step; how "
+    "close it\n"
+    "                was seen to be, below zero inside\n"
     "  speed         id: faster than --max-speed within one step; when it begins and ends, and how "
     "fast\n"
     "  acceleration  id: the same of --max-acceleration\n"
@@ -34,6 +37,7 @@ constexpr const char* kDetails =
     "  beespace simulate random-swap --output swap.csv\n"
     "  beespace verify swap.csv --threshold 5 --max-speed 10 --max-acceleration 5\n"
     "  beespace verify log.csv --threshold 2 --straight --csv --output findings.csv\n"
+    "  beespace verify flight.csv --threshold 2 --obstacles city.json --clearance 3\n"
     "  beespace verify log.csv --quiet --output /dev/null && echo safe\n"
     "\n"
     "Exit status: 0 it holds, 1 there is a loss or a breach, 2 wrong usage, 3 bad input, or fixes "
@@ -54,6 +58,16 @@ void add_check_options(CLI::App& verify, VerifyCommandOptions& options) {
       .add_option("--max-acceleration", options.max_acceleration,
                   "In m/s^2 (default: not checked); needs velocities")
       ->type_name("A")
+      ->group("Check");
+  verify
+      .add_option("--obstacles", options.obstacles,
+                  "What stands in the way: JSON, as of 'beespace\nsimulate'; of flights in metres")
+      ->type_name("FILE")
+      ->group("Check");
+  verify
+      .add_option("--clearance", options.clearance,
+                  "Closer than this to an obstacle is too close\n(default: 1)")
+      ->type_name("METRES")
       ->group("Check");
   verify.add_flag("--straight", options.straight, "Straight lines, whatever the velocities")
       ->group("Check");

@@ -2,16 +2,16 @@
 
 #include "cli/failure.hpp"
 #include "cli/moving/line_source.hpp"
+#include "cli/moving/live_advice.hpp"
 #include "cli/moving/live_feed.hpp"
 #include "cli/moving/moving_input.hpp"
-#include "cli/moving/moving_options.hpp"
 #include "cli/moving/moving_output.hpp"
 #include "cli/moving/pace.hpp"
 #include "cli/number_text.hpp"
-#include "cli/option_values.hpp"
 #include "cli/signals.hpp"
 #include "cli/standard_output.hpp"
 #include "cli/terminal.hpp"
+#include "cli/watch_request.hpp"
 #include "io/report_lines.hpp"
 
 #include <array>
@@ -22,58 +22,7 @@
 namespace beespace::cli {
 namespace {
 
-constexpr const char* kName = "watch";
 constexpr std::uint64_t kMostBadLinesSaid = 20;
-
-struct WatchRequest {
-  std::string input;
-  io::RecordingOptions lines;
-  SwarmOptions swarm;
-  double look_every_s;
-  std::optional<double> speed;
-  std::optional<double> rate;
-  bool fail_on_risk;
-  bool quiet;
-};
-
-Result<WatchRequest> request_of(const WatchOptions& options) {
-  if (options.input.empty() && input_is_terminal()) {
-    return usage_error(kName, "say which file to read, or pipe the reports in");
-  }
-  if (!options.speed.empty() && !options.rate.empty()) {
-    return usage_error(kName, "--speed and --rate exclude each other");
-  }
-  const auto threshold = read_threshold(options.threshold);
-  if (!threshold) return threshold.error();
-  const auto vertical =
-      read_optional_amount(kName, "--vertical", options.vertical, "metres", {0.0, false});
-  if (!vertical) return vertical.error();
-  const auto max_age = read_amount(kName, "--max-age", options.max_age, "seconds", {0.0, false});
-  if (!max_age) return max_age.error();
-  const auto threads = read_threads(kName, options.threads);
-  if (!threads) return threads.error();
-  const auto live = live_request(kName, options.live);
-  if (!live) return live.error();
-  const auto speed = read_optional_amount(kName, "--speed", options.speed, "times", {0.0, false});
-  if (!speed) return speed.error();
-  const auto rate =
-      read_optional_amount(kName, "--rate", options.rate, "reports a second", {0.0, false});
-  if (!rate) return rate.error();
-  return WatchRequest{
-      options.input.empty() ? "-" : options.input,
-      recording_options({options.frame, options.time_unit, options.columns, options.heights}),
-      {.threshold_m = *threshold,
-       .vertical_m = *vertical,
-       .leave_factor = live->leave_factor,
-       .horizon_s = live->horizon_s,
-       .max_age_s = *max_age,
-       .threads = *threads},
-      live->look_every_s,
-      *speed,
-      *rate,
-      options.fail_on_risk,
-      options.quiet};
-}
 
 class Watch {
  public:
@@ -129,6 +78,9 @@ class Watch {
     options.heights_apart = geometry_ == Geometry::kGroundAndHeight;
     feed_.emplace(options, request_.look_every_s,
                   [this](const std::vector<SwarmEvent>& events) { tell(events); });
+    if (!request_.advice) return;
+    advice_.emplace(*request_.advice, frame);
+    feed_->after_each_look([this](double time_s) { advise(time_s); });
   }
 
   Status take(std::string_view line) {
@@ -175,6 +127,18 @@ class Watch {
     if (write_error_ == 0) write_error_ = write_out(text);
   }
 
+  // A look without advice is no reason to stop looking.
+  void advise(double time_s) {
+    const auto lines = advice_->lines(time_s, *feed_);
+    if (!lines) {
+      if (unadvised_looks_++ == 0 && !request_.quiet) {
+        say("beespace: no advice: " + printable(to_string(lines.error())) + "\n");
+      }
+    } else if (write_error_ == 0) {
+      write_error_ = write_out(*lines);
+    }
+  }
+
   [[nodiscard]] Error nothing_read() const {
     return {ErrorCode::kNoPoints,
             bad_lines_ > 0 ? "no line of the input could be read as a report"
@@ -210,7 +174,18 @@ class Watch {
     for (const EventKind kind : {EventKind::kPredicted, EventKind::kEntered, EventKind::kLeft}) {
       append_summary_line(out, name_of(kind), grouped(told_[place(kind)]));
     }
+    if (advice_) append_advice(out);
     return out;
+  }
+
+  void append_advice(std::string& out) const {
+    std::string text = grouped(advice_->told());
+    if (advice_->uncertified() > 0) {
+      text += ", " + red(grouped(advice_->uncertified())) + " not certified";
+    }
+    append_summary_line(out, "advice", text);
+    if (unadvised_looks_ == 0) return;
+    append_summary_line(out, "no advice", red(grouped(unadvised_looks_)) + " looks");
   }
 
   const WatchRequest& request_;
@@ -219,15 +194,17 @@ class Watch {
   io::Frame frame_ = io::Frame::kMetres;  // once there is a feed
   Geometry geometry_ = Geometry::kSpace;
   std::optional<LiveFeed> feed_;
+  std::optional<LiveAdvice> advice_;
   std::array<std::uint64_t, 5> told_{};  // by kind
   std::uint64_t bad_lines_ = 0;
+  std::uint64_t unadvised_looks_ = 0;
   int write_error_ = 0;  // the errno of it
 };
 
 }  // namespace
 
 ExitCode run_watch(const WatchOptions& options) {
-  const auto request = request_of(options);
+  const auto request = watch_request(options);
   if (!request) return fail(request.error(), false);
   const auto code = Watch(*request).run();
   return code ? *code : fail(code.error(), false);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/exit_code.hpp"
+#include "cli/moving/live_advice_options.hpp"
 #include "cli/moving/live_options.hpp"
 
 #include <string>
@@ -26,6 +27,7 @@ struct WatchOptions {
   std::string speed;
   std::string rate;
   LiveOptions live;
+  LiveAdviceOptions advice;
   bool fail_on_risk = false;
   bool quiet = false;
 };

@@ -32,11 +32,16 @@ constexpr const char* kDetails =
     "  closest_passed  they are getting farther apart again: how close they were, and when\n"
     "  left            they are farther apart than the threshold times --leave-factor\n"
     "  stale           a bee has not been heard of for --max-age\n"
+    "  advice          with --advise, at every look: a bee whose way leads too close to others, "
+    "and "
+    "the\n"
+    "                  velocity it should have instead\n"
     "\n"
     "Examples:\n"
     "  tail -f swarm.csv | beespace watch --threshold 5\n"
     "  nc receiver 30003 | beespace watch --threshold 5000 --vertical 300\n"
     "  beespace watch flight.csv --threshold 5 --speed 10\n"
+    "  tail -f swarm.csv | beespace watch --threshold 5 --advise --max-speed 15\n"
     "\n"
     "Exit status: 0 fine, 1 somebody has entered (with --fail-on-risk), 2 wrong usage, 3 bad "
     "input,\n"
@@ -90,6 +95,7 @@ CLI::App* add_watch_command(CLI::App& command, WatchOptions& options) {
       ->type_name("N")
       ->group("Separation");
   add_live_options(*watch, options.live, "Separation");
+  add_live_advice_options(*watch, options.advice, "Advice");
   watch->add_flag("--fail-on-risk", options.fail_on_risk, "Exit with 1 when somebody has entered")
       ->group("Output");
   watch->add_flag("--quiet", options.quiet, "No summary, only errors")->group("Output");

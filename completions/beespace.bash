@@ -22,14 +22,14 @@ _beespace() {
   fi
 
   if [ "$COMP_CWORD" -eq 1 ]; then
-    _beespace_offer -W 'detect predict replay watch simulate verify generate bench help --help
+    _beespace_offer -W 'detect predict replay watch advise simulate verify generate bench help --help
       --version' -- "$current"
     return
   fi
 
   local words=''
   case $subcommand:$previous in
-    help:help) words='detect predict replay watch simulate verify generate bench' ;;
+    help:help) words='detect predict replay watch advise simulate verify generate bench' ;;
     detect:--report) words='at-risk pairs neighbors counts nearest groups closest-pair' ;;
     replay:--report) words='conflicts bees separation events' ;;
     detect:--crs | predict:--crs | replay:--crs | watch:--crs | verify:--crs) words='auto wgs84 metres' ;;
@@ -37,13 +37,14 @@ _beespace() {
       words='auto s ms us ns' ;;
     predict:--heights | replay:--heights | watch:--heights | verify:--heights)
       words='auto geometric pressure' ;;
+    advise:--method) words='certified orca mvp' ;;
     simulate:--method) words='certified orca mvp none' ;;
-    simulate:--acceleration) words='none' ;;
+    advise:--acceleration | simulate:--acceleration | watch:--max-acceleration) words='none' ;;
     detect:--format) words='auto text npy bin' ;;
     generate:--scene) words='uniform clusters area flight head-on crossing sphere-swap encounters' ;;
     generate:--area) words='medellin' ;;
     generate:--format) words='csv tsv npy bin csv.gz tsv.gz npy.gz bin.gz' ;;
-    *:--output | detect:--others | simulate:--obstacles)
+    *:--output | detect:--others | advise:--obstacles | advise:--intruders | simulate:--obstacles | verify:--obstacles)
       compopt -o filenames
       _beespace_offer -f -- "$current"
       return
@@ -54,6 +55,7 @@ _beespace() {
     *:--size | *:--clusters | *:--sigma | *:--seed) return ;;
     *:--speed | *:--miss | *:--duration | *:--interval) return ;;
     *:--bees | *:--spacing | *:--step | *:--steps | *:--clearance) return ;;
+    *:--uncertainty | *:--intruder-horizon) return ;;
     *:--max-speed | *:--max-acceleration) return ;;
     *)
       case $subcommand in
@@ -74,17 +76,23 @@ _beespace() {
             --version'
           ;;
         watch)
-          words='--threshold --vertical --horizon --leave-factor --look-every --max-age --speed --rate
-            --threads --crs --columns --time-unit --heights --fail-on-risk --quiet --help --version'
+          words='--threshold --vertical --horizon --leave-factor --look-every --advise --max-speed
+            --max-acceleration --step --max-age --speed --rate --threads --crs --columns --time-unit
+            --heights --fail-on-risk --quiet --help --version'
+          ;;
+        advise)
+          words='--speed --acceleration --step --threshold --uncertainty --obstacles --clearance
+            --intruders --intruder-horizon --method --threads --output --json --fail-on-risk --quiet
+            --help --version'
           ;;
         simulate)
           words='--bees --spacing --seed --speed --acceleration --step --steps --threshold --method
             --obstacles --clearance --threads --output --json --fail-on-risk --quiet --help --version'
           ;;
         verify)
-          words='--threshold --max-speed --max-acceleration --straight --threads --crs --columns
-            --time-unit --heights --grounded --skip-bad --output --csv --json --quiet --help
-            --version'
+          words='--threshold --max-speed --max-acceleration --obstacles --clearance --straight --threads
+            --crs --columns --time-unit --heights --grounded --skip-bad --output --csv --json --quiet
+            --help --version'
           ;;
         generate)
           words='--scene --area --points --size --clusters --sigma --speed --miss --duration
@@ -103,7 +111,7 @@ _beespace() {
             return
           fi
           ;;
-        detect:* | predict:* | replay:* | watch:* | verify:*)
+        detect:* | predict:* | replay:* | watch:* | advise:* | verify:*)
           compopt -o filenames
           _beespace_offer -f -- "$current"
           return

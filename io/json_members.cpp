@@ -8,7 +8,7 @@
 namespace beespace::io {
 
 JsonMembers::JsonMembers(JsonElement object, std::string path, std::string what,
-                         std::vector<std::string_view> known)
+                         const std::vector<std::string_view>& known)
     : object_(object), path_(std::move(path)), what_(std::move(what)) {
   check_names(known);
 }

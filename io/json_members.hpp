@@ -21,7 +21,7 @@ class JsonMembers {
   // `what` is in sentences about them: "a sphere". Errors: kMalformedRecord for what is no object
   // or has two members of a name, kUnsupportedFormat for members that are not among `known`.
   JsonMembers(JsonElement object, std::string path, std::string what,
-              std::vector<std::string_view> known);
+              const std::vector<std::string_view>& known);
 
   // Members that must be there; null is as good as nothing. Zero or nothing where there is an
   // error. Errors: kMissingColumn, and those of json_number_problem() and json_point_problem().

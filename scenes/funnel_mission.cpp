@@ -23,9 +23,11 @@ std::vector<Point> column_from_its_end(std::size_t count, std::size_t across, do
   std::vector<Point> places;
   places.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
-    places.push_back({mouth_m + static_cast<double>(slices - 1 - i / slice) * spacing_m,
+    const std::size_t from_mouth = slices - 1 - i / slice;
+    const std::size_t up = i % slice / across;
+    places.push_back({mouth_m + static_cast<double>(from_mouth) * spacing_m,
                       first_m + static_cast<double>(i % across) * spacing_m,
-                      first_m + static_cast<double>(i % slice / across) * spacing_m});
+                      first_m + static_cast<double>(up) * spacing_m});
   }
   return places;
 }

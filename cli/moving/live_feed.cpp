@@ -80,6 +80,7 @@ Status LiveFeed::look(double time_s) {
   const auto events = swarm_.advance(looked_s_);
   if (!events) return events.error();
   if (!events->empty()) tell_(*events);
+  if (looked_) looked_(looked_s_);
   return std::monostate{};
 }
 

@@ -17,6 +17,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace beespace::cli {
@@ -27,6 +28,10 @@ class LiveFeed {
   using Tell = std::function<void(const std::vector<SwarmEvent>& events)>;
 
   LiveFeed(const SwarmOptions& options, double every_s, Tell tell);
+
+  // Sees the time of each look from now on, once its events have been told.
+  using Looked = std::function<void(double time_s)>;
+  void after_each_look(Looked looked) { looked_ = std::move(looked); }
 
   // The number of a bee, by its id. What it is called beside that is kept, if it is said.
   PointId number(std::string_view id, std::string_view label);
@@ -44,6 +49,8 @@ class LiveFeed {
   // The last look, at the time of the last report.
   Status finish();
 
+  // Everybody at a time, by numbers: as Swarm::movers.
+  [[nodiscard]] std::vector<LiveMover> movers(double time_s) const { return swarm_.movers(time_s); }
   [[nodiscard]] SwarmCounts counts() const { return swarm_.counts(); }
   // How many reports were left out because they were far ahead.
   [[nodiscard]] std::uint64_t ahead() const { return ahead_; }
@@ -62,6 +69,7 @@ class LiveFeed {
   Swarm swarm_;
   double every_s_;
   Tell tell_;
+  Looked looked_;
   std::optional<std::int64_t> looks_;  // how many every_s_ have passed at the last look
   std::optional<double> latest_s_;     // of all reports
   std::optional<Report> waiting_;      // far ahead of these

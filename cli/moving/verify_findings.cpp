@@ -2,6 +2,7 @@
 
 #include "cli/moving/moving_output.hpp"
 #include "cli/number_text.hpp"
+#include "cli/obstacle_file.hpp"
 #include "cli/terminal.hpp"
 
 #include <algorithm>
@@ -54,10 +55,19 @@ std::string found_text(std::uint64_t count, const char* one, const char* several
 std::string verdict_text(const Verdict& verdict) {
   if (verdict.holds()) return bold("holds");
   std::string text;
-  if (verdict.losses > 0) text = "does not keep its distance";
-  if (verdict.breaches > 0)
-    text += (text.empty() ? "" : ", and ") + std::string("breaks the limits");
+  const auto append = [&text](const char* what) {
+    if (!text.empty()) text += ", and ";
+    text += what;
+  };
+  if (verdict.losses > 0) append("does not keep its distance");
+  if (verdict.clearance_losses > 0) append("does not keep clear of obstacles");
+  if (verdict.breaches > 0) append("breaks the limits");
   return red(text);
+}
+
+std::string obstacles_text(const VerifyOptions& options) {
+  return grouped(std::uint64_t{options.obstacles->obstacles().size()}) + ", clearance " +
+         exact(options.clearance_m) + " m";
 }
 
 }  // namespace
@@ -76,6 +86,12 @@ Rows finding_rows(const Verification& verification) {
   for (const Loss& loss : verification.verdict.first_losses) {
     rows.rows.push_back({std::string("loss"), name_of(loss.pair.first, recording),
                          name_of(loss.pair.second, recording), loss.begins_s, loss.ends_s,
+                         loss.closest_m});
+  }
+  for (const ClearanceLoss& loss : verification.verdict.first_clearance_losses) {
+    const Obstacle& obstacle = verification.options.obstacles->obstacles()[loss.obstacle];
+    rows.rows.push_back({std::string("clearance"), name_of(loss.bee, recording),
+                         shown_obstacle(loss.obstacle, obstacle), loss.begins_s, loss.ends_s,
                          loss.closest_m});
   }
   for (const Breach& breach : verification.verdict.first_breaches) {
@@ -99,6 +115,11 @@ std::string verify_json_head(const Verification& verification, const MovingReque
   head += ",\n  \"steps\": " + std::to_string(verdict.steps);
   head += std::string(",\n  \"holds\": ") + (verdict.holds() ? "true" : "false");
   head += ",\n  \"loss_count\": " + std::to_string(verdict.losses);
+  if (options.obstacles != nullptr) {
+    head += ",\n  \"obstacles\": " + std::to_string(options.obstacles->obstacles().size());
+    head += ",\n  \"clearance_m\": " + exact(options.clearance_m);
+    head += ",\n  \"clearance_loss_count\": " + std::to_string(verdict.clearance_losses);
+  }
   head += ",\n  \"breach_count\": " + std::to_string(verdict.breaches);
   head += ",\n  \"fastest_mps\": " + exact(verdict.fastest_mps);
   head += ",\n  \"hardest_mps2\": " + (options.straight ? "null" : exact(verdict.hardest_mps2));
@@ -133,6 +154,9 @@ std::string verify_summary(const Verification& verification, const MovingRequest
   append_summary_line(out, "threshold",
                       separation_summary(request, options.threshold_m,
                                          !request.threshold_m && recording.declared_threshold_m));
+  if (options.obstacles != nullptr) {
+    append_summary_line(out, "obstacles", obstacles_text(options));
+  }
   append_summary_line(out, "limits", limits_text(options));
   append_summary_line(out, "checked", times(verdict.steps, "step", "steps"));
   append_summary_line(out, "closest", closest_text(verification));
@@ -142,6 +166,10 @@ std::string verify_summary(const Verification& verification, const MovingRequest
                                        : grouped(verdict.hardest_mps2, 3) + " m/s^2");
   append_summary_line(out, "losses",
                       found_text(verdict.losses, "pair in a step", "pairs, a step each"));
+  if (options.obstacles != nullptr) {
+    append_summary_line(out, "clearance",
+                        found_text(verdict.clearance_losses, "bee in a step", "bees, a step each"));
+  }
   append_summary_line(out, "breaches",
                       found_text(verdict.breaches, "limit in a step", "limits, a step each"));
   append_summary_line(out, "verdict", verdict_text(verdict));

@@ -22,7 +22,8 @@ struct Verification {
   double check_s = 0.0;
 };
 
-// finding, first, second, begins_s, ends_s, value: losses, then breaches.
+// finding, first, second, begins_s, ends_s, value: losses, those of clearance (the second is
+// the obstacle), then breaches.
 Rows finding_rows(const Verification& verification);
 
 // The beginning of the JSON document: an open object.

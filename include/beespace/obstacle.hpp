@@ -57,7 +57,7 @@ struct Corner {
 };
 
 // What its outline encloses: corner after corner, either way round, the last joined to the first.
-// It need not be convex, but must not cross or touch itself.
+// It need not be convex, but must not cross or touch itself. The last corner may repeat the first.
 struct UprightPrism {
   std::vector<Corner> outline;
   Heights heights;
@@ -72,14 +72,15 @@ struct NearestSurface {
 };
 
 // Errors, of all that follows: kInvalidArgument for an obstacle that is none (a radius below zero,
-// a box or heights upside down, an outline of fewer than three corners, that crosses itself or
-// encloses nothing); kNotFinite and kOutsideDomain. Of two points of the surface that are as near,
-// any.
+// a box or heights upside down, an outline of fewer than three corners, with one given twice, that
+// crosses or touches itself, or that encloses nothing); kNotFinite and kOutsideDomain, which is the
+// motion domain (see mover.hpp). Checking an outline of n corners costs n^2: to ask about one again
+// and again, ask a map of it. Of two points of the surface that are as near, any.
 BEESPACE_API Result<NearestSurface> nearest_surface(const Obstacle& obstacle, const Point& point);
 
 // When a ball that flies straight, at constant velocity, first touches or overlaps the obstacle,
-// within [0, horizon_s]; never too late by more than rounding. `radius_m` is zero or more: of zero,
-// when the point gets there.
+// within [0, horizon_s]; never too late. One that comes within some 1e-14 of the coordinates may
+// count as touching. `radius_m` is zero or more: of zero, when the point gets there.
 BEESPACE_API Result<std::optional<double>> first_contact_s(const Obstacle& obstacle,
                                                            const Mover& ball, double radius_m,
                                                            double horizon_s);

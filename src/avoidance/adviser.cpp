@@ -56,8 +56,16 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     const double horizon_s = avoidance::looks_ahead_s(flyers_, options.step_s);
     if (Status found = find_near(movers, options, horizon_s); !found) return found;
     advised.advice.assign(movers.size(), {});
-    const Claimants claimants(flyers_, near_, preferred, options);
+    too_close_.assign(movers.size(), 0);
+    const Claimants claimants(flyers_, near_, too_close_, preferred, options);
     ThreadCrew& crew = crew_for(options.threads, movers.size());
+    if (options.method == AdviseMethod::kCertified) {
+      crew.split(movers.size(), [&](std::size_t begin, std::size_t end, unsigned /*worker*/) {
+        for (std::size_t bee = begin; bee < end; ++bee) {
+          too_close_[bee] = claimants.is_too_close(static_cast<PointId>(bee)) ? 1 : 0;
+        }
+      });
+    }
     crew.split(movers.size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
       Desk& desk = desks_[worker];
       for (std::size_t bee = begin; bee < end; ++bee) {
@@ -186,6 +194,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
   Engine engine_;
   IdRows near_;
   Flyers flyers_;
+  std::vector<char> too_close_;  // of each bee, whether it is so to any
   std::optional<ThreadCrew> crew_;
   std::vector<Desk> desks_;  // of each worker
 };

@@ -1,7 +1,5 @@
 #include "avoidance/claimants.hpp"
 
-#include "avoidance/certificate.hpp"
-#include "avoidance/obstacle_parting.hpp"
 #include "avoidance/velocity_obstacle.hpp"
 #include "obstacles/obstacle_map.hpp"
 
@@ -39,15 +37,28 @@ void Claimants::look_at(PointId bee, Findings& findings) const {
   look_at_intruders(bee, findings);
 }
 
+// Of the two, the one of the lower id is the first.
+Parting Claimants::parting_of(PointId bee, PointId other) const {
+  const Segment& first = flyers_.way_to_stop(std::min(bee, other));
+  const Segment& second = flyers_.way_to_stop(std::max(bee, other));
+  return part(first, second, flyers_.apart().kept_m);
+}
+
+bool Claimants::is_too_close(PointId bee) const {
+  const double certified_m = flyers_.apart().certified_m;
+  return std::any_of(near_[bee].begin(), near_[bee].end(), [&](PointId other) {
+    return flyers_.ways_may_be_within(bee, other, certified_m) &&
+           parting_of(bee, other).gap < certified_m;
+  });
+}
+
 void Claimants::look_at_bees(PointId bee, Findings& findings) const {
-  const Segment& way = flyers_.way_to_stop(bee);
   const auto& [asked_m, kept_m, certified_m] = flyers_.apart();
   Claims& claims = findings.claims;
   for (const PointId other : near_[bee]) {
     if (!flyers_.may_meet(bee, other)) continue;
-    const Segment& other_way = flyers_.way_to_stop(other);
     const bool is_first = bee < other;
-    const Parting parting = is_first ? part(way, other_way, kept_m) : part(other_way, way, kept_m);
+    const Parting parting = parting_of(bee, other);
     const double lean = is_first ? leaves_to(bee, other) : leaves_to(other, bee);
     const HalfSpace side =
         is_first ? parting.of_first(kept_m, lean) : parting.of_second(kept_m, lean);
@@ -64,22 +75,43 @@ void Claimants::look_at_bees(PointId bee, Findings& findings) const {
 
 void Claimants::look_at_obstacles(PointId bee, Findings& findings) const {
   const Segment& way = flyers_.way_to_stop(bee);
-  const auto& [asked_m, kept_m, certified_m] = flyers_.clearance();
+  const double kept_m = flyers_.clearance().kept_m;
   const double reach_m = (kept_m + flyers_.reach(bee)) * (1.0 + 0x1p-40);
   const Vector3 middle = core::vector_of(flyers_.middles()[bee]);
-  Claims& claims = findings.claims;
-  const std::size_t before = findings.near_obstacle.size();
-  options_.obstacles->state().visit_near(middle, reach_m, [&](const obstacles::ConvexPiece& piece) {
-    const Obstacle& whole = options_.obstacles->obstacles()[piece.obstacle()];
-    const ObstacleParting parting = part(way, piece, whole, kept_m);
-    const HalfSpace side = parting.of_way(kept_m);
-    if (side.inside_by(way.at(1.0)) >= flyers_.strays(bee)) return;  // wherever it flies
-    claims.keep_to.push_back(side);
-    if (parting.gap >= certified_m) return;
-    findings.certified = false;
-    claims.get_away.push_back({claims.keep_to.size() - 1, kept_m - parting.gap});
-    note({bee, piece.obstacle(), parting.gap}, before, findings.near_obstacle);
+  const ObstacleMap::State& map = options_.obstacles->state();
+  findings.first_near = findings.near_obstacle.size();
+  // Pieces of what it lies in are no walls: it may have to get out through them.
+  std::vector<std::size_t>& inside = findings.inside;
+  inside.clear();
+  const auto is_inside = [&](std::size_t obstacle) {
+    return std::find(inside.begin(), inside.end(), obstacle) != inside.end();
+  };
+  map.visit_near(way.from, 0.0, [&](const obstacles::ConvexPiece& piece) {
+    const std::size_t obstacle = piece.obstacle();
+    if (is_inside(obstacle) || piece.facing(way.from).surface.distance_m > 0.0) return;
+    const auto parting = part_inside(way, map.obstacles()[obstacle]);
+    if (!parting) return;
+    inside.push_back(obstacle);
+    keep_clear(bee, obstacle, *parting, findings);
   });
+  map.visit_near(middle, reach_m, [&](const obstacles::ConvexPiece& piece) {
+    if (is_inside(piece.obstacle())) return;
+    keep_clear(bee, piece.obstacle(), part(way, piece, kept_m), findings);
+  });
+}
+
+void Claimants::keep_clear(PointId bee, std::size_t obstacle, const ObstacleParting& parting,
+                           Findings& findings) const {
+  const auto& [asked_m, kept_m, certified_m] = flyers_.clearance();
+  Claims& claims = findings.claims;
+  const HalfSpace side = parting.of_way(kept_m);
+  const bool certified = parting.gap >= certified_m;
+  if (certified && is_kept_anyhow(bee, side)) return;
+  claims.keep_to.push_back(side);
+  if (certified) return;
+  findings.certified = false;
+  claims.get_away.push_back({claims.keep_to.size() - 1, kept_m - parting.gap});
+  note({bee, obstacle, parting.gap}, findings.first_near, findings.near_obstacle);
 }
 
 void Claimants::look_at_intruders(PointId bee, Findings& findings) const {
@@ -89,10 +121,12 @@ void Claimants::look_at_intruders(PointId bee, Findings& findings) const {
     if (!may_come_close(bee, options_.intruders[k])) continue;
     const Vector3 place = core::vector_of(p) - flyer.position;
     const Vector3 velocity = core::vector_of(v);
-    findings.claims.give_way.push_back(
-        half_space_of({place, flyer.velocity - velocity, flyers_.apart().kept_m,
-                       options_.intruder_horizon_s, options_.step_s},
-                      flyer.velocity, 1.0));
+    const VelocityObstacle obstacle{place, flyer.velocity - velocity, flyers_.apart().kept_m,
+                                    options_.intruder_horizon_s, options_.step_s};
+    findings.claims.give_way.push_back(half_space_of(
+        obstacle.is_too_close() ? obstacle.away()
+                                : obstacle.way_out_within(flyer.velocity, flyer.max_speed),
+        flyer.velocity, 1.0));
   }
 }
 
@@ -115,12 +149,17 @@ double Claimants::leaves_to(PointId first, PointId second) const {
   return kLeft * ((is_idle(first) ? 1.0 : 0.0) - (is_idle(second) ? 1.0 : 0.0));
 }
 
-// Whoever is where it wants to be makes room for those who are close and want through: how much
-// another one presses a bee that lies from it in the direction `away`, across a gap.
+// Whoever is where it wants to be makes room for those who are close and want through, or are too
+// close to somebody: how much another one presses a bee that lies from it in the direction `away`,
+// across a gap.
 Vector3 Claimants::pressure(PointId other, const Vector3& away, double gap_m) const {
   const double kept_m = flyers_.apart().kept_m;
   const double free = (gap_m - kept_m) / (kPresses * kept_m);
-  if (free >= 1.0 || is_idle(other) || dot(wish_of(wishes_, other), away) <= 0.0) return {};
+  if (free >= 1.0) return {};
+  const bool wants_through = !is_idle(other) && dot(wish_of(wishes_, other), away) > 0.0;
+  // Those two who are too close get away from each other anyhow.
+  const bool needs_room = too_close_[other] != 0 && gap_m >= flyers_.apart().certified_m;
+  if (!wants_through && !needs_room) return {};
   return away * (1.0 - free);
 }
 

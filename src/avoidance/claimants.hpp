@@ -1,13 +1,16 @@
 // Who makes a bee do what in a step: other bees, obstacles, intruders.
 #pragma once
 
+#include "avoidance/certificate.hpp"
 #include "avoidance/claims.hpp"
 #include "avoidance/flyers.hpp"
+#include "avoidance/obstacle_parting.hpp"
 
 #include <beespace/advise.hpp>
 #include <beespace/id_rows.hpp>
 #include <beespace/mover.hpp>
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -15,16 +18,22 @@ namespace beespace::avoidance {
 
 class Claimants {
  public:
-  // `near` has whoever may meet a bee. All of these outlive this.
-  Claimants(const Flyers& flyers, const IdRows& near, std::span<const Velocity> wishes,
-            const AdviseOptions& options)
-      : flyers_(flyers), near_(near), wishes_(wishes), options_(options) {}
+  // `near` has whoever may meet a bee; `too_close`, what is_too_close() says of each, before any is
+  // looked at. All of these outlive this.
+  Claimants(const Flyers& flyers, const IdRows& near, std::span<const char> too_close,
+            std::span<const Velocity> wishes, const AdviseOptions& options)
+      : flyers_(flyers), near_(near), too_close_(too_close), wishes_(wishes), options_(options) {}
+
+  // Whether a bee has come too close to another one, or will as it brakes.
+  [[nodiscard]] bool is_too_close(PointId bee) const;
 
   // What is found of one bee after the other.
   struct Findings {
     Claims claims;    // of the last one
     Vector3 pressed;  // where others want it, who is idle
     bool certified;
+    std::vector<std::size_t> inside;  // obstacles that it lies in
+    std::size_t first_near;           // of near_obstacle
     std::vector<TooClose> too_close;  // of all so far
     std::vector<NearObstacle> near_obstacle;
   };
@@ -36,8 +45,11 @@ class Claimants {
   [[nodiscard]] bool may_come_close(PointId bee, const Mover& intruder) const;
 
  private:
+  [[nodiscard]] Parting parting_of(PointId bee, PointId other) const;
   void look_at_bees(PointId bee, Findings& findings) const;
   void look_at_obstacles(PointId bee, Findings& findings) const;
+  void keep_clear(PointId bee, std::size_t obstacle, const ObstacleParting& parting,
+                  Findings& findings) const;
   void look_at_intruders(PointId bee, Findings& findings) const;
   [[nodiscard]] bool is_kept_anyhow(PointId bee, const HalfSpace& side) const;
   [[nodiscard]] double leaves_to(PointId first, PointId second) const;
@@ -45,6 +57,7 @@ class Claimants {
 
   const Flyers& flyers_;
   const IdRows& near_;
+  std::span<const char> too_close_;
   std::span<const Velocity> wishes_;
   const AdviseOptions& options_;
 };

@@ -26,6 +26,17 @@ bool does_all(const Flyer& flyer, const Vector3& velocity, const Claims& claims)
                      [&](const HalfSpace& side) { return side.inside_by(velocity) >= 0.0; });
 }
 
+double sum_of(const Vector3& a) {
+  return std::abs(a.x) + std::abs(a.y) + std::abs(a.z);
+}
+
+// By how much what the program finds may be outside of a half-space: for its own rounding, and for
+// that of the stop and of how far inside it is.
+double rounding_of(const Flyer& flyer, const Vector3& from, double most_change) {
+  return 0x1p-50 * (sum_of(flyer.position) + sum_of(flyer.stop_after(from))) +
+         0x1p-38 * most_change * flyer.braking.growth_along(length(from) + most_change);
+}
+
 // A wish, turned to the right as seen from above: by the angle of this sine.
 Vector3 turned_right(const Vector3& wish, double sine) {
   const double speed = length(wish);
@@ -48,10 +59,15 @@ Disposal::Disposed Disposal::dispose(const Flyer& flyer, const Vector3& wish,
   const Vector3 brake = braking.at_once() ? Vector3{} : braking.braked(flyer.velocity);
   const Vector3 from = braking.at_once() ? Vector3{} : flyer.velocity;
   const Ball changes{{}, braking.at_once() ? flyer.max_speed : braking.change()};
-  put_in_changes(flyer, from, claims, changes.radius);
   const auto nearest = [&](const Vector3& velocity) {
-    const auto found = program_.nearest(velocity - from, firm_, requests_, changes);
-    return found ? flyer.able(from + *found) : velocity;
+    // Who slides along a plane must not be told to stand because a rounding puts it outside; where
+    // there is no room for that, the plane itself will have to do.
+    for (const double within : {rounding_of(flyer, from, changes.radius), 0.0}) {
+      put_in_changes(flyer, from, claims, changes.radius, within);
+      const auto found = program_.nearest(velocity - from, firm_, requests_, changes);
+      if (found) return flyer.able(from + *found);
+    }
+    return velocity;
   };
   Vector3 best = nearest(proposed);
   // Whoever gets too little of its way by going straight turns right, the more the less it gets: so
@@ -69,10 +85,10 @@ Disposal::Disposed Disposal::dispose(const Flyer& flyer, const Vector3& wish,
   return {brake, AdviceKind::kBraking};
 }
 
-// The half-spaces as they look to small changes of the velocity: a change across it and one along
-// it move the stop by different lengths.
+// The half-spaces, so far within, as they look to small changes of the velocity: a change across it
+// and one along it move the stop by different lengths.
 void Disposal::put_in_changes(const Flyer& flyer, const Vector3& from, const Claims& claims,
-                              double most_change) {
+                              double most_change, double within) {
   const double speed = length(from);
   const double across = flyer.braking.growth_across(speed);
   const double along = flyer.braking.growth_along(speed);
@@ -85,7 +101,7 @@ void Disposal::put_in_changes(const Flyer& flyer, const Vector3& from, const Cla
     return HalfSpace{slope * (1.0 / steep), (farther - side.inside_by(stop)) / steep};
   };
   firm_.clear();
-  for (const HalfSpace& side : claims.keep_to) firm_.push_back(in_changes(side, 0.0));
+  for (const HalfSpace& side : claims.keep_to) firm_.push_back(in_changes(side, within));
   requests_.clear();
   for (const auto& [of, by] : claims.get_away) {
     const HalfSpace side = in_changes(claims.keep_to[of], by);

@@ -25,7 +25,7 @@ class Disposal {
 
  private:
   void put_in_changes(const Flyer& flyer, const Vector3& from, const Claims& claims,
-                      double most_change);
+                      double most_change, double within);
 
   // Of velocity.
   std::vector<HalfSpace> firm_;

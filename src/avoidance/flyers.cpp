@@ -32,9 +32,9 @@ void Flyers::take(const MoversView& movers, std::span<const FlightLimits> limits
     const Segment to_stop = flyer.way_to_stop();
     const Vector3 middle = to_stop.at(0.5);
     middles_.push_back({middle.x, middle.y, middle.z});
-    const double reach_m =
-        0.5 * length(to_stop.way) + std::max(flyer.strays(), 0.5 * kPresses * options.threshold_m);
-    ways_.push_back({to_stop, flyer.strays(), reach_m});
+    const double half_m = 0.5 * length(to_stop.way);
+    const double reach_m = half_m + std::max(flyer.strays(), 0.5 * kPresses * options.threshold_m);
+    ways_.push_back({to_stop, half_m, flyer.strays(), reach_m});
     farthest_reach_m_ = std::max(farthest_reach_m_, reach_m);
     fastest_mps_ = std::max({fastest_mps_, limit.max_speed_mps, length(flyer.velocity)});
     farthest_m = std::max({farthest_m, std::abs(p.x), std::abs(p.y), std::abs(p.z)});

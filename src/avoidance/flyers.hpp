@@ -53,10 +53,17 @@ class Flyers {
     const double meet_m = meet(ways_[bee].reach_m, ways_[other].reach_m);
     return dot(between, between) <= meet_m * meet_m;
   }
+  // False where two ways to a stop are surely farther apart than this.
+  [[nodiscard]] bool ways_may_be_within(PointId bee, PointId other, double apart_m) const {
+    const Vector3 between = core::vector_of(middles_[bee]) - core::vector_of(middles_[other]);
+    const double within_m = (apart_m + ways_[bee].half_m + ways_[other].half_m) * (1.0 + 0x1p-40);
+    return dot(between, between) <= within_m * within_m;
+  }
 
  private:
   struct Way {
     Segment to_stop;
+    double half_m;  // as long
     double strays_m;
     double reach_m;
   };

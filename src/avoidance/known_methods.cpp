@@ -26,7 +26,7 @@ Vector3 KnownMethod::orca(const Flyers& flyers, PointId bee, const IdRows& near,
     const VelocityObstacle obstacle{flyers[other].position - flyer.position,
                                     flyer.velocity - flyers[other].velocity, flyers.apart().kept_m,
                                     horizon_s, step_s};
-    const HalfSpace side = half_space_of(obstacle, flyer.velocity, 0.5);
+    const HalfSpace side = half_space_of(obstacle.way_out(), flyer.velocity, 0.5);
     requests_.push_back({side, std::max(0.0, side.offset + flyer.max_speed)});
   }
   const auto found = program_.nearest(wish, {}, requests_, {{}, flyer.max_speed});

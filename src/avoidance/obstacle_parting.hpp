@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace beespace::avoidance {
 
@@ -44,12 +45,15 @@ inline Vector3 closest_on_way(const Segment& way, const obstacles::ConvexPiece& 
   return way.at(0.5 * (low + high));
 }
 
-// Out of an obstacle, or away from it.
-inline Vector3 outward(const Obstacle& whole, const Vector3& place) {
-  const auto surface = nearest_surface(whole, {place.x, place.y, place.z});
-  if (!surface) return {};
-  const Vector3 away = place - core::vector_of(surface->point);
-  return surface->distance_m < 0.0 ? -away : away;
+// Of a way that begins in an obstacle: straight out to where its surface is nearest.
+inline std::optional<ObstacleParting> part_inside(const Segment& way, const Obstacle& whole) {
+  const auto surface = nearest_surface(whole, {way.from.x, way.from.y, way.from.z});
+  if (!surface || !(surface->distance_m < 0.0)) return std::nullopt;
+  const Vector3 out = core::vector_of(surface->point) - way.from;
+  const Vector3 normal = out * (1.0 / length(out));
+  const double edge = dot(normal, core::vector_of(surface->point));
+  return ObstacleParting{normal, std::min(dot(normal, way.from), dot(normal, way.at(1.0))) - edge,
+                         edge};
 }
 
 // The widest gap between a way and a convex piece of an obstacle, or one that is wide enough. Any
@@ -59,16 +63,15 @@ class ObstaclePartingSearch {
   ObstaclePartingSearch(const Segment& way, const obstacles::ConvexPiece& piece)
       : way_(way), piece_(piece) {}
 
-  ObstacleParting operator()(const Obstacle& whole, double enough) {
+  ObstacleParting operator()(double enough) {
     const obstacles::Facing closest = piece_.facing(closest_on_way(way_, piece_));
     consider(closest.normal);
     if (best_.gap >= enough) return best_;
     if (closest.surface.distance_m > 0.0) {
       consider_across(closest.normal);
     } else {
-      // It goes into the piece, or begins in it: out again.
+      // It goes into the piece: out again.
       for (const double end : {0.0, 1.0}) consider(piece_.facing(way_.at(end)).normal);
-      consider(outward(whole, way_.from));
     }
     return best_;
   }
@@ -103,9 +106,8 @@ class ObstaclePartingSearch {
 };
 
 inline ObstacleParting part(const Segment& way, const obstacles::ConvexPiece& piece,
-                            const Obstacle& whole,
                             double enough = std::numeric_limits<double>::infinity()) {
-  return ObstaclePartingSearch(way, piece)(whole, enough);
+  return ObstaclePartingSearch(way, piece)(enough);
 }
 
 }  // namespace beespace::avoidance

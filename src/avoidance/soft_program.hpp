@@ -18,15 +18,18 @@ struct Request {
 
 class SoftProgram {
  public:
-  // Where not all requests can be met, each gives up the same share of what it may, and no more of
-  // it than must be (to a five-hundredth). Nothing where they cannot be met at all.
+  // Where not all requests can be met, each gives up what no place of the ball has (or all but
+  // none), and the same share of what it may then, no more of it than must be (to a
+  // five-hundredth). Nothing where they cannot be met at all.
   std::optional<Vector3> nearest(const Vector3& wish, std::span<const HalfSpace> firm,
                                  std::span<const Request> requests, const Ball& ball);
 
  private:
+  void ask_for_what_there_is(std::span<const Request> requests, const Ball& ball);
   std::optional<Vector3> at(double share, const Vector3& wish, std::span<const HalfSpace> firm,
-                            std::span<const Request> requests, const Ball& ball);
+                            const Ball& ball);
 
+  std::vector<Request> requests_;
   std::vector<HalfSpace> all_;
 };
 

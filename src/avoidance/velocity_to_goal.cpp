@@ -16,8 +16,10 @@ Velocity velocity_to_goal(const Point& position, const Point& goal, const Flight
   if (!(left_m > kThere_m)) return {};
   double speed = std::min(limits.max_speed_mps, left_m / step_s);
   if (std::isfinite(limits.max_acceleration_mps2)) {
-    speed =
-        std::min({speed, std::sqrt(limits.max_acceleration_mps2 * left_m), 0.5 * left_m / step_s});
+    // Of what is left a third a step at most: a velocity is flown half a step late on average, and
+    // from more than that comes flying past the goal and back.
+    speed = std::min(
+        {speed, std::sqrt(limits.max_acceleration_mps2 * left_m), left_m / (3.0 * step_s)});
   }
   const core::Vector3 velocity = way * (speed / left_m);
   return {velocity.x, velocity.y, velocity.z};

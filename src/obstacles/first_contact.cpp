@@ -36,8 +36,8 @@ std::optional<double> first_contact(const ConvexPiece& piece, const Flight& flig
     if (facing.surface.distance_m <= flight.radius + 2.0 * rounding) return time;
     const double gap =
         dot(facing.normal, at) - piece.support(facing.normal) - flight.radius - rounding;
-    // A slope that rounds to none may still be one.
-    const double closing = 0x1p-50 * sum_of(flight.velocity) - dot(facing.normal, flight.velocity);
+    const double closing = -dot(facing.normal, flight.velocity);
+    // A slope that rounds to none would not close more than the rounding on any way to the piece.
     if (!(closing > 0.0)) return std::nullopt;
     const double next = time + gap / closing;
     if (!(next <= horizon)) return std::nullopt;

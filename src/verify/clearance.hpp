@@ -5,10 +5,11 @@
 
 #include <beespace/obstacle.hpp>
 
-#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace beespace::verify {
@@ -28,8 +29,6 @@ class ClearanceCheck {
   // within a billionth of it may count as closer.
   std::optional<Found> operator()(const Curve& curve, double rounded_m) {
     const double tolerance_m = kTolerance * clearance_m_ + rounded_m;
-    closest_m_ = std::numeric_limits<double>::infinity();
-    std::optional<std::size_t> too_close;
     open_.assign(1, curve);
     while (!open_.empty()) {
       const Curve next = open_.back();
@@ -37,57 +36,61 @@ class ClearanceCheck {
       const double bulge_m = bulge_of(next);
       const auto obstacle = touched(next, clearance_m_ + bulge_m + rounded_m);
       if (!obstacle) continue;
-      look_at(next);
-      if (bulge_m > 0.25 * tolerance_m && open_.size() < kDeepest && !(closest_m_ < clearance_m_)) {
-        for (const Curve& half : halves(next)) open_.push_back(half);
+      if (bulge_m > 0.25 * tolerance_m && open_.size() < kDeepest) {
+        // In the order of time, so that the first obstacle is found first.
+        const auto [first, second] = halves(next);
+        open_.push_back(second);
+        open_.push_back(first);
         continue;
       }
-      too_close = too_close.value_or(*obstacle);
-      if (closest_m_ < clearance_m_) break;
+      return Found{*obstacle, closest_seen(curve, next)};
     }
-    if (!too_close) return std::nullopt;
-    sample(curve);
-    return Found{*too_close, closest_m_};
+    return std::nullopt;
   }
 
  private:
   static constexpr double kTolerance = 1e-9;
   static constexpr std::size_t kDeepest = 60;
 
+  // What is smaller than the motion domain is nothing.
+  static double told(double value) { return std::abs(value) < kSmallestInMotion ? 0.0 : value; }
+
   // The first obstacle that a ball touches on the way along the chord.
   [[nodiscard]] std::optional<std::size_t> touched(const Curve& curve, double radius_m) const {
     const Point& p = curve.control[0];
     const Point& q = curve.control[3];
-    const Mover along{p, {q.x - p.x, q.y - p.y, q.z - p.z}};
+    const Mover along{{told(p.x), told(p.y), told(p.z)},
+                      {told(q.x - p.x), told(q.y - p.y), told(q.z - p.z)}};
     const auto contact = obstacles_.first_contact(along, radius_m, 1.0);
     if (!contact || !*contact) return std::nullopt;
     return (*contact)->obstacle;
   }
 
-  void look_at(const Curve& curve) {
-    for (const Point& p : {curve.control[0], curve.control[3]}) {
-      const auto nearest = obstacles_.nearest(p, closest_m_);
-      if (nearest) closest_m_ = std::min(closest_m_, nearest->surface.distance_m);
-    }
-  }
-
-  // For a figure to show.
-  void sample(const Curve& curve) {
+  // For a figure to show: at 64 places of the curve, and of the part of it that is too close.
+  [[nodiscard]] double closest_seen(const Curve& curve, const Curve& part) const {
     constexpr int kHalvings = 6;
-    std::vector<Curve> all{curve};
-    for (int k = 0; k < kHalvings; ++k) {
-      std::vector<Curve> next;
-      for (const Curve& one : all) {
-        for (const Curve& half : halves(one)) next.push_back(half);
+    double closest_m = std::numeric_limits<double>::infinity();
+    for (const Curve& whole : {curve, part}) {
+      std::vector<Curve> all{whole};
+      for (int k = 0; k < kHalvings; ++k) {
+        std::vector<Curve> next;
+        for (const Curve& one : all) {
+          for (const Curve& half : halves(one)) next.push_back(half);
+        }
+        all = std::move(next);
       }
-      all = std::move(next);
+      for (const Curve& one : all) {
+        for (const Point& p : {one.control[0], one.control[3]}) {
+          const auto nearest = obstacles_.nearest(p, closest_m);
+          if (nearest) closest_m = nearest->surface.distance_m;
+        }
+      }
     }
-    for (const Curve& one : all) look_at(one);
+    return closest_m;
   }
 
   const ObstacleMap& obstacles_;
   double clearance_m_;
-  double closest_m_ = 0.0;  // of the points that have been looked at
   std::vector<Curve> open_;
 };
 

@@ -66,8 +66,9 @@ inline double clearance_in_step(const ObstacleMap& map, Mover from, const Mover&
   for (int k = 0; k <= samples; ++k) {
     const std::array<long double, 3> at =
         place_at(from, to, step_s, static_cast<long double>(k) / static_cast<long double>(samples));
-    least = std::min(least, clearance_at(map, {static_cast<double>(at[0]), static_cast<double>(at[1]),
-                                               static_cast<double>(at[2])}));
+    least =
+        std::min(least, clearance_at(map, {static_cast<double>(at[0]), static_cast<double>(at[1]),
+                                           static_cast<double>(at[2])}));
   }
   return least;
 }
@@ -90,6 +91,17 @@ inline void leave_the_clear_ones(Course& course) {
   flock.limits = limits;
 }
 
+// A place near the obstacle, so far from its surface at most, inside or out.
+inline Point place_near(const Obstacle& obstacle, double far_m, scenes::RandomStream& random) {
+  const Point start = test::random_place(random, 20.0 * far_m);
+  const auto surface = nearest_surface(obstacle, start);
+  EXPECT_TRUE(surface);
+  const auto [x, y, z] = scenes::random_direction(random);
+  const double by = far_m * random.uniform();
+  const Point& p = surface->point;
+  return {p.x + by * x, p.y + by * y, p.z + by * z};
+}
+
 // A random flock among obstacles of all kinds, about as large as the bees' distances; it keeps the
 // threshold and the clearance.
 inline void make_course(Course& course, std::size_t most, std::uint64_t seed) {
@@ -109,7 +121,8 @@ inline void make_course(Course& course, std::size_t most, std::uint64_t seed) {
       obstacles.push_back(Ground{lowest + threshold_m * random.uniform(-0.5, 0.5)});
       continue;
     }
-    const Point& near = flock.movers[random.index(static_cast<std::uint32_t>(flock.size()))].position;
+    const Point& near =
+        flock.movers[random.index(static_cast<std::uint32_t>(flock.size()))].position;
     obstacles.push_back(
         random_obstacle(random, kind, threshold_m * log_uniform(random, 0.02, 0.7), near));
   }

@@ -85,10 +85,12 @@ Velocity each_otherwise(const Course& course, std::size_t bee, RandomStream& ran
   }
 }
 
-const Adversary kAdversaries[] = {
-    {"Random", at_random},           {"AtTheObstacle", at_the_obstacle},
-    {"AtSome", at_some_obstacle},    {"AtTheNeighbor", at_the_neighbor},
-    {"AlongTheWall", along_the_wall}, {"Mixed", each_otherwise}};
+const Adversary kAdversaries[] = {{"Random", at_random},
+                                  {"AtTheObstacle", at_the_obstacle},
+                                  {"AtSome", at_some_obstacle},
+                                  {"AtTheNeighbor", at_the_neighbor},
+                                  {"AlongTheWall", along_the_wall},
+                                  {"Mixed", each_otherwise}};
 
 class AmongObstacles : public testing::TestWithParam<Adversary> {};
 
@@ -111,9 +113,9 @@ double fly_a_step(Course& course, Adviser& adviser, const Adversary& adversary,
       << advised.near_obstacle[0].gap_m;
   double closest_m = test::kNoLimit;
   for (std::size_t bee = 0; bee < flock.size(); ++bee) {
-    closest_m = std::min(
-        closest_m, test::clearance_in_step(course.map, before[bee], flock.movers[bee],
-                                           flock.at_once(bee), flock.options.step_s, 3));
+    closest_m =
+        std::min(closest_m, test::clearance_in_step(course.map, before[bee], flock.movers[bee],
+                                                    flock.at_once(bee), flock.options.step_s, 3));
   }
   EXPECT_GE(closest_m, flock.options.clearance_m);
   return closest_m;

@@ -80,12 +80,11 @@ const Wall kWalls[] = {
      {0, 1, 0}},
     {"Prism",
      [](const Point& at) -> Obstacle {
-       return UprightPrism{{corner(at, -1e4, 0), corner(at, -1e4, -5), corner(at, 1e4, -5),
-                            corner(at, 1e4, 0)},
-                           {}};
+       return UprightPrism{
+           {corner(at, -1e4, 0), corner(at, -1e4, -5), corner(at, 1e4, -5), corner(at, 1e4, 0)},
+           {}};
      },
-     kOut,
-     kAlong},
+     kOut, kAlong},
     // The wall consists of several pieces.
     {"Comb",
      [](const Point& at) -> Obstacle {
@@ -98,8 +97,7 @@ const Wall kWalls[] = {
        comb.outline.push_back(corner(at, -8001.0, 0.0));
        return comb;
      },
-     kOut,
-     kAlong}};
+     kOut, kAlong}};
 
 void PrintTo(const Wall& wall, std::ostream* out) {  // NOLINT(*-identifier-naming)
   *out << wall.name;
@@ -113,8 +111,8 @@ TEST_P(AlongAWall, AtTheClearanceGetsOn) {
   const auto& [name, of, out, along] = GetParam();
   for (const double far_m : {0.0, 1e6, 5e6}) {
     for (const double clearance_m : {0.05, 1.0, 30.0}) {
-      for (const FlightLimits& limits :
-           {FlightLimits{10.0, test::kNoLimit}, FlightLimits{10.0, 5.0}, FlightLimits{100.0, 4.0}}) {
+      for (const FlightLimits& limits : {FlightLimits{10.0, test::kNoLimit},
+                                         FlightLimits{10.0, 5.0}, FlightLimits{100.0, 4.0}}) {
         SCOPED_TRACE(testing::Message() << far_m << " m off, clearance " << clearance_m << ", "
                                         << limits.max_speed_mps << " m/s");
         Course course;
@@ -132,9 +130,11 @@ TEST_P(AlongAWall, AtTheClearanceGetsOn) {
           const Velocity wish{v * (along.x - press * out.x), v * (along.y - press * out.y),
                               v * (along.z - press * out.z)};
           course.flock.movers[0].velocity = test::scaled(along, 0.99 * v);
-          expect_clear(fly(course, [&](const Mover&) { return wish; }, 30), clearance_m);
+          expect_clear(fly(
+                           course, [&](const Mover&) { return wish; }, 30),
+                       clearance_m);
           // 3 s: a tenth is what wishes into the wall may cost.
-          EXPECT_GT(test::distance_of(course.flock.movers[0].position, from), 0.7 * 3.0 * v);
+          EXPECT_GT(test::distance_of(course.flock.movers[0].position, from), 0.9 * 3.0 * v);
           if (HasFailure()) return;
         }
       }
@@ -145,26 +145,27 @@ TEST_P(AlongAWall, AtTheClearanceGetsOn) {
 INSTANTIATE_TEST_SUITE_P(Wall, AlongAWall, testing::ValuesIn(kWalls),
                          [](const auto& wall) { return std::string(wall.param.name); });
 
-// Into the corner of an L from all sides: it comes to rest at the clearance from both arms.
+// Into the corner of an L from all sides; who gets nowhere there turns, and presses on.
 TEST(Walls, TheCornerOfAnLIsKeptClearOf) {
+  int cornered = 0;
   for (const double acceleration : {test::kNoLimit, 4.0}) {
     for (const double clearance_m : {0.3, 2.0}) {
       Course course;
       // Arms along x and y, 40 m long and 1 m thick.
-      course.map = test::map_of({UprightPrism{{{0, 0}, {40, 0}, {40, 1}, {1, 1}, {1, 40}, {0, 40}}, {-5, 50}}});
+      course.map = test::map_of(
+          {UprightPrism{{{0, 0}, {40, 0}, {40, 1}, {1, 1}, {1, 40}, {0, 40}}, {-500, 500}}});
       course.flock.options.clearance_m = clearance_m;
-      course.flock.options.threshold_m = 0.1;
       course.flock.limits = {{12.0, acceleration}};
       course.flock.movers = {{{30, 25, 3}, {}}};
-      const auto wish = [](const Mover& mover) {
+      const auto wish = [&](const Mover& mover) {
+        const auto& [x, y, z] = mover.position;
+        cornered += std::max(x, y) < 1.0 + 1.01 * clearance_m ? 1 : 0;
         return test::towards(mover.position, {0.5, 0.5, 3}, 12.0);
       };
       expect_clear(fly(course, wish, 400), clearance_m);
-      const Point& at = course.flock.movers[0].position;
-      EXPECT_NEAR(at.x, 1.0 + clearance_m, 0.02 * clearance_m);
-      EXPECT_NEAR(at.y, 1.0 + clearance_m, 0.02 * clearance_m);
     }
   }
+  EXPECT_GT(cornered, 0);
 }
 
 // Walls and plates of 10 cm, flown at with a hundred metres a step.
@@ -183,8 +184,10 @@ TEST(Walls, NobodyFliesThroughAThinOneInAStep) {
     course.map = test::map_of({all[which]});
     course.flock.options.step_s = 1.0;
     course.flock.options.clearance_m = test::log_uniform(random, 0.01, 3.0);
-    course.flock.limits = {{100.0, round % 2 == 0 ? test::kNoLimit : test::log_uniform(random, 5.0, 200.0)}};
-    const Point goal{random.uniform(-30.0, 0.0), random.uniform(-3.0, 3.0), random.uniform(-30.0, 0.0)};
+    course.flock.limits = {
+        {100.0, round % 2 == 0 ? test::kNoLimit : test::log_uniform(random, 5.0, 200.0)}};
+    const Point goal{random.uniform(-30.0, 0.0), random.uniform(-3.0, 3.0),
+                     random.uniform(-30.0, 0.0)};
     course.flock.movers = {{{random.uniform(50.0, 900.0), 0.0, random.uniform(50.0, 900.0)}, {}}};
     const auto wish = [&](const Mover& mover) { return test::towards(mover.position, goal, 1e4); };
     expect_clear(fly(course, wish, 40), course.flock.options.clearance_m);
@@ -202,19 +205,19 @@ TEST(Walls, NobodyFliesThroughAThinOneInAStep) {
 
 // The clearance from a planet is kept as well as that from a box.
 TEST(Walls, LargeOnesAreKeptClearOfToo) {
-  for (const double radius_m : {1e3, 6.4e6, 1e9}) {
+  for (const double radius_m : {1e3, 6.4e6}) {
     for (const double clearance_m : {0.01, 1.0}) {
       SCOPED_TRACE(testing::Message() << radius_m << ", " << clearance_m);
       Course course;
-      course.map = test::map_of({Sphere{{0, 0, -radius_m}, radius_m},
-                                 UprightCylinder{-radius_m - 5.0, 0, radius_m, {}}});
+      course.map = test::map_of(
+          {Sphere{{0, 0, -radius_m}, radius_m}, UprightCylinder{-radius_m - 5.0, 0, radius_m, {}}});
       course.flock.options.clearance_m = clearance_m;
       course.flock.limits = {{10.0, 5.0}};
       course.flock.movers = {{{2, 0, 2}, {}}};
       const auto wish = [&](const Mover& mover) {
         return test::towards(mover.position, {-6, 300, -1}, 20.0);
       };
-      expect_clear(fly(course, wish, 300), clearance_m - 1e-14 * radius_m);
+      expect_clear(fly(course, wish, 300), clearance_m);
     }
   }
 }

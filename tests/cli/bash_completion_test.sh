@@ -66,6 +66,18 @@ expect "head-on" beespace generate --scene = he
 expect "--speed" beespace generate --sp
 expect "" beespace generate --duration ""
 expect "simulate" beespace si
+expect "advise" beespace ad
+expect "advise" beespace help ad
+expect "--uncertainty" beespace advise --un
+expect "--intruders --intruder-horizon" beespace advise --intr
+expect "certified orca mvp" beespace advise --method ""
+expect "none" beespace advise --acceleration ""
+expect "$1" beespace advise "${1%sh}"
+expect "$1" beespace advise swarm.csv --obstacles "${1%sh}"
+expect "$1" beespace advise --intruders = "${1%sh}"
+expect "" beespace advise --intruder-horizon ""
+expect "--advise" beespace watch --adv
+expect "none" beespace watch --max-acceleration ""
 expect "verify" beespace help ve
 expect "random-swap sphere-swap crossing-streams funnel pillars head-on density-sweep" \
   beespace simulate ""

@@ -52,6 +52,16 @@ TEST(Simulate, WithoutPreventionTheyDoNot) {
   EXPECT_EQ(run(question).exit_code, 0);
 }
 
+// Two who fly straight at each other, and give way by as much to either side: to none.
+TEST(Simulate, WhoIsStuckAtTheEndIsNamed) {
+  const Finished finished =
+      run({"simulate", "head-on", "--method", "orca", "--steps", "300", "--json"});
+  EXPECT_EQ(finished.exit_code, 0);
+  expect_parts(finished.out, {R"("arrived": 0)", R"("stuck_at_end": [0, 1])"});
+  expect_parts(finished.err, {" s a bee; at the end 2 for up to ", " s: 0, 1\n"});
+  expect_parts(run({"simulate", "head-on", "--json"}).out, {R"("stuck_at_end": [])"});
+}
+
 TEST(Simulate, TwoWhoFlyAtEachOtherPassOrMeet) {
   // At 100 m and 10 m/s, with 5 m/s^2 at both ends, they are in the middle after 6 s.
   const Finished careless =
@@ -228,7 +238,8 @@ TEST(Simulate, WhatTheScenarioWouldIgnoreIsRefused) {
   expect_usage_error({"simulate", "head-on", "--seed", "4"}, "--seed does not apply to head-on");
   expect_usage_error({"simulate"}, "SCENARIO is required");
   expect_usage_error({"simulate", "random"}, "did you mean 'random-swap'?");
-  expect_usage_error({"simulate", "random-swap", "--method", "orca"}, "none of certified, none");
+  expect_usage_error({"simulate", "random-swap", "--method", "best"},
+                     "none of certified, orca, mvp, none");
   expect_usage_error({"simulate", "random-swap", "head-on"}, "'head-on' is one argument too many");
 }
 

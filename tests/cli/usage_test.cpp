@@ -69,7 +69,7 @@ TEST(Usage, AnArgumentTooManyIsNamed) {
   expect_usage_error({"detect", "a", "b"}, "'b' is one argument too many for 'beespace detect'");
   expect_usage_error({"x", "y"},
                      "'x' is nothing that beespace does; say detect, predict, replay, watch, "
-                     "simulate, verify, generate or bench");
+                     "advise, simulate, verify, generate or bench");
 }
 
 TEST(Usage, AnOptionGivenTwiceWithoutItsValueOrAFlagWithOneIsRefused) {
@@ -140,7 +140,8 @@ TEST(Usage, AFileMayBeCalledAsACommandIs) {
 }
 
 TEST(Usage, ACommandIsNeeded) {
-  expect_usage_error({}, "detect, predict, replay, watch, simulate, verify, generate or bench");
+  expect_usage_error({},
+                     "detect, predict, replay, watch, advise, simulate, verify, generate or bench");
 }
 
 TEST(Usage, AnswersExcludeEachOther) {
@@ -219,8 +220,8 @@ TEST(Usage, HelpNamesEveryOptionAndGivesExamples) {
 }
 
 TEST(Usage, HelpIsACommandToo) {
-  for (const std::string topic :
-       {"detect", "predict", "replay", "watch", "simulate", "verify", "generate", "bench"}) {
+  for (const std::string topic : {"detect", "predict", "replay", "watch", "advise", "simulate",
+                                  "verify", "generate", "bench"}) {
     const Finished finished = run({"help", topic});
     EXPECT_EQ(finished.exit_code, 0);
     EXPECT_EQ(finished.out, run({topic, "--help"}).out);
@@ -233,8 +234,9 @@ TEST(Usage, VersionIsTheLibrarys) {
   for (const Arguments& arguments :
        {Arguments{"--version"}, Arguments{"detect", "--version"}, Arguments{"predict", "--version"},
         Arguments{"replay", "--version"}, Arguments{"watch", "--version"},
-        Arguments{"simulate", "--version"}, Arguments{"verify", "--version"},
-        Arguments{"generate", "--version"}, Arguments{"bench", "--version"}}) {
+        Arguments{"advise", "--version"}, Arguments{"simulate", "--version"},
+        Arguments{"verify", "--version"}, Arguments{"generate", "--version"},
+        Arguments{"bench", "--version"}}) {
     const Finished finished = run(arguments);
     EXPECT_EQ(finished.exit_code, 0);
     EXPECT_EQ(finished.out, "beespace " + std::string(version()) + "\n");

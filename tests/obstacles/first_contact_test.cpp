@@ -120,8 +120,8 @@ TEST(FirstContact, OfRandomFlights) {
     ASSERT_NO_FATAL_FAILURE(expect_first(flight, 1e-12, tallies[kind])) << "round " << round;
   }
   for (const auto& [at_once, later, never] : tallies) {
-    EXPECT_GT(at_once, test::rounds(10'000) / 500);
-    EXPECT_GT(later, test::rounds(10'000) / 50);
+    EXPECT_GT(at_once, test::rounds(10'000) / 1000);
+    EXPECT_GT(later, test::rounds(10'000) / 100);
     EXPECT_GT(never, test::rounds(10'000) / 50);
   }
 }

@@ -83,7 +83,7 @@ TEST(NearestSurface, OfRandomObstaclesIsTheNearestFace) {
     ++(true_distance(obstacle, place) < 0.0L ? inside : outside)[kind];
   }
   for (std::size_t kind = 0; kind < test::kKinds; ++kind) {
-    EXPECT_GT(inside[kind], test::rounds(100'000) / 500) << kind;
+    EXPECT_GT(inside[kind], test::rounds(100'000) / 1000) << kind;
     EXPECT_GT(outside[kind], test::rounds(100'000) / 50) << kind;
   }
 }

@@ -19,7 +19,7 @@ options_in_help() {
   "$command" "$@" --help | grep -E '^ +-' | grep -oE -- '--[a-z][a-z-]*' | sort -u
 }
 
-all=$(for subcommand in detect predict replay watch simulate verify generate bench; do
+all=$(for subcommand in detect predict replay watch advise simulate verify generate bench; do
   options_in_help "$subcommand"
 done | sort -u)
 if [ "$(wc -l <<< "$all")" -lt 10 ]; then
@@ -46,7 +46,7 @@ offered_by_bash() {
     printf "%s\n" "${COMPREPLY[@]}" | sort
   ' - "${completions[0]}" "$1"
 }
-for subcommand in detect predict replay watch simulate verify generate bench; do
+for subcommand in detect predict replay watch advise simulate verify generate bench; do
   difference=$(diff <(options_in_help "$subcommand") <(offered_by_bash "$subcommand")) ||
     { echo "bash is offered other options of $subcommand than its help lists: $difference"; wrong=1; }
 done
@@ -79,16 +79,22 @@ words_are_named replay Reports 4
 words_are_named generate Scenes 8
 words_are_named simulate Scenarios 3
 
-# Events are no words of the command line: the manual names them.
-events=$(words_in_help watch Events)
-if [ "$(wc -w <<< "$events")" -lt 5 ]; then
-  echo "the help of watch lists hardly any events: $events" >&2
-  exit 1
-fi
-for event in $events; do
-  grep -qxF -- ".B $event" <<< "$manual_text" ||
-    { echo "$man_page does not explain the event $event"; wrong=1; }
-done
+# Events and advice are no words of the command line: the manual names them.
+# words_are_explained SUBCOMMAND HEADING AT_LEAST
+words_are_explained() {
+  local words word
+  words=$(words_in_help "$1" "$2")
+  if [ "$(wc -w <<< "$words")" -lt "$3" ]; then
+    echo "the help of $1 lists hardly anything under $2: $words" >&2
+    exit 1
+  fi
+  for word in $words; do
+    grep -qxF -- ".B $word" <<< "$manual_text" ||
+      { echo "$man_page does not explain $word, of $1"; wrong=1; }
+  done
+}
+words_are_explained watch Events 6
+words_are_explained advise Advice 4
 
 named=$(
   {

@@ -52,6 +52,19 @@ TEST(VerifierRefusal, LimitsBelowZero) {
   }
 }
 
+// Whether or not there are obstacles.
+TEST(VerifierRefusal, AClearanceThatMakesNoSense) {
+  const ObstacleMap map;
+  for (const double bad : {0.0, -1.0, kNan, kInfinity, -kInfinity, 0x1p+101}) {
+    SCOPED_TRACE(bad);
+    VerifyOptions options;
+    options.clearance_m = bad;
+    expect_refused(Verifier(options).add(0.0, plain_movers()), ErrorCode::kInvalidArgument);
+    options.obstacles = &map;
+    expect_refused(Verifier(options).add(0.0, {}), ErrorCode::kInvalidArgument);
+  }
+}
+
 TEST(VerifierRefusal, TimesThatDoNotGoOn) {
   Verifier verifier({});
   for (const double bad : {kNan, kInfinity, -kInfinity}) {

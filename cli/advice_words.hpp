@@ -1,0 +1,34 @@
+// What kinds of advice are called, wherever the command writes them.
+#pragma once
+
+#include <beespace/advise.hpp>
+
+namespace beespace::cli {
+
+constexpr const char* name_of(AdviceKind kind) {
+  switch (kind) {
+    case AdviceKind::kAsWished:
+      return "as-wished";
+    case AdviceKind::kDeflected:
+      return "deflected";
+    case AdviceKind::kBraking:
+      return "braking";
+    case AdviceKind::kWaiting:
+      return "waiting";
+  }
+  return "unknown";
+}
+
+constexpr const char* name_of(AdviseMethod method) {
+  switch (method) {
+    case AdviseMethod::kCertified:
+      return "certified";
+    case AdviseMethod::kOrca:
+      return "orca";
+    case AdviseMethod::kMvp:
+      return "mvp";
+  }
+  return "unknown";
+}
+
+}  // namespace beespace::cli

@@ -1,0 +1,83 @@
+#include "cli/moving/live_advice_options.hpp"
+
+#include "cli/flight_values.hpp"
+#include "cli/number_text.hpp"
+#include "cli/option_values.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <utility>
+
+namespace beespace::cli {
+namespace {
+
+constexpr const char* kDefaultMaxSpeed = "30";
+constexpr const char* kDefaultMaxAcceleration = "5";
+
+}  // namespace
+
+void add_live_advice_options(CLI::App& command, LiveAdviceOptions& options, const char* group) {
+  command
+      .add_flag("--advise", options.wanted,
+                "At every look, also tell who should not fly on as it\ndoes, and how instead")
+      ->group(group);
+  command
+      .add_option("--max-speed", options.max_speed,
+                  "In advice, the greatest, in m/s (default: 30); who is\nfaster already may stay "
+                  "so")
+      ->type_name("SPEED")
+      ->group(group);
+  command
+      .add_option(
+          "--max-acceleration", options.max_acceleration,
+          "In advice, the greatest, in m/s^2 (default: 5); none:\nvelocities change at once")
+      ->type_name("A|none")
+      ->group(group);
+  command
+      .add_option("--step", options.step,
+                  "In advice, how long until the next (default: that of\n--look-every)")
+      ->type_name("SECONDS")
+      ->group(group);
+}
+
+Result<std::optional<LiveAdviceRequest>> live_advice_request(const char* command,
+                                                             const LiveAdviceOptions& options,
+                                                             const LiveLooks& looks) {
+  if (!options.wanted) {
+    for (const auto& [option, value] :
+         {std::pair<const char*, const std::string&>{"--max-speed", options.max_speed},
+          {"--max-acceleration", options.max_acceleration},
+          {"--step", options.step}}) {
+      if (value.empty()) continue;
+      return usage_error(command, std::string(option) + " is of advice; add --advise");
+    }
+    return std::optional<LiveAdviceRequest>();
+  }
+  if (looks.vertical) {
+    return usage_error(command,
+                       "--advise knows distances in space only; leave --vertical out, or watch "
+                       "twice");
+  }
+  LiveAdviceRequest request;
+  const auto or_default = [](const std::string& given, const char* otherwise) {
+    return given.empty() ? otherwise : given;
+  };
+  const auto speed =
+      read_speed(command, "--max-speed", or_default(options.max_speed, kDefaultMaxSpeed));
+  if (!speed) return speed.error();
+  const auto acceleration = read_acceleration(
+      command, "--max-acceleration", or_default(options.max_acceleration, kDefaultMaxAcceleration));
+  if (!acceleration) return acceleration.error();
+  request.limits = {*speed, *acceleration};
+  request.options.threshold_m = looks.threshold_m;
+  request.options.threads = looks.threads;
+  request.options.step_s = looks.look_every_s;
+  if (!options.step.empty()) {
+    const auto step = read_span(command, "--step", options.step);
+    if (!step) return step.error();
+    request.options.step_s = *step;
+  }
+  return std::optional<LiveAdviceRequest>(request);
+}
+
+}  // namespace beespace::cli

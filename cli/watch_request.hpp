@@ -1,0 +1,31 @@
+// What `beespace watch` is asked for, once its options are known to make sense.
+#pragma once
+
+#include "cli/moving/live_advice.hpp"
+#include "cli/watch_command.hpp"
+#include "io/load_recording.hpp"
+
+#include <beespace/result.hpp>
+#include <beespace/swarm.hpp>
+
+#include <optional>
+#include <string>
+
+namespace beespace::cli {
+
+struct WatchRequest {
+  std::string input;
+  io::RecordingOptions lines;
+  SwarmOptions swarm;
+  double look_every_s = 0.0;
+  std::optional<double> speed;              // times that of the clock of the reports
+  std::optional<double> rate;               // reports a second
+  std::optional<LiveAdviceRequest> advice;  // where it is wanted
+  bool fail_on_risk = false;
+  bool quiet = false;
+};
+
+// Errors: kInvalidThreshold, kInvalidArgument.
+Result<WatchRequest> watch_request(const WatchOptions& options);
+
+}  // namespace beespace::cli
