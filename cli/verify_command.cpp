@@ -120,8 +120,8 @@ Result<ExitCode> verify(const VerifyRequest& request) {
   const MovingRequest& moving = request.moving;
   auto output = io::AtomicOutput::open(moving.output);
   if (!output) return std::move(output).error();
-  Result<ObstacleMap> obstacles = ObstacleMap();
-  if (!request.obstacles.empty()) obstacles = load_obstacle_map(request.obstacles);
+  const auto obstacles = request.obstacles.empty() ? Result<ObstacleMap>(ObstacleMap())
+                                                   : load_obstacle_map(request.obstacles);
   if (!obstacles) return obstacles.error();
   ProgressBar progress(!moving.quiet);
   Stopwatch watch;

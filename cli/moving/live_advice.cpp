@@ -36,7 +36,7 @@ Result<std::string> LiveAdvice::lines(double time_s, const LiveFeed& feed) {
   if (!advised) return advised.error();
   for (std::size_t i = 0; i < bees.size(); ++i) {
     const Advice& advice = advised_.advice[i];
-    if (advice.kind == AdviceKind::kAsWished) continue;
+    if (advice.kind == AdviceKind::kAsWished && advice.certified) continue;
     ++told_;
     if (!advice.certified) ++uncertified_;
     append_line(text, time_s, bees[i], advice, feed.name(bees[i].id));

@@ -122,7 +122,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     Advice advice{told(velocity), kind, findings.certified};
     if (kind == AdviceKind::kAsWished) {
       if (makes_room) advice.kind = AdviceKind::kDeflected;
-    } else if (waits(flyer, wish, velocity)) {
+    } else if (findings.certified && waits(flyer, wish, velocity)) {
       advice.kind = AdviceKind::kWaiting;
     }
     return advice;

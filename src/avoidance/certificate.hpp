@@ -9,6 +9,7 @@
 
 #include "avoidance/closest_points.hpp"
 #include "avoidance/half_spaces.hpp"
+#include "avoidance/sideways.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -50,6 +51,14 @@ class PartingSearch {
     for (const double end : {0.0, 1.0}) {
       consider_both(first_.at(end) - second_.closest_to(first_.at(end)), second_.way);
       consider_both(first_.closest_to(second_.at(end)) - second_.at(end), first_.way);
+    }
+    // Those who fly straight at each other, and can stop no more, part to their right.
+    if (!(found_ && best_.gap > 0.0)) {
+      for (const Vector3& way : {first_.way, second_.way}) {
+        if (!(dot(way, way) > 0.0)) continue;
+        consider(right_of(way));
+        consider(-right_of(way));
+      }
     }
     // Bees at one place part anyhow.
     if (!found_) consider(first_.from - second_.from);

@@ -1,5 +1,7 @@
 #include "avoidance/disposal.hpp"
 
+#include "avoidance/sideways.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -40,11 +42,7 @@ double rounding_of(const Flyer& flyer, const Vector3& from, double most_change) 
 // A wish, turned to the right as seen from above: by the angle of this sine.
 Vector3 turned_right(const Vector3& wish, double sine) {
   const double speed = length(wish);
-  const double level = std::hypot(wish.x, wish.y);
-  const Vector3 right = level > 1e-6 * speed
-                            ? Vector3{wish.y, -wish.x, 0.0} * (speed / level)
-                            : Vector3{speed, 0.0, 0.0};  // straight up or down: any side will do
-  return wish * std::sqrt(1.0 - sine * sine) + right * sine;
+  return wish * std::sqrt(1.0 - sine * sine) + right_of(wish) * (speed * sine);
 }
 
 }  // namespace

@@ -47,10 +47,7 @@ Vector3 KnownMethod::mvp(const Flyers& flyers, PointId bee, const IdRows& near, 
     const Vector3 miss = velocity * closest_s - place;  // from the other one, when closest
     const double missed = length(miss);
     if (missed >= apart) continue;
-    const Vector3 away =
-        missed > 1e-9 * apart
-            ? miss * (1.0 / missed)
-            : VelocityObstacle::right_of(place * (1.0 / std::max(length(place), 1e-9 * apart)));
+    const Vector3 away = missed > 1e-9 * apart ? miss * (1.0 / missed) : right_of(place);
     sum = sum + away * ((apart - missed) / std::max(closest_s, step_s));
   }
   return flyer.able(sum);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "avoidance/half_spaces.hpp"
+#include "avoidance/sideways.hpp"
 
 #include <cmath>
 
@@ -74,13 +75,6 @@ struct VelocityObstacle {
     return {-axis, dot(velocity, axis) + (apart - distance) / step_s};
   }
   [[nodiscard]] bool is_too_close() const { return length(place) <= apart; }
-
-  // At right angles to a direction, level; of one that is upright, any.
-  static Vector3 right_of(const Vector3& direction) {
-    const double level = std::hypot(direction.x, direction.y);
-    if (!(level > 1e-6)) return {1.0, 0.0, 0.0};
-    return Vector3{direction.y, -direction.x, 0.0} * (1.0 / level);
-  }
 
  private:
   // Through the side of the cone that lies in a direction at right angles to its axis.

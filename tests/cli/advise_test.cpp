@@ -139,9 +139,9 @@ TEST(Advise, ObstaclesAreKeptClearOf) {
   const Arguments near = {"--obstacles", wall, "--clearance", "5"};
   const Finished finished = advised(near + Arguments{"--fail-on-risk"}, towards);
   EXPECT_EQ(finished.exit_code, 1);
-  expect_parts(finished.err,
-               {"clearance 5 m\n", "near       1 bee to an obstacle\n",
-                "a, whose way to a stop comes within 1.500 m of obstacles[1] of ", "a box\n"});
+  expect_parts(finished.err, {"clearance 5 m\n", "near       1 bee to an obstacle\n",
+                              "a, whose way to a stop comes within 1.500 m of obstacles[1]",
+                              "a box", "wall.json\n"});
   const std::string json = advised(near + Arguments{"--json"}, towards).out;
   EXPECT_TRUE(is_json(json)) << json;
   expect_parts(json, {R"("obstacles": 2)", R"("clearance_m": 5)", R"("near_obstacle": [)",

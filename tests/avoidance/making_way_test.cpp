@@ -1,0 +1,90 @@
+// Who is where it wants to be makes way for those who want through; who cannot get through waits.
+#include "tests/avoidance/obstacle_course.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace beespace {
+namespace {
+
+using test::Flock;
+
+// 7 m apart, 5 of them asked for; the second wants nothing, or next to nothing.
+Flock two_in_a_line() {
+  Flock flock;
+  flock.options.threshold_m = 5.0;
+  flock.options.step_s = 1.0;
+  flock.limits.assign(2, {10.0, test::kNoLimit});
+  flock.movers = {{{0, 0, 0}, {}}, {{7, 0, 0}, {}}};
+  return flock;
+}
+
+TEST(MakingWay, WhoIsIdleLeavesMostOfWhatIsFree) {
+  const Flock flock = two_in_a_line();
+  const std::vector<Velocity> wishes = {{3.1, 0, 0}, {}};
+  const auto advised = advise(flock.movers, wishes, flock.limits, flock.options);
+  ASSERT_TRUE(advised);
+  // Of the 2 m that are free all but a twentieth.
+  EXPECT_EQ(advised->advice[0].kind, AdviceKind::kDeflected);
+  EXPECT_NEAR(advised->advice[0].velocity.x, 1.9, 1e-5);
+  EXPECT_NEAR(advised->advice[0].velocity.y, 0.0, 1e-9);
+  // The other way round too.
+  const std::vector<Velocity> turned = {{}, {-3.1, 0, 0}};
+  const auto other = advise(flock.movers, turned, flock.limits, flock.options);
+  ASSERT_TRUE(other);
+  EXPECT_NEAR(other->advice[1].velocity.x, -1.9, 1e-5);
+}
+
+TEST(MakingWay, WhoIsIdleGoesAsideForWhoWantsThrough) {
+  const Flock flock = two_in_a_line();
+  const std::vector<Velocity> wishes = {{3.1, 0, 0}, {}};
+  const auto advised = advise(flock.movers, wishes, flock.limits, flock.options);
+  ASSERT_TRUE(advised);
+  // A third of the 3 m within which it is pressed, at half of its speed.
+  EXPECT_EQ(advised->advice[1].kind, AdviceKind::kDeflected);
+  EXPECT_NEAR(advised->advice[1].velocity.x, 10.0 * 0.5 / 3.0, 1e-5);
+  EXPECT_TRUE(test::all_certified(*advised));
+  // Nobody is pressed by who wants something else, or nothing, or is far away.
+  for (const Velocity& wish : {Velocity{-3, 0, 0}, Velocity{0, 0, 0}, Velocity{2, 0, 0}}) {
+    const auto left =
+        advise(flock.movers, std::vector<Velocity>{wish, {}}, flock.limits, flock.options);
+    ASSERT_TRUE(left);
+    EXPECT_EQ(left->advice[1], (Advice{{}, AdviceKind::kAsWished, true}));
+  }
+  Flock far = flock;
+  far.movers[1].position.x = 8.1;
+  const auto left = advise(far.movers, wishes, far.limits, far.options);
+  ASSERT_TRUE(left);
+  EXPECT_EQ(left->advice[1], (Advice{{}, AdviceKind::kAsWished, true}));
+}
+
+// Walled in on all sides, with hardly more room than the clearance.
+TEST(MakingWay, WhoCannotGetOutWaits) {
+  test::Course course;
+  const double far_m = 1.0 + 1e-6;
+  course.map = test::map_of({Box{{far_m, -9, -9}, {9, 9, 9}}, Box{{-9, -9, -9}, {-far_m, 9, 9}},
+                             Box{{-9, far_m, -9}, {9, 9, 9}}, Box{{-9, -9, -9}, {9, -far_m, 9}},
+                             Box{{-9, -9, far_m}, {9, 9, 9}}, Ground{-far_m}});
+  course.flock.options.clearance_m = 1.0;
+  course.flock.movers = {{{0, 0, 0}, {}}};
+  for (const double acceleration : {test::kNoLimit, 5.0}) {
+    course.flock.limits = {{10.0, acceleration}};
+    const auto told = [&](const Velocity& wish) {
+      const auto advised = advise(course.flock.movers, std::vector<Velocity>{wish},
+                                  course.flock.limits, course.flock.options);
+      EXPECT_TRUE(advised);
+      EXPECT_TRUE(test::all_certified(*advised));
+      EXPECT_LT(test::length_of(advised->advice[0].velocity), 1e-4);
+      return advised->advice[0].kind;
+    };
+    EXPECT_EQ(told({8, 0, 0}), AdviceKind::kWaiting);
+    EXPECT_EQ(told({2, -3, 4}), AdviceKind::kWaiting);
+    EXPECT_EQ(told({0, 0, 0}), AdviceKind::kAsWished);
+    // Who would hardly fly anyhow waits for nobody.
+    EXPECT_NE(told({0, 1, 0}), AdviceKind::kWaiting);
+  }
+}
+
+}  // namespace
+}  // namespace beespace
