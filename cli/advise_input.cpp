@@ -1,7 +1,7 @@
 #include "cli/advise_input.hpp"
 
+#include "cli/obstacle_file.hpp"
 #include "io/byte_source.hpp"
-#include "io/load_obstacles.hpp"
 #include "io/load_plans.hpp"
 
 #include <cstddef>
@@ -60,15 +60,8 @@ Status load_bees(const AdviseRequest& request, Situation& situation) {
 }
 
 Status load_obstacles(const std::string& file, Situation& situation) {
-  auto obstacles = io::load_obstacles(file);
-  if (!obstacles) return obstacles.error();
-  auto map = ObstacleMap::of(std::move(obstacles).value());
-  if (!map) {
-    const Error& error = map.error();
-    const std::string which =
-        error.place.record ? "obstacles[" + std::to_string(*error.place.record) + "]: " : "";
-    return Error{ErrorCode::kMalformedRecord, which + error.message, {io::source_name(file)}};
-  }
+  auto map = load_obstacle_map(file);
+  if (!map) return std::move(map).error();
   situation.obstacles = *map;
   situation.names.obstacles_file = io::source_name(file);
   return std::monostate{};

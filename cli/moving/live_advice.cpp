@@ -19,6 +19,8 @@ double speed_of(const Velocity& v) {
 }  // namespace
 
 Result<std::string> LiveAdvice::lines(double time_s, const LiveFeed& feed) {
+  if (last_s_ == time_s) return std::string();  // the end of the input looks again
+  last_s_ = time_s;
   const std::vector<LiveMover> bees = feed.movers(time_s);
   movers_.clear();
   preferred_.clear();

@@ -16,6 +16,7 @@
 #include <beespace/result.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,7 +32,8 @@ class LiveAdvice {
   LiveAdvice(const LiveAdviceRequest& request, io::Frame frame)
       : request_(request), frame_(frame) {}
 
-  // A line of JSON for each bee that should not fly on as it does, in the order of their numbers.
+  // A line of JSON for each bee that should not fly on as it does or is not certified, in the order
+  // of their numbers; none at the time of the call before.
   // Errors: as Adviser::advise.
   Result<std::string> lines(double time_s, const LiveFeed& feed);
 
@@ -50,6 +52,7 @@ class LiveAdvice {
   std::vector<Velocity> preferred_;
   std::vector<FlightLimits> limits_;
   Advised advised_;
+  std::optional<double> last_s_;
   std::uint64_t told_ = 0;
   std::uint64_t uncertified_ = 0;
 };

@@ -1,13 +1,13 @@
 #include <beespace/advise.hpp>
 #include <beespace/closest_approach.hpp>
 #include <beespace/crew.hpp>
-#include <beespace/engine.hpp>
 
 #include "avoidance/claimants.hpp"
 #include "avoidance/disposal.hpp"
 #include "avoidance/flyers.hpp"
 #include "avoidance/known_methods.hpp"
 #include "avoidance/validate.hpp"
+#include "avoidance/vicinity.hpp"
 #include "cpu/crew_size.hpp"
 
 #include <algorithm>
@@ -15,6 +15,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -40,6 +41,19 @@ bool waits(const Flyer& flyer, const Vector3& wish, const Vector3& velocity) {
   constexpr double kStands = 0.05;  // of its greatest speed
   const double least = kStands * flyer.max_speed;
   return length(velocity) < least && length(flyer.velocity) < least && length(wish) > 4.0 * least;
+}
+
+// Of each bee and obstacle once, whatever pieces it has; ascending.
+void keep_nearest_pieces(std::vector<NearObstacle>& all) {
+  const auto place = [](const NearObstacle& near) {
+    return std::tuple(near.bee, near.obstacle, near.gap_m);
+  };
+  std::sort(all.begin(), all.end(),
+            [&](const NearObstacle& a, const NearObstacle& b) { return place(a) < place(b); });
+  const auto same = [](const NearObstacle& a, const NearObstacle& b) {
+    return a.bee == b.bee && a.obstacle == b.obstacle;
+  };
+  all.erase(std::unique(all.begin(), all.end(), same), all.end());
 }
 
 }  // namespace
@@ -88,14 +102,10 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     avoidance::KnownMethod known;
   };
 
-  // Whoever matters to each bee.
   Status find_near(const MoversView& movers, const AdviseOptions& options, double horizon_s) {
-    SearchOptions around{.threshold_m = flyers_.farthest_apart(), .threads = options.threads};
-    if (options.method == AdviseMethod::kCertified) {
-      return engine_.find_neighbors(flyers_.middles(), around, near_);
-    }
-    around.threshold_m = flyers_.apart().kept_m + 2.0 * flyers_.fastest() * horizon_s;
-    return engine_.find_neighbors(movers.positions(), around, near_);
+    if (options.method == AdviseMethod::kCertified) return near_.find(flyers_, options.threads);
+    const double within_m = flyers_.apart().kept_m + 2.0 * flyers_.fastest() * horizon_s;
+    return near_.find_within(movers.positions(), within_m, options.threads);
   }
 
   ThreadCrew& crew_for(unsigned threads, std::size_t bees) {
@@ -149,12 +159,12 @@ class __attribute__((visibility("hidden"))) Adviser::State {
       advised.near_obstacle.insert(advised.near_obstacle.end(), found.near_obstacle.begin(),
                                    found.near_obstacle.end());
     }
+    std::sort(advised.too_close.begin(), advised.too_close.end(),
+              [](const TooClose& a, const TooClose& b) { return a.pair < b.pair; });
     for (TooClose& close : advised.too_close) {
       close.clear_s = time_to_clear(close.pair, advised);
     }
-    const auto place = [](const NearObstacle& near) { return std::pair(near.bee, near.obstacle); };
-    std::sort(advised.near_obstacle.begin(), advised.near_obstacle.end(),
-              [&](const auto& a, const auto& b) { return place(a) < place(b); });
+    keep_nearest_pieces(advised.near_obstacle);
     advised.intruder_conflicts.clear();
     for (std::size_t bee = 0; bee < flyers_.size(); ++bee) {
       collect_intruders(static_cast<PointId>(bee), claimants, options, advised);
@@ -191,9 +201,8 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     }
   }
 
-  Engine engine_;
-  IdRows near_;
   Flyers flyers_;
+  avoidance::Vicinity near_;
   std::vector<char> too_close_;  // of each bee, whether it is so to any
   std::optional<ThreadCrew> crew_;
   std::vector<Desk> desks_;  // of each worker

@@ -45,7 +45,7 @@ class PartingSearch {
     if (found_ && best_.gap >= enough) return best_;
     // Of ways that are long and all but parallel a normal that is a little tilted loses much. What
     // is widest is at right angles to both, or from an end of one to the other.
-    const Vector3 normal = cross(first_.way, second_.way);
+    const Vector3 normal = across_both(cross(first_.way, second_.way));
     consider(normal);
     consider(-normal);
     for (const double end : {0.0, 1.0}) {
@@ -76,6 +76,25 @@ class PartingSearch {
     if (found_ && low - high <= best_.gap) return;
     found_ = true;
     best_ = {normal, low - high, 0.5 * (low + high)};
+  }
+
+  // At right angles to both ways, however nearly parallel they are: to one, and to what is left of
+  // the other beside it; twice, as the first time rounds.
+  [[nodiscard]] Vector3 across_both(Vector3 normal) const {
+    const Vector3 along = unit(first_.way);
+    Vector3 beside = second_.way;
+    for (int k = 0; k < 2; ++k) beside = beside - along * dot(beside, along);
+    beside = unit(beside);
+    normal = unit(normal);
+    for (int k = 0; k < 2; ++k) {
+      normal = normal - along * dot(normal, along);
+      normal = normal - beside * dot(normal, beside);
+    }
+    return normal;
+  }
+  static Vector3 unit(const Vector3& a) {
+    const double long_m = length(a);
+    return long_m > 0.0 ? a * (1.0 / long_m) : Vector3{};
   }
 
   // As it is, and at right angles to a way; twice, as the first time rounds.

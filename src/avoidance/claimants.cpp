@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace beespace::avoidance {
 
@@ -12,18 +13,6 @@ namespace {
 
 Vector3 wish_of(std::span<const Velocity> wishes, PointId bee) {
   return core::vector_of(wishes[bee]);
-}
-
-// Once an obstacle, whatever pieces it has.
-void note(const NearObstacle& near, std::size_t since, std::vector<NearObstacle>& all) {
-  const auto begin = all.begin() + static_cast<std::ptrdiff_t>(since);
-  const auto known = std::find_if(
-      begin, all.end(), [&](const NearObstacle& one) { return one.obstacle == near.obstacle; });
-  if (known == all.end()) {
-    all.push_back(near);
-  } else {
-    known->gap_m = std::min(known->gap_m, near.gap_m);
-  }
 }
 
 }  // namespace
@@ -46,31 +35,38 @@ Parting Claimants::parting_of(PointId bee, PointId other) const {
 
 bool Claimants::is_too_close(PointId bee) const {
   const double certified_m = flyers_.apart().certified_m;
-  return std::any_of(near_[bee].begin(), near_[bee].end(), [&](PointId other) {
-    return flyers_.ways_may_be_within(bee, other, certified_m) &&
-           parting_of(bee, other).gap < certified_m;
+  bool found = false;
+  near_.visit(bee, [&](PointId other) {
+    found = flyers_.ways_may_be_within(bee, other, certified_m) &&
+            parting_of(bee, other).gap < certified_m;
+    return !found;
   });
+  return found;
 }
 
 void Claimants::look_at_bees(PointId bee, Findings& findings) const {
+  near_.visit(bee, [&](PointId other) {
+    if (flyers_.may_meet(bee, other)) look_at_bee(bee, other, findings);
+    return true;
+  });
+}
+
+void Claimants::look_at_bee(PointId bee, PointId other, Findings& findings) const {
   const auto& [asked_m, kept_m, certified_m] = flyers_.apart();
   Claims& claims = findings.claims;
-  for (const PointId other : near_[bee]) {
-    if (!flyers_.may_meet(bee, other)) continue;
-    const bool is_first = bee < other;
-    const Parting parting = parting_of(bee, other);
-    const double lean = is_first ? leaves_to(bee, other) : leaves_to(other, bee);
-    const HalfSpace side =
-        is_first ? parting.of_first(kept_m, lean) : parting.of_second(kept_m, lean);
-    findings.pressed = findings.pressed + pressure(other, side.normal, parting.gap);
-    const bool certified = parting.gap >= certified_m;
-    if (certified && is_kept_anyhow(bee, side)) continue;
-    claims.keep_to.push_back(side);
-    if (certified) continue;
-    findings.certified = false;
-    claims.get_away.push_back({claims.keep_to.size() - 1, 0.5 * (kept_m - parting.gap)});
-    if (is_first) findings.too_close.push_back({{bee, other}, parting.gap, 0.0});
-  }
+  const bool is_first = bee < other;
+  const Parting parting = parting_of(bee, other);
+  const double lean = is_first ? leaves_to(bee, other) : leaves_to(other, bee);
+  const HalfSpace side =
+      is_first ? parting.of_first(kept_m, lean) : parting.of_second(kept_m, lean);
+  findings.pressed = findings.pressed + pressure(other, side.normal, parting.gap);
+  const bool certified = parting.gap >= certified_m;
+  if (certified && is_kept_anyhow(bee, side)) return;
+  claims.keep_to.push_back(side);
+  if (certified) return;
+  findings.certified = false;
+  claims.get_away.push_back({claims.keep_to.size() - 1, 0.5 * (kept_m - parting.gap)});
+  if (is_first) findings.too_close.push_back({{bee, other}, parting.gap, 0.0});
 }
 
 void Claimants::look_at_obstacles(PointId bee, Findings& findings) const {
@@ -79,23 +75,21 @@ void Claimants::look_at_obstacles(PointId bee, Findings& findings) const {
   const double reach_m = (kept_m + flyers_.reach(bee)) * (1.0 + 0x1p-40);
   const Vector3 middle = core::vector_of(flyers_.middles()[bee]);
   const ObstacleMap::State& map = options_.obstacles->state();
-  findings.first_near = findings.near_obstacle.size();
   // Pieces of what it lies in are no walls: it may have to get out through them.
   std::vector<std::size_t>& inside = findings.inside;
   inside.clear();
-  const auto is_inside = [&](std::size_t obstacle) {
-    return std::find(inside.begin(), inside.end(), obstacle) != inside.end();
-  };
   map.visit_near(way.from, 0.0, [&](const obstacles::ConvexPiece& piece) {
-    const std::size_t obstacle = piece.obstacle();
-    if (is_inside(obstacle) || piece.facing(way.from).surface.distance_m > 0.0) return;
-    const auto parting = part_inside(way, map.obstacles()[obstacle]);
-    if (!parting) return;
-    inside.push_back(obstacle);
-    keep_clear(bee, obstacle, *parting, findings);
+    if (map.facing(piece.obstacle(), way.from).surface.distance_m < 0.0) {
+      inside.push_back(piece.obstacle());
+    }
   });
+  std::sort(inside.begin(), inside.end());
+  inside.erase(std::unique(inside.begin(), inside.end()), inside.end());
+  for (const std::size_t obstacle : inside) {
+    keep_clear(bee, obstacle, part_inside(way, map.facing(obstacle, way.from)), findings);
+  }
   map.visit_near(middle, reach_m, [&](const obstacles::ConvexPiece& piece) {
-    if (is_inside(piece.obstacle())) return;
+    if (std::binary_search(inside.begin(), inside.end(), piece.obstacle())) return;
     keep_clear(bee, piece.obstacle(), part(way, piece, kept_m), findings);
   });
 }
@@ -111,7 +105,7 @@ void Claimants::keep_clear(PointId bee, std::size_t obstacle, const ObstaclePart
   if (certified) return;
   findings.certified = false;
   claims.get_away.push_back({claims.keep_to.size() - 1, kept_m - parting.gap});
-  note({bee, obstacle, parting.gap}, findings.first_near, findings.near_obstacle);
+  findings.near_obstacle.push_back({bee, obstacle, parting.gap});
 }
 
 void Claimants::look_at_intruders(PointId bee, Findings& findings) const {

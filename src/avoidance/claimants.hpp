@@ -5,9 +5,9 @@
 #include "avoidance/claims.hpp"
 #include "avoidance/flyers.hpp"
 #include "avoidance/obstacle_parting.hpp"
+#include "avoidance/vicinity.hpp"
 
 #include <beespace/advise.hpp>
-#include <beespace/id_rows.hpp>
 #include <beespace/mover.hpp>
 
 #include <cstddef>
@@ -20,7 +20,7 @@ class Claimants {
  public:
   // `near` has whoever may meet a bee; `too_close`, what is_too_close() says of each, before any is
   // looked at. All of these outlive this.
-  Claimants(const Flyers& flyers, const IdRows& near, std::span<const char> too_close,
+  Claimants(const Flyers& flyers, const Vicinity& near, std::span<const char> too_close,
             std::span<const Velocity> wishes, const AdviseOptions& options)
       : flyers_(flyers), near_(near), too_close_(too_close), wishes_(wishes), options_(options) {}
 
@@ -32,8 +32,7 @@ class Claimants {
     Claims claims;    // of the last one
     Vector3 pressed;  // where others want it, who is idle
     bool certified;
-    std::vector<std::size_t> inside;  // obstacles that it lies in
-    std::size_t first_near;           // of near_obstacle
+    std::vector<std::size_t> inside;  // obstacles that it lies in, ascending
     std::vector<TooClose> too_close;  // of all so far
     std::vector<NearObstacle> near_obstacle;
   };
@@ -47,6 +46,7 @@ class Claimants {
  private:
   [[nodiscard]] Parting parting_of(PointId bee, PointId other) const;
   void look_at_bees(PointId bee, Findings& findings) const;
+  void look_at_bee(PointId bee, PointId other, Findings& findings) const;
   void look_at_obstacles(PointId bee, Findings& findings) const;
   void keep_clear(PointId bee, std::size_t obstacle, const ObstacleParting& parting,
                   Findings& findings) const;
@@ -56,7 +56,7 @@ class Claimants {
   [[nodiscard]] Vector3 pressure(PointId other, const Vector3& away, double gap_m) const;
 
   const Flyers& flyers_;
-  const IdRows& near_;
+  const Vicinity& near_;
   std::span<const char> too_close_;
   std::span<const Velocity> wishes_;
   const AdviseOptions& options_;

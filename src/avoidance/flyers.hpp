@@ -45,9 +45,12 @@ class Flyers {
   // half of what it presses.
   [[nodiscard]] PointsView middles() const { return std::span<const Point>(middles_); }
   [[nodiscard]] double reach(std::size_t bee) const { return ways_[bee].reach_m; }
-  // Two whose middles are farther apart than this are nothing to each other, whatever both do: any
-  // two; these two.
-  [[nodiscard]] double farthest_apart() const { return meet(farthest_reach_m_, farthest_reach_m_); }
+  [[nodiscard]] double farthest_reach() const { return farthest_reach_m_; }
+  // Two whose middles are farther apart than this are nothing to each other, whatever both do: two
+  // who reach so far; these two.
+  [[nodiscard]] double meet(double reach_m, double other_reach_m) const {
+    return (apart_.kept_m + reach_m + other_reach_m) * (1.0 + 0x1p-40);
+  }
   [[nodiscard]] bool may_meet(PointId bee, PointId other) const {
     const Vector3 between = core::vector_of(middles_[bee]) - core::vector_of(middles_[other]);
     const double meet_m = meet(ways_[bee].reach_m, ways_[other].reach_m);
@@ -67,10 +70,6 @@ class Flyers {
     double strays_m;
     double reach_m;
   };
-
-  [[nodiscard]] double meet(double reach_m, double other_reach_m) const {
-    return (apart_.kept_m + reach_m + other_reach_m) * (1.0 + 0x1p-40);
-  }
 
   std::vector<Point> middles_;  // of the ways
   std::vector<Way> ways_;

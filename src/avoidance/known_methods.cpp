@@ -18,27 +18,28 @@ double looks_ahead_s(const Flyers& flyers, double step_s) {
   return longest_s + step_s;
 }
 
-Vector3 KnownMethod::orca(const Flyers& flyers, PointId bee, const IdRows& near,
+Vector3 KnownMethod::orca(const Flyers& flyers, PointId bee, const Vicinity& near,
                           const Vector3& wish, double horizon_s, double step_s) {
   const Flyer& flyer = flyers[bee];
   requests_.clear();
-  for (const PointId other : near[bee]) {
+  near.visit(bee, [&](PointId other) {
     const VelocityObstacle obstacle{flyers[other].position - flyer.position,
                                     flyer.velocity - flyers[other].velocity, flyers.apart().kept_m,
                                     horizon_s, step_s};
     const HalfSpace side = half_space_of(obstacle.way_out(), flyer.velocity, 0.5);
     requests_.push_back({side, std::max(0.0, side.offset + flyer.max_speed)});
-  }
+    return true;
+  });
   const auto found = program_.nearest(wish, {}, requests_, {{}, flyer.max_speed});
   return flyer.able(found.value_or(flyer.velocity));
 }
 
-Vector3 KnownMethod::mvp(const Flyers& flyers, PointId bee, const IdRows& near, const Vector3& wish,
-                         double horizon_s, double step_s) {
+Vector3 KnownMethod::mvp(const Flyers& flyers, PointId bee, const Vicinity& near,
+                         const Vector3& wish, double horizon_s, double step_s) {
   const Flyer& flyer = flyers[bee];
   const double apart = flyers.apart().kept_m;
   Vector3 sum = wish;
-  for (const PointId other : near[bee]) {
+  near.visit(bee, [&](PointId other) {
     const Vector3 place = flyers[other].position - flyer.position;
     const Vector3 velocity = wish - flyers[other].velocity;  // seen from the other one
     const double squared = dot(velocity, velocity);
@@ -46,10 +47,11 @@ Vector3 KnownMethod::mvp(const Flyers& flyers, PointId bee, const IdRows& near, 
         squared > 0.0 ? std::clamp(dot(place, velocity) / squared, 0.0, horizon_s) : 0.0;
     const Vector3 miss = velocity * closest_s - place;  // from the other one, when closest
     const double missed = length(miss);
-    if (missed >= apart) continue;
+    if (missed >= apart) return true;
     const Vector3 away = missed > 1e-9 * apart ? miss * (1.0 / missed) : right_of(place);
     sum = sum + away * ((apart - missed) / std::max(closest_s, step_s));
-  }
+    return true;
+  });
   return flyer.able(sum);
 }
 

@@ -3,9 +3,9 @@
 
 #include "avoidance/flyers.hpp"
 #include "avoidance/soft_program.hpp"
+#include "avoidance/vicinity.hpp"
 
 #include <beespace/advise.hpp>
-#include <beespace/id_rows.hpp>
 
 #include <vector>
 
@@ -18,12 +18,12 @@ class KnownMethod {
  public:
   // Half-spaces of velocities, half of each change for either of two; the nearest to the wish in
   // them.
-  Vector3 orca(const Flyers& flyers, PointId bee, const IdRows& near, const Vector3& wish,
+  Vector3 orca(const Flyers& flyers, PointId bee, const Vicinity& near, const Vector3& wish,
                double horizon_s, double step_s);
   // For each conflict that lies ahead, sideways by what is missing when the two are closest; the
   // sum of these. Hoekstra, van Gent, Ruigrok: Designing for safety: the free flight air traffic
   // management concept (2002).
-  static Vector3 mvp(const Flyers& flyers, PointId bee, const IdRows& near, const Vector3& wish,
+  static Vector3 mvp(const Flyers& flyers, PointId bee, const Vicinity& near, const Vector3& wish,
                      double horizon_s, double step_s);
 
  private:

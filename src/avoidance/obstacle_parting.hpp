@@ -6,12 +6,9 @@
 #include "avoidance/half_spaces.hpp"
 #include "obstacles/convex_piece.hpp"
 
-#include <beespace/obstacle.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 namespace beespace::avoidance {
 
@@ -46,14 +43,10 @@ inline Vector3 closest_on_way(const Segment& way, const obstacles::ConvexPiece& 
 }
 
 // Of a way that begins in an obstacle: straight out to where its surface is nearest.
-inline std::optional<ObstacleParting> part_inside(const Segment& way, const Obstacle& whole) {
-  const auto surface = nearest_surface(whole, {way.from.x, way.from.y, way.from.z});
-  if (!surface || !(surface->distance_m < 0.0)) return std::nullopt;
-  const Vector3 out = core::vector_of(surface->point) - way.from;
-  const Vector3 normal = out * (1.0 / length(out));
-  const double edge = dot(normal, core::vector_of(surface->point));
-  return ObstacleParting{normal, std::min(dot(normal, way.from), dot(normal, way.at(1.0))) - edge,
-                         edge};
+inline ObstacleParting part_inside(const Segment& way, const obstacles::Facing& out) {
+  const Vector3& normal = out.normal;
+  const double edge = dot(normal, core::vector_of(out.surface.point));
+  return {normal, std::min(dot(normal, way.from), dot(normal, way.at(1.0))) - edge, edge};
 }
 
 // The widest gap between a way and a convex piece of an obstacle, or one that is wide enough. Any
@@ -67,12 +60,8 @@ class ObstaclePartingSearch {
     const obstacles::Facing closest = piece_.facing(closest_on_way(way_, piece_));
     consider(closest.normal);
     if (best_.gap >= enough) return best_;
-    if (closest.surface.distance_m > 0.0) {
-      consider_across(closest.normal);
-    } else {
-      // It goes into the piece: out again.
-      for (const double end : {0.0, 1.0}) consider(piece_.facing(way_.at(end)).normal);
-    }
+    // Who flies into the piece is turned back where it gets in.
+    if (closest.surface.distance_m > 0.0) consider_across(closest.normal);
     return best_;
   }
 

@@ -25,6 +25,10 @@ class __attribute__((visibility("hidden"))) ObstacleMap::State {
   [[nodiscard]] bool empty() const { return obstacles_.empty(); }
   [[nodiscard]] std::optional<NearestObstacle> nearest(const Vector3& place, double within) const;
 
+  // Of one of them, all its pieces together.
+  [[nodiscard]] obstacles::Facing facing(std::size_t obstacle, const Vector3& place) const {
+    return facing_of(solids_[obstacle], place);
+  }
   [[nodiscard]] std::optional<ObstacleContact> first_contact(const obstacles::Flight& flight,
                                                              double horizon) const;
 

@@ -139,6 +139,24 @@ TEST(Intruders, WhoIsTooCloseGetsAway) {
   }
 }
 
+// Away from two at once: between the ways away from each.
+TEST(Intruders, WhoCannotDoAllThatIsAskedForDoesWhatItCan) {
+  for (const double acceleration : {test::kNoLimit, 5.0}) {
+    Flock flock = one_bee(acceleration, {});
+    const Point& at = flock.movers[0].position;
+    const std::vector<Mover> intruders = {{{at.x - 2, at.y, at.z}, {}},
+                                          {{at.x, at.y - 2, at.z}, {}}};
+    flock.options.intruders = intruders;
+    const auto advised =
+        advise(flock.movers, std::vector<Velocity>(1), flock.limits, flock.options);
+    ASSERT_TRUE(advised);
+    const Velocity& v = advised->advice[0].velocity;
+    const double most = std::isinf(acceleration) ? 10.0 : 0.1 * acceleration;
+    EXPECT_NEAR(v.x, most * std::sqrt(0.5), 0.02 * most);
+    EXPECT_NEAR(v.y, most * std::sqrt(0.5), 0.02 * most);
+  }
+}
+
 // Several at about the same time. Nobody can promise anything; but for what it is worth.
 TEST(Intruders, SeveralAreNearlyAlwaysMissed) {
   RandomStream random(2);

@@ -165,7 +165,24 @@ TEST_P(KnownMethod, HeadOnEachGoesSideways) {
     // They meet in 1.25 s, 5 m are missing.
     EXPECT_NEAR(first.y, -4.0, 1e-5);
     EXPECT_NEAR(first.x, 8.0, 1e-12);
+  } else {
+    // Out of a cone of a sine of 5 / 20, from its axis at 16 m/s: 4 m/s, half of it each.
+    EXPECT_NEAR(first.x, 8.0 - 2.0 * 0.25, 1e-5);
+    EXPECT_NEAR(first.y, -2.0 * std::sqrt(1.0 - 0.25 * 0.25), 1e-5);
   }
+}
+
+// Who would have to fly faster than it can turns as far as that goes.
+TEST(KnownMethods, OrcaStaysWithinWhatABeeCanFly) {
+  Flock flock;
+  flock.options.method = AdviseMethod::kOrca;
+  flock.limits.assign(2, {8.0, test::kNoLimit});
+  flock.movers = {{{0, 0, 0}, {8, 0, 0}}, {{0, -12, 0}, {7.9, 6, 0}}};
+  const std::vector<Velocity> wishes = {{8, 0, 0}, {7.9, 6, 0}};
+  const auto advised = advise(flock.movers, wishes, flock.limits, flock.options);
+  ASSERT_TRUE(advised);
+  EXPECT_GT(advised->advice[0].velocity.y, 2.0);
+  EXPECT_NEAR(test::length_of(advised->advice[0].velocity), 8.0, 0.1);
 }
 
 // Obstacles and intruders are none of their business; conflicts with intruders are told all the

@@ -71,6 +71,26 @@ TEST(NearObstacle, AWayThatGoesThroughIsNamed) {
   }
 }
 
+// To rounding; what may be wrong with a position widens it, once.
+TEST(NearObstacle, TheClearanceIsTheLimit) {
+  Course course;
+  course.map = test::map_of({Ground{10.0}});
+  course.flock.options.clearance_m = 2.0;
+  course.flock.limits = {{10.0, 5.0}};
+  const auto is_certified = [&](double far_m) {
+    course.flock.movers = {{{0, 0, 10.0 + far_m}, {}}};
+    const auto advised = advise(course.flock.movers, std::vector<Velocity>(1), course.flock.limits,
+                                course.flock.options);
+    EXPECT_TRUE(advised);
+    return test::all_certified(*advised);
+  };
+  EXPECT_TRUE(is_certified(2.000001));
+  EXPECT_FALSE(is_certified(1.999999));
+  course.flock.options.uncertainty_m = 0.25;
+  EXPECT_TRUE(is_certified(2.250001));
+  EXPECT_FALSE(is_certified(2.249999));
+}
+
 // As few as one, as many as all; ascending by bee and obstacle, each once.
 TEST(NearObstacle, AllAreNamedOnceInOrder) {
   Course course;

@@ -98,6 +98,10 @@ TEST(Clearance, TheSmallestAndTheLargestWaysAreLookedAt) {
   EXPECT_EQ(
       test::losses_of({{20, 0, 0}, {-40, 1e-30, 0}}, {{20, 0, 0}, {40, 1e-30, 0}}, 1.0, options),
       1U);
+  // Only its end is near, and its middle is off by next to nothing.
+  EXPECT_EQ(
+      test::losses_of({{20, 0, 0}, {0, 1e-30, 0}}, {{9, 0, 0}, {-22, -1e-30, 0}}, 1.0, options),
+      1U);
   VerifyOptions straight = options;
   straight.straight = true;
   const double far = 0.4 * kLargestInMotion;

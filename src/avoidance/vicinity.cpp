@@ -1,0 +1,45 @@
+#include "avoidance/vicinity.hpp"
+
+#include "core/density.hpp"
+#include "motion/size_levels.hpp"
+
+#include <algorithm>
+
+namespace beespace::avoidance {
+
+Status Vicinity::find(const Flyers& flyers, unsigned threads) {
+  memory_.start_call();
+  const double reach_m = reach_in_rows(flyers);
+  far_.clear();
+  is_far_.clear();
+  if (reach_m < flyers.farthest_reach()) {
+    for (PointId bee = 0; bee < flyers.size(); ++bee) {
+      is_far_.push_back(flyers.reach(bee) > reach_m ? 1 : 0);
+      if (is_far_.back() != 0) far_.push_back(bee);
+    }
+  }
+  const SearchOptions around{.threshold_m = flyers.meet(reach_m, reach_m), .threads = threads};
+  return engine_.find_neighbors(flyers.middles(), around, rows_);
+}
+
+Status Vicinity::find_within(const PointsView& places, double within_m, unsigned threads) {
+  far_.clear();
+  is_far_.clear();
+  return engine_.find_neighbors(places, {.threshold_m = within_m, .threads = threads}, rows_);
+}
+
+// Up to which reach bees have rows: all, unless it costs less to compare a few with everybody.
+double Vicinity::reach_in_rows(const Flyers& flyers) {
+  const auto levels = motion::size_levels(flyers.size(), flyers.farthest_reach(), memory_,
+                                          [&](std::size_t bee) { return flyers.reach(bee); });
+  if (levels.size() == 1) return levels.front().size;
+  const core::DensitySample sample(flyers.middles(), memory_);
+  const auto cost = [&](const motion::SizeLevel& level) {
+    return motion::comparing_cost(sample, flyers.meet(level.size, level.size), level.beyond);
+  };
+  return std::min_element(levels.begin(), levels.end(),
+                          [&](const auto& a, const auto& b) { return cost(a) < cost(b); })
+      ->size;
+}
+
+}  // namespace beespace::avoidance

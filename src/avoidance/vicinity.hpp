@@ -1,0 +1,55 @@
+// Who may matter to whom in a step.
+//
+// Rows of neighbours as far as nearly everybody reaches; the few who reach much farther, as one
+// that is far too fast does, are compared with everybody.
+#pragma once
+
+#include "avoidance/flyers.hpp"
+#include "core/memory.hpp"
+
+#include <beespace/engine.hpp>
+#include <beespace/id_rows.hpp>
+#include <beespace/points_view.hpp>
+#include <beespace/result.hpp>
+
+#include <vector>
+
+namespace beespace::avoidance {
+
+class Vicinity {
+ public:
+  // Errors: as Engine::find_neighbors.
+  Status find(const Flyers& flyers, unsigned threads);
+  // Simply whoever is so near.
+  Status find_within(const PointsView& places, double within_m, unsigned threads);
+
+  // Calls visit(other) for all who may matter to a bee, and for some who do not, once each, until
+  // it says false.
+  template <class Visit>
+  void visit(PointId bee, Visit&& visit) const {
+    if (reaches_far(bee)) {
+      for (PointId other = 0; other < rows_.size(); ++other) {
+        if (other != bee && !visit(other)) return;
+      }
+      return;
+    }
+    for (const PointId other : rows_[bee]) {
+      if (!reaches_far(other) && !visit(other)) return;
+    }
+    for (const PointId other : far_) {
+      if (!visit(other)) return;
+    }
+  }
+
+ private:
+  [[nodiscard]] bool reaches_far(PointId bee) const { return !far_.empty() && is_far_[bee] != 0; }
+  [[nodiscard]] double reach_in_rows(const Flyers& flyers);
+
+  Engine engine_;
+  core::Memory memory_;
+  IdRows rows_;
+  std::vector<PointId> far_;  // ascending
+  std::vector<char> is_far_;  // of each, where there are any
+};
+
+}  // namespace beespace::avoidance
