@@ -94,6 +94,27 @@ TEST(Parting, TheGapIsTheDistanceOfNearlyParallelWays) {
   }
 }
 
+// However long they are: less is lost than half of what is added for the rounding of coordinates,
+// which is 2^-44 of the farthest, and so of the way at least. (Of ways that are parallel to less
+// than a hundred-millionth, long doubles do not tell the distance.)
+TEST(Parting, TheGapOfVeryLongWaysIsRightToTheirRounding) {
+  RandomStream random(5);
+  for (int round = 0; round < test::rounds(100'000); ++round) {
+    const double angle = std::exp(random.uniform(std::log(1e-8), std::log(1e-2)));
+    const double long_m = std::exp(random.uniform(std::log(1e3), std::log(1e10)));
+    const Vector3 way = direction(random) * long_m;
+    Vector3 aside = cross(way, direction(random));
+    aside = aside * (1.0 / length(aside));
+    const Vector3 up = cross(way, aside) * (random.uniform(1.0, 10.0) / long_m);
+    const Vector3 turned = way + aside * (angle * long_m);
+    const Segment first{way * -random.uniform(0.2, 0.5), way};
+    const Segment second{up - turned * random.uniform(0.2, 0.5), turned};
+    const double far = distance(first, second);
+    ASSERT_NEAR(part(first, second).gap, far, 1e-8 * far + 0x1p-45 * long_m)
+        << "angle " << angle << ", ways of " << long_m << " m, round " << round;
+  }
+}
+
 TEST(Parting, OfWaysThatMeetIsAtRightAnglesToBoth) {
   const Segment first{{-1, 0, 0}, {2, 0, 0}};
   const Segment second{{0, -1, 0}, {0, 2, 0}};

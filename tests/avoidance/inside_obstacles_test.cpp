@@ -143,6 +143,31 @@ TEST(InsideObstacles, WhereAllWaysOutAreAlikeOneIsTaken) {
 
 // Outlines that are cut into pieces: wherever it stands, in whatever piece, near whatever cut. (Of
 // outlines at random some have notches that are too narrow for the clearance.)
+// So near to the surface that doubles do not tell on which side of it: straight out all the same.
+TEST(InsideObstacles, OnTheSurfaceIsNoPlaceToBeStuckAt) {
+  RandomStream random(11);
+  int inside = 0;
+  for (int round = 0; round < test::rounds(2'000); ++round) {
+    const Point middle{1e6, 1e6, 0.0};
+    const double radius_m = random.uniform(1.0, 20.0);
+    const auto [x, y, z] = scenes::random_direction(random);
+    const Point bee{middle.x + radius_m * x, middle.y + radius_m * y, middle.z + radius_m * z};
+    const ObstacleMap map = test::map_of({Sphere{middle, radius_m}});
+    AdviseOptions options;
+    options.obstacles = &map;
+    const FlightLimits limits{10.0, 5.0};
+    const auto advised = advise(std::vector<Mover>{{bee, {}}}, std::vector<Velocity>(1),
+                                std::vector<FlightLimits>{limits}, options);
+    ASSERT_TRUE(advised);
+    ASSERT_EQ(advised->near_obstacle.size(), 1U);
+    inside += advised->near_obstacle[0].gap_m < 0.0 ? 1 : 0;
+    ASSERT_NEAR(advised->near_obstacle[0].gap_m, 0.0, 1e-8);
+    const Velocity& v = advised->advice[0].velocity;
+    ASSERT_NEAR(v.x * x + v.y * y + v.z * z, 0.5, 1e-3) << "as hard as it can, outward";
+  }
+  EXPECT_GT(inside, test::rounds(2'000) / 10);
+}
+
 TEST(InsideObstacles, OfOutlinesThatAreNotConvexTheyGetOutToo) {
   const test::Corners outlines[] = {test::letter_l(), test::letter_u(), test::star(),
                                     test::spiral(), test::comb()};
