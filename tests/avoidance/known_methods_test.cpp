@@ -34,7 +34,7 @@ void expect_no_promises(const Advised& advised) {
 
 TEST_P(KnownMethod, KeepsLimitsAndPromisesNothing) {
   for (int start = 0; start < (test::kSanitized ? 3 : 20); ++start) {
-    const auto seed = static_cast<std::uint64_t>(9000 + start);
+    const std::uint64_t seed = 9000U + static_cast<unsigned>(start);
     SCOPED_TRACE("start " + std::to_string(seed));
     Flock flock = test::random_flock(24, seed);
     flock.options.method = GetParam();

@@ -20,7 +20,7 @@ TEST(NearObstacle, OthersKeepTheirClearance) {
   RandomStream random(3);
   int named = 0;
   for (int start = 0; start < (test::kSanitized ? 3 : 40); ++start) {
-    const auto seed = static_cast<std::uint64_t>(7000 + start);
+    const std::uint64_t seed = 7000U + static_cast<unsigned>(start);
     SCOPED_TRACE("start " + std::to_string(seed));
     Course course;
     test::make_course(course, 16, seed);

@@ -125,7 +125,7 @@ TEST_P(AmongObstacles, NobodyLosesTheClearanceNorTheThreshold) {
   int starts = 0;
   int pressed = 0;
   for (int start = 0; start < (test::kSanitized ? 2 : 24); ++start) {
-    const auto seed = static_cast<std::uint64_t>(5000 + start);
+    const std::uint64_t seed = 5000U + static_cast<unsigned>(start);
     SCOPED_TRACE("start " + std::to_string(seed));
     Course course;
     test::make_course(course, 12 + seed % 3 * 8, seed);

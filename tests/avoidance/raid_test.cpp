@@ -92,7 +92,7 @@ TEST(Raid, ASwarmThatIsRaidedKeepsTogetherApart) {
   Raid all;
   int starts = 0;
   for (int start = 0; start < (test::kSanitized ? 2 : 16); ++start) {
-    const auto seed = static_cast<std::uint64_t>(8000 + start);
+    const std::uint64_t seed = 8000U + static_cast<unsigned>(start);
     SCOPED_TRACE("start " + std::to_string(seed));
     test::Course course;
     if (start % 2 == 0) {

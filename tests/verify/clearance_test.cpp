@@ -82,8 +82,9 @@ TEST(Clearance, InsideFromTheStartIsLostInEachStep) {
     const ClearanceLoss& loss = verdict.first_clearance_losses[k];
     EXPECT_EQ(loss.bee, k % 2 == 0 ? 1U : 3U);
     EXPECT_EQ(loss.obstacle, 0U);
-    EXPECT_EQ(loss.begins_s, 0.5 * static_cast<double>(k / 2));
-    EXPECT_EQ(loss.ends_s, 0.5 * static_cast<double>(k / 2 + 1));
+    const std::size_t step = k / 2;
+    EXPECT_EQ(loss.begins_s, 0.5 * static_cast<double>(step));
+    EXPECT_EQ(loss.ends_s, 0.5 * static_cast<double>(step + 1));
     EXPECT_NEAR(loss.closest_m, k % 2 == 0 ? -10.0 : 0.5, 1e-12);
   }
 }
@@ -110,8 +111,10 @@ TEST(Clearance, TheSmallestAndTheLargestWaysAreLookedAt) {
 
 TEST(Clearance, CountsMoreThanItShows) {
   const ObstacleMap map = test::map_of({Ground{0.0}});
-  std::vector<Mover> movers;
-  for (int i = 0; i < 90; ++i) movers.push_back({{10.0 * i, 0, 0.5}, {}});
+  std::vector<Mover> movers(90, Mover{{0, 0, 0.5}, {}});
+  for (std::size_t i = 0; i < movers.size(); ++i) {
+    movers[i].position.x = 10.0 * static_cast<double>(i);
+  }
   const Verdict verdict =
       test::verdict_of(test::Fixes(13, movers), 1.0, test::options_of(map, 1.0));
   EXPECT_EQ(verdict.clearance_losses, 12U * 90U);
