@@ -118,7 +118,7 @@ inline void make_course(Course& course, std::size_t most, std::uint64_t seed) {
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t kind = random.index(kKinds);
     if (kind == 2) {
-      obstacles.push_back(Ground{lowest + threshold_m * random.uniform(-0.5, 0.5)});
+      obstacles.emplace_back(Ground{lowest + threshold_m * random.uniform(-0.5, 0.5)});
       continue;
     }
     const Point& near =
