@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/advise_request.hpp"
-#include "cli/simulate_names.hpp"
+#include "cli/flight_names.hpp"
 
 #include <beespace/advise.hpp>
 #include <beespace/mover.hpp>
@@ -22,8 +22,8 @@ struct Situation {
   bool wishes = false;               // preferred are those of the file, not ways to goals
   ObstacleMap obstacles;
   std::vector<Mover> intruders;
-  SimulateNames names;  // of bees and obstacles
-  SimulateNames intruder_names;
+  FlightNames names;  // of bees and obstacles
+  FlightNames intruder_names;
   std::string format_description;
   std::vector<std::string> notes;
 

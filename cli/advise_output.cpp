@@ -126,8 +126,8 @@ void write_as_csv(const Counsel& counsel, io::AtomicOutput& output) {
 }
 
 void write_as_json(const Counsel& counsel, io::AtomicOutput& output) {
-  const SimulateNames& names = counsel.situation.names;
-  const SimulateNames& intruders = counsel.situation.intruder_names;
+  const FlightNames& names = counsel.situation.names;
+  const FlightNames& intruders = counsel.situation.intruder_names;
   const Advised& advised = counsel.advised;
   BlockWriter out(output);
   out.text += head(counsel);

@@ -87,7 +87,7 @@ void append_uncertain(std::string& out, const Counsel& counsel) {
   append_summary_line(out, "uncertain", text);
 }
 
-std::string pair_text(const TooClose& close, const SimulateNames& names) {
+std::string pair_text(const TooClose& close, const FlightNames& names) {
   std::string text = names.bee(close.pair.first) + " and " + names.bee(close.pair.second) + ", ";
   // Of ways that cross, nothing but rounding is left.
   constexpr double kCrossing_m = 1e-9;
@@ -114,7 +114,7 @@ void append_list(std::string& out, const char* label, const std::string& how_man
 
 void append_findings(std::string& out, const Counsel& counsel) {
   const Advised& advised = counsel.advised;
-  const SimulateNames& names = counsel.situation.names;
+  const FlightNames& names = counsel.situation.names;
   append_list(out, "too close", times(advised.too_close.size(), "pair", "pairs"), advised.too_close,
               [&](const TooClose& close) { return pair_text(close, names); });
   append_list(

@@ -69,7 +69,7 @@ struct PlaceWords {
 };
 
 // Of starts, or of goals. In scenarios nearly never; for two on a sphere they cannot help it.
-Status check_apart(const SimulateRequest& request, const SimulateNames& names,
+Status check_apart(const SimulateRequest& request, const FlightNames& names,
                    const std::vector<Point>& places, const PlaceWords& words) {
   if (places.size() < 2) return std::monostate{};
   const double threshold_m = request.loop.advice.threshold_m;
@@ -88,9 +88,8 @@ Status check_apart(const SimulateRequest& request, const SimulateNames& names,
                                                    : "give a larger --spacing"));
 }
 
-Status check_clear(const SimulateRequest& request, const SimulateNames& names,
-                   const ObstacleMap& map, const std::vector<Point>& places,
-                   const PlaceWords& words) {
+Status check_clear(const SimulateRequest& request, const FlightNames& names, const ObstacleMap& map,
+                   const std::vector<Point>& places, const PlaceWords& words) {
   const double clear_m = request.loop.advice.clearance_m * kWithRounding;
   for (std::size_t bee = 0; bee < places.size(); ++bee) {
     const auto nearest = map.nearest(places[bee], clear_m);

@@ -2,7 +2,7 @@
 // way.
 #pragma once
 
-#include "cli/simulate_names.hpp"
+#include "cli/flight_names.hpp"
 #include "cli/simulate_request.hpp"
 #include "scenes/missions.hpp"
 
@@ -15,7 +15,7 @@ namespace beespace::cli {
 
 struct MissionToFly {
   scenes::Mission mission;
-  SimulateNames names;
+  FlightNames names;
   std::vector<std::string> notes;  // what must be said aloud
 };
 

@@ -1,5 +1,6 @@
 #include "cli/simulate_request.hpp"
 
+#include "cli/flight_values.hpp"
 #include "cli/number_text.hpp"
 #include "cli/option_values.hpp"
 #include "cli/simulate_scenarios.hpp"
@@ -19,21 +20,6 @@ constexpr const char* kDefaultSeed = "1";
 constexpr const char* kDefaultSpeed = "10";
 constexpr const char* kDefaultAcceleration = "5";
 constexpr const char* kDefaultClearance = "1";
-
-// Metres and seconds. Within these nothing is lost to rounding that the checker does not allow for.
-constexpr double kSmallest = 1e-6;
-constexpr double kFastest = 1e6;
-constexpr double kHardest = 1e9;
-constexpr double kLongest = 1e6;
-constexpr double kWidest = 1e9;
-
-Result<double> read_within(const char* option, const std::string& text, const char* unit,
-                           double most) {
-  const auto value = parse_number(text);
-  if (value && *value >= kSmallest && *value <= most) return *value;
-  return simulate_error(std::string(option) + " '" + text + "' is not a number of " + unit +
-                        " from 0.000001 to " + grouped(most, 0));
-}
 
 Result<std::uint64_t> read_count(const char* option, const std::string& text, std::uint64_t most) {
   const auto count = parse_whole(text);
@@ -93,18 +79,12 @@ sim::Method read_method(const std::string& word) {
 }
 
 Result<FlightLimits> read_limits(const SimulateOptions& options) {
-  FlightLimits limits;
-  const auto speed = read_within("--speed", or_default(options.speed, kDefaultSpeed),
-                                 "metres per second", kFastest);
+  const auto speed = read_speed(kName, "--speed", or_default(options.speed, kDefaultSpeed));
   if (!speed) return speed.error();
-  limits.max_speed_mps = *speed;
-  if (options.acceleration == "none") return limits;
-  const auto acceleration =
-      read_within("--acceleration", or_default(options.acceleration, kDefaultAcceleration),
-                  "metres per second squared", kHardest);
+  const auto acceleration = read_acceleration(
+      kName, "--acceleration", or_default(options.acceleration, kDefaultAcceleration));
   if (!acceleration) return acceleration.error();
-  limits.max_acceleration_mps2 = *acceleration;
-  return limits;
+  return FlightLimits{*speed, *acceleration};
 }
 
 Result<AdviseOptions> read_advice(const SimulateOptions& options) {
@@ -112,11 +92,11 @@ Result<AdviseOptions> read_advice(const SimulateOptions& options) {
   const auto threshold = read_threshold(options.threshold);
   if (!threshold) return threshold.error();
   advice.threshold_m = *threshold;
-  const auto step = read_within("--step", options.step, "seconds", kLongest);
+  const auto step = read_span(kName, "--step", options.step);
   if (!step) return step.error();
   advice.step_s = *step;
-  const auto clearance = read_within(
-      "--clearance", or_default(options.clearance, kDefaultClearance), "metres", kWidest);
+  const auto clearance = read_length(
+      kName, "--clearance", or_default(options.clearance, kDefaultClearance), kLeastLength_m);
   if (!clearance) return clearance.error();
   advice.clearance_m = *clearance;
   const auto threads = read_threads(kName, options.threads);
@@ -128,7 +108,7 @@ Result<AdviseOptions> read_advice(const SimulateOptions& options) {
 Result<double> read_spacing(const SimulateOptions& options, double threshold_m) {
   const double usual = options.scenario == kHeadOn ? 20.0 : 3.0;
   if (options.spacing.empty()) return usual * threshold_m;
-  const auto spacing = read_within("--spacing", options.spacing, "metres", kWidest);
+  const auto spacing = read_length(kName, "--spacing", options.spacing, kLeastLength_m);
   if (!spacing) return spacing.error();
   if (*spacing >= threshold_m * kRoom) return *spacing;
   return simulate_error("--spacing " + options.spacing + " is not above the threshold of " +

@@ -57,7 +57,7 @@ class SimulatedFlight {
   [[nodiscard]] const WatchFigures& watched() const { return watch_.figures(); }
   [[nodiscard]] const FlightFigures& figures() const { return figures_; }
   [[nodiscard]] FlightOutcome outcome() const;
-  [[nodiscard]] const SimulateNames& names() const { return names_; }
+  [[nodiscard]] const FlightNames& names() const { return names_; }
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
   [[nodiscard]] std::uint64_t breaches() const { return verdict().breaches + watched().breaches; }
@@ -77,7 +77,7 @@ class SimulatedFlight {
 
   const SimulateRequest& request_;
   std::vector<FlightLimits> limits_;  // of each, or none
-  SimulateNames names_;
+  FlightNames names_;
   std::vector<std::string> notes_;
   sim::ClosedLoop loop_;
   Verifier verifier_;

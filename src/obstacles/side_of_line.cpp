@@ -1,49 +1,16 @@
 #include "obstacles/side_of_line.hpp"
 
-#include <array>
+#include "core/expansion.hpp"
+
 #include <cmath>
-#include <cstddef>
 
 namespace beespace::obstacles {
 
 namespace {
 
-// A sum of doubles without rounding: components of growing magnitude that do not overlap, so the
-// last one carries the sign. Source: J. R. Shewchuk, Adaptive precision floating-point arithmetic
-// and fast robust geometric predicates, 1997 (grow-expansion with zero elimination).
-class Sum {
- public:
-  // Adds a * b. Exact: in the motion domain every double is a multiple of 2^-152, so products and
-  // what they round off are multiples of 2^-304.
-  void add_product(double a, double b) {
-    const double product = a * b;
-    add(std::fma(a, b, -product));
-    add(product);
-  }
-
-  [[nodiscard]] int sign() const {
-    if (size_ == 0) return 0;
-    return components_[size_ - 1] > 0.0 ? 1 : -1;
-  }
-
- private:
-  void add(double term) {
-    std::size_t kept = 0;
-    double sum = term;
-    for (std::size_t i = 0; i < size_; ++i) {
-      const double before = sum;
-      sum = before + components_[i];
-      const double virtual_part = sum - before;
-      const double error = (before - (sum - virtual_part)) + (components_[i] - virtual_part);
-      if (error != 0.0) components_[kept++] = error;
-    }
-    if (sum != 0.0) components_[kept++] = sum;
-    size_ = kept;
-  }
-
-  std::array<double, 12> components_{};  // 6 products, 2 components each
-  std::size_t size_ = 0;
-};
+// 6 products, 2 components each. Exact: in the motion domain every double is a multiple of 2^-152,
+// so products and what they round off are multiples of 2^-304.
+using Sum = core::Expansion<12>;
 
 // (a - c) x (b - c) = a x b - a x c - c x b, as c x c is zero.
 int exact_side(const Corner& a, const Corner& b, const Corner& c) {

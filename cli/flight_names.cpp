@@ -1,4 +1,4 @@
-#include "cli/simulate_names.hpp"
+#include "cli/flight_names.hpp"
 
 #include "cli/json_text.hpp"
 #include "cli/obstacle_file.hpp"
@@ -6,15 +6,15 @@
 
 namespace beespace::cli {
 
-std::string SimulateNames::bee(PointId bee) const {
+std::string FlightNames::bee(PointId bee) const {
   return ids.empty() ? std::to_string(bee) : printable(ids[bee]);
 }
 
-std::string SimulateNames::bee_as_json(PointId bee) const {
+std::string FlightNames::bee_as_json(PointId bee) const {
   return ids.empty() ? std::to_string(bee) : json_string(ids[bee]);
 }
 
-std::string SimulateNames::obstacle(std::size_t number, const Obstacle& obstacle) const {
+std::string FlightNames::obstacle(std::size_t number, const Obstacle& obstacle) const {
   if (number < scenario_obstacles) return shown_obstacle(number, obstacle) + " of the scenario";
   return shown_obstacle(number - scenario_obstacles, obstacle) + " of " + printable(obstacles_file);
 }

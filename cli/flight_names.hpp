@@ -1,4 +1,4 @@
-// What bees and obstacles of a simulation are called.
+// What bees and obstacles of a flight are called.
 #pragma once
 
 #include <beespace/obstacle.hpp>
@@ -10,7 +10,7 @@
 
 namespace beespace::cli {
 
-struct SimulateNames {
+struct FlightNames {
   std::vector<std::string> ids = {};   // of the file; empty where bees are called by their numbers
   std::size_t scenario_obstacles = 0;  // so many, the first ones, are not of a file
   std::string obstacles_file = {};
