@@ -71,7 +71,9 @@ Status load_intruders(const std::string& file, Situation& situation) {
   auto plans = io::load_flight_plans(file, io::PlanNeed::kNothing);
   if (!plans) return plans.error();
   situation.intruders = movers_of(*plans);
-  if (plans->velocities.empty()) {
+  if (situation.intruders.empty()) {
+    situation.notes.push_back(io::source_name(file) + " has no intruders");
+  } else if (plans->velocities.empty()) {
     situation.notes.push_back(io::source_name(file) + " has no velocities: intruders stand");
   }
   if (plans->has_ids) situation.intruder_names.ids = std::move(plans->ids);

@@ -67,7 +67,7 @@ AdviseMethod read_method(const std::string& word) {
 
 Result<AdviseOptions> read_advice(const AdviseCommandOptions& options) {
   AdviseOptions advice;
-  const auto threshold = read_threshold(options.threshold);
+  const auto threshold = read_threshold_in_motion(options.threshold);
   if (!threshold) return threshold.error();
   advice.threshold_m = *threshold;
   const auto step = read_span(kName, "--step", options.step);

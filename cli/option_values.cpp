@@ -2,6 +2,7 @@
 
 #include "cli/number_text.hpp"
 
+#include <beespace/mover.hpp>
 #include <beespace/point.hpp>
 
 #include <cmath>
@@ -16,7 +17,15 @@ Error usage_error(std::string_view command, std::string message) {
           {}};
 }
 
-Result<double> read_threshold(const std::string& text) {
+namespace {
+
+struct Domain {
+  double least_m;
+  double most_m;
+  const char* words;
+};
+
+Result<double> read_threshold_in(const std::string& text, const Domain& domain) {
   const auto value = parse_number(text);
   if (!value) {
     return Error{
@@ -24,11 +33,22 @@ Result<double> read_threshold(const std::string& text) {
         "the threshold '" + text + "' is not a number; give metres, for example --threshold 100",
         {}};
   }
-  if (*value >= kSmallestCoordinate_m && *value <= kLargestCoordinate_m) return *value;
-  return Error{ErrorCode::kInvalidThreshold,
-               "the threshold is " + text +
-                   " m; give a finite distance above zero (3.9e-121 m to 2.6e+120 m)",
-               {}};
+  if (*value >= domain.least_m && *value <= domain.most_m) return *value;
+  return Error{
+      ErrorCode::kInvalidThreshold,
+      "the threshold is " + text + " m; give a finite distance above zero (" + domain.words + ")",
+      {}};
+}
+
+}  // namespace
+
+Result<double> read_threshold(const std::string& text) {
+  return read_threshold_in(
+      text, {kSmallestCoordinate_m, kLargestCoordinate_m, "3.9e-121 m to 2.6e+120 m"});
+}
+
+Result<double> read_threshold_in_motion(const std::string& text) {
+  return read_threshold_in(text, {kSmallestInMotion, kLargestInMotion, "7.9e-31 m to 1.3e+30 m"});
 }
 
 Result<unsigned> read_threads(std::string_view command, const std::string& text) {

@@ -15,8 +15,9 @@ namespace beespace::cli {
 // kInvalidArgument, with the way to the help.
 Error usage_error(std::string_view command, std::string message);
 
-// Metres above zero, inside the coordinate domain. Error: kInvalidThreshold.
+// Metres above zero, inside the coordinate domain, or that of what moves. Error: kInvalidThreshold.
 Result<double> read_threshold(const std::string& text);
+Result<double> read_threshold_in_motion(const std::string& text);
 
 // Whole numbers. 0 threads are all; an empty `max_results` is no limit.
 Result<unsigned> read_threads(std::string_view command, const std::string& text);

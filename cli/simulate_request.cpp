@@ -89,7 +89,7 @@ Result<FlightLimits> read_limits(const SimulateOptions& options) {
 
 Result<AdviseOptions> read_advice(const SimulateOptions& options) {
   AdviseOptions advice;
-  const auto threshold = read_threshold(options.threshold);
+  const auto threshold = read_threshold_in_motion(options.threshold);
   if (!threshold) return threshold.error();
   advice.threshold_m = *threshold;
   const auto step = read_span(kName, "--step", options.step);

@@ -20,7 +20,7 @@ Result<WatchRequest> watch_request(const WatchOptions& options) {
   if (!options.speed.empty() && !options.rate.empty()) {
     return usage_error(kName, "--speed and --rate exclude each other");
   }
-  const auto threshold = read_threshold(options.threshold);
+  const auto threshold = read_threshold_in_motion(options.threshold);
   if (!threshold) return threshold.error();
   const auto vertical =
       read_optional_amount(kName, "--vertical", options.vertical, "metres", {0.0, false});

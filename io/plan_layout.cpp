@@ -187,7 +187,9 @@ Result<PlanLayout> find_plan_layout(std::string_view text, PlanNeed need) {
   if (!table) return table.error();
   PlanLayout layout;
   layout.table = std::move(table).value();
-  if (auto error = no_record_problem(text, layout.table)) return *std::move(error);
+  if (need != PlanNeed::kNothing) {
+    if (auto error = no_record_problem(text, layout.table)) return *std::move(error);
+  }
   if (auto error = choose_columns_of(layout, seen, need)) {
     error->place.line = first_line(layout.table);
     return *std::move(error);

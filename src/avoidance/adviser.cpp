@@ -9,6 +9,7 @@
 #include "avoidance/validate.hpp"
 #include "avoidance/vicinity.hpp"
 #include "cpu/crew_size.hpp"
+#include "cpu/deal.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +28,9 @@ using avoidance::Claimants;
 using avoidance::Flyer;
 using avoidance::Flyers;
 using core::Vector3;
+
+// Bees that a worker takes at a time: some have many neighbours, and others nobody.
+constexpr std::size_t kDealt = 512;
 
 // Speeds that are no more than rounding are none: nobody is told to leave the motion domain.
 double told(double component_mps) {
@@ -66,21 +70,21 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     if (auto error = avoidance::check(movers, preferred, limits, options)) {
       return *std::move(error);
     }
-    flyers_.take(movers, limits, options);
+    ThreadCrew& crew = crew_for(options.threads, movers.size());
+    flyers_.take(movers, limits, options, crew);
     const double horizon_s = avoidance::looks_ahead_s(flyers_, options.step_s);
     if (Status found = find_near(movers, options, horizon_s); !found) return found;
     advised.advice.assign(movers.size(), {});
     too_close_.assign(movers.size(), 0);
     const Claimants claimants(flyers_, near_, too_close_, preferred, options);
-    ThreadCrew& crew = crew_for(options.threads, movers.size());
     if (options.method == AdviseMethod::kCertified) {
-      crew.split(movers.size(), [&](std::size_t begin, std::size_t end, unsigned /*worker*/) {
+      cpu::deal(crew, movers.size(), kDealt, [&](auto begin, auto end, unsigned /*worker*/) {
         for (std::size_t bee = begin; bee < end; ++bee) {
           too_close_[bee] = claimants.is_too_close(static_cast<PointId>(bee)) ? 1 : 0;
         }
       });
     }
-    crew.split(movers.size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
+    cpu::deal(crew, movers.size(), kDealt, [&](auto begin, auto end, unsigned worker) {
       Desk& desk = desks_[worker];
       for (std::size_t bee = begin; bee < end; ++bee) {
         const auto id = static_cast<PointId>(bee);

@@ -19,6 +19,7 @@ using core::Vector3;
 
 class Braking {
  public:
+  Braking() = default;  // of nobody yet
   Braking(const FlightLimits& limits, double step_s)
       : at_once_(std::isinf(limits.max_acceleration_mps2)),
         per_acceleration_(at_once_ ? 0.0 : 1.0 / limits.max_acceleration_mps2),
@@ -67,10 +68,10 @@ class Braking {
   }
 
  private:
-  bool at_once_;
-  double per_acceleration_;  // 1 / A
-  double change_;            // A dt
-  double step_s_;
+  bool at_once_ = true;
+  double per_acceleration_ = 0.0;  // 1 / A
+  double change_ = 0.0;            // A dt
+  double step_s_ = 0.0;
 };
 
 }  // namespace beespace::avoidance

@@ -10,7 +10,7 @@ struct Flyer {
   Vector3 position;
   Vector3 velocity;
   Braking braking;
-  double max_speed;
+  double max_speed = 0.0;
 
   [[nodiscard]] Segment way_to_stop() const { return {position, braking.way_to_stop(velocity)}; }
   // Where it comes to a stop if it has a velocity at the end of the step.

@@ -4,10 +4,12 @@
 #include "avoidance/flyer.hpp"
 
 #include <beespace/advise.hpp>
+#include <beespace/crew.hpp>
 #include <beespace/mover.hpp>
 #include <beespace/pairs.hpp>
 #include <beespace/points_view.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -28,7 +30,7 @@ class Flyers {
  public:
   // `limits` has one for each or one for all.
   void take(const MoversView& movers, std::span<const FlightLimits> limits,
-            const AdviseOptions& options);
+            const AdviseOptions& options, Crew& crew);
 
   [[nodiscard]] std::size_t size() const { return flyers_.size(); }
   [[nodiscard]] const Flyer& operator[](std::size_t bee) const { return flyers_[bee]; }
@@ -36,7 +38,7 @@ class Flyers {
   [[nodiscard]] const Segment& way_to_stop(std::size_t bee) const { return ways_[bee].to_stop; }
   // How far from there it may get in the step and the stop after it.
   [[nodiscard]] double strays(std::size_t bee) const { return ways_[bee].strays_m; }
-  [[nodiscard]] double fastest() const { return fastest_mps_; }
+  [[nodiscard]] double fastest() const { return extremes_.speed_mps; }
 
   [[nodiscard]] const Keep& apart() const { return apart_; }
   [[nodiscard]] const Keep& clearance() const { return clearance_; }
@@ -45,7 +47,7 @@ class Flyers {
   // half of what it presses.
   [[nodiscard]] PointsView middles() const { return std::span<const Point>(middles_); }
   [[nodiscard]] double reach(std::size_t bee) const { return ways_[bee].reach_m; }
-  [[nodiscard]] double farthest_reach() const { return farthest_reach_m_; }
+  [[nodiscard]] double farthest_reach() const { return extremes_.reach_m; }
   // Two whose middles are farther apart than this are nothing to each other, whatever both do: two
   // who reach so far; these two.
   [[nodiscard]] double meet(double reach_m, double other_reach_m) const {
@@ -70,12 +72,23 @@ class Flyers {
     double strays_m;
     double reach_m;
   };
+  // The largest of all.
+  struct Extremes {
+    double reach_m = 0.0;
+    double speed_mps = 0.0;
+    double farthest_m = 0.0;  // of the coordinates
+
+    void add(const Extremes& other) {
+      reach_m = std::max(reach_m, other.reach_m);
+      speed_mps = std::max(speed_mps, other.speed_mps);
+      farthest_m = std::max(farthest_m, other.farthest_m);
+    }
+  };
 
   std::vector<Point> middles_;  // of the ways
   std::vector<Way> ways_;
   std::vector<Flyer> flyers_;
-  double farthest_reach_m_ = 0.0;
-  double fastest_mps_ = 0.0;
+  Extremes extremes_;
   Keep apart_;      // from each other
   Keep clearance_;  // from obstacles
 };

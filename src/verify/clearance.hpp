@@ -52,15 +52,12 @@ class ClearanceCheck {
   static constexpr double kTolerance = 1e-9;
   static constexpr std::size_t kDeepest = 60;
 
-  // What is smaller than the motion domain is nothing.
-  static double told(double value) { return std::abs(value) < kSmallestInMotion ? 0.0 : value; }
-
   // The first obstacle that a ball touches on the way along the chord.
   [[nodiscard]] std::optional<std::size_t> touched(const Curve& curve, double radius_m) const {
     const Point& p = curve.control[0];
     const Point& q = curve.control[3];
-    const Mover along{{told(p.x), told(p.y), told(p.z)},
-                      {told(q.x - p.x), told(q.y - p.y), told(q.z - p.z)}};
+    const Mover along{{in_domain(p.x), in_domain(p.y), in_domain(p.z)},
+                      {in_domain(q.x - p.x), in_domain(q.y - p.y), in_domain(q.z - p.z)}};
     const auto contact = obstacles_.first_contact(along, radius_m, 1.0);
     if (!contact || !*contact) return std::nullopt;
     return (*contact)->obstacle;

@@ -12,6 +12,11 @@
 
 namespace beespace::verify {
 
+// What is smaller than the motion domain is nothing.
+inline double in_domain(double value) {
+  return std::abs(value) < kSmallestInMotion ? 0.0 : value;
+}
+
 // Bézier's control points: the curve begins at the first, ends at the last, and never leaves their
 // convex hull.
 struct Curve {

@@ -50,10 +50,7 @@ std::optional<Error> check_options(const VerifyOptions& options) {
   return check(options.max_acceleration_mps2, "acceleration", "m/s^2");
 }
 
-// A speed below the motion domain is none.
-double told(double component_mps) {
-  return std::abs(component_mps) < kSmallestInMotion ? 0.0 : component_mps;
-}
+using verify::in_domain;
 
 Point scaled_difference(const Point& a, const Point& b, double scale) {
   return {(a.x - b.x) * scale, (a.y - b.y) * scale, (a.z - b.z) * scale};
@@ -134,7 +131,7 @@ class __attribute__((visibility("hidden"))) Verifier::State {
       curves_.push_back(options_.straight ? verify::line_of(p, q)
                                           : verify::curve_of(before_[i], now_[i], lasts_s));
       const Point chord = scaled_difference(q, p, 1.0 / lasts_s);
-      chords_[i] = {p, {told(chord.x), told(chord.y), told(chord.z)}};
+      chords_[i] = {p, {in_domain(chord.x), in_domain(chord.y), in_domain(chord.z)}};
       bulge_m = std::max(bulge_m, verify::bulge_of(curves_.back()));
       for (const Point& at : {p, q}) {
         farthest_m = std::max({farthest_m, std::abs(at.x), std::abs(at.y), std::abs(at.z)});

@@ -90,6 +90,25 @@ TEST(AdviseRefuses, ObstaclesAndIntrudersThatAreWrong) {
   expect_failure(intruders("x,y,z,vx,vy,vz\n1,2,3,4,5,nan\n"), kOne, kBadInput, "birds.csv:2:6");
 }
 
+TEST(AdviseRefuses, AThresholdOutsideTheDomainOfWhatMoves) {
+  for (const char* threshold : {"-1", "0", "1e-31", "2e30"}) {
+    const Finished finished = run({"advise", "--threshold", threshold}, kOne);
+    EXPECT_EQ(finished.exit_code, 2);
+    expect_parts(finished.err, {threshold, "7.9e-31 m to 1.3e+30 m"});
+  }
+}
+
+// A header alone says that there is nobody; an empty file is no table.
+TEST(AdviseTakes, ATableOfNoIntruders) {
+  const TemporaryFolder folder;
+  const Finished finished =
+      run({"advise", "--intruders", folder.file("birds.csv", "id,x,y,z,vx,vy,vz\n")}, kOne);
+  EXPECT_EQ(finished.exit_code, 0);
+  expect_parts(finished.err, {"birds.csv has no intruders", "intruders  0"});
+  expect_failure({"advise", "--intruders", folder.file("empty.csv", "")}, kOne, 3,
+                 "empty.csv: the input is empty");
+}
+
 TEST(AdviseRefuses, FilesThatCannotBeRead) {
   constexpr int kSystem = 4;
   const TemporaryFolder folder;

@@ -1,0 +1,26 @@
+// Work of uneven weight, dealt out to a crew as it comes to it.
+#pragma once
+
+#include <beespace/crew.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+
+namespace beespace::cpu {
+
+// Calls task(begin, end, worker) for stretches of `count` things, at most `dealt` at a time:
+// whoever is done takes the next one. Which worker has which is different from run to run.
+template <class Task>
+void deal(Crew& crew, std::size_t count, std::size_t dealt, Task&& task) {
+  std::atomic<std::size_t> next = 0;
+  crew.run([&](unsigned worker) {
+    for (;;) {
+      const std::size_t begin = next.fetch_add(dealt, std::memory_order_relaxed);
+      if (begin >= count) return;
+      task(begin, std::min(begin + dealt, count), worker);
+    }
+  });
+}
+
+}  // namespace beespace::cpu
