@@ -5,6 +5,7 @@
 #include "search/nearest_search.hpp"
 
 #include "tests/support/own_resources.hpp"
+#include "tests/support/rounds.hpp"
 #include "tests/support/search_scenes.hpp"
 
 #include <beespace/brute_force.hpp>
@@ -83,10 +84,10 @@ void expect_the_nearest(const std::vector<Point>& points, const SearchOptions& w
 }
 
 TEST(NearestRounds, FindTheNearestAcrossGapsOfAllWidths) {
-  for (std::uint32_t seed = 0; seed < 150 && !HasFatalFailure(); ++seed) {
+  for (int seed = 0; seed < test::rounds(150) && !HasFatalFailure(); ++seed) {
     SCOPED_TRACE(seed);
-    test::SceneMaker make(seed);
-    const std::size_t size = 60 + 5 * (seed % 40);
+    test::SceneMaker make(static_cast<std::uint32_t>(seed));
+    const std::size_t size = 60 + 5 * (static_cast<std::size_t>(seed) % 40);
     const std::vector<Point> points = clump_and_steps(make, size, size);
     expect_the_nearest(points, {std::exp2(make.between(-3.0, 3.0)), false});
   }
@@ -94,10 +95,11 @@ TEST(NearestRounds, FindTheNearestAcrossGapsOfAllWidths) {
 
 // So few are left that only those around them are looked at.
 TEST(NearestRounds, FindTheNearestOfAFewInOpenCountry) {
-  for (std::uint32_t seed = 0; seed < 30 && !HasFatalFailure(); ++seed) {
+  for (int seed = 0; seed < test::rounds(30) && !HasFatalFailure(); ++seed) {
     SCOPED_TRACE(seed);
-    test::SceneMaker make(seed);
-    const std::vector<Point> points = clump_and_steps(make, 1800, 20 + seed);
+    test::SceneMaker make(static_cast<std::uint32_t>(seed));
+    const std::vector<Point> points =
+        clump_and_steps(make, 1800, 20 + static_cast<std::size_t>(seed));
     expect_the_nearest(points, {std::exp2(make.between(-3.0, 3.0)), false});
   }
 }
