@@ -5,7 +5,7 @@
 PREFIX ?= /usr/local
 
 help: ## this list
-	@echo "make demo     build beespace, check swarms of 1,000 and 1,000,000 bees, and fly one"
+	@echo "make demo     build beespace, check swarms of 1,000 and 1,000,000 bees, fly one, show them"
 	@echo "make test     build everything and run all tests"
 	@echo "make bench    build and run the benchmarks"
 	@echo "make bench-prevention  fly whole missions with and without advice (takes long)"

@@ -2,10 +2,10 @@
 
 #include "cli/advice_words.hpp"
 #include "cli/block_writer.hpp"
-#include "cli/csv_field.hpp"
-#include "cli/json_text.hpp"
 #include "cli/number_text.hpp"
 #include "io/byte_source.hpp"
+#include "io/csv_field.hpp"
+#include "io/json_text.hpp"
 
 #include <beespace/version.hpp>
 
@@ -30,13 +30,13 @@ const char* true_or_false(bool yes) {
 
 // "files" and what else is known of the input, as other subcommands have it.
 std::string input_json(const Counsel& counsel) {
-  std::string out = "{\n    \"files\": [" + json_string(io::source_name(counsel.request.input));
-  out += "],\n    \"format\": " + json_string(counsel.situation.format_description);
+  std::string out = "{\n    \"files\": [" + io::json_string(io::source_name(counsel.request.input));
+  out += "],\n    \"format\": " + io::json_string(counsel.situation.format_description);
   out += ",\n    \"bees\": " + std::to_string(counsel.situation.movers.size());
   out += ",\n    \"notes\": [";
   std::string_view before;
   for (const std::string& note : counsel.situation.notes) {
-    out.append(before).append(json_string(note));
+    out.append(before).append(io::json_string(note));
     before = ", ";
   }
   return out + "]\n  }";
@@ -46,7 +46,7 @@ std::string head(const Counsel& counsel) {
   const AdviseRequest& request = counsel.request;
   const Situation& situation = counsel.situation;
   const Advised& advised = counsel.advised;
-  std::string out = "{\n  \"version\": " + json_string(version());
+  std::string out = "{\n  \"version\": " + io::json_string(version());
   const auto member = [&out](const char* name, const std::string& value) {
     out.append(",\n  \"").append(name).append("\": ").append(value);
   };
@@ -56,7 +56,7 @@ std::string head(const Counsel& counsel) {
   member("command", "\"advise\"");
   member("input", input_json(counsel));
   member("preferred", situation.wishes ? "\"wishes\"" : "\"goals\"");
-  member("method", json_string(name_of(request.advice.method)));
+  member("method", io::json_string(name_of(request.advice.method)));
   member("threshold_m", exact(request.advice.threshold_m));
   member("uncertainty_m", exact(request.advice.uncertainty_m));
   member("own_limits", true_or_false(own));
@@ -114,7 +114,7 @@ void write_as_csv(const Counsel& counsel, io::AtomicOutput& output) {
     if (ids.empty()) {
       append_exact(out.text, std::uint64_t{bee});
     } else {
-      append_csv_field(out.text, ids[bee], ',');
+      io::append_csv_field(out.text, ids[bee], ',');
     }
     for (const double speed : {advice.velocity.x, advice.velocity.y, advice.velocity.z}) {
       out.text += ',';

@@ -1,7 +1,7 @@
 #include "cli/answer_output.hpp"
 #include "cli/block_writer.hpp"
-#include "cli/csv_field.hpp"
 #include "cli/number_text.hpp"
+#include "io/csv_field.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -56,8 +56,8 @@ void write_rows(const BeeTable& table, const Answer& answer, io::AtomicOutput& o
     if (with_rows) append_exact(out.text += delimiter, record.row);
     for (const Column& column : table.columns) {
       out.text += delimiter;
-      append_csv_field(out.text, text_of(column.cell(record.point), answer.ids.theirs(), delimiter),
-                       delimiter);
+      io::append_csv_field(
+          out.text, text_of(column.cell(record.point), answer.ids.theirs(), delimiter), delimiter);
     }
     out.text += '\n';
     out.pass_on();
@@ -72,9 +72,9 @@ void write_rows(const PairTable& table, const Answer& answer, io::AtomicOutput& 
   (out.text += delimiter) += "second";
   (out.text += delimiter) += "distance_m\n";
   for (const Pair& pair : table.pairs) {
-    append_csv_field(out.text, answer.ids.ours().text(pair.first), delimiter);
+    io::append_csv_field(out.text, answer.ids.ours().text(pair.first), delimiter);
     out.text += delimiter;
-    append_csv_field(out.text, answer.ids.theirs().text(pair.second), delimiter);
+    io::append_csv_field(out.text, answer.ids.theirs().text(pair.second), delimiter);
     out.text += delimiter;
     append_exact(out.text,
                  distance(inputs.ours.points[pair.first], inputs.theirs().points[pair.second]));

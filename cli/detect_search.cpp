@@ -1,10 +1,8 @@
 #include "cli/detect_search.hpp"
 
+#include "cli/ground_places.hpp"
 #include "cli/number_text.hpp"
 
-#include <beespace/geodesy.hpp>
-
-#include <numeric>
 #include <string>
 #include <utility>
 
@@ -38,26 +36,6 @@ Result<Closest> closest_pair(Engine& engine, const Inputs& inputs,
   return Closest(pair);
 }
 
-// What distances are taken of: the points, or with a vertical threshold between geographic
-// positions those at height 0, and heights apart from them.
-struct Places {
-  std::vector<Point> ground = {};
-  std::vector<double> heights_m = {};
-};
-
-Places places_for(const Inputs& inputs, const SearchOptions& options) {
-  Places places;
-  if (!options.vertical_m || inputs.ours.frame != io::Frame::kWgs84) return places;
-  std::vector<PointId> everybody(inputs.ours.points.size());
-  std::iota(everybody.begin(), everybody.end(), PointId{0});
-  io::for_each_record(inputs.ours, everybody, [&](const io::Record& record) {
-    GeographicPosition place = record.geographic;
-    places.heights_m.push_back(std::exchange(place.height_m, 0.0));
-    places.ground.push_back(*to_ecef(place));  // was read before, so it is valid
-  });
-  return places;
-}
-
 Status find_at_risk(Engine& engine, const Inputs& inputs, const std::vector<Point>& points,
                     const SearchOptions& options, std::vector<PointId>& at_risk) {
   if (!inputs.others) return engine.find_at_risk(points, options, at_risk);
@@ -79,7 +57,7 @@ Error in_words_of_the_command(Error error, const DetectRequest& request) {
 Result<Detection> search(const Inputs& inputs, const DetectRequest& request) {
   Engine engine;
   Detection detection;
-  const Places places = places_for(inputs, request.search);
+  const GroundPlaces places = ground_places(inputs.ours, request.search.vertical_m.has_value());
   SearchOptions options = request.search;
   options.heights_m = places.heights_m;
   const std::vector<Point>& points = places.ground.empty() ? inputs.ours.points : places.ground;

@@ -1,8 +1,8 @@
 #include "cli/flight_names.hpp"
 
-#include "cli/json_text.hpp"
 #include "cli/obstacle_file.hpp"
 #include "cli/terminal.hpp"
+#include "io/json_text.hpp"
 
 namespace beespace::cli {
 
@@ -11,7 +11,7 @@ std::string FlightNames::bee(PointId bee) const {
 }
 
 std::string FlightNames::bee_as_json(PointId bee) const {
-  return ids.empty() ? std::to_string(bee) : json_string(ids[bee]);
+  return ids.empty() ? std::to_string(bee) : io::json_string(ids[bee]);
 }
 
 std::string FlightNames::obstacle(std::size_t number, const Obstacle& obstacle) const {

@@ -1,8 +1,8 @@
 #include "cli/answer_output.hpp"
 #include "cli/block_writer.hpp"
-#include "cli/geographic_text.hpp"
 #include "cli/json_cell.hpp"
 #include "cli/number_text.hpp"
+#include "io/geojson_geometry.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -43,7 +43,7 @@ void write_rows(const BeeTable& table, const Answer& answer, BlockWriter& out) {
   bool first = true;
   io::for_each_record(answer.inputs.ours, table.bees, [&](const io::Record& record) {
     begin_feature(out.text, first);
-    append_geojson_point(out.text, record.geographic);
+    io::append_geojson_point(out.text, record.geographic);
     out.text += R"(, "properties": {"id": )";
     answer.ids.ours().append_json(out.text, record.point);
     append_json_members(out.text, table.columns, record.point, answer.ids.theirs());
@@ -65,7 +65,7 @@ void write_rows(const PairTable& table, const Answer& answer, BlockWriter& out) 
   bool first = true;
   for (const Pair& pair : table.pairs) {
     begin_feature(out.text, first);
-    append_geojson_line(out.text, ours.of(pair.first), theirs.of(pair.second));
+    io::append_geojson_line(out.text, ours.of(pair.first), theirs.of(pair.second));
     out.text += R"(, "properties": {"first": )";
     answer.ids.ours().append_json(out.text, pair.first);
     out.text += ", \"second\": ";

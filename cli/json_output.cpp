@@ -1,8 +1,8 @@
 #include "cli/answer_output.hpp"
 #include "cli/block_writer.hpp"
 #include "cli/json_cell.hpp"
-#include "cli/json_text.hpp"
 #include "cli/number_text.hpp"
+#include "io/json_text.hpp"
 
 #include <beespace/version.hpp>
 
@@ -21,7 +21,7 @@ void append_list(std::string& out, const std::vector<std::string>& texts) {
   out += '[';
   for (std::size_t i = 0; i < texts.size(); ++i) {
     if (i > 0) out += ", ";
-    append_json_string(out, texts[i]);
+    io::append_json_string(out, texts[i]);
   }
   out += ']';
 }
@@ -35,10 +35,10 @@ void append_optional(std::string& out, std::string_view key,
 
 // What an error says and where it lies, as the members of an object.
 void append_members(std::string& out, const Error& error) {
-  out += "\"code\": " + json_string(to_string(error.code));
-  out += ", \"message\": " + json_string(error.message);
+  out += "\"code\": " + io::json_string(to_string(error.code));
+  out += ", \"message\": " + io::json_string(error.message);
   out += ", \"file\": " +
-         (error.place.source.empty() ? std::string("null") : json_string(error.place.source));
+         (error.place.source.empty() ? std::string("null") : io::json_string(error.place.source));
   append_optional(out, "line", error.place.line);
   append_optional(out, "column", error.place.column);
   append_optional(out, "record", error.place.record);
@@ -57,10 +57,10 @@ void append_skipped(std::string& out, const std::vector<Error>& skipped) {
 
 void append_input(std::string& out, const char* key, const io::LoadedPoints& loaded,
                   const std::string& path) {
-  out += std::string("  \"") + key + "\": {\n    \"file\": " + json_string(source_of(path));
-  out += ",\n    \"format\": " + json_string(loaded.format_description);
-  out += ",\n    \"frame\": " + json_string(name_of(loaded.frame));
-  out += ",\n    \"reason\": " + json_string(loaded.frame_reason);
+  out += std::string("  \"") + key + "\": {\n    \"file\": " + io::json_string(source_of(path));
+  out += ",\n    \"format\": " + io::json_string(loaded.format_description);
+  out += ",\n    \"frame\": " + io::json_string(name_of(loaded.frame));
+  out += ",\n    \"reason\": " + io::json_string(loaded.frame_reason);
   out += ",\n    \"points\": " + std::to_string(loaded.points.size());
   out += ",\n    \"skipped\": " + std::to_string(loaded.skipped_count);
   append_skipped(out, loaded.skipped);
@@ -156,8 +156,8 @@ void write_json(const Answer& answer, io::AtomicOutput& output) {
   const DetectRequest& request = answer.request;
   const Detection& detection = answer.detection;
   BlockWriter out(output);
-  out.text += "{\n  \"version\": " + json_string(version());
-  out.text += ",\n  \"report\": " + json_string(request.report->name) + ",\n";
+  out.text += "{\n  \"version\": " + io::json_string(version());
+  out.text += ",\n  \"report\": " + io::json_string(request.report->name) + ",\n";
   append_input(out.text, "input", answer.inputs.ours, request.input);
   if (request.others) append_input(out.text, "others", *answer.inputs.others, *request.others);
   out.text += "  \"threshold_m\": " + exact(request.search.threshold_m);

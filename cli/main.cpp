@@ -4,16 +4,20 @@
 #include "cli/bench_command.hpp"
 #include "cli/detect_command.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/export_command.hpp"
 #include "cli/generate_command.hpp"
 #include "cli/option_checks.hpp"
+#include "cli/plot_command.hpp"
 #include "cli/predict_command.hpp"
 #include "cli/replay_command.hpp"
+#include "cli/report_command.hpp"
 #include "cli/signals.hpp"
 #include "cli/simulate_command.hpp"
 #include "cli/standard_output.hpp"
 #include "cli/terminal.hpp"
 #include "cli/usage_sentence.hpp"
 #include "cli/verify_command.hpp"
+#include "cli/view_command.hpp"
 #include "cli/watch_command.hpp"
 
 #include <beespace/version.hpp>
@@ -40,6 +44,10 @@ constexpr const char* kExamples =
     "  beespace advise swarm.csv                     how everybody should fly to keep apart\n"
     "  beespace simulate random-swap                 a swarm that is kept apart, step by step\n"
     "  beespace verify flight.csv --threshold 5      whether a flight kept its distance\n"
+    "  beespace report bees.csv -o report.html       a page that shows it\n"
+    "  beespace view show.skyc                       the same, in the browser at once\n"
+    "  beespace plot bees.csv -o bees.svg            a picture of it\n"
+    "  beespace export bees.csv -o bees.kml          for globes, maps and spreadsheets\n"
     "  beespace generate --points 1000 --area medellin --output bees.csv\n"
     "  beespace bench                                how fast it is on this machine\n"
     "\n"
@@ -68,7 +76,7 @@ CLI::App* add_help_command(CLI::App& command, std::string& topic) {
   CLI::App* help = command.add_subcommand("help", "Print this help, or that of a subcommand");
   CLI::Option* option = help->add_option("COMMAND", topic, "Whose help to print")->type_name(" ");
   allow_only(*option, {"detect", "predict", "replay", "watch", "advise", "simulate", "verify",
-                       "generate", "bench"});
+                       "report", "view", "plot", "export", "generate", "bench"});
   return help;
 }
 
@@ -86,6 +94,10 @@ ExitCode run(int argc, char** argv) {
   AdviseCommandOptions advise_options;
   SimulateOptions simulate_options;
   VerifyCommandOptions verify_options;
+  ReportOptions report_options;
+  ViewOptions view_options;
+  PlotOptions plot_options;
+  ExportOptions export_options;
   GenerateOptions generate_options;
   BenchOptions bench_options;
   std::string help_topic;
@@ -96,6 +108,10 @@ ExitCode run(int argc, char** argv) {
   const CLI::App* advise = add_advise_command(command, advise_options);
   const CLI::App* simulate = add_simulate_command(command, simulate_options);
   const CLI::App* verify = add_verify_command(command, verify_options);
+  const CLI::App* report = add_report_command(command, report_options);
+  const CLI::App* view = add_view_command(command, view_options);
+  const CLI::App* plot = add_plot_command(command, plot_options);
+  const CLI::App* exported = add_export_command(command, export_options);
   const CLI::App* generate = add_generate_command(command, generate_options);
   add_bench_command(command, bench_options);
   const CLI::App* help = add_help_command(command, help_topic);
@@ -109,8 +125,8 @@ ExitCode run(int argc, char** argv) {
   }
   if (command.get_subcommands().empty()) {
     say_error(
-        "say what to do: detect, predict, replay, watch, advise, simulate, verify, generate or "
-        "bench "
+        "say what to do: detect, predict, replay, watch, advise, simulate, verify, report, view, "
+        "plot, export, generate or bench "
         "(see 'beespace --help')");
     return ExitCode::kUsage;
   }
@@ -121,6 +137,10 @@ ExitCode run(int argc, char** argv) {
   if (advise->parsed()) return run_advise(advise_options);
   if (simulate->parsed()) return run_simulate(simulate_options);
   if (verify->parsed()) return run_verify(verify_options);
+  if (report->parsed()) return run_report(report_options);
+  if (view->parsed()) return run_view(view_options);
+  if (plot->parsed()) return run_plot(plot_options);
+  if (exported->parsed()) return run_export(export_options);
   return generate->parsed() ? run_generate(generate_options) : run_bench(bench_options);
 }
 

@@ -19,7 +19,6 @@ namespace beespace::cli {
 namespace {
 
 constexpr const char* kName = "predict";
-constexpr double kDefaultThreshold_m = 100.0;
 
 struct PredictRequest {
   MovingRequest moving;

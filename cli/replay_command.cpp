@@ -23,7 +23,6 @@ namespace beespace::cli {
 namespace {
 
 constexpr const char* kName = "replay";
-constexpr double kDefaultThreshold_m = 100.0;
 
 struct ReplayRequest {
   MovingRequest moving;

@@ -60,16 +60,7 @@ CLI::App* add_replay_command(CLI::App& command, ReplayOptions& options) {
                    "Files and folders to read (default, or -:\nstandard input)")
       ->type_name(" ");
   add_input_options(*replay, options.moving);
-  replay
-      ->add_option("--max-gap", options.max_gap,
-                   "Absent between fixes farther apart in time\n(default: never)")
-      ->type_name("SECONDS")
-      ->group("Input");
-  replay
-      ->add_option("--tolerance", options.tolerance,
-                   "How closely to follow curves (default: 0.001)")
-      ->type_name("METRES")
-      ->group("Input");
+  add_gap_options(*replay, options.max_gap, options.tolerance);
   add_separation_options(*replay, options.moving);
   CLI::Option* report =
       replay->add_option("--report", options.report, "What to find, see below (default: conflicts)")

@@ -1,7 +1,7 @@
 #include "cli/shown_ids.hpp"
 
-#include "cli/json_text.hpp"
 #include "cli/number_text.hpp"
+#include "io/json_text.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -69,7 +69,7 @@ std::string ShownIds::text(PointId point) const {
 
 void ShownIds::append_json(std::string& out, PointId point) const {
   if (own_ids_ && !std::binary_search(empty_.begin(), empty_.end(), point)) {
-    append_json_string(out, find(point));
+    io::append_json_string(out, find(point));
   } else {
     append(out, point);
   }

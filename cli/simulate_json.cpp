@@ -1,8 +1,8 @@
 #include "cli/simulate_json.hpp"
 
-#include "cli/json_text.hpp"
 #include "cli/number_text.hpp"
 #include "cli/simulate_scenarios.hpp"
+#include "io/json_text.hpp"
 
 #include <beespace/version.hpp>
 
@@ -87,7 +87,7 @@ void add_question(JsonObject& object, const SimulatedFlight& flight) {
   const sim::LoopOptions& options = request.loop;
   const ObstacleMap* map = flight.loop().obstacles();
   const bool own = flight.has_own_limits();
-  object.add("scenario", json_string(request.scenario));
+  object.add("scenario", io::json_string(request.scenario));
   object.add("bees", std::uint64_t{flight.loop().movers().size()});
   object.add("spacing_m", request.from_file ? "null" : exact(request.spacing_m));
   object.add("seed", request.from_file || request.scenario == kHeadOn
@@ -95,7 +95,7 @@ void add_question(JsonObject& object, const SimulatedFlight& flight) {
                          : std::to_string(request.seed));
   object.add("obstacles", std::uint64_t{map == nullptr ? 0 : map->obstacles().size()});
   object.add("clearance_m", map == nullptr ? "null" : exact(options.advice.clearance_m));
-  object.add("method", json_string(method_name(options.method)));
+  object.add("method", io::json_string(method_name(options.method)));
   object.add("threshold_m", exact(options.advice.threshold_m));
   object.add("own_limits", yes_or_no(own));
   object.add("max_speed_mps", own ? "null" : exact(options.limits.max_speed_mps));
@@ -126,8 +126,8 @@ void add_answer(JsonObject& object, const SimulatedFlight& flight) {
 }
 
 void add_head(JsonObject& object) {
-  object.add("version", json_string(version()));
-  object.add("command", json_string("simulate"));
+  object.add("version", io::json_string(version()));
+  object.add("command", io::json_string("simulate"));
 }
 
 }  // namespace
@@ -152,7 +152,7 @@ std::string sweep_json(const std::vector<std::string>& runs) {
   for (const std::string& run : runs) list.append(list.empty() ? "[\n    " : ",\n    ").append(run);
   JsonObject object("  ");
   add_head(object);
-  object.add("scenario", json_string(kDensitySweep));
+  object.add("scenario", io::json_string(kDensitySweep));
   object.add("runs", list + "\n  ]");
   return object.closed() + "\n";
 }

@@ -1,7 +1,7 @@
 #include "cli/swarm_output.hpp"
 
-#include "cli/csv_field.hpp"
 #include "cli/number_text.hpp"
+#include "io/csv_field.hpp"
 
 #include <algorithm>
 #include <array>
@@ -225,7 +225,7 @@ FlightWriter::FlightWriter(io::AtomicOutput& output, SwarmFormat format,
       with_velocities_(with_velocities),
       text_(delimited(with_velocities ? "time_s,id,x,y,z,vx,vy,vz\n" : "time_s,id,x,y,z\n",
                       delimiter_)) {
-  for (const std::string& id : ids) append_csv_field(ids_.emplace_back(), id, delimiter_);
+  for (const std::string& id : ids) io::append_csv_field(ids_.emplace_back(), id, delimiter_);
 }
 
 void FlightWriter::add(double time_s, const std::vector<Mover>& movers) {

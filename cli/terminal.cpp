@@ -18,6 +18,10 @@ bool input_is_terminal() {
   return isatty(STDIN_FILENO) == 1;
 }
 
+bool output_is_terminal() {
+  return isatty(STDOUT_FILENO) == 1;
+}
+
 bool messages_are_on_terminal() {
   return isatty(STDERR_FILENO) == 1;
 }

@@ -7,6 +7,7 @@
 namespace beespace::cli {
 
 bool input_is_terminal();
+bool output_is_terminal();
 bool messages_are_on_terminal();
 
 // A terminal, and neither NO_COLOR set (no-color.org) nor TERM "dumb".

@@ -10,7 +10,8 @@ project_files() {
         if [ -f "$file" ]; then printf '%s\0' "$file"; fi
       done
   else
-    find . \( -path ./build -o -path ./demo -o -path ./.git \) -prune -o -type f -print0 |
+    find . \( -path ./build -o -path ./demo -o -path ./.git -o -name node_modules \
+      -o -path ./web/dist \) -prune -o -type f -print0 |
       sed -z 's|^\./||'
   fi
 }

@@ -1,6 +1,6 @@
 #include "cli/bench/bench_result.hpp"
-#include "cli/json_text.hpp"
 #include "cli/number_text.hpp"
+#include "io/json_text.hpp"
 
 #include <beespace/version.hpp>
 
@@ -10,14 +10,14 @@ namespace {
 // One question by one number of threads.
 void append_figure(std::string& out, const BenchFigure& figure, unsigned threads, double seconds,
                    const BenchSceneResult& scene, std::size_t points) {
-  out += std::string("{\"question\": ") + json_string(figure.question);
+  out += std::string("{\"question\": ") + io::json_string(figure.question);
   out += ", \"threads\": " + std::to_string(threads);
   out += ", \"ns_per_point\": " + exact(seconds * 1e9 / static_cast<double>(points));
   out += ", \"floors\": " + exact(seconds / scene.read_floor_s) + '}';
 }
 
 void append_scene(std::string& out, const BenchSceneResult& scene, const BenchRun& run) {
-  out += "{\"scene\": " + json_string(scene.scene->name);
+  out += "{\"scene\": " + io::json_string(scene.scene->name);
   out += ", \"threshold_m\": " + exact(scene.scene->threshold_m);
   out += ", \"floor_ns_per_point\": " +
          exact(scene.read_floor_s * 1e9 / static_cast<double>(run.points));
@@ -40,7 +40,7 @@ void append_scene(std::string& out, const BenchSceneResult& scene, const BenchRu
 }  // namespace
 
 std::string bench_json(const BenchRun& run, const std::vector<BenchSceneResult>& results) {
-  std::string out = "{\n  \"version\": " + json_string(version());
+  std::string out = "{\n  \"version\": " + io::json_string(version());
   out += ",\n  \"points\": " + std::to_string(run.points);
   out += ",\n  \"threads\": " + std::to_string(run.threads);
   out += ",\n  \"scenes\": [";

@@ -1,9 +1,9 @@
 #include "cli/moving/live_advice.hpp"
 
 #include "cli/advice_words.hpp"
-#include "cli/json_text.hpp"
-#include "cli/moving/local_axes.hpp"
 #include "cli/number_text.hpp"
+#include "io/json_text.hpp"
+#include "report/local_axes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -59,16 +59,16 @@ void LiveAdvice::append_line(std::string& out, double time_s, const LiveMover& b
   const Velocity& v = advice.velocity;
   out += "{\"event\": \"advice\"";
   member("time_s", exact(time_s));
-  member("id", json_string(name.id));
+  member("id", io::json_string(name.id));
   if (frame_ == io::Frame::kWgs84) {
-    const LocalVelocity local = to_local_velocity(bee.mover.position, v);
+    const LocalVelocity local = report::to_local_velocity(bee.mover.position, v);
     member("velocity", velocity("enu", local.east_mps, local.north_mps, local.up_mps));
   } else {
     member("velocity", velocity("xyz", v.x, v.y, v.z));
   }
-  member("advice", json_string(name_of(advice.kind)));
+  member("advice", io::json_string(name_of(advice.kind)));
   member("certified", advice.certified ? "true" : "false");
-  if (!name.label.empty()) member("label", json_string(name.label));
+  if (!name.label.empty()) member("label", io::json_string(name.label));
   out += "}\n";
 }
 

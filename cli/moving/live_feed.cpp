@@ -1,7 +1,7 @@
 #include "cli/moving/live_feed.hpp"
 
-#include "cli/json_text.hpp"
 #include "cli/number_text.hpp"
+#include "io/json_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -105,7 +105,7 @@ namespace {
 // Behind all else, and only where there is one.
 void append_label(std::string& line, const char* key, const BeeName& name) {
   if (name.label.empty()) return;
-  line += std::string(", \"") + key + "\": " + json_string(name.label);
+  line += std::string(", \"") + key + "\": " + io::json_string(name.label);
 }
 
 }  // namespace
@@ -115,12 +115,12 @@ std::string event_line(const SwarmEvent& event, const LiveFeed& feed) {
   line += name_of(event.kind);
   line += "\", \"time_s\": " + exact(event.time_s);
   if (event.kind == EventKind::kStale) {
-    line += ", \"id\": " + json_string(feed.name(event.first).id);
+    line += ", \"id\": " + io::json_string(feed.name(event.first).id);
     append_label(line, "label", feed.name(event.first));
     return line + "}\n";
   }
-  line += ", \"first\": " + json_string(feed.name(event.first).id);
-  line += ", \"second\": " + json_string(feed.name(event.second).id);
+  line += ", \"first\": " + io::json_string(feed.name(event.first).id);
+  line += ", \"second\": " + io::json_string(feed.name(event.second).id);
   line += ", \"distance_m\": " + exact(event.distance_m);
   line += ", \"closest_s\": " + exact(event.closest_s);
   append_label(line, "first_label", feed.name(event.first));

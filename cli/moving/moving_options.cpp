@@ -75,7 +75,18 @@ void add_input_options(CLI::App& command, MovingOptions& options) {
       ->group("Input");
 }
 
-void add_separation_options(CLI::App& command, MovingOptions& options) {
+void add_gap_options(CLI::App& command, std::string& max_gap, std::string& tolerance) {
+  command
+      .add_option("--max-gap", max_gap,
+                  "Absent between fixes farther apart in time\n(default: never)")
+      ->type_name("SECONDS")
+      ->group("Input");
+  command.add_option("--tolerance", tolerance, "How closely to follow curves (default: 0.001)")
+      ->type_name("METRES")
+      ->group("Input");
+}
+
+void add_threshold_options(CLI::App& command, MovingOptions& options) {
   command
       .add_option("--threshold", options.threshold,
                   "Closer than this is too close (default: what the\ninput declares, or 100)")
@@ -87,12 +98,16 @@ void add_separation_options(CLI::App& command, MovingOptions& options) {
   command
       .add_flag("--inclusive", options.inclusive, "A distance of exactly the threshold counts too")
       ->group("Separation");
+  command.add_option("--threads", options.threads, "How many threads work (default: 0, all)")
+      ->type_name("N")
+      ->group("Separation");
+}
+
+void add_separation_options(CLI::App& command, MovingOptions& options) {
+  add_threshold_options(command, options);
   command
       .add_option("--max-results", options.max_results,
                   "Fail beyond so many conflicts (default: no limit)")
-      ->type_name("N")
-      ->group("Separation");
-  command.add_option("--threads", options.threads, "How many threads work (default: 0, all)")
       ->type_name("N")
       ->group("Separation");
 }
@@ -122,7 +137,7 @@ Result<MovingRequest> moving_request(const char* command, const MovingOptions& o
   request.load.skip_bad = options.skip_bad;
   request.load.grounded = options.grounded;
   if (!options.threshold.empty()) {
-    const auto threshold = read_threshold(options.threshold);
+    const auto threshold = read_threshold_in_motion(options.threshold);
     if (!threshold) return threshold.error();
     request.threshold_m = *threshold;
   }

@@ -39,6 +39,9 @@ struct MovingOptions {
   bool quiet = false;
 };
 
+// Where neither --threshold nor the input says what is too close.
+inline constexpr double kDefaultThreshold_m = 100.0;
+
 enum class MovingForm : std::uint8_t { kText, kCsv, kJson };
 
 // Checked: a request that makes sense.
@@ -74,6 +77,10 @@ io::RecordingOptions recording_options(const ReadingOptions& options);
 void add_heights_option(CLI::App& command, std::string& heights);
 
 void add_input_options(CLI::App& command, MovingOptions& options);
+// Of recordings.
+void add_gap_options(CLI::App& command, std::string& max_gap, std::string& tolerance);
+void add_threshold_options(CLI::App& command, MovingOptions& options);
+// The same, and how many conflicts there may be.
 void add_separation_options(CLI::App& command, MovingOptions& options);
 void add_output_options(CLI::App& command, MovingOptions& options);
 

@@ -1,9 +1,9 @@
 #include "cli/moving/moving_output.hpp"
 
 #include "cli/block_writer.hpp"
-#include "cli/json_text.hpp"
 #include "cli/number_text.hpp"
 #include "cli/terminal.hpp"
+#include "io/json_text.hpp"
 
 #include <beespace/version.hpp>
 
@@ -150,20 +150,20 @@ Rows conflict_rows(const std::vector<Conflict>& conflicts, const io::Recording& 
 
 std::string json_head(const io::Recording& recording, const MovingRequest& request,
                       double threshold_m) {
-  std::string out = "{\n  \"version\": " + json_string(version());
-  out += ",\n  \"command\": " + json_string(request.command);
+  std::string out = "{\n  \"version\": " + io::json_string(version());
+  out += ",\n  \"command\": " + io::json_string(request.command);
   out += ",\n  \"input\": {\n    \"files\": [";
   for (std::size_t i = 0; i < request.inputs.size(); ++i) {
     if (i > 0) out += ", ";
-    append_json_string(out, request.inputs[i] == "-" ? "<stdin>" : request.inputs[i]);
+    io::append_json_string(out, request.inputs[i] == "-" ? "<stdin>" : request.inputs[i]);
   }
-  out += "],\n    \"format\": " + json_string(recording.format_description);
+  out += "],\n    \"format\": " + io::json_string(recording.format_description);
   out += std::string(",\n    \"frame\": ") +
          (recording.frame == io::Frame::kWgs84 ? "\"wgs84\"" : "\"metres\"");
-  out += ",\n    \"reason\": " + json_string(recording.frame_reason);
+  out += ",\n    \"reason\": " + io::json_string(recording.frame_reason);
   out += ",\n    \"heights\": ";
   const std::string_view datum = datum_text(recording.heights);
-  out += datum.empty() ? "null" : json_string(datum);
+  out += datum.empty() ? "null" : io::json_string(datum);
   out += std::string(",\n    \"times\": ") +
          (recording.since_1970 ? "\"seconds since 1970-01-01T00:00:00Z\"" : "\"seconds\"");
   out += ",\n    \"bees\": " + std::to_string(recording.bees.size());
@@ -171,7 +171,7 @@ std::string json_head(const io::Recording& recording, const MovingRequest& reque
   out += ",\n    \"notes\": [";
   for (std::size_t i = 0; i < recording.notes.size(); ++i) {
     if (i > 0) out += ", ";
-    append_json_string(out, recording.notes[i]);
+    io::append_json_string(out, recording.notes[i]);
   }
   out += "]\n  },\n  \"threshold_m\": " + exact(threshold_m);
   out += ",\n  \"vertical_m\": " + (request.vertical_m ? exact(*request.vertical_m) : "null");

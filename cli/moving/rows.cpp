@@ -1,9 +1,9 @@
 #include "cli/moving/rows.hpp"
 
 #include "cli/block_writer.hpp"
-#include "cli/csv_field.hpp"
-#include "cli/json_text.hpp"
 #include "cli/number_text.hpp"
+#include "io/csv_field.hpp"
+#include "io/json_text.hpp"
 
 #include <cmath>
 
@@ -80,7 +80,7 @@ void write_rows_as_csv(const Rows& rows, io::AtomicOutput& output) {
   for (const auto& row : rows.rows) {
     for (std::size_t i = 0; i < row.size(); ++i) {
       if (i > 0) out.text += ',';
-      append_csv_field(out.text, text_of(row[i]), ',');
+      io::append_csv_field(out.text, text_of(row[i]), ',');
     }
     out.text += '\n';
     out.pass_on();
@@ -89,9 +89,9 @@ void write_rows_as_csv(const Rows& rows, io::AtomicOutput& output) {
 
 void append_json_value(std::string& out, const Value& value) {
   if (const auto* text = std::get_if<std::string>(&value)) {
-    append_json_string(out, *text);
+    io::append_json_string(out, *text);
   } else if (const auto* bee = std::get_if<BeeName>(&value)) {
-    append_json_string(out, bee->id);
+    io::append_json_string(out, bee->id);
   } else if (const auto* yes = std::get_if<bool>(&value)) {
     out += *yes ? "true" : "false";
   } else {
@@ -105,7 +105,7 @@ void append_json_row(std::string& out, const std::vector<RowColumn>& columns,
   out += '{';
   for (std::size_t i = 0; i < row.size(); ++i) {
     if (i > 0) out += ", ";
-    append_json_string(out, columns[i].name);
+    io::append_json_string(out, columns[i].name);
     out += ": ";
     append_json_value(out, row[i]);
   }

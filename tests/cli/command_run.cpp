@@ -170,6 +170,17 @@ void Running::signal(int number) const {
   kill(process_, number);
 }
 
+std::string Running::read_line() const {
+  constexpr int kPatience_ms = 10'000;
+  std::string line;
+  char next = 0;
+  pollfd waiting{output_, POLLIN, 0};
+  while (poll(&waiting, 1, kPatience_ms) > 0 && read(output_, &next, 1) == 1 && next != '\n') {
+    line += next;
+  }
+  return line;
+}
+
 Finished Running::finish() {
   constexpr int kPatience_ms = 60'000;
   Finished finished;

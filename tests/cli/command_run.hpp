@@ -51,6 +51,8 @@ class Running {
   void send(std::string_view input) const;
   void close_input();
   void signal(int number) const;
+  // The next line of standard output, without its end; what there is where it takes ten seconds.
+  [[nodiscard]] std::string read_line() const;
   // Waits for its end; at most a minute, then it is killed.
   Finished finish();
 

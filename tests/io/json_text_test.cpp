@@ -1,8 +1,8 @@
-#include "cli/json_text.hpp"
+#include "io/json_text.hpp"
 
 #include <gtest/gtest.h>
 
-namespace beespace::cli {
+namespace beespace::io {
 namespace {
 
 TEST(JsonText, QuotesBackslashesAndControlCharactersAreEscaped) {
@@ -28,4 +28,4 @@ TEST(JsonText, EveryBrokenByteBecomesTheReplacementCharacter) {
 }
 
 }  // namespace
-}  // namespace beespace::cli
+}  // namespace beespace::io

@@ -1,9 +1,9 @@
 // East, north and up, found again in the frame of the Earth.
-#include "cli/moving/local_axes.hpp"
+#include "report/local_axes.hpp"
 
 #include <gtest/gtest.h>
 
-namespace beespace::cli {
+namespace beespace::report {
 namespace {
 
 TEST(LocalAxes, AreThoseThatVelocitiesAreGivenIn) {
@@ -34,4 +34,4 @@ TEST(LocalAxes, AreThereWhereEastIsAnywhere) {
 }
 
 }  // namespace
-}  // namespace beespace::cli
+}  // namespace beespace::report

@@ -1,0 +1,133 @@
+#include "cli/plot_command.hpp"
+
+#include "cli/failure.hpp"
+#include "cli/number_text.hpp"
+#include "cli/option_values.hpp"
+#include "cli/output_form.hpp"
+#include "cli/progress_bar.hpp"
+#include "cli/seen/see.hpp"
+#include "cli/seen/seen_summary.hpp"
+#include "cli/standard_output.hpp"
+#include "cli/stopwatch.hpp"
+#include "cli/summary_line.hpp"
+#include "cli/terminal.hpp"
+#include "io/atomic_output.hpp"
+#include "report/figure/figure.hpp"
+#include "report/figure/png.hpp"
+#include "report/figure/svg.hpp"
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace beespace::cli {
+namespace {
+
+constexpr const char* kName = "plot";
+
+struct PlotRequest {
+  SeenRequest seen;
+  std::string title;
+  unsigned width = 0;
+  bool png = false;
+};
+
+Result<unsigned> read_width(const std::string& text) {
+  constexpr std::uint64_t kLeast = 200;
+  constexpr std::uint64_t kMost = 10'000;
+  const auto width = parse_whole(text);
+  if (!width || *width < kLeast || *width > kMost) {
+    return usage_error(
+        kName, "--width must be a whole number of pixels from 200 to 10000, not '" + text + "'");
+  }
+  return static_cast<unsigned>(*width);
+}
+
+Result<bool> read_png(const std::string& output) {
+  if (output == "-") {
+    if (!output_is_terminal()) return false;
+    return usage_error(kName, "a picture is nothing for a terminal; give it a name: -o bees.svg");
+  }
+  const std::string ending = ending_of(output);
+  if (ending == "svg") return false;
+  if (ending != "png") {
+    return usage_error(kName,
+                       "a picture's name ends in .svg or .png, unlike '" + printable(output) + "'");
+  }
+  if (report::can_draw_png()) return true;
+  return usage_error(kName,
+                     "this build draws no PNG: give a name that ends in .svg, or build beespace "
+                     "where cairo is installed (Debian: apt-get install libcairo2-dev)");
+}
+
+Result<PlotRequest> plot_request(const PlotOptions& options) {
+  auto seen = seen_request(kName, options.seen);
+  if (!seen) return std::move(seen).error();
+  const auto width = read_width(options.width);
+  if (!width) return width.error();
+  const auto png = read_png(seen->moving.output);
+  if (!png) return png.error();
+  return PlotRequest{*std::move(seen), options.title, *width, *png};
+}
+
+// The bytes of the picture; what must be said of it goes to `note`.
+Result<std::string> picture_of(const Seen& seen, const PlotRequest& request, std::string& note) {
+  const report::Drawing drawing =
+      std::visit([](const auto& facts) { return report::figure_of(facts); }, seen);
+  if (!request.png) return report::svg(drawing, request.width);
+  auto png = report::png(drawing, request.width);
+  if (!png) {
+    return Error{ErrorCode::kWriteFailed,
+                 "there is no memory for a picture of that size; choose a smaller --width"};
+  }
+  if (!png->has_fonts) {
+    note =
+        "no fonts are installed, so letters are plain strokes; install some (Debian: apt-get "
+        "install fonts-dejavu-core), or write .svg";
+  }
+  return std::move(png->bytes);
+}
+
+Result<ExitCode> plot(const PlotRequest& request) {
+  const MovingRequest& moving = request.seen.moving;
+  auto output = io::AtomicOutput::open(moving.output);
+  if (!output) return std::move(output).error();
+  ProgressBar progress(!moving.quiet);
+  Stopwatch watch;
+  auto seen = see(moving.inputs, request.seen, progress);
+  if (!seen) return std::move(seen).error();
+  const double found_s = watch.lap();
+
+  progress.enter_stage("drawing");
+  Seen titled = *std::move(seen);
+  if (!request.title.empty()) set_title(titled, request.title);
+  std::string note;
+  const auto picture = picture_of(titled, request, note);
+  if (!picture) return picture.error();
+  output->write(*picture);
+  const Status written = output->commit();
+  if (!written && output->pipe_closed()) return ExitCode::kPipeClosed;
+  if (!written) return written.error();
+  progress.finish();
+  if (!moving.quiet) {
+    std::string text;
+    append_seen(text, titled);
+    if (!note.empty()) append_summary_line(text, "note", note);
+    append_written(text, moving.output, {found_s, watch.lap()});
+    say(text);
+  }
+  return is_risky(titled) && moving.fail_on_risk ? ExitCode::kRiskFound : ExitCode::kFine;
+}
+
+}  // namespace
+
+ExitCode run_plot(const PlotOptions& options) {
+  const bool json = options.seen.moving.json;
+  const auto request = plot_request(options);
+  if (!request) return fail(request.error(), json);
+  const auto code = plot(*request);
+  return code ? *code : fail(code.error(), json);
+}
+
+}  // namespace beespace::cli

@@ -1,0 +1,59 @@
+#include "cli/report_command.hpp"
+
+#include "cli/failure.hpp"
+#include "cli/option_values.hpp"
+#include "cli/progress_bar.hpp"
+#include "cli/seen/page_of.hpp"
+#include "cli/seen/seen_summary.hpp"
+#include "cli/stopwatch.hpp"
+#include "cli/terminal.hpp"
+#include "io/atomic_output.hpp"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace beespace::cli {
+namespace {
+
+constexpr const char* kName = "report";
+
+Result<ExitCode> report_on(const ReportOptions& options, const SeenRequest& request) {
+  const MovingRequest& moving = request.moving;
+  if (moving.output == "-" && output_is_terminal()) {
+    return usage_error(kName, "a page is nothing for a terminal; give it a name: -o report.html");
+  }
+  auto output = io::AtomicOutput::open(moving.output);
+  if (!output) return std::move(output).error();
+  ProgressBar progress(!moving.quiet);
+  Stopwatch watch;
+  const auto page = page_of(kName, request, options.compare, progress);
+  if (!page) return page.error();
+  const double found_s = watch.lap();
+  write_page(*page, [&](std::string_view text) { output->write(text); });
+  const Status written = output->commit();
+  if (!written && output->pipe_closed()) return ExitCode::kPipeClosed;
+  if (!written) return written.error();
+  progress.finish();
+  if (!moving.quiet) {
+    std::string text;
+    for (const Seen& seen : page->seen) append_seen(text, seen);
+    append_written(text, moving.output, {found_s, watch.lap()});
+    say(text);
+  }
+  const bool risk = std::any_of(page->seen.begin(), page->seen.end(), is_risky);
+  return risk && moving.fail_on_risk ? ExitCode::kRiskFound : ExitCode::kFine;
+}
+
+}  // namespace
+
+ExitCode run_report(const ReportOptions& options) {
+  const bool json = options.seen.moving.json;
+  const auto request = seen_request(kName, options.seen);
+  if (!request) return fail(request.error(), json);
+  const auto code = report_on(options, *request);
+  return code ? *code : fail(code.error(), json);
+}
+
+}  // namespace beespace::cli

@@ -1,0 +1,167 @@
+#include "cli/seen/see.hpp"
+
+#include "cli/exit_code.hpp"
+#include "cli/recording_check.hpp"
+#include "cli/seen/recording_facts.hpp"
+#include "cli/seen/snapshot_facts.hpp"
+#include "io/byte_source.hpp"
+#include "io/fields.hpp"
+#include "io/load_recording.hpp"
+#include "io/track_words.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace beespace::cli {
+namespace {
+
+using Loaded = std::variant<io::LoadedPoints, io::Recording>;
+
+bool has_time_column(std::string_view header) {
+  constexpr std::size_t kLongest = 10'000;
+  if (header.size() > kLongest) return false;
+  for (const char delimiter : {',', ';', '\t'}) {
+    io::FieldCursor cursor(header, delimiter);
+    io::Field name;
+    while (cursor.next(name)) {
+      if (io::read_track_word(io::unquoted(name)).role == io::TrackRole::kTime) return true;
+    }
+  }
+  return false;
+}
+
+// Where the bytes come from: files by their names; standard input, which can be read once, kept.
+class Inputs {
+ public:
+  static Result<Inputs> open(const std::vector<std::string>& paths, io::Progress& progress) {
+    Inputs inputs;
+    inputs.paths_ = paths;
+    if (paths.size() != 1 || paths.front() != "-") return inputs;
+    auto bytes = io::open_bytes("-", &progress);
+    if (!bytes) return std::move(bytes).error();
+    inputs.kept_ = *std::move(bytes);
+    return inputs;
+  }
+
+  [[nodiscard]] bool may_be_a_snapshot() const {
+    std::error_code unknown;
+    return paths_.size() == 1 && !std::filesystem::is_directory(paths_.front(), unknown);
+  }
+  // Whether the first line of a table names a time: then it is most likely a recording, and need
+  // not be read twice.
+  [[nodiscard]] bool names_a_time() const {
+    const auto bytes = kept_ ? Result<io::Bytes>(*kept_) : io::open_bytes(first(), nullptr);
+    return bytes && has_time_column(bytes->view.substr(0, bytes->view.find('\n')));
+  }
+  [[nodiscard]] const std::string& first() const { return paths_.front(); }
+
+  [[nodiscard]] Result<io::LoadedPoints> load_points(const io::LoadOptions& options) const {
+    return kept_ ? io::load_points_from_memory(kept_->view, io::source_name("-"), options)
+                 : io::load_points(paths_.front(), options);
+  }
+  [[nodiscard]] Result<io::Recording> load_recording(const io::RecordingOptions& options) const {
+    return kept_ ? io::load_recording_from_memory(kept_->view, io::source_name("-"), options)
+                 : io::load_recording(paths_, options);
+  }
+
+ private:
+  std::vector<std::string> paths_;
+  std::optional<io::Bytes> kept_;
+};
+
+io::LoadOptions options_for_points(const SeenRequest& request, io::Progress& progress) {
+  io::LoadOptions options;
+  options.frame = request.moving.load.frame;
+  options.columns = request.moving.load.columns;
+  options.skip_bad = request.moving.load.skip_bad;
+  options.threads = request.moving.threads;
+  options.progress = &progress;
+  return options;
+}
+
+// Of what can be read neither way: what is wrong with the way that fits better.
+Error better_of(Error as_snapshot, Error as_recording) {
+  return as_snapshot.code == ErrorCode::kUnsupportedFormat ? std::move(as_recording)
+                                                           : std::move(as_snapshot);
+}
+
+bool is_of_one_instant(const io::Recording& recording) {
+  return std::all_of(recording.bees.begin(), recording.bees.end(),
+                     [](const io::RecordedBee& bee) { return !bee.path && bee.fixes.size() <= 1; });
+}
+
+Result<Loaded> load(const Inputs& inputs, const SeenRequest& request, io::Progress& progress) {
+  io::RecordingOptions options = request.moving.load;
+  options.progress = &progress;
+  if (inputs.may_be_a_snapshot() && inputs.names_a_time()) {
+    auto recording = inputs.load_recording(options);
+    if (recording && !is_of_one_instant(*recording)) return Loaded(*std::move(recording));
+  }
+  std::optional<Error> no_snapshot;
+  if (inputs.may_be_a_snapshot()) {
+    auto points = inputs.load_points(options_for_points(request, progress));
+    if (points && !recording_problem(*points, inputs.first())) return Loaded(*std::move(points));
+    if (!points && exit_code_for(points.error().code) != ExitCode::kBadInput) {
+      return std::move(points).error();
+    }
+    if (!points) no_snapshot = std::move(points).error();
+  }
+  auto recording = inputs.load_recording(options);
+  if (recording) return Loaded(*std::move(recording));
+  if (!no_snapshot) return std::move(recording).error();
+  return better_of(*std::move(no_snapshot), std::move(recording).error());
+}
+
+std::string title_of(const std::vector<std::string>& inputs) {
+  if (inputs.size() == 1 && inputs.front() == "-") return "standard input";
+  std::filesystem::path path(inputs.front());
+  if (!path.has_filename()) path = path.parent_path();  // of a folder, "flight/"
+  std::string title = path.filename().string();
+  if (inputs.size() > 1) title += " and " + std::to_string(inputs.size() - 1) + " more";
+  return title;
+}
+
+template <class Facts>
+Result<Seen> seen(Result<Facts> facts) {
+  if (!facts) return std::move(facts).error();
+  return Seen(*std::move(facts));
+}
+
+}  // namespace
+
+const report::SwarmFacts& swarm_of(const Seen& seen) {
+  return std::visit([](const auto& facts) -> const report::SwarmFacts& { return facts.swarm; },
+                    seen);
+}
+
+bool is_risky(const Seen& seen) {
+  return std::visit([](const auto& facts) { return !facts.at_risk.empty(); }, seen);
+}
+
+void set_title(Seen& seen, const std::string& title) {
+  std::visit([&title](auto& facts) { facts.swarm.title = title; }, seen);
+}
+
+Result<Seen> see(const std::vector<std::string>& inputs, const SeenRequest& request,
+                 ProgressBar& progress) {
+  progress.enter_stage(ProgressBar::kReading);
+  const auto opened = Inputs::open(inputs, progress.reading());
+  if (!opened) return opened.error();
+  const auto loaded = load(*opened, request, progress.reading());
+  if (!loaded) return loaded.error();
+  progress.enter_stage("searching");
+  const std::string title = title_of(inputs);
+  if (const auto* points = std::get_if<io::LoadedPoints>(&*loaded)) {
+    return seen(snapshot_facts(*points, title, request));
+  }
+  const auto& recording = std::get<io::Recording>(*loaded);
+  return is_of_one_instant(recording) ? seen(snapshot_facts(recording, title, request))
+                                      : seen(recording_facts(recording, title, request));
+}
+
+}  // namespace beespace::cli

@@ -1,0 +1,28 @@
+// From files to what there is to see of them: a snapshot or a recording, whichever they hold.
+#pragma once
+
+#include "cli/progress_bar.hpp"
+#include "cli/seen/seen_request.hpp"
+#include "report/facts.hpp"
+
+#include <beespace/result.hpp>
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace beespace::cli {
+
+using Seen = std::variant<report::SnapshotFacts, report::RecordingFacts>;
+
+const report::SwarmFacts& swarm_of(const Seen& seen);
+bool is_risky(const Seen& seen);
+void set_title(Seen& seen, const std::string& title);
+
+// One file may hold a snapshot; a folder or several files are one recording. Aircraft that are each
+// at one instant are brought to the last of them, as by `beespace predict`. Errors: those of
+// reading and searching.
+Result<Seen> see(const std::vector<std::string>& inputs, const SeenRequest& request,
+                 ProgressBar& progress);
+
+}  // namespace beespace::cli

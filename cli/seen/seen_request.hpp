@@ -1,0 +1,35 @@
+// What pages, pictures and map files are asked for: the separation that counts, and how to read.
+#pragma once
+
+#include "cli/moving/moving_options.hpp"
+
+#include <beespace/result.hpp>
+
+#include <limits>
+#include <string>
+
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
+class App;
+}
+
+namespace beespace::cli {
+
+// As typed, before it is checked.
+struct SeenOptions {
+  MovingOptions moving;  // but --max-results and --csv
+  std::string max_gap;
+  std::string tolerance = "0.001";
+};
+
+struct SeenRequest {
+  MovingRequest moving;
+  double max_gap_s = std::numeric_limits<double>::infinity();
+  double tolerance_m = 0.001;
+};
+
+// FILES and what --help says of reading and of the separation.
+void add_seen_options(CLI::App& command, SeenOptions& options);
+
+Result<SeenRequest> seen_request(const char* command, const SeenOptions& options);
+
+}  // namespace beespace::cli

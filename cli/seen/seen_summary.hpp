@@ -1,0 +1,19 @@
+// What was seen, at a glance, for those who wait for a page or a picture of it.
+#pragma once
+
+#include "cli/seen/see.hpp"
+
+#include <string>
+
+namespace beespace::cli {
+
+void append_seen(std::string& out, const Seen& seen);
+
+struct SeenTimings {
+  double find_s;
+  double write_s;
+};
+// Where it went, and how long it took.
+void append_written(std::string& out, const std::string& output, const SeenTimings& timings);
+
+}  // namespace beespace::cli

@@ -1,0 +1,43 @@
+// The columns of a page: lists of numbers or texts, compressed, each in an element of its own.
+// See docs/page-format.md.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace beespace::report {
+
+// How numbers are told from those before them.
+enum class Differences : std::uint8_t { kNone, kFirst, kSecond };
+
+// What a number stands for: offset + scale * number.
+struct Meaning {
+  double scale = 1.0;
+  double offset = 0.0;
+};
+
+class Columns {
+ public:
+  // Each keeps a column, and returns what the page's JSON has in its place.
+  std::string add(std::span<const std::uint8_t> numbers);
+  std::string add(std::span<const std::uint16_t> numbers,
+                  Differences differences = Differences::kNone, const Meaning& meaning = {});
+  std::string add(std::span<const std::uint32_t> numbers,
+                  Differences differences = Differences::kNone, const Meaning& meaning = {});
+  std::string add(std::span<const double> numbers);
+  std::string add(std::span<const std::string> texts);
+
+  // What the elements hold, in base64.
+  [[nodiscard]] const std::vector<std::string>& elements() const { return elements_; }
+
+ private:
+  std::string keep(const char* type, std::size_t count, std::string_view bytes,
+                   Differences differences, const Meaning& meaning);
+
+  std::vector<std::string> elements_;
+};
+
+}  // namespace beespace::report

@@ -1,0 +1,80 @@
+// What pages, pictures and map files show of a swarm: what the engine found, and positions in a
+// frame to look at. Plain values, put together by whoever asked the engine.
+#pragma once
+
+#include <beespace/conflict.hpp>
+#include <beespace/find_conflicts.hpp>
+#include <beespace/geodesy.hpp>
+#include <beespace/nearest.hpp>
+#include <beespace/pairs.hpp>
+#include <beespace/point.hpp>
+#include <beespace/track.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace beespace::report {
+
+// What bees are called: their numbers, where there are no texts.
+struct Names {
+  std::vector<std::string> texts = {};
+  std::vector<PointId> bees = {};  // whose these are, ascending; empty: everybody's
+
+  [[nodiscard]] std::string of(PointId bee) const;
+};
+
+struct SwarmFacts {
+  std::string title;   // the file's name
+  std::string source;  // what it was read as
+  // Where east, north and up are 0, for geographic input; otherwise positions are as given.
+  std::optional<GeographicPosition> origin = {};
+  double threshold_m = 0.0;
+  std::optional<double> vertical_m = {};
+  bool inclusive = false;
+  Names names = {};
+  std::vector<std::string> notes = {};  // what must be said aloud
+};
+
+struct SnapshotFacts {
+  SwarmFacts swarm;
+  std::vector<Point> positions;   // to look at
+  std::vector<PointId> at_risk;   // ascending
+  std::vector<Nearest> nearest;   // of each bee
+  std::uint64_t pair_count = 0;   // of all
+  std::uint64_t group_count = 0;  // of all
+  std::uint64_t largest_group = 0;
+  std::optional<ClosestPair> closest = {};
+  // The closest first; all, or as many as can be shown.
+  std::vector<Pair> pairs = {};
+  std::vector<double> distances_m = {};  // of each of these
+};
+
+// When a bee is in conflict with somebody.
+struct AtRisk {
+  PointId bee = 0;
+  TimeSpan span;
+};
+
+// How far apart the closest two are at a moment.
+struct Separation {
+  double time_s = 0.0;
+  ClosestPair closest;
+};
+
+struct RecordingFacts {
+  SwarmFacts swarm;
+  std::vector<Track> tracks;  // to look at
+  bool since_1970 = false;
+  std::vector<Gap> gaps = {};            // in ascending order of (track, begins_s)
+  std::vector<AtRisk> at_risk = {};      // ascending by bee, then time; of a bee none overlap
+  std::vector<Conflict> conflicts = {};  // the closest first; all, or as many as can be shown
+  std::uint64_t conflict_count = 0;      // of all
+  std::uint64_t possible_count = 0;      // of these, not certain
+  std::uint64_t pair_count = 0;          // in conflict
+  std::optional<Conflict> closest = {};  // of all encounters, conflict or not
+  std::vector<Separation> separation = {};
+};
+
+}  // namespace beespace::report

@@ -1,0 +1,134 @@
+#include "report/figure/figure.hpp"
+
+#include "report/figure/nearest_histogram.hpp"
+#include "report/figure/number_label.hpp"
+#include "report/figure/recording_view.hpp"
+#include "report/figure/separation_chart.hpp"
+#include "report/figure/sheet.hpp"
+#include "report/figure/snapshot_view.hpp"
+#include "report/figure/style.hpp"
+#include "report/figure/view.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace beespace::report {
+namespace {
+
+constexpr Spot kViews = {100.0, kPanelsTop};
+constexpr double kViewsWidth = 648.0;
+constexpr Box kChart = {832.0, kPanelsTop, kRight - 832.0, 228.0};
+constexpr double kBelowChart = 80.0;  // its labels, and the heading of the list
+constexpr double kBelowViews = 44.0;  // their labels
+constexpr std::size_t kMostRows = 30;
+
+std::string name_of(const Names& names, PointId first, PointId second) {
+  return names.of(first) + " \u2013 " + names.of(second);
+}
+
+std::string findings_of(const SnapshotFacts& facts) {
+  std::string text = count_label(facts.positions.size(), "bee", "bees") + ". ";
+  if (facts.at_risk.empty()) return text + "Nobody is " + too_close(facts.swarm) + " to another.";
+  text += count_label(facts.at_risk.size(), "is at risk", "are at risk") + ": " +
+          count_label(facts.pair_count, "pair", "pairs") + " " + too_close(facts.swarm) + ", in " +
+          count_label(facts.group_count, "group", "groups");
+  if (facts.group_count > 1 && facts.largest_group > 2)
+    text += " of up to " + count_label(facts.largest_group);
+  return text + ".";
+}
+
+std::string findings_of(const RecordingFacts& facts) {
+  std::string text = count_label(facts.tracks.size(), "bee", "bees") + ". ";
+  if (facts.conflict_count == 0)
+    return text + "Nobody comes " + too_close(facts.swarm) + " to another.";
+  text += count_label(facts.conflict_count, "conflict", "conflicts") + " of " +
+          count_label(facts.pair_count, "pair", "pairs") + ": " + too_close(facts.swarm);
+  if (facts.possible_count > 0) {
+    text += "; " + count_label(facts.possible_count) + " of them possible, not certain";
+  }
+  return text + ".";
+}
+
+Listing closest_pairs(const SnapshotFacts& facts) {
+  Listing listing{"Closest pairs", {}};
+  for (std::size_t i = 0; i < std::min(kMostRows, facts.pairs.size()); ++i) {
+    const auto& [first, second] = facts.pairs[i];
+    listing.rows.push_back(
+        {name_of(facts.swarm.names, first, second), listed_length(facts.distances_m[i])});
+  }
+  if (facts.pairs.empty() && facts.closest) {
+    listing.heading = "Closest pair";
+    listing.rows.push_back({name_of(facts.swarm.names, facts.closest->first, facts.closest->second),
+                            listed_length(facts.closest->distance_m)});
+  }
+  return listing;
+}
+
+Listing closest_conflicts(const RecordingFacts& facts) {
+  Listing listing{"Closest conflicts", {}};
+  const auto add = [&](const Conflict& conflict) {
+    listing.rows.push_back({name_of(facts.swarm.names, conflict.first, conflict.second),
+                            listed_length(conflict.closest_m) + " at " +
+                                moment_label(conflict.closest_s, facts.since_1970)});
+  };
+  for (std::size_t i = 0; i < std::min(kMostRows, facts.conflicts.size()); ++i) {
+    add(facts.conflicts[i]);
+  }
+  if (facts.conflicts.empty() && facts.closest) {
+    listing.heading = "Closest encounter";
+    add(*facts.closest);
+  }
+  return listing;
+}
+
+// The views on the left; returns where they end.
+template <class Draw>
+double draw_views(const std::vector<View>& views, const Draw& draw, Drawing& drawing) {
+  for (const View& view : views) {
+    draw_panel(view.panel, drawing);
+    draw(view);
+  }
+  return views.back().panel.box.bottom() + kBelowViews;
+}
+
+void draw_below_chart(const Listing& listing, double bottom, Drawing& drawing) {
+  draw_listing(listing, {kChart.left, kChart.bottom() + kBelowChart}, kChart.width, bottom,
+               drawing);
+}
+
+}  // namespace
+
+Drawing figure_of(const SnapshotFacts& facts) {
+  Extent extent;
+  for (const Point& position : facts.positions) extent.add(position);
+  const auto views = views_of(extent, facts.swarm, kViews, kViewsWidth);
+  Drawing drawing = begin_sheet(facts.swarm, findings_of(facts), key_of_bees(facts, views.front()));
+  const double bottom = draw_views(
+      views, [&](const View& view) { draw_bees(facts, view, drawing); }, drawing);
+  if (const auto histogram = nearest_histogram(facts)) {
+    draw_histogram(*histogram, facts.swarm, kChart, drawing);
+  }
+  draw_below_chart(closest_pairs(facts), bottom, drawing);
+  finish_sheet(facts.swarm, bottom, drawing);
+  return drawing;
+}
+
+Drawing figure_of(const RecordingFacts& facts) {
+  Extent extent;
+  for (const Track& track : facts.tracks) {
+    for (const Fix& fix : track.fixes) extent.add(fix.position);
+  }
+  const auto views = views_of(extent, facts.swarm, kViews, kViewsWidth);
+  Drawing drawing =
+      begin_sheet(facts.swarm, findings_of(facts), key_of_paths(facts, views.front()));
+  const double bottom = draw_views(
+      views, [&](const View& view) { draw_paths(facts, view, drawing); }, drawing);
+  draw_separation(facts, kChart, drawing);
+  draw_below_chart(closest_conflicts(facts), bottom, drawing);
+  finish_sheet(facts.swarm, bottom, drawing);
+  return drawing;
+}
+
+}  // namespace beespace::report

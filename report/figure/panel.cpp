@@ -1,0 +1,182 @@
+#include "report/figure/panel.hpp"
+
+#include "report/figure/style.hpp"
+#include "report/figure/text_fit.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace beespace::report {
+namespace {
+
+constexpr double kTickLength = 4.0;
+
+void draw_across(const Panel& panel, Drawing& drawing) {
+  const Box& box = panel.box;
+  const bool labelled = !panel.across.title.empty();
+  Lines grid{{}, kGrid};
+  Lines ticks{{}, kAxis};
+  for (const Tick& tick : panel.across.ticks) {
+    const double x = panel.across.scale(tick.value);
+    grid.runs.push_back({{x, box.top}, {x, box.bottom()}});
+    ticks.runs.push_back({{x, box.bottom()}, {x, box.bottom() + kTickLength}});
+  }
+  drawing.shapes.emplace_back(grid);
+  drawing.shapes.emplace_back(ticks);
+  if (!labelled) return;
+  for (const Tick& tick : panel.across.ticks) {
+    drawing.shapes.emplace_back(Text{{panel.across.scale(tick.value), box.bottom() + 18.0},
+                                     tick.label,
+                                     kLabelSize,
+                                     Anchor::kMiddle,
+                                     false,
+                                     false,
+                                     false,
+                                     kQuietText});
+  }
+  drawing.shapes.emplace_back(Text{{box.left + box.width / 2.0, box.bottom() + 38.0},
+                                   panel.across.title,
+                                   kLabelSize,
+                                   Anchor::kMiddle,
+                                   false,
+                                   false,
+                                   false,
+                                   kText});
+}
+
+void draw_upwards(const Panel& panel, Drawing& drawing) {
+  const Box& box = panel.box;
+  Lines grid{{}, kGrid};
+  double widest = 0.0;
+  for (const Tick& tick : panel.upwards.ticks) {
+    const double y = panel.upwards.scale(tick.value);
+    grid.runs.push_back({{box.left, y}, {box.right(), y}});
+    widest = std::max(widest, text_width(tick.label, kLabelSize));
+  }
+  drawing.shapes.emplace_back(grid);
+  for (const Tick& tick : panel.upwards.ticks) {
+    drawing.shapes.emplace_back(
+        Text{{box.left - 8.0, panel.upwards.scale(tick.value) + kLabelSize * 0.35},
+             tick.label,
+             kLabelSize,
+             Anchor::kEnd,
+             false,
+             false,
+             false,
+             kQuietText});
+  }
+  drawing.shapes.emplace_back(Text{{box.left - widest - 18.0, box.top + box.height / 2.0},
+                                   panel.upwards.title,
+                                   kLabelSize,
+                                   Anchor::kMiddle,
+                                   false,
+                                   true,
+                                   false,
+                                   kText});
+}
+
+// Of lines with many spots: how many of them a label covers that begins there.
+std::ptrdiff_t spots_within(const Lines& lines, Spot at, double width) {
+  const auto covered = [&](const Spot& spot) {
+    return spot.x > at.x - 4.0 && spot.x < at.x + width + 4.0 && spot.y > at.y - kLabelSize &&
+           spot.y < at.y + 4.0;
+  };
+  std::ptrdiff_t count = 0;
+  for (const auto& run : lines.runs) count += std::count_if(run.begin(), run.end(), covered);
+  return count;
+}
+
+}  // namespace
+
+std::vector<Tick> as_many_as_fit(double length, const TickMaker& make) {
+  constexpr std::size_t kMost = 9;
+  constexpr double kBetween = 14.0;
+  std::vector<Tick> ticks;
+  for (std::size_t most = kMost; most > 0; --most) {
+    ticks = make(most);
+    double widest = 0.0;
+    for (const Tick& tick : ticks) {
+      widest = std::max(widest, text_width(tick.label, kLabelSize));
+    }
+    if (static_cast<double>(ticks.size()) * (widest + kBetween) <= length) break;
+  }
+  return ticks;
+}
+
+void draw_panel(const Panel& panel, Drawing& drawing) {
+  const Box& box = panel.box;
+  drawing.shapes.emplace_back(Text{{box.left, box.top - 10.0},
+                                   panel.heading,
+                                   kTextSize,
+                                   Anchor::kStart,
+                                   true,
+                                   false,
+                                   false,
+                                   kText});
+  draw_across(panel, drawing);
+  draw_upwards(panel, drawing);
+  drawing.shapes.emplace_back(
+      Lines{{{{box.left, box.top}, {box.left, box.bottom()}, {box.right(), box.bottom()}}}, kAxis});
+}
+
+void draw_line_across(const Panel& panel, double value, const std::string& name,
+                      const Lines& around, Drawing& drawing) {
+  const Box& box = panel.box;
+  const double y = panel.upwards.scale(value);
+  drawing.shapes.emplace_back(Lines{{{{box.left, y}, {box.right(), y}}}, kThreshold, 1.2, true});
+  const double width = text_width(name, kLabelSize);
+  const double left = box.left + 6.0;
+  const double right = box.right() - width;
+  const double above = y - 6.0;
+  const double below = y + kLabelSize + 4.0;
+  constexpr double kSteps = 8.0;
+  std::vector<Spot> places;
+  for (double k = 0.0; k <= kSteps; k += 1.0) {
+    for (const double at : {above, below}) {
+      if (at - kLabelSize < box.top || at + 4.0 > box.bottom()) continue;
+      places.push_back({right + k / kSteps * (left - right), at});
+    }
+  }
+  const auto in_the_way = [&](Spot at) { return spots_within(around, at, width); };
+  const auto best =
+      std::min_element(places.begin(), places.end(),
+                       [&](const Spot& a, const Spot& b) { return in_the_way(a) < in_the_way(b); });
+  const Spot at = best == places.end() ? Spot{right, above} : *best;
+  drawing.shapes.emplace_back(
+      Text{at, name, kLabelSize, Anchor::kStart, false, false, true, kText});
+}
+
+void draw_line_upwards(const Panel& panel, double value, const std::string& name,
+                       Drawing& drawing) {
+  const Box& box = panel.box;
+  const double x = panel.across.scale(value);
+  drawing.shapes.emplace_back(Lines{{{{x, box.top}, {x, box.bottom()}}}, kThreshold, 1.2, true});
+  const bool to_the_left = x - box.left > box.width / 2.0;
+  drawing.shapes.emplace_back(Text{{to_the_left ? x - 6.0 : x + 6.0, box.top + kLabelSize},
+                                   name,
+                                   kLabelSize,
+                                   to_the_left ? Anchor::kEnd : Anchor::kStart,
+                                   false,
+                                   false,
+                                   true,
+                                   kText});
+}
+
+void draw_ring(const Box& box, Spot spot, const std::string& text, Drawing& drawing) {
+  constexpr double kRadius = 8.0;
+  drawing.shapes.emplace_back(Dots{{spot}, kRadius, kText, 1.6});
+  if (text.empty()) return;
+  const double beside = kRadius + 5.0;
+  const bool to_the_left = spot.x + beside + text_width(text, kLabelSize) > box.right();
+  const double y = std::min(spot.y + 4.0, box.bottom() - 6.0);
+  drawing.shapes.emplace_back(Text{{to_the_left ? spot.x - beside : spot.x + beside, y},
+                                   text,
+                                   kLabelSize,
+                                   to_the_left ? Anchor::kEnd : Anchor::kStart,
+                                   true,
+                                   false,
+                                   true,
+                                   kText});
+}
+
+}  // namespace beespace::report

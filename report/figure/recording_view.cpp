@@ -1,0 +1,207 @@
+#include "report/figure/recording_view.hpp"
+
+#include "report/figure/density.hpp"
+#include "report/figure/number_label.hpp"
+#include "report/figure/style.hpp"
+#include "report/shown_fixes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+namespace beespace::report {
+namespace {
+
+// Of more, single lines would hide each other, and fill the file.
+constexpr std::size_t kFewPaths = 1'500;
+constexpr std::size_t kFewCorners = 60'000;
+constexpr std::size_t kFewConflicts = 300;
+constexpr std::size_t kFewStarts = 300;
+constexpr std::size_t kMostFixes = 1'000'000;
+constexpr double kCell = 3.0;
+constexpr double kRiskCell = 12.0;
+constexpr double kFinest = 0.7;  // corners closer than this to each other look like one
+
+// A path as a view shows it: not more corners than can be seen.
+class ShownPath {
+ public:
+  void add(Spot spot) {
+    last_ = spot;
+    ended_ = !run_.empty() && std::hypot(spot.x - run_.back().x, spot.y - run_.back().y) < kFinest;
+    if (!ended_) run_.push_back(spot);
+  }
+  // Also what is no longer than a corner can be seen.
+  std::vector<Spot> finish() {
+    if (ended_) run_.push_back(last_);
+    ended_ = false;
+    return std::exchange(run_, {});
+  }
+
+ private:
+  std::vector<Spot> run_;
+  Spot last_;
+  bool ended_ = false;
+};
+
+std::vector<std::vector<Spot>> paths_of(const RecordingFacts& facts, const View& view) {
+  const ShownFixes shown = shown_fixes(facts.tracks, facts.gaps, kMostFixes);
+  std::vector<std::vector<Spot>> paths;
+  ShownPath path;
+  const auto end_path = [&] {
+    auto run = path.finish();
+    if (run.size() > 1) paths.push_back(std::move(run));
+  };
+  auto absent = shown.absent_after.begin();
+  std::size_t i = 0;
+  for (const std::uint32_t count : shown.counts) {
+    for (const std::size_t end = i + count; i < end; ++i) {
+      path.add(view.spot_of(shown.positions[i]));
+      if (absent == shown.absent_after.end() || *absent != i) continue;
+      ++absent;
+      end_path();
+    }
+    end_path();
+  }
+  return paths;
+}
+
+bool are_few(const std::vector<std::vector<Spot>>& paths) {
+  std::size_t corners = 0;
+  for (const auto& path : paths) corners += path.size();
+  return paths.size() <= kFewPaths && corners <= kFewCorners;
+}
+
+Density density_of(const View& view, double side) {
+  const Box& box = view.panel.box;
+  return {{box.left, box.top}, box.width, box.height, side};
+}
+
+Density ways_of(const std::vector<std::vector<Spot>>& paths, const View& view) {
+  Density density = density_of(view, kCell);
+  for (const auto& path : paths) {
+    for (std::size_t i = 1; i < path.size(); ++i) density.add_way(path[i - 1], path[i]);
+  }
+  return density;
+}
+
+// Where a bee is while it is in conflict.
+std::vector<Spot> part_of(const AtRisk& at_risk, const RecordingFacts& facts, const View& view) {
+  const Track& track = facts.tracks[at_risk.bee];
+  const auto [begins_s, ends_s] = at_risk.span;
+  const auto first = std::upper_bound(track.fixes.begin(), track.fixes.end(), begins_s,
+                                      [](double t, const Fix& fix) { return t < fix.time_s; });
+  ShownPath path;
+  if (const auto begin = position_at(track, begins_s)) path.add(view.spot_of(*begin));
+  for (auto fix = first; fix != track.fixes.end() && fix->time_s < ends_s; ++fix) {
+    path.add(view.spot_of(fix->position));
+  }
+  if (const auto end = position_at(track, ends_s)) path.add(view.spot_of(*end));
+  return path.finish();
+}
+
+void draw_parts_in_conflict(const RecordingFacts& facts, const View& view, Drawing& drawing) {
+  Lines lines{{}, kRisk, facts.conflicts.size() <= kFewConflicts ? 2.2 : 1.0};
+  std::size_t corners = 0;
+  for (const AtRisk& at_risk : facts.at_risk) {
+    lines.runs.push_back(part_of(at_risk, facts, view));
+    corners += lines.runs.back().size();
+    if (corners > kFewCorners) return;  // the marks of the closest points have to do
+  }
+  drawing.shapes.emplace_back(std::move(lines));
+}
+
+std::vector<Diamond> closest_points(const RecordingFacts& facts, const View& view) {
+  std::vector<Diamond> marks;
+  for (const Conflict& conflict : facts.conflicts) {
+    for (const PointId bee : {conflict.first, conflict.second}) {
+      const auto at = position_at(facts.tracks[bee], conflict.closest_s);
+      if (at) marks.push_back({view.spot_of(*at), 5.0, facts.swarm.names.of(bee)});
+    }
+  }
+  return marks;
+}
+
+Density conflicts_of(const RecordingFacts& facts, const View& view) {
+  Density density = density_of(view, kRiskCell);
+  for (const Conflict& conflict : facts.conflicts) {
+    const auto at = position_at(facts.tracks[conflict.first], conflict.closest_s);
+    if (at) density.add(view.spot_of(*at));
+  }
+  return density;
+}
+
+void draw_conflicts(const RecordingFacts& facts, const View& view, Drawing& drawing) {
+  if (facts.conflicts.empty()) return;
+  if (facts.conflicts.size() <= kFewConflicts) {
+    drawing.shapes.emplace_back(Diamonds{closest_points(facts, view), kRisk});
+  } else {
+    drawing.shapes.emplace_back(conflicts_of(facts, view).diamonds(kRisk));
+  }
+}
+
+void draw_starts(const RecordingFacts& facts, const View& view, Drawing& drawing) {
+  Dots starts{{}, 2.6, kBee, 1.0};
+  for (const Track& track : facts.tracks) {
+    if (!track.fixes.empty()) starts.centres.push_back(view.spot_of(track.fixes.front().position));
+  }
+  if (starts.centres.size() <= kFewStarts) drawing.shapes.emplace_back(std::move(starts));
+}
+
+void draw_closest(const RecordingFacts& facts, const View& view, Drawing& drawing) {
+  if (!facts.closest) return;
+  const Conflict& closest = *facts.closest;
+  const auto first = position_at(facts.tracks[closest.first], closest.closest_s);
+  const auto second = position_at(facts.tracks[closest.second], closest.closest_s);
+  if (!first || !second) return;
+  const Spot a = view.spot_of(*first);
+  const Spot b = view.spot_of(*second);
+  draw_ring(view.panel.box, {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)},
+            view.from == View::From::kAbove ? "closest: " + length_label(closest.closest_m)
+                                            : std::string(),
+            drawing);
+}
+
+}  // namespace
+
+void draw_paths(const RecordingFacts& facts, const View& view, Drawing& drawing) {
+  auto paths = paths_of(facts, view);
+  if (are_few(paths)) {
+    drawing.shapes.emplace_back(
+        Lines{std::move(paths), kPath, facts.tracks.size() <= 200 ? 1.0 : 0.7});
+  } else {
+    drawing.shapes.emplace_back(ways_of(paths, view).cells(shades()));
+  }
+  draw_starts(facts, view, drawing);
+  draw_parts_in_conflict(facts, view, drawing);
+  draw_conflicts(facts, view, drawing);
+  draw_closest(facts, view, drawing);
+}
+
+std::vector<KeyEntry> key_of_paths(const RecordingFacts& facts, const View& from_above) {
+  using Sample = KeyEntry::Sample;
+  std::vector<KeyEntry> key;
+  const auto paths = paths_of(facts, from_above);
+  if (are_few(paths)) {
+    key.push_back({Sample::kPath, "path"});
+  } else {
+    key.push_back({Sample::kShades, "paths through a cell: 1 to " +
+                                        count_label(ways_of(paths, from_above).most()) +
+                                        " from above"});
+  }
+  if (facts.tracks.size() <= kFewStarts) key.push_back({Sample::kStart, "start"});
+  if (facts.conflicts.empty()) return key;
+  if (facts.conflicts.size() <= kFewConflicts) {
+    key.push_back({Sample::kInConflict, "in conflict, and where it is closest"});
+  } else {
+    key.push_back({Sample::kInConflict, "in conflict"});
+    key.push_back({Sample::kBinned, "conflicts: area by their number, up to " +
+                                        count_label(conflicts_of(facts, from_above).most()) +
+                                        " from above"});
+  }
+  key.push_back({Sample::kBand, "somebody in conflict"});
+  return key;
+}
+
+}  // namespace beespace::report

@@ -1,0 +1,19 @@
+// How far apart the closest two of a recording are, over time.
+#pragma once
+
+#include "report/facts.hpp"
+#include "report/figure/panel.hpp"
+
+#include <vector>
+
+namespace beespace::report {
+
+// When anybody is in conflict, stretches that touch put together; ascending.
+std::vector<TimeSpan> times_in_conflict(const std::vector<AtRisk>& at_risk);
+
+void draw_separation(const RecordingFacts& facts, const Box& box, Drawing& drawing);
+
+// "63.2 s", or the time of day where seconds count from 1970.
+std::string moment_label(double time_s, bool since_1970);
+
+}  // namespace beespace::report

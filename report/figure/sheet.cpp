@@ -1,0 +1,174 @@
+#include "report/figure/sheet.hpp"
+
+#include "report/figure/number_label.hpp"
+#include "report/figure/style.hpp"
+#include "report/figure/text_fit.hpp"
+#include "report/xml_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace beespace::report {
+namespace {
+
+constexpr double kRowHeight = 20.0;
+
+void add_text(Spot at, const std::string& text, double size, Ink ink, Drawing& drawing,
+              Anchor anchor = Anchor::kStart, bool bold = false) {
+  drawing.shapes.emplace_back(Text{at, text, size, anchor, bold, false, false, ink});
+}
+
+void add_shades(Spot left, Drawing& drawing) {
+  double x = left.x;
+  for (const Ink& ink : shades()) {
+    drawing.shapes.emplace_back(Area{
+        {{x, left.y - 5.0}, {x + 4.0, left.y - 5.0}, {x + 4.0, left.y + 5.0}, {x, left.y + 5.0}},
+        ink});
+    x += 4.0;
+  }
+}
+
+// Returns how wide the sample is.
+double draw_sample(KeyEntry::Sample sample, Spot left, Drawing& drawing) {
+  const Spot right{left.x + 24.0, left.y};
+  const Spot middle{left.x + 12.0, left.y};
+  switch (sample) {
+    case KeyEntry::Sample::kBee:
+      drawing.shapes.emplace_back(Dots{{{left.x + 4.0, left.y}}, 3.0, kBee});
+      return 10.0;
+    case KeyEntry::Sample::kAtRisk:
+      drawing.shapes.emplace_back(Diamonds{{{{left.x + 6.0, left.y}, 6.0}}, kRisk});
+      return 14.0;
+    case KeyEntry::Sample::kPair:
+      drawing.shapes.emplace_back(Lines{{{left, right}}, kRisk, 1.2});
+      drawing.shapes.emplace_back(Diamonds{{{left, 5.0}, {right, 5.0}}, kRisk});
+      return 31.0;
+    case KeyEntry::Sample::kShades:
+      add_shades(left, drawing);
+      return 4.0 * static_cast<double>(shades().size()) + 2.0;
+    case KeyEntry::Sample::kBinned:
+      drawing.shapes.emplace_back(
+          Diamonds{{{{left.x + 3.0, left.y}, 3.0}, {{left.x + 14.0, left.y}, 6.0}}, kRisk});
+      return 22.0;
+    case KeyEntry::Sample::kPath:
+      drawing.shapes.emplace_back(Lines{{{left, right}}, kPath, 1.2});
+      return 26.0;
+    case KeyEntry::Sample::kInConflict:
+      drawing.shapes.emplace_back(Lines{{{left, right}}, kRisk, 2.4});
+      drawing.shapes.emplace_back(Diamonds{{{middle, 5.0}}, kRisk});
+      return 26.0;
+    case KeyEntry::Sample::kStart:
+      drawing.shapes.emplace_back(Dots{{{left.x + 4.0, left.y}}, 3.0, kBee, 1.2});
+      return 10.0;
+    case KeyEntry::Sample::kBand:
+      drawing.shapes.emplace_back(Area{{{left.x, left.y - 6.0},
+                                        {left.x + 14.0, left.y - 6.0},
+                                        {left.x + 14.0, left.y + 6.0},
+                                        {left.x, left.y + 6.0}},
+                                       kRiskBand});
+      return 16.0;
+  }
+  return 0.0;
+}
+
+void draw_key(const std::vector<KeyEntry>& key, Spot corner, Drawing& drawing) {
+  double x = corner.x;
+  for (const KeyEntry& entry : key) {
+    x += draw_sample(entry.sample, {x, corner.y - 4.0}, drawing) + 5.0;
+    add_text({x, corner.y}, entry.text, kTextSize, kText, drawing);
+    x += text_width(entry.text, kTextSize) + 22.0;
+  }
+}
+
+std::string degrees(double value, const char* positive, const char* negative) {
+  return decimal_label(std::abs(value), 5) + "\u00b0 " + (value < 0.0 ? negative : positive);
+}
+
+std::string as_sentence(std::string note) {
+  if (note.empty()) return note;
+  const auto is_letter = [&note](std::size_t i) {
+    return i < note.size() && note[i] >= 'a' && note[i] <= 'z';
+  };
+  char& first = note.front();
+  if (is_letter(0) && is_letter(1)) first = static_cast<char>(first - 'a' + 'A');
+  if (note.back() != '.') note += '.';
+  return note;
+}
+
+std::string origin_note(const GeographicPosition& origin) {
+  return "East, north and up are counted from " + degrees(origin.latitude_deg, "N", "S") + ", " +
+         degrees(origin.longitude_deg, "E", "W") + ", height 0.";
+}
+
+}  // namespace
+
+std::vector<Ink> shades() {
+  return {{0xdfe7ef}, {0xc9d6e3}, {0xb1c4d6}, {0x98b0c7},
+          {0x7f9bb7}, {0x6686a5}, {0x4d7091}, {0x355a7b}};
+}
+
+std::string too_close(const SwarmFacts& swarm) {
+  const auto within = [&swarm](double metres) {
+    return swarm.inclusive ? length_label(metres) + " or closer"
+                           : "closer than " + length_label(metres);
+  };
+  if (!swarm.vertical_m) return within(swarm.threshold_m);
+  return within(swarm.threshold_m) + " across and " + within(*swarm.vertical_m) + " in height";
+}
+
+Drawing begin_sheet(const SwarmFacts& swarm, const std::string& findings,
+                    const std::vector<KeyEntry>& key) {
+  const std::string title = one_line(swarm.title);
+  Drawing drawing{kFigureWidth, 0.0, title, findings, {}};
+  const double width = kRight - kMargin;
+  drawing.shapes.emplace_back(Text{{kMargin, 50.0},
+                                   fitted(title, kTitleSize, width),
+                                   kTitleSize,
+                                   Anchor::kStart,
+                                   true,
+                                   false,
+                                   false,
+                                   kText});
+  add_text({kMargin, 76.0}, fitted(findings, 15.0, width), 15.0, kText, drawing);
+  draw_key(key, {kMargin, 106.0}, drawing);
+  return drawing;
+}
+
+void draw_listing(const Listing& listing, Spot corner, double width, double bottom,
+                  Drawing& drawing) {
+  if (listing.rows.empty()) return;
+  add_text(corner, listing.heading, kTextSize, kText, drawing, Anchor::kStart, true);
+  double y = corner.y + 6.0;
+  for (const Row& row : listing.rows) {
+    y += kRowHeight;
+    if (y > bottom) break;
+    const double right = text_width(row.right, kLabelSize);
+    add_text({corner.x, y}, fitted(one_line(row.left), kLabelSize, width - right - 12.0),
+             kLabelSize, kText, drawing);
+    add_text({corner.x + width, y}, row.right, kLabelSize, kText, drawing, Anchor::kEnd);
+  }
+}
+
+void finish_sheet(const SwarmFacts& swarm, double bottom, Drawing& drawing) {
+  constexpr std::size_t kMostLines = 8;
+  std::vector<std::string> lines;
+  const auto say = [&lines](const std::string& note) {
+    const auto more = wrapped(as_sentence(one_line(note)), kLabelSize, kRight - kMargin);
+    lines.insert(lines.end(), more.begin(), more.end());
+  };
+  if (swarm.origin) say(origin_note(*swarm.origin));
+  for (const std::string& note : swarm.notes) say(note);
+  if (lines.size() > kMostLines) {
+    lines.resize(kMostLines);
+    lines.back() = "\u2026 and more";
+  }
+  double y = bottom + 10.0;
+  for (const std::string& line : lines) {
+    y += 17.0;
+    add_text({kMargin, y}, line, kLabelSize, kQuietText, drawing);
+  }
+  drawing.height = y + 30.0;
+}
+
+}  // namespace beespace::report

@@ -1,0 +1,56 @@
+// What is around the panels of a figure: title, key, a list, notes.
+#pragma once
+
+#include "report/facts.hpp"
+#include "report/figure/drawing.hpp"
+#include "report/figure/panel.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace beespace::report {
+
+struct KeyEntry {
+  enum class Sample : std::uint8_t {
+    kBee,
+    kAtRisk,
+    kPair,
+    kShades,
+    kBinned,
+    kPath,
+    kInConflict,
+    kStart,
+    kBand
+  };
+
+  Sample sample;
+  std::string text;
+};
+
+struct Row {
+  std::string left;
+  std::string right;
+};
+
+struct Listing {
+  std::string heading;
+  std::vector<Row> rows;
+};
+
+// A drawing with its title, the line below it, and the key; panels begin at kPanelsTop.
+inline constexpr double kPanelsTop = 152.0;
+Drawing begin_sheet(const SwarmFacts& swarm, const std::string& findings,
+                    const std::vector<KeyEntry>& key);
+
+// "closer than 100 m".
+std::string too_close(const SwarmFacts& swarm);
+
+// As many rows as there is room for, down to `bottom`.
+void draw_listing(const Listing& listing, Spot corner, double width, double bottom,
+                  Drawing& drawing);
+
+// What must be said aloud, below all; and sets the drawing's height.
+void finish_sheet(const SwarmFacts& swarm, double bottom, Drawing& drawing);
+
+}  // namespace beespace::report

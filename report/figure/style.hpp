@@ -1,0 +1,33 @@
+// The inks and sizes of figures. Who is at risk differs from the others in shape, size and
+// lightness as well as in colour, for eyes and printers that see no colours. Blue and vermilion are
+// those of Okabe and Ito, Color universal design, 2008.
+#pragma once
+
+#include "report/figure/drawing.hpp"
+
+#include <vector>
+
+namespace beespace::report {
+
+inline constexpr Ink kText{0x1b1f24};
+inline constexpr Ink kQuietText{0x57606a};
+inline constexpr Ink kAxis{0x8c959f};
+inline constexpr Ink kGrid{0xe7eaee};
+inline constexpr Ink kBee{0x7f93a8};
+inline constexpr Ink kPath{0x6f88a3, 0.55};
+inline constexpr Ink kRisk{0xc8500a};
+inline constexpr Ink kRiskBand{0xf6d9c4};
+inline constexpr Ink kThreshold{0x1b1f24};
+
+// Light to dark, for cells by how many are in them.
+std::vector<Ink> shades();
+
+inline constexpr double kTitleSize = 22.0;
+inline constexpr double kTextSize = 13.0;
+inline constexpr double kLabelSize = 12.0;
+
+inline constexpr double kFigureWidth = 1200.0;
+inline constexpr double kMargin = 40.0;
+inline constexpr double kRight = kFigureWidth - kMargin;
+
+}  // namespace beespace::report

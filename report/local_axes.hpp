@@ -1,0 +1,51 @@
+// East, north and up at a place on the Earth.
+#pragma once
+
+#include <beespace/geodesy.hpp>
+#include <beespace/mover.hpp>
+#include <beespace/point.hpp>
+
+#include <span>
+#include <vector>
+
+namespace beespace::report {
+
+// Axes at a place, in ECEF; all of length 1 and at right angles. At the poles and in the middle of
+// the Earth, where east is anywhere, they are those of longitude 0.
+struct LocalAxes {
+  Point east;
+  Point north;
+  Point up;
+};
+LocalAxes local_axes_at(const Point& ecef);
+
+// The velocity, in the ECEF frame, of a bee at `ecef`, as seen from there; the inverse of
+// to_ecef_velocity.
+LocalVelocity to_local_velocity(const Point& ecef, const Velocity& velocity);
+
+// Where that is, for reading: to a tenth of a millimetre from 10 km below the ground to 1,000 km
+// above.
+GeographicPosition to_geographic(const Point& ecef);
+
+// The way back from metres east, north and up of an origin (LocalPlaces): to a millimetre and
+// better within 1,000 km of it.
+class EarthFrame {
+ public:
+  explicit EarthFrame(const GeographicPosition& origin);
+
+  [[nodiscard]] GeographicPosition position_of(const Point& place) const;
+
+ private:
+  Point origin_;
+  LocalAxes axes_;
+};
+
+// ECEF positions as metres east, north and up of an origin: for looking at, not for distances,
+// which keep their meaning but are rounded once more.
+struct LocalPlaces {
+  GeographicPosition origin;  // below the middle of all, at height 0
+  std::vector<Point> places;
+};
+LocalPlaces around_middle(std::span<const Point> ecef);
+
+}  // namespace beespace::report

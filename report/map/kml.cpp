@@ -1,0 +1,157 @@
+#include "report/map/kml.hpp"
+
+#include "report/figure/number_label.hpp"
+#include "report/map/map_places.hpp"
+#include "report/map/map_time.hpp"
+#include "report/map/map_tracks.hpp"
+#include "report/map/map_words.hpp"
+#include "report/xml_text.hpp"
+
+#include <cstddef>
+#include <string_view>
+
+namespace beespace::report {
+namespace {
+
+// Colours are alpha, blue, green, red.
+constexpr std::string_view kStyles =
+    "<Style id=\"risk\"><IconStyle><color>ff0a50c8</color><scale>0.8</scale></IconStyle>"
+    "<LabelStyle><scale>0.7</scale></LabelStyle>"
+    "<LineStyle><color>ff0a50c8</color><width>3</width></LineStyle></Style>\n"
+    "<Style id=\"path\"><IconStyle><color>ffa3886f</color><scale>0.6</scale></IconStyle>"
+    "<LabelStyle><scale>0.7</scale></LabelStyle>"
+    "<LineStyle><color>b0a3886f</color><width>1.5</width></LineStyle></Style>\n";
+
+std::string element(std::string_view name, std::string_view text) {
+  std::string out = "<";
+  (out += name) += '>';
+  append_xml_text(out, text);
+  return ((out += "</") += name) += '>';
+}
+
+class Document {
+ public:
+  Document(const SwarmFacts& swarm, const std::vector<std::string>& notes, io::AtomicOutput& output)
+      : output_(output) {
+    output_.write(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+        "<kml xmlns=\"http://www.opengis.net/kml/2.2\" "
+        "xmlns:gx=\"http://www.google.com/kml/ext/2.2\">\n<Document>\n");
+    output_.write(element("name", swarm.title) + element("description", document_words(notes)) +
+                  '\n');
+    output_.write(kStyles);
+  }
+
+  void begin_folder(std::string_view name) {
+    output_.write("<Folder>" + element("name", name) + '\n');
+  }
+  void end_folder() { output_.write("</Folder>\n"); }
+
+  // `time` and `geometry` are XML.
+  void add(const std::string& name, const std::string& description, const std::string& time,
+           const char* style, const std::string& geometry) {
+    output_.write("<Placemark>" + element("name", name) + element("description", description) +
+                  time + "<styleUrl>#" + style + "</styleUrl>" + geometry + "</Placemark>\n");
+  }
+
+  void finish() { output_.write("</Document>\n</kml>\n"); }
+
+ private:
+  io::AtomicOutput& output_;
+};
+
+constexpr std::string_view kAbsolute = "<altitudeMode>absolute</altitudeMode>";
+
+std::string point(const GeographicPosition& at) {
+  return "<Point>" + std::string(kAbsolute) + element("coordinates", place_text(at, ',')) +
+         "</Point>";
+}
+
+std::string line(const GeographicPosition& from, const GeographicPosition& to) {
+  return "<LineString>" + std::string(kAbsolute) +
+         element("coordinates", place_text(from, ',') + ' ' + place_text(to, ',')) +
+         "</LineString>";
+}
+
+std::string track(const std::vector<Fix>& run, const MapPlaces& places) {
+  std::string out = "<gx:Track>" + std::string(kAbsolute) + '\n';
+  for (const Fix& fix : run) out += element("when", map_instant(fix.time_s)) + '\n';
+  for (const Fix& fix : run) {
+    out += element("gx:coord", place_text(places.of(fix.position), ' ')) + '\n';
+  }
+  return out + "</gx:Track>";
+}
+
+std::string tracks(const MapTrack& of, const MapPlaces& places) {
+  if (of.runs.size() == 1) return track(of.runs.front(), places);
+  std::string out = "<gx:MultiTrack>\n";
+  for (const auto& run : of.runs) out += track(run, places) + '\n';
+  return out + "</gx:MultiTrack>";
+}
+
+void add_conflicts(const RecordingFacts& facts, std::size_t count, const MapPlaces& places,
+                   Document& document) {
+  document.begin_folder("Conflicts");
+  for (std::size_t i = 0; i < count; ++i) {
+    const Conflict& c = facts.conflicts[i];
+    const auto a = position_at(facts.tracks[c.first], c.closest_s);
+    const auto b = position_at(facts.tracks[c.second], c.closest_s);
+    if (!a || !b) continue;
+    const std::string time = "<TimeSpan>" + element("begin", map_instant(c.begins_s)) +
+                             element("end", map_instant(c.ends_s)) + "</TimeSpan>";
+    document.add(pair_name(facts.swarm.names, c.first, c.second),
+                 length_label(c.closest_m) + " apart at " + map_instant(c.closest_s) +
+                     (c.certain ? "" : "; possible, not certain"),
+                 time, "risk",
+                 "<MultiGeometry>" + point(places.of(middle_of(*a, *b))) +
+                     line(places.of(*a), places.of(*b)) + "</MultiGeometry>");
+  }
+  document.end_folder();
+}
+
+}  // namespace
+
+std::vector<std::string> write_kml(const SnapshotFacts& facts, io::AtomicOutput& output) {
+  const Names& names = facts.swarm.names;
+  std::vector<std::string> notes;
+  const std::size_t bees = marks_shown(facts.at_risk.size(), "bees at risk", notes);
+  const std::size_t pairs = marks_shown(facts.pairs.size(), "pairs", notes);
+  const MapPlaces places(facts.swarm);
+  Document document(facts.swarm, notes, output);
+  document.begin_folder("At risk");
+  for (std::size_t i = 0; i < bees; ++i) {
+    const PointId bee = facts.at_risk[i];
+    document.add(names.of(bee), nearest_words(facts.nearest[bee], names), {}, "risk",
+                 point(places.of(facts.positions[bee])));
+  }
+  document.end_folder();
+  document.begin_folder("Pairs too close");
+  for (std::size_t i = 0; i < pairs; ++i) {
+    const auto& [first, second] = facts.pairs[i];
+    document.add(pair_name(names, first, second), length_label(facts.distances_m[i]) + " apart", {},
+                 "risk",
+                 line(places.of(facts.positions[first]), places.of(facts.positions[second])));
+  }
+  document.end_folder();
+  document.finish();
+  return notes;
+}
+
+std::vector<std::string> write_kml(const RecordingFacts& facts, io::AtomicOutput& output) {
+  MapTracks map = map_tracks(facts, kMostTracks, kMostTrackFixes);
+  std::vector<std::string> notes = std::move(map.notes);
+  if (!facts.since_1970) notes.emplace_back(kTimeNote);
+  const std::size_t conflicts = marks_shown(facts.conflicts.size(), "conflicts", notes);
+  const MapPlaces places(facts.swarm);
+  Document document(facts.swarm, notes, output);
+  add_conflicts(facts, conflicts, places, document);
+  document.begin_folder("Paths");
+  for (const MapTrack& of : map.tracks) {
+    document.add(facts.swarm.names.of(of.bee), {}, {}, "path", tracks(of, places));
+  }
+  document.end_folder();
+  document.finish();
+  return notes;
+}
+
+}  // namespace beespace::report

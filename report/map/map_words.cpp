@@ -1,0 +1,26 @@
+#include "report/map/map_words.hpp"
+
+#include "report/figure/number_label.hpp"
+#include "report/xml_text.hpp"
+
+namespace beespace::report {
+
+std::string pair_name(const Names& names, PointId first, PointId second) {
+  return names.of(first) + " \u2013 " + names.of(second);
+}
+
+std::string nearest_words(const Nearest& nearest, const Names& names) {
+  if (nearest.id == Nearest::kNobody) return {};
+  return length_label(nearest.distance_m) + " from " + xml_text(names.of(nearest.id));
+}
+
+std::string document_words(const std::vector<std::string>& notes) {
+  std::string html =
+      "Heights are those of the input, taken as metres above the WGS84 ellipsoid. Globes that "
+      "count "
+      "altitudes from mean sea level show bees some tens of metres higher or lower.";
+  for (const std::string& note : notes) html += "<br/>" + xml_text(note);
+  return html;
+}
+
+}  // namespace beespace::report

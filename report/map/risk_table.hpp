@@ -1,0 +1,22 @@
+// Who is too close to whom as a table for spreadsheets (CSV, RFC 4180).
+#pragma once
+
+#include "report/facts.hpp"
+
+#include "io/atomic_output.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace beespace::report {
+
+// One row a pair, the closest first: both ids, the distance, where both are.
+void write_risk_table(const SnapshotFacts& facts, io::AtomicOutput& output);
+// One row a conflict, the closest first: both ids, when, how close, where both are then.
+void write_risk_table(const RecordingFacts& facts, io::AtomicOutput& output);
+
+// A text that a spreadsheet would take for a formula, as one that it takes for text: with an
+// apostrophe before. Numbers stay as they are.
+std::string harmless_in_spreadsheets(std::string_view text);
+
+}  // namespace beespace::report

@@ -1,0 +1,242 @@
+#include "report/recording_json.hpp"
+
+#include "io/json_object.hpp"
+#include "report/quantised.hpp"
+#include "report/shown_fixes.hpp"
+#include "report/swarm_json.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace beespace::report {
+namespace {
+
+// What a page can hold and a browser can draw.
+constexpr std::size_t kMostFixes = 6'000'000;
+// Beyond so many fixes positions have fewer bits.
+constexpr std::size_t kManyFixes = 2'000'000;
+
+// Times as whole numbers of ticks.
+class Clock {
+ public:
+  Clock(const TimeSpan& time, const ShownFixes& shown)
+      : begins_s_(time.begins_s), tick_s_(tick_for(time, shown)) {}
+
+  [[nodiscard]] Meaning meaning() const { return {tick_s_, 0.0}; }
+  [[nodiscard]] std::uint32_t nearest(double time_s) const {
+    return whole(std::round(ticks(time_s)));
+  }
+  [[nodiscard]] std::uint32_t before(double time_s) const {
+    return whole(std::floor(ticks(time_s)));
+  }
+  [[nodiscard]] std::uint32_t after(double time_s) const { return whole(std::ceil(ticks(time_s))); }
+  // How far a time is from the one it is told as.
+  [[nodiscard]] double error_s(double time_s) const {
+    return std::abs(tick_s_ * nearest(time_s) - (time_s - begins_s_));
+  }
+
+ private:
+  [[nodiscard]] double ticks(double time_s) const { return (time_s - begins_s_) / tick_s_; }
+  static std::uint32_t whole(double ticks) {
+    return static_cast<std::uint32_t>(std::clamp(ticks, 0.0, kMostTicks));
+  }
+
+  // Most recordings have whole milliseconds, or microseconds: then ticks are regular, which costs
+  // next to nothing. Of others milliseconds are enough, unless fixes are nearly as close.
+  static double tick_for(const TimeSpan& time, const ShownFixes& shown) {
+    const double lasts_s = time.ends_s - time.begins_s;
+    const double exact_s = std::max(lasts_s / kMostTicks, 1e-9);
+    for (const double tick_s : {1e-3, 1e-6}) {
+      if (tick_s > exact_s && are_whole(shown.times_s, time.begins_s, tick_s)) return tick_s;
+    }
+    return exact_s < 1e-3 && shown.shortest_s > 1e-2 ? 1e-3 : exact_s;
+  }
+
+  static bool are_whole(const std::vector<double>& times_s, double begins_s, double tick_s) {
+    return std::all_of(times_s.begin(), times_s.end(), [=](double time_s) {
+      const double ticks = (time_s - begins_s) / tick_s;
+      return std::abs(ticks - std::round(ticks)) < 1e-3;
+    });
+  }
+
+  static constexpr double kMostTicks = 4'294'967'295.0;
+  double begins_s_;
+  double tick_s_;
+};
+
+// How far a bee may be from where it is shown because times are told in ticks: it is shown where it
+// was no more than the largest error earlier, or later.
+double flown_in_error_m(const ShownFixes& shown, const Clock& clock) {
+  double farthest_m = 0.0;
+  std::size_t next = 0;
+  for (const std::uint32_t count : shown.counts) {
+    double fastest_mps = 0.0;
+    double error_s = 0.0;
+    const std::size_t end = next + count;
+    for (std::size_t i = next; i < end; ++i) {
+      error_s = std::max(error_s, clock.error_s(shown.times_s[i]));
+      if (i == next) continue;
+      const double flown_m = distance(shown.positions[i - 1], shown.positions[i]);
+      const double in_s = shown.times_s[i] - shown.times_s[i - 1];
+      fastest_mps = std::max(fastest_mps, flown_m / in_s);
+    }
+    farthest_m = std::max(farthest_m, fastest_mps * error_s);
+    next = end;
+  }
+  return farthest_m;
+}
+
+std::string fixes_json(const ShownFixes& shown, const Quantised& positions, const Clock& clock,
+                       Columns& columns) {
+  std::vector<std::uint32_t> ticks;
+  ticks.reserve(shown.times_s.size());
+  for (const double time_s : shown.times_s) ticks.push_back(clock.nearest(time_s));
+  io::JsonObject json;
+  json.add_json("counts", columns.add(std::span<const std::uint32_t>(shown.counts)));
+  json.add_json("time_s", columns.add(std::span<const std::uint32_t>(ticks), Differences::kSecond,
+                                      clock.meaning()));
+  add_positions(json, positions, Differences::kSecond, columns);
+  return json.text();
+}
+
+std::string conflicts_json(const std::vector<Conflict>& conflicts, const Clock& clock,
+                           Columns& columns) {
+  std::array<std::vector<std::uint32_t>, 5> numbers;
+  auto& [firsts, seconds, begins, closest, ends] = numbers;
+  std::vector<double> distances_m;
+  std::vector<std::uint8_t> certain;
+  for (const Conflict& conflict : conflicts) {
+    firsts.push_back(conflict.first);
+    seconds.push_back(conflict.second);
+    begins.push_back(clock.before(conflict.begins_s));
+    closest.push_back(clock.nearest(conflict.closest_s));
+    ends.push_back(clock.after(conflict.ends_s));
+    distances_m.push_back(conflict.closest_m);
+    certain.push_back(conflict.certain ? 1 : 0);
+  }
+  const auto column = [&](const std::vector<std::uint32_t>& all, const Meaning& meaning) {
+    return columns.add(std::span<const std::uint32_t>(all), Differences::kNone, meaning);
+  };
+  io::JsonObject json;
+  json.add_json("first", column(firsts, {}));
+  json.add_json("second", column(seconds, {}));
+  json.add_json("begins_s", column(begins, clock.meaning()));
+  json.add_json("closest_s", column(closest, clock.meaning()));
+  json.add_json("ends_s", column(ends, clock.meaning()));
+  json.add_json("distance_m", columns.add(std::span<const double>(distances_m)));
+  json.add_json("certain", columns.add(std::span<const std::uint8_t>(certain)));
+  return json.text();
+}
+
+std::string at_risk_json(const std::vector<AtRisk>& at_risk, const Clock& clock, Columns& columns) {
+  std::array<std::vector<std::uint32_t>, 3> numbers;
+  auto& [bees, begins, ends] = numbers;
+  for (const AtRisk& of : at_risk) {
+    bees.push_back(of.bee);
+    begins.push_back(clock.before(of.span.begins_s));
+    ends.push_back(clock.after(of.span.ends_s));
+  }
+  io::JsonObject json;
+  json.add_json("bee", columns.add(std::span<const std::uint32_t>(bees), Differences::kFirst));
+  json.add_json("begins_s", columns.add(std::span<const std::uint32_t>(begins), Differences::kNone,
+                                        clock.meaning()));
+  json.add_json("ends_s", columns.add(std::span<const std::uint32_t>(ends), Differences::kNone,
+                                      clock.meaning()));
+  return json.text();
+}
+
+std::string separation_json(const std::vector<Separation>& separation, double begins_s,
+                            Columns& columns) {
+  std::vector<double> times_s;
+  std::vector<double> distances_m;
+  std::vector<std::uint32_t> firsts;
+  std::vector<std::uint32_t> seconds;
+  for (const auto& [time_s, closest] : separation) {
+    times_s.push_back(time_s - begins_s);
+    distances_m.push_back(closest.distance_m);
+    firsts.push_back(closest.first);
+    seconds.push_back(closest.second);
+  }
+  io::JsonObject json;
+  json.add_json("time_s", columns.add(std::span<const double>(times_s)));
+  json.add_json("distance_m", columns.add(std::span<const double>(distances_m)));
+  json.add_json("first", columns.add(std::span<const std::uint32_t>(firsts)));
+  json.add_json("second", columns.add(std::span<const std::uint32_t>(seconds)));
+  return json.text();
+}
+
+std::string risk_json(const RecordingFacts& facts, double begins_s) {
+  double bee_seconds = 0.0;
+  std::uint64_t bees = 0;
+  for (std::size_t i = 0; i < facts.at_risk.size(); ++i) {
+    const auto& [bee, span] = facts.at_risk[i];
+    bee_seconds += span.ends_s - span.begins_s;
+    if (i == 0 || facts.at_risk[i - 1].bee != bee) ++bees;
+  }
+  io::JsonObject json;
+  json.add_count("conflicts", facts.conflict_count);
+  json.add_count("possible", facts.possible_count);
+  json.add_count("pairs", facts.pair_count);
+  json.add_count("bees", bees);
+  json.add_number("bee_seconds", bee_seconds);
+  if (facts.closest) {
+    io::JsonObject closest;
+    closest.add_count("first", facts.closest->first);
+    closest.add_count("second", facts.closest->second);
+    closest.add_number("distance_m", facts.closest->closest_m);
+    closest.add_number("time_s", facts.closest->closest_s - begins_s);
+    json.add_json("closest", closest.text());
+  }
+  return json.text();
+}
+
+std::string time_json(const RecordingFacts& facts, const TimeSpan& time) {
+  io::JsonObject json;
+  json.add_number("begins_s", time.begins_s);
+  json.add_number("ends_s", time.ends_s);
+  json.add_flag("since_1970", facts.since_1970);
+  return json.text();
+}
+
+TimeSpan time_of(const ShownFixes& shown) {
+  if (shown.times_s.empty()) return {};
+  const auto [first, last] = std::minmax_element(shown.times_s.begin(), shown.times_s.end());
+  return {*first, *last};
+}
+
+}  // namespace
+
+std::string recording_json(const RecordingFacts& facts, Columns& columns) {
+  const ShownFixes shown = shown_fixes(facts.tracks, facts.gaps, kMostFixes);
+  const TimeSpan time = time_of(shown);
+  const Clock clock(time, shown);
+  const Quantised positions =
+      quantised(shown.positions, shown.positions.size() > kManyFixes ? 14 : 16);
+  SwarmFacts swarm = facts.swarm;
+  if (shown.every > 1) {
+    swarm.notes.push_back("one fix in " + std::to_string(shown.every) +
+                          " is shown; what is said of conflicts comes from all");
+  }
+  io::JsonObject json;
+  json.add_text("kind", "recording");
+  add_swarm(json, swarm, facts.tracks.size(), columns);
+  json.add_number("position_error_m",
+                  positions.error_m + shown.error_m + flown_in_error_m(shown, clock));
+  json.add_json("time", time_json(facts, time));
+  json.add_json("fixes", fixes_json(shown, positions, clock, columns));
+  json.add_json("absent_after", columns.add(std::span<const std::uint32_t>(shown.absent_after),
+                                            Differences::kFirst));
+  json.add_json("conflicts", conflicts_json(facts.conflicts, clock, columns));
+  json.add_json("at_risk", at_risk_json(facts.at_risk, clock, columns));
+  json.add_json("separation", separation_json(facts.separation, time.begins_s, columns));
+  json.add_json("risk", risk_json(facts, time.begins_s));
+  return json.text();
+}
+
+}  // namespace beespace::report

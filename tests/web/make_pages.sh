@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# Makes the pages that web/tests/browser looks at, by the command itself: from swarms that it
+# generates, flies, and with ids that mean harm.
+#
+#   make_pages.sh COMMAND FOLDER
+set -euo pipefail
+command=$1 folder=$2
+data=$folder/data
+mkdir -p "$data"
+
+quietly() { "$command" "$@" --quiet; }
+page() { quietly report "${@:2}" --output "$folder/$1.html"; }
+
+quietly generate --area medellin --points 1000 --seed 7 --output "$data/bees.csv"
+# With ids: aircraft have call signs.
+awk -F, 'NR == 1 {print "id,lon,lat,height"; next} {printf "N%05d,%s\n", NR * 7919 % 100000, $0}' \
+  "$data/bees.csv" > "$data/named.csv"
+page snapshot "$data/named.csv" --threshold 100
+page calm "$data/named.csv" --threshold 0.01
+page cylinder "$data/named.csv" --threshold 150 --vertical 30
+quietly generate --area medellin --points 1000 --seed 8 --output "$data/other.csv"
+page compared-snapshots "$data/bees.csv" --compare "$data/other.csv" --threshold 100
+quietly generate --points 100000 --size 1000 --seed 3 --output "$data/many.npy"
+page hundred-thousand "$data/many.npy" --threshold 12
+quietly generate --points 1000000 --size 5000 --seed 5 --output "$data/million.npy"
+page million "$data/million.npy" --threshold 25
+
+quietly simulate random-swap --bees 200 --method none --output "$data/before.csv"
+quietly simulate random-swap --bees 200 --output "$data/after.csv"
+page recording "$data/before.csv" --threshold 5
+page compared-recordings "$data/before.csv" --compare "$data/after.csv" --threshold 5
+quietly generate --scene flight --points 1000 --size 400 --duration 1000 --interval 0.2 --seed 4 \
+  --output "$data/long.csv"
+page long-recording "$data/long.csv" --threshold 5
+
+# A thousand bees, ten kinds of ids; the file's name is one of them.
+hostile="$data/<img src=x onerror=window.__pwned=1>.csv"
+node - "$data/bees.csv" "$hostile" << 'JAVASCRIPT'
+const { readFileSync, writeFileSync } = require('node:fs');
+const ids = ['<img src=x onerror="window.__pwned = 1">', '</script><script>window.__pwned = 1</script>',
+  '"><svg onload=window.__pwned=1>', '\u202eevil\u202d right to left \u05d0\u05d1\u05d2',
+  '\u{1F41D}\u{1F41D}\u200d\u{1F469} & <b>bold</b>', '{{constructor}}${7*7}',
+  "'; window.__pwned = 1; //", '\u2028\u2029 lines', '0', 'x'.repeat(10000)];
+const [bees, hostile] = process.argv.slice(2);
+const rows = readFileSync(bees, 'utf8').trimEnd().split('\n').slice(1);
+const named = rows.map((row, i) => {
+  const id = ids[i % ids.length] + (i < 10 ? '' : ` ${i}`);
+  return `"${id.replaceAll('"', '""')}",${row}\n`;
+});
+writeFileSync(hostile, `id,lon,lat,height\n${named.join('')}`);
+JAVASCRIPT
+page hostile "$hostile" --threshold 100

@@ -1,0 +1,83 @@
+// Where bees are at a time: straight between two fixes, nowhere before, after and in a gap.
+import type { Column } from './column';
+import type { Positions } from './positions';
+
+export class Fixes {
+  readonly #from: Uint32Array;
+  readonly #gapAfter: Uint8Array;
+  /** The fix of each bee that was asked for last: time mostly goes on a little. */
+  readonly #last: Uint32Array;
+
+  constructor(
+    counts: Uint32Array,
+    readonly time: Column,
+    readonly positions: Positions,
+    absentAfter: Uint32Array,
+  ) {
+    this.#from = new Uint32Array(counts.length + 1);
+    for (let bee = 0; bee < counts.length; ++bee) this.#from[bee + 1] = this.#from[bee] + counts[bee];
+    this.#last = this.#from.slice(0, counts.length);
+    this.#gapAfter = new Uint8Array((time.raw.length + 7) >> 3);
+    for (const fix of absentAfter) this.#gapAfter[fix >> 3] |= 1 << (fix & 7);
+  }
+
+  get bees(): number {
+    return this.#last.length;
+  }
+
+  countOf(bee: number): number {
+    return this.#from[bee + 1] - this.#from[bee];
+  }
+
+  timeOf(fix: number): number {
+    return this.time.offset + this.time.scale * this.time.raw[fix];
+  }
+
+  isGapAfter(fix: number): boolean {
+    return ((this.#gapAfter[fix >> 3] >> (fix & 7)) & 1) === 1;
+  }
+
+  /** The last fix of the bee at or before the time; −1 before its first. */
+  fixAt(bee: number, time_s: number): number {
+    const from = this.#from[bee];
+    const end = this.#from[bee + 1];
+    if (from === end || time_s < this.timeOf(from)) return -1;
+    let low = this.#last[bee];
+    if (this.timeOf(low) > time_s) low = from;
+    let high = low + 1;
+    // Gallop forward from where we were, then halve.
+    for (let stride = 1; high < end && this.timeOf(high) <= time_s; stride *= 2) {
+      low = high;
+      high = Math.min(end, high + stride);
+    }
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (this.timeOf(middle) <= time_s) low = middle;
+      else high = middle;
+    }
+    this.#last[bee] = low;
+    return low;
+  }
+
+  /**
+   * Puts where the bee is at the time, in the numbers of `positions`, to place `at` of the arrays.
+   * False: it is not there.
+   */
+  place(bee: number, time_s: number, x: Float32Array, y: Float32Array, z: Float32Array, at: number): boolean {
+    const fix = this.fixAt(bee, time_s);
+    if (fix < 0) return false;
+    const { positions } = this;
+    const since = time_s - this.timeOf(fix);
+    let share = 0;
+    let next = fix;
+    if (since > 0) {
+      if (fix + 1 === this.#from[bee + 1] || this.isGapAfter(fix)) return false;
+      next = fix + 1;
+      share = since / (this.timeOf(next) - this.timeOf(fix));
+    }
+    x[at] = positions.x[fix] + share * (positions.x[next] - positions.x[fix]);
+    y[at] = positions.y[fix] + share * (positions.y[next] - positions.y[fix]);
+    z[at] = positions.z[fix] + share * (positions.z[next] - positions.z[fix]);
+    return true;
+  }
+}

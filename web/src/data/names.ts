@@ -1,0 +1,72 @@
+// What bees are called. A name is the text of a stranger: it is shown, never interpreted.
+import { readCounts, readTexts } from './column';
+import type { Head } from './page';
+
+export class Names {
+  readonly #texts: readonly string[] | null;
+  readonly #places: Map<number, number> | null;
+
+  /** Without `texts` a bee's id is its number; with `bees`, only these have a text. */
+  constructor(texts: readonly string[] | null, bees: Uint32Array | null) {
+    this.#texts = texts;
+    this.#places = bees ? new Map(Array.from(bees, (bee, place) => [bee, place])) : null;
+  }
+
+  get areNumbers(): boolean {
+    return this.#texts === null;
+  }
+
+  of(bee: number): string {
+    if (!this.#texts) return String(bee);
+    const place = this.#places ? this.#places.get(bee) : bee;
+    return place === undefined ? String(bee) : (this.#texts[place] ?? String(bee));
+  }
+
+  /** Bees whose name is the text, then those whose name holds it; `limit` at most. */
+  find(text: string, count: number, limit: number): number[] {
+    const wanted = text.trim().toLowerCase();
+    if (wanted === '') return [];
+    const exact: number[] = [];
+    const holding: number[] = [];
+    const offer = (bee: number, name: string): boolean => {
+      const lower = name.toLowerCase();
+      if (lower === wanted) exact.push(bee);
+      else if (holding.length < limit && lower.includes(wanted)) holding.push(bee);
+      return exact.length < limit;
+    };
+    if (this.#texts && this.#places) {
+      for (const [bee, place] of this.#places) if (!offer(bee, this.#texts[place])) break;
+      const number = Number(wanted);
+      if (Number.isInteger(number) && number >= 0 && number < count && !this.#places.has(number)) exact.push(number);
+    } else if (this.#texts) {
+      for (let bee = 0; bee < this.#texts.length; ++bee) if (!offer(bee, this.#texts[bee])) break;
+    } else {
+      findNumbers(wanted, count, limit, exact, holding);
+    }
+    return [...exact, ...holding].slice(0, limit);
+  }
+
+  /** The bee of exactly this name. */
+  bee(name: string, count: number): number | null {
+    const found = this.find(name, count, 8).find((bee) => this.of(bee) === name);
+    return found ?? null;
+  }
+}
+
+// Numbers that begin with the digits asked for: 12 → 12, 120 … 129, 1200 …
+function findNumbers(digits: string, count: number, limit: number, exact: number[], more: number[]): void {
+  if (!/^\d{1,15}$/.test(digits)) return;
+  const number = Number(digits);
+  if (number < count) exact.push(number);
+  if (number === 0) return;
+  for (let ten = 10; number * ten < count && more.length < limit; ten *= 10) {
+    const end = Math.min(number * ten + ten, count);
+    for (let bee = number * ten; bee < end && more.length < limit; ++bee) more.push(bee);
+  }
+}
+
+export async function readNames(head: Head): Promise<Names> {
+  if (!head.names) return new Names(null, null);
+  const texts = await readTexts(head.names.texts);
+  return new Names(texts, head.names.bees ? await readCounts(head.names.bees) : null);
+}

@@ -1,0 +1,85 @@
+// The page's own data: one JSON object that says where the columns are.
+import type { ColumnPlace } from './column';
+
+export interface Origin {
+  longitude_deg: number;
+  latitude_deg: number;
+  height_m: number;
+}
+
+export interface ClosestPair {
+  first: number;
+  second: number;
+  distance_m: number;
+}
+
+export interface SnapshotRisk {
+  at_risk: number;
+  pairs: number | null;
+  groups: number | null;
+  largest_group: number | null;
+  closest?: ClosestPair;
+}
+
+export interface RecordingRisk {
+  conflicts: number;
+  possible: number;
+  pairs: number;
+  bees: number;
+  bee_seconds: number;
+  closest?: ClosestPair & { time_s: number };
+}
+
+type Places<Names extends string> = Record<Names, ColumnPlace>;
+
+interface SwarmHead {
+  title: string;
+  source: string;
+  count: number;
+  axes: [string, string, string];
+  origin?: Origin;
+  threshold_m: number;
+  vertical_m?: number;
+  inclusive: boolean;
+  names?: { texts: ColumnPlace; bees?: ColumnPlace };
+  position_error_m: number;
+  notes: string[];
+}
+
+export interface SnapshotHead extends SwarmHead {
+  kind: 'snapshot';
+  risk: SnapshotRisk;
+  positions: Places<'x' | 'y' | 'z'>;
+  at_risk: ColumnPlace;
+  nearest?: { code: ColumnPlace; least_m: number; ratio: number };
+  pairs: Places<'first' | 'second' | 'distance_m'>;
+}
+
+export interface RecordingHead extends SwarmHead {
+  kind: 'recording';
+  risk: RecordingRisk;
+  time: { begins_s: number; ends_s: number; since_1970: boolean };
+  fixes: Places<'counts' | 'time_s' | 'x' | 'y' | 'z'>;
+  absent_after: ColumnPlace;
+  conflicts: Places<
+    'first' | 'second' | 'begins_s' | 'closest_s' | 'ends_s' | 'distance_m' | 'certain'
+  >;
+  at_risk: Places<'bee' | 'begins_s' | 'ends_s'>;
+  separation: Places<'time_s' | 'distance_m' | 'first' | 'second'>;
+}
+
+export type Head = SnapshotHead | RecordingHead;
+
+export interface Page {
+  beespace: string;
+  swarms: Head[];
+}
+
+/** Nothing where no data were put into the page. */
+export function readPage(): Page | null {
+  const holder = document.getElementById('beespace-page');
+  if (!holder) return null;
+  const page = JSON.parse(holder.textContent ?? '') as Page & { format: number };
+  if (page.format !== 1) throw new Error(`format ${page.format} of the data is not known to this page`);
+  return page;
+}

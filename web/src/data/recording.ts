@@ -1,0 +1,94 @@
+// A swarm that moves.
+import { readColumn, readCounts, readMeasures } from './column';
+import { Fixes } from './fixes';
+import { Names } from './names';
+import type { RecordingHead } from './page';
+import { boxAround, readPositions, type Box } from './positions';
+import { Spans } from './spans';
+
+export interface Conflicts {
+  first: Uint32Array;
+  second: Uint32Array;
+  begins_s: Float64Array;
+  closest_s: Float64Array;
+  ends_s: Float64Array;
+  distance_m: Float64Array;
+  certain: Uint32Array;
+}
+
+export interface Separation {
+  time_s: Float64Array;
+  distance_m: Float64Array;
+  first: Uint32Array;
+  second: Uint32Array;
+}
+
+export interface Recording {
+  kind: 'recording';
+  head: RecordingHead;
+  names: Names;
+  box: Box;
+  fixes: Fixes;
+  conflicts: Conflicts;
+  spans: Spans;
+  separation: Separation;
+}
+
+async function readConflicts(places: RecordingHead['conflicts']): Promise<Conflicts> {
+  return {
+    first: await readCounts(places.first),
+    second: await readCounts(places.second),
+    begins_s: await readMeasures(places.begins_s),
+    closest_s: await readMeasures(places.closest_s),
+    ends_s: await readMeasures(places.ends_s),
+    distance_m: await readMeasures(places.distance_m),
+    certain: await readCounts(places.certain),
+  };
+}
+
+export async function readRecording(head: RecordingHead): Promise<Recording> {
+  const positions = await readPositions(head.fixes);
+  const time = await readColumn(head.fixes.time_s);
+  const counts = await readCounts(head.fixes.counts);
+  const conflicts = await readConflicts(head.conflicts);
+  return {
+    kind: 'recording',
+    head,
+    names: new Names(null, null),
+    box: boxAround(positions),
+    fixes: new Fixes(counts, time, positions, await readCounts(head.absent_after)),
+    conflicts,
+    spans: new Spans(
+      await readCounts(head.at_risk.bee),
+      await readMeasures(head.at_risk.begins_s),
+      await readMeasures(head.at_risk.ends_s),
+    ),
+    separation: {
+      time_s: await readMeasures(head.separation.time_s),
+      distance_m: await readMeasures(head.separation.distance_m),
+      first: await readCounts(head.separation.first),
+      second: await readCounts(head.separation.second),
+    },
+  };
+}
+
+/** Places of the conflicts that cover the time. */
+export function conflictsAt(conflicts: Conflicts, time_s: number): number[] {
+  const found: number[] = [];
+  for (let place = 0; place < conflicts.first.length; ++place) {
+    if (conflicts.begins_s[place] <= time_s && time_s <= conflicts.ends_s[place]) found.push(place);
+  }
+  return found;
+}
+
+/** The sample of the separation at or before the time, or the first; −1 where there are none. */
+export function sampleAt(times: Float64Array, time_s: number): number {
+  let low = 0;
+  let high = times.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (times[middle] <= time_s) low = middle + 1;
+    else high = middle;
+  }
+  return times.length === 0 ? -1 : Math.max(0, low - 1);
+}

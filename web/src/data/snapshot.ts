@@ -1,0 +1,59 @@
+// A swarm at one moment.
+import { readColumn, readCounts, readMeasures } from './column';
+import { readNearest, type Nearest } from './nearest';
+import { Names } from './names';
+import type { SnapshotHead } from './page';
+import { boxAround, readPositions, type Box, type Positions } from './positions';
+
+export interface Pairs {
+  first: Uint32Array;
+  second: Uint32Array;
+  distance_m: Float64Array;
+}
+
+export interface Snapshot {
+  kind: 'snapshot';
+  head: SnapshotHead;
+  names: Names;
+  positions: Positions;
+  box: Box;
+  atRisk: Uint32Array;
+  isAtRisk: (bee: number) => boolean;
+  nearest: Nearest | null;
+  pairs: Pairs;
+}
+
+/** The set bits, ascending. */
+export function listBits(bits: ArrayLike<number>, count: number): Uint32Array {
+  const list: number[] = [];
+  for (let byte = 0; byte < bits.length; ++byte) {
+    for (let rest = bits[byte]; rest !== 0; rest &= rest - 1) {
+      const place = 8 * byte + (31 - Math.clz32(rest & -rest));
+      if (place < count) list.push(place);
+    }
+  }
+  return Uint32Array.from(list);
+}
+
+/** Names come later, so that the swarm is seen first. */
+export async function readSnapshot(head: SnapshotHead): Promise<Snapshot> {
+  const positions = await readPositions(head.positions);
+  const bits = (await readColumn(head.at_risk)).raw;
+  const nearest = await readNearest(head);
+  const pairs: Pairs = {
+    first: await readCounts(head.pairs.first),
+    second: await readCounts(head.pairs.second),
+    distance_m: await readMeasures(head.pairs.distance_m),
+  };
+  return {
+    kind: 'snapshot',
+    head,
+    names: new Names(null, null),
+    positions,
+    box: boxAround(positions),
+    atRisk: listBits(bits, head.count),
+    isAtRisk: (bee) => ((bits[bee >> 3] >> (bee & 7)) & 1) === 1,
+    nearest,
+    pairs,
+  };
+}

@@ -1,0 +1,46 @@
+// What a page holds: swarms at one moment, or moving ones.
+import { findGroups, type Groups } from './groups';
+import { readNames } from './names';
+import { Neighbours } from './neighbours';
+import type { Head } from './page';
+import { readRecording, type Recording } from './recording';
+import { readSnapshot, type Snapshot } from './snapshot';
+
+export type Swarm = Snapshot | Recording;
+
+export function readSwarm(head: Head): Promise<Swarm> {
+  return head.kind === 'snapshot' ? readSnapshot(head) : readRecording(head);
+}
+
+/** What the panels need beside the swarm itself; made after it is seen. */
+export interface Company {
+  groups: Groups;
+  neighbours: Neighbours;
+}
+
+/** Reads the names and finds who belongs to whom. */
+export async function completeSwarm(swarm: Swarm): Promise<Company> {
+  swarm.names = await readNames(swarm.head);
+  const { first, second, distance_m } = pairsOf(swarm);
+  return {
+    groups: findGroups(swarm.head.count, first, second, distance_m),
+    neighbours: new Neighbours(swarm.head.count, first, second),
+  };
+}
+
+/** Who is too close to whom at any time, the closest first. */
+export function pairsOf(swarm: Swarm): { first: Uint32Array; second: Uint32Array; distance_m: Float64Array } {
+  return swarm.kind === 'snapshot' ? swarm.pairs : swarm.conflicts;
+}
+
+/** Bees at risk; of a recording, at any time of it. */
+export function beesAtRisk(swarm: Swarm): Uint32Array {
+  return swarm.kind === 'snapshot' ? swarm.atRisk : swarm.spans.bees;
+}
+
+/** The same bee in the other swarm: of the same name, or of the same number where none has a name. */
+export function counterpart(from: Swarm, bee: number, to: Swarm): number | null {
+  if (from === to) return bee;
+  if (from.names.areNumbers && to.names.areNumbers) return bee < to.head.count ? bee : null;
+  return to.names.bee(from.names.of(bee), to.head.count);
+}

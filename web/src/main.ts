@@ -1,0 +1,105 @@
+// Reads what the page holds, shows the swarms as soon as they can be seen, then the panels.
+import { readPage, type Page } from './data/page';
+import { boxOfBoth } from './data/positions';
+import { completeSwarm, readSwarm, type Company, type Swarm } from './data/swarm';
+import { fail, layout, progress } from './layout';
+import { helpDialog } from './panels/help';
+import type { Shown } from './panels/shown';
+import { preparePrinting } from './printing';
+import { frameAround, type Frame } from './scene/frame';
+import { linkViews, makeStage } from './stage';
+import { followPlaces, type Placing } from './scene/following';
+import { RecordingPlacer } from './scene/placement';
+import type { Choices, Filter, Selected } from './state/choices';
+import { Signal } from './state/signal';
+import { followTheme } from './state/theme';
+import { formatCount } from './text/numbers';
+import { linkTimes } from './time/linked_times';
+import { offerTestHook } from './test_hook';
+import { wirePanels } from './wiring';
+
+/** Two swarms lie in the same place only where their axes have the same zero. */
+function framesOf(swarms: Swarm[]): { frames: Frame[]; note: string | null } {
+  const [one, other = one] = swarms;
+  const threshold = Math.max(one.head.threshold_m, other.head.threshold_m);
+  const sameZero =
+    JSON.stringify([one.head.axes, one.head.origin]) === JSON.stringify([other.head.axes, other.head.origin]);
+  if (sameZero) {
+    const frame = frameAround(boxOfBoth(one.box, other.box), threshold);
+    return { frames: swarms.map(() => frame), note: null };
+  }
+  return {
+    frames: swarms.map((swarm) => frameAround(swarm.box, threshold)),
+    note: 'The two swarms have axes with different zeros; each is shown around its own middle.',
+  };
+}
+
+async function show(page: Page): Promise<void> {
+  const choices: Choices = {
+    selected: new Signal<Selected | null>(null),
+    filter: new Signal<Filter>({ atRiskOnly: false, group: null }),
+    theme: followTheme(),
+    trails: new Signal<boolean>(false),
+  };
+
+  const swarms: Swarm[] = [];
+  for (const head of page.swarms) {
+    await progress(`Reading ${formatCount(head.count)} bees …`);
+    swarms.push(await readSwarm(head));
+  }
+  await progress('Drawing …');
+
+  const moving = swarms.some(({ kind }) => kind === 'recording');
+  const help = helpDialog(moving);
+  const room = layout(page, choices, () => help.showModal());
+  document.body.append(help);
+  const { frames, note } = framesOf(swarms);
+  const labels = swarms.length === 2 ? ['Before', 'After'] : [''];
+  const placers = swarms.map((swarm) => (swarm.kind === 'recording' ? new RecordingPlacer(swarm) : null));
+  const stages = swarms.map((swarm, i) => makeStage(swarm, labels[i], frames[i], placers[i]?.crowding ?? null, choices));
+  room.stages.append(...stages.map(({ box }) => box));
+
+  const times = linkTimes(swarms);
+  const placing: Placing = { swarms, stages, companies: null, times, choices, placers };
+  followPlaces(placing);
+  for (const { view } of stages) view?.drawAndWait();
+  performance.mark('beespace: first frame');
+  document.documentElement.dataset.beespace = 'drawn';
+  await progress('Reading names …');
+
+  const companies: Company[] = [];
+  for (const swarm of swarms) companies.push(await completeSwarm(swarm));
+  placing.companies = companies;
+  const shown: Shown[] = swarms.map((swarm, index) => ({
+    index,
+    swarm,
+    company: companies[index],
+    view: stages[index].view,
+    label: labels[index],
+  }));
+  const views = stages.flatMap(({ view }) => view ?? []);
+  linkViews(views);
+  const notes = [note, times.note].filter((text) => text !== null);
+  wirePanels({ shown, choices, times, room, help, version: page.beespace, notes });
+  preparePrinting(views, choices.theme);
+  offerTestHook(shown);
+  await progress(null);
+  document.documentElement.dataset.beespace = 'ready';
+}
+
+async function start(): Promise<void> {
+  const page = readPage();
+  if (!page) {
+    followTheme();
+    fail('This page holds no swarm yet. The command `beespace report` puts one in.');
+    return;
+  }
+  document.title = `${page.swarms.map(({ title }) => title.slice(0, 80)).join(' → ')} – beespace`;
+  await show(page);
+}
+
+start().catch((error: unknown) => {
+  document.documentElement.dataset.beespace = 'failed';
+  fail(`This page cannot be shown: ${error instanceof Error ? error.message : String(error)}.`);
+  throw error;
+});

@@ -1,0 +1,55 @@
+// Whom to show: all, only those at risk, only one conflict group.
+import type { Choices } from '../state/choices';
+import { element } from '../text/element';
+import { formatCount, formatMetres } from '../text/numbers';
+import type { Shown } from './shown';
+
+const kOffered = 200;
+
+export function filterControls(all: Shown[], choices: Choices): HTMLElement {
+  const moving = all.some(({ swarm }) => swarm.kind === 'recording');
+  const onlyRisk = element('input', { type: 'checkbox', id: 'only-at-risk' });
+  const risk = element(
+    'label',
+    { class: 'check', for: 'only-at-risk', title: moving ? 'Only bees that are in conflict at some time' : 'Only bees that are at risk' },
+    onlyRisk,
+    'Only at risk',
+  );
+  onlyRisk.addEventListener('change', () => {
+    choices.filter.set({ ...choices.filter.value, atRiskOnly: onlyRisk.checked });
+  });
+
+  const groups = element('select', { id: 'group', 'aria-label': 'Conflict group to show' });
+  groups.append(element('option', { value: '' }, 'All groups'));
+  for (const shown of all) {
+    const into = shown.label ? element('optgroup', { label: shown.label }) : groups;
+    shown.company.groups.list.slice(0, kOffered).forEach((group, place) => {
+      const text = `Group ${formatCount(place + 1)}: ${formatCount(group.bees.length)} bees, ${formatMetres(group.closest_m, 3)}`;
+      into.append(element('option', { value: `${shown.index}/${place}` }, text));
+    });
+    const more = shown.company.groups.list.length - kOffered;
+    if (more > 0) into.append(element('option', { disabled: '' }, `and ${formatCount(more)} smaller ones`));
+    if (into !== groups) groups.append(into);
+  }
+  groups.addEventListener('change', () => {
+    const [swarm, place] = groups.value.split('/').map(Number);
+    choices.filter.set({
+      ...choices.filter.value,
+      group: groups.value === '' ? null : { swarm, place },
+    });
+  });
+
+  // A group beyond the list may be chosen by a bee of it.
+  const extra = element('option', { hidden: '' });
+  groups.append(extra);
+  choices.filter.watch(({ atRiskOnly, group }) => {
+    onlyRisk.checked = atRiskOnly;
+    const value = group ? `${group.swarm}/${group.place}` : '';
+    if (group && group.place >= kOffered) {
+      extra.value = value;
+      extra.textContent = `Group ${formatCount(group.place + 1)}`;
+    }
+    groups.value = value;
+  });
+  return element('div', { class: 'filter', role: 'group', 'aria-label': 'Whom to show' }, risk, groups);
+}

@@ -1,0 +1,68 @@
+// What one can do here, and with which keys.
+import { button, element } from '../text/element';
+
+const kKeys: [string, string][] = [
+  ['/', 'find a bee'],
+  ['1, 2, …, 9', 'the closest pair, the second closest, …'],
+  ['n, p', 'the next closest pair or conflict, and back'],
+  ['← → ↑ ↓', 'turn (with Shift: move)'],
+  ['+ −', 'nearer, farther'],
+  ['r', 'all of the swarm again'],
+  ['t, s', 'from the top, from the side'],
+  ['f', 'fly to the selected bee'],
+  ['o', 'only those at risk, or all'],
+  ['g', 'only the group of the selected bee, or all'],
+  ['d', 'dark or light'],
+  ['Escape', 'nobody selected, all groups'],
+  ['?', 'this help'],
+];
+
+const kTimeKeys: [string, string][] = [
+  ['Space', 'play, pause'],
+  [', .', 'a step back, a step on'],
+  ['[ ]', 'to the conflict before, to the next one'],
+  ['< >', 'slower, faster'],
+  ['Home End', 'to the beginning, to the end'],
+  ['l', 'trails'],
+];
+
+function keyTable(keys: [string, string][]): HTMLElement {
+  return element(
+    'table',
+    { class: 'keys' },
+    element('thead', { class: 'hidden-text' }, element('tr', {}, element('th', { scope: 'col' }, 'Key'), element('th', { scope: 'col' }, 'What it does'))),
+    element(
+      'tbody',
+      {},
+      ...keys.map(([key, what]) =>
+        element('tr', {}, element('th', { scope: 'row' }, element('kbd', {}, key)), element('td', {}, what)),
+      ),
+    ),
+  );
+}
+
+export function helpDialog(moving: boolean): HTMLDialogElement {
+  const dialog = element('dialog', { class: 'help', 'aria-labelledby': 'help-heading' });
+  dialog.append(
+    element(
+      'div',
+      { class: 'help-head' },
+      element('h2', { id: 'help-heading' }, 'Help'),
+      button('Close', {}, () => dialog.close()),
+    ),
+    element(
+      'p',
+      {},
+      'Drag to turn, with the right button or two fingers to move, wheel or pinch to zoom. Click a bee to see its numbers. ',
+      'Red diamonds are at risk and always drawn on top; lines join those who are too close. ',
+      'The sphere or cylinder around the selected bee is what counts as too close to it.',
+    ),
+    element('h3', {}, 'Keys'),
+    keyTable(kKeys),
+  );
+  if (moving) dialog.append(element('h3', {}, 'Time'), keyTable(kTimeKeys));
+  dialog.addEventListener('click', (event) => {
+    if (event.target === dialog) dialog.close();
+  });
+  return dialog;
+}

@@ -1,0 +1,52 @@
+// Where the data came from, how exact the picture is, and what was left out.
+import { element, panel } from '../text/element';
+import { nameElement } from '../text/names';
+import { formatDigits, formatError, formatTime } from '../text/numbers';
+import { tooClose } from '../text/threshold';
+import type { Shown } from './shown';
+
+function originText(origin: { longitude_deg: number; latitude_deg: number; height_m: number }): string {
+  const degrees = (value: number, positive: string, negative: string): string =>
+    `${formatDigits(Math.abs(value), 8)}° ${value < 0 ? negative : positive}`;
+  return `${degrees(origin.latitude_deg, 'N', 'S')}, ${degrees(origin.longitude_deg, 'E', 'W')}, height ${formatDigits(origin.height_m, 6)} m`;
+}
+
+function factsOf({ swarm }: Shown): [string, Node | string][] {
+  const { head } = swarm;
+  const facts: [string, Node | string][] = [
+    ['File', nameElement(head.title)],
+    ['Read from', nameElement(head.source)],
+    ['Too close', tooClose(head)],
+    ['Positions', `shown to within ${formatError(head.position_error_m)}; who is at risk was decided on the exact ones`],
+  ];
+  if (head.origin) facts.push([`Zero of ${head.axes.join(', ')}`, originText(head.origin)]);
+  if (head.kind === 'recording') {
+    const { begins_s, ends_s, since_1970 } = head.time;
+    facts.push(['Time', `${formatTime(begins_s, since_1970)} to ${formatTime(ends_s, since_1970)}`]);
+    facts.push(['Between fixes', 'bees move in straight lines']);
+  }
+  return facts;
+}
+
+function noteList(shown: Shown): HTMLElement | null {
+  const { notes } = shown.swarm.head;
+  if (notes.length === 0) return null;
+  return element('ul', { class: 'notes' }, ...notes.map((note) => element('li', { dir: 'auto' }, note)));
+}
+
+export function notesPanel(all: Shown[], version: string, ownNotes: string[]): HTMLElement {
+  const parts = all.flatMap((shown) => [
+    shown.label ? element('h3', {}, shown.label) : null,
+    noteList(shown),
+    element(
+      'dl',
+      { class: 'facts wide' },
+      ...factsOf(shown).map(([label, value]) => element('div', {}, element('dt', {}, label), element('dd', {}, value))),
+    ),
+  ]);
+  if (ownNotes.length > 0) {
+    parts.unshift(element('ul', { class: 'notes' }, ...ownNotes.map((note) => element('li', {}, note))));
+  }
+  parts.push(element('p', { class: 'made-by' }, `Made by beespace ${version}. This page needs no network.`));
+  return panel('about', 'About these data', ...parts);
+}

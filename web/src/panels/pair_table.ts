@@ -1,0 +1,119 @@
+// Who is too close to whom: pairs of a snapshot, conflicts of a recording.
+import { pairsOf } from '../data/swarm';
+import type { Choices } from '../state/choices';
+import { element, panel } from '../text/element';
+import { nameElement } from '../text/names';
+import { decimalsFor, formatCount, formatDuration, formatMetres, formatTime } from '../text/numbers';
+import { PagedTable, type TableColumn } from './paged_table';
+import type { Actions, Shown } from './shown';
+
+/** Numbers that sort bees as their names do, digits by their value. */
+function rankNames(shown: Shown): (bee: number) => number {
+  const { names } = shown.swarm;
+  if (names.areNumbers) return (bee) => bee;
+  let ranks: Map<number, number> | null = null;
+  return (bee) => {
+    if (!ranks) {
+      const { first, second } = pairsOf(shown.swarm);
+      const named = Array.from(new Set([...first, ...second]), (one) => ({ one, name: names.of(one) }));
+      const { compare } = new Intl.Collator('en', { numeric: true });
+      named.sort((a, b) => compare(a.name, b.name));
+      ranks = new Map(named.map(({ one }, rank) => [one, rank]));
+    }
+    return ranks.get(bee) ?? 0;
+  };
+}
+
+function columnsOf(shown: Shown): TableColumn[] {
+  const { swarm } = shown;
+  const { first, second, distance_m } = pairsOf(swarm);
+  const rank = rankNames(shown);
+  const bee = (label: string, bees: Uint32Array): TableColumn => ({
+    label,
+    rank: (place) => rank(bees[place]),
+    cell: (place) => nameElement(swarm.names.of(bees[place])),
+  });
+  const columns: TableColumn[] = [
+    bee('Bee', first),
+    bee('Other', second),
+    {
+      label: swarm.kind === 'snapshot' ? 'Distance' : 'Closest',
+      rank: (place) => distance_m[place],
+      cell: (place) => formatMetres(distance_m[place], swarm.kind === 'snapshot' ? 4 : 3),
+      numeric: true,
+    },
+  ];
+  if (swarm.kind === 'recording') {
+    const { conflicts, head } = swarm;
+    const decimals = decimalsFor((head.time.ends_s - head.time.begins_s) / 1000);
+    const since = head.time.since_1970;
+    columns.push(
+      {
+        label: 'At',
+        rank: (place) => conflicts.closest_s[place],
+        cell: (place) => {
+          const text = formatTime(head.time.begins_s + conflicts.closest_s[place], since, decimals);
+          // The day is in the time line; here the clock is enough.
+          return since ? element('span', { title: text }, text.slice(11).replace(' UTC', '')) : text;
+        },
+        numeric: true,
+      },
+      {
+        label: 'For',
+        rank: (place) => conflicts.ends_s[place] - conflicts.begins_s[place],
+        cell: (place) => {
+          const text = formatDuration(conflicts.ends_s[place] - conflicts.begins_s[place], 2);
+          return conflicts.certain[place] === 1 ? text : element('span', { title: 'Only possible' }, `${text} ?`);
+        },
+        numeric: true,
+      },
+    );
+  }
+  return columns;
+}
+
+function leftOut(shown: Shown): HTMLElement | null {
+  const { swarm } = shown;
+  const listed = pairsOf(swarm).first.length;
+  const all = swarm.head.kind === 'snapshot' ? swarm.head.risk.pairs : swarm.head.risk.conflicts;
+  if (all === listed) return null;
+  const text =
+    all === null
+      ? `The ${formatCount(listed)} closest pairs; all of them are too many to count.`
+      : `The closest ${formatCount(listed)} of ${formatCount(all)}; the others are left out here and among the lines.`;
+  return element('p', { class: 'left-out' }, text);
+}
+
+function tableOf(shown: Shown, choices: Choices, actions: Actions): HTMLElement {
+  const { swarm, company, index } = shown;
+  const { first, second } = pairsOf(swarm);
+  const what = swarm.kind === 'snapshot' ? 'Pairs that are too close' : 'Conflicts';
+  const table = new PagedTable(
+    shown.label ? `${what}, ${shown.label.toLowerCase()}` : what,
+    columnsOf(shown),
+    first.length,
+    { column: 2, descending: false },
+    (place) => {
+      const time = swarm.kind === 'recording' ? { time_s: swarm.conflicts.closest_s[place] } : {};
+      actions.select({ swarm: index, bee: first[place], other: second[place] }, { fly: true, ...time });
+    },
+    (place) => {
+      const chosen = choices.selected.value;
+      return (
+        chosen !== null && chosen.swarm === index && chosen.bee === first[place] && chosen.other === second[place]
+      );
+    },
+  );
+  choices.selected.watch(() => table.refresh());
+  choices.filter.watch(({ group }) => {
+    table.filter(
+      group && group.swarm === index ? (place) => company.groups.of[first[place]] === group.place : null,
+    );
+  });
+  return element('div', { class: 'table-of-one' }, shown.label ? element('h3', {}, shown.label) : null, leftOut(shown), table.box);
+}
+
+export function pairPanel(all: Shown[], choices: Choices, actions: Actions): HTMLElement {
+  const heading = all.every(({ swarm }) => swarm.kind === 'snapshot') ? 'Pairs too close' : 'Conflicts';
+  return panel('pairs', heading, ...all.map((shown) => tableOf(shown, choices, actions)));
+}

@@ -1,0 +1,209 @@
+// The selected bee: its numbers, and who is too close to it.
+import { positionOf } from '../data/positions';
+import { counterpart, pairsOf } from '../data/swarm';
+import type { Choices, Selected } from '../state/choices';
+import type { Signal } from '../state/signal';
+import { button, element, panel } from '../text/element';
+import { isolate, nameElement, shorten } from '../text/names';
+import { decimalsFor, formatCoordinate, formatCount, formatDuration, formatMetres, formatTime } from '../text/numbers';
+import type { Actions, Shown } from './shown';
+
+const kListed = 100;
+
+/** Where bees of recordings are now; the clock knows. */
+export interface Now {
+  time_s: Signal<number>;
+  /** The clock's time as seconds from the beginning of a swarm. */
+  within: (shown: Shown) => number;
+}
+
+type Fact = [label: string, value: string, kind?: string];
+
+function positionFacts(shown: Shown, place: [number, number, number] | null): Fact[] {
+  const { head } = shown.swarm;
+  if (!place) return [['Position', 'not there now']];
+  return head.axes.map((axis, i) => [axis, formatCoordinate(place[i], head.position_error_m)]);
+}
+
+function placeNow(shown: Shown, bee: number, now: Now): [number, number, number] | null {
+  const { swarm } = shown;
+  if (swarm.kind === 'snapshot') return positionOf(swarm.positions, bee);
+  const [x, y, z] = [new Float32Array(1), new Float32Array(1), new Float32Array(1)];
+  if (!swarm.fixes.place(bee, now.within(shown), x, y, z, 0)) return null;
+  return positionOf({ ...swarm.fixes.positions, x, y, z } as never, 0);
+}
+
+function factsOf(shown: Shown, bee: number, now: Now): Fact[] {
+  const { swarm, company } = shown;
+  const facts: Fact[] = [];
+  if (swarm.kind === 'snapshot') {
+    const risky = swarm.isAtRisk(bee);
+    facts.push(['State', risky ? 'at risk' : 'not at risk', risky ? 'risky' : 'calm']);
+    if (swarm.nearest) {
+      const { nearest } = swarm;
+      facts.push(['Nearest bee', `about ${formatMetres(nearest.distance(bee), Math.min(4, nearest.digits))}`]);
+    }
+  } else {
+    const within = now.within(shown);
+    const place = swarm.spans.bees.indexOf(bee);
+    const risky = place >= 0 && swarm.spans.covers(place, within);
+    facts.push(['Now', risky ? 'in conflict' : 'not in conflict', risky ? 'risky' : 'calm']);
+    facts.push(['In conflict for', formatDuration(swarm.spans.secondsOf(bee))]);
+  }
+  const group = company.groups.of[bee];
+  if (group >= 0) {
+    facts.push(['Conflict group', `${formatCount(group + 1)}, of ${formatCount(company.groups.list[group].bees.length)} bees`]);
+  }
+  facts.push(...positionFacts(shown, placeNow(shown, bee, now)));
+  return facts;
+}
+
+function factList(facts: Fact[]): HTMLElement {
+  return element(
+    'dl',
+    { class: 'facts compact' },
+    ...facts.map(([label, value, kind]) =>
+      element('div', {}, element('dt', {}, label), element('dd', { class: kind ?? '' }, value)),
+    ),
+  );
+}
+
+/** Facts of the same bee in two swarms, beside each other. */
+function factTable(sides: { label: string; facts: Fact[] | null }[]): HTMLElement {
+  const labels = [...new Set(sides.flatMap(({ facts }) => (facts ?? []).map(([label]) => label)))];
+  const head = sides.map(({ label }) => element('th', { scope: 'col' }, label));
+  const rows = labels.map((label) => {
+    const cells = sides.map(({ facts }) => {
+      const fact = facts?.find(([name]) => name === label);
+      return element('td', { class: fact?.[2] ?? '' }, fact ? fact[1] : '–');
+    });
+    return element('tr', {}, element('th', { scope: 'row' }, label), ...cells);
+  });
+  return element(
+    'table',
+    { class: 'beside facts-beside' },
+    element('thead', {}, element('tr', {}, element('td'), ...head)),
+    element('tbody', {}, ...rows),
+  );
+}
+
+function neighbourList(shown: Shown, bee: number, other: number | null, actions: Actions): HTMLElement {
+  const { swarm, company, index } = shown;
+  const { first, second, distance_m } = pairsOf(swarm);
+  const places = company.neighbours.placesOf(bee);
+  const items = Array.from(places.subarray(0, kListed), (place) => {
+    const neighbour = first[place] === bee ? second[place] : first[place];
+    const made = button('', { class: 'link' }, () => {
+      const time = swarm.kind === 'recording' ? { time_s: swarm.conflicts.closest_s[place] } : {};
+      actions.select({ swarm: index, bee, other: neighbour }, { fly: true, ...time });
+    });
+    made.append(nameElement(swarm.names.of(neighbour)));
+    if (neighbour === other) made.setAttribute('aria-current', 'true');
+    const distance = element('span', { class: 'figure' }, formatMetres(distance_m[place]));
+    const when =
+      swarm.kind === 'recording'
+        ? element('span', { class: 'when' }, ` at ${formatTime(
+            swarm.head.time.begins_s + swarm.conflicts.closest_s[place],
+            swarm.head.time.since_1970,
+            decimalsFor((swarm.head.time.ends_s - swarm.head.time.begins_s) / 1000),
+          )}`)
+        : null;
+    return element('li', {}, made, distance, when);
+  });
+  if (places.length > kListed) {
+    items.push(element('li', { class: 'more' }, `and ${formatCount(places.length - kListed)} more`));
+  }
+  if (places.length === 0) {
+    const text = neighbourlessText(shown, bee);
+    return element('p', { class: 'quiet' }, shown.label ? `${shown.label}: ${text}` : text);
+  }
+  const what = swarm.kind === 'snapshot' ? 'Too close to it' : 'Conflicts';
+  const heading = shown.label ? `${what}, ${shown.label.toLowerCase()}` : what;
+  return element('div', {}, element('h3', {}, `${heading} (${formatCount(places.length)})`), element('ul', { class: 'neighbours' }, ...items));
+}
+
+function neighbourlessText(shown: Shown, bee: number): string {
+  const { swarm } = shown;
+  if (swarm.kind === 'snapshot' && swarm.isAtRisk(bee)) return 'Its pairs are among those left out of this page.';
+  return swarm.kind === 'snapshot' ? 'Nobody is too close to it.' : 'It was in no conflict.';
+}
+
+function announce(shown: Shown, { bee, other }: Selected): string {
+  const { swarm, company } = shown;
+  const name = isolate(swarm.names.of(bee));
+  if (other !== null) {
+    const { first, distance_m } = pairsOf(swarm);
+    const place = company.neighbours.placesOf(bee).find((one) => {
+      const pair = pairsOf(swarm);
+      return (first[one] === bee ? pair.second[one] : first[one]) === other;
+    });
+    const apart = place === undefined ? '' : `, ${formatMetres(distance_m[place])} apart`;
+    return `Selected ${name} and ${isolate(swarm.names.of(other))}${apart}.`;
+  }
+  const count = company.neighbours.placesOf(bee).length;
+  const pairs = swarm.kind === 'snapshot' ? 'too close' : 'conflicts';
+  return `Selected ${name}, ${formatCount(count)} ${pairs}.`;
+}
+
+export function selectionPanel(all: Shown[], choices: Choices, now: Now, actions: Actions): HTMLElement {
+  const body = element('div', { class: 'selection-body' });
+  const live = element('p', { class: 'hidden-text', role: 'status', 'aria-live': 'polite' });
+  const box = panel('selection', 'Selected bee', body, live);
+
+  const facts = element('div');
+  const tellFacts = (): void => {
+    const selected = choices.selected.value;
+    if (!selected) return;
+    const sides = all.map((shown) => {
+      const bee = counterpart(all[selected.swarm].swarm, selected.bee, shown.swarm);
+      return { label: shown.label, facts: bee === null ? null : factsOf(shown, bee, now) };
+    });
+    facts.replaceChildren(sides.length === 1 ? factList(sides[0].facts ?? []) : factTable(sides));
+  };
+
+  choices.selected.watch((selected) => {
+    if (!selected) {
+      box.removeAttribute('data-selected-bee');
+      box.removeAttribute('data-selected-name');
+      body.replaceChildren(element('p', { class: 'quiet' }, 'None yet. Click a bee, search for one, or choose a row of the table.'));
+      live.textContent = '';
+      return;
+    }
+    const home = all[selected.swarm];
+    box.dataset.selectedBee = String(selected.bee);
+    box.dataset.selectedName = shorten(home.swarm.names.of(selected.bee));
+    const tools = element(
+      'p',
+      { class: 'tools' },
+      button('Fly there', {}, () => actions.select(selected, { fly: true })),
+      button('Clear', {}, () => actions.select(null)),
+    );
+    const group = home.company.groups.of[selected.bee];
+    if (group >= 0) {
+      tools.prepend(
+        button('Only its group', {}, () =>
+          choices.filter.set({ ...choices.filter.value, group: { swarm: home.index, place: group } }),
+        ),
+      );
+    }
+    const { names } = home.swarm;
+    const number = names.areNumbers ? null : element('span', { class: 'quiet' }, ` bee ${formatCount(selected.bee)}`);
+    const lists = all.map((shown) => {
+      const bee = counterpart(home.swarm, selected.bee, shown.swarm);
+      const list = bee === null ? null : neighbourList(shown, bee, shown === home ? selected.other : null, actions);
+      return element('div', {}, list);
+    });
+    body.replaceChildren(
+      element('p', { class: 'who-it-is' }, nameElement(names.of(selected.bee)), number),
+      tools,
+      facts,
+      ...lists,
+    );
+    tellFacts();
+    live.textContent = announce(home, selected);
+  });
+
+  // As time goes on only the numbers change, not what one may be about to click.
+  if (all.some(({ swarm }) => swarm.kind === 'recording')) now.time_s.listen(tellFacts);
+  return box;
+}

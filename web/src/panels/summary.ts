@@ -1,0 +1,150 @@
+// How it stands: who is at risk, how many, how close. Two swarms stand beside each other.
+import type { RecordingRisk, SnapshotRisk } from '../data/page';
+import { element, button, panel } from '../text/element';
+import { isolate, nameElement } from '../text/names';
+import { formatCount, formatDuration, formatMetres, formatShare } from '../text/numbers';
+import { tooClose } from '../text/threshold';
+import type { Actions, Shown } from './shown';
+
+interface Row {
+  label: string;
+  value: string;
+  /** For the difference between before and after. */
+  number?: number;
+  unit?: 'count' | 'metres' | 'seconds';
+}
+
+/** Rows that the headline of a swarm alone tells already. */
+const kInHeadline = ['Bees', 'At risk', 'Share at risk', 'In conflict at some time'];
+const kTooMany = 'too many to count';
+
+function countRow(label: string, count: number | null): Row {
+  return count === null ? { label, value: kTooMany } : { label, value: formatCount(count), number: count, unit: 'count' };
+}
+
+function snapshotRows(risk: SnapshotRisk, count: number): Row[] {
+  return [
+    countRow('Bees', count),
+    countRow('At risk', risk.at_risk),
+    { label: 'Share at risk', value: formatShare(risk.at_risk, count) },
+    countRow('Pairs too close', risk.pairs),
+    countRow('Conflict groups', risk.groups),
+    countRow('Largest group', risk.largest_group),
+  ];
+}
+
+function recordingRows(risk: RecordingRisk, count: number, duration_s: number): Row[] {
+  return [
+    countRow('Bees', count),
+    countRow('In conflict at some time', risk.bees),
+    countRow('Conflicts', risk.conflicts),
+    ...(risk.possible > 0 ? [countRow('Of these only possible', risk.possible)] : []),
+    countRow('Pairs in conflict', risk.pairs),
+    {
+      label: 'Time in conflict, all bees',
+      value: formatDuration(risk.bee_seconds),
+      number: risk.bee_seconds,
+      unit: 'seconds',
+    },
+    { label: 'Length', value: formatDuration(duration_s) },
+  ];
+}
+
+function rowsOf(shown: Shown): Row[] {
+  const { head } = shown.swarm;
+  const rows =
+    head.kind === 'snapshot'
+      ? snapshotRows(head.risk, head.count)
+      : recordingRows(head.risk, head.count, head.time.ends_s - head.time.begins_s);
+  const closest = head.risk.closest;
+  if (closest) {
+    rows.push({
+      label: head.kind === 'snapshot' ? 'Closest pair' : 'Closest encounter',
+      value: formatMetres(closest.distance_m),
+      number: closest.distance_m,
+      unit: 'metres',
+    });
+  }
+  return rows;
+}
+
+function headline(shown: Shown): HTMLElement {
+  const { head } = shown.swarm;
+  const count = head.kind === 'snapshot' ? head.risk.at_risk : head.risk.bees;
+  const what = head.kind === 'snapshot' ? 'at risk' : shown.label ? 'in conflict' : 'in conflict at some time';
+  const of = head.count === 1 ? 'of 1 bee' : `of ${formatCount(head.count)} bees`;
+  return element(
+    'p',
+    { class: count > 0 ? 'headline risky' : 'headline' },
+    element('strong', {}, formatCount(count)),
+    ` ${of} ${what}`,
+    element('span', { class: 'share' }, ` (${formatShare(count, head.count)})`),
+  );
+}
+
+function closestButton(shown: Shown, actions: Actions): HTMLElement | null {
+  const { head, names } = shown.swarm;
+  const closest = head.risk.closest;
+  if (!closest) return null;
+  const made = button('', { class: 'link' }, () => {
+    const time = head.kind === 'recording' && head.risk.closest ? { time_s: head.risk.closest.time_s } : {};
+    actions.select({ swarm: shown.index, bee: closest.first, other: closest.second }, { fly: true, ...time });
+  });
+  made.append(nameElement(names.of(closest.first)), ' and ', nameElement(names.of(closest.second)));
+  made.setAttribute(
+    'aria-label',
+    `Show the closest pair, ${isolate(names.of(closest.first))} and ${isolate(names.of(closest.second))}`,
+  );
+  return made;
+}
+
+function change(before: Row, after: Row): string {
+  if (before.number === undefined || after.number === undefined) return '';
+  const difference = after.number - before.number;
+  if (difference === 0) return 'same';
+  const size = Math.abs(difference);
+  const sign = difference > 0 ? '+' : '\u2212';
+  if (before.unit === 'metres') return sign + formatMetres(size, 3);
+  if (before.unit === 'seconds') return sign + formatDuration(size);
+  return sign + formatCount(size);
+}
+
+function single(shown: Shown, actions: Actions): Node[] {
+  const list = element('dl', { class: 'facts' });
+  for (const { label, value } of rowsOf(shown).filter(({ label }) => !kInHeadline.includes(label))) {
+    const link = label.startsWith('Closest') ? closestButton(shown, actions) : null;
+    const fact = element('dd', {}, element('span', { class: 'figure' }, value));
+    if (link) fact.append(element('span', { class: 'who' }, link));
+    list.append(element('div', {}, element('dt', {}, label), fact));
+  }
+  return [headline(shown), element('p', { class: 'rule' }, `Too close: ${tooClose(shown.swarm.head)}.`), list];
+}
+
+function beside(both: Shown[], actions: Actions): Node[] {
+  const [before, after] = both.map(rowsOf);
+  const labels = [...new Set([...before, ...after].map((row) => row.label))];
+  const rule = [...new Set(both.map(({ swarm }) => tooClose(swarm.head)))];
+  const body = labels.map((label) => {
+    const pair = [before, after].map((rows) => rows.find((row) => row.label === label));
+    const cells = pair.map((row) => element('td', {}, row ? row.value : '–'));
+    const difference = pair[0] && pair[1] ? change(pair[0], pair[1]) : '';
+    return element('tr', {}, element('th', { scope: 'row' }, label), ...cells, element('td', { class: 'change' }, difference));
+  });
+  const heads = ['', 'Before', 'After', 'Change'].map((text) =>
+    text ? element('th', { scope: 'col' }, text) : element('td'),
+  );
+  return [
+    element('div', { class: 'headlines' }, ...both.map((shown) =>
+      element('div', {}, element('h3', {}, shown.label), headline(shown)))),
+    element('p', { class: 'rule' }, rule.length > 1 ? `Too close before: ${rule[0]}; after: ${rule[1]}.` : `Too close: ${rule[0]}.`),
+    element('table', { class: 'beside' }, element('thead', {}, element('tr', {}, ...heads)), element('tbody', {}, ...body)),
+    ...both.map((shown) => {
+      const link = closestButton(shown, actions);
+      return element('p', { class: 'who' }, link ? `Closest ${shown.label.toLowerCase()}: ` : '', link);
+    }),
+  ];
+}
+
+export function summaryPanel(all: Shown[], actions: Actions): HTMLElement {
+  return panel('summary', 'Summary', ...(all.length === 2 ? beside(all, actions) : single(all[0], actions)));
+}

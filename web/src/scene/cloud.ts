@@ -1,0 +1,147 @@
+// The swarm itself: everybody as points, those at risk once more on top, lines between the too close.
+// The three share their positions on the graphics card and differ in whom they draw.
+import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Group, LineSegments, Points } from 'three';
+import type { RawShaderMaterial } from 'three';
+import type { Nearest } from '../data/nearest';
+import { crowdMaterial, lineMaterial, riskMaterial, vectorOf } from './materials';
+import type { Frame } from './frame';
+import type { Palette } from './palette';
+import type { Placement } from './placement';
+
+/** So many at most are drawn while the view moves, where drawing all is slow. */
+const kThinned = 120000;
+
+/** Sizes in pixels, as seen from where the whole swarm is in sight. */
+function baseSizes(count: number): { crowd: number; risk: number } {
+  if (count > 300000) return { crowd: 1, risk: 2 };
+  if (count > 50000) return { crowd: 1.5, risk: 3 };
+  if (count > 5000) return { crowd: 2.5, risk: 6 };
+  return { crowd: 5, risk: 10 };
+}
+
+export class Cloud {
+  readonly group = new Group();
+  readonly #crowd: Points<BufferGeometry, RawShaderMaterial>;
+  readonly #risk: Points<BufferGeometry, RawShaderMaterial>;
+  readonly #lines: LineSegments<BufferGeometry, RawShaderMaterial>;
+  readonly #count: number;
+  #placed: Placement | null = null;
+  #thin = false;
+
+  constructor(
+    count: number,
+    readonly frame: Frame,
+    nearest: Nearest | null,
+    range: [number, number],
+  ) {
+    this.#count = count;
+    this.#crowd = new Points(new BufferGeometry(), crowdMaterial(nearest !== null));
+    this.#risk = new Points(new BufferGeometry(), riskMaterial());
+    this.#lines = new LineSegments(new BufferGeometry(), lineMaterial());
+    if (nearest) {
+      this.#crowd.geometry.setAttribute('near', new BufferAttribute(nearest.codes, 1));
+      this.#crowd.material.uniforms.range.value = [range[0], 1 / Math.max(1, range[1] - range[0])];
+    }
+    [this.#crowd, this.#lines, this.#risk].forEach((part, order) => {
+      part.frustumCulled = false;
+      part.renderOrder = order;
+      this.group.add(part);
+    });
+  }
+
+  place(placement: Placement): void {
+    if (this.#placed?.x !== placement.x) this.#setPositions(placement);
+    else if (placement.x instanceof Float32Array) this.#refreshPositions();
+    this.#placed = placement;
+    this.#drawCrowd(placement);
+    this.#draw(this.#risk.geometry, placement.atRisk, 0);
+    this.#draw(this.#lines.geometry, placement.lines, 0);
+    this.#lines.material.uniforms.opacity.value = placement.lines.length > 40000 ? 0.25 : 0.8;
+    // Where very many lie over one another, how many is seen too.
+    this.#risk.material.uniforms.opacity.value = placement.atRisk.length > 20000 ? 0.55 : 1;
+  }
+
+  /** Draws only a part of a large crowd, for as long as the view moves; those at risk all the same. */
+  thin(on: boolean): void {
+    if (this.#count <= kThinned || on === this.#thin) return;
+    this.#thin = on;
+    if (this.#placed) this.#drawCrowd(this.#placed);
+  }
+
+  #drawCrowd({ shown }: Placement): void {
+    if (!this.#thin) {
+      this.#draw(this.#crowd.geometry, shown, this.#count);
+      return;
+    }
+    const all = shown ? shown.length : this.#count;
+    const stride = Math.ceil(all / kThinned);
+    const some = Uint32Array.from({ length: Math.ceil(all / stride) }, (_, i) => {
+      const place = i * stride;
+      return shown ? shown[place] : place;
+    });
+    this.#draw(this.#crowd.geometry, some, 0);
+  }
+
+  colour(palette: Palette): void {
+    const crowd = this.#crowd.material.uniforms;
+    crowd.plain.value = vectorOf(palette.plain);
+    crowd.ramp.value = palette.ramp.map(vectorOf);
+    this.#risk.material.uniforms.fill.value = vectorOf(palette.risk);
+    this.#risk.material.uniforms.edge.value = vectorOf(palette.riskEdge);
+    this.#lines.material.uniforms.colour.value = vectorOf(palette.line);
+  }
+
+  /** Points grow as one comes near; `homeDistance` is from where all of the swarm is seen. */
+  setSizes(homeDistance: number, pixelRatio: number): void {
+    const { crowd, risk } = baseSizes(this.#count);
+    const set = (part: Points<BufferGeometry, RawShaderMaterial>, size: number, least: number, most: number): void => {
+      part.material.uniforms.reach.value = size * homeDistance * pixelRatio;
+      part.material.uniforms.sizes.value = [least * pixelRatio, most * pixelRatio];
+    };
+    set(this.#crowd, crowd, Math.min(1, crowd), Math.max(8, crowd));
+    set(this.#risk, risk, Math.max(2, 0.7 * risk), Math.max(13, risk));
+  }
+
+  #setPositions(placement: Placement): void {
+    const parts = [this.#crowd, this.#risk, this.#lines];
+    for (const axis of ['x', 'y', 'z'] as const) {
+      const attribute = new BufferAttribute(placement[axis], 1);
+      if (placement.x instanceof Float32Array) attribute.setUsage(DynamicDrawUsage);
+      for (const part of parts) part.geometry.setAttribute(axis, attribute);
+    }
+    for (const part of parts) {
+      const { uniforms } = part.material;
+      uniforms.start.value.fromArray(placement.start.map((start, axis) => start - this.frame.centre[axis]));
+      uniforms.stride.value.fromArray(placement.step);
+    }
+  }
+
+  #refreshPositions(): void {
+    for (const name of ['x', 'y', 'z', 'near']) {
+      const attribute = this.#crowd.geometry.getAttribute(name);
+      if (attribute) attribute.needsUpdate = true;
+    }
+  }
+
+  #draw(geometry: BufferGeometry, bees: Uint32Array | null, all: number): void {
+    if (bees) {
+      const index = geometry.getIndex();
+      if (index && index.array.length >= bees.length && index.array.length > 0) {
+        if (index.array !== bees) {
+          (index.array as Uint32Array).set(bees);
+          index.needsUpdate = true;
+        }
+      } else {
+        // Its own copy with room to spare: a larger one is a new buffer on the graphics card.
+        const room = new Uint32Array(Math.max(64, Math.ceil(1.25 * bees.length)));
+        room.set(bees);
+        const fresh = new BufferAttribute(room, 1);
+        fresh.setUsage(DynamicDrawUsage);
+        geometry.setIndex(fresh);
+      }
+    } else {
+      geometry.setIndex(null);
+    }
+    geometry.setDrawRange(0, bees ? bees.length : all);
+  }
+}

@@ -1,0 +1,34 @@
+// Rings and names over the selected bees.
+import type { Camera, Vector3 } from 'three';
+import { element } from '../text/element';
+import { nameElement } from '../text/names';
+
+export class Markers {
+  readonly layer = element('div', { class: 'markers', 'aria-hidden': 'true' });
+  #marks: HTMLElement[] = [];
+
+  name(names: string[]): void {
+    this.#marks = names.map((name, place) =>
+      element(
+        'div',
+        { class: place === 0 ? 'marker' : 'marker other' },
+        element('span', { class: 'ring' }),
+        element('span', { class: 'tag' }, nameElement(name)),
+      ),
+    );
+    this.layer.replaceChildren(...this.#marks);
+  }
+
+  /** Of each bee named, where it is; null where it is nowhere now. */
+  move(places: (Vector3 | null)[], camera: Camera, width: number, height: number): void {
+    this.#marks.forEach((mark, i) => {
+      const at = places[i]?.clone().project(camera);
+      mark.hidden = !at || Math.abs(at.z) > 1 || Math.abs(at.x) > 1 || Math.abs(at.y) > 1;
+      if (!at || mark.hidden) return;
+      const x = ((at.x + 1) * width) / 2;
+      const y = ((1 - at.y) * height) / 2;
+      mark.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
+      mark.classList.toggle('leftwards', x > width - 150);
+    });
+  }
+}

@@ -1,0 +1,51 @@
+// Colours of the scene. The ramp is viridis, which colour-blind people can read, cut where it would
+// vanish against the ground; who is at risk differs by shape, size and lightness too.
+import type { Theme } from '../state/theme';
+
+export type Rgb = [number, number, number];
+
+export interface Palette {
+  ground: string;
+  /** From near to far. */
+  ramp: string[];
+  /** Where no distance is known. */
+  plain: string;
+  risk: string;
+  riskEdge: string;
+  line: string;
+  focus: string;
+  grid: string;
+  box: string;
+}
+
+export const kRampSteps = 8;
+
+export const kPalettes: Record<Theme, Palette> = {
+  dark: {
+    ground: '#0d1216',
+    ramp: ['#f4e52b', '#b5de2b', '#6ece58', '#35b779', '#1f9e89', '#26828e', '#31688e', '#3e5290'],
+    plain: '#5fb0c9',
+    risk: '#ff5348',
+    riskEdge: '#2a0503',
+    line: '#ff8f80',
+    focus: '#ffffff',
+    grid: '#26313a',
+    box: '#3a4853',
+  },
+  light: {
+    ground: '#f4f6f8',
+    ramp: ['#2b0b4f', '#45217a', '#424086', '#33608d', '#287d8e', '#209b88', '#3fae72', '#7cc15a'],
+    plain: '#2f7f9b',
+    risk: '#c8102e',
+    riskEdge: '#ffffff',
+    line: '#c8102e',
+    focus: '#111820',
+    grid: '#dce2e7',
+    box: '#b4bfc8',
+  },
+};
+
+export function rgb(colour: string): Rgb {
+  const number = parseInt(colour.slice(1), 16);
+  return [(number >> 16) / 255, ((number >> 8) & 255) / 255, (number & 255) / 255];
+}

@@ -1,0 +1,24 @@
+// How long a metre is on the screen, where the camera looks at.
+import { element } from '../text/element';
+import { niceBelow } from '../text/nice_steps';
+import { formatTick } from '../text/numbers';
+
+const kLongest_px = 130;
+
+export class ScaleBar {
+  readonly #bar = element('span', { class: 'bar' });
+  readonly #text = element('span', { class: 'length' });
+  readonly box = element(
+    'div',
+    { class: 'scale-bar', title: 'Length at the middle of the view' },
+    this.#bar,
+    this.#text,
+  );
+
+  show(metresPerPixel: number, viewWidth: number): void {
+    const metres = niceBelow(kLongest_px * metresPerPixel);
+    // As a share of the view, it stays right on paper too.
+    this.#bar.style.width = `${((100 * metres) / metresPerPixel / viewWidth).toFixed(3)}cqw`;
+    this.#text.textContent = formatTick(Number(metres.toPrecision(6)));
+  }
+}

@@ -1,0 +1,213 @@
+// One swarm in three dimensions. It draws when something changed, and rests otherwise.
+import { Color, Scene, Vector3, WebGLRenderer } from 'three';
+import type { Fixes } from '../data/fixes';
+import type { Nearest } from '../data/nearest';
+import { element } from '../text/element';
+import { Axes } from './axes';
+import { Orbit } from './camera';
+import { Cloud } from './cloud';
+import { Compass } from './compass';
+import type { Frame } from './frame';
+import { Markers } from './markers';
+import type { Palette } from './palette';
+import { pickBee } from './picking';
+import type { Placement } from './placement';
+import { ScaleBar } from './scale_bar';
+import { ThresholdShape } from './threshold_shape';
+import { Trails } from './trails';
+
+/** A frame that takes longer than this does not feel as if one held the swarm. */
+const kSlow_ms = 90;
+
+export interface ViewSubject {
+  label: string;
+  count: number;
+  axes: readonly string[];
+  threshold_m: number;
+  vertical_m: number | null;
+  nearest: Nearest | null;
+  /** Codes between which the colours change. */
+  range: [number, number];
+}
+
+export class View {
+  readonly orbit: Orbit;
+  readonly canvas: HTMLCanvasElement;
+  readonly #renderer: WebGLRenderer;
+  readonly #scene = new Scene();
+  readonly #cloud: Cloud;
+  readonly #axes: Axes;
+  readonly #threshold: ThresholdShape;
+  readonly #trails: Trails;
+  readonly #markers = new Markers();
+  readonly #scale = new ScaleBar();
+  readonly #compass: Compass;
+  readonly #drawn: (() => void)[] = [];
+  #placement: Placement | null = null;
+  #marked: number[] = [];
+  #width = 1;
+  #height = 1;
+  #due = 0;
+  #lastDrawn = 0;
+  #resting = 0;
+  #slow = false;
+
+  /** Throws where the browser has no WebGL. */
+  constructor(
+    readonly holder: HTMLElement,
+    readonly frame: Frame,
+    readonly subject: ViewSubject,
+  ) {
+    const { count } = subject;
+    this.canvas = element('canvas', {
+      tabindex: '0',
+      role: 'img',
+      'aria-label': `${subject.label} in three dimensions. Arrow keys turn, + and − zoom.`,
+    });
+    this.#renderer = new WebGLRenderer({
+      canvas: this.canvas,
+      antialias: count <= 20000,
+      alpha: false,
+      stencil: false,
+      powerPreference: 'high-performance',
+    });
+    this.#renderer.setPixelRatio(count > 50000 ? 1 : Math.min(devicePixelRatio, 2));
+    this.orbit = new Orbit(this.canvas, frame);
+    this.#cloud = new Cloud(count, frame, subject.nearest, subject.range);
+    this.#axes = new Axes(frame, subject.axes);
+    this.#threshold = new ThresholdShape(subject.threshold_m, subject.vertical_m);
+    this.#trails = new Trails(frame);
+    this.#trails.hide();
+    this.#compass = new Compass(subject.axes);
+    this.#scene.add(this.#axes.group, this.#trails.lines, this.#cloud.group, this.#threshold.group);
+    holder.prepend(this.canvas, this.#axes.labels, this.#markers.layer);
+    holder.append(this.#scale.box, this.#compass.box);
+    this.orbit.onChange(() => this.#moved());
+    new ResizeObserver(() => this.#resize()).observe(holder);
+    this.#resize();
+  }
+
+  colour(palette: Palette): void {
+    this.#renderer.setClearColor(new Color(palette.ground));
+    for (const part of [this.#cloud, this.#axes, this.#threshold, this.#trails]) part.colour(palette);
+    this.invalidate();
+  }
+
+  place(placement: Placement): void {
+    this.#placement = placement;
+    this.#cloud.place(placement);
+    this.#threshold.place(this.#marked.length > 0 ? this.sceneOf(this.#marked[0]) : null);
+    this.invalidate();
+  }
+
+  /** Marks bees; around the first one lies what is too close to it. */
+  mark(bees: number[], names: string[]): void {
+    this.#marked = bees;
+    this.#markers.name(names);
+    this.#threshold.place(bees.length > 0 ? this.sceneOf(bees[0]) : null);
+    this.invalidate();
+  }
+
+  trail(fixes: Fixes, time_s: number, length_s: number): void {
+    if (this.#placement?.shown) this.#trails.draw(fixes, this.#placement.shown, time_s, length_s);
+    this.invalidate();
+  }
+
+  hideTrails(): void {
+    this.#trails.hide();
+    this.invalidate();
+  }
+
+  /** Where the bee is in the scene; null where it is not there now. */
+  sceneOf(bee: number): Vector3 | null {
+    const placed = this.#placement;
+    if (!placed) return null;
+    // A bee of a recording is nowhere at times; one of a snapshot is where it is even if filtered out.
+    if (placed.x instanceof Float32Array && placed.shown && !placed.shown.includes(bee)) return null;
+    const { centre } = this.frame;
+    return new Vector3(
+      placed.start[0] + placed.step[0] * placed.x[bee] - centre[0],
+      placed.start[1] + placed.step[1] * placed.y[bee] - centre[1],
+      placed.start[2] + placed.step[2] * placed.z[bee] - centre[2],
+    );
+  }
+
+  /** Goes to where these bees fill a part of the view. */
+  flyTo(bees: number[]): void {
+    const places = bees.map((bee) => this.sceneOf(bee)).filter((place) => place !== null);
+    if (places.length === 0) return;
+    const middle = new Vector3();
+    for (const place of places) middle.addScaledVector(place, 1 / places.length);
+    const apart = Math.max(...places.map((place) => place.distanceTo(middle)));
+    const reach = Math.max(4 * apart, 3.2 * this.subject.threshold_m, this.frame.radius * 2e-4);
+    this.orbit.flyTo(middle, Math.min(reach * 1.6, this.orbit.homeDistance));
+  }
+
+  /** Where on the canvas a bee is seen. */
+  project(bee: number): { x: number; y: number } | null {
+    const at = this.sceneOf(bee)?.project(this.orbit.camera);
+    return at ? { x: ((at.x + 1) * this.#width) / 2, y: ((1 - at.y) * this.#height) / 2 } : null;
+  }
+
+  pick(x: number, y: number): number | null {
+    if (!this.#placement) return null;
+    const { camera } = this.orbit;
+    const toScreen = camera.projectionMatrix.clone().multiply(camera.matrixWorldInverse);
+    const cursor = { x, y, width: this.#width, height: this.#height };
+    return pickBee(cursor, this.#placement, this.frame, toScreen);
+  }
+
+  onDrawn(listener: () => void): void {
+    this.#drawn.push(listener);
+  }
+
+  invalidate(): void {
+    if (this.#due === 0) this.#due = requestAnimationFrame(() => this.draw());
+  }
+
+  /** Draws now. */
+  draw(): void {
+    cancelAnimationFrame(this.#due);
+    this.#due = 0;
+    this.#lastDrawn = performance.now();
+    const { camera, distance } = this.orbit;
+    this.#renderer.render(this.#scene, camera);
+    this.#axes.letter(camera, this.#width, this.#height);
+    this.#markers.move(this.#marked.map((bee) => this.sceneOf(bee)), camera, this.#width, this.#height);
+    this.#compass.turn(camera);
+    this.#scale.show((2 * distance * Math.tan((camera.fov * Math.PI) / 360)) / this.#height, this.#width);
+    for (const listener of this.#drawn) listener();
+  }
+
+  /** Draws and waits until the graphics card is done. */
+  drawAndWait(): void {
+    this.draw();
+    const gl = this.#renderer.getContext();
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+  }
+
+  /** While the view moves and drawing is slow, a part of the crowd must do; all of it when it rests. */
+  #moved(): void {
+    const now = performance.now();
+    const since = now - this.#lastDrawn;
+    if (this.#resting !== 0 && since > kSlow_ms) this.#slow = true;
+    this.#cloud.thin(this.#slow);
+    clearTimeout(this.#resting);
+    this.#resting = window.setTimeout(() => {
+      this.#resting = 0;
+      this.#cloud.thin(false);
+      this.invalidate();
+    }, 250);
+    this.invalidate();
+  }
+
+  #resize(): void {
+    const [width, height] = [Math.max(1, this.holder.clientWidth), Math.max(1, this.holder.clientHeight)];
+    if (width === this.#width && height === this.#height) return;
+    [this.#width, this.#height] = [width, height];
+    this.#renderer.setSize(this.#width, this.#height, false);
+    this.orbit.resize(this.#width, this.#height);
+    this.#cloud.setSizes(this.orbit.homeDistance, this.#renderer.getPixelRatio());
+    this.invalidate();
+  }
+}

@@ -1,0 +1,23 @@
+// What the reader of the page has chosen. Panels and views change it, and follow it.
+import { Signal } from './signal';
+import type { Theme } from './theme';
+
+/** A bee of one of the swarms, and with a pair the other one. */
+export interface Selected {
+  swarm: number;
+  bee: number;
+  other: number | null;
+}
+
+export interface Filter {
+  atRiskOnly: boolean;
+  /** Only this conflict group of this swarm. */
+  group: { swarm: number; place: number } | null;
+}
+
+export interface Choices {
+  selected: Signal<Selected | null>;
+  filter: Signal<Filter>;
+  theme: Signal<Theme>;
+  trails: Signal<boolean>;
+}

@@ -1,0 +1,90 @@
+// Numbers as they are read: three or four digits that matter, thousands apart, with their unit.
+
+const kThin = '\u202f';
+const kMinus = '\u2212';
+
+export function formatCount(count: number): string {
+  const text = String(Math.round(Math.abs(count))).replace(/\B(?=(\d{3})+$)/g, ',');
+  return count < 0 ? kMinus + text : text;
+}
+
+function plain(value: number, decimals: number): string {
+  const [whole, fraction] = Math.abs(value).toFixed(decimals).split('.');
+  const text = whole.replace(/\B(?=(\d{3})+$)/g, ',') + (fraction ? `.${fraction}` : '');
+  return value < 0 && /[1-9]/.test(text) ? kMinus + text : text;
+}
+
+/** With `digits` that matter, but no more than micrometres. */
+export function formatDigits(value: number, digits: number): string {
+  if (value === 0 || !Number.isFinite(value)) return String(value);
+  const exponent = Math.floor(Math.log10(Math.abs(value)));
+  return plain(value, Math.min(6, Math.max(0, digits - 1 - exponent)));
+}
+
+/** A distance: 0.0912 m, 12.34 m, 1,234 m, 12.34 km. */
+export function formatMetres(metres: number, digits = 4): string {
+  if (!Number.isFinite(metres)) return '–';
+  if (Math.abs(metres) >= 20000) return `${formatDigits(metres / 1000, digits)}${kThin}km`;
+  return `${formatDigits(metres, digits)}${kThin}m`;
+}
+
+/** A setting as it was given: 5 m, 0.125 m. */
+export function formatExactly(metres: number): string {
+  const [whole, ...fraction] = String(Math.abs(metres)).split('.');
+  const text = [/^\d+$/.test(whole) ? formatCount(Number(whole)) : whole, ...fraction].join('.');
+  return `${metres < 0 ? kMinus : ''}${text}${kThin}m`;
+}
+
+/** The same, for a scale: 500 m, 20 km. */
+export function formatTick(metres: number): string {
+  if (Math.abs(metres) < 20000) return formatExactly(metres);
+  return formatExactly(metres / 1000).replace('m', 'km');
+}
+
+/** A coordinate, to where the error of the shown position begins. */
+export function formatCoordinate(metres: number, error_m: number): string {
+  const decimals = error_m > 0 ? Math.min(6, Math.max(0, Math.ceil(-Math.log10(error_m)))) : 3;
+  return `${plain(metres, decimals)}${kThin}m`;
+}
+
+/** An error bound, never made smaller by rounding. */
+export function formatError(metres: number): string {
+  if (metres === 0) return `0${kThin}m`;
+  const unit = metres >= 1 ? ['m', 1] as const : metres >= 0.001 ? ['mm', 1000] as const : ['µm', 1e6] as const;
+  const value = metres * unit[1];
+  const step = 10 ** (Math.floor(Math.log10(value)) - 1);
+  const up = Math.ceil(value / step - 1e-9) * step;
+  return `${formatDigits(up, 2)}${kThin}${unit[0]}`;
+}
+
+export function formatShare(part: number, whole: number): string {
+  if (whole === 0) return '–';
+  const percent = (100 * part) / whole;
+  if (part > 0 && percent < 0.1) return `<${kThin}0.1${kThin}%`;
+  if (part < whole && percent > 99.9) return `>${kThin}99.9${kThin}%`;
+  return `${percent.toFixed(1)}${kThin}%`;
+}
+
+/** How long: 3.20 s, 4 min 05 s, 2 h 03 min. */
+export function formatDuration(seconds: number, digits = 3): string {
+  if (seconds < 100) return `${formatDigits(seconds, digits)}${kThin}s`;
+  const whole = Math.round(seconds);
+  const two = (value: number): string => String(value).padStart(2, '0');
+  if (whole < 3600) return `${Math.floor(whole / 60)}${kThin}min\u00a0${two(whole % 60)}${kThin}s`;
+  const minutes = Math.round(seconds / 60);
+  return `${formatCount(Math.floor(minutes / 60))}${kThin}h\u00a0${two(minutes % 60)}${kThin}min`;
+}
+
+/** A time of a recording: seconds from a zero of its own, or UTC. */
+export function formatTime(seconds: number, since1970: boolean, decimals = 1): string {
+  if (since1970 && Math.abs(seconds) < 8e12) {
+    const [day, clock] = new Date(Math.round(seconds * 1000)).toISOString().split('T');
+    return `${day} ${clock.slice(0, decimals > 0 ? 9 + Math.min(3, decimals) : 8)} UTC`;
+  }
+  return `${plain(seconds, decimals)}${kThin}s`;
+}
+
+/** How many decimals tell moments this far apart from one another. */
+export function decimalsFor(step: number): number {
+  return step > 0 ? Math.min(3, Math.max(0, Math.ceil(-Math.log10(step)))) : 1;
+}

@@ -1,0 +1,66 @@
+// The time that is shown: set, stepped or played.
+import { Signal } from '../state/signal';
+
+export const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 5, 10, 30, 60, 120, 300, 600, 1800, 3600];
+
+/** The speed at which the whole takes about half a minute. */
+export function speedFor(duration_s: number): number {
+  return kSpeeds.find((speed) => duration_s / speed <= 40) ?? kSpeeds[kSpeeds.length - 1];
+}
+
+export class Clock {
+  readonly time: Signal<number>;
+  readonly playing = new Signal(false);
+  readonly speed: Signal<number>;
+  #frame = 0;
+
+  constructor(
+    readonly begins_s: number,
+    readonly ends_s: number,
+    readonly step_s: number,
+  ) {
+    this.time = new Signal(begins_s);
+    this.speed = new Signal(speedFor(ends_s - begins_s));
+  }
+
+  go(time_s: number): void {
+    this.time.set(Math.min(this.ends_s, Math.max(this.begins_s, time_s)));
+  }
+
+  step(steps: number): void {
+    this.pause();
+    this.go(this.time.value + steps * this.step_s);
+  }
+
+  toggle(): void {
+    if (this.playing.value) this.pause();
+    else this.play();
+  }
+
+  play(): void {
+    if (this.playing.value || this.ends_s <= this.begins_s) return;
+    if (this.time.value >= this.ends_s) this.go(this.begins_s);
+    this.playing.set(true);
+    let before = performance.now();
+    const tick = (now: number): void => {
+      if (!this.playing.value) return;
+      // A page that was asleep goes on where it was.
+      const elapsed = Math.min(0.5, Math.max(0, (now - before) / 1000));
+      before = now;
+      this.go(this.time.value + elapsed * this.speed.value);
+      if (this.time.value >= this.ends_s) this.pause();
+      else this.#frame = requestAnimationFrame(tick);
+    };
+    this.#frame = requestAnimationFrame(tick);
+  }
+
+  pause(): void {
+    cancelAnimationFrame(this.#frame);
+    this.playing.set(false);
+  }
+
+  changeSpeed(places: number): void {
+    const at = kSpeeds.indexOf(this.speed.value);
+    this.speed.set(kSpeeds[Math.min(kSpeeds.length - 1, Math.max(0, at + places))]);
+  }
+}

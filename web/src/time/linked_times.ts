@@ -1,0 +1,61 @@
+// One clock for one or two recordings.
+import type { Swarm } from '../data/swarm';
+import type { Recording } from '../data/recording';
+import { Clock } from './clock';
+
+export interface LinkedTimes {
+  clock: Clock;
+  /** What the clock's time is called: added to it. */
+  zero_s: number;
+  since1970: boolean;
+  /** The clock's time as seconds from the beginning of this swarm. */
+  within: (of: { swarm: Swarm }) => number;
+  /** The other way round. */
+  clockTime: (of: { swarm: Swarm }, within_s: number) => number;
+  /** How they were laid beside each other, where that must be said. */
+  note: string | null;
+}
+
+function isRecording(swarm: Swarm): swarm is Recording {
+  return swarm.kind === 'recording';
+}
+
+/** Recordings of the same hours keep their times; others begin together. */
+export function linkTimes(swarms: Swarm[]): LinkedTimes {
+  const recordings = swarms.filter(isRecording);
+  const times = recordings.map(({ head }) => head.time);
+  if (times.length === 0) {
+    return {
+      clock: new Clock(0, 0, 1),
+      zero_s: 0,
+      since1970: false,
+      within: () => 0,
+      clockTime: () => 0,
+      note: null,
+    };
+  }
+  const [one, other = one] = times;
+  const overlap =
+    one.since_1970 === other.since_1970 && one.begins_s <= other.ends_s && other.begins_s <= one.ends_s;
+  const zero = overlap ? Math.min(one.begins_s, other.begins_s) : 0;
+  const shift = (swarm: Swarm): number => (overlap && isRecording(swarm) ? swarm.head.time.begins_s - zero : 0);
+  const ends = Math.max(...recordings.map((swarm) => shift(swarm) + swarm.head.time.ends_s - swarm.head.time.begins_s));
+  const clock = new Clock(0, ends, stepOf(recordings[0], ends));
+  return {
+    clock,
+    zero_s: overlap ? zero : 0,
+    since1970: overlap && one.since_1970,
+    within: ({ swarm }) => clock.time.value - shift(swarm),
+    clockTime: ({ swarm }, within_s) => within_s + shift(swarm),
+    note: overlap ? null : 'The two recordings are of different times; both are shown from their beginning on.',
+  };
+}
+
+/** About a fix at a time, and the whole in no more than a thousand steps. */
+function stepOf(recording: Recording, ends_s: number): number {
+  const { fixes } = recording;
+  const counts = Array.from({ length: Math.min(64, fixes.bees) }, (_, bee) => fixes.countOf(bee));
+  const most = Math.max(2, ...counts);
+  const between = ends_s / (most - 1);
+  return Math.max(between, ends_s / 1000) || 1;
+}

@@ -1,0 +1,135 @@
+// Puts the panels into the page and makes keys, clicks and buttons work.
+import { pairsOf } from './data/swarm';
+import { listenToKeys } from './keys';
+import { toggleTheme, type Layout } from './layout';
+import { filterControls } from './panels/filter';
+import { histogramPanel } from './panels/histogram';
+import { notesPanel } from './panels/notes';
+import { pairPanel } from './panels/pair_table';
+import { searchBox } from './panels/search';
+import { selectionPanel } from './panels/selection';
+import type { Actions, Shown } from './panels/shown';
+import { summaryPanel } from './panels/summary';
+import { onPick } from './stage';
+import type { Choices } from './state/choices';
+import { button, element } from './text/element';
+import type { LinkedTimes } from './time/linked_times';
+import { timeline, type Timeline } from './time/timeline';
+
+export interface Parts {
+  shown: Shown[];
+  choices: Choices;
+  times: LinkedTimes;
+  room: Layout;
+  help: HTMLDialogElement;
+  version: string;
+  notes: string[];
+}
+
+export function wirePanels({ shown, choices, times, room, help, version, notes }: Parts): void {
+  const actions: Actions = {
+    select: (selected, { fly, time_s } = {}) => {
+      if (selected && time_s !== undefined) {
+        times.clock.pause();
+        times.clock.go(times.clockTime(shown[selected.swarm], time_s));
+      }
+      choices.selected.set(selected);
+      if (!selected || !fly) return;
+      const bees = selected.other === null ? [selected.bee] : [selected.bee, selected.other];
+      shown[selected.swarm].view?.flyTo(bees);
+    },
+  };
+  const now = { time_s: times.clock.time, within: times.within };
+  for (const { view, index } of shown) {
+    if (view) onPick(view, (bee) => actions.select(bee === null ? null : { swarm: index, bee, other: null }));
+  }
+
+  const moving = shown.some(({ swarm }) => swarm.kind === 'recording');
+  const line = moving ? timeline(shown, times, choices) : null;
+  if (line) room.column.append(line.box);
+  const histogram = histogramPanel(shown);
+  room.panels.append(
+    summaryPanel(shown, actions),
+    selectionPanel(shown, choices, now, actions),
+    pairPanel(shown, choices, actions),
+    ...(histogram ? [histogram] : []),
+    notesPanel(shown, version, notes),
+  );
+  room.toolbar.append(searchBox(shown, choices, actions), filterControls(shown, choices), viewButtons(shown));
+  wireKeys(shown, choices, times, line, actions, help);
+}
+
+function viewButtons(shown: Shown[]): HTMLElement {
+  // Linked views follow the first one.
+  const orbit = shown[0].view?.orbit;
+  const box = element('div', { class: 'view-buttons', role: 'group', 'aria-label': 'View' });
+  if (!orbit) return box;
+  box.append(
+    button('Reset view', { title: 'All of the swarm again (r)' }, () => orbit.home()),
+    button('Top', { title: 'From the top (t)' }, () => orbit.lookFromAbove()),
+    button('Side', { title: 'From the side (s)' }, () => orbit.lookFromSide()),
+  );
+  return box;
+}
+
+function wireKeys(
+  shown: Shown[],
+  choices: Choices,
+  times: LinkedTimes,
+  line: Timeline | null,
+  actions: Actions,
+  help: HTMLDialogElement,
+): void {
+  const orbit = shown[0].view?.orbit;
+  const { clock } = times;
+  const showPair = (swarm: number, place: number): void => {
+    const one = shown[swarm].swarm;
+    const { first, second } = pairsOf(one);
+    if (place < 0 || place >= first.length) return;
+    const time = one.kind === 'recording' ? { time_s: one.conflicts.closest_s[place] } : {};
+    actions.select({ swarm, bee: first[place], other: second[place] }, { fly: true, ...time });
+  };
+  const placeOfSelected = (): number => {
+    const selected = choices.selected.value;
+    if (!selected || selected.other === null) return -1;
+    const { first, second } = pairsOf(shown[selected.swarm].swarm);
+    return first.findIndex((bee, i) => bee === selected.bee && second[i] === selected.other);
+  };
+  const setFilter = (change: Partial<typeof choices.filter.value>): void =>
+    choices.filter.set({ ...choices.filter.value, ...change });
+
+  listenToKeys({
+    search: () => document.getElementById('search')?.focus(),
+    pair: (place) => showPair(choices.selected.value?.swarm ?? 0, place),
+    nextPair: (direction) => showPair(choices.selected.value?.swarm ?? 0, placeOfSelected() + direction),
+    turn: (aside, up) => orbit?.turn(aside, up),
+    shift: (right, up) => orbit?.shift(right, up),
+    zoom: (factor) => orbit?.zoom(factor),
+    home: () => orbit?.home(),
+    fromAbove: () => orbit?.lookFromAbove(),
+    fromSide: () => orbit?.lookFromSide(),
+    flyToSelected: () => actions.select(choices.selected.value, { fly: true }),
+    toggleAtRiskOnly: () => setFilter({ atRiskOnly: !choices.filter.value.atRiskOnly }),
+    toggleGroup: () => {
+      const selected = choices.selected.value;
+      const place = selected ? shown[selected.swarm].company.groups.of[selected.bee] : -1;
+      const group = selected && place >= 0 && !choices.filter.value.group ? { swarm: selected.swarm, place } : null;
+      setFilter({ group });
+    },
+    toggleTheme: () => toggleTheme(choices),
+    clear: () => {
+      actions.select(null);
+      setFilter({ group: null });
+    },
+    help: () => help.showModal(),
+    time: line && {
+      toggle: () => clock.toggle(),
+      step: (steps) => clock.step(steps),
+      conflict: (direction) => line.goToConflict(direction),
+      speed: (places) => clock.changeSpeed(places),
+      begin: () => clock.go(clock.begins_s),
+      end: () => clock.go(clock.ends_s),
+      trails: () => choices.trails.set(!choices.trails.value),
+    },
+  });
+}

@@ -1,0 +1,50 @@
+// What is seen: those at risk in red where they are, and nothing red where nobody is at risk.
+import assert from 'node:assert/strict';
+import { headOf, pageTest, projected, settled } from './opened_page';
+import { canvasClip, redPixels } from './pixels';
+
+for (const name of ['snapshot', 'cylinder', 'hundred-thousand', 'million']) {
+  pageTest('shows the closest pair in red', name, {}, async ({ page }) => {
+    await settled(page);
+    const { risk } = await headOf(page);
+    assert.ok(risk.closest);
+    for (const bee of [risk.closest.first, risk.closest.second]) {
+      const at = await projected(page, bee);
+      assert.ok(at);
+      const red = await redPixels(page, { x: Math.round(at.x) - 4, y: Math.round(at.y) - 4, width: 9, height: 9 });
+      assert.ok(red >= 2, `${red} red pixels at bee ${bee}`);
+    }
+  });
+}
+
+pageTest('shows nothing red where nobody is at risk', 'calm', {}, async ({ page }) => {
+  await settled(page);
+  const clip = await canvasClip(page);
+  // Beside the legend, which always has its red diamond.
+  assert.equal(await redPixels(page, { ...clip, x: clip.x + 230, width: clip.width - 230 }), 0);
+});
+
+pageTest('shows both swarms', 'compared-snapshots', {}, async ({ page }) => {
+  await settled(page);
+  for (const swarm of [0, 1]) assert.ok((await redPixels(page, await canvasClip(page, swarm))) > 50);
+  assert.equal(await page.locator('.summary thead th').count(), 3);
+});
+
+pageTest('has all numbers without WebGL', 'snapshot', {
+  before: 'HTMLCanvasElement.prototype.getContext = () => null;',
+}, async ({ page, complaints }) => {
+  // Three.js says so on the console before it gives up.
+  complaints.splice(0, complaints.length, ...complaints.filter((text) => !/WebGL/.test(text)));
+  assert.match(await page.locator('.stage .message').innerText(), /cannot draw in three dimensions/);
+  await page.locator('.pairs tbody tr').first().click();
+  assert.ok(await page.locator('[data-selected-bee]').count());
+  complaints.splice(0, complaints.length, ...complaints.filter((text) => !/WebGL/.test(text)));
+});
+
+for (const name of ['snapshot', 'recording']) {
+  pageTest('opens without DecompressionStream and fromBase64', name, {
+    before: 'delete window.DecompressionStream; delete Uint8Array.fromBase64;',
+  }, async ({ page }) => {
+    assert.ok((await page.locator('.pairs tbody tr').count()) > 0);
+  });
+}

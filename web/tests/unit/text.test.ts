@@ -1,0 +1,67 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { niceBelow, niceTicks } from '../../src/text/nice_steps';
+import { isolate, shorten } from '../../src/text/names';
+import * as numbers from '../../src/text/numbers';
+
+const plain = (text: string): string => text.replace(/[\u202f\u00a0]/g, ' ').replaceAll('\u2212', '-');
+
+test('counts have their thousands apart', () => {
+  assert.deepEqual([0, 999, 1000, 1234567, -1234].map((n) => plain(numbers.formatCount(n))), ['0', '999', '1,000', '1,234,567', '-1,234']);
+});
+
+test('distances keep four digits that matter', () => {
+  const shown = [0, 0.0912345, 2.2254, 12.3456, 1234.56, 19999.9, 25000, 123456.7].map((m) => plain(numbers.formatMetres(m)));
+  assert.deepEqual(shown, ['0 m', '0.09123 m', '2.225 m', '12.35 m', '1,235 m', '20,000 m', '25.00 km', '123.5 km']);
+  assert.equal(numbers.formatMetres(NaN), '–');
+});
+
+test('settings are written as they were given', () => {
+  assert.deepEqual([5, 0.125, 1500, -2.5, 1e21].map((m) => plain(numbers.formatExactly(m))), ['5 m', '0.125 m', '1,500 m', '-2.5 m', '1e+21 m']);
+});
+
+test('errors are never rounded down', () => {
+  assert.deepEqual([0, 0.0151, 0.015, 1.21, 4e-7, 0.0999].map((m) => plain(numbers.formatError(m))), ['0 m', '16 mm', '15 mm', '1.3 m', '0.40 µm', '100 mm']);
+});
+
+test('coordinates end where their error begins', () => {
+  assert.equal(plain(numbers.formatCoordinate(-1234.56789, 0.016)), '-1,234.57 m');
+  assert.equal(plain(numbers.formatCoordinate(0.001, 3)), '0 m');
+});
+
+test('shares', () => {
+  assert.deepEqual([[0, 5], [1, 8], [1, 100000], [99999, 100000], [5, 5], [0, 0]].map(([a, b]) => plain(numbers.formatShare(a, b))), [
+    '0.0 %', '12.5 %', '< 0.1 %', '> 99.9 %', '100.0 %', '–',
+  ]);
+});
+
+test('durations and times', () => {
+  assert.deepEqual([0, 3.2, 99.9, 125, 7380].map((s) => plain(numbers.formatDuration(s))), ['0 s', '3.20 s', '99.9 s', '2 min 05 s', '2 h 03 min']);
+  assert.equal(plain(numbers.formatTime(81.25, false, 1)), '81.3 s');
+  assert.equal(numbers.formatTime(1764662400.25, true, 2), '2025-12-02 08:00:00.25 UTC');
+  assert.equal(numbers.formatTime(1764662400, true, 0), '2025-12-02 08:00:00 UTC');
+  assert.deepEqual([10, 1, 0.5, 0.04, 0].map(numbers.decimalsFor), [0, 0, 1, 2, 1]);
+});
+
+test('steps that people count in', () => {
+  assert.deepEqual([1, 1.9, 2, 4.9, 7, 0.03, 300].map(niceBelow), [1, 1, 2, 2, 5, 0.02, 200]);
+  assert.deepEqual(niceTicks(-1.2, 3.1, 4), [-1, 0, 1, 2, 3]);
+  assert.deepEqual(niceTicks(1, 1, 4), []);
+  for (const [least, most] of [[0, 1], [-3e5, 1e6], [0.001, 0.0042]]) {
+    const ticks = niceTicks(least, most, 5);
+    assert.ok(ticks.length >= 3 && ticks.length <= 12, `${ticks}`);
+  }
+});
+
+test('long names are cut between characters', () => {
+  assert.equal(shorten('Maya'), 'Maya');
+  assert.equal(shorten(''), '(no name)');
+  const bees = shorten('\u{1F41D}'.repeat(10000), 5);
+  assert.equal(bees, '\u{1F41D}\u{1F41D}\u{1F41D}\u{1F41D}…');
+  assert.equal(shorten('x'.repeat(48)), 'x'.repeat(48));
+  assert.equal(shorten('x'.repeat(49)).length, 48);
+});
+
+test('a name that turns the text around stays between its marks', () => {
+  assert.equal(isolate('\u202Eab'), '\u2068\u202Eab\u2069');
+});
