@@ -55,10 +55,9 @@ Result<bool> read_png(const std::string& output) {
     return usage_error(kName,
                        "a picture's name ends in .svg or .png, unlike '" + printable(output) + "'");
   }
-  if (report::can_draw_png()) return true;
-  return usage_error(kName,
-                     "this build draws no PNG: give a name that ends in .svg, or build beespace "
-                     "where cairo is installed (Debian: apt-get install libcairo2-dev)");
+  const std::string lacking = report::why_no_png();
+  if (lacking.empty()) return true;
+  return usage_error(kName, lacking + "; or give a name that ends in .svg");
 }
 
 Result<PlotRequest> plot_request(const PlotOptions& options) {

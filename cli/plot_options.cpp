@@ -20,7 +20,7 @@ constexpr const char* kDetails =
     "More than 4,000 bees are drawn as shades: the picture then says so, and stays small.\n"
     "\n"
     "The ending of FILE says the format: .svg, which is sharp at any size, or .png, for which\n"
-    "beespace must have been built with cairo. The same input gives the same SVG, byte by byte.\n"
+    "cairo must be installed. The same input gives the same SVG, byte by byte.\n"
     "\n"
     "Examples:\n"
     "  beespace plot bees.csv -o bees.svg\n"

@@ -22,29 +22,29 @@ _beespace() {
   fi
 
   if [ "$COMP_CWORD" -eq 1 ]; then
-    _beespace_offer -W 'detect predict replay watch advise simulate verify generate bench help --help
-      --version' -- "$current"
+    _beespace_offer -W 'detect predict replay watch advise simulate verify report view plot
+      export generate bench help --help --version' -- "$current"
     return
   fi
 
   local words=''
   case $subcommand:$previous in
-    help:help) words='detect predict replay watch advise simulate verify generate bench' ;;
+    help:help) words='detect predict replay watch advise simulate verify report view plot export generate
+      bench' ;;
     detect:--report) words='at-risk pairs neighbors counts nearest groups closest-pair' ;;
     replay:--report) words='conflicts bees separation events' ;;
-    detect:--crs | predict:--crs | replay:--crs | watch:--crs | verify:--crs) words='auto wgs84 metres' ;;
-    predict:--time-unit | replay:--time-unit | watch:--time-unit | verify:--time-unit)
-      words='auto s ms us ns' ;;
-    predict:--heights | replay:--heights | watch:--heights | verify:--heights)
-      words='auto geometric pressure' ;;
+    *:--crs) words='auto wgs84 metres' ;;
+    *:--time-unit) words='auto s ms us ns' ;;
+    *:--heights) words='auto geometric pressure' ;;
     advise:--method) words='certified orca mvp' ;;
     simulate:--method) words='certified orca mvp none' ;;
     advise:--acceleration | simulate:--acceleration | watch:--max-acceleration) words='none' ;;
     detect:--format) words='auto text npy bin' ;;
+    export:--format) words='kml czml geojson csv' ;;
     generate:--scene) words='uniform clusters area flight head-on crossing sphere-swap encounters' ;;
     generate:--area) words='medellin' ;;
     generate:--format) words='csv tsv npy bin csv.gz tsv.gz npy.gz bin.gz' ;;
-    *:--output | detect:--others | advise:--obstacles | advise:--intruders | simulate:--obstacles | verify:--obstacles)
+    *:--output | *:-o | *:--compare | *:--others | *:--obstacles | *:--intruders)
       compopt -o filenames
       _beespace_offer -f -- "$current"
       return
@@ -56,7 +56,7 @@ _beespace() {
     *:--speed | *:--miss | *:--duration | *:--interval) return ;;
     *:--bees | *:--spacing | *:--step | *:--steps | *:--clearance) return ;;
     *:--uncertainty | *:--intruder-horizon) return ;;
-    *:--max-speed | *:--max-acceleration) return ;;
+    *:--max-speed | *:--max-acceleration | *:--port | *:--width | *:--title) return ;;
     *)
       case $subcommand in
         detect)
@@ -94,6 +94,26 @@ _beespace() {
             --crs --columns --time-unit --heights --grounded --skip-bad --output --csv --json --quiet
             --help --version'
           ;;
+        report)
+          words='--threshold --vertical --inclusive --threads --crs --columns --time-unit
+            --heights --grounded --skip-bad --max-gap --tolerance --compare --output --json
+            --fail-on-risk --quiet --help --version'
+          ;;
+        view)
+          words='--threshold --vertical --inclusive --threads --crs --columns --time-unit
+            --heights --grounded --skip-bad --max-gap --tolerance --compare --no-open --port
+            --json --quiet --help --version'
+          ;;
+        plot)
+          words='--threshold --vertical --inclusive --threads --crs --columns --time-unit
+            --heights --grounded --skip-bad --max-gap --tolerance --width --title --output
+            --json --fail-on-risk --quiet --help --version'
+          ;;
+        export)
+          words='--threshold --vertical --inclusive --threads --crs --columns --time-unit
+            --heights --grounded --skip-bad --max-gap --tolerance --format --output --json
+            --fail-on-risk --quiet --help --version'
+          ;;
         generate)
           words='--scene --area --points --size --clusters --sigma --speed --miss --duration
             --interval --seed --format --output --quiet --help --version'
@@ -111,7 +131,8 @@ _beespace() {
             return
           fi
           ;;
-        detect:* | predict:* | replay:* | watch:* | advise:* | verify:*)
+        detect:* | predict:* | replay:* | watch:* | advise:* | verify:* | report:* | view:* | \
+          plot:* | export:*)
           compopt -o filenames
           _beespace_offer -f -- "$current"
           return

@@ -10,6 +10,16 @@ import { build } from 'esbuild';
 
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 
+// Three.js brings the text of its own shaders, with tabs that no graphics card needs.
+const untabbed = {
+  name: 'untabbed',
+  setup(to) {
+    to.onLoad({ filter: /three\.module\.js$/ }, async ({ path }) => ({
+      contents: (await readFile(path, 'utf8')).replaceAll('\\t', ''),
+    }));
+  },
+};
+
 async function bundle(entry) {
   const result = await build({
     entryPoints: [here(entry)],
@@ -22,6 +32,7 @@ async function bundle(entry) {
     charset: 'utf8',
     legalComments: 'eof',
     logLevel: 'warning',
+    plugins: [untabbed],
   });
   return result.outputFiles[0].text.trim();
 }

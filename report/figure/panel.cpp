@@ -65,14 +65,15 @@ void draw_upwards(const Panel& panel, Drawing& drawing) {
              false,
              kQuietText});
   }
-  drawing.shapes.emplace_back(Text{{box.left - widest - 18.0, box.top + box.height / 2.0},
-                                   panel.upwards.title,
-                                   kLabelSize,
-                                   Anchor::kMiddle,
-                                   false,
-                                   true,
-                                   false,
-                                   kText});
+  drawing.shapes.emplace_back(
+      Text{{std::max(kLabelSize, box.left - widest - 18.0), box.top + box.height / 2.0},
+           panel.upwards.title,
+           kLabelSize,
+           Anchor::kMiddle,
+           false,
+           true,
+           false,
+           kText});
 }
 
 // Of lines with many spots: how many of them a label covers that begins there.

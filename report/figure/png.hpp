@@ -1,4 +1,4 @@
-// A drawing as pixels: PNG, drawn by cairo where the build has it.
+// A drawing as pixels: PNG, drawn by cairo, where that is installed and the build knew its headers.
 #pragma once
 
 #include "report/figure/drawing.hpp"
@@ -8,15 +8,15 @@
 
 namespace beespace::report {
 
-// Whether png() can draw; it cannot in a build without cairo.
-bool can_draw_png();
+// Empty where png() can draw; otherwise a phrase that says what it lacks, and how to get it.
+std::string why_no_png();
 
 struct Png {
   std::string bytes;
   bool has_fonts = true;  // without, letters are strokes, and those beyond ASCII are missing
 };
 
-// So many pixels wide; nothing where there is no memory for them, or no cairo.
+// So many pixels wide; nothing where there is no memory for them. Nothing is lacking (above).
 std::optional<Png> png(const Drawing& drawing, unsigned width);
 
 }  // namespace beespace::report

@@ -76,7 +76,7 @@ std::vector<View> views_of(const Extent& extent, const SwarmFacts& swarm, Spot c
                            double width) {
   const Point low = extent.empty() ? Point{} : extent.low();
   const Point high = extent.empty() ? Point{} : extent.high();
-  const double least_m = swarm.threshold_m;
+  const double least_m = swarm.threshold_m > 0.0 ? swarm.threshold_m : 1.0;
   double across_m = size_of(low.x, high.x);
   double along_m = size_of(low.y, high.y);
   if (std::max(high.x - low.x, high.y - low.y) <= 1e-6 * least_m) {

@@ -50,8 +50,9 @@ class Document {
   // `time` and `geometry` are XML.
   void add(const std::string& name, const std::string& description, const std::string& time,
            const char* style, const std::string& geometry) {
-    output_.write("<Placemark>" + element("name", name) + element("description", description) +
-                  time + "<styleUrl>#" + style + "</styleUrl>" + geometry + "</Placemark>\n");
+    output_.write("<Placemark>" + element("name", name) +
+                  (description.empty() ? "" : element("description", description)) + time +
+                  "<styleUrl>#" + style + "</styleUrl>" + geometry + "</Placemark>\n");
   }
 
   void finish() { output_.write("</Document>\n</kml>\n"); }

@@ -13,7 +13,7 @@ const kThinned = 120000;
 
 /** Sizes in pixels, as seen from where the whole swarm is in sight. */
 function baseSizes(count: number): { crowd: number; risk: number } {
-  if (count > 300000) return { crowd: 1, risk: 2 };
+  if (count > 300000) return { crowd: 1, risk: 1.5 };
   if (count > 50000) return { crowd: 1.5, risk: 3 };
   if (count > 5000) return { crowd: 2.5, risk: 6 };
   return { crowd: 5, risk: 10 };
@@ -56,9 +56,8 @@ export class Cloud {
     this.#drawCrowd(placement);
     this.#draw(this.#risk.geometry, placement.atRisk, 0);
     this.#draw(this.#lines.geometry, placement.lines, 0);
-    this.#lines.material.uniforms.opacity.value = placement.lines.length > 40000 ? 0.25 : 0.8;
     // Where very many lie over one another, how many is seen too.
-    this.#risk.material.uniforms.opacity.value = placement.atRisk.length > 20000 ? 0.55 : 1;
+    this.#risk.material.uniforms.opacity.value = placement.atRisk.length > 20000 ? 0.7 : 1;
   }
 
   /** Draws only a part of a large crowd, for as long as the view moves; those at risk all the same. */
@@ -91,6 +90,12 @@ export class Cloud {
     this.#lines.material.uniforms.colour.value = vectorOf(palette.line);
   }
 
+  /** Very many lines are faint from afar and clear from near by; `nearness` is 1 at home. */
+  setNearness(nearness: number): void {
+    const many = (this.#placed?.lines.length ?? 0) > 40000;
+    this.#lines.material.uniforms.opacity.value = many ? Math.min(0.8, 0.1 * nearness) : 0.8;
+  }
+
   /** Points grow as one comes near; `homeDistance` is from where all of the swarm is seen. */
   setSizes(homeDistance: number, pixelRatio: number): void {
     const { crowd, risk } = baseSizes(this.#count);
@@ -99,7 +104,7 @@ export class Cloud {
       part.material.uniforms.sizes.value = [least * pixelRatio, most * pixelRatio];
     };
     set(this.#crowd, crowd, Math.min(1, crowd), Math.max(8, crowd));
-    set(this.#risk, risk, Math.max(2, 0.7 * risk), Math.max(13, risk));
+    set(this.#risk, risk, Math.min(2, risk), Math.max(13, risk));
   }
 
   #setPositions(placement: Placement): void {

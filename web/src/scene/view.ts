@@ -171,6 +171,7 @@ export class View {
     this.#due = 0;
     this.#lastDrawn = performance.now();
     const { camera, distance } = this.orbit;
+    this.#cloud.setNearness(this.orbit.homeDistance / distance);
     this.#renderer.render(this.#scene, camera);
     this.#axes.letter(camera, this.#width, this.#height);
     this.#markers.move(this.#marked.map((bee) => this.sceneOf(bee)), camera, this.#width, this.#height);

@@ -1,0 +1,278 @@
+// Whole figures, as shapes: what is marked, where, and that it stays small.
+#include "report/figure/figure.hpp"
+
+#include "report/figure/nearest_histogram.hpp"
+#include "report/figure/separation_chart.hpp"
+#include "report/figure/style.hpp"
+#include "report/figure/svg.hpp"
+#include "report/figure/view.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace beespace::report {
+namespace {
+
+template <class Kind>
+std::vector<Kind> shapes_of(const Drawing& drawing) {
+  std::vector<Kind> all;
+  for (const Shape& shape : drawing.shapes) {
+    if (const auto* found = std::get_if<Kind>(&shape)) all.push_back(*found);
+  }
+  return all;
+}
+
+bool says(const Drawing& drawing, const std::string& part) {
+  const auto texts = shapes_of<Text>(drawing);
+  return std::any_of(texts.begin(), texts.end(), [&part](const Text& text) {
+    return text.text.find(part) != std::string::npos;
+  });
+}
+
+// Those with names, which are not of the key.
+std::vector<Diamond> named_marks(const Drawing& drawing) {
+  std::vector<Diamond> marks;
+  for (const Diamonds& diamonds : shapes_of<Diamonds>(drawing)) {
+    for (const Diamond& mark : diamonds.marks) {
+      if (!mark.name.empty()) marks.push_back(mark);
+    }
+  }
+  return marks;
+}
+
+void expect_inside(const Drawing& drawing) {
+  const auto inside = [&drawing](const Spot& spot) {
+    return spot.x >= 0.0 && spot.x <= drawing.width && spot.y >= 0.0 && spot.y <= drawing.height;
+  };
+  for (const Text& text : shapes_of<Text>(drawing)) EXPECT_TRUE(inside(text.at)) << text.text;
+  for (const Dots& dots : shapes_of<Dots>(drawing)) {
+    EXPECT_TRUE(std::all_of(dots.centres.begin(), dots.centres.end(), inside));
+  }
+  for (const Lines& lines : shapes_of<Lines>(drawing)) {
+    for (const auto& run : lines.runs) EXPECT_TRUE(std::all_of(run.begin(), run.end(), inside));
+  }
+}
+
+// Maya and Willi are 50 m apart, Flip is by himself.
+SnapshotFacts three_bees() {
+  SnapshotFacts facts;
+  facts.swarm.title = "three.csv";
+  facts.swarm.threshold_m = 100.0;
+  facts.swarm.names.texts = {"maya", "willi", "flip"};
+  facts.positions = {{0, 0, 0}, {30, 40, 0}, {1000, 500, 200}};
+  facts.at_risk = {0, 1};
+  facts.nearest = {{1, 50.0}, {0, 50.0}, {1, 1090.0}};
+  facts.pair_count = 1;
+  facts.group_count = 1;
+  facts.largest_group = 2;
+  facts.closest = ClosestPair{0, 1, 50.0};
+  facts.pairs = {{0, 1}};
+  facts.distances_m = {50.0};
+  return facts;
+}
+
+SnapshotFacts many_bees(std::size_t count, std::size_t at_risk) {
+  SnapshotFacts facts;
+  facts.swarm.title = "many";
+  facts.swarm.threshold_m = 1.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double k = static_cast<double>(i);
+    facts.positions.push_back(
+        {std::fmod(k * 37.7, 1000.0), std::fmod(k * 91.3, 800.0), 50.0 * std::sin(k)});
+    facts.nearest.push_back({0, 0.5 + std::fmod(k, 10.0)});
+  }
+  for (std::size_t i = 0; i < at_risk; ++i) facts.at_risk.push_back(static_cast<PointId>(i));
+  return facts;
+}
+
+RecordingFacts two_tracks() {
+  RecordingFacts facts;
+  facts.swarm.title = "flight";
+  facts.swarm.threshold_m = 5.0;
+  facts.swarm.names.texts = {"a", "b"};
+  facts.tracks = {Track{{{0.0, {0, 0, 10}}, {100.0, {100, 0, 10}}}},
+                  Track{{{0.0, {100, 3, 10}}, {100.0, {0, 3, 10}}}}};
+  facts.at_risk = {{0, {48.0, 52.0}}, {1, {48.0, 52.0}}};
+  facts.conflicts = {{0, 1, 48.0, 50.0, 52.0, 3.0}};
+  facts.conflict_count = 1;
+  facts.pair_count = 1;
+  facts.closest = facts.conflicts.front();
+  for (double t = 0.0; t <= 100.0; t += 1.0) {
+    facts.separation.push_back({t, {0, 1, std::hypot(100.0 - 2.0 * t, 3.0)}});
+  }
+  return facts;
+}
+
+TEST(Figure, MarksThoseAtRiskWhereTheyAreInBothViews) {
+  const SnapshotFacts facts = three_bees();
+  const Drawing drawing = figure_of(facts);
+  Extent extent;
+  for (const Point& p : facts.positions) extent.add(p);
+  const auto views = views_of(extent, facts.swarm, {100.0, 152.0}, 648.0);
+  const auto marks = named_marks(drawing);
+  ASSERT_EQ(marks.size(), 4u);
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    const Spot expected = views[i / 2].spot_of(facts.positions[i % 2]);
+    EXPECT_NEAR(marks[i].centre.x, expected.x, 1e-9);
+    EXPECT_NEAR(marks[i].centre.y, expected.y, 1e-9);
+    EXPECT_EQ(marks[i].name, i % 2 == 0 ? "maya" : "willi");
+  }
+  EXPECT_TRUE(says(drawing, "3 bees. 2 are at risk: 1 pair closer than 100 m, in 1 group."));
+  EXPECT_TRUE(says(drawing, "maya \u2013 willi"));
+  EXPECT_TRUE(says(drawing, "threshold 100 m"));
+  expect_inside(drawing);
+}
+
+TEST(Figure, FromAboveAMetreIsAsLongOnBothAxes) {
+  for (const double wide : {10.0, 1000.0, 1e6}) {
+    for (const double deep : {1.0, 500.0, 2e6}) {
+      Extent extent;
+      extent.add({0, 0, 0});
+      extent.add({wide, deep, 7});
+      const auto views = views_of(extent, three_bees().swarm, {100.0, 150.0}, 648.0);
+      const Panel& above = views.front().panel;
+      const double across = above.box.width / above.across.scale.values().size();
+      const double along = above.box.height / above.upwards.scale.values().size();
+      EXPECT_NEAR(across / along, 1.0, 1e-9);
+      const Range& x = above.across.scale.values();
+      const Range& y = above.upwards.scale.values();
+      EXPECT_TRUE(x.low < 0.0 && x.high > wide && y.low < 0.0 && y.high > deep);
+    }
+  }
+}
+
+TEST(Figure, SomebodyBelowTheThresholdIsInADarkBarAndTheThresholdIsAnEdge) {
+  const auto histogram = nearest_histogram(three_bees());
+  ASSERT_TRUE(histogram.has_value());
+  EXPECT_EQ(std::accumulate(histogram->counts.begin(), histogram->counts.end(), std::uint64_t{0}),
+            3u);
+  std::uint64_t below = 0;
+  for (std::size_t i = 0; i < histogram->counts.size(); ++i) {
+    if (histogram->edges_m[i + 1] <= 100.0) below += histogram->counts[i];
+  }
+  EXPECT_EQ(below, 2u);
+  EXPECT_NE(std::find(histogram->edges_m.begin(), histogram->edges_m.end(), 100.0),
+            histogram->edges_m.end());
+}
+
+TEST(Figure, DistancesOverManyPowersOfTenAreShownByThem) {
+  SnapshotFacts facts = three_bees();
+  facts.nearest = {{1, 1e-3}, {0, 1e-3}, {1, 1e6}};
+  EXPECT_TRUE(nearest_histogram(facts)->logarithmic);
+  facts.nearest = {{1, 0.0}, {0, 0.0}, {1, 0.0}};
+  const auto all_at_one_place = nearest_histogram(facts);
+  EXPECT_FALSE(all_at_one_place->logarithmic);
+  EXPECT_EQ(all_at_one_place->counts.front(), 3u);
+  facts.nearest = {{}, {}, {}};
+  EXPECT_FALSE(nearest_histogram(facts).has_value());
+}
+
+TEST(Figure, VeryManyBeesAreShadesAndTheFileStaysSmall) {
+  const Drawing drawing = figure_of(many_bees(100'000, 60'000));
+  EXPECT_EQ(shapes_of<Cells>(drawing).size(), 2u);
+  EXPECT_TRUE(named_marks(drawing).empty());
+  EXPECT_TRUE(says(drawing, "bees in a cell: 1 to "));
+  EXPECT_TRUE(says(drawing, "at risk: area by their number, up to "));
+  EXPECT_LT(svg(drawing, 1200).size(), 2'000'000u);
+  expect_inside(drawing);
+  EXPECT_EQ(named_marks(figure_of(many_bees(10'000, 500))).size(), 1'000u);
+}
+
+TEST(Figure, SwarmsWithoutAnyExtentCanBeDrawn) {
+  SnapshotFacts facts;
+  facts.swarm.threshold_m = 5.0;
+  for (const Point& place : {Point{0, 0, 0}, Point{5e7, -5e7, 1}, Point{1e120, 0, 0}}) {
+    facts.positions.assign(1, place);
+    facts.nearest.assign(1, Nearest{});
+    expect_inside(figure_of(facts));
+    facts.positions.assign(2, place);
+    facts.nearest = {{1, 0.0}, {0, 0.0}};
+    facts.at_risk = {0, 1};
+    expect_inside(figure_of(facts));
+    facts.at_risk.clear();
+  }
+  facts.positions = {{-1e120, 0, 0}, {1e120, 0, 0}};
+  facts.nearest = {{1, 2e120}, {0, 2e120}};
+  expect_inside(figure_of(facts));
+  expect_inside(figure_of(RecordingFacts{}));
+}
+
+TEST(Figure, OfARecordingPartsInConflictAreFat) {
+  const RecordingFacts facts = two_tracks();
+  const Drawing drawing = figure_of(facts);
+  std::size_t found = 0;
+  for (const Lines& lines : shapes_of<Lines>(drawing)) {
+    if (lines.ink.rgb != kRisk.rgb || lines.runs.size() != 2) continue;
+    ++found;
+    EXPECT_GT(lines.width, 2.0);
+  }
+  EXPECT_EQ(found, 2u);  // in both views
+  Extent extent;
+  for (const Track& track : facts.tracks) {
+    for (const Fix& fix : track.fixes) extent.add(fix.position);
+  }
+  const View view = views_of(extent, facts.swarm, {100.0, 152.0}, 648.0).front();
+  const auto marks = named_marks(drawing);
+  ASSERT_EQ(marks.size(), 4u);
+  EXPECT_NEAR(marks.front().centre.x, view.spot_of({50, 0, 10}).x, 1e-9);
+  EXPECT_TRUE(says(drawing, "3.000 m at 50.0 s"));
+  expect_inside(drawing);
+}
+
+TEST(Figure, TimesInConflictThatTouchAreOneBand) {
+  const auto bands =
+      times_in_conflict({{0, {5.0, 7.0}}, {1, {1.0, 2.0}}, {2, {2.0, 3.0}}, {3, {2.5, 2.6}}});
+  EXPECT_EQ(bands, (std::vector<TimeSpan>{{1.0, 3.0}, {5.0, 7.0}}));
+}
+
+TEST(Figure, ManyPathsAreShades) {
+  RecordingFacts facts;
+  facts.swarm.threshold_m = 1.0;
+  for (int i = 0; i < 2'000; ++i) {
+    const double y = i;
+    facts.tracks.push_back(Track{{{0.0, {0, y, 0}}, {10.0, {1000, 2000 - y, 100}}}});
+  }
+  const Drawing drawing = figure_of(facts);
+  EXPECT_EQ(shapes_of<Cells>(drawing).size(), 2u);
+  EXPECT_LT(svg(drawing, 1200).size(), 2'000'000u);
+}
+
+TEST(Svg, IsTheSameForTheSameFactsAndHoldsHostileNamesAsText) {
+  SnapshotFacts facts = three_bees();
+  facts.swarm.names.texts[0] = "<script>]]>\x01\xFF\"";
+  facts.swarm.title = "a & b";
+  const std::string once = svg(figure_of(facts), 800);
+  EXPECT_EQ(once, svg(figure_of(facts), 800));
+  EXPECT_EQ(once.find("<script"), std::string::npos);
+  EXPECT_NE(once.find("<title>&lt;script&gt;]]&gt;\xEF\xBF\xBD\xEF\xBF\xBD&quot;</title>"),
+            std::string::npos);
+  EXPECT_NE(once.find(">a &amp; b</text>"), std::string::npos);
+  EXPECT_NE(once.find(" width=\"800\" height="), std::string::npos);
+}
+
+TEST(Svg, PathsDoNotDriftByRounding) {
+  Drawing drawing{100.0, 100.0, "", "", {}};
+  std::vector<Spot> run;
+  for (int i = 0; i <= 1'000; ++i) run.push_back({0.0333 * i, 50.0});
+  drawing.shapes.emplace_back(Lines{{run}, {}});
+  const std::string text = svg(drawing, 100);
+  const std::size_t begin = text.find(" d=\"M0 50l") + 10;
+  double x = 0.0;
+  std::size_t at = begin;
+  while (text[at] != '"') {
+    std::size_t used = 0;
+    x += std::stod(text.substr(at), &used);
+    at += used;
+    std::stod(text.substr(at), &used);
+    at += used;
+  }
+  EXPECT_NEAR(x, 33.3, 1e-6);
+}
+
+}  // namespace
+}  // namespace beespace::report

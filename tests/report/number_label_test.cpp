@@ -1,0 +1,56 @@
+// Numbers as figures and map files show them.
+#include "report/figure/number_label.hpp"
+
+#include <gtest/gtest.h>
+
+namespace beespace::report {
+namespace {
+
+TEST(NumberLabel, CountsAreGroupedAndAgreeWithTheirNoun) {
+  EXPECT_EQ(count_label(0), "0");
+  EXPECT_EQ(count_label(1'234'567), "1,234,567");
+  EXPECT_EQ(count_label(1, "pair", "pairs"), "1 pair");
+  EXPECT_EQ(count_label(1'000, "pair", "pairs"), "1,000 pairs");
+}
+
+TEST(NumberLabel, DecimalsAreGroupedBeforeThePointOnlyAndNeverMinusZero) {
+  EXPECT_EQ(decimal_label(1234.5, 1), "1,234.5");
+  EXPECT_EQ(decimal_label(-1234567.0, 0), "\u22121,234,567");
+  EXPECT_EQ(decimal_label(-123.0, 0), "\u2212123");
+  EXPECT_EQ(decimal_label(-0.0001, 2), "0.00");
+  EXPECT_EQ(decimal_label(1e30, 0), "1e+30");
+}
+
+TEST(NumberLabel, LengthsHaveThreeDigitsThatCountAndAUnit) {
+  EXPECT_EQ(length_label(0.0), "0 m");
+  EXPECT_EQ(length_label(0.0124), "12.4 mm");
+  EXPECT_EQ(length_label(57.294), "57.3 m");
+  EXPECT_EQ(length_label(100.0), "100 m");
+  EXPECT_EQ(length_label(1234.0), "1,234 m");
+  EXPECT_EQ(length_label(12'345.0), "12.3 km");
+  EXPECT_EQ(listed_length(4.99812), "4.998 m");
+  EXPECT_EQ(listed_length(5.0), "5.000 m");
+  EXPECT_EQ(listed_length(0.0), "0 m");
+}
+
+TEST(NumberLabel, ClocksShowWhatTheirStepNeeds) {
+  EXPECT_EQ(clock_label(43'410.0, 60.0), "12:03");
+  EXPECT_EQ(clock_label(43'410.0, 30.0), "12:03:30");
+  EXPECT_EQ(clock_label(43'410.25, 0.01), "12:03:30.25");
+  EXPECT_EQ(clock_label(59.999999, 1.0), "00:01:00");
+}
+
+TEST(NumberLabel, InstantsAreThoseOfTheCalendar) {
+  EXPECT_EQ(instant_label(0.0), "1970-01-01T00:00:00Z");
+  EXPECT_EQ(instant_label(-1.0), "1969-12-31T23:59:59Z");
+  EXPECT_EQ(instant_label(951'782'400.0), "2000-02-29T00:00:00Z");
+  EXPECT_EQ(instant_label(1'709'251'200.5), "2024-03-01T00:00:00.5Z");
+  EXPECT_EQ(instant_label(86'399.9999999), "1970-01-02T00:00:00Z");
+  EXPECT_EQ(instant_label(-62'167'219'200.0), "0000-01-01T00:00:00Z");
+  EXPECT_EQ(instant_label(253'402'300'799.0), "9999-12-31T23:59:59Z");
+  EXPECT_EQ(instant_label(1e300), "");
+  EXPECT_EQ(date_label(1'709'164'800.0), "2024-02-29");
+}
+
+}  // namespace
+}  // namespace beespace::report
