@@ -96,13 +96,22 @@ GeographicPosition EarthFrame::position_of(const Point& place) const {
                         origin_.z + along(east.z, north.z, up.z)});
 }
 
-LocalPlaces around_middle(std::span<const Point> ecef) {
+namespace {
+
+GeographicPosition below_middle(std::span<const Point> ecef) {
   Point sum;
   for (const Point& p : ecef) sum = {sum.x + p.x, sum.y + p.y, sum.z + p.z};
-  LocalPlaces local;
   const double count = static_cast<double>(std::max<std::size_t>(1, ecef.size()));
-  const GeographicPosition below = to_geographic({sum.x / count, sum.y / count, sum.z / count});
-  local.origin = {below.longitude_deg, below.latitude_deg, 0.0};
+  const GeographicPosition middle = to_geographic({sum.x / count, sum.y / count, sum.z / count});
+  return {middle.longitude_deg, middle.latitude_deg, 0.0};
+}
+
+}  // namespace
+
+LocalPlaces around_middle(std::span<const Point> ecef,
+                          const std::optional<GeographicPosition>& origin_wanted) {
+  LocalPlaces local;
+  local.origin = origin_wanted ? *origin_wanted : below_middle(ecef);
   const Point origin = *to_ecef(local.origin);
   const LocalAxes axes = local_axes_at(origin);
   local.places.reserve(ecef.size());

@@ -5,6 +5,7 @@
 #include <beespace/mover.hpp>
 #include <beespace/point.hpp>
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -43,9 +44,11 @@ class EarthFrame {
 // ECEF positions as metres east, north and up of an origin: for looking at, not for distances,
 // which keep their meaning but are rounded once more.
 struct LocalPlaces {
-  GeographicPosition origin;  // below the middle of all, at height 0
+  GeographicPosition origin;
   std::vector<Point> places;
 };
-LocalPlaces around_middle(std::span<const Point> ecef);
+// The origin is below the middle of all, at height 0, unless it is given.
+LocalPlaces around_middle(std::span<const Point> ecef,
+                          const std::optional<GeographicPosition>& origin_wanted = {});
 
 }  // namespace beespace::report

@@ -39,9 +39,11 @@ Result<MadePage> page_of(const char* command, const SeenRequest& request,
   std::vector<std::vector<std::string>> inputs{request.moving.inputs};
   if (!compare.empty()) inputs.push_back({compare});
   MadePage page;
+  SeenRequest like_the_first = request;
   for (const auto& files : inputs) {
-    auto seen = see(files, request, progress);
+    auto seen = see(files, like_the_first, progress);
     if (!seen) return std::move(seen).error();
+    like_the_first.origin = swarm_of(*seen).origin;
     page.seen.push_back(*std::move(seen));
   }
   const auto& all = page.seen;

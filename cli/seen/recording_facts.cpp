@@ -109,12 +109,15 @@ Result<std::optional<Conflict>> closest_of(const RecordedConflicts& recorded,
 
 std::vector<Track> to_look_at(std::vector<Track> tracks, io::Frame frame,
                               report::SwarmFacts& swarm) {
-  if (frame != io::Frame::kWgs84) return tracks;
+  if (frame != io::Frame::kWgs84) {
+    swarm.origin.reset();
+    return tracks;
+  }
   std::vector<Point> places;
   for (const Track& track : tracks) {
     for (const Fix& fix : track.fixes) places.push_back(fix.position);
   }
-  const report::LocalPlaces local = report::around_middle(places);
+  const report::LocalPlaces local = report::around_middle(places, swarm.origin);
   swarm.origin = local.origin;
   auto next = local.places.begin();
   for (Track& track : tracks) {
@@ -140,6 +143,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   report::RecordingFacts facts;
   report::SwarmFacts& swarm = facts.swarm;
   swarm.title = title;
+  swarm.origin = request.origin;
   swarm.source = recording.format_description;
   swarm.threshold_m =
       moving.threshold_m.value_or(recording.declared_threshold_m.value_or(kDefaultThreshold_m));

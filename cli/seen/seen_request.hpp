@@ -3,9 +3,11 @@
 
 #include "cli/moving/moving_options.hpp"
 
+#include <beespace/geodesy.hpp>
 #include <beespace/result.hpp>
 
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
@@ -25,6 +27,8 @@ struct SeenRequest {
   MovingRequest moving;
   double max_gap_s = std::numeric_limits<double>::infinity();
   double tolerance_m = 0.001;
+  // Where east, north and up of geographic positions are 0; otherwise below the middle of all.
+  std::optional<GeographicPosition> origin = {};
 };
 
 // FILES and what --help says of reading and of the separation.

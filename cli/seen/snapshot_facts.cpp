@@ -49,6 +49,7 @@ report::Names names_of(const io::LoadedPoints& loaded, const std::vector<Pair>& 
 report::SnapshotFacts begun(const std::string& title, const SeenRequest& request) {
   report::SnapshotFacts facts;
   facts.swarm.title = title;
+  facts.swarm.origin = request.origin;
   facts.swarm.threshold_m = request.moving.threshold_m.value_or(kDefaultThreshold_m);
   facts.swarm.vertical_m = request.moving.vertical_m;
   facts.swarm.inclusive = request.moving.inclusive;
@@ -92,10 +93,11 @@ Status search(const std::vector<Point>& points, const GroundPlaces& apart, unsig
 
 void place(const std::vector<Point>& points, io::Frame frame, report::SnapshotFacts& facts) {
   if (frame != io::Frame::kWgs84) {
+    facts.swarm.origin.reset();
     facts.positions = points;
     return;
   }
-  report::LocalPlaces local = report::around_middle(points);
+  report::LocalPlaces local = report::around_middle(points, facts.swarm.origin);
   facts.swarm.origin = local.origin;
   facts.positions = std::move(local.places);
 }

@@ -63,3 +63,32 @@ attempt build
 
 attempt no-such-purpose
 [ "$status" = 2 ] || fail "an unknown purpose must be refused"
+
+# What a package is needed for, in a list of one's own. What the system is called cannot be faked.
+mkdir -p "$fakes/project/scripts"
+cp "$source/scripts/install-packages" "$fakes/project/scripts/"
+source=$fakes/project
+if grep -qx 'ID=debian' /etc/os-release 2> /dev/null; then here=' on-debian'; else here=''; fi
+ln -s "$(command -v grep)" "$fakes/grep"
+packages() { # lines of packages.txt; sets output to what is needed
+  printf '%s\n' "$@" > "$source/scripts/packages.txt"
+  attempt build
+}
+packages 'build always' 'build no-tool  unless=tool # unless=nothing' 'build on-debian on=debian' \
+  'build neither unless=tool on=debian' 'test another'
+all="always no-tool$here"
+if [ -n "$here" ]; then all+=' neither'; fi
+[ "$status" = 0 ] && [[ "$output" == *"what they call: $all"$'\n'* ]] || fail "needed are '$all'"
+
+fake tool 'exit 1'
+packages 'build always' 'build no-tool unless=tool' 'build on-debian on=debian' \
+  'build neither unless=tool on=debian' 'build other unless=no-such-tool'
+[ "$status" = 0 ] && [[ "$output" == *"what they call: always$here other"$'\n'* ]] ||
+  fail "with the tool from elsewhere its package is not needed"
+
+packages 'build always' 'build what when=ever'
+[ "$status" = 2 ] && [[ "$output" == *"'when=ever' is no condition"* ]] ||
+  fail "an unknown condition must be refused"
+
+packages 'build no-tool unless=tool'
+[ "$status" = 0 ] && [ -z "$output" ] || fail "with nothing needed it must be silent"

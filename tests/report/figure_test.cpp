@@ -199,7 +199,9 @@ TEST(Figure, SwarmsWithoutAnyExtentCanBeDrawn) {
   facts.positions = {{-1e120, 0, 0}, {1e120, 0, 0}};
   facts.nearest = {{1, 2e120}, {0, 2e120}};
   expect_inside(figure_of(facts));
-  expect_inside(figure_of(RecordingFacts{}));
+  RecordingFacts nobody;
+  nobody.swarm.threshold_m = 5.0;
+  expect_inside(figure_of(nobody));
 }
 
 TEST(Figure, OfARecordingPartsInConflictAreFat) {

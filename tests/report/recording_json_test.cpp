@@ -94,8 +94,10 @@ void expect_places(const Read& read, const std::vector<Track>& tracks) {
   }
 }
 
-// Flights of some bees from this time on; regular times are multiples of `every_s`.
-RecordingFacts flights(SceneMaker& make, double begins_s, double every_s, double speed_mps) {
+// Flights of some bees from this time on; regular times are multiples of `every_s`, others at least
+// `closest_s` apart.
+RecordingFacts flights(SceneMaker& make, double begins_s, double every_s, double speed_mps,
+                       double closest_s = 1e-3) {
   RecordingFacts facts;
   for (std::size_t bees = 1 + make.below(6); bees > 0; --bees) {
     Track& track = facts.tracks.emplace_back();
@@ -103,7 +105,7 @@ RecordingFacts flights(SceneMaker& make, double begins_s, double every_s, double
     double since_s = every_s > 0.0 ? every_s * static_cast<double>(make.below(50)) : 0.0;
     for (std::size_t count = make.below(60); count > 0; --count) {
       track.fixes.push_back({begins_s + since_s, at});
-      const double step_s = every_s > 0.0 ? every_s : make.between(1e-3, 2.0);
+      const double step_s = every_s > 0.0 ? every_s : closest_s * make.between(1.0, 2e3);
       since_s += step_s;
       const double most_m = speed_mps * step_s;
       at = test::shifted(at, make.box(1, {-most_m, -most_m, 0}, {most_m, most_m, 0}).front());
@@ -133,17 +135,26 @@ TEST(RecordingJson, MicrosecondsAreToldAsSuch) {
   expect_times(read, facts.tracks, 1e-9);
 }
 
-TEST(RecordingJson, IrregularTimesAreToldAsFinelyAsTicksAllow) {
+// Times of no rhythm, no closer to each other than this.
+void expect_irregular(double closest_s, double begins_s, SceneMaker& make) {
+  const RecordingFacts facts = flights(make, begins_s, 0.0, 20.0, closest_s);
+  const Read read(facts);
+  const double lasts_s = double(read["time"]["ends_s"]) - read.begins_s();
+  expect_times(read, facts.tracks, 0.5 * read.tick_s() + rounding_s(read, lasts_s));
+  expect_places(read, facts.tracks);
+  EXPECT_LE(read.tick_s(), std::max(1e-9, 0.11 * closest_s));
+  for (const Track& track : read.tracks()) {
+    for (std::size_t i = 1; i < track.fixes.size(); ++i) {
+      ASSERT_GT(track.fixes[i].time_s, track.fixes[i - 1].time_s) << "two at the same time";
+    }
+  }
+}
+
+TEST(RecordingJson, IrregularTimesAreToldFinelyEnough) {
   SceneMaker make(2);
   for (int round = 0; round < rounds(60); ++round) {
     for (const double begins_s : {0.0, -1e4, 1.7e9}) {
-      const RecordingFacts facts = flights(make, begins_s, 0.0, 20.0);
-      const Read read(facts);
-      const double lasts_s = double(read["time"]["ends_s"]) - read.begins_s();
-      if (lasts_s == 0.0) continue;
-      EXPECT_LE(read.tick_s(), std::max(1e-9, lasts_s / 4e9));
-      expect_times(read, facts.tracks, 0.5 * read.tick_s() + rounding_s(read, lasts_s));
-      expect_places(read, facts.tracks);
+      for (const double closest_s : {1e-5, 1e-3, 0.1}) expect_irregular(closest_s, begins_s, make);
     }
   }
 }

@@ -24,6 +24,7 @@ export function formatDigits(value: number, digits: number): string {
 /** A distance: 0.0912 m, 12.34 m, 1,234 m, 12.34 km. */
 export function formatMetres(metres: number, digits = 4): string {
   if (!Number.isFinite(metres)) return '–';
+  if (metres !== 0 && Math.abs(metres) < 5e-7) return `<${kThin}1${kThin}µm`;
   if (Math.abs(metres) >= 20000) return `${formatDigits(metres / 1000, digits)}${kThin}km`;
   return `${formatDigits(metres, digits)}${kThin}m`;
 }

@@ -14,6 +14,7 @@ test('distances keep four digits that matter', () => {
   const shown = [0, 0.0912345, 2.2254, 12.3456, 1234.56, 19999.9, 25000, 123456.7].map((m) => plain(numbers.formatMetres(m)));
   assert.deepEqual(shown, ['0 m', '0.09123 m', '2.225 m', '12.35 m', '1,235 m', '20,000 m', '25.00 km', '123.5 km']);
   assert.equal(numbers.formatMetres(NaN), '–');
+  assert.equal(plain(numbers.formatMetres(3e-9)), '< 1 µm');
 });
 
 test('settings are written as they were given', () => {
