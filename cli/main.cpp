@@ -124,10 +124,7 @@ ExitCode run(int argc, char** argv) {
     return explain(command, error);
   }
   if (command.get_subcommands().empty()) {
-    say_error(
-        "say what to do: detect, predict, replay, watch, advise, simulate, verify, report, view, "
-        "plot, export, generate or bench "
-        "(see 'beespace --help')");
+    say_error("say what to do: " + names_of_subcommands(command) + " (see 'beespace --help')");
     return ExitCode::kUsage;
   }
   if (detect->parsed()) return run_detect(detect_options);

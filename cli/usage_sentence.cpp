@@ -35,10 +35,9 @@ std::string unknown_option(const CLI::App& command, const std::string& word) {
   const std::string name = word.substr(0, word.find('='));
   const std::size_t letters = std::min(name.find_first_not_of('-'), name.size());
   std::string text = "'" + word + "' is no option of '" + full_name(command) + "'";
-  if (command.get_parent() == nullptr)
-    text +=
-        ", whose options follow detect, predict, replay, watch, advise, simulate, verify, generate "
-        "or bench";
+  if (command.get_parent() == nullptr) {
+    text += ", whose options follow " + names_of_subcommands(command);
+  }
   return text + did_you_mean("--" + name.substr(letters), known);
 }
 
@@ -48,9 +47,7 @@ std::string unknown_argument(const CLI::App& command, const std::string& word) {
   }
   std::vector<std::string> known;
   for (const CLI::App* sub : command.get_subcommands({})) known.push_back(sub->get_name());
-  return "'" + word +
-         "' is nothing that beespace does; say detect, predict, replay, watch, advise, simulate, "
-         "verify, generate or bench" +
+  return "'" + word + "' is nothing that beespace does; say " + names_of_subcommands(command) +
          did_you_mean(word, known);
 }
 
@@ -76,6 +73,16 @@ std::string wrong_count(const CLI::App& command, const std::string& message) {
 }
 
 }  // namespace
+
+std::string names_of_subcommands(const CLI::App& command) {
+  const auto subcommands = command.get_subcommands({});
+  std::string names;
+  for (std::size_t i = 0; i < subcommands.size(); ++i) {
+    if (i > 0) names += i + 1 < subcommands.size() ? ", " : " or ";
+    names += subcommands[i]->get_name();
+  }
+  return names;
+}
 
 std::string usage_sentence(const CLI::App& command, const CLI::ParseError& error) {
   if (const auto words = command.remaining(); !words.empty()) return unexpected(command, words);

@@ -10,6 +10,9 @@ class ParseError;
 
 namespace beespace::cli {
 
+// "detect, predict or help": what it can be told to do.
+std::string names_of_subcommands(const CLI::App& command);
+
 // `command` is the whole command after its parse() threw `error`.
 std::string usage_sentence(const CLI::App& command, const CLI::ParseError& error);
 

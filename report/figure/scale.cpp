@@ -64,7 +64,9 @@ std::vector<Tick> logarithmic_ticks(const Range& range, std::size_t most) {
   const double last = std::ceil(std::log10(range.high) - 1e-9);
   const auto decades = static_cast<std::size_t>(last - first) + 1;
   const std::vector<double> factors =
-      decades * 3 <= most + 2 ? std::vector{1.0, 2.0, 5.0} : std::vector{1.0};
+      3.0 * std::log10(range.high / range.low) + 1.0 <= static_cast<double>(most)
+          ? std::vector{1.0, 2.0, 5.0}
+          : std::vector{1.0};
   const auto every = static_cast<double>((decades + most - 1) / most);
   std::vector<Tick> ticks;
   for (double power = first; power <= last; power += every) {

@@ -36,7 +36,8 @@ TEST(Ticks, AreOneTwoOrFiveTimesAPowerOfTenAndNotTooMany) {
   EXPECT_DOUBLE_EQ(nice_step(1.0, 3), 0.5);
   EXPECT_DOUBLE_EQ(nice_step(6e-7, 1), 1e-6);
   EXPECT_EQ(labels(nice_ticks({-0.3, 1.1}, 4)), (Labels{"0.0", "0.5", "1.0"}));
-  EXPECT_EQ(labels(nice_ticks({-1234.0, 1234.0}, 5)), (Labels{"\u22121,000", "0", "1,000"}));
+  EXPECT_EQ(labels(nice_ticks({-1234.0, 1234.0}, 5)),
+            (Labels{"\u22121,000", "\u2212500", "0", "500", "1,000"}));
   EXPECT_EQ(labels(nice_ticks({0.0, 50'000.0}, 3, 1e3)), (Labels{"0", "20", "40"}));
 }
 
