@@ -1,4 +1,4 @@
-// Photographs pages for the README and docs/gallery.md, in Chromium:
+// Photographs pages for the README and docs/gallery, in Chromium:
 //
 //   node gallery.mjs FOLDER_OF_PAGES FOLDER_OF_PICTURES
 import { resolve } from 'node:path';
