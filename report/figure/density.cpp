@@ -37,10 +37,11 @@ void Density::add(Spot spot) {
 
 void Density::add_way(Spot from, Spot to) {
   // Steps of less than half a cell miss no more than corners.
-  const double steps = std::ceil(2.5 * std::hypot(to.x - from.x, to.y - from.y) / side_) + 1.0;
+  const int steps =
+      static_cast<int>(std::ceil(2.5 * std::hypot(to.x - from.x, to.y - from.y) / side_)) + 1;
   std::size_t last = counts_.size();
-  for (double k = 0.0; k <= steps; k += 1.0) {
-    const double share = k / steps;
+  for (int k = 0; k <= steps; ++k) {
+    const double share = static_cast<double>(k) / steps;
     const std::size_t cell =
         cell_of({from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)});
     if (cell != last) ++counts_[cell];
@@ -72,8 +73,10 @@ Diamonds Density::diamonds(Ink ink) const {
   Diamonds diamonds{{}, ink};
   for (std::size_t i = 0; i < counts_.size(); ++i) {
     if (counts_[i] == 0) continue;
-    const Spot centre{corner_.x + (static_cast<double>(i % columns_) + 0.5) * side_,
-                      corner_.y + (static_cast<double>(i / columns_) + 0.5) * side_};
+    const std::size_t row = i / columns_;
+    const std::size_t column = i % columns_;
+    const Spot centre{corner_.x + (static_cast<double>(column) + 0.5) * side_,
+                      corner_.y + (static_cast<double>(row) + 0.5) * side_};
     const double radius = greatest * std::sqrt(counts_[i] / most_of_all);
     diamonds.marks.push_back({centre, std::max(kLeast, radius)});
   }

@@ -47,11 +47,12 @@ std::vector<double> edges_of(double low, double high, double threshold, bool log
     return logarithmic ? std::pow(10.0, value) : value;
   };
   const double step = (to(high) - to(low)) / kBins;
-  const double first = std::floor((to(low) - to(threshold)) / step);
-  const double last = std::floor((to(high) - to(threshold)) / step) + 1.0;
+  const int first = static_cast<int>(std::floor((to(low) - to(threshold)) / step));
+  const int last = static_cast<int>(std::floor((to(high) - to(threshold)) / step)) + 1;
   std::vector<double> edges_m;
-  for (double k = first; k <= last; k += 1.0) {
-    edges_m.push_back(k == 0.0 ? threshold : from(to(threshold) + k * step));
+  edges_m.reserve(static_cast<std::size_t>(last - first + 1));
+  for (int k = first; k <= last; ++k) {
+    edges_m.push_back(k == 0 ? threshold : from(to(threshold) + k * step));
   }
   if (!logarithmic) edges_m.front() = std::max(0.0, edges_m.front());
   return edges_m;

@@ -130,12 +130,13 @@ void draw_line_across(const Panel& panel, double value, const std::string& name,
   const double right = box.right() - width;
   const double above = y - 6.0;
   const double below = y + kLabelSize + 4.0;
-  constexpr double kSteps = 8.0;
+  constexpr int kSteps = 8;
   std::vector<Spot> places;
-  for (double k = 0.0; k <= kSteps; k += 1.0) {
+  for (int k = 0; k <= kSteps; ++k) {
+    const double x = right + static_cast<double>(k) / kSteps * (left - right);
     for (const double at : {above, below}) {
       if (at - kLabelSize < box.top || at + 4.0 > box.bottom()) continue;
-      places.push_back({right + k / kSteps * (left - right), at});
+      places.push_back({x, at});
     }
   }
   const auto in_the_way = [&](Spot at) { return spots_within(around, at, width); };

@@ -91,10 +91,11 @@ class Painter {
       set_ink(cells.inks[level - 1]);
       for (std::size_t i = 0; i < cells.levels.size(); ++i) {
         if (cells.levels[i] != level) continue;
-        const auto column = static_cast<double>(i % cells.columns);
-        const auto row = static_cast<double>(i / cells.columns);
-        cairo_.rectangle(to_, cells.corner.x + column * cells.side,
-                         cells.corner.y + row * cells.side, cells.side, cells.side);
+        const std::size_t row = i / cells.columns;
+        const std::size_t column = i % cells.columns;
+        cairo_.rectangle(to_, cells.corner.x + static_cast<double>(column) * cells.side,
+                         cells.corner.y + static_cast<double>(row) * cells.side, cells.side,
+                         cells.side);
       }
       cairo_.fill(to_);
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace beespace::report {
 namespace {
@@ -20,7 +21,9 @@ std::vector<double> multiples(const Range& range, double step) {
   const double first = std::ceil((range.low - slack) / step);
   const double last = std::floor((range.high + slack) / step);
   if (!(std::max(std::abs(first), std::abs(last)) < 0x1p53)) return values;
-  for (double k = first; k <= last; k += 1.0) values.push_back(k * step);
+  for (auto k = static_cast<std::int64_t>(first); static_cast<double>(k) <= last; ++k) {
+    values.push_back(static_cast<double>(k) * step);
+  }
   return values;
 }
 
@@ -60,16 +63,15 @@ std::vector<Tick> nice_ticks(const Range& range, std::size_t most, double unit) 
 }
 
 std::vector<Tick> logarithmic_ticks(const Range& range, std::size_t most) {
-  const double first = std::floor(std::log10(range.low) + 1e-9);
-  const double last = std::ceil(std::log10(range.high) - 1e-9);
-  const auto decades = static_cast<std::size_t>(last - first) + 1;
+  const int first = static_cast<int>(std::floor(std::log10(range.low) + 1e-9));
+  const int last = static_cast<int>(std::ceil(std::log10(range.high) - 1e-9));
+  const int every = 1 + (last - first) / static_cast<int>(most);
   const std::vector<double> factors =
       3.0 * std::log10(range.high / range.low) + 1.0 <= static_cast<double>(most)
           ? std::vector{1.0, 2.0, 5.0}
           : std::vector{1.0};
-  const auto every = static_cast<double>((decades + most - 1) / most);
   std::vector<Tick> ticks;
-  for (double power = first; power <= last; power += every) {
+  for (int power = first; power <= last; power += every) {
     for (const double factor : factors) {
       const double value = factor * std::pow(10.0, power);
       if (value < range.low * (1.0 - 1e-9) || value > range.high * (1.0 + 1e-9)) continue;
@@ -84,13 +86,11 @@ std::vector<Tick> clock_ticks(const Range& seconds, std::size_t most, double zer
                                    60.0,    120.0,   300.0,    600.0,    900.0,    1'800.0,
                                    3'600.0, 7'200.0, 10'800.0, 21'600.0, 43'200.0, 86'400.0};
   const double least = seconds.size() / static_cast<double>(std::max<std::size_t>(1, most));
-  double step = least;
+  double step = kSteps_s.back() * std::ceil(least / kSteps_s.back());
   if (least <= kSteps_s.front()) {
     step = nice_step(seconds.size(), most);
   } else if (least <= kSteps_s.back()) {
     step = *std::lower_bound(kSteps_s.begin(), kSteps_s.end(), least);
-  } else {
-    step = 86'400.0 * std::ceil(least / 86'400.0);
   }
   std::vector<Tick> ticks;
   for (const double value : multiples({seconds.low - zero, seconds.high - zero}, step)) {

@@ -108,6 +108,7 @@ Lines line_of(const RecordingFacts& facts, const Panel& panel) {
 
 std::vector<TimeSpan> times_in_conflict(const std::vector<AtRisk>& at_risk) {
   std::vector<TimeSpan> all;
+  all.reserve(at_risk.size());
   for (const AtRisk& of : at_risk) all.push_back(of.span);
   std::sort(all.begin(), all.end(),
             [](const TimeSpan& a, const TimeSpan& b) { return a.begins_s < b.begins_s; });

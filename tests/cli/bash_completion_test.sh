@@ -40,7 +40,8 @@ expect "" beespace detect --threshold = 5
 expect "$1" beespace detect --output = "${1%sh}"
 expect "--quiet" beespace generate --qu
 expect "predict" beespace pre
-expect "replay" beespace help rep
+expect "replay" beespace help repl
+expect "replay report" beespace help rep
 expect "--horizon" beespace predict --ho
 expect "--time-unit" beespace replay --ti
 expect "auto s ms us ns" beespace predict --time-unit ""

@@ -26,7 +26,7 @@ std::string swarm_of(const char* bees, const char* size_m) {
 }
 
 std::string flights() {
-  return run({"generate", "--scene", "encounters", "--points", "40", "--duration", "30", "--size",
+  return run({"generate", "--scene", "flight", "--points", "40", "--duration", "30", "--size",
               "100", "--interval", "2"})
       .out;
 }
@@ -73,6 +73,13 @@ Apart pairs_found(const Arguments& how, std::string_view input) {
   return pairs;
 }
 
+// "1,234".
+std::string grouped(std::size_t number) {
+  std::string digits = std::to_string(number);
+  for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, 1, ',');
+  return digits;
+}
+
 void expect_as_detect(const Arguments& how, const std::string& input) {
   const Page page = reported(how, input);
   EXPECT_EQ(text_of(page.swarm()["kind"]), "snapshot");
@@ -86,14 +93,13 @@ void expect_as_detect(const Arguments& how, const std::string& input) {
   std::uint64_t largest = 0;
   for (const auto& row : groups) largest = std::max<std::uint64_t>(largest, std::stoul(row.at(1)));
   EXPECT_EQ(std::uint64_t(page.risk()["largest_group"]), largest);
-  const ParsedJson closest = answer(Arguments{"detect", "--report", "closest-pair"} + how, input);
+  const ParsedJson closest = answer({"detect", "--report", "closest-pair"}, input);
   EXPECT_EQ(double(page.risk()["closest"]["distance_m"]),
             double(closest["closest_pair"]["distance_m"]));
-  const Finished finished = run(Arguments{"report"} + how, input);
-  expect_parts(finished.err,
-               {"at risk    " + std::to_string(at_risk_in(page).size()) + " of ",
-                std::to_string(pairs.size()) + (pairs.size() == 1 ? " pair in " : " pairs in ") +
-                    std::to_string(groups.size())});
+  std::string said = grouped(at_risk_in(page).size()) + " of " + grouped(page.names().size());
+  said += ": " + grouped(pairs.size()) + (pairs.size() == 1 ? " pair in " : " pairs in ");
+  said += std::to_string(groups.size()) + (groups.size() == 1 ? " group\n" : " groups\n");
+  expect_parts(run(Arguments{"report"} + how, input).err, {"at risk    " + said});
 }
 
 TEST_F(Report, OfASnapshotItSaysWhatDetectSays) {
@@ -342,6 +348,18 @@ TEST_F(Report, TwoAreShownBesideEachOther) {
   EXPECT_EQ(reported({"--compare", after}, "x,y,z\n0,0,0\n").swarms(), 2u);
   const std::string flown = folder_.file("flown.csv", flights());
   EXPECT_EQ(text_of(reported({flown, "--compare", flown}).swarm(1)["kind"]), "recording");
+}
+
+TEST_F(Report, TwoInDegreesAreShownInTheSamePlace) {
+  const std::string before = folder_.file("before.csv", "lon,lat,height\n-75.5,6.25,1500\n");
+  const std::string after = folder_.file("after.csv", "lon,lat,height\n-75.4999,6.25,1500\n");
+  const Page page = reported({before, "--compare", after});
+  const auto east = [&](std::size_t which) {
+    return page.values(page.swarm(which)["positions"]["x"]).at(0);
+  };
+  EXPECT_NEAR(east(1) - east(0), 11.07, 0.01);
+  EXPECT_EQ(simdjson::minify(page.swarm(0)["origin"].value()),
+            simdjson::minify(page.swarm(1)["origin"].value()));
 }
 
 TEST_F(Report, TheSameInputMakesTheSameBytesWithAnyThreads) {

@@ -18,6 +18,8 @@ using Json = simdjson::dom::element;
 class ParsedJson {
  public:
   explicit ParsedJson(std::string_view text) : root_(parser_.parse(text.data(), text.size())) {}
+  ParsedJson(const ParsedJson&) = delete;
+  ParsedJson& operator=(const ParsedJson&) = delete;
 
   [[nodiscard]] Json operator[](std::string_view key) const { return root_[key]; }
   [[nodiscard]] Json root() const { return root_; }
