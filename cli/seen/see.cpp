@@ -35,14 +35,20 @@ bool has_time_column(std::string_view header) {
   return false;
 }
 
-// Where the bytes come from: files by their names; standard input, which can be read once, kept.
+// Whether it is standard input, a pipe, or the like.
+bool can_be_read_once(const std::string& path) {
+  std::error_code unknown;
+  return path == "-" || std::filesystem::is_other(path, unknown);
+}
+
+// Where the bytes come from: files by their names; what can be read once, kept.
 class Inputs {
  public:
   static Result<Inputs> open(const std::vector<std::string>& paths, io::Progress& progress) {
     Inputs inputs;
     inputs.paths_ = paths;
-    if (paths.size() != 1 || paths.front() != "-") return inputs;
-    auto bytes = io::open_bytes("-", &progress);
+    if (paths.size() != 1 || !can_be_read_once(paths.front())) return inputs;
+    auto bytes = io::open_bytes(paths.front(), &progress);
     if (!bytes) return std::move(bytes).error();
     inputs.kept_ = *std::move(bytes);
     return inputs;
@@ -61,11 +67,11 @@ class Inputs {
   [[nodiscard]] const std::string& first() const { return paths_.front(); }
 
   [[nodiscard]] Result<io::LoadedPoints> load_points(const io::LoadOptions& options) const {
-    return kept_ ? io::load_points_from_memory(kept_->view, io::source_name("-"), options)
+    return kept_ ? io::load_points_from_memory(kept_->view, io::source_name(first()), options)
                  : io::load_points(paths_.front(), options);
   }
   [[nodiscard]] Result<io::Recording> load_recording(const io::RecordingOptions& options) const {
-    return kept_ ? io::load_recording_from_memory(kept_->view, io::source_name("-"), options)
+    return kept_ ? io::load_recording_from_memory(kept_->view, io::source_name(first()), options)
                  : io::load_recording(paths_, options);
   }
 

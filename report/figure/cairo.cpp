@@ -77,3 +77,16 @@ const Cairo* loaded_cairo() {
 }
 
 }  // namespace beespace::report
+
+// What fonts were found is kept to the end by fontconfig, which cairo brings along.
+#ifdef __has_feature
+#define BEESPACE_HAS_FEATURE(feature) __has_feature(feature)
+#else
+#define BEESPACE_HAS_FEATURE(feature) 0
+#endif
+#if defined(__SANITIZE_ADDRESS__) || BEESPACE_HAS_FEATURE(address_sanitizer)
+extern "C" const char* __lsan_default_suppressions();   // NOLINT: the sanitizer's name
+extern "C" const char* __lsan_default_suppressions() {  // NOLINT: the same
+  return "leak:libfontconfig.so\n";
+}
+#endif

@@ -50,7 +50,6 @@ std::vector<double> edges_of(double low, double high, double threshold, bool log
   const int first = static_cast<int>(std::floor((to(low) - to(threshold)) / step));
   const int last = static_cast<int>(std::floor((to(high) - to(threshold)) / step)) + 1;
   std::vector<double> edges_m;
-  edges_m.reserve(static_cast<std::size_t>(last - first + 1));
   for (int k = first; k <= last; ++k) {
     edges_m.push_back(k == 0 ? threshold : from(to(threshold) + k * step));
   }

@@ -86,9 +86,8 @@ Lines line_of(const RecordingFacts& facts, const Panel& panel) {
   const auto& all = facts.separation;
   double usual_s = 0.0;
   if (all.size() > 2) {
-    std::vector<double> steps_s;
-    for (std::size_t i = 1; i < all.size(); ++i)
-      steps_s.push_back(all[i].time_s - all[i - 1].time_s);
+    std::vector<double> steps_s(all.size() - 1);
+    for (std::size_t i = 0; i < steps_s.size(); ++i) steps_s[i] = all[i + 1].time_s - all[i].time_s;
     const auto middle = steps_s.begin() + static_cast<std::ptrdiff_t>(steps_s.size() / 2);
     std::nth_element(steps_s.begin(), middle, steps_s.end());
     usual_s = *middle;
@@ -124,6 +123,7 @@ std::vector<TimeSpan> times_in_conflict(const std::vector<AtRisk>& at_risk) {
 }
 
 void draw_separation(const RecordingFacts& facts, const Box& box, Drawing& drawing) {
+  constexpr std::size_t kRingSpots = 80;
   const Panel panel{box, "Distance of the closest two", time_axis(facts, box),
                     distance_axis(facts, box)};
   draw_bands(facts, panel, drawing);
@@ -134,8 +134,11 @@ void draw_separation(const RecordingFacts& facts, const Box& box, Drawing& drawi
     const Conflict& closest = *facts.closest;
     const Spot at = {panel.across.scale(closest.closest_s), panel.upwards.scale(closest.closest_m)};
     draw_ring(box, at, length_label(closest.closest_m), drawing);
-    line.runs.emplace_back();  // the label of the threshold keeps off this one
-    for (double x = at.x - 80.0; x <= at.x + 80.0; x += 2.0) line.runs.back().push_back({x, at.y});
+    // The label of the threshold keeps off this one.
+    line.runs.emplace_back(kRingSpots);
+    for (std::size_t i = 0; i < kRingSpots; ++i) {
+      line.runs.back()[i] = {at.x - 80.0 + 2.0 * static_cast<double>(i), at.y};
+    }
   }
   draw_line_across(panel, facts.swarm.threshold_m,
                    "threshold " + length_label(facts.swarm.threshold_m), line, drawing);

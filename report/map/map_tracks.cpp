@@ -42,6 +42,7 @@ std::vector<Gap> gaps_of(const std::vector<PointId>& bees, const std::vector<Gap
 MapTracks map_tracks(const RecordingFacts& facts, std::size_t most_tracks, std::size_t most_fixes) {
   const std::vector<PointId> bees = chosen_bees(facts, most_tracks);
   std::vector<Track> tracks;
+  tracks.reserve(bees.size());
   for (const PointId bee : bees) tracks.push_back(facts.tracks[bee]);
   const ShownFixes shown = shown_fixes(tracks, gaps_of(bees, facts.gaps), most_fixes);
   MapTracks map;

@@ -9,6 +9,7 @@
 #include <array>
 #include <csignal>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <thread>
 #include <vector>
@@ -239,6 +240,7 @@ TEST_F(View, NonsenseDoesNotEndIt) {
 }
 
 TEST_F(View, CtrlCEndsIt) {
+  expect_page();  // from here on all is said
   viewing_->signal(SIGINT);
   const Finished finished = viewing_->finish();
   EXPECT_EQ(finished.exit_code, 130);

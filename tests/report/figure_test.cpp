@@ -2,6 +2,7 @@
 #include "report/figure/figure.hpp"
 
 #include "report/figure/nearest_histogram.hpp"
+#include "report/figure/png.hpp"
 #include "report/figure/separation_chart.hpp"
 #include "report/figure/style.hpp"
 #include "report/figure/svg.hpp"
@@ -274,6 +275,20 @@ TEST(Svg, PathsDoNotDriftByRounding) {
     at += used;
   }
   EXPECT_NEAR(x, 33.3, 1e-6);
+}
+
+TEST(Png, DrawsEveryKindOfShape) {
+  if (!why_no_png().empty()) GTEST_SKIP() << why_no_png();
+  SnapshotFacts hostile = three_bees();
+  hostile.swarm.names.texts[0] = "\x01\xFF";  // cairo itself takes no text that is not UTF-8
+  hostile.swarm.title = "\xC3";
+  for (const Drawing& drawing :
+       {figure_of(hostile), figure_of(many_bees(5'000, 3'000)), figure_of(two_tracks())}) {
+    const auto made = png(drawing, 300);
+    ASSERT_TRUE(made.has_value());
+    EXPECT_EQ(made->bytes.substr(0, 8), "\x89PNG\r\n\x1A\n");
+    EXPECT_EQ(made->bytes, png(drawing, 300)->bytes);
+  }
 }
 
 }  // namespace
