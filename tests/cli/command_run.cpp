@@ -79,15 +79,16 @@ void give_up_privileges() {
   _exit(kCannotStart);
 }
 
-// Reads both to their ends. A terminal whose other side is closed reports an error instead.
-void drain(int out, int error, Finished& finished, int timeout_ms) {
+// Reads both to their ends; false where that takes too long. A terminal whose other side is closed
+// reports an error instead.
+bool drain(int out, int error, Finished& finished, int timeout_ms) {
   std::array<pollfd, 2> waiting{{{out, POLLIN, 0}, {error, POLLIN, 0}}};
   std::array<std::string*, 2> texts = {&finished.out, &finished.err};
   std::array<char, 65536> block{};
   while (waiting[0].fd >= 0 || waiting[1].fd >= 0) {
     const int ready = poll(waiting.data(), waiting.size(), timeout_ms);
     if (ready < 0 && errno == EINTR) continue;
-    if (ready <= 0) return;
+    if (ready <= 0) return false;
     for (std::size_t i = 0; i < waiting.size(); ++i) {
       if (waiting[i].fd < 0 || waiting[i].revents == 0) continue;
       const ssize_t count = read(waiting[i].fd, block.data(), block.size());
@@ -98,6 +99,7 @@ void drain(int out, int error, Finished& finished, int timeout_ms) {
       }
     }
   }
+  return true;
 }
 
 }  // namespace
@@ -184,7 +186,7 @@ std::string Running::read_line() const {
 Finished Running::finish() {
   constexpr int kPatience_ms = 60'000;
   Finished finished;
-  drain(output_, error_, finished, kPatience_ms);
+  if (!drain(output_, error_, finished, kPatience_ms)) kill(process_, SIGKILL);
   int status = 0;
   waitpid(process_, &status, 0);
   process_ = -1;
