@@ -31,6 +31,22 @@ Status check(const char* command, const SeenRequest& request, const std::string&
   return std::monostate{};
 }
 
+// Two that are compared are two of a kind, in the same frame.
+Status check_alike(const char* command, const std::vector<Seen>& seen) {
+  if (seen.size() < 2) return std::monostate{};
+  const report::SwarmFacts& first = swarm_of(seen[0]);
+  const report::SwarmFacts& second = swarm_of(seen[1]);
+  const auto differ = [&](const std::string& what) {
+    return usage_error(command, "'" + first.title + "' and '" + second.title +
+                                    "' cannot be compared: one is " + what);
+  };
+  if (seen[0].index() != seen[1].index()) return differ("a snapshot, the other a recording");
+  if (first.origin.has_value() != second.origin.has_value()) {
+    return differ("in degrees, the other in metres");
+  }
+  return std::monostate{};
+}
+
 }  // namespace
 
 Result<MadePage> page_of(const char* command, const SeenRequest& request,
@@ -46,14 +62,9 @@ Result<MadePage> page_of(const char* command, const SeenRequest& request,
     like_the_first.origin = swarm_of(*seen).origin;
     page.seen.push_back(*std::move(seen));
   }
-  const auto& all = page.seen;
-  if (all.size() == 2 && all[0].index() != all[1].index()) {
-    return usage_error(command, "'" + swarm_of(all[0]).title + "' and '" + swarm_of(all[1]).title +
-                                    "' cannot be compared: one is a snapshot, the other a "
-                                    "recording");
-  }
+  if (Status alike = check_alike(command, page.seen); !alike) return std::move(alike).error();
   progress.enter_stage("writing");
-  for (const Seen& seen : all) page.swarms.push_back(json_of(seen, page.columns));
+  for (const Seen& seen : page.seen) page.swarms.push_back(json_of(seen, page.columns));
   return page;
 }
 

@@ -1,6 +1,7 @@
 #include "cli/view/page_server.hpp"
 
 #include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 
@@ -24,7 +25,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   Connection(Tcp::socket socket, std::string_view page, std::uint16_t port)
       : stream_(std::move(socket)),
         page_(page),
-        hosts_{"127.0.0.1:" + std::to_string(port), "localhost:" + std::to_string(port)} {}
+        port_(port == kPlainPort ? "" : ":" + std::to_string(port)) {}
 
   void read() {
     constexpr std::chrono::seconds kPatience(30);
@@ -40,7 +41,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void answer() {
     const auto host = request_[http::field::host];
     const bool page = request_.target() == "/" || request_.target().starts_with("/?");
-    if (host != hosts_[0] && host != hosts_[1]) {
+    if (host != "127.0.0.1" + port_ && host != "localhost" + port_) {
       answer(http::status::misdirected_request, "This is served to this machine only.\n");
     } else if (request_.method() != http::verb::get && request_.method() != http::verb::head) {
       answer(http::status::method_not_allowed, "There is only a page to get.\n");
@@ -72,7 +73,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
   Request request_;
   Response response_;
   std::string_view page_;
-  std::string hosts_[2];
+  std::string port_;  // as hosts are named: with it, but for that of all pages
+  static constexpr std::uint16_t kPlainPort = 80;
 };
 
 }  // namespace
@@ -80,15 +82,24 @@ class Connection : public std::enable_shared_from_this<Connection> {
 struct PageServer::State {
   asio::io_context context{1};
   Tcp::acceptor acceptor{context};
+  asio::steady_timer pause{context};
 
   void accept(std::string_view page) {
     acceptor.async_accept([this, page](const beast::error_code& error, Tcp::socket socket) {
-      if (!error) {
-        const std::uint16_t port = acceptor.local_endpoint().port();
-        std::make_shared<Connection>(std::move(socket), page, port)->read();
+      if (error) {
+        accept_later(page);
+        return;
       }
+      const std::uint16_t port = acceptor.local_endpoint().port();
+      std::make_shared<Connection>(std::move(socket), page, port)->read();
       accept(page);
     });
+  }
+
+  // Where as many are open as may be, until some are closed.
+  void accept_later(std::string_view page) {
+    pause.expires_after(std::chrono::milliseconds(100));
+    pause.async_wait([this, page](const beast::error_code&) { accept(page); });
   }
 };
 

@@ -122,6 +122,17 @@ TEST_F(ReportRefusals, ASnapshotAndARecordingCannotBeCompared) {
   EXPECT_EQ(folder_.names(), (std::vector<std::string>{"bees.csv", "flown.csv"}));
 }
 
+TEST_F(ReportRefusals, DegreesAndMetresCannotBeCompared) {
+  const std::string metres = folder_.file("metres.csv", "x,y,z\n1,2,3\n");
+  const std::string degrees = folder_.file("degrees.csv", "lon,lat,height\n-75.5,6.25,1500\n");
+  for (const auto& [one, other] : {std::pair{metres, degrees}, std::pair{degrees, metres}}) {
+    const Finished finished = run({"report", one, "--compare", other});
+    EXPECT_EQ(finished.exit_code, kUsage);
+    EXPECT_EQ(finished.out, "");
+    expect_parts(finished.err, {"'metres.csv'", "'degrees.csv'", "one is in degrees"});
+  }
+}
+
 TEST_F(ReportRefusals, StandardInputIsReadOnce) {
   expect_usage_error({"report", "--compare", "-"}, "standard input can be read once");
   expect_usage_error({"report", "-", "--compare", "-"}, "standard input can be read once");
