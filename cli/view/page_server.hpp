@@ -16,6 +16,8 @@ class PageServer {
   static Result<PageServer> open(std::uint16_t port = 0);
   PageServer(PageServer&&) noexcept;
   PageServer& operator=(PageServer&&) noexcept;
+  PageServer(const PageServer&) = delete;
+  PageServer& operator=(const PageServer&) = delete;
   ~PageServer();
 
   // "http://127.0.0.1:34567/".
