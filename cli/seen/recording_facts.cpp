@@ -133,12 +133,15 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
                                                const SeenRequest& request) {
   const MovingRequest& moving = request.moving;
   const Geometry geometry = geometry_for(recording, moving.vertical_m.has_value());
-  auto tracks = tracks_of(recording, geometry, request.tolerance_m);
-  if (!tracks) return std::move(tracks).error();
-  auto in_space = geometry == Geometry::kSpace
-                      ? tracks
-                      : tracks_of(recording, Geometry::kSpace, request.tolerance_m);
+  auto in_space = tracks_of(recording, Geometry::kSpace, request.tolerance_m);
   if (!in_space) return std::move(in_space).error();
+  std::vector<Track> on_ground;
+  if (geometry == Geometry::kGroundAndHeight) {
+    auto found = tracks_of(recording, geometry, request.tolerance_m);
+    if (!found) return std::move(found).error();
+    on_ground = *std::move(found);
+  }
+  const std::vector<Track>& tracks = geometry == Geometry::kGroundAndHeight ? on_ground : *in_space;
 
   report::RecordingFacts facts;
   report::SwarmFacts& swarm = facts.swarm;
@@ -156,18 +159,18 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   }
   facts.since_1970 = recording.since_1970;
 
-  auto recorded = find_conflicts(*tracks, {.threshold_m = swarm.threshold_m,
-                                           .vertical_m = moving.vertical_m,
-                                           .inclusive = moving.inclusive,
-                                           .max_gap_s = request.max_gap_s,
-                                           .threads = moving.threads});
+  auto recorded = find_conflicts(tracks, {.threshold_m = swarm.threshold_m,
+                                          .vertical_m = moving.vertical_m,
+                                          .inclusive = moving.inclusive,
+                                          .max_gap_s = request.max_gap_s,
+                                          .threads = moving.threads});
   if (!recorded) return std::move(recorded).error();
   const auto closest = closest_of(*recorded, *in_space, request);
   if (!closest) return closest.error();
   facts.closest = *closest;
   facts.gaps = recorded->gaps;
-  facts.separation = separation_of({recording, *tracks, *in_space, request.max_gap_s, *recorded,
-                                    *closest, closest->has_value()});
+  facts.separation = separation_of(
+      {recording, tracks, *in_space, request.max_gap_s, *recorded, *closest, closest->has_value()});
   if (!facts.gaps.empty()) {
     swarm.notes.push_back("bees are absent between fixes that are more than " +
                           exact(request.max_gap_s) +
