@@ -33,6 +33,15 @@ quietly generate --scene flight --points 1000 --size 400 --duration 1000 --inter
   --output "$data/long.csv"
 page long-recording "$data/long.csv" --threshold 5
 
+# Next to nobody, nothing or no time.
+printf 'id,x,y,z\nalone,1,2,3\n' > "$data/one.csv"
+page one-bee "$data/one.csv" --threshold 5
+printf 'id,x,y,z\na,3,3,3\nb,3,3,3\nc,3,3,3\n' > "$data/same.csv"
+page same-place "$data/same.csv" --threshold 5
+printf 'id,t,x,y,z\na,0,1,2,3\nb,5,4,5,6\n' > "$data/fixes.csv"
+page one-fix-each "$data/fixes.csv" --threshold 5
+page recording-beside-snapshot "$data/fixes.csv" --compare "$data/same.csv" --threshold 5
+
 # A thousand bees, ten kinds of ids; the file's name is one of them.
 hostile="$data/<img src=x onerror=window.__pwned=1>.csv"
 node - "$data/bees.csv" "$hostile" << 'JAVASCRIPT'

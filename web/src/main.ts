@@ -14,7 +14,7 @@ import type { Choices, Filter, Selected } from './state/choices';
 import { Signal } from './state/signal';
 import { followTheme } from './state/theme';
 import { formatCount } from './text/numbers';
-import { linkTimes } from './time/linked_times';
+import { linkTimes, showWorstMoment } from './time/linked_times';
 import { offerTestHook } from './test_hook';
 import { wirePanels } from './wiring';
 
@@ -60,6 +60,7 @@ async function show(page: Page): Promise<void> {
   room.stages.append(...stages.map(({ box }) => box));
 
   const times = linkTimes(swarms);
+  showWorstMoment(swarms, times);
   const placing: Placing = { swarms, stages, companies: null, times, choices, placers };
   followPlaces(placing);
   for (const { view } of stages) view?.drawAndWait();

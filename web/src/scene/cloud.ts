@@ -56,8 +56,8 @@ export class Cloud {
     this.#drawCrowd(placement);
     this.#draw(this.#risk.geometry, placement.atRisk, 0);
     this.#draw(this.#lines.geometry, placement.lines, 0);
-    // Where very many lie over one another, how many is seen too.
-    this.#risk.material.uniforms.opacity.value = placement.atRisk.length > 20000 ? 0.7 : 1;
+    // Where very many lie over one another, how many is seen too, and who is behind them.
+    this.#risk.material.uniforms.opacity.value = Math.min(1, Math.sqrt(20000 / placement.atRisk.length));
   }
 
   /** Draws only a part of a large crowd, for as long as the view moves; those at risk all the same. */

@@ -13,6 +13,7 @@ export class Clock {
   readonly playing = new Signal(false);
   readonly speed: Signal<number>;
   #frame = 0;
+  #poster_s: number | null = null;
 
   constructor(
     readonly begins_s: number,
@@ -24,7 +25,14 @@ export class Clock {
   }
 
   go(time_s: number): void {
+    this.#poster_s = null;
     this.time.set(Math.min(this.ends_s, Math.max(this.begins_s, time_s)));
+  }
+
+  /** Shows this moment until time moves, as a film shows its poster: it plays from the beginning. */
+  showPoster(time_s: number): void {
+    this.go(time_s);
+    this.#poster_s = this.time.value;
   }
 
   step(steps: number): void {
@@ -39,7 +47,7 @@ export class Clock {
 
   play(): void {
     if (this.playing.value || this.ends_s <= this.begins_s) return;
-    if (this.time.value >= this.ends_s) this.go(this.begins_s);
+    if (this.time.value >= this.ends_s || this.#poster_s !== null) this.go(this.begins_s);
     this.playing.set(true);
     let before = performance.now();
     const tick = (now: number): void => {

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { pageTest } from './opened_page';
 
-for (const name of ['nobody', 'one-bee', 'same-place', 'no-threshold', 'one-moment', 'moment-beside-swarm']) {
+for (const name of ['one-bee', 'same-place', 'one-fix-each', 'recording-beside-snapshot']) {
   pageTest('opens', name, {}, async ({ page }) => {
     for (const key of ['n', 'f', 'r', 't', 's', 'o', 'g', ' ', '.', ']', 'l', 'End']) await page.keyboard.press(key);
     assert.ok(await page.locator('.summary .headline').count());

@@ -1,17 +1,20 @@
 // A page in Chromium, watched: it may ask the network for nothing and complain about nothing.
 import assert from 'node:assert/strict';
-import { existsSync, mkdirSync } from 'node:fs';
+import { mkdirSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { after, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { chromium, type Browser, type Page } from 'playwright-core';
-import { makePages } from '../pages/make_pages';
 
 export const kArtefacts = resolve('tests/artefacts');
-const kPages = resolve(process.env.BEESPACE_PAGES ?? `${kArtefacts}/pages`);
+mkdirSync(kArtefacts, { recursive: true });
+
+if (!process.env.BEESPACE_PAGES) {
+  throw new Error('BEESPACE_PAGES must name a folder with the pages of tests/web/make_pages.sh');
+}
+const kPages = resolve(process.env.BEESPACE_PAGES);
 
 let browser: Browser | null = null;
-let made = false;
 
 after(async () => {
   await browser?.close();
@@ -34,17 +37,6 @@ async function launched(): Promise<Browser> {
     ],
   });
   return browser;
-}
-
-/** Pages come from the folder BEESPACE_PAGES; without it, from the built page and made-up swarms. */
-function pageFile(name: string): string | null {
-  if (!process.env.BEESPACE_PAGES && !made) {
-    mkdirSync(kArtefacts, { recursive: true });
-    makePages(kPages, resolve('dist/page.html'));
-    made = true;
-  }
-  const file = resolve(kPages, `${name}.html`);
-  return existsSync(file) ? file : null;
 }
 
 export interface Opening {
@@ -88,20 +80,15 @@ async function open(file: string, opening: Opening): Promise<OpenedPage> {
   return { page, complaints };
 }
 
-/** A test of one page; left out where the folder has no such page. */
+/** A test of one page. */
 export function pageTest(
   what: string,
   name: string,
   opening: Opening,
   check: (opened: OpenedPage, tell: (text: string) => void) => Promise<void>,
 ): void {
-  test(`${name}: ${what}`, async (context) => {
-    const file = pageFile(name);
-    if (!file) {
-      context.skip('no such page');
-      return;
-    }
-    const opened = await open(file, opening);
+  test(`${name}: ${what}`, async () => {
+    const opened = await open(resolve(kPages, `${name}.html`), opening);
     try {
       assert.equal(await opened.page.evaluate(() => document.documentElement.dataset.beespace), 'ready');
       await check(opened, (text) => console.log(`    ${name}: ${text}`));

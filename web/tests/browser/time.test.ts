@@ -7,6 +7,7 @@ const kTime = (page: Page): Promise<number> => page.evaluate(() => Number(docume
 
 for (const name of ['recording', 'compared-recordings']) {
   pageTest('the time line moves bees', name, {}, async ({ page }) => {
+    await page.keyboard.press('Home');
     const before = await projected(page, 3);
     const plot = page.locator('.plot');
     const box = await plot.boundingBox();
@@ -19,6 +20,25 @@ for (const name of ['recording', 'compared-recordings']) {
     assert.equal(await kTime(page), 0);
   });
 }
+
+pageTest('it opens at the worst moment, and plays from the beginning', 'recording', {}, async ({ page }) => {
+  const opened = await kTime(page);
+  assert.ok(await page.locator('.time-says').getByText('in conflict').count());
+  await page.locator('.pairs tbody tr').first().click();
+  assert.equal(await kTime(page), opened);
+  // Chosen by hand, the same moment is one to play from.
+  await page.keyboard.press(' ');
+  await page.waitForTimeout(200);
+  await page.keyboard.press(' ');
+  assert.ok((await kTime(page)) > opened);
+  await page.reload();
+  await page.waitForSelector('html[data-beespace="ready"]');
+  await page.keyboard.press(' ');
+  await page.waitForTimeout(200);
+  await page.keyboard.press(' ');
+  const played = await kTime(page);
+  assert.ok(played > 0 && played < opened, `played to ${played} s, opened at ${opened} s`);
+});
 
 pageTest('it plays, steps, goes to conflicts and shows trails', 'recording', {}, async ({ page }) => {
   await page.keyboard.press(' ');

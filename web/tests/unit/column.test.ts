@@ -4,8 +4,8 @@ import { deflateSync } from 'node:zlib';
 import { bytesOfBase64, joinPlanes, undoDifferences } from '../../src/data/column';
 import { inflate } from '../../src/data/inflate';
 import { inflatePlainly } from '../../src/data/inflate_plainly';
-import { differences, splitPlanes } from '../pages/encode';
-import { randomFrom } from '../pages/random';
+import { differences, splitPlanes } from './encode';
+import { randomFrom } from './random';
 
 test('planes come back as the numbers they were', () => {
   const random = randomFrom(1);

@@ -7,7 +7,7 @@ import { listBits } from '../../src/data/snapshot';
 import { Names } from '../../src/data/names';
 import { binCodes, distanceTicks } from '../../src/panels/histogram';
 import { sortedPlaces } from '../../src/panels/paged_table';
-import { randomFrom } from '../pages/random';
+import { randomFrom } from './random';
 
 test('groups hang together by pairs, the largest first', () => {
   const { list, of } = findGroups(9, Uint32Array.of(4, 1, 7, 2), Uint32Array.of(5, 2, 8, 6), Float64Array.of(3, 2, 1, 4));
