@@ -1,11 +1,12 @@
 // The selected bee: its numbers, and who is too close to it.
+import { geographicOf } from '../data/earth';
 import { positionOf } from '../data/positions';
 import { counterpart, pairsOf } from '../data/swarm';
 import type { Choices, Selected } from '../state/choices';
 import type { Signal } from '../state/signal';
 import { button, element, panel } from '../text/element';
 import { isolate, nameElement, shorten } from '../text/names';
-import { decimalsFor, formatCoordinate, formatCount, formatDuration, formatMetres, formatTime } from '../text/numbers';
+import { decimalsFor, formatCoordinate, formatCount, formatDegrees, formatDuration, formatMetres, formatTime } from '../text/numbers';
 import type { Actions, Shown } from './shown';
 
 const kListed = 100;
@@ -22,7 +23,15 @@ type Fact = [label: string, value: string, kind?: string];
 function positionFacts(shown: Shown, place: [number, number, number] | null): Fact[] {
   const { head } = shown.swarm;
   if (!place) return [['Position', 'not there now']];
-  return head.axes.map((axis, i) => [axis, formatCoordinate(place[i], head.position_error_m)]);
+  const facts = head.axes.map((axis, i): Fact => [axis, formatCoordinate(place[i], head.position_error_m)]);
+  if (!head.origin) return facts;
+  const { longitude_deg, latitude_deg, height_m } = geographicOf(head.origin, place);
+  return [
+    ...facts,
+    ['latitude', formatDegrees(latitude_deg, head.position_error_m)],
+    ['longitude', formatDegrees(longitude_deg, head.position_error_m)],
+    ['height', formatCoordinate(height_m, head.position_error_m)],
+  ];
 }
 
 function placeNow(shown: Shown, bee: number, now: Now): [number, number, number] | null {

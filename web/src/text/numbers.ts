@@ -42,10 +42,19 @@ export function formatTick(metres: number): string {
   return formatExactly(metres / 1000).replace('m', 'km');
 }
 
+function decimalsOf(error: number): number {
+  return Math.max(0, Math.ceil(-Math.log10(error)));
+}
+
 /** A coordinate, to where the error of the shown position begins. */
 export function formatCoordinate(metres: number, error_m: number): string {
-  const decimals = error_m > 0 ? Math.min(6, Math.max(0, Math.ceil(-Math.log10(error_m)))) : 3;
-  return `${plain(metres, decimals)}${kThin}m`;
+  return `${plain(metres, error_m > 0 ? Math.min(6, decimalsOf(error_m)) : 3)}${kThin}m`;
+}
+
+/** A latitude or longitude, to where the error of the shown position begins; with a plain minus, to copy. */
+export function formatDegrees(degrees: number, error_m: number): string {
+  const perDegree_m = 111_000;
+  return `${degrees.toFixed(error_m > 0 ? Math.min(9, decimalsOf(error_m / perDegree_m)) : 8)}°`;
 }
 
 /** An error bound, never made smaller by rounding. */

@@ -1,7 +1,8 @@
 // Choosing a bee, by click, search, table and keys; sorting and filtering.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
-import { headOf, pageTest, projected, selectedBee, settled } from './opened_page';
+import { headOf, kPages, pageTest, projected, selectedBee, settled } from './opened_page';
 
 const kTexts = (page: Page, column: number): Promise<string[]> =>
   page.locator(`.pairs tbody td:nth-child(${column})`).allInnerTexts();
@@ -28,6 +29,26 @@ for (const name of ['snapshot', 'million']) {
     assert.equal(await selectedBee(page), '777777');
   });
 }
+
+pageTest('a bee is where its row of the input says', 'snapshot', {}, async ({ page }) => {
+  const rows = readFileSync(`${kPages}/data/named.csv`, 'utf8').trimEnd().split('\n').slice(1);
+  for (const row of [rows[0], rows[499], rows[999]]) {
+    const [id, longitude, latitude, height] = row.split(',');
+    await page.locator('#search').fill(id);
+    await page.waitForSelector('#search-offers li[data-offer]');
+    await page.keyboard.press('Enter');
+    const fact = async (label: string): Promise<number> => {
+      const found = page.locator('.selection .facts div').filter({ has: page.getByText(label, { exact: true }) });
+      return parseFloat((await found.locator('dd').innerText()).replace('\u2212', '-').replaceAll(',', ''));
+    };
+    const off_m = [
+      (await fact('longitude') - Number(longitude)) * 111_000,
+      (await fact('latitude') - Number(latitude)) * 111_000,
+      (await fact('height')) - Number(height),
+    ];
+    assert.ok(off_m.every((off) => Math.abs(off) < 0.1), `${id} is off by ${off_m.join(', ')} m`);
+  }
+});
 
 pageTest('a row of the table selects its pair and flies there', 'snapshot', { reducedMotion: false }, async ({ page }) => {
   const row = page.locator('.pairs tbody tr').nth(2);

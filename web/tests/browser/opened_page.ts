@@ -12,7 +12,7 @@ mkdirSync(kArtefacts, { recursive: true });
 if (!process.env.BEESPACE_PAGES) {
   throw new Error('BEESPACE_PAGES must name a folder with the pages of tests/web/make_pages.sh');
 }
-const kPages = resolve(process.env.BEESPACE_PAGES);
+export const kPages = resolve(process.env.BEESPACE_PAGES);
 
 let browser: Browser | null = null;
 

@@ -30,6 +30,12 @@ test('coordinates end where their error begins', () => {
   assert.equal(plain(numbers.formatCoordinate(0.001, 3)), '0 m');
 });
 
+test('degrees end there too, and can be copied', () => {
+  assert.equal(numbers.formatDegrees(-75.123456789012, 0.016), '-75.1234568°');
+  assert.equal(numbers.formatDegrees(6.25, 1500), '6.25°');
+  assert.equal(numbers.formatDegrees(6.25, 0), '6.25000000°');
+});
+
 test('shares', () => {
   assert.deepEqual([[0, 5], [1, 8], [1, 100000], [99999, 100000], [5, 5], [0, 0]].map(([a, b]) => plain(numbers.formatShare(a, b))), [
     '0.0 %', '12.5 %', '< 0.1 %', '> 99.9 %', '100.0 %', '–',
