@@ -3,6 +3,8 @@ import type { Camera, Vector3 } from 'three';
 import { element } from '../text/element';
 import { nameElement } from '../text/names';
 
+const kTagWidth = 150;
+
 export class Markers {
   readonly layer = element('div', { class: 'markers', 'aria-hidden': 'true' });
   #marks: HTMLElement[] = [];
@@ -19,16 +21,22 @@ export class Markers {
     this.layer.replaceChildren(...this.#marks);
   }
 
-  /** Of each bee named, where it is; null where it is nowhere now. */
+  /** Of each bee named, where it is; null where it is nowhere now. Names stand away from one another. */
   move(places: (Vector3 | null)[], camera: Camera, width: number, height: number): void {
-    this.#marks.forEach((mark, i) => {
+    const across = this.#marks.map((mark, i) => {
       const at = places[i]?.clone().project(camera);
       mark.hidden = !at || Math.abs(at.z) > 1 || Math.abs(at.x) > 1 || Math.abs(at.y) > 1;
-      if (!at || mark.hidden) return;
+      if (!at || mark.hidden) return null;
       const x = ((at.x + 1) * width) / 2;
       const y = ((1 - at.y) * height) / 2;
       mark.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
-      mark.classList.toggle('leftwards', x > width - 150);
+      return x;
+    });
+    const rightmost = Math.max(...across.map((x) => x ?? 0));
+    across.forEach((x, i) => {
+      if (x === null) return;
+      const room = x > kTagWidth;
+      this.#marks[i].classList.toggle('leftwards', x > width - kTagWidth || (room && x < rightmost));
     });
   }
 }
