@@ -5,10 +5,10 @@
 #include "cli/advise_request.hpp"
 #include "cli/advise_summary.hpp"
 #include "cli/failure.hpp"
+#include "cli/output_file.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/stopwatch.hpp"
 #include "cli/terminal.hpp"
-#include "io/atomic_output.hpp"
 
 #include <utility>
 
@@ -21,7 +21,8 @@ bool is_risky(const Advised& advised) {
 }
 
 Result<ExitCode> give_advice(const AdviseRequest& request) {
-  auto output = io::AtomicOutput::open(request.output);
+  auto output =
+      open_output("advise", request.output, {request.input, request.obstacles, request.intruders});
   if (!output) return std::move(output).error();
   ProgressBar progress(!request.quiet);
   Stopwatch watch;

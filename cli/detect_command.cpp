@@ -6,6 +6,7 @@
 #include "cli/failure.hpp"
 #include "cli/load_inputs.hpp"
 #include "cli/number_text.hpp"
+#include "cli/output_file.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/stopwatch.hpp"
 #include "cli/summary.hpp"
@@ -48,7 +49,7 @@ void write_answer(const Answer& answer, io::AtomicOutput& output) {
 // The whole run; the exit code, or what went wrong.
 Result<ExitCode> detect(const DetectRequest& request) {
   // Opened first, so that a folder that is not there is known before a long read.
-  auto output = io::AtomicOutput::open(request.output);
+  auto output = open_output("detect", request.output, {request.input, request.others.value_or("")});
   if (!output) return std::move(output).error();
   ProgressBar progress(!request.quiet);
   Stopwatch watch;

@@ -2,6 +2,7 @@
 
 #include "cli/failure.hpp"
 #include "cli/option_values.hpp"
+#include "cli/output_file.hpp"
 #include "cli/output_form.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/seen/see.hpp"
@@ -63,7 +64,7 @@ std::vector<std::string> write(const Facts& facts, const std::string& format,
 
 Result<ExitCode> export_to(const SeenRequest& request, const std::string& format) {
   const MovingRequest& moving = request.moving;
-  auto output = io::AtomicOutput::open(moving.output);
+  auto output = open_output(kName, moving.output, moving.inputs);
   if (!output) return std::move(output).error();
   ProgressBar progress(!moving.quiet);
   Stopwatch watch;

@@ -3,6 +3,7 @@
 #include "cli/failure.hpp"
 #include "cli/number_text.hpp"
 #include "cli/option_values.hpp"
+#include "cli/output_file.hpp"
 #include "cli/output_form.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/seen/see.hpp"
@@ -11,7 +12,6 @@
 #include "cli/stopwatch.hpp"
 #include "cli/summary_line.hpp"
 #include "cli/terminal.hpp"
-#include "io/atomic_output.hpp"
 #include "report/figure/figure.hpp"
 #include "report/figure/png.hpp"
 #include "report/figure/svg.hpp"
@@ -90,7 +90,7 @@ Result<std::string> picture_of(const Seen& seen, const PlotRequest& request, std
 
 Result<ExitCode> plot(const PlotRequest& request) {
   const MovingRequest& moving = request.seen.moving;
-  auto output = io::AtomicOutput::open(moving.output);
+  auto output = open_output(kName, moving.output, moving.inputs);
   if (!output) return std::move(output).error();
   ProgressBar progress(!moving.quiet);
   Stopwatch watch;

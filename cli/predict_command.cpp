@@ -5,10 +5,10 @@
 #include "cli/moving/moving_output.hpp"
 #include "cli/number_text.hpp"
 #include "cli/option_values.hpp"
+#include "cli/output_file.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/stopwatch.hpp"
 #include "cli/terminal.hpp"
-#include "io/atomic_output.hpp"
 
 #include <beespace/predict_conflicts.hpp>
 
@@ -117,7 +117,7 @@ std::string summary(const Outlook& outlook, const PredictRequest& request, doubl
 
 Result<ExitCode> predict(const PredictRequest& request) {
   const MovingRequest& moving = request.moving;
-  auto output = io::AtomicOutput::open(moving.output);
+  auto output = open_output(kName, moving.output, moving.inputs);
   if (!output) return std::move(output).error();
   ProgressBar progress(!moving.quiet);
   io::RecordingOptions load = moving.load;

@@ -8,6 +8,7 @@
 #include "cli/moving/replay_summary.hpp"
 #include "cli/number_text.hpp"
 #include "cli/option_values.hpp"
+#include "cli/output_file.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/stopwatch.hpp"
 #include "cli/terminal.hpp"
@@ -180,7 +181,7 @@ Status check_every(const ReplayRequest& request, const std::vector<Track>& track
 
 Result<ExitCode> replay(const ReplayRequest& request) {
   const MovingRequest& moving = request.moving;
-  auto output = io::AtomicOutput::open(moving.output);
+  auto output = open_output(kName, moving.output, moving.inputs);
   if (!output) return std::move(output).error();
   ProgressBar progress(!moving.quiet);
   Stopwatch watch;

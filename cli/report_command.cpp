@@ -2,17 +2,18 @@
 
 #include "cli/failure.hpp"
 #include "cli/option_values.hpp"
+#include "cli/output_file.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/seen/page_of.hpp"
 #include "cli/seen/seen_summary.hpp"
 #include "cli/stopwatch.hpp"
 #include "cli/terminal.hpp"
-#include "io/atomic_output.hpp"
 
 #include <algorithm>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace beespace::cli {
 namespace {
@@ -24,7 +25,9 @@ Result<ExitCode> report_on(const ReportOptions& options, const SeenRequest& requ
   if (moving.output == "-" && output_is_terminal()) {
     return usage_error(kName, "a page is nothing for a terminal; give it a name: -o report.html");
   }
-  auto output = io::AtomicOutput::open(moving.output);
+  std::vector<std::string> inputs = moving.inputs;
+  inputs.push_back(options.compare);
+  auto output = open_output(kName, moving.output, inputs);
   if (!output) return std::move(output).error();
   ProgressBar progress(!moving.quiet);
   Stopwatch watch;

@@ -1,6 +1,7 @@
 #include "cli/simulate_command.hpp"
 
 #include "cli/failure.hpp"
+#include "cli/output_file.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/simulate_json.hpp"
 #include "cli/simulate_mission.hpp"
@@ -13,6 +14,7 @@
 #include "io/atomic_output.hpp"
 
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace beespace::cli {
@@ -21,7 +23,9 @@ namespace {
 Result<ExitCode> simulate(const SimulateRequest& request) {
   std::optional<io::AtomicOutput> output;
   if (!request.output.empty()) {
-    auto opened = io::AtomicOutput::open(request.output);
+    auto opened =
+        open_output("simulate", request.output,
+                    {request.from_file ? request.scenario : std::string(), request.obstacles});
     if (!opened) return std::move(opened).error();
     output.emplace(std::move(opened).value());
   }

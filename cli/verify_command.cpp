@@ -7,16 +7,17 @@
 #include "cli/number_text.hpp"
 #include "cli/obstacle_file.hpp"
 #include "cli/option_values.hpp"
+#include "cli/output_file.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/stopwatch.hpp"
 #include "cli/terminal.hpp"
-#include "io/atomic_output.hpp"
 
 #include <beespace/verify.hpp>
 
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace beespace::cli {
 namespace {
@@ -118,7 +119,9 @@ Status check_all(const io::Recording& recording, const std::vector<double>& time
 
 Result<ExitCode> verify(const VerifyRequest& request) {
   const MovingRequest& moving = request.moving;
-  auto output = io::AtomicOutput::open(moving.output);
+  std::vector<std::string> inputs = moving.inputs;
+  inputs.push_back(request.obstacles);
+  auto output = open_output(kName, moving.output, inputs);
   if (!output) return std::move(output).error();
   const auto obstacles = request.obstacles.empty() ? Result<ObstacleMap>(ObstacleMap())
                                                    : load_obstacle_map(request.obstacles);
