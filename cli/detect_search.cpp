@@ -1,8 +1,11 @@
 #include "cli/detect_search.hpp"
 
+#include "cli/closest_in_conflict.hpp"
 #include "cli/ground_places.hpp"
 #include "cli/number_text.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
 #include <utility>
 
@@ -10,6 +13,20 @@ namespace beespace::cli {
 namespace {
 
 using Closest = std::optional<ClosestPair>;
+
+// With a vertical threshold: who is closest of all may keep apart in height.
+Result<Closest> closest_pair_in_conflict(Engine& engine, const std::vector<Point>& places,
+                                         const std::vector<Point>& points,
+                                         const SearchOptions& options,
+                                         const std::vector<PointId>& at_risk) {
+  const auto closest = closest_in_conflict(engine, places, points, options, at_risk);
+  if (!closest) return closest.error();
+  const auto best = std::min_element(
+      closest->begin(), closest->end(),
+      [](const Nearest& a, const Nearest& b) { return a.distance_m < b.distance_m; });
+  return Closest(
+      {at_risk[static_cast<std::size_t>(best - closest->begin())], best->id, best->distance_m});
+}
 
 // The closest pair of all. When somebody is at risk, both of the pair are (with others: the first
 // is), so that it is enough to look among these; their order is that of all, so that ties are
@@ -22,9 +39,7 @@ Result<Closest> closest_pair(Engine& engine, const Inputs& inputs,
     return inputs.others ? engine.find_closest_pair_between(among, inputs.others->points, threads)
                          : engine.find_closest_pair(among, threads);
   };
-  // Those who keep apart in height only may be closer in a straight line.
-  const bool sphere = !options.vertical_m;
-  if (!sphere || at_risk.empty() || at_risk.size() > points.size() / 2) return find(points);
+  if (at_risk.empty() || at_risk.size() > points.size() / 2) return find(points);
   std::vector<Point> some;
   some.reserve(at_risk.size());
   for (const PointId id : at_risk) some.push_back(points[id]);
@@ -64,7 +79,10 @@ Result<Detection> search(const Inputs& inputs, const DetectRequest& request) {
   const Status at_risk = find_at_risk(engine, inputs, points, options, detection.at_risk);
   if (!at_risk) return at_risk.error();
   if (!request.quiet || request.form == Form::kJson || request.report->needs_closest) {
-    auto closest = closest_pair(engine, inputs, detection.at_risk, request.search);
+    const bool apart = options.vertical_m && !detection.at_risk.empty();
+    auto closest = apart ? closest_pair_in_conflict(engine, points, inputs.ours.points, options,
+                                                    detection.at_risk)
+                         : closest_pair(engine, inputs, detection.at_risk, request.search);
     if (!closest) return std::move(closest).error();
     detection.closest = *closest;
   }

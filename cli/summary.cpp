@@ -95,8 +95,12 @@ std::string summary(const Inputs& inputs, const Detection& detection,
   if (!detection.table.finding.empty()) {
     append_summary_line(out, request.report->label, detection.table.finding);
   }
-  if (detection.closest)
-    append_summary_line(out, "closest", closest_line(inputs, *detection.closest));
+  if (detection.closest) {
+    const bool kept_apart = request.search.vertical_m && detection.at_risk.empty();
+    append_summary_line(out, "closest",
+                        closest_line(inputs, *detection.closest) +
+                            (kept_apart ? " in a straight line, not too close" : ""));
+  }
   append_summary_line(out, "time", time_line(inputs, detection.timings));
   return out;
 }

@@ -41,10 +41,13 @@ struct SnapshotFacts {
   SwarmFacts swarm;
   std::vector<Point> positions;   // to look at
   std::vector<PointId> at_risk;   // ascending
-  std::vector<Nearest> nearest;   // of each bee
+  std::vector<Nearest> nearest;   // of each bee, at risk or not
   std::uint64_t pair_count = 0;   // of all
   std::uint64_t group_count = 0;  // of all
   std::uint64_t largest_group = 0;
+  // Of each of those at risk: the closest of whom it is in conflict with.
+  std::vector<Nearest> closest_in_conflict = {};
+  // Of those in conflict; where nobody is, of all.
   std::optional<ClosestPair> closest = {};
   // The closest first; all, or as many as can be shown.
   std::vector<Pair> pairs = {};
@@ -73,7 +76,7 @@ struct RecordingFacts {
   std::uint64_t conflict_count = 0;      // of all
   std::uint64_t possible_count = 0;      // of these, not certain
   std::uint64_t pair_count = 0;          // in conflict
-  std::optional<Conflict> closest = {};  // of all encounters, conflict or not
+  std::optional<Conflict> closest = {};  // of the conflicts; where there is none, of all encounters
   std::vector<Separation> separation = {};
 };
 

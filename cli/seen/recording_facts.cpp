@@ -69,8 +69,9 @@ void take_conflicts(std::vector<Conflict> conflicts, report::RecordingFacts& fac
   facts.conflicts = std::move(conflicts);
 }
 
-// At some hundred moments, and where the closest encounter was.
-std::vector<report::Separation> separation_of(const Findings& findings) {
+// At some hundred moments, and where the closest encounter was. Those in conflict need not be the
+// closest two of their moment where heights are compared apart.
+std::vector<report::Separation> separation_of(const Findings& findings, bool vertical) {
   constexpr double kMoments = 600.0;
   std::vector<report::Separation> separation;
   const auto time = time_of(findings.tracks);
@@ -82,7 +83,7 @@ std::vector<report::Separation> separation_of(const Findings& findings) {
     const auto [first, second] = std::minmax(moment.first, moment.second);
     separation.push_back({moment.time_s, {first, second, moment.distance_m}});
   }
-  if (findings.closest) {
+  if (findings.closest && (!vertical || findings.recorded.conflicts.empty())) {
     const Conflict& closest = *findings.closest;
     const auto after = std::upper_bound(
         separation.begin(), separation.end(), closest.closest_s,
@@ -93,13 +94,12 @@ std::vector<report::Separation> separation_of(const Findings& findings) {
   return separation;
 }
 
-// The closest of the conflicts; of all encounters where there is none, or where whoever is closest
-// in a straight line may keep its height.
+// The closest of the conflicts; of all encounters where there is none.
 Result<std::optional<Conflict>> closest_of(const RecordedConflicts& recorded,
                                            const std::vector<Track>& in_space,
                                            const SeenRequest& request) {
   const auto& conflicts = recorded.conflicts;
-  if (conflicts.empty() || request.moving.vertical_m) {
+  if (conflicts.empty()) {
     return find_closest_encounter(in_space, request.max_gap_s, request.moving.threads);
   }
   return std::optional(*std::min_element(
@@ -170,7 +170,8 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   facts.closest = *closest;
   facts.gaps = recorded->gaps;
   facts.separation = separation_of(
-      {recording, tracks, *in_space, request.max_gap_s, *recorded, *closest, closest->has_value()});
+      {recording, tracks, *in_space, request.max_gap_s, *recorded, *closest, closest->has_value()},
+      moving.vertical_m.has_value());
   if (!facts.gaps.empty()) {
     swarm.notes.push_back("bees are absent between fixes that are more than " +
                           exact(request.max_gap_s) +

@@ -1,5 +1,6 @@
 #include "cli/seen/snapshot_facts.hpp"
 
+#include "cli/closest_in_conflict.hpp"
 #include "cli/ground_places.hpp"
 #include "cli/moving/moving_input.hpp"
 #include "cli/moving/moving_output.hpp"
@@ -56,6 +57,35 @@ report::SnapshotFacts begun(const std::string& title, const SeenRequest& request
   return facts;
 }
 
+// In a sphere whoever is nearest to somebody at risk is in conflict with it.
+Status find_closest_in_conflict(Engine& engine, const std::vector<Point>& places,
+                                const std::vector<Point>& points, const SearchOptions& options,
+                                report::SnapshotFacts& facts) {
+  if (!options.vertical_m) {
+    for (const PointId bee : facts.at_risk) {
+      facts.closest_in_conflict.push_back(facts.nearest[bee]);
+    }
+    return std::monostate{};
+  }
+  auto closest = closest_in_conflict(engine, places, points, options, facts.at_risk);
+  if (!closest) return std::move(closest).error();
+  facts.closest_in_conflict = *std::move(closest);
+  return std::monostate{};
+}
+
+Status find_closest_pair(Engine& engine, const std::vector<Point>& points, unsigned threads,
+                         report::SnapshotFacts& facts) {
+  if (facts.swarm.vertical_m && !facts.pairs.empty()) {
+    const Pair& pair = facts.pairs.front();
+    facts.closest = ClosestPair{pair.first, pair.second, facts.distances_m.front()};
+    return std::monostate{};
+  }
+  auto closest = engine.find_closest_pair(points, threads);
+  if (!closest) return std::move(closest).error();
+  facts.closest = *closest;
+  return std::monostate{};
+}
+
 // Asks the engine.
 Status search(const std::vector<Point>& points, const GroundPlaces& apart, unsigned threads,
               report::SnapshotFacts& facts) {
@@ -71,14 +101,12 @@ Status search(const std::vector<Point>& points, const GroundPlaces& apart, unsig
   IdRows groups;
   if (found) found = engine.find_conflict_groups(places, options, groups);
   if (found) found = engine.find_nearest(points, facts.nearest, threads);
+  if (found) found = find_closest_in_conflict(engine, places, points, options, facts);
   if (!found) return found;
   facts.group_count = groups.size();
   for (std::size_t i = 0; i < groups.size(); ++i) {
     facts.largest_group = std::max<std::uint64_t>(facts.largest_group, groups[i].size());
   }
-  auto closest = engine.find_closest_pair(points, threads);
-  if (!closest) return std::move(closest).error();
-  facts.closest = *closest;
   auto worst = worst_pairs(engine, places, points, options);
   if (!worst) return std::move(worst).error();
   facts.pair_count = worst->count;
@@ -88,7 +116,7 @@ Status search(const std::vector<Point>& points, const GroundPlaces& apart, unsig
     facts.swarm.notes.push_back("of " + grouped(facts.pair_count) + " pairs, the closest " +
                                 grouped(facts.pairs.size()) + " are kept");
   }
-  return std::monostate{};
+  return find_closest_pair(engine, points, threads, facts);
 }
 
 void place(const std::vector<Point>& points, io::Frame frame, report::SnapshotFacts& facts) {

@@ -59,7 +59,7 @@ Listing closest_pairs(const SnapshotFacts& facts) {
         {name_of(facts.swarm.names, first, second), listed_length(facts.distances_m[i])});
   }
   if (facts.pairs.empty() && facts.closest) {
-    listing.heading = "Closest pair";
+    listing.heading = "Closest pair, not too close";
     listing.rows.push_back({name_of(facts.swarm.names, facts.closest->first, facts.closest->second),
                             listed_length(facts.closest->distance_m)});
   }
@@ -77,7 +77,7 @@ Listing closest_conflicts(const RecordingFacts& facts) {
     add(facts.conflicts[i]);
   }
   if (facts.conflicts.empty() && facts.closest) {
-    listing.heading = "Closest encounter";
+    listing.heading = "Closest encounter, not too close";
     add(*facts.closest);
   }
   return listing;

@@ -1,6 +1,7 @@
 #include "report/figure/nearest_histogram.hpp"
 
 #include "report/figure/number_label.hpp"
+#include "report/figure/sheet.hpp"
 #include "report/figure/style.hpp"
 
 #include <algorithm>
@@ -57,6 +58,22 @@ std::vector<double> edges_of(double low, double high, double threshold, bool log
   return edges_m;
 }
 
+std::size_t bin_of(double distance_m, const std::vector<double>& edges_m) {
+  const auto above = std::upper_bound(edges_m.begin(), edges_m.end(), distance_m);
+  const auto bin = std::max<std::ptrdiff_t>(0, above - edges_m.begin() - 1);
+  return std::min(static_cast<std::size_t>(bin), edges_m.size() - 2);
+}
+
+// How high so many stand: one bee among a million can be seen too.
+double top_of(std::uint64_t count, const Scale& upwards, const Box& box) {
+  return std::min(box.bottom() - 1.5, upwards(static_cast<double>(count)));
+}
+
+void draw_bar(double left, double right, double bottom, double top, Ink ink, Drawing& drawing) {
+  drawing.shapes.emplace_back(
+      Area{{{left, bottom}, {left, top}, {right, top}, {right, bottom}}, ink});
+}
+
 }  // namespace
 
 std::optional<Histogram> nearest_histogram(const SnapshotFacts& facts) {
@@ -76,11 +93,13 @@ std::optional<Histogram> nearest_histogram(const SnapshotFacts& facts) {
                                histogram.logarithmic);
   histogram.counts.resize(histogram.edges_m.size() - 1);
   for (const double d : distances_m) {
-    const auto above = std::upper_bound(histogram.edges_m.begin(), histogram.edges_m.end(), d);
-    const auto bin = std::max<std::ptrdiff_t>(0, above - histogram.edges_m.begin() - 1);
-    const auto last = static_cast<std::ptrdiff_t>(histogram.counts.size()) - 1;
-    ++histogram.counts[static_cast<std::size_t>(std::min(bin, last))];
-    if (above == histogram.edges_m.begin()) ++histogram.below;
+    ++histogram.counts[bin_of(d, histogram.edges_m)];
+    if (d < histogram.edges_m.front()) ++histogram.below;
+  }
+  histogram.at_risk.resize(histogram.counts.size());
+  for (const PointId bee : facts.at_risk) {
+    const double distance_m = facts.nearest[bee].distance_m;
+    if (std::isfinite(distance_m)) ++histogram.at_risk[bin_of(distance_m, histogram.edges_m)];
   }
   return histogram;
 }
@@ -116,16 +135,13 @@ void draw_histogram(const Histogram& histogram, const SwarmFacts& swarm, const B
     if (histogram.counts[i] == 0) continue;
     const double left = across(edges_m[i]) + 0.5;
     const double right = std::max(left + 1.0, across(edges_m[i + 1]) - 0.5);
-    // One bee among a million can be seen too.
-    const double top =
-        std::min(box.bottom() - 1.5, upwards(static_cast<double>(histogram.counts[i])));
-    const bool too_close = !swarm.vertical_m && edges_m[i + 1] <= swarm.threshold_m;
-    drawing.shapes.emplace_back(
-        Area{{{left, box.bottom()}, {left, top}, {right, top}, {right, box.bottom()}},
-             too_close ? kRisk : kBee});
+    const std::uint64_t at_risk = histogram.at_risk[i];
+    const double foot = at_risk > 0 ? top_of(at_risk, upwards, box) : box.bottom();
+    if (at_risk > 0) draw_bar(left, right, box.bottom(), foot, kRisk, drawing);
+    if (at_risk == histogram.counts[i]) continue;
+    draw_bar(left, right, foot, top_of(histogram.counts[i], upwards, box), kBee, drawing);
   }
-  draw_line_upwards(panel, swarm.threshold_m, "threshold " + length_label(swarm.threshold_m),
-                    drawing);
+  draw_line_upwards(panel, swarm.threshold_m, threshold_name(swarm), drawing);
 }
 
 }  // namespace beespace::report

@@ -158,8 +158,10 @@ void draw_closest(const RecordingFacts& facts, const View& view, Drawing& drawin
   const Spot a = view.spot_of(*first);
   const Spot b = view.spot_of(*second);
   draw_ring(view.panel.box, {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)},
-            view.from == View::From::kAbove ? "closest: " + length_label(closest.closest_m)
-                                            : std::string(),
+            view.from == View::From::kAbove
+                ? (facts.at_risk.empty() ? "closest, not too close: " : "closest: ") +
+                      length_label(closest.closest_m)
+                : std::string(),
             drawing);
 }
 

@@ -1,6 +1,7 @@
 #include "report/figure/separation_chart.hpp"
 
 #include "report/figure/number_label.hpp"
+#include "report/figure/sheet.hpp"
 #include "report/figure/style.hpp"
 
 #include <algorithm>
@@ -130,7 +131,8 @@ void draw_separation(const RecordingFacts& facts, const Box& box, Drawing& drawi
   draw_panel(panel, drawing);
   Lines line = line_of(facts, panel);
   drawing.shapes.emplace_back(line);
-  if (facts.closest) {
+  // Where heights are compared apart, the closest two in conflict need not be on the line.
+  if (facts.closest && (!facts.swarm.vertical_m || facts.conflicts.empty())) {
     const Conflict& closest = *facts.closest;
     const Spot at = {panel.across.scale(closest.closest_s), panel.upwards.scale(closest.closest_m)};
     draw_ring(box, at, length_label(closest.closest_m), drawing);
@@ -140,8 +142,7 @@ void draw_separation(const RecordingFacts& facts, const Box& box, Drawing& drawi
       line.runs.back()[i] = {at.x - 80.0 + 2.0 * static_cast<double>(i), at.y};
     }
   }
-  draw_line_across(panel, facts.swarm.threshold_m,
-                   "threshold " + length_label(facts.swarm.threshold_m), line, drawing);
+  draw_line_across(panel, facts.swarm.threshold_m, threshold_name(facts.swarm), line, drawing);
 }
 
 std::string moment_label(double time_s, bool since_1970) {

@@ -117,6 +117,10 @@ std::string too_close(const SwarmFacts& swarm) {
   return within(swarm.threshold_m) + " across and " + within(*swarm.vertical_m) + " in height";
 }
 
+std::string threshold_name(const SwarmFacts& swarm) {
+  return (swarm.vertical_m ? "horizontally " : "threshold ") + length_label(swarm.threshold_m);
+}
+
 Drawing begin_sheet(const SwarmFacts& swarm, const std::string& findings,
                     const std::vector<KeyEntry>& key) {
   const std::string title = one_line(swarm.title);

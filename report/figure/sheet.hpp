@@ -46,6 +46,10 @@ Drawing begin_sheet(const SwarmFacts& swarm, const std::string& findings,
 // "closer than 100 m".
 std::string too_close(const SwarmFacts& swarm);
 
+// What a line at the threshold says: "threshold 100 m", or "horizontally 100 m" where heights are
+// compared apart, as then it tells less of a distance in a straight line.
+std::string threshold_name(const SwarmFacts& swarm);
+
 // As many rows as there is room for, down to `bottom`.
 void draw_listing(const Listing& listing, Spot corner, double width, double bottom,
                   Drawing& drawing);

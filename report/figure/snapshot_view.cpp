@@ -92,8 +92,10 @@ void draw_closest(const SnapshotFacts& facts, const View& view, Drawing& drawing
   const Spot a = view.spot_of(facts.positions[facts.closest->first]);
   const Spot b = view.spot_of(facts.positions[facts.closest->second]);
   draw_ring(view.panel.box, {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)},
-            view.from == View::From::kAbove ? "closest: " + length_label(facts.closest->distance_m)
-                                            : std::string(),
+            view.from == View::From::kAbove
+                ? (facts.at_risk.empty() ? "closest, not too close: " : "closest: ") +
+                      length_label(facts.closest->distance_m)
+                : std::string(),
             drawing);
 }
 

@@ -172,7 +172,7 @@ std::vector<std::string> write_czml(const SnapshotFacts& facts, io::AtomicOutput
   for (std::size_t i = 0; i < bees; ++i) {
     const PointId bee = facts.at_risk[i];
     io::JsonObject mark =
-        packet(id_of(bee), names.of(bee), nearest_words(facts.nearest[bee], names));
+        packet(id_of(bee), names.of(bee), nearest_words(facts.closest_in_conflict[i], names));
     mark.add_json("position", R"({"cartographicDegrees":[)" +
                                   place_text(places.of(facts.positions[bee]), ',') + "]}");
     mark.add_json("point", dot(8.0, kRiskColour));

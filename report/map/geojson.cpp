@@ -68,15 +68,14 @@ void write_geojson(const SnapshotFacts& facts, io::AtomicOutput& output) {
   const MapPlaces places(facts.swarm);
   const Names& names = facts.swarm.names;
   Features features(output);
-  for (const PointId bee : facts.at_risk) {
+  for (std::size_t i = 0; i < facts.at_risk.size(); ++i) {
+    const PointId bee = facts.at_risk[i];
     io::JsonObject properties;
     properties.add_text("kind", "at risk");
     properties.add_text("id", names.of(bee));
-    const Nearest& nearest = facts.nearest[bee];
-    if (nearest.id != Nearest::kNobody) {
-      properties.add_text("nearest", names.of(nearest.id));
-      properties.add_number("nearest_m", nearest.distance_m);
-    }
+    const Nearest& nearest = facts.closest_in_conflict[i];
+    properties.add_text("nearest", names.of(nearest.id));
+    properties.add_number("nearest_m", nearest.distance_m);
     features.add(point(places.of(facts.positions[bee])), properties);
   }
   for (std::size_t i = 0; i < facts.pairs.size(); ++i) {

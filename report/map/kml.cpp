@@ -122,7 +122,7 @@ std::vector<std::string> write_kml(const SnapshotFacts& facts, io::AtomicOutput&
   document.begin_folder("At risk");
   for (std::size_t i = 0; i < bees; ++i) {
     const PointId bee = facts.at_risk[i];
-    document.add(names.of(bee), nearest_words(facts.nearest[bee], names), {}, "risk",
+    document.add(names.of(bee), nearest_words(facts.closest_in_conflict[i], names), {}, "risk",
                  point(places.of(facts.positions[bee])));
   }
   document.end_folder();

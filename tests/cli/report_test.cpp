@@ -98,7 +98,7 @@ void expect_as_detect(const Arguments& how, const std::string& input) {
   std::uint64_t largest = 0;
   for (const auto& row : groups) largest = std::max<std::uint64_t>(largest, std::stoul(row.at(1)));
   EXPECT_EQ(std::uint64_t(page.risk()["largest_group"]), largest);
-  const ParsedJson closest = answer({"detect", "--report", "closest-pair"}, input);
+  const ParsedJson closest = answer(Arguments{"detect"} + how, input);
   EXPECT_EQ(double(page.risk()["closest"]["distance_m"]),
             double(closest["closest_pair"]["distance_m"]));
   std::string said = grouped(at_risk_in(page).size()) + " of " + grouped(page.names().size());

@@ -161,6 +161,31 @@ TEST(Figure, SomebodyBelowTheThresholdIsInADarkBarAndTheThresholdIsAnEdge) {
             histogram->edges_m.end());
 }
 
+// With heights compared apart somebody may be near and not at risk.
+TEST(Figure, BarsAreDarkByWhoIsAtRisk) {
+  SnapshotFacts facts = three_bees();
+  facts.swarm.vertical_m = 5.0;
+  facts.positions.push_back({30, 0, 40});
+  facts.nearest.push_back({0, 50.0});
+  const auto histogram = nearest_histogram(facts);
+  ASSERT_TRUE(histogram.has_value());
+  const auto bar = std::find(histogram->counts.begin(), histogram->counts.end(), 3u);
+  ASSERT_NE(bar, histogram->counts.end());
+  EXPECT_EQ(histogram->at_risk[static_cast<std::size_t>(bar - histogram->counts.begin())], 2u);
+  EXPECT_EQ(std::accumulate(histogram->at_risk.begin(), histogram->at_risk.end(), 0u), 2u);
+  const Drawing drawing = figure_of(facts);
+  double dark = 0.0;
+  double light = 0.0;
+  for (const Area& area : shapes_of<Area>(drawing)) {
+    const double height = area.corners[0].y - area.corners[1].y;
+    if (area.ink.rgb == kRisk.rgb) dark += height;
+    if (area.ink.rgb == kBee.rgb) light += height;
+  }
+  EXPECT_NEAR(dark, light, 1e-9);  // two each
+  EXPECT_TRUE(says(drawing, "horizontally 100 m"));
+  EXPECT_FALSE(says(drawing, "threshold"));
+}
+
 TEST(Figure, DistancesOverManyPowersOfTenAreShownByThem) {
   SnapshotFacts facts = three_bees();
   facts.nearest = {{1, 1e-3}, {0, 1e-3}, {1, 1e6}};
