@@ -28,6 +28,9 @@ page million "$data/million.npy" --threshold 25
 quietly simulate random-swap --bees 200 --method none --output "$data/before.csv"
 quietly simulate random-swap --bees 200 --output "$data/after.csv"
 page recording "$data/before.csv" --threshold 5
+# By the clock of a computer, in seconds since 1970.
+awk -F, -v OFS=, 'NR > 1 {$1 = sprintf("%.3f", $1 + 1700000000)} {print}' "$data/before.csv" > "$data/epoch.csv"
+page epoch "$data/epoch.csv" --threshold 5
 page compared-recordings "$data/before.csv" --compare "$data/after.csv" --threshold 5
 quietly generate --scene flight --points 1000 --size 400 --duration 1000 --interval 0.2 --seed 4 \
   --output "$data/long.csv"

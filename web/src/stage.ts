@@ -1,4 +1,4 @@
-// The place of one swarm on the page: its view with what is written over it, or a word on why there is none.
+// The place of one swarm on the page: its view, below what its colours mean, or a word on why there is none.
 import type { Swarm } from './data/swarm';
 import type { Frame } from './scene/frame';
 import { kPalettes } from './scene/palette';
@@ -47,10 +47,10 @@ export function makeStage(
     swarm.kind === 'snapshot'
       ? { risk: 'at risk', line: 'too close to each other', colours }
       : { risk: 'in conflict now', line: 'in conflict with each other', colours };
-  const over = element('div', { class: 'over' }, title, legend(nearest, range, words, choices.theme));
+  const scene = element('div', { class: 'scene' });
   let view: View | null = null;
   try {
-    view = new View(box, frame, {
+    view = new View(scene, frame, {
       label: label ? `The swarm ${label.toLowerCase()}` : 'The swarm',
       count: head.count,
       axes: head.axes,
@@ -61,7 +61,6 @@ export function makeStage(
     });
   } catch {
     // Any reason will do: the panels do without.
-    box.querySelector('canvas')?.remove();
     box.append(
       element(
         'p',
@@ -71,7 +70,7 @@ export function makeStage(
     );
     return { box, view };
   }
-  box.append(over);
+  box.append(element('div', { class: 'stage-head' }, title, legend(nearest, range, words, choices.theme)), scene);
   const seen = view;
   choices.theme.watch((theme) => seen.colour(kPalettes[theme]));
   return { box, view };

@@ -36,7 +36,10 @@ export function wirePanels({ shown, choices, times, room, help, version, notes }
       choices.selected.set(selected);
       if (!selected || !fly) return;
       const bees = selected.other === null ? [selected.bee] : [selected.bee, selected.other];
-      shown[selected.swarm].view?.flyTo(bees);
+      const { view } = shown[selected.swarm];
+      view?.flyTo(bees);
+      // On a phone the swarm may be out of sight.
+      view?.canvas.scrollIntoView({ block: 'nearest' });
     },
   };
   const now = { time_s: times.clock.time, within: times.within };

@@ -1,6 +1,8 @@
 // Conflict groups: bees that hang together by pairs that are too close.
 
 export interface Group {
+  /** As `beespace detect` counts: from 0, in the order of their first bees. */
+  number: number;
   bees: number[];
   /** Distance of its closest pair. */
   closest_m: number;
@@ -41,7 +43,7 @@ export function findGroups(
     const top = root(bee);
     const group = byRoot.get(top);
     if (group) group.bees.push(bee);
-    else byRoot.set(top, { bees: [bee], closest_m: Infinity });
+    else byRoot.set(top, { number: byRoot.size, bees: [bee], closest_m: Infinity });
   }
   for (let i = 0; i < first.length; ++i) {
     const group = byRoot.get(root(first[i])) as Group;

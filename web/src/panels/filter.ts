@@ -1,7 +1,7 @@
 // Whom to show: all, only those at risk, only one conflict group.
 import type { Choices } from '../state/choices';
 import { element } from '../text/element';
-import { formatCount, formatMetres } from '../text/numbers';
+import { formatBelow, formatCount } from '../text/numbers';
 import type { Shown } from './shown';
 
 const kOffered = 200;
@@ -24,7 +24,7 @@ export function filterControls(all: Shown[], choices: Choices): HTMLElement {
   for (const shown of all) {
     const into = shown.label ? element('optgroup', { label: shown.label }) : groups;
     shown.company.groups.list.slice(0, kOffered).forEach((group, place) => {
-      const text = `Group ${formatCount(place + 1)}: ${formatCount(group.bees.length)} bees, ${formatMetres(group.closest_m, 3)}`;
+      const text = `Group ${formatCount(group.number)}: ${formatCount(group.bees.length)} bees, ${formatBelow(group.closest_m, shown.swarm.head.threshold_m, 3)}`;
       into.append(element('option', { value: `${shown.index}/${place}` }, text));
     });
     const more = shown.company.groups.list.length - kOffered;
@@ -47,7 +47,7 @@ export function filterControls(all: Shown[], choices: Choices): HTMLElement {
     const value = group ? `${group.swarm}/${group.place}` : '';
     if (group && group.place >= kOffered) {
       extra.value = value;
-      extra.textContent = `Group ${formatCount(group.place + 1)}`;
+      extra.textContent = `Group ${formatCount(all[group.swarm].company.groups.list[group.place].number)}`;
     }
     groups.value = value;
   });

@@ -17,22 +17,37 @@ export interface Bins {
   atRisk: number[];
 }
 
-/** Bees by their code, in bins of equal width between two codes. */
-export function binCodes(
-  codes: Uint16Array,
+/** Bees by the distance to their nearest, in bins of equal ratio between two distances; beyond these in the outermost. */
+export function binDistances(
+  nearest: Nearest,
   isAtRisk: (bee: number) => boolean,
-  range: [number, number],
+  range_m: [number, number],
   bins: number,
 ): Bins {
   const counts = new Array<number>(bins).fill(0);
   const atRisk = new Array<number>(bins).fill(0);
-  const width = Math.max(1, range[1] - range[0]) / bins;
-  for (let bee = 0; bee < codes.length; ++bee) {
-    const bin = Math.min(bins - 1, Math.max(0, Math.floor((codes[bee] - range[0]) / width)));
+  const least = Math.log(range_m[0]);
+  const width = (Math.log(range_m[1]) - least) / bins;
+  const binOf = (code: number): number => {
+    const bin = Math.floor((Math.log(nearest.ofCode(code)) - least) / width);
+    return Math.min(bins - 1, Math.max(0, bin));
+  };
+  const binOfCode = Int16Array.from({ length: 65536 }, (_, code) => binOf(code));
+  for (let bee = 0; bee < nearest.codes.length; ++bee) {
+    const bin = binOfCode[nearest.codes[bee]];
     counts[bin]++;
     if (isAtRisk(bee)) atRisk[bin]++;
   }
   return { counts, atRisk };
+}
+
+/** The range, a little wider, so that the threshold lies between two bins and not within one. */
+export function alignedRange([least_m, most_m]: [number, number], threshold_m: number, bins: number): [number, number] {
+  if (!(threshold_m > least_m)) return [least_m, most_m];
+  const width = Math.log(most_m / least_m) / (bins - 1);
+  const below = Math.ceil(Math.log(threshold_m / least_m) / width);
+  const start = threshold_m / Math.exp(below * width);
+  return [start, start * Math.exp(bins * width)];
 }
 
 /** Distances to write below: 1, 2 and 5 with zeros, or only 1 where these are too many. */
@@ -65,7 +80,7 @@ function chart(swarm: Snapshot, nearest: Nearest, range_m: [number, number], nam
   const logs = range_m.map(Math.log);
   const xOf = (metres: number): number =>
     kLeft + ((Math.log(metres) - logs[0]) / (logs[1] - logs[0])) * (kWidth - 2 * kLeft);
-  const bins = binCodes(nearest.codes, swarm.isAtRisk, [nearest.toCode(range_m[0]), nearest.toCode(range_m[1])], kBins);
+  const bins = binDistances(nearest, swarm.isAtRisk, range_m, kBins);
   const highest = Math.max(1, ...bins.counts);
   const width = (kWidth - 2 * kLeft) / kBins;
   const bar = (bin: number, count: number, kind: string): SVGRectElement | null => {
@@ -78,10 +93,15 @@ function chart(swarm: Snapshot, nearest: Nearest, range_m: [number, number], nam
   // On a scale of ratios nothing has no place.
   const limit = xOf(Math.max(range_m[0], swarm.head.threshold_m));
   const rightHalf = limit > kWidth * 0.6;
-  const ticks = distanceTicks(range_m[0], range_m[1]).flatMap((tick) => [
-    drawing('line', { class: 'tick', x1: xOf(tick), x2: xOf(tick), y1: kFloor, y2: kFloor + 4 }),
-    drawing('text', { class: 'tick-text', x: Math.min(kWidth - 16, Math.max(14, xOf(tick))), y: kFloor + 16 }, formatTick(tick)),
-  ]);
+  const ticks = distanceTicks(range_m[0], range_m[1]).flatMap((tick) => {
+    const text = formatTick(tick);
+    const half = 3 * text.length;
+    const x = Math.min(kWidth - half, Math.max(half, xOf(tick)));
+    return [
+      drawing('line', { class: 'tick', x1: xOf(tick), x2: xOf(tick), y1: kFloor, y2: kFloor + 4 }),
+      drawing('text', { class: 'tick-text', x, y: kFloor + 16 }, text),
+    ];
+  });
   return drawing(
     'svg',
     { viewBox: `0 0 ${kWidth} ${kHeight}`, role: 'img', 'aria-label': name },
@@ -92,7 +112,7 @@ function chart(swarm: Snapshot, nearest: Nearest, range_m: [number, number], nam
     drawing(
       'text',
       { class: 'limit-text', x: rightHalf ? limit - 5 : limit + 5, y: 11, 'text-anchor': rightHalf ? 'end' : 'start' },
-      `threshold ${formatExactly(swarm.head.threshold_m)}`,
+      `${swarm.head.vertical_m === undefined ? 'threshold' : 'horizontally'} ${formatExactly(swarm.head.threshold_m)}`,
     ),
   );
 }
@@ -103,7 +123,8 @@ export function histogramPanel(all: Shown[]): HTMLElement | null {
     swarm.kind === 'snapshot' && swarm.nearest ? [{ swarm, nearest: swarm.nearest, label }] : [],
   );
   if (known.length === 0) return null;
-  const range_m = rangeOf(known.map(({ swarm, nearest }) => ({ nearest, threshold_m: swarm.head.threshold_m })));
+  const around_m = rangeOf(known.map(({ swarm, nearest }) => ({ nearest, threshold_m: swarm.head.threshold_m })));
+  const range_m = alignedRange(around_m, known[0].swarm.head.threshold_m, kBins);
   const figures = known.map(({ swarm, nearest, label }) => {
     const median = formatMetres(nearest.ofCode(quantileCode(nearest.countCodes(), 0.5)), 3);
     const text = `Half of ${formatCount(swarm.head.count)} bees have another one within ${median}.`;

@@ -36,9 +36,9 @@ export function legend(
         'span',
         { class: 'ramp-row' },
         element('span', { class: 'legend-label' }, words.colours),
-        element('span', {}, formatMetres(nearest.ofCode(Math.round(range[0])), 2)),
+        element('span', {}, `≤ ${formatMetres(nearest.ofCode(Math.round(range[0])), 2)}`),
         ramp,
-        element('span', {}, formatMetres(nearest.ofCode(Math.round(range[1])), 2)),
+        element('span', {}, `≥ ${formatMetres(nearest.ofCode(Math.round(range[1])), 2)}`),
       ),
     );
   }

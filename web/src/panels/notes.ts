@@ -31,7 +31,12 @@ function factsOf({ swarm }: Shown): [string, Node | string][] {
 function noteList(shown: Shown): HTMLElement | null {
   const { notes } = shown.swarm.head;
   if (notes.length === 0) return null;
-  return element('ul', { class: 'notes' }, ...notes.map((note) => element('li', { dir: 'auto' }, note)));
+  return element('ul', { class: 'notes' }, ...notes.map((note) => element('li', { dir: 'auto' }, ...withWholeOptions(note))));
+}
+
+/** Options of the command are not broken at their hyphens. */
+function withWholeOptions(note: string): (Node | string)[] {
+  return note.split(/(--[a-z-]+)/).map((part) => (part.startsWith('--') ? element('span', { class: 'whole' }, part) : part));
 }
 
 export function notesPanel(all: Shown[], version: string, ownNotes: string[]): HTMLElement {

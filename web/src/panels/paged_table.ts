@@ -63,7 +63,7 @@ export class PagedTable {
       { class: 'scroll', tabindex: '0', role: 'region', 'aria-label': caption },
       element(
         'table',
-        { class: `columns-${columns.length}` },
+        {},
         element('caption', { class: 'hidden-text' }, caption),
         element('thead', {}, element('tr', {}, ...this.#heads)),
         this.#body,

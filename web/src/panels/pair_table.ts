@@ -3,7 +3,7 @@ import { pairsOf } from '../data/swarm';
 import type { Choices } from '../state/choices';
 import { element, panel } from '../text/element';
 import { nameElement } from '../text/names';
-import { decimalsFor, formatCount, formatDuration, formatMetres, formatTime } from '../text/numbers';
+import { decimalsWithin, formatBelow, formatCount, formatDuration, formatTime } from '../text/numbers';
 import { PagedTable, type TableColumn } from './paged_table';
 import type { Actions, Shown } from './shown';
 
@@ -39,22 +39,25 @@ function columnsOf(shown: Shown): TableColumn[] {
     {
       label: swarm.kind === 'snapshot' ? 'Distance' : 'Closest',
       rank: (place) => distance_m[place],
-      cell: (place) => formatMetres(distance_m[place], swarm.kind === 'snapshot' ? 4 : 3),
+      cell: (place) => formatBelow(distance_m[place], swarm.head.threshold_m, swarm.kind === 'snapshot' ? 4 : 3),
       numeric: true,
     },
   ];
   if (swarm.kind === 'recording') {
     const { conflicts, head } = swarm;
-    const decimals = decimalsFor((head.time.ends_s - head.time.begins_s) / 1000);
+    const decimals = decimalsWithin(head.time.ends_s - head.time.begins_s);
     const since = head.time.since_1970;
     columns.push(
       {
         label: 'At',
         rank: (place) => conflicts.closest_s[place],
         cell: (place) => {
-          const text = formatTime(head.time.begins_s + conflicts.closest_s[place], since, decimals);
-          // The day is in the time line; here the clock is enough.
-          return since ? element('span', { title: text }, text.slice(11).replace(' UTC', '')) : text;
+          const within = conflicts.closest_s[place];
+          const text = formatTime(head.time.begins_s + within, since, decimals);
+          // The day is in the time line; here the clock is enough, or the time since the beginning.
+          if (since) return element('span', { title: text }, text.slice(11).replace(' UTC', ''));
+          const long = Math.abs(head.time.begins_s) >= 1e5;
+          return long ? element('span', { title: text }, `+${formatTime(within, false, decimals)}`) : text;
         },
         numeric: true,
       },

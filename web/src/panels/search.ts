@@ -29,6 +29,7 @@ export function searchBox(all: Shown[], choices: Choices, actions: Actions): HTM
   const box = element('div', { class: 'search' }, input, list, none);
   let offers: Offer[] = [];
   let active = -1;
+  let waiting = 0;
 
   const close = (): void => {
     list.hidden = true;
@@ -49,6 +50,8 @@ export function searchBox(all: Shown[], choices: Choices, actions: Actions): HTM
     list.children[place].scrollIntoView({ block: 'nearest' });
   };
   const offer = (): void => {
+    clearTimeout(waiting);
+    waiting = 0;
     offers = find(all, input.value);
     list.replaceChildren(...offers.map((one, i) => offerElement(all, one, i)));
     const asked = input.value.trim() !== '';
@@ -59,7 +62,6 @@ export function searchBox(all: Shown[], choices: Choices, actions: Actions): HTM
     activate(offers.length > 0 ? 0 : -1);
   };
 
-  let waiting = 0;
   input.addEventListener('input', () => {
     // A million names take a while: not at every letter of a quick hand.
     clearTimeout(waiting);
@@ -71,8 +73,8 @@ export function searchBox(all: Shown[], choices: Choices, actions: Actions): HTM
       close();
       input.value = '';
     } else if (event.key === 'Enter') {
-      clearTimeout(waiting);
-      if (list.hidden || active < 0) offer();
+      // What is offered may be for fewer letters than there are by now.
+      if (list.hidden || active < 0 || waiting !== 0) offer();
       if (active >= 0) choose(offers[active]);
     } else if ((event.key === 'ArrowDown' || event.key === 'ArrowUp') && offers.length > 0) {
       event.preventDefault();

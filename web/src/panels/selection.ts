@@ -6,7 +6,17 @@ import type { Choices, Selected } from '../state/choices';
 import type { Signal } from '../state/signal';
 import { button, element, panel } from '../text/element';
 import { isolate, nameElement, shorten } from '../text/names';
-import { decimalsFor, formatCoordinate, formatCount, formatDegrees, formatDuration, formatMetres, formatTime } from '../text/numbers';
+import {
+  decimalsWithin,
+  formatBelow,
+  formatCoordinate,
+  formatCount,
+  formatDegrees,
+  formatDuration,
+  formatError,
+  formatMetres,
+  formatTime,
+} from '../text/numbers';
 import type { Actions, Shown } from './shown';
 
 const kListed = 100;
@@ -24,13 +34,15 @@ function positionFacts(shown: Shown, place: [number, number, number] | null): Fa
   const { head } = shown.swarm;
   if (!place) return [['Position', 'not there now']];
   const facts = head.axes.map((axis, i): Fact => [axis, formatCoordinate(place[i], head.position_error_m)]);
-  if (!head.origin) return facts;
+  const error: Fact = ['shown to within', formatError(head.position_error_m)];
+  if (!head.origin) return [...facts, error];
   const { longitude_deg, latitude_deg, height_m } = geographicOf(head.origin, place);
   return [
     ...facts,
     ['latitude', formatDegrees(latitude_deg, head.position_error_m)],
     ['longitude', formatDegrees(longitude_deg, head.position_error_m)],
     ['height', formatCoordinate(height_m, head.position_error_m)],
+    error,
   ];
 }
 
@@ -61,7 +73,7 @@ function factsOf(shown: Shown, bee: number, now: Now): Fact[] {
   }
   const group = company.groups.of[bee];
   if (group >= 0) {
-    facts.push(['Conflict group', `${formatCount(group + 1)}, of ${formatCount(company.groups.list[group].bees.length)} bees`]);
+    facts.push(['Conflict group', `${formatCount(company.groups.list[group].number)}, of ${formatCount(company.groups.list[group].bees.length)} bees`]);
   }
   facts.push(...positionFacts(shown, placeNow(shown, bee, now)));
   return facts;
@@ -108,13 +120,13 @@ function neighbourList(shown: Shown, bee: number, other: number | null, actions:
     });
     made.append(nameElement(swarm.names.of(neighbour)));
     if (neighbour === other) made.setAttribute('aria-current', 'true');
-    const distance = element('span', { class: 'figure' }, formatMetres(distance_m[place]));
+    const distance = element('span', { class: 'figure' }, formatBelow(distance_m[place], swarm.head.threshold_m));
     const when =
       swarm.kind === 'recording'
         ? element('span', { class: 'when' }, ` at ${formatTime(
             swarm.head.time.begins_s + swarm.conflicts.closest_s[place],
             swarm.head.time.since_1970,
-            decimalsFor((swarm.head.time.ends_s - swarm.head.time.begins_s) / 1000),
+            decimalsWithin(swarm.head.time.ends_s - swarm.head.time.begins_s),
           )}`)
         : null;
     return element('li', {}, made, distance, when);
@@ -146,7 +158,7 @@ function announce(shown: Shown, { bee, other }: Selected): string {
       const pair = pairsOf(swarm);
       return (first[one] === bee ? pair.second[one] : first[one]) === other;
     });
-    const apart = place === undefined ? '' : `, ${formatMetres(distance_m[place])} apart`;
+    const apart = place === undefined ? '' : `, ${formatBelow(distance_m[place], swarm.head.threshold_m)} apart`;
     return `Selected ${name} and ${isolate(swarm.names.of(other))}${apart}.`;
   }
   const count = company.neighbours.placesOf(bee).length;
@@ -196,14 +208,19 @@ export function selectionPanel(all: Shown[], choices: Choices, now: Now, actions
       );
     }
     const { names } = home.swarm;
-    const number = names.areNumbers ? null : element('span', { class: 'quiet' }, ` bee ${formatCount(selected.bee)}`);
+    const name = names.of(selected.bee);
+    const place = `#${formatCount(selected.bee)}`;
+    const number =
+      name === String(selected.bee)
+        ? null
+        : element('span', { class: 'quiet', title: 'Its place in the input, counted from 0' }, ` ${place}`);
     const lists = all.map((shown) => {
       const bee = counterpart(home.swarm, selected.bee, shown.swarm);
       const list = bee === null ? null : neighbourList(shown, bee, shown === home ? selected.other : null, actions);
       return element('div', {}, list);
     });
     body.replaceChildren(
-      element('p', { class: 'who-it-is' }, nameElement(names.of(selected.bee)), number),
+      element('p', { class: 'who-it-is' }, nameElement(name), number),
       tools,
       facts,
       ...lists,

@@ -2,7 +2,7 @@
 import type { RecordingRisk, SnapshotRisk } from '../data/page';
 import { element, button, panel } from '../text/element';
 import { isolate, nameElement } from '../text/names';
-import { formatCount, formatDuration, formatMetres, formatShare } from '../text/numbers';
+import { formatBelow, formatCount, formatDuration, formatMetres, formatShare } from '../text/numbers';
 import { tooClose } from '../text/threshold';
 import type { Actions, Shown } from './shown';
 
@@ -60,7 +60,7 @@ function rowsOf(shown: Shown): Row[] {
   if (closest) {
     rows.push({
       label: head.kind === 'snapshot' ? 'Closest pair' : 'Closest encounter',
-      value: formatMetres(closest.distance_m),
+      value: formatBelow(closest.distance_m, head.threshold_m),
       number: closest.distance_m,
       unit: 'metres',
     });

@@ -16,8 +16,10 @@ interface Tick {
 }
 
 const kClear_px = 34;
-/** Corners where other things are written: the legend, the scale bar, the compass; wide and tall. */
-const kTaken = { legend: [225, 130], scale: [170, 48], compass: [104, 88] };
+/** Corners where other things are written: the scale bar and the compass; wide and tall. */
+const kTaken = { scale: [170, 48], compass: [118, 88] };
+/** Where along its edge, and how far from it, a name of an axis may stand: the first that is free. */
+const kNamePlaces = [0.5, 0.3, 0.7, 0.15, 0.85, 0, 1].flatMap((along) => [46, 30, -24].map((away) => ({ along, away })));
 
 export class Axes {
   readonly group = new Group();
@@ -70,7 +72,7 @@ export class Axes {
     const middle = toPixels([0, 1, 2].map((axis) => this.frame.centre[axis]) as Triple);
     const edges = [0, 1, 2].map((axis) => this.#edgeTowards(axis, camera, toPixels));
     const taken: [number, number][] = [];
-    const show = (label: HTMLElement, place: Triple, away: number): void => {
+    const show = (label: HTMLElement, place: Triple, away: number): boolean => {
       const [x, y, inFront] = toPixels(place);
       const length = Math.hypot(x - middle[0], y - middle[1]) || 1;
       const px = x + ((x - middle[0]) / length) * away;
@@ -82,20 +84,24 @@ export class Axes {
         fromRight > 24 &&
         py > 12 &&
         fromBottom > 12 &&
-        !(px < kTaken.legend[0] && py < kTaken.legend[1]) &&
         !(px < kTaken.scale[0] && fromBottom < kTaken.scale[1]) &&
         !(fromRight < kTaken.compass[0] && fromBottom < kTaken.compass[1]);
       const free = taken.every(([tx, ty]) => Math.abs(tx - px) > kClear_px * 1.6 || Math.abs(ty - py) > 16);
       label.hidden = !inside || !free;
-      if (label.hidden) return;
+      if (label.hidden) return false;
       taken.push([px, py]);
       label.style.transform = `translate(-50%, -50%) translate(${px.toFixed(1)}px, ${py.toFixed(1)}px)`;
+      return true;
     };
     this.#names.forEach((name, axis) => {
-      const place: Triple = [...edges[axis]];
-      place[axis] = (this.frame.box.least[axis] + this.frame.box.most[axis]) / 2;
-      name.hidden = this.frame.box.most[axis] === this.frame.box.least[axis];
-      if (!name.hidden) show(name, place, axis === 2 ? 52 : 40);
+      const { least, most } = this.frame.box;
+      name.hidden = most[axis] === least[axis];
+      if (name.hidden) return;
+      kNamePlaces.some(({ along, away }) => {
+        const place: Triple = [...edges[axis]];
+        place[axis] = least[axis] + along * (most[axis] - least[axis]);
+        return show(name, place, away);
+      });
     });
     for (const { axis, metres, label } of this.#ticks) {
       const place: Triple = [...edges[axis]];
@@ -111,18 +117,11 @@ export class Axes {
       camera.position.getComponent(other) > 0 ? most[other] : least[other];
     if (axis === 0) return [least[0], side(1), least[2]];
     if (axis === 1) return [side(0), least[1], least[2]];
-    let best: Triple = [...least];
-    let leftmost = Infinity;
-    for (const x of [least[0], most[0]]) {
-      for (const y of [least[1], most[1]]) {
-        const left = toPixels([x, y, least[2]])[0];
-        if (left < leftmost) {
-          leftmost = left;
-          best = [x, y, least[2]];
-        }
-      }
-    }
-    return best;
+    // At the side of the picture where the other upright edge of numbers is not.
+    const across = ([x, y]: Triple): number => toPixels([x, y, least[2]])[0];
+    const other = across([side(0), this.frame.centre[1], least[2]]);
+    const corners = [0, 1, 2, 3].map((bits) => this.#corner(bits));
+    return corners.reduce((a, b) => (Math.abs(across(b) - other) > Math.abs(across(a) - other) ? b : a));
   }
 
   #corner(bits: number): Triple {

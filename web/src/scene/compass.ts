@@ -6,7 +6,7 @@ import { drawing } from '../text/element';
 const kArm = 26;
 
 export class Compass {
-  readonly box = drawing('svg', { class: 'compass', viewBox: '-46 -40 92 80', 'aria-hidden': 'true' });
+  readonly box = drawing('svg', { class: 'compass', viewBox: '-54 -40 108 80', 'aria-hidden': 'true' });
   readonly #arms: { line: SVGLineElement; text: SVGTextElement }[];
 
   constructor(axes: readonly string[]) {

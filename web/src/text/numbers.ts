@@ -29,6 +29,18 @@ export function formatMetres(metres: number, digits = 4): string {
   return `${formatDigits(metres, digits)}${kThin}m`;
 }
 
+/** A distance below a limit, with so many digits that it reads as one: 4.9997 m, not 5.000 m. */
+export function formatBelow(metres: number, limit_m: number, digits = 4): string {
+  if (!(metres < limit_m)) return formatMetres(metres, digits);
+  const read = (text: string): number =>
+    parseFloat(text.replace(/,/g, '')) * (text.endsWith('km') ? 1000 : 1);
+  for (let more = digits; more < 16; ++more) {
+    const text = formatMetres(metres, more);
+    if (text.startsWith('<') || read(text) < limit_m) return text;
+  }
+  return `<${kThin}${formatExactly(limit_m)}`;
+}
+
 /** A setting as it was given: 5 m, 0.125 m. */
 export function formatExactly(metres: number): string {
   const [whole, ...fraction] = String(Math.abs(metres)).split('.');
@@ -60,6 +72,7 @@ export function formatDegrees(degrees: number, error_m: number): string {
 /** An error bound, never made smaller by rounding. */
 export function formatError(metres: number): string {
   if (metres === 0) return `0${kThin}m`;
+  if (metres < 1e-8) return `0.01${kThin}µm`;
   const unit = metres >= 1 ? ['m', 1] as const : metres >= 0.001 ? ['mm', 1000] as const : ['µm', 1e6] as const;
   const value = metres * unit[1];
   const step = 10 ** (Math.floor(Math.log10(value)) - 1);
@@ -92,6 +105,11 @@ export function formatTime(seconds: number, since1970: boolean, decimals = 1): s
     return `${day} ${clock.slice(0, decimals > 0 ? 9 + Math.min(3, decimals) : 8)} UTC`;
   }
   return `${plain(seconds, decimals)}${kThin}s`;
+}
+
+/** How many decimals of a second say when something was within so long a time. */
+export function decimalsWithin(duration_s: number): number {
+  return Math.min(2, decimalsFor(duration_s / 1e5));
 }
 
 /** How many decimals tell moments this far apart from one another. */

@@ -126,10 +126,14 @@ export class SeparationPlot {
     const threshold = Math.max(...this.#recorded.map(({ swarm }) => swarm.head.threshold_m));
     const distances = this.#recorded.flatMap(({ swarm }) => Array.from(swarm.separation.distance_m));
     const top = plotTop(distances, threshold);
-    const yOf = (metres: number): number => kTop + kCurve * (1 - Math.min(1, metres / top));
+    // Whatever is farther apart leaves the plot at its top.
+    const yOf = (metres: number): number => kTop + kCurve * (1 - Math.min(4, metres / top));
+    const frame = drawing('svg', { x: 0, y: kTop, width: this.#width, height: kCurve + 1, viewBox: `0 ${kTop} ${this.#width} ${kCurve + 1}` });
+    frame.append(...this.#recorded.map((shown, row) => this.#curve(shown, yOf, row)));
     this.#svg.replaceChildren(
       ...this.#scales(top, yOf, threshold, height),
-      ...this.#recorded.flatMap((shown, row) => [this.#curve(shown, yOf, row), ...this.#strip(shown, row)]),
+      frame,
+      ...this.#recorded.flatMap((shown, row) => this.#strip(shown, row)),
       this.#cursor,
     );
     this.#cursor.setAttribute('y1', String(kTop - 4));
@@ -148,16 +152,23 @@ export class SeparationPlot {
     const levels = niceTicks(0, top, 2).filter(
       (metres) => Math.abs(yOf(metres) - yOf(threshold)) > 11 && yOf(metres) > kTop + 2,
     );
-    const moments = niceTicks(zero_s + clock.begins_s, zero_s + clock.ends_s, Math.max(2, this.#width / 130));
+    const textOf = (moment: number, decimals: number): string => {
+      const full = formatTime(moment, since1970, decimals);
+      return since1970 ? full.slice(11, 19) : full;
+    };
+    const widest = 6.3 * textOf(zero_s + clock.ends_s, 1).length;
+    const most = Math.max(1, Math.min(this.#width / 130, (right - kLeft) / (1.8 * widest)));
+    const moments = niceTicks(zero_s + clock.begins_s, zero_s + clock.ends_s, most);
     const decimals = moments.length > 1 ? decimalsFor(moments[1] - moments[0]) : 1;
     return [
       ...levels.flatMap((metres) => [...level(metres, 'level'), label(metres, formatTick(metres), 'level-text')]),
       ...level(threshold, 'limit'),
       label(threshold, formatExactly(threshold), 'limit-text'),
       ...moments.map((moment) => {
-        const full = formatTime(moment, since1970, decimals);
-        const x = Math.min(right - 14, this.#xOf(moment - zero_s));
-        return drawing('text', { class: 'level-text', x, y: height - 4, 'text-anchor': 'middle' }, since1970 ? full.slice(11, 19) : full);
+        const text = textOf(moment, decimals);
+        const half = 3.15 * text.length;
+        const x = Math.max(half, Math.min(this.#width - half, this.#xOf(moment - zero_s)));
+        return drawing('text', { class: 'level-text', x, y: height - 4, 'text-anchor': 'middle' }, text);
       }),
     ];
   }

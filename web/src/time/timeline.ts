@@ -5,7 +5,7 @@ import type { Shown } from '../panels/shown';
 import type { Choices } from '../state/choices';
 import { button, element } from '../text/element';
 import { isolate } from '../text/names';
-import { decimalsFor, formatCount, formatMetres, formatTime } from '../text/numbers';
+import { decimalsWithin, formatBelow, formatCount, formatTime } from '../text/numbers';
 import { kSpeeds } from './clock';
 import { icon, type Icon } from './icons';
 import type { LinkedTimes } from './linked_times';
@@ -21,15 +21,22 @@ export function conflictBeginnings(all: Shown[], times: LinkedTimes): Float64Arr
   return Float64Array.from(new Set(begins)).sort();
 }
 
+/** The conflict that is at its closest in the moment shown, so that the moment says what its row says. */
+function closestAt({ conflicts }: Recording, within_s: number): number {
+  return conflicts.closest_s.findIndex((time_s) => Math.abs(time_s - within_s) < 1e-6);
+}
+
 function statement(shown: Shown & { swarm: Recording }, within_s: number, inConflict: number): string {
-  const { separation, names } = shown.swarm;
+  const { separation, names, conflicts, head } = shown.swarm;
   const sample = sampleAt(separation.time_s, within_s);
   const start = shown.label ? `${shown.label}: ` : '';
   const risk = `${formatCount(inConflict)} in conflict`;
   if (sample < 0 || within_s > separation.time_s[separation.time_s.length - 1] + 1e-9) return start + risk;
-  const [first, second] = [separation.first[sample], separation.second[sample]];
-  const pair = `${isolate(names.of(first), 20)} and ${isolate(names.of(second), 20)}`;
-  return `${start}${risk} · closest two ${formatMetres(separation.distance_m[sample], 3)} (${pair})`;
+  const exact = closestAt(shown.swarm, within_s);
+  const [of, place] =
+    exact >= 0 && conflicts.distance_m[exact] <= separation.distance_m[sample] ? [conflicts, exact] : [separation, sample];
+  const pair = `${isolate(names.of(of.first[place]), 20)} and ${isolate(names.of(of.second[place]), 20)}`;
+  return `${start}${risk} · closest two ${formatBelow(of.distance_m[place], head.threshold_m, 3)} (${pair})`;
 }
 
 function iconButton(name: Icon, label: string, key: string, act: () => void): HTMLButtonElement {
@@ -73,7 +80,7 @@ export function timeline(all: Shown[], times: LinkedTimes, choices: Choices): Ti
   const read = element('output', { class: 'time-now', 'aria-label': 'Time shown' });
   const says = element('p', { class: 'time-says' });
   clock.time.watch((time) => {
-    read.textContent = formatTime(times.zero_s + time, times.since1970, decimalsFor(clock.step_s));
+    read.textContent = formatTime(times.zero_s + time, times.since1970, decimalsWithin(clock.ends_s - clock.begins_s));
     document.documentElement.dataset.timeS = time.toFixed(3);
     const statements = all.flatMap((shown) => {
       if (shown.swarm.kind !== 'recording') return [];

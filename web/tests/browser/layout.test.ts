@@ -25,7 +25,33 @@ function overlapping(): string[] {
   );
 }
 
-for (const name of ['snapshot', 'recording', 'compared-snapshots', 'compared-recordings']) {
+/** Texts of drawings that lie over one another or are cut at the edge, and legends that are cut. */
+function illegible(): string[] {
+  const faults: string[] = [];
+  for (const svg of document.querySelectorAll('.histogram svg, .plot > svg, .compass')) {
+    const room = svg.getBoundingClientRect();
+    const texts = [...svg.querySelectorAll('text')]
+      .map((one) => ({ text: one.textContent, box: one.getBoundingClientRect(), shown: getComputedStyle(one).opacity !== '0' }))
+      .filter(({ shown, box }) => shown && box.width > 0);
+    for (const { text, box } of texts) {
+      if (box.left < room.left - 1.5 || box.right > room.right + 1.5) faults.push(`${text} is cut`);
+    }
+    texts.forEach((a, i) => {
+      for (const b of texts.slice(i + 1)) {
+        const wide = Math.min(a.box.right, b.box.right) - Math.max(a.box.left, b.box.left);
+        const high = Math.min(a.box.bottom, b.box.bottom) - Math.max(a.box.top, b.box.top);
+        // Boxes of lines have some air above and below the letters.
+        if (wide > 1 && high > 4) faults.push(`${a.text} over ${b.text}`);
+      }
+    });
+  }
+  for (const legend of document.querySelectorAll('.legend')) {
+    for (const row of legend.children) if (row.scrollWidth > row.clientWidth + 1) faults.push('a legend is cut');
+  }
+  return faults;
+}
+
+for (const name of ['snapshot', 'cylinder', 'recording', 'epoch', 'compared-snapshots', 'compared-recordings']) {
   pageTest('fits windows large and small', name, {}, async ({ page }) => {
     for (const [width, height] of kSizes) {
       await page.setViewportSize({ width, height });
@@ -33,6 +59,7 @@ for (const name of ['snapshot', 'recording', 'compared-snapshots', 'compared-rec
       await page.waitForTimeout(150);
       assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= width);
       assert.deepEqual(await page.evaluate(overlapping), []);
+      assert.deepEqual(await page.evaluate(illegible), []);
       await page.screenshot({ path: `${kArtefacts}/${name}-${width}x${height}.png` });
       await page.keyboard.press('d');
     }

@@ -19,9 +19,18 @@ for (const name of ['snapshot', 'cylinder', 'hundred-thousand', 'million']) {
 
 pageTest('shows nothing red where nobody is at risk', 'calm', {}, async ({ page }) => {
   await settled(page);
-  const clip = await canvasClip(page);
-  // Beside the legend, which always has its red diamond.
-  assert.equal(await redPixels(page, { ...clip, x: clip.x + 230, width: clip.width - 230 }), 0);
+  assert.equal(await redPixels(page, await canvasClip(page)), 0);
+});
+
+pageTest('has a histogram with those at risk, and only those, before the threshold', 'snapshot', {}, async ({ page }) => {
+  const bars = await page.evaluate(() => {
+    const x = (one: Element): number => Number(one.getAttribute('x') ?? one.getAttribute('x1'));
+    const of = (kind: string): [number, string][] =>
+      [...document.querySelectorAll(`.histogram ${kind}`)].map((one) => [x(one), String(one.getAttribute('height'))]);
+    return { limit: of('.limit')[0][0], all: of('.bar:not(.risk)'), risk: of('.bar.risk') };
+  });
+  assert.ok(bars.risk.length > 5 && bars.all.length > bars.risk.length);
+  assert.deepEqual(bars.risk, bars.all.filter(([x]) => x < bars.limit - 0.01));
 });
 
 pageTest('shows both swarms', 'compared-snapshots', {}, async ({ page }) => {

@@ -53,10 +53,12 @@ pageTest('it plays, steps, goes to conflicts and shows trails', 'recording', {},
   await page.keyboard.press(',');
   assert.ok(Math.abs((await kTime(page)) - paused) < 0.01);
 
-  // A conflict of the table goes to its moment, and its bees are in conflict then.
+  // A conflict of the table goes to its moment, and its bees are in conflict then, as close as the table says.
   await page.keyboard.press('Home');
-  await page.locator('.pairs tbody tr').first().click();
+  const row = page.locator('.pairs tbody tr').first();
+  await row.click();
   assert.ok((await kTime(page)) > 0);
+  assert.ok((await page.locator('.time-says').innerText()).includes(`closest two ${await row.locator('td').nth(2).innerText()}`));
   assert.ok(await page.locator('.selection .facts .risky').count());
 
   // Brackets go from conflict to conflict.

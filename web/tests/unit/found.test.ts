@@ -5,16 +5,16 @@ import { Nearest, quantileCode } from '../../src/data/nearest';
 import { Neighbours } from '../../src/data/neighbours';
 import { listBits } from '../../src/data/snapshot';
 import { Names } from '../../src/data/names';
-import { binCodes, distanceTicks } from '../../src/panels/histogram';
+import { alignedRange, binDistances, distanceTicks } from '../../src/panels/histogram';
 import { sortedPlaces } from '../../src/panels/paged_table';
 import { randomFrom } from './random';
 
 test('groups hang together by pairs, the largest first', () => {
   const { list, of } = findGroups(9, Uint32Array.of(4, 1, 7, 2), Uint32Array.of(5, 2, 8, 6), Float64Array.of(3, 2, 1, 4));
   assert.deepEqual(list, [
-    { bees: [1, 2, 6], closest_m: 2 },
-    { bees: [7, 8], closest_m: 1 },
-    { bees: [4, 5], closest_m: 3 },
+    { number: 0, bees: [1, 2, 6], closest_m: 2 },
+    { number: 2, bees: [7, 8], closest_m: 1 },
+    { number: 1, bees: [4, 5], closest_m: 3 },
   ]);
   assert.deepEqual(Array.from(of), [-1, 0, 0, -1, 2, 2, 0, 1, 1]);
 });
@@ -61,9 +61,25 @@ test('nearest distances and their codes', () => {
 });
 
 test('a histogram counts everybody once', () => {
-  const { counts, atRisk } = binCodes(Uint16Array.of(0, 10, 19, 20, 500), (bee) => bee === 1, [10, 30], 2);
+  // At 0, 1, 8, 16 and 2^99 m.
+  const nearest = new Nearest(Uint16Array.of(0, 1, 4, 5, 100), 1, 2);
+  const { counts, atRisk } = binDistances(nearest, (bee) => bee === 1, [1, 100], 2);
   assert.deepEqual(counts, [3, 2]);
   assert.deepEqual(atRisk, [1, 0]);
+});
+
+test('bars stand on the side of the threshold where their distances are', () => {
+  for (const [distance_m, threshold_m] of [[37.7, 100], [114, 100], [5, 5.01], [5, 4.99], [0.001, 100]]) {
+    for (const ratio of [1, 1.0001, 1.2]) {
+      const range_m = alignedRange([Math.min(distance_m, threshold_m) / 1.1, Math.max(distance_m, threshold_m) * 1.1], threshold_m, 60);
+      const { counts } = binDistances(new Nearest(Uint16Array.of(1), distance_m, ratio), () => false, range_m, 60);
+      const bin = counts.indexOf(1);
+      const edge_m = (place: number): number => range_m[0] * (range_m[1] / range_m[0]) ** (place / 60);
+      const [low_m, high_m] = [edge_m(bin), edge_m(bin + 1)];
+      assert.ok(low_m <= distance_m * 1.000001 && distance_m <= high_m * 1.000001, `${distance_m} m in ${low_m} to ${high_m} m`);
+      assert.ok(distance_m < threshold_m ? high_m <= threshold_m * 1.000001 : low_m >= threshold_m * 0.999999);
+    }
+  }
 });
 
 test('ticks of distances lie within, and are few', () => {

@@ -17,12 +17,19 @@ test('distances keep four digits that matter', () => {
   assert.equal(plain(numbers.formatMetres(3e-9)), '< 1 µm');
 });
 
+test('what is below a limit reads as below it', () => {
+  const shown = [99.2, 99.9996, 99.99999999, 100, 120].map((m) => plain(numbers.formatBelow(m, 100)));
+  assert.deepEqual(shown, ['99.20 m', '99.9996 m', '< 100 m', '100.0 m', '120.0 m']);
+  assert.equal(plain(numbers.formatBelow(24999.7, 25000)), '24.9997 km');
+  assert.equal(plain(numbers.formatBelow(1e-9, 5)), '< 1 µm');
+});
+
 test('settings are written as they were given', () => {
   assert.deepEqual([5, 0.125, 1500, -2.5, 1e21].map((m) => plain(numbers.formatExactly(m))), ['5 m', '0.125 m', '1,500 m', '-2.5 m', '1e+21 m']);
 });
 
 test('errors are never rounded down', () => {
-  assert.deepEqual([0, 0.0151, 0.015, 1.21, 4e-7, 0.0999].map((m) => plain(numbers.formatError(m))), ['0 m', '16 mm', '15 mm', '1.3 m', '0.40 µm', '100 mm']);
+  assert.deepEqual([0, 0.0151, 0.015, 1.21, 4e-7, 0.0999, 1e-15].map((m) => plain(numbers.formatError(m))), ['0 m', '16 mm', '15 mm', '1.3 m', '0.40 µm', '100 mm', '0.01 µm']);
 });
 
 test('coordinates end where their error begins', () => {
