@@ -84,6 +84,22 @@ std::optional<Error> recording_problem(const io::LoadedPoints& loaded, const std
   return blamed_on(path, *times.problem());
 }
 
+bool has_several_times(const io::LoadedPoints& loaded) {
+  const auto column = find_column(loaded, io::TrackRole::kTime);
+  if (!column) return false;
+  std::vector<PointId> everybody(loaded.points.size());
+  std::iota(everybody.begin(), everybody.end(), PointId{0});
+  std::string first;
+  bool several = false;
+  io::for_each_record(loaded, everybody, [&](const io::Record& record) {
+    const std::string time(io::unquoted(io::field_at(record.text, io::delimiter(loaded), *column)));
+    if (several || time.empty()) return;
+    if (first.empty()) first = time;
+    several = !is_same_time(first, time);
+  });
+  return several;
+}
+
 Error or_recording(Error error, const std::string& path, const io::LoadOptions& options) {
   const bool asked = options.format != io::Format::kAuto || !options.columns.empty();
   const bool bad_input = exit_code_for(error.code) == ExitCode::kBadInput;

@@ -15,6 +15,9 @@ namespace beespace::cli {
 // time. Without names of columns nobody knows.
 std::optional<Error> recording_problem(const io::LoadedPoints& loaded, const std::string& path);
 
+// Whether a table has a time column, and records of more than one time, of whomever.
+bool has_several_times(const io::LoadedPoints& loaded);
+
 // Why `path` could not be read as a snapshot: `error`, or that it is one of the recordings that are
 // no tables.
 Error or_recording(Error error, const std::string& path, const io::LoadOptions& options);

@@ -51,6 +51,14 @@ std::vector<report::AtRisk> at_risk_in(const std::vector<Conflict>& conflicts) {
   return merged;
 }
 
+// Whether each bee has one fix, at a time of its own.
+bool is_nobody_there_for_long(const std::vector<Track>& tracks) {
+  const auto time = time_of(tracks);
+  return time && time->begins_s < time->ends_s &&
+         std::all_of(tracks.begin(), tracks.end(),
+                     [](const Track& track) { return track.fixes.size() <= 1; });
+}
+
 void take_conflicts(std::vector<Conflict> conflicts, report::RecordingFacts& facts) {
   facts.conflict_count = conflicts.size();
   facts.possible_count = static_cast<std::uint64_t>(
@@ -158,6 +166,11 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
     swarm.notes.push_back("bad records left out: " + grouped(recording.skipped_count));
   }
   facts.since_1970 = recording.since_1970;
+  if (is_nobody_there_for_long(*in_space)) {
+    swarm.notes.emplace_back(
+        "each bee is there for a moment only, as it has one fix; to compare them as if they were "
+        "there at once, leave the time out");
+  }
 
   auto recorded = find_conflicts(tracks, {.threshold_m = swarm.threshold_m,
                                           .vertical_m = moving.vertical_m,

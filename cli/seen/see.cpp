@@ -96,7 +96,20 @@ Error better_of(Error as_snapshot, Error as_recording) {
                                                            : std::move(as_snapshot);
 }
 
-bool is_of_one_instant(const io::Recording& recording) {
+bool is_at_one_time(const io::Recording& recording) {
+  std::optional<double> time_s;
+  return std::all_of(recording.bees.begin(), recording.bees.end(), [&](const io::RecordedBee& bee) {
+    return !bee.path && std::all_of(bee.fixes.begin(), bee.fixes.end(), [&](const Fix& fix) {
+      if (!time_s) time_s = fix.time_s;
+      return fix.time_s == *time_s;
+    });
+  });
+}
+
+// Whether it is a look at aircraft, each last heard of at a time of its own. A table with times is
+// no such look: what it says is where everybody was when.
+bool can_be_brought_forward(const io::Recording& recording) {
+  if (recording.format_description.starts_with("text")) return false;
   return std::all_of(recording.bees.begin(), recording.bees.end(),
                      [](const io::RecordedBee& bee) { return !bee.path && bee.fixes.size() <= 1; });
 }
@@ -106,12 +119,12 @@ Result<Loaded> load(const Inputs& inputs, const SeenRequest& request, io::Progre
   options.progress = &progress;
   if (inputs.may_be_a_snapshot() && inputs.names_a_time()) {
     auto recording = inputs.load_recording(options);
-    if (recording && !is_of_one_instant(*recording)) return Loaded(*std::move(recording));
+    if (recording && !is_at_one_time(*recording)) return Loaded(*std::move(recording));
   }
   std::optional<Error> no_snapshot;
   if (inputs.may_be_a_snapshot()) {
     auto points = inputs.load_points(options_for_points(request, progress));
-    if (points && !recording_problem(*points, inputs.first())) return Loaded(*std::move(points));
+    if (points && !has_several_times(*points)) return Loaded(*std::move(points));
     if (!points && exit_code_for(points.error().code) != ExitCode::kBadInput) {
       return std::move(points).error();
     }
@@ -166,8 +179,8 @@ Result<Seen> see(const std::vector<std::string>& inputs, const SeenRequest& requ
     return seen(snapshot_facts(*points, title, request));
   }
   const auto& recording = std::get<io::Recording>(*loaded);
-  return is_of_one_instant(recording) ? seen(snapshot_facts(recording, title, request))
-                                      : seen(recording_facts(recording, title, request));
+  return can_be_brought_forward(recording) ? seen(snapshot_facts(recording, title, request))
+                                           : seen(recording_facts(recording, title, request));
 }
 
 }  // namespace beespace::cli

@@ -19,7 +19,8 @@ const report::SwarmFacts& swarm_of(const Seen& seen);
 bool is_risky(const Seen& seen);
 void set_title(Seen& seen, const std::string& title);
 
-// One file may hold a snapshot; a folder or several files are one recording. Aircraft that are each
+// One file may hold a snapshot; a folder or several files are one recording, and so is a table with
+// more than one time in it, also where each bee has one fix. Aircraft that are each
 // at one instant are brought to the last of them, as by `beespace predict`. Errors: those of
 // reading and searching.
 Result<Seen> see(const std::vector<std::string>& inputs, const SeenRequest& request,
