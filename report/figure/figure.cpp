@@ -55,8 +55,8 @@ Listing closest_pairs(const SnapshotFacts& facts) {
   Listing listing{"Closest pairs", {}};
   for (std::size_t i = 0; i < std::min(kMostRows, facts.pairs.size()); ++i) {
     const auto& [first, second] = facts.pairs[i];
-    listing.rows.push_back(
-        {name_of(facts.swarm.names, first, second), listed_length(facts.distances_m[i])});
+    listing.rows.push_back({name_of(facts.swarm.names, first, second),
+                            listed_length_below(facts.swarm.threshold_m, facts.distances_m[i])});
   }
   if (facts.pairs.empty() && facts.closest) {
     listing.heading = "Closest pair, not too close";
@@ -70,8 +70,9 @@ Listing closest_conflicts(const RecordingFacts& facts) {
   Listing listing{"Closest conflicts", {}};
   const auto add = [&](const Conflict& conflict) {
     listing.rows.push_back({name_of(facts.swarm.names, conflict.first, conflict.second),
-                            listed_length(conflict.closest_m) + " at " +
-                                moment_label(conflict.closest_s, facts.since_1970)});
+                            listed_length_below(facts.swarm.threshold_m, conflict.closest_m) +
+                                " at " + moment_label(conflict.closest_s, facts.since_1970) +
+                                (conflict.certain ? "" : ", possible")});
   };
   for (std::size_t i = 0; i < std::min(kMostRows, facts.conflicts.size()); ++i) {
     add(facts.conflicts[i]);

@@ -36,6 +36,28 @@ std::string digits_of(double value, Format... format) {
   return {text.data(), end};
 }
 
+struct Unit {
+  double metres;
+  const char* name;
+};
+
+// `usual` is what the length would be called, with this unit.
+std::string told_below(double limit_m, double metres, const std::string& usual, const Unit& unit) {
+  constexpr std::size_t kMostDecimals = 17;
+  if (!(metres < limit_m) || usual.find('e') != std::string::npos) return usual;
+  const std::size_t point = usual.find('.');
+  std::size_t decimals = 0;
+  if (point != std::string::npos) decimals = usual.find(' ', point) - point - 1;
+  for (bool first = true; decimals <= kMostDecimals; ++decimals, first = false) {
+    const std::string digits =
+        digits_of(metres / unit.metres, std::chars_format::fixed, static_cast<int>(decimals));
+    double told = 0.0;
+    std::from_chars(digits.data(), digits.data() + digits.size(), told);
+    if (told * unit.metres < limit_m) return first ? usual : grouped(digits) + ' ' + unit.name;
+  }
+  return grouped(digits_of(metres, std::chars_format::fixed)) + " m";
+}
+
 // Of a number below 100.
 std::string two_digits(std::int64_t number) {
   return {static_cast<char>('0' + number / 10), static_cast<char>('0' + number % 10)};
@@ -105,6 +127,19 @@ std::string listed_length(double metres) {
   if (metres < 1e-3) return length_label(metres);
   if (metres < 10'000.0) return decimal_label(metres, metres < 100.0 ? 3 : 1) + " m";
   return decimal_label(metres / 1e3, 1) + " km";
+}
+
+std::string length_label_below(double limit_m, double metres) {
+  const Unit unit = metres < 0.1        ? Unit{1e-3, "mm"}
+                    : metres < 10'000.0 ? Unit{1.0, "m"}
+                                        : Unit{1e3, "km"};
+  return told_below(limit_m, metres, length_label(metres), unit);
+}
+
+std::string listed_length_below(double limit_m, double metres) {
+  if (metres < 1e-3) return length_label_below(limit_m, metres);
+  const Unit unit = metres < 10'000.0 ? Unit{1.0, "m"} : Unit{1e3, "km"};
+  return told_below(limit_m, metres, listed_length(metres), unit);
 }
 
 std::string clock_label(double seconds, double step_s) {

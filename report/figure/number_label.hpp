@@ -23,6 +23,11 @@ std::string length_label(double metres);
 // The same for lists: to a millimetre below 100 m.
 std::string listed_length(double metres);
 
+// The same two of a length below the limit: with as many more digits as it takes to say so, as
+// "99.9996 m" below 100 m. Lengths that are not below it are as above.
+std::string length_label_below(double limit_m, double metres);
+std::string listed_length_below(double limit_m, double metres);
+
 // Hours, minutes and seconds since midnight, or since a beginning: "12:03", "12:03:30" where a
 // step of so many seconds needs it, "12:03:30.5".
 std::string clock_label(double seconds, double step_s);

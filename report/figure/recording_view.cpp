@@ -160,7 +160,7 @@ void draw_closest(const RecordingFacts& facts, const View& view, Drawing& drawin
   draw_ring(view.panel.box, {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)},
             view.from == View::From::kAbove
                 ? (facts.at_risk.empty() ? "closest, not too close: " : "closest: ") +
-                      length_label(closest.closest_m)
+                      length_label_below(facts.swarm.threshold_m, closest.closest_m)
                 : std::string(),
             drawing);
 }

@@ -135,7 +135,7 @@ void draw_separation(const RecordingFacts& facts, const Box& box, Drawing& drawi
   if (facts.closest && (!facts.swarm.vertical_m || facts.conflicts.empty())) {
     const Conflict& closest = *facts.closest;
     const Spot at = {panel.across.scale(closest.closest_s), panel.upwards.scale(closest.closest_m)};
-    draw_ring(box, at, length_label(closest.closest_m), drawing);
+    draw_ring(box, at, length_label_below(facts.swarm.threshold_m, closest.closest_m), drawing);
     // The label of the threshold keeps off this one.
     line.runs.emplace_back(kRingSpots);
     for (std::size_t i = 0; i < kRingSpots; ++i) {

@@ -94,7 +94,7 @@ void draw_closest(const SnapshotFacts& facts, const View& view, Drawing& drawing
   draw_ring(view.panel.box, {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)},
             view.from == View::From::kAbove
                 ? (facts.at_risk.empty() ? "closest, not too close: " : "closest: ") +
-                      length_label(facts.closest->distance_m)
+                      length_label_below(facts.swarm.threshold_m, facts.closest->distance_m)
                 : std::string(),
             drawing);
 }

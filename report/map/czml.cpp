@@ -172,7 +172,7 @@ std::vector<std::string> write_czml(const SnapshotFacts& facts, io::AtomicOutput
   for (std::size_t i = 0; i < bees; ++i) {
     const PointId bee = facts.at_risk[i];
     io::JsonObject mark =
-        packet(id_of(bee), names.of(bee), nearest_words(facts.closest_in_conflict[i], names));
+        packet(id_of(bee), names.of(bee), nearest_words(facts.closest_in_conflict[i], facts.swarm));
     mark.add_json("position", R"({"cartographicDegrees":[)" +
                                   place_text(places.of(facts.positions[bee]), ',') + "]}");
     mark.add_json("point", dot(8.0, kRiskColour));
@@ -180,8 +180,9 @@ std::vector<std::string> write_czml(const SnapshotFacts& facts, io::AtomicOutput
   }
   for (std::size_t i = 0; i < pairs; ++i) {
     const auto& [first, second] = facts.pairs[i];
-    io::JsonObject joined = packet("pair/" + std::to_string(i), pair_name(names, first, second),
-                                   length_label(facts.distances_m[i]) + " apart");
+    io::JsonObject joined =
+        packet("pair/" + std::to_string(i), pair_name(names, first, second),
+               length_label_below(facts.swarm.threshold_m, facts.distances_m[i]) + " apart");
     joined.add_json("polyline",
                     line(places.of(facts.positions[first]), places.of(facts.positions[second])));
     packets.add(joined);
@@ -205,8 +206,7 @@ std::vector<std::string> write_czml(const RecordingFacts& facts, io::AtomicOutpu
     if (joined.empty()) continue;
     io::JsonObject conflict =
         packet("conflict/" + std::to_string(i), pair_name(facts.swarm.names, c.first, c.second),
-               length_label(c.closest_m) + " apart at " + map_instant(c.closest_s) +
-                   (c.certain ? "" : "; possible, not certain"));
+               conflict_words(c, facts.swarm));
     conflict.add_text("availability", interval(c.begins_s, c.ends_s));
     conflict.add_json("polyline", joined);
     packets.add(conflict);

@@ -100,9 +100,7 @@ void add_conflicts(const RecordingFacts& facts, std::size_t count, const MapPlac
     if (!a || !b) continue;
     const std::string time = "<TimeSpan>" + element("begin", map_instant(c.begins_s)) +
                              element("end", map_instant(c.ends_s)) + "</TimeSpan>";
-    document.add(pair_name(facts.swarm.names, c.first, c.second),
-                 length_label(c.closest_m) + " apart at " + map_instant(c.closest_s) +
-                     (c.certain ? "" : "; possible, not certain"),
+    document.add(pair_name(facts.swarm.names, c.first, c.second), conflict_words(c, facts.swarm),
                  time, "risk",
                  "<MultiGeometry>" + point(places.of(middle_of(*a, *b))) +
                      line(places.of(*a), places.of(*b)) + "</MultiGeometry>");
@@ -122,14 +120,15 @@ std::vector<std::string> write_kml(const SnapshotFacts& facts, io::AtomicOutput&
   document.begin_folder("At risk");
   for (std::size_t i = 0; i < bees; ++i) {
     const PointId bee = facts.at_risk[i];
-    document.add(names.of(bee), nearest_words(facts.closest_in_conflict[i], names), {}, "risk",
-                 point(places.of(facts.positions[bee])));
+    document.add(names.of(bee), nearest_words(facts.closest_in_conflict[i], facts.swarm), {},
+                 "risk", point(places.of(facts.positions[bee])));
   }
   document.end_folder();
   document.begin_folder("Pairs too close");
   for (std::size_t i = 0; i < pairs; ++i) {
     const auto& [first, second] = facts.pairs[i];
-    document.add(pair_name(names, first, second), length_label(facts.distances_m[i]) + " apart", {},
+    document.add(pair_name(names, first, second),
+                 length_label_below(facts.swarm.threshold_m, facts.distances_m[i]) + " apart", {},
                  "risk",
                  line(places.of(facts.positions[first]), places.of(facts.positions[second])));
   }

@@ -1,6 +1,7 @@
 #include "report/map/map_words.hpp"
 
 #include "report/figure/number_label.hpp"
+#include "report/map/map_time.hpp"
 #include "report/xml_text.hpp"
 
 namespace beespace::report {
@@ -9,9 +10,15 @@ std::string pair_name(const Names& names, PointId first, PointId second) {
   return names.of(first) + " \u2013 " + names.of(second);
 }
 
-std::string nearest_words(const Nearest& nearest, const Names& names) {
+std::string nearest_words(const Nearest& nearest, const SwarmFacts& swarm) {
   if (nearest.id == Nearest::kNobody) return {};
-  return length_label(nearest.distance_m) + " from " + xml_text(names.of(nearest.id));
+  return length_label_below(swarm.threshold_m, nearest.distance_m) + " from " +
+         xml_text(swarm.names.of(nearest.id));
+}
+
+std::string conflict_words(const Conflict& conflict, const SwarmFacts& swarm) {
+  return length_label_below(swarm.threshold_m, conflict.closest_m) + " apart at " +
+         map_instant(conflict.closest_s) + (conflict.certain ? "" : "; possible, not certain");
 }
 
 std::string document_words(const std::vector<std::string>& notes) {

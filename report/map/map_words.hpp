@@ -12,7 +12,10 @@ namespace beespace::report {
 std::string pair_name(const Names& names, PointId first, PointId second);
 
 // "57.3 m from maya": HTML; nothing where there is nobody else.
-std::string nearest_words(const Nearest& nearest, const Names& names);
+std::string nearest_words(const Nearest& nearest, const SwarmFacts& swarm);
+
+// "57.3 m apart at 2024-05-01T12:00:30Z; possible, not certain".
+std::string conflict_words(const Conflict& conflict, const SwarmFacts& swarm);
 
 // What heights mean, and the notes, one a line: HTML.
 std::string document_words(const std::vector<std::string>& notes);

@@ -252,6 +252,25 @@ TEST(Figure, OfARecordingPartsInConflictAreFat) {
   expect_inside(drawing);
 }
 
+TEST(Figure, AConflictThatIsOnlyPossibleIsSaidToBe) {
+  RecordingFacts facts = two_tracks();
+  EXPECT_FALSE(says(figure_of(facts), "possible"));
+  facts.conflicts.front().certain = false;
+  facts.conflicts.front().closest_m = 5.001;
+  facts.possible_count = 1;
+  EXPECT_TRUE(says(figure_of(facts), "5.001 m at 50.0 s, possible"));
+}
+
+TEST(Figure, ListsNothingAtTheThresholdThatIsBelowIt) {
+  SnapshotFacts facts = three_bees();
+  facts.distances_m = {99.99996};
+  facts.closest->distance_m = 99.99996;
+  const Drawing drawing = figure_of(facts);
+  EXPECT_TRUE(says(drawing, "99.99996 m"));
+  EXPECT_FALSE(says(drawing, "100.000 m"));
+  EXPECT_TRUE(says(drawing, "closest: 99.99996 m"));
+}
+
 TEST(Figure, TimesInConflictThatTouchAreOneBand) {
   const auto bands =
       times_in_conflict({{0, {5.0, 7.0}}, {1, {1.0, 2.0}}, {2, {2.0, 3.0}}, {3, {2.5, 2.6}}});

@@ -90,10 +90,21 @@ TEST(MapTracks, MarksBeyondTheMostAreLeftOutAloud) {
 }
 
 TEST(MapWords, HoldNamesAsTextInHtml) {
-  Names names;
-  names.texts = {"<script>"};
-  EXPECT_EQ(nearest_words({0, 57.3}, names), "57.3 m from &lt;script&gt;");
-  EXPECT_EQ(nearest_words({}, names), "");
+  SwarmFacts swarm;
+  swarm.threshold_m = 100.0;
+  swarm.names.texts = {"<script>"};
+  EXPECT_EQ(nearest_words({0, 57.3}, swarm), "57.3 m from &lt;script&gt;");
+  EXPECT_EQ(nearest_words({0, 99.9996}, swarm), "99.9996 m from &lt;script&gt;");
+  EXPECT_EQ(nearest_words({}, swarm), "");
+}
+
+TEST(MapWords, SayHowCloseAndWhetherItIsCertain) {
+  SwarmFacts swarm;
+  swarm.threshold_m = 100.0;
+  EXPECT_EQ(conflict_words({0, 1, 0.0, 1.0, 2.0, 99.9996, true}, swarm),
+            "99.9996 m apart at 1970-01-01T00:00:01Z");
+  EXPECT_EQ(conflict_words({0, 1, 0.0, 1.0, 2.0, 100.0, false}, swarm),
+            "100 m apart at 1970-01-01T00:00:01Z; possible, not certain");
 }
 
 TEST(RiskTable, KeepsSpreadsheetsFromTakingIdsForFormulas) {

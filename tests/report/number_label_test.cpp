@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace beespace::report {
 namespace {
 
@@ -31,6 +33,27 @@ TEST(NumberLabel, LengthsHaveThreeDigitsThatCountAndAUnit) {
   EXPECT_EQ(listed_length(4.99812), "4.998 m");
   EXPECT_EQ(listed_length(5.0), "5.000 m");
   EXPECT_EQ(listed_length(0.0), "0 m");
+}
+
+TEST(NumberLabel, LengthsBelowALimitAreNotRoundedUpToIt) {
+  EXPECT_EQ(length_label_below(100.0, 57.294), "57.3 m");
+  EXPECT_EQ(length_label_below(100.0, 99.9), "99.9 m");
+  EXPECT_EQ(length_label_below(100.0, 99.9996), "99.9996 m");
+  EXPECT_EQ(length_label_below(100.0, std::nextafter(100.0, 0.0)), "99.99999999999999 m");
+  EXPECT_EQ(length_label_below(100.0, 100.0), "100 m");
+  EXPECT_EQ(length_label_below(100.0, 100.04), "100 m");
+  EXPECT_EQ(length_label_below(5'000.0, 4'999.7), "4,999.7 m");
+  EXPECT_EQ(length_label_below(20'000.0, 19'999.0), "19.999 km");
+  EXPECT_EQ(length_label_below(0.005, 0.00499999), "4.99999 mm");
+  EXPECT_EQ(length_label_below(5.0, 0.0), "0 m");
+  EXPECT_EQ(listed_length_below(5.0, 4.998), "4.998 m");
+  EXPECT_EQ(listed_length_below(5.0, 4.99996), "4.99996 m");
+  EXPECT_EQ(listed_length_below(5.0, 5.0004), "5.000 m");
+  EXPECT_EQ(listed_length_below(100.0, 99.99998), "99.99998 m");
+  EXPECT_EQ(listed_length_below(20'000.0, 19'999.0), "19.999 km");
+  EXPECT_EQ(listed_length_below(1e-3, 0.9999999e-3), "0.9999999 mm");
+  const double close_to_much = std::nextafter(1e15, 0.0);
+  EXPECT_EQ(length_label_below(1e15, close_to_much), "999,999,999,999.9999 km");
 }
 
 TEST(NumberLabel, ClocksShowWhatTheirStepNeeds) {
