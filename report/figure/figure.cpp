@@ -52,7 +52,7 @@ std::string findings_of(const RecordingFacts& facts) {
 }
 
 Listing closest_pairs(const SnapshotFacts& facts) {
-  Listing listing{"Closest pairs", {}};
+  Listing listing{"Closest pairs", {}, facts.pair_count};
   for (std::size_t i = 0; i < std::min(kMostRows, facts.pairs.size()); ++i) {
     const auto& [first, second] = facts.pairs[i];
     listing.rows.push_back({name_of(facts.swarm.names, first, second),
@@ -67,7 +67,7 @@ Listing closest_pairs(const SnapshotFacts& facts) {
 }
 
 Listing closest_conflicts(const RecordingFacts& facts) {
-  Listing listing{"Closest conflicts", {}};
+  Listing listing{"Closest conflicts", {}, facts.conflict_count};
   const auto add = [&](const Conflict& conflict) {
     listing.rows.push_back({name_of(facts.swarm.names, conflict.first, conflict.second),
                             listed_length_below(facts.swarm.threshold_m, conflict.closest_m) +

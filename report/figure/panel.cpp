@@ -87,6 +87,17 @@ std::ptrdiff_t spots_within(const Lines& lines, Spot at, double width) {
   return count;
 }
 
+// The baseline, or one so far above or below it that the line does not strike the text through.
+double clear_of(double line_y, double baseline, const Box& box) {
+  constexpr double kAscent = 11.0;
+  constexpr double kDescent = 5.0;
+  if (line_y > baseline + kDescent || line_y < baseline - kAscent) return baseline;
+  const double above = line_y - kDescent;
+  const double below = line_y + kAscent;
+  const bool fits_below = below + kDescent <= box.bottom();
+  return fits_below && below - baseline < baseline - above ? below : above;
+}
+
 }  // namespace
 
 std::vector<Tick> as_many_as_fit(double length, const TickMaker& make) {
@@ -164,13 +175,15 @@ void draw_line_upwards(const Panel& panel, double value, const std::string& name
                                    kText});
 }
 
-void draw_ring(const Box& box, Spot spot, const std::string& text, Drawing& drawing) {
+double draw_ring(const Box& box, Spot spot, const std::string& text, Drawing& drawing,
+                 std::optional<double> line_y) {
   constexpr double kRadius = 8.0;
   drawing.shapes.emplace_back(Dots{{spot}, kRadius, kText, 1.6});
-  if (text.empty()) return;
+  double y = std::min(spot.y + 4.0, box.bottom() - 6.0);
+  if (line_y) y = clear_of(*line_y, y, box);
+  if (text.empty()) return y;
   const double beside = kRadius + 5.0;
   const bool to_the_left = spot.x + beside + text_width(text, kLabelSize) > box.right();
-  const double y = std::min(spot.y + 4.0, box.bottom() - 6.0);
   drawing.shapes.emplace_back(Text{{to_the_left ? spot.x - beside : spot.x + beside, y},
                                    text,
                                    kLabelSize,
@@ -179,6 +192,7 @@ void draw_ring(const Box& box, Spot spot, const std::string& text, Drawing& draw
                                    false,
                                    true,
                                    kText});
+  return y;
 }
 
 }  // namespace beespace::report

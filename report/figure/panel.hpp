@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,7 +48,9 @@ void draw_line_across(const Panel& panel, double value, const std::string& name,
                       const Lines& around, Drawing& drawing);
 void draw_line_upwards(const Panel& panel, double value, const std::string& name, Drawing& drawing);
 
-// A ring, and what it says, if anything, on that side of it where there is room.
-void draw_ring(const Box& box, Spot spot, const std::string& text, Drawing& drawing);
+// A ring, and what it says, if anything, on that side of it where there is room, and clear of a
+// line across at `line_y`. Returns the baseline of what it says.
+double draw_ring(const Box& box, Spot spot, const std::string& text, Drawing& drawing,
+                 std::optional<double> line_y = {});
 
 }  // namespace beespace::report

@@ -135,11 +135,13 @@ void draw_separation(const RecordingFacts& facts, const Box& box, Drawing& drawi
   if (facts.closest && (!facts.swarm.vertical_m || facts.conflicts.empty())) {
     const Conflict& closest = *facts.closest;
     const Spot at = {panel.across.scale(closest.closest_s), panel.upwards.scale(closest.closest_m)};
-    draw_ring(box, at, length_label_below(facts.swarm.threshold_m, closest.closest_m), drawing);
+    const double baseline =
+        draw_ring(box, at, length_label_below(facts.swarm.threshold_m, closest.closest_m), drawing,
+                  panel.upwards.scale(facts.swarm.threshold_m));
     // The label of the threshold keeps off this one.
     line.runs.emplace_back(kRingSpots);
     for (std::size_t i = 0; i < kRingSpots; ++i) {
-      line.runs.back()[i] = {at.x - 80.0 + 2.0 * static_cast<double>(i), at.y};
+      line.runs.back()[i] = {at.x - 80.0 + 2.0 * static_cast<double>(i), baseline - 4.0};
     }
   }
   draw_line_across(panel, facts.swarm.threshold_m, threshold_name(facts.swarm), line, drawing);

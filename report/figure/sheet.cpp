@@ -142,11 +142,16 @@ Drawing begin_sheet(const SwarmFacts& swarm, const std::string& findings,
 void draw_listing(const Listing& listing, Spot corner, double width, double bottom,
                   Drawing& drawing) {
   if (listing.rows.empty()) return;
-  add_text(corner, listing.heading, kTextSize, kText, drawing, Anchor::kStart, true);
-  double y = corner.y + 6.0;
-  for (const Row& row : listing.rows) {
-    y += kRowHeight;
-    if (y > bottom) break;
+  const double first = corner.y + 6.0 + kRowHeight;
+  const double room = std::max(0.0, std::floor((bottom - first) / kRowHeight) + 1.0);
+  const std::size_t shown = std::min(listing.rows.size(), static_cast<std::size_t>(room));
+  std::string heading = listing.heading;
+  if (shown < listing.count)
+    heading += ": " + count_label(shown) + " of " + count_label(listing.count);
+  add_text(corner, heading, kTextSize, kText, drawing, Anchor::kStart, true);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const Row& row = listing.rows[i];
+    const double y = first + static_cast<double>(i) * kRowHeight;
     const double right = text_width(row.right, kLabelSize);
     add_text({corner.x, y}, fitted(one_line(row.left), kLabelSize, width - right - 12.0),
              kLabelSize, kText, drawing);

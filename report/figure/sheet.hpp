@@ -36,6 +36,7 @@ struct Row {
 struct Listing {
   std::string heading;
   std::vector<Row> rows;
+  std::uint64_t count = 0;  // of all, also of those that are no row here
 };
 
 // A drawing with its title, the line below it, and the key; panels begin at kPanelsTop.
@@ -50,7 +51,7 @@ std::string too_close(const SwarmFacts& swarm);
 // compared apart, as then it tells less of a distance in a straight line.
 std::string threshold_name(const SwarmFacts& swarm);
 
-// As many rows as there is room for, down to `bottom`.
+// As many rows as there is room for, down to `bottom`; the heading says of how many.
 void draw_listing(const Listing& listing, Spot corner, double width, double bottom,
                   Drawing& drawing);
 

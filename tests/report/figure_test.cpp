@@ -271,6 +271,46 @@ TEST(Figure, ListsNothingAtTheThresholdThatIsBelowIt) {
   EXPECT_TRUE(says(drawing, "closest: 99.99996 m"));
 }
 
+TEST(Figure, TheHeadingOfTheListSaysOfHowManyItIs) {
+  SnapshotFacts facts = three_bees();
+  EXPECT_TRUE(says(figure_of(facts), "Closest pairs"));
+  EXPECT_FALSE(says(figure_of(facts), "Closest pairs: "));
+  facts.pair_count = 1'503;
+  EXPECT_TRUE(says(figure_of(facts), "Closest pairs: 1 of 1,503"));
+  // Of more than there is room for, those that are there are counted.
+  facts.pairs.assign(100, {0, 1});
+  facts.distances_m.assign(100, 50.0);
+  facts.pair_count = 100;
+  const Drawing drawing = figure_of(facts);
+  const auto texts = shapes_of<Text>(drawing);
+  const auto rows = std::count_if(texts.begin(), texts.end(),
+                                  [](const Text& text) { return text.text == "50.000 m"; });
+  EXPECT_GT(rows, 1);
+  EXPECT_TRUE(says(drawing, "Closest pairs: " + std::to_string(rows) + " of 100"));
+  RecordingFacts flown = two_tracks();
+  flown.conflict_count = 26;
+  EXPECT_TRUE(says(figure_of(flown), "Closest conflicts: 1 of 26"));
+}
+
+TEST(Figure, NoLabelOfTheSeparationIsStruckThroughByTheThreshold) {
+  for (const double threshold_m : {1.0, 3.0, 3.5, 5.0, 8.0, 20.0, 90.0}) {
+    RecordingFacts facts = two_tracks();
+    facts.swarm.threshold_m = threshold_m;
+    const Drawing drawing = figure_of(facts);
+    for (const Lines& lines : shapes_of<Lines>(drawing)) {
+      if (!lines.dashed) continue;
+      const double line_y = lines.runs.front().front().y;
+      const double left = lines.runs.front().front().x;
+      for (const Text& text : shapes_of<Text>(drawing)) {
+        const bool in_the_chart = text.at.x > left && text.at.y < line_y + 40.0;
+        if (!in_the_chart || !text.halo) continue;
+        EXPECT_TRUE(text.at.y <= line_y - 4.0 || text.at.y - 0.75 * text.size >= line_y + 1.0)
+            << text.text << " at " << threshold_m;
+      }
+    }
+  }
+}
+
 TEST(Figure, TimesInConflictThatTouchAreOneBand) {
   const auto bands =
       times_in_conflict({{0, {5.0, 7.0}}, {1, {1.0, 2.0}}, {2, {2.0, 3.0}}, {3, {2.5, 2.6}}});
