@@ -125,7 +125,7 @@ Result<ExitCode> predict(const PredictRequest& request) {
   const auto recording = io::load_recording(moving.inputs, load);
   if (!recording) return recording.error();
   const Geometry geometry = geometry_for(*recording, moving.vertical_m.has_value());
-  const auto snapshot = snapshot_of(*recording, geometry, request.max_age_s);
+  const auto snapshot = snapshot_of(*recording, geometry, request.max_age_s, Wanted::kMotion);
   if (!snapshot) return snapshot.error();
 
   progress.enter_stage("predicting");

@@ -174,7 +174,8 @@ Result<InMetres> in_metres(const io::Recording& recording, std::size_t bee, std:
   return in_metres(of.fixes[fix].position, velocity, recording.frame, geometry);
 }
 
-Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, double max_age_s) {
+Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, double max_age_s,
+                             Wanted wanted) {
   const auto now = last_time(recording);
   if (!now) return now.error();
   Snapshot snapshot;
@@ -188,7 +189,9 @@ Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, 
       ++snapshot.stale;
       continue;
     }
-    auto state = last_state(bee, recording.frame, geometry);
+    auto state = wanted == Wanted::kPlaces && age == 0.0
+                     ? given_state(bee.fixes.back(), Velocity{}, recording.frame, geometry)
+                     : last_state(bee, recording.frame, geometry);
     if (!state && state.error().code == ErrorCode::kMissingColumn) {
       ++snapshot.unmoving;
       no_velocity = of_bee(std::move(state).error(), bee);

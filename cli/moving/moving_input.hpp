@@ -54,7 +54,11 @@ struct Snapshot {
   [[nodiscard]] MoversView view() const;
 };
 
-// Errors: kMissingColumn where nobody has a velocity, or two fixes to tell it from.
-Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, double max_age_s);
+// Whether it matters how fast those go who need not be brought there.
+enum class Wanted : std::uint8_t { kMotion, kPlaces };
+
+// Errors: kMissingColumn where nobody has a velocity that is wanted, or two fixes to tell it from.
+Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, double max_age_s,
+                             Wanted wanted);
 
 }  // namespace beespace::cli

@@ -106,10 +106,10 @@ bool is_at_one_time(const io::Recording& recording) {
   });
 }
 
-// Whether it is a look at aircraft, each last heard of at a time of its own. A table with times is
-// no such look: what it says is where everybody was when.
-bool can_be_brought_forward(const io::Recording& recording) {
-  if (recording.format_description.starts_with("text")) return false;
+// Whether everybody is at one time, or it is a look at aircraft, each last heard of at a time of
+// its own. A table with several times is no such look: what it says is where everybody was when.
+bool is_a_snapshot(const io::Recording& recording) {
+  if (recording.format_description.starts_with("text") && !is_at_one_time(recording)) return false;
   return std::all_of(recording.bees.begin(), recording.bees.end(),
                      [](const io::RecordedBee& bee) { return !bee.path && bee.fixes.size() <= 1; });
 }
@@ -179,8 +179,8 @@ Result<Seen> see(const std::vector<std::string>& inputs, const SeenRequest& requ
     return seen(snapshot_facts(*points, title, request));
   }
   const auto& recording = std::get<io::Recording>(*loaded);
-  return can_be_brought_forward(recording) ? seen(snapshot_facts(recording, title, request))
-                                           : seen(recording_facts(recording, title, request));
+  return is_a_snapshot(recording) ? seen(snapshot_facts(recording, title, request))
+                                  : seen(recording_facts(recording, title, request));
 }
 
 }  // namespace beespace::cli

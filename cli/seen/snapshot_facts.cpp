@@ -180,7 +180,7 @@ Result<report::SnapshotFacts> snapshot_facts(const io::Recording& recording,
   swarm.source = recording.format_description;
   swarm.notes = recording.notes;
   note_skipped(recording.skipped_count, swarm.notes);
-  const auto snapshot = snapshot_of(recording, Geometry::kSpace, kMaxAge_s);
+  const auto snapshot = snapshot_of(recording, Geometry::kSpace, kMaxAge_s, Wanted::kPlaces);
   if (!snapshot) return snapshot.error();
   note_ages(*snapshot, swarm.notes);
   std::vector<Point> points;
@@ -188,7 +188,7 @@ Result<report::SnapshotFacts> snapshot_facts(const io::Recording& recording,
   GroundPlaces apart;
   const Geometry geometry = geometry_for(recording, swarm.vertical_m.has_value());
   if (geometry == Geometry::kGroundAndHeight) {
-    auto on_ground = snapshot_of(recording, geometry, kMaxAge_s);
+    auto on_ground = snapshot_of(recording, geometry, kMaxAge_s, Wanted::kPlaces);
     if (!on_ground) return on_ground.error();
     for (const Mover& mover : on_ground->movers) apart.ground.push_back(mover.position);
     apart.heights_m = std::move(on_ground->heights_m);

@@ -48,12 +48,12 @@ TEST(SeenTimes, ATimeOfWhichTheUnitIsNotKnownIsNotPassedOver) {
   expect_parts(summary(kTable, "id,t,x,y,z\na,1,0,0,0\nb,1,1,0,0\n"), {"at risk    2 of 2"});
 }
 
-TEST(SeenTimes, SeveralFilesOfOneFixEachAreOneRecording) {
+TEST(SeenTimes, OfSeveralFilesTheTimesDecideToo) {
   const TemporaryFolder folder;
   const std::string a = folder.file("a.csv", "id,time_s,x,y,z\na,3,0,0,0\n");
   const std::string b = folder.file("b.csv", "id,time_s,x,y,z\nb,3,9,0,0\n");
   const std::string c = folder.file("c.csv", "id,time_s,x,y,z\nc,4,9,0,0\n");
-  expect_parts(summary(kTable + Arguments{a, b}, {}), {"at risk    1 conflict of 1 pair\n"});
+  expect_parts(summary(kTable + Arguments{a, b}, {}), {"at risk    2 of 2: 1 pair in 1 group\n"});
   expect_parts(summary(kTable + Arguments{a, c}, {}), {"at risk    nobody\n"});
 }
 
