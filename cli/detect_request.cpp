@@ -47,6 +47,7 @@ io::LoadOptions load_options(const DetectOptions& options, unsigned threads) {
   if (options.format == "text") load.format = io::Format::kText;
   if (options.format == "npy") load.format = io::Format::kNpy;
   if (options.format == "bin") load.format = io::Format::kRawFloat64;
+  load.format_can_be_said = true;
   load.columns = options.columns;
   load.skip_bad = options.skip_bad;
   load.threads = threads;

@@ -3,6 +3,7 @@
 #include "cli/failure.hpp"
 #include "cli/option_values.hpp"
 #include "cli/output_file.hpp"
+#include "cli/output_form.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/seen/page_of.hpp"
 #include "cli/seen/seen_summary.hpp"
@@ -20,6 +21,26 @@ namespace {
 
 constexpr const char* kName = "report";
 
+// A page under the name of something else would be opened by what cannot read it.
+Status check_ending(const std::string& output) {
+  const std::string ending = ending_of(output);
+  const auto misnamed = [&](const std::string& otherwise) {
+    return usage_error(kName, "a page is HTML, unlike what its name '" + printable(output) +
+                                  "' says; let it end in .html, or " + otherwise);
+  };
+  if (ending == "svg" || ending == "png") {
+    return misnamed("let 'beespace plot' draw the picture");
+  }
+  for (const char* other : {"kml", "czml", "geojson", "csv"}) {
+    if (ending == other) return misnamed("let 'beespace export' write that file");
+  }
+  if (ending == "json") {
+    return misnamed(
+        "let 'beespace export' write .geojson or .czml, or ask 'beespace detect --json'");
+  }
+  return std::monostate{};
+}
+
 Result<ExitCode> report_on(const ReportOptions& options, const SeenRequest& request) {
   const MovingRequest& moving = request.moving;
   if (moving.output == "-" && output_is_terminal()) {
@@ -29,6 +50,7 @@ Result<ExitCode> report_on(const ReportOptions& options, const SeenRequest& requ
   inputs.push_back(options.compare);
   auto output = open_output(kName, moving.output, inputs);
   if (!output) return std::move(output).error();
+  if (Status html = check_ending(moving.output); !html) return std::move(html).error();
   ProgressBar progress(!moving.quiet);
   Stopwatch watch;
   const auto page = page_of(kName, request, options.compare, progress);

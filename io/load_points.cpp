@@ -113,9 +113,15 @@ void note_columns(const TableLayout& layout, Frame frame, std::vector<std::strin
   if (!in_order) notes.push_back(std::move(text));
 }
 
+// How what is no text may be read all the same.
+std::string_view or_raw(const LoadOptions& options) {
+  return options.format_can_be_said ? "; for raw float64 say --format bin"
+                                    : ", or let the name of raw float64 end in .bin";
+}
+
 std::optional<Error> load_table(LoadedPoints& loaded, RecordSource& source,
                                 const LoadOptions& options) {
-  if (auto problem = text_problem(source.bytes.view)) return problem;
+  if (auto problem = text_problem(source.bytes.view, or_raw(options))) return problem;
   source.text = without_byte_order_mark(source.bytes.view);
   auto layout = find_layout(source.text, options);
   if (!layout) return layout.error();

@@ -30,6 +30,7 @@ struct Progress {
 struct LoadOptions {
   Frame frame = Frame::kAuto;
   Format format = Format::kAuto;
+  bool format_can_be_said = false;  // whether an error may advise to say --format
   std::string columns = {};  // "lon=1,lat=2,height=3", by number (from 1) or name; empty: automatic
   bool skip_bad = false;     // leave bad records out and list them, instead of failing at the first
   unsigned threads = 1;

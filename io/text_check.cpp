@@ -58,7 +58,7 @@ std::string_view without_byte_order_mark(std::string_view bytes) {
   return bytes.substr(0, kMark.size()) == kMark ? bytes.substr(kMark.size()) : bytes;
 }
 
-std::optional<Error> text_problem(std::string_view bytes) {
+std::optional<Error> text_problem(std::string_view bytes, std::string_view or_raw) {
   const std::string_view text = without_byte_order_mark(bytes);
   const std::size_t start = text.find_first_not_of(" \t\r\n");
   const std::string_view front = text.substr(start == std::string_view::npos ? 0 : start);
@@ -71,12 +71,12 @@ std::optional<Error> text_problem(std::string_view bytes) {
     const auto byte = static_cast<unsigned char>(bytes[i]);
     if (byte == 0) {
       return unsupported("no text: byte " + std::to_string(i) +
-                         " is NUL; for UTF-16 save it as UTF-8, for raw float64 say --format bin");
+                         " is NUL; save it as text in UTF-8" + std::string(or_raw));
     }
     const bool control = byte < 0x20 && (byte < '\t' || byte > '\r');
     if (control || byte == 0x7F) {
       return unsupported("no text: byte " + std::to_string(i) + " is " + hex(byte) +
-                         "; for raw float64 say --format bin");
+                         "; save it as text in UTF-8" + std::string(or_raw));
     }
   }
   return std::nullopt;

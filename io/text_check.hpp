@@ -12,6 +12,7 @@ namespace beespace::io {
 std::string_view without_byte_order_mark(std::string_view bytes);
 
 // kUnsupportedFormat with what was found and where; empty for anything that may be a text table.
-std::optional<Error> text_problem(std::string_view bytes);
+// `or_raw` says how to read it as a raw array, where such are read: "; raw float64 ...".
+std::optional<Error> text_problem(std::string_view bytes, std::string_view or_raw = {});
 
 }  // namespace beespace::io

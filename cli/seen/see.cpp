@@ -7,6 +7,7 @@
 #include "io/byte_source.hpp"
 #include "io/fields.hpp"
 #include "io/load_recording.hpp"
+#include "io/record_reading.hpp"
 #include "io/track_words.hpp"
 
 #include <algorithm>
@@ -90,10 +91,28 @@ io::LoadOptions options_for_points(const SeenRequest& request, io::Progress& pro
   return options;
 }
 
-// Of what can be read neither way: what is wrong with the way that fits better.
+// Of what can be read neither way: what is wrong with the way that fits better. Of what is no text
+// the reader of snapshots knows more.
 Error better_of(Error as_snapshot, Error as_recording) {
-  return as_snapshot.code == ErrorCode::kUnsupportedFormat ? std::move(as_recording)
-                                                           : std::move(as_snapshot);
+  const bool is_other = as_snapshot.code == ErrorCode::kUnsupportedFormat &&
+                        !as_recording.message.starts_with("this is no text");
+  return is_other ? std::move(as_recording) : std::move(as_snapshot);
+}
+
+// Of several files of which one is a snapshot: that is no recording for the lack of a column, but
+// meant as something else.
+Error or_snapshots(Error error, const SeenRequest& request, io::Progress& progress) {
+  const std::string path = error.place.source;
+  if (error.code != ErrorCode::kMissingColumn) return error;
+  const auto points = io::load_points(path, options_for_points(request, progress));
+  if (!points || has_time_column(io::header_line(*points))) return error;
+  Error explained{ErrorCode::kMissingColumn,
+                  "there are no times in this snapshot, and several files are read as one "
+                  "recording; name one file, or set two beside each other: beespace report FILE "
+                  "--compare FILE",
+                  {}};
+  explained.place.source = path;
+  return explained;
 }
 
 bool is_at_one_time(const io::Recording& recording) {
@@ -132,6 +151,9 @@ Result<Loaded> load(const Inputs& inputs, const SeenRequest& request, io::Progre
   }
   auto recording = inputs.load_recording(options);
   if (recording) return Loaded(*std::move(recording));
+  if (!inputs.may_be_a_snapshot()) {
+    return or_snapshots(std::move(recording).error(), request, progress);
+  }
   if (!no_snapshot) return std::move(recording).error();
   return better_of(*std::move(no_snapshot), std::move(recording).error());
 }

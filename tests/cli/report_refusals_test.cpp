@@ -138,6 +138,54 @@ TEST_F(ReportRefusals, StandardInputIsReadOnce) {
   expect_usage_error({"report", "-", "--compare", "-"}, "standard input can be read once");
 }
 
+TEST_F(ReportRefusals, APageIsNotWrittenUnderTheNameOfSomethingElse) {
+  const std::string bees = folder_.file("bees.txt", kTwo);
+  for (const auto& [name, instead] :
+       {std::pair{"zz.png", "let 'beespace plot' draw the picture"},
+        std::pair{"zz.SVG", "let 'beespace plot' draw the picture"},
+        std::pair{"zz.kml", "let 'beespace export' write that file"},
+        std::pair{"zz.czml", "let 'beespace export' write that file"},
+        std::pair{"zz.geojson", "let 'beespace export' write that file"},
+        std::pair{"zz.csv", "let 'beespace export' write that file"},
+        std::pair{"zz.json", "let 'beespace export' write .geojson or .czml"}}) {
+    expect_failure({"report", bees, "-o", folder_.path(name)}, {}, kUsage, instead);
+  }
+  EXPECT_EQ(folder_.names(), std::vector<std::string>{"bees.txt"});
+  for (const char* name : {"page", "page.htm", "page.html", "page.v2"}) {
+    EXPECT_EQ(run({"report", bees, "-o", folder_.path(name)}).exit_code, 0) << name;
+  }
+  expect_failure({"report", bees, "-o", bees}, {}, kUsage, "is the input itself");
+}
+
+TEST_F(ReportRefusals, OfWhatIsNoTextItAdvisesWhatItHas) {
+  const std::string bytes("x,y,z\n0,0,0\0\n", 13);
+  const std::string nul = folder_.file("nul.csv", bytes);
+  for (const Arguments& asked :
+       {Arguments{"report", nul}, Arguments{"plot", nul},
+        Arguments{"export", nul, "--format", "csv"}, Arguments{"view", nul, "--no-open"}}) {
+    const Finished finished = run(asked);
+    EXPECT_EQ(finished.exit_code, kBadInput);
+    expect_parts(finished.err, {"this is no text: byte 11 is NUL; save it as text in UTF-8, or let "
+                                "the name of raw float64 end in .bin\n"});
+  }
+  expect_failure({"detect", nul}, {}, kBadInput, "say --format bin");
+  const Finished replayed = run({"replay", nul});
+  expect_parts(replayed.err, {"this is no text: byte 11 is NUL; save it as text in UTF-8\n"});
+}
+
+TEST_F(ReportRefusals, SeveralSnapshotsAreNoRecordingAndMayBeCompared) {
+  const std::string a = folder_.file("a.csv", kTwo);
+  const std::string b = folder_.file("b.csv", kTwo);
+  const std::string flown = folder_.file("flown.csv", kFlown);
+  const std::string message =
+      "there are no times in this snapshot, and several files are read as one recording; name one "
+      "file, or set two beside each other: beespace report FILE --compare FILE";
+  expect_failure({"report", a, b}, {}, kBadInput, "a.csv: " + message);
+  expect_failure({"report", flown, b}, {}, kBadInput, "b.csv: " + message);
+  expect_failure({"export", a, b, "--format", "csv"}, {}, kBadInput, "a.csv: " + message);
+  expect_failure({"plot", folder_.path("")}, {}, kBadInput, "a.csv: " + message);
+}
+
 TEST_F(ReportRefusals, ErrorsAreJsonWhenAskedFor) {
   const Finished finished = run({"report", "--json"}, "x,y,z\n0,nothing,0\n");
   EXPECT_EQ(finished.exit_code, kBadInput);

@@ -103,7 +103,13 @@ TEST(Sources, TheEndingOfRawArraysIsKnownInCapitalsToo) {
   std::memcpy(rows.data(), values, rows.size());
   EXPECT_EQ(points_of(load_points_from_memory(rows, "BEES.BIN", in_metres())), kPoints);
   expect_error(load_points_from_memory(rows, "bees", in_metres()),
-               {ErrorCode::kUnsupportedFormat, "bees", "--format bin"});
+               {ErrorCode::kUnsupportedFormat, "bees",
+                "byte 0 is NUL; save it as text in UTF-8, or let the name of raw float64 end in "
+                ".bin"});
+  LoadOptions options = in_metres();
+  options.format_can_be_said = true;
+  expect_error(load_points_from_memory(rows, "bees", options),
+               {ErrorCode::kUnsupportedFormat, "bees", "for raw float64 say --format bin"});
 }
 
 TEST(Gzip, HoldsRawArraysToo) {
