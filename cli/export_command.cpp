@@ -67,11 +67,11 @@ Result<ExitCode> export_to(const SeenRequest& request, const std::string& format
   auto output = open_output(kName, moving.output, moving.inputs);
   if (!output) return std::move(output).error();
   ProgressBar progress(!moving.quiet);
-  Stopwatch watch;
-  const auto seen = see(moving.inputs, request, progress);
+  SeenTimings timings;
+  const auto seen = see(moving.inputs, request, progress, timings);
   if (!seen) return seen.error();
   if (Status fit = check_fit(*seen, format); !fit) return fit.error();
-  const double found_s = watch.lap();
+  Stopwatch watch;
 
   progress.enter_stage("writing");
   const auto notes =
@@ -79,12 +79,13 @@ Result<ExitCode> export_to(const SeenRequest& request, const std::string& format
   const Status written = output->commit();
   if (!written && output->pipe_closed()) return ExitCode::kPipeClosed;
   if (!written) return written.error();
+  timings.write_s = watch.lap();
   progress.finish();
   if (!moving.quiet) {
     std::string text;
     append_seen(text, *seen);
     for (const std::string& note : notes) append_summary_line(text, "note", note);
-    append_written(text, moving.output, {found_s, watch.lap()});
+    append_written(text, moving.output, timings);
     say(text);
   }
   return is_risky(*seen) && moving.fail_on_risk ? ExitCode::kRiskFound : ExitCode::kFine;

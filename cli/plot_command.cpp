@@ -93,10 +93,10 @@ Result<ExitCode> plot(const PlotRequest& request) {
   auto output = open_output(kName, moving.output, moving.inputs);
   if (!output) return std::move(output).error();
   ProgressBar progress(!moving.quiet);
-  Stopwatch watch;
-  auto seen = see(moving.inputs, request.seen, progress);
+  SeenTimings timings;
+  auto seen = see(moving.inputs, request.seen, progress, timings);
   if (!seen) return std::move(seen).error();
-  const double found_s = watch.lap();
+  Stopwatch watch;
 
   progress.enter_stage("drawing");
   Seen titled = *std::move(seen);
@@ -108,12 +108,13 @@ Result<ExitCode> plot(const PlotRequest& request) {
   const Status written = output->commit();
   if (!written && output->pipe_closed()) return ExitCode::kPipeClosed;
   if (!written) return written.error();
+  timings.write_s = watch.lap();
   progress.finish();
   if (!moving.quiet) {
     std::string text;
     append_seen(text, titled);
     if (!note.empty()) append_summary_line(text, "note", note);
-    append_written(text, moving.output, {found_s, watch.lap()});
+    append_written(text, moving.output, timings);
     say(text);
   }
   return is_risky(titled) && moving.fail_on_risk ? ExitCode::kRiskFound : ExitCode::kFine;

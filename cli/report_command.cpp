@@ -52,19 +52,21 @@ Result<ExitCode> report_on(const ReportOptions& options, const SeenRequest& requ
   if (!output) return std::move(output).error();
   if (Status html = check_ending(moving.output); !html) return std::move(html).error();
   ProgressBar progress(!moving.quiet);
-  Stopwatch watch;
   const auto page = page_of(kName, request, options.compare, progress);
   if (!page) return page.error();
-  const double found_s = watch.lap();
+  Stopwatch watch;
   write_page(*page, [&](std::string_view text) { output->write(text); });
   const Status written = output->commit();
   if (!written && output->pipe_closed()) return ExitCode::kPipeClosed;
   if (!written) return written.error();
+  const double written_s = watch.lap();
   progress.finish();
   if (!moving.quiet) {
     std::string text;
     for (const Seen& seen : page->seen) append_seen(text, seen);
-    append_written(text, moving.output, {found_s, watch.lap()});
+    SeenTimings timings = page->timings;
+    timings.write_s += written_s;
+    append_written(text, moving.output, timings);
     say(text);
   }
   const bool risk = std::any_of(page->seen.begin(), page->seen.end(), is_risky);

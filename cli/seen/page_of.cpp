@@ -1,6 +1,7 @@
 #include "cli/seen/page_of.hpp"
 
 #include "cli/option_values.hpp"
+#include "cli/stopwatch.hpp"
 #include "report/recording_json.hpp"
 #include "report/snapshot_json.hpp"
 
@@ -57,14 +58,16 @@ Result<MadePage> page_of(const char* command, const SeenRequest& request,
   MadePage page;
   SeenRequest like_the_first = request;
   for (const auto& files : inputs) {
-    auto seen = see(files, like_the_first, progress);
+    auto seen = see(files, like_the_first, progress, page.timings);
     if (!seen) return std::move(seen).error();
     like_the_first.origin = swarm_of(*seen).origin;
     page.seen.push_back(*std::move(seen));
   }
   if (Status alike = check_alike(command, page.seen); !alike) return std::move(alike).error();
   progress.enter_stage("writing");
+  Stopwatch watch;
   for (const Seen& seen : page.seen) page.swarms.push_back(json_of(seen, page.columns));
+  page.timings.write_s = watch.lap();
   return page;
 }
 

@@ -17,6 +17,7 @@ struct MadePage {
   std::vector<Seen> seen;  // one, or before and after
   std::vector<std::string> swarms;
   report::Columns columns;
+  SeenTimings timings;  // until here
 };
 
 // `compare` is the file to show beside, or nothing. Errors: kInvalidArgument where the two are not

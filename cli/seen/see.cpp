@@ -4,10 +4,10 @@
 #include "cli/recording_check.hpp"
 #include "cli/seen/recording_facts.hpp"
 #include "cli/seen/snapshot_facts.hpp"
+#include "cli/stopwatch.hpp"
 #include "io/byte_source.hpp"
 #include "io/fields.hpp"
 #include "io/load_recording.hpp"
-#include "io/record_reading.hpp"
 #include "io/track_words.hpp"
 
 #include <algorithm>
@@ -173,6 +173,15 @@ Result<Seen> seen(Result<Facts> facts) {
   return Seen(*std::move(facts));
 }
 
+Result<Seen> facts_of(const Loaded& loaded, const std::string& title, const SeenRequest& request) {
+  if (const auto* points = std::get_if<io::LoadedPoints>(&loaded)) {
+    return seen(snapshot_facts(*points, title, request));
+  }
+  const auto& recording = std::get<io::Recording>(loaded);
+  return is_a_snapshot(recording) ? seen(snapshot_facts(recording, title, request))
+                                  : seen(recording_facts(recording, title, request));
+}
+
 }  // namespace
 
 const report::SwarmFacts& swarm_of(const Seen& seen) {
@@ -189,20 +198,19 @@ void set_title(Seen& seen, const std::string& title) {
 }
 
 Result<Seen> see(const std::vector<std::string>& inputs, const SeenRequest& request,
-                 ProgressBar& progress) {
+                 ProgressBar& progress, SeenTimings& timings) {
+  Stopwatch watch;
   progress.enter_stage(ProgressBar::kReading);
   const auto opened = Inputs::open(inputs, progress.reading());
   if (!opened) return opened.error();
   const auto loaded = load(*opened, request, progress.reading());
   if (!loaded) return loaded.error();
+  timings.read_s += watch.lap();
   progress.enter_stage("searching");
   const std::string title = title_of(inputs);
-  if (const auto* points = std::get_if<io::LoadedPoints>(&*loaded)) {
-    return seen(snapshot_facts(*points, title, request));
-  }
-  const auto& recording = std::get<io::Recording>(*loaded);
-  return is_a_snapshot(recording) ? seen(snapshot_facts(recording, title, request))
-                                  : seen(recording_facts(recording, title, request));
+  auto found = facts_of(*loaded, title, request);
+  timings.find_s += watch.lap();
+  return found;
 }
 
 }  // namespace beespace::cli

@@ -19,11 +19,18 @@ const report::SwarmFacts& swarm_of(const Seen& seen);
 bool is_risky(const Seen& seen);
 void set_title(Seen& seen, const std::string& title);
 
+// How long each part took, of all that is seen.
+struct SeenTimings {
+  double read_s = 0.0;
+  double find_s = 0.0;
+  double write_s = 0.0;  // making what is written, too
+};
+
 // One file may hold a snapshot; a folder or several files are one recording, and so is a table with
 // more than one time in it, also where each bee has one fix. Aircraft that are each
 // at one instant are brought to the last of them, as by `beespace predict`. Errors: those of
-// reading and searching.
+// reading and searching. Adds to `timings` how long it reads and finds.
 Result<Seen> see(const std::vector<std::string>& inputs, const SeenRequest& request,
-                 ProgressBar& progress);
+                 ProgressBar& progress, SeenTimings& timings);
 
 }  // namespace beespace::cli

@@ -56,7 +56,8 @@ void append_written(std::string& out, const std::string& output, const SeenTimin
     append_summary_line(out, "written", output + (unknown ? "" : " (" + byte_count(bytes) + ")"));
   }
   append_summary_line(out, "time",
-                      "find " + duration(timings.find_s) + ", write " + duration(timings.write_s));
+                      "read " + duration(timings.read_s) + ", find " + duration(timings.find_s) +
+                          ", write " + duration(timings.write_s));
 }
 
 }  // namespace beespace::cli

@@ -9,10 +9,6 @@ namespace beespace::cli {
 
 void append_seen(std::string& out, const Seen& seen);
 
-struct SeenTimings {
-  double find_s;
-  double write_s;
-};
 // Where it went, and how long it took.
 void append_written(std::string& out, const std::string& output, const SeenTimings& timings);
 

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "tests/cli/command_run.hpp"
@@ -107,7 +109,28 @@ TEST_F(ReportRefusals, QuietSaysNothing) {
   const Finished plain = run({"report", "-o", folder_.path("page.html")}, kTwo);
   expect_parts(plain.err,
                {"input      standard input (", "bees       2\n", "at risk    2 of 2: 1 pair",
-                "written    ", "page.html", "time       find "});
+                "written    ", "page.html", "time       read ", ", find ", ", write "});
+}
+
+double seconds_in(const std::string& text, const std::string& label) {
+  std::size_t at = text.find(label);
+  if (at == std::string::npos) return -1.0;
+  at += label.size();
+  std::size_t used = 0;
+  const double number = std::stod(text.substr(at), &used);
+  return text.substr(at + used).starts_with(" ms") ? number / 1e3 : number;
+}
+
+TEST_F(ReportRefusals, TheTimeOfReadingIsNotThatOfFinding) {
+  Running running({"report", "-o", folder_.path("page.html")});
+  running.send(kTwo);
+  std::this_thread::sleep_for(std::chrono::milliseconds(400));  // somebody else is slow
+  running.close_input();
+  const std::string said = running.finish().err;
+  EXPECT_GE(seconds_in(said, "time       read "), 0.3) << said;
+  EXPECT_LT(seconds_in(said, ", find "), 0.2) << said;
+  EXPECT_GE(seconds_in(said, ", find "), 0.0) << said;
+  EXPECT_GE(seconds_in(said, ", write "), 0.0) << said;
 }
 
 TEST_F(ReportRefusals, ASnapshotAndARecordingCannotBeCompared) {
