@@ -25,6 +25,17 @@ TEST(GeographicText, ALineOverTheAntimeridianIsCutThere) {
             R"([[[-177, 14, 400], [-180, 11, 100]], [[180, 11, 100], [179, 10, 0]]]})");
 }
 
+TEST(GeographicText, ALineThatOnlyTouchesTheAntimeridianIsNotCut) {
+  EXPECT_EQ(line({180.0, 10.0, 100.0}, {-179.0, 11.0, 200.0}),
+            R"({"type": "LineString", "coordinates": [[-180, 10, 100], [-179, 11, 200]]})");
+  EXPECT_EQ(line({-180.0, 10.0, 100.0}, {179.0, 11.0, 200.0}),
+            R"({"type": "LineString", "coordinates": [[180, 10, 100], [179, 11, 200]]})");
+  EXPECT_EQ(line({-179.0, 11.0, 200.0}, {180.0, 10.0, 100.0}),
+            R"({"type": "LineString", "coordinates": [[-179, 11, 200], [-180, 10, 100]]})");
+  EXPECT_EQ(line({180.0, 10.0, 100.0}, {-180.0, 11.0, 200.0}),
+            R"({"type": "LineString", "coordinates": [[-180, 10, 100], [-180, 11, 200]]})");
+}
+
 TEST(GeographicText, LongitudesBeyondHalfATurnAreTheSamePlaces) {
   EXPECT_EQ(line({200.0, 5.0, 0.0}, {-161.0, 5.0, 0.0}),
             R"({"type": "LineString", "coordinates": [[-160, 5, 0], [-161, 5, 0]]})");
