@@ -31,19 +31,30 @@ page recording "$data/before.csv" --threshold 5
 # By the clock of a computer, in seconds since 1970.
 awk -F, -v OFS=, 'NR > 1 {$1 = sprintf("%.3f", $1 + 1700000000)} {print}' "$data/before.csv" > "$data/epoch.csv"
 page epoch "$data/epoch.csv" --threshold 5
+# Times of which a double is a little more than the step that the page rounds them to.
+awk 'BEGIN {print "id,time_s,x,y,z"; for (b = 0; b < 4; ++b) for (k = 0; k <= 23; ++k)
+  printf "%d,%.2f,%d,%d,0\n", b, 1700000000 + k / 20, 3 * b, k}' > "$data/end.csv"
+page end "$data/end.csv" --threshold 5
+# Two meet four times, away in between; another two once.
+awk 'BEGIN {print "id,time_s,x,y,z"; for (k = 0; k <= 120; ++k) if (k <= 40 || k >= 60) {
+  printf "a,%d,0,0,0\nb,%d,%d,0,0\n", k, k, 3 + (k % 30 < 15 ? 0 : 10)}
+  for (k = 0; k <= 120; ++k) printf "c,%d,500,0,0\nd,%d,%d,0,0\n", k, k, 504 + (k - 70) * (k - 70)}' > "$data/again.csv"
+page again "$data/again.csv" --threshold 5 --max-gap 5
 page compared-recordings "$data/before.csv" --compare "$data/after.csv" --threshold 5
 quietly generate --scene flight --points 1000 --size 400 --duration 1000 --interval 0.2 --seed 4 \
   --output "$data/long.csv"
 page long-recording "$data/long.csv" --threshold 5
 
+# In a line that was turned and turned back: as wide as a rounding error.
+printf 'x,y,z\n0,10,0.3\n10,9.999999999999998,0.30000000000000004\n' > "$data/line.csv"
+page line "$data/line.csv" --threshold 5
 # Next to nobody, nothing or no time.
 printf 'id,x,y,z\nalone,1,2,3\n' > "$data/one.csv"
 page one-bee "$data/one.csv" --threshold 5
 printf 'id,x,y,z\na,3,3,3\nb,3,3,3\nc,3,3,3\n' > "$data/same.csv"
 page same-place "$data/same.csv" --threshold 5
-printf 'id,t,x,y,z\na,0,1,2,3\nb,5,4,5,6\n' > "$data/fixes.csv"
+printf 'id,time_s,x,y,z\na,0,1,2,3\nb,5,4,5,6\n' > "$data/fixes.csv"
 page one-fix-each "$data/fixes.csv" --threshold 5
-page recording-beside-snapshot "$data/fixes.csv" --compare "$data/same.csv" --threshold 5
 
 # A thousand bees, ten kinds of ids; the file's name is one of them.
 hostile="$data/<img src=x onerror=window.__pwned=1>.csv"

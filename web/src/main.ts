@@ -18,20 +18,9 @@ import { linkTimes, showWorstMoment } from './time/linked_times';
 import { offerTestHook } from './test_hook';
 import { wirePanels } from './wiring';
 
-/** Two swarms lie in the same place only where their axes have the same zero. */
-function framesOf(swarms: Swarm[]): { frames: Frame[]; note: string | null } {
-  const [one, other = one] = swarms;
-  const threshold = Math.max(one.head.threshold_m, other.head.threshold_m);
-  const sameZero =
-    JSON.stringify([one.head.axes, one.head.origin]) === JSON.stringify([other.head.axes, other.head.origin]);
-  if (sameZero) {
-    const frame = frameAround(boxOfBoth(one.box, other.box), threshold);
-    return { frames: swarms.map(() => frame), note: null };
-  }
-  return {
-    frames: swarms.map((swarm) => frameAround(swarm.box, threshold)),
-    note: 'The two swarms have axes with different zeros; each is shown around its own middle.',
-  };
+/** Two swarms that are compared have the same axes with the same zero. */
+function frameOf([one, other = one]: Swarm[]): Frame {
+  return frameAround(boxOfBoth(one.box, other.box), Math.max(one.head.threshold_m, other.head.threshold_m));
 }
 
 async function show(page: Page): Promise<void> {
@@ -53,10 +42,10 @@ async function show(page: Page): Promise<void> {
   const help = helpDialog(moving);
   const room = layout(page, choices, () => help.showModal());
   document.body.append(help);
-  const { frames, note } = framesOf(swarms);
+  const frame = frameOf(swarms);
   const labels = swarms.length === 2 ? ['Before', 'After'] : [''];
   const placers = swarms.map((swarm) => (swarm.kind === 'recording' ? new RecordingPlacer(swarm) : null));
-  const stages = swarms.map((swarm, i) => makeStage(swarm, labels[i], frames[i], placers[i]?.crowding ?? null, choices));
+  const stages = swarms.map((swarm, i) => makeStage(swarm, labels[i], frame, placers[i]?.crowding ?? null, choices));
   room.stages.append(...stages.map(({ box }) => box));
 
   const times = linkTimes(swarms);
@@ -80,7 +69,7 @@ async function show(page: Page): Promise<void> {
   }));
   const views = stages.flatMap(({ view }) => view ?? []);
   linkViews(views);
-  const notes = [note, times.note].filter((text) => text !== null);
+  const notes = times.note === null ? [] : [times.note];
   wirePanels({ shown, choices, times, room, help, version: page.beespace, notes });
   preparePrinting(views, choices.theme);
   offerTestHook(shown);

@@ -44,7 +44,7 @@ export function wirePanels({ shown, choices, times, room, help, version, notes }
   };
   const now = { time_s: times.clock.time, within: times.within };
   for (const { view, index } of shown) {
-    if (view) onPick(view, (bee) => actions.select(bee === null ? null : { swarm: index, bee, other: null }));
+    if (view) onPick(view, (bee) => actions.select(bee === null ? null : { swarm: index, bee, other: null, place: null }));
   }
 
   const moving = shown.some(({ swarm }) => swarm.kind === 'recording');
@@ -90,13 +90,7 @@ function wireKeys(
     const { first, second } = pairsOf(one);
     if (place < 0 || place >= first.length) return;
     const time = one.kind === 'recording' ? { time_s: one.conflicts.closest_s[place] } : {};
-    actions.select({ swarm, bee: first[place], other: second[place] }, { fly: true, ...time });
-  };
-  const placeOfSelected = (): number => {
-    const selected = choices.selected.value;
-    if (!selected || selected.other === null) return -1;
-    const { first, second } = pairsOf(shown[selected.swarm].swarm);
-    return first.findIndex((bee, i) => bee === selected.bee && second[i] === selected.other);
+    actions.select({ swarm, bee: first[place], other: second[place], place }, { fly: true, ...time });
   };
   const setFilter = (change: Partial<typeof choices.filter.value>): void =>
     choices.filter.set({ ...choices.filter.value, ...change });
@@ -104,7 +98,7 @@ function wireKeys(
   listenToKeys({
     search: () => document.getElementById('search')?.focus(),
     pair: (place) => showPair(choices.selected.value?.swarm ?? 0, place),
-    nextPair: (direction) => showPair(choices.selected.value?.swarm ?? 0, placeOfSelected() + direction),
+    nextPair: (direction) => showPair(choices.selected.value?.swarm ?? 0, (choices.selected.value?.place ?? -1) + direction),
     turn: (aside, up) => orbit?.turn(aside, up),
     shift: (right, up) => orbit?.shift(right, up),
     zoom: (factor) => orbit?.zoom(factor),

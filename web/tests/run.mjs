@@ -9,6 +9,7 @@ const [kind, ...parts] = process.argv.slice(2);
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 const names = readdirSync(here(`${kind}/`)).filter((name) => name.endsWith('.test.ts'));
 const wanted = parts.length > 0 ? names.filter((name) => parts.some((part) => name.includes(part))) : names;
+if (wanted.length === 0) throw new Error(`no test file has ${parts.join(' or ')} in its name`);
 const bundle = here(`artefacts/${kind}.test.mjs`);
 
 mkdirSync(here('artefacts/'), { recursive: true });

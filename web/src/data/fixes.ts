@@ -2,11 +2,15 @@
 import type { Column } from './column';
 import type { Positions } from './positions';
 
+const kUnused = new Float32Array(1);
+
 export class Fixes {
   readonly #from: Uint32Array;
   readonly #gapAfter: Uint8Array;
   /** The fix of each bee that was asked for last: time mostly goes on a little. */
   readonly #last: Uint32Array;
+  /** Times are rounded to steps of this: so long before it appears and after it is gone a bee is still there. */
+  readonly #step_s: number;
 
   constructor(
     counts: Uint32Array,
@@ -17,6 +21,7 @@ export class Fixes {
     this.#from = new Uint32Array(counts.length + 1);
     for (let bee = 0; bee < counts.length; ++bee) this.#from[bee + 1] = this.#from[bee] + counts[bee];
     this.#last = this.#from.slice(0, counts.length);
+    this.#step_s = time.raw instanceof Float64Array ? 0 : time.scale;
     this.#gapAfter = new Uint8Array((time.raw.length + 7) >> 3);
     for (const fix of absentAfter) this.#gapAfter[fix >> 3] |= 1 << (fix & 7);
   }
@@ -35,6 +40,12 @@ export class Fixes {
 
   isGapAfter(fix: number): boolean {
     return ((this.#gapAfter[fix >> 3] >> (fix & 7)) & 1) === 1;
+  }
+
+  /** Whether the bee was away between two of its fixes. */
+  isGapWithin(from: number, to: number): boolean {
+    for (let fix = Math.max(0, from); fix < to; ++fix) if (this.isGapAfter(fix)) return true;
+    return false;
   }
 
   /** The last fix of the bee at or before the time; −1 before its first. */
@@ -59,21 +70,32 @@ export class Fixes {
     return low;
   }
 
+  #isNow(fix: number, time_s: number): boolean {
+    return Math.abs(time_s - this.timeOf(fix)) <= 1.001 * this.#step_s;
+  }
+
+  isThere(bee: number, time_s: number): boolean {
+    return this.place(bee, time_s, kUnused, kUnused, kUnused, 0);
+  }
+
   /**
    * Puts where the bee is at the time, in the numbers of `positions`, to place `at` of the arrays.
    * False: it is not there.
    */
   place(bee: number, time_s: number, x: Float32Array, y: Float32Array, z: Float32Array, at: number): boolean {
-    const fix = this.fixAt(bee, time_s);
-    if (fix < 0) return false;
+    let fix = Math.max(this.fixAt(bee, time_s), this.#from[bee]);
+    const end = this.#from[bee + 1];
+    if (fix === end) return false;
     const { positions } = this;
-    const since = time_s - this.timeOf(fix);
     let share = 0;
     let next = fix;
-    if (since > 0) {
-      if (fix + 1 === this.#from[bee + 1] || this.isGapAfter(fix)) return false;
+    if (fix + 1 < end && time_s > this.timeOf(fix) && !this.isGapAfter(fix)) {
       next = fix + 1;
-      share = since / (this.timeOf(next) - this.timeOf(fix));
+      share = (time_s - this.timeOf(fix)) / (this.timeOf(next) - this.timeOf(fix));
+    } else if (!this.#isNow(fix, time_s)) {
+      // In a gap, then.
+      if (fix + 1 === end || !this.#isNow(fix + 1, time_s)) return false;
+      fix = next = fix + 1;
     }
     x[at] = positions.x[fix] + share * (positions.x[next] - positions.x[fix]);
     y[at] = positions.y[fix] + share * (positions.y[next] - positions.y[fix]);

@@ -5,6 +5,7 @@ import type { Head } from './page';
 export class Names {
   readonly #texts: readonly string[] | null;
   readonly #places: Map<number, number> | null;
+  #bees: Map<string, number> | null = null;
 
   /** Without `texts` a bee's id is its number; with `bees`, only these have a text. */
   constructor(texts: readonly string[] | null, bees: Uint32Array | null) {
@@ -46,10 +47,17 @@ export class Names {
     return [...exact, ...holding].slice(0, limit);
   }
 
-  /** The bee of exactly this name. */
+  /** The bee of exactly this name; of several the first. */
   bee(name: string, count: number): number | null {
-    const found = this.find(name, count, 8).find((bee) => this.of(bee) === name);
-    return found ?? null;
+    if (!this.#texts) {
+      const bee = Number(name);
+      return Number.isInteger(bee) && bee >= 0 && bee < count && String(bee) === name ? bee : null;
+    }
+    if (!this.#bees) {
+      this.#bees = new Map();
+      for (let bee = count - 1; bee >= 0; --bee) this.#bees.set(this.of(bee), bee);
+    }
+    return this.#bees.get(name) ?? null;
   }
 }
 

@@ -15,9 +15,9 @@ export interface ClosestPair {
 
 export interface SnapshotRisk {
   at_risk: number;
-  pairs: number | null;
-  groups: number | null;
-  largest_group: number | null;
+  pairs: number;
+  groups: number;
+  largest_group: number;
   closest?: ClosestPair;
 }
 

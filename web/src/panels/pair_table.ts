@@ -80,10 +80,7 @@ function leftOut(shown: Shown): HTMLElement | null {
   const listed = pairsOf(swarm).first.length;
   const all = swarm.head.kind === 'snapshot' ? swarm.head.risk.pairs : swarm.head.risk.conflicts;
   if (all === listed) return null;
-  const text =
-    all === null
-      ? `The ${formatCount(listed)} closest pairs; all of them are too many to count.`
-      : `The closest ${formatCount(listed)} of ${formatCount(all)}; the others are left out here and among the lines.`;
+  const text = `The closest ${formatCount(listed)} of ${formatCount(all)}; the others are left out here and among the lines.`;
   return element('p', { class: 'left-out' }, text);
 }
 
@@ -98,14 +95,9 @@ function tableOf(shown: Shown, choices: Choices, actions: Actions): HTMLElement 
     { column: 2, descending: false },
     (place) => {
       const time = swarm.kind === 'recording' ? { time_s: swarm.conflicts.closest_s[place] } : {};
-      actions.select({ swarm: index, bee: first[place], other: second[place] }, { fly: true, ...time });
+      actions.select({ swarm: index, bee: first[place], other: second[place], place }, { fly: true, ...time });
     },
-    (place) => {
-      const chosen = choices.selected.value;
-      return (
-        chosen !== null && chosen.swarm === index && chosen.bee === first[place] && chosen.other === second[place]
-      );
-    },
+    (place) => choices.selected.value?.swarm === index && choices.selected.value.place === place,
   );
   choices.selected.watch(() => table.refresh());
   choices.filter.watch(({ group }) => {

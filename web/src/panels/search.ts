@@ -40,7 +40,7 @@ export function searchBox(all: Shown[], choices: Choices, actions: Actions): HTM
   const choose = (offer: Offer): void => {
     input.value = '';
     close();
-    actions.select({ ...offer, other: null }, { fly: true });
+    actions.select({ ...offer, other: null, place: null }, { fly: true });
   };
   const activate = (place: number): void => {
     active = place;

@@ -108,7 +108,7 @@ function factTable(sides: { label: string; facts: Fact[] | null }[]): HTMLElemen
   );
 }
 
-function neighbourList(shown: Shown, bee: number, other: number | null, actions: Actions): HTMLElement {
+function neighbourList(shown: Shown, bee: number, chosen: number | null, actions: Actions): HTMLElement {
   const { swarm, company, index } = shown;
   const { first, second, distance_m } = pairsOf(swarm);
   const places = company.neighbours.placesOf(bee);
@@ -116,10 +116,10 @@ function neighbourList(shown: Shown, bee: number, other: number | null, actions:
     const neighbour = first[place] === bee ? second[place] : first[place];
     const made = button('', { class: 'link' }, () => {
       const time = swarm.kind === 'recording' ? { time_s: swarm.conflicts.closest_s[place] } : {};
-      actions.select({ swarm: index, bee, other: neighbour }, { fly: true, ...time });
+      actions.select({ swarm: index, bee, other: neighbour, place }, { fly: true, ...time });
     });
     made.append(nameElement(swarm.names.of(neighbour)));
-    if (neighbour === other) made.setAttribute('aria-current', 'true');
+    if (place === chosen) made.setAttribute('aria-current', 'true');
     const distance = element('span', { class: 'figure' }, formatBelow(distance_m[place], swarm.head.threshold_m));
     const when =
       swarm.kind === 'recording'
@@ -149,16 +149,11 @@ function neighbourlessText(shown: Shown, bee: number): string {
   return swarm.kind === 'snapshot' ? 'Nobody is too close to it.' : 'It was in no conflict.';
 }
 
-function announce(shown: Shown, { bee, other }: Selected): string {
+function announce(shown: Shown, { bee, other, place }: Selected): string {
   const { swarm, company } = shown;
   const name = isolate(swarm.names.of(bee));
   if (other !== null) {
-    const { first, distance_m } = pairsOf(swarm);
-    const place = company.neighbours.placesOf(bee).find((one) => {
-      const pair = pairsOf(swarm);
-      return (first[one] === bee ? pair.second[one] : first[one]) === other;
-    });
-    const apart = place === undefined ? '' : `, ${formatBelow(distance_m[place], swarm.head.threshold_m)} apart`;
+    const apart = place === null ? '' : `, ${formatBelow(pairsOf(swarm).distance_m[place], swarm.head.threshold_m)} apart`;
     return `Selected ${name} and ${isolate(swarm.names.of(other))}${apart}.`;
   }
   const count = company.neighbours.placesOf(bee).length;
@@ -216,7 +211,7 @@ export function selectionPanel(all: Shown[], choices: Choices, now: Now, actions
         : element('span', { class: 'quiet', title: 'Its place in the input, counted from 0' }, ` ${place}`);
     const lists = all.map((shown) => {
       const bee = counterpart(home.swarm, selected.bee, shown.swarm);
-      const list = bee === null ? null : neighbourList(shown, bee, shown === home ? selected.other : null, actions);
+      const list = bee === null ? null : neighbourList(shown, bee, shown === home ? selected.place : null, actions);
       return element('div', {}, list);
     });
     body.replaceChildren(

@@ -1,5 +1,6 @@
 // How it stands: who is at risk, how many, how close. Two swarms stand beside each other.
 import type { RecordingRisk, SnapshotRisk } from '../data/page';
+import { pairsOf } from '../data/swarm';
 import { element, button, panel } from '../text/element';
 import { isolate, nameElement } from '../text/names';
 import { formatBelow, formatCount, formatDuration, formatMetres, formatShare } from '../text/numbers';
@@ -16,10 +17,9 @@ interface Row {
 
 /** Rows that the headline of a swarm alone tells already. */
 const kInHeadline = ['Bees', 'At risk', 'Share at risk', 'In conflict at some time'];
-const kTooMany = 'too many to count';
 
-function countRow(label: string, count: number | null): Row {
-  return count === null ? { label, value: kTooMany } : { label, value: formatCount(count), number: count, unit: 'count' };
+function countRow(label: string, count: number): Row {
+  return { label, value: formatCount(count), number: count, unit: 'count' };
 }
 
 function snapshotRows(risk: SnapshotRisk, count: number): Row[] {
@@ -58,9 +58,12 @@ function rowsOf(shown: Shown): Row[] {
       : recordingRows(head.risk, head.count, head.time.ends_s - head.time.begins_s);
   const closest = head.risk.closest;
   if (closest) {
+    const none = head.kind === 'snapshot' ? head.risk.at_risk === 0 : head.risk.conflicts === 0;
+    // In a cylinder two may be near each other and keep apart in height.
+    const apart = none && head.vertical_m !== undefined ? ', not too close' : '';
     rows.push({
       label: head.kind === 'snapshot' ? 'Closest pair' : 'Closest encounter',
-      value: formatBelow(closest.distance_m, head.threshold_m),
+      value: formatBelow(closest.distance_m, head.threshold_m) + apart,
       number: closest.distance_m,
       unit: 'metres',
     });
@@ -88,7 +91,10 @@ function closestButton(shown: Shown, actions: Actions): HTMLElement | null {
   if (!closest) return null;
   const made = button('', { class: 'link' }, () => {
     const time = head.kind === 'recording' && head.risk.closest ? { time_s: head.risk.closest.time_s } : {};
-    actions.select({ swarm: shown.index, bee: closest.first, other: closest.second }, { fly: true, ...time });
+    // The closest come first; of two that are not too close there is no row.
+    const { first, second } = pairsOf(shown.swarm);
+    const place = first[0] === closest.first && second[0] === closest.second ? 0 : null;
+    actions.select({ swarm: shown.index, bee: closest.first, other: closest.second, place }, { fly: true, ...time });
   });
   made.append(nameElement(names.of(closest.first)), ' and ', nameElement(names.of(closest.second)));
   made.setAttribute(

@@ -63,10 +63,12 @@ export class Trails {
     };
     // In equal steps of time: as many pieces for a bee with few fixes as with many.
     let before: [number, number, number] | null = null;
+    let fixBefore = -1;
     for (let piece = 0; piece <= kPiecesEach; ++piece) {
       const share = piece / kPiecesEach;
       const there = fixes.place(bee, time_s - length_s * (1 - share), ...scratch, 0);
-      if (there && before) {
+      const fix = fixes.fixAt(bee, time_s - length_s * (1 - share));
+      if (there && before && !fixes.isGapWithin(fixBefore, fix)) {
         const now = scratch.map((one) => one[0]);
         scratch.forEach((one, axis) => (one[0] = (before as number[])[axis]));
         put(share - 1 / kPiecesEach);
@@ -74,6 +76,7 @@ export class Trails {
         put(share);
       }
       before = there ? [scratch[0][0], scratch[1][0], scratch[2][0]] : null;
+      fixBefore = fix;
     }
   }
 }

@@ -16,7 +16,7 @@ import { ScaleBar } from './scale_bar';
 import { ThresholdShape } from './threshold_shape';
 import { Trails } from './trails';
 
-/** A frame that takes longer than this does not feel as if one held the swarm. */
+/** A frame that comes later than this after it was asked for does not feel as if one held the swarm. */
 const kSlow_ms = 90;
 
 export interface ViewSubject {
@@ -48,7 +48,7 @@ export class View {
   #width = 1;
   #height = 1;
   #due = 0;
-  #lastDrawn = 0;
+  #asked = 0;
   #resting = 0;
   #slow = false;
 
@@ -71,7 +71,6 @@ export class View {
       stencil: false,
       powerPreference: 'high-performance',
     });
-    this.#renderer.setPixelRatio(count > 50000 ? 1 : Math.min(devicePixelRatio, 2));
     this.orbit = new Orbit(this.canvas, frame);
     this.#cloud = new Cloud(count, frame, subject.nearest, subject.range);
     this.#axes = new Axes(frame, subject.axes);
@@ -84,7 +83,10 @@ export class View {
     holder.append(this.#scale.box, this.#compass.box);
     this.orbit.onChange(() => this.#moved());
     new ResizeObserver(() => this.#resize()).observe(holder);
+    // The pixel ratio changes with the zoom of the browser.
+    addEventListener('resize', () => this.#resize());
     this.#resize();
+    this.#survive();
   }
 
   colour(palette: Palette): void {
@@ -162,14 +164,18 @@ export class View {
   }
 
   invalidate(): void {
-    if (this.#due === 0) this.#due = requestAnimationFrame(() => this.draw());
+    if (this.#due !== 0) return;
+    this.#asked = performance.now();
+    this.#due = requestAnimationFrame(() => {
+      if (this.#resting !== 0 && performance.now() - this.#asked > kSlow_ms) this.#slow = true;
+      this.draw();
+    });
   }
 
   /** Draws now. */
   draw(): void {
     cancelAnimationFrame(this.#due);
     this.#due = 0;
-    this.#lastDrawn = performance.now();
     const { camera, distance } = this.orbit;
     this.#cloud.setNearness(this.orbit.homeDistance / distance);
     this.#renderer.render(this.#scene, camera);
@@ -189,13 +195,11 @@ export class View {
 
   /** While the view moves and drawing is slow, a part of the crowd must do; all of it when it rests. */
   #moved(): void {
-    const now = performance.now();
-    const since = now - this.#lastDrawn;
-    if (this.#resting !== 0 && since > kSlow_ms) this.#slow = true;
     this.#cloud.thin(this.#slow);
     clearTimeout(this.#resting);
     this.#resting = window.setTimeout(() => {
       this.#resting = 0;
+      this.#slow = false;
       this.#cloud.thin(false);
       this.invalidate();
     }, 250);
@@ -204,11 +208,27 @@ export class View {
 
   #resize(): void {
     const [width, height] = [Math.max(1, this.holder.clientWidth), Math.max(1, this.holder.clientHeight)];
-    if (width === this.#width && height === this.#height) return;
+    const ratio = this.subject.count > 50000 ? 1 : Math.min(devicePixelRatio, 2);
+    if (width === this.#width && height === this.#height && ratio === this.#renderer.getPixelRatio()) return;
     [this.#width, this.#height] = [width, height];
+    this.#renderer.setPixelRatio(ratio);
     this.#renderer.setSize(this.#width, this.#height, false);
     this.orbit.resize(this.#width, this.#height);
     this.#cloud.setSizes(this.orbit.homeDistance, this.#renderer.getPixelRatio());
-    this.invalidate();
+    // The new canvas is empty until it is drawn on.
+    if (this.#placement) this.draw();
+  }
+
+  /** A graphics card that is lost, asleep or taken away comes back, mostly. */
+  #survive(): void {
+    const word = element('p', { class: 'lost', role: 'status' }, 'The graphics card is gone for a moment …');
+    this.canvas.addEventListener('webglcontextlost', (event) => {
+      event.preventDefault();
+      this.holder.append(word);
+    });
+    this.canvas.addEventListener('webglcontextrestored', () => {
+      word.remove();
+      this.invalidate();
+    });
   }
 }

@@ -7,6 +7,8 @@ export interface Selected {
   swarm: number;
   bee: number;
   other: number | null;
+  /** The place of the pair in the list of its swarm: a pair may be in conflict more than once. */
+  place: number | null;
 }
 
 export interface Filter {

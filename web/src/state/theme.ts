@@ -1,12 +1,17 @@
-// Dark or light: as the system has it, until the reader chooses.
+// Dark or light: as the system has it; what the reader chose against it holds until the two agree again.
 import { Signal } from './signal';
 
 export type Theme = 'dark' | 'light';
 
 export function followTheme(): Signal<Theme> {
   const dark = matchMedia('(prefers-color-scheme: dark)');
-  const theme = new Signal<Theme>(dark.matches ? 'dark' : 'light');
-  dark.addEventListener('change', () => theme.set(dark.matches ? 'dark' : 'light'));
+  let system: Theme = dark.matches ? 'dark' : 'light';
+  const theme = new Signal<Theme>(system);
+  dark.addEventListener('change', () => {
+    const chosen = theme.value !== system;
+    system = dark.matches ? 'dark' : 'light';
+    if (!chosen) theme.set(system);
+  });
   theme.watch((name) => {
     document.documentElement.dataset.theme = name;
   });

@@ -12,9 +12,11 @@ export function niceTicks(least: number, most: number, wanted: number): number[]
   if (!(most > least) || !Number.isFinite(most - least)) return [];
   let step = niceBelow((most - least) / wanted);
   if ((most - least) / step > 1.8 * wanted) step = niceBelow((2.6 * (most - least)) / wanted);
+  // Where numbers are so great that steps vanish in their last digits, there are none to count in.
+  if (Math.max(Math.abs(least), Math.abs(most)) / step > 1e13) return [];
   const ticks: number[] = [];
   for (let i = Math.ceil(least / step - 1e-9); i * step <= most + 1e-9 * step; ++i) {
-    ticks.push(Number((i * step).toPrecision(12)));
+    ticks.push(Number((i * step).toPrecision(15)));
   }
   return ticks;
 }

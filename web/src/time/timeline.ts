@@ -21,22 +21,31 @@ export function conflictBeginnings(all: Shown[], times: LinkedTimes): Float64Arr
   return Float64Array.from(new Set(begins)).sort();
 }
 
+/** Moments nearer to each other than this are one. */
+const kMoment_s = 1e-6;
+
 /** The conflict that is at its closest in the moment shown, so that the moment says what its row says. */
 function closestAt({ conflicts }: Recording, within_s: number): number {
-  return conflicts.closest_s.findIndex((time_s) => Math.abs(time_s - within_s) < 1e-6);
+  return conflicts.closest_s.findIndex((time_s) => Math.abs(time_s - within_s) < kMoment_s);
 }
 
 function statement(shown: Shown & { swarm: Recording }, within_s: number, inConflict: number): string {
   const { separation, names, conflicts, head } = shown.swarm;
-  const sample = sampleAt(separation.time_s, within_s);
   const start = shown.label ? `${shown.label}: ` : '';
   const risk = `${formatCount(inConflict)} in conflict`;
-  if (sample < 0 || within_s > separation.time_s[separation.time_s.length - 1] + 1e-9) return start + risk;
   const exact = closestAt(shown.swarm, within_s);
-  const [of, place] =
-    exact >= 0 && conflicts.distance_m[exact] <= separation.distance_m[sample] ? [conflicts, exact] : [separation, sample];
-  const pair = `${isolate(names.of(of.first[place]), 20)} and ${isolate(names.of(of.second[place]), 20)}`;
-  return `${start}${risk} · closest two ${formatBelow(of.distance_m[place], head.threshold_m, 3)} (${pair})`;
+  const sample = sampleAt(separation.time_s, within_s);
+  const [of, place] = exact >= 0 ? [conflicts, exact] : [separation, sample];
+  if (place < 0) return start + risk;
+  // Between two samples the earlier one is told, with its time; of those who have gone since, nothing.
+  const since_s = exact >= 0 ? 0 : within_s - separation.time_s[sample];
+  const bees = [of.first[place], of.second[place]];
+  if (since_s < -kMoment_s || !bees.every((bee) => shown.swarm.fixes.isThere(bee, within_s))) return start + risk;
+  const { begins_s, ends_s, since_1970 } = head.time;
+  const told_s = begins_s + within_s - since_s;
+  const when = since_s > kMoment_s ? ` at ${formatTime(told_s, since_1970, decimalsWithin(ends_s - begins_s))}` : '';
+  const pair = bees.map((bee) => isolate(names.of(bee), 20)).join(' and ');
+  return `${start}${risk} · closest two${when} ${formatBelow(of.distance_m[place], head.threshold_m, 3)} (${pair})`;
 }
 
 function iconButton(name: Icon, label: string, key: string, act: () => void): HTMLButtonElement {

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
-import { headOf, kPages, pageTest, projected, selectedBee, settled } from './opened_page';
+import { headOf, kPages, pageTest, projected, selectedBee, settled, type Hook } from './opened_page';
 
 const kTexts = (page: Page, column: number): Promise<string[]> =>
   page.locator(`.pairs tbody td:nth-child(${column})`).allInnerTexts();
@@ -53,13 +53,14 @@ pageTest('a bee is where its row of the input says', 'snapshot', {}, async ({ pa
 pageTest('a row of the table selects its pair and flies there', 'snapshot', { reducedMotion: false }, async ({ page }) => {
   const row = page.locator('.pairs tbody tr').nth(2);
   await row.click();
-  await page.waitForTimeout(700);
   assert.equal(await row.getAttribute('aria-current'), 'true');
   const chosen = Number(await selectedBee(page));
-  const at = await projected(page, chosen);
   const box = await page.locator('.stage canvas').boundingBox();
-  assert.ok(at && box);
-  assert.ok(Math.hypot(at.x - box.x - box.width / 2, at.y - box.y - box.height / 2) < 0.3 * box.height);
+  assert.ok(box);
+  await page.waitForFunction(([bee, x, y, reach]) => {
+    const at = (window as unknown as { beespace: Hook }).beespace.project(0, bee);
+    return at && Math.hypot(at.x - x, at.y - y) < reach;
+  }, [chosen, box.x + box.width / 2, box.y + box.height / 2, 0.3 * box.height] as const);
 });
 
 pageTest('the table sorts, turns its pages and keeps to a group', 'snapshot', {}, async ({ page }) => {

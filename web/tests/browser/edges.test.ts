@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { pageTest } from './opened_page';
 
-for (const name of ['one-bee', 'same-place', 'one-fix-each', 'recording-beside-snapshot']) {
+for (const name of ['line', 'one-bee', 'same-place', 'one-fix-each']) {
   pageTest('opens', name, {}, async ({ page }) => {
     for (const key of ['n', 'f', 'r', 't', 's', 'o', 'g', ' ', '.', ']', 'l', 'End']) await page.keyboard.press(key);
     assert.ok(await page.locator('.summary .headline').count());

@@ -68,4 +68,17 @@ for (const name of ['snapshot', 'cylinder', 'recording', 'epoch', 'compared-snap
 
 pageTest('prints', 'snapshot', {}, async ({ page }) => {
   await page.pdf({ path: `${kArtefacts}/snapshot.pdf`, format: 'A4' });
+  const look = (): Promise<unknown> =>
+    page.evaluate(() => {
+      const scene = document.querySelector<HTMLElement>('.scene');
+      return {
+        theme: document.documentElement.dataset.theme,
+        pictures: document.querySelectorAll('img.printed').length,
+        onPaper: scene !== null && scene.clientWidth * Number(scene.style.zoom || 1) <= 690,
+      };
+    });
+  await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
+  assert.deepEqual(await look(), { theme: 'light', pictures: 1, onPaper: true });
+  await page.evaluate(() => dispatchEvent(new Event('afterprint')));
+  assert.deepEqual(await look(), { theme: 'dark', pictures: 0, onPaper: false });
 });

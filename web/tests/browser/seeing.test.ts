@@ -57,3 +57,40 @@ for (const name of ['snapshot', 'recording']) {
     assert.ok((await page.locator('.pairs tbody tr').count()) > 0);
   });
 }
+
+pageTest('comes back when the graphics card does', 'snapshot', {}, async ({ page, complaints }) => {
+  await settled(page);
+  const clip = await canvasClip(page);
+  const before = await redPixels(page, clip);
+  assert.ok(before > 50);
+  const lose = (what: 'loseContext' | 'restoreContext'): Promise<void> =>
+    page.evaluate((act) => {
+      const one = window as unknown as { lost?: WEBGL_lose_context | null };
+      one.lost ??= document.querySelector<HTMLCanvasElement>('.stage canvas')?.getContext('webgl2')?.getExtension('WEBGL_lose_context') ?? null;
+      one.lost?.[act]();
+    }, what);
+  await lose('loseContext');
+  await page.waitForSelector('.lost');
+  await lose('restoreContext');
+  await page.waitForSelector('.lost', { state: 'detached' });
+  await settled(page);
+  assert.equal(await redPixels(page, clip), before);
+  // Three.js tells the console that it was lost.
+  complaints.splice(0, complaints.length, ...complaints.filter((text) => !/Context Lost/.test(text)));
+});
+
+pageTest('follows the theme of the system where the reader has not chosen the other', 'snapshot', {}, async ({ page }) => {
+  const becomes = async (system: 'dark' | 'light', theme: 'dark' | 'light'): Promise<void> => {
+    await page.emulateMedia({ colorScheme: system });
+    await page.waitForFunction((dark) => matchMedia('(prefers-color-scheme: dark)').matches === dark, system === 'dark');
+    // The page hears of it with the next frame.
+    await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+    assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), theme);
+  };
+  await becomes('dark', 'dark');
+  await becomes('light', 'light');
+  await page.keyboard.press('d');
+  await becomes('light', 'dark');
+  await becomes('dark', 'dark');
+  await becomes('light', 'light');
+});

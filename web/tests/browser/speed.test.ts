@@ -1,6 +1,7 @@
-// How long the first frame takes and how fast frames follow; printed, not asserted: machines are shared.
+// How long the first frame takes and how fast frames follow is printed, not asserted: machines are shared.
+// Asserted is that it was the work that counts: the frame comes before the panels, frames and steps show something new.
 import assert from 'node:assert/strict';
-import { pageTest, settled, type Hook } from './opened_page';
+import { pageTest, projected, settled, type Hook } from './opened_page';
 import type { Page } from 'playwright-core';
 
 async function firstFrame(page: Page): Promise<number> {
@@ -11,24 +12,27 @@ function rate(page: Page, frames: number): Promise<number> {
   return page.evaluate((count) => (window as unknown as { beespace: Hook }).beespace.framesPerSecond(count), frames);
 }
 
-pageTest('the first frame comes soon', 'million', {}, async ({ page }, tell) => {
+pageTest('the swarm is seen before its panels are made', 'million', {}, async ({ page }, tell) => {
   const drawn = await firstFrame(page);
   const ready = await page.evaluate(() => performance.now());
   await settled(page);
   tell(`first frame ${Math.round(drawn)} ms, all panels by ${Math.round(ready)} ms`);
   tell(`${(await rate(page, 5)).toFixed(1)} frames/s while it turns`);
-  assert.ok(drawn > 0);
+  assert.ok(drawn < ready);
 });
 
-pageTest('it turns smoothly', 'hundred-thousand', {}, async ({ page }, tell) => {
+pageTest('it turns', 'hundred-thousand', {}, async ({ page }, tell) => {
   await settled(page);
+  const before = await projected(page, 3);
   const frames = await rate(page, 20);
+  assert.notDeepEqual(await projected(page, 3), before);
   tell(`first frame ${Math.round(await firstFrame(page))} ms, ${frames.toFixed(1)} frames/s`);
-  assert.ok(frames > 0);
 });
 
 pageTest('a long recording opens and goes on', 'long-recording', {}, async ({ page }, tell) => {
   tell(`first frame ${Math.round(await firstFrame(page))} ms`);
+  await page.keyboard.press('Home');
+  const before = await projected(page, 3);
   const took = await page.evaluate(async () => {
     const begins = performance.now();
     for (let i = 0; i < 10; ++i) {
@@ -38,5 +42,5 @@ pageTest('a long recording opens and goes on', 'long-recording', {}, async ({ pa
     return (performance.now() - begins) / 10;
   });
   tell(`a step of time in ${took.toFixed(0)} ms`);
-  assert.ok(took > 0);
+  assert.notDeepEqual(await projected(page, 3), before);
 });

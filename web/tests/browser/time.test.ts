@@ -5,6 +5,11 @@ import { pageTest, projected } from './opened_page';
 
 const kTime = (page: Page): Promise<number> => page.evaluate(() => Number(document.documentElement.dataset.timeS));
 
+/** Waits until time has gone beyond this. */
+const later = async (page: Page, time_s: number): Promise<void> => {
+  await page.waitForFunction((time) => Number(document.documentElement.dataset.timeS) > time, time_s);
+};
+
 for (const name of ['recording', 'compared-recordings']) {
   pageTest('the time line moves bees', name, {}, async ({ page }) => {
     await page.keyboard.press('Home');
@@ -28,24 +33,23 @@ pageTest('it opens at the worst moment, and plays from the beginning', 'recordin
   assert.equal(await kTime(page), opened);
   // Chosen by hand, the same moment is one to play from.
   await page.keyboard.press(' ');
-  await page.waitForTimeout(200);
+  await later(page, opened);
   await page.keyboard.press(' ');
-  assert.ok((await kTime(page)) > opened);
   await page.reload();
   await page.waitForSelector('html[data-beespace="ready"]');
   await page.keyboard.press(' ');
-  await page.waitForTimeout(200);
+  await page.waitForFunction((time) => Number(document.documentElement.dataset.timeS) < time, opened);
   await page.keyboard.press(' ');
   const played = await kTime(page);
-  assert.ok(played > 0 && played < opened, `played to ${played} s, opened at ${opened} s`);
+  assert.ok(played < opened, `played to ${played} s, opened at ${opened} s`);
 });
 
 pageTest('it plays, steps, goes to conflicts and shows trails', 'recording', {}, async ({ page }) => {
+  await page.keyboard.press('Home');
   await page.keyboard.press(' ');
-  await page.waitForTimeout(500);
+  await later(page, 0);
   await page.keyboard.press(' ');
   const paused = await kTime(page);
-  assert.ok(paused > 0);
   await page.waitForTimeout(100);
   assert.equal(await kTime(page), paused);
   await page.keyboard.press('.');
@@ -72,4 +76,33 @@ pageTest('it plays, steps, goes to conflicts and shows trails', 'recording', {},
 
   await page.keyboard.press('l');
   assert.ok(await page.locator('#trails').isChecked());
+});
+
+pageTest('at its end everybody is where the last fix was', 'end', {}, async ({ page }) => {
+  await page.keyboard.press('End');
+  for (let bee = 0; bee < 4; ++bee) assert.ok(await projected(page, bee), `bee ${bee} is gone`);
+});
+
+pageTest('keys go through all conflicts of a pair', 'again', {}, async ({ page }) => {
+  const rows = page.locator('.pairs tbody tr');
+  const count = await rows.count();
+  const ofAB = await rows.filter({ hasText: 'a' }).count();
+  assert.ok(ofAB > 2 && count > ofAB, `${ofAB} of ${count} conflicts`);
+  for (let place = 0; place < count; ++place) {
+    await page.keyboard.press('n');
+    const marked = await page.locator('.pairs tbody tr[aria-current]').evaluateAll((all) => all.map((one) => (one as HTMLElement).dataset.place));
+    assert.deepEqual(marked, [String(place)]);
+  }
+  await page.keyboard.press('p');
+  assert.equal(await page.locator('.pairs tbody tr[aria-current]').getAttribute('data-place'), String(count - 2));
+});
+
+pageTest('says nothing of two who are away', 'again', {}, async ({ page }) => {
+  const box = await page.locator('.plot svg').first().boundingBox();
+  assert.ok(box);
+  // From 40 to 60 of 120 s a and b are away; the plot has margins of 52 and 12 pixels.
+  await page.mouse.click(box.x + 52 + (box.width - 64) * (50 / 120), box.y + 30);
+  const says = await page.locator('.time-says').innerText();
+  assert.doesNotMatch(says, /\ba\b.*and.*\bb\b/);
+  assert.match(says, /^0 in conflict/);
 });

@@ -19,12 +19,14 @@ function xAt(fixes: Fixes, bee: number, time: number): number | null {
   return fixes.place(bee, time, x, y, z, 0) ? x[0] : null;
 }
 
-test('a bee is on the straight line between two fixes, and nowhere before, after and in a gap', () => {
+test('a bee is on the straight line between two fixes, and nowhere more than a step before, after and in a gap', () => {
   // Times in half seconds: bee 0 at 1, 2, 4 and 5 s, away from 2 to 4; bee 1 without fixes; bee 2 once.
   const fixes = fixesOf([4, 0, 1], [2, 4, 8, 10, 6], [10, 20, 60, 80, 5], [1]);
   const expected: [number, number, number | null][] = [
-    [0, 0.9, null], [0, 1, 10], [0, 1.25, 12.5], [0, 2, 20], [0, 2.1, null], [0, 3.9, null],
-    [0, 4, 60], [0, 4.5, 70], [0, 5, 80], [0, 5.1, null], [1, 3, null], [2, 2.9, null], [2, 3, 5], [2, 3.1, null],
+    [0, 0.4, null], [0, 0.6, 10], [0, 1, 10], [0, 1.25, 12.5], [0, 2, 20], [0, 2.4, 20], [0, 2.6, null], [0, 3.4, null],
+    [0, 3.6, 60],
+    [0, 4, 60], [0, 4.5, 70], [0, 5, 80], [0, 5.4, 80], [0, 5.6, null], [1, 3, null], [2, 2.4, null], [2, 3, 5],
+    [2, 3.6, null],
   ];
   for (const [bee, time, x] of expected) assert.equal(xAt(fixes, bee, time), x, `bee ${bee} at ${time}`);
   // The same backwards: where one was before does not matter.

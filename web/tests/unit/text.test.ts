@@ -43,6 +43,13 @@ test('degrees end there too, and can be copied', () => {
   assert.equal(numbers.formatDegrees(6.25, 0), '6.25000000°');
 });
 
+test('ticks end, however narrow or far away the range is', () => {
+  assert.deepEqual(niceTicks(0.3, 0.30000000000000004, 5), []);
+  assert.deepEqual(niceTicks(9.999999999999998, 10, 5), []);
+  assert.deepEqual(niceTicks(1e300, 1.1e300, 2).length > 0, true);
+  assert.deepEqual(niceTicks(1700000000.001, 1700000000.004, 3), [1700000000.001, 1700000000.002, 1700000000.003, 1700000000.004]);
+});
+
 test('shares', () => {
   assert.deepEqual([[0, 5], [1, 8], [1, 100000], [99999, 100000], [5, 5], [0, 0]].map(([a, b]) => plain(numbers.formatShare(a, b))), [
     '0.0 %', '12.5 %', '< 0.1 %', '> 99.9 %', '100.0 %', '–',
