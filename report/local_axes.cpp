@@ -14,13 +14,16 @@ constexpr double kFlattening = 1.0 / 298.257223563;
 constexpr double kPole_m = kEquator_m * (1.0 - kFlattening);
 constexpr double kOfEquator = kFlattening * (2.0 - kFlattening);
 constexpr double kOfPole = kOfEquator / (1.0 - kOfEquator);
+// Deeper than this nobody is, but the middle of those who are far from each other may be.
+constexpr double kDeep_m = kPole_m - 100'000.0;
 
 struct Direction {
   double cosine = 1.0;
   double sine = 0.0;
 
   [[nodiscard]] double degrees() const {
-    return std::atan2(sine, cosine) * 180.0 / std::numbers::pi;
+    const double degrees = std::atan2(sine, cosine) * 180.0 / std::numbers::pi;
+    return std::clamp(degrees, -180.0, 180.0);
   }
 };
 
@@ -31,8 +34,10 @@ Direction direction(double along, double across) {
 }
 
 // Bowring: Transformation from spatial to geographical coordinates, Survey Review 23, 1976. One
-// step of it is right to a thousandth of a millionth of a degree wherever bees fly.
+// step of it is right to a thousandth of a millionth of a degree wherever bees fly. Near the middle
+// of the Earth it goes beyond the poles; deep inside, latitudes are those seen from the middle.
 Direction latitude_of(double from_axis_m, double z) {
+  if (std::hypot(from_axis_m, z) < kDeep_m) return direction(from_axis_m, z);
   const Direction reduced = direction(from_axis_m * kPole_m, z * kEquator_m);
   const double cubed_sine = reduced.sine * reduced.sine * reduced.sine;
   const double cubed_cosine = reduced.cosine * reduced.cosine * reduced.cosine;
@@ -47,6 +52,12 @@ struct Directions {
 
 Directions directions_of(const Point& ecef) {
   return {direction(ecef.x, ecef.y), latitude_of(std::hypot(ecef.x, ecef.y), ecef.z)};
+}
+
+// Of an origin, which is a place on the Earth; where it is none, there is still something to see.
+Point place_of(const GeographicPosition& origin) {
+  const auto place = to_ecef(origin);
+  return place ? *place : Point{kEquator_m, 0.0, 0.0};
 }
 
 double dot(const Point& a, const Point& b) {
@@ -83,7 +94,7 @@ GeographicPosition to_geographic(const Point& ecef) {
 }
 
 EarthFrame::EarthFrame(const GeographicPosition& origin)
-    : origin_(*to_ecef(origin)), axes_(local_axes_at(origin_)) {
+    : origin_(place_of(origin)), axes_(local_axes_at(origin_)) {
 }
 
 GeographicPosition EarthFrame::position_of(const Point& place) const {
@@ -98,12 +109,18 @@ GeographicPosition EarthFrame::position_of(const Point& place) const {
 
 namespace {
 
+// Of those around the whole Earth, whose middle is in no direction: below the first.
 GeographicPosition below_middle(std::span<const Point> ecef) {
+  constexpr double kNoDirection_m = 1.0;
   Point sum;
   for (const Point& p : ecef) sum = {sum.x + p.x, sum.y + p.y, sum.z + p.z};
   const double count = static_cast<double>(std::max<std::size_t>(1, ecef.size()));
-  const GeographicPosition middle = to_geographic({sum.x / count, sum.y / count, sum.z / count});
-  return {middle.longitude_deg, middle.latitude_deg, 0.0};
+  Point middle{sum.x / count, sum.y / count, sum.z / count};
+  if (!ecef.empty() && std::hypot(middle.x, middle.y, middle.z) < kNoDirection_m) {
+    middle = ecef.front();
+  }
+  const GeographicPosition above = to_geographic(middle);
+  return {above.longitude_deg, above.latitude_deg, 0.0};
 }
 
 }  // namespace
@@ -112,7 +129,7 @@ LocalPlaces around_middle(std::span<const Point> ecef,
                           const std::optional<GeographicPosition>& origin_wanted) {
   LocalPlaces local;
   local.origin = origin_wanted ? *origin_wanted : below_middle(ecef);
-  const Point origin = *to_ecef(local.origin);
+  const Point origin = place_of(local.origin);
   const LocalAxes axes = local_axes_at(origin);
   local.places.reserve(ecef.size());
   for (const Point& p : ecef) {

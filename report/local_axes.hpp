@@ -25,13 +25,15 @@ LocalAxes local_axes_at(const Point& ecef);
 LocalVelocity to_local_velocity(const Point& ecef, const Velocity& velocity);
 
 // Where that is, for reading: to a tenth of a millimetre from 10 km below the ground to 1,000 km
-// above.
+// above. Deep inside the Earth, which the middle of two may be, only roughly, but always a
+// longitude and a latitude.
 GeographicPosition to_geographic(const Point& ecef);
 
 // The way back from metres east, north and up of an origin (LocalPlaces): to a millimetre and
 // better within 1,000 km of it.
 class EarthFrame {
  public:
+  // `origin` is one that to_ecef takes.
   explicit EarthFrame(const GeographicPosition& origin);
 
   [[nodiscard]] GeographicPosition position_of(const Point& place) const;
@@ -47,7 +49,8 @@ struct LocalPlaces {
   GeographicPosition origin;
   std::vector<Point> places;
 };
-// The origin is below the middle of all, at height 0, unless it is given.
+// The origin is below the middle of all, at height 0, unless it is given; where their middle is
+// that of the Earth, below the first.
 LocalPlaces around_middle(std::span<const Point> ecef,
                           const std::optional<GeographicPosition>& origin_wanted = {});
 

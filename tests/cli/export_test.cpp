@@ -134,6 +134,19 @@ TEST_F(Export, MapsNeedDegreesAndLeaveWhatWasThere) {
   EXPECT_EQ(folder_.read("risk.kml"), "before");
 }
 
+TEST_F(Export, TakesBeesOnOppositeSidesOfTheEarth) {
+  const std::string antipodes =
+      folder_.file("antipodes.csv", "longitude,latitude,height\n0,0,100\n180,0,100\n");
+  const std::string flown = folder_.file("flown.csv",
+                                         "id,time_s,longitude,latitude,height\na,0,0,90,100\n"
+                                         "a,9,0,90,100\nb,0,0,-90,100\nb,9,0,-90,100\n");
+  for (const char* format : {"kml", "czml", "geojson", "csv"}) {
+    const std::string snapshot = exported(antipodes, format, {"--threshold", "20000000"});
+    expect_parts(snapshot, {"180,"});
+    expect_parts(exported(flown, format, {"--threshold", "20000000"}), {"-90,"});
+  }
+}
+
 TEST_F(Export, FailsOnRiskWhereAskedTo) {
   EXPECT_EQ(run({"export", bees_, "--format", "csv", "--fail-on-risk"}).exit_code, 1);
   EXPECT_EQ(
