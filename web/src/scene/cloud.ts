@@ -60,6 +60,10 @@ export class Cloud {
     this.#risk.material.uniforms.opacity.value = Math.min(1, Math.sqrt(20000 / placement.atRisk.length));
   }
 
+  get isThin(): boolean {
+    return this.#thin;
+  }
+
   /** Draws only a part of a large crowd, for as long as the view moves; those at risk all the same. */
   thin(on: boolean): void {
     if (this.#count <= kThinned || on === this.#thin) return;

@@ -16,8 +16,11 @@ import { ScaleBar } from './scale_bar';
 import { ThresholdShape } from './threshold_shape';
 import { Trails } from './trails';
 
-/** A frame that comes later than this after it was asked for does not feel as if one held the swarm. */
+/** A frame that takes longer than this does not feel as if one held the swarm. */
 const kSlow_ms = 90;
+/** A view rests when it has not moved for so long; where frames are slow, so are the movements that we hear of. */
+const kRest_ms = 250;
+const kRestWhereSlow_ms = 800;
 
 export interface ViewSubject {
   label: string;
@@ -48,8 +51,8 @@ export class View {
   #width = 1;
   #height = 1;
   #due = 0;
-  #asked = 0;
   #resting = 0;
+  /** Whether the last frame of the whole crowd was. */
   #slow = false;
 
   /** Throws where the browser has no WebGL. */
@@ -165,10 +168,12 @@ export class View {
 
   invalidate(): void {
     if (this.#due !== 0) return;
-    this.#asked = performance.now();
     this.#due = requestAnimationFrame(() => {
-      if (this.#resting !== 0 && performance.now() - this.#asked > kSlow_ms) this.#slow = true;
       this.draw();
+      if (this.#cloud.isThin) return;
+      // The next frame comes when this one is done.
+      const begins = performance.now();
+      requestAnimationFrame(() => (this.#slow = performance.now() - begins > kSlow_ms));
     });
   }
 
@@ -199,10 +204,9 @@ export class View {
     clearTimeout(this.#resting);
     this.#resting = window.setTimeout(() => {
       this.#resting = 0;
-      this.#slow = false;
       this.#cloud.thin(false);
       this.invalidate();
-    }, 250);
+    }, this.#slow ? kRestWhereSlow_ms : kRest_ms);
     this.invalidate();
   }
 
