@@ -70,10 +70,15 @@ Result<ExitCode> view(const ViewOptions& options, const SeenRequest& request) {
   }
   const std::string address = server->address();
   if (const ExitCode printed = print(address + "\n"); printed != ExitCode::kFine) return printed;
-  const bool opened = !options.no_open && open_in_browser(address);
-  if (!request.moving.quiet) {
+  const auto tell = [quiet = request.moving.quiet](bool opened) {
+    if (quiet) return;
     say(opened ? "Opened in the browser; Ctrl-C ends it.\n"
                : "Open this address in a browser on this machine; Ctrl-C ends it.\n");
+  };
+  if (options.no_open) {
+    tell(false);
+  } else {
+    open_in_browser(address, tell);
   }
   server->serve(page);
   return ExitCode::kFine;

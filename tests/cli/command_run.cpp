@@ -172,15 +172,27 @@ void Running::signal(int number) const {
   kill(process_, number);
 }
 
-std::string Running::read_line() const {
+namespace {
+
+std::string line_from(int descriptor) {
   constexpr int kPatience_ms = 10'000;
   std::string line;
   char next = 0;
-  pollfd waiting{output_, POLLIN, 0};
-  while (poll(&waiting, 1, kPatience_ms) > 0 && read(output_, &next, 1) == 1 && next != '\n') {
+  pollfd waiting{descriptor, POLLIN, 0};
+  while (poll(&waiting, 1, kPatience_ms) > 0 && read(descriptor, &next, 1) == 1 && next != '\n') {
     line += next;
   }
   return line;
+}
+
+}  // namespace
+
+std::string Running::read_line() const {
+  return line_from(output_);
+}
+
+std::string Running::read_error_line() const {
+  return line_from(error_);
 }
 
 Finished Running::finish() {

@@ -53,6 +53,8 @@ class Running {
   void signal(int number) const;
   // The next line of standard output, without its end; what there is where it takes ten seconds.
   [[nodiscard]] std::string read_line() const;
+  // The same of standard error.
+  [[nodiscard]] std::string read_error_line() const;
   // Waits for its end; at most a minute, then it is killed.
   Finished finish();
 

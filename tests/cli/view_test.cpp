@@ -9,6 +9,8 @@
 #include <array>
 #include <csignal>
 #include <cstdint>
+#include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <thread>
@@ -255,6 +257,74 @@ TEST_F(View, APortThatIsTakenIsSaid) {
 }
 
 class ViewOnce : public PageCommand {};
+
+// With a desktop whose xdg-open is this script.
+class ViewOnDesktop : public PageCommand {
+ protected:
+  void SetUp() override {
+    PageCommand::SetUp();
+    path_ = std::getenv("PATH");
+    setenv("PATH", (folder_.path("") + ":" + path_).c_str(), 1);
+    setenv("DISPLAY", ":0", 1);
+  }
+  void TearDown() override {
+    if (!path_.empty()) setenv("PATH", path_.c_str(), 1);
+    unsetenv("DISPLAY");
+  }
+
+  void opens_with(const std::string& script) const {
+    const std::string opener = folder_.file("xdg-open", "#!/bin/bash\n" + script);
+    std::filesystem::permissions(opener, std::filesystem::perms::owner_all);
+  }
+  [[nodiscard]] std::unique_ptr<Running> view() const {
+    return std::make_unique<Running>(Arguments{"view", folder_.file("bees.csv", kBees)});
+  }
+  // The line that says what became of it.
+  static std::string told(const Running& viewing) {
+    std::string line = viewing.read_error_line();
+    while (!line.empty() && line.find("Ctrl-C") == std::string::npos) {
+      line = viewing.read_error_line();
+    }
+    return line;
+  }
+
+ private:
+  std::string path_;
+};
+
+TEST_F(ViewOnDesktop, ABrowserThatIsWaitedForIsServed) {
+  opens_with(
+      "authority=${1#http://}; authority=${authority%/}\n"
+      "exec 3<>\"/dev/tcp/${authority%:*}/${authority#*:}\"\n"
+      "printf 'GET / HTTP/1.1\\r\\nHost: %s\\r\\nConnection: close\\r\\n\\r\\n' "
+      "\"$authority\" >&3\n"
+      "cat <&3 >'" +
+      folder_.path("got") + "'\n");
+  const auto viewing = view();
+  EXPECT_EQ(told(*viewing), "Opened in the browser; Ctrl-C ends it.");
+  const std::string got = folder_.read("got");
+  EXPECT_TRUE(got.starts_with("HTTP/1.1 200"));
+  EXPECT_TRUE(got.ends_with(run({"report", folder_.path("bees.csv")}).out));
+  viewing->signal(SIGINT);
+  EXPECT_EQ(viewing->finish().exit_code, 130);
+}
+
+TEST_F(ViewOnDesktop, ABrowserThatStaysIsNotWaitedFor) {
+  opens_with("echo $$ >'" + folder_.path("process") + "'\nexec sleep 100\n");
+  const auto viewing = view();
+  EXPECT_EQ(told(*viewing), "Opened in the browser; Ctrl-C ends it.");
+  viewing->signal(SIGINT);
+  EXPECT_EQ(viewing->finish().exit_code, 130);
+  const int browser = std::stoi(folder_.read("process"));
+  EXPECT_EQ(kill(browser, SIGTERM), 0) << "the browser outlives the command";
+}
+
+TEST_F(ViewOnDesktop, ABrowserThatCannotBeOpenedIsSaid) {
+  opens_with("exit 3\n");
+  EXPECT_EQ(told(*view()), "Open this address in a browser on this machine; Ctrl-C ends it.");
+  opens_with("kill -9 $$\n");
+  EXPECT_EQ(told(*view()), "Open this address in a browser on this machine; Ctrl-C ends it.");
+}
 
 TEST_F(ViewOnce, APortMayBeChosen) {
   std::uint16_t port = 0;
