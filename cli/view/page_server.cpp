@@ -22,22 +22,46 @@ using Response = http::response<http::span_body<const char>>;
 // A connection: one request after the other, until the browser closes it or says nothing for long.
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
-  Connection(Tcp::socket socket, std::string_view page, std::uint16_t port)
+  Connection(Tcp::socket socket, std::string_view page, std::uint16_t port,
+             const ServerPatience& patience)
       : stream_(std::move(socket)),
+        patience_(patience),
         page_(page),
         port_(port == kPlainPort ? "" : ":" + std::to_string(port)) {}
 
   void read() {
-    constexpr std::chrono::seconds kPatience(30);
     request_ = {};
-    stream_.expires_after(kPatience);
+    stream_.expires_after(patience_.request);
     http::async_read(stream_, buffer_, request_,
                      [self = shared_from_this()](const beast::error_code& error, std::size_t) {
-                       if (!error) self->answer();
+                       if (error) {
+                         self->refuse(error);
+                       } else {
+                         self->answer();
+                       }
                      });
   }
 
  private:
+  // What is no request, or too long. Who has gone, or says nothing, needs no answer.
+  void refuse(const beast::error_code& error) {
+    const bool about_http =
+        error.category() == beast::error_code(http::error::bad_method).category();
+    if (!about_http || error == http::error::end_of_stream ||
+        error == http::error::partial_message) {
+      return;
+    }
+    request_ = {};
+    request_.keep_alive(false);
+    if (error == http::error::body_limit) {
+      answer(http::status::payload_too_large, "There is only a page to get.\n");
+    } else if (error == http::error::header_limit || error == http::error::buffer_overflow) {
+      answer(http::status::request_header_fields_too_large, "This is too long.\n");
+    } else {
+      answer(http::status::bad_request, "This is no request.\n");
+    }
+  }
+
   void answer() {
     const auto host = request_[http::field::host];
     const bool page = request_.target() == "/" || request_.target().starts_with("/?");
@@ -62,13 +86,43 @@ class Connection : public std::enable_shared_from_this<Connection> {
     const bool only_head = request_.method() == http::verb::head;
     response_.body() =
         only_head ? beast::span<const char>() : beast::span<const char>(body.data(), body.size());
+    const auto more = std::chrono::seconds(body.size() / kSlowest_bytes_a_second);
+    stream_.expires_after(patience_.answer + more);
     http::async_write(stream_, response_,
                       [self = shared_from_this()](const beast::error_code& error, std::size_t) {
-                        if (!error && self->response_.keep_alive()) self->read();
+                        if (error) return;
+                        if (self->response_.keep_alive()) {
+                          self->read();
+                        } else {
+                          self->finish();
+                        }
                       });
   }
 
+  // A connection that is closed with something unread takes back the answer; so what still comes
+  // is read, for a while.
+  void finish() {
+    constexpr std::chrono::seconds kPatience(2);
+    beast::error_code gone;
+    stream_.socket().shutdown(Tcp::socket::shutdown_send, gone);
+    if (gone) return;
+    stream_.expires_after(kPatience);
+    read_out();
+  }
+
+  void read_out() {
+    buffer_.clear();
+    stream_.async_read_some(
+        buffer_.prepare(buffer_.max_size()),
+        [self = shared_from_this()](const beast::error_code& error, std::size_t) {
+          if (!error) self->read_out();
+        });
+  }
+
+  static constexpr std::size_t kSlowest_bytes_a_second = 65'536;
+
   beast::tcp_stream stream_;
+  ServerPatience patience_;
   beast::flat_buffer buffer_{16384};  // no more than that of a request
   Request request_;
   Response response_;
@@ -83,6 +137,7 @@ struct PageServer::State {
   asio::io_context context{1};
   Tcp::acceptor acceptor{context};
   asio::steady_timer pause{context};
+  ServerPatience patience;
 
   void accept(std::string_view page) {
     acceptor.async_accept([this, page](const beast::error_code& error, Tcp::socket socket) {
@@ -91,7 +146,7 @@ struct PageServer::State {
         return;
       }
       const std::uint16_t port = acceptor.local_endpoint().port();
-      std::make_shared<Connection>(std::move(socket), page, port)->read();
+      std::make_shared<Connection>(std::move(socket), page, port, patience)->read();
       accept(page);
     });
   }
@@ -109,8 +164,9 @@ PageServer::PageServer(PageServer&&) noexcept = default;
 PageServer& PageServer::operator=(PageServer&&) noexcept = default;
 PageServer::~PageServer() = default;
 
-Result<PageServer> PageServer::open(std::uint16_t port) {
+Result<PageServer> PageServer::open(std::uint16_t port, const ServerPatience& patience) {
   auto state = std::make_unique<State>();
+  state->patience = patience;
   beast::error_code error;
   const Tcp::endpoint here(asio::ip::address_v4::loopback(), port);
   state->acceptor.open(here.protocol(), error);
@@ -134,6 +190,10 @@ std::string PageServer::address() const {
 void PageServer::serve(std::string_view page) {
   state_->accept(page);
   state_->context.run();
+}
+
+void PageServer::stop() {
+  state_->context.stop();
 }
 
 }  // namespace beespace::cli

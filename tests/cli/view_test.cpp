@@ -241,6 +241,18 @@ TEST_F(View, NonsenseDoesNotEndIt) {
   expect_page();
 }
 
+TEST_F(View, WhatIsNoRequestIsToldSo) {
+  EXPECT_EQ(asked("nonsense\r\n\r\n").status, 400);
+  EXPECT_EQ(asked(request("GET /", "Content-Length: -1\r\n")).status, 400);
+  EXPECT_EQ(asked(request("POST /", "Content-Length: 99999999999\r\n")).status, 413);
+  EXPECT_EQ(asked(request("GET /", "X: " + std::string(100'000, 'a') + "\r\n")).status, 431);
+  const Reply reply = asked(request("POST /", "Content-Length: 2000000\r\n") +
+                            std::string(2'000'000, 'a'));  // an answer though it is not read
+  EXPECT_EQ(reply.status, 413);
+  EXPECT_EQ(reply.body, "There is only a page to get.\n");
+  expect_parts(reply.head, {"Connection: close\r\n"});
+}
+
 TEST_F(View, CtrlCEndsIt) {
   expect_page();  // from here on all is said
   viewing_->signal(SIGINT);
