@@ -70,9 +70,10 @@ void take_conflicts(std::vector<Conflict> conflicts, report::RecordingFacts& fac
                    [](const Conflict& a, const Conflict& b) { return a.closest_m < b.closest_m; });
   if (conflicts.size() > kAllPairs) {
     conflicts.resize(kWorstPairs);
-    facts.swarm.notes.push_back("of " + grouped(facts.conflict_count) + " conflicts, the closest " +
-                                grouped(conflicts.size()) +
-                                " are in the table; who is at risk when is shown of all");
+    facts.swarm.notes.push_back(
+        "of " + grouped(facts.conflict_count) + " conflicts, the closest " +
+        grouped(conflicts.size()) +
+        " are kept; how many there are, and who is at risk when, is of all");
   }
   facts.conflicts = std::move(conflicts);
 }

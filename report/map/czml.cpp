@@ -24,14 +24,14 @@ constexpr const char* kLineStyle =
 
 class Packets {
  public:
-  Packets(const SwarmFacts& swarm, const std::vector<std::string>& notes, const std::string& clock,
-          io::AtomicOutput& output)
+  Packets(const SwarmFacts& swarm, const std::string& kept, const std::vector<std::string>& notes,
+          const std::string& clock, io::AtomicOutput& output)
       : output_(output) {
     io::JsonObject document;
     document.add_text("id", "document");
     document.add_text("version", "1.0");
     document.add_text("name", swarm.title);
-    document.add_text("description", document_words(notes));
+    document.add_text("description", document_words(kept, notes));
     if (!clock.empty()) document.add_json("clock", clock);
     output_.write("[\n" + document.text());
   }
@@ -168,7 +168,7 @@ std::vector<std::string> write_czml(const SnapshotFacts& facts, io::AtomicOutput
   const std::size_t bees = marks_shown(facts.at_risk.size(), "bees at risk", notes);
   const std::size_t pairs = marks_shown(facts.pairs.size(), "pairs", notes);
   const MapPlaces places(facts.swarm);
-  Packets packets(facts.swarm, notes, {}, output);
+  Packets packets(facts.swarm, kept_words(facts), notes, {}, output);
   for (std::size_t i = 0; i < bees; ++i) {
     const PointId bee = facts.at_risk[i];
     io::JsonObject mark =
@@ -198,7 +198,7 @@ std::vector<std::string> write_czml(const RecordingFacts& facts, io::AtomicOutpu
   const std::size_t conflicts = marks_shown(facts.conflicts.size(), "conflicts", notes);
   const MapPlaces places(facts.swarm);
   const TimeSpan time = time_of(map);
-  Packets packets(facts.swarm, notes, clock_of(time), output);
+  Packets packets(facts.swarm, kept_words(facts), notes, clock_of(time), output);
   add_bees(map, facts, time.begins_s, places, packets);
   for (std::size_t i = 0; i < conflicts; ++i) {
     const Conflict& c = facts.conflicts[i];

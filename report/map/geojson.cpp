@@ -2,8 +2,10 @@
 
 #include "io/geojson_geometry.hpp"
 #include "io/json_object.hpp"
+#include "io/json_text.hpp"
 #include "report/figure/number_label.hpp"
 #include "report/map/map_places.hpp"
+#include "report/map/map_words.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -14,8 +16,11 @@ namespace {
 
 class Features {
  public:
-  explicit Features(io::AtomicOutput& output) : output_(output) {
-    output_.write(R"({"type": "FeatureCollection", "features": [)");
+  // What is not in the file is said in a member of its own, which readers may pass over.
+  Features(const std::string& kept, io::AtomicOutput& output) : output_(output) {
+    output_.write(R"({"type": "FeatureCollection", )" +
+                  (kept.empty() ? "" : R"("note": )" + io::json_string(kept) + ", ") +
+                  R"("features": [)");
   }
 
   void add(const std::string& geometry, const io::JsonObject& properties) {
@@ -67,7 +72,7 @@ io::JsonObject properties_of(const Conflict& conflict, const RecordingFacts& fac
 void write_geojson(const SnapshotFacts& facts, io::AtomicOutput& output) {
   const MapPlaces places(facts.swarm);
   const Names& names = facts.swarm.names;
-  Features features(output);
+  Features features(kept_words(facts), output);
   for (std::size_t i = 0; i < facts.at_risk.size(); ++i) {
     const PointId bee = facts.at_risk[i];
     io::JsonObject properties;
@@ -93,7 +98,7 @@ void write_geojson(const SnapshotFacts& facts, io::AtomicOutput& output) {
 
 void write_geojson(const RecordingFacts& facts, io::AtomicOutput& output) {
   const MapPlaces places(facts.swarm);
-  Features features(output);
+  Features features(kept_words(facts), output);
   const auto add_each = [&](const char* kind, const auto& geometry) {
     for (const Conflict& conflict : facts.conflicts) {
       const auto a = position_at(facts.tracks[conflict.first], conflict.closest_s);

@@ -31,14 +31,15 @@ std::string element(std::string_view name, std::string_view text) {
 
 class Document {
  public:
-  Document(const SwarmFacts& swarm, const std::vector<std::string>& notes, io::AtomicOutput& output)
+  Document(const SwarmFacts& swarm, const std::string& kept, const std::vector<std::string>& notes,
+           io::AtomicOutput& output)
       : output_(output) {
     output_.write(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         "<kml xmlns=\"http://www.opengis.net/kml/2.2\" "
         "xmlns:gx=\"http://www.google.com/kml/ext/2.2\">\n<Document>\n");
-    output_.write(element("name", swarm.title) + element("description", document_words(notes)) +
-                  '\n');
+    output_.write(element("name", swarm.title) +
+                  element("description", document_words(kept, notes)) + '\n');
     output_.write(kStyles);
   }
 
@@ -116,7 +117,7 @@ std::vector<std::string> write_kml(const SnapshotFacts& facts, io::AtomicOutput&
   const std::size_t bees = marks_shown(facts.at_risk.size(), "bees at risk", notes);
   const std::size_t pairs = marks_shown(facts.pairs.size(), "pairs", notes);
   const MapPlaces places(facts.swarm);
-  Document document(facts.swarm, notes, output);
+  Document document(facts.swarm, kept_words(facts), notes, output);
   document.begin_folder("At risk");
   for (std::size_t i = 0; i < bees; ++i) {
     const PointId bee = facts.at_risk[i];
@@ -143,7 +144,7 @@ std::vector<std::string> write_kml(const RecordingFacts& facts, io::AtomicOutput
   if (!facts.since_1970) notes.emplace_back(kTimeNote);
   const std::size_t conflicts = marks_shown(facts.conflicts.size(), "conflicts", notes);
   const MapPlaces places(facts.swarm);
-  Document document(facts.swarm, notes, output);
+  Document document(facts.swarm, kept_words(facts), notes, output);
   add_conflicts(facts, conflicts, places, document);
   document.begin_folder("Paths");
   for (const MapTrack& of : map.tracks) {

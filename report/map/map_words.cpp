@@ -4,7 +4,18 @@
 #include "report/map/map_time.hpp"
 #include "report/xml_text.hpp"
 
+#include <cstdint>
+
 namespace beespace::report {
+namespace {
+
+std::string closest_of(std::uint64_t all, std::uint64_t kept, const char* what) {
+  if (kept >= all) return {};
+  return "of " + count_label(all) + what + ", the closest " + count_label(kept) +
+         " are in the file";
+}
+
+}  // namespace
 
 std::string pair_name(const Names& names, PointId first, PointId second) {
   return names.of(first) + " \u2013 " + names.of(second);
@@ -21,11 +32,20 @@ std::string conflict_words(const Conflict& conflict, const SwarmFacts& swarm) {
          map_instant(conflict.closest_s) + (conflict.certain ? "" : "; possible, not certain");
 }
 
-std::string document_words(const std::vector<std::string>& notes) {
+std::string kept_words(const SnapshotFacts& facts) {
+  return closest_of(facts.pair_count, facts.pairs.size(), " pairs");
+}
+
+std::string kept_words(const RecordingFacts& facts) {
+  return closest_of(facts.conflict_count, facts.conflicts.size(), " conflicts");
+}
+
+std::string document_words(const std::string& kept, const std::vector<std::string>& notes) {
   std::string html =
       "Heights are those of the input, taken as metres above the WGS84 ellipsoid. Globes that "
       "count "
       "altitudes from mean sea level show bees some tens of metres higher or lower.";
+  if (!kept.empty()) html += "<br/>" + xml_text(kept);
   for (const std::string& note : notes) html += "<br/>" + xml_text(note);
   return html;
 }

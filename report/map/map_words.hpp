@@ -17,7 +17,11 @@ std::string nearest_words(const Nearest& nearest, const SwarmFacts& swarm);
 // "57.3 m apart at 2024-05-01T12:00:30Z; possible, not certain".
 std::string conflict_words(const Conflict& conflict, const SwarmFacts& swarm);
 
-// What heights mean, and the notes, one a line: HTML.
-std::string document_words(const std::vector<std::string>& notes);
+// "of 204,480 pairs, the closest 10,000 are in the file"; nothing where the facts have all.
+std::string kept_words(const SnapshotFacts& facts);
+std::string kept_words(const RecordingFacts& facts);
+
+// What heights mean, and the notes, one a line, none for those that are empty: HTML.
+std::string document_words(const std::string& kept, const std::vector<std::string>& notes);
 
 }  // namespace beespace::report

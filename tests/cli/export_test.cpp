@@ -147,6 +147,39 @@ TEST_F(Export, TakesBeesOnOppositeSidesOfTheEarth) {
   }
 }
 
+// 640 in one place are 204,480 pairs.
+std::string crowd(bool flying) {
+  std::string text =
+      flying ? "id,time_s,longitude,latitude,height\n" : "id,longitude,latitude,height\n";
+  for (int bee = 0; bee < 640; ++bee) {
+    for (const char* time : {"0,", "9,"}) {
+      if (!flying && *time == '9') continue;
+      text += std::to_string(bee) + "," + (flying ? time : "") + "-75.5,6.25,1500\n";
+    }
+  }
+  return text;
+}
+
+TEST_F(Export, PairsThatAreLeftOutAreSaidToBe) {
+  const std::string bees = folder_.file("crowd.csv", crowd(false));
+  const std::string flown = folder_.file("flown.csv", crowd(true));
+  const std::string pairs = "of 204,480 pairs, the closest 10,000 are ";
+  const std::string conflicts = "of 204,480 conflicts, the closest 10,000 are ";
+  for (const char* format : {"kml", "czml", "geojson"}) {
+    const std::string snapshot = exported(bees, format);
+    expect_parts(snapshot.substr(0, 2'000), {pairs});
+    const std::string recording = exported(flown, format);
+    expect_parts(recording.substr(0, 2'000), {conflicts});
+    const bool xml = std::string_view(format) == "kml";
+    EXPECT_TRUE(xml ? is_xml(snapshot) && is_xml(recording)
+                    : is_json(snapshot) && is_json(recording));
+  }
+  const Finished table = run({"export", bees, "--format", "csv"});
+  EXPECT_EQ(lines_of(table.out).size(), 10'001u);
+  expect_parts(table.err, {pairs});
+  expect_parts(run({"export", flown, "--format", "csv"}).err, {conflicts});
+}
+
 TEST_F(Export, FailsOnRiskWhereAskedTo) {
   EXPECT_EQ(run({"export", bees_, "--format", "csv", "--fail-on-risk"}).exit_code, 1);
   EXPECT_EQ(
