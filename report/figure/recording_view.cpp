@@ -101,15 +101,17 @@ std::vector<Spot> part_of(const AtRisk& at_risk, const RecordingFacts& facts, co
   return path.finish();
 }
 
-void draw_parts_in_conflict(const RecordingFacts& facts, const View& view, Drawing& drawing) {
-  Lines lines{{}, kRisk, facts.conflicts.size() <= kFewConflicts ? 2.2 : 1.0};
+// Where bees are while they are in conflict; nothing where these are too many to draw, and the
+// marks of the closest points have to do.
+std::vector<std::vector<Spot>> parts_in_conflict(const RecordingFacts& facts, const View& view) {
+  std::vector<std::vector<Spot>> parts;
   std::size_t corners = 0;
   for (const AtRisk& at_risk : facts.at_risk) {
-    lines.runs.push_back(part_of(at_risk, facts, view));
-    corners += lines.runs.back().size();
-    if (corners > kFewCorners) return;  // the marks of the closest points have to do
+    parts.push_back(part_of(at_risk, facts, view));
+    corners += parts.back().size();
+    if (corners > kFewCorners) return {};
   }
-  drawing.shapes.emplace_back(std::move(lines));
+  return parts;
 }
 
 std::vector<Diamond> closest_points(const RecordingFacts& facts, const View& view) {
@@ -130,6 +132,12 @@ Density conflicts_of(const RecordingFacts& facts, const View& view) {
     if (at) density.add(view.spot_of(*at));
   }
   return density;
+}
+
+// What the areas of their marks tell.
+std::string areas_of(const RecordingFacts& facts) {
+  if (facts.conflicts.size() >= facts.conflict_count) return "conflicts: area by their number";
+  return "closest " + count_label(facts.conflicts.size()) + " conflicts: area by number";
 }
 
 void draw_conflicts(const RecordingFacts& facts, const View& view, Drawing& drawing) {
@@ -176,7 +184,8 @@ void draw_paths(const RecordingFacts& facts, const View& view, Drawing& drawing)
     drawing.shapes.emplace_back(ways_of(paths, view).cells(shades()));
   }
   draw_starts(facts, view, drawing);
-  draw_parts_in_conflict(facts, view, drawing);
+  drawing.shapes.emplace_back(Lines{parts_in_conflict(facts, view), kRisk,
+                                    facts.conflicts.size() <= kFewConflicts ? 2.2 : 1.0});
   draw_conflicts(facts, view, drawing);
   draw_closest(facts, view, drawing);
 }
@@ -194,11 +203,13 @@ std::vector<KeyEntry> key_of_paths(const RecordingFacts& facts, const View& from
   }
   if (facts.tracks.size() <= kFewStarts) key.push_back({Sample::kStart, "start"});
   if (facts.conflicts.empty()) return key;
+  const bool parts = !parts_in_conflict(facts, from_above).empty();
   if (facts.conflicts.size() <= kFewConflicts) {
-    key.push_back({Sample::kInConflict, "in conflict, and where it is closest"});
+    key.push_back(parts ? KeyEntry{Sample::kInConflict, "in conflict, and where it is closest"}
+                        : KeyEntry{Sample::kAtRisk, "in conflict, where it is closest"});
   } else {
-    key.push_back({Sample::kInConflict, "in conflict"});
-    key.push_back({Sample::kBinned, "conflicts: area by their number, up to " +
+    if (parts) key.push_back({Sample::kInConflict, "in conflict"});
+    key.push_back({Sample::kBinned, areas_of(facts) + ", up to " +
                                         count_label(conflicts_of(facts, from_above).most()) +
                                         " from above"});
   }

@@ -317,6 +317,52 @@ TEST(Figure, TimesInConflictThatTouchAreOneBand) {
   EXPECT_EQ(bands, (std::vector<TimeSpan>{{1.0, 3.0}, {5.0, 7.0}}));
 }
 
+// In conflict all the time on a path of so many corners.
+RecordingFacts winding(int corners) {
+  RecordingFacts facts = two_tracks();
+  for (Track& track : facts.tracks) {
+    const double x = track.fixes.front().position.x;
+    track.fixes.clear();
+    for (int i = 0; i < corners; ++i) {
+      track.fixes.push_back({double(i), {x + (i % 2) * 50.0, (i % 3) * 40.0, (i % 5) * 20.0}});
+    }
+  }
+  facts.at_risk = {{0, {0.0, corners - 1.0}}, {1, {0.0, corners - 1.0}}};
+  return facts;
+}
+
+bool has_fat_parts(const Drawing& drawing) {
+  const auto lines = shapes_of<Lines>(drawing);
+  return std::any_of(lines.begin(), lines.end(), [](const Lines& some) {
+    return some.ink.rgb == kRisk.rgb && some.width > 2.0 && !some.runs.empty();
+  });
+}
+
+TEST(Figure, TheKeyHasOnlyWhatIsDrawn) {
+  const Drawing some = figure_of(winding(1'000));
+  EXPECT_TRUE(has_fat_parts(some));  // of the key too
+  EXPECT_TRUE(says(some, "in conflict, and where it is closest"));
+  RecordingFacts many = winding(40'000);
+  const Drawing without = figure_of(many);
+  EXPECT_FALSE(has_fat_parts(without));
+  EXPECT_TRUE(says(without, "in conflict, where it is closest"));
+  many.conflicts.assign(301, many.conflicts.front());
+  many.conflict_count = 301;
+  const Drawing binned = figure_of(many);
+  EXPECT_FALSE(has_fat_parts(binned));
+  EXPECT_TRUE(says(binned, "conflicts: area by their number, up to 301 from above"));
+  EXPECT_FALSE(says(binned, "closest 301"));
+}
+
+TEST(Figure, TheKeySaysThatOnlyTheClosestConflictsAreCounted) {
+  RecordingFacts facts = two_tracks();
+  facts.conflicts.assign(400, facts.conflicts.front());
+  facts.conflict_count = 300'000;
+  const Drawing drawing = figure_of(facts);
+  EXPECT_TRUE(says(drawing, "closest 400 conflicts: area by number, up to 400 from above"));
+  expect_inside(drawing);
+}
+
 TEST(Figure, ManyPathsAreShades) {
   RecordingFacts facts;
   facts.swarm.threshold_m = 1.0;
