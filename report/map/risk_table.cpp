@@ -5,6 +5,8 @@
 #include "report/figure/number_label.hpp"
 #include "report/map/map_places.hpp"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstddef>
 #include <optional>
@@ -13,11 +15,21 @@
 namespace beespace::report {
 namespace {
 
+// Digits behind a sign or none: from_chars takes "inf" and "nan(...)" as well.
 bool is_number(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
+  if (text.starts_with('+') || text.starts_with('-')) text.remove_prefix(1);
+  if (text.empty() || text.front() < '0' || text.front() > '9') return false;
   double value = 0.0;
   const auto [stop, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
   return problem == std::errc{} && stop == text.data() + text.size();
+}
+
+// Spreadsheets of some languages take the wide forms of these signs for them.
+bool begins_formula(std::string_view text) {
+  constexpr std::array<std::string_view, 10> kSigns = {
+      "=", "+", "-", "@", "\t", "\r", "\uff1d", "\uff0b", "\uff0d", "\uff20"};
+  return std::any_of(kSigns.begin(), kSigns.end(),
+                     [text](std::string_view sign) { return text.starts_with(sign); });
 }
 
 // Where bees are, in the columns of the table.
@@ -46,17 +58,19 @@ class PlaceColumns {
   std::optional<MapPlaces> places_;
 };
 
+// Spreadsheets of many countries split tables at semicolons, some at tabs: what holds one is quoted
+// as if this one did.
 void append_id(std::string& out, const Names& names, PointId bee) {
-  io::append_csv_field(out, harmless_in_spreadsheets(names.of(bee)), ',');
+  const std::string id = harmless_in_spreadsheets(names.of(bee));
+  const std::size_t elsewhere = id.find_first_of(";\t");
+  io::append_csv_field(out, id, elsewhere == std::string::npos ? ',' : id[elsewhere]);
   out += ',';
 }
 
 }  // namespace
 
 std::string harmless_in_spreadsheets(std::string_view text) {
-  constexpr std::string_view kBeginsFormula = "=+-@\t\r";
-  const bool formula = !text.empty() && kBeginsFormula.find(text.front()) != std::string_view::npos;
-  std::string harmless(formula && !is_number(text) ? "'" : "");
+  std::string harmless(begins_formula(text) && !is_number(text) ? "'" : "");
   return harmless += text;
 }
 

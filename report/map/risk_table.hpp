@@ -16,7 +16,7 @@ void write_risk_table(const SnapshotFacts& facts, io::AtomicOutput& output);
 void write_risk_table(const RecordingFacts& facts, io::AtomicOutput& output);
 
 // A text that a spreadsheet would take for a formula, as one that it takes for text: with an
-// apostrophe before. Numbers stay as they are.
+// apostrophe before. Numbers, which begin with a digit behind a sign or none, stay as they are.
 std::string harmless_in_spreadsheets(std::string_view text);
 
 }  // namespace beespace::report

@@ -147,6 +147,11 @@ TEST_F(Export, TakesBeesOnOppositeSidesOfTheEarth) {
   }
 }
 
+TEST_F(Export, CsvQuotesWhatSpreadsheetsElsewhereWouldSplit) {
+  const std::string bees = folder_.file("bees.csv", "id,x,y,z\na;=1+2,0,0,0\nb,1,0,0\n");
+  EXPECT_EQ(lines_of(exported(bees, "csv")).at(1), "\"a;=1+2\",b,1,0,0,0,1,0,0");
+}
+
 // 640 in one place are 204,480 pairs.
 std::string crowd(bool flying) {
   std::string text =

@@ -115,6 +115,10 @@ TEST(RiskTable, KeepsSpreadsheetsFromTakingIdsForFormulas) {
   EXPECT_EQ(harmless_in_spreadsheets("\t=1"), "'\t=1");
   EXPECT_EQ(harmless_in_spreadsheets("-5"), "-5");
   EXPECT_EQ(harmless_in_spreadsheets("+5.5e3"), "+5.5e3");
+  for (const char* formula : {"-nan(x)", "-inf", "-infinity", "+nan", "+-5", "-", "-.5", "-0x1",
+                              "\uff1d1+1", "\uff0b1", "\uff0d2+3", "\uff20x"}) {
+    EXPECT_EQ(harmless_in_spreadsheets(formula), std::string("'") + formula);
+  }
   EXPECT_EQ(harmless_in_spreadsheets("maya"), "maya");
   EXPECT_EQ(harmless_in_spreadsheets(""), "");
 }
