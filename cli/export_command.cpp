@@ -84,7 +84,7 @@ Result<ExitCode> export_to(const SeenRequest& request, const std::string& format
   if (!moving.quiet) {
     std::string text;
     append_seen(text, *seen);
-    for (const std::string& note : notes) append_summary_line(text, "note", note);
+    for (const std::string& note : notes) append_summary_line(text, "note", printable(note));
     append_written(text, moving.output, timings);
     say(text);
   }

@@ -113,7 +113,7 @@ Result<ExitCode> plot(const PlotRequest& request) {
   if (!moving.quiet) {
     std::string text;
     append_seen(text, titled);
-    if (!note.empty()) append_summary_line(text, "note", note);
+    if (!note.empty()) append_summary_line(text, "note", printable(note));
     append_written(text, moving.output, timings);
     say(text);
   }

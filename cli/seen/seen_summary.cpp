@@ -39,8 +39,8 @@ std::size_t bees_of(const report::RecordingFacts& facts) {
 
 void append_seen(std::string& out, const Seen& seen) {
   const report::SwarmFacts& swarm = swarm_of(seen);
-  append_summary_line(out, "input", printable(swarm.title) + " (" + swarm.source + ")");
-  for (const std::string& note : swarm.notes) append_summary_line(out, "note", note);
+  append_summary_line(out, "input", printable(swarm.title) + " (" + printable(swarm.source) + ")");
+  for (const std::string& note : swarm.notes) append_summary_line(out, "note", printable(note));
   append_summary_line(out, "bees",
                       std::visit([](const auto& facts) { return grouped(bees_of(facts)); }, seen));
   append_summary_line(out, "threshold",
@@ -53,7 +53,8 @@ void append_written(std::string& out, const std::string& output, const SeenTimin
   if (output != "-") {
     std::error_code unknown;
     const auto bytes = std::filesystem::file_size(output, unknown);
-    append_summary_line(out, "written", output + (unknown ? "" : " (" + byte_count(bytes) + ")"));
+    append_summary_line(out, "written",
+                        printable(output) + (unknown ? "" : " (" + byte_count(bytes) + ")"));
   }
   append_summary_line(out, "time",
                       "read " + duration(timings.read_s) + ", find " + duration(timings.find_s) +

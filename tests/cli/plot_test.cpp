@@ -42,6 +42,15 @@ class Plot : public testing::Test {
   std::string flight_ = folder_.file("flight.csv", kFlight);
 };
 
+TEST_F(Plot, ItsSummaryPlaysNoTricksOnATerminal) {
+  const std::string name = folder_.path("o\x1b[31mut.svg");
+  const std::string bees = folder_.file("b\x1b[31mees.csv", "id,x,y,z\nmaya,0,0,0\nwilli,60,0,0\n");
+  const Finished finished = run({"plot", bees, "-o", name});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_EQ(finished.err.find('\x1b'), std::string::npos) << finished.err;
+  expect_parts(finished.err, {"[31mut.svg"});
+}
+
 TEST_F(Plot, OfASnapshotMarksThoseAtRiskByTheirIds) {
   const Finished finished = run({"plot", bees_, "-o", folder_.path("bees.svg")});
   ASSERT_EQ(finished.exit_code, 0) << finished.err;
