@@ -32,7 +32,8 @@ constexpr const char* kDescription = "Look at a swarm in the browser";
 constexpr const char* kDetails =
     "Reads what 'beespace report' reads and makes the same page, but serves it to the browsers of\n"
     "this machine instead of writing a file: on a free port of 127.0.0.1, until Ctrl-C. Opens the\n"
-    "browser where there is a desktop, and prints the address to standard output.\n"
+    "browser where there is a desktop, and prints the address to standard output. Other users of\n"
+    "this machine who find the port can read the page too.\n"
     "\n"
     "Examples:\n"
     "  beespace view bees.csv\n"

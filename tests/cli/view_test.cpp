@@ -363,6 +363,10 @@ TEST_F(ViewOnce, WhatIsNoPortIsRefused) {
   }
 }
 
+TEST_F(ViewOnce, ItsHelpSaysWhoElseCanRead) {
+  expect_parts(run({"view", "--help"}).out, {"who find the port can read the page"});
+}
+
 TEST_F(ViewOnce, WhatCannotBeReadIsNotServed) {
   expect_failure({"view", "--no-open"}, "x,y,z\n0,zero,0\n", 3, "<stdin>:2");
   expect_failure({"view", folder_.path("missing.csv"), "--no-open"}, {}, 4, "missing.csv");
