@@ -213,6 +213,7 @@ TEST(Usage, HelpNamesEveryOptionAndGivesExamples) {
         "143 terminated"}) {
     EXPECT_NE(detect.out.find(word), std::string::npos) << word;
   }
+  EXPECT_NE(run({"report", "--help"}).out.find("200,000 pairs, or conflicts,"), std::string::npos);
   const Finished generate = run({"generate", "--help"});
   EXPECT_EQ(generate.exit_code, 0);
   for (const char* word : {"--points", "--scene", "--size", "--clusters", "--sigma", "--area",
