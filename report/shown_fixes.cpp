@@ -33,7 +33,8 @@ class Shown {
       for (std::size_t left_out = last + 1; left_out < i; ++left_out) {
         bend_m_ = std::max(bend_m_, off_the_line(fixes[last], fixes[i], fixes[left_out]));
       }
-      if (i > 0) note_pace(fixes[last], fixes[i]);
+      if (i > 0)
+        shown_.shortest_s = std::min(shown_.shortest_s, fixes[i].time_s - fixes[last].time_s);
       shown_.times_s.push_back(fixes[i].time_s);
       shown_.positions.push_back(fixes[i].position);
       if (gap_begins) {
@@ -50,15 +51,6 @@ class Shown {
   [[nodiscard]] double error_m() const { return bend_m_ + tolerance_m_; }
 
  private:
-  void note_pace(const Fix& from, const Fix& to) {
-    const Point& p = from.position;
-    const Point& q = to.position;
-    const double lasts_s = to.time_s - from.time_s;
-    shown_.shortest_s = std::min(shown_.shortest_s, lasts_s);
-    shown_.fastest_mps =
-        std::max(shown_.fastest_mps, std::hypot(q.x - p.x, q.y - p.y, q.z - p.z) / lasts_s);
-  }
-
   std::size_t every_;
   ShownFixes& shown_;
   bool gap_ended_ = false;
@@ -83,6 +75,22 @@ ShownFixes shown_fixes(std::span<const Track> tracks, std::span<const Gap> gaps,
   }
   shown.error_m = adding.error_m();
   return shown;
+}
+
+std::vector<ShownRun> runs_of(const ShownFixes& shown) {
+  std::vector<ShownRun> runs;
+  auto absent = shown.absent_after.begin();
+  std::size_t begin = 0;
+  for (std::size_t bee = 0; bee < shown.counts.size(); ++bee) {
+    const std::size_t end = begin + shown.counts[bee];
+    for (; absent != shown.absent_after.end() && *absent < end; ++absent) {
+      runs.push_back({bee, begin, *absent + std::size_t{1}});
+      begin = runs.back().end;
+    }
+    if (begin < end) runs.push_back({bee, begin, end});
+    begin = end;
+  }
+  return runs;
 }
 
 }  // namespace beespace::report

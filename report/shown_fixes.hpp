@@ -20,11 +20,20 @@ struct ShownFixes {
   std::vector<Point> positions;
   std::vector<std::uint32_t> absent_after;  // fixes after which the bee is nowhere until the next
   double shortest_s = std::numeric_limits<double>::infinity();  // from one to the next of a bee
-  double fastest_mps = 0.0;                                     // between two of these
   double error_m = 0.0;  // how far from where it is shown a bee may be, between fixes too
 };
 
 // At most about `most` of them; of each bee the first and the last one, and those beside its gaps.
 ShownFixes shown_fixes(std::span<const Track> tracks, std::span<const Gap> gaps, std::size_t most);
+
+// The fixes from `begin` to before `end`, between which a bee is always somewhere.
+struct ShownRun {
+  std::size_t bee = 0;
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+// In the order of the fixes; none is empty.
+std::vector<ShownRun> runs_of(const ShownFixes& shown);
 
 }  // namespace beespace::report

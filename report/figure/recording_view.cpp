@@ -48,21 +48,11 @@ class ShownPath {
 std::vector<std::vector<Spot>> paths_of(const RecordingFacts& facts, const View& view) {
   const ShownFixes shown = shown_fixes(facts.tracks, facts.gaps, kMostFixes);
   std::vector<std::vector<Spot>> paths;
-  ShownPath path;
-  const auto end_path = [&] {
-    auto run = path.finish();
-    if (run.size() > 1) paths.push_back(std::move(run));
-  };
-  auto absent = shown.absent_after.begin();
-  std::size_t i = 0;
-  for (const std::uint32_t count : shown.counts) {
-    for (const std::size_t end = i + count; i < end; ++i) {
-      path.add(view.spot_of(shown.positions[i]));
-      if (absent == shown.absent_after.end() || *absent != i) continue;
-      ++absent;
-      end_path();
-    }
-    end_path();
+  for (const ShownRun& run : runs_of(shown)) {
+    ShownPath path;
+    for (std::size_t i = run.begin; i < run.end; ++i) path.add(view.spot_of(shown.positions[i]));
+    auto spots = path.finish();
+    if (spots.size() > 1) paths.push_back(std::move(spots));
   }
   return paths;
 }

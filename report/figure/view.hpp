@@ -39,8 +39,8 @@ struct View {
 };
 
 // From above with the same scale on both axes; from the side with heights drawn larger or smaller
-// where they would be a line or a tower, which its heading then says. `least_m` is what is shown of
-// a swarm without any extent. Widths and heights of panels are multiples of kViewStep.
+// where they would be a line or a tower, which its heading then says. Widths and heights of panels
+// are multiples of kViewStep.
 inline constexpr double kViewStep = 12.0;
 std::vector<View> views_of(const Extent& extent, const SwarmFacts& swarm, Spot corner,
                            double width);

@@ -46,17 +46,13 @@ MapTracks map_tracks(const RecordingFacts& facts, std::size_t most_tracks, std::
   for (const PointId bee : bees) tracks.push_back(facts.tracks[bee]);
   const ShownFixes shown = shown_fixes(tracks, gaps_of(bees, facts.gaps), most_fixes);
   MapTracks map;
-  auto absent = shown.absent_after.begin();
-  std::size_t i = 0;
-  for (std::size_t k = 0; k < bees.size(); ++k) {
-    MapTrack track{bees[k], {{}}};
-    for (const std::size_t end = i + shown.counts[k]; i < end; ++i) {
-      track.runs.back().push_back({shown.times_s[i], shown.positions[i]});
-      if (absent == shown.absent_after.end() || *absent != i) continue;
-      ++absent;
-      if (i + 1 < end) track.runs.emplace_back();
+  for (const ShownRun& run : runs_of(shown)) {
+    const PointId bee = bees[run.bee];
+    if (map.tracks.empty() || map.tracks.back().bee != bee) map.tracks.push_back({bee, {}});
+    std::vector<Fix>& fixes = map.tracks.back().runs.emplace_back();
+    for (std::size_t i = run.begin; i < run.end; ++i) {
+      fixes.push_back({shown.times_s[i], shown.positions[i]});
     }
-    map.tracks.push_back(std::move(track));
   }
   const auto with_fixes = static_cast<std::size_t>(
       std::count_if(facts.tracks.begin(), facts.tracks.end(),

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace beespace::report {
 namespace {
@@ -211,6 +212,18 @@ TEST(ShownFixes, NobodyIsNothing) {
   EXPECT_TRUE(none.counts.empty() && none.times_s.empty() && none.absent_after.empty());
   const ShownFixes absent = shown_of({Track{}, Track{}}, kNever, 10);
   EXPECT_EQ(absent.counts, (std::vector<std::uint32_t>{0, 0}));
+}
+
+TEST(RunsOf, EndAtGapsAndAtTheLastFixOfABee) {
+  ShownFixes shown;
+  shown.counts = {0, 4, 1, 0, 3, 2};
+  shown.absent_after = {1, 4, 5, 6};  // one of them after the last fix of a bee
+  std::vector<std::vector<std::size_t>> runs;
+  for (const ShownRun& run : runs_of(shown)) runs.push_back({run.bee, run.begin, run.end});
+  EXPECT_EQ(runs,
+            (std::vector<std::vector<std::size_t>>{
+                {1, 0, 2}, {1, 2, 4}, {2, 4, 5}, {4, 5, 6}, {4, 6, 7}, {4, 7, 8}, {5, 8, 10}}));
+  EXPECT_TRUE(runs_of({}).empty());
 }
 
 }  // namespace
