@@ -8,7 +8,6 @@
 #include "cli/seen/page_of.hpp"
 #include "cli/seen/seen_summary.hpp"
 #include "cli/standard_output.hpp"
-#include "cli/stopwatch.hpp"
 #include "cli/terminal.hpp"
 #include "cli/view/browser.hpp"
 #include "cli/view/page_server.hpp"
@@ -20,6 +19,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace beespace::cli {
@@ -52,13 +52,10 @@ Result<std::uint16_t> port_of(const std::string& text) {
   return usage_error(kName, "--port is '" + text + "'; give a number up to 65535, or 0 for any");
 }
 
-Result<ExitCode> view(const ViewOptions& options, const SeenRequest& request) {
-  const auto port = port_of(options.port);
-  if (!port) return port.error();
-  auto server = PageServer::open(*port);
-  if (!server) return std::move(server).error();
+// The whole page, and nothing of what it was made from: that is as large again, and the page is
+// served for long.
+Result<std::string> page_for(const ViewOptions& options, const SeenRequest& request) {
   ProgressBar progress(!request.moving.quiet);
-  Stopwatch watch;
   auto made = page_of(kName, request, options.report.compare, progress);
   if (!made) return std::move(made).error();
   std::string page;
@@ -69,6 +66,16 @@ Result<ExitCode> view(const ViewOptions& options, const SeenRequest& request) {
     for (const Seen& seen : made->seen) append_seen(text, seen);
     say(text);
   }
+  return page;
+}
+
+Result<ExitCode> view(const ViewOptions& options, const SeenRequest& request) {
+  const auto port = port_of(options.port);
+  if (!port) return port.error();
+  auto server = PageServer::open(*port);
+  if (!server) return std::move(server).error();
+  const auto page = page_for(options, request);
+  if (!page) return page.error();
   const std::string address = server->address();
   if (const ExitCode printed = print(address + "\n"); printed != ExitCode::kFine) return printed;
   const auto tell = [quiet = request.moving.quiet](bool opened) {
@@ -81,7 +88,7 @@ Result<ExitCode> view(const ViewOptions& options, const SeenRequest& request) {
   } else {
     open_in_browser(address, tell);
   }
-  server->serve(page);
+  server->serve(*page);
   return ExitCode::kFine;
 }
 
