@@ -45,7 +45,7 @@ function statement(shown: Shown & { swarm: Recording }, within_s: number, inConf
   const told_s = begins_s + within_s - since_s;
   const when = since_s > kMoment_s ? ` at ${formatTime(told_s, since_1970, decimalsWithin(ends_s - begins_s))}` : '';
   const pair = bees.map((bee) => isolate(names.of(bee), 20)).join(' and ');
-  return `${start}${risk} · closest two${when} ${formatBelow(of.distance_m[place], head.threshold_m, 3)} (${pair})`;
+  return `${start}${risk} · closest two ${formatBelow(of.distance_m[place], head.threshold_m, 3)}${when} (${pair})`;
 }
 
 function iconButton(name: Icon, label: string, key: string, act: () => void): HTMLButtonElement {
