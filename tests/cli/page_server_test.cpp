@@ -29,7 +29,7 @@ constexpr std::size_t kPageBytes = 32'000'000;
 class Served : public testing::Test {
  protected:
   void SetUp() override {
-    auto opened = PageServer::open(0, {milliseconds(400), milliseconds(10'000)});
+    auto opened = PageServer::open(0, {milliseconds(1'500), milliseconds(10'000)});
     ASSERT_TRUE(opened.has_value());
     server_ = std::make_unique<PageServer>(*std::move(opened));
     host_ = server_->address().substr(7);
@@ -59,10 +59,10 @@ class Served : public testing::Test {
 };
 
 TEST_F(Served, ASlowReaderGetsAllThoughItAskedLate) {
-  std::this_thread::sleep_for(milliseconds(200));
+  std::this_thread::sleep_for(milliseconds(300));
   asio::write(socket_,
               asio::buffer("GET / HTTP/1.1\r\nHost: " + host_ + "\r\nConnection: close\r\n\r\n"));
-  std::this_thread::sleep_for(milliseconds(800));
+  std::this_thread::sleep_for(milliseconds(1'600));
   EXPECT_GT(read_to_end(), kPageBytes);
 }
 

@@ -7,6 +7,7 @@
 #include <sys/time.h>
 #include <unistd.h>
 #include <array>
+#include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <cstdlib>
@@ -311,9 +312,13 @@ TEST_F(ViewOnDesktop, ABrowserThatIsWaitedForIsServed) {
       "printf 'GET / HTTP/1.1\\r\\nHost: %s\\r\\nConnection: close\\r\\n\\r\\n' "
       "\"$authority\" >&3\n"
       "cat <&3 >'" +
-      folder_.path("got") + "'\n");
+      folder_.path("part") + "'\nmv '" + folder_.path("part") + "' '" + folder_.path("got") +
+      "'\n");
   const auto viewing = view();
   EXPECT_EQ(told(*viewing), "Opened in the browser; Ctrl-C ends it.");
+  for (int k = 0; k < 1'000 && !std::filesystem::exists(folder_.path("got")); ++k) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));  // of a slow machine
+  }
   const std::string got = folder_.read("got");
   EXPECT_TRUE(got.starts_with("HTTP/1.1 200"));
   EXPECT_TRUE(got.ends_with(run({"report", folder_.path("bees.csv")}).out));
