@@ -86,7 +86,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     const bool only_head = request_.method() == http::verb::head;
     response_.body() =
         only_head ? beast::span<const char>() : beast::span<const char>(body.data(), body.size());
-    const auto more = std::chrono::seconds(body.size() / kSlowest_bytes_a_second);
+    const auto more = std::chrono::seconds(body.size() / kSlowest);
     stream_.expires_after(patience_.answer + more);
     http::async_write(stream_, response_,
                       [self = shared_from_this()](const beast::error_code& error, std::size_t) {
@@ -119,7 +119,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
         });
   }
 
-  static constexpr std::size_t kSlowest_bytes_a_second = 65'536;
+  static constexpr std::size_t kSlowest = 65'536;  // bytes a second
 
   beast::tcp_stream stream_;
   ServerPatience patience_;
