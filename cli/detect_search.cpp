@@ -14,7 +14,23 @@ namespace {
 
 using Closest = std::optional<ClosestPair>;
 
-// With a vertical threshold: who is closest of all may keep apart in height.
+// With a vertical threshold: who is closest of all may keep apart in height. Mostly it does not.
+Result<bool> is_in_conflict(Engine& engine, const std::vector<Point>& places, SearchOptions options,
+                            const ClosestPair& pair) {
+  const std::vector<Point> both{places[pair.first], places[pair.second]};
+  std::vector<double> heights_m;
+  if (!options.heights_m.empty()) {
+    heights_m = {options.heights_m[pair.first], options.heights_m[pair.second]};
+  }
+  options.heights_m = heights_m;
+  std::vector<PointId> at_risk;
+  if (Status found = engine.find_at_risk(both, options, at_risk); !found) {
+    return std::move(found).error();
+  }
+  return !at_risk.empty();
+}
+
+// Looks at every pair.
 Result<Closest> closest_pair_in_conflict(Engine& engine, const std::vector<Point>& places,
                                          const std::vector<Point>& points,
                                          const SearchOptions& options,
@@ -79,11 +95,17 @@ Result<Detection> search(const Inputs& inputs, const DetectRequest& request) {
   const Status at_risk = find_at_risk(engine, inputs, points, options, detection.at_risk);
   if (!at_risk) return at_risk.error();
   if (!request.quiet || request.form == Form::kJson || request.report->needs_closest) {
-    const bool apart = options.vertical_m && !detection.at_risk.empty();
-    auto closest = apart ? closest_pair_in_conflict(engine, points, inputs.ours.points, options,
-                                                    detection.at_risk)
-                         : closest_pair(engine, inputs, detection.at_risk, request.search);
+    auto closest = closest_pair(engine, inputs, detection.at_risk, request.search);
     if (!closest) return std::move(closest).error();
+    if (options.vertical_m && !detection.at_risk.empty()) {
+      const auto conflict = is_in_conflict(engine, points, options, **closest);
+      if (!conflict) return conflict.error();
+      if (!*conflict) {
+        closest = closest_pair_in_conflict(engine, points, inputs.ours.points, options,
+                                           detection.at_risk);
+        if (!closest) return std::move(closest).error();
+      }
+    }
     detection.closest = *closest;
   }
   const Question question{engine,
