@@ -33,8 +33,9 @@ class Shown {
       for (std::size_t left_out = last + 1; left_out < i; ++left_out) {
         bend_m_ = std::max(bend_m_, off_the_line(fixes[last], fixes[i], fixes[left_out]));
       }
-      if (i > 0)
+      if (i > 0) {
         shown_.shortest_s = std::min(shown_.shortest_s, fixes[i].time_s - fixes[last].time_s);
+      }
       shown_.times_s.push_back(fixes[i].time_s);
       shown_.positions.push_back(fixes[i].position);
       if (gap_begins) {

@@ -204,11 +204,10 @@ export function selectionPanel(all: Shown[], choices: Choices, now: Now, actions
     }
     const { names } = home.swarm;
     const name = names.of(selected.bee);
-    const place = `#${formatCount(selected.bee)}`;
     const number =
       name === String(selected.bee)
         ? null
-        : element('span', { class: 'quiet', title: 'Its place in the input, counted from 0' }, ` ${place}`);
+        : element('span', { class: 'quiet', title: 'Its place in the input, counted from 0' }, ` #${formatCount(selected.bee)}`);
     const lists = all.map((shown) => {
       const bee = counterpart(home.swarm, selected.bee, shown.swarm);
       const list = bee === null ? null : neighbourList(shown, bee, shown === home ? selected.place : null, actions);

@@ -35,10 +35,12 @@ function statement(shown: Shown & { swarm: Recording }, within_s: number, inConf
   const risk = `${formatCount(inConflict)} in conflict`;
   const exact = closestAt(shown.swarm, within_s);
   const sample = sampleAt(separation.time_s, within_s);
-  const [of, place] = exact >= 0 ? [conflicts, exact] : [separation, sample];
+  // Others may be closer to each other in that moment.
+  const closest = exact >= 0 && (sample < 0 || conflicts.distance_m[exact] <= separation.distance_m[sample]);
+  const [of, place] = closest ? [conflicts, exact] : [separation, sample];
   if (place < 0) return start + risk;
   // Between two samples the earlier one is told, with its time; of those who have gone since, nothing.
-  const since_s = exact >= 0 ? 0 : within_s - separation.time_s[sample];
+  const since_s = closest ? 0 : within_s - separation.time_s[sample];
   const bees = [of.first[place], of.second[place]];
   if (since_s < -kMoment_s || !bees.every((bee) => shown.swarm.fixes.isThere(bee, within_s))) return start + risk;
   const { begins_s, ends_s, since_1970 } = head.time;

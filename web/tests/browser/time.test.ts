@@ -106,3 +106,9 @@ pageTest('says nothing of two who are away', 'again', {}, async ({ page }) => {
   assert.doesNotMatch(says, /\ba\b.*and.*\bb\b/);
   assert.match(says, /^0 in conflict/);
 });
+
+pageTest('says who is closest, also where others are chosen', 'again', {}, async ({ page }) => {
+  // In its closest moment, with 4 m, a and b are 3 m apart.
+  await page.locator('.pairs tbody tr').filter({ hasText: 'c' }).click();
+  assert.match((await page.locator('.time-says').innerText()).replaceAll('\u202f', ' '), /closest two 3\.00 m/);
+});
