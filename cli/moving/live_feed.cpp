@@ -4,13 +4,12 @@
 #include "io/json_text.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace beespace::cli {
 
 LiveFeed::LiveFeed(const SwarmOptions& options, double every_s, Tell tell)
-    : swarm_(options), every_s_(every_s), tell_(std::move(tell)) {
+    : swarm_(options), times_(every_s), tell_(std::move(tell)) {
 }
 
 PointId LiveFeed::number(std::string_view id, std::string_view label) {
@@ -43,16 +42,14 @@ Status LiveFeed::take(const Report& report) {
 }
 
 Status LiveFeed::pass_on(const Report& report) {
-  const double looks = std::floor(report.time_s / every_s_);
-  // Beyond what counts look by look: one look a report.
-  constexpr double kMost = 1e15;
-  if (std::abs(looks) < kMost) {
-    const auto passed = static_cast<std::int64_t>(looks);
-    if (!looks_) looks_ = passed;
-    if (passed > *looks_) {
-      looks_ = passed;
-      if (auto done = look(static_cast<double>(passed) * every_s_); !done) return done;
-    }
+  // More looks than can be counted: one at each new time.
+  const auto number = times_.last_before(report.time_s);
+  if (!looks_) looks_ = number.value_or(0);
+  if (number && *number > *looks_) {
+    looks_ = number;
+    if (auto done = look(times_.at(*number)); !done) return done;
+  } else if (!number && latest_s_ && report.time_s > *latest_s_) {
+    if (auto done = look(*latest_s_); !done) return done;
   }
   Status taken = swarm_.update(report);
   idle_s_ = 0.0;

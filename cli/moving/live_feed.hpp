@@ -2,9 +2,11 @@
 // same for `watch` and for `replay --report events`.
 //
 // The swarm is looked at every so often by the clock of the reports, not by that of the wall, so
-// the same reports give the same events however fast they come.
+// the same reports give the same events however fast they come. A look is taken once a report of a
+// later time comes: then those of its own time are in.
 #pragma once
 
+#include "cli/moving/look_times.hpp"
 #include "cli/moving/rows.hpp"
 
 #include <beespace/result.hpp>
@@ -29,7 +31,10 @@ class LiveFeed {
 
   LiveFeed(const SwarmOptions& options, double every_s, Tell tell);
 
-  // Sees the time of each look from now on, once its events have been told.
+  // Sees the time of each look from now on, once its events have been told. Reports of that time
+  // are in, and of later times none but those of clocks that are ahead; at the end of the input,
+  // or where nothing comes for a while, a look may be at any time, and at the time of the one
+  // before.
   using Looked = std::function<void(double time_s)>;
   void after_each_look(Looked looked) { looked_ = std::move(looked); }
 
@@ -37,10 +42,10 @@ class LiveFeed {
   PointId number(std::string_view id, std::string_view label);
   [[nodiscard]] const BeeName& name(PointId number) const { return names_[number]; }
 
-  // Takes a report, after looking at the swarm where its time has come. Times may go back a little:
-  // nobody looks again. One that is far ahead of all before waits for another that bears it out, or
-  // one wrong clock would make everybody else stale; otherwise it is left out. Errors: as
-  // Swarm::update and Swarm::advance.
+  // Takes a report, after looking at the swarm where the time of a look has passed. Times may go
+  // back a little: nobody looks again. One that is far ahead of all before waits for another that
+  // bears it out, or one wrong clock would make everybody else stale; otherwise it is left out.
+  // Errors: as Swarm::update and Swarm::advance.
   Status take(const Report& report);
 
   // Nothing has come for so long: looks, as if the clock of the reports went on like ours.
@@ -67,10 +72,10 @@ class LiveFeed {
   Status pass_on(const Report& report);
 
   Swarm swarm_;
-  double every_s_;
+  LookTimes times_;
   Tell tell_;
   Looked looked_;
-  std::optional<std::int64_t> looks_;  // how many every_s_ have passed at the last look
+  std::optional<std::int64_t> looks_;  // the number of the last
   std::optional<double> latest_s_;     // of all reports
   std::optional<Report> waiting_;      // far ahead of these
   std::uint64_t ahead_ = 0;
