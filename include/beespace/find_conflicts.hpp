@@ -41,6 +41,11 @@ struct ConflictOptions {
 
   // More conflicts than this are an error, kTooManyResults.
   std::uint64_t max_results = std::numeric_limits<std::uint64_t>::max();
+
+  // How many metres one unit of heights is that are kept apart from positions, where these are not
+  // metres: 0.3048 for feet. Then `vertical_m` and climb rates are in that unit too, and compared
+  // with the heights as they are, exactly; distances that are told are in metres all the same.
+  double height_unit_m = 1.0;
 };
 
 // Between which of its fixes a bee counts as absent.

@@ -48,6 +48,11 @@ struct SwarmOptions {
 
   // How many threads may work, the calling one included; 0 means one per processor.
   unsigned threads = 1;
+
+  // How many metres one unit of heights is that are apart, where these are not
+  // metres: 0.3048 for feet. Then `vertical_m` and climb rates are in that unit too, and compared
+  // with the heights as they are, exactly; distances that are told are in metres all the same.
+  double height_unit_m = 1.0;
 };
 
 // One message: where a bee was at a time, and how fast it went, where that is known.

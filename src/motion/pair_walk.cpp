@@ -65,7 +65,7 @@ std::optional<PairWalk::Stretch> PairWalk::walk_window(const Piece& first, const
   const ConflictReport report = report_conflict(motion, outer, lasts);
   const auto clock = [&](double since) { return std::min(window.begins_s + since, window.ends_s); };
   const auto distance = [&](double since) {
-    return closest_within(motion, {since, since}).distance_m;
+    return closest_within(in_metres(motion, outer), {since, since}).distance_m;
   };
   if (!state.open) {
     state.open.emplace();

@@ -50,6 +50,12 @@ RelativeMotion<4> relative_motion(const State& a, const State& b) {
   return motion;
 }
 
+RelativeMotion<4> in_metres(RelativeMotion<4> motion, const Separation& separation) {
+  motion.r[3] *= separation.height_unit_m;
+  motion.w[3] *= separation.height_unit_m;
+  return motion;
+}
+
 namespace {
 
 ConflictReport report_of(const TimeSpan& span, const Nearness& nearest) {
@@ -79,7 +85,8 @@ ConflictReport report_conflict(const RelativeMotion<4>& motion, const Separation
                                double horizon_s) {
   const TimeSpan span = conflict_span(motion, separation, horizon_s);
   const TimeSpan whole{0.0, horizon_s};
-  return report_of(span, closest_within(motion, separation.vertical_m ? span : whole));
+  return report_of(
+      span, closest_within(in_metres(motion, separation), separation.vertical_m ? span : whole));
 }
 
 std::optional<ConflictReport> conflict_of(const State& a, const State& b,

@@ -40,6 +40,8 @@ struct Separation {
   std::optional<double> vertical_m = {};
   bool inclusive = false;
   bool heights_apart = false;  // what counts in height is on the fourth axis, not on the third
+  // The fourth axis and vertical_m count in units of so many metres: for what is told.
+  double height_unit_m = 1.0;
 
   [[nodiscard]] std::size_t vertical_axis() const { return heights_apart ? 3 : 2; }
   // Whoever is farther apart is not in conflict: cylinders lie in spheres. Where heights are apart,
@@ -52,13 +54,17 @@ struct Separation {
 // Of PredictOptions or ConflictOptions.
 template <class Options>
 Separation separation_of(const Options& options, bool heights_apart = false) {
-  return {options.threshold_m, options.vertical_m, options.inclusive, heights_apart};
+  return {options.threshold_m, options.vertical_m, options.inclusive, heights_apart,
+          options.height_unit_m};
 }
 
 // Whether two bees in constant motion are in conflict at some instant of [0, horizon]: exact.
 bool in_conflict(const State& a, const State& b, const Separation& separation, double horizon_s);
 
 RelativeMotion<4> relative_motion(const State& a, const State& b);
+
+// The same with heights that are apart in metres too, rounded: for distances.
+RelativeMotion<4> in_metres(RelativeMotion<4> motion, const Separation& separation);
 
 // Of two who are in conflict: from when to when, and closest in between.
 struct ConflictReport {

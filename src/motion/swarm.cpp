@@ -21,6 +21,7 @@ namespace {
 std::optional<Error> check(const SwarmOptions& options) {
   if (auto error = motion::check_separation(options.threshold_m, options.vertical_m)) return error;
   if (auto error = motion::check_heights(options.heights_apart, options.vertical_m)) return error;
+  if (auto error = motion::check_height_unit(options.height_unit_m)) return error;
   const auto good = [](double value, double least) {
     return value >= least && motion::in_motion_domain(value);
   };
@@ -35,7 +36,8 @@ std::optional<Error> check(const SwarmOptions& options) {
 }
 
 motion::Separation separation_of(const SwarmOptions& options, double factor) {
-  motion::Separation separation{options.threshold_m * factor, {}, false, options.heights_apart};
+  motion::Separation separation{
+      options.threshold_m * factor, {}, false, options.heights_apart, options.height_unit_m};
   if (options.vertical_m) separation.vertical_m = *options.vertical_m * factor;
   return separation;
 }

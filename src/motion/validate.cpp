@@ -69,8 +69,17 @@ std::optional<Error> check_heights(bool given, const std::optional<double>& vert
                {}};
 }
 
+std::optional<Error> check_height_unit(double height_unit_m) {
+  if (height_unit_m > 0.0 && in_motion_domain(height_unit_m)) return std::nullopt;
+  return Error{ErrorCode::kInvalidArgument,
+               "the unit of heights is " + shown(height_unit_m) +
+                   " m; give how many metres one is, above zero (0.3048 for feet)",
+               {}};
+}
+
 std::optional<Error> check_options(const PredictOptions& options) {
   if (auto error = check_separation(options.threshold_m, options.vertical_m)) return error;
+  if (auto error = check_height_unit(options.height_unit_m)) return error;
   if (options.horizon_s >= 0.0 && in_motion_domain(options.horizon_s)) return std::nullopt;
   return Error{ErrorCode::kInvalidArgument,
                "the horizon is " + shown(options.horizon_s) +
@@ -80,6 +89,7 @@ std::optional<Error> check_options(const PredictOptions& options) {
 
 std::optional<Error> check_options(const ConflictOptions& options) {
   if (auto error = check_separation(options.threshold_m, options.vertical_m)) return error;
+  if (auto error = check_height_unit(options.height_unit_m)) return error;
   if (options.max_gap_s > 0.0) return std::nullopt;
   return Error{ErrorCode::kInvalidArgument,
                "the greatest gap is " + shown(options.max_gap_s) + " s; give a time above zero",

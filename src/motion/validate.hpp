@@ -17,6 +17,7 @@ bool in_motion_domain(double value);
 std::optional<Error> check_separation(double threshold_m, const std::optional<double>& vertical_m);
 // Heights apart from positions are there for a vertical threshold.
 std::optional<Error> check_heights(bool given, const std::optional<double>& vertical_m);
+std::optional<Error> check_height_unit(double height_unit_m);
 std::optional<Error> check_options(const PredictOptions& options);
 std::optional<Error> check_options(const ConflictOptions& options);
 
