@@ -39,6 +39,7 @@ LoopOptions options_of(const Run& run) {
   options.limits = {kSpeed_mps, run.acceleration_mps2};
   options.advice.threshold_m = kThreshold_m;
   options.advice.step_s = 0.1;
+  options.advice.clearance_m = 1.0;
   options.advice.threads = run.threads;
   options.arrived_m = 0.5 * kThreshold_m;
   return options;

@@ -23,10 +23,13 @@ namespace beespace::cli {
 namespace {
 
 constexpr const char* kName = "verify";
+// Where neither an option nor the input says what is too close.
+constexpr double kDefaultVerified_m = 5.0;
+constexpr double kDefaultClearance_m = 1.0;
 
 struct VerifyRequest {
   MovingRequest moving;
-  VerifyOptions check;    // the threshold is the default, the obstacles are not there yet
+  VerifyOptions check;    // the threshold and the obstacles are not there yet
   std::string obstacles;  // a file; empty for none
 };
 
@@ -54,7 +57,7 @@ Result<VerifyRequest> request_of(const VerifyCommandOptions& options) {
   if (*clearance && options.obstacles.empty()) {
     return usage_error(kName, "--clearance is of obstacles, and there are none; add --obstacles");
   }
-  check.clearance_m = clearance->value_or(check.clearance_m);
+  check.clearance_m = clearance->value_or(kDefaultClearance_m);
   check.straight = options.straight;
   check.threads = moving->threads;
   return VerifyRequest{*std::move(moving), check, options.obstacles};
@@ -141,7 +144,7 @@ Result<ExitCode> verify(const VerifyRequest& request) {
   const auto motion = settle_motion(*recording, accelerations, check);
   if (!motion) return motion.error();
   check.threshold_m =
-      moving.threshold_m.value_or(recording->declared_threshold_m.value_or(check.threshold_m));
+      moving.threshold_m.value_or(recording->declared_threshold_m.value_or(kDefaultVerified_m));
   if (!request.obstacles.empty()) check.obstacles = &*obstacles;
   const double read_s = watch.lap();
 

@@ -13,6 +13,7 @@
 
 #include <beespace/export.hpp>
 #include <beespace/mover.hpp>
+#include <beespace/not_given.hpp>
 #include <beespace/obstacle.hpp>
 #include <beespace/pairs.hpp>
 #include <beespace/point.hpp>
@@ -50,8 +51,8 @@ enum class AdviseMethod : std::uint8_t {
 };
 
 struct AdviseOptions {
-  // Metres: nobody shall come closer than this to anybody.
-  double threshold_m = 5.0;
+  // Metres: nobody shall come closer than this to anybody. Must be given.
+  double threshold_m = kNotGiven;
 
   // Seconds: until the next advice. All bees begin it at the same time.
   double step_s = 0.1;
@@ -62,9 +63,9 @@ struct AdviseOptions {
   double uncertainty_m = 0.0;
 
   // What stands in the way; not owned, and null for nothing. Nobody shall come closer to it than
-  // the clearance, in metres, above zero.
+  // the clearance, in metres, above zero; it must be given where there are obstacles.
   const ObstacleMap* obstacles = nullptr;
-  double clearance_m = 1.0;
+  double clearance_m = kNotGiven;
 
   // Who flies among the bees and does not do as advised; not owned. Everybody gives way to them, as
   // if they flew straight on for so many seconds, above zero. Nothing is promised about them.
@@ -170,6 +171,6 @@ class BEESPACE_API Adviser {
 // The same once.
 BEESPACE_API Result<Advised> advise(const MoversView& movers, std::span<const Velocity> preferred,
                                     std::span<const FlightLimits> limits,
-                                    const AdviseOptions& options = {});
+                                    const AdviseOptions& options);
 
 }  // namespace beespace

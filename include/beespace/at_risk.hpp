@@ -26,13 +26,13 @@ namespace beespace {
 // Errors: kInvalidThreshold, kTooManyPoints; kNotFinite and kOutsideDomain with the first such
 // point in place.record.
 BEESPACE_API Result<std::vector<PointId>> find_at_risk(const PointsView& points,
-                                                       const SearchOptions& options = {});
+                                                       const SearchOptions& options);
 
 // The ids of those `points` that are closer than the threshold to any of `others`, ascending: our
 // swarm against theirs, or against fixed obstacles. Points of the same set do not count. Costs and
 // errors as above; an error about `others` names them in place.source.
 BEESPACE_API Result<std::vector<PointId>> find_at_risk_between(const PointsView& points,
                                                                const PointsView& others,
-                                                               const SearchOptions& options = {});
+                                                               const SearchOptions& options);
 
 }  // namespace beespace

@@ -17,6 +17,7 @@
 #include <beespace/mover.hpp>
 #include <beespace/nearest.hpp>
 #include <beespace/neighbors.hpp>
+#include <beespace/not_given.hpp>
 #include <beespace/obstacle.hpp>
 #include <beespace/pairs.hpp>
 #include <beespace/point.hpp>

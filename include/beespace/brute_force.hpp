@@ -16,30 +16,29 @@
 namespace beespace::brute_force {
 
 BEESPACE_API Result<std::vector<PointId>> find_at_risk(const PointsView& points,
-                                                       const SearchOptions& options = {});
+                                                       const SearchOptions& options);
 BEESPACE_API Result<std::vector<PointId>> find_at_risk_between(const PointsView& points,
                                                                const PointsView& others,
-                                                               const SearchOptions& options = {});
+                                                               const SearchOptions& options);
 
 BEESPACE_API Result<std::vector<Pair>> find_pairs(const PointsView& points,
-                                                  const SearchOptions& options = {});
+                                                  const SearchOptions& options);
 BEESPACE_API Result<std::vector<Pair>> find_pairs_between(const PointsView& points,
                                                           const PointsView& others,
-                                                          const SearchOptions& options = {});
+                                                          const SearchOptions& options);
 
-BEESPACE_API Result<IdRows> find_neighbors(const PointsView& points,
-                                           const SearchOptions& options = {});
+BEESPACE_API Result<IdRows> find_neighbors(const PointsView& points, const SearchOptions& options);
 BEESPACE_API Result<IdRows> find_neighbors_between(const PointsView& points,
                                                    const PointsView& others,
-                                                   const SearchOptions& options = {});
+                                                   const SearchOptions& options);
 
 BEESPACE_API Result<std::vector<std::uint32_t>> count_neighbors(const PointsView& points,
-                                                                const SearchOptions& options = {});
+                                                                const SearchOptions& options);
 BEESPACE_API Result<std::vector<std::uint32_t>> count_neighbors_between(
-    const PointsView& points, const PointsView& others, const SearchOptions& options = {});
+    const PointsView& points, const PointsView& others, const SearchOptions& options);
 
 BEESPACE_API Result<IdRows> find_conflict_groups(const PointsView& points,
-                                                 const SearchOptions& options = {});
+                                                 const SearchOptions& options);
 
 BEESPACE_API Result<std::optional<ClosestPair>> find_closest_pair(const PointsView& points);
 BEESPACE_API Result<std::optional<ClosestPair>> find_closest_pair_between(const PointsView& points,
@@ -47,16 +46,17 @@ BEESPACE_API Result<std::optional<ClosestPair>> find_closest_pair_between(const 
 
 BEESPACE_API Result<std::vector<Nearest>> find_nearest(const PointsView& points);
 BEESPACE_API Result<std::vector<Nearest>> find_nearest_within(const PointsView& points,
-                                                              const SearchOptions& options = {});
+                                                              const SearchOptions& options);
 BEESPACE_API Result<std::vector<Nearest>> find_nearest_between(const PointsView& points,
                                                                const PointsView& others);
-BEESPACE_API Result<std::vector<Nearest>> find_nearest_within_between(
-    const PointsView& points, const PointsView& others, const SearchOptions& options = {});
+BEESPACE_API Result<std::vector<Nearest>> find_nearest_within_between(const PointsView& points,
+                                                                      const PointsView& others,
+                                                                      const SearchOptions& options);
 
 BEESPACE_API Result<std::vector<Conflict>> predict_conflicts(const MoversView& movers,
-                                                             const PredictOptions& options = {});
+                                                             const PredictOptions& options);
 
 BEESPACE_API Result<RecordedConflicts> find_conflicts(std::span<const Track> tracks,
-                                                      const ConflictOptions& options = {});
+                                                      const ConflictOptions& options);
 
 }  // namespace beespace::brute_force

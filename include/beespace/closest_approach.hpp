@@ -8,6 +8,7 @@
 #include <beespace/conflict.hpp>
 #include <beespace/export.hpp>
 #include <beespace/mover.hpp>
+#include <beespace/not_given.hpp>
 #include <beespace/result.hpp>
 
 #include <cstdint>
@@ -18,8 +19,8 @@ namespace beespace {
 
 struct PredictOptions {
   // Metres. Two bees conflict when their distance is below it; with `vertical_m`, their horizontal
-  // distance.
-  double threshold_m = 100.0;
+  // distance. Must be given.
+  double threshold_m = kNotGiven;
 
   // Metres. Given, two bees conflict when they are closer than the threshold horizontally (in x and
   // y) and closer than this in height (z), both at the same time.
@@ -60,6 +61,6 @@ struct Approach {
 // kNotFinite and kOutsideDomain (the motion domain, see mover.hpp) with 0 for `first` and 1 for
 // `second` in place.record.
 BEESPACE_API Result<Approach> closest_approach(const Mover& first, const Mover& second,
-                                               const PredictOptions& options = {});
+                                               const PredictOptions& options);
 
 }  // namespace beespace

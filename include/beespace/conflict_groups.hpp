@@ -19,6 +19,6 @@ namespace beespace {
 // Cost: as find_pairs, but crowds are joined cell by cell: a million points at one place cost no
 // more than a million elsewhere. Errors: as find_at_risk.
 BEESPACE_API Result<IdRows> find_conflict_groups(const PointsView& points,
-                                                 const SearchOptions& options = {});
+                                                 const SearchOptions& options);
 
 }  // namespace beespace

@@ -8,6 +8,7 @@
 
 #include <beespace/conflict.hpp>
 #include <beespace/export.hpp>
+#include <beespace/not_given.hpp>
 #include <beespace/result.hpp>
 #include <beespace/track.hpp>
 
@@ -21,8 +22,8 @@ namespace beespace {
 
 struct ConflictOptions {
   // Metres. Two bees conflict when their distance is below it; with `vertical_m`, their horizontal
-  // distance.
-  double threshold_m = 100.0;
+  // distance. Must be given.
+  double threshold_m = kNotGiven;
 
   // Metres. Given, two bees conflict when they are closer than the threshold horizontally (in x and
   // y) and closer than this in height (z), both at the same time.
@@ -73,7 +74,7 @@ struct RecordedConflicts {
 // kTimeOrder, with the track in place.record and the fix in the message; kTooManyPoints for more
 // tracks than ids, kTooManyResults. A track without fixes is a bee that never appears.
 BEESPACE_API Result<RecordedConflicts> find_conflicts(std::span<const Track> tracks,
-                                                      const ConflictOptions& options = {});
+                                                      const ConflictOptions& options);
 
 // Of all the time in which two of the tracks are there: when which two are closest in a straight
 // line, and how close. Nothing where no two are there at the same time. The times of the span are

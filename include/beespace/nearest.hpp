@@ -60,13 +60,14 @@ BEESPACE_API Result<std::vector<Nearest>> find_nearest(const PointsView& points,
 // The same among those closer than the threshold; nobody where there is none.
 // Errors: as find_at_risk.
 BEESPACE_API Result<std::vector<Nearest>> find_nearest_within(const PointsView& points,
-                                                              const SearchOptions& options = {});
+                                                              const SearchOptions& options);
 
 // For every one of `points` the nearest of `others`, in the two ways above.
 BEESPACE_API Result<std::vector<Nearest>> find_nearest_between(const PointsView& points,
                                                                const PointsView& others,
                                                                unsigned threads = 1);
-BEESPACE_API Result<std::vector<Nearest>> find_nearest_within_between(
-    const PointsView& points, const PointsView& others, const SearchOptions& options = {});
+BEESPACE_API Result<std::vector<Nearest>> find_nearest_within_between(const PointsView& points,
+                                                                      const PointsView& others,
+                                                                      const SearchOptions& options);
 
 }  // namespace beespace

@@ -19,20 +19,19 @@ namespace beespace {
 // Cost: some tens of nanoseconds a point, and about ten a neighbour. Memory: 48 bytes a point, and
 // 12 a neighbour. Errors: as find_at_risk; kTooManyResults when all rows together hold more than
 // options.max_results.
-BEESPACE_API Result<IdRows> find_neighbors(const PointsView& points,
-                                           const SearchOptions& options = {});
+BEESPACE_API Result<IdRows> find_neighbors(const PointsView& points, const SearchOptions& options);
 
 // Row i holds the ids of those `others` that are closer than the threshold to points[i].
 BEESPACE_API Result<IdRows> find_neighbors_between(const PointsView& points,
                                                    const PointsView& others,
-                                                   const SearchOptions& options = {});
+                                                   const SearchOptions& options);
 
 // How many other points are closer than the threshold to each point: the lengths of the rows above,
 // without the rows. Memory: 44 bytes a point. Errors: as find_at_risk.
 BEESPACE_API Result<std::vector<std::uint32_t>> count_neighbors(const PointsView& points,
-                                                                const SearchOptions& options = {});
+                                                                const SearchOptions& options);
 
 BEESPACE_API Result<std::vector<std::uint32_t>> count_neighbors_between(
-    const PointsView& points, const PointsView& others, const SearchOptions& options = {});
+    const PointsView& points, const PointsView& others, const SearchOptions& options);
 
 }  // namespace beespace

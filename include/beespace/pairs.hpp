@@ -30,12 +30,12 @@ struct Pair {
 // Cost: some tens of nanoseconds a point, and ten to thirty a pair. Memory: 40 bytes a point, and
 // 16 a pair. Errors: as find_at_risk; kTooManyResults when there are more than options.max_results.
 BEESPACE_API Result<std::vector<Pair>> find_pairs(const PointsView& points,
-                                                  const SearchOptions& options = {});
+                                                  const SearchOptions& options);
 
 // All pairs of one of `points` (first) and one of `others` (second), in ascending order.
 BEESPACE_API Result<std::vector<Pair>> find_pairs_between(const PointsView& points,
                                                           const PointsView& others,
-                                                          const SearchOptions& options = {});
+                                                          const SearchOptions& options);
 
 // Sees pairs by the batch; returns whether to go on.
 using PairVisitor = std::function<bool(std::span<const Pair>)>;

@@ -21,7 +21,7 @@ namespace beespace {
 //
 // Errors: as closest_approach, with the mover in place.record; kTooManyPoints, kTooManyResults.
 BEESPACE_API Result<std::vector<Conflict>> predict_conflicts(const MoversView& movers,
-                                                             const PredictOptions& options = {});
+                                                             const PredictOptions& options);
 
 // Who they are, without when and how close: the pairs of predict_conflicts, in the same order. Over
 // a short time this costs little more than the search of one snapshot: for asking, with every new
@@ -29,6 +29,6 @@ BEESPACE_API Result<std::vector<Conflict>> predict_conflicts(const MoversView& m
 //
 // Errors: as predict_conflicts.
 BEESPACE_API Result<std::vector<Pair>> predict_pairs(const MoversView& movers,
-                                                     const PredictOptions& options = {});
+                                                     const PredictOptions& options);
 
 }  // namespace beespace

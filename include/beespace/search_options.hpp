@@ -1,6 +1,8 @@
 // What every search needs to know: how close is too close, and how much of the machine to use.
 #pragma once
 
+#include <beespace/not_given.hpp>
+
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -10,8 +12,8 @@ namespace beespace {
 
 struct SearchOptions {
   // Metres. Two points conflict when their distance is below it. Finite and above zero, inside
-  // the coordinate domain (see point.hpp).
-  double threshold_m = 100.0;
+  // the coordinate domain (see point.hpp). Must be given: there is no default.
+  double threshold_m = kNotGiven;
 
   // Whether a distance of exactly the threshold counts as too close: "<=" instead of "<".
   bool inclusive = false;

@@ -18,6 +18,7 @@
 
 #include <beespace/export.hpp>
 #include <beespace/mover.hpp>
+#include <beespace/not_given.hpp>
 #include <beespace/point.hpp>
 #include <beespace/result.hpp>
 
@@ -29,8 +30,8 @@
 namespace beespace {
 
 struct SwarmOptions {
-  // Metres, as in ConflictOptions.
-  double threshold_m = 100.0;
+  // Metres, as in ConflictOptions. Must be given.
+  double threshold_m = kNotGiven;
   std::optional<double> vertical_m = {};
 
   // With vertical_m: heights are those that reports give apart from their positions, not z (as in
@@ -107,7 +108,7 @@ struct LiveMover {
 class BEESPACE_API Swarm {
  public:
   // Errors of a swarm with options that make no sense come from every call.
-  explicit Swarm(const SwarmOptions& options = {});
+  explicit Swarm(const SwarmOptions& options);
   Swarm(const Swarm&) = delete;
   Swarm& operator=(const Swarm&) = delete;
   Swarm(Swarm&&) noexcept;

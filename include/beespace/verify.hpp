@@ -11,6 +11,7 @@
 
 #include <beespace/export.hpp>
 #include <beespace/mover.hpp>
+#include <beespace/not_given.hpp>
 #include <beespace/obstacle.hpp>
 #include <beespace/pairs.hpp>
 #include <beespace/result.hpp>
@@ -26,13 +27,14 @@ namespace beespace {
 
 struct VerifyOptions {
   // Metres: who comes closer than this to another one has lost separation. What rounding cannot
-  // exclude counts as lost, so two who are exactly the threshold apart may.
-  double threshold_m = 5.0;
+  // exclude counts as lost, so two who are exactly the threshold apart may. Must be given.
+  double threshold_m = kNotGiven;
 
   // What stands in the way; not owned, and null for nothing. Who comes closer to it than the
-  // clearance, in metres, above zero, has lost it; again what rounding cannot exclude.
+  // clearance, in metres, above zero, has lost it; again what rounding cannot exclude. It must be
+  // given where there are obstacles.
   const ObstacleMap* obstacles = nullptr;
-  double clearance_m = 1.0;
+  double clearance_m = kNotGiven;
 
   // What everybody can do; infinite: not checked. Speeds and accelerations are those of the curves,
   // and may be above these by a billionth, and by what the rounding of the given positions and

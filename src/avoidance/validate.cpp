@@ -17,6 +17,19 @@ Error invalid(std::string message) {
   return {ErrorCode::kInvalidArgument, std::move(message), {}};
 }
 
+std::optional<Error> check_clearance(const AdviseOptions& options) {
+  const double clearance_m = options.clearance_m;
+  if (std::isnan(clearance_m)) {
+    if (options.obstacles == nullptr) return std::nullopt;
+    return invalid(
+        "there are obstacles, and the clearance from them is not given (or is not a number); say "
+        "in metres how close is too close");
+  }
+  if (clearance_m > 0.0 && motion::in_motion_domain(clearance_m)) return std::nullopt;
+  return invalid("the clearance is " + shown(clearance_m) +
+                 " m; give a finite distance above zero");
+}
+
 std::optional<Error> check_options(const AdviseOptions& options) {
   if (auto error = motion::check_separation(options.threshold_m, std::nullopt)) return error;
   if (!(options.step_s > 0.0) || !motion::in_motion_domain(options.step_s)) {
@@ -26,10 +39,7 @@ std::optional<Error> check_options(const AdviseOptions& options) {
     return invalid("the uncertainty is " + shown(options.uncertainty_m) +
                    " m; give a finite distance, zero or more");
   }
-  if (!(options.clearance_m > 0.0) || !motion::in_motion_domain(options.clearance_m)) {
-    return invalid("the clearance is " + shown(options.clearance_m) +
-                   " m; give a finite distance above zero");
-  }
+  if (auto error = check_clearance(options)) return error;
   const double horizon_s = options.intruder_horizon_s;
   if (!(horizon_s > 0.0) || !motion::in_motion_domain(horizon_s)) {
     return invalid("the horizon of intruders is " + shown(horizon_s) +

@@ -19,12 +19,15 @@ class Pairing {
   Pairing(const PointsView& points, const PointsView& others)
       : points_(points), others_(others), alone_(false) {}
 
-  [[nodiscard]] std::optional<Error> check(const SearchOptions& options = {}) const {
+  [[nodiscard]] std::optional<Error> check(const SearchOptions& options) const {
     if (auto error = core::check_options(options)) return error;
     if (auto error = alone_ ? core::check_vertical(options, points_.size())
                             : core::check_no_vertical(options)) {
       return error;
     }
+    return check();
+  }
+  [[nodiscard]] std::optional<Error> check() const {
     if (auto error = core::check_set(points_, alone_ ? "" : core::kPointsName)) return error;
     if (alone_) return std::nullopt;
     return core::check_set(others_, core::kOthersName);

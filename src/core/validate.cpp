@@ -11,9 +11,16 @@ std::string shown(double value) {
   return text;
 }
 
+Error threshold_not_given() {
+  return {ErrorCode::kInvalidThreshold,
+          "the threshold is not given (or is not a number); say in metres how close is too close",
+          {}};
+}
+
 std::optional<Error> check_options(const SearchOptions& options) {
   const double threshold = options.threshold_m;
   if (threshold > 0.0 && in_domain(threshold)) return std::nullopt;
+  if (std::isnan(threshold)) return threshold_not_given();
   return Error{ErrorCode::kInvalidThreshold,
                "the threshold is " + shown(threshold) +
                    " m; give a finite distance above zero (3.9e-121 m to 2.6e+120 m)",

@@ -13,6 +13,9 @@ namespace beespace::core {
 // A number as messages show it: with all its digits.
 std::string shown(double value);
 
+// Of options whose threshold is kNotGiven.
+Error threshold_not_given();
+
 std::optional<Error> check_options(const SearchOptions& options);
 // The vertical threshold and heights of a search of one swarm; and that there are none.
 std::optional<Error> check_vertical(const SearchOptions& options, std::size_t points);

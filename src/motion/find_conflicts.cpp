@@ -97,6 +97,7 @@ Result<std::optional<Conflict>> find_closest_encounter(std::span<const Track> tr
   options.max_gap_s = max_gap_s;
   options.threads = threads;
   options.inclusive = true;
+  options.threshold_m = 1.0;  // any, for the check
   if (auto error = check(tracks, options)) return *std::move(error);
   // From what some two come within to what is wider than the swarm.
   const double widest = std::clamp(1.01 * diagonal_of(tracks), 0x1p-90, kLargestInMotion);

@@ -46,6 +46,7 @@ bool in_motion_domain(double value) {
 
 std::optional<Error> check_separation(double threshold_m, const std::optional<double>& vertical_m) {
   const auto good = [](double value) { return value > 0.0 && in_motion_domain(value); };
+  if (std::isnan(threshold_m)) return core::threshold_not_given();
   if (!good(threshold_m)) {
     return Error{ErrorCode::kInvalidThreshold,
                  "the threshold is " + shown(threshold_m) +

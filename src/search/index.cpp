@@ -6,6 +6,7 @@
 #include "search/index_shelves.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -101,6 +102,7 @@ Result<std::vector<Nearest>> Index::k_nearest(const Point& place, std::size_t k)
 }
 
 Result<IdRows> Index::find_around(const PointsView& places, const SearchOptions& options) const {
+  if (std::isnan(options.threshold_m)) return core::threshold_not_given();
   if (auto error = search::check_radius(options.threshold_m)) return *std::move(error);
   if (auto error = core::check_no_vertical(options)) return *std::move(error);
   if (auto error = core::check_size(places.size())) return *std::move(error);

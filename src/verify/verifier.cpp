@@ -29,6 +29,21 @@ std::string shown(double value) {
   return text;
 }
 
+std::optional<Error> check_clearance(const VerifyOptions& options) {
+  const double clearance_m = options.clearance_m;
+  if (std::isnan(clearance_m)) {
+    if (options.obstacles == nullptr) return std::nullopt;
+    return Error{ErrorCode::kInvalidArgument,
+                 "there are obstacles, and the clearance from them is not given (or is not a "
+                 "number); say in metres how close is too close",
+                 {}};
+  }
+  if (clearance_m > 0.0 && clearance_m <= kLargestInMotion) return std::nullopt;
+  return Error{ErrorCode::kInvalidArgument,
+               "the clearance is " + shown(clearance_m) + " m; give a finite distance above zero",
+               {}};
+}
+
 std::optional<Error> check_options(const VerifyOptions& options) {
   // As in the rest of the library.
   const auto approach = closest_approach({}, {}, {options.threshold_m, {}, 0.0});
@@ -40,12 +55,7 @@ std::optional<Error> check_options(const VerifyOptions& options) {
                      "; give zero or more, or infinity for none",
                  {}};
   };
-  if (!(options.clearance_m > 0.0) || !(options.clearance_m <= kLargestInMotion)) {
-    return Error{
-        ErrorCode::kInvalidArgument,
-        "the clearance is " + shown(options.clearance_m) + " m; give a finite distance above zero",
-        {}};
-  }
+  if (auto error = check_clearance(options)) return error;
   if (auto error = check(options.max_speed_mps, "speed", "m/s")) return error;
   return check(options.max_acceleration_mps2, "acceleration", "m/s^2");
 }

@@ -24,7 +24,7 @@ struct Question {
   std::vector<Mover> movers;
   std::vector<Velocity> preferred = std::vector<Velocity>(kBees, Velocity{1, 2, 3});
   std::vector<FlightLimits> limits = std::vector<FlightLimits>(kBees);
-  AdviseOptions options;
+  AdviseOptions options{.threshold_m = 5.0, .clearance_m = 1.0};
 
   Question() {
     for (std::size_t bee = 0; bee < kBees; ++bee) {
@@ -166,9 +166,10 @@ TEST(AdviceRefusal, SpansOfTheWrongLength) {
     expect_refused(question, " sets of limits for 5 movers");
   }
   const FlightLimits two[2];
-  EXPECT_FALSE(advise({}, {}, two));
+  const AdviseOptions options{.threshold_m = 5.0};
+  EXPECT_FALSE(advise({}, {}, two, options));
   const Velocity wish;
-  EXPECT_FALSE(advise({}, {&wish, 1}, two));
+  EXPECT_FALSE(advise({}, {&wish, 1}, two, options));
 }
 
 struct Field {
@@ -219,7 +220,7 @@ TEST(AdviceRefusal, HeightsApartFromPositions) {
   const MoversView plain(question.movers);
   const std::vector<double> heights(kBees, 1.0);
   const MoversView view(plain.positions(), plain.velocities(), heights, heights);
-  const auto refused = advise(view, question.preferred, question.limits);
+  const auto refused = advise(view, question.preferred, question.limits, question.options);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::kInvalidArgument);
   EXPECT_TRUE(contains(refused.error().message, "heights")) << refused.error().message;
@@ -229,7 +230,8 @@ TEST(AdviceRefusal, HeightsApartFromPositions) {
 TEST(AdviceRefusal, MoreMoversThanIds) {
   const double x = 0.0;
   const PointsView many = PointsView::strided(&x, &x, &x, kMaxPoints + 1, 0);
-  const auto refused = advise(MoversView(many, many), {}, std::vector<FlightLimits>(1));
+  const auto refused =
+      advise(MoversView(many, many), {}, std::vector<FlightLimits>(1), {.threshold_m = 5.0});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::kTooManyPoints);
 }

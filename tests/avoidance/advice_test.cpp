@@ -50,11 +50,11 @@ Flock crowd(std::size_t size, std::uint64_t seed) {
 }
 
 TEST(Advice, OfNobodyAndOfOne) {
-  const auto nobody = advise({}, {}, std::vector<FlightLimits>(1));
+  const auto nobody = advise({}, {}, std::vector<FlightLimits>(1), {.threshold_m = 5.0});
   ASSERT_TRUE(nobody);
   EXPECT_TRUE(nobody->advice.empty());
   EXPECT_TRUE(nobody->too_close.empty());
-  EXPECT_TRUE(advise({}, {}, {}));  // limits of each: none
+  EXPECT_TRUE(advise({}, {}, {}, {.threshold_m = 5.0}));  // limits of each: none
   Flock flock;
   flock.movers = {{{1, 2, 3}, {}}};
   flock.limits = {{10.0, test::kNoLimit}};

@@ -40,7 +40,7 @@ inline Velocity towards(const Point& from, const Point& to, double speed) {
 struct Flock {
   std::vector<Mover> movers;
   std::vector<FlightLimits> limits;  // of each
-  AdviseOptions options;
+  AdviseOptions options{.threshold_m = 5.0, .clearance_m = 1.0};
 
   [[nodiscard]] std::size_t size() const { return movers.size(); }
   [[nodiscard]] bool at_once(std::size_t bee) const {

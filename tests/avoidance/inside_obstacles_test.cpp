@@ -153,7 +153,7 @@ TEST(InsideObstacles, OnTheSurfaceIsNoPlaceToBeStuckAt) {
     const auto [x, y, z] = scenes::random_direction(random);
     const Point bee{middle.x + radius_m * x, middle.y + radius_m * y, middle.z + radius_m * z};
     const ObstacleMap map = test::map_of({Sphere{middle, radius_m}});
-    AdviseOptions options;
+    AdviseOptions options{.threshold_m = 5.0, .clearance_m = 1.0};
     options.obstacles = &map;
     const FlightLimits limits{10.0, 5.0};
     const auto advised = advise(std::vector<Mover>{{bee, {}}}, std::vector<Velocity>(1),

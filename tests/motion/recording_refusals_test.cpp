@@ -62,7 +62,7 @@ TEST(RecordingRefusal, ThresholdsThatMakeNoSense) {
 
 TEST(RecordingRefusal, AGapThatIsNotAboveZero) {
   for (const double bad : {0.0, -1.0, kNan, -kInfinity}) {
-    ConflictOptions options;
+    ConflictOptions options{.threshold_m = 100.0};
     options.max_gap_s = bad;
     expect_error(plain_tracks(), options, ErrorCode::kInvalidArgument, {}, "gap");
   }
@@ -112,7 +112,7 @@ TEST(RecordingRefusal, TimesThatDoNotAscendWithTheirTrackAndFix) {
 }
 
 TEST(RecordingRefusal, HeightsOfTheWrongNumberOrOfSomeOrWithoutAQuestion) {
-  ConflictOptions with_height;
+  ConflictOptions with_height{.threshold_m = 100.0};
   with_height.vertical_m = 10.0;
   Tracks all = plain_tracks();
   for (Track& track : all) track.heights_m.assign(track.fixes.size(), 7.0);

@@ -118,7 +118,7 @@ TEST(MotionRefusal, AHorizonThatMakesNoSense) {
        {-1.0, -0x1p-100, kNan, kInfinity, -kInfinity, std::nextafter(kSmallestInMotion, 0.0),
         std::nextafter(kLargestInMotion, kInfinity)}) {
     SCOPED_TRACE(bad);
-    PredictOptions options;
+    PredictOptions options{.threshold_m = 100.0};
     options.horizon_s = bad;
     expect_option_error(options, ErrorCode::kInvalidArgument, "the horizon is ");
   }
@@ -235,7 +235,7 @@ TEST(MotionRefusal, TheEndsOfTheDomainAreInsideIt) {
 }
 
 TEST(MotionRefusal, OneResultMoreThanAllowed) {
-  PredictOptions options;  // 100 m: everybody with everybody
+  PredictOptions options{.threshold_m = 100.0};  // 100 m: everybody with everybody
   const std::vector<Mover> movers = plain_movers(30);
   options.max_results = 30 * 29 / 2;
   EXPECT_EQ(predict_conflicts(movers, options)->size(), options.max_results);
@@ -257,7 +257,7 @@ TEST(MotionRefusal, HeightsWithoutAQuestionOrOfTheWrongNumber) {
     const std::vector<double> heights_m(heights, 1.0);
     const std::vector<double> climbs_mps(climbs, 1.0);
     const MoversView view(plain.positions(), plain.velocities(), heights_m, climbs_mps);
-    PredictOptions options;
+    PredictOptions options{.threshold_m = 100.0};
     if (vertical) options.vertical_m = 2.0;
     for (const Refusal& refusal : prediction_refusals(view, options)) {
       ASSERT_TRUE(refusal.has_value()) << heights << " heights, " << climbs << " climb rates";
@@ -275,7 +275,7 @@ TEST(MotionRefusal, HeightsWithoutAQuestionOrOfTheWrongNumber) {
 TEST(MotionRefusal, HeightsAndClimbRatesOutsideTheDomain) {
   const std::vector<Mover> movers = plain_movers(10);
   const MoversView plain(movers);
-  PredictOptions options;
+  PredictOptions options{.threshold_m = 100.0};
   options.vertical_m = 2.0;
   for (const double bad : {kNan, kInfinity, 0x1.1p+100, -0x1p-101}) {
     for (const bool climbing : {false, true}) {

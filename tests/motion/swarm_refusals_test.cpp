@@ -48,7 +48,7 @@ TEST(SwarmRefusal, OptionsThatMakeNoSense) {
     options.horizon_s = bad;
     expect_unusable(options, ErrorCode::kInvalidArgument);
   }
-  SwarmOptions options;
+  SwarmOptions options{.threshold_m = 100.0};
   options.leave_factor = std::nextafter(1.0, 0.0);
   expect_unusable(options, ErrorCode::kInvalidArgument);
   options = {};
@@ -75,7 +75,7 @@ std::vector<Field> fields() {
 }
 
 TEST(SwarmRefusal, ReportsThatAreNotFiniteOrOutsideTheDomainAreLeftOut) {
-  SwarmOptions options;
+  SwarmOptions options{.threshold_m = 100.0};
   options.vertical_m = 5.0;
   options.heights_apart = true;
   Swarm swarm(options);
@@ -98,7 +98,7 @@ TEST(SwarmRefusal, ReportsThatAreNotFiniteOrOutsideTheDomainAreLeftOut) {
 }
 
 TEST(SwarmRefusal, TimeDoesNotGoBack) {
-  Swarm swarm;
+  Swarm swarm({.threshold_m = 100.0});
   ASSERT_TRUE(swarm.advance(10.0).has_value());
   ASSERT_TRUE(swarm.advance(10.0).has_value()) << "the same time again";
   const auto back = swarm.advance(std::nextafter(10.0, 0.0));

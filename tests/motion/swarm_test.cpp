@@ -259,7 +259,7 @@ TEST(SwarmMove, TakesAllThatIsKnownAlong) {
   told_of_distances(swarm, {30, 10});
   Swarm other(std::move(swarm));
   EXPECT_EQ(count(told_of_distances(other, {9, 30}, 2.0), EventKind::kLeft), 1U);
-  Swarm third;
+  Swarm third(plain_options());
   third = std::move(other);
   EXPECT_EQ(third.counts().taken, 8U);
 }

@@ -122,7 +122,7 @@ TEST(AtRisk, CoordinatesThatAreNotFiniteAreErrorsWithTheirPlace) {
       EXPECT_NE(result.error().message.find("y is"), std::string::npos);
     }
     EXPECT_EQ(find_closest_pair(points).error().code, ErrorCode::kNotFinite);
-    EXPECT_EQ(find_nearest_within(points).error().code, ErrorCode::kNotFinite);
+    EXPECT_EQ(find_nearest_within(points, {100.0}).error().code, ErrorCode::kNotFinite);
   }
 }
 
@@ -144,7 +144,7 @@ TEST(AtRisk, TheCoordinateDomainIsCheckedAtBothEnds) {
 TEST(AtRisk, MorePointsThanIdsIsAnError) {
   const double zero = 0.0;
   const auto view = PointsView::strided(&zero, &zero, &zero, std::size_t{1} << 32, 0);
-  EXPECT_EQ(find_at_risk(view).error().code, ErrorCode::kTooManyPoints);
+  EXPECT_EQ(find_at_risk(view, {100.0}).error().code, ErrorCode::kTooManyPoints);
 }
 
 // Larger than one crew member's minimum, so that threads really share the work.

@@ -24,7 +24,7 @@ namespace {
 struct Swarm {
   std::vector<Point> points;
   std::vector<Point> others;
-  SearchOptions options;
+  SearchOptions options{.threshold_m = 100.0};
 };
 
 Swarm swarm_of(std::size_t size, double threshold, std::uint32_t seed = 1) {

@@ -18,7 +18,7 @@ namespace beespace::test {
 struct Encounter {
   Mover first;
   Mover second;
-  PredictOptions options;
+  PredictOptions options{.threshold_m = 100.0};
 
   // Every number of it: of the movers, then the threshold, the horizon and, if given, the height.
   [[nodiscard]] std::vector<double*> numbers() {

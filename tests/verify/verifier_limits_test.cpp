@@ -33,7 +33,7 @@ Verdict verdict_of(const Flight& flight, const VerifyOptions& options) {
 }
 
 VerifyOptions limits(double speed, double acceleration) {
-  VerifyOptions options;
+  VerifyOptions options{.threshold_m = 5.0};
   options.max_speed_mps = speed;
   options.max_acceleration_mps2 = acceleration;
   return options;
@@ -62,7 +62,7 @@ TEST(VerifierLimits, OfEvenAccelerationAreMetExactly) {
   EXPECT_EQ(verdict.first_breaches[0].kind, BreachKind::kAcceleration);
   EXPECT_NEAR(verdict.first_breaches[0].value, 8.0, 1e-12);
   EXPECT_EQ(verdict_of(flight, limits(1.0, 1.0)).breaches, 2U);
-  EXPECT_EQ(verdict_of(flight, {}).breaches, 0U);
+  EXPECT_EQ(verdict_of(flight, {.threshold_m = 5.0}).breaches, 0U);
 }
 
 // At rest at both ends, and somewhere else: the peak is in between. 1.5 times the mean speed, and

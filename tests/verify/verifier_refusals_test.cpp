@@ -43,30 +43,30 @@ TEST(VerifierRefusal, AThresholdThatMakesNoSense) {
 
 TEST(VerifierRefusal, LimitsBelowZero) {
   for (const double bad : {-1.0, -0x1p-1000, kNan, -kInfinity}) {
-    VerifyOptions options;
+    VerifyOptions options{.threshold_m = 5.0};
     options.max_speed_mps = bad;
     expect_refused(Verifier(options).add(0.0, plain_movers()), ErrorCode::kInvalidArgument);
-    options = {};
+    options = {.threshold_m = 5.0};
     options.max_acceleration_mps2 = bad;
     expect_refused(Verifier(options).add(0.0, plain_movers()), ErrorCode::kInvalidArgument);
   }
 }
 
-// Whether or not there are obstacles.
+// Whether or not there are obstacles; but where there are none it need not be given.
 TEST(VerifierRefusal, AClearanceThatMakesNoSense) {
   const ObstacleMap map;
   for (const double bad : {0.0, -1.0, kNan, kInfinity, -kInfinity, 0x1p+101}) {
     SCOPED_TRACE(bad);
-    VerifyOptions options;
+    VerifyOptions options{.threshold_m = 5.0};
     options.clearance_m = bad;
-    expect_refused(Verifier(options).add(0.0, plain_movers()), ErrorCode::kInvalidArgument);
+    EXPECT_EQ(Verifier(options).add(0.0, plain_movers()).has_value(), std::isnan(bad));
     options.obstacles = &map;
     expect_refused(Verifier(options).add(0.0, {}), ErrorCode::kInvalidArgument);
   }
 }
 
 TEST(VerifierRefusal, TimesThatDoNotGoOn) {
-  Verifier verifier({});
+  Verifier verifier({.threshold_m = 5.0});
   for (const double bad : {kNan, kInfinity, -kInfinity}) {
     expect_refused(verifier.add(bad, plain_movers()), ErrorCode::kNotFinite);
   }
@@ -82,7 +82,7 @@ TEST(VerifierRefusal, TimesThatDoNotGoOn) {
 }
 
 TEST(VerifierRefusal, AnotherNumberOfMovers) {
-  Verifier verifier({});
+  Verifier verifier({.threshold_m = 5.0});
   ASSERT_TRUE(verifier.add(0.0, plain_movers()));
   std::vector<Mover> others = plain_movers();
   others.pop_back();
@@ -110,7 +110,7 @@ void expect_refused_anywhere(const Field& field, double bad, ErrorCode code) {
     SCOPED_TRACE(testing::Message() << field.name << " of " << record << " is " << bad);
     std::vector<Mover> movers = plain_movers();
     field.of(movers[record]) = bad;
-    Verifier verifier({});
+    Verifier verifier({.threshold_m = 5.0});
     expect_refused(verifier.add(0.0, movers), code, record);
     ASSERT_TRUE(verifier.add(0.0, plain_movers()));
     expect_refused(verifier.add(1.0, movers), code, record);
@@ -139,7 +139,7 @@ TEST(VerifierRefusal, NumbersOutsideTheDomain) {
 
 // Straight flights have no velocities that anybody looks at.
 TEST(VerifierRefusal, VelocitiesOfStraightFlightsAreNotLookedAt) {
-  VerifyOptions options;
+  VerifyOptions options{.threshold_m = 5.0};
   options.straight = true;
   Verifier verifier(options);
   std::vector<Mover> movers = plain_movers();
@@ -150,14 +150,14 @@ TEST(VerifierRefusal, VelocitiesOfStraightFlightsAreNotLookedAt) {
 
 // What is given lies in the domain; that what is computed from it does not, is nobody's fault.
 TEST(VerifierRefusal, ALittleMoveInALongTimeIsNone) {
-  Verifier verifier({});
+  Verifier verifier({.threshold_m = 5.0});
   ASSERT_TRUE(verifier.add(0.0, std::vector<Mover>{{{0, 0, 0}, {}}}));
   const Status slow = verifier.add(1e6, std::vector<Mover>{{{1e-29, 0, 0}, {}}});
   EXPECT_TRUE(slow) << slow.error().message;
 }
 
 TEST(VerifierRefusal, AVerifierCanBeMoved) {
-  Verifier verifier({});
+  Verifier verifier({.threshold_m = 5.0});
   ASSERT_TRUE(verifier.add(0.0, plain_movers()));
   Verifier other = std::move(verifier);
   ASSERT_TRUE(other.add(1.0, plain_movers()));

@@ -24,7 +24,8 @@ constexpr double kMillionth = 1e-6;
 
 using Fixes = std::vector<std::vector<Mover>>;
 
-Verdict verdict_of(const Fixes& fixes, double step_s, VerifyOptions options = {}) {
+Verdict verdict_of(const Fixes& fixes, double step_s,
+                   VerifyOptions options = {.threshold_m = 5.0}) {
   Verifier verifier(options);
   for (std::size_t i = 0; i < fixes.size(); ++i) {
     const Status added = verifier.add(static_cast<double>(i) * step_s, fixes[i]);
@@ -263,7 +264,7 @@ TEST(Verifier, ExactlyTheThresholdIsDecidedWithinTheTolerance) {
 }
 
 TEST(Verifier, OfNobodyAndOfOne) {
-  VerifyOptions options;
+  VerifyOptions options{.threshold_m = kThreshold};
   options.max_speed_mps = 10.0;
   for (const std::size_t size : {std::size_t{0}, std::size_t{1}}) {
     const std::vector<Mover> movers(size, {{1, 2, 3}, {}});
@@ -318,7 +319,7 @@ TEST(Verifier, CountsMoreThanItShows) {
   // 50 bees at about one place: 1225 pairs.
   std::vector<Mover> movers;
   for (int i = 0; i < 50; ++i) movers.push_back({{0.01 * i, 0, 0}, {100, 0, 0}});
-  VerifyOptions options;
+  VerifyOptions options{.threshold_m = 5.0};
   options.max_speed_mps = 1.0;
   options.straight = true;
   Fixes fixes;
@@ -344,7 +345,7 @@ TEST(Verifier, ThreadsDoNotChangeTheVerdict) {
     for (const Mover& mover : fixes.back()) next.push_back(later(mover, 0.2, true, 20.0, random));
     fixes.push_back(next);
   }
-  VerifyOptions options;
+  VerifyOptions options{.threshold_m = 5.0};
   const Verdict alone = verdict_of(fixes, 0.2, options);
   EXPECT_GT(alone.losses, 100U);
   for (const unsigned threads : {2U, 5U}) {
