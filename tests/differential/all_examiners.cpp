@@ -1,0 +1,9 @@
+#include "tests/differential/examiner.hpp"
+
+namespace beespace::differential {
+
+std::vector<Examiner> all_examiners() {
+  return {snapshot_examiner("spheres", false), snapshot_examiner("cylinders", true)};
+}
+
+}  // namespace beespace::differential

@@ -1,0 +1,42 @@
+// What the fuzzer is made of: examiners, each of which makes scenes of one kind, asks the library
+// about them in every way, and holds the answers against an oracle.
+#pragma once
+
+#include "tests/differential/random.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace beespace::differential {
+
+// How much was examined.
+class Tally {
+ public:
+  void scene() { ++scenes_; }
+  void answer(const std::string& question) { ++answers_[question]; }
+
+  [[nodiscard]] std::uint64_t scenes() const { return scenes_; }
+  [[nodiscard]] const std::map<std::string, std::uint64_t>& answers() const { return answers_; }
+
+ private:
+  std::uint64_t scenes_ = 0;
+  std::map<std::string, std::uint64_t> answers_;
+};
+
+struct Examiner {
+  std::string name;
+  // Makes a scene of the random numbers and examines it. Returns the difference that was found, as
+  // text from which it can be had again.
+  std::function<std::optional<std::string>(Random&, Tally&)> examine;
+};
+
+// Of one moment, with a vertical threshold or without.
+Examiner snapshot_examiner(const std::string& name, bool upright);
+
+std::vector<Examiner> all_examiners();
+
+}  // namespace beespace::differential
