@@ -15,6 +15,8 @@ constexpr const char* name_of(AdviceKind kind) {
       return "braking";
     case AdviceKind::kWaiting:
       return "waiting";
+    case AdviceKind::kNone:
+      return "none";
   }
   return "unknown";
 }

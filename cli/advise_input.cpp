@@ -50,8 +50,14 @@ Status load_bees(const AdviseRequest& request, Situation& situation) {
   } else {
     for (std::size_t i = 0; i < situation.movers.size(); ++i) {
       const FlightLimits& limits = situation.limits[situation.own_limits ? i : 0];
-      situation.preferred.push_back(velocity_to_goal(situation.movers[i].position, plans->goals[i],
-                                                     limits, request.advice.step_s));
+      const auto wish = velocity_to_goal(situation.movers[i].position, plans->goals[i], limits,
+                                         request.advice.step_s);
+      if (!wish) {
+        Error error = wish.error();
+        error.place.record = i;
+        return error;
+      }
+      situation.preferred.push_back(*wish);
     }
   }
   if (plans->velocities.empty()) situation.notes.emplace_back("no velocities: everybody stands");

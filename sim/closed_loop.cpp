@@ -58,8 +58,14 @@ Velocity ClosedLoop::as_it_likes(std::size_t bee) const {
 Status ClosedLoop::step() {
   if (!obstacles_) return obstacles_.error();
   for (std::size_t bee = 0; bee < movers_.size(); ++bee) {
-    wishes_[bee] = velocity_to_goal(movers_[bee].position, mission_.goals[bee], limits_of(bee),
-                                    options_.advice.step_s);
+    const auto wish = velocity_to_goal(movers_[bee].position, mission_.goals[bee], limits_of(bee),
+                                       options_.advice.step_s);
+    if (!wish) {
+      Error error = wish.error();
+      error.place.record = bee;
+      return error;
+    }
+    wishes_[bee] = *wish;
   }
   if (options_.method == Method::kNone) {
     for (std::size_t bee = 0; bee < movers_.size(); ++bee) fly(bee, as_it_likes(bee));

@@ -51,15 +51,16 @@ class MoversView {
   MoversView(const Movers& movers)  // NOLINT(google-explicit-constructor): a view
       : MoversView(std::span<const Mover>(movers), FromSpan{}) {}
 
-  // `velocities` has one vector in metres per second for each of `positions`; the view is as long
-  // as the shorter of the two.
+  // `velocities` has one vector in metres per second for each of `positions`. If there are more of
+  // the one than of the other, they do not fit together, which is an error, kInvalidArgument, of
+  // every question that the view is given to; so are arrays of other lengths below.
   MoversView(const PointsView& positions, const PointsView& velocities)
       : positions_(positions), velocities_(velocities) {}
 
   // The same with heights that are kept apart from positions, and climb rates: for a vertical
   // threshold between bees whose third axis is not the height. Then positions and velocities are
   // horizontal: of geographic positions, those brought to height 0 (see to_ecef). Both spans are as
-  // long as the view.
+  // long as the view, or both empty.
   MoversView(const PointsView& positions, const PointsView& velocities,
              std::span<const double> heights_m, std::span<const double> climbs_mps)
       : positions_(positions),
@@ -67,7 +68,14 @@ class MoversView {
         heights_m_(heights_m),
         climbs_mps_(climbs_mps) {}
 
-  [[nodiscard]] bool has_heights() const { return !heights_m_.empty(); }
+  // Whether there is as much of everything.
+  [[nodiscard]] bool fits() const {
+    const std::size_t heights = has_heights() ? size() : 0;
+    return positions_.fits() && velocities_.fits() && positions_.size() == velocities_.size() &&
+           heights_m_.size() == heights && climbs_mps_.size() == heights;
+  }
+
+  [[nodiscard]] bool has_heights() const { return !heights_m_.empty() || !climbs_mps_.empty(); }
   [[nodiscard]] std::span<const double> heights_m() const { return heights_m_; }
   [[nodiscard]] std::span<const double> climbs_mps() const { return climbs_mps_; }
 

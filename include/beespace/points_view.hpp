@@ -3,6 +3,9 @@
 // A PointsView is three pointers to doubles, one per axis, and a stride in bytes for each; it
 // serves arrays of structures, interleaved and separate coordinate arrays alike. It owns nothing:
 // the memory must outlive the view and must not change while a search reads it. Cheap to copy.
+//
+// Arrays that do not fit together are an error, kInvalidArgument, of every question that they are
+// given to: the view remembers what it was made of, and reads none of it beyond its end.
 #pragma once
 
 #include <beespace/point.hpp>
@@ -32,18 +35,22 @@ class PointsView {
   constexpr PointsView(const Points& points)  // NOLINT(google-explicit-constructor): a view
       : PointsView(std::span<const Point>(points), FromSpan{}) {}
 
-  // x0 y0 z0 x1 y1 z1 ...: `xyz.size() / 3` points; left-over doubles at the end are not read.
+  // x0 y0 z0 x1 y1 z1 ...: `xyz.size() / 3` points; doubles that are left over do not fit.
   static PointsView interleaved(std::span<const double> xyz) {
     constexpr auto kStride = static_cast<std::ptrdiff_t>(3 * sizeof(double));
-    return strided(xyz.data(), xyz.data() + 1, xyz.data() + 2, xyz.size() / 3, kStride);
+    PointsView view = strided(xyz.data(), xyz.data() + 1, xyz.data() + 2, xyz.size() / 3, kStride);
+    view.lengths_ = {(xyz.size() + 2) / 3, (xyz.size() + 1) / 3, xyz.size() / 3};
+    return view;
   }
 
-  // One array per axis. The view is as long as the shortest of the three.
+  // One array per axis, all of one length. (Of others, the view is as long as the shortest.)
   static PointsView separate(std::span<const double> x, std::span<const double> y,
                              std::span<const double> z) {
     const std::size_t shorter = x.size() < y.size() ? x.size() : y.size();
     const std::size_t size = shorter < z.size() ? shorter : z.size();
-    return strided(x.data(), y.data(), z.data(), size, sizeof(double));
+    PointsView view = strided(x.data(), y.data(), z.data(), size, sizeof(double));
+    view.lengths_ = {x.size(), y.size(), z.size()};
+    return view;
   }
 
   // The first point's three coordinates, and the distance in bytes from one point to the next
@@ -60,7 +67,14 @@ class PointsView {
     view.axes_ = axes;
     view.stride_bytes_ = stride_bytes;
     view.size_ = size;
+    view.lengths_ = {size, size, size};
     return view;
+  }
+
+  // How many numbers were given for each axis, and whether they are as many.
+  [[nodiscard]] constexpr const std::array<std::size_t, 3>& lengths() const { return lengths_; }
+  [[nodiscard]] constexpr bool fits() const {
+    return lengths_[0] == size_ && lengths_[1] == size_ && lengths_[2] == size_;
   }
 
   [[nodiscard]] constexpr std::size_t size() const { return size_; }
@@ -84,7 +98,8 @@ class PointsView {
 
  private:
   struct FromSpan {};
-  constexpr PointsView(std::span<const Point> points, FromSpan) : size_(points.size()) {
+  constexpr PointsView(std::span<const Point> points, FromSpan)
+      : size_(points.size()), lengths_{points.size(), points.size(), points.size()} {
     if (points.empty()) return;
     axes_ = {&points.front().x, &points.front().y, &points.front().z};
     stride_bytes_ = {sizeof(Point), sizeof(Point), sizeof(Point)};
@@ -93,6 +108,7 @@ class PointsView {
   std::array<const double*, 3> axes_{};
   std::array<std::ptrdiff_t, 3> stride_bytes_{};
   std::size_t size_ = 0;
+  std::array<std::size_t, 3> lengths_{};
 };
 
 }  // namespace beespace

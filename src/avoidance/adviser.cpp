@@ -40,6 +40,15 @@ Velocity told(const Vector3& v) {
   return {told(v.x), told(v.y), told(v.z)};
 }
 
+// Until an intruder or an unknown bee says otherwise.
+Advice advice_of(const Velocity& velocity, AdviceKind kind) {
+  Advice advice{velocity, kind};
+  advice.clear_of_intruders = true;
+  advice.clear_of_unknown = true;
+  advice.clear_of_unknown_s = std::numeric_limits<double>::infinity();
+  return advice;
+}
+
 // Whoever wants to fly and is told to stand waits.
 bool waits(const Flyer& flyer, const Vector3& wish, const Vector3& velocity) {
   constexpr double kStands = 0.05;  // of its greatest speed
@@ -67,6 +76,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
   Status advise(const MoversView& movers, std::span<const Velocity> preferred,
                 std::span<const FlightLimits> limits, const AdviseOptions& options,
                 Advised& advised) {
+    advised.clear();
     if (auto error = avoidance::check(movers, preferred, limits, options)) {
       return *std::move(error);
     }
@@ -133,7 +143,8 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     const Vector3 aside = at_most(findings.pressed, 1.0) * (kAside * flyer.max_speed);
     const auto [velocity, kind] =
         desk.disposal.dispose(flyer, makes_room ? wish + aside : wish, findings.claims);
-    Advice advice{told(velocity), kind, findings.certified};
+    Advice advice = advice_of(told(velocity), kind);
+    advice.keeps_apart = findings.certified;
     if (kind == AdviceKind::kAsWished) {
       if (makes_room) advice.kind = AdviceKind::kDeflected;
     } else if (findings.certified && waits(flyer, wish, velocity)) {
@@ -149,7 +160,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
             ? desk.known.orca(flyers_, bee, near_, wish, horizon_s, options.step_s)
             : avoidance::KnownMethod::mvp(flyers_, bee, near_, wish, horizon_s, options.step_s);
     const bool as_wished = velocity == flyers_[bee].able(wish);
-    return {told(velocity), as_wished ? AdviceKind::kAsWished : AdviceKind::kDeflected, false};
+    return {told(velocity), as_wished ? AdviceKind::kAsWished : AdviceKind::kDeflected};
   }
 
   // What all workers have found that is not certified.
@@ -172,6 +183,8 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     advised.intruder_conflicts.clear();
     for (std::size_t bee = 0; bee < flyers_.size(); ++bee) {
       collect_intruders(static_cast<PointId>(bee), claimants, options, advised);
+      Advice& advice = advised.advice[bee];
+      advice.certified = advice.keeps_apart && advice.clear_of_intruders && advice.clear_of_unknown;
     }
   }
 
@@ -200,6 +213,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
           mover, options.intruders[k],
           {.threshold_m = flyers_.apart().asked_m, .horizon_s = options.intruder_horizon_s});
       if (!approach || !approach->conflict) continue;
+      advised.advice[bee].clear_of_intruders = false;
       advised.intruder_conflicts.push_back(
           {bee, k, approach->conflict->begins_s, approach->closest_m});
     }

@@ -30,11 +30,18 @@ std::optional<Error> check_clearance(const AdviseOptions& options) {
                  " m; give a finite distance above zero");
 }
 
+bool is_method(AdviseMethod method) {
+  return method == AdviseMethod::kCertified || method == AdviseMethod::kOrca ||
+         method == AdviseMethod::kMvp;
+}
+
 std::optional<Error> check_options(const AdviseOptions& options) {
-  if (auto error = motion::check_separation(options.threshold_m, std::nullopt)) return error;
-  if (!(options.step_s > 0.0) || !motion::in_motion_domain(options.step_s)) {
-    return invalid("the step is " + shown(options.step_s) + " s; give a finite time above zero");
+  if (!is_method(options.method)) {
+    return invalid("the method is number " + std::to_string(static_cast<int>(options.method)) +
+                   ", which is none; give one of AdviseMethod");
   }
+  if (auto error = motion::check_separation(options.threshold_m, std::nullopt)) return error;
+  if (auto error = check_step(options.step_s)) return error;
   if (!(options.uncertainty_m >= 0.0) || !motion::in_motion_domain(options.uncertainty_m)) {
     return invalid("the uncertainty is " + shown(options.uncertainty_m) +
                    " m; give a finite distance, zero or more");
@@ -46,6 +53,14 @@ std::optional<Error> check_options(const AdviseOptions& options) {
                    " s; give a finite time above zero");
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Error> check_step(double step_s) {
+  if (step_s > 0.0 && motion::in_motion_domain(step_s)) return std::nullopt;
+  return invalid("the step is " + shown(step_s) +
+                 " s; give a finite time above zero (7.9e-31 s to 1.3e+30 s)");
 }
 
 std::optional<Error> check_limits(const FlightLimits& limits) {
@@ -62,12 +77,15 @@ std::optional<Error> check_limits(const FlightLimits& limits) {
   return std::nullopt;
 }
 
-}  // namespace
-
 std::optional<Error> check(const MoversView& movers, std::span<const Velocity> preferred,
                            std::span<const FlightLimits> limits, const AdviseOptions& options) {
   if (auto error = check_options(options)) return error;
-  if (auto error = core::check_size(movers.size())) return error;
+  if (auto error = motion::check_size(movers)) return error;
+  if (auto error = motion::check_size(options.intruders)) {
+    error->message.insert(0, "intruders: ");
+    return error;
+  }
+  if (!options.unknown.empty()) return invalid("unknown bees are not looked at yet");
   if (movers.has_heights() || options.intruders.has_heights()) {
     return invalid("there are heights apart from the positions; give positions in space");
   }

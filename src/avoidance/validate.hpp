@@ -10,6 +10,8 @@
 
 namespace beespace::avoidance {
 
+std::optional<Error> check_step(double step_s);
+std::optional<Error> check_limits(const FlightLimits& limits);
 std::optional<Error> check(const MoversView& movers, std::span<const Velocity> preferred,
                            std::span<const FlightLimits> limits, const AdviseOptions& options);
 

@@ -79,6 +79,15 @@ std::optional<Error> check_size(std::size_t size) {
                {}};
 }
 
+std::optional<Error> check_size(const PointsView& points) {
+  if (points.fits()) return check_size(points.size());
+  const auto& [x, y, z] = points.lengths();
+  return Error{ErrorCode::kInvalidArgument,
+               std::to_string(x) + " numbers for x, " + std::to_string(y) + " for y and " +
+                   std::to_string(z) + " for z; give as many for each axis",
+               {}};
+}
+
 bool in_domain(double coordinate) {
   const double magnitude = std::abs(coordinate);
   return magnitude <= kLargestCoordinate_m &&
@@ -109,7 +118,7 @@ std::optional<Error> check_points(const PointsView& points, std::size_t begin, s
 }
 
 std::optional<Error> check_set(const PointsView& points, const char* name) {
-  auto error = check_size(points.size());
+  auto error = check_size(points);
   if (!error) error = check_points(points, 0, points.size());
   if (error) error->place.source = name;
   return error;

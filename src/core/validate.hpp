@@ -21,6 +21,8 @@ std::optional<Error> check_options(const SearchOptions& options);
 std::optional<Error> check_vertical(const SearchOptions& options, std::size_t points);
 std::optional<Error> check_no_vertical(const SearchOptions& options);
 std::optional<Error> check_size(std::size_t size);
+// That its arrays fit together, and their size: before anything of it is read.
+std::optional<Error> check_size(const PointsView& points);
 
 // The coordinate domain of point.hpp.
 bool in_domain(double coordinate);

@@ -102,6 +102,13 @@ Result<Point> to_ecef(const GeographicPosition& position) {
 }
 
 Status to_ecef(const PointsView& positions, std::span<Point> ecef) {
+  if (!positions.fits()) {
+    const auto& [x, y, z] = positions.lengths();
+    return Error{ErrorCode::kInvalidArgument,
+                 std::to_string(x) + " longitudes, " + std::to_string(y) + " latitudes and " +
+                     std::to_string(z) + " heights; give one of each for every position",
+                 {}};
+  }
   if (positions.size() != ecef.size()) {
     return Error{ErrorCode::kInvalidArgument,
                  "there are " + std::to_string(positions.size()) + " positions but room for " +

@@ -19,17 +19,7 @@ namespace {
 std::optional<Error> check(const MoversView& movers, const PredictOptions& options) {
   if (auto error = motion::check_options(options)) return error;
   if (auto error = motion::check_heights(movers.has_heights(), options.vertical_m)) return error;
-  const bool all_have_heights =
-      movers.heights_m().size() == movers.size() && movers.climbs_mps().size() == movers.size();
-  const bool any = movers.has_heights() || !movers.climbs_mps().empty();
-  if (any && !all_have_heights) {
-    return Error{ErrorCode::kInvalidArgument,
-                 std::to_string(movers.heights_m().size()) + " heights and " +
-                     std::to_string(movers.climbs_mps().size()) + " climb rates for " +
-                     std::to_string(movers.size()) + " movers; give one of each for everybody",
-                 {}};
-  }
-  return core::check_size(movers.size());
+  return motion::check_size(movers);
 }
 
 }  // namespace

@@ -171,6 +171,31 @@ std::optional<Error> check_tracks(std::span<const Track> tracks) {
   return std::nullopt;
 }
 
+std::optional<Error> check_size(const MoversView& movers) {
+  if (auto error = core::check_size(movers.positions())) {
+    error->message.insert(0, "positions: ");
+    return error;
+  }
+  if (auto error = core::check_size(movers.velocities())) {
+    error->message.insert(0, "velocities: ");
+    return error;
+  }
+  const std::size_t positions = movers.positions().size();
+  const std::size_t velocities = movers.velocities().size();
+  if (positions != velocities) {
+    return Error{ErrorCode::kInvalidArgument,
+                 std::to_string(positions) + " positions and " + std::to_string(velocities) +
+                     " velocities; give one of each for every mover",
+                 {}};
+  }
+  if (movers.fits()) return std::nullopt;
+  return Error{ErrorCode::kInvalidArgument,
+               std::to_string(movers.heights_m().size()) + " heights and " +
+                   std::to_string(movers.climbs_mps().size()) + " climb rates for " +
+                   std::to_string(positions) + " movers; give one of each for every one, or none",
+               {}};
+}
+
 std::optional<Error> check_movers(const MoversView& movers) {
   for (std::size_t i = 0; i < movers.size(); ++i) {
     if (auto error = check_mover(movers[i], i)) return error;

@@ -25,6 +25,8 @@ std::optional<Error> check_options(const ConflictOptions& options);
 std::optional<Error> check_position(const Point& position, std::size_t record);
 std::optional<Error> check_height(double height_m, double climb_mps, std::size_t record);
 std::optional<Error> check_mover(const Mover& mover, std::size_t record);
+// That there is as much of everything, and how many there are: before anything of it is read.
+std::optional<Error> check_size(const MoversView& movers);
 std::optional<Error> check_tracks(std::span<const Track> tracks);
 std::optional<Error> check_movers(const MoversView& movers);
 

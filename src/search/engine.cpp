@@ -197,7 +197,7 @@ Result<std::optional<ClosestPair>> Engine::find_closest_pair(const PointsView& p
                                                              unsigned threads) {
   std::optional<ClosestPair> closest;
   const core::Resources with = workshop_->resources(threads, points.size());
-  if (auto error = core::check_size(points.size())) return *std::move(error);
+  if (auto error = core::check_size(points)) return *std::move(error);
   const Result<core::Bounds> bounds = core::measure(points, with);
   if (!bounds) return bounds.error();
   if (points.size() >= 2) {

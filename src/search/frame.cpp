@@ -38,7 +38,7 @@ Order longest_first(const core::Bounds& bounds) {
 
 Result<core::Bounds> measured(const PointsView& points, const char* name,
                               const core::Resources& with) {
-  if (auto error = core::check_size(points.size())) {
+  if (auto error = core::check_size(points)) {
     error->place.source = name;
     return *std::move(error);
   }

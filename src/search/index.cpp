@@ -46,7 +46,7 @@ Index::Index() {
 }
 
 Result<Index> Index::build(const PointsView& points, unsigned threads) {
-  if (auto error = core::check_size(points.size())) return *std::move(error);
+  if (auto error = core::check_size(points)) return *std::move(error);
   ThreadCrew crew(cpu::crew_size(threads, points.size()));
   core::Memory memory;
   const Result<core::Bounds> bounds = core::measure(points, {crew, memory});
@@ -105,7 +105,7 @@ Result<IdRows> Index::find_around(const PointsView& places, const SearchOptions&
   if (std::isnan(options.threshold_m)) return core::threshold_not_given();
   if (auto error = search::check_radius(options.threshold_m)) return *std::move(error);
   if (auto error = core::check_no_vertical(options)) return *std::move(error);
-  if (auto error = core::check_size(places.size())) return *std::move(error);
+  if (auto error = core::check_size(places)) return *std::move(error);
   ThreadCrew crew(cpu::crew_size(options.threads, places.size()));
   core::Memory memory;
   const Result<core::Bounds> bounds = core::measure(places, {crew, memory});
@@ -115,7 +115,7 @@ Result<IdRows> Index::find_around(const PointsView& places, const SearchOptions&
 
 Result<NearestRows> Index::k_nearest(const PointsView& places, std::size_t k,
                                      unsigned threads) const {
-  if (auto error = core::check_size(places.size())) return *std::move(error);
+  if (auto error = core::check_size(places)) return *std::move(error);
   ThreadCrew crew(cpu::crew_size(threads, places.size()));
   core::Memory memory;
   const Result<core::Bounds> bounds = core::measure(places, {crew, memory});

@@ -117,6 +117,13 @@ class __attribute__((visibility("hidden"))) Verifier::State {
                    "there are heights apart from the positions; give positions in space",
                    {}};
     }
+    if (!movers.fits()) {
+      return Error{ErrorCode::kInvalidArgument,
+                   "there are " + std::to_string(movers.positions().size()) + " positions and " +
+                       std::to_string(movers.velocities().size()) +
+                       " velocities, or axes of other lengths; give one of each for every mover",
+                   {}};
+    }
     for (std::size_t i = 0; i < movers.size(); ++i) {
       Mover mover = movers[i];
       if (options_.straight) mover.velocity = {};  // not looked at

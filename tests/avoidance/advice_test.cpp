@@ -135,8 +135,8 @@ TEST(Advice, TwoFaceToFaceShareWhatIsBetweenThem) {
   flock.movers = {{{0, 0, 0}, {}}, {{7, 0, 0}, {}}};
   // Each wants less than its half: nobody is in the way.
   Advised advised = advised_of(flock, {{0.99, 0, 0}, {-0.99, 0, 0}});
-  EXPECT_EQ(advised.advice[0], (Advice{{0.99, 0, 0}, AdviceKind::kAsWished, true}));
-  EXPECT_EQ(advised.advice[1], (Advice{{-0.99, 0, 0}, AdviceKind::kAsWished, true}));
+  EXPECT_EQ(advised.advice[0], test::certified({0.99, 0, 0}));
+  EXPECT_EQ(advised.advice[1], test::certified({-0.99, 0, 0}));
   // More: neither gets beyond it, and both go on.
   advised = advised_of(flock, {{1.01, 0, 0}, {-1.6, 0, 0}});
   for (const std::size_t bee : {std::size_t{0}, std::size_t{1}}) {

@@ -143,6 +143,21 @@ inline std::vector<Pair> pairs_of(const std::vector<TooClose>& too_close) {
   return pairs;
 }
 
+// Advice to one whom nothing troubles.
+inline Advice certified(const Velocity& velocity, AdviceKind kind = AdviceKind::kAsWished) {
+  Advice advice{velocity, kind, true, true, true};
+  advice.clear_of_unknown_s = kNoLimit;
+  advice.clear_of_unknown = true;
+  return advice;
+}
+
+// As far as those go who are advised, and obstacles.
+inline bool all_keep_apart(const Advised& advised) {
+  return advised.too_close.empty() && advised.near_obstacle.empty() &&
+         std::all_of(advised.advice.begin(), advised.advice.end(),
+                     [](const Advice& advice) { return advice.keeps_apart; });
+}
+
 inline bool all_certified(const Advised& advised) {
   return advised.too_close.empty() && advised.near_obstacle.empty() &&
          std::all_of(advised.advice.begin(), advised.advice.end(),

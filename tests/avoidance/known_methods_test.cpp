@@ -106,8 +106,8 @@ double closest_in_swap(Flock flock, AdviseMethod method, int steps) {
   for (int step = 0; step < steps; ++step) {
     std::vector<Velocity> wishes;
     for (std::size_t bee = 0; bee < flock.size(); ++bee) {
-      wishes.push_back(velocity_to_goal(flock.movers[bee].position, goals[bee], flock.limits[bee],
-                                        flock.options.step_s));
+      wishes.push_back(*velocity_to_goal(flock.movers[bee].position, goals[bee], flock.limits[bee],
+                                         flock.options.step_s));
     }
     const Verdict verdict = test::fly_a_step(flock, adviser, wishes, advised);
     closest_m = std::min(closest_m, verdict.closest_m.value_or(test::kNoLimit));

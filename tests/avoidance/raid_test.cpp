@@ -78,7 +78,14 @@ Raid raid(test::Course& course, int steps, std::uint64_t seed) {
     const Verdict verdict = test::fly_a_step(flock, adviser, wishes, advised);
     EXPECT_EQ(verdict.losses, 0U) << "step " << step;
     EXPECT_EQ(verdict.clearance_losses, 0U) << "step " << step;
-    EXPECT_TRUE(test::all_certified(advised)) << "step " << step;
+    EXPECT_TRUE(test::all_keep_apart(advised)) << "step " << step;
+    for (PointId bee = 0; bee < flock.size(); ++bee) {
+      const bool clear =
+          std::none_of(advised.intruder_conflicts.begin(), advised.intruder_conflicts.end(),
+                       [bee](const IntruderConflict& conflict) { return conflict.bee == bee; });
+      EXPECT_EQ(advised.advice[bee].clear_of_intruders, clear) << "bee " << bee;
+      EXPECT_EQ(advised.advice[bee].certified, clear) << "bee " << bee;
+    }
     EXPECT_EQ(advised.intruder_conflicts, conflicts_of(before, advised, intruders));
     found.conflicts += advised.intruder_conflicts.size();
     found.closest_m = std::min(found.closest_m, verdict.closest_m.value_or(test::kNoLimit));

@@ -34,7 +34,7 @@ Trip fly(const Point& start, const Point& goal, const FlightLimits& limits, doub
   Trip trip;
   for (int step = 0; step < most; ++step) {
     const Mover& bee = flock.movers[0];
-    const Velocity wish = velocity_to_goal(bee.position, goal, limits, step_s);
+    const Velocity wish = *velocity_to_goal(bee.position, goal, limits, step_s);
     EXPECT_LE(test::length_of(wish), limits.max_speed_mps * (1.0 + 1e-12));
     test::fly_a_step(flock, adviser, {wish}, advised);
     trip.seconds += step_s;
@@ -76,17 +76,17 @@ TEST(VelocityToGoal, ArrivesAndStopsWithoutFlyingPastTheGoal) {
 
 TEST(VelocityToGoal, IsZeroAtTheGoalAndPointsThere) {
   const FlightLimits limits{10.0, 5.0};
-  EXPECT_EQ(velocity_to_goal({1, 2, 3}, {1, 2, 3}, limits, 0.1), Velocity{});
-  EXPECT_EQ(velocity_to_goal({1, 2, 3}, {1, 2, 3 + 5e-10}, limits, 0.1), Velocity{});
-  EXPECT_EQ(velocity_to_goal({0, 0, 0}, {0, 1000, 0}, limits, 0.1), (Velocity{0, 10, 0}));
-  EXPECT_EQ(velocity_to_goal({0, 0, 0}, {-1000, 0, 0}, {7.0, test::kNoLimit}, 0.1),
+  EXPECT_EQ(*velocity_to_goal({1, 2, 3}, {1, 2, 3}, limits, 0.1), Velocity{});
+  EXPECT_EQ(*velocity_to_goal({1, 2, 3}, {1, 2, 3 + 5e-10}, limits, 0.1), Velocity{});
+  EXPECT_EQ(*velocity_to_goal({0, 0, 0}, {0, 1000, 0}, limits, 0.1), (Velocity{0, 10, 0}));
+  EXPECT_EQ(*velocity_to_goal({0, 0, 0}, {-1000, 0, 0}, {7.0, test::kNoLimit}, 0.1),
             (Velocity{-7, 0, 0}));
   // At once: there in a step.
-  EXPECT_EQ(velocity_to_goal({0, 0, 0}, {0.25, 0, 0}, {7.0, test::kNoLimit}, 0.5),
+  EXPECT_EQ(*velocity_to_goal({0, 0, 0}, {0.25, 0, 0}, {7.0, test::kNoLimit}, 0.5),
             (Velocity{0.5, 0, 0}));
-  EXPECT_EQ(velocity_to_goal({0, 0, 0}, {9, 0, 0}, {0.0, 5.0}, 0.1), Velocity{});
+  EXPECT_EQ(*velocity_to_goal({0, 0, 0}, {9, 0, 0}, {0.0, 5.0}, 0.1), Velocity{});
   // Braking with half of the acceleration: 20 m at 10 m/s.
-  EXPECT_NEAR(velocity_to_goal({0, 0, 0}, {20, 0, 0}, {50.0, 5.0}, 0.1).x, 10.0, 1e-12);
+  EXPECT_NEAR(velocity_to_goal({0, 0, 0}, {20, 0, 0}, {50.0, 5.0}, 0.1)->x, 10.0, 1e-12);
 }
 
 }  // namespace

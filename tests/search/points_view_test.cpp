@@ -84,9 +84,23 @@ TEST(PointsView, IsEmptyByDefaultAndForNoPoints) {
   EXPECT_EQ(find_at_risk(PointsView(), {1.0})->size(), 0U);
 }
 
-TEST(PointsView, InterleavedIgnoresLeftOverDoubles) {
+// What does not fit together is never read beyond its end, and an error of every question.
+TEST(PointsView, RemembersThatItsArraysDoNotFitTogether) {
   const std::vector<double> xyz = {1, 2, 3, 4, 5};
-  EXPECT_EQ(PointsView::interleaved(xyz).size(), 1U);
+  const std::vector<double> x = {1, 2, 3};
+  const std::vector<double> y = {1, 2};
+  const std::vector<double> z = {1};
+  EXPECT_TRUE(PointsView::separate(x, x, x).fits());
+  EXPECT_TRUE(PointsView::interleaved(std::span(xyz).first(3)).fits());
+  for (const PointsView& view : {PointsView::interleaved(xyz), PointsView::separate(x, y, z)}) {
+    EXPECT_EQ(view.size(), 1U);
+    EXPECT_FALSE(view.fits());
+  }
+  const auto refused = find_at_risk(PointsView::separate(x, y, z));
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kInvalidArgument);
+  EXPECT_EQ(refused.error().message,
+            "3 numbers for x, 2 for y and 1 for z; give as many for each axis");
 }
 
 }  // namespace
