@@ -96,7 +96,7 @@ TEST(PointsView, RemembersThatItsArraysDoNotFitTogether) {
     EXPECT_EQ(view.size(), 1U);
     EXPECT_FALSE(view.fits());
   }
-  const auto refused = find_at_risk(PointsView::separate(x, y, z));
+  const auto refused = find_at_risk(PointsView::separate(x, y, z), {.threshold_m = 100.0});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::kInvalidArgument);
   EXPECT_EQ(refused.error().message,
