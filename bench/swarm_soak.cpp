@@ -70,13 +70,16 @@ long resident_mb() {
   return resident * 4 / 1024;
 }
 
-void print_part(double time_s, std::vector<double>& seconds, const std::array<long, 5>& events) {
+void print_part(double time_s, std::vector<double>& seconds,
+                const std::array<long, beespace::kEventKinds>& events) {
   std::sort(seconds.begin(), seconds.end());
+  const auto of = [&](beespace::EventKind kind) { return events[static_cast<std::size_t>(kind)]; };
   std::printf(
       "%6.0f s  advance median %6.1f ms, p99 %6.1f ms  memory %ld MB  predicted %ld, entered "
       "%ld, left %ld\n",
       time_s, seconds[seconds.size() / 2] * 1e3, seconds[seconds.size() * 99 / 100] * 1e3,
-      resident_mb(), events[0], events[1], events[3]);
+      resident_mb(), of(beespace::EventKind::kPredicted), of(beespace::EventKind::kEntered),
+      of(beespace::EventKind::kLeft));
   std::fflush(stdout);
   seconds.clear();
 }
@@ -93,7 +96,7 @@ int main(int argc, char** argv) {
   Box box(bees, std::cbrt(static_cast<double>(bees) / 2e-5));
   beespace::Swarm swarm({.threshold_m = 5.0, .horizon_s = horizon_s});
   std::vector<double> seconds;
-  std::array<long, 5> events{};
+  std::array<long, beespace::kEventKinds> events{};
   const auto steps = static_cast<long>(lasts_s / kStep_s);
   const long part = std::max(1L, steps / 20);
   for (long step = 0; step < steps; ++step) {

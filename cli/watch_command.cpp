@@ -195,7 +195,7 @@ class Watch {
   Geometry geometry_ = Geometry::kSpace;
   std::optional<LiveFeed> feed_;
   std::optional<LiveAdvice> advice_;
-  std::array<std::uint64_t, 5> told_{};  // by kind
+  std::array<std::uint64_t, kEventKinds> told_{};  // by kind
   std::uint64_t bad_lines_ = 0;
   std::uint64_t unadvised_looks_ = 0;
   int write_error_ = 0;  // the errno of it

@@ -21,7 +21,11 @@ double speed_of(const Velocity& v) {
 Result<std::string> LiveAdvice::lines(double time_s, const LiveFeed& feed) {
   if (last_s_ == time_s) return std::string();  // the end of the input looks again
   last_s_ = time_s;
-  const std::vector<LiveMover> bees = feed.movers(time_s);
+  std::vector<LiveMover> bees = feed.movers(time_s);
+  // As long as nobody knows where one of them goes, nothing is certain for the others.
+  const std::size_t all = bees.size();
+  std::erase_if(bees, [](const LiveMover& bee) { return !bee.moves; });
+  const bool all_known = bees.size() == all;
   movers_.clear();
   preferred_.clear();
   limits_.clear();
@@ -37,7 +41,8 @@ Result<std::string> LiveAdvice::lines(double time_s, const LiveFeed& feed) {
   const Status advised = adviser_.advise(movers_, preferred_, limits_, request_.options, advised_);
   if (!advised) return advised.error();
   for (std::size_t i = 0; i < bees.size(); ++i) {
-    const Advice& advice = advised_.advice[i];
+    Advice advice = advised_.advice[i];
+    advice.certified = advice.certified && all_known;
     if (advice.kind == AdviceKind::kAsWished && advice.certified) continue;
     ++told_;
     if (!advice.certified) ++uncertified_;

@@ -2,7 +2,8 @@
 //
 // Everybody would like to fly on as it does. Everybody who is not stale takes part, brought forward
 // in a straight line to the time of the look; who was heard of once and without a velocity does
-// not, as nobody knows where it is going.
+// not, as nobody knows where it is going. While there is one of these, or a stale one, nothing is
+// certified.
 //
 // Between positions in degrees the frame is that of the Earth, in which z is not up. The advice
 // asks for up only to tell sides apart where there is nothing else to tell them by; any direction

@@ -69,7 +69,12 @@ Status LiveFeed::finish() {
     if (auto done = pass_on(last); !done) return done;
   }
   if (!latest_s_) return std::monostate{};
-  return look(*latest_s_);
+  if (auto done = look(*latest_s_); !done) return done;
+  ended_with_ = swarm_.counts();
+  const auto events = swarm_.finish(looked_s_);
+  if (!events) return events.error();
+  if (!events->empty()) tell_(*events);
+  return std::monostate{};
 }
 
 Status LiveFeed::look(double time_s) {
@@ -93,6 +98,12 @@ const char* name_of(EventKind kind) {
       return "left";
     case EventKind::kStale:
       return "stale";
+    case EventKind::kHeard:
+      return "heard";
+    case EventKind::kLost:
+      return "lost";
+    case EventKind::kEnded:
+      return "ended";
   }
   return "unknown";
 }
@@ -111,7 +122,8 @@ std::string event_line(const SwarmEvent& event, const LiveFeed& feed) {
   std::string line = "{\"event\": \"";
   line += name_of(event.kind);
   line += "\", \"time_s\": " + exact(event.time_s);
-  if (event.kind == EventKind::kStale) {
+  if (event.kind == EventKind::kStale || event.kind == EventKind::kHeard) {
+    if (event.kind == EventKind::kHeard) line += ", \"since_s\": " + exact(event.since_s);
     line += ", \"id\": " + io::json_string(feed.name(event.first).id);
     append_label(line, "label", feed.name(event.first));
     return line + "}\n";

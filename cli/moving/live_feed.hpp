@@ -51,12 +51,12 @@ class LiveFeed {
   // Nothing has come for so long: looks, as if the clock of the reports went on like ours.
   Status idle(double for_s);
 
-  // The last look, at the time of the last report.
+  // The last look, at the time of the last report; what it ends is told.
   Status finish();
 
   // Everybody at a time, by numbers: as Swarm::movers.
   [[nodiscard]] std::vector<LiveMover> movers(double time_s) const { return swarm_.movers(time_s); }
-  [[nodiscard]] SwarmCounts counts() const { return swarm_.counts(); }
+  [[nodiscard]] SwarmCounts counts() const { return ended_with_.value_or(swarm_.counts()); }
   // How many reports were left out because they were far ahead.
   [[nodiscard]] std::uint64_t ahead() const { return ahead_; }
 
@@ -79,6 +79,7 @@ class LiveFeed {
   std::optional<double> latest_s_;     // of all reports
   std::optional<Report> waiting_;      // far ahead of these
   std::uint64_t ahead_ = 0;
+  std::optional<SwarmCounts> ended_with_;  // at the end
   double looked_s_ = -std::numeric_limits<double>::infinity();
   double idle_s_ = 0.0;  // since the last report
   std::unordered_map<std::string, PointId, Hash, std::equal_to<>> numbers_;
@@ -88,7 +89,7 @@ class LiveFeed {
 // A line of JSON, with its end.
 std::string event_line(const SwarmEvent& event, const LiveFeed& feed);
 
-// "predicted", "entered", "closest_passed", "left", "stale".
+// "predicted", "heard", "entered", "closest_passed", "left", "stale", "lost", "ended".
 const char* name_of(EventKind kind);
 
 }  // namespace beespace::cli

@@ -15,7 +15,7 @@ struct RecordedFix {
 };
 
 std::vector<Value> row_of(const SwarmEvent& event, const LiveFeed& feed) {
-  if (event.kind == EventKind::kStale) {
+  if (event.kind == EventKind::kStale || event.kind == EventKind::kHeard) {
     return {event.time_s, std::string(name_of(event.kind)), feed.name(event.first), {}, {}, {}};
   }
   return {event.time_s,           std::string(name_of(event.kind)),

@@ -1,19 +1,29 @@
 // A swarm as it is heard of: reports come in, events come out.
 //
-// What has happened is told from reports alone: between two reports a bee moves in a straight line,
-// as in track.hpp, so the events *entered*, *closest passed* and *left* are exact, and the same
+// What has happened is told from reports alone: between two reports that are no more than max_age_s
+// apart a bee moves in a straight line, as in track.hpp; the time between two that are farther
+// apart is unknown, as in a gap of a recording; and a bee that is heard of once is there at that
+// instant. So the events *entered*, *closest passed*, *left* and *lost* are exact, and the same
 // however often advance() is called, where reports come in the order of their times (a bee that is
-// first heard of late has missed what all others know by then) and nobody is removed in the middle
-// of a conflict. They come as soon as both bees have been heard of again. What
-// is about to happen, *predicted*, is told from the last reports and velocities, as by
-// predict_conflicts; it comes again for a pair only after the pair has been out of danger.
+// first heard of late has missed what all others know by then). They come as soon as both bees are
+// known up to then. What is about to happen, *predicted*, is told from the last reports and
+// velocities, as by predict_conflicts; it comes again for a pair only after the pair has been out
+// of danger.
+//
+// Silence is not absence. A bee that has not been heard of for max_age_s is *stale*: it is
+// somewhere, and stays known until it is removed. A pair that had entered and of which one falls
+// silent is *lost*, which is neither left nor a distance that is kept. Each *entered* is followed
+// by one of *left*, *lost* and *ended* of its pair. When the stale bee is *heard* of again, what
+// there is then is told anew: *entered*, if the two are in conflict at that instant.
 //
 // So that nothing flaps, a pair that has entered (come closer than the threshold) has left only
 // when it is farther apart than the leave threshold.
 //
+// Values of reports that are too small for exact comparison are zero to a swarm (see mover.hpp).
+//
 // Units: metres and seconds, in one Cartesian frame. Ids are the caller's own numbers. Memory: a
-// few hundred bytes a bee, and what is known of the time since the bee that was last heard of
-// longest ago, which max_age_s bounds. Not thread-safe.
+// few hundred bytes a bee until it is removed, and what is known of the time since the bee that was
+// last heard of longest ago, which max_age_s bounds. Not thread-safe.
 #pragma once
 
 #include <beespace/export.hpp>
@@ -22,6 +32,7 @@
 #include <beespace/point.hpp>
 #include <beespace/result.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -44,7 +55,7 @@ struct SwarmOptions {
   // Seconds: how far to look ahead. 0: no predictions.
   double horizon_s = 10.0;
 
-  // Seconds: who has not been heard of for longer is stale, and counts as absent until it is.
+  // Seconds: a bee that has not been heard of for longer is stale: unknown until it is.
   double max_age_s = 5.0;
 
   // How many threads may work, the calling one included; 0 means one per processor.
@@ -68,22 +79,31 @@ struct Report {
   double climb_mps = 0.0;  // counts where there is a velocity
 };
 
+// In the order in which events of one instant are told.
 enum class EventKind : std::uint8_t {
   kPredicted,      // a conflict lies ahead, or is there now
+  kHeard,          // a stale bee has been heard of again
   kEntered,        // closer than the threshold
   kClosestPassed,  // the closest has passed: they are getting farther apart again
-  kLeft,           // farther apart than the leave threshold, or one of the two is stale or removed
+  kLeft,           // farther apart than the leave threshold, or one of the two was removed
   kStale,          // a bee has not been heard of for max_age_s
+  kLost,           // one of two that had entered has fallen silent: from then on it is unknown
+  kEnded,          // of finish(): two that had entered, when nothing more was heard
 };
+inline constexpr std::size_t kEventKinds = 8;
 
 struct SwarmEvent {
   EventKind kind = EventKind::kPredicted;
-  double time_s = 0.0;  // when it happened; of a prediction, when it begins
-  PointId first = 0;    // below second
-  PointId second = 0;   // of kStale, the same as first
+  // When it happened; of a prediction, when it begins; of kStale, when the bee was last heard of;
+  // of kLost and kEnded, up to when both are known.
+  double time_s = 0.0;
+  PointId first = 0;   // below second
+  PointId second = 0;  // of kStale and kHeard, the same as first
   // How far apart they are then; of a prediction, when they are closest.
   double distance_m = 0.0;
-  double closest_s = 0.0;  // when they are closest: of a prediction; otherwise so far
+  // When they are closest: of a prediction; otherwise so far. Of kStale and kHeard, as time_s.
+  double closest_s = 0.0;
+  double since_s = 0.0;  // of kHeard, kStale and kLost: since when the bee has been silent
 
   friend constexpr bool operator==(const SwarmEvent&, const SwarmEvent&) = default;
 };
@@ -95,14 +115,33 @@ struct SwarmCounts {
   std::uint64_t late = 0;      // before one that was taken from the same bee: left out
   std::uint64_t bees = 0;      // known and not stale, now
   std::uint64_t stale = 0;     // now
+  // For how long bees have been unknown in all, removed ones included, where they have been heard
+  // of again.
+  double unknown_s = 0.0;
 };
 
-// Where a bee is, flown on straight from its last report, and how fast it goes.
+// A bee that is known, and where it would be.
 struct LiveMover {
   PointId id = 0;
+  // Flown on straight from its last report, where it moves; otherwise it stands where it was last
+  // heard of, which does not say that it stands: it may have gone anywhere since heard_s.
   Mover mover;
+  double heard_s = 0.0;  // its last report
+  Point heard_at;
+  bool stale = false;  // when advance() was last called
+  bool moves = false;  // it is not stale, and its velocity is known: given, or of two reports
 
   friend constexpr bool operator==(const LiveMover&, const LiveMover&) = default;
+};
+
+// A bee that was or is unknown for a time: between two reports more than max_age_s apart, or since
+// its last one where it is stale.
+struct Silence {
+  PointId id = 0;
+  double unknown_s = 0.0;              // in all, until now
+  std::optional<double> since_s = {};  // of the silence that has not ended
+
+  friend constexpr bool operator==(const Silence&, const Silence&) = default;
 };
 
 class BEESPACE_API Swarm {
@@ -120,7 +159,8 @@ class BEESPACE_API Swarm {
   // bee in place.record; the report is then left out.
   Status update(const Report& report);
 
-  // A bee that is there no longer; unknown ones are no matter.
+  // A bee that is there no longer, of which nothing is kept once the others have been heard of as
+  // late as it was, or for max_age_s; unknown ones are no matter. What it was in has *left*.
   void remove(PointId id);
 
   // What has happened since the last call, and what is predicted at `now_s`, by which the age of
@@ -128,12 +168,21 @@ class BEESPACE_API Swarm {
   // `now_s` is before that of the last call, kNotFinite, kInvalidThreshold, kInvalidArgument.
   Result<std::vector<SwarmEvent>> advance(double now_s);
 
+  // The last advance(): nothing more will be heard. Pairs that have entered and neither left nor
+  // been lost have *ended*. No bee is known afterwards, and times may begin anew; counts go on.
+  // Errors: as advance().
+  Result<std::vector<SwarmEvent>> finish(double now_s);
+
   [[nodiscard]] SwarmCounts counts() const;
 
-  // Everybody at `time_s`, as predictions see them, in ascending order of ids: but for those that
-  // were stale when advance() was last called, and those heard of once and without a velocity.
-  // Heights that are kept apart are left out. Nobody at a time outside the motion domain.
+  // All bees that have not been removed, at `time_s`, in ascending order of ids: stale ones, and
+  // those heard of once, too. Heights that are kept apart are left out. None at a time outside the
+  // motion domain.
   [[nodiscard]] std::vector<LiveMover> movers(double time_s) const;
+
+  // The bees that have not been removed and were unknown for a time, until `time_s`, in ascending
+  // order of ids; staleness is that of the last advance().
+  [[nodiscard]] std::vector<Silence> silences(double time_s) const;
 
  private:
   class State;

@@ -55,76 +55,112 @@ void LiveBees::add(LiveRun& run, const Report& report) const {
   run.climb_mps = report.climb_mps;
 }
 
+void LiveBees::begin_run(KnownBee& bee, const Report& report) {
+  if (free_.empty()) {
+    bee.run = static_cast<std::uint32_t>(runs_.size());
+    runs_.emplace_back();
+  } else {
+    bee.run = free_.back();
+    free_.pop_back();
+  }
+  LiveRun& run = runs_[bee.run];
+  run.bee = report.id;
+  run.complete = false;
+  add(run, report);
+}
+
 LiveBees::Taken LiveBees::take(const Report& report, double max_age_s) {
   const Fix fix{report.time_s, report.position};
-  const auto known = under_way_.find(report.id);
-  if (known != under_way_.end()) {
-    LiveRun& run = runs_[known->second];
+  const auto [at, is_new] = known_.try_emplace(report.id);
+  KnownBee& bee = at->second;
+  if (is_new) {
+    begin_run(bee, report);
+    return Taken::kYes;
+  }
+  const bool said_stale = bee.stale();
+  if (!said_stale) {
+    LiveRun& run = runs_[bee.run];
     if (fix == run.fixes.back()) return Taken::kRepeated;
     if (fix.time_s <= run.last_s()) return Taken::kLate;
     if (fix.time_s - run.last_s() <= max_age_s) {
       add(run, report);
       return Taken::kYes;
     }
-    complete(report.id);
-  } else if (const auto stale = stale_.find(report.id); stale != stale_.end()) {
-    if (fix.time_s <= stale->second) return Taken::kLate;
-    stale_.erase(stale);
+    complete(bee, RunEnd::kSilent);
+  } else if (fix.time_s <= bee.last.time_s) {
+    return Taken::kLate;
   }
-  std::uint32_t place = 0;
-  if (free_.empty()) {
-    place = static_cast<std::uint32_t>(runs_.size());
-    runs_.emplace_back();
-  } else {
-    place = free_.back();
-    free_.pop_back();
-  }
-  LiveRun& run = runs_[place];
-  run.bee = report.id;
-  run.complete = false;
-  run.searched_until_s = report.time_s;
-  add(run, report);
-  under_way_[report.id] = place;
+  const double since_s = bee.last.time_s;
+  bee.unknown_s += report.time_s - since_s;
+  unknown_s_ += report.time_s - since_s;
+  returns_.push_back({report.id, since_s, report.time_s, said_stale});
+  --stale_;
+  begin_run(bee, report);
   return Taken::kYes;
 }
 
 void LiveBees::remove(PointId bee) {
-  complete(bee);
-  stale_.erase(bee);
+  const auto known = known_.find(bee);
+  if (known == known_.end()) return;
+  if (!known->second.stale()) complete(known->second, RunEnd::kRemoved);
+  --stale_;
+  known_.erase(known);
 }
 
-void LiveBees::complete(PointId bee) {
-  const auto known = under_way_.find(bee);
-  if (known == under_way_.end()) return;
-  runs_[known->second].complete = true;
-  under_way_.erase(known);
+// It is stale then, unless it is removed.
+void LiveBees::complete(KnownBee& bee, RunEnd end) {
+  LiveRun& run = runs_[bee.run];
+  run.complete = true;
+  run.end = end;
+  bee.last = run.fixes.back();
+  if (heights_apart_) bee.height_m = run.heights_m.back();
+  bee.run = KnownBee::kStale;
+  ++stale_;
 }
 
-double LiveBees::forget(std::vector<std::uint32_t>& dropped) {
+void LiveBees::complete_all() {
+  for (auto& [id, bee] : known_) {
+    if (!bee.stale()) complete(bee, RunEnd::kFinished);
+  }
+}
+
+double LiveBees::known_from_s() const {
   double known_from_s = std::numeric_limits<double>::infinity();
+  for (const LiveRun& run : runs_) {
+    if (!run.complete) known_from_s = std::min(known_from_s, run.last_s());
+  }
+  return known_from_s;
+}
+
+void LiveBees::settle(double now_s, double max_age_s) {
+  const double from_s = known_from_s();
+  for (LiveRun& run : runs_) {
+    if (!run.complete || run.fixes.empty()) continue;
+    run.complete_since_s = std::min(run.complete_since_s, now_s);
+    run.done = run.last_s() <= from_s || now_s - run.complete_since_s > max_age_s;
+  }
+}
+
+void LiveBees::forget(std::vector<std::uint32_t>& dropped) {
+  const double from_s = known_from_s();
   dropped.assign(runs_.size(), 0);
   for (std::uint32_t place = 0; place < runs_.size(); ++place) {
     LiveRun& run = runs_[place];
-    if (run.complete && !run.fixes.empty()) {
+    if (run.fixes.empty()) continue;
+    if (run.done) {
       run = {};
       free_.push_back(place);
-    } else if (!run.complete) {
-      run.searched_until_s = run.last_s();
-      known_from_s = std::min(known_from_s, run.last_s());
+      continue;
     }
-  }
-  for (std::uint32_t place = 0; place < runs_.size(); ++place) {
-    LiveRun& run = runs_[place];
+    run.searched_until_s = run.last_s();
     // The last two stay, for the velocity.
-    while (dropped[place] + 2 < run.fixes.size() &&
-           run.fixes[dropped[place] + 1].time_s < known_from_s) {
+    while (dropped[place] + 2 < run.fixes.size() && run.fixes[dropped[place] + 1].time_s < from_s) {
       ++dropped[place];
     }
     const auto gone = static_cast<std::ptrdiff_t>(dropped[place]);
     run.fixes.erase(run.fixes.begin(), run.fixes.begin() + gone);
     if (heights_apart_) run.heights_m.erase(run.heights_m.begin(), run.heights_m.begin() + gone);
   }
-  return known_from_s;
 }
 
 }  // namespace beespace::motion

@@ -6,23 +6,34 @@
 #include <beespace/swarm.hpp>
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace beespace::motion {
 
+// Why nothing will be added to a run.
+enum class RunEnd : std::uint8_t { kSilent, kRemoved, kFinished };
+
 // Reports of one bee without a gap. When it comes back after one, another run begins.
 struct LiveRun {
+  static constexpr double kNever = -std::numeric_limits<double>::infinity();
+
   PointId bee = 0;
-  bool complete = true;                   // nothing will be added
+  bool complete = true;  // nothing will be added
+  bool done = false;     // it is complete, and the next search is the last one that needs it
+  RunEnd end = RunEnd::kSilent;
   std::vector<Fix> fixes = {};            // empty: the place is free
   std::vector<double> heights_m = {};     // empty, or one for each fix
   std::optional<Velocity> velocity = {};  // of the last, where it was given
   double climb_mps = 0.0;
-  double searched_until_s = 0.0;  // its last report in the last search; at first its first
+  double searched_until_s = kNever;                                   // its last report then
+  double complete_since_s = std::numeric_limits<double>::infinity();  // by the clock of searches
 
   [[nodiscard]] double last_s() const { return fixes.back().time_s; }
+  [[nodiscard]] bool moves() const { return velocity.has_value() || fixes.size() > 1; }
   // Now, flying on from the last report; nothing where it was heard of once and without a velocity.
   struct Now {
     Mover mover;
@@ -32,50 +43,82 @@ struct LiveRun {
   [[nodiscard]] std::optional<Now> at(double now_s) const;
 };
 
+// What is known of a bee until it is removed.
+struct KnownBee {
+  static constexpr std::uint32_t kStale = std::numeric_limits<std::uint32_t>::max();
+
+  std::uint32_t run = kStale;  // the place of the run under way
+  Fix last = {};               // where it was last heard of, if it is stale
+  double height_m = 0.0;
+  double unknown_s = 0.0;  // silences that are over
+
+  [[nodiscard]] bool stale() const { return run == kStale; }
+};
+
+// That a bee has been heard of again after a silence.
+struct Return {
+  PointId bee;
+  double since_s;
+  double heard_s;
+  bool said_stale;  // while it lasted
+};
+
 class LiveBees {
  public:
   explicit LiveBees(bool heights_apart) : heights_apart_(heights_apart) {}
 
-  // Returns what became of the report.
+  // Returns what became of the report, whose values are flushed.
   enum class Taken : std::uint8_t { kYes, kRepeated, kLate };
   Taken take(const Report& report, double max_age_s);
 
   // A bee that is there no longer; nothing where it is not known.
   void remove(PointId bee);
-  // Completes all who were last heard of before `oldest_s`; calls stale(bee, last heard of).
+  // Completes all that were last heard of before `oldest_s`; calls stale(bee, last heard of).
   template <class Stale>
   void complete_stale(double oldest_s, Stale&& stale);
+  // Completes all: nothing more will be heard.
+  void complete_all();
 
   // Runs by their place, which stays as long as the run does.
   [[nodiscard]] const std::vector<LiveRun>& runs() const { return runs_; }
-  [[nodiscard]] std::size_t under_way() const { return under_way_.size(); }
+  [[nodiscard]] const std::unordered_map<PointId, KnownBee>& known() const { return known_; }
+  [[nodiscard]] std::size_t under_way() const { return known_.size() - stale_; }
   // Stale, and not heard of since.
-  [[nodiscard]] std::size_t stale() const { return stale_.size(); }
+  [[nodiscard]] std::size_t stale() const { return stale_; }
+  // For how long bees were unknown that have been heard of again, removed ones included.
+  [[nodiscard]] double unknown_s() const { return unknown_s_; }
+  // Returns since the last call.
+  [[nodiscard]] std::vector<Return> take_returns() { return std::exchange(returns_, {}); }
 
-  // After a search: forgets complete runs, and fixes before those that the next search needs. Sets
-  // dropped[place] to how many fixes of a run are gone. Returns the time from which on all is
-  // known.
-  double forget(std::vector<std::uint32_t>& dropped);
+  // Before a search: says which complete runs are done. One is kept until all others have been
+  // heard of as late as it was, but for no longer than it takes them to be stale.
+  void settle(double now_s, double max_age_s);
+
+  // After a search: forgets runs that are done, and fixes before those that the next search needs.
+  // Sets dropped[place] to how many fixes of a run are gone.
+  void forget(std::vector<std::uint32_t>& dropped);
 
  private:
   void add(LiveRun& run, const Report& report) const;
-  void complete(PointId bee);
+  void begin_run(KnownBee& bee, const Report& report);
+  void complete(KnownBee& bee, RunEnd end);
+  [[nodiscard]] double known_from_s() const;
 
   bool heights_apart_;
   std::vector<LiveRun> runs_;
-  std::vector<std::uint32_t> free_;                       // places
-  std::unordered_map<PointId, std::uint32_t> under_way_;  // bee -> place
-  std::unordered_map<PointId, double> stale_;             // bee -> when last heard of
+  std::vector<std::uint32_t> free_;  // places
+  std::unordered_map<PointId, KnownBee> known_;
+  std::size_t stale_ = 0;
+  double unknown_s_ = 0.0;
+  std::vector<Return> returns_;
 };
 
 template <class Stale>
 void LiveBees::complete_stale(double oldest_s, Stale&& stale) {
-  for (LiveRun& run : runs_) {
+  for (const LiveRun& run : runs_) {
     if (run.fixes.empty() || run.complete || run.last_s() >= oldest_s) continue;
     stale(run.bee, run.last_s());
-    run.complete = true;
-    under_way_.erase(run.bee);
-    stale_[run.bee] = run.last_s();
+    complete(known_.find(run.bee)->second, RunEnd::kSilent);
   }
 }
 

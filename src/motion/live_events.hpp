@@ -20,25 +20,30 @@ class PairTeller {
     double closest_m = std::numeric_limits<double>::infinity();
   };
 
-  PairTeller(PointId a, PointId b, double margin_m, Said& said, std::vector<SwarmEvent>& events)
+  // `cut_off` is what a stretch is told to have come to that ends with what is known: kLeft where
+  // one of the two was removed, kLost where it is silent, kEnded where nothing more comes.
+  PairTeller(PointId a, PointId b, double margin_m, EventKind cut_off, Said& said,
+             std::vector<SwarmEvent>& events)
       : first_(std::min(a, b)),
         second_(std::max(a, b)),
         margin_m_(margin_m),
+        cut_off_(cut_off),
         said_(said),
         events_(events) {}
 
   void going_on(const PairWalk::Stretch& stretch) {
     if (!stretch.conflict.certain) return;
     tell_entered(stretch);
-    // How far apart they must be again before the closest counts as passed.
-    if (stretch.end_m >= stretch.conflict.closest_m + margin_m_) tell_closest(stretch);
+    tell_closest_if_passed(stretch);
   }
 
   void ended(const PairWalk::Stretch& stretch) {
     if (stretch.conflict.certain) {
       tell_entered(stretch);
-      tell_closest(stretch);
-      tell(EventKind::kLeft, stretch.conflict.ends_s, stretch.end_m, stretch);
+      // Of two that are cut off while they come closer, the closest has not passed.
+      stretch.cut_off ? tell_closest_if_passed(stretch) : tell_closest(stretch);
+      tell(stretch.cut_off ? cut_off_ : EventKind::kLeft, stretch.conflict.ends_s, stretch.end_m,
+           stretch);
     }
     said_ = {};
   }
@@ -48,6 +53,10 @@ class PairTeller {
     if (said_.entered) return;
     said_.entered = true;
     tell(EventKind::kEntered, stretch.certain_s, stretch.certain_m, stretch);
+  }
+  // How far apart they must be again before the closest counts as passed.
+  void tell_closest_if_passed(const PairWalk::Stretch& stretch) {
+    if (stretch.end_m >= stretch.conflict.closest_m + margin_m_) tell_closest(stretch);
   }
   void tell_closest(const PairWalk::Stretch& stretch) {
     const double closest_m = stretch.conflict.closest_m;
@@ -59,12 +68,15 @@ class PairTeller {
     return said_.closest_m == std::numeric_limits<double>::infinity();
   }
   void tell(EventKind kind, double time_s, double distance_m, const PairWalk::Stretch& stretch) {
-    events_.push_back({kind, time_s, first_, second_, distance_m, stretch.conflict.closest_s});
+    const double since_s = kind == EventKind::kLost ? time_s : 0.0;
+    events_.push_back(
+        {kind, time_s, first_, second_, distance_m, stretch.conflict.closest_s, since_s});
   }
 
   PointId first_;
   PointId second_;
   double margin_m_;
+  EventKind cut_off_;
   Said& said_;
   std::vector<SwarmEvent>& events_;
 };

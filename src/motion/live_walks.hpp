@@ -35,7 +35,6 @@ class LiveWalks {
     std::uint32_t second;
     PairWalk::State state;
     PairTeller::Said said;
-    bool candidate = true;  // of this search; else it is kept so that no window is walked twice
 
     [[nodiscard]] auto places() const { return std::tie(first, second); }
   };
@@ -48,13 +47,13 @@ class LiveWalks {
 
   void add_candidates(const core::Vector<core::FoundPairs>& candidates,
                       const std::vector<ActiveRun>& active, const std::vector<LiveRun>& bees);
-  void walk(const TimeSpan& time, const std::vector<Run>& runs, const std::vector<LiveRun>& bees,
+  void walk(const std::vector<Run>& runs, const std::vector<LiveRun>& bees,
             const core::Resources& with, std::vector<SwarmEvent>& events);
   void forget(LiveBees& bees);
 
   WalkSeparation separation_;
   double margin_m_;
-  std::vector<LivePair> pairs_;   // under way, ascending
+  std::vector<LivePair> pairs_;   // in conflict by the outer separation, ascending
   std::vector<Entered> entered_;  // ascending, the lower id first
 };
 

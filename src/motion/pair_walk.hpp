@@ -37,6 +37,7 @@ struct Stretch {
   double end_m = 0.0;      // how far apart the two are there
   double certain_s = 0.0;  // since when it is certain, if it is
   double certain_m = 0.0;  // and how far apart they are then
+  bool cut_off = false;    // ends because one of the two is not known any longer
 };
 
 // Where a walk has come to: what it needs to go on later.
@@ -45,6 +46,8 @@ struct WalkState {
   std::size_t second_piece = 0;
   double walked_until = -std::numeric_limits<double>::infinity();  // the end of the one before
   std::optional<Stretch> open = {};                                // in conflict at that instant
+  // Windows that end until then have been walked by somebody else.
+  double walked_before = -std::numeric_limits<double>::infinity();
 };
 
 class PairWalk {
@@ -52,11 +55,14 @@ class PairWalk {
   using Stretch = motion::Stretch;
   using State = WalkState;
 
-  PairWalk(const Run& first, const Run& second, const WalkSeparation& separation)
+  // Live, the first fix of a run is an instant by itself before it is the beginning of a piece, so
+  // that what is told does not depend on when the second one came.
+  PairWalk(const Run& first, const Run& second, const WalkSeparation& separation, bool live = false)
       : first_(first),
         second_(second),
         separation_(separation),
-        reach_m_(separation.outer.reach_m()) {}
+        reach_m_(separation.outer.reach_m()),
+        live_(live) {}
 
   // Walks the windows that meet the time, each as a whole, from where `state` has come to. Calls
   // ended(stretch) with each that has ended, and going_on(stretch) after each window at whose end
@@ -77,6 +83,7 @@ class PairWalk {
   const Run& second_;
   const WalkSeparation& separation_;
   double reach_m_;
+  bool live_;
 };
 
 template <class Ended, class GoingOn>
@@ -87,17 +94,29 @@ void PairWalk::walk(const TimeSpan& time, State& state, Ended&& ended, GoingOn&&
     const TimeSpan window{std::max(first.from.time_s, second.from.time_s),
                           std::min(first.to.time_s, second.to.time_s)};
     if (window.begins_s > time.ends_s) return;
-    if (window.begins_s <= window.ends_s && window.ends_s >= time.begins_s) {
-      const std::optional<Stretch> over = walk_window(first, second, window, state);
-      if (over) ended(*over);
-      if (state.open) going_on(std::as_const(*state.open));
+    if (window.begins_s <= window.ends_s && window.ends_s >= time.begins_s &&
+        window.ends_s > state.walked_before) {
+      const auto walk_now = [&](const TimeSpan& now) {
+        const std::optional<Stretch> over = walk_window(first, second, now, state);
+        if (over) ended(*over);
+        if (state.open) going_on(std::as_const(*state.open));
+      };
+      const bool begins = (state.first_piece == 0 && first.from.time_s == window.begins_s) ||
+                          (state.second_piece == 0 && second.from.time_s == window.begins_s);
+      if (live_ && begins && !state.open) walk_now({window.begins_s, window.begins_s});
+      if (!live_ || !begins || window.ends_s > window.begins_s) walk_now(window);
     }
-    if (first.to.time_s <= window.ends_s) ++state.first_piece;
-    if (second.to.time_s <= window.ends_s) ++state.second_piece;
+    const bool first_goes_on = first.to.time_s <= window.ends_s && !first_.waits();
+    const bool second_goes_on = second.to.time_s <= window.ends_s && !second_.waits();
+    if (!first_goes_on && !second_goes_on) return;  // as far as is known
+    if (first_goes_on) ++state.first_piece;
+    if (second_goes_on) ++state.second_piece;
   }
   const bool over = (state.first_piece >= first_.pieces() && first_.complete) ||
                     (state.second_piece >= second_.pieces() && second_.complete);
-  if (over && state.open) ended(*std::exchange(state.open, std::nullopt));
+  if (!over || !state.open) return;
+  state.open->cut_off = true;
+  ended(*std::exchange(state.open, std::nullopt));
 }
 
 }  // namespace beespace::motion

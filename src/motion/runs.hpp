@@ -20,10 +20,11 @@ struct Run {
 
   [[nodiscard]] double begins_s() const { return fixes.front().time_s; }
   [[nodiscard]] double ends_s() const { return fixes.back().time_s; }
-  // A single fix is a piece, unless it may yet become the beginning of one.
-  [[nodiscard]] std::size_t pieces() const {
-    return fixes.size() > 1 || !complete ? fixes.size() - 1 : 1;
-  }
+  // A single fix is a piece.
+  [[nodiscard]] std::size_t pieces() const { return fixes.size() > 1 ? fixes.size() - 1 : 1; }
+  // A single fix that may yet become the beginning of a piece: until then it is known to be there
+  // at that instant.
+  [[nodiscard]] bool waits() const { return fixes.size() == 1 && !complete; }
 };
 
 // From one fix to the next; a single fix is a piece that stands for an instant.

@@ -1,15 +1,15 @@
 #include <beespace/swarm.hpp>
 
 #include "cpu/crew_size.hpp"
+#include "motion/flush.hpp"
 #include "motion/live_bees.hpp"
+#include "motion/live_predictions.hpp"
 #include "motion/live_walks.hpp"
-#include "motion/prediction.hpp"
 #include "motion/separation.hpp"
 #include "motion/validate.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -42,14 +42,6 @@ motion::Separation separation_of(const SwarmOptions& options, double factor) {
   return separation;
 }
 
-// A pair of bees, the lower id first.
-struct BeePair {
-  PointId first;
-  PointId second;
-
-  friend auto operator<=>(const BeePair&, const BeePair&) = default;  // NOLINT(*-use-nullptr)
-};
-
 bool earlier(const SwarmEvent& a, const SwarmEvent& b) {
   return std::tie(a.time_s, a.kind, a.first, a.second) <
          std::tie(b.time_s, b.kind, b.first, b.second);
@@ -66,39 +58,50 @@ class __attribute__((visibility("hidden"))) Swarm::State {
         leave_(separation_of(options, options.leave_factor)),
         bees_(options.heights_apart),
         walks_({leave_, enter_, options.leave_factor == 1.0},
-               std::max(0.05, options.leave_factor - 1.0) * options.threshold_m) {}
+               std::max(0.05, options.leave_factor - 1.0) * options.threshold_m),
+        predictions_(enter_, leave_, options.horizon_s) {}
 
-  Status update(const Report& report);
+  Status update(Report report);
   void remove(PointId id) { bees_.remove(id); }
   Result<std::vector<SwarmEvent>> advance(double now_s);
+  Result<std::vector<SwarmEvent>> finish(double now_s);
 
   [[nodiscard]] SwarmCounts counts() const {
     SwarmCounts counts = counts_;
     counts.bees = bees_.under_way();
     counts.stale = bees_.stale();
+    counts.unknown_s = unknown_before_s_ + bees_.unknown_s();
     return counts;
   }
   [[nodiscard]] std::vector<LiveMover> movers(double time_s) const;
+  [[nodiscard]] std::vector<Silence> silences(double time_s) const;
 
  private:
   core::Resources resources();
-  Status predict(double now_s, const core::Resources& with, std::vector<SwarmEvent>& events);
+  void tell_silences(double now_s, std::vector<SwarmEvent>& events);
+  void search(double now_s, const core::Resources& with, std::vector<SwarmEvent>& events);
 
   SwarmOptions options_;
   motion::Separation enter_;
   motion::Separation leave_;
   motion::LiveBees bees_;
   motion::LiveWalks walks_;
-  std::vector<BeePair> predicted_;  // said, and still in danger; ascending
+  motion::LivePredictions predictions_;
   std::optional<double> now_s_;
   SwarmCounts counts_;
+  double unknown_before_s_ = 0.0;  // of bees before the last finish()
   core::Memory memory_;
   Crew alone_;
   std::optional<ThreadCrew> crew_;
 };
 
-Status Swarm::State::update(const Report& report) {
+Status Swarm::State::update(Report report) {
   if (auto error = check(options_)) return *std::move(error);
+  report.time_s = motion::flushed(report.time_s);
+  report.position = motion::flushed(report.position);
+  if (report.velocity) report.velocity = motion::flushed(*report.velocity);
+  report.height_m = motion::flushed(report.height_m);
+  report.climb_mps = motion::flushed(report.climb_mps);
   const Mover mover{report.position, report.velocity.value_or(Velocity{})};
   if (auto error = motion::check_mover(mover, report.id)) return *std::move(error);
   if (auto error = motion::check_height(report.height_m, report.climb_mps, report.id)) {
@@ -134,8 +137,27 @@ core::Resources Swarm::State::resources() {
   return {*crew_, memory_};
 }
 
+void Swarm::State::tell_silences(double now_s, std::vector<SwarmEvent>& events) {
+  const auto tell_stale = [&](PointId bee, double last_s) {
+    events.push_back({EventKind::kStale, last_s, bee, bee, 0.0, last_s, last_s});
+  };
+  for (const motion::Return& back : bees_.take_returns()) {
+    if (!back.said_stale) tell_stale(back.bee, back.since_s);
+    events.push_back(
+        {EventKind::kHeard, back.heard_s, back.bee, back.bee, 0.0, back.heard_s, back.since_s});
+  }
+  bees_.complete_stale(now_s - options_.max_age_s, tell_stale);
+}
+
+void Swarm::State::search(double now_s, const core::Resources& with,
+                          std::vector<SwarmEvent>& events) {
+  bees_.settle(now_s, options_.max_age_s);
+  walks_.search(bees_, with, events);
+}
+
 Result<std::vector<SwarmEvent>> Swarm::State::advance(double now_s) {
   if (auto error = check(options_)) return *std::move(error);
+  now_s = motion::flushed(now_s);
   if (!motion::in_motion_domain(now_s) || now_s < now_s_.value_or(now_s)) {
     return Error{std::isfinite(now_s) ? ErrorCode::kTimeOrder : ErrorCode::kNotFinite,
                  "cannot advance to " + std::to_string(now_s) +
@@ -144,76 +166,61 @@ Result<std::vector<SwarmEvent>> Swarm::State::advance(double now_s) {
   }
   now_s_ = now_s;
   std::vector<SwarmEvent> events;
-  bees_.complete_stale(now_s - options_.max_age_s, [&](PointId bee, double last_s) {
-    events.push_back({EventKind::kStale, last_s, bee, bee, 0.0, last_s});
-  });
+  tell_silences(now_s, events);
   const core::Resources with = resources();
-  walks_.search(bees_, with, events);
-  if (options_.horizon_s > 0.0) {
-    const Status predicted = predict(now_s, with, events);
-    if (!predicted) return predicted.error();
-  }
+  search(now_s, with, events);
+  const Status predicted = predictions_.predict(bees_, walks_, now_s, with, events);
+  if (!predicted) return predicted.error();
   std::sort(events.begin(), events.end(), earlier);
   return events;
 }
 
-// A pair stays predicted as long as it is predicted by the leave threshold; it becomes so by that
-// of entering.
-Status Swarm::State::predict(double now_s, const core::Resources& with,
-                             std::vector<SwarmEvent>& events) {
-  std::vector<Mover> movers;
-  std::vector<double> heights_m;
-  std::vector<double> climbs_mps;
-  std::vector<PointId> ids;
-  for (const motion::LiveRun& run : bees_.runs()) {
-    if (run.fixes.empty()) continue;
-    const auto now = run.at(now_s);
-    if (!now) continue;
-    movers.push_back(now->mover);
-    ids.push_back(run.bee);
-    if (!options_.heights_apart) continue;
-    heights_m.push_back(now->height_m);
-    climbs_mps.push_back(now->climb_mps);
-  }
-  const MoversView all(movers);
-  const MoversView view(all.positions(), all.velocities(), heights_m, climbs_mps);
-  const PredictOptions wide{.threshold_m = leave_.threshold_m,
-                            .vertical_m = leave_.vertical_m,
-                            .horizon_s = options_.horizon_s};
-  std::vector<Pair> pairs;
-  Status found = motion::predict_pairs(view, wide, with, pairs);
-  if (!found) return found;
-  std::vector<BeePair> still;
-  for (const Pair& pair : pairs) {
-    PointId a = ids[pair.first];
-    PointId b = ids[pair.second];
-    if (a > b) std::swap(a, b);
-    const bool said = std::binary_search(predicted_.begin(), predicted_.end(), BeePair{a, b});
-    const motion::State first = motion::state_of(view, pair.first);
-    const motion::State second = motion::state_of(view, pair.second);
-    if (!said && !motion::in_conflict(first, second, enter_, options_.horizon_s)) continue;
-    still.push_back({a, b});
-    if (said || walks_.have_entered(a, b)) continue;
-    const auto report =
-        motion::report_conflict(motion::relative_motion(first, second), enter_, options_.horizon_s);
-    events.push_back({EventKind::kPredicted, now_s + report.span.begins_s, a, b, report.closest_m,
-                      now_s + report.closest_s});
-  }
-  std::sort(still.begin(), still.end());
-  predicted_ = std::move(still);
-  return std::monostate{};
+Result<std::vector<SwarmEvent>> Swarm::State::finish(double now_s) {
+  auto events = advance(now_s);
+  if (!events) return events;
+  bees_.complete_all();
+  search(now_s, resources(), *events);
+  std::sort(events->begin(), events->end(), earlier);
+  unknown_before_s_ += bees_.unknown_s();
+  bees_ = motion::LiveBees(options_.heights_apart);
+  predictions_.forget_all();
+  now_s_.reset();
+  return events;
 }
 
 std::vector<LiveMover> Swarm::State::movers(double time_s) const {
   std::vector<LiveMover> movers;
+  time_s = motion::flushed(time_s);
   if (!motion::in_motion_domain(time_s)) return movers;
-  for (const motion::LiveRun& run : bees_.runs()) {
-    if (run.complete || run.fixes.empty()) continue;
-    if (const auto now = run.at(time_s)) movers.push_back({run.bee, now->mover});
+  movers.reserve(bees_.known().size());
+  for (const auto& [id, bee] : bees_.known()) {
+    LiveMover mover{id, {bee.last.position, {}}, bee.last.time_s, bee.last.position, true, false};
+    if (!bee.stale()) {
+      const motion::LiveRun& run = bees_.runs()[bee.run];
+      const Fix& last = run.fixes.back();
+      mover = {id, {last.position, {}}, last.time_s, last.position, false, run.moves()};
+      if (const auto now = run.at(time_s)) mover.mover = now->mover;
+    }
+    movers.push_back(mover);
   }
   std::sort(movers.begin(), movers.end(),
             [](const LiveMover& a, const LiveMover& b) { return a.id < b.id; });
   return movers;
+}
+
+std::vector<Silence> Swarm::State::silences(double time_s) const {
+  std::vector<Silence> silences;
+  for (const auto& [id, bee] : bees_.known()) {
+    Silence silence{id, bee.unknown_s, {}};
+    if (bee.stale()) {
+      silence.since_s = bee.last.time_s;
+      silence.unknown_s += std::max(0.0, time_s - bee.last.time_s);
+    }
+    if (silence.unknown_s > 0.0 || silence.since_s) silences.push_back(silence);
+  }
+  std::sort(silences.begin(), silences.end(),
+            [](const Silence& a, const Silence& b) { return a.id < b.id; });
+  return silences;
 }
 
 Swarm::Swarm(const SwarmOptions& options) : state_(std::make_unique<State>(options)) {
@@ -234,12 +241,20 @@ Result<std::vector<SwarmEvent>> Swarm::advance(double now_s) {
   return state_->advance(now_s);
 }
 
+Result<std::vector<SwarmEvent>> Swarm::finish(double now_s) {
+  return state_->finish(now_s);
+}
+
 SwarmCounts Swarm::counts() const {
   return state_->counts();
 }
 
 std::vector<LiveMover> Swarm::movers(double time_s) const {
   return state_->movers(time_s);
+}
+
+std::vector<Silence> Swarm::silences(double time_s) const {
+  return state_->silences(time_s);
 }
 
 }  // namespace beespace

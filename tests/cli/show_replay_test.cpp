@@ -86,6 +86,8 @@ TEST_F(ShowReplay, TheDeclaredDistanceIsInTheDocument) {
 TEST_F(ShowReplay, EventsOfAShowAreThoseOfItsPlan) {
   EXPECT_EQ(replay(declaring("3.5"), {"--report", "events"}).out,
             "{\"event\": \"entered\", \"time_s\": 0, \"first\": \"left\", \"second\": \"right\", "
+            "\"distance_m\": 3, \"closest_s\": 0}\n"
+            "{\"event\": \"ended\", \"time_s\": 14, \"first\": \"left\", \"second\": \"right\", "
             "\"distance_m\": 3, \"closest_s\": 0}\n");
   EXPECT_EQ(replay(declaring("2.5"), {"--report", "events"}).out, "") << "somebody went stale";
 }

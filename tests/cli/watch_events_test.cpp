@@ -88,9 +88,10 @@ TEST(WatchEvents, EventsComeBeforeTheInputEnds) {
   // Up to 11 s: enough to know of entering and passing, not of leaving.
   const std::string all = passing_by();
   const auto lines = lines_of(watched({"--horizon", "0"}, all.substr(0, all.find("a,12,"))).out);
-  ASSERT_EQ(lines.size(), 2u);
+  ASSERT_EQ(lines.size(), 3u);
   EXPECT_EQ(lines[0], kEntered);
   EXPECT_EQ(lines[1], kClosestPassed);
+  expect_parts(lines[2], {R"("event": "ended", "time_s": 11, "first": "a")"});
 }
 
 TEST(WatchEvents, AVerticalThresholdIsComparedApart) {
@@ -102,14 +103,15 @@ TEST(WatchEvents, AVerticalThresholdIsComparedApart) {
   EXPECT_EQ(rows_of(watched({"--vertical", "4.5"}, high).out).size(), 4u);
 }
 
-TEST(WatchEvents, WhoIsSilentForLongIsStaleAndLeaves) {
+TEST(WatchEvents, WhoIsSilentForLongIsStaleAndLost) {
   const Finished finished = watched({"--max-age", "3", "--horizon", "0"},
                                     "id,time_s,x,y,z\n"
                                     "a,0,0,0,0\nb,0,3,0,0\na,1,0,0,0\nb,1,3,0,0\n"
                                     "a,2,0,0,0\na,3,0,0,0\na,4,0,0,0\na,5,0,0,0\n");
   const auto lines = lines_of(finished.out);
-  EXPECT_EQ(lines.back(), R"({"event": "stale", "time_s": 1, "id": "b"})");
-  expect_parts(finished.out, {R"({"event": "left", "time_s": 1, "first": "a", "second": "b")"});
+  ASSERT_EQ(lines.size(), 3u) << finished.out;
+  EXPECT_EQ(lines[1], R"({"event": "stale", "time_s": 1, "id": "b"})");
+  expect_parts(lines[2], {R"({"event": "lost", "time_s": 1, "first": "a", "second": "b")"});
   expect_parts(finished.err, {"bees       1 heard of, 1 stale\n"});
   EXPECT_EQ(watched({"--max-age", "4", "--horizon", "0"},
                     "id,time_s,x,y,z\na,0,0,0,0\nb,0,90,0,0\na,2,0,0,0\na,4,0,0,0\n")

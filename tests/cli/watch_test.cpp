@@ -21,13 +21,16 @@ namespace {
 constexpr int kBadInput = 3;
 constexpr int kSystem = 4;
 
-// 1 m from each other at 0 s and at 1 s: one event.
+// 1 m from each other at 0 s and at 1 s: they enter, and have not left at the end.
 constexpr std::string_view kTogether =
     "id,time_s,x,y,z\na,0,0,0,0\nb,0,1,0,0\na,1,0,0,0\nb,1,1,0,0\n";
-constexpr std::string_view kEntered =
-    R"({"event": "entered", "time_s": 0, "first": "a", "second": "b", )"
-    R"("distance_m": 1, "closest_s": 0})"
-    "\n";
+std::string entered_and_ended_at(const std::string& time_s) {
+  const std::string rest = R"(, "first": "a", "second": "b", "distance_m": 1, "closest_s": 0})"
+                           "\n";
+  return R"({"event": "entered", "time_s": 0)" + rest + R"({"event": "ended", "time_s": )" +
+         time_s + rest;
+}
+const std::string kEnteredAndEnded = entered_and_ended_at("1");
 
 Finished watched(const std::string& reports, const Arguments& more = {}) {
   return run(Arguments{"watch", "--horizon", "0"} + more, reports);
@@ -51,28 +54,28 @@ const std::string kBInJson = "{\"x\": 1, \"y\": 0, \"z\": 0, \"id\": \"b\", \"ti
 TEST(Watch, TablesAndJsonLinesAreReadAndSaid) {
   const Finished table = watched(std::string(kTogether));
   EXPECT_EQ(table.exit_code, 0);
-  EXPECT_EQ(table.out, kEntered);
+  EXPECT_EQ(table.out, kEnteredAndEnded);
   expect_parts(table.err, {"input      text, comma-separated\n", "times are read from column 2",
                            "reports    4\n", "bees       2 heard of, 0 stale\n",
                            "threshold  100 m (closer than)\n", "predicted  0\n", "entered    1\n",
                            "left       0\n"});
   const Finished json = watched(kAInJson + kBInJson + kAgainInJson);
-  EXPECT_EQ(json.out, kEntered);
+  EXPECT_EQ(json.out, kEnteredAndEnded);
   expect_parts(json.err, {"input      JSON, an object a line\n", "reports    4\n"});
 }
 
 TEST(Watch, LineEndsOfEveryKindAndALastLineWithoutOneAreRead) {
   EXPECT_EQ(watched("id,time_s,x,y,z\r\na,0,0,0,0\r\n\r\nb,0,1,0,0\na,1,0,0,0\r\nb,1,1,0,0").out,
-            kEntered);
+            kEnteredAndEnded);
 }
 
 TEST(Watch, ColumnsFramesAndUnitsMayBeGiven) {
   EXPECT_EQ(watched("a 0 0 0 0\nb 0 1 0 0\na 9 0 0 0\nb 9 1 0 0\n",
                     {"--columns", "id=1,time=2,x=3,y=4,z=5", "--time-unit", "ms"})
                 .out,
-            kEntered);
+            entered_and_ended_at("0.009"));
   EXPECT_EQ(watched("id,time,x,y,z\na,0,0,0,0\nb,0,1,0,0\n" + kAgain, {"--time-unit", "ms"}).out,
-            kEntered);
+            entered_and_ended_at("0.001"));
   expect_failure({"watch"}, "id,time,x,y,z\na,0,0,0,0\n", 2, "--time-unit s, ms, us or ns");
   expect_failure({"watch", "--crs", "metres", "--columns", "id=1,time=2,lon=3,lat=4"}, kTogether, 2,
                  "--crs");
@@ -83,7 +86,7 @@ TEST(Watch, IdsCannotBreakALineOfJson) {
                                       "\"a\"\"\\\",0,0,0,0\nb\tc,0,1,0,0\n"
                                       "\"a\"\"\\\",1,0,0,0\nb\tc,1,1,0,0\n")
                                   .out);
-  ASSERT_EQ(lines.size(), 1u);
+  ASSERT_EQ(lines.size(), 2u);
   EXPECT_TRUE(is_json(lines[0])) << lines[0];
   expect_parts(lines[0], {R"("first": "a\"\\")", R"("second": "b\tc")"});
 }
@@ -92,7 +95,7 @@ TEST(Watch, BadLinesAreSaidAndCountedAndTheRestSurvives) {
   const Finished finished = watched(
       "id,time_s,x,y,z\na,0,0,0,0\na,1,nan,0,0\nrubbish\n,,,,\nb,soon,1,0,0\nb,0,1,0,0\n" + kAgain);
   EXPECT_EQ(finished.exit_code, 0);
-  EXPECT_EQ(finished.out, kEntered);
+  EXPECT_EQ(finished.out, kEnteredAndEnded);
   expect_parts(finished.err,
                {"beespace: left out: <stdin>:3:3: 'nan'", "left out: <stdin>:4: 1 column",
                 "left out: <stdin>:5:", "left out: <stdin>:6:2: 'soon'", "reports    4\n",
@@ -106,7 +109,7 @@ TEST(Watch, BadLinesOfJsonAreSaidAndCountedAndTheRestSurvives) {
               "{\"id\": \"b\", \"time_s\": \"soon\", \"x\": 1, \"y\": 0, \"z\": 0}\n" + kBInJson +
               kAgainInJson);
   EXPECT_EQ(finished.exit_code, 0);
-  EXPECT_EQ(finished.out, kEntered);
+  EXPECT_EQ(finished.out, kEnteredAndEnded);
   expect_parts(finished.err, {"left out: <stdin>:2:", "left out: <stdin>:3:",
                               "left out: <stdin>:4:", "left out: <stdin>:5:",
                               "left out: <stdin>:6:", "reports    4\n", "bad lines  5 left out\n"});
@@ -129,7 +132,7 @@ TEST(Watch, ALineOfMegabytesIsOneBadLine) {
   const Finished finished =
       watched("id,time_s,x,y,z\na,0,0,0,0\n" + long_line + "b,0,1,0,0\n" + kAgain);
   EXPECT_EQ(finished.exit_code, 0);
-  EXPECT_EQ(finished.out, kEntered);
+  EXPECT_EQ(finished.out, kEnteredAndEnded);
   expect_parts(finished.err, {"bad lines  1 left out\n", "reports    4\n"});
   EXPECT_LT(finished.err.size(), 2'000u);
 }
@@ -156,7 +159,7 @@ TEST(Watch, ASparseFeedLosesNoReport) {
 TEST(Watch, AReportFarAheadOfAllOthersInTimeIsLeftOutAndCounted) {
   const Finished finished =
       watched("id,time_s,x,y,z\na,0,0,0,0\nb,0,1,0,0\nb,9999,1,0,0\n" + kAgain);
-  EXPECT_EQ(finished.out, kEntered);
+  EXPECT_EQ(finished.out, kEnteredAndEnded);
   expect_parts(finished.err, {"reports    4\n", "ahead      1 left out: far ahead of all others"});
 }
 
@@ -211,8 +214,9 @@ TEST(Watch, FilesThatCannotBeReadAreNamed) {
 
 TEST(Watch, FilesAreReadAsStandardInputIs) {
   const TemporaryFolder folder;
-  EXPECT_EQ(run({"watch", folder.file("bees.csv", kTogether), "--horizon", "0"}).out, kEntered);
-  EXPECT_EQ(run({"watch", "-", "--horizon", "0"}, kTogether).out, kEntered);
+  EXPECT_EQ(run({"watch", folder.file("bees.csv", kTogether), "--horizon", "0"}).out,
+            kEnteredAndEnded);
+  EXPECT_EQ(run({"watch", "-", "--horizon", "0"}, kTogether).out, kEnteredAndEnded);
 }
 
 TEST(Watch, NumbersAndOptionsThatMakeNoSenseAreRefused) {
@@ -262,7 +266,7 @@ TEST(Watch, ASpeedIsThatOfTheClockOfTheReports) {
   EXPECT_GT(took_s, 0.49);
   EXPECT_LT(took_s, 5.0);
   EXPECT_LT(seconds_for({"watch", "--speed", "100"}, kTogether), 0.49);
-  EXPECT_EQ(watched(std::string(kTogether), {"--speed", "50"}).out, kEntered);
+  EXPECT_EQ(watched(std::string(kTogether), {"--speed", "50"}).out, kEnteredAndEnded);
 }
 
 // Runs with its answer in a file, so that it can be looked at before the end.
@@ -309,7 +313,7 @@ TEST_F(WatchLive, TerminationEndsItAtOnce) {
   const Finished finished = running.finish();
   EXPECT_EQ(finished.exit_code, 143);
   EXPECT_EQ(finished.err, "");
-  EXPECT_EQ(folder_.read("events"), kEntered);
+  EXPECT_EQ(folder_.read("events"), kEnteredAndEnded);
 }
 
 TEST_F(WatchLive, CtrlCEndsItWithTheSummary) {
@@ -319,7 +323,7 @@ TEST_F(WatchLive, CtrlCEndsItWithTheSummary) {
   running.signal(SIGINT);
   const Finished finished = running.finish();
   EXPECT_EQ(finished.exit_code, 130);
-  EXPECT_EQ(folder_.read("events"), kEntered);
+  EXPECT_EQ(folder_.read("events"), kEnteredAndEnded);
   expect_parts(finished.err, {"reports    4\n", "bees       2 heard of, 0 stale\n",
                               "threshold  100 m (closer than)\n", "entered    1\n"});
 }

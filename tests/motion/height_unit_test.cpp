@@ -114,10 +114,10 @@ TEST(HeightUnit, MustBeSomeLength) {
     ASSERT_FALSE(found.has_value());
     EXPECT_EQ(found.error().code, ErrorCode::kInvalidArgument);
     const std::vector<Mover> movers(2);
-    const auto ahead = predict_conflicts(movers, {.height_unit_m = unit});
+    const auto ahead = predict_conflicts(movers, {.threshold_m = 1.0, .height_unit_m = unit});
     ASSERT_FALSE(ahead.has_value());
     EXPECT_EQ(ahead.error().code, ErrorCode::kInvalidArgument);
-    Swarm swarm({.height_unit_m = unit});
+    Swarm swarm({.threshold_m = 1.0, .height_unit_m = unit});
     const auto events = swarm.advance(0.0);
     ASSERT_FALSE(events.has_value());
     EXPECT_EQ(events.error().code, ErrorCode::kInvalidArgument);

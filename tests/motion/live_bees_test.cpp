@@ -61,6 +61,7 @@ TEST(LiveBees, GiveTheirPlacesToThoseWhoComeLater) {
     if (i > 0) bees.take({i - 1, time, {1.0 * (i % 5), 1, 0}}, 100.0);
     if (i > 1) bees.remove(i - 2);
     own.memory.start_call();
+    bees.settle(time, 100.0);
     walks.search(bees, own.with, events);
     ASSERT_LE(bees.runs().size(), 5U);
     ASSERT_LE(bees.under_way(), 2U);

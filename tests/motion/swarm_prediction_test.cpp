@@ -82,14 +82,14 @@ TEST(SwarmPrediction, WithoutAHorizonThereIsNone) {
 TEST(SwarmPrediction, OfWhoHasBeenHeardOfOnceWithoutAVelocityIsNotTried) {
   Swarm swarm(looking_ahead(10.0));
   ASSERT_TRUE(swarm.update({1, 0.0, {0, 0, 0}}).has_value());
-  ASSERT_TRUE(swarm.update({2, 0.0, {1, 0, 0}, Velocity{}}).has_value());
+  ASSERT_TRUE(swarm.update({2, 0.0, {60, 0, 0}, Velocity{-5, 0, 0}}).has_value());
   EXPECT_TRUE(swarm.advance(0.0)->empty());
   ASSERT_TRUE(swarm.update({1, 0.5, {0, 0, 0}}).has_value());
   const Events events = *swarm.advance(0.5);
   ASSERT_EQ(events.size(), 1U);
   EXPECT_EQ(events[0].kind, EventKind::kPredicted);
-  EXPECT_EQ(events[0].time_s, 0.5) << "a conflict that is there now";
-  EXPECT_EQ(events[0].distance_m, 1.0);
+  EXPECT_NEAR(events[0].time_s, 8.0, 1e-9);
+  EXPECT_NEAR(events[0].distance_m, 7.5, 1e-9) << "where the horizon ends";
 }
 
 // From a report a while ago it flies on.
@@ -154,13 +154,16 @@ TEST(SwarmPrediction, OfManyIsThatOfPredictConflicts) {
       ASSERT_TRUE(
           swarm.update({1000 - id, 5.0, movers[id].position, movers[id].velocity}).has_value());
     }
-    const Events events = *swarm.advance(5.0);
+    const Events all = *swarm.advance(5.0);
+    const Events events = test::of_kind(all, EventKind::kPredicted);
+    const Events entered = test::of_kind(all, EventKind::kEntered);
     PredictOptions options;
     options.threshold_m = 20.0;
     options.horizon_s = 8.0;
     const auto expected = *predict_conflicts(movers, options);
-    ASSERT_EQ(events.size(), expected.size());
+    ASSERT_EQ(events.size() + entered.size(), expected.size());
     for (const Conflict& conflict : expected) {
+      if (conflict.begins_s == 0.0) continue;  // entered
       const auto same = [&](const SwarmEvent& event) {
         return event.kind == EventKind::kPredicted && event.first == 1000 - conflict.second &&
                event.second == 1000 - conflict.first &&
@@ -171,7 +174,7 @@ TEST(SwarmPrediction, OfManyIsThatOfPredictConflicts) {
     }
     predicted += events.size();
   }
-  EXPECT_GT(predicted, static_cast<std::size_t>(test::rounds(250)));
+  EXPECT_GT(predicted, static_cast<std::size_t>(test::rounds(200)));
 }
 
 }  // namespace

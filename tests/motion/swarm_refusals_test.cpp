@@ -34,24 +34,24 @@ TEST(SwarmRefusal, OptionsThatMakeNoSense) {
     SwarmOptions options;
     options.threshold_m = bad;
     expect_unusable(options, ErrorCode::kInvalidThreshold);
-    options = {};
+    options = {.threshold_m = 100.0};
     options.vertical_m = bad;
     expect_unusable(options, ErrorCode::kInvalidThreshold);
-    options = {};
+    options = {.threshold_m = 100.0};
     options.max_age_s = bad;
     expect_unusable(options, ErrorCode::kInvalidArgument);
-    options = {};
+    options = {.threshold_m = 100.0};
     options.leave_factor = bad;
     expect_unusable(options, ErrorCode::kInvalidArgument);
     if (bad == 0.0) continue;
-    options = {};
+    options = {.threshold_m = 100.0};
     options.horizon_s = bad;
     expect_unusable(options, ErrorCode::kInvalidArgument);
   }
   SwarmOptions options{.threshold_m = 100.0};
   options.leave_factor = std::nextafter(1.0, 0.0);
   expect_unusable(options, ErrorCode::kInvalidArgument);
-  options = {};
+  options = {.threshold_m = 100.0};
   options.heights_apart = true;  // apart from what?
   expect_unusable(options, ErrorCode::kInvalidArgument);
 }
@@ -80,7 +80,7 @@ TEST(SwarmRefusal, ReportsThatAreNotFiniteOrOutsideTheDomainAreLeftOut) {
   options.heights_apart = true;
   Swarm swarm(options);
   for (const Field& field : fields()) {
-    for (const double bad : {kNan, kInfinity, -kInfinity, 0x1.1p+100, -0x1p-101}) {
+    for (const double bad : {kNan, kInfinity, -kInfinity, 0x1.1p+100, -0x1.1p+100}) {
       SCOPED_TRACE(field.name);
       Report report{42, 1.0, {1, 2, 3}};
       field.set(report, bad);

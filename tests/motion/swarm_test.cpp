@@ -170,8 +170,12 @@ TEST(SwarmStaleness, EndsEncountersAndIsToldOnce) {
   const SwarmEvent stale = test::of_kind(events, EventKind::kStale)[0];
   EXPECT_EQ(stale.first, 8U);
   EXPECT_EQ(stale.second, 8U);
-  ASSERT_EQ(count(events, EventKind::kLeft), 1U);
-  EXPECT_EQ(test::of_kind(events, EventKind::kLeft)[0].time_s, 2.0);
+  ASSERT_EQ(count(events, EventKind::kLost), 1U);
+  const SwarmEvent lost = test::of_kind(events, EventKind::kLost)[0];
+  EXPECT_EQ(lost.time_s, 2.0);
+  EXPECT_EQ(lost.since_s, 2.0);
+  EXPECT_EQ(lost.distance_m, 9.0);
+  EXPECT_EQ(events.size(), 2U) << "they have neither passed nor left";
   EXPECT_EQ(swarm.counts().bees, 1U);
   EXPECT_EQ(swarm.counts().stale, 1U);
   hear(swarm, {3, 9.0, {0, 0, 0}});

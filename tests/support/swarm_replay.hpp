@@ -89,9 +89,8 @@ inline Events replay(const std::vector<Delivery>& deliveries, const SwarmOptions
 inline Events happened(const Events& events) {
   Events some;
   for (const SwarmEvent& event : events) {
-    if (event.kind != EventKind::kPredicted && event.kind != EventKind::kStale) {
-      some.push_back(event);
-    }
+    const bool of_one = event.kind == EventKind::kStale || event.kind == EventKind::kHeard;
+    if (event.kind != EventKind::kPredicted && !of_one) some.push_back(event);
   }
   return some;
 }
