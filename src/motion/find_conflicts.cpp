@@ -75,11 +75,9 @@ std::optional<double> closest_at_some_instants(std::span<const Track> tracks, do
   return closest_m;
 }
 
-}  // namespace
-
-Result<RecordedConflicts> find_conflicts(std::span<const Track> tracks,
-                                         const ConflictOptions& options) {
-  if (auto error = check(tracks, options)) return *std::move(error);
+// The options are valid, but for a threshold that may lie beyond the motion domain.
+Result<RecordedConflicts> search_tracks(std::span<const Track> tracks,
+                                        const ConflictOptions& options) {
   motion::Runs cut = motion::cut_at_gaps(tracks, options.max_gap_s);
   ThreadCrew crew(cpu::crew_size(options.threads, cut.runs.size()));
   core::Memory memory;
@@ -91,6 +89,14 @@ Result<RecordedConflicts> find_conflicts(std::span<const Track> tracks,
   return RecordedConflicts{*std::move(conflicts), std::move(cut.gaps)};
 }
 
+}  // namespace
+
+Result<RecordedConflicts> find_conflicts(std::span<const Track> tracks,
+                                         const ConflictOptions& options) {
+  if (auto error = check(tracks, options)) return *std::move(error);
+  return search_tracks(tracks, options);
+}
+
 Result<std::optional<Conflict>> find_closest_encounter(std::span<const Track> tracks,
                                                        double max_gap_s, unsigned threads) {
   ConflictOptions options;
@@ -99,13 +105,14 @@ Result<std::optional<Conflict>> find_closest_encounter(std::span<const Track> tr
   options.inclusive = true;
   options.threshold_m = 1.0;  // any, for the check
   if (auto error = check(tracks, options)) return *std::move(error);
-  // From what some two come within to what is wider than the swarm.
-  const double widest = std::clamp(1.01 * diagonal_of(tracks), 0x1p-90, kLargestInMotion);
+  // From what some two come within to what is wider than the swarm, which may be wider than any
+  // threshold that is taken from others.
+  const double widest = std::max(1.01 * diagonal_of(tracks), 0x1p-90);
   const auto some_m = closest_at_some_instants(tracks, max_gap_s);
   const double first = some_m ? *some_m * (1.0 + 0x1p-40) : widest * 0x1p-12;
   for (double threshold = std::max(first, kSmallestInMotion);; threshold *= 2.0) {
     options.threshold_m = std::min(threshold, widest);
-    const Result<RecordedConflicts> found = find_conflicts(tracks, options);
+    const Result<RecordedConflicts> found = search_tracks(tracks, options);
     if (!found) return found.error();
     std::optional<Conflict> closest;
     for (const Conflict& conflict : found->conflicts) {

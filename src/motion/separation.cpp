@@ -31,7 +31,20 @@ TimeSpan conflict_span(const RelativeMotion<4>& motion, const Separation& separa
   const TimeSpan in_height = time_closer(RelativeMotion<1>{{motion.r[up]}, {motion.w[up]}},
                                          *separation.vertical_m, horizon_s);
   const double begins = std::max(near.begins_s, in_height.begins_s);
-  return {begins, std::max(begins, std::min(near.ends_s, in_height.ends_s))};
+  const double ends = std::min(near.ends_s, in_height.ends_s);
+  if (begins <= ends) return {begins, ends};
+  // An instant that rounding has torn in two. Where the level is only just grazed, a last bit of
+  // the threshold is half the digits of the time; where heights hardly change, of theirs. So it is
+  // the one at which the two are less too far apart.
+  const auto excess = [&](double time) {
+    const double apart = closest_within(level, {time, time}).distance_m;
+    const double height = std::abs(motion.r[up] + motion.w[up] * time);
+    return std::max(apart - separation.threshold_m, height - *separation.vertical_m);
+  };
+  const double of_heights = std::clamp(near.begins_s, in_height.begins_s, in_height.ends_s);
+  const double of_level = std::clamp(in_height.begins_s, near.begins_s, near.ends_s);
+  const double instant = excess(of_heights) < excess(of_level) ? of_heights : of_level;
+  return {instant, instant};
 }
 
 }  // namespace

@@ -3,7 +3,8 @@
 namespace beespace::differential {
 
 std::vector<Examiner> all_examiners() {
-  return {snapshot_examiner("spheres", false), snapshot_examiner("cylinders", true)};
+  return {snapshot_examiner("spheres", false), snapshot_examiner("cylinders", true),
+          prediction_examiner(), recording_examiner()};
 }
 
 }  // namespace beespace::differential

@@ -36,6 +36,10 @@ struct Examiner {
 
 // Of one moment, with a vertical threshold or without.
 Examiner snapshot_examiner(const std::string& name, bool upright);
+// Of movers until a horizon.
+Examiner prediction_examiner();
+// Of tracks.
+Examiner recording_examiner();
 
 std::vector<Examiner> all_examiners();
 

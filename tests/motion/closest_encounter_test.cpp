@@ -122,6 +122,11 @@ TEST(ClosestEncounter, AtTheEndsOfTheDomainIsFoundAsWell) {
   ASSERT_TRUE(huge.has_value()) << huge.error().message;
   ASSERT_TRUE(huge->has_value());
   EXPECT_EQ((*huge)->closest_m, kLargestInMotion);
+  // Across the whole domain: farther than any threshold that find_conflicts takes.
+  const auto across = find_closest_encounter(Tracks{at(-kLargestInMotion), at(kLargestInMotion)});
+  ASSERT_TRUE(across.has_value()) << across.error().message;
+  ASSERT_TRUE(across->has_value());
+  EXPECT_EQ((*across)->closest_m, 2.0 * kLargestInMotion);
 }
 
 TEST(ClosestEncounter, RefusesWhatFindConflictsRefuses) {

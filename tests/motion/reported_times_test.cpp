@@ -201,5 +201,35 @@ TEST_F(ReportedTimes, AreTrueWhereTheyCircleAtTheThreshold) {
   EXPECT_GT(conflicts_, rounds(900));
 }
 
+// On the level grazed, where a last bit of the threshold is half the digits of the time, just as
+// the height is left: an instant at which both are so, not one that is 1e-8 m too high.
+TEST_F(ReportedTimes, AreTrueWhereAGrazedCylinderIsLeftInHeight) {
+  Encounter e{{{-0x1.02a632b4365fcp+3, -0x1.b018c301843c4p+3, -0x1.5d07b0478f8b7p+4},
+               {-0x1.b0ce1e0d6941cp-11, 0x1.eace1a5a1d8a8p-10, -0x1.720c370722492p-11}},
+              {{-0x1.3de03bee6e3d7p+3, -0x1.b018c301843c4p+3, -0x1.6dfa1daaaf656p+4},
+               {0x1.0d87e7108c7a8p-7, 0x1.244318b594f6ep-5, -0x1.049ab4339f8cap-4}},
+              {}};
+  e.options.threshold_m = 0x1.c9b12de74328ep+0;
+  e.options.vertical_m = 0x1.eb7a7912cbb36p+0;
+  e.options.inclusive = true;
+  e.options.horizon_s = 0x1.4e1546120ff7dp+5;
+  expect_true(e);
+  EXPECT_EQ(conflicts_, 1);
+}
+
+// The other way round: heights hardly change, and the level is grazed at one instant.
+TEST_F(ReportedTimes, AreTrueWhereHeightsHardlyChange) {
+  Encounter e{{{0, 0, 0}, {}}, {{-8, 5, 0x1.fffffffffffffp+1}, {1, 0, 0x1p-52}}, {}};
+  e.options.threshold_m = 5.0;
+  e.options.vertical_m = 4.0;
+  e.options.inclusive = true;
+  e.options.horizon_s = 60.0;
+  expect_true(e);  // on the level at 8 s, in height until 2 s
+  EXPECT_EQ(conflicts_, 0);
+  e.second.velocity.z = 0x1p-55;  // until 16 s
+  expect_true(e);
+  EXPECT_EQ(conflicts_, 1);
+}
+
 }  // namespace
 }  // namespace beespace

@@ -1,0 +1,21 @@
+// Recordings that are made to be told wrongly.
+#pragma once
+
+#include "tests/differential/random.hpp"
+
+#include <beespace/find_conflicts.hpp>
+
+#include <string>
+#include <vector>
+
+namespace beespace::differential {
+
+struct RecordingScene {
+  std::string name;
+  std::vector<Track> tracks;
+  ConflictOptions options;
+};
+
+RecordingScene random_recording(Random& random);
+
+}  // namespace beespace::differential
