@@ -14,6 +14,7 @@
 #include "cli/watch_request.hpp"
 #include "io/report_lines.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <optional>
@@ -37,14 +38,21 @@ class Watch {
     let_interruption_wait();
     std::string_view line;
     while (write_error_ == 0) {
-      const auto got = source->next(line, kPatienceMs);
+      // A look of advice that has begun waits for less.
+      const auto advice_ms = advice_ ? advice_->patience_ms() : std::nullopt;
+      const auto got = source->next(line, std::min(kPatienceMs, advice_ms.value_or(kPatienceMs)));
       if (!got) return got.error();
       if (*got == LineSource::Got::kEnd) break;
+      if (*got == LineSource::Got::kNothingYet && advice_ms) {
+        note_advice(advice_->waited());
+        continue;
+      }
       const Status done = *got == LineSource::Got::kLine ? take(line) : wait();
       if (!done) return done.error();
     }
     if (feed_ && write_error_ == 0) {
       if (auto done = feed_->finish(); !done) return done.error();
+      if (advice_) note_advice(advice_->finish());
     }
     return end();
   }
@@ -79,8 +87,12 @@ class Watch {
     feed_.emplace(options, request_.look_every_s,
                   [this](const std::vector<SwarmEvent>& events) { tell(events); });
     if (!request_.advice) return;
-    advice_.emplace(*request_.advice, frame);
-    feed_->after_each_look([this](double time_s) { advise(time_s); });
+    advice_.emplace(
+        *request_.advice, frame, [this](PointId id) -> const BeeName& { return feed_->name(id); },
+        [this](const std::string& lines) {
+          if (write_error_ == 0) write_error_ = write_out(lines);
+        });
+    feed_->after_each_report([this](const Report& report) { note_advice(advice_->take(report)); });
   }
 
   Status take(std::string_view line) {
@@ -128,14 +140,10 @@ class Watch {
   }
 
   // A look without advice is no reason to stop looking.
-  void advise(double time_s) {
-    const auto lines = advice_->lines(time_s, *feed_);
-    if (!lines) {
-      if (unadvised_looks_++ == 0 && !request_.quiet) {
-        say("beespace: no advice: " + printable(to_string(lines.error())) + "\n");
-      }
-    } else if (write_error_ == 0) {
-      write_error_ = write_out(*lines);
+  void note_advice(const Status& advised) {
+    if (advised) return;
+    if (unadvised_looks_++ == 0 && !request_.quiet) {
+      say("beespace: no advice: " + printable(to_string(advised.error())) + "\n");
     }
   }
 
@@ -184,8 +192,9 @@ class Watch {
       text += ", " + red(grouped(advice_->uncertified())) + " not certified";
     }
     append_summary_line(out, "advice", text);
-    if (unadvised_looks_ == 0) return;
-    append_summary_line(out, "no advice", red(grouped(unadvised_looks_)) + " looks");
+    const std::uint64_t without = unadvised_looks_ + advice_->skipped();
+    if (without == 0) return;
+    append_summary_line(out, "no advice", red(grouped(without)) + " looks");
   }
 
   const WatchRequest& request_;

@@ -77,8 +77,8 @@ _beespace() {
           ;;
         watch)
           words='--threshold --vertical --horizon --leave-factor --look-every --advise --max-speed
-            --max-acceleration --step --max-age --speed --rate --threads --crs --columns --time-unit
-            --heights --fail-on-risk --quiet --help --version'
+            --max-acceleration --uncertainty --step --max-age --speed --rate --threads --crs --columns
+            --time-unit --heights --fail-on-risk --quiet --help --version'
           ;;
         advise)
           words='--speed --acceleration --step --threshold --uncertainty --obstacles --clearance

@@ -78,6 +78,7 @@ complete $watch -x -l max-age -d 'Stale is who was not heard of for so many seco
 complete $watch -f -l advise -d 'Also tell who should fly otherwise, and how'
 complete $watch -x -l max-speed -d 'In advice, the greatest, in metres per second'
 complete $watch -x -l max-acceleration -a none -d 'In advice, the greatest, in metres per second squared'
+complete $watch -x -l uncertainty -d 'In advice, how many metres from where it leads a bee may be'
 complete $watch -x -l step -d 'In advice, how many seconds until the next'
 complete $watch -x -l speed -d 'Read a recording as fast as it happened, times this'
 complete $watch -x -l rate -d 'Read so many reports a second at most'

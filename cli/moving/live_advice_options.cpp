@@ -13,13 +13,14 @@ namespace {
 
 constexpr const char* kDefaultMaxSpeed = "30";
 constexpr const char* kDefaultMaxAcceleration = "5";
+constexpr const char* kDefaultUncertainty = "0.1";
 
 }  // namespace
 
 void add_live_advice_options(CLI::App& command, LiveAdviceOptions& options, const char* group) {
   command
       .add_flag("--advise", options.wanted,
-                "At every look, also tell who should not fly on as it\ndoes, and how instead")
+                "Every --step, also tell who should not fly on as it\ndoes, and how instead")
       ->group(group);
   command
       .add_option("--max-speed", options.max_speed,
@@ -32,6 +33,12 @@ void add_live_advice_options(CLI::App& command, LiveAdviceOptions& options, cons
           "--max-acceleration", options.max_acceleration,
           "In advice, the greatest, in m/s^2 (default: 5); none:\nvelocities change at once")
       ->type_name("A|none")
+      ->group(group);
+  command
+      .add_option("--uncertainty", options.uncertainty,
+                  "In advice, how far from where it leads a bee may be\nand still be certified "
+                  "(default: 0.1)")
+      ->type_name("METRES")
       ->group(group);
   command
       .add_option("--step", options.step,
@@ -47,6 +54,7 @@ Result<std::optional<LiveAdviceRequest>> live_advice_request(const char* command
     for (const auto& [option, value] :
          {std::pair<const char*, const std::string&>{"--max-speed", options.max_speed},
           {"--max-acceleration", options.max_acceleration},
+          {"--uncertainty", options.uncertainty},
           {"--step", options.step}}) {
       if (value.empty()) continue;
       return usage_error(command, std::string(option) + " is of advice; add --advise");
@@ -68,7 +76,11 @@ Result<std::optional<LiveAdviceRequest>> live_advice_request(const char* command
   const auto acceleration = read_acceleration(
       command, "--max-acceleration", or_default(options.max_acceleration, kDefaultMaxAcceleration));
   if (!acceleration) return acceleration.error();
+  const auto uncertainty = read_length(command, "--uncertainty",
+                                       or_default(options.uncertainty, kDefaultUncertainty), 0.0);
+  if (!uncertainty) return uncertainty.error();
   request.limits = {*speed, *acceleration};
+  request.options.uncertainty_m = *uncertainty;
   request.options.threshold_m = looks.threshold_m;
   request.options.threads = looks.threads;
   request.options.step_s = looks.look_every_s;

@@ -19,6 +19,7 @@ struct LiveAdviceOptions {
   bool wanted = false;
   std::string max_speed;
   std::string max_acceleration;
+  std::string uncertainty;
   std::string step;
 };
 

@@ -53,7 +53,9 @@ Status LiveFeed::pass_on(const Report& report) {
   }
   Status taken = swarm_.update(report);
   idle_s_ = 0.0;
-  if (taken) latest_s_ = std::max(latest_s_.value_or(report.time_s), report.time_s);
+  if (!taken) return taken;
+  latest_s_ = std::max(latest_s_.value_or(report.time_s), report.time_s);
+  if (reported_) reported_(report);
   return taken;
 }
 

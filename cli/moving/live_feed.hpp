@@ -38,6 +38,10 @@ class LiveFeed {
   using Looked = std::function<void(double time_s)>;
   void after_each_look(Looked looked) { looked_ = std::move(looked); }
 
+  // Sees each report from now on that the swarm has taken note of, late and repeated ones too.
+  using Reported = std::function<void(const Report& report)>;
+  void after_each_report(Reported reported) { reported_ = std::move(reported); }
+
   // The number of a bee, by its id. What it is called beside that is kept, if it is said.
   PointId number(std::string_view id, std::string_view label);
   [[nodiscard]] const BeeName& name(PointId number) const { return names_[number]; }
@@ -75,6 +79,7 @@ class LiveFeed {
   LookTimes times_;
   Tell tell_;
   Looked looked_;
+  Reported reported_;
   std::optional<std::int64_t> looks_;  // the number of the last
   std::optional<double> latest_s_;     // of all reports
   std::optional<Report> waiting_;      // far ahead of these

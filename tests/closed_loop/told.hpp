@@ -1,0 +1,41 @@
+// What `watch --advise` has told in a look.
+#pragma once
+
+#include "tests/closed_loop/flown.hpp"
+
+#include <map>
+#include <optional>
+#include <string>
+
+namespace beespace::closed_loop {
+
+// What one bee is told.
+struct Told {
+  std::optional<Vector> velocity;  // none: nothing to fly by
+  bool certified = false;
+  std::string because;
+};
+
+// All that is said of one look.
+struct Look {
+  double time_s = 0;
+  double effective_s = 0;
+  std::map<std::string, Told> bees;  // those that are named
+  std::string closing;               // the line that ends it
+};
+
+// Puts the lines of looks together.
+class Looks {
+ public:
+  // The look that this line ends; none where it goes on, or the line is about something else.
+  std::optional<Look> take(const std::string& line);
+
+ private:
+  Look open_;
+};
+
+// A member of a line of JSON that has no objects in arrays; none where it is not there.
+std::optional<double> number_in(const std::string& line, const std::string& name);
+std::optional<std::string> text_in(const std::string& line, const std::string& name);
+
+}  // namespace beespace::closed_loop
