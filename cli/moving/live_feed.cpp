@@ -106,6 +106,26 @@ const char* name_of(EventKind kind) {
       return "lost";
     case EventKind::kEnded:
       return "ended";
+    case EventKind::kPossible:
+      return "possible";
+    case EventKind::kOverloaded:
+      return "overloaded";
+  }
+  return "unknown";
+}
+
+const char* name_of(SwarmBound bound) {
+  switch (bound) {
+    case SwarmBound::kNone:
+      return "none";
+    case SwarmBound::kBees:
+      return "bees";
+    case SwarmBound::kPairs:
+      return "pairs";
+    case SwarmBound::kPredicted:
+      return "predicted";
+    case SwarmBound::kPossible:
+      return "possible";
   }
   return "unknown";
 }
@@ -128,6 +148,16 @@ std::string event_line(const SwarmEvent& event, const LiveFeed& feed) {
     if (event.kind == EventKind::kHeard) line += ", \"since_s\": " + exact(event.since_s);
     line += ", \"id\": " + io::json_string(feed.name(event.first).id);
     append_label(line, "label", feed.name(event.first));
+    return line + "}\n";
+  }
+  if (event.kind == EventKind::kOverloaded) {
+    line += std::string(", \"bound\": \"") + name_of(event.bound) + "\"";
+    line += ", \"left_out\": " + std::to_string(event.count);
+    if (event.bound == SwarmBound::kBees) {
+      line += ", \"id\": " + io::json_string(feed.name(event.first).id);
+    } else {
+      line += ", \"distance_m\": " + exact(event.distance_m);
+    }
     return line + "}\n";
   }
   line += ", \"first\": " + io::json_string(feed.name(event.first).id);

@@ -94,7 +94,10 @@ class LiveFeed {
 // A line of JSON, with its end.
 std::string event_line(const SwarmEvent& event, const LiveFeed& feed);
 
-// "predicted", "heard", "entered", "closest_passed", "left", "stale", "lost", "ended".
+// "predicted", "possible", "heard", "entered", "closest_passed", "left", "stale", "lost", "ended",
+// "overloaded".
 const char* name_of(EventKind kind);
+// "bees", "pairs", "predicted", "possible".
+const char* name_of(SwarmBound bound);
 
 }  // namespace beespace::cli

@@ -18,6 +18,9 @@ std::vector<Value> row_of(const SwarmEvent& event, const LiveFeed& feed) {
   if (event.kind == EventKind::kStale || event.kind == EventKind::kHeard) {
     return {event.time_s, std::string(name_of(event.kind)), feed.name(event.first), {}, {}, {}};
   }
+  if (event.kind == EventKind::kOverloaded) {
+    return {event.time_s, std::string(name_of(event.kind)), {}, {}, event.distance_m, {}};
+  }
   return {event.time_s,           std::string(name_of(event.kind)),
           feed.name(event.first), feed.name(event.second),
           event.distance_m,       event.closest_s};

@@ -14,7 +14,11 @@
 // somewhere, and stays known until it is removed. A pair that had entered and of which one falls
 // silent is *lost*, which is neither left nor a distance that is kept. Each *entered* is followed
 // by one of *left*, *lost* and *ended* of its pair. When the stale bee is *heard* of again, what
-// there is then is told anew: *entered*, if the two are in conflict at that instant.
+// there is then is told anew: *entered*, if the two are in conflict at that instant. With
+// max_speed_mps, a stale bee is somewhere in a ball that grows with it around where it was last
+// heard of, and any other bee in one around its own last report: where these come closer than the
+// threshold a conflict is *possible*. It is said once for a pair until one of the
+// two is heard of again after a silence, or removed, and is so until then.
 //
 // So that nothing flaps, a pair that has entered (come closer than the threshold) has left only
 // when it is farther apart than the leave threshold.
@@ -22,8 +26,13 @@
 // Values of reports that are too small for exact comparison are zero to a swarm (see mover.hpp).
 //
 // Units: metres and seconds, in one Cartesian frame. Ids are the caller's own numbers. Memory: a
-// few hundred bytes a bee until it is removed, and what is known of the time since the bee that was
-// last heard of longest ago, which max_age_s bounds. Not thread-safe.
+// few hundred bytes a bee until it is removed, of which there are at most max_bees; so much a pair
+// that is followed, of which there are at most max_pairs; and the reports since the bee that was
+// last heard of longest ago, which max_age_s bounds. Where a bound leaves something out, advance()
+// says so (kOverloaded), and what it leaves out are the pairs farthest apart. A pair in conflict
+// that makes room for closer ones is *lost*. Time: as the bees and their reports, and as the pairs
+// up to a few times max_pairs; with max_speed_mps, stale bees times all bees too, as long as their
+// balls have not reached all. Not thread-safe.
 #pragma once
 
 #include <beespace/export.hpp>
@@ -65,6 +74,17 @@ struct SwarmOptions {
   // metres: 0.3048 for feet. Then `vertical_m` and climb rates are in that unit too, and compared
   // with the heights as they are, exactly; distances that are told are in metres all the same.
   double height_unit_m = 1.0;
+
+  // Metres per second: no bee is ever faster, heights included. Where it is given, what a stale bee
+  // may be in conflict with comes as kPossible; without it that is unknown.
+  std::optional<double> max_speed_mps = {};
+
+  // How many bees are known at a time, stale ones included. The report of another one is refused.
+  std::size_t max_bees = 1'000'000;
+
+  // How many pairs are followed at a time: of those in conflict, of those predicted, and of those
+  // possible so many each. Of more, the closest are. A pair takes up to some 700 bytes.
+  std::size_t max_pairs = 500'000;
 };
 
 // One message: where a bee was at a time, and how fast it went, where that is known.
@@ -82,6 +102,7 @@ struct Report {
 // In the order in which events of one instant are told.
 enum class EventKind : std::uint8_t {
   kPredicted,      // a conflict lies ahead, or is there now
+  kPossible,       // a stale bee may be in conflict with another one, at max_speed_mps
   kHeard,          // a stale bee has been heard of again
   kEntered,        // closer than the threshold
   kClosestPassed,  // the closest has passed: they are getting farther apart again
@@ -89,21 +110,37 @@ enum class EventKind : std::uint8_t {
   kStale,          // a bee has not been heard of for max_age_s
   kLost,           // one of two that had entered has fallen silent: from then on it is unknown
   kEnded,          // of finish(): two that had entered, when nothing more was heard
+  kOverloaded,     // a bound was reached, and something left out: for as long as advance() says so
 };
-inline constexpr std::size_t kEventKinds = 8;
+inline constexpr std::size_t kEventKinds = 10;
+
+// What was reached where a swarm is overloaded.
+enum class SwarmBound : std::uint8_t {
+  kNone,
+  kBees,       // max_bees: reports of others were refused; the first of them was of `first`
+  kPairs,      // max_pairs, of pairs in conflict
+  kPredicted,  // max_pairs, of pairs predicted
+  kPossible,   // max_pairs, of possible conflicts
+};
 
 struct SwarmEvent {
   EventKind kind = EventKind::kPredicted;
   // When it happened; of a prediction, when it begins; of kStale, when the bee was last heard of;
-  // of kLost and kEnded, up to when both are known.
+  // of kLost and kEnded, up to when both are known; of kPossible, since when it may be so, from
+  // where both were last heard of; of kOverloaded, when advance() was asked about.
   double time_s = 0.0;
   PointId first = 0;   // below second
-  PointId second = 0;  // of kStale and kHeard, the same as first
-  // How far apart they are then; of a prediction, when they are closest.
+  PointId second = 0;  // of kStale, kHeard and kOverloaded, the same as first
+  // How far apart they are then; of a prediction, when they are closest; of kPossible, where they
+  // were last heard of. Of kOverloaded, from what distance on pairs were left out.
   double distance_m = 0.0;
-  // When they are closest: of a prediction; otherwise so far. Of kStale and kHeard, as time_s.
+  // When they are closest: of a prediction; otherwise so far. Of the others, as time_s.
   double closest_s = 0.0;
-  double since_s = 0.0;  // of kHeard, kStale and kLost: since when the bee has been silent
+  // Of kHeard, kStale, kLost and kPossible: since when the bee has been silent, or the one of two
+  // that has been for longer.
+  double since_s = 0.0;
+  std::uint64_t count = 0;  // of kOverloaded: how many were left out, at least; 0: not known
+  SwarmBound bound = SwarmBound::kNone;  // of kOverloaded
 
   friend constexpr bool operator==(const SwarmEvent&, const SwarmEvent&) = default;
 };
@@ -115,6 +152,7 @@ struct SwarmCounts {
   std::uint64_t late = 0;      // before one that was taken from the same bee: left out
   std::uint64_t bees = 0;      // known and not stale, now
   std::uint64_t stale = 0;     // now
+  std::uint64_t refused = 0;   // of a bee beyond max_bees: left out
   // For how long bees have been unknown in all, removed ones included, where they have been heard
   // of again.
   double unknown_s = 0.0;
@@ -155,8 +193,9 @@ class BEESPACE_API Swarm {
   ~Swarm();
 
   // Takes note of a report, in any order of bees; of one bee, late and repeated ones are counted
-  // and left out. Errors: kNotFinite, kOutsideDomain (the motion domain, see mover.hpp), with the
-  // bee in place.record; the report is then left out.
+  // and left out. Errors: kNotFinite, kOutsideDomain (too large for the motion domain, see
+  // mover.hpp), kTooManyPoints (a bee beyond max_bees), with the bee in place.record; the report is
+  // then left out, and all others count.
   Status update(const Report& report);
 
   // A bee that is there no longer, of which nothing is kept once the others have been heard of as

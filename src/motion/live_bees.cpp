@@ -56,6 +56,7 @@ void LiveBees::add(LiveRun& run, const Report& report) const {
 }
 
 void LiveBees::begin_run(KnownBee& bee, const Report& report) {
+  ++changes_;
   if (free_.empty()) {
     bee.run = static_cast<std::uint32_t>(runs_.size());
     runs_.emplace_back();
@@ -69,14 +70,15 @@ void LiveBees::begin_run(KnownBee& bee, const Report& report) {
   add(run, report);
 }
 
-LiveBees::Taken LiveBees::take(const Report& report, double max_age_s) {
+LiveBees::Taken LiveBees::take(const Report& report, double max_age_s, std::size_t max_bees) {
   const Fix fix{report.time_s, report.position};
-  const auto [at, is_new] = known_.try_emplace(report.id);
-  KnownBee& bee = at->second;
-  if (is_new) {
-    begin_run(bee, report);
+  const auto at = known_.find(report.id);
+  if (at == known_.end()) {
+    if (known_.size() >= max_bees) return Taken::kFull;
+    begin_run(known_[report.id], report);
     return Taken::kYes;
   }
+  KnownBee& bee = at->second;
   const bool said_stale = bee.stale();
   if (!said_stale) {
     LiveRun& run = runs_[bee.run];
@@ -104,6 +106,7 @@ void LiveBees::remove(PointId bee) {
   if (known == known_.end()) return;
   if (!known->second.stale()) complete(known->second, RunEnd::kRemoved);
   --stale_;
+  ++changes_;
   known_.erase(known);
 }
 
@@ -116,6 +119,7 @@ void LiveBees::complete(KnownBee& bee, RunEnd end) {
   if (heights_apart_) bee.height_m = run.heights_m.back();
   bee.run = KnownBee::kStale;
   ++stale_;
+  ++changes_;
 }
 
 void LiveBees::complete_all() {
@@ -161,6 +165,17 @@ void LiveBees::forget(std::vector<std::uint32_t>& dropped) {
     run.fixes.erase(run.fixes.begin(), run.fixes.begin() + gone);
     if (heights_apart_) run.heights_m.erase(run.heights_m.begin(), run.heights_m.begin() + gone);
   }
+  give_back();
+}
+
+// The memory of bees that are gone, once they were most.
+void LiveBees::give_back() {
+  constexpr std::size_t kFew = 64;
+  while (!runs_.empty() && runs_.back().fixes.empty()) runs_.pop_back();
+  std::erase_if(free_, [&](std::uint32_t place) { return place >= runs_.size(); });
+  if (runs_.capacity() > kFew && runs_.capacity() / 4 > runs_.size()) runs_.shrink_to_fit();
+  if (free_.capacity() > kFew && free_.capacity() / 4 > free_.size()) free_.shrink_to_fit();
+  if (known_.bucket_count() > kFew && known_.bucket_count() / 8 > known_.size()) known_.rehash(0);
 }
 
 }  // namespace beespace::motion

@@ -67,9 +67,11 @@ class LiveBees {
  public:
   explicit LiveBees(bool heights_apart) : heights_apart_(heights_apart) {}
 
-  // Returns what became of the report, whose values are flushed.
-  enum class Taken : std::uint8_t { kYes, kRepeated, kLate };
-  Taken take(const Report& report, double max_age_s);
+  // Returns what became of the report, whose values are flushed; kFull where it is of a bee beyond
+  // `max_bees`.
+  enum class Taken : std::uint8_t { kYes, kRepeated, kLate, kFull };
+  Taken take(const Report& report, double max_age_s,
+             std::size_t max_bees = std::numeric_limits<std::size_t>::max());
 
   // A bee that is there no longer; nothing where it is not known.
   void remove(PointId bee);
@@ -85,6 +87,8 @@ class LiveBees {
   [[nodiscard]] std::size_t under_way() const { return known_.size() - stale_; }
   // Stale, and not heard of since.
   [[nodiscard]] std::size_t stale() const { return stale_; }
+  // Grows with each bee that comes, goes, falls silent or is heard of again; above zero.
+  [[nodiscard]] std::uint64_t changes() const { return changes_; }
   // For how long bees were unknown that have been heard of again, removed ones included.
   [[nodiscard]] double unknown_s() const { return unknown_s_; }
   // Returns since the last call.
@@ -102,6 +106,7 @@ class LiveBees {
   void add(LiveRun& run, const Report& report) const;
   void begin_run(KnownBee& bee, const Report& report);
   void complete(KnownBee& bee, RunEnd end);
+  void give_back();
   [[nodiscard]] double known_from_s() const;
 
   bool heights_apart_;
@@ -109,6 +114,7 @@ class LiveBees {
   std::vector<std::uint32_t> free_;  // places
   std::unordered_map<PointId, KnownBee> known_;
   std::size_t stale_ = 0;
+  std::uint64_t changes_ = 1;
   double unknown_s_ = 0.0;
   std::vector<Return> returns_;
 };

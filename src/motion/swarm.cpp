@@ -3,6 +3,8 @@
 #include "cpu/crew_size.hpp"
 #include "motion/flush.hpp"
 #include "motion/live_bees.hpp"
+#include "motion/live_overload.hpp"
+#include "motion/live_possible.hpp"
 #include "motion/live_predictions.hpp"
 #include "motion/live_walks.hpp"
 #include "motion/separation.hpp"
@@ -25,14 +27,22 @@ std::optional<Error> check(const SwarmOptions& options) {
   const auto good = [](double value, double least) {
     return value >= least && motion::in_motion_domain(value);
   };
-  if (good(options.leave_factor, 1.0) && good(options.horizon_s, 0.0) &&
-      good(options.max_age_s, kSmallestInMotion)) {
-    return std::nullopt;
+  if (!good(options.leave_factor, 1.0) || !good(options.horizon_s, 0.0) ||
+      !good(options.max_age_s, kSmallestInMotion)) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "leave_factor must be 1 or more, horizon_s 0 or more, max_age_s above 0, and all "
+                 "of them finite",
+                 {}};
   }
-  return Error{ErrorCode::kInvalidArgument,
-               "leave_factor must be 1 or more, horizon_s 0 or more, max_age_s above 0, and all of "
-               "them finite",
-               {}};
+  if (options.max_speed_mps && !good(*options.max_speed_mps, 0.0)) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "max_speed_mps must be 0 or more, and finite, where it is given",
+                 {}};
+  }
+  if (options.max_bees == 0 || options.max_pairs == 0) {
+    return Error{ErrorCode::kInvalidArgument, "max_bees and max_pairs must be 1 or more", {}};
+  }
+  return std::nullopt;
 }
 
 motion::Separation separation_of(const SwarmOptions& options, double factor) {
@@ -43,8 +53,8 @@ motion::Separation separation_of(const SwarmOptions& options, double factor) {
 }
 
 bool earlier(const SwarmEvent& a, const SwarmEvent& b) {
-  return std::tie(a.time_s, a.kind, a.first, a.second) <
-         std::tie(b.time_s, b.kind, b.first, b.second);
+  return std::tie(a.time_s, a.kind, a.first, a.second, a.bound) <
+         std::tie(b.time_s, b.kind, b.first, b.second, b.bound);
 }
 
 }  // namespace
@@ -58,11 +68,15 @@ class __attribute__((visibility("hidden"))) Swarm::State {
         leave_(separation_of(options, options.leave_factor)),
         bees_(options.heights_apart),
         walks_({leave_, enter_, options.leave_factor == 1.0},
-               std::max(0.05, options.leave_factor - 1.0) * options.threshold_m),
-        predictions_(enter_, leave_, options.horizon_s) {}
+               std::max(0.05, options.leave_factor - 1.0) * options.threshold_m, options.max_pairs),
+        predictions_(enter_, leave_, options.horizon_s, options.max_pairs),
+        possible_(enter_, options.max_speed_mps.value_or(0.0), options.max_pairs) {}
 
   Status update(Report report);
-  void remove(PointId id) { bees_.remove(id); }
+  void remove(PointId id) {
+    bees_.remove(id);
+    possible_.forget(id);
+  }
   Result<std::vector<SwarmEvent>> advance(double now_s);
   Result<std::vector<SwarmEvent>> finish(double now_s);
 
@@ -77,6 +91,8 @@ class __attribute__((visibility("hidden"))) Swarm::State {
   [[nodiscard]] std::vector<Silence> silences(double time_s) const;
 
  private:
+  Error refuse(PointId bee);
+  void tell_refused(double now_s, std::vector<SwarmEvent>& events);
   core::Resources resources();
   void tell_silences(double now_s, std::vector<SwarmEvent>& events);
   void search(double now_s, const core::Resources& with, std::vector<SwarmEvent>& events);
@@ -87,8 +103,11 @@ class __attribute__((visibility("hidden"))) Swarm::State {
   motion::LiveBees bees_;
   motion::LiveWalks walks_;
   motion::LivePredictions predictions_;
+  motion::LivePossible possible_;
   std::optional<double> now_s_;
   SwarmCounts counts_;
+  std::uint64_t refused_ = 0;  // since the last advance(), first of this bee
+  PointId refused_first_ = 0;
   double unknown_before_s_ = 0.0;  // of bees before the last finish()
   core::Memory memory_;
   Crew alone_;
@@ -115,7 +134,9 @@ Status Swarm::State::update(Report report) {
                      " s; give a finite number of seconds",
                  place};
   }
-  switch (bees_.take(report, options_.max_age_s)) {
+  switch (bees_.take(report, options_.max_age_s, options_.max_bees)) {
+    case motion::LiveBees::Taken::kFull:
+      return refuse(report.id);
     case motion::LiveBees::Taken::kYes:
       ++counts_.taken;
       break;
@@ -127,6 +148,24 @@ Status Swarm::State::update(Report report) {
       break;
   }
   return std::monostate{};
+}
+
+Error Swarm::State::refuse(PointId bee) {
+  if (refused_ == 0) refused_first_ = bee;
+  ++refused_;
+  ++counts_.refused;
+  Place place;
+  place.record = bee;
+  return {ErrorCode::kTooManyPoints,
+          "there are " + std::to_string(options_.max_bees) +
+              " bees already; remove some that are gone, or allow for more (max_bees)",
+          place};
+}
+
+void Swarm::State::tell_refused(double now_s, std::vector<SwarmEvent>& events) {
+  if (refused_ == 0) return;
+  events.push_back({EventKind::kOverloaded, now_s, refused_first_, refused_first_, 0.0, now_s, 0.0,
+                    std::exchange(refused_, 0), SwarmBound::kBees});
 }
 
 core::Resources Swarm::State::resources() {
@@ -142,6 +181,7 @@ void Swarm::State::tell_silences(double now_s, std::vector<SwarmEvent>& events) 
     events.push_back({EventKind::kStale, last_s, bee, bee, 0.0, last_s, last_s});
   };
   for (const motion::Return& back : bees_.take_returns()) {
+    possible_.forget(back.bee);
     if (!back.said_stale) tell_stale(back.bee, back.since_s);
     events.push_back(
         {EventKind::kHeard, back.heard_s, back.bee, back.bee, 0.0, back.heard_s, back.since_s});
@@ -152,7 +192,7 @@ void Swarm::State::tell_silences(double now_s, std::vector<SwarmEvent>& events) 
 void Swarm::State::search(double now_s, const core::Resources& with,
                           std::vector<SwarmEvent>& events) {
   bees_.settle(now_s, options_.max_age_s);
-  walks_.search(bees_, with, events);
+  walks_.search(bees_, with, events).tell(now_s, SwarmBound::kPairs, events);
 }
 
 Result<std::vector<SwarmEvent>> Swarm::State::advance(double now_s) {
@@ -169,8 +209,13 @@ Result<std::vector<SwarmEvent>> Swarm::State::advance(double now_s) {
   tell_silences(now_s, events);
   const core::Resources with = resources();
   search(now_s, with, events);
-  const Status predicted = predictions_.predict(bees_, walks_, now_s, with, events);
+  const auto predicted = predictions_.predict(bees_, walks_.entered(), now_s, with, events);
   if (!predicted) return predicted.error();
+  predicted->tell(now_s, SwarmBound::kPredicted, events);
+  if (options_.max_speed_mps) {
+    possible_.tell(bees_, now_s, with, events).tell(now_s, SwarmBound::kPossible, events);
+  }
+  tell_refused(now_s, events);
   std::sort(events.begin(), events.end(), earlier);
   return events;
 }
@@ -184,6 +229,7 @@ Result<std::vector<SwarmEvent>> Swarm::State::finish(double now_s) {
   unknown_before_s_ += bees_.unknown_s();
   bees_ = motion::LiveBees(options_.heights_apart);
   predictions_.forget_all();
+  possible_.forget_all();
   now_s_.reset();
   return events;
 }
