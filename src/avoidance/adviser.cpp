@@ -5,11 +5,13 @@
 #include "avoidance/claimants.hpp"
 #include "avoidance/disposal.hpp"
 #include "avoidance/flyers.hpp"
+#include "avoidance/intake.hpp"
 #include "avoidance/known_methods.hpp"
 #include "avoidance/validate.hpp"
 #include "avoidance/vicinity.hpp"
 #include "cpu/crew_size.hpp"
 #include "cpu/deal.hpp"
+#include "motion/flush.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,21 +34,9 @@ using core::Vector3;
 // Bees that a worker takes at a time: some have many neighbours, and others nobody.
 constexpr std::size_t kDealt = 512;
 
-// Speeds that are no more than rounding are none: nobody is told to leave the motion domain.
-double told(double component_mps) {
-  return std::abs(component_mps) < 0x1p-80 ? 0.0 : component_mps;
-}
+// As it will be taken when it is handed in again.
 Velocity told(const Vector3& v) {
-  return {told(v.x), told(v.y), told(v.z)};
-}
-
-// Until an intruder or an unknown bee says otherwise.
-Advice advice_of(const Velocity& velocity, AdviceKind kind) {
-  Advice advice{velocity, kind};
-  advice.clear_of_intruders = true;
-  advice.clear_of_unknown = true;
-  advice.clear_of_unknown_s = std::numeric_limits<double>::infinity();
-  return advice;
+  return motion::flushed(Velocity{v.x, v.y, v.z});
 }
 
 // Whoever wants to fly and is told to stand waits.
@@ -80,31 +70,13 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     if (auto error = avoidance::check(movers, preferred, limits, options)) {
       return *std::move(error);
     }
-    ThreadCrew& crew = crew_for(options.threads, movers.size());
-    flyers_.take(movers, limits, options, crew);
-    const double horizon_s = avoidance::looks_ahead_s(flyers_, options.step_s);
-    if (Status found = find_near(movers, options, horizon_s); !found) return found;
-    advised.advice.assign(movers.size(), {});
-    too_close_.assign(movers.size(), 0);
-    const Claimants claimants(flyers_, near_, too_close_, preferred, options);
-    if (options.method == AdviseMethod::kCertified) {
-      cpu::deal(crew, movers.size(), kDealt, [&](auto begin, auto end, unsigned /*worker*/) {
-        for (std::size_t bee = begin; bee < end; ++bee) {
-          too_close_[bee] = claimants.is_too_close(static_cast<PointId>(bee)) ? 1 : 0;
-        }
-      });
+    intake_.take(movers, preferred, limits, options, advised.refused);
+    Status found = advise_all(intake_.options(), advised);
+    if (!found) {
+      advised.clear();
+      return found;
     }
-    cpu::deal(crew, movers.size(), kDealt, [&](auto begin, auto end, unsigned worker) {
-      Desk& desk = desks_[worker];
-      for (std::size_t bee = begin; bee < end; ++bee) {
-        const auto id = static_cast<PointId>(bee);
-        const Vector3 wish = core::vector_of(preferred[bee]);
-        advised.advice[bee] = options.method == AdviseMethod::kCertified
-                                  ? advise_one(id, wish, claimants, desk)
-                                  : known_advice(id, wish, options, horizon_s, desk);
-      }
-    });
-    collect(claimants, options, advised);
+    intake_.number_as_given(advised);
     return std::monostate{};
   }
 
@@ -116,10 +88,42 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     avoidance::KnownMethod known;
   };
 
-  Status find_near(const MoversView& movers, const AdviseOptions& options, double horizon_s) {
+  // All who are taken, under the numbers that they have here.
+  Status advise_all(const AdviseOptions& options, Advised& advised) {
+    const std::span<const Velocity> wishes = intake_.wishes();
+    const std::size_t bees = intake_.movers().size();
+    ThreadCrew& crew = crew_for(options.threads, bees);
+    flyers_.take(intake_.movers(), intake_.limits(), options, crew);
+    const double horizon_s = avoidance::looks_ahead_s(flyers_, options.step_s);
+    if (Status found = find_near(options, horizon_s); !found) return found;
+    advised.advice.assign(bees, {});
+    too_close_.assign(bees, 0);
+    const Claimants claimants(flyers_, near_, too_close_, wishes, options);
+    if (options.method == AdviseMethod::kCertified) {
+      cpu::deal(crew, bees, kDealt, [&](auto begin, auto end, unsigned /*worker*/) {
+        for (std::size_t bee = begin; bee < end; ++bee) {
+          too_close_[bee] = claimants.is_too_close(static_cast<PointId>(bee)) ? 1 : 0;
+        }
+      });
+    }
+    cpu::deal(crew, bees, kDealt, [&](auto begin, auto end, unsigned worker) {
+      Desk& desk = desks_[worker];
+      for (std::size_t bee = begin; bee < end; ++bee) {
+        const auto id = static_cast<PointId>(bee);
+        const Vector3 wish = core::vector_of(wishes[bee]);
+        advised.advice[bee] = options.method == AdviseMethod::kCertified
+                                  ? advise_one(id, wish, claimants, desk)
+                                  : known_advice(id, wish, options, horizon_s, desk);
+      }
+    });
+    collect(claimants, options, advised);
+    return std::monostate{};
+  }
+
+  Status find_near(const AdviseOptions& options, double horizon_s) {
     if (options.method == AdviseMethod::kCertified) return near_.find(flyers_, options.threads);
     const double within_m = flyers_.apart().kept_m + 2.0 * flyers_.fastest() * horizon_s;
-    return near_.find_within(movers.positions(), within_m, options.threads);
+    return near_.find_within(MoversView(intake_.movers()).positions(), within_m, options.threads);
   }
 
   ThreadCrew& crew_for(unsigned threads, std::size_t bees) {
@@ -129,6 +133,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     for (Desk& desk : desks_) {
       desk.findings.too_close.clear();
       desk.findings.near_obstacle.clear();
+      desk.findings.near_unknown.clear();
     }
     return *crew_;
   }
@@ -143,8 +148,11 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     const Vector3 aside = at_most(findings.pressed, 1.0) * (kAside * flyer.max_speed);
     const auto [velocity, kind] =
         desk.disposal.dispose(flyer, makes_room ? wish + aside : wish, findings.claims);
-    Advice advice = advice_of(told(velocity), kind);
+    Advice advice{told(velocity), kind};
     advice.keeps_apart = findings.certified;
+    advice.clear_of_unknown_s = intake_.bee_anywhere() ? 0.0 : findings.clear_of_unknown_s;
+    advice.clear_of_unknown = advice.clear_of_unknown_s >= intake_.options().unknown_horizon_s;
+    advice.clear_of_intruders = !intake_.intruder_anywhere();  // until a conflict is found
     if (kind == AdviceKind::kAsWished) {
       if (makes_room) advice.kind = AdviceKind::kDeflected;
     } else if (findings.certified && waits(flyer, wish, velocity)) {
@@ -165,14 +173,13 @@ class __attribute__((visibility("hidden"))) Adviser::State {
 
   // What all workers have found that is not certified.
   void collect(const Claimants& claimants, const AdviseOptions& options, Advised& advised) const {
-    advised.too_close.clear();
-    advised.near_obstacle.clear();
+    const auto append = [](const auto& found, auto& all) {
+      all.insert(all.end(), found.begin(), found.end());
+    };
     for (const Desk& desk : desks_) {
-      const Claimants::Findings& found = desk.findings;
-      advised.too_close.insert(advised.too_close.end(), found.too_close.begin(),
-                               found.too_close.end());
-      advised.near_obstacle.insert(advised.near_obstacle.end(), found.near_obstacle.begin(),
-                                   found.near_obstacle.end());
+      append(desk.findings.too_close, advised.too_close);
+      append(desk.findings.near_obstacle, advised.near_obstacle);
+      append(desk.findings.near_unknown, advised.near_unknown);
     }
     std::sort(advised.too_close.begin(), advised.too_close.end(),
               [](const TooClose& a, const TooClose& b) { return a.pair < b.pair; });
@@ -180,7 +187,10 @@ class __attribute__((visibility("hidden"))) Adviser::State {
       close.clear_s = time_to_clear(close.pair, advised);
     }
     keep_nearest_pieces(advised.near_obstacle);
-    advised.intruder_conflicts.clear();
+    std::sort(advised.near_unknown.begin(), advised.near_unknown.end(),
+              [](const NearUnknown& a, const NearUnknown& b) {
+                return std::tie(a.bee, a.unknown) < std::tie(b.bee, b.unknown);
+              });
     for (std::size_t bee = 0; bee < flyers_.size(); ++bee) {
       collect_intruders(static_cast<PointId>(bee), claimants, options, advised);
       Advice& advice = advised.advice[bee];
@@ -219,6 +229,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     }
   }
 
+  avoidance::Intake intake_;
   Flyers flyers_;
   avoidance::Vicinity near_;
   std::vector<char> too_close_;  // of each bee, whether it is so to any

@@ -31,6 +31,8 @@ class Braking {
   // How much a velocity may change in a step.
   [[nodiscard]] double change() const { return change_; }
 
+  [[nodiscard]] double step_s() const { return step_s_; }
+
   // From where the bee is to where it stops at the latest.
   [[nodiscard]] Vector3 way_to_stop(const Vector3& velocity) const {
     if (at_once_) return {};

@@ -4,7 +4,9 @@
 #include "obstacles/obstacle_map.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace beespace::avoidance {
@@ -21,22 +23,24 @@ void Claimants::look_at(PointId bee, Findings& findings) const {
   findings.claims.clear();
   findings.pressed = {};
   findings.certified = true;
+  findings.clear_of_unknown_s = std::numeric_limits<double>::infinity();
   look_at_bees(bee, findings);
   if (options_.obstacles != nullptr) look_at_obstacles(bee, findings);
   look_at_intruders(bee, findings);
+  look_at_unknown(bee, findings);
 }
 
 // Of the two, the one of the lower id is the first.
 Parting Claimants::parting_of(PointId bee, PointId other) const {
   const Segment& first = flyers_.way_to_stop(std::min(bee, other));
   const Segment& second = flyers_.way_to_stop(std::max(bee, other));
-  return part(first, second, flyers_.apart().kept_m);
+  return part(first, second, flyers_.apart(bee, other).kept_m);
 }
 
 bool Claimants::is_too_close(PointId bee) const {
-  const double certified_m = flyers_.apart().certified_m;
   bool found = false;
   near_.visit(bee, [&](PointId other) {
+    const double certified_m = flyers_.apart(bee, other).certified_m;
     found = flyers_.ways_may_be_within(bee, other, certified_m) &&
             parting_of(bee, other).gap < certified_m;
     return !found;
@@ -52,15 +56,15 @@ void Claimants::look_at_bees(PointId bee, Findings& findings) const {
 }
 
 void Claimants::look_at_bee(PointId bee, PointId other, Findings& findings) const {
-  const auto& [asked_m, kept_m, certified_m] = flyers_.apart();
+  const auto [asked_m, kept_m, certified_m] = flyers_.apart(bee, other);
   Claims& claims = findings.claims;
   const bool is_first = bee < other;
   const Parting parting = parting_of(bee, other);
   const double lean = is_first ? leaves_to(bee, other) : leaves_to(other, bee);
   const HalfSpace side =
       is_first ? parting.of_first(kept_m, lean) : parting.of_second(kept_m, lean);
-  findings.pressed = findings.pressed + pressure(other, side.normal, parting.gap);
   const bool certified = parting.gap >= certified_m;
+  findings.pressed = findings.pressed + pressure(other, side.normal, parting.gap, certified);
   if (certified && is_kept_anyhow(bee, side)) return;
   claims.keep_to.push_back(side);
   if (certified) return;
@@ -71,7 +75,7 @@ void Claimants::look_at_bee(PointId bee, PointId other, Findings& findings) cons
 
 void Claimants::look_at_obstacles(PointId bee, Findings& findings) const {
   const Segment& way = flyers_.way_to_stop(bee);
-  const double kept_m = flyers_.clearance().kept_m;
+  const double kept_m = flyers_.clearance(bee).kept_m;
   const double reach_m = (kept_m + flyers_.reach(bee)) * (1.0 + 0x1p-40);
   const Vector3 middle = core::vector_of(flyers_.middles()[bee]);
   const ObstacleMap::State& map = options_.obstacles->state();
@@ -96,7 +100,7 @@ void Claimants::look_at_obstacles(PointId bee, Findings& findings) const {
 
 void Claimants::keep_clear(PointId bee, std::size_t obstacle, const ObstacleParting& parting,
                            Findings& findings) const {
-  const auto& [asked_m, kept_m, certified_m] = flyers_.clearance();
+  const auto [asked_m, kept_m, certified_m] = flyers_.clearance(bee);
   Claims& claims = findings.claims;
   const HalfSpace side = parting.of_way(kept_m);
   const bool certified = parting.gap >= certified_m;
@@ -115,7 +119,8 @@ void Claimants::look_at_intruders(PointId bee, Findings& findings) const {
     if (!may_come_close(bee, options_.intruders[k])) continue;
     const Vector3 place = core::vector_of(p) - flyer.position;
     const Vector3 velocity = core::vector_of(v);
-    const VelocityObstacle obstacle{place, flyer.velocity - velocity, flyers_.apart().kept_m,
+    const VelocityObstacle obstacle{place, flyer.velocity - velocity,
+                                    flyers_.apart_from(0.0, bee).kept_m,
                                     options_.intruder_horizon_s, options_.step_s};
     findings.claims.give_way.push_back(half_space_of(
         obstacle.is_too_close() ? obstacle.away()
@@ -124,10 +129,52 @@ void Claimants::look_at_intruders(PointId bee, Findings& findings) const {
   }
 }
 
+// Whatever a bee does that keeps to what it is told, it comes no closer to the middle of a ball
+// than its way to a stop is now, or than what the ball is at the horizon and the distance to keep.
+// As that grows from call to call, what is clear once for a time stays so (docs/prevention.md).
+void Claimants::look_at_unknown(PointId bee, Findings& findings) const {
+  const double horizon_s = options_.unknown_horizon_s;
+  for (std::size_t k = 0; k < options_.unknown.size(); ++k) {
+    const UnknownBee& ball = options_.unknown[k];
+    // Rounded up.
+    const double later_m = (ball.radius_m + ball.growth_mps * horizon_s) * (1.0 + 0x1p-50);
+    if (ball.growth_mps > 0.0) {
+      findings.clear_of_unknown_s = std::min(findings.clear_of_unknown_s, horizon_s);
+    }
+    const Vector3 between = core::vector_of(flyers_.middles()[bee]) - core::vector_of(ball.center);
+    const double meet_m = flyers_.meet(flyers_.reach(bee), later_m);
+    if (dot(between, between) <= meet_m * meet_m) keep_clear_of_ball(bee, k, later_m, findings);
+  }
+}
+
+void Claimants::keep_clear_of_ball(PointId bee, std::size_t unknown, double later_m,
+                                   Findings& findings) const {
+  const UnknownBee& ball = options_.unknown[unknown];
+  const auto [asked_m, kept_m, certified_m] = flyers_.apart_from(later_m, bee);
+  const Segment middle{core::vector_of(ball.center), {}};
+  const double apart_m = later_m + kept_m;
+  const Parting parting = part(flyers_.way_to_stop(bee), middle, apart_m);
+  // The middle does not move: all that is free is the bee's.
+  const HalfSpace side = parting.of_first(apart_m, -1.0);
+  Claims& claims = findings.claims;
+  const bool clear = parting.gap >= later_m + certified_m;
+  if (clear && is_kept_anyhow(bee, side)) return;
+  claims.keep_to.push_back(side);
+  if (clear) return;
+  claims.get_away.push_back({claims.keep_to.size() - 1, apart_m - parting.gap});
+  const double left_m = parting.gap - certified_m - ball.radius_m;
+  double clear_s = 0.0;
+  if (left_m >= 0.0 && ball.growth_mps > 0.0) {
+    clear_s = left_m * (1.0 - 0x1p-50) / ball.growth_mps;
+  }
+  findings.clear_of_unknown_s = std::min(findings.clear_of_unknown_s, clear_s);
+  findings.near_unknown.push_back({bee, unknown, parting.gap - ball.radius_m, clear_s});
+}
+
 bool Claimants::may_come_close(PointId bee, const Mover& intruder) const {
   const Vector3 between = core::vector_of(intruder.position) - flyers_[bee].position;
   const double speeds = length(core::vector_of(intruder.velocity)) + flyers_.fastest();
-  const double far_m = flyers_.apart().kept_m + speeds * options_.intruder_horizon_s;
+  const double far_m = flyers_.apart_from(0.0, bee).kept_m + speeds * options_.intruder_horizon_s;
   return dot(between, between) <= far_m * far_m;
 }
 
@@ -146,13 +193,14 @@ double Claimants::leaves_to(PointId first, PointId second) const {
 // Whoever is where it wants to be makes room for those who are close and want through, or are too
 // close to somebody: how much another one presses a bee that lies from it in the direction `away`,
 // across a gap.
-Vector3 Claimants::pressure(PointId other, const Vector3& away, double gap_m) const {
+Vector3 Claimants::pressure(PointId other, const Vector3& away, double gap_m,
+                            bool certified) const {
   const double kept_m = flyers_.apart().kept_m;
   const double free = (gap_m - kept_m) / (kPresses * kept_m);
   if (free >= 1.0) return {};
   const bool wants_through = !is_idle(other) && dot(wish_of(wishes_, other), away) > 0.0;
   // Those two who are too close get away from each other anyhow.
-  const bool needs_room = too_close_[other] != 0 && gap_m >= flyers_.apart().certified_m;
+  const bool needs_room = too_close_[other] != 0 && certified;
   if (!wants_through && !needs_room) return {};
   return away * (1.0 - free);
 }

@@ -1,4 +1,5 @@
-// Who makes a bee do what in a step: other bees, obstacles, intruders.
+// Who makes a bee do what in a step: other bees, obstacles, intruders, and those of which little is
+// known.
 #pragma once
 
 #include "avoidance/certificate.hpp"
@@ -31,10 +32,12 @@ class Claimants {
   struct Findings {
     Claims claims;    // of the last one
     Vector3 pressed;  // where others want it, who is idle
-    bool certified;
+    bool certified;   // of other bees and obstacles
+    double clear_of_unknown_s;
     std::vector<std::size_t> inside;  // obstacles that it lies in, ascending
     std::vector<TooClose> too_close;  // of all so far
     std::vector<NearObstacle> near_obstacle;
+    std::vector<NearUnknown> near_unknown;
   };
   void look_at(PointId bee, Findings& findings) const;
 
@@ -51,9 +54,13 @@ class Claimants {
   void keep_clear(PointId bee, std::size_t obstacle, const ObstacleParting& parting,
                   Findings& findings) const;
   void look_at_intruders(PointId bee, Findings& findings) const;
+  void look_at_unknown(PointId bee, Findings& findings) const;
+  void keep_clear_of_ball(PointId bee, std::size_t unknown, double later_m,
+                          Findings& findings) const;
   [[nodiscard]] bool is_kept_anyhow(PointId bee, const HalfSpace& side) const;
   [[nodiscard]] double leaves_to(PointId first, PointId second) const;
-  [[nodiscard]] Vector3 pressure(PointId other, const Vector3& away, double gap_m) const;
+  [[nodiscard]] Vector3 pressure(PointId other, const Vector3& away, double gap_m,
+                                 bool certified) const;
 
   const Flyers& flyers_;
   const Vicinity& near_;

@@ -9,14 +9,26 @@ namespace {
 
 // What rounding may take from a distance along the way: the distance is widened by it, and whoever
 // keeps it is certified while at least half of it is left.
-Keep keep(double asked_m, double farthest_m) {
-  const double spare_m = 1e-7 * asked_m + 0x1p-44 * farthest_m;
-  return {asked_m, asked_m + spare_m, asked_m + 0.5 * spare_m};
+Keep keep(double asked_m) {
+  return Keep{asked_m, asked_m, asked_m}.with(1e-7 * asked_m);
+}
+
+// And what may come of values that are too small for the motion domain and count as zero. Each
+// coordinate changes by less than 2^-100, so a place and a velocity by less than 2^-99 (see
+// motion/flush.hpp). The place moves the stop by as much, the old velocity and the new one by up to
+// growth_along times as much each: no slope of the way to a stop is above that. So of two bees,
+// both at the beginning and at the end of a step, it is less than 2^-95 (1 + growth_along): half of
+// this is sixty times as much.
+double spare_for_flushed(const Flyer& flyer) {
+  const Braking& braking = flyer.braking;
+  return 0x1p-88 * (1.0 + (braking.at_once()
+                               ? braking.step_s()
+                               : braking.growth_along(length(flyer.velocity) + braking.change())));
 }
 
 }  // namespace
 
-void Flyers::take(const MoversView& movers, std::span<const FlightLimits> limits,
+void Flyers::take(std::span<const Mover> movers, std::span<const FlightLimits> limits,
                   const AdviseOptions& options, Crew& crew) {
   flyers_.resize(movers.size());
   middles_.resize(movers.size());
@@ -32,21 +44,21 @@ void Flyers::take(const MoversView& movers, std::span<const FlightLimits> limits
       const Segment to_stop = flyer.way_to_stop();
       const Vector3 middle = to_stop.at(0.5);
       const double half_m = 0.5 * length(to_stop.way);
-      const double reach_m =
-          half_m + std::max(flyer.strays(), 0.5 * kPresses * options.threshold_m);
+      const double gets_m = half_m + std::max(flyer.strays(), 0.5 * kPresses * options.threshold_m);
+      const double far_m = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+      const double own_spare_m = spare_m(far_m + 2.0 * gets_m) + spare_for_flushed(flyer);
+      const double reach_m = gets_m + own_spare_m;
       flyers_[i] = flyer;
       middles_[i] = {middle.x, middle.y, middle.z};
-      ways_[i] = {to_stop, half_m, flyer.strays(), reach_m};
-      seen.add({reach_m, std::max(limit.max_speed_mps, length(flyer.velocity)),
-                std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)})});
+      ways_[i] = {to_stop, half_m, flyer.strays(), reach_m, own_spare_m};
+      seen.add({reach_m, std::max(limit.max_speed_mps, length(flyer.velocity))});
     }
     extremes[worker] = seen;
   });
   extremes_ = {};
   for (const Extremes& seen : extremes) extremes_.add(seen);
-  const double farthest_m = extremes_.farthest_m + 2.0 * extremes_.reach_m;
-  apart_ = keep(options.threshold_m + 2.0 * options.uncertainty_m, farthest_m);
-  clearance_ = keep(options.clearance_m + options.uncertainty_m, farthest_m);
+  apart_ = keep(options.threshold_m + 2.0 * options.uncertainty_m);
+  clearance_ = keep(options.clearance_m + options.uncertainty_m);
 }
 
 }  // namespace beespace::avoidance

@@ -21,6 +21,11 @@ struct Keep {
   double asked_m = 0.0;
   double kept_m = 0.0;       // a little more, for rounding
   double certified_m = 0.0;  // who is closer than this has lost what rounding was allowed
+
+  // The same with more for rounding.
+  [[nodiscard]] Keep with(double spare_m) const {
+    return {asked_m, kept_m + spare_m, certified_m + 0.5 * spare_m};
+  }
 };
 
 // Of the distance to keep: who is no farther beyond it presses others.
@@ -29,7 +34,7 @@ inline constexpr double kPresses = 0.6;
 class Flyers {
  public:
   // `limits` has one for each or one for all.
-  void take(const MoversView& movers, std::span<const FlightLimits> limits,
+  void take(std::span<const Mover> movers, std::span<const FlightLimits> limits,
             const AdviseOptions& options, Crew& crew);
 
   [[nodiscard]] std::size_t size() const { return flyers_.size(); }
@@ -40,8 +45,17 @@ class Flyers {
   [[nodiscard]] double strays(std::size_t bee) const { return ways_[bee].strays_m; }
   [[nodiscard]] double fastest() const { return extremes_.speed_mps; }
 
+  // To be kept where coordinates are small; of two bees; of a bee and something near it whose
+  // coordinates or size may be as large.
   [[nodiscard]] const Keep& apart() const { return apart_; }
-  [[nodiscard]] const Keep& clearance() const { return clearance_; }
+  [[nodiscard]] Keep apart(PointId bee, PointId other) const {
+    return apart_.with(std::max(ways_[bee].spare_m, ways_[other].spare_m));
+  }
+  [[nodiscard]] Keep apart_from(double large_m, PointId bee) const {
+    return apart_.with(ways_[bee].spare_m + spare_m(large_m));
+  }
+  // From obstacles.
+  [[nodiscard]] Keep clearance(PointId bee) const { return clearance_.with(ways_[bee].spare_m); }
 
   // Everything that a bee may do in the step and the stop after it lies in a ball; and so does
   // half of what it presses.
@@ -71,17 +85,20 @@ class Flyers {
     double half_m;  // as long
     double strays_m;
     double reach_m;
+    double spare_m;  // for the rounding of its coordinates; part of its reach
   };
+  // What is spared for the rounding of coordinates of this size. Of each bee its own: one that is
+  // astray at the end of the world must not widen what those keep who are nowhere near it.
+  static double spare_m(double large_m) { return 0x1p-44 * large_m; }
+
   // The largest of all.
   struct Extremes {
     double reach_m = 0.0;
     double speed_mps = 0.0;
-    double farthest_m = 0.0;  // of the coordinates
 
     void add(const Extremes& other) {
       reach_m = std::max(reach_m, other.reach_m);
       speed_mps = std::max(speed_mps, other.speed_mps);
-      farthest_m = std::max(farthest_m, other.farthest_m);
     }
   };
 

@@ -35,6 +35,12 @@ bool is_method(AdviseMethod method) {
          method == AdviseMethod::kMvp;
 }
 
+std::optional<Error> check_horizon(double horizon_s, const char* whose) {
+  if (horizon_s > 0.0 && motion::in_motion_domain(horizon_s)) return std::nullopt;
+  return invalid("the horizon of " + std::string(whose) + " is " + shown(horizon_s) +
+                 " s; give a finite time above zero (7.9e-31 s to 1.3e+30 s)");
+}
+
 std::optional<Error> check_options(const AdviseOptions& options) {
   if (!is_method(options.method)) {
     return invalid("the method is number " + std::to_string(static_cast<int>(options.method)) +
@@ -47,10 +53,17 @@ std::optional<Error> check_options(const AdviseOptions& options) {
                    " m; give a finite distance, zero or more");
   }
   if (auto error = check_clearance(options)) return error;
-  const double horizon_s = options.intruder_horizon_s;
-  if (!(horizon_s > 0.0) || !motion::in_motion_domain(horizon_s)) {
-    return invalid("the horizon of intruders is " + shown(horizon_s) +
-                   " s; give a finite time above zero");
+  if (auto error = check_horizon(options.intruder_horizon_s, "intruders")) return error;
+  return check_horizon(options.unknown_horizon_s, "unknown bees");
+}
+
+std::optional<Error> check_unknown(std::span<const UnknownBee> unknown, std::size_t bees) {
+  for (std::size_t k = 0; k < unknown.size(); ++k) {
+    if (!unknown[k].bee || *unknown[k].bee < bees) continue;
+    auto error = invalid("unknown bee " + std::to_string(k) + " is said to be mover " +
+                         std::to_string(*unknown[k].bee) + " of " + std::to_string(bees) +
+                         "; give the number of one, counted from 0, or none");
+    return error;
   }
   return std::nullopt;
 }
@@ -85,7 +98,6 @@ std::optional<Error> check(const MoversView& movers, std::span<const Velocity> p
     error->message.insert(0, "intruders: ");
     return error;
   }
-  if (!options.unknown.empty()) return invalid("unknown bees are not looked at yet");
   if (movers.has_heights() || options.intruders.has_heights()) {
     return invalid("there are heights apart from the positions; give positions in space");
   }
@@ -97,24 +109,10 @@ std::optional<Error> check(const MoversView& movers, std::span<const Velocity> p
     return invalid(std::to_string(limits.size()) + " sets of limits for " +
                    std::to_string(movers.size()) + " movers; give one for each, or one for all");
   }
-  if (auto error = motion::check_movers(movers)) return error;
-  for (std::size_t i = 0; i < preferred.size(); ++i) {
-    auto error = motion::check_mover({{}, preferred[i]}, i);
-    if (!error) continue;
-    error->message = "preferred " + error->message;
-    return error;
+  if (limits.size() == 1) {
+    if (auto error = check_limits(limits.front())) return error;
   }
-  if (auto error = motion::check_movers(options.intruders)) {
-    error->message.insert(0, "intruder: ");
-    return error;
-  }
-  for (std::size_t i = 0; i < limits.size(); ++i) {
-    auto error = check_limits(limits[i]);
-    if (!error) continue;
-    if (limits.size() > 1) error->place.record = i;
-    return error;
-  }
-  return std::nullopt;
+  return check_unknown(options.unknown, movers.size());
 }
 
 }  // namespace beespace::avoidance

@@ -28,6 +28,7 @@ class ClearanceCheck {
   // Nothing if no point of the curve is closer to an obstacle than the clearance. Curves that come
   // within a billionth of it may count as closer.
   std::optional<Found> operator()(const Curve& curve, double rounded_m) {
+    if (obstacles_.obstacles().empty()) return std::nullopt;
     const double tolerance_m = kTolerance * clearance_m_ + rounded_m;
     open_.assign(1, curve);
     while (!open_.empty()) {
@@ -52,14 +53,16 @@ class ClearanceCheck {
   static constexpr double kTolerance = 1e-9;
   static constexpr std::size_t kDeepest = 60;
 
-  // The first obstacle that a ball touches on the way along the chord.
+  // The first obstacle that a ball touches on the way along the chord. Where that cannot be said,
+  // beyond the motion domain, it cannot be excluded either: then it is the first of all.
   [[nodiscard]] std::optional<std::size_t> touched(const Curve& curve, double radius_m) const {
     const Point& p = curve.control[0];
     const Point& q = curve.control[3];
-    const Mover along{{in_domain(p.x), in_domain(p.y), in_domain(p.z)},
-                      {in_domain(q.x - p.x), in_domain(q.y - p.y), in_domain(q.z - p.z)}};
-    const auto contact = obstacles_.first_contact(along, radius_m, 1.0);
-    if (!contact || !*contact) return std::nullopt;
+    const Mover along = in_domain(Mover{p, {q.x - p.x, q.y - p.y, q.z - p.z}});
+    constexpr double kFlushed_m = 0x1p-98;  // what counting as zero may change
+    const auto contact = obstacles_.first_contact(along, radius_m + kFlushed_m, 1.0);
+    if (!contact) return 0;
+    if (!*contact) return std::nullopt;
     return (*contact)->obstacle;
   }
 

@@ -12,9 +12,14 @@
 
 namespace beespace::verify {
 
-// What is smaller than the motion domain is nothing.
+// What is smaller than the motion domain counts as zero where the library's engine is asked.
 inline double in_domain(double value) {
   return std::abs(value) < kSmallestInMotion ? 0.0 : value;
+}
+inline Mover in_domain(const Mover& mover) {
+  const auto& [p, v] = mover;
+  return {{in_domain(p.x), in_domain(p.y), in_domain(p.z)},
+          {in_domain(v.x), in_domain(v.y), in_domain(v.z)}};
 }
 
 // Bézier's control points: the curve begins at the first, ends at the last, and never leaves their

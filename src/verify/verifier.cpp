@@ -38,9 +38,10 @@ std::optional<Error> check_clearance(const VerifyOptions& options) {
                  "number); say in metres how close is too close",
                  {}};
   }
-  if (clearance_m > 0.0 && clearance_m <= kLargestInMotion) return std::nullopt;
+  if (clearance_m >= kSmallestInMotion && clearance_m <= kLargestInMotion) return std::nullopt;
   return Error{ErrorCode::kInvalidArgument,
-               "the clearance is " + shown(clearance_m) + " m; give a finite distance above zero",
+               "the clearance is " + shown(clearance_m) +
+                   " m; give a finite distance above zero (7.9e-31 m to 1.3e+30 m)",
                {}};
 }
 
@@ -101,6 +102,13 @@ class __attribute__((visibility("hidden"))) Verifier::State {
                    "time " + shown(time_s) + " s does not come after " + shown(*time_s_) + " s",
                    {}};
     }
+    const double lasts_s = time_s - *time_s_;
+    if (!(lasts_s >= kSmallestInMotion && lasts_s <= kLargestInMotion)) {
+      return Error{ErrorCode::kInvalidArgument,
+                   "time " + shown(time_s) + " s comes " + shown(lasts_s) + " s after " +
+                       shown(*time_s_) + " s; let steps last 7.9e-31 s to 1.3e+30 s",
+                   {}};
+    }
     if (movers.size() != before_.size()) {
       return Error{ErrorCode::kInvalidArgument,
                    std::to_string(movers.size()) + " movers, after " +
@@ -125,7 +133,7 @@ class __attribute__((visibility("hidden"))) Verifier::State {
                    {}};
     }
     for (std::size_t i = 0; i < movers.size(); ++i) {
-      Mover mover = movers[i];
+      Mover mover = verify::in_domain(movers[i]);
       if (options_.straight) mover.velocity = {};  // not looked at
       const auto checked = closest_approach(mover, mover, {options_.threshold_m, {}, 0.0});
       if (checked) continue;
@@ -148,7 +156,7 @@ class __attribute__((visibility("hidden"))) Verifier::State {
       curves_.push_back(options_.straight ? verify::line_of(p, q)
                                           : verify::curve_of(before_[i], now_[i], lasts_s));
       const Point chord = scaled_difference(q, p, 1.0 / lasts_s);
-      chords_[i] = {p, {in_domain(chord.x), in_domain(chord.y), in_domain(chord.z)}};
+      chords_[i] = verify::in_domain(Mover{p, {chord.x, chord.y, chord.z}});
       bulge_m = std::max(bulge_m, verify::bulge_of(curves_.back()));
       for (const Point& at : {p, q}) {
         farthest_m = std::max({farthest_m, std::abs(at.x), std::abs(at.y), std::abs(at.z)});
@@ -156,7 +164,9 @@ class __attribute__((visibility("hidden"))) Verifier::State {
     }
     const double rounded_m = 0x1p-48 * farthest_m;
     PredictOptions around;
-    around.threshold_m = 2.0 * options_.threshold_m + 2.0 * bulge_m + 4.0 * rounded_m;
+    // The last: places and velocities that count as zero are off by less than 2^-99 each, of two.
+    around.threshold_m =
+        2.0 * options_.threshold_m + 2.0 * bulge_m + 4.0 * rounded_m + 0x1p-98 * (1.0 + lasts_s);
     around.horizon_s = lasts_s * (1.0 + 0x1p-50);
     around.threads = options_.threads;
     if (Status found = engine_.predict_pairs(chords_, around, pairs_); !found) return found;

@@ -58,7 +58,7 @@ TEST(Advice, OfNobodyAndOfOne) {
   Flock flock;
   flock.movers = {{{1, 2, 3}, {}}};
   flock.limits = {{10.0, test::kNoLimit}};
-  const Advice as_wished{{4, 5, 6}, AdviceKind::kAsWished, true};
+  const Advice as_wished = test::certified({4, 5, 6});
   EXPECT_EQ(advised_of(flock, {{4, 5, 6}}).advice, (std::vector<Advice>{as_wished}));
 }
 
@@ -190,7 +190,7 @@ TEST(Advice, DependsNotOnEarlierCalls) {
     Adviser moved = std::move(adviser);
     adviser = std::move(moved);
   }
-  ASSERT_TRUE(adviser.advise({}, {}, {}, {}, advised));
+  ASSERT_TRUE(adviser.advise({}, {}, {}, {.threshold_m = 5.0}, advised));
   expect_same(advised, {});
 }
 
@@ -247,7 +247,7 @@ TEST(Advice, StandingIsAsWished) {
     for (const double speed : {0.0, 10.0}) {
       flock.limits.assign(3, {speed, acceleration});
       const Advised advised = advised_of(flock, std::vector<Velocity>(3));
-      const Advice standing{{}, AdviceKind::kAsWished, true};
+      const Advice standing = test::certified({});
       EXPECT_EQ(advised.advice, (std::vector<Advice>(3, standing)));
     }
   }

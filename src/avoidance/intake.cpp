@@ -1,0 +1,157 @@
+#include "avoidance/intake.hpp"
+
+#include "avoidance/validate.hpp"
+#include "core/validate.hpp"
+#include "motion/flush.hpp"
+#include "motion/validate.hpp"
+
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace beespace::avoidance {
+
+namespace {
+
+std::optional<Error> check_wish(const Velocity& wish, std::size_t bee) {
+  auto error = motion::check_mover({{}, wish}, bee);
+  if (error) error->message.insert(0, "preferred ");
+  return error;
+}
+
+std::optional<Error> check_ball(const UnknownBee& ball, std::size_t index) {
+  if (auto error = motion::check_position(ball.center, index)) {
+    error->message.insert(0, "unknown bee: ");
+    return error;
+  }
+  const auto check = [&](double value, const char* name, const char* unit) -> std::optional<Error> {
+    if (value >= 0.0 && motion::in_motion_domain(value)) return std::nullopt;
+    Error error{ErrorCode::kInvalidArgument,
+                std::string("unknown bee: the ") + name + " is " + core::shown(value) + " " + unit +
+                    "; give a finite one, zero or more",
+                {}};
+    error.place.record = index;
+    return error;
+  };
+  if (auto error = check(ball.radius_m, "radius", "m")) return error;
+  return check(ball.growth_mps, "growth", "m/s");
+}
+
+}  // namespace
+
+void Intake::take(const MoversView& movers, std::span<const Velocity> preferred,
+                  std::span<const FlightLimits> limits, const AdviseOptions& options,
+                  std::vector<Refused>& refused) {
+  bees_ = movers.size();
+  bee_anywhere_ = false;
+  intruder_anywhere_ = false;
+  refused.clear();
+  options_ = options;
+  take_unknown(options, movers.size(), refused);
+  take_bees(movers, preferred, limits, refused);
+  take_intruders(options, refused);
+  options_.intruders = intruders_;
+  options_.unknown = unknown_;
+}
+
+void Intake::take_unknown(const AdviseOptions& options, std::size_t bees,
+                          std::vector<Refused>& refused) {
+  unknown_.clear();
+  given_unknown_.clear();
+  is_unknown_.clear();
+  for (std::size_t k = 0; k < options.unknown.size(); ++k) {
+    UnknownBee ball = options.unknown[k];
+    if (ball.bee) {
+      is_unknown_.resize(bees);
+      is_unknown_[*ball.bee] = 1;
+    }
+    ball.center = motion::flushed(ball.center);
+    ball.radius_m = motion::flushed(ball.radius_m);
+    ball.growth_mps = motion::flushed(ball.growth_mps);
+    if (auto error = check_ball(ball, k)) {
+      given_unknown_.leave_out(unknown_.size());
+      refused.push_back({RefusedKind::kUnknown, k, *std::move(error)});
+      bee_anywhere_ = true;
+      continue;
+    }
+    unknown_.push_back(ball);
+    given_unknown_.take(k);
+  }
+}
+
+void Intake::take_bees(const MoversView& movers, std::span<const Velocity> preferred,
+                       std::span<const FlightLimits> limits, std::vector<Refused>& refused) {
+  movers_.clear();
+  wishes_.clear();
+  limits_.clear();
+  given_bees_.clear();
+  const bool own_limits = limits.size() != 1;
+  if (!own_limits) limits_.push_back(limits.front());
+  for (std::size_t bee = 0; bee < movers.size(); ++bee) {
+    const bool is_unknown = !is_unknown_.empty() && is_unknown_[bee] != 0;
+    const Mover mover = motion::flushed(movers[bee]);
+    const FlightLimits own = own_limits ? limits[bee] : FlightLimits{};
+    std::optional<Error> error;
+    if (!is_unknown) error = motion::check_mover(mover, bee);
+    if (!is_unknown && !error) error = check_limits(own);
+    if (is_unknown || error) {
+      given_bees_.leave_out(movers_.size());
+      if (!error) continue;
+      error->place.record = bee;
+      refused.push_back({RefusedKind::kState, bee, *std::move(error)});
+      bee_anywhere_ = true;
+      continue;
+    }
+    Velocity wish = motion::flushed(preferred[bee]);
+    if (auto bad = check_wish(wish, bee)) {
+      refused.push_back({RefusedKind::kWish, bee, *std::move(bad)});
+      wish = {};
+    }
+    movers_.push_back(mover);
+    wishes_.push_back(wish);
+    if (own_limits) limits_.push_back(own);
+    given_bees_.take(bee);
+  }
+}
+
+void Intake::take_intruders(const AdviseOptions& options, std::vector<Refused>& refused) {
+  intruders_.clear();
+  given_intruders_.clear();
+  for (std::size_t k = 0; k < options.intruders.size(); ++k) {
+    const Mover intruder = motion::flushed(options.intruders[k]);
+    if (auto error = motion::check_mover(intruder, k)) {
+      error->message.insert(0, "intruder: ");
+      given_intruders_.leave_out(intruders_.size());
+      refused.push_back({RefusedKind::kIntruder, k, *std::move(error)});
+      intruder_anywhere_ = true;
+      continue;
+    }
+    intruders_.push_back(intruder);
+    given_intruders_.take(k);
+  }
+}
+
+void Intake::number_as_given(Advised& advised) const {
+  const auto bee_given = [this](PointId taken) { return static_cast<PointId>(given_bees_[taken]); };
+  for (auto& close : advised.too_close) {
+    close.pair = {bee_given(close.pair.first), bee_given(close.pair.second)};
+  }
+  for (auto& near : advised.near_obstacle) near.bee = bee_given(near.bee);
+  for (auto& conflict : advised.intruder_conflicts) {
+    conflict.bee = bee_given(conflict.bee);
+    conflict.intruder = given_intruders_[conflict.intruder];
+  }
+  for (auto& near : advised.near_unknown) {
+    near.bee = bee_given(near.bee);
+    near.unknown = given_unknown_[near.unknown];
+  }
+  advised.advice.resize(bees_);
+  if (!given_bees_.any_left_out()) return;
+  // From the last to the first, so that none is overwritten that is still to be moved.
+  for (std::size_t taken = movers_.size(); taken-- > 0;) {
+    const std::size_t given = given_bees_[taken];
+    if (given != taken) advised.advice[given] = std::exchange(advised.advice[taken], {});
+  }
+}
+
+}  // namespace beespace::avoidance

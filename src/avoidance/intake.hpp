@@ -1,0 +1,83 @@
+// What can be used of what was given; and what cannot, and why.
+//
+// One bad number never stops the advice: who cannot be used is left out and named, and the others
+// are numbered anew without it. Values that are too small for the motion domain become zero here
+// (motion/flush.hpp); Keep in flyers.hpp allows for it.
+#pragma once
+
+#include <beespace/advise.hpp>
+#include <beespace/mover.hpp>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace beespace::avoidance {
+
+// Under which numbers things were given of which some were left out.
+class GivenNumbers {
+ public:
+  void clear() { numbers_.clear(), left_out_ = false; }
+  // The next one is taken, and was given under this number.
+  void take(std::size_t given) {
+    if (left_out_) numbers_.push_back(given);
+  }
+  // One is left out, after so many that were taken.
+  void leave_out(std::size_t taken) {
+    if (left_out_) return;
+    left_out_ = true;
+    for (std::size_t k = 0; k < taken; ++k) numbers_.push_back(k);
+  }
+  [[nodiscard]] bool any_left_out() const { return left_out_; }
+  [[nodiscard]] std::size_t operator[](std::size_t taken) const {
+    return left_out_ ? numbers_[taken] : taken;
+  }
+
+ private:
+  std::vector<std::size_t> numbers_;  // empty where none was left out
+  bool left_out_ = false;
+};
+
+class Intake {
+ public:
+  // What check() of validate.hpp lets pass. Sets `refused`.
+  void take(const MoversView& movers, std::span<const Velocity> preferred,
+            std::span<const FlightLimits> limits, const AdviseOptions& options,
+            std::vector<Refused>& refused);
+
+  [[nodiscard]] std::span<const Mover> movers() const { return movers_; }
+  [[nodiscard]] std::span<const Velocity> wishes() const { return wishes_; }
+  // One for each or one for all.
+  [[nodiscard]] std::span<const FlightLimits> limits() const { return limits_; }
+  [[nodiscard]] const AdviseOptions& options() const { return options_; }
+
+  // Whether somebody may be anywhere: a bee that is in no ball, or whose ball is none.
+  [[nodiscard]] bool bee_anywhere() const { return bee_anywhere_; }
+  [[nodiscard]] bool intruder_anywhere() const { return intruder_anywhere_; }
+
+  // From the numbers here to those that were given, in all of an answer.
+  void number_as_given(Advised& advised) const;
+
+ private:
+  void take_unknown(const AdviseOptions& options, std::size_t bees, std::vector<Refused>& refused);
+  void take_bees(const MoversView& movers, std::span<const Velocity> preferred,
+                 std::span<const FlightLimits> limits, std::vector<Refused>& refused);
+  void take_intruders(const AdviseOptions& options, std::vector<Refused>& refused);
+
+  std::vector<Mover> movers_;
+  std::vector<Velocity> wishes_;
+  std::vector<FlightLimits> limits_;
+  std::vector<Mover> intruders_;
+  std::vector<UnknownBee> unknown_;
+  AdviseOptions options_;  // as given, but for who cannot be used
+
+  GivenNumbers given_bees_;
+  GivenNumbers given_intruders_;
+  GivenNumbers given_unknown_;
+  std::size_t bees_ = 0;  // given
+  bool bee_anywhere_ = false;
+  bool intruder_anywhere_ = false;
+  std::vector<char> is_unknown_;  // of the bees given, where any is
+};
+
+}  // namespace beespace::avoidance
