@@ -75,9 +75,10 @@ class LiveBees {
 
   // A bee that is there no longer; nothing where it is not known.
   void remove(PointId bee);
-  // Completes all that were last heard of before `oldest_s`; calls stale(bee, last heard of).
+  // Completes all that have not been heard of for more than max_age_s; calls stale(bee, last heard
+  // of). By the difference of the two times, as take() does between two reports.
   template <class Stale>
-  void complete_stale(double oldest_s, Stale&& stale);
+  void complete_stale(double now_s, double max_age_s, Stale&& stale);
   // Completes all: nothing more will be heard.
   void complete_all();
 
@@ -120,9 +121,9 @@ class LiveBees {
 };
 
 template <class Stale>
-void LiveBees::complete_stale(double oldest_s, Stale&& stale) {
+void LiveBees::complete_stale(double now_s, double max_age_s, Stale&& stale) {
   for (const LiveRun& run : runs_) {
-    if (run.fixes.empty() || run.complete || run.last_s() >= oldest_s) continue;
+    if (run.fixes.empty() || run.complete || now_s - run.last_s() <= max_age_s) continue;
     stale(run.bee, run.last_s());
     complete(known_.find(run.bee)->second, RunEnd::kSilent);
   }

@@ -88,6 +88,10 @@ double StepBalls::enclose(const Run& run, std::size_t piece, const TimeSpan& tim
                 static_cast<float>((left.y - entered.y) / lasts),
                 static_cast<float>((left.z - entered.z) / lasts)};
   }
+  // Where times are large and the step is short, its middle is half a last bit of the time beside
+  // where it is taken for: less than this, and with it how far the line is moved.
+  const double time_blur = 0x1p-52 * std::max(std::abs(time.begins_s), std::abs(time.ends_s));
+  const double speed = distance_between({}, velocity);
   double radius = 0.0;
   for_each_corner(run, piece, time, [&](double at, const Point& p) {
     const double since = at - (time.begins_s + 0.5 * lasts);
@@ -100,11 +104,10 @@ double StepBalls::enclose(const Run& run, std::size_t piece, const TimeSpan& tim
   middles_[ball] = middle;
   moves_[ball] = {static_cast<float>(velocity.x), static_cast<float>(velocity.y),
                   static_cast<float>(velocity.z),
-                  std::nextafter(static_cast<float>(radius + kOfCylinders * run.tolerance_m),
+                  std::nextafter(static_cast<float>(radius + speed * time_blur +
+                                                    kOfCylinders * run.tolerance_m),
                                  std::numeric_limits<float>::infinity())};
-  return std::sqrt(velocity.x * velocity.x + velocity.y * velocity.y + velocity.z * velocity.z) *
-             (0.5 * lasts) +
-         double{moves_[ball].radius_m};
+  return speed * (0.5 * lasts) + double{moves_[ball].radius_m};
 }
 
 MovingBalls StepBalls::balls() const {

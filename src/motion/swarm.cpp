@@ -186,7 +186,7 @@ void Swarm::State::tell_silences(double now_s, std::vector<SwarmEvent>& events) 
     events.push_back(
         {EventKind::kHeard, back.heard_s, back.bee, back.bee, 0.0, back.heard_s, back.since_s});
   }
-  bees_.complete_stale(now_s - options_.max_age_s, tell_stale);
+  bees_.complete_stale(now_s, options_.max_age_s, tell_stale);
 }
 
 void Swarm::State::search(double now_s, const core::Resources& with,

@@ -36,10 +36,14 @@ struct Examiner {
 
 // Of one moment, with a vertical threshold or without.
 Examiner snapshot_examiner(const std::string& name, bool upright);
+// Of an Index that changes.
+Examiner index_examiner();
 // Of movers until a horizon.
 Examiner prediction_examiner();
 // Of tracks.
 Examiner recording_examiner();
+// Of reports that come one by one.
+Examiner swarm_examiner();
 
 std::vector<Examiner> all_examiners();
 

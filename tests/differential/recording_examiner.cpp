@@ -158,25 +158,6 @@ std::string fault_of_closest(const RecordingScene& scene) {
   return "the closest is " + hex(*least) + " m: " + shown(**found);
 }
 
-std::string text_of(const RecordingScene& scene) {
-  const ConflictOptions& o = scene.options;
-  std::string text = scene.name;
-  text.append(": threshold ").append(hex(o.threshold_m));
-  if (o.vertical_m) text.append(", vertical ").append(hex(*o.vertical_m));
-  text.append(o.inclusive ? ", inclusive" : ", strict");
-  text.append(", gaps over ").append(hex(o.max_gap_s)).append("\n");
-  for (const Track& track : scene.tracks) {
-    text.append("    track\n");
-    for (std::size_t i = 0; i < track.fixes.size(); ++i) {
-      text.append("      ").append(hex(track.fixes[i].time_s)).append(" s ");
-      text.append(described(track.fixes[i].position));
-      if (!track.heights_m.empty()) text.append(" height ").append(hex(track.heights_m[i]));
-      text.append("\n");
-    }
-  }
-  return text;
-}
-
 template <class Fault>
 std::string least_of(const std::string& name, RecordingScene scene, Fault&& fault) {
   scene.tracks = shrunk(scene.tracks, [&](const std::vector<Track>& tracks) {

@@ -137,28 +137,28 @@ bool PairOracle::in_conflict_at(const Fraction& time, double wider_m) const {
 std::vector<Stretch> PairOracle::stretches() const {
   std::vector<Stretch> found;
   std::optional<Stretch> open;
-  const auto close = [&] {
-    if (open) found.push_back(*open);
+  const auto close = [&](bool cut_off) {
+    if (open) found.push_back({open->first_cut, open->last_cut, cut_off});
     open.reset();
   };
   for (std::size_t cut = 0; cut < cuts_.size(); ++cut) {
     const Fraction begin = time_of(cuts_[cut]);
-    if (in_conflict_at(begin)) {
-      if (!open) open = Stretch{cut, cut};
-      open->last_cut = cut;
+    const bool here = in_conflict_at(begin);
+    if (!here) close(false);
+    if (here && !open) open = Stretch{cut, cut};
+    if (here) open->last_cut = cut;
+    const bool last = cut + 1 == cuts_.size();
+    const auto window = last ? std::nullopt : window_after(cut);
+    if (!window) {
+      close(here);
+    } else if (!window->passage.in_conflict_between(begin, time_of(cuts_[cut + 1]))) {
+      close(false);
     } else {
-      close();
+      if (!open) open = Stretch{cut, cut + 1};
+      open->last_cut = cut + 1;
     }
-    if (cut + 1 == cuts_.size()) break;
-    const auto window = window_after(cut);
-    if (!window || !window->passage.in_conflict_between(begin, time_of(cuts_[cut + 1]))) {
-      close();
-      continue;
-    }
-    if (!open) open = Stretch{cut, cut + 1};
-    open->last_cut = cut + 1;
   }
-  close();
+  close(false);
   return found;
 }
 
@@ -215,6 +215,14 @@ std::string PairOracle::fault_of(const Conflict& c, const Stretch& s) const {
   }
   if (!c.certain) return "without tolerances it is certain";
   return "";
+}
+
+std::string PairOracle::fault_at(double time_s, double distance_m) const {
+  if (!in_conflict_at(time_of(time_s), slack_m_)) {
+    return "not near at " + std::to_string(time_s);
+  }
+  if (apart_ || std::abs(distance_at(time_of(time_s)) - distance_m) <= slack_m_) return "";
+  return "not so far apart at " + std::to_string(time_s);
 }
 
 }  // namespace beespace::differential

@@ -20,6 +20,7 @@ namespace beespace::differential {
 struct Stretch {
   std::size_t first_cut = 0;
   std::size_t last_cut = 0;
+  bool cut_off = false;  // it ends at the last cut because one of the two is not there any longer
 };
 
 class PairOracle {
@@ -32,6 +33,11 @@ class PairOracle {
   // What is wrong with a conflict that is said to be this stretch, or nothing. Reported distances
   // are right to within some roundings of coordinates, thresholds and times.
   [[nodiscard]] std::string fault_of(const Conflict& conflict, const Stretch& stretch) const;
+
+  // The same of an instant at which they are said to be so far apart, and near enough.
+  [[nodiscard]] std::string fault_at(double time_s, double distance_m) const;
+
+  [[nodiscard]] double cut_s(std::size_t cut) const { return cuts_[cut]; }
 
   // How close they ever come, rounded; nothing where they are never there at the same time.
   [[nodiscard]] std::optional<double> closest_m() const;

@@ -1,6 +1,7 @@
 #include "tests/differential/recording_scenes.hpp"
 
 #include "tests/differential/boundary.hpp"
+#include "tests/differential/described.hpp"
 #include "tests/differential/recording_oracle.hpp"
 
 #include <beespace/mover.hpp>
@@ -54,6 +55,9 @@ class RecordingMaker {
     second_ = random_.coin() ? 1.0 : random_.magnitude(-20, 10);
     if (random_.coin())
       began_ = random_.coin() ? 1.7e9 : random_.sign() * random_.magnitude(-10, 40);
+    // A few doubles of time from fix to fix.
+    if (began_ != 0.0 && random_.once_in(6))
+      second_ = ulps_up(std::abs(began_), 1) - std::abs(began_);
     step_ = o.threshold_m * (lattice_ ? 1.0 / random_.whole(1, 2) : random_.magnitude(-2, 6));
     rise_ = o.vertical_m ? *o.vertical_m * step_ / o.threshold_m : step_;
     if (random_.once_in(3)) return;
@@ -191,6 +195,25 @@ class RecordingMaker {
 
 RecordingScene random_recording(Random& random) {
   return RecordingMaker(random).make();
+}
+
+std::string text_of(const RecordingScene& scene) {
+  const ConflictOptions& o = scene.options;
+  std::string text = scene.name;
+  text.append(": threshold ").append(hex(o.threshold_m));
+  if (o.vertical_m) text.append(", vertical ").append(hex(*o.vertical_m));
+  text.append(o.inclusive ? ", inclusive" : ", strict");
+  text.append(", gaps over ").append(hex(o.max_gap_s)).append("\n");
+  for (const Track& track : scene.tracks) {
+    text.append("    track\n");
+    for (std::size_t i = 0; i < track.fixes.size(); ++i) {
+      text.append("      ").append(hex(track.fixes[i].time_s)).append(" s ");
+      text.append(described(track.fixes[i].position));
+      if (!track.heights_m.empty()) text.append(" height ").append(hex(track.heights_m[i]));
+      text.append("\n");
+    }
+  }
+  return text;
 }
 
 }  // namespace beespace::differential

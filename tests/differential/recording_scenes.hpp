@@ -18,4 +18,6 @@ struct RecordingScene {
 
 RecordingScene random_recording(Random& random);
 
+std::string text_of(const RecordingScene& scene);
+
 }  // namespace beespace::differential

@@ -258,6 +258,20 @@ TEST(SwarmHeights, ThatChangeArePredicted) {
   }
 }
 
+// In seconds since 1970 doubles are 2.4e-7 apart: an age is the difference of two of them, and not
+// compared with a time that has been rounded.
+TEST(SwarmEvents, AnAgeIsTheDifferenceOfTwoTimes) {
+  constexpr double kTick = 0x1p-22;
+  SwarmOptions options = plain_options();
+  options.max_age_s = 3.5 * kTick;
+  for (const int ticks : {3, 4}) {
+    Swarm swarm(options);
+    hear(swarm, {1, 1.7e9 + 10 * kTick, {0, 0, 0}});
+    EXPECT_EQ(count(advanced(swarm, 1.7e9 + (10 + ticks) * kTick), EventKind::kStale),
+              ticks == 3 ? 0U : 1U);
+  }
+}
+
 TEST(SwarmMove, TakesAllThatIsKnownAlong) {
   Swarm swarm(plain_options());
   told_of_distances(swarm, {30, 10});
