@@ -57,7 +57,8 @@ struct Nearest {
 BEESPACE_API Result<std::vector<Nearest>> find_nearest(const PointsView& points,
                                                        unsigned threads = 1);
 
-// The same among those closer than the threshold; nobody where there is none.
+// The same among those closer than the threshold; nobody where there is none. With a vertical
+// threshold: the nearest by the straight line among those in the cylinder (see search_options.hpp).
 // Errors: as find_at_risk.
 BEESPACE_API Result<std::vector<Nearest>> find_nearest_within(const PointsView& points,
                                                               const SearchOptions& options);

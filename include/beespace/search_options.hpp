@@ -27,15 +27,23 @@ struct SearchOptions {
   std::uint64_t max_results = std::numeric_limits<std::uint64_t>::max();
 
   // Metres. Given, two points conflict when they are closer than the threshold horizontally (in x
-  // and y) and closer than this in height (z): a cylinder instead of a sphere. For points at risk,
-  // pairs, neighbours, counts and groups of one swarm. Such a search looks at every pair that is
-  // near in a sphere around the cylinder, whatever the question.
+  // and y) and closer than this in height (z): a cylinder instead of a sphere. Each of the two is
+  // compared on its own, as real numbers. The nearest of a point is then the nearest by the
+  // straight line among those in its cylinder.
   std::optional<double> vertical_m = {};
 
   // Empty, or a height for each point, kept apart from the positions: for `vertical_m` between
   // points whose third axis is not the height. Then positions are horizontal: of geographic ones,
-  // those brought to height 0 (see to_ecef).
+  // those brought to height 0 (see to_ecef). The straight line is that of the positions and the
+  // heights: the root of the sum of the squares of both distances.
   std::span<const double> heights_m = {};
+  // The same of the other set, in searches between two; both have heights apart, or none has.
+  std::span<const double> other_heights_m = {};
+
+  // How many metres one unit of heights is that are kept apart, where these are not metres: 0.3048
+  // for feet; 1e-6 to 1e6. Then `vertical_m` is in that unit too, and compared with the heights as
+  // they are, exactly; straight lines are in metres all the same.
+  double height_unit_m = 1.0;
 };
 
 }  // namespace beespace

@@ -22,7 +22,7 @@ class Pairing {
   [[nodiscard]] std::optional<Error> check(const SearchOptions& options) const {
     if (auto error = core::check_options(options)) return error;
     if (auto error = alone_ ? core::check_vertical(options, points_.size())
-                            : core::check_no_vertical(options)) {
+                            : core::check_vertical(options, points_.size(), others_.size())) {
       return error;
     }
     return check();
@@ -47,9 +47,10 @@ class Pairing {
   template <class Visit>
   void for_each_closer(const SearchOptions& options, Visit&& visit) const {
     if (options.vertical_m) {
-      const core::CylinderTest closer(points_, options);
+      const core::CylinderTest closer(options);
+      const Uprights uprights(*this, options);
       for_each([&](PointId i, PointId j) {
-        if (closer(i, j)) visit(i, j);
+        if (closer(uprights.points[i], uprights.others[j])) visit(i, j);
       });
       return;
     }
@@ -58,6 +59,17 @@ class Pairing {
       if (closer(points_[i], others_[j])) visit(i, j);
     });
   }
+
+  // Both sets as a search with a vertical threshold sees them.
+  struct Uprights {
+    core::UprightPoints points;
+    core::UprightPoints others;
+
+    Uprights(const Pairing& of, const SearchOptions& options)
+        : points(core::upright(of.points_, options.heights_m, options)),
+          others(core::upright(of.others_, of.alone_ ? options.heights_m : options.other_heights_m,
+                               options)) {}
+  };
 
   [[nodiscard]] double distance_m(PointId i, PointId j) const {
     return distance(points_[i], others_[j]);
@@ -139,10 +151,27 @@ Result<std::vector<Nearest>> nearest_of(const Pairing& pairing) {
   return nearest;
 }
 
+// The nearest by the straight line among those in the cylinder.
+std::vector<Nearest> nearest_in_cylinder(const Pairing& pairing, const SearchOptions& options) {
+  std::vector<Nearest> nearest(pairing.size());
+  const Pairing::Uprights uprights(pairing, options);
+  const core::StraightLine line(options.height_unit_m);
+  pairing.for_each_closer(options, [&](PointId i, PointId j) {
+    const core::Upright here = uprights.points[i];
+    const core::Upright there = uprights.others[j];
+    const PointId best = nearest[i].id;
+    if (best != Nearest::kNobody && line.compare(here, there, here, uprights.others[best]) >= 0) {
+      return;
+    }
+    nearest[i] = {j, line.length(here, there)};
+  });
+  return nearest;
+}
+
 Result<std::vector<Nearest>> nearest_within_of(const Pairing& pairing,
                                                const SearchOptions& options) {
-  if (auto error = core::check_no_vertical(options)) return *std::move(error);
   if (auto error = pairing.check(options)) return *std::move(error);
+  if (options.vertical_m) return nearest_in_cylinder(pairing, options);
   std::vector<Nearest> nearest(pairing.size());
   pairing.for_each_closer(options,
                           [&](PointId i, PointId j) { keep_nearer(pairing, i, j, nearest); });

@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <cstdio>
+#include <span>
+#include <utility>
 
 namespace beespace::core {
 
@@ -27,31 +29,25 @@ std::optional<Error> check_options(const SearchOptions& options) {
                {}};
 }
 
-std::optional<Error> check_vertical(const SearchOptions& options, std::size_t points) {
-  if (!options.vertical_m) {
-    if (options.heights_m.empty()) return std::nullopt;
-    return Error{ErrorCode::kInvalidArgument,
-                 "there are heights apart from the positions, but no vertical threshold to compare "
-                 "them with; give one, or positions in space",
-                 {}};
+namespace {
+
+Error invalid(std::string message) {
+  return {ErrorCode::kInvalidArgument, std::move(message), {}};
+}
+
+std::optional<Error> check_heights(std::span<const double> heights, std::size_t points,
+                                   const char* name) {
+  if (heights.size() != points) {
+    Error error = invalid(std::to_string(heights.size()) + " heights for " +
+                          std::to_string(points) + " points; give one for each, or none");
+    error.place.source = name;
+    return error;
   }
-  const double vertical = *options.vertical_m;
-  if (!(vertical > 0.0) || !in_domain(vertical)) {
-    return Error{ErrorCode::kInvalidThreshold,
-                 "the vertical threshold is " + shown(vertical) +
-                     " m; give a finite distance above zero (3.9e-121 m to 2.6e+120 m)",
-                 {}};
-  }
-  if (!options.heights_m.empty() && options.heights_m.size() != points) {
-    return Error{ErrorCode::kInvalidArgument,
-                 std::to_string(options.heights_m.size()) + " heights for " +
-                     std::to_string(points) + " points; give one for each, or none",
-                 {}};
-  }
-  for (std::size_t i = 0; i < options.heights_m.size(); ++i) {
-    const double height = options.heights_m[i];
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    const double height = heights[i];
     if (in_domain(height)) continue;
     Place place;
+    place.source = name;
     place.record = i;
     return Error{std::isfinite(height) ? ErrorCode::kOutsideDomain : ErrorCode::kNotFinite,
                  "the height is " + shown(height) +
@@ -62,13 +58,59 @@ std::optional<Error> check_vertical(const SearchOptions& options, std::size_t po
   return std::nullopt;
 }
 
+// What does not depend on the points.
+std::optional<Error> check_vertical(const SearchOptions& options) {
+  const bool apart = !options.heights_m.empty() || !options.other_heights_m.empty();
+  if (!options.vertical_m) {
+    if (!apart) return std::nullopt;
+    return invalid(
+        "there are heights apart from the positions, but no vertical threshold to compare them "
+        "with; give one, or positions in space");
+  }
+  const double vertical = *options.vertical_m;
+  if (!(vertical > 0.0) || !in_domain(vertical)) {
+    return Error{ErrorCode::kInvalidThreshold,
+                 "the vertical threshold is " + shown(vertical) +
+                     " m; give a finite distance above zero (3.9e-121 m to 2.6e+120 m)",
+                 {}};
+  }
+  if (!(options.height_unit_m >= 1e-6) || !(options.height_unit_m <= 1e6)) {
+    return invalid("the unit of heights is " + shown(options.height_unit_m) +
+                   " m; give how many metres one is (0.3048 for feet), from 1e-6 to 1e6");
+  }
+  if (!apart && options.height_unit_m != 1.0) {
+    return invalid("the unit of heights is " + shown(options.height_unit_m) +
+                   " m, and there are no heights apart from the positions; z is in metres");
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Error> check_vertical(const SearchOptions& options, std::size_t points) {
+  if (auto error = check_vertical(options)) return error;
+  if (!options.other_heights_m.empty()) {
+    return invalid("there are heights of another set, and no other set; leave other_heights_m out");
+  }
+  if (options.heights_m.empty()) return std::nullopt;
+  return check_heights(options.heights_m, points, "");
+}
+
+std::optional<Error> check_vertical(const SearchOptions& options, std::size_t points,
+                                    std::size_t others) {
+  if (auto error = check_vertical(options)) return error;
+  if (options.heights_m.empty() && options.other_heights_m.empty()) return std::nullopt;
+  if (auto error = check_heights(options.heights_m, points, kPointsName)) return error;
+  return check_heights(options.other_heights_m, others, kOthersName);
+}
+
 std::optional<Error> check_no_vertical(const SearchOptions& options) {
-  if (!options.vertical_m && options.heights_m.empty()) return std::nullopt;
-  return Error{
-      ErrorCode::kInvalidArgument,
-      "this search knows no vertical threshold; ask for points at risk, pairs, neighbours, "
-      "counts or groups of one swarm",
-      {}};
+  if (!options.vertical_m && options.heights_m.empty() && options.other_heights_m.empty()) {
+    return std::nullopt;
+  }
+  return invalid(
+      "this search knows no vertical threshold; ask for points at risk, pairs, neighbours, counts, "
+      "the nearest ones or groups");
 }
 
 std::optional<Error> check_size(std::size_t size) {

@@ -17,8 +17,11 @@ std::string shown(double value);
 Error threshold_not_given();
 
 std::optional<Error> check_options(const SearchOptions& options);
-// The vertical threshold and heights of a search of one swarm; and that there are none.
+// The vertical threshold and heights, if any, of a search of one swarm, or between two; and that
+// there are none.
 std::optional<Error> check_vertical(const SearchOptions& options, std::size_t points);
+std::optional<Error> check_vertical(const SearchOptions& options, std::size_t points,
+                                    std::size_t others);
 std::optional<Error> check_no_vertical(const SearchOptions& options);
 std::optional<Error> check_size(std::size_t size);
 // That its arrays fit together, and their size: before anything of it is read.

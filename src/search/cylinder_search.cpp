@@ -1,155 +1,215 @@
 #include "search/cylinder_search.hpp"
 
-#include "core/cylinder.hpp"
+#include "core/resize_for.hpp"
 #include "core/validate.hpp"
-#include "cpu/collect_pairs.hpp"
-#include "search/frame.hpp"
-#include "search/question_grids.hpp"
+#include "search/cylinder_pairs.hpp"
+#include "search/cylinder_tasks.hpp"
+#include "search/group_search.hpp"
+#include "search/pair_search.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <span>
 
 namespace beespace::search {
 
 namespace {
 
-// Heights stretched so that the cylinder is as high as it is wide: then a sphere around it holds
-// little else. Cut where numbers would leave the coordinate domain: the sphere is larger then, and
-// as right.
-double stretch_of(const SearchOptions& options) {
-  constexpr double kMost = 0x1p+40;
-  return std::clamp(options.threshold_m / *options.vertical_m, 1.0 / kMost, kMost);
+constexpr auto kNothing = [] {};
+
+core::CylinderSize size_of(const SearchOptions& options) {
+  return {options.threshold_m, *options.vertical_m};
 }
 
-core::Buffer<Point> stretched(const PointsView& points, double stretch, core::Memory& memory) {
-  core::Buffer<Point> places(memory, points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Point p = points[i];
-    const double z = p.z * stretch;
-    // What is too small for the domain is nothing beside the radius.
-    places[i] = {p.x, p.y, std::abs(z) < kSmallestCoordinate_m ? 0.0 : z};
-  }
-  return places;
-}
+// A task that all workers share.
+template <class Task>
+struct Shared {
+  Task* task;
+
+  bool settled(core::CylinderNode a, core::CylinderNode b) { return task->settled(a, b); }
+  void near_itself(core::CylinderNode a) { task->near_itself(a); }
+  void near(core::CylinderNode a, core::CylinderNode b) { task->near(a, b); }
+  void near(std::size_t i, std::size_t j) { task->near(i, j); }
+  void looked_into(core::CylinderNode a) { task->looked_into(a); }
+};
 
 }  // namespace
 
-Result<bool> CylinderSearch::visit_pairs(const PairVisitor& visit) const {
-  if (auto error = core::check_vertical(options_, points_.size())) return *std::move(error);
-  if (auto error = core::check_set(points_, "")) return *std::move(error);
-  const bool apart = !options_.heights_m.empty();
-  const double stretch = stretch_of(options_);
-  const core::Buffer<Point> places = stretched(points_, apart ? 0.0 : stretch, with_.memory);
-  const PointsView sphere =
-      apart ? points_ : PointsView(std::span<const Point>(places.data(), points_.size()));
-  // Rounded up, and wider by far than what the stretching rounds.
-  const double radius =
-      (1.0 + 0x1p-20) * (apart ? options_.threshold_m
-                               : std::hypot(options_.threshold_m, stretch * *options_.vertical_m));
-  const Result<Frame> frame = Frame::of(sphere, with_);
-  if (!frame) return frame.error();
-  const QuestionGrids grids(*frame, {.threshold_m = radius, .inclusive = true}, with_, choices_);
-  const core::CylinderTest closer(points_, options_);
-  std::vector<Pair> near;
-  return cpu::show_pairs(grids.question(), with_, [&](std::span<const Pair> pairs) {
-    near.clear();
-    for (const Pair& pair : pairs) {
-      if (closer(pair.first, pair.second)) near.push_back(pair);
-    }
-    return near.empty() || visit(near);
-  });
+CylinderSearch::CylinderSearch(const PointsView& points, const PointsView* others,
+                               const SearchOptions& options, const core::Resources& with,
+                               const Choices& choices)
+    : points_(core::upright(points, options.heights_m, options)),
+      options_(options),
+      tests_{core::CylinderBoxTest(size_of(options)), core::CylinderTest(options)},
+      with_(with),
+      choices_(choices) {
+  if (others != nullptr) others_ = core::upright(*others, options.other_heights_m, options);
 }
 
-Status CylinderSearch::find_pairs(std::vector<Pair>& pairs) const {
-  pairs.clear();
-  const auto all = visit_pairs([&](std::span<const Pair> some) {
-    pairs.insert(pairs.end(), some.begin(), some.end());
-    return pairs.size() <= options_.max_results;
-  });
-  if (!all) return all.error();
-  if (pairs.size() > options_.max_results) return core::too_many_results(options_.max_results);
-  std::sort(pairs.begin(), pairs.end());
+bool CylinderSearch::is_empty() const {
+  return others_ ? points_.size() == 0 || others_->size() == 0 : points_.size() < 2;
+}
+
+std::optional<core::CylinderRows> CylinderSearch::rows() const {
+  if (others_ || is_empty() || choices_.crowds == Choices::Crowds::kAlways) return {};
+  const bool wanted = choices_.crowds == Choices::Crowds::kNever;
+  std::optional<core::CylinderRows> rows;
+  rows.emplace(points_, size_of(options_), wanted, with_);
+  if (!rows->finished()) rows.reset();
+  return rows;
+}
+
+std::optional<CylinderSearch::Trees> CylinderSearch::trees() const {
+  if (is_empty()) return {};
+  const core::CylinderSize size = size_of(options_);
+  std::optional<Trees> trees;
+  trees.emplace(Trees{core::CylinderTree(points_, size, with_), std::nullopt});
+  if (others_) trees->others.emplace(*others_, size, with_);
+  return trees;
+}
+
+template <class TaskOf, class Between>
+void CylinderSearch::join(const Trees& trees, const TaskOf& task_of, const Between& between) const {
+  const auto join_axes = [&](auto axes) {
+    constexpr std::size_t kAxes = decltype(axes)::value;
+    if (trees.others) {
+      core::join_both<kAxes>(trees.points, *trees.others, tests_, with_.crew, task_of);
+    } else {
+      core::join_itself<kAxes>(trees.points, tests_, with_.crew, task_of, between);
+    }
+  };
+  if (points_.apart) return join_axes(std::integral_constant<std::size_t, 4>());
+  join_axes(std::integral_constant<std::size_t, 3>());
+}
+
+template <class Near>
+void CylinderSearch::for_each_near(const core::CylinderRows& rows, const Near& near) const {
+  rows.for_each_near(tests_, with_.crew, [&](unsigned) { return EachNear<Near>{near}; });
+}
+
+Status CylinderSearch::find_at_risk(std::vector<PointId>& at_risk) const {
+  at_risk.clear();
+  Flags near(with_.memory, points_.size());  // by id
+  if (const auto rows = this->rows()) {
+    for_each_near(*rows, [&](std::size_t i, std::size_t j) {
+      near.set(rows->index(i));
+      near.set(rows->index(j));
+    });
+  } else if (const auto all = trees()) {
+    const core::CylinderTree& tree = all->points;
+    Marks marks(tree, others_.has_value(), with_.memory);
+    join(
+        *all, [&](unsigned) { return Shared<Marks>{&marks}; }, [&] { marks.settle_upward(); });
+    for (std::size_t slot = 0; slot < tree.size(); ++slot) {
+      if (marks[slot]) near.set(tree.index(slot));
+    }
+  }
+  for (PointId id = 0; id < points_.size(); ++id) {
+    if (near[id]) at_risk.push_back(id);
+  }
   return std::monostate{};
 }
 
 Status CylinderSearch::count_neighbors(std::vector<std::uint32_t>& counts) const {
   counts.assign(points_.size(), 0);
-  const auto all = visit_pairs([&](std::span<const Pair> pairs) {
-    for (const Pair& pair : pairs) {
-      ++counts[pair.first];
-      ++counts[pair.second];
-    }
-    return true;
-  });
-  if (!all) return all.error();
+  const bool one_worker = with_.crew.size() == 1;
+  if (const auto rows = this->rows()) {
+    for_each_near(*rows, [&](std::size_t i, std::size_t j) {
+      add_shared(counts[rows->index(i)], 1, one_worker);
+      add_shared(counts[rows->index(j)], 1, one_worker);
+    });
+    return std::monostate{};
+  }
+  const auto all = trees();
+  if (!all) return std::monostate{};
+  const core::CylinderTree& tree = all->points;
+  Counts near(tree, all->second(), one_worker, with_.memory);
+  join(
+      *all, [&](unsigned) { return Shared<Counts>{&near}; }, kNothing);
+  near.add_up();
+  for (std::size_t slot = 0; slot < tree.size(); ++slot) counts[tree.index(slot)] = near[slot];
   return std::monostate{};
 }
 
-Status CylinderSearch::find_at_risk(std::vector<PointId>& at_risk) const {
-  at_risk.clear();
-  std::vector<std::uint32_t> counts;
-  Status counted = count_neighbors(counts);
-  if (!counted) return counted;
-  for (PointId id = 0; id < counts.size(); ++id) {
-    if (counts[id] > 0) at_risk.push_back(id);
+core::Vector<core::FoundPairs> CylinderSearch::collect(std::uint64_t most) const {
+  core::Vector<core::FoundPairs> found(&with_.memory);
+  found.reserve(with_.crew.size());
+  for (unsigned worker = 0; worker < with_.crew.size(); ++worker) {
+    found.emplace_back(with_.memory.of(worker));
   }
+  PairsKept kept{most};
+  if (const auto rows = this->rows()) {
+    rows->for_each_near(tests_, with_.crew, [&](unsigned worker) {
+      return RowPairs<KeepPairs>(*rows, kept, found[worker]);
+    });
+  } else if (const auto all = trees()) {
+    join(
+        *all,
+        [&](unsigned worker) {
+          return TreePairs<KeepPairs>(all->points, all->second(), kept, found[worker]);
+        },
+        kNothing);
+  }
+  return found;
+}
+
+Status CylinderSearch::find_pairs(std::vector<Pair>& pairs) const {
+  pairs.clear();
+  const auto found = collect(options_.max_results);
+  const std::uint64_t size = core::size_of(found);
+  if (size > options_.max_results) return core::too_many_results(options_.max_results);
+  core::resize_for(pairs, size);
+  const auto direction = others_ ? core::Direction::kAsFound : core::Direction::kAscending;
+  core::order_pairs(found, direction, points_.size(), with_, pairs.data());
   return std::monostate{};
 }
 
 Status CylinderSearch::find_neighbors(IdRows& neighbors) const {
-  std::vector<Pair> pairs;
-  Status found = find_pairs(pairs);
-  if (!found) return found;
-  if (2 * pairs.size() > options_.max_results) return core::too_many_results(options_.max_results);
-  neighbors.offsets.assign(points_.size() + 1, 0);
-  for (const Pair& pair : pairs) {
-    ++neighbors.offsets[pair.first + 1];
-    ++neighbors.offsets[pair.second + 1];
-  }
-  std::partial_sum(neighbors.offsets.begin(), neighbors.offsets.end(), neighbors.offsets.begin());
-  neighbors.ids.resize(2 * pairs.size());
-  std::vector<std::uint64_t> next(neighbors.offsets.begin(), neighbors.offsets.end());
-  // Lower neighbours come from pairs that are sorted by them, and before the higher ones.
-  for (const Pair& pair : pairs) neighbors.ids[next[pair.second]++] = pair.first;
-  for (const Pair& pair : pairs) neighbors.ids[next[pair.first]++] = pair.second;
+  neighbors.offsets.clear();
+  neighbors.ids.clear();
+  const std::uint64_t rows_a_pair = others_ ? 1 : 2;
+  const auto found = collect(options_.max_results / rows_a_pair);
+  const std::uint64_t size = rows_a_pair * core::size_of(found);
+  if (size > options_.max_results) return core::too_many_results(options_.max_results);
+  core::Buffer<Pair> pairs(with_.memory, size);
+  const auto direction = others_ ? core::Direction::kAsFound : core::Direction::kBothWays;
+  core::order_pairs(found, direction, points_.size(), with_, pairs.data());
+  write_rows(pairs, size, points_.size(), with_, neighbors);
   return std::monostate{};
 }
 
+Result<bool> CylinderSearch::visit_pairs(const PairVisitor& visit) const {
+  Audience audience{visit};
+  if (const auto rows = this->rows()) {
+    rows->for_each_near(tests_, with_.crew,
+                        [&](unsigned) { return RowPairs<ShowPairs>(*rows, audience); });
+  } else if (const auto all = trees()) {
+    join(
+        *all, [&](unsigned) { return TreePairs<ShowPairs>(all->points, all->points, audience); },
+        kNothing);
+  }
+  return !audience.gone;
+}
+
 Status CylinderSearch::find_groups(IdRows& groups) const {
-  std::vector<PointId> root_of(points_.size());
-  std::iota(root_of.begin(), root_of.end(), PointId{0});
-  const auto root = [&](PointId id) {
-    while (root_of[id] != id) id = root_of[id] = root_of[root_of[id]];
-    return id;
-  };
-  const auto all = visit_pairs([&](std::span<const Pair> pairs) {
-    for (const Pair& pair : pairs) {
-      const PointId a = root(pair.first);
-      const PointId b = root(pair.second);
-      root_of[std::max(a, b)] = std::min(a, b);  // so a root is the lowest of its group
+  core::Buffer<std::uint32_t> root_of(with_.memory, points_.size());
+  for (PointId id = 0; id < points_.size(); ++id) root_of[id] = id;
+  if (const auto rows = this->rows()) {
+    core::DisjointSets sets(with_.memory, static_cast<std::uint32_t>(rows->size()));
+    for_each_near(*rows, [&](std::size_t i, std::size_t j) {
+      sets.join(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
+    });
+    for (std::uint32_t slot = 0; slot < rows->size(); ++slot) {
+      root_of[rows->index(slot)] = sets.root(slot);
     }
-    return true;
-  });
-  if (!all) return all.error();
-  std::vector<std::uint64_t> next(points_.size() + 1, 0);
-  for (PointId id = 0; id < root_of.size(); ++id) ++next[root(id)];
-  groups.offsets.assign(1, 0);
-  for (PointId id = 0; id < root_of.size(); ++id) {
-    const std::uint64_t members = next[id];
-    next[id] = groups.offsets.back();
-    if (members > 1) groups.offsets.push_back(groups.offsets.back() + members);
+  } else if (const auto all = trees()) {
+    const core::CylinderTree& tree = all->points;
+    Groups sets(tree, with_.memory);
+    join(
+        *all, [&](unsigned) { return Shared<Groups>{&sets}; }, [&] { sets.settle_upward(); });
+    for (std::size_t slot = 0; slot < tree.size(); ++slot) {
+      root_of[tree.index(slot)] = sets.root(slot);
+    }
   }
-  groups.ids.resize(groups.offsets.back());
-  std::vector<bool> joined(points_.size());
-  for (PointId id = 0; id < root_of.size(); ++id) joined[id] = root(id) != id;
-  for (PointId id = 0; id < root_of.size(); ++id) {
-    if (joined[id]) joined[root(id)] = true;
-  }
-  for (PointId id = 0; id < root_of.size(); ++id) {
-    if (joined[id]) groups.ids[next[root(id)]++] = id;
-  }
+  write_groups(root_of, points_.size(), with_, groups);
   return std::monostate{};
 }
 

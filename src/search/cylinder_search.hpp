@@ -1,39 +1,71 @@
-// The searches with a vertical threshold: pairs that are near in a sphere around the cylinder, each
-// decided exactly, and what follows from them.
+// The searches with a vertical threshold, of one swarm or between two: rows of cells, or trees of
+// boxes where they are crowded or two. Heights and horizontal distances are compared each on their
+// own; core/cylinder_rows.hpp and core/cylinder_tree.hpp say why no pair can be lost.
 #pragma once
 
+#include "core/cylinder_join.hpp"
+#include "core/cylinder_rows.hpp"
+#include "core/pair_order.hpp"
 #include "core/resources.hpp"
 #include "search/choices.hpp"
 
 #include <beespace/id_rows.hpp>
+#include <beespace/nearest.hpp>
 #include <beespace/pairs.hpp>
 #include <beespace/points_view.hpp>
 #include <beespace/result.hpp>
 #include <beespace/search_options.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace beespace::search {
 
 class CylinderSearch {
  public:
-  // Options have a vertical threshold, and all three must outlive the search.
-  CylinderSearch(const PointsView& points, const SearchOptions& options,
-                 const core::Resources& with, const Choices& choices)
-      : points_(points), options_(options), with_(with), choices_(choices) {}
+  // Options have a vertical threshold, have been checked as all sets have (core/validate.hpp), and
+  // must outlive the search, as `with` must. Without `others` the points are compared with each
+  // other.
+  CylinderSearch(const PointsView& points, const PointsView* others, const SearchOptions& options,
+                 const core::Resources& with, const Choices& choices);
 
   Status find_at_risk(std::vector<PointId>& at_risk) const;
   Status find_pairs(std::vector<Pair>& pairs) const;
   Status find_neighbors(IdRows& neighbors) const;
   Status count_neighbors(std::vector<std::uint32_t>& counts) const;
+  // The nearest by the straight line among those in the cylinder.
+  Status find_nearest(std::vector<Nearest>& nearest) const;
+
+  // Of one swarm.
   Status find_groups(IdRows& groups) const;
-  // True when all pairs were seen, as visit_pairs.
   Result<bool> visit_pairs(const PairVisitor& visit) const;
 
  private:
-  const PointsView& points_;
+  // The trees of the points and of those that they are compared with; nothing where there is no
+  // pair to be found.
+  struct Trees {
+    core::CylinderTree points;
+    std::optional<core::CylinderTree> others;
+
+    [[nodiscard]] const core::CylinderTree& second() const { return others ? *others : points; }
+  };
+  [[nodiscard]] std::optional<Trees> trees() const;
+  // The rows of one swarm, unless it is a crowd.
+  [[nodiscard]] std::optional<core::CylinderRows> rows() const;
+  [[nodiscard]] bool is_empty() const;
+  template <class Near>
+  void for_each_near(const core::CylinderRows& rows, const Near& near) const;
+  // Looks at all pairs, each once, with a task for each worker.
+  template <class TaskOf, class Between>
+  void join(const Trees& trees, const TaskOf& task_of, const Between& between) const;
+  // The pairs of each worker; more than `most`, and not all, where there are more.
+  core::Vector<core::FoundPairs> collect(std::uint64_t most) const;
+
+  core::UprightPoints points_;
+  std::optional<core::UprightPoints> others_;
   const SearchOptions& options_;
+  core::CylinderTests tests_;
   const core::Resources& with_;
   const Choices& choices_;
 };

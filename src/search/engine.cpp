@@ -20,13 +20,7 @@ namespace {
 constexpr std::monostate kDone{};
 
 bool is_vertical(const SearchOptions& options) {
-  return options.vertical_m || !options.heights_m.empty();
-}
-
-// Of a search that knows spheres only.
-std::optional<Error> check_sphere(const SearchOptions& options) {
-  if (auto error = core::check_options(options)) return error;
-  return core::check_no_vertical(options);
+  return options.vertical_m || !options.heights_m.empty() || !options.other_heights_m.empty();
 }
 
 }  // namespace
@@ -47,7 +41,7 @@ Status Engine::find_at_risk(const PointsView& points, const SearchOptions& optio
                             std::vector<PointId>& at_risk) {
   if (is_vertical(options)) {
     return workshop_->run_cylinder(
-        points, options, [&](const auto& search) { return search.find_at_risk(at_risk); });
+        points, nullptr, options, [&](const auto& search) { return search.find_at_risk(at_risk); });
   }
   if (auto error = core::check_options(options)) return *std::move(error);
   return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
@@ -58,7 +52,11 @@ Status Engine::find_at_risk(const PointsView& points, const SearchOptions& optio
 
 Status Engine::find_at_risk_between(const PointsView& points, const PointsView& others,
                                     const SearchOptions& options, std::vector<PointId>& at_risk) {
-  if (auto error = check_sphere(options)) return *std::move(error);
+  if (is_vertical(options)) {
+    return workshop_->run_cylinder(
+        points, &others, options, [&](const auto& search) { return search.find_at_risk(at_risk); });
+  }
+  if (auto error = core::check_options(options)) return *std::move(error);
   return workshop_->run(points, others, options.threads, [&](const auto& frame, const auto& with) {
     search::find_at_risk(frame, options, with, workshop_->choices, at_risk);
     return kDone;
@@ -68,7 +66,7 @@ Status Engine::find_at_risk_between(const PointsView& points, const PointsView& 
 Status Engine::find_pairs(const PointsView& points, const SearchOptions& options,
                           std::vector<Pair>& pairs) {
   if (is_vertical(options)) {
-    return workshop_->run_cylinder(points, options,
+    return workshop_->run_cylinder(points, nullptr, options,
                                    [&](const auto& search) { return search.find_pairs(pairs); });
   }
   if (auto error = core::check_options(options)) return *std::move(error);
@@ -79,7 +77,11 @@ Status Engine::find_pairs(const PointsView& points, const SearchOptions& options
 
 Status Engine::find_pairs_between(const PointsView& points, const PointsView& others,
                                   const SearchOptions& options, std::vector<Pair>& pairs) {
-  if (auto error = check_sphere(options)) return *std::move(error);
+  if (is_vertical(options)) {
+    return workshop_->run_cylinder(points, &others, options,
+                                   [&](const auto& search) { return search.find_pairs(pairs); });
+  }
+  if (auto error = core::check_options(options)) return *std::move(error);
   return workshop_->run(points, others, options.threads, [&](const auto& frame, const auto& with) {
     return search::find_pairs(frame, options, with, workshop_->choices, pairs);
   });
@@ -88,7 +90,7 @@ Status Engine::find_pairs_between(const PointsView& points, const PointsView& ot
 Result<bool> Engine::visit_pairs(const PointsView& points, const SearchOptions& options,
                                  const PairVisitor& visit) {
   if (is_vertical(options)) {
-    return workshop_->run_cylinder(points, options,
+    return workshop_->run_cylinder(points, nullptr, options,
                                    [&](const auto& search) { return search.visit_pairs(visit); });
   }
   if (auto error = core::check_options(options)) return *std::move(error);
@@ -105,8 +107,9 @@ Result<bool> Engine::visit_pairs(const PointsView& points, const SearchOptions& 
 Status Engine::find_neighbors(const PointsView& points, const SearchOptions& options,
                               IdRows& neighbors) {
   if (is_vertical(options)) {
-    return workshop_->run_cylinder(
-        points, options, [&](const auto& search) { return search.find_neighbors(neighbors); });
+    return workshop_->run_cylinder(points, nullptr, options, [&](const auto& search) {
+      return search.find_neighbors(neighbors);
+    });
   }
   if (auto error = core::check_options(options)) return *std::move(error);
   return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
@@ -116,7 +119,12 @@ Status Engine::find_neighbors(const PointsView& points, const SearchOptions& opt
 
 Status Engine::find_neighbors_between(const PointsView& points, const PointsView& others,
                                       const SearchOptions& options, IdRows& neighbors) {
-  if (auto error = check_sphere(options)) return *std::move(error);
+  if (is_vertical(options)) {
+    return workshop_->run_cylinder(points, &others, options, [&](const auto& search) {
+      return search.find_neighbors(neighbors);
+    });
+  }
+  if (auto error = core::check_options(options)) return *std::move(error);
   return workshop_->run(points, others, options.threads, [&](const auto& frame, const auto& with) {
     return search::find_neighbors(frame, options, with, workshop_->choices, neighbors);
   });
@@ -125,8 +133,9 @@ Status Engine::find_neighbors_between(const PointsView& points, const PointsView
 Status Engine::count_neighbors(const PointsView& points, const SearchOptions& options,
                                std::vector<std::uint32_t>& counts) {
   if (is_vertical(options)) {
-    return workshop_->run_cylinder(
-        points, options, [&](const auto& search) { return search.count_neighbors(counts); });
+    return workshop_->run_cylinder(points, nullptr, options, [&](const auto& search) {
+      return search.count_neighbors(counts);
+    });
   }
   if (auto error = core::check_options(options)) return *std::move(error);
   return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
@@ -138,7 +147,12 @@ Status Engine::count_neighbors(const PointsView& points, const SearchOptions& op
 Status Engine::count_neighbors_between(const PointsView& points, const PointsView& others,
                                        const SearchOptions& options,
                                        std::vector<std::uint32_t>& counts) {
-  if (auto error = check_sphere(options)) return *std::move(error);
+  if (is_vertical(options)) {
+    return workshop_->run_cylinder(points, &others, options, [&](const auto& search) {
+      return search.count_neighbors(counts);
+    });
+  }
+  if (auto error = core::check_options(options)) return *std::move(error);
   return workshop_->run(points, others, options.threads, [&](const auto& frame, const auto& with) {
     search::count_neighbors(frame, options, with, workshop_->choices, counts);
     return kDone;
@@ -148,7 +162,7 @@ Status Engine::count_neighbors_between(const PointsView& points, const PointsVie
 Status Engine::find_conflict_groups(const PointsView& points, const SearchOptions& options,
                                     IdRows& groups) {
   if (is_vertical(options)) {
-    return workshop_->run_cylinder(points, options,
+    return workshop_->run_cylinder(points, nullptr, options,
                                    [&](const auto& search) { return search.find_groups(groups); });
   }
   if (auto error = core::check_options(options)) return *std::move(error);
@@ -168,7 +182,11 @@ Status Engine::find_nearest(const PointsView& points, std::vector<Nearest>& near
 
 Status Engine::find_nearest_within(const PointsView& points, const SearchOptions& options,
                                    std::vector<Nearest>& nearest) {
-  if (auto error = check_sphere(options)) return *std::move(error);
+  if (is_vertical(options)) {
+    return workshop_->run_cylinder(
+        points, nullptr, options, [&](const auto& search) { return search.find_nearest(nearest); });
+  }
+  if (auto error = core::check_options(options)) return *std::move(error);
   return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
     search::find_nearest(frame, options, with, workshop_->choices, nearest);
     return kDone;
@@ -186,7 +204,11 @@ Status Engine::find_nearest_between(const PointsView& points, const PointsView& 
 Status Engine::find_nearest_within_between(const PointsView& points, const PointsView& others,
                                            const SearchOptions& options,
                                            std::vector<Nearest>& nearest) {
-  if (auto error = check_sphere(options)) return *std::move(error);
+  if (is_vertical(options)) {
+    return workshop_->run_cylinder(
+        points, &others, options, [&](const auto& search) { return search.find_nearest(nearest); });
+  }
+  if (auto error = core::check_options(options)) return *std::move(error);
   return workshop_->run(points, others, options.threads, [&](const auto& frame, const auto& with) {
     search::find_nearest(frame, options, with, workshop_->choices, nearest);
     return kDone;

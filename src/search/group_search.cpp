@@ -70,8 +70,8 @@ void find_roots(const Frame& frame, const SearchOptions& options, const core::Re
   }
 }
 
-// Writes groups of two or more in the order of their lowest member, members ascending: ids are
-// gone through in order, and each goes to the end of its group.
+}  // namespace
+
 void write_groups(const Roots& root_of, std::size_t size, const core::Resources& with,
                   IdRows& groups) {
   core::Buffer<std::uint32_t> members(with.memory, size);  // by root
@@ -93,8 +93,6 @@ void write_groups(const Roots& root_of, std::size_t size, const core::Resources&
     if (group != kNone) groups.ids[next[group]++] = id;
   }
 }
-
-}  // namespace
 
 void find_conflict_groups(const Frame& frame, const SearchOptions& options,
                           const core::Resources& with, const Choices& choices, IdRows& groups) {

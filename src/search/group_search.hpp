@@ -14,4 +14,9 @@ namespace beespace::search {
 void find_conflict_groups(const Frame& frame, const SearchOptions& options,
                           const core::Resources& with, const Choices& choices, IdRows& groups);
 
+// Writes groups of two or more, given by the root of each id, in the order of their lowest member,
+// members ascending: ids are gone through in order, and each goes to the end of its group.
+void write_groups(const core::Buffer<std::uint32_t>& root_of, std::size_t size,
+                  const core::Resources& with, IdRows& groups);
+
 }  // namespace beespace::search

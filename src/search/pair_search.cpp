@@ -32,23 +32,6 @@ core::Vector<core::FoundPairs> collect(const Frame& frame, const SearchOptions& 
   return cpu::collect_pairs(grids.question(), with, most);
 }
 
-// Rows of the second ids of sorted pairs.
-void write_rows(const core::Buffer<Pair>& pairs, std::size_t size, std::size_t row_count,
-                const core::Resources& with, IdRows& rows) {
-  core::resize_for(rows.offsets, row_count + 1);
-  core::resize_for(rows.ids, size);
-  with.crew.split(size, [&](std::size_t begin, std::size_t end, unsigned) {
-    // Each pair that is the first of its row starts the rows since the pair before.
-    std::uint64_t next_row = begin == 0 ? 0 : std::uint64_t{pairs[begin - 1].first} + 1;
-    for (std::size_t i = begin; i < end; ++i) {
-      rows.ids[i] = pairs[i].second;
-      for (; next_row <= pairs[i].first; ++next_row) rows.offsets[next_row] = i;
-    }
-  });
-  std::uint64_t next_row = size == 0 ? 0 : std::uint64_t{pairs[size - 1].first} + 1;
-  for (; next_row <= row_count; ++next_row) rows.offsets[next_row] = size;
-}
-
 // The rows of a frame: where each begins by the id of its point, and how they come there.
 class LongRows {
  public:
@@ -119,6 +102,22 @@ Status find_crowded_neighbors(const Frame& frame, const SearchOptions& options,
 }
 
 }  // namespace
+
+void write_rows(const core::Buffer<Pair>& pairs, std::size_t size, std::size_t row_count,
+                const core::Resources& with, IdRows& rows) {
+  core::resize_for(rows.offsets, row_count + 1);
+  core::resize_for(rows.ids, size);
+  with.crew.split(size, [&](std::size_t begin, std::size_t end, unsigned) {
+    // Each pair that is the first of its row starts the rows since the pair before.
+    std::uint64_t next_row = begin == 0 ? 0 : std::uint64_t{pairs[begin - 1].first} + 1;
+    for (std::size_t i = begin; i < end; ++i) {
+      rows.ids[i] = pairs[i].second;
+      for (; next_row <= pairs[i].first; ++next_row) rows.offsets[next_row] = i;
+    }
+  });
+  std::uint64_t next_row = size == 0 ? 0 : std::uint64_t{pairs[size - 1].first} + 1;
+  for (; next_row <= row_count; ++next_row) rows.offsets[next_row] = size;
+}
 
 Status find_pairs(const Frame& frame, const SearchOptions& options, const core::Resources& with,
                   const Choices& choices, std::vector<Pair>& pairs) {

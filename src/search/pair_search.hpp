@@ -26,6 +26,10 @@ bool visit_pairs(const Frame& frame, const SearchOptions& options, const core::R
 Status find_neighbors(const Frame& frame, const SearchOptions& options, const core::Resources& with,
                       const Choices& choices, IdRows& neighbors);
 
+// The rows that sorted pairs make up, of so many points.
+void write_rows(const core::Buffer<Pair>& pairs, std::size_t size, std::size_t row_count,
+                const core::Resources& with, IdRows& rows);
+
 void count_neighbors(const Frame& frame, const SearchOptions& options, const core::Resources& with,
                      const Choices& choices, std::vector<std::uint32_t>& counts);
 

@@ -45,13 +45,27 @@ class Engine::Workshop {
     return search(*frame, with);
   }
 
-  // Calls search(CylinderSearch) for options with a vertical threshold, whose answer it returns.
+  // Checks a search with a vertical threshold and calls search(CylinderSearch), whose answer it
+  // returns. `others` is null for one swarm.
   template <class Search>
-  auto run_cylinder(const PointsView& points, const SearchOptions& options, Search&& search)
+  auto run_cylinder(const PointsView& points, const PointsView* others,
+                    const SearchOptions& options, Search&& search)
       -> decltype(search(std::declval<const search::CylinderSearch&>())) {
+    const bool between = others != nullptr;
     if (auto error = core::check_options(options)) return *std::move(error);
-    const core::Resources with = resources(options.threads, points.size());
-    return search(search::CylinderSearch(points, options, with, choices));
+    if (auto error = between ? core::check_vertical(options, points.size(), others->size())
+                             : core::check_vertical(options, points.size())) {
+      return *std::move(error);
+    }
+    if (auto error = core::check_set(points, between ? core::kPointsName : "")) {
+      return *std::move(error);
+    }
+    if (between) {
+      if (auto error = core::check_set(*others, core::kOthersName)) return *std::move(error);
+    }
+    const std::size_t most = std::max(points.size(), between ? others->size() : 0);
+    const core::Resources with = resources(options.threads, most);
+    return search(search::CylinderSearch(points, others, options, with, choices));
   }
 
   const search::Choices choices = {};

@@ -1,0 +1,524 @@
+// Searches with a vertical threshold: every variant and every question against integers of any
+// size, at the thresholds, an ulp beside them, and at all magnitudes.
+#include "tests/contract/answer.hpp"
+#include "tests/contract/backward_crew.hpp"
+#include "tests/support/exact_cylinder_oracle.hpp"
+#include "tests/support/rounds.hpp"
+#include "tests/support/scene_maker.hpp"
+
+#include "core/memory.hpp"
+#include "search/cylinder_search.hpp"
+
+#include <beespace/beespace.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace beespace::test {
+namespace {
+
+using search::Choices;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+double above(double value) {
+  return std::nextafter(value, kInfinity);
+}
+double below(double value) {
+  return std::nextafter(value, -kInfinity);
+}
+
+using Answers = std::map<std::string, Answer>;
+
+// "The root of the sum of the squares", each step rounded.
+double line_of(const CylinderScene& scene, std::size_t i, std::size_t j) {
+  const bool two = scene.two_sets;
+  const Point& p = scene.points[i];
+  const Point& q = two ? scene.others[j] : scene.points[j];
+  const double x = p.x - q.x;
+  const double y = p.y - q.y;
+  if (!scene.apart()) return std::sqrt(x * x + y * y + (p.z - q.z) * (p.z - q.z));
+  const double z = p.z - q.z;
+  const double up =
+      (scene.heights[i] - (two ? scene.other_heights : scene.heights)[j]) * scene.height_unit_m;
+  return std::sqrt(x * x + y * y + z * z + up * up);
+}
+
+Answers expected(const CylinderScene& scene, const ExactCylinders& exact, bool inclusive) {
+  const auto rows = exact.rows(inclusive);
+  std::vector<PointId> at_risk;
+  std::vector<std::uint32_t> counts;
+  std::vector<Pair> pairs;
+  IdRows neighbors;
+  neighbors.offsets.push_back(0);
+  std::vector<Nearest> nearest(rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto id = static_cast<PointId>(i);
+    if (!rows[i].empty()) at_risk.push_back(id);
+    counts.push_back(static_cast<std::uint32_t>(rows[i].size()));
+    for (const PointId j : rows[i]) {
+      if (scene.two_sets || id < j) pairs.push_back({id, j});
+    }
+    neighbors.ids.insert(neighbors.ids.end(), rows[i].begin(), rows[i].end());
+    neighbors.offsets.push_back(neighbors.ids.size());
+    if (const auto j = exact.nearest(i, rows[i])) nearest[i] = {*j, line_of(scene, i, *j)};
+  }
+  Answers answers = {{"at risk", flat(at_risk)},
+                     {"counts", flat(counts)},
+                     {"pairs", flat(pairs)},
+                     {"neighbours", flat(neighbors)},
+                     {"nearest", flat(nearest)}};
+  if (scene.two_sets) return answers;
+  // Flood fill.
+  IdRows groups;
+  groups.offsets.push_back(0);
+  std::vector<bool> seen(rows.size());
+  for (PointId first = 0; first < rows.size(); ++first) {
+    if (seen[first] || rows[first].empty()) continue;
+    std::vector<PointId> group = {first};
+    seen[first] = true;
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      for (const PointId j : rows[group[k]]) {
+        if (!seen[j]) group.push_back(j);
+        seen[j] = true;
+      }
+    }
+    std::sort(group.begin(), group.end());
+    groups.ids.insert(groups.ids.end(), group.begin(), group.end());
+    groups.offsets.push_back(groups.ids.size());
+  }
+  answers["groups"] = flat(groups);
+  answers["visited pairs"] = answers["pairs"];
+  return answers;
+}
+
+Answer visited(const Result<bool>& all, std::vector<Pair> pairs) {
+  if (!all || !*all) return {0, 0, 0};
+  std::sort(pairs.begin(), pairs.end());
+  return flat(pairs);
+}
+
+PairVisitor into(std::vector<Pair>& pairs) {
+  return [&pairs](std::span<const Pair> batch) {
+    pairs.insert(pairs.end(), batch.begin(), batch.end());
+    return true;
+  };
+}
+
+Answers by_functions(const CylinderScene& scene, const SearchOptions& options) {
+  const PointsView points = scene.points;
+  if (scene.two_sets) {
+    const PointsView others = scene.others;
+    return {{"at risk", flat(find_at_risk_between(points, others, options))},
+            {"counts", flat(count_neighbors_between(points, others, options))},
+            {"pairs", flat(find_pairs_between(points, others, options))},
+            {"neighbours", flat(find_neighbors_between(points, others, options))},
+            {"nearest", flat(find_nearest_within_between(points, others, options))}};
+  }
+  std::vector<Pair> seen;
+  const auto all = visit_pairs(points, options, into(seen));
+  return {{"at risk", flat(find_at_risk(points, options))},
+          {"counts", flat(count_neighbors(points, options))},
+          {"pairs", flat(find_pairs(points, options))},
+          {"visited pairs", visited(all, seen)},
+          {"neighbours", flat(find_neighbors(points, options))},
+          {"groups", flat(find_conflict_groups(points, options))},
+          {"nearest", flat(find_nearest_within(points, options))}};
+}
+
+Answers by_brute_force(const CylinderScene& scene, const SearchOptions& options) {
+  namespace brute = brute_force;
+  const PointsView points = scene.points;
+  if (scene.two_sets) {
+    const PointsView others = scene.others;
+    return {{"at risk", flat(brute::find_at_risk_between(points, others, options))},
+            {"counts", flat(brute::count_neighbors_between(points, others, options))},
+            {"pairs", flat(brute::find_pairs_between(points, others, options))},
+            {"neighbours", flat(brute::find_neighbors_between(points, others, options))},
+            {"nearest", flat(brute::find_nearest_within_between(points, others, options))}};
+  }
+  return {{"at risk", flat(brute::find_at_risk(points, options))},
+          {"counts", flat(brute::count_neighbors(points, options))},
+          {"pairs", flat(brute::find_pairs(points, options))},
+          {"neighbours", flat(brute::find_neighbors(points, options))},
+          {"groups", flat(brute::find_conflict_groups(points, options))},
+          {"nearest", flat(brute::find_nearest_within(points, options))}};
+}
+
+// With the method forced.
+Answers by_method(const CylinderScene& scene, const SearchOptions& options, Choices::Crowds crowds,
+                  unsigned workers) {
+  BackwardCrew crew(workers);
+  core::Memory memory;
+  const core::Resources with{crew, memory};
+  Choices choices;
+  choices.crowds = crowds;
+  const PointsView points = scene.points;
+  const PointsView others = scene.others;
+  const search::CylinderSearch search(points, scene.two_sets ? &others : nullptr, options, with,
+                                      choices);
+  std::vector<PointId> ids;
+  std::vector<std::uint32_t> counts;
+  std::vector<Pair> pairs;
+  std::vector<Pair> seen;
+  std::vector<Nearest> nearest;
+  IdRows neighbors;
+  IdRows groups;
+  Answers answers = {{"at risk", flat_if(search.find_at_risk(ids), ids)},
+                     {"counts", flat_if(search.count_neighbors(counts), counts)},
+                     {"pairs", flat_if(search.find_pairs(pairs), pairs)},
+                     {"neighbours", flat_if(search.find_neighbors(neighbors), neighbors)},
+                     {"nearest", flat_if(search.find_nearest(nearest), nearest)}};
+  if (scene.two_sets) return answers;
+  answers["groups"] = flat_if(search.find_groups(groups), groups);
+  const auto all = search.visit_pairs(into(seen));
+  answers["visited pairs"] = visited(all, seen);
+  return answers;
+}
+
+void expect_same(const Answers& answers, const Answers& right, const std::string& variant) {
+  for (const auto& [question, answer] : answers) {
+    EXPECT_EQ(answer, right.at(question)) << variant << ": " << question;
+  }
+}
+
+// Every variant of every question; returns how many pairs there are.
+std::size_t check(const CylinderScene& scene, bool inclusive, const std::string& name) {
+  SCOPED_TRACE(name + (inclusive ? ", inclusive" : ", strict"));
+  const ExactCylinders exact(scene);
+  const Answers right = expected(scene, exact, inclusive);
+  expect_same(by_brute_force(scene, scene.options(inclusive)), right, "brute force");
+  for (const unsigned threads : {1U, 3U}) {
+    const SearchOptions options = scene.options(inclusive, threads);
+    expect_same(by_functions(scene, options), right, "functions");
+    expect_same(by_method(scene, options, Choices::Crowds::kNever, threads), right, "rows");
+    expect_same(by_method(scene, options, Choices::Crowds::kAlways, threads), right, "tree");
+  }
+  return right.at("pairs").size();
+}
+
+// The same scene with its thresholds an ulp either side.
+std::size_t check_around(CylinderScene scene, const std::string& name) {
+  std::size_t pairs = 0;
+  const double threshold = scene.threshold_m;
+  const double vertical = scene.vertical_m;
+  for (const double wide : {below(threshold), threshold, above(threshold)}) {
+    for (const double high : {below(vertical), vertical, above(vertical)}) {
+      scene.threshold_m = wide;
+      scene.vertical_m = high;
+      for (const bool inclusive : {false, true}) pairs += check(scene, inclusive, name);
+    }
+  }
+  return pairs;
+}
+
+// Heights that were z are given apart, upon positions that lie in no plane.
+CylinderScene apart(CylinderScene scene, double unit) {
+  const auto move = [](std::vector<Point>& points, std::vector<double>& heights) {
+    for (Point& p : points) {
+      heights.push_back(p.z);
+      p.z = 0.0;
+      std::swap(p.x, p.z);
+    }
+  };
+  move(scene.points, scene.heights);
+  if (scene.two_sets) move(scene.others, scene.other_heights);
+  scene.height_unit_m = unit;
+  return scene;
+}
+
+CylinderScene in_two_sets(CylinderScene scene) {
+  scene.two_sets = true;
+  std::vector<Point> all = std::move(scene.points);
+  scene.points.clear();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    (i % 3 == 0 ? scene.others : scene.points).push_back(all[i]);
+  }
+  return scene;
+}
+
+std::size_t check_all_forms(const CylinderScene& scene, const std::string& name) {
+  std::size_t pairs = check_around(scene, name);
+  pairs += check_around(apart(scene, 1.0), name + ", heights apart");
+  pairs += check_around(in_two_sets(scene), name + ", two sets");
+  pairs += check_around(apart(in_two_sets(scene), 0.3048), name + ", two sets, heights apart");
+  return pairs;
+}
+
+// Many pairs are exactly the thresholds apart: 3, 4, 5 and 5, 12, 13 on a lattice of powers of two.
+TEST(CylinderContract, OnLattices) {
+  SceneMaker make(20);
+  for (const int power : {0, -30, 33, -380, 380}) {
+    const double unit = std::ldexp(1.0, power);
+    CylinderScene scene;
+    scene.threshold_m = 5.0 * unit;
+    scene.vertical_m = 2.0 * unit;
+    for (int i = 0; i < (kSanitized ? 40 : 90); ++i) {
+      const auto step = [&](std::size_t many) {
+        return unit * (static_cast<double>(make.below(many)) - 0.5 * static_cast<double>(many));
+      };
+      scene.points.push_back({step(26), step(26), step(8)});
+    }
+    EXPECT_GT(check_all_forms(scene, "lattice of 2^" + std::to_string(power)), 1'000U);
+  }
+}
+
+// Clumps far smaller than the thresholds, clumps about as large, and some a long way off.
+TEST(CylinderContract, InCrowdsOfMixedScales) {
+  for (std::uint32_t seed = 0; seed < 4; ++seed) {
+    SceneMaker make(seed);
+    CylinderScene scene;
+    scene.threshold_m = 5.0;
+    scene.vertical_m = seed % 2 == 0 ? 1.5 : 60.0;
+    append(scene.points, make.ragged_box(40, {0, 0, 0}, {1e-6, 1e-6, 1e-6}));
+    append(scene.points, make.ragged_box(40, {2, 3, 0}, {8, 9, 4}));
+    append(scene.points, std::vector<Point>(12, Point{4, 4, 1.5}));
+    append(scene.points, make.ragged_box(8, {-1e15, -1e15, -1e9}, {1e15, 1e15, 1e9}));
+    scene.points.push_back({0x1p+399, -0x1p+399, 0x1p+390});
+    scene.points.push_back({0x1p-399, -0x1p-400, 0x1p-390});
+    make.shuffle(scene.points);
+    EXPECT_GT(check_all_forms(scene, "crowds " + std::to_string(seed)), 1'000U);
+  }
+}
+
+// Upright columns and flat discs of many more places than leaves hold.
+TEST(CylinderContract, InColumnsAndDiscs) {
+  SceneMaker make(7);
+  CylinderScene column;
+  column.threshold_m = 1.0;
+  column.vertical_m = 20.0;
+  column.points = make.ragged_box(150, {1e6, 1e6, 0}, {1e6 + 1.5, 1e6 + 1.5, 400});
+  EXPECT_GT(check_all_forms(column, "column"), 1'000U);
+  CylinderScene disc;
+  disc.threshold_m = 40.0;
+  disc.vertical_m = 0.25;
+  disc.points = make.ragged_box(150, {-1e4, 1e4, 5e3}, {-1e4 + 200, 1e4 + 200, 5e3 + 2});
+  EXPECT_GT(check_all_forms(disc, "disc"), 1'000U);
+}
+
+TEST(CylinderContract, OfNobodyAndOfOne) {
+  for (std::size_t size = 0; size < 3; ++size) {
+    CylinderScene scene;
+    scene.points.assign(size, Point{1, 2, 3});
+    check(scene, false, "few");
+    check(apart(scene, 1.0), false, "few, heights apart");
+    scene.two_sets = true;
+    check(scene, false, "few and none");
+    std::swap(scene.points, scene.others);
+    check(scene, false, "none and few");
+    check(apart(scene, 1.0), false, "none and few, heights apart");
+  }
+}
+
+struct Corner {
+  double height;
+  double vertical;
+};
+
+// Two who are one ulp inside the threshold horizontally and just below the vertical one in height:
+// the corner of the cylinder, which a rounded, stretched height misses.
+class CornerEncounters : public testing::TestWithParam<Corner> {};
+
+// The last height above `from` that is closer to it than `vertical`, exactly.
+double just_inside(double from, double vertical) {
+  const auto is_inside = [&](double height) {
+    return WideInteger(scaled(height, -200)) - WideInteger(scaled(from, -200)) <
+           WideInteger(scaled(vertical, -200));
+  };
+  double height = from + vertical;
+  while (!is_inside(height)) height = below(height);
+  return height;
+}
+
+TEST_P(CornerEncounters, AreAllFound) {
+  SceneMaker make(3);
+  const int encounters = rounds(40'000);
+  int found = 0;
+  for (int k = 0; k < encounters; ++k) {
+    CylinderScene scene;
+    scene.threshold_m = make.between(50.0, 200.0);
+    scene.vertical_m = GetParam().vertical * make.between(0.7, 1.5);
+    const double low = GetParam().height * make.between(1.0, 1.001);
+    scene.points = {{0, 0, low}, {below(scene.threshold_m), 0, just_inside(low, scene.vertical_m)}};
+    const SearchOptions options = scene.options(false);
+    ASSERT_TRUE(ExactCylinders(scene).in_cylinder(0, 1, false));
+    for (const auto crowds : {Choices::Crowds::kNever, Choices::Crowds::kAlways}) {
+      BackwardCrew crew(1);
+      core::Memory memory;
+      const core::Resources with{crew, memory};
+      Choices choices;
+      choices.crowds = crowds;
+      const PointsView points = scene.points;
+      std::vector<Pair> pairs;
+      const search::CylinderSearch search(points, nullptr, options, with, choices);
+      ASSERT_TRUE(search.find_pairs(pairs));
+      found += pairs.size() == 1 ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(found, 2 * encounters);
+}
+
+INSTANTIATE_TEST_SUITE_P(Heights, CornerEncounters,
+                         testing::Values(Corner{1e15, 1.0}, Corner{1e12, 1e-3}, Corner{1e11, 1.0},
+                                         Corner{1e9, 0.1}, Corner{6.37e6, 1e-4},
+                                         Corner{6.37e6, 1e-3}),
+                         [](const auto& instance) { return std::to_string(instance.index); });
+
+// Two who are just within a threshold along one axis, the first just below where cells of about
+// that width may end: whatever their width is, nobody is two cells away. Cells are the widest along
+// the first axis, then the second, so others there make the pair's axis the one that is meant.
+TEST(CylinderContract, AtTheBordersOfCells) {
+  constexpr double kThreshold = 1.7;
+  constexpr double kVertical = 0.3;
+  for (const std::size_t axis : {0U, 1U, 2U}) {
+    const double size = axis == 2 ? kVertical : kThreshold;
+    for (const double wider : {-0x1p-18, -0x1p-20, -0x1p-30, 0.0, 0x1p-30, 0x1p-20, 0x1p-18}) {
+      for (double cell = 1.0; cell < 1'500; cell = std::ceil(cell * 1.05)) {
+        const double first = below(cell * (size * (1.0 + wider)));
+        const double second = just_inside(first, size);
+        CylinderScene scene;
+        scene.threshold_m = kThreshold;
+        scene.vertical_m = kVertical;
+        scene.points.assign(4, Point{});
+        double Point::*const along = axis == 0 ? &Point::x : axis == 1 ? &Point::y : &Point::z;
+        if (axis != 0) scene.points[1].x = 3e3;
+        scene.points[2].*along = first;
+        scene.points[3].*along = second;
+        // So few places alone would have wider cells.
+        for (int k = 0; k < 2'000; ++k) scene.points.push_back({0.7 * k, 0, 0});
+        BackwardCrew crew(1);
+        core::Memory memory;
+        const core::Resources with{crew, memory};
+        Choices choices;
+        choices.crowds = Choices::Crowds::kNever;
+        const PointsView points = scene.points;
+        const SearchOptions options = scene.options(false);
+        std::vector<Pair> pairs;
+        const search::CylinderSearch search(points, nullptr, options, with, choices);
+        ASSERT_TRUE(search.find_pairs(pairs));
+        ASSERT_TRUE(std::count(pairs.begin(), pairs.end(), Pair{2, 3}) == 1)
+            << "axis " << axis << ", cell " << cell << ", wider by " << wider;
+      }
+    }
+  }
+}
+
+// What was once missed, or refused.
+TEST(CylinderContract, NamedCases) {
+  CylinderScene high;
+  high.points = {{0, 0, 1e15 + 0.5}, {142.79199471803761, 0, 1e15 + 1.875}};
+  high.threshold_m = 142.79199471803764;
+  high.vertical_m = 1.4448376891053065;
+  EXPECT_EQ(check(high, false, "high"), 1U);
+
+  CylinderScene tiny;
+  tiny.points = {{0, 0, 1.9 * 0x1p-400}, {0, 0, 3.8 * 0x1p-400}};
+  tiny.threshold_m = 0x1p-400;
+  tiny.vertical_m = 0x1p-399;
+  EXPECT_EQ(check(tiny, false, "tiny"), 1U);
+
+  // No error about a coordinate that nobody gave.
+  CylinderScene far_apart;
+  far_apart.points = {{0, 0, 0}, {0, 0, 0x1p+399}};
+  far_apart.threshold_m = 0x1p+20;
+  far_apart.vertical_m = 1.0;
+  EXPECT_EQ(check(far_apart, false, "far apart"), 0U);
+
+  CylinderScene extremes;
+  extremes.points = {{0x1p+400, -0x1p+400, 0x1p+400}, {-0x1p+400, 0x1p+400, -0x1p+400}, {0, 0, 0}};
+  extremes.threshold_m = 0x1p+400;
+  extremes.vertical_m = 0x1p-400;
+  EXPECT_EQ(check(extremes, true, "extremes"), 0U);
+}
+
+// The straight line decides who is nearest, not the horizontal distance, and feet become metres.
+TEST(CylinderContract, TheNearestIsNearestByTheStraightLine) {
+  CylinderScene scene;
+  scene.points = {{0, 0, 0}, {1, 0, 9}, {5, 0, 1}, {0, 0, 11}};
+  scene.threshold_m = 10.0;
+  scene.vertical_m = 10.0;
+  const auto nearest = find_nearest_within(scene.points, scene.options(false));
+  ASSERT_TRUE(nearest);
+  EXPECT_EQ((*nearest)[0].id, 2U) << "not 1, who is nearer horizontally";
+  CylinderScene feet = apart(scene, 0.3048);
+  feet.points = {{0, 0, 0}, {0, 0, 1}, {0, 0, 5}, {0, 0, 0}};
+  const auto in_feet = find_nearest_within(feet.points, feet.options(false));
+  ASSERT_TRUE(in_feet);
+  EXPECT_EQ((*in_feet)[0].id, 1U) << "9 feet are 2.7 m";
+  EXPECT_EQ((*in_feet)[0].distance_m, std::sqrt(1.0 + (9 * 0.3048) * (9 * 0.3048)));
+}
+
+// As many results as there are is not too many; one fewer allowed is.
+TEST(CylinderContract, TooManyResultsAreRefused) {
+  SceneMaker make(5);
+  CylinderScene scene;
+  scene.points = make.box(300, {0, 0, 0}, {9, 9, 9});
+  scene.threshold_m = 3.0;
+  scene.vertical_m = 2.0;
+  SearchOptions options = scene.options(false);
+  const std::size_t pairs = find_pairs(scene.points, options)->size();
+  options.max_results = pairs;
+  EXPECT_TRUE(find_pairs(scene.points, options));
+  EXPECT_FALSE(find_neighbors(scene.points, options));
+  options.max_results = pairs - 1;
+  EXPECT_EQ(find_pairs(scene.points, options).error().code, ErrorCode::kTooManyResults);
+  options.max_results = 2 * pairs - 1;
+  EXPECT_EQ(find_neighbors(scene.points, options).error().code, ErrorCode::kTooManyResults);
+  options.max_results = 2 * pairs;
+  EXPECT_TRUE(find_neighbors(scene.points, options));
+}
+
+TEST(CylinderContract, AVisitorThatHasSeenEnoughEndsIt) {
+  const std::vector<Point> crowd(20'000, Point{1, 2, 3});
+  for (const unsigned threads : {1U, 3U}) {
+    std::size_t seen = 0;
+    const SearchOptions options{.threshold_m = 5.0, .threads = threads, .vertical_m = 5.0};
+    const auto all = visit_pairs(crowd, options, [&](std::span<const Pair> pairs) {
+      seen += pairs.size();
+      return seen < 10'000;
+    });
+    ASSERT_TRUE(all);
+    EXPECT_FALSE(*all);
+    EXPECT_LT(seen, 20'000U);
+  }
+}
+
+TEST(CylinderRefusals, SayWhichSetAndWhichHeight) {
+  const std::vector<Point> two = {{0, 0, 0}, {1, 0, 0}};
+  const std::vector<Point> three = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+  const std::vector<double> of_two = {1, 2};
+  const std::vector<double> bad = {1, 2, std::nan("")};
+  SearchOptions options{.threshold_m = 5.0, .vertical_m = 5.0, .heights_m = of_two};
+  const auto refused = [&](ErrorCode code, const std::string& source) {
+    const auto found = find_pairs_between(two, three, options);
+    const auto brute = brute_force::find_pairs_between(two, three, options);
+    ASSERT_FALSE(found);
+    ASSERT_FALSE(brute);
+    EXPECT_EQ(found.error().code, code);
+    EXPECT_EQ(found.error().place.source, source);
+    EXPECT_EQ(flat(found.error()), flat(brute.error()));
+  };
+  refused(ErrorCode::kInvalidArgument, "others");  // no heights of the others
+  options.other_heights_m = of_two;
+  refused(ErrorCode::kInvalidArgument, "others");
+  options.other_heights_m = bad;
+  refused(ErrorCode::kNotFinite, "others");
+  options.heights_m = {};
+  refused(ErrorCode::kInvalidArgument, "points");
+  options.other_heights_m = {};
+  options.height_unit_m = 0.3048;  // of z
+  refused(ErrorCode::kInvalidArgument, "");
+  options.height_unit_m = 1.0;
+  EXPECT_TRUE(find_pairs_between(two, three, options));
+  options.other_heights_m = of_two;  // of one swarm
+  EXPECT_EQ(find_pairs(two, options).error().code, ErrorCode::kInvalidArgument);
+}
+
+}  // namespace
+}  // namespace beespace::test
