@@ -126,7 +126,9 @@ void CylinderRows::look(std::size_t i, std::size_t begin, std::size_t end,
     const double rest = there.rest - here.rest;
     const double squared = along * along + across * across + rest * rest;
     // One branch: which of the two it is cannot be foretold.
-    if (!((up <= tests.boxes.upright()) & (squared <= tests.boxes.surely_far()))) continue;
+    const int may_be_near =
+        int{up <= tests.boxes.upright()} & int{squared <= tests.boxes.surely_far()};
+    if (may_be_near == 0) continue;
     if (up < tests.boxes.upright() && squared < tests.boxes.surely_near()) {
       task.near(i, j);
     } else if (tests.places({{here.height, here.along, here.across, here.rest}},

@@ -120,8 +120,9 @@ class Pairs {
   }
 
   [[gnu::always_inline]] static bool any(const Ints& mask) {
+    // By value: Ints may lie anywhere, a reference to Longs must be aligned as a whole vector.
     using Longs [[gnu::vector_size(64)]] = std::int64_t;
-    const Longs halves = reinterpret_cast<const Longs&>(mask);
+    const auto halves = __builtin_bit_cast(Longs, mask);
     return (halves[0] | halves[1] | halves[2] | halves[3] | halves[4] | halves[5] | halves[6] |
             halves[7]) != 0;
   }
