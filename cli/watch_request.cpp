@@ -37,7 +37,8 @@ Result<WatchRequest> watch_request(const WatchOptions& options) {
       read_optional_amount(kName, "--rate", options.rate, "reports a second", {0.0, false});
   if (!rate) return rate.error();
   const auto advice = live_advice_request(
-      kName, options.advice, {*threshold, vertical->has_value(), live->look_every_s, *threads});
+      kName, options.advice,
+      {*threshold, vertical->has_value(), live->look_every_s, *max_age, *threads});
   if (!advice) return advice.error();
   return WatchRequest{
       options.input.empty() ? "-" : options.input,

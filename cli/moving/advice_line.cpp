@@ -37,8 +37,14 @@ const char* name_of(Doubt doubt) {
       return "not_as_advised";
     case Doubt::kOldReport:
       return "old_report";
+    case Doubt::kStale:
+      return "stale";
     case Doubt::kTooClose:
       return "too_close";
+    case Doubt::kNearUnknown:
+      return "near_unknown";
+    case Doubt::kRefused:
+      return "refused";
   }
   return "unknown";
 }
@@ -49,7 +55,9 @@ void append_advice_line(std::string& out, const AdviceTimes& times, const BeeNam
   out += "{\"event\": \"advice\"";
   append_times(out, times);
   append_member(out, "id", io::json_string(name.id));
-  if (frame == io::Frame::kWgs84) {
+  if (advice.kind == AdviceKind::kNone) {
+    // Told nothing.
+  } else if (frame == io::Frame::kWgs84) {
     const LocalVelocity local = report::to_local_velocity(mover.position, v);
     append_member(out, "velocity",
                   velocity_text("enu", local.east_mps, local.north_mps, local.up_mps));

@@ -20,9 +20,12 @@ enum class Doubt : std::uint8_t {
   kNoVelocity,    // its reports do not say how fast it flies
   kNotAsAdvised,  // its last report is not where advice had led it
   kOldReport,     // its last report is older than two steps
+  kStale,         // it has not been heard of for so long that it may be anywhere
   kTooClose,      // by Adviser::advise
+  kNearUnknown,   // the same: to where one of which nothing is known may be
+  kRefused,       // Adviser::advise cannot use its state
 };
-inline constexpr std::size_t kDoubts = 6;
+inline constexpr std::size_t kDoubts = 9;
 const char* name_of(Doubt doubt);
 
 // When a look is taken, and from when on it is to be flown.
@@ -31,6 +34,7 @@ struct AdviceTimes {
   double effective_s;
 };
 
+// Of kNone there is nothing to fly by.
 void append_advice_line(std::string& out, const AdviceTimes& times, const BeeName& name,
                         const Mover& mover, const Advice& advice, Doubt doubt, io::Frame frame);
 

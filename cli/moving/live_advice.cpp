@@ -149,19 +149,35 @@ void LiveAdvice::remove(PointId id) {
   bees_.erase(known);
 }
 
+// Nothing is known but how far it may have come.
+bool LiveAdvice::unknown(const Bee& bee) const {
+  return ticks_.time_of(*next_) - bee.last_s > request_.max_age_s ||
+         (bee.doubt == Doubt::kNoVelocity && bee.every_s == 0.0);
+}
+
+void LiveAdvice::add(PointId number, Bee& bee) {
+  bee.flight.extend(*next_ + 1, bee.advised, ticks_, request_.limits.max_acceleration_mps2);
+  const Mover mover = bee.flight.end();
+  FlightLimits limits = request_.limits;
+  limits.max_speed_mps = std::max(limits.max_speed_mps, speed_of(mover.velocity));
+  if (unknown(bee)) {
+    const double age_s = ticks_.time_of(*next_ + 1) - bee.last_s;
+    unknown_.push_back(
+        {bee.last, limits.max_speed_mps * std::max(age_s, 0.0), limits.max_speed_mps, number});
+  }
+  movers_.push_back(mover);
+  preferred_.push_back(bee.wish);
+  limits_.push_back(limits);
+}
+
 Status LiveAdvice::look() {
   movers_.clear();
   preferred_.clear();
   limits_.clear();
-  for (auto& [id, bee] : bees_) {
-    bee.flight.extend(*next_ + 1, bee.advised, ticks_, request_.limits.max_acceleration_mps2);
-    const Mover mover = bee.flight.end();
-    movers_.push_back(mover);
-    preferred_.push_back(bee.wish);
-    FlightLimits limits = request_.limits;
-    limits.max_speed_mps = std::max(limits.max_speed_mps, speed_of(mover.velocity));
-    limits_.push_back(limits);
-  }
+  unknown_.clear();
+  PointId number = 0;
+  for (auto& [id, bee] : bees_) add(number++, bee);
+  request_.options.unknown = unknown_;
   Status advised = adviser_.advise(movers_, preferred_, limits_, request_.options, advised_);
   if (advised) tell_all();
   go_on_to(*next_ + 1);
@@ -178,13 +194,23 @@ void LiveAdvice::tell_all() {
     const Advice& advice = advised_.advice[i];
     const Mover& mover = movers_[i++];
     Doubt doubt = bee.doubt;
+    if (ticks_.time_of(*next_) - bee.last_s > request_.max_age_s) doubt = Doubt::kStale;
     if (doubt == Doubt::kNone && old(bee)) doubt = Doubt::kOldReport;
-    if (doubt == Doubt::kNone && !advice.certified) doubt = Doubt::kTooClose;
+    if (doubt == Doubt::kNone && advice.kind == AdviceKind::kNone) doubt = Doubt::kRefused;
+    if (doubt == Doubt::kNone && !advice.keeps_apart) doubt = Doubt::kTooClose;
+    // Until the next advice takes effect, as all that is said.
+    if (doubt == Doubt::kNone && advice.clear_of_unknown_s < ticks_.step_s()) {
+      doubt = Doubt::kNearUnknown;
+    }
     ++counts.doubts[static_cast<std::size_t>(doubt)];
     // A bee that is heard of no more after this has its name in one line at least.
     const bool told = !bee.advised || doubt != Doubt::kNone || !(advice.velocity == mover.velocity);
     bee.advised = true;
-    bee.flight.fly(advice.velocity, told, ticks_, request_.limits.max_acceleration_mps2);
+    if (advice.kind == AdviceKind::kNone) {
+      bee.flight.fly(mover.velocity, false, ticks_, request_.limits.max_acceleration_mps2);
+    } else {
+      bee.flight.fly(advice.velocity, told, ticks_, request_.limits.max_acceleration_mps2);
+    }
     if (!told) continue;
     ++counts.told;
     append_advice_line(text, times, name_(id), mover, advice, doubt, frame_);

@@ -10,8 +10,10 @@
 // - two of its reports have been heard at least, and the last one was where advice had led it, to
 //   within what is tolerated until the step that is advised ends: by so much the threshold of all
 //   pairs is widened;
-// - it has its distance from all others, by Adviser::advise.
-// Otherwise the line says what fails.
+// - it has its distance from all others, by Adviser::advise; from one that is stale, or was heard
+// of
+//   once and without a velocity, wherever that may be by its greatest speed.
+// Otherwise the line says what fails. A bee is never forgotten, until it is removed.
 //
 // Between positions in degrees the frame is that of the Earth, in which z is not up. The advice
 // asks for up only to tell sides apart where there is nothing else to tell them by; any direction
@@ -40,7 +42,8 @@ namespace beespace::cli {
 struct LiveAdviceRequest {
   // Its uncertainty is how far from where its advice leads a bee may be and still be certified.
   AdviseOptions options;
-  FlightLimits limits;  // who is faster already may stay so
+  FlightLimits limits;     // who is faster already may stay so
+  double max_age_s = 5.0;  // who has not been heard of for longer may be anywhere
 };
 
 class LiveAdvice {
@@ -86,6 +89,8 @@ class LiveAdvice {
   void meet(Bee& bee, const Report& report) const;
   void hear(Bee& bee, const Report& report) const;
   [[nodiscard]] bool old(const Bee& bee) const;
+  [[nodiscard]] bool unknown(const Bee& bee) const;
+  void add(PointId number, Bee& bee);
   void await(Bee& bee);
   void go_on_to(Tick tick);
   Status take_looks();
@@ -106,6 +111,7 @@ class LiveAdvice {
   std::vector<Mover> movers_;
   std::vector<Velocity> preferred_;
   std::vector<FlightLimits> limits_;
+  std::vector<UnknownBee> unknown_;
   Advised advised_;
   std::uint64_t told_ = 0;
   std::uint64_t uncertified_ = 0;

@@ -82,6 +82,7 @@ Result<std::optional<LiveAdviceRequest>> live_advice_request(const char* command
   request.limits = {*speed, *acceleration};
   request.options.uncertainty_m = *uncertainty;
   request.options.threshold_m = looks.threshold_m;
+  request.max_age_s = looks.max_age_s;
   request.options.threads = looks.threads;
   request.options.step_s = looks.look_every_s;
   if (!options.step.empty()) {
@@ -89,6 +90,8 @@ Result<std::optional<LiveAdviceRequest>> live_advice_request(const char* command
     if (!step) return step.error();
     request.options.step_s = *step;
   }
+  // In this time all come to a stop, whatever they are told.
+  request.options.unknown_horizon_s = request.options.step_s + *speed / *acceleration;
   return std::optional<LiveAdviceRequest>(request);
 }
 

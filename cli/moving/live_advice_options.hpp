@@ -30,6 +30,7 @@ struct LiveLooks {
   double threshold_m;
   bool vertical;
   double look_every_s;
+  double max_age_s;
   unsigned threads;
 };
 

@@ -106,6 +106,30 @@ TEST(WatchAdvice, CertifiesNobodyWithoutVelocitiesOrAfterLongSilence) {
   EXPECT_GT(number_in(all.bees.back(), "time_s"), 0.55);
 }
 
+TEST(WatchAdvice, NeverForgetsABeeThatIsSilent) {
+  std::string table = "id,time_s,x,y,z,vx,vy,vz\n";
+  for (int tenths = 0; tenths <= 90; ++tenths) {
+    const std::string time = std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
+    table += "a," + time + ",0,0,0,0,0,0\n";
+    if (tenths <= 3) table += "b," + time + ",60,0,0,0,0,0\n";
+  }
+  const Told all = told(watched({"--advise", "--max-age", "2", "--max-speed", "10"}, table));
+  // Told nothing to fly by; a makes way for it as soon as it may come close, and not before.
+  bool gives_way = false;
+  for (const std::string& line : all.bees) {
+    const bool is_a = line.find(R"("id": "a")") != std::string::npos;
+    if (is_a && number_in(line, "vx") < 0.0) gives_way = true;
+    if (!is_a && number_in(line, "time_s") > 2.35) {
+      expect_parts(line, {R"("id": "b", "advice": "none", "certified": false, )"
+                          R"("because": "stale"})"});
+    }
+    // 60 m, less X and what it is widened by, less where a stops and b comes within 2.1 s.
+    if (number_in(line, "time_s") < 2.35) EXPECT_FALSE(gives_way) << line;
+  }
+  EXPECT_TRUE(gives_way);
+  expect_parts(all.ends.back(), {R"("bees": 2, )", R"("stale": 1)"});
+}
+
 TEST(WatchAdvice, IsAboutTheTimeAtWhichItIsFlown) {
   // They come in at 8 m/s: what is certified leaves them 5.2 m apart where they stop.
   const Finished finished = watched({"--advise"}, head_on());

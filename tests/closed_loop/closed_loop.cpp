@@ -86,7 +86,10 @@ class Loop {
       certified_ = certified_in(*next_);
       look_ = *next_;
       heard_at_look_.clear();
-      for (const TrueBee& bee : bees_) heard_at_look_.push_back(bee.heard_before_s);
+      for (const TrueBee& bee : bees_) {
+        heard_at_look_.push_back(bee.heard_before_s);
+        check_conditions(step - 1, bee);
+      }
     } else {
       certified_ = before_;
     }
@@ -98,6 +101,17 @@ class Loop {
       }
       bee.fly(step, next_.has_value() || !bee.named, told);
     }
+  }
+
+  // What must hold of whom is certified in the look of a step.
+  void check_conditions(int step, const TrueBee& bee) {
+    if (certified_.count(bee.id()) == 0) return;
+    constexpr double kOldest = 2.05;
+    const double age = step - bee.heard_s / plan_.step_s;
+    if (plan_.velocities && age <= kOldest) return;
+    outcome_.broken.push_back(bee.id() + " is certified with a report that is " +
+                              std::to_string(age) + " steps old" +
+                              (plan_.velocities ? "" : " and says no velocity"));
   }
 
   std::set<std::string> certified_in(const Look& look) {
@@ -179,12 +193,14 @@ class Loop {
         later.push_back(std::move(one));
         continue;
       }
-      if (random_.happens(plan_.faults.garbage / 10)) text += garbage();
+      // Not before the first report: it is of no kind that is known.
+      if (sent_any_ && random_.happens(plan_.faults.garbage / 10)) text += garbage();
       text += one.line.text;
+      sent_any_ = true;
       one.bee->heard_s = std::max(one.bee->heard_s, one.line.made_s);
     }
     waiting_ = std::move(later);
-    if (random_.happens(plan_.faults.garbage)) text += garbage();
+    if (sent_any_ && random_.happens(plan_.faults.garbage)) text += garbage();
     if (plan_.beacon) {
       char line[200];
       std::snprintf(line, sizeof line, "beacon,%.6f,1e6,1e6,0%s\n",
@@ -273,6 +289,7 @@ class Loop {
   WatchProcess watch_;
   std::vector<TrueBee> bees_;
   std::vector<Waiting> waiting_;
+  bool sent_any_ = false;
   Looks looks_;
   std::deque<Look> said_;     // looks that have come, and are not yet flown by
   std::optional<Look> next_;  // of the step to come

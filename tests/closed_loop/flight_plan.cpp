@@ -99,9 +99,13 @@ FlightPlan random_plan(std::uint64_t seed) {
   plan.own_phases = random.happens(0.3);
   plan.shuffled = random.happens(0.5);
   plan.velocities = !random.happens(0.1);
-  plan.beacon = true;
   if (random.happens(0.8)) plan.faults = random_faults(random);
   if (random.happens(0.3)) plan.faults.jitter_s = random.between(0, 0.03);
+  // Where all reports come, and one in each step at least, no look needs it.
+  const bool regular = plan.reports_per_s * plan.step_s >= 1 && plan.faults.lost == 0 &&
+                       plan.faults.late == 0 && plan.faults.silent == 0 &&
+                       plan.faults.jitter_s == 0 && !plan.own_phases;
+  plan.beacon = !regular || random.happens(0.3);
   return plan;
 }
 
