@@ -11,6 +11,7 @@ enum class ExitCode : int {
   kUsage = 2,      // the command line makes no sense
   kBadInput = 3,   // the data makes no sense
   kSystem = 4,     // could not open, read or write; out of memory
+  kHungUp = 129,
   kInterrupted = 130,
   kTerminated = 143,
   kPipeClosed = 141,  // as a tool that SIGPIPE ends

@@ -98,9 +98,10 @@ Status write_events(const ReplayRequest& request, const Findings& findings, doub
                              .leave_factor = request.live.leave_factor,
                              .horizon_s = plan ? 0.0 : request.live.horizon_s,
                              .max_age_s = max_age_s,
-                             .threads = request.moving.threads};
-  const auto events =
-      events_of(findings.recording, findings.tracks, options, request.live.look_every_s);
+                             .threads = request.moving.threads,
+                             .max_bees = std::max(SwarmOptions{}.max_bees, findings.tracks.size())};
+  const auto events = events_of(findings.recording, findings.tracks, options,
+                                {request.live.look_every_s, default_max_skew_s(max_age_s)});
   if (!events) return events.error();
   if (request.moving.form == MovingForm::kText) {
     output.write(events->lines);

@@ -21,7 +21,7 @@ volatile std::sig_atomic_t end_wanted = 0;
 
 extern "C" void ask_for_end(int signal) {
   if (end_wanted != 0) leave(signal);
-  end_wanted = 1;
+  end_wanted = signal;
 }
 
 // Unless the one who started the program had the signal ignored.
@@ -49,11 +49,15 @@ void handle_signals() {
 }
 
 void let_interruption_wait() {
-  handle(SIGINT, ask_for_end);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) handle(signal, ask_for_end);
 }
 
 bool interrupted() {
   return end_wanted != 0;
+}
+
+ExitCode exit_code_of_interruption() {
+  return static_cast<ExitCode>(kSignalExitCode + end_wanted);
 }
 
 }  // namespace beespace::cli

@@ -3,9 +3,12 @@
 #include "cli/signals.hpp"
 #include "cli/terminal.hpp"
 
+#include <poll.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <climits>
 #include <cstddef>
 #include <cstdio>
 
@@ -20,11 +23,19 @@ ExitCode print(const std::string& text) {
 }
 
 int write_out(std::string_view text) {
+  constexpr int kPatience_ms = 1000;
   while (!text.empty()) {
-    const ssize_t written = ::write(STDOUT_FILENO, text.data(), text.size());
+    std::size_t most = text.size();
+    if (interrupted()) {
+      // What is still to be said must not wait for long: a pipe that is ready takes this much.
+      pollfd waiting{STDOUT_FILENO, POLLOUT, 0};
+      if (::poll(&waiting, 1, kPatience_ms) == 0) return EINTR;
+      most = std::min<std::size_t>(most, PIPE_BUF);
+    }
+    const ssize_t written = ::write(STDOUT_FILENO, text.data(), most);
     if (written < 0 && errno != EINTR) return errno;
+    if (written < 0 && interrupted()) return EINTR;
     if (written > 0) text.remove_prefix(static_cast<std::size_t>(written));
-    if (!text.empty() && interrupted()) return EINTR;
   }
   return 0;
 }

@@ -1,6 +1,7 @@
 #include "cli/watch_command.hpp"
 
 #include "cli/failure.hpp"
+#include "cli/moving/event_lines.hpp"
 #include "cli/moving/line_source.hpp"
 #include "cli/moving/live_advice.hpp"
 #include "cli/moving/live_feed.hpp"
@@ -12,43 +13,57 @@
 #include "cli/standard_output.hpp"
 #include "cli/terminal.hpp"
 #include "cli/watch_request.hpp"
+#include "cli/watch_tally.hpp"
 #include "io/report_lines.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
+#include <chrono>
+#include <cmath>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace beespace::cli {
 namespace {
 
 constexpr std::uint64_t kMostBadLinesSaid = 20;
+constexpr std::size_t kMostNotUnderstood = 10;
 
 class Watch {
  public:
   explicit Watch(const WatchRequest& request)
       : request_(request),
         lines_(request.lines, request.input == "-" ? "<stdin>" : request.input),
-        pace_(request.speed, request.rate) {}
+        pace_(request.speed, request.rate),
+        tally_(request.swarm.max_speed_mps.has_value()) {}
 
   Result<ExitCode> run() {
     auto source = LineSource::open(request_.input);
     if (!source) return std::move(source).error();
+    // A recording, and what is read at a pace of ours, know no time but their own.
+    live_ = source->live() && !request_.speed && !request_.rate;
+    if (request_.by_arrival && !live_) {
+      return Error{ErrorCode::kInvalidArgument,
+                   "--clock arrival is for reports that come as things happen, not for a file; "
+                   "leave it out",
+                   {}};
+    }
     let_interruption_wait();
     std::string_view line;
     while (write_error_ == 0) {
-      // A look of advice that has begun waits for less.
-      const auto advice_ms = advice_ ? advice_->patience_ms() : std::nullopt;
-      const auto got = source->next(line, std::min(kPatienceMs, advice_ms.value_or(kPatienceMs)));
+      const auto got = source->next(line, patience_ms(*source));
       if (!got) return got.error();
       if (*got == LineSource::Got::kEnd) break;
-      if (*got == LineSource::Got::kNothingYet && advice_ms) {
-        note_advice(advice_->waited());
-        continue;
+      came_s_ = source->looked_s();
+      if (*got == LineSource::Got::kLine) {
+        if (const Status done = take(line); !done) return done.error();
+      } else {
+        advise_if_due();
       }
-      const Status done = *got == LineSource::Got::kLine ? take(line) : wait();
-      if (!done) return done.error();
+      if (live_ && feed_) {
+        if (const Status done = feed_->look_if_due(wall_s()); !done) return done.error();
+      }
     }
     if (feed_ && write_error_ == 0) {
       if (auto done = feed_->finish(); !done) return done.error();
@@ -58,23 +73,44 @@ class Watch {
   }
 
  private:
-  static constexpr int kPatienceMs = 1000;
+  // By a clock that never goes back, when the last line came, or nothing did; 0 where only the
+  // clock of the reports counts.
+  [[nodiscard]] double wall_s() const { return live_ ? came_s_ : 0.0; }
 
-  static std::size_t place(EventKind kind) { return static_cast<std::size_t>(kind); }
+  // Until the next look, where nothing comes.
+  [[nodiscard]] int patience_ms(const LineSource& source) const {
+    double wait_s = 1.0;
+    if (live_ && feed_) wait_s = std::min(wait_s, feed_->next_look_in_s(source.looked_s()));
+    if (const auto due_s = advice_due_s()) {
+      wait_s = std::min(wait_s, *due_s - source.looked_s());
+    }
+    return std::max(static_cast<int>(std::ceil(1000.0 * wait_s)), 1);
+  }
+
+  // Until when a look of advice that has begun waits for more reports.
+  [[nodiscard]] std::optional<double> advice_due_s() const {
+    const auto patience_ms = advice_ ? advice_->patience_ms() : std::nullopt;
+    if (!patience_ms) return std::nullopt;
+    return reported_s_ + *patience_ms / 1000.0;
+  }
+
+  void advise_if_due() {
+    const auto due_s = advice_due_s();
+    if (due_s && came_s_ >= *due_s) note_advice(advice_->waited());
+  }
 
   // What is said last, and how it ends.
   Result<ExitCode> end() {
-    // Ctrl-C ends whoever reads as well, or a write that waits for them.
+    // A signal may end the reader as well, or a write that waits for them.
     const bool cut_off = interrupted() && (write_error_ == EPIPE || write_error_ == EINTR);
     if (write_error_ == EPIPE && !cut_off) return ExitCode::kPipeClosed;
     if (write_error_ != 0 && !cut_off) {
       return Error{ErrorCode::kWriteFailed, "cannot write to standard output", {}};
     }
     if (!request_.quiet) say(summary());
-    if (interrupted()) return ExitCode::kInterrupted;
+    if (interrupted()) return exit_code_of_interruption();
     if (!feed_) return nothing_read();
-    return request_.fail_on_risk && told_[place(EventKind::kEntered)] > 0 ? ExitCode::kRiskFound
-                                                                          : ExitCode::kFine;
+    return request_.fail_on_risk && tally_.risk() ? ExitCode::kRiskFound : ExitCode::kFine;
   }
 
   // Whose first report tells what distances are taken of.
@@ -84,26 +120,45 @@ class Watch {
                                                                         : Geometry::kSpace;
     SwarmOptions options = request_.swarm;
     options.heights_apart = geometry_ == Geometry::kGroundAndHeight;
-    feed_.emplace(options, request_.look_every_s,
+    feed_.emplace(options, request_.times,
                   [this](const std::vector<SwarmEvent>& events) { tell(events); });
+    feed_->after_each_note([this](const ClockNote& note) { tell(note); });
     if (!request_.advice) return;
+    begin_advice();
+    feed_->after_each_report([this](const Report& report) {
+      reported_s_ = came_s_;
+      note_advice(advice_->take(report));
+    });
+  }
+
+  void begin_advice() {
     advice_.emplace(
-        *request_.advice, frame, [this](PointId id) -> const BeeName& { return feed_->name(id); },
+        *request_.advice, frame_, [this](PointId id) -> const BeeName& { return feed_->name(id); },
         [this](const std::string& lines) {
           if (write_error_ == 0) write_error_ = write_out(lines);
         });
-    feed_->after_each_report([this](const Report& report) { note_advice(advice_->take(report)); });
   }
 
   Status take(std::string_view line) {
     const auto read = lines_.take(line);
     if (!read) {
-      if (!lines_.understood()) return read.error();  // about the input as a whole
-      note_bad(read.error());
-      return std::monostate{};
+      if (lines_.understood()) {
+        note_bad(read.error());
+        return std::monostate{};
+      }
+      return not_understood(read.error());
+    }
+    if (lines_.understood() && !not_understood_.empty()) {
+      for (const Error& error : not_understood_) note_bad(error);
+      not_understood_.clear();
     }
     if (!*read) return std::monostate{};
     const io::ReportLine& at = **read;
+    if (at.leaves) {
+      const auto bee = feed_ ? feed_->leave(at.id) : std::nullopt;
+      if (bee && advice_) advice_->remove(*bee);
+      return std::monostate{};
+    }
     if (!feed_) begin(at.frame);
     const auto metres = in_metres(at.position, at.velocity, at.frame, geometry_);
     if (!metres) {
@@ -112,17 +167,40 @@ class Watch {
     }
     pace_.wait_for(at.time_s);
     if (interrupted()) return std::monostate{};
-    Status taken = feed_->take({feed_->number(at.id, at.label), at.time_s, metres->position,
-                                metres->velocity, metres->height_m, metres->climb_mps});
+    const auto number = feed_->number(at.id, at.label);
+    if (!number) {
+      note_bad(feed_->too_many());
+      return std::monostate{};
+    }
+    Status taken = feed_->take({*number, time_of(at), metres->position, metres->velocity,
+                                metres->height_m, metres->climb_mps},
+                               wall_s());
     if (taken) return taken;
     note_bad(taken.error());
     return std::monostate{};
   }
 
-  // Nothing has come for a while: whoever is silent grows old all the same.
-  Status wait() {
-    if (!feed_) return std::monostate{};
-    return feed_->idle(kPatienceMs / 1000.0);
+  // A line before any that is a report, or may be: a damaged one, as in the middle of a stream; or
+  // the input is none that can be read.
+  Status not_understood(const Error& error) {
+    not_understood_.push_back(error);
+    if (not_understood_.size() < kMostNotUnderstood) return std::monostate{};
+    return none_understood();
+  }
+
+  [[nodiscard]] Error none_understood() const {
+    Error error = not_understood_.front();
+    if (not_understood_.size() > 1) {
+      error.message += " (and none of the next " + std::to_string(not_understood_.size() - 1) +
+                       " lines could be read)";
+    }
+    return error;
+  }
+
+  // When a report was: as it says, or by the clock of this machine, in seconds since 1970.
+  [[nodiscard]] double time_of(const io::ReportLine& at) const {
+    if (!request_.by_arrival) return at.time_s;
+    return came_s_ + since_1970_;
   }
 
   void note_bad(const Error& error) {
@@ -133,7 +211,7 @@ class Watch {
   void tell(const std::vector<SwarmEvent>& events) {
     std::string text;
     for (const SwarmEvent& event : events) {
-      ++told_[place(event.kind)];
+      tally_.count(event);
       text += event_line(event, *feed_);
     }
     if (write_error_ == 0) write_error_ = write_out(text);
@@ -147,7 +225,19 @@ class Watch {
     }
   }
 
+  void tell(const ClockNote& note) {
+    tally_.count(note);
+    if (note.kind == ClockNote::Kind::kAnew && advice_) {
+      unadvised_looks_ += advice_->skipped();
+      advised_before_ += advice_->told();
+      uncertified_before_ += advice_->uncertified();
+      begin_advice();
+    }
+    if (write_error_ == 0) write_error_ = write_out(clock_line(note, *feed_));
+  }
+
   [[nodiscard]] Error nothing_read() const {
+    if (!not_understood_.empty()) return none_understood();
     return {ErrorCode::kNoPoints,
             bad_lines_ > 0 ? "no line of the input could be read as a report"
                            : "there is no report in the input",
@@ -166,31 +256,25 @@ class Watch {
     if (counts.repeated > 0) {
       append_summary_line(out, "repeated", grouped(counts.repeated) + " left out");
     }
-    if (feed_ && feed_->ahead() > 0) {
-      append_summary_line(
-          out, "ahead",
-          red(grouped(feed_->ahead())) + " left out: far ahead of all others in time");
-    }
+    if (feed_) tally_.append_clocks(out, *feed_);
     if (bad_lines_ > 0) {
       append_summary_line(out, "bad lines", red(grouped(bad_lines_)) + " left out");
     }
     append_summary_line(out, "bees",
                         grouped(counts.bees) + " heard of, " + grouped(counts.stale) + " stale");
+    if (feed_) tally_.append_unknown(out, *feed_);
     append_summary_line(
         out, "threshold",
         separation_text(request_.swarm.threshold_m, request_.swarm.vertical_m, false));
-    for (const EventKind kind : {EventKind::kPredicted, EventKind::kEntered, EventKind::kLeft}) {
-      append_summary_line(out, name_of(kind), grouped(told_[place(kind)]));
-    }
+    if (feed_) tally_.append_events(out, *feed_);
     if (advice_) append_advice(out);
     return out;
   }
 
   void append_advice(std::string& out) const {
-    std::string text = grouped(advice_->told());
-    if (advice_->uncertified() > 0) {
-      text += ", " + red(grouped(advice_->uncertified())) + " not certified";
-    }
+    const std::uint64_t uncertified = uncertified_before_ + advice_->uncertified();
+    std::string text = grouped(advised_before_ + advice_->told());
+    if (uncertified > 0) text += ", " + red(grouped(uncertified)) + " not certified";
     append_summary_line(out, "advice", text);
     const std::uint64_t without = unadvised_looks_ + advice_->skipped();
     if (without == 0) return;
@@ -204,9 +288,20 @@ class Watch {
   Geometry geometry_ = Geometry::kSpace;
   std::optional<LiveFeed> feed_;
   std::optional<LiveAdvice> advice_;
-  std::array<std::uint64_t, kEventKinds> told_{};  // by kind
+  WatchTally tally_;
+  std::vector<Error> not_understood_;  // before the first that was
+  bool live_ = false;
+  double came_s_ = 0.0;      // when the last line came, or nothing did
+  double reported_s_ = 0.0;  // when the last report that advice was told of came
+  // What that is less than the time since 1970.
+  double since_1970_ =
+      std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch() -
+                                    std::chrono::steady_clock::now().time_since_epoch())
+          .count();
   std::uint64_t bad_lines_ = 0;
   std::uint64_t unadvised_looks_ = 0;
+  std::uint64_t advised_before_ = 0;  // the clocks began anew
+  std::uint64_t uncertified_before_ = 0;
   int write_error_ = 0;  // the errno of it
 };
 

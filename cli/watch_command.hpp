@@ -23,6 +23,10 @@ struct WatchOptions {
   std::string threshold = "100";
   std::string vertical;
   std::string max_age = "5";
+  std::string clock = "report";
+  std::string max_skew;
+  std::string max_bees;
+  std::string max_pairs;
   std::string threads = "1";
   std::string speed;
   std::string rate;

@@ -22,16 +22,24 @@ constexpr const char* kDetails =
     "as\n"
     "both bees have been heard of again, and what lies ahead. Memory grows with the bees, not with "
     "the\n"
-    "reports. Bad lines are counted and said, and left out. At the end of the input, or with "
-    "Ctrl-C, a\n"
-    "summary goes to standard error.\n"
+    "reports. Bad lines are counted and said, and left out. At the end of the input, or when it is "
+    "told\n"
+    "to end (SIGINT, SIGTERM, SIGHUP), a summary goes to standard error.\n"
+    "A line {\"event\": \"leave\", \"id\": \"a\"} says that a bee is there no longer.\n"
     "\n"
     "Events:\n"
     "  predicted       two are about to come too close: when it begins, how close, and when\n"
     "  entered         two have come closer than the threshold\n"
     "  closest_passed  they are getting farther apart again: how close they were, and when\n"
     "  left            they are farther apart than the threshold times --leave-factor\n"
-    "  stale           a bee has not been heard of for --max-age\n"
+    "  lost            two that had entered, and one has fallen silent: unknown from then on\n"
+    "  ended           two that had entered, when the input ended\n"
+    "  possible        with --max-speed: a stale bee may be too close to another one\n"
+    "  stale, heard    a bee has not been heard of for --max-age; and is heard of again\n"
+    "  clock           a bee's clock is off, and by how much; its reports are taken at corrected "
+    "times\n"
+    "  clocks_anew     the clocks of most have gone back, as after a restart\n"
+    "  overloaded      a bound is reached, and how many bees or pairs are left out\n"
     "  advice          with --advise, every --step: a bee that should not fly on as it does, and "
     "the\n"
     "                  velocity to change to from effective_s on; or that is not certified, and "
@@ -44,9 +52,11 @@ constexpr const char* kDetails =
     "  beespace watch flight.csv --threshold 5 --speed 10\n"
     "  tail -f swarm.csv | beespace watch --threshold 5 --advise --max-speed 15\n"
     "\n"
-    "Exit status: 0 fine, 1 somebody has entered (with --fail-on-risk), 2 wrong usage, 3 bad "
-    "input,\n"
-    "4 cannot open, read or write, 130 interrupted, 143 terminated, 141 closed pipe.";
+    "Exit status: 0 fine, 1 it is not known that none has entered (with --fail-on-risk), 2 wrong "
+    "usage,\n"
+    "3 bad input, 4 cannot open, read or write, 129 hung up, 130 interrupted, 143 terminated, 141 "
+    "closed\n"
+    "pipe.";
 
 void add_input_options(CLI::App& watch, WatchOptions& options) {
   watch.add_option("FILE", options.input, "What to read (default, or -: standard input)")
@@ -69,6 +79,25 @@ void add_input_options(CLI::App& watch, WatchOptions& options) {
       .add_option("--max-age", options.max_age,
                   "Stale is who was not heard of for so long (default: 5)")
       ->type_name("SECONDS")
+      ->group("Input");
+  CLI::Option* clock =
+      watch
+          .add_option("--clock", options.clock,
+                      "Whose clock tells when a report was: its own, or\nthat of this machine when "
+                      "it comes")
+          ->type_name("report|arrival")
+          ->group("Input");
+  allow_only(*clock, {"report", "arrival"});
+  watch
+      .add_option("--max-skew", options.max_skew,
+                  "Clocks that differ by more are not believed\n(default: 2, or half of --max-age "
+                  "if that is less)")
+      ->type_name("SECONDS")
+      ->group("Input");
+  watch
+      .add_option("--max-bees", options.max_bees,
+                  "So many bees are known at a time (default: 1000000)")
+      ->type_name("N")
       ->group("Input");
   watch.add_option("--speed", options.speed, "Read a recording as fast as it happened, times this")
       ->type_name("FACTOR")
@@ -96,8 +125,15 @@ CLI::App* add_watch_command(CLI::App& command, WatchOptions& options) {
       ->type_name("N")
       ->group("Separation");
   add_live_options(*watch, options.live, "Separation");
+  watch
+      ->add_option("--max-pairs", options.max_pairs,
+                   "So many pairs are followed at a time, the closest\n(default: 500000)")
+      ->type_name("N")
+      ->group("Separation");
   add_live_advice_options(*watch, options.advice, "Advice");
-  watch->add_flag("--fail-on-risk", options.fail_on_risk, "Exit with 1 when somebody has entered")
+  watch
+      ->add_flag("--fail-on-risk", options.fail_on_risk,
+                 "Exit with 1 when two have entered, or it is not known\nthat none has")
       ->group("Output");
   watch->add_flag("--quiet", options.quiet, "No summary, only errors")->group("Output");
   refuse_pointless_values(*watch);

@@ -1,8 +1,10 @@
 #include "cli/watch_request.hpp"
 
+#include "cli/flight_values.hpp"
 #include "cli/moving/live_advice_options.hpp"
 #include "cli/moving/live_options.hpp"
 #include "cli/moving/moving_options.hpp"
+#include "cli/number_text.hpp"
 #include "cli/option_values.hpp"
 #include "cli/terminal.hpp"
 
@@ -10,6 +12,17 @@ namespace beespace::cli {
 namespace {
 
 constexpr const char* kName = "watch";
+
+// A whole number of bees or pairs, 1 or more.
+Result<std::size_t> read_bound(const std::string& option, const std::string& text,
+                               std::size_t otherwise) {
+  if (text.empty()) return otherwise;
+  const auto value = parse_whole(text);
+  constexpr std::uint64_t kMost = 4'000'000'000;
+  if (value && *value >= 1 && *value <= kMost) return static_cast<std::size_t>(*value);
+  return usage_error(
+      kName, option + " '" + text + "' is not a whole number from 1 to " + std::to_string(kMost));
+}
 
 }  // namespace
 
@@ -27,6 +40,9 @@ Result<WatchRequest> watch_request(const WatchOptions& options) {
   if (!vertical) return vertical.error();
   const auto max_age = read_amount(kName, "--max-age", options.max_age, "seconds", {0.0, false});
   if (!max_age) return max_age.error();
+  const auto skew =
+      read_optional_amount(kName, "--max-skew", options.max_skew, "seconds", {0.0, false});
+  if (!skew) return skew.error();
   const auto threads = read_threads(kName, options.threads);
   if (!threads) return threads.error();
   const auto live = live_request(kName, options.live);
@@ -36,6 +52,20 @@ Result<WatchRequest> watch_request(const WatchOptions& options) {
   const auto rate =
       read_optional_amount(kName, "--rate", options.rate, "reports a second", {0.0, false});
   if (!rate) return rate.error();
+  std::optional<double> max_speed;
+  if (!options.advice.max_speed.empty()) {
+    const auto stated = read_speed(kName, "--max-speed", options.advice.max_speed);
+    if (!stated) return stated.error();
+    max_speed = *stated;
+  }
+  const auto max_bees = read_bound("--max-bees", options.max_bees, SwarmOptions{}.max_bees);
+  if (!max_bees) return max_bees.error();
+  const auto max_pairs = read_bound("--max-pairs", options.max_pairs, SwarmOptions{}.max_pairs);
+  if (!max_pairs) return max_pairs.error();
+  if (options.clock == "arrival" && (speed->has_value() || rate->has_value())) {
+    return usage_error(kName, "--clock arrival is for reports that come as things happen; leave " +
+                                  std::string(*speed ? "--speed" : "--rate") + " out");
+  }
   const auto advice = live_advice_request(
       kName, options.advice,
       {*threshold, vertical->has_value(), live->look_every_s, *max_age, *threads});
@@ -48,8 +78,12 @@ Result<WatchRequest> watch_request(const WatchOptions& options) {
        .leave_factor = live->leave_factor,
        .horizon_s = live->horizon_s,
        .max_age_s = *max_age,
-       .threads = *threads},
-      live->look_every_s,
+       .threads = *threads,
+       .max_speed_mps = max_speed,
+       .max_bees = *max_bees,
+       .max_pairs = *max_pairs},
+      {live->look_every_s, skew->value_or(default_max_skew_s(*max_age))},
+      options.clock == "arrival",
       *speed,
       *rate,
       *advice,

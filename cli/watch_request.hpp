@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/moving/live_advice.hpp"
+#include "cli/moving/live_feed.hpp"
 #include "cli/watch_command.hpp"
 #include "io/load_recording.hpp"
 
@@ -17,7 +18,8 @@ struct WatchRequest {
   std::string input;
   io::RecordingOptions lines;
   SwarmOptions swarm;
-  double look_every_s = 0.0;
+  LiveTimes times = {};
+  bool by_arrival = false;                  // the time of a report is when it came
   std::optional<double> speed;              // times that of the clock of the reports
   std::optional<double> rate;               // reports a second
   std::optional<LiveAdviceRequest> advice;  // where it is wanted

@@ -35,6 +35,7 @@ _beespace() {
     replay:--report) words='conflicts bees separation events' ;;
     *:--crs) words='auto wgs84 metres' ;;
     *:--time-unit) words='auto s ms us ns' ;;
+    watch:--clock) words='report arrival' ;;
     *:--heights) words='auto geometric pressure' ;;
     advise:--method) words='certified orca mvp' ;;
     simulate:--method) words='certified orca mvp none' ;;
@@ -51,7 +52,7 @@ _beespace() {
       ;;
     *:--threshold | *:--columns | *:--threads | *:--max-results | *:--points) return ;;
     *:--vertical | *:--horizon | *:--max-age | *:--every | *:--max-gap | *:--tolerance) return ;;
-    *:--leave-factor | *:--look-every | *:--rate) return ;;
+    *:--leave-factor | *:--look-every | *:--rate | *:--max-skew | *:--max-bees | *:--max-pairs) return ;;
     *:--size | *:--clusters | *:--sigma | *:--seed) return ;;
     *:--speed | *:--miss | *:--duration | *:--interval) return ;;
     *:--bees | *:--spacing | *:--step | *:--steps | *:--clearance) return ;;
@@ -77,8 +78,9 @@ _beespace() {
           ;;
         watch)
           words='--threshold --vertical --horizon --leave-factor --look-every --advise --max-speed
-            --max-acceleration --uncertainty --step --max-age --speed --rate --threads --crs --columns
-            --time-unit --heights --fail-on-risk --quiet --help --version'
+            --max-acceleration --uncertainty --step --max-bees --max-pairs --max-age --clock --max-skew
+            --speed --rate --threads --crs --columns --time-unit --heights --fail-on-risk --quiet
+            --help --version'
           ;;
         advise)
           words='--speed --acceleration --step --threshold --uncertainty --obstacles --clearance

@@ -2,6 +2,7 @@
 
 #include "io/base_station.hpp"
 #include "io/fields.hpp"
+#include "io/json_line.hpp"
 #include "io/line_reader.hpp"
 #include "io/record_problems.hpp"
 #include "io/text_check.hpp"
@@ -39,17 +40,62 @@ ReportLines::~ReportLines() = default;
 Result<std::optional<ReportLine>> ReportLines::read(std::string_view line) {
   if (is_blank_line(line)) return std::optional<ReportLine>();
   if (line.size() > kLongestLine) return long_line(line);
-  if (!reader_) {
-    line = without_byte_order_mark(line);
-    if (is_blank_line(line)) return std::optional<ReportLine>();
-    if (without_padding(line).front() != '{') {
-      if (auto problem = text_problem(line)) return *std::move(problem);
+  line = lines_ == 1 ? without_byte_order_mark(line) : line;
+  if (is_blank_line(line)) return std::optional<ReportLine>();
+  if (auto left = leave(line); !left || *left) return left;
+  return read_report(line);
+}
+
+Result<std::optional<ReportLine>> ReportLines::read_report(std::string_view line) {
+  if (understood_) return reader_->read(line);
+  // What came before, if anything, may have been damaged: then a later line is the header, or tells
+  // the kind.
+  std::optional<Error> first;
+  for (auto* known : {&reader_, &later_}) {
+    if (!*known) continue;
+    auto report = (*known)->read(line);
+    if (report || (*known)->settled()) {
+      if (known == &later_) reader_ = std::move(later_);
+      later_.reset();
+      understood_ = reader_->settled();
+      return report;
     }
-    reader_ = reader_for(line, options_, lines_);
+    if (!first) first = std::move(report).error();
   }
-  auto report = reader_->read(line);
-  understood_ = understood_ || reader_->settled();
-  return report;
+  if (without_padding(line).front() != '{') {
+    if (auto problem = text_problem(line)) return first ? *std::move(first) : *std::move(problem);
+  }
+  auto reader = reader_for(line, options_, lines_);
+  auto report = reader->read(line);
+  understood_ = reader->settled();
+  if (!first || understood_) {
+    reader_ = std::move(reader);
+    return report;
+  }
+  if (report) later_ = std::move(reader);
+  return *std::move(first);
+}
+
+// What the line says if it says that a bee leaves.
+Result<std::optional<ReportLine>> ReportLines::leave(std::string_view line) {
+  const std::optional<ReportLine> none;
+  if (without_padding(line).front() != '{') return none;
+  if (line.find("\"leave\"") == std::string_view::npos) return none;
+  if (!leave_) leave_ = std::make_unique<JsonLine>();
+  const auto object = leave_->parse(line);
+  if (!object) return none;
+  std::string_view event;
+  if (object->at_key("event").get(event) != simdjson::SUCCESS || event != "leave") return none;
+  JsonElement id;
+  ReportLine report;
+  report.leaves = true;
+  if (object->at_key("id").get(id) == simdjson::SUCCESS && leave_->read_text(id, report.id) &&
+      !report.id.empty()) {
+    return std::optional<ReportLine>(report);
+  }
+  return Error{ErrorCode::kMissingColumn,
+               "this does not say who leaves; give an id: {\"event\": \"leave\", \"id\": \"a\"}",
+               {}};
 }
 
 Result<std::optional<ReportLine>> ReportLines::take(std::string_view line) {

@@ -7,6 +7,10 @@
 // - or an object of readsb's JSON port: {"now": ..., "hex": ..., "lat": ..., "alt_geom": ...}. Its
 //   time is `now` less `seen_pos`: an object without `now` has no time and is refused;
 // - or a message of BaseStation (SBS-1), of which MSG,3 completes a position.
+// Where the first lines cannot be read, as in the middle of a stream, the next one tells the kind.
+//
+// Among lines of every kind an object {"event": "leave", "id": "a"} says that a bee is there no
+// longer.
 //
 // Every bee needs an id and a time. Nothing is converted but units, as in recording.hpp. Memory is
 // bounded by the longest line, and for BaseStation by the velocity and name of 65,536 aircraft.
@@ -38,8 +42,10 @@ struct ReportLine {
   // m/s along x, y, z; or east, north, up beside degrees. Nothing unless all of it is known.
   std::optional<Velocity> velocity = {};
   bool since_1970 = false;
+  bool leaves = false;  // only the id is known: it is there no longer
 };
 
+class JsonLine;
 class LineReader;
 
 class ReportLines {
@@ -70,10 +76,14 @@ class ReportLines {
 
  private:
   Result<std::optional<ReportLine>> read(std::string_view line);
+  Result<std::optional<ReportLine>> read_report(std::string_view line);
+  Result<std::optional<ReportLine>> leave(std::string_view line);
 
   RecordingOptions options_;
   std::string source_;
   std::unique_ptr<LineReader> reader_;  // of the kind that the first line told
+  std::unique_ptr<LineReader> later_;   // until a line is understood: of a later one
+  std::unique_ptr<JsonLine> leave_;
   std::uint64_t lines_ = 0;
   bool understood_ = false;
 };

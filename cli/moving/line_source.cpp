@@ -4,10 +4,12 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <utility>
 
@@ -20,7 +22,18 @@ Error system_error(ErrorCode code, const std::string& what, const std::string& s
   return {code, what + ": " + std::strerror(errno), place};
 }
 
+double seconds_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 }  // namespace
+
+LineSource::LineSource(std::string name, int descriptor, bool owned)
+    : name_(std::move(name)), descriptor_(descriptor), owned_(owned), looked_s_(seconds_now()) {
+  struct stat status {};
+  live_ = ::fstat(descriptor, &status) == 0 &&
+          (S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode) || ::isatty(descriptor) == 1);
+}
 
 Result<LineSource> LineSource::open(const std::string& path) {
   if (path == "-") return LineSource("<stdin>", STDIN_FILENO, false);
@@ -33,6 +46,8 @@ LineSource::LineSource(LineSource&& other) noexcept
     : name_(std::move(other.name_)),
       descriptor_(std::exchange(other.descriptor_, -1)),
       owned_(std::exchange(other.owned_, false)),
+      live_(other.live_),
+      looked_s_(other.looked_s_),
       ended_(other.ended_),
       cutting_(other.cutting_),
       buffer_(std::move(other.buffer_)),
@@ -77,6 +92,7 @@ Result<LineSource::Got> LineSource::next(std::string_view& line, int patience_ms
     begin_ = 0;
     pollfd waiting{descriptor_, POLLIN, 0};
     const int ready = ::poll(&waiting, 1, patience_ms);
+    looked_s_ = seconds_now();
     if (ready == 0) return Got::kNothingYet;
     std::array<char, std::size_t{1} << 16> block;
     const ssize_t count = ready < 0 ? -1 : ::read(descriptor_, block.data(), block.size());

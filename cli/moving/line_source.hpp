@@ -23,20 +23,26 @@ class LineSource {
 
   enum class Got { kLine, kNothingYet, kEnd };
   // The next line, without its end, valid until the next call; or that none has come for
-  // `patience_ms`. A line longer than kLongest is cut there. Ctrl-C that has been let wait is an
+  // `patience_ms`. A line longer than kLongest is cut there. A signal that has been let wait is an
   // end too. Error: kReadFailed.
   Result<Got> next(std::string_view& line, int patience_ms);
+
+  // Whether it comes as things happen: from a pipe, a terminal, a connection; not from a file.
+  [[nodiscard]] bool live() const { return live_; }
+  // When it was read last, or nothing was found there: seconds by a clock that never goes back.
+  [[nodiscard]] double looked_s() const { return looked_s_; }
 
   static constexpr std::size_t kLongest = std::size_t{1} << 20;
 
  private:
-  LineSource(std::string name, int descriptor, bool owned)
-      : name_(std::move(name)), descriptor_(descriptor), owned_(owned) {}
+  LineSource(std::string name, int descriptor, bool owned);
   bool take_line(std::string_view& line);
 
   std::string name_;  // what errors blame
   int descriptor_;
   bool owned_;
+  bool live_ = false;
+  double looked_s_ = 0.0;
   bool ended_ = false;
   bool cutting_ = false;  // the rest of a line that was too long is to be passed over
   std::string buffer_;

@@ -24,8 +24,8 @@ void add_live_advice_options(CLI::App& command, LiveAdviceOptions& options, cons
       ->group(group);
   command
       .add_option("--max-speed", options.max_speed,
-                  "In advice, the greatest, in m/s (default: 30); who is\nfaster already may stay "
-                  "so")
+                  "No bee is ever faster, in m/s: then events say whom a\nsilent one may meet. In "
+                  "advice, the greatest\n(default: 30); who is faster already may stay so")
       ->type_name("SPEED")
       ->group(group);
   command
@@ -51,11 +51,10 @@ Result<std::optional<LiveAdviceRequest>> live_advice_request(const char* command
                                                              const LiveAdviceOptions& options,
                                                              const LiveLooks& looks) {
   if (!options.wanted) {
-    for (const auto& [option, value] :
-         {std::pair<const char*, const std::string&>{"--max-speed", options.max_speed},
-          {"--max-acceleration", options.max_acceleration},
-          {"--uncertainty", options.uncertainty},
-          {"--step", options.step}}) {
+    for (const auto& [option, value] : {std::pair<const char*, const std::string&>{
+                                            "--max-acceleration", options.max_acceleration},
+                                        {"--uncertainty", options.uncertainty},
+                                        {"--step", options.step}}) {
       if (value.empty()) continue;
       return usage_error(command, std::string(option) + " is of advice; add --advise");
     }

@@ -4,6 +4,7 @@
 #include <beespace/result.hpp>
 #include <beespace/swarm.hpp>
 
+#include <algorithm>
 #include <string>
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
@@ -26,6 +27,11 @@ struct LiveRequest {
 };
 
 inline constexpr double kDefaultMaxAge_s = 5.0;
+
+// No clock that is believed may make others stale.
+constexpr double default_max_skew_s(double max_age_s) {
+  return std::min(2.0, 0.5 * max_age_s);
+}
 
 void add_live_options(CLI::App& command, LiveOptions& options, const char* group);
 

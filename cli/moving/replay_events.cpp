@@ -1,5 +1,6 @@
 #include "cli/moving/replay_events.hpp"
 
+#include "cli/moving/event_lines.hpp"
 #include "cli/moving/moving_input.hpp"
 #include "cli/moving/moving_output.hpp"
 
@@ -29,7 +30,7 @@ std::vector<Value> row_of(const SwarmEvent& event, const LiveFeed& feed) {
 }  // namespace
 
 Result<RecordedEvents> events_of(const io::Recording& recording, const std::vector<Track>& tracks,
-                                 const SwarmOptions& options, double look_every_s) {
+                                 const SwarmOptions& options, const LiveTimes& times) {
   const Geometry geometry = geometry_for(recording, options.vertical_m.has_value());
   std::vector<RecordedFix> fixes;
   for (PointId bee = 0; bee < tracks.size(); ++bee) {
@@ -45,7 +46,7 @@ Result<RecordedEvents> events_of(const io::Recording& recording, const std::vect
       {"distance_m"}, {"closest_s"}};
   recorded.rows.labelled = has_labels(recording);
   const LiveFeed* seen = nullptr;
-  LiveFeed feed(options, look_every_s, [&](const std::vector<SwarmEvent>& events) {
+  LiveFeed feed(options, times, [&](const std::vector<SwarmEvent>& events) {
     for (const SwarmEvent& event : events) {
       recorded.lines += event_line(event, *seen);
       recorded.rows.rows.push_back(row_of(event, *seen));
@@ -54,7 +55,9 @@ Result<RecordedEvents> events_of(const io::Recording& recording, const std::vect
   seen = &feed;
   for (const RecordedFix& at : fixes) {
     const io::RecordedBee& bee = recording.bees[at.bee];
-    Report report{feed.number(bee.id, bee.label), at.time_s, tracks[at.bee].fixes[at.fix].position};
+    const auto number = feed.number(bee.id, bee.label);
+    if (!number) return feed.too_many();
+    Report report{*number, at.time_s, tracks[at.bee].fixes[at.fix].position};
     if (!bee.path) {
       const auto given = in_metres(recording, at.bee, at.fix, geometry);
       if (!given) return given.error();

@@ -20,6 +20,6 @@ struct RecordedEvents {
 };
 
 Result<RecordedEvents> events_of(const io::Recording& recording, const std::vector<Track>& tracks,
-                                 const SwarmOptions& options, double look_every_s);
+                                 const SwarmOptions& options, const LiveTimes& times);
 
 }  // namespace beespace::cli

@@ -230,7 +230,7 @@ TEST(WatchAdvice, NamesFlightsAsEventsDo) {
 }
 
 TEST(WatchAdvice, OptionsThatMakeNoSenseAreRefused) {
-  expect_usage_error({"watch", "--max-speed", "9"}, "--max-speed is of advice; add --advise");
+  expect_usage_error({"watch", "--max-speed", "0"}, "--max-speed '0'");
   expect_usage_error({"watch", "--max-acceleration", "9"}, "--max-acceleration is of advice");
   expect_usage_error({"watch", "--uncertainty", "9"}, "--uncertainty is of advice");
   expect_usage_error({"watch", "--step", "9"}, "--step is of advice; add --advise");

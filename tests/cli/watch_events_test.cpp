@@ -10,6 +10,7 @@
 #include "tests/cli/command_run.hpp"
 #include "tests/cli/expectations.hpp"
 #include "tests/cli/json_check.hpp"
+#include "tests/cli/temporary_folder.hpp"
 
 namespace beespace::cli_test {
 namespace {
@@ -32,8 +33,14 @@ constexpr std::string_view kClosestPassed =
     R"({"event": "closest_passed", "time_s": 10, "first": "a", "second": "b", )"
     R"("distance_m": 0, "closest_s": 10})";
 
+// From a file, so that nothing comes of how fast the machine is.
+Finished watch_file(const Arguments& more, const std::string& input) {
+  const TemporaryFolder folder;
+  return run(Arguments{"watch", folder.file("reports", input)} + more);
+}
+
 Finished watched(const Arguments& more, const std::string& input) {
-  return run(Arguments{"watch", "--threshold", "5"} + more, input);
+  return watch_file(Arguments{"--threshold", "5"} + more, input);
 }
 
 // The lines of a table in the order of time, those of the same time as they come.
@@ -141,10 +148,10 @@ TEST_P(WatchOfARecording, SaysWhatReplaySaysHoweverOftenItLooks) {
         run(Arguments{"replay", "--report", "events", "--quiet"} + live, table);
     EXPECT_EQ(replayed.exit_code, 0) << replayed.err;
     EXPECT_GT(lines_of(replayed.out).size(), 20u);
-    const Finished watched = run(Arguments{"watch"} + live, table);
+    const Finished watched = watch_file(live, table);
     EXPECT_EQ(watched.exit_code, 0) << watched.err;
     EXPECT_TRUE(watched.out == replayed.out) << GetParam() << ", looked every " << every;
-    EXPECT_TRUE(run(Arguments{"watch"} + live, as_json_lines(table)).out == replayed.out)
+    EXPECT_TRUE(watch_file(live, as_json_lines(table)).out == replayed.out)
         << "as JSON, " << GetParam() << ", looked every " << every;
   }
 }
@@ -155,7 +162,7 @@ TEST_P(WatchOfARecording, SaysTheSameOfAVerticalThresholdAndOtherHorizons) {
        {Arguments{"--vertical", "10"}, Arguments{"--horizon", "2", "--leave-factor", "1"},
         Arguments{"--horizon", "0", "--leave-factor", "1.5"}, Arguments{"--threads", "3"}}) {
     const Arguments both = Arguments{"--threshold", "20"} + live;
-    EXPECT_TRUE(run(Arguments{"watch"} + both, table).out ==
+    EXPECT_TRUE(watch_file(both, table).out ==
                 run(Arguments{"replay", "--report", "events"} + both, table).out)
         << GetParam() << live[0];
   }
@@ -166,8 +173,8 @@ TEST_P(WatchOfARecording, TellsTheSamePastHoweverOftenItLooks) {
   const std::string table = recording();
   std::vector<std::string> first;
   for (const char* every : {"0.05", "3", "1000"}) {
-    const Finished finished = run(
-        {"watch", "--threshold", "15", "--horizon", "0", "--look-every", every, "--quiet"}, table);
+    const Finished finished = watch_file(
+        {"--threshold", "15", "--horizon", "0", "--look-every", every, "--quiet"}, table);
     std::vector<std::string> what;
     for (const std::string& line : lines_of(finished.out)) {
       what.push_back(line.substr(0, line.find(", \"closest_s\"")));
@@ -192,13 +199,13 @@ TEST(WatchEvents, AircraftAreWatchedAsTheyAreReplayed) {
     table += "BAW2," + time + "," + back + ",0,10200,-185,0,0\n";
   }
   const Arguments near = {"--threshold", "1000", "--vertical", "201"};
-  const Finished watched = run(Arguments{"watch"} + near, table);
+  const Finished watched = watch_file(near, table);
   EXPECT_EQ(watched.out, run(Arguments{"replay", "--report", "events"} + near, table).out);
   expect_parts(watched.out, {R"("event": "entered")",
                              R"("event": "closest_passed", "time_s": 30, "first": "KLM1", )",
                              R"("event": "left")"});
   const Arguments apart = {"--threshold", "1000", "--vertical", "200"};
-  EXPECT_EQ(run(Arguments{"watch"} + apart, table).out, "");
+  EXPECT_EQ(watch_file(apart, table).out, "");
 }
 
 TEST(WatchEvents, ReplayHasThemAsATableAndInItsDocumentToo) {

@@ -160,7 +160,7 @@ TEST(Watch, AReportFarAheadOfAllOthersInTimeIsLeftOutAndCounted) {
   const Finished finished =
       watched("id,time_s,x,y,z\na,0,0,0,0\nb,0,1,0,0\nb,9999,1,0,0\n" + kAgain);
   EXPECT_EQ(finished.out, kEnteredAndEnded);
-  expect_parts(finished.err, {"reports    4\n", "ahead      1 left out: far ahead of all others"});
+  expect_parts(finished.err, {"reports    4\n", "clocks     1 report left out for its time\n"});
 }
 
 TEST(Watch, TheSummarySaysTheFrameTheHeightsAndTheThreshold) {
@@ -177,7 +177,7 @@ TEST(Watch, TheSummarySaysTheFrameTheHeightsAndTheThreshold) {
                {"heights    pressure altitude\n"});
 }
 
-TEST(Watch, InputThatCannotBeUnderstoodIsRefusedAtOnce) {
+TEST(Watch, InputThatCannotBeUnderstoodIsRefused) {
   for (const auto& [input, message] :
        {std::pair{"hello world\nfoo bar\n", "the header names no position"},
         std::pair{"1,2,3,4,5\n6,7,8,9,10\n", "there is no header that tells the columns"},
@@ -188,8 +188,59 @@ TEST(Watch, InputThatCannotBeUnderstoodIsRefusedAtOnce) {
   }
   // It does not wait for the end of the input.
   Running running({"watch"});
-  running.send("hello world\nfoo bar\n");
-  EXPECT_EQ(running.finish().exit_code, kBadInput);
+  for (int i = 0; i < 12; ++i) running.send("hello world\n");
+  const Finished finished = running.finish();
+  EXPECT_EQ(finished.exit_code, kBadInput);
+  expect_parts(finished.err,
+               {"the header names no position", "(and none of the next 9 lines could be read)"});
+}
+
+TEST(Watch, AStreamMayBeJoinedInTheMiddleOfALine) {
+  const Finished json = watched("\"x\": 5, \"y\": 0}\n" + kAInJson + kBInJson + kAgainInJson);
+  EXPECT_EQ(json.exit_code, 0);
+  EXPECT_EQ(json.out, kEnteredAndEnded);
+  expect_parts(json.err, {"beespace: left out: <stdin>:1", "input      JSON, an object a line\n",
+                          "bad lines  1 left out\n"});
+  const Finished table = watched("0,0\na,0,0,0,0\nb,0,1,0,0\n" + kAgain,
+                                 {"--columns", "id=1,time=2,x=3,y=4,z=5", "--time-unit", "s"});
+  EXPECT_EQ(table.exit_code, 0) << table.err;
+  EXPECT_EQ(table.out, kEnteredAndEnded);
+  expect_parts(table.err, {"bad lines  1 left out\n"});
+  const Finished aircraft = watched(
+      "\":47.25,\"lon\":8.5,\"seen_pos\":0}\n"
+      R"({"now":1000000.5,"hex":"4B1814","alt_geom":10000,"lat":47.25,"lon":8.5,)"
+      R"("seen_pos":0})"
+      "\n");
+  const Finished headed = watched("0,0\n" + std::string(kTogether));
+  EXPECT_EQ(headed.exit_code, 0) << headed.err;
+  EXPECT_EQ(headed.out, kEnteredAndEnded);
+  expect_parts(headed.err, {"bad lines  1 left out\n"});
+  EXPECT_EQ(aircraft.exit_code, 0) << aircraft.err;
+  expect_parts(aircraft.err, {"input      readsb JSON", "bad lines  1 left out\n"});
+}
+
+TEST(Watch, ADamagedFirstRecordCostsNoHeader) {
+  const Finished finished = watched("id,time_s,x,y,z\n\"a,0\na,0,0,0,0\nb,0,1,0,0\n" + kAgain);
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_EQ(finished.out, kEnteredAndEnded);
+  expect_parts(finished.err, {"bad lines  1 left out\n"});
+}
+
+TEST(Watch, ABeeThatLeavesIsThereNoLonger) {
+  const std::string both = "id,time_s,x,y,z\na,0,0,0,0\nb,0,1,0,0\n" + kAgain;
+  std::string alone;
+  for (int t = 2; t < 20; ++t) alone += "a," + std::to_string(t) + ",0,0,0\n";
+  const Finished silent = watched(both + alone);
+  expect_parts(silent.out, {R"("event": "stale", "time_s": 1, "id": "b")"});
+  const Finished left = watched(both + "{\"event\": \"leave\", \"id\": \"b\"}\n" + alone);
+  EXPECT_EQ(left.exit_code, 0) << left.err;
+  EXPECT_EQ(left.out.find("stale"), std::string::npos) << left.out;
+  expect_parts(left.err, {"bees       1 heard of, 0 stale\n"});
+  // Of bees that are not known it says nothing; who leaves must be said.
+  const Finished bad =
+      watched(both + "{\"event\": \"leave\", \"id\": \"z\"}\n{\"event\": \"leave\"}\n");
+  EXPECT_EQ(bad.exit_code, 0);
+  expect_parts(bad.err, {"this does not say who leaves; give an id", "bad lines  1 left out\n"});
 }
 
 TEST(Watch, InputWithoutAReportIsAnErrorThatIsSaidEvenWhenQuiet) {
@@ -233,6 +284,13 @@ TEST(Watch, NumbersAndOptionsThatMakeNoSenseAreRefused) {
                        "--rate '" + bad + "' is not a number of reports");
     expect_usage_error({"watch", "--vertical=" + bad}, "--vertical '" + bad + "' is not a number");
     expect_usage_error({"watch", "--threshold=" + bad}, "the threshold");
+  }
+  expect_usage_error({"watch", "--max-skew=0"},
+                     "--max-skew '0' is not a number of seconds above 0");
+  expect_usage_error({"watch", "--clock", "mine"}, "--clock: 'mine' is none of report, arrival");
+  for (const std::string pace : {"--speed", "--rate"}) {
+    expect_usage_error({"watch", "--clock", "arrival", pace, "2"},
+                       "--clock arrival is for reports that come as things happen; leave " + pace);
   }
   expect_usage_error({"watch", "--leave-factor", "0.99"}, "--leave-factor '0.99' is not a number");
   expect_usage_error({"watch", "--horizon=-1"}, "--horizon '-1' is not a number of seconds from 0");
@@ -305,15 +363,29 @@ TEST_F(WatchLive, WhoFallsSilentGrowsStaleThoughNothingElseComes) {
   expect_parts(running.finish().err, {"bees       0 heard of, 2 stale\n"});
 }
 
-TEST_F(WatchLive, TerminationEndsItAtOnce) {
-  Running running({"watch", "--horizon", "0"}, to_file_);
-  running.send(kTogether);
-  ASSERT_TRUE(wait_for("\"entered\""));
+TEST_F(WatchLive, SignalsEndItWithTheLookThatIsDueAndTheSummary) {
+  for (const auto& [number, exit_code] :
+       {std::pair{SIGINT, 130}, std::pair{SIGTERM, 143}, std::pair{SIGHUP, 129}}) {
+    Running running({"watch", "--horizon", "0", "--look-every", "1000"});
+    running.send(kTogether);
+    running.send("rubbish\n");  // of which it says so once it has read all before
+    expect_parts(running.read_error_line(), {"left out: <stdin>:6"});
+    running.signal(number);
+    const Finished finished = running.finish();
+    EXPECT_EQ(finished.exit_code, exit_code);
+    EXPECT_EQ(finished.out, kEnteredAndEnded);
+    expect_parts(finished.err, {"reports    4\n", "entered    1\n"});
+  }
+}
+
+TEST_F(WatchLive, ASecondSignalEndsItAtOnce) {
+  // It waits for a second for the one who does not read.
+  Running running({"watch", "--horizon", "0", "--speed", "1"}, to_file_);
+  running.send("id,time_s,x,y,z\na,0,0,0,0\nrubbish\n");
+  expect_parts(running.read_error_line(), {"left out: <stdin>:3"});
   running.signal(SIGTERM);
-  const Finished finished = running.finish();
-  EXPECT_EQ(finished.exit_code, 143);
-  EXPECT_EQ(finished.err, "");
-  EXPECT_EQ(folder_.read("events"), kEnteredAndEnded);
+  running.signal(SIGTERM);
+  EXPECT_EQ(running.finish().exit_code, 143);
 }
 
 TEST_F(WatchLive, CtrlCEndsItWithTheSummary) {
@@ -342,7 +414,8 @@ TEST_F(WatchLive, CtrlCEndsAReadingAtASpeedToo) {
   // The last two are due after a thousand seconds, and are never taken.
   Running running({"watch", "--horizon", "0", "--speed", "1"}, to_file_);
   running.send("id,time_s,x,y,z\na,0,0,0,0\nb,0,1,0,0\na,0.2,0,0,0\nb,0.2,1,0,0\na,0.4,0,0,0\n");
-  running.send("a,1000,0,0,0\nb,1000,1,0,0\n");
+  running.send("rubbish\na,1000,0,0,0\nb,1000,1,0,0\n");
+  expect_parts(running.read_error_line(), {"left out: <stdin>:7"});
   ASSERT_TRUE(wait_for("\"entered\""));
   running.signal(SIGINT);
   const Finished finished = running.finish();
