@@ -59,7 +59,8 @@ std::optional<Error> check_heights(std::span<const double> heights, std::size_t 
 }
 
 // What does not depend on the points.
-std::optional<Error> check_vertical(const SearchOptions& options) {
+// For so many points in all: where there are none, nor are there heights.
+std::optional<Error> check_vertical_for(std::size_t points, const SearchOptions& options) {
   const bool apart = !options.heights_m.empty() || !options.other_heights_m.empty();
   if (!options.vertical_m) {
     if (!apart) return std::nullopt;
@@ -78,7 +79,7 @@ std::optional<Error> check_vertical(const SearchOptions& options) {
     return invalid("the unit of heights is " + shown(options.height_unit_m) +
                    " m; give how many metres one is (0.3048 for feet), from 1e-6 to 1e6");
   }
-  if (!apart && options.height_unit_m != 1.0) {
+  if (!apart && points > 0 && options.height_unit_m != 1.0) {
     return invalid("the unit of heights is " + shown(options.height_unit_m) +
                    " m, and there are no heights apart from the positions; z is in metres");
   }
@@ -88,7 +89,7 @@ std::optional<Error> check_vertical(const SearchOptions& options) {
 }  // namespace
 
 std::optional<Error> check_vertical(const SearchOptions& options, std::size_t points) {
-  if (auto error = check_vertical(options)) return error;
+  if (auto error = check_vertical_for(points, options)) return error;
   if (!options.other_heights_m.empty()) {
     return invalid("there are heights of another set, and no other set; leave other_heights_m out");
   }
@@ -98,7 +99,7 @@ std::optional<Error> check_vertical(const SearchOptions& options, std::size_t po
 
 std::optional<Error> check_vertical(const SearchOptions& options, std::size_t points,
                                     std::size_t others) {
-  if (auto error = check_vertical(options)) return error;
+  if (auto error = check_vertical_for(points + others, options)) return error;
   if (options.heights_m.empty() && options.other_heights_m.empty()) return std::nullopt;
   if (auto error = check_heights(options.heights_m, points, kPointsName)) return error;
   return check_heights(options.other_heights_m, others, kOthersName);

@@ -308,11 +308,13 @@ TEST(CylinderContract, OfNobodyAndOfOne) {
     scene.points.assign(size, Point{1, 2, 3});
     check(scene, false, "few");
     check(apart(scene, 1.0), false, "few, heights apart");
+    check(apart(scene, 0.3048), false, "few, heights apart in feet");
     scene.two_sets = true;
     check(scene, false, "few and none");
     std::swap(scene.points, scene.others);
     check(scene, false, "none and few");
     check(apart(scene, 1.0), false, "none and few, heights apart");
+    check(apart(scene, 0.3048), false, "none and few, heights apart in feet");
   }
 }
 

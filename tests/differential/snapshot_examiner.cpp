@@ -1,5 +1,6 @@
 // Every question about one moment, asked in every way, against the oracle.
 #include "tests/contract/variants.hpp"
+#include "tests/differential/cylinder_variants.hpp"
 #include "tests/differential/described.hpp"
 #include "tests/differential/examiner.hpp"
 #include "tests/differential/shrink.hpp"
@@ -24,11 +25,15 @@ struct Placed {
   bool theirs = false;
 };
 
+bool is_apart(const SnapshotScene& scene) {
+  return !scene.heights.empty() || !scene.other_heights.empty();
+}
+
 // A question as it is asked: the parts of the scene that it needs, in one place.
 class Asked {
  public:
   Asked(const SnapshotScene& scene, Question question, const SearchOptions& options)
-      : Asked(placed_of(scene), scene.subject, !scene.heights.empty(), question, options) {}
+      : Asked(placed_of(scene), scene.subject, is_apart(scene), question, options) {}
 
   Asked(const std::vector<Placed>& placed, const Subject& like, bool apart, Question question,
         const SearchOptions& options) {
@@ -36,10 +41,11 @@ class Asked {
     subject_.two_sets = like.two_sets;
     for (const Placed& one : placed) {
       (one.theirs ? subject_.others : subject_.points).push_back(one.point);
-      if (apart) heights_.push_back(one.height);
+      if (apart) (one.theirs ? other_heights_ : heights_).push_back(one.height);
     }
     inquiry_ = {&subject_, question, options};
     inquiry_.options.heights_m = heights_;
+    inquiry_.options.other_heights_m = other_heights_;
   }
   Asked(const Asked&) = delete;
   Asked& operator=(const Asked&) = delete;
@@ -59,7 +65,12 @@ class Asked {
     if (subject_.two_sets) {
       text.append("  others {\n").append(differential::described(subject_.others)).append("  }\n");
     }
+    if (!heights_.empty())
+      text.append("  unit of heights ").append(hex(inquiry_.options.height_unit_m)).append("\n");
     for (const double height : heights_) text.append("  height ").append(hex(height)).append("\n");
+    for (const double height : other_heights_) {
+      text.append("  height of other ").append(hex(height)).append("\n");
+    }
     return text;
   }
 
@@ -68,13 +79,17 @@ class Asked {
     for (std::size_t i = 0; i < scene.subject.points.size(); ++i) {
       all.push_back({scene.subject.points[i], scene.heights.empty() ? 0.0 : scene.heights[i]});
     }
-    for (const Point& p : scene.subject.others) all.push_back({p, 0.0, true});
+    for (std::size_t i = 0; i < scene.subject.others.size(); ++i) {
+      const double height = scene.other_heights.empty() ? 0.0 : scene.other_heights[i];
+      all.push_back({scene.subject.others[i], height, true});
+    }
     return all;
   }
 
  private:
   Subject subject_;
   std::vector<double> heights_;
+  std::vector<double> other_heights_;
   Inquiry inquiry_;
 };
 
@@ -84,11 +99,6 @@ const std::vector<Question> kOfOneSet = {
 const std::vector<Question> kOfTwoSets = {Question::kAtRiskBetween, Question::kPairsBetween,
                                           Question::kNeighborsBetween, Question::kCountsBetween,
                                           Question::kNearestWithinBetween};
-
-// Those that know a vertical threshold.
-bool is_upright(Question question) {
-  return std::find(kOfOneSet.begin(), kOfOneSet.end() - 1, question) != kOfOneSet.end() - 1;
-}
 
 // Those that SearchOptions::max_results is for.
 bool is_limited(Question question) {
@@ -106,9 +116,9 @@ class SnapshotExaminer {
     const bool two = scene.subject.two_sets;
     for (SearchOptions options : scene.options) {
       options.heights_m = scene.heights;
+      options.other_heights_m = scene.other_heights;
       SnapshotOracle oracle(scene.subject, options);
       for (const Question question : two ? kOfTwoSets : kOfOneSet) {
-        if (options.vertical_m && !is_upright(question)) continue;
         if (auto found = ask(scene, question, options, oracle, random, tally)) return found;
       }
     }
@@ -161,17 +171,18 @@ class SnapshotExaminer {
       if (inquiry.options.vertical_m && is_forced(variant)) continue;
       some.push_back(&variant);
     }
+    if (inquiry.options.vertical_m) some.push_back(&random.one_of(upright_variants_));
     return some;
   }
 
-  // Forced searches are handed their grids, which know spheres only.
+  // Those of the contract are handed their grids, which know spheres only.
   static bool is_forced(const Variant& variant) {
     return variant.name.rfind("Functions", 0) != 0 && variant.name.rfind("Engine", 0) != 0;
   }
 
   static std::optional<std::string> difference(const SnapshotScene& scene, const Asked& asked,
                                                const Variant& variant) {
-    const bool apart = !scene.heights.empty();
+    const bool apart = is_apart(scene);
     const Inquiry& inquiry = asked.inquiry();
     const auto small = shrunk(Asked::placed_of(scene), [&](const std::vector<Placed>& placed) {
       const Asked less(placed, scene.subject, apart, inquiry.question, inquiry.options);
@@ -187,6 +198,7 @@ class SnapshotExaminer {
   const Variant brute_force_ = test::brute_force_reference();
   const Variant plain_ = test::public_functions(1);
   const std::vector<Variant> variants_ = test::contract_variants();
+  const std::vector<Variant> upright_variants_ = forced_cylinders();
   const std::vector<Variant> with_threads_ = test::variants_with_threads();
 };
 

@@ -12,15 +12,6 @@ Whole distance_squared(const Whole& x, const Whole& y, const Whole& z) {
   return squared(x) + squared(y) + squared(z);
 }
 
-// The distance that is reported: as nearest.hpp says, the root of the sum of three squares, each
-// step rounded to the nearest double.
-double reported_distance(const Point& p, const Point& q) {
-  const double x = p.x - q.x;
-  const double y = p.y - q.y;
-  const double z = p.z - q.z;
-  return std::sqrt(x * x + y * y + z * z);
-}
-
 Answer flat_rows(const std::vector<std::vector<PointId>>& rows) {
   IdRows all;
   all.offsets.push_back(0);
@@ -41,7 +32,7 @@ SnapshotOracle::SnapshotOracle(const Subject& subject, const SearchOptions& opti
     : subject_(subject),
       options_(options),
       upright_(options.vertical_m.has_value()),
-      apart_(!options.heights_m.empty()) {
+      apart_(!options.heights_m.empty() || !options.other_heights_m.empty()) {
   Unit unit;
   for (const auto* points : {&subject.points, &subject.others}) {
     for (const Point& p : *points) {
@@ -49,30 +40,40 @@ SnapshotOracle::SnapshotOracle(const Subject& subject, const SearchOptions& opti
     }
   }
   for (const double height : options.heights_m) unit.include(height);
+  for (const double height : options.other_heights_m) unit.include(height);
   unit.include(options.threshold_m);
   unit.include(options.vertical_m.value_or(0.0));
   unit_ = unit.exponent();
   threshold_ = whole(options.threshold_m, unit_);
   vertical_ = whole(options.vertical_m.value_or(0.0), unit_);
-  ours_ = places_of(subject.points, true);
-  theirs_ = places_of(subject.others, false);
+  const Parts metres = parts_of(options.height_unit_m);
+  metre_shift_ = std::max(0, -metres.exponent);
+  height_unit_ = whole(options.height_unit_m, -metre_shift_);
+  ours_ = places_of(subject.points, options.heights_m);
+  theirs_ = places_of(subject.others, options.other_heights_m);
   by_x_.resize(others().size());
   std::iota(by_x_.begin(), by_x_.end(), PointId{0});
   std::sort(by_x_.begin(), by_x_.end(),
             [&](PointId i, PointId j) { return others()[i].x < others()[j].x; });
 }
 
-std::vector<SnapshotOracle::Place> SnapshotOracle::places_of(const std::vector<Point>& points,
-                                                             bool heights) const {
+std::vector<SnapshotOracle::Place> SnapshotOracle::places_of(
+    const std::vector<Point>& points, std::span<const double> heights) const {
   std::vector<Place> places;
   places.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Point& p = points[i];
     Place place{whole(p.x, unit_), whole(p.y, unit_), whole(p.z, unit_), 0};
-    place.height = apart_ && heights ? whole(options_.heights_m[i], unit_) : place.z;
+    place.height = apart_ ? whole(heights[i], unit_) : place.z;
     places.push_back(place);
   }
   return places;
+}
+
+Whole SnapshotOracle::squared_line(const Place& p, const Place& q) const {
+  const Whole far = distance_squared(q.x - p.x, q.y - p.y, q.z - p.z);
+  if (!apart_) return far;
+  return (far << (2 * metre_shift_)) + squared((q.height - p.height) * height_unit_);
 }
 
 const std::vector<SnapshotOracle::Place>& SnapshotOracle::others() const {
@@ -159,9 +160,19 @@ Answer SnapshotOracle::groups() {
   return flat_rows(groups);
 }
 
+// The distance that is reported: as nearest.hpp says, the root of the sum of the squares, each step
+// rounded to the nearest double.
 Nearest SnapshotOracle::told(std::size_t i, std::optional<PointId> j) const {
   if (!j) return {};
-  return {*j, reported_distance(subject_.points[i], other_points()[*j])};
+  const Point& p = subject_.points[i];
+  const Point& q = other_points()[*j];
+  const double x = p.x - q.x;
+  const double y = p.y - q.y;
+  const double z = p.z - q.z;
+  if (!apart_) return {*j, std::sqrt(x * x + y * y + z * z)};
+  const auto& heights = subject_.two_sets ? options_.other_heights_m : options_.heights_m;
+  const double up = (options_.heights_m[i] - heights[*j]) * options_.height_unit_m;
+  return {*j, std::sqrt(x * x + y * y + z * z + up * up)};
 }
 
 // Outwards along x in both directions, until that alone is farther than the nearest so far.
@@ -201,8 +212,7 @@ Answer SnapshotOracle::nearest_within() {
     std::optional<PointId> best;
     Whole least;
     for (const PointId j : rows()[i]) {
-      const Place& q = others()[j];
-      const Whole far = distance_squared(q.x - p.x, q.y - p.y, q.z - p.z);
+      const Whole far = squared_line(p, others()[j]);
       if (best && far >= least) continue;
       best = j;
       least = far;

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -35,7 +36,10 @@ class SnapshotOracle {
   };
   using Rows = std::vector<std::vector<PointId>>;
 
-  [[nodiscard]] std::vector<Place> places_of(const std::vector<Point>& points, bool heights) const;
+  [[nodiscard]] std::vector<Place> places_of(const std::vector<Point>& points,
+                                             std::span<const double> heights) const;
+  // In a straight line; only to be compared with each other.
+  [[nodiscard]] Whole squared_line(const Place& p, const Place& q) const;
   [[nodiscard]] bool below(const Whole& value, const Whole& limit) const;
   [[nodiscard]] bool near(const Place& p, const Place& q) const;
   [[nodiscard]] const std::vector<Place>& others() const;
@@ -58,6 +62,8 @@ class SnapshotOracle {
   int unit_ = 0;
   Whole threshold_;
   Whole vertical_;
+  Whole height_unit_;  // 2^metre_shift_ of these are a metre
+  int metre_shift_ = 0;
   std::vector<Place> ours_;
   std::vector<Place> theirs_;
   std::vector<PointId> by_x_;  // the others in the order of x

@@ -40,9 +40,9 @@ class SnapshotMaker {
     repeat_some();
     tempt();
     scene_.subject.name = name;
-    keep_heights_apart();
     for (Point& p : points_) p = {in_domain(p.x), in_domain(p.y), in_domain(p.z)};
     split();
+    keep_heights_apart();
     choose_options();
     return std::move(scene_);
   }
@@ -238,15 +238,20 @@ class SnapshotMaker {
 
   void keep_heights_apart() {
     if (!upright_ || !random_.once_in(4)) return;
-    for (Point& p : points_) {
-      scene_.heights.push_back(in_domain(p.z));
-      p.z = random_.coin() ? 0.0 : p.z * 0x1p-3;
-    }
+    const auto keep_apart = [&](std::vector<Point>& points, std::vector<double>& heights) {
+      for (Point& p : points) {
+        heights.push_back(p.z);
+        p.z = random_.coin() ? 0.0 : in_domain(p.z * 0x1p-3);
+      }
+    };
+    keep_apart(scene_.subject.points, scene_.heights);
+    keep_apart(scene_.subject.others, scene_.other_heights);
+    height_unit_m_ = random_.coin() ? 0.3048 : 1.0;
     scene_.subject.name += ", heights apart";
   }
 
   void split() {
-    scene_.subject.two_sets = scene_.heights.empty() && random_.once_in(3);
+    scene_.subject.two_sets = random_.once_in(3);
     if (!scene_.subject.two_sets) {
       scene_.subject.points = std::move(points_);
       return;
@@ -278,6 +283,7 @@ class SnapshotMaker {
       SearchOptions options;
       options.threshold_m = i == 0 ? threshold_ : random_.one_of(thresholds);
       if (upright_) options.vertical_m = i == 0 ? vertical_ : random_.one_of(verticals);
+      options.height_unit_m = height_unit_m_;
       options.inclusive = random_.coin();
       scene_.options.push_back(options);
     }
@@ -290,6 +296,7 @@ class SnapshotMaker {
 
   Random& random_;
   bool upright_;
+  double height_unit_m_ = 1.0;
   SnapshotScene scene_;
   std::vector<Point> points_;
   std::size_t count_ = 0;
