@@ -34,10 +34,11 @@ Result<double> read_threshold_in(const std::string& text, const Domain& domain) 
         {}};
   }
   if (*value >= domain.least_m && *value <= domain.most_m) return *value;
-  return Error{
-      ErrorCode::kInvalidThreshold,
-      "the threshold is " + text + " m; give a finite distance above zero (" + domain.words + ")",
-      {}};
+  // The ends of the domain matter to those alone who are beyond them.
+  const bool finite = std::isfinite(*value);
+  std::string remedy = "give a finite distance above zero, in metres, for example --threshold 100";
+  if (finite && *value > 0.0) remedy = std::string("give one from ") + domain.words;
+  return Error{ErrorCode::kInvalidThreshold, "the threshold is " + text + " m; " + remedy, {}};
 }
 
 }  // namespace

@@ -108,7 +108,16 @@ Error or_recording(Error error, const std::string& path, const io::LoadOptions& 
   const bool file = path != "-" && std::filesystem::is_regular_file(path, unknown);
   if (asked || !bad_input || !file) return error;
   const auto recording = io::load_recording({path});
-  if (!recording) return error;
+  if (!recording) {
+    // It is known for what it is to be, but damaged: that says more than that it is no table.
+    const ErrorCode code = recording.error().code;
+    const bool damaged = code == ErrorCode::kTruncated || code == ErrorCode::kCorrupt ||
+                         code == ErrorCode::kMalformedRecord;
+    if (error.code != ErrorCode::kUnsupportedFormat || !damaged) return error;
+    Error known = recording.error();
+    known.message += "; a whole one is for 'beespace replay'";
+    return known;
+  }
   // Of a table the reader of snapshots knows better what is wrong; a zip of tables it does not
   // know.
   const bool table = recording->format_description.starts_with("text");

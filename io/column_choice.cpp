@@ -127,16 +127,26 @@ Header read_header(const ColumnsSeen& seen, std::optional<std::size_t> id) {
 
 // Whether a name that is not understood still has something of that coordinate in it.
 bool resembles(const std::string& name, Role role) {
+  constexpr std::array<std::string_view, 8> kHeight = {"alt",  "hei", "elev",  "höhe",
+                                                       "hoeh", "hgt", "высот", "depth"};
   constexpr std::array<std::string_view, 6> kLongitude = {"lon",   "lng",  "läng",
                                                           "laeng", "долг", "boylam"};
   constexpr std::array<std::string_view, 6> kLatitude = {"lat", "breit", "breed",
                                                          "шир", "enlem", "latitud"};
-  if (role != Role::kLongitude && role != Role::kLatitude) return false;
-  const auto& stems = role == Role::kLongitude ? kLongitude : kLatitude;
   const std::string lower = lower_case(name);
-  return std::any_of(stems.begin(), stems.end(), [&lower](std::string_view stem) {
-    return lower.find(stem) != std::string::npos;
-  });
+  const auto has_one_of = [&lower](const auto& stems) {
+    return std::any_of(stems.begin(), stems.end(), [&lower](std::string_view stem) {
+      return lower.find(stem) != std::string::npos;
+    });
+  };
+  if (role == Role::kHeight || role == Role::kZ) return has_one_of(kHeight);
+  if (role == Role::kLongitude) return has_one_of(kLongitude);
+  return role == Role::kLatitude && has_one_of(kLatitude);
+}
+
+// Whether a column may hold numbers, as far as was looked.
+bool may_be_number(const ColumnsSeen& seen, std::size_t column) {
+  return column >= seen.contents.size() || seen.contents[column] != ColumnContent::kText;
 }
 
 // The column to offer for a role: by its name, or else the first that is free.
@@ -146,11 +156,17 @@ std::size_t column_to_offer(Role role, const Header& header, const ColumnsSeen& 
   for (std::size_t i = 0; i < seen.names.size() && i < seen.count; ++i) {
     if (!used[i] && resembles(seen.names[i], role)) return i;
   }
+  // Beside two that have names a third is not just any column.
+  const bool third = role == Role::kHeight || role == Role::kZ;
+  const bool named = role == Role::kHeight
+                         ? header.has(Role::kLongitude) && header.has(Role::kLatitude)
+                         : header.has(Role::kX) && header.has(Role::kY);
+  if (third && named) return seen.count;
   for (std::size_t i = 0; i < seen.count; ++i) {
     const bool other = i < seen.names.size() && (resembles(seen.names[i], Role::kLongitude) ||
                                                  resembles(seen.names[i], Role::kLatitude));
     const bool geographic = role == Role::kLongitude || role == Role::kLatitude;
-    if (!used[i] && !(other && geographic)) return i;
+    if (!used[i] && !(other && geographic) && may_be_number(seen, i)) return i;
   }
   return seen.count;
 }
@@ -158,7 +174,7 @@ std::size_t column_to_offer(Role role, const Header& header, const ColumnsSeen& 
 // "say which ... with --columns lon=2,lat=1,height=3 or --columns x=2,y=1,z=3": the columns that
 // the header tells, and the free ones for the rest.
 std::string say_which(const Header& header, const ColumnsSeen& seen) {
-  std::string text = "say which is which, for example with ";
+  std::string text;
   for (const bool geographic : {true, false}) {
     const std::array<Role, 3> wanted =
         geographic ? std::array<Role, 3>{Role::kLongitude, Role::kLatitude, Role::kHeight}
@@ -175,7 +191,12 @@ std::string say_which(const Header& header, const ColumnsSeen& seen) {
       roles.emplace_back(role, column);
     }
     if (roles.size() < 2) continue;
-    text += (text.back() == ' ' ? "" : " or ") + columns_text(roles);
+    text += (text.empty() ? "say which is which, for example with " : " or ") + columns_text(roles);
+  }
+  if (text.empty()) {
+    text =
+        "needed are at least two columns of numbers, longitude and latitude or x and y, with "
+        "commas, semicolons, tabs or blanks between them";
   }
   return text + " (" + list_columns(seen) + ")";
 }
@@ -198,8 +219,20 @@ Result<std::optional<std::size_t>> find_third(const Header& header, const Column
   const bool others_pair = geographic ? header.has(Role::kX) || header.has(Role::kY)
                                       : header.has(Role::kLongitude) || header.has(Role::kLatitude);
   const auto doubtful = [&](std::size_t column) {
-    return missing("column " + excerpt(seen.names[column]) + " may or may not be the " +
-                   (geographic ? "height" : "z") + "; " + say_which(header, seen));
+    const std::string third = geographic ? "height" : "z";
+    const std::string name = excerpt(seen.names[column]);
+    if (resembles(seen.names[column], first_choice) || header.words[column].role != Role::kNone) {
+      return missing("column " + name + " may or may not be the " + third + "; " +
+                     say_which(header, seen));
+    }
+    const Role axes[] = {geographic ? Role::kLongitude : Role::kX,
+                         geographic ? Role::kLatitude : Role::kY};
+    return missing("no column names the " + third + ", and " + name +
+                   " may or may not be it; say " +
+                   columns_text({{axes[0], header.columns(axes[0]).front()},
+                                 {axes[1], header.columns(axes[1]).front()}}) +
+                   " if there is none, and add " + third + "=N for column N that holds it (" +
+                   list_columns(seen) + ")");
   };
   for (const Role role : {first_choice, other}) {
     if (header.columns(role).size() > 1) return several(first_choice, header, seen);

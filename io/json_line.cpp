@@ -20,7 +20,8 @@ Error syntax_error(std::string_view line, simdjson::error_code code) {
   }
   Error error{fault.at_end ? ErrorCode::kTruncated : ErrorCode::kCorrupt,
               fault.at_end ? "the JSON ends too early (" + fault.what +
-                                 "); each object must be whole in one line"
+                                 "); each object must be whole in one line (a document of "
+                                 "many lines is for 'beespace replay')"
                            : "this is no JSON: " + fault.what + "; correct it",
               {}};
   error.place.column = fault.column;

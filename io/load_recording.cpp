@@ -5,6 +5,7 @@
 #include "io/byte_source.hpp"
 #include "io/excerpt.hpp"
 #include "io/gzip.hpp"
+#include "io/json_kind.hpp"
 #include "io/recording_assembly.hpp"
 #include "io/recording_sources.hpp"
 #include "io/show_documents.hpp"
@@ -87,10 +88,18 @@ std::optional<Error> read_json_file(const Bytes& bytes, const std::string& sourc
   const bool any = assembly.options().format == RecordingFormat::kAuto;
   const JsonElement root = documents->root().element;
   if (any && is_aircraft_document(root)) return read_aircraft_document(root, assembly);
+  const std::string what = json_words(without_byte_order_mark(bytes.view));
+  // What it is to be for this reader, but is not.
+  const bool meant = what.find("'beespace replay'") != std::string::npos;
+  if (any && (meant || what.starts_with("JSON of a kind"))) {
+    return Error{ErrorCode::kUnsupportedFormat,
+                 "this is JSON, but no Skybrush show: it has no 'swarm', nor does it list "
+                 "'aircraft' (readsb) or 'states' (OpenSky); name another file, or export the "
+                 "recording as CSV",
+                 {}};
+  }
   return Error{ErrorCode::kUnsupportedFormat,
-               std::string("this is JSON, but no Skybrush show: it has no 'swarm'") +
-                   (any ? ", nor does it list 'aircraft' (readsb) or 'states' (OpenSky)" : "") +
-                   "; name another file, or export the recording as CSV",
+               "this is no Skybrush show, as it has no 'swarm', but " + what,
                {}};
 }
 

@@ -12,6 +12,7 @@
 #include "io/track_words.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace beespace::io {
@@ -170,7 +171,11 @@ Result<ColumnChoice> choose_position(const ColumnsSeen& seen, const TrackWishes&
                         ? std::string("there is no header that tells the columns")
                         : std::string("the header names no position (x and y, or longitude "
                                       "and latitude)")) +
-                   "; say which is which, for example with --columns id=1,time=2,x=3,y=4,z=5 (" +
+                   (seen.count >= 5 ? "; say which is which, for example with --columns "
+                                      "id=1,time=2,x=3,y=4,z=5 ("
+                                    : "; needed are columns of numbers for the time, for x and y "
+                                      "or longitude and latitude, and perhaps for an id and the "
+                                      "height; name them in a header or with --columns (") +
                    list_columns(seen) + ")");
   }
   LoadOptions points;
@@ -213,6 +218,30 @@ std::optional<Error> doubly_used(const TrackLayout& layout) {
                  {}};
   }
   return std::nullopt;
+}
+
+// A column that may hold the time is offered only if its name sounds like it.
+std::string no_time(const ColumnsSeen& seen, const std::vector<TrackWord>& words) {
+  constexpr std::string_view kStems[] = {"time", "date", "stamp", "clock", "epoch",
+                                         "zeit", "hora", "temps", "utc"};
+  std::string which = "N";
+  for (std::size_t i = 0; i < seen.names.size() && which == "N"; ++i) {
+    const std::string name = lower_case(seen.names[i]);
+    const bool free =
+        words[i].role == TrackRole::kNone && (i >= seen.taken.size() || !seen.taken[i]);
+    const auto sounds = [&name](std::string_view stem) {
+      return name.find(stem) != std::string::npos;
+    };
+    if (free && std::any_of(std::begin(kStems), std::end(kStems), sounds)) {
+      which = std::to_string(i + 1);
+    }
+  }
+  return "there is neither a time nor a velocity; name the column of the time with --columns "
+         "time=" +
+         which +
+         ", or those of the velocity, with which 'beespace predict' needs no time, with vx=N,vy=N; "
+         "where everybody is at one time, ask 'beespace detect' (" +
+         list_columns(seen) + ")";
 }
 
 // t [ms], x, y, z, and perhaps red, green and blue.
@@ -265,8 +294,7 @@ Result<TrackLayout> choose_all(TrackLayout layout, std::string_view text, Column
   layout.frame_reason = frame.reason;
   layout.velocity = choose_velocity({seen, *wishes, words, choice, layout.frame}, layout.notes);
   if (!layout.time && !layout.velocity) {
-    return missing("there is no time; say which column holds it, for example with --columns time=" +
-                   std::to_string(seen.count) + " (" + list_columns(seen) + ")");
+    return missing(no_time(seen, words));
   }
   if (auto error = doubly_used(layout)) return *std::move(error);
   if (layout.time) {

@@ -76,11 +76,12 @@ TEST(RecordingAsSnapshot, OtherFormatsOfRecordingsAreNamedToo) {
 TEST(RecordingAsSnapshot, WhatIsNoRecordingKeepsItsError) {
   const TemporaryFolder folder;
   expect_failure({"detect", folder.file("some.json", "{\"a\": 1}")}, {}, kBadInput,
-                 "this is JSON, which is not read");
+                 "this is JSON of a kind that beespace does not know");
   expect_failure({"detect", folder.file("bad.csv", "x,y,z\n0,0,oops\n")}, {}, kBadInput,
                  "bad.csv:2:3: 'oops'");
   // Nor is that a reason to wait for more of a pipe.
-  expect_failure({"detect"}, "{\"a\": 1}", kBadInput, "this is JSON, which is not read");
+  expect_failure({"detect"}, "{\"a\": 1}", kBadInput,
+                 "this is JSON of a kind that beespace does not know");
 }
 
 }  // namespace

@@ -105,7 +105,8 @@ TEST(BadText, BinaryRubbishSaysWhatWasFoundAndWhere) {
       "\xFF\xFE\0\0"
       "1\0\0\0"s,
       "UTF-32");
-  unsupported("1\0,\0002\0"s, "byte 1 is NUL");
+  unsupported("1\0,\0002\0"s, "UTF-16 text without a mark");
+  unsupported("1\0,,2\0"s, "byte 1 is NUL");
   unsupported("1,2,3\n\x01\x02", "byte 6 is 0x01");
   unsupported("PK\x03\x04...", "zip archive");
   unsupported("{\"now\": 1}", "JSON");
@@ -169,7 +170,8 @@ TEST(BadText, ColumnsThatCannotBeTold) {
   expect_error(load_text("lat,foo,bar\n1,2,3\n"),
                {ErrorCode::kMissingColumn, "bees.csv:1", "names 'lat' but not"});
   expect_error(load_text("lon,lat,quux\n1,2,3\n"),
-               {ErrorCode::kMissingColumn, "bees.csv:1", "'quux' may or may not be the height"});
+               {ErrorCode::kMissingColumn, "bees.csv:1", "no column names the height, and 'quux' may or may not be it; say --columns lon=1,lat=2 if "
+                "there is none, and add height=N"});
   expect_error(load_text("lon,lat,lat,alt\n1,2,3,4\n"),
                {ErrorCode::kMissingColumn, "bees.csv:1", "several columns look like lat"});
   expect_error(load_text("lon,lat,x,y\n1,2,3,4\n"),

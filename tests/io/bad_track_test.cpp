@@ -22,13 +22,17 @@ TEST(BadTrack, EmptyInputAndNothingBehindTheHeader) {
 TEST(BadTrack, MissingColumnsAreNamedWithThoseThatAreThere) {
   expect_error(record("id,time_s,a,b\nx,0,1,2\n"),
                {ErrorCode::kMissingColumn, "bees.csv:1",
-                "the header names no position (x and y, or longitude and latitude); say which is "
-                "which, for example with --columns id=1,time=2,x=3,y=4,z=5 (the columns are 1 "
-                "'id', 2 'time_s', 3 'a', 4 'b')"});
+                "the header names no position (x and y, or longitude and latitude); needed are "
+                "columns of numbers for the time, for x and y or longitude and latitude, and "
+                "perhaps for an id and the height; name them in a header or with --columns (the "
+                "columns are 1 'id', 2 'time_s', 3 'a', 4 'b')"});
+  expect_error(record("id,time_s,a,b,c\nx,0,1,2,3\n"),
+               {ErrorCode::kMissingColumn, "bees.csv:1",
+                "say which is which, for example with --columns id=1,time=2,x=3,y=4,z=5"});
   expect_error(record("id,time_s,lat,alt\nx,0,1,2\n"),
                {ErrorCode::kMissingColumn, "bees.csv:1", "the header names no position"});
   expect_error(record("id,x,y,z\na,1,2,3\n"), {ErrorCode::kMissingColumn, "bees.csv:1",
-                                               "there is no time; say which column holds it"});
+                                               "there is neither a time nor a velocity"});
 }
 
 TEST(BadTrack, WithoutAHeaderTheColumnsMustBeSaid) {
