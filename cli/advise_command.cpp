@@ -22,7 +22,8 @@ bool is_risky(const Advised& advised) {
 
 Result<ExitCode> give_advice(const AdviseRequest& request) {
   auto output =
-      open_output("advise", request.output, {request.input, request.obstacles, request.intruders});
+      open_output("advise", request.output, {request.input, request.obstacles, request.intruders},
+                  request.form.packing);
   if (!output) return std::move(output).error();
   ProgressBar progress(!request.quiet);
   Stopwatch watch;
@@ -35,7 +36,7 @@ Result<ExitCode> give_advice(const AdviseRequest& request) {
   if (!advised) return advised.error();
   times.advise_s = watch.lap();
   const Counsel counsel{request, *situation, *advised};
-  if (request.json) {
+  if (request.form.form == Form::kJson) {
     write_as_json(counsel, *output);
   } else {
     write_as_csv(counsel, *output);

@@ -45,7 +45,7 @@ constexpr const char* kDetails =
     "\n"
     "Examples:\n"
     "  beespace advise swarm.csv --threshold 5 --speed 10 --acceleration 5\n"
-    "  beespace advise swarm.csv --obstacles city.json --clearance 2 --json --output advice.json\n"
+    "  beespace advise swarm.csv --obstacles city.json --clearance 2 --output advice.json\n"
     "  beespace advise swarm.csv --intruders birds.csv --intruder-horizon 20 --fail-on-risk\n"
     "\n"
     "Exit status: 0 fine, 1 somebody is not certified or a conflict with an intruder lies ahead "
@@ -110,7 +110,10 @@ void add_prevention_options(CLI::App& advise, AdviseCommandOptions& options) {
 }
 
 void add_output_options(CLI::App& advise, AdviseCommandOptions& options) {
-  advise.add_option("--output", options.output, "Where the answer goes (default: standard output)")
+  advise
+      .add_option("-o,--output", options.output,
+                  "Where the answer goes, by its ending .csv or .json,\nperhaps with .gz, in this "
+                  "form (default: standard\noutput)")
       ->type_name("FILE")
       ->group("Output");
   advise.add_flag("--json", options.json, "One JSON document with everything in it")

@@ -112,7 +112,10 @@ Result<AdviseRequest> advise_request(const AdviseCommandOptions& options) {
   if (!advice) return advice.error();
   request.advice = *advice;
   request.output = options.output;
-  request.json = options.json;
+  const auto form =
+      output_form(kName, {options.output, false, options.json}, {{Form::kCsv, Form::kJson}});
+  if (!form) return form.error();
+  request.form = *form;
   request.fail_on_risk = options.fail_on_risk;
   request.quiet = options.quiet;
   return request;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/advise_command.hpp"
+#include "cli/output_form.hpp"
 
 #include <beespace/advise.hpp>
 #include <beespace/result.hpp>
@@ -19,7 +20,7 @@ struct AdviseRequest {
   bool speed_given = false;
   bool acceleration_given = false;
   std::string output;
-  bool json = false;
+  OutputForm form;
   bool fail_on_risk = false;
   bool quiet = false;
 };

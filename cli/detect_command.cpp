@@ -34,7 +34,7 @@ void note_ids(const ShownIds& ids, Form form, std::vector<std::string>& notes) {
 }
 
 void write_answer(const Answer& answer, io::AtomicOutput& output) {
-  switch (answer.request.form) {
+  switch (answer.request.form.form) {
     case Form::kText:
       return write_text(answer, output);
     case Form::kCsv:
@@ -49,7 +49,8 @@ void write_answer(const Answer& answer, io::AtomicOutput& output) {
 // The whole run; the exit code, or what went wrong.
 Result<ExitCode> detect(const DetectRequest& request) {
   // Opened first, so that a folder that is not there is known before a long read.
-  auto output = open_output("detect", request.output, {request.input, request.others.value_or("")});
+  auto output = open_output("detect", request.output, {request.input, request.others.value_or("")},
+                            request.form.packing);
   if (!output) return std::move(output).error();
   ProgressBar progress(!request.quiet);
   Stopwatch watch;
@@ -64,9 +65,9 @@ Result<ExitCode> detect(const DetectRequest& request) {
   detection->timings.search_s = watch.lap();
 
   progress.enter_stage("writing");
-  const AnswerIds ids(*inputs, detection->table, request.form);
-  note_ids(ids.ours(), request.form, inputs->ours.notes);
-  if (inputs->others) note_ids(ids.theirs(), request.form, inputs->others->notes);
+  const AnswerIds ids(*inputs, detection->table, request.form.form);
+  note_ids(ids.ours(), request.form.form, inputs->ours.notes);
+  if (inputs->others) note_ids(ids.theirs(), request.form.form, inputs->others->notes);
   write_answer({request, *inputs, *detection, ids}, *output);
   const Status written = output->commit();
   if (!written && output->pipe_closed()) return ExitCode::kPipeClosed;

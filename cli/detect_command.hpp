@@ -17,7 +17,7 @@ struct DetectOptions {
   std::string others;
   std::string report = "at-risk";
   std::string output = "-";
-  std::string threshold = "100";
+  std::string threshold;  // empty: the default
   std::string vertical;
   std::string frame = "auto";
   std::string format = "auto";

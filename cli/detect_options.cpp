@@ -30,10 +30,11 @@ constexpr const char* kDetails =
     "  nearest       each bee's nearest other bee, however far: id, its id, distance\n"
     "  groups        who must be brought apart together: number, size, ids\n"
     "  closest-pair  the two bees that are closest of all: id, id, distance\n"
+    "at-risk is a plain list; all others begin with a header line.\n"
     "\n"
     "Examples:\n"
     "  beespace detect bees.csv\n"
-    "  beespace detect bees.csv --threshold 50 --report pairs --csv --output pairs.csv\n"
+    "  beespace detect bees.csv --threshold 50 --report pairs --output pairs.csv\n"
     "  beespace detect bees.csv --report nearest --at-risk-only\n"
     "  beespace detect ours.csv --others towers.csv --report closest-pair\n"
     "  zcat swarm.txt.gz | beespace detect --columns id=1,lon=2,lat=3,height=4 --json\n"
@@ -107,7 +108,10 @@ void add_search_options(CLI::App& detect, DetectOptions& options) {
 }
 
 void add_output_options(CLI::App& detect, DetectOptions& options) {
-  detect.add_option("--output", options.output, "Where the answer goes (default: standard output)")
+  detect
+      .add_option("-o,--output", options.output,
+                  "Where the answer goes, by its ending .csv, .json or\n.geojson, perhaps with "
+                  ".gz, in this form (default:\nstandard output)")
       ->type_name("FILE")
       ->group("Output");
   detect.add_flag("--csv", options.csv, "The bees' records as they stand, with columns added")

@@ -9,11 +9,7 @@
 namespace beespace::cli {
 namespace {
 
-Form form_of(const DetectOptions& options) {
-  if (options.csv) return Form::kCsv;
-  if (options.json) return Form::kJson;
-  return options.geojson ? Form::kGeoJson : Form::kText;
-}
+constexpr const char* kDefaultThreshold = "100";  // the paper's
 
 // An option that the report would ignore is a misunderstanding.
 std::optional<Error> check_fit(const DetectOptions& options, const Report& report) {
@@ -62,13 +58,15 @@ Error detect_usage_error(std::string message) {
 
 Result<DetectRequest> request_of(const DetectOptions& options) {
   if (auto error = check_inputs(options)) return *std::move(error);
-  if (int{options.csv} + int{options.json} + int{options.geojson} > 1) {
-    return detect_usage_error("--csv, --json and --geojson exclude each other");
-  }
+  const auto form =
+      output_form("detect", {options.output, options.csv, options.json, options.geojson},
+                  {{Form::kText, Form::kCsv, Form::kJson, Form::kGeoJson}});
+  if (!form) return form.error();
   DetectRequest request;
   request.report = find_report(options.report);
   if (auto error = check_fit(options, *request.report)) return *std::move(error);
-  const auto threshold = read_threshold(options.threshold);
+  const auto threshold =
+      read_threshold(options.threshold.empty() ? kDefaultThreshold : options.threshold);
   if (!threshold) return threshold.error();
   const auto threads = read_threads("detect", options.threads);
   if (!threads) return threads.error();
@@ -79,12 +77,13 @@ Result<DetectRequest> request_of(const DetectOptions& options) {
       read_optional_amount("detect", "--vertical", options.vertical, "metres", {0.0, false});
   if (!vertical) return vertical.error();
   request.search.vertical_m = *vertical;
+  request.default_threshold = options.threshold.empty();
 
   if (!options.input.empty()) request.input = options.input;
   if (!options.others.empty()) request.others = options.others;
   request.output = options.output;
   request.load = load_options(options, *threads);
-  request.form = form_of(options);
+  request.form = *form;
   request.at_risk_only = options.at_risk_only;
   request.fail_on_risk = options.fail_on_risk;
   request.quiet = options.quiet;

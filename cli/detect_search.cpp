@@ -94,7 +94,7 @@ Result<Detection> search(const Inputs& inputs, const DetectRequest& request) {
   const std::vector<Point>& points = places.ground.empty() ? inputs.ours.points : places.ground;
   const Status at_risk = find_at_risk(engine, inputs, points, options, detection.at_risk);
   if (!at_risk) return at_risk.error();
-  if (!request.quiet || request.form == Form::kJson || request.report->needs_closest) {
+  if (!request.quiet || request.form.form == Form::kJson || request.report->needs_closest) {
     auto closest = closest_pair(engine, inputs, detection.at_risk, request.search);
     if (!closest) return std::move(closest).error();
     if (options.vertical_m && !detection.at_risk.empty()) {

@@ -1,6 +1,7 @@
 // One run of `beespace detect`: what was asked, what was read, what was found.
 #pragma once
 
+#include "cli/output_form.hpp"
 #include "cli/reports/report.hpp"
 #include "cli/table.hpp"
 #include "io/load_points.hpp"
@@ -16,16 +17,15 @@
 
 namespace beespace::cli {
 
-enum class Form : std::uint8_t { kText, kCsv, kJson, kGeoJson };
-
 struct DetectRequest {
   std::string input = "-";
   std::optional<std::string> others;
   std::string output = "-";
   io::LoadOptions load;  // of both inputs
   SearchOptions search;
+  bool default_threshold = false;  // nobody gave one
   const Report* report = nullptr;
-  Form form = Form::kText;
+  OutputForm form;
   bool at_risk_only = false;
   bool fail_on_risk = false;
   bool quiet = false;

@@ -26,18 +26,25 @@ namespace {
 
 constexpr const char* kName = "export";
 
+bool is_format(const std::string& ending) {
+  return ending == "kml" || ending == "czml" || ending == "geojson" || ending == "csv";
+}
+
 Result<std::string> format_of(const ExportOptions& options) {
-  if (!options.format.empty()) return options.format;
   const std::string& output = options.seen.moving.output;
+  const FileEnding of = output == "-" ? FileEnding{} : file_ending(output);
+  if (!options.format.empty()) {
+    if (!is_format(of.ending) || of.ending == options.format) return options.format;
+    return usage_error(kName, "--format " + options.format + " contradicts the ending of '" +
+                                  printable(output) + "'; correct one of them");
+  }
   if (output == "-") {
     return usage_error(kName, "say in which format: --format kml, czml, geojson or csv");
   }
-  const std::string ending = ending_of(output);
-  for (const char* known : {"kml", "czml", "geojson", "csv"}) {
-    if (ending == known) return ending;
-  }
+  if (is_format(of.ending)) return of.ending;
   return usage_error(kName, "the name of the file ends in .kml, .czml, .geojson or .csv, unlike '" +
-                                printable(output) + "'; or say which with --format");
+                                printable(output) + "'; or say which with --format" +
+                                written_elsewhere(kName, of.ending));
 }
 
 Status check_fit(const Seen& seen, const std::string& format) {
@@ -64,7 +71,9 @@ std::vector<std::string> write(const Facts& facts, const std::string& format,
 
 Result<ExitCode> export_to(const SeenRequest& request, const std::string& format) {
   const MovingRequest& moving = request.moving;
-  auto output = open_output(kName, moving.output, moving.inputs);
+  auto output =
+      open_output(kName, moving.output, moving.inputs,
+                  file_ending(moving.output).compressed ? io::Packing::kGzip : io::Packing::kPlain);
   if (!output) return std::move(output).error();
   ProgressBar progress(!moving.quiet);
   SeenTimings timings;

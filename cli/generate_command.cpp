@@ -97,7 +97,7 @@ Result<Swarm> make_swarm(const GenerateOptions& options, const std::string& scen
 Result<SwarmFormat> format_of(const GenerateOptions& options) {
   const bool named = options.output != "-";
   if (!options.format.empty()) {
-    const SwarmFormat format = *swarm_format(options.format);
+    const SwarmFormat format = *swarm_format("." + options.format);
     if (!named || ending_allows(options.output, format)) return format;
     return generate_error("--format " + options.format + " contradicts the ending of '" +
                           options.output + "'; correct one of them");
@@ -110,8 +110,8 @@ Result<SwarmFormat> format_of(const GenerateOptions& options) {
 
 // Opens the output, and lets `write` fill and commit it.
 template <class Write>
-Result<ExitCode> write_to(const std::string& name, const Write& write) {
-  auto output = io::AtomicOutput::open(name);
+Result<ExitCode> write_to(const std::string& name, SwarmFormat format, const Write& write) {
+  auto output = io::AtomicOutput::open(name, format.packing());
   if (!output) return std::move(output).error();
   const Status written = write(*output);
   if (!written && output->pipe_closed()) return ExitCode::kPipeClosed;
@@ -132,13 +132,13 @@ Result<ExitCode> generate(const GenerateOptions& options) {
     if (const Status fit = check_moving_format(*format, scene); !fit) return fit.error();
     const auto swarm = make_moving_swarm(options, scene, *count, *seed);
     if (!swarm) return swarm.error();
-    return write_to(options.output, [&](io::AtomicOutput& output) {
+    return write_to(options.output, *format, [&](io::AtomicOutput& output) {
       return write_moving_swarm(*swarm, *format, output);
     });
   }
   const auto swarm = make_swarm(options, scene, *count, *seed);
   if (!swarm) return swarm.error();
-  return write_to(options.output, [&](io::AtomicOutput& output) {
+  return write_to(options.output, *format, [&](io::AtomicOutput& output) {
     return write_swarm(swarm->points, swarm->units, *format, output);
   });
 }

@@ -97,7 +97,7 @@ void add_flight_options(CLI::App& generate, GenerateOptions& options) {
 
 void add_output_options(CLI::App& generate, GenerateOptions& options) {
   generate
-      .add_option("--output", options.output, "Where the swarm goes (default: standard output)")
+      .add_option("-o,--output", options.output, "Where the swarm goes (default: standard output)")
       ->type_name("FILE")
       ->group("Output");
   CLI::Option* format =

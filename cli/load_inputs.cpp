@@ -33,7 +33,7 @@ Result<Inputs> load_inputs(const DetectRequest& request, ProgressBar& progress) 
   options.progress = &progress.reading();
   auto ours = load_snapshot(request.input, options);
   if (!ours) return std::move(ours).error();
-  if (request.form == Form::kGeoJson && ours->frame != io::Frame::kWgs84) {
+  if (request.form.form == Form::kGeoJson && ours->frame != io::Frame::kWgs84) {
     return detect_usage_error(
         "--geojson needs longitude and latitude, but the input was taken for metres: " +
         ours->frame_reason);

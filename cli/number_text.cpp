@@ -71,6 +71,31 @@ std::string duration(double seconds) {
   return grouped(seconds, 2) + " s";
 }
 
+std::string time_span(double seconds) {
+  constexpr double kMinute_s = 60.0;
+  constexpr double kHour_s = 3600.0;
+  if (seconds > 0.0 && seconds < 0.001) return "less than 0.001 s";
+  if (seconds < kMinute_s) {
+    std::string text = fixed(seconds, 3);
+    while (text.back() == '0') text.pop_back();
+    if (text.back() == '.') text.pop_back();
+    return text + " s";
+  }
+  const auto parts = [](double whole, const char* unit, double rest, const char* of_rest) {
+    std::string text = grouped(whole, 0) + unit;
+    if (rest > 0.0) text.append(" ").append(grouped(rest, 0)).append(of_rest);
+    return text;
+  };
+  const double rounded_s = std::round(seconds);
+  if (rounded_s < kHour_s) {
+    const double minutes = std::floor(rounded_s / kMinute_s);
+    return parts(minutes, " min", rounded_s - minutes * kMinute_s, " s");
+  }
+  const double minutes = std::round(seconds / kMinute_s);
+  const double hours = std::floor(minutes / kMinute_s);
+  return parts(hours, " h", minutes - hours * kMinute_s, " min");
+}
+
 std::string percentage(double share) {
   return fixed(share * 100.0, 1) + " %";
 }

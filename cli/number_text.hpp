@@ -25,6 +25,9 @@ std::string length(double metres);
 // "0.4 ms", "12.3 ms", "1.25 s".
 std::string duration(double seconds);
 
+// How long something lasted, for people: "12.5 s", "3 min 20 s", "3 h 20 min".
+std::string time_span(double seconds);
+
 // "29.6 %".
 std::string percentage(double share);
 

@@ -35,12 +35,12 @@ bool replaces_a_file(const std::string& output) {
 }  // namespace
 
 Result<io::AtomicOutput> open_output(const char* command, const std::string& output,
-                                     const std::vector<std::string>& inputs) {
+                                     const std::vector<std::string>& inputs, io::Packing packing) {
   const bool replaces_an_input =
       replaces_a_file(output) &&
       std::any_of(inputs.begin(), inputs.end(),
                   [&](const std::string& input) { return is_read(output, input); });
-  if (!replaces_an_input) return io::AtomicOutput::open(output);
+  if (!replaces_an_input) return io::AtomicOutput::open(output, packing);
   const auto count = inputs.size() - static_cast<std::size_t>(
                                          std::count(inputs.begin(), inputs.end(), std::string()));
   return usage_error(command, "--output " + output + " is " +

@@ -14,6 +14,7 @@ namespace beespace::cli {
 // Errors: kInvalidArgument where the output would replace one of them, by whichever name; those of
 // AtomicOutput::open.
 Result<io::AtomicOutput> open_output(const char* command, const std::string& output,
-                                     const std::vector<std::string>& inputs);
+                                     const std::vector<std::string>& inputs,
+                                     io::Packing packing = io::Packing::kPlain);
 
 }  // namespace beespace::cli

@@ -49,11 +49,11 @@ Result<bool> read_png(const std::string& output) {
     if (!output_is_terminal()) return false;
     return usage_error(kName, "a picture is nothing for a terminal; give it a name: -o bees.svg");
   }
-  const std::string ending = ending_of(output);
-  if (ending == "svg") return false;
-  if (ending != "png") {
-    return usage_error(kName,
-                       "a picture's name ends in .svg or .png, unlike '" + printable(output) + "'");
+  const FileEnding of = file_ending(output);
+  if (of.ending == "svg" && !of.compressed) return false;
+  if (of.ending != "png" || of.compressed) {
+    return usage_error(kName, "a picture's name ends in .svg or .png, unlike '" +
+                                  printable(output) + "'" + written_elsewhere(kName, of.ending));
   }
   const std::string lacking = report::why_no_png();
   if (lacking.empty()) return true;

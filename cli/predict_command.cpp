@@ -27,7 +27,7 @@ struct PredictRequest {
 };
 
 Result<PredictRequest> request_of(const PredictCommandOptions& options) {
-  auto moving = moving_request(kName, options.moving);
+  auto moving = answering_request(kName, options.moving);
   if (!moving) return std::move(moving).error();
   const auto horizon = read_amount(kName, "--horizon", options.horizon, "seconds", {0.0, true});
   if (!horizon) return horizon.error();
@@ -55,7 +55,12 @@ struct Outlook {
 };
 
 std::string found_line(const Outlook& outlook) {
-  if (outlook.conflicts.empty()) return bold("none");
+  if (outlook.conflicts.empty()) {
+    const std::uint64_t left_out = outlook.snapshot.stale + outlook.snapshot.unmoving;
+    if (left_out == 0) return bold("none");
+    return bold("none of those that are known") + "; " + grouped(left_out) +
+           (left_out == 1 ? " bee is" : " bees are") + " left out";
+  }
   std::vector<PointId> bees;
   for (const Conflict& conflict : outlook.conflicts) {
     bees.push_back(conflict.first);
@@ -85,7 +90,8 @@ std::string summary(const Outlook& outlook, const PredictRequest& request, doubl
   if (snapshot.unmoving > 0) {
     append_summary_line(out, "unknown",
                         red(grouped(snapshot.unmoving) + " left out") +
-                            ": neither a velocity nor two fixes tell how fast they go");
+                            ": neither a velocity nor two fixes, at most " +
+                            exact(request.max_age_s) + " s apart, tell how fast they go");
   }
   if (snapshot.estimated > 0) {
     append_summary_line(
@@ -117,7 +123,7 @@ std::string summary(const Outlook& outlook, const PredictRequest& request, doubl
 
 Result<ExitCode> predict(const PredictRequest& request) {
   const MovingRequest& moving = request.moving;
-  auto output = open_output(kName, moving.output, moving.inputs);
+  auto output = open_output(kName, moving.output, moving.inputs, moving.form.packing);
   if (!output) return std::move(output).error();
   ProgressBar progress(!moving.quiet);
   io::RecordingOptions load = moving.load;

@@ -1,6 +1,7 @@
 #include "cli/replay_command.hpp"
 
 #include "cli/failure.hpp"
+#include "cli/moving/coverage.hpp"
 #include "cli/moving/moving_input.hpp"
 #include "cli/moving/moving_output.hpp"
 #include "cli/moving/replay_events.hpp"
@@ -28,7 +29,7 @@ constexpr const char* kName = "replay";
 struct ReplayRequest {
   MovingRequest moving;
   std::string report;
-  double max_gap_s;
+  std::optional<double> max_gap_s;  // absent: from the data
   double tolerance_m;
   double every_s;
   LiveRequest live;
@@ -62,10 +63,12 @@ Status check_fit(const ReplayOptions& options) {
 
 Result<ReplayRequest> request_of(const ReplayOptions& options) {
   if (const Status fit = check_fit(options); !fit) return fit.error();
-  auto moving = moving_request(kName, options.moving);
+  const bool events = options.report == "events";  // lines of JSON
+  auto moving = answering_request(
+      kName, options.moving,
+      events ? std::vector<std::string>{"jsonl", "ndjson"} : std::vector<std::string>{"tsv"});
   if (!moving) return std::move(moving).error();
-  const auto max_gap =
-      read_optional_amount(kName, "--max-gap", options.max_gap, "seconds", {0.0, false});
+  const auto max_gap = read_max_gap(kName, options.max_gap);
   if (!max_gap) return max_gap.error();
   const auto tolerance =
       read_amount(kName, "--tolerance", options.tolerance, "metres", {0.0, false});
@@ -74,22 +77,31 @@ Result<ReplayRequest> request_of(const ReplayOptions& options) {
   if (!every) return every.error();
   const auto live = live_request(kName, options.live);
   if (!live) return live.error();
-  return ReplayRequest{*std::move(moving),
-                       options.report,
-                       max_gap->value_or(std::numeric_limits<double>::infinity()),
-                       *tolerance,
-                       every->value_or(1.0),
-                       *live};
+  return ReplayRequest{*std::move(moving), options.report,       *max_gap,
+                       *tolerance,         every->value_or(1.0), *live};
+}
+
+// A show: nobody is out of sight in it.
+bool is_plan(const io::Recording& recording) {
+  return std::any_of(recording.bees.begin(), recording.bees.end(),
+                     [](const io::RecordedBee& bee) { return bee.path.has_value(); });
+}
+
+// `watch` cannot know what is typical of reports to come: for what it would have said its own
+// default is taken.
+MaxGap max_gap_for(const ReplayRequest& request, const io::Recording& recording) {
+  if (request.report != "events" || request.max_gap_s || is_plan(recording)) {
+    return max_gap_of(recording, request.max_gap_s);
+  }
+  return {kDefaultMaxAge_s, std::nullopt, true};
 }
 
 // Events are lines of JSON, as `watch` prints them, unless another form is wished for.
 Status write_events(const ReplayRequest& request, const Findings& findings, double threshold_m,
                     const std::string& head, io::AtomicOutput& output) {
-  // A show is a plan: nobody is out of sight in it, and what lies ahead need not be guessed.
-  const bool plan = std::any_of(findings.recording.bees.begin(), findings.recording.bees.end(),
-                                [](const io::RecordedBee& bee) { return bee.path.has_value(); });
-  double max_age_s = plan ? kLargestInMotion : kDefaultMaxAge_s;
-  if (std::isfinite(request.max_gap_s)) max_age_s = request.max_gap_s;
+  // A show is a plan: what lies ahead need not be guessed.
+  const bool plan = is_plan(findings.recording);
+  const double max_age_s = std::min(findings.coverage.max_gap.seconds, kLargestInMotion);
   const bool apart = geometry_for(findings.recording, request.moving.vertical_m.has_value()) ==
                      Geometry::kGroundAndHeight;
   const SwarmOptions options{.threshold_m = threshold_m,
@@ -103,7 +115,7 @@ Status write_events(const ReplayRequest& request, const Findings& findings, doub
   const auto events = events_of(findings.recording, findings.tracks, options,
                                 {request.live.look_every_s, default_max_skew_s(max_age_s)});
   if (!events) return events.error();
-  if (request.moving.form == MovingForm::kText) {
+  if (request.moving.form.form == Form::kText) {
     output.write(events->lines);
   } else {
     write_answer(events->rows, request.moving, head, "events", output);
@@ -137,6 +149,7 @@ std::string json_head_of(const ReplayRequest& request, const Findings& findings,
   head += ",\n  \"conflict_count\": " + std::to_string(conflicts.size());
   head += ",\n  \"pair_count\": " + std::to_string(pairs_in_conflict(conflicts).size());
   head += ",\n  \"gap_count\": " + std::to_string(findings.recorded.gaps.size());
+  head += ",\n  \"known\": " + coverage_json(findings.coverage, findings.recording);
   head += ",\n  \"closest\": ";
   if (findings.closest) {
     const Rows closest = closest_row(*findings.closest, findings.recording);
@@ -150,11 +163,11 @@ std::string json_head_of(const ReplayRequest& request, const Findings& findings,
 // The closest of the conflicts, or of all encounters where there is none. With a vertical threshold
 // how far apart two are in a straight line says little.
 Result<std::optional<Conflict>> closest_of(const RecordedConflicts& recorded,
-                                           const std::vector<Track>& tracks,
+                                           const std::vector<Track>& tracks, double max_gap_s,
                                            const ReplayRequest& request) {
   if (recorded.conflicts.empty()) {
     if (request.moving.vertical_m) return std::optional<Conflict>();
-    return find_closest_encounter(tracks, request.max_gap_s, request.moving.threads);
+    return find_closest_encounter(tracks, max_gap_s, request.moving.threads);
   }
   return std::optional<Conflict>(*std::min_element(
       recorded.conflicts.begin(), recorded.conflicts.end(),
@@ -163,9 +176,9 @@ Result<std::optional<Conflict>> closest_of(const RecordedConflicts& recorded,
 
 // Whether some two are there at the same time.
 bool anybody_meets(const std::optional<Conflict>& closest, const std::vector<Track>& tracks,
-                   const ReplayRequest& request) {
+                   double max_gap_s, const ReplayRequest& request) {
   if (closest || !request.moving.vertical_m) return closest.has_value();
-  const auto any = find_closest_encounter(tracks, request.max_gap_s, request.moving.threads);
+  const auto any = find_closest_encounter(tracks, max_gap_s, request.moving.threads);
   return any && any->has_value();
 }
 
@@ -182,7 +195,7 @@ Status check_every(const ReplayRequest& request, const std::vector<Track>& track
 
 Result<ExitCode> replay(const ReplayRequest& request) {
   const MovingRequest& moving = request.moving;
-  auto output = open_output(kName, moving.output, moving.inputs);
+  auto output = open_output(kName, moving.output, moving.inputs, moving.form.packing);
   if (!output) return std::move(output).error();
   ProgressBar progress(!moving.quiet);
   Stopwatch watch;
@@ -199,14 +212,15 @@ Result<ExitCode> replay(const ReplayRequest& request) {
   progress.enter_stage("searching");
   const double threshold_m =
       moving.threshold_m.value_or(recording->declared_threshold_m.value_or(kDefaultThreshold_m));
+  const MaxGap max_gap = max_gap_for(request, *recording);
   const auto recorded = find_conflicts(*tracks, {.threshold_m = threshold_m,
                                                  .vertical_m = moving.vertical_m,
                                                  .inclusive = moving.inclusive,
-                                                 .max_gap_s = request.max_gap_s,
+                                                 .max_gap_s = max_gap.seconds,
                                                  .threads = moving.threads,
                                                  .max_results = moving.max_results});
   if (!recorded) return in_words_of_the_command(recorded.error(), moving);
-  const auto closest = closest_of(*recorded, *tracks, request);
+  const auto closest = closest_of(*recorded, *tracks, max_gap.seconds, request);
   if (!closest) return closest.error();
   const double search_s = watch.lap();
 
@@ -214,16 +228,17 @@ Result<ExitCode> replay(const ReplayRequest& request) {
   const auto in_space =
       apart ? tracks_of(*recording, Geometry::kSpace, request.tolerance_m) : tracks;
   if (!in_space) return in_space.error();
+  const Coverage coverage = coverage_of(*recording, recorded->gaps, max_gap);
   const Findings findings{*recording,
                           *tracks,
                           *in_space,
-                          request.max_gap_s,
                           *recorded,
                           *closest,
-                          anybody_meets(*closest, *in_space, request)};
+                          coverage,
+                          anybody_meets(*closest, *in_space, max_gap.seconds, request)};
   progress.enter_stage("writing");
   const std::string head =
-      moving.form == MovingForm::kJson ? json_head_of(request, findings, threshold_m) : "";
+      moving.form.form == Form::kJson ? json_head_of(request, findings, threshold_m) : "";
   if (request.report == "events") {
     const Status done = write_events(request, findings, threshold_m, head, *output);
     if (!done) return done.error();
@@ -237,7 +252,9 @@ Result<ExitCode> replay(const ReplayRequest& request) {
   if (!moving.quiet) {
     say(replay_summary(findings, moving, {threshold_m, read_s, search_s}));
   }
-  const bool risk = moving.fail_on_risk && !recorded->conflicts.empty();
+  // A gap may hide a conflict.
+  const bool risky = !recorded->conflicts.empty() || coverage.gaps > 0;
+  const bool risk = moving.fail_on_risk && risky;
   return risk ? ExitCode::kRiskFound : ExitCode::kFine;
 }
 

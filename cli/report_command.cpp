@@ -23,7 +23,9 @@ constexpr const char* kName = "report";
 
 // A page under the name of something else would be opened by what cannot read it.
 Status check_ending(const std::string& output) {
-  const std::string ending = ending_of(output);
+  if (output == "-") return std::monostate{};
+  const FileEnding of = file_ending(output);
+  const std::string& ending = of.ending;
   const auto misnamed = [&](const std::string& otherwise) {
     return usage_error(kName, "a page is HTML, unlike what its name '" + printable(output) +
                                   "' says; let it end in .html, or " + otherwise);
@@ -38,6 +40,8 @@ Status check_ending(const std::string& output) {
     return misnamed(
         "let 'beespace export' write .geojson or .czml, or ask 'beespace detect --json'");
   }
+  const bool page = ending.empty() || ending == "html" || ending == "htm";
+  if (!page || of.compressed) return misnamed("in nothing");
   return std::monostate{};
 }
 

@@ -25,7 +25,8 @@ Result<ExitCode> simulate(const SimulateRequest& request) {
   if (!request.output.empty()) {
     auto opened =
         open_output("simulate", request.output,
-                    {request.from_file ? request.scenario : std::string(), request.obstacles});
+                    {request.from_file ? request.scenario : std::string(), request.obstacles},
+                    request.format.packing());
     if (!opened) return std::move(opened).error();
     output.emplace(std::move(opened).value());
   }

@@ -125,7 +125,7 @@ void add_prevention_options(CLI::App& simulate, SimulateOptions& options) {
 void add_output_options(CLI::App& simulate, SimulateOptions& options) {
   simulate
       .add_option(
-          "--output", options.output,
+          "-o,--output", options.output,
           "Where the recording goes: .csv or .tsv, perhaps\nwith .gz; - for standard output")
       ->type_name("FILE")
       ->group("Output");

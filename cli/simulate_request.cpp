@@ -3,6 +3,7 @@
 #include "cli/flight_values.hpp"
 #include "cli/number_text.hpp"
 #include "cli/option_values.hpp"
+#include "cli/output_form.hpp"
 #include "cli/simulate_scenarios.hpp"
 
 #include <beespace/point.hpp>
@@ -124,12 +125,12 @@ Result<SwarmFormat> format_of(const std::string& name) {
     return simulate_error("npy and bin hold positions only; let '" + name +
                           "' end in .csv or .tsv, perhaps with .gz");
   }
-  const std::size_t slash = name.rfind('/');
-  const std::size_t last = slash == std::string::npos ? 0 : slash + 1;
-  if (name.find('.', last) == std::string::npos) return SwarmFormat{};
+  const FileEnding of = file_ending(name);
+  if (of.ending.empty()) return SwarmFormat{SwarmFormat::Kind::kCsv, of.compressed};
   return simulate_error("the ending of '" + name +
                         "' tells no format of a recording; let it end in .csv or .tsv, perhaps "
-                        "with .gz");
+                        "with .gz" +
+                        written_elsewhere(kName, of.ending));
 }
 
 }  // namespace

@@ -90,7 +90,8 @@ std::string summary(const Inputs& inputs, const Detection& detection,
   if (inputs.others) append_input(out, "others", *inputs.others, *request.others);
   append_summary_line(out, "threshold",
                       separation_text(request.search.threshold_m, request.search.vertical_m,
-                                      request.search.inclusive));
+                                      request.search.inclusive) +
+                          (request.default_threshold ? kDefaultThresholdWords : ""));
   append_summary_line(out, "at risk", at_risk_line(inputs.ours, detection));
   if (!detection.table.finding.empty()) {
     append_summary_line(out, request.report->label, detection.table.finding);

@@ -14,4 +14,7 @@ void append_summary_line(std::string& out, std::string_view label, std::string_v
 std::string separation_text(double threshold_m, const std::optional<double>& vertical_m,
                             bool inclusive);
 
+// Behind it, where nobody gave the threshold.
+inline constexpr const char* kDefaultThresholdWords = ", the default (--threshold)";
+
 }  // namespace beespace::cli

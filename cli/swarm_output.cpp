@@ -1,6 +1,7 @@
 #include "cli/swarm_output.hpp"
 
 #include "cli/number_text.hpp"
+#include "cli/output_form.hpp"
 #include "io/csv_field.hpp"
 
 #include <algorithm>
@@ -77,14 +78,14 @@ char delimiter_of(SwarmFormat format) {
   return format.kind == SwarmFormat::Kind::kTsv ? '\t' : ',';
 }
 
-void write_full(std::string& block, GzipWriter& out) {
+void write_full(std::string& block, io::AtomicOutput& out) {
   if (block.size() < kBlock) return;
   out.write(block);
   block.clear();
 }
 
 void write_text(const std::vector<Point>& points, SwarmUnits units, char delimiter,
-                GzipWriter& out) {
+                io::AtomicOutput& out) {
   const auto append = units == SwarmUnits::kDegrees ? append_degrees : append_metres;
   std::string text = header(units, delimiter);
   for (const Point& point : points) {
@@ -108,96 +109,67 @@ std::string npy_header(std::size_t rows) {
   return text + dictionary;
 }
 
-void write_array(const std::vector<Point>& points, GzipWriter& out) {
+void write_array(const std::vector<Point>& points, io::AtomicOutput& out) {
   static_assert(sizeof(Point) == 3 * sizeof(double));
   out.write({reinterpret_cast<const char*>(points.data()), points.size() * sizeof(Point)});
-}
-
-std::string lower_case(std::string_view text) {
-  std::string out(text);
-  for (char& c : out) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return out;
 }
 
 }  // namespace
 
 std::optional<SwarmFormat> swarm_format(std::string_view name) {
-  SwarmFormat format;
-  const std::string lowered = lower_case(name);
-  std::string_view rest = lowered;
-  const auto take_ending = [&rest](std::string_view ending) {
-    const bool whole = rest == ending.substr(1);
-    if (!whole && !rest.ends_with(ending)) return false;
-    rest.remove_suffix(whole ? rest.size() : ending.size());
-    return true;
-  };
-  format.compressed = take_ending(".gz");
+  const FileEnding of = file_ending(name);
   using Kind = SwarmFormat::Kind;
-  if (take_ending(".csv") || take_ending(".txt")) {
-    format.kind = Kind::kCsv;
-  } else if (take_ending(".tsv")) {
-    format.kind = Kind::kTsv;
-  } else if (take_ending(".npy")) {
-    format.kind = Kind::kNpy;
-  } else if (take_ending(".bin")) {
-    format.kind = Kind::kRawFloat64;
-  } else {
-    return std::nullopt;
-  }
-  return format;
+  const auto format = [&of](Kind kind) { return SwarmFormat{kind, of.compressed}; };
+  if (of.ending == "csv" || of.ending == "txt") return format(Kind::kCsv);
+  if (of.ending == "tsv") return format(Kind::kTsv);
+  if (of.ending == "npy") return format(Kind::kNpy);
+  if (of.ending == "bin") return format(Kind::kRawFloat64);
+  return std::nullopt;
 }
 
 bool ending_allows(std::string_view name, SwarmFormat format) {
-  const std::string lowered = lower_case(name);
   const auto ending = swarm_format(name);
-  if (!ending) return !lowered.ends_with(".gz") || format.compressed;
+  const FileEnding of = file_ending(name);
+  if (!ending) return !of.compressed || format.compressed;
   // Any text may be called .txt.
-  const bool any_text = lowered.ends_with(".txt") || lowered.ends_with(".txt.gz");
-  const bool tabs = any_text && format.kind == SwarmFormat::Kind::kTsv;
+  const bool tabs = of.ending == "txt" && format.kind == SwarmFormat::Kind::kTsv;
   return ending->compressed == format.compressed && (ending->kind == format.kind || tabs);
 }
 
 Status write_swarm(const std::vector<Point>& points, SwarmUnits units, SwarmFormat format,
                    io::AtomicOutput& output) {
-  GzipWriter out(output, format.compressed);
   switch (format.kind) {
     case SwarmFormat::Kind::kCsv:
     case SwarmFormat::Kind::kTsv:
-      write_text(points, units, delimiter_of(format), out);
+      write_text(points, units, delimiter_of(format), output);
       break;
     case SwarmFormat::Kind::kNpy:
-      out.write(npy_header(points.size()));
-      write_array(points, out);
+      output.write(npy_header(points.size()));
+      write_array(points, output);
       break;
     case SwarmFormat::Kind::kRawFloat64:
-      write_array(points, out);
+      write_array(points, output);
       break;
   }
-  out.finish();
   return output.commit();
 }
 
 Status write_movers(const std::vector<Mover>& movers, SwarmFormat format,
                     io::AtomicOutput& output) {
-  GzipWriter out(output, format.compressed);
   const char delimiter = delimiter_of(format);
   std::string text = delimited("id,x,y,z,vx,vy,vz\n", delimiter);
   for (std::size_t bee = 0; bee < movers.size(); ++bee) {
     append_exact(text, std::uint64_t{bee});
     text += delimiter;
     append_motion(text, movers[bee].position, movers[bee].velocity, delimiter);
-    write_full(text, out);
+    write_full(text, output);
   }
-  out.write(text);
-  out.finish();
+  output.write(text);
   return output.commit();
 }
 
 Status write_flights(const std::vector<Mover>& movers, const scenes::FixTimes& times,
                      std::uint64_t seed, SwarmFormat format, io::AtomicOutput& output) {
-  GzipWriter out(output, format.compressed);
   const char delimiter = delimiter_of(format);
   std::string text = delimited("id,time_s,x,y,z,vx,vy,vz\n", delimiter);
   for (std::size_t bee = 0; bee < movers.size(); ++bee) {
@@ -209,18 +181,16 @@ Status write_flights(const std::vector<Mover>& movers, const scenes::FixTimes& t
       append_exact(text, fix.time_s);
       text += delimiter;
       append_motion(text, fix.position, movers[bee].velocity, delimiter);
-      write_full(text, out);
+      write_full(text, output);
     }
   }
-  out.write(text);
-  out.finish();
+  output.write(text);
   return output.commit();
 }
 
 FlightWriter::FlightWriter(io::AtomicOutput& output, SwarmFormat format,
                            const std::vector<std::string>& ids, bool with_velocities)
     : output_(output),
-      out_(output, format.compressed),
       delimiter_(delimiter_of(format)),
       with_velocities_(with_velocities),
       text_(delimited(with_velocities ? "time_s,id,x,y,z,vx,vy,vz\n" : "time_s,id,x,y,z\n",
@@ -246,13 +216,12 @@ void FlightWriter::add(double time_s, const std::vector<Mover>& movers) {
     } else {
       append_metres(text_, position, delimiter_);
     }
-    write_full(text_, out_);
+    write_full(text_, output_);
   }
 }
 
 Status FlightWriter::finish() {
-  out_.write(text_);
-  out_.finish();
+  output_.write(text_);
   return output_.commit();
 }
 

@@ -2,7 +2,6 @@
 // replay read them.
 #pragma once
 
-#include "cli/gzip_writer.hpp"
 #include "io/atomic_output.hpp"
 #include "scenes/recorded_flights.hpp"
 
@@ -23,9 +22,13 @@ struct SwarmFormat {
 
   Kind kind = Kind::kCsv;
   bool compressed = false;  // gzip
+
+  [[nodiscard]] io::Packing packing() const {
+    return compressed ? io::Packing::kGzip : io::Packing::kPlain;
+  }
 };
 
-// By the ending of a file name, in capitals or not, or a format's own name: "bees.csv.gz", "npy".
+// By the ending of a file name, in capitals or not: "bees.csv.gz".
 std::optional<SwarmFormat> swarm_format(std::string_view name);
 
 // Whether a file of this name may hold this format: its ending says the same, or nothing.
@@ -33,6 +36,8 @@ bool ending_allows(std::string_view name, SwarmFormat format);
 
 enum class SwarmUnits : std::uint8_t { kMetres, kDegrees };
 
+// The output is open with the packing of the format.
+//
 // Text in metres has all digits of the doubles; text in degrees has the course format's: 11
 // decimals for degrees and 2 for metres. Commits the output. Errors: kWriteFailed.
 Status write_swarm(const std::vector<Point>& points, SwarmUnits units, SwarmFormat format,
@@ -60,7 +65,6 @@ class FlightWriter {
 
  private:
   io::AtomicOutput& output_;
-  GzipWriter out_;
   char delimiter_;
   bool with_velocities_;
   std::vector<std::string> ids_;  // as fields

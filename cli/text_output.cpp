@@ -52,6 +52,12 @@ void write_rows(const BeeTable& table, const Answer& answer, io::AtomicOutput& o
   const ShownIds& ids = answer.ids.ours();
   if (table.columns.empty() && ids.are_point_numbers()) return write_numbers(table.bees, output);
   BlockWriter out(output);
+  // A plain list of ids needs no header.
+  if (!table.columns.empty()) {
+    out.text += "id";
+    for (const Column& column : table.columns) (out.text += '\t') += column.name;
+    out.text += '\n';
+  }
   for (const PointId bee : table.bees) {
     ids.append(out.text, bee);
     for (const Column& column : table.columns) {
@@ -65,6 +71,7 @@ void write_rows(const BeeTable& table, const Answer& answer, io::AtomicOutput& o
 void write_rows(const PairTable& table, const Answer& answer, io::AtomicOutput& output) {
   const Inputs& inputs = answer.inputs;
   BlockWriter out(output);
+  out.text += "first\tsecond\tdistance_m\n";
   for (const Pair& pair : table.pairs) {
     answer.ids.ours().append(out.text, pair.first);
     out.text += '\t';
@@ -79,6 +86,7 @@ void write_rows(const PairTable& table, const Answer& answer, io::AtomicOutput& 
 
 void write_rows(const GroupTable& table, const Answer& answer, io::AtomicOutput& output) {
   BlockWriter out(output);
+  out.text += "group\tsize\tmembers\n";
   for (std::size_t i = 0; i < table.groups.size(); ++i) {
     append_exact(out.text, std::uint64_t{i});
     out.text += '\t';

@@ -4,6 +4,7 @@
 #include "cli/moving/common_times.hpp"
 #include "cli/moving/moving_output.hpp"
 #include "cli/moving/verify_findings.hpp"
+#include "cli/moving/verify_steps.hpp"
 #include "cli/number_text.hpp"
 #include "cli/obstacle_file.hpp"
 #include "cli/option_values.hpp"
@@ -29,12 +30,13 @@ constexpr double kDefaultClearance_m = 1.0;
 
 struct VerifyRequest {
   MovingRequest moving;
-  VerifyOptions check;    // the threshold and the obstacles are not there yet
-  std::string obstacles;  // a file; empty for none
+  VerifyOptions check;              // the threshold and the obstacles are not there yet
+  std::string obstacles;            // a file; empty for none
+  std::optional<double> max_gap_s;  // absent: from the data
 };
 
 Result<VerifyRequest> request_of(const VerifyCommandOptions& options) {
-  auto moving = moving_request(kName, options.moving);
+  auto moving = answering_request(kName, options.moving);
   if (!moving) return std::move(moving).error();
   if (options.straight && !options.max_acceleration.empty()) {
     return usage_error(kName,
@@ -60,7 +62,9 @@ Result<VerifyRequest> request_of(const VerifyCommandOptions& options) {
   check.clearance_m = clearance->value_or(kDefaultClearance_m);
   check.straight = options.straight;
   check.threads = moving->threads;
-  return VerifyRequest{*std::move(moving), check, options.obstacles};
+  const auto max_gap = read_max_gap(kName, options.max_gap);
+  if (!max_gap) return max_gap.error();
+  return VerifyRequest{*std::move(moving), check, options.obstacles, *max_gap};
 }
 
 // How bees fly from fix to fix, in words; sets `check.straight` where there is no other way.
@@ -90,14 +94,6 @@ Result<std::string> settle_motion(const io::Recording& recording, bool accelerat
          red(grouped(missing->count) + " of " + grouped(fixes) + " fixes have no velocity");
 }
 
-// The library counts movers; here they have names.
-Error of_bee(Error error, const io::Recording& recording) {
-  if (!error.place.record || *error.place.record >= recording.bees.size()) return error;
-  error.message.insert(0, "bee '" + recording.bees[*error.place.record].id + "': ");
-  error.place.record.reset();
-  return error;
-}
-
 // Obstacles are upright: they make no sense beside degrees.
 Status check_frame(const io::Recording& recording, const std::string& obstacles) {
   if (obstacles.empty() || recording.frame == io::Frame::kMetres) return std::monostate{};
@@ -107,24 +103,11 @@ Status check_frame(const io::Recording& recording, const std::string& obstacles)
                {}};
 }
 
-Status check_all(const io::Recording& recording, const std::vector<double>& times_s,
-                 Verifier& verifier, ProgressBar& progress) {
-  progress.enter_stage("checking");
-  for (std::size_t fix = 0; fix < times_s.size(); ++fix) {
-    const auto movers = movers_at(recording, fix);
-    if (!movers) return movers.error();
-    const Status good = verifier.add(times_s[fix], *movers);
-    if (!good) return of_bee(good.error(), recording);
-    progress.set_share(static_cast<double>(fix + 1) / static_cast<double>(times_s.size()));
-  }
-  return std::monostate{};
-}
-
 Result<ExitCode> verify(const VerifyRequest& request) {
   const MovingRequest& moving = request.moving;
   std::vector<std::string> inputs = moving.inputs;
   inputs.push_back(request.obstacles);
-  auto output = open_output(kName, moving.output, inputs);
+  auto output = open_output(kName, moving.output, inputs, moving.form.packing);
   if (!output) return std::move(output).error();
   const auto obstacles = request.obstacles.empty() ? Result<ObstacleMap>(ObstacleMap())
                                                    : load_obstacle_map(request.obstacles);
@@ -148,21 +131,23 @@ Result<ExitCode> verify(const VerifyRequest& request) {
   if (!request.obstacles.empty()) check.obstacles = &*obstacles;
   const double read_s = watch.lap();
 
-  Verifier verifier(check);
-  const Status checked = check_all(*recording, *times_s, verifier, progress);
-  if (!checked) return checked.error();
-  const Verdict& verdict = verifier.verdict();
-  const Verification verification{*recording, *times_s, check,      verdict,
-                                  *motion,    read_s,   watch.lap()};
+  progress.enter_stage("checking");
+  const MaxGap max_gap = max_gap_of(*recording, request.max_gap_s);
+  const auto verdict = verify_steps(*recording, *times_s, check, max_gap.seconds, progress);
+  if (!verdict) return verdict.error();
+  const Coverage coverage =
+      coverage_of(*recording, gaps_of_all(*recording, *times_s, max_gap.seconds), max_gap);
+  const Verification verification{*recording, *times_s, check,  *verdict,
+                                  coverage,   *motion,  read_s, watch.lap()};
   const std::string head =
-      moving.form == MovingForm::kJson ? verify_json_head(verification, moving) : "";
+      moving.form.form == Form::kJson ? verify_json_head(verification, moving) : "";
   write_answer(finding_rows(verification), moving, head, "findings", *output);
   const Status written = output->commit();
   if (!written && output->pipe_closed()) return ExitCode::kPipeClosed;
   if (!written) return written.error();
   progress.finish();
   if (!moving.quiet) say(verify_summary(verification, moving));
-  return verdict.holds() ? ExitCode::kFine : ExitCode::kRiskFound;
+  return verification.holds() ? ExitCode::kFine : ExitCode::kRiskFound;
 }
 
 }  // namespace

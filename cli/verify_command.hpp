@@ -15,6 +15,7 @@ struct VerifyCommandOptions {
   std::string max_acceleration;
   std::string obstacles;
   std::string clearance;
+  std::string max_gap;
   bool straight = false;
 };
 

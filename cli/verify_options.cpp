@@ -1,3 +1,4 @@
+#include "cli/moving/gaps.hpp"
 #include "cli/option_checks.hpp"
 #include "cli/verify_command.hpp"
 
@@ -32,17 +33,19 @@ constexpr const char* kDetails =
     "  speed         id: faster than --max-speed within one step; when it begins and ends, and how "
     "fast\n"
     "  acceleration  id: the same of --max-acceleration\n"
+    "A step longer than --max-gap was not seen: nothing is found in it, and the flight does not "
+    "hold.\n"
     "\n"
     "Examples:\n"
     "  beespace simulate random-swap --output swap.csv\n"
     "  beespace verify swap.csv --threshold 5 --max-speed 10 --max-acceleration 5\n"
-    "  beespace verify log.csv --threshold 2 --straight --csv --output findings.csv\n"
+    "  beespace verify log.csv --threshold 2 --straight --output findings.csv\n"
     "  beespace verify flight.csv --threshold 2 --obstacles city.json --clearance 3\n"
     "  beespace verify log.csv --quiet --output /dev/null && echo safe\n"
     "\n"
-    "Exit status: 0 it holds, 1 there is a loss or a breach, 2 wrong usage, 3 bad input, or fixes "
-    "at\n"
-    "different times, 4 cannot open, read or write, 130 interrupted, 143 terminated, 141 closed "
+    "Exit status: 0 it holds, 1 there is a loss, a breach or a gap, 2 wrong usage, 3 bad input, or "
+    "fixes\n"
+    "at different times, 4 cannot open, read or write, 130 interrupted, 143 terminated, 141 closed "
     "pipe.";
 
 void add_check_options(CLI::App& verify, VerifyCommandOptions& options) {
@@ -69,6 +72,7 @@ void add_check_options(CLI::App& verify, VerifyCommandOptions& options) {
                   "Closer than this to an obstacle is too close\n(default: 1)")
       ->type_name("METRES")
       ->group("Check");
+  add_max_gap_option(verify, options.max_gap, "Check");
   verify.add_flag("--straight", options.straight, "Straight lines, whatever the velocities")
       ->group("Check");
   verify.add_option("--threads", options.moving.threads, "How many threads work (default: 0, all)")
@@ -77,7 +81,10 @@ void add_check_options(CLI::App& verify, VerifyCommandOptions& options) {
 }
 
 void add_answer_options(CLI::App& verify, MovingOptions& options) {
-  verify.add_option("--output", options.output, "Where the answer goes (default: standard output)")
+  verify
+      .add_option("-o,--output", options.output,
+                  "Where the answer goes, by its ending .csv or .json,\nperhaps with .gz, in this "
+                  "form (default: standard\noutput)")
       ->type_name("FILE")
       ->group("Output");
   verify.add_flag("--csv", options.csv, "With a header, values between commas")->group("Output");

@@ -92,7 +92,7 @@ _beespace() {
             --obstacles --clearance --threads --output --json --fail-on-risk --quiet --help --version'
           ;;
         verify)
-          words='--threshold --max-speed --max-acceleration --obstacles --clearance --straight --threads
+          words='--threshold --max-speed --max-acceleration --obstacles --clearance --max-gap --straight --threads
             --crs --columns --time-unit --heights --grounded --skip-bad --output --csv --json --quiet
             --help --version'
           ;;

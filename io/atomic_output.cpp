@@ -1,5 +1,7 @@
 #include "io/atomic_output.hpp"
 
+#include "io/gzip_stream.hpp"
+
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/stat.h>
@@ -62,11 +64,27 @@ bool follow_links(std::string& path) {
   return false;
 }
 
+bool folder_exists(const std::string& path) {
+  const std::string folder = folder_of(path);
+  struct stat status = {};
+  return ::stat(folder.empty() ? "." : folder.c_str(), &status) == 0 && S_ISDIR(status.st_mode);
+}
+
 Error write_error(const std::string& path, int error_number) {
   std::string message;
   switch (error_number) {
     case ENOENT:
-      message = "the folder does not exist; create it first";
+      message = folder_exists(path) ? "the system lets no file be made in this folder; name another"
+                                    : "the folder does not exist; create it first";
+      break;
+    case ENOTDIR:
+      message = "a part of this path is a file, not a folder; check the name";
+      break;
+    case EROFS:
+      message = "nothing can be written in this file system; name another place";
+      break;
+    case ENAMETOOLONG:
+      message = "the name is too long; choose a shorter one";
       break;
     case EISDIR:
       message = "this is a directory; name a file";
@@ -100,7 +118,15 @@ void discard_open_outputs_in_signal_handler() noexcept {
   errno = saved;
 }
 
-Result<AtomicOutput> AtomicOutput::open(const std::string& path) {
+AtomicOutput::AtomicOutput() = default;
+
+Result<AtomicOutput> AtomicOutput::open(const std::string& path, Packing packing) {
+  auto output = open_plain(path);
+  if (output && packing == Packing::kGzip) output->gzip_ = std::make_unique<GzipStream>();
+  return output;
+}
+
+Result<AtomicOutput> AtomicOutput::open_plain(const std::string& path) {
   AtomicOutput output;
   output.path_ = path;
   // By its other name, standard output must not be replaced or written to from the start.
@@ -176,6 +202,7 @@ AtomicOutput& AtomicOutput::operator=(AtomicOutput&& other) noexcept {
   error_number_ = other.error_number_;
   registered_ = std::exchange(other.registered_, kNotRegistered);
   buffer_ = std::move(other.buffer_);
+  gzip_ = std::move(other.gzip_);
   return *this;
 }
 
@@ -184,6 +211,11 @@ AtomicOutput::~AtomicOutput() {
 }
 
 void AtomicOutput::write(std::string_view text) {
+  if (!gzip_) return write_plain(text);
+  if (!failed()) gzip_->write(text, [this](std::string_view bytes) { write_plain(bytes); });
+}
+
+void AtomicOutput::write_plain(std::string_view text) {
   if (text.size() > kBufferSize - buffer_.size()) {
     flush();
     if (text.size() >= kBufferSize) {
@@ -215,6 +247,10 @@ void AtomicOutput::send(const char* data, std::size_t size) {
 }
 
 Status AtomicOutput::commit() {
+  if (gzip_ && !failed()) {
+    gzip_->finish([this](std::string_view bytes) { write_plain(bytes); });
+  }
+  gzip_.reset();
   flush();
   if (descriptor_ > STDERR_FILENO) {
     // Network file systems say only here that the disk is full.

@@ -5,22 +5,29 @@
 // a symbolic link the file it leads to is replaced. "-" (standard output), pipes and devices are
 // written to directly. Buffered (1 MiB); the first error is kept, later writes do nothing, and
 // commit() reports it. One object, one thread. A program that writes to pipes should ignore
-// SIGPIPE, or it ends before pipe_closed() can say why.
+// SIGPIPE, or it ends before pipe_closed() can say why. What is written may go out
+// gzip-compressed.
 #pragma once
 
 #include <beespace/result.hpp>
 
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace beespace::io {
 
+class GzipStream;
+
+enum class Packing : std::uint8_t { kPlain, kGzip };
+
 class AtomicOutput {
  public:
   // Errors: kWriteFailed.
-  static Result<AtomicOutput> open(const std::string& path);
+  static Result<AtomicOutput> open(const std::string& path, Packing packing = Packing::kPlain);
   AtomicOutput(AtomicOutput&& other) noexcept;
   AtomicOutput& operator=(AtomicOutput&& other) noexcept;
   AtomicOutput(const AtomicOutput&) = delete;
@@ -37,8 +44,10 @@ class AtomicOutput {
   [[nodiscard]] bool pipe_closed() const;
 
  private:
-  AtomicOutput() = default;
+  AtomicOutput();
+  static Result<AtomicOutput> open_plain(const std::string& path);
   bool create_temporary();
+  void write_plain(std::string_view bytes);
   void send(const char* data, std::size_t size);
   void flush();
   void discard();
@@ -53,6 +62,7 @@ class AtomicOutput {
   int error_number_ = 0;
   std::size_t registered_ = kNotRegistered;  // where the signal handler finds temporary_path_
   std::vector<char> buffer_;
+  std::unique_ptr<GzipStream> gzip_;  // null: plain
 };
 
 // Removes the temporary files of outputs that are open now; async-signal-safe. At most 16 files

@@ -71,6 +71,7 @@ struct RecordingFacts {
   std::vector<Track> tracks;  // to look at
   bool since_1970 = false;
   std::vector<Gap> gaps = {};            // in ascending order of (track, begins_s)
+  std::string unknown = {};              // who is unknown for how long; empty: nobody is
   std::vector<AtRisk> at_risk = {};      // ascending by bee, then time; of a bee none overlap
   std::vector<Conflict> conflicts = {};  // the closest first; all, or as many as can be shown
   std::uint64_t conflict_count = 0;      // of all

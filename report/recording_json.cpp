@@ -185,6 +185,7 @@ std::string risk_json(const RecordingFacts& facts, double begins_s) {
   json.add_count("pairs", facts.pair_count);
   json.add_count("bees", bees);
   json.add_number("bee_seconds", bee_seconds);
+  if (!facts.unknown.empty()) json.add_text("unknown", facts.unknown);
   if (facts.closest) {
     io::JsonObject closest;
     closest.add_count("first", facts.closest->first);

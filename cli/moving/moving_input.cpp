@@ -1,5 +1,7 @@
 #include "cli/moving/moving_input.hpp"
 
+#include "cli/number_text.hpp"
+
 #include <beespace/bezier_path.hpp>
 #include <beespace/geodesy.hpp>
 
@@ -80,7 +82,8 @@ double told(double value) {
   return std::abs(value) < kSmallestInMotion ? 0.0 : value;
 }
 
-Result<LastState> last_state(const io::RecordedBee& bee, io::Frame frame, Geometry geometry) {
+Result<LastState> last_state(const io::RecordedBee& bee, io::Frame frame, Geometry geometry,
+                             double max_age_s) {
   const Fix& last = bee.fixes.back();
   if (!bee.velocities.empty() && is_known(bee.velocities.back())) {
     return given_state(last, bee.velocities.back(), frame, geometry);
@@ -91,13 +94,20 @@ Result<LastState> last_state(const io::RecordedBee& bee, io::Frame frame, Geomet
                  "vx, vy, vz; or ve, vn, vu beside degrees)",
                  {}};
   }
+  const double lasts = last.time_s - bee.fixes[bee.fixes.size() - 2].time_s;
+  if (lasts > max_age_s) {
+    return Error{ErrorCode::kMissingColumn,
+                 "there is no velocity, and its last two fixes are " + exact(lasts) +
+                     " s apart, too far to tell it from; give velocities (columns vx, vy, vz; or "
+                     "ve, vn, vu beside degrees), or raise --max-age",
+                 {}};
+  }
   const auto before = placed(bee.fixes[bee.fixes.size() - 2], frame, geometry);
   if (!before) return before.error();
   const auto now = placed(last, frame, geometry);
   if (!now) return now.error();
   const Point& p = before->fix.position;
   const Point& q = now->fix.position;
-  const double lasts = now->fix.time_s - before->fix.time_s;
   return LastState{
       {q, {told((q.x - p.x) / lasts), told((q.y - p.y) / lasts), told((q.z - p.z) / lasts)}},
       now->height_m,
@@ -191,7 +201,7 @@ Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, 
     }
     auto state = wanted == Wanted::kPlaces && age == 0.0
                      ? given_state(bee.fixes.back(), Velocity{}, recording.frame, geometry)
-                     : last_state(bee, recording.frame, geometry);
+                     : last_state(bee, recording.frame, geometry, max_age_s);
     if (!state && state.error().code == ErrorCode::kMissingColumn) {
       ++snapshot.unmoving;
       no_velocity = of_bee(std::move(state).error(), bee);

@@ -46,9 +46,10 @@ struct Snapshot {
   std::vector<std::uint32_t> bees;  // whose each mover is: ascending places in the recording
   double time_s = 0.0;
   std::uint64_t brought_forward = 0;
-  double oldest_s = 0.0;        // of those: how far
-  std::uint64_t stale = 0;      // left out
-  std::uint64_t unmoving = 0;   // left out: neither a velocity nor two fixes tell how fast they go
+  double oldest_s = 0.0;    // of those: how far
+  std::uint64_t stale = 0;  // left out
+  // Left out: neither a velocity nor two fixes, max_age_s apart at most, tell how fast they go.
+  std::uint64_t unmoving = 0;
   std::uint64_t estimated = 0;  // velocities that come from the last two fixes
 
   [[nodiscard]] MoversView view() const;

@@ -1,5 +1,6 @@
 #include "cli/moving/moving_options.hpp"
 
+#include "cli/moving/gaps.hpp"
 #include "cli/number_text.hpp"
 #include "cli/option_checks.hpp"
 #include "cli/option_values.hpp"
@@ -19,9 +20,6 @@ std::optional<Error> check_inputs(const char* command, const MovingOptions& opti
   }
   if (std::count(options.inputs.begin(), options.inputs.end(), "-") > 1) {
     return usage_error(command, "standard input can be read once");
-  }
-  if (options.csv && options.json) {
-    return usage_error(command, "--csv and --json exclude each other");
   }
   return std::nullopt;
 }
@@ -76,11 +74,7 @@ void add_input_options(CLI::App& command, MovingOptions& options) {
 }
 
 void add_gap_options(CLI::App& command, std::string& max_gap, std::string& tolerance) {
-  command
-      .add_option("--max-gap", max_gap,
-                  "Absent between fixes farther apart in time\n(default: never)")
-      ->type_name("SECONDS")
-      ->group("Input");
+  add_max_gap_option(command, max_gap, "Input");
   command.add_option("--tolerance", tolerance, "How closely to follow curves (default: 0.001)")
       ->type_name("METRES")
       ->group("Input");
@@ -114,13 +108,17 @@ void add_separation_options(CLI::App& command, MovingOptions& options) {
 
 void add_output_options(CLI::App& command, MovingOptions& options) {
   command
-      .add_option("--output", options.output, "Where the answer goes (default: standard output)")
+      .add_option("-o,--output", options.output,
+                  "Where the answer goes, by its ending .csv or .json,\nperhaps with .gz, in this "
+                  "form (default: standard\noutput)")
       ->type_name("FILE")
       ->group("Output");
   command.add_flag("--csv", options.csv, "With a header, values between commas")->group("Output");
   command.add_flag("--json", options.json, "One JSON document with everything in it")
       ->group("Output");
-  command.add_flag("--fail-on-risk", options.fail_on_risk, "Exit with 1 when there is a conflict")
+  command
+      .add_flag("--fail-on-risk", options.fail_on_risk,
+                "Exit with 1 when there is a conflict, or in a\nrecording a gap that may hide one")
       ->group("Output");
   command.add_flag("--quiet", options.quiet, "No summary and no progress, only errors")
       ->group("Output");
@@ -153,10 +151,19 @@ Result<MovingRequest> moving_request(const char* command, const MovingOptions& o
   if (!threads) return threads.error();
   request.threads = *threads;
   request.output = options.output;
-  if (options.csv) request.form = MovingForm::kCsv;
-  if (options.json) request.form = MovingForm::kJson;
   request.fail_on_risk = options.fail_on_risk;
   request.quiet = options.quiet;
+  return request;
+}
+
+Result<MovingRequest> answering_request(const char* command, const MovingOptions& options,
+                                        const std::vector<std::string>& text_endings) {
+  auto request = moving_request(command, options);
+  if (!request) return request;
+  const auto form = output_form(command, {options.output, options.csv, options.json},
+                                {{Form::kText, Form::kCsv, Form::kJson}, text_endings});
+  if (!form) return form.error();
+  request->form = *form;
   return request;
 }
 

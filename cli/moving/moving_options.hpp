@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cli/moving/rows.hpp"
+#include "cli/output_form.hpp"
 #include "io/load_recording.hpp"
 
 #include <beespace/result.hpp>
@@ -42,8 +43,6 @@ struct MovingOptions {
 // Where neither --threshold nor the input says what is too close.
 inline constexpr double kDefaultThreshold_m = 100.0;
 
-enum class MovingForm : std::uint8_t { kText, kCsv, kJson };
-
 // Checked: a request that makes sense.
 struct MovingRequest {
   const char* command;
@@ -55,7 +54,7 @@ struct MovingRequest {
   std::uint64_t max_results = 0;
   unsigned threads = 0;
   std::string output;
-  MovingForm form = MovingForm::kText;
+  OutputForm form;
   bool fail_on_risk = false;
   bool quiet = false;
 };
@@ -85,6 +84,11 @@ void add_separation_options(CLI::App& command, MovingOptions& options);
 void add_output_options(CLI::App& command, MovingOptions& options);
 
 Result<MovingRequest> moving_request(const char* command, const MovingOptions& options);
+
+// The same of a command that answers in text, CSV or JSON. `text_endings`: how the names of files
+// end that hold its plain text.
+Result<MovingRequest> answering_request(const char* command, const MovingOptions& options,
+                                        const std::vector<std::string>& text_endings = {"tsv"});
 
 // The library speaks to those who call it; here --max-results is what they can turn.
 Error in_words_of_the_command(Error error, const MovingRequest& request);

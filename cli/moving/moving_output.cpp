@@ -99,7 +99,8 @@ std::string input_summary(const io::Recording& recording, const MovingRequest& r
 
 std::string separation_summary(const MovingRequest& request, double threshold_m, bool declared) {
   const std::string text = separation_text(threshold_m, request.vertical_m, request.inclusive);
-  return declared ? text + ", as the input declares" : text;
+  if (declared) return text + ", as the input declares";
+  return request.threshold_m ? text : text + kDefaultThresholdWords;
 }
 
 std::string moment(double time_s, const io::Recording& recording) {
@@ -181,13 +182,15 @@ std::string json_head(const io::Recording& recording, const MovingRequest& reque
 
 void write_answer(Rows rows, const MovingRequest& request, const std::string& head, const char* key,
                   io::AtomicOutput& output) {
-  if (request.form != MovingForm::kText) set_labels_apart(rows);
-  switch (request.form) {
-    case MovingForm::kText:
+  if (request.form.form != Form::kText) set_labels_apart(rows);
+  switch (request.form.form) {
+    case Form::kText:
       return write_rows_as_text(rows, output);
-    case MovingForm::kCsv:
+    case Form::kCsv:
       return write_rows_as_csv(rows, output);
-    case MovingForm::kJson: {
+    case Form::kGeoJson:  // refused before: answering_request
+      return;
+    case Form::kJson: {
       BlockWriter out(output);
       out.text += head;
       out.text += ",\n  \"" + std::string(key) + "\": ";

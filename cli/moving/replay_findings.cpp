@@ -77,9 +77,11 @@ Rows bee_rows(const Findings& findings) {
              {"in_conflict_s"},
              {"closest_m"},
              {"closest_s"},
-             {"closest_id", "closest_label"}},
+             {"closest_id", "closest_label"},
+             {"unknown_s"}},
             {},
             has_labels(findings.recording)};
+  const auto unknown_s = unknown_times_s(findings.recording, findings.recorded.gaps);
   for (PointId bee = 0; bee < bees.size(); ++bee) {
     OfBee& of = bees[bee];
     std::vector<Value> row{name_of(bee, findings.recording), std::uint64_t{of.spans.size()},
@@ -89,8 +91,9 @@ Rows bee_rows(const Findings& findings) {
       row.insert(row.end(), {of.closest->closest_m, of.closest->closest_s,
                              name_of(other, findings.recording)});
     } else {
-      row.resize(rows.columns.size());
+      row.resize(rows.columns.size() - 1);
     }
+    row.emplace_back(unknown_s[bee]);
     rows.rows.push_back(std::move(row));
   }
   return rows;
@@ -108,22 +111,31 @@ std::vector<Moment> separation_over_time(const Findings& findings, double every_
     const double now = time->begins_s + static_cast<double>(i) * every_s;
     places.clear();
     bees.clear();
+    std::uint64_t unknown = 0;
     for (PointId bee = 0; bee < findings.tracks.size(); ++bee) {
-      const auto place = position_at(findings.in_space[bee], now, findings.max_gap_s);
+      const auto place =
+          position_at(findings.in_space[bee], now, findings.coverage.max_gap.seconds);
+      // A drone of a show that does not fly stands.
+      if (!place && !findings.recording.bees[bee].path) ++unknown;
       if (!place) continue;
       places.push_back(*place);
       bees.push_back(bee);
     }
-    moments.push_back({now, kInfinity, 0, 0});
+    moments.push_back({now, kInfinity, 0, 0, unknown});
     const auto pair = engine.find_closest_pair(places);
     if (!pair || !*pair) continue;
-    moments.back() = {now, (*pair)->distance_m, bees[(*pair)->first], bees[(*pair)->second]};
+    moments.back() = {now, (*pair)->distance_m, bees[(*pair)->first], bees[(*pair)->second],
+                      unknown};
   }
   return moments;
 }
 
 Rows separation_rows(const std::vector<Moment>& moments, const io::Recording& recording) {
-  Rows rows{{{"time_s"}, {"distance_m"}, {"first", "first_label"}, {"second", "second_label"}},
+  Rows rows{{{"time_s"},
+             {"distance_m"},
+             {"first", "first_label"},
+             {"second", "second_label"},
+             {"unknown"}},
             {},
             has_labels(recording)};
   for (const Moment& moment : moments) {
@@ -132,8 +144,9 @@ Rows separation_rows(const std::vector<Moment>& moments, const io::Recording& re
       row.insert(row.end(), {moment.distance_m, name_of(moment.first, recording),
                              name_of(moment.second, recording)});
     } else {
-      row.resize(rows.columns.size());
+      row.resize(rows.columns.size() - 1);
     }
+    row.emplace_back(moment.unknown);
     rows.rows.push_back(std::move(row));
   }
   return rows;

@@ -19,13 +19,17 @@ std::string plural(std::uint64_t count, const char* one, const char* several) {
 std::string verdict(const Findings& findings, const std::vector<PairInConflict>& pairs) {
   if (!findings.anybody_meets)
     return red("nothing to compare") + ": no two bees are there at the same time";
+  if (pairs.empty() && !findings.coverage.complete()) {
+    return bold("no conflict in the known time") + "; " + unknown_text(findings.coverage);
+  }
   if (pairs.empty()) return bold("keeps its distance");
   const auto& conflicts = findings.recorded.conflicts;
   const bool certain = std::any_of(conflicts.begin(), conflicts.end(),
                                    [](const Conflict& conflict) { return conflict.certain; });
   return red(certain ? "does not keep its distance" : "may not keep its distance") + ": " +
          plural(conflicts.size(), "conflict", "conflicts") + " of " +
-         plural(pairs.size(), "pair", "pairs");
+         plural(pairs.size(), "pair", "pairs") +
+         (findings.coverage.complete() ? "" : "; " + unknown_text(findings.coverage));
 }
 
 void append_worst(std::string& out, const Findings& findings,
@@ -87,11 +91,7 @@ std::string replay_summary(const Findings& findings, const MovingRequest& reques
                             moment(time->ends_s, recording) + " (" +
                             grouped(time->ends_s - time->begins_s, 2) + " s)");
   }
-  if (const std::size_t gaps = findings.recorded.gaps.size(); gaps > 0) {
-    append_summary_line(out, "gaps",
-                        plural(gaps, "gap", "gaps") + " of more than " + exact(findings.max_gap_s) +
-                            " s between two fixes: absent in between (--max-gap)");
-  }
+  append_coverage(out, findings.coverage, recording);
   const bool declared =
       !request.threshold_m.has_value() && recording.declared_threshold_m.has_value();
   const auto instants = std::count_if(findings.tracks.begin(), findings.tracks.end(),
@@ -99,7 +99,7 @@ std::string replay_summary(const Findings& findings, const MovingRequest& reques
   if (instants > 0) {
     append_summary_line(out, "note",
                         plural(static_cast<std::size_t>(instants), "bee has", "bees have") +
-                            " one fix only, and so are there for an instant; 'beespace predict' "
+                            " one fix only, and so are known for an instant; 'beespace predict' "
                             "brings everybody to one time");
   }
   append_summary_line(out, "threshold", separation_summary(request, figures.threshold_m, declared));

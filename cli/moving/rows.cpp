@@ -10,6 +10,14 @@
 namespace beespace::cli {
 namespace {
 
+void append_header(std::string& out, const Rows& rows, char delimiter) {
+  for (std::size_t i = 0; i < rows.columns.size(); ++i) {
+    if (i > 0) out += delimiter;
+    out += rows.columns[i].name;
+  }
+  out += '\n';
+}
+
 std::string text_of(const Value& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
   if (const auto* bee = std::get_if<BeeName>(&value)) return bee->id;
@@ -60,6 +68,7 @@ void set_labels_apart(Rows& rows) {
 
 void write_rows_as_text(const Rows& rows, io::AtomicOutput& output) {
   BlockWriter out(output);
+  append_header(out.text, rows, '\t');
   for (const auto& row : rows.rows) {
     for (std::size_t i = 0; i < row.size(); ++i) {
       if (i > 0) out.text += '\t';
@@ -72,11 +81,7 @@ void write_rows_as_text(const Rows& rows, io::AtomicOutput& output) {
 
 void write_rows_as_csv(const Rows& rows, io::AtomicOutput& output) {
   BlockWriter out(output);
-  for (std::size_t i = 0; i < rows.columns.size(); ++i) {
-    if (i > 0) out.text += ',';
-    out.text += rows.columns[i].name;
-  }
-  out.text += '\n';
+  append_header(out.text, rows, ',');
   for (const auto& row : rows.rows) {
     for (std::size_t i = 0; i < row.size(); ++i) {
       if (i > 0) out.text += ',';

@@ -36,7 +36,7 @@ struct Rows {
 // For programs, to whom a bee is its id: labels go into columns of their own, behind all others.
 void set_labels_apart(Rows& rows);
 
-// A row a line: values between tabs, bees with their labels; or with a header and commas.
+// A header line, then a row a line: values between tabs, bees with their labels; or between commas.
 void write_rows_as_text(const Rows& rows, io::AtomicOutput& output);
 void write_rows_as_csv(const Rows& rows, io::AtomicOutput& output);
 

@@ -52,7 +52,10 @@ std::string found_text(std::uint64_t count, const char* one, const char* several
   return text;
 }
 
-std::string verdict_text(const Verdict& verdict) {
+std::string verdict_text(const Verdict& verdict, const Coverage& coverage) {
+  if (verdict.holds() && coverage.gaps > 0) {
+    return red("not seen as a whole") + ": holds in the known time; " + unknown_text(coverage);
+  }
   if (verdict.holds()) return bold("holds");
   std::string text;
   const auto append = [&text](const char* what) {
@@ -62,7 +65,7 @@ std::string verdict_text(const Verdict& verdict) {
   if (verdict.losses > 0) append("does not keep its distance");
   if (verdict.clearance_losses > 0) append("does not keep clear of obstacles");
   if (verdict.breaches > 0) append("breaks the limits");
-  return red(text);
+  return red(text) + (coverage.gaps > 0 ? "; " + unknown_text(coverage) : "");
 }
 
 std::string obstacles_text(const VerifyOptions& options) {
@@ -113,7 +116,8 @@ std::string verify_json_head(const Verification& verification, const MovingReque
   head += ",\n  \"max_acceleration_mps2\": " + limit(options.max_acceleration_mps2);
   head += std::string(",\n  \"straight\": ") + (options.straight ? "true" : "false");
   head += ",\n  \"steps\": " + std::to_string(verdict.steps);
-  head += std::string(",\n  \"holds\": ") + (verdict.holds() ? "true" : "false");
+  head += std::string(",\n  \"holds\": ") + (verification.holds() ? "true" : "false");
+  head += ",\n  \"known\": " + coverage_json(verification.coverage, verification.recording);
   head += ",\n  \"loss_count\": " + std::to_string(verdict.losses);
   if (options.obstacles != nullptr) {
     head += ",\n  \"obstacles\": " + std::to_string(options.obstacles->obstacles().size());
@@ -150,6 +154,7 @@ std::string verify_summary(const Verification& verification, const MovingRequest
                       moment(times_s.front(), recording) + " to " +
                           moment(times_s.back(), recording) + " (" +
                           grouped(times_s.back() - times_s.front(), 2) + " s)");
+  append_coverage(out, verification.coverage, recording);
   append_summary_line(out, "motion", verification.motion);
   append_summary_line(out, "threshold",
                       separation_summary(request, options.threshold_m,
@@ -172,7 +177,7 @@ std::string verify_summary(const Verification& verification, const MovingRequest
   }
   append_summary_line(out, "breaches",
                       found_text(verdict.breaches, "limit in a step", "limits, a step each"));
-  append_summary_line(out, "verdict", verdict_text(verdict));
+  append_summary_line(out, "verdict", verdict_text(verdict, verification.coverage));
   append_summary_line(
       out, "time",
       "read " + duration(verification.read_s) + ", check " + duration(verification.check_s));

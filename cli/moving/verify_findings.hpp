@@ -1,6 +1,7 @@
 // What `beespace verify` found, as rows and as the lines of a summary.
 #pragma once
 
+#include "cli/moving/coverage.hpp"
 #include "cli/moving/moving_options.hpp"
 #include "cli/moving/rows.hpp"
 #include "io/recording.hpp"
@@ -16,10 +17,14 @@ struct Verification {
   const io::Recording& recording;
   const std::vector<double>& times_s;
   const VerifyOptions& options;
-  const Verdict& verdict;
+  const Verdict& verdict;  // of the known steps
+  const Coverage& coverage;
   std::string motion;  // how bees fly from fix to fix, and why
   double read_s = 0.0;
   double check_s = 0.0;
+
+  // What was not seen is not certified.
+  [[nodiscard]] bool holds() const { return verdict.holds() && coverage.gaps == 0; }
 };
 
 // finding, first, second, begins_s, ends_s, value: losses, those of clearance (the second is

@@ -1,5 +1,6 @@
 #include "cli/seen/recording_facts.hpp"
 
+#include "cli/moving/coverage.hpp"
 #include "cli/moving/moving_input.hpp"
 #include "cli/moving/moving_output.hpp"
 #include "cli/moving/replay_findings.hpp"
@@ -105,11 +106,11 @@ std::vector<report::Separation> separation_of(const Findings& findings, bool ver
 
 // The closest of the conflicts; of all encounters where there is none.
 Result<std::optional<Conflict>> closest_of(const RecordedConflicts& recorded,
-                                           const std::vector<Track>& in_space,
+                                           const std::vector<Track>& in_space, double max_gap_s,
                                            const SeenRequest& request) {
   const auto& conflicts = recorded.conflicts;
   if (conflicts.empty()) {
-    return find_closest_encounter(in_space, request.max_gap_s, request.moving.threads);
+    return find_closest_encounter(in_space, max_gap_s, request.moving.threads);
   }
   return std::optional(*std::min_element(
       conflicts.begin(), conflicts.end(),
@@ -173,23 +174,30 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
         "there at once, leave the time out");
   }
 
+  const MaxGap max_gap = max_gap_of(recording, request.max_gap_s);
   auto recorded = find_conflicts(tracks, {.threshold_m = swarm.threshold_m,
                                           .vertical_m = moving.vertical_m,
                                           .inclusive = moving.inclusive,
-                                          .max_gap_s = request.max_gap_s,
+                                          .max_gap_s = max_gap.seconds,
                                           .threads = moving.threads});
   if (!recorded) return std::move(recorded).error();
-  const auto closest = closest_of(*recorded, *in_space, request);
+  const auto closest = closest_of(*recorded, *in_space, max_gap.seconds, request);
   if (!closest) return closest.error();
   facts.closest = *closest;
   facts.gaps = recorded->gaps;
+  const Coverage coverage = coverage_of(recording, facts.gaps, max_gap);
   facts.separation = separation_of(
-      {recording, tracks, *in_space, request.max_gap_s, *recorded, *closest, closest->has_value()},
+      {recording, tracks, *in_space, *recorded, *closest, coverage, closest->has_value()},
       moving.vertical_m.has_value());
+  facts.unknown = unknown_text(coverage);
+  if (!coverage.complete()) {
+    swarm.notes.push_back("what is said of conflicts is of the known time: " + facts.unknown);
+  }
   if (!facts.gaps.empty()) {
-    swarm.notes.push_back("bees are absent between fixes that are more than " +
-                          exact(request.max_gap_s) +
-                          " s apart; such gaps: " + grouped(facts.gaps.size()));
+    swarm.notes.push_back(
+        "bees are unknown between two fixes that are farther apart in time than " +
+        max_gap_text(max_gap) +
+        "; the longest such gap: " + gap_text(coverage.longest.front(), recording));
   }
   take_conflicts(std::move(recorded->conflicts), facts);
   facts.tracks = to_look_at(*std::move(in_space), recording.frame, swarm);

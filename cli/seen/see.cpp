@@ -190,6 +190,9 @@ const report::SwarmFacts& swarm_of(const Seen& seen) {
 }
 
 bool is_risky(const Seen& seen) {
+  // A gap may hide a conflict.
+  const auto* recording = std::get_if<report::RecordingFacts>(&seen);
+  if (recording != nullptr && !recording->gaps.empty()) return true;
   return std::visit([](const auto& facts) { return !facts.at_risk.empty(); }, seen);
 }
 

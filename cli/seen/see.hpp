@@ -16,6 +16,7 @@ namespace beespace::cli {
 using Seen = std::variant<report::SnapshotFacts, report::RecordingFacts>;
 
 const report::SwarmFacts& swarm_of(const Seen& seen);
+// Whether somebody is at risk, or may be in a gap.
 bool is_risky(const Seen& seen);
 void set_title(Seen& seen, const std::string& title);
 

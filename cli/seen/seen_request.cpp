@@ -1,5 +1,6 @@
 #include "cli/seen/seen_request.hpp"
 
+#include "cli/moving/gaps.hpp"
 #include "cli/option_values.hpp"
 
 #include <CLI/CLI.hpp>
@@ -21,15 +22,14 @@ void add_seen_options(CLI::App& command, SeenOptions& options) {
 Result<SeenRequest> seen_request(const char* command, const SeenOptions& options) {
   auto moving = moving_request(command, options.moving);
   if (!moving) return std::move(moving).error();
-  const auto max_gap =
-      read_optional_amount(command, "--max-gap", options.max_gap, "seconds", {0.0, false});
+  const auto max_gap = read_max_gap(command, options.max_gap);
   if (!max_gap) return max_gap.error();
   const auto tolerance =
       read_amount(command, "--tolerance", options.tolerance, "metres", {0.0, false});
   if (!tolerance) return tolerance.error();
   SeenRequest request;
   request.moving = *std::move(moving);
-  request.max_gap_s = max_gap->value_or(request.max_gap_s);
+  request.max_gap_s = *max_gap;
   request.tolerance_m = *tolerance;
   return request;
 }

@@ -6,7 +6,6 @@
 #include <beespace/geodesy.hpp>
 #include <beespace/result.hpp>
 
-#include <limits>
 #include <optional>
 #include <string>
 
@@ -25,7 +24,7 @@ struct SeenOptions {
 
 struct SeenRequest {
   MovingRequest moving;
-  double max_gap_s = std::numeric_limits<double>::infinity();
+  std::optional<double> max_gap_s = {};  // absent: from the data
   double tolerance_m = 0.001;
   // Where east, north and up of geographic positions are 0; otherwise below the middle of all.
   std::optional<GeographicPosition> origin = {};

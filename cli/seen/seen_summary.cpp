@@ -23,6 +23,9 @@ std::string risk_of(const report::SnapshotFacts& facts) {
 }
 
 std::string risk_of(const report::RecordingFacts& facts) {
+  if (facts.conflict_count == 0 && !facts.unknown.empty()) {
+    return bold("none in the known time") + "; " + facts.unknown;
+  }
   if (facts.conflict_count == 0) return bold("nobody");
   return red(count_of(facts.conflict_count, "conflict", "conflicts")) + " of " +
          count_of(facts.pair_count, "pair", "pairs");

@@ -41,6 +41,10 @@ std::string findings_of(const SnapshotFacts& facts) {
 
 std::string findings_of(const RecordingFacts& facts) {
   std::string text = count_label(facts.tracks.size(), "bee", "bees") + ". ";
+  if (facts.conflict_count == 0 && !facts.unknown.empty()) {
+    return text + "No two come " + too_close(facts.swarm) + " in the known time; " + facts.unknown +
+           ".";
+  }
   if (facts.conflict_count == 0)
     return text + "Nobody comes " + too_close(facts.swarm) + " to another.";
   text += count_label(facts.conflict_count, "conflict", "conflicts") + " of " +
@@ -48,6 +52,7 @@ std::string findings_of(const RecordingFacts& facts) {
   if (facts.possible_count > 0) {
     text += "; " + count_label(facts.possible_count) + " of them possible, not certain";
   }
+  if (!facts.unknown.empty()) text += "; " + facts.unknown;
   return text + ".";
 }
 

@@ -3,7 +3,9 @@
 
 #include <string>
 
+#include "tests/cli/below_header.hpp"
 #include "tests/cli/command_run.hpp"
+#include "tests/cli/expectations.hpp"
 #include "tests/cli/json_check.hpp"
 #include "tests/cli/temporary_folder.hpp"
 
@@ -32,9 +34,9 @@ TEST(Answers, TheIdColumnReplacesTheRows) {
 }
 
 TEST(Answers, NearestAddsWhoAndHowFar) {
-  EXPECT_EQ(run({"detect", "--report", "nearest", "--at-risk-only"}, kMetres).out,
+  EXPECT_EQ(below_header(run({"detect", "--report", "nearest", "--at-risk-only"}, kMetres).out),
             "0\t1\t60\n1\t0\t60\n3\t1\t80\n");
-  EXPECT_EQ(run({"detect", "--report", "nearest", "--at-risk-only"}, kNamed).out,
+  EXPECT_EQ(below_header(run({"detect", "--report", "nearest", "--at-risk-only"}, kNamed).out),
             "maya\twil\"li\t60\nwil\"li\tmaya\t60\nthekla\twil\"li\t80\n");
 }
 
@@ -113,7 +115,7 @@ TEST(Answers, JsonOfNobodyIsStillADocument) {
 TEST(Answers, TheRowStandsForAnEmptyIdAndThatIsSaid) {
   constexpr std::string_view kInput = "id,x,y,z\nmaya,0,0,0\n,1,0,0\n\" \",2,0,0\n";
   const Finished finished = run({"detect", "--report", "nearest", "--at-risk-only"}, kInput);
-  EXPECT_EQ(finished.out, "maya\t1\t1\n1\tmaya\t1\n2\t1\t1\n");
+  EXPECT_EQ(below_header(finished.out), "maya\t1\t1\n1\tmaya\t1\n2\t1\t1\n");
   EXPECT_NE(finished.err.find("2 bees of the answer have an empty id: the data row stands for it"),
             std::string::npos)
       << finished.err;
@@ -130,7 +132,7 @@ TEST(Answers, TheRowStandsForAnEmptyIdAndThatIsSaid) {
 TEST(Answers, ATabInsideAnIdDoesNotSplitTheLine) {
   constexpr std::string_view kInput = "id,x,y,z\n\"ma\tya\",0,0,0\nwilli,1,0,0\n";
   const Finished finished = run({"detect", "--report", "nearest", "--at-risk-only"}, kInput);
-  EXPECT_EQ(finished.out, "ma ya\twilli\t1\nwilli\tma ya\t1\n");
+  EXPECT_EQ(below_header(finished.out), "ma ya\twilli\t1\nwilli\tma ya\t1\n");
   EXPECT_NE(finished.err.find("tabs and line ends inside an id are written as blanks (1 id)"),
             std::string::npos)
       << finished.err;
@@ -271,7 +273,8 @@ TEST(Answers, JsonListsWhatWasSkippedWithPlaceAndMessage) {
 
 TEST(Answers, SkipBadWorksWithEveryForm) {
   constexpr std::string_view kInput = "x,y,z\noops,0,0\n0,0,0\n60,0,0\n";
-  EXPECT_EQ(run({"detect", "--skip-bad", "--report", "nearest", "--at-risk-only"}, kInput).out,
+  EXPECT_EQ(below_header(
+                run({"detect", "--skip-bad", "--report", "nearest", "--at-risk-only"}, kInput).out),
             "1\t2\t60\n2\t1\t60\n");
   EXPECT_EQ(run({"detect", "--skip-bad", "--csv"}, kInput).out, "x,y,z\n0,0,0\n60,0,0\n");
   const std::string json = run({"detect", "--skip-bad", "--json"}, kInput).out;

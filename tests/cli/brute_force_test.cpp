@@ -7,7 +7,9 @@
 #include <fstream>
 #include <string>
 
+#include "tests/cli/below_header.hpp"
 #include "tests/cli/command_run.hpp"
+#include "tests/cli/expectations.hpp"
 #include "tests/cli/temporary_folder.hpp"
 
 namespace beespace::cli_test {
@@ -135,27 +137,31 @@ std::string closest_line(const std::optional<ClosestPair>& pair) {
 
 TEST_P(BruteForce, SaysTheSameOfOneSwarm) {
   EXPECT_EQ(said("at-risk"), id_lines(*brute_force::find_at_risk(points_, options_)));
-  EXPECT_EQ(said("pairs"),
+  EXPECT_EQ(below_header(said("pairs")),
             pair_lines(*brute_force::find_pairs(points_, options_), points_, points_));
-  EXPECT_EQ(said("neighbors"), row_lines(*brute_force::find_neighbors(points_, options_)));
-  EXPECT_EQ(said("counts"), count_lines(*brute_force::count_neighbors(points_, options_)));
-  EXPECT_EQ(said("nearest"), nearest_lines(*brute_force::find_nearest(points_)));
-  EXPECT_EQ(said("groups"), row_lines(*brute_force::find_conflict_groups(points_, options_)));
-  EXPECT_EQ(said("closest-pair"), closest_line(*brute_force::find_closest_pair(points_)));
+  EXPECT_EQ(below_header(said("neighbors")),
+            row_lines(*brute_force::find_neighbors(points_, options_)));
+  EXPECT_EQ(below_header(said("counts")),
+            count_lines(*brute_force::count_neighbors(points_, options_)));
+  EXPECT_EQ(below_header(said("nearest")), nearest_lines(*brute_force::find_nearest(points_)));
+  EXPECT_EQ(below_header(said("groups")),
+            row_lines(*brute_force::find_conflict_groups(points_, options_)));
+  EXPECT_EQ(below_header(said("closest-pair")),
+            closest_line(*brute_force::find_closest_pair(points_)));
 }
 
 TEST_P(BruteForce, SaysTheSameOfTwoSwarms) {
   EXPECT_EQ(said_between("at-risk"),
             id_lines(*brute_force::find_at_risk_between(ours_, others_, options_)));
-  EXPECT_EQ(said_between("pairs"),
+  EXPECT_EQ(below_header(said_between("pairs")),
             pair_lines(*brute_force::find_pairs_between(ours_, others_, options_), ours_, others_));
-  EXPECT_EQ(said_between("neighbors"),
+  EXPECT_EQ(below_header(said_between("neighbors")),
             row_lines(*brute_force::find_neighbors_between(ours_, others_, options_)));
-  EXPECT_EQ(said_between("counts"),
+  EXPECT_EQ(below_header(said_between("counts")),
             count_lines(*brute_force::count_neighbors_between(ours_, others_, options_)));
-  EXPECT_EQ(said_between("nearest"),
+  EXPECT_EQ(below_header(said_between("nearest")),
             nearest_lines(*brute_force::find_nearest_between(ours_, others_)));
-  EXPECT_EQ(said_between("closest-pair"),
+  EXPECT_EQ(below_header(said_between("closest-pair")),
             closest_line(*brute_force::find_closest_pair_between(ours_, others_)));
 }
 

@@ -64,6 +64,9 @@ std::vector<std::string> fields_of(const std::string& line, char delimiter) {
 TextRows rows_of(const std::string& text, char delimiter) {
   TextRows rows;
   for (const std::string& line : lines_of(text)) rows.push_back(fields_of(line, delimiter));
+  if (delimiter != '\t') return rows;
+  EXPECT_FALSE(rows.empty()) << "there is no header line";
+  if (!rows.empty()) rows.erase(rows.begin());
   return rows;
 }
 

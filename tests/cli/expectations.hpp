@@ -15,7 +15,7 @@ Arguments operator+(Arguments some, const Arguments& more);
 std::vector<std::string> lines_of(const std::string& text);
 std::vector<std::string> fields_of(const std::string& line, char delimiter);
 
-// All lines taken apart.
+// All lines taken apart; of tables between tabs, which begin with a header line, those below it.
 using TextRows = std::vector<std::vector<std::string>>;
 TextRows rows_of(const std::string& text, char delimiter = '\t');
 

@@ -124,14 +124,15 @@ TEST_F(Export, TheEndingSaysTheFormatUnlessFormatDoes) {
 }
 
 TEST_F(Export, MapsNeedDegreesAndLeaveWhatWasThere) {
-  const std::string before = folder_.file("risk.kml", "before");
   for (const char* format : {"kml", "czml", "geojson"}) {
+    const std::string name = std::string("risk.") + format;
+    const std::string before = folder_.file(name, "before");
     const Finished finished = run({"export", metres_, "-o", before, "--format", format, "--json"});
     EXPECT_EQ(finished.exit_code, 2);
     EXPECT_TRUE(is_json(finished.out));
     expect_parts(finished.err, {"needs longitudes and latitudes, but 'metres.csv' is in metres"});
+    EXPECT_EQ(folder_.read(name), "before");
   }
-  EXPECT_EQ(folder_.read("risk.kml"), "before");
 }
 
 TEST_F(Export, TakesBeesOnOppositeSidesOfTheEarth) {

@@ -69,12 +69,12 @@ TEST(Labels, AreInEveryReportOfReplay) {
   const TextRows bees = header_and_first({"--report", "bees"});
   ASSERT_EQ(bees.size(), 2u);
   EXPECT_EQ(bees[0].back(), "closest_label");
-  EXPECT_EQ(bees[0].at(6), "label");
-  EXPECT_EQ(bees[1].at(6), "SWR12AB");
+  EXPECT_EQ(bees[0].at(7), "label");
+  EXPECT_EQ(bees[1].at(7), "SWR12AB");
   const TextRows separation = header_and_first({"--report", "separation"});
   ASSERT_EQ(separation.size(), 2u);
-  EXPECT_EQ(separation[0].at(4), "first_label");
-  EXPECT_EQ(separation[1].at(4), "SWR12AB");
+  EXPECT_EQ(separation[0].at(5), "first_label");
+  EXPECT_EQ(separation[1].at(5), "SWR12AB");
   const TextRows events = header_and_first({"--report", "events"});
   ASSERT_EQ(events.size(), 2u);
   EXPECT_EQ(events[0].at(6), "first_label");

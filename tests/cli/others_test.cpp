@@ -4,7 +4,9 @@
 #include <sys/stat.h>
 #include <string>
 
+#include "tests/cli/below_header.hpp"
 #include "tests/cli/command_run.hpp"
+#include "tests/cli/expectations.hpp"
 #include "tests/cli/json_check.hpp"
 #include "tests/cli/temporary_folder.hpp"
 
@@ -49,24 +51,25 @@ TEST_F(Others, AtRiskAreOursWhoAreCloseToTheirs) {
 }
 
 TEST_F(Others, PairsAreOneOfOursAndOneOfTheirs) {
-  EXPECT_EQ(report("pairs").out,
+  EXPECT_EQ(below_header(report("pairs").out),
             "maya\twasp\t50\nmaya\thornet\t99\nwilli\twasp\t78.10249675906654\n");
   EXPECT_EQ(report("pairs", {"--csv", "--threshold", "60"}).out,
             "first;second;distance_m\nmaya;wasp;50\n");
 }
 
 TEST_F(Others, NeighborsCountsAndNearestAreTheirs) {
-  EXPECT_EQ(report("neighbors").out, "maya\t2\twasp\thornet\nwilli\t1\twasp\nflip\t0\n");
-  EXPECT_EQ(report("counts").out, "maya\t2\nwilli\t1\nflip\t0\n");
-  EXPECT_EQ(report("nearest", {"--at-risk-only"}).out,
+  EXPECT_EQ(below_header(report("neighbors").out),
+            "maya\t2\twasp\thornet\nwilli\t1\twasp\nflip\t0\n");
+  EXPECT_EQ(below_header(report("counts").out), "maya\t2\nwilli\t1\nflip\t0\n");
+  EXPECT_EQ(below_header(report("nearest", {"--at-risk-only"}).out),
             "maya\twasp\t50\nwilli\twasp\t78.10249675906654\n");
-  EXPECT_EQ(report("nearest").out,
+  EXPECT_EQ(below_header(report("nearest").out),
             "maya\twasp\t50\nwilli\twasp\t78.10249675906654\nflip\twasp\t2000.6249023742557\n");
 }
 
 TEST_F(Others, TheClosestPairIsBetweenTheTwo) {
-  EXPECT_EQ(report("closest-pair", {"--quiet"}).out, "maya\twasp\t50\n");
-  EXPECT_EQ(report("closest-pair", {"--threshold", "1"}).out, "maya\twasp\t50\n");
+  EXPECT_EQ(below_header(report("closest-pair", {"--quiet"}).out), "maya\twasp\t50\n");
+  EXPECT_EQ(below_header(report("closest-pair", {"--threshold", "1"}).out), "maya\twasp\t50\n");
 }
 
 TEST_F(Others, JsonDescribesBothInputs) {

@@ -280,12 +280,16 @@ TEST_F(Report, StretchesOfABeeThatTouchAreOne) {
 TEST_F(Report, GapsAreToldAndSaidAloud) {
   constexpr std::string_view input =
       "id,time_s,x,y,z\na,0,0,0,0\na,1,1,0,0\na,60,9,0,0\nb,0,0,50,0\nb,60,0,50,0\n";
-  EXPECT_TRUE(reported({}, input).numbers(reported({}, input).swarm()["absent_after"]).empty());
+  const Page joined = reported({"--max-gap", "never"}, input);
+  EXPECT_TRUE(joined.numbers(joined.swarm()["absent_after"]).empty());
   const Page page = reported({"--max-gap", "10"}, input);
   EXPECT_EQ(page.numbers(page.swarm()["absent_after"]), (std::vector<std::uint64_t>{1, 3}));
+  EXPECT_EQ(text_of(page.risk()["unknown"]), "2 bees unknown for 1 min 59 s in all");
   const auto notes = report_test::texts_of(page.swarm()["notes"]);
   EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
-    return note == "bees are absent between fixes that are more than 10 s apart; such gaps: 2";
+    return note ==
+           "bees are unknown between two fixes that are farther apart in time than 10 s "
+           "(--max-gap); the longest such gap: b from 0.00 s for 1 min";
   }));
 }
 

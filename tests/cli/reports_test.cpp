@@ -3,7 +3,9 @@
 
 #include <string>
 
+#include "tests/cli/below_header.hpp"
 #include "tests/cli/command_run.hpp"
+#include "tests/cli/expectations.hpp"
 #include "tests/cli/json_check.hpp"
 
 namespace beespace::cli_test {
@@ -46,7 +48,7 @@ TEST(Reports, AtRiskIsTheDefault) {
 }
 
 TEST(Reports, PairsHaveTwoIdsAndADistance) {
-  EXPECT_EQ(report("pairs", kMetres).out, "0\t1\t60\n1\t3\t80\n4\t5\t5\n");
+  EXPECT_EQ(below_header(report("pairs", kMetres).out), "0\t1\t60\n1\t3\t80\n4\t5\t5\n");
   EXPECT_EQ(report("pairs", kMetres, {"--csv"}).out,
             "first,second,distance_m\n0,1,60\n1,3,80\n4,5,5\n");
   EXPECT_EQ(report("pairs", kNamed, {"--csv"}).out,
@@ -60,9 +62,9 @@ TEST(Reports, PairsHaveTwoIdsAndADistance) {
 }
 
 TEST(Reports, NeighborsOfEveryBeeAreCountedAndNamed) {
-  EXPECT_EQ(report("neighbors", kMetres).out,
+  EXPECT_EQ(below_header(report("neighbors", kMetres).out),
             "0\t1\t1\n1\t2\t0\t3\n2\t0\n3\t1\t1\n4\t1\t5\n5\t1\t4\n");
-  EXPECT_EQ(report("neighbors", kMetres, {"--at-risk-only"}).out,
+  EXPECT_EQ(below_header(report("neighbors", kMetres, {"--at-risk-only"}).out),
             "0\t1\t1\n1\t2\t0\t3\n3\t1\t1\n4\t1\t5\n5\t1\t4\n");
   EXPECT_EQ(report("neighbors", kNamed, {"--csv"}).out,
             "id;x;y;z;neighbor_count;neighbors\nmaya;0;0;0;1;\"wil\"\"li\"\n"
@@ -77,8 +79,9 @@ TEST(Reports, NeighborsOfEveryBeeAreCountedAndNamed) {
 }
 
 TEST(Reports, CountsSayHowMany) {
-  EXPECT_EQ(report("counts", kMetres).out, "0\t1\n1\t2\n2\t0\n3\t1\n4\t1\n5\t1\n");
-  EXPECT_EQ(report("counts", kNamed, {"--at-risk-only"}).out, "maya\t1\nwil\"li\t2\nthekla\t1\n");
+  EXPECT_EQ(below_header(report("counts", kMetres).out), "0\t1\n1\t2\n2\t0\n3\t1\n4\t1\n5\t1\n");
+  EXPECT_EQ(below_header(report("counts", kNamed, {"--at-risk-only"}).out),
+            "maya\t1\nwil\"li\t2\nthekla\t1\n");
   EXPECT_EQ(report("counts", kNamed, {"--csv", "--at-risk-only"}).out,
             "id;x;y;z;neighbor_count\nmaya;0;0;0;1\n\"wil\"\"li\";60;0;0;2\nthekla;60;80;0;1\n");
   expect_json("counts", kNamed, R"({"id": "flip", "neighbor_count": 0},)");
@@ -86,9 +89,9 @@ TEST(Reports, CountsSayHowMany) {
 }
 
 TEST(Reports, NearestIsUnboundedUnlessOnlyThoseAtRiskAreAskedFor) {
-  EXPECT_EQ(report("nearest", kNamed).out,
+  EXPECT_EQ(below_header(report("nearest", kNamed).out),
             "maya\twil\"li\t60\nwil\"li\tmaya\t60\nflip\twil\"li\t940\nthekla\twil\"li\t80\n");
-  EXPECT_EQ(report("nearest", kNamed, {"--at-risk-only"}).out,
+  EXPECT_EQ(below_header(report("nearest", kNamed, {"--at-risk-only"}).out),
             "maya\twil\"li\t60\nwil\"li\tmaya\t60\nthekla\twil\"li\t80\n");
   EXPECT_EQ(report("nearest", kMetres, {"--csv", "--at-risk-only", "--threshold", "50"}).out,
             "x,y,z,row,nearest,distance_m\n5000,0,0,4,5,5\n5000,0,5,5,4,5\n");
@@ -98,18 +101,18 @@ TEST(Reports, NearestIsUnboundedUnlessOnlyThoseAtRiskAreAskedFor) {
 
 TEST(Reports, ABeeThatIsAloneHasNobodyNearest) {
   constexpr std::string_view kAlone = "x,y,z\n1,2,3\n";
-  EXPECT_EQ(report("nearest", kAlone).out, "0\t\t\n");
+  EXPECT_EQ(below_header(report("nearest", kAlone).out), "0\t\t\n");
   EXPECT_EQ(report("nearest", kAlone, {"--csv"}).out, "x,y,z,row,nearest,distance_m\n1,2,3,0,,\n");
   EXPECT_EQ(report("nearest", "x y z\n1 2 3\n", {"--csv"}).out,
             "x y z row nearest distance_m\n1 2 3 0 \"\" \"\"\n");
   expect_json("nearest", kAlone, R"({"id": 0, "nearest": null, "distance_m": null})");
-  EXPECT_EQ(report("closest-pair", kAlone).out, "");
+  EXPECT_EQ(below_header(report("closest-pair", kAlone).out), "");
   EXPECT_EQ(report("pairs", kAlone, {"--csv"}).out, "first,second,distance_m\n");
   EXPECT_NE(report("groups", kAlone).err.find("groups     none"), std::string::npos);
 }
 
 TEST(Reports, GroupsHaveANumberASizeAndMembers) {
-  EXPECT_EQ(report("groups", kMetres).out, "0\t3\t0\t1\t3\n1\t2\t4\t5\n");
+  EXPECT_EQ(below_header(report("groups", kMetres).out), "0\t3\t0\t1\t3\n1\t2\t4\t5\n");
   EXPECT_EQ(report("groups", kMetres, {"--csv"}).out,
             "x,y,z,group,group_size\n0,0,0,0,3\n60,0,0,0,3\n60,80,0,0,3\n5000,0,0,1,2\n"
             "5000,0,5,1,2\n");
@@ -121,8 +124,9 @@ TEST(Reports, GroupsHaveANumberASizeAndMembers) {
 
 TEST(Reports, TheClosestPairIsFoundWhateverTheThreshold) {
   for (const std::string threshold : {"1", "70", "1e6"}) {
-    EXPECT_EQ(report("closest-pair", kMetres, {"--threshold", threshold, "--quiet"}).out,
-              "4\t5\t5\n");
+    EXPECT_EQ(
+        below_header(report("closest-pair", kMetres, {"--threshold", threshold, "--quiet"}).out),
+        "4\t5\t5\n");
   }
   EXPECT_EQ(report("closest-pair", kNamed, {"--csv"}).out,
             "first;second;distance_m\nmaya;\"wil\"\"li\";60\n");
@@ -132,8 +136,8 @@ TEST(Reports, TheClosestPairIsFoundWhateverTheThreshold) {
 
 TEST(Reports, RowsStayThoseOfTheFileWhenRecordsAreSkipped) {
   constexpr std::string_view kInput = "x,y,z\noops,0,0\n0,0,0\n60,0,0\n";
-  EXPECT_EQ(report("pairs", kInput, {"--skip-bad"}).out, "1\t2\t60\n");
-  EXPECT_EQ(report("groups", kInput, {"--skip-bad"}).out, "0\t2\t1\t2\n");
+  EXPECT_EQ(below_header(report("pairs", kInput, {"--skip-bad"}).out), "1\t2\t60\n");
+  EXPECT_EQ(below_header(report("groups", kInput, {"--skip-bad"}).out), "0\t2\t1\t2\n");
   EXPECT_EQ(report("nearest", kInput, {"--skip-bad", "--csv"}).out,
             "x,y,z,row,nearest,distance_m\n0,0,0,1,2,60\n60,0,0,2,1,60\n");
 }

@@ -24,8 +24,9 @@ const Arguments kTable = {"export", "--format", "csv"};
 
 TEST(SeenTimes, WhoIsThereAtAnotherTimeMeetsNobody) {
   expect_parts(summary(kTable, kApartInTime),
-               {"bees       3\n", "at risk    nobody\n", "each bee is there for a moment only"});
-  EXPECT_EQ(rows_of(run(kTable, kApartInTime).out).size(), 1u);  // no conflict below the header
+               {"bees       3\n", "at risk    none in the known time; ",
+                "each bee is there for a moment only"});
+  EXPECT_EQ(lines_of(run(kTable, kApartInTime).out).size(), 1u);  // no conflict below the header
 }
 
 TEST(SeenTimes, WhoIsThereAtTheSameTimeIsInASnapshot) {
@@ -36,14 +37,15 @@ TEST(SeenTimes, WhoIsThereAtTheSameTimeIsInASnapshot) {
 
 TEST(SeenTimes, VelocitiesMakeNoSnapshotOfATableEither) {
   const std::string_view flying = "id,time_s,x,y,z,vx,vy,vz\na,0,0,0,0,1,0,0\nb,1,1,0,0,1,0,0\n";
-  expect_parts(summary(kTable, flying), {"at risk    nobody\n"});
+  expect_parts(summary(kTable, flying), {"at risk    none in the known time; "});
 }
 
 TEST(SeenTimes, ATimeOfWhichTheUnitIsNotKnownIsNotPassedOver) {
   const std::string message = "column 2 't' holds the time, but in which unit? Say it with";
   const std::string_view apart = "id,t,x,y,z\na,0,0,0,0\nb,1,1,0,0\n";
   expect_failure(kTable, apart, 2, message);
-  expect_parts(summary(kTable + Arguments{"--time-unit", "s"}, apart), {"at risk    nobody\n"});
+  expect_parts(summary(kTable + Arguments{"--time-unit", "s"}, apart),
+               {"at risk    none in the known time; "});
   // Where there is one time only, its unit is nobody's concern.
   expect_parts(summary(kTable, "id,t,x,y,z\na,1,0,0,0\nb,1,1,0,0\n"), {"at risk    2 of 2"});
 }
@@ -54,7 +56,7 @@ TEST(SeenTimes, OfSeveralFilesTheTimesDecideToo) {
   const std::string b = folder.file("b.csv", "id,time_s,x,y,z\nb,3,9,0,0\n");
   const std::string c = folder.file("c.csv", "id,time_s,x,y,z\nc,4,9,0,0\n");
   expect_parts(summary(kTable + Arguments{a, b}, {}), {"at risk    2 of 2: 1 pair in 1 group\n"});
-  expect_parts(summary(kTable + Arguments{a, c}, {}), {"at risk    nobody\n"});
+  expect_parts(summary(kTable + Arguments{a, c}, {}), {"at risk    none in the known time; "});
 }
 
 class SeenTimesPage : public PageCommand {};

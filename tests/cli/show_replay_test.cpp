@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "tests/cli/below_header.hpp"
 #include "tests/cli/command_run.hpp"
 #include "tests/cli/expectations.hpp"
 #include "tests/cli/json_check.hpp"
@@ -44,7 +45,7 @@ class ShowReplay : public testing::Test {
 TEST_F(ShowReplay, AShowThatKeepsTheDistanceThatItDeclaresIsFine) {
   const Finished finished = replay(declaring("2.5"), {"--fail-on-risk"});
   EXPECT_EQ(finished.exit_code, 0);
-  EXPECT_EQ(finished.out, "");
+  EXPECT_EQ(below_header(finished.out), "");
   expect_parts(finished.err,
                {"Skybrush show)\n", "heights    above the place of take-off\n", "bees       2\n",
                 "from       0.00 s to 14.00 s (14.00 s)\n",
@@ -72,8 +73,8 @@ TEST_F(ShowReplay, AThresholdThatIsAskedForCountsInsteadOfTheDeclaredOne) {
 
 TEST_F(ShowReplay, WithoutADeclaredDistanceItIsAHundredMetres) {
   const Finished finished = replay(side_by_side("{}"));
-  expect_parts(finished.err, {"threshold  100 m (closer than)\n"});
-  EXPECT_EQ(lines_of(finished.out).size(), 1u);
+  expect_parts(finished.err, {"threshold  100 m (closer than), the default (--threshold)\n"});
+  EXPECT_EQ(rows_of(finished.out).size(), 1u);
 }
 
 TEST_F(ShowReplay, TheDeclaredDistanceIsInTheDocument) {
@@ -128,7 +129,7 @@ TEST_F(CurvedShow, OneWithinTheToleranceIsPossibleAndSaidSo) {
 }
 
 TEST_F(CurvedShow, ASmallerToleranceLeavesLessOpen) {
-  EXPECT_EQ(ask("2.9").out, "");
+  EXPECT_EQ(below_header(ask("2.9").out), "");
   EXPECT_EQ(ask("2.9", {"--fail-on-risk"}).exit_code, 0);
   EXPECT_NE(ask("2.9", {"--tolerance", "0.5"}).out.find("no\n"), std::string::npos);
 }

@@ -107,7 +107,7 @@ TEST(WatchEvents, AVerticalThresholdIsComparedApart) {
     high += line.starts_with("b,") ? line.substr(0, line.size() - 1) + "4\n" : line + "\n";
   }
   EXPECT_EQ(watched({"--vertical", "4"}, high).out, "");
-  EXPECT_EQ(rows_of(watched({"--vertical", "4.5"}, high).out).size(), 4u);
+  EXPECT_EQ(lines_of(watched({"--vertical", "4.5"}, high).out).size(), 4u);
 }
 
 TEST(WatchEvents, WhoIsSilentForLongIsStaleAndLost) {

@@ -183,7 +183,7 @@ TEST(Watch, InputThatCannotBeUnderstoodIsRefused) {
         std::pair{"1,2,3,4,5\n6,7,8,9,10\n", "there is no header that tells the columns"},
         std::pair{"x,y,z\n1,2,3\n", "--columns"},
         std::pair{"{\"id\": \"a\"}\n", "the keys of this"},
-        std::pair{"\x1f\x8b\x08 zipped\n", "this is no text"}}) {
+        std::pair{"\x1f\x8b\x08 zipped\n", "this is gzip-compressed data"}}) {
     expect_failure({"watch"}, input, kBadInput, message);
   }
   // It does not wait for the end of the input.
@@ -253,14 +253,17 @@ TEST(Watch, InputWithoutAReportIsAnErrorThatIsSaidEvenWhenQuiet) {
 
 TEST(Watch, FilesThatCannotBeReadAreNamed) {
   const TemporaryFolder folder;
-  expect_failure({"watch", folder.path("nobody.csv")}, {}, kSystem, "nobody.csv: cannot open");
-  expect_failure({"watch", folder.path("")}, {}, kSystem, folder.path("") + ": cannot read");
+  expect_failure({"watch", folder.path("nobody.csv")}, {}, kSystem,
+                 "nobody.csv: there is no such file");
+  expect_failure({"watch", folder.path("")}, {}, kSystem,
+                 folder.path("") + ": this is a directory; name a file in it");
   Surroundings unprivileged;
   unprivileged.unprivileged = true;
   ASSERT_EQ(chmod(folder.path(".").c_str(), 0777), 0);
   const std::string secret = folder.file("secret.csv", kTogether);
   ASSERT_EQ(chmod(secret.c_str(), 0), 0);
-  expect_failure({"watch", secret}, {}, kSystem, "secret.csv: cannot open", unprivileged);
+  expect_failure({"watch", secret}, {}, kSystem, "secret.csv: not allowed to read this file",
+                 unprivileged);
 }
 
 TEST(Watch, FilesAreReadAsStandardInputIs) {

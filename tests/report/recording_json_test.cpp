@@ -352,5 +352,16 @@ TEST(RecordingJson, NobodyAndNothingAreToldToo) {
   }
 }
 
+// The page says of which time it speaks.
+TEST(RecordingJson, WhoIsUnknownForHowLongIsSaidWhereItIsSo) {
+  RecordingFacts facts;
+  facts.tracks = {{{{0.0, {0.0, 0.0, 0.0}}, {9.0, {1.0, 0.0, 0.0}}}}};
+  const Read all_known(facts);
+  EXPECT_FALSE(has(all_known["risk"], "unknown"));
+  facts.unknown = "1 bee unknown for 2 h in all";
+  const Read read(facts);
+  EXPECT_EQ(text_of(read["risk"]["unknown"]), "1 bee unknown for 2 h in all");
+}
+
 }  // namespace
 }  // namespace beespace::report

@@ -27,6 +27,7 @@ export interface RecordingRisk {
   pairs: number;
   bees: number;
   bee_seconds: number;
+  unknown?: string;
   closest?: ClosestPair & { time_s: number };
 }
 

@@ -47,6 +47,7 @@ function recordingRows(risk: RecordingRisk, count: number, duration_s: number): 
       unit: 'seconds',
     },
     { label: 'Length', value: formatDuration(duration_s) },
+    ...(risk.unknown === undefined ? [] : [{ label: 'Unknown', value: risk.unknown }]),
   ];
 }
 
@@ -74,7 +75,9 @@ function rowsOf(shown: Shown): Row[] {
 function headline(shown: Shown): HTMLElement {
   const { head } = shown.swarm;
   const count = head.kind === 'snapshot' ? head.risk.at_risk : head.risk.bees;
-  const what = head.kind === 'snapshot' ? 'at risk' : shown.label ? 'in conflict' : 'in conflict at some time';
+  const known = head.kind === 'recording' && head.risk.unknown !== undefined ? ' in the known time' : '';
+  const when = shown.label ? 'in conflict' : 'in conflict at some time';
+  const what = head.kind === 'snapshot' ? 'at risk' : known ? `in conflict${known}` : when;
   const of = head.count === 1 ? 'of 1 bee' : `of ${formatCount(head.count)} bees`;
   return element(
     'p',

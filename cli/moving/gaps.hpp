@@ -1,0 +1,45 @@
+// Where two fixes of a bee are too far apart in time for a straight line between them: nobody knows
+// where it was. One rule for everything that reads a recording.
+//
+// Unless it is said with --max-gap, the data says how far that is: kGapFactor times its typical
+// interval. That is the median of the bees' median intervals; bees of fewer than kFixesToTell fixes
+// have no say where others have more, so that two fixes hours apart do not make hours usual. Of an
+// even number it is the lower one of the two in the middle: a shorter gap leaves more unknown, a
+// longer one may take for known what is not. A show is a plan, and has no gaps.
+#pragma once
+
+#include "io/recording.hpp"
+
+#include <beespace/result.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
+class App;
+}
+
+namespace beespace::cli {
+
+inline constexpr double kGapFactor = 5.0;
+inline constexpr std::size_t kFixesToTell = 4;
+
+void add_max_gap_option(CLI::App& command, std::string& max_gap, const char* group);
+
+// As typed: nothing, "never" (infinite), or seconds above zero. Errors: kInvalidArgument.
+Result<std::optional<double>> read_max_gap(const char* command, const std::string& text);
+
+struct MaxGap {
+  double seconds;                   // infinite: never
+  std::optional<double> typical_s;  // where it comes from the data
+  bool asked = false;               // by --max-gap
+};
+
+// Of seconds that come from the data three digits count, so that --max-gap can say the same.
+MaxGap max_gap_of(const io::Recording& recording, const std::optional<double>& asked);
+
+// "5 s, 5 times the typical interval of 1 s (--max-gap)".
+std::string max_gap_text(const MaxGap& max_gap);
+
+}  // namespace beespace::cli
