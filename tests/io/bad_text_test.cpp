@@ -169,9 +169,11 @@ TEST(BadText, ColumnsThatCannotBeTold) {
                {ErrorCode::kMissingColumn, "bees.csv:1", "needs two or three columns"});
   expect_error(load_text("lat,foo,bar\n1,2,3\n"),
                {ErrorCode::kMissingColumn, "bees.csv:1", "names 'lat' but not"});
-  expect_error(load_text("lon,lat,quux\n1,2,3\n"),
-               {ErrorCode::kMissingColumn, "bees.csv:1", "no column names the height, and 'quux' may or may not be it; say --columns lon=1,lat=2 if "
-                "there is none, and add height=N"});
+  expect_error(
+      load_text("lon,lat,quux\n1,2,3\n"),
+      {ErrorCode::kMissingColumn, "bees.csv:1",
+       "no column names the height, and 'quux' may or may not be it; say --columns lon=1,lat=2 if "
+       "there is none, and add height=N"});
   expect_error(load_text("lon,lat,lat,alt\n1,2,3,4\n"),
                {ErrorCode::kMissingColumn, "bees.csv:1", "several columns look like lat"});
   expect_error(load_text("lon,lat,x,y\n1,2,3,4\n"),

@@ -31,8 +31,8 @@ TEST(BadTrack, MissingColumnsAreNamedWithThoseThatAreThere) {
                 "say which is which, for example with --columns id=1,time=2,x=3,y=4,z=5"});
   expect_error(record("id,time_s,lat,alt\nx,0,1,2\n"),
                {ErrorCode::kMissingColumn, "bees.csv:1", "the header names no position"});
-  expect_error(record("id,x,y,z\na,1,2,3\n"), {ErrorCode::kMissingColumn, "bees.csv:1",
-                                               "there is neither a time nor a velocity"});
+  expect_error(record("id,x,y,z\na,1,2,3\n"),
+               {ErrorCode::kMissingColumn, "bees.csv:1", "there is neither a time nor a velocity"});
 }
 
 TEST(BadTrack, WithoutAHeaderTheColumnsMustBeSaid) {
