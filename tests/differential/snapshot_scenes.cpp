@@ -216,15 +216,25 @@ class SnapshotMaker {
     }
   }
 
-  Point at_boundary_of(const Point& p) {
+  // Along any axis, often straight along it: across the lines that searches draw.
+  Point at_boundary_of(Point p) {
+    double Point::*const axes[] = {&Point::x, &Point::y, &Point::z};
+    double Point::*const along = axes[random_.below(upright_ ? 2 : 3)];
+    std::swap(p.x, p.*along);
+    Point q = at_boundary_along_x(p);
+    std::swap(q.x, q.*along);
+    return q;
+  }
+
+  Point at_boundary_along_x(const Point& p) {
     const bool above = random_.coin();
     Point level_p = p;
     Point q = p;
-    const double aside = threshold_ * (random_.once_in(4) ? 0.0 : random_.between(-1.0, 1.0));
+    const double aside = threshold_ * (random_.coin() ? 0.0 : random_.between(-1.0, 1.0));
     q.y += aside;
     if (upright_) {
       level_p.z = q.z = 0.0;
-    } else if (random_.coin()) {
+    } else if (aside != 0.0 && random_.coin()) {
       q.z += std::sqrt(std::max(0.0, threshold_ * threshold_ - aside * aside)) *
              random_.between(-1.0, 1.0);
     }
