@@ -6,6 +6,13 @@
 // Everything that moves lies in the motion domain: positions, velocities, times and thresholds are
 // zero or of a magnitude between kSmallestInMotion and kLargestInMotion. Inside it no product of
 // four of them overflows or loses a bit.
+//
+// Positions, velocities, heights and times that are smaller are taken as zero wherever they enter:
+// predictions, recordings, live swarms, advice and verification. That moves a bee by less than
+// 2^-99 m, and by as much more a second that it flies on; the distance of two, over T seconds, by
+// less than (1 + T) 2^-98 m, which is 3.2e-21 m after 10^9 s. So an answer can differ only for
+// pairs that come within so much of the threshold. What is too large is refused, and thresholds
+// that are too small are, too.
 #pragma once
 
 #include <beespace/point.hpp>

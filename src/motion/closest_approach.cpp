@@ -1,5 +1,6 @@
 #include <beespace/closest_approach.hpp>
 
+#include "motion/flush.hpp"
 #include "motion/separation.hpp"
 #include "motion/validate.hpp"
 
@@ -10,11 +11,13 @@ namespace beespace {
 Result<Approach> closest_approach(const Mover& first, const Mover& second,
                                   const PredictOptions& options) {
   if (auto error = motion::check_options(options)) return *std::move(error);
-  if (auto error = motion::check_mover(first, 0)) return *std::move(error);
-  if (auto error = motion::check_mover(second, 1)) return *std::move(error);
+  const Mover one = motion::flushed(first);
+  const Mover other = motion::flushed(second);
+  if (auto error = motion::check_mover(one, 0)) return *std::move(error);
+  if (auto error = motion::check_mover(other, 1)) return *std::move(error);
   const motion::Separation separation = motion::separation_of(options);
-  const motion::State a = motion::state_of(first);
-  const motion::State b = motion::state_of(second);
+  const motion::State a = motion::state_of(one);
+  const motion::State b = motion::state_of(other);
   const auto relative = motion::relative_motion(a, b);
   const motion::Nearness nearest = motion::closest_within(relative, {0.0, options.horizon_s});
   Approach approach{nearest.time_s, nearest.distance_m, {}};

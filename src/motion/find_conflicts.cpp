@@ -4,6 +4,7 @@
 
 #include "core/validate.hpp"
 #include "cpu/crew_size.hpp"
+#include "motion/flushed_copies.hpp"
 #include "motion/pair_walk.hpp"
 #include "motion/recording_search.hpp"
 #include "motion/runs.hpp"
@@ -93,12 +94,17 @@ Result<RecordedConflicts> search_tracks(std::span<const Track> tracks,
 
 Result<RecordedConflicts> find_conflicts(std::span<const Track> tracks,
                                          const ConflictOptions& options) {
-  if (auto error = check(tracks, options)) return *std::move(error);
-  return search_tracks(tracks, options);
+  using Answer = Result<RecordedConflicts>;
+  return motion::with_small_values_flushed(tracks, [&](std::span<const Track> them) -> Answer {
+    if (auto error = check(them, options)) return *std::move(error);
+    return search_tracks(them, options);
+  });
 }
 
-Result<std::optional<Conflict>> find_closest_encounter(std::span<const Track> tracks,
-                                                       double max_gap_s, unsigned threads) {
+namespace {
+
+Result<std::optional<Conflict>> closest_encounter(std::span<const Track> tracks, double max_gap_s,
+                                                  unsigned threads) {
   ConflictOptions options;
   options.max_gap_s = max_gap_s;
   options.threads = threads;
@@ -125,10 +131,21 @@ Result<std::optional<Conflict>> find_closest_encounter(std::span<const Track> tr
   }
 }
 
+}  // namespace
+
+Result<std::optional<Conflict>> find_closest_encounter(std::span<const Track> tracks,
+                                                       double max_gap_s, unsigned threads) {
+  return motion::with_small_values_flushed(tracks, [&](std::span<const Track> them) {
+    return closest_encounter(them, max_gap_s, threads);
+  });
+}
+
 namespace brute_force {
 
-Result<RecordedConflicts> find_conflicts(std::span<const Track> tracks,
-                                         const ConflictOptions& options) {
+namespace {
+
+Result<RecordedConflicts> find_one_by_one(std::span<const Track> tracks,
+                                          const ConflictOptions& options) {
   if (auto error = check(tracks, options)) return *std::move(error);
   motion::Runs cut = motion::cut_at_gaps(tracks, options.max_gap_s);
   const motion::Separation separation = motion::separation_of(options, have_heights(tracks));
@@ -151,6 +168,14 @@ Result<RecordedConflicts> find_conflicts(std::span<const Track> tracks,
   motion::order_conflicts(answer.conflicts);
   answer.gaps = std::move(cut.gaps);
   return answer;
+}
+
+}  // namespace
+
+Result<RecordedConflicts> find_conflicts(std::span<const Track> tracks,
+                                         const ConflictOptions& options) {
+  return motion::with_small_values_flushed(
+      tracks, [&](std::span<const Track> them) { return find_one_by_one(them, options); });
 }
 
 }  // namespace brute_force

@@ -73,8 +73,12 @@ LeftOut LiveWalks::search(LiveBees& bees, const core::Resources& with,
   const std::vector<Pair> fresh = fresh_pairs(places, with, left_out);
   WalkedPairs all = walk(places, fresh, with);
   pairs_ = all.open();
-  std::sort(pairs_.begin(), pairs_.end(),
-            [](const LivePair& a, const LivePair& b) { return a.places() < b.places(); });
+  const auto ascending = [](const LivePair& a, const LivePair& b) {
+    return a.places() < b.places();
+  };
+  if (!std::is_sorted(pairs_.begin(), pairs_.end(), ascending)) {
+    std::sort(pairs_.begin(), pairs_.end(), ascending);
+  }
   events.insert(events.end(), all.events.begin(), all.events.end());
   events.insert(events.end(), all.lost.begin(), all.lost.end());
   if (all.left_out.any) left_out.add(all.left_out.count, all.left_out.from_m);

@@ -3,6 +3,7 @@
 #include <beespace/predict_conflicts.hpp>
 
 #include "core/validate.hpp"
+#include "motion/flushed_copies.hpp"
 #include "motion/prediction.hpp"
 #include "motion/separation.hpp"
 #include "motion/validate.hpp"
@@ -28,14 +29,18 @@ Status Engine::predict_conflicts(const MoversView& movers, const PredictOptions&
                                  std::vector<Conflict>& conflicts) {
   if (auto error = check(movers, options)) return *std::move(error);
   const core::Resources with = workshop_->resources(options.threads, movers.size());
-  return motion::predict(movers, options, with, conflicts, {workshop_->choices, {}});
+  return motion::with_small_values_flushed(movers, [&](const MoversView& them) {
+    return motion::predict(them, options, with, conflicts, {workshop_->choices, {}});
+  });
 }
 
 Status Engine::predict_pairs(const MoversView& movers, const PredictOptions& options,
                              std::vector<Pair>& pairs) {
   if (auto error = check(movers, options)) return *std::move(error);
   const core::Resources with = workshop_->resources(options.threads, movers.size());
-  return motion::predict_pairs(movers, options, with, pairs, {workshop_->choices, {}});
+  return motion::with_small_values_flushed(movers, [&](const MoversView& them) {
+    return motion::predict_pairs(them, options, with, pairs, {workshop_->choices, {}});
+  });
 }
 
 Result<std::vector<Conflict>> predict_conflicts(const MoversView& movers,
@@ -55,9 +60,10 @@ Result<std::vector<Pair>> predict_pairs(const MoversView& movers, const PredictO
 
 namespace brute_force {
 
-Result<std::vector<Conflict>> predict_conflicts(const MoversView& movers,
+namespace {
+
+Result<std::vector<Conflict>> predict_in_domain(const MoversView& movers,
                                                 const PredictOptions& options) {
-  if (auto error = check(movers, options)) return *std::move(error);
   if (auto error = motion::check_movers(movers)) return *std::move(error);
   const motion::Separation separation = motion::separation_of(options, movers.has_heights());
   std::vector<Conflict> conflicts;
@@ -76,6 +82,15 @@ Result<std::vector<Conflict>> predict_conflicts(const MoversView& movers,
     }
   }
   return conflicts;
+}
+
+}  // namespace
+
+Result<std::vector<Conflict>> predict_conflicts(const MoversView& movers,
+                                                const PredictOptions& options) {
+  if (auto error = check(movers, options)) return *std::move(error);
+  return motion::with_small_values_flushed(
+      movers, [&](const MoversView& them) { return predict_in_domain(them, options); });
 }
 
 }  // namespace brute_force

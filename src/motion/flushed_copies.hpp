@@ -1,0 +1,64 @@
+// Copies of movers and tracks with values that are too small for exact comparison flushed to zero
+// (see flush.hpp): for the few that have some, as nothing else needs a copy.
+#pragma once
+
+#include "motion/flush.hpp"
+
+#include <beespace/mover.hpp>
+#include <beespace/result.hpp>
+#include <beespace/track.hpp>
+
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace beespace::motion {
+
+class FlushedMovers {
+ public:
+  explicit FlushedMovers(const MoversView& movers) {
+    movers_.reserve(movers.size());
+    for (std::size_t i = 0; i < movers.size(); ++i) movers_.push_back(flushed(movers[i]));
+    for (const double height : movers.heights_m()) heights_m_.push_back(flushed(height));
+    for (const double climb : movers.climbs_mps()) climbs_mps_.push_back(flushed(climb));
+  }
+
+  [[nodiscard]] MoversView view() const {
+    const MoversView straight(movers_);
+    return {straight.positions(), straight.velocities(), heights_m_, climbs_mps_};
+  }
+
+ private:
+  std::vector<Mover> movers_;
+  std::vector<double> heights_m_;
+  std::vector<double> climbs_mps_;
+};
+
+inline std::vector<Track> flushed(std::span<const Track> tracks) {
+  std::vector<Track> copies(tracks.begin(), tracks.end());
+  for (Track& track : copies) {
+    for (Fix& fix : track.fixes) fix = flushed(fix);
+    for (double& height : track.heights_m) height = flushed(height);
+  }
+  return copies;
+}
+
+// Asks, and where a value lies outside the motion domain, asks again about a flushed copy: it may
+// have been too small only. What is too large is refused then.
+template <class Ask>
+auto with_small_values_flushed(const MoversView& movers, Ask&& ask) {
+  auto answer = ask(movers);
+  if (answer || answer.error().code != ErrorCode::kOutsideDomain) return answer;
+  const FlushedMovers copy(movers);
+  return ask(copy.view());
+}
+template <class Ask>
+auto with_small_values_flushed(std::span<const Track> tracks, Ask&& ask) {
+  auto answer = ask(tracks);
+  if (answer || answer.error().code != ErrorCode::kOutsideDomain) return answer;
+  const std::vector<Track> copies = flushed(tracks);
+  return ask(std::span<const Track>(copies));
+}
+
+}  // namespace beespace::motion
