@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+const ConflictOptions kSome{.threshold_m = 100.0};
 const std::vector<double> kNotFiniteValues = {kNan, kInfinity, -kInfinity};
 const std::vector<double> kOutsideValues = {
     std::nextafter(kLargestInMotion, kInfinity), -std::nextafter(kLargestInMotion, kInfinity),
@@ -72,7 +73,7 @@ TEST(RecordingRefusal, AToleranceThatIsNegativeOrNotFinite) {
   for (const double bad : {-1.0, kNan, kInfinity, -kInfinity, 0x1.1p+100}) {
     Tracks tracks = plain_tracks();
     tracks[2].tolerance_m = bad;
-    expect_error(tracks, {}, ErrorCode::kInvalidArgument, 2, "tolerance");
+    expect_error(tracks, kSome, ErrorCode::kInvalidArgument, 2, "tolerance");
   }
 }
 
@@ -92,11 +93,11 @@ TEST(RecordingRefusal, NumbersThatAreNotFiniteOrOutsideTheDomainWithTheirTrackAn
         Tracks tracks = plain_tracks();
         for (const double bad : kNotFiniteValues) {
           field.of(tracks[record].fixes[fix]) = bad;
-          expect_error(tracks, {}, ErrorCode::kNotFinite, record, words);
+          expect_error(tracks, kSome, ErrorCode::kNotFinite, record, words);
         }
         for (const double bad : kOutsideValues) {
           field.of(tracks[record].fixes[fix]) = bad;
-          expect_error(tracks, {}, ErrorCode::kOutsideDomain, record, words);
+          expect_error(tracks, kSome, ErrorCode::kOutsideDomain, record, words);
         }
       }
     }
@@ -107,7 +108,7 @@ TEST(RecordingRefusal, TimesThatDoNotAscendWithTheirTrackAndFix) {
   for (const double bad : {1.0, 0.5, -7.0}) {
     Tracks tracks = plain_tracks();
     tracks[4].fixes[2].time_s = bad;
-    expect_error(tracks, {}, ErrorCode::kTimeOrder, 4, "fix 2: ");
+    expect_error(tracks, kSome, ErrorCode::kTimeOrder, 4, "fix 2: ");
   }
 }
 
@@ -117,7 +118,7 @@ TEST(RecordingRefusal, HeightsOfTheWrongNumberOrOfSomeOrWithoutAQuestion) {
   Tracks all = plain_tracks();
   for (Track& track : all) track.heights_m.assign(track.fixes.size(), 7.0);
   EXPECT_TRUE(find_conflicts(all, with_height).has_value());
-  expect_error(all, {}, ErrorCode::kInvalidArgument, {}, "no vertical threshold");
+  expect_error(all, kSome, ErrorCode::kInvalidArgument, {}, "no vertical threshold");
   Tracks some = all;
   some[2].heights_m.clear();
   expect_error(some, with_height, ErrorCode::kInvalidArgument, 2, "some tracks have heights");
@@ -130,7 +131,7 @@ TEST(RecordingRefusal, HeightsOfTheWrongNumberOrOfSomeOrWithoutAQuestion) {
 }
 
 TEST(RecordingRefusal, OneResultMoreThanAllowed) {
-  ConflictOptions options;  // 100 m: all four with each other
+  ConflictOptions options = kSome;  // all four with each other
   options.max_results = 6;
   EXPECT_EQ(find_conflicts(plain_tracks(), options)->conflicts.size(), 6U);
   options.max_results = 5;

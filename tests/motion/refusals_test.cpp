@@ -24,6 +24,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
+const PredictOptions kSome{.threshold_m = 100.0};
 const std::vector<double> kNotFiniteValues = {kNan, kInfinity, -kInfinity};
 const std::vector<double> kOutsideValues = {
     std::nextafter(kLargestInMotion, kInfinity), -std::nextafter(kLargestInMotion, kInfinity),
@@ -62,7 +63,7 @@ std::vector<Refusal> prediction_refusals(const MoversView& movers, const Predict
   static std::vector<Conflict> conflicts;
   static std::vector<Pair> pairs;
   const std::vector<Mover> plain = plain_movers(20);
-  EXPECT_TRUE(engine.predict_pairs(plain, {}, pairs));
+  EXPECT_TRUE(engine.predict_pairs(plain, kSome, pairs));
   return {error_of(predict_conflicts(movers, options)), error_of(predict_pairs(movers, options)),
           error_of(engine.predict_conflicts(movers, options, conflicts)),
           error_of(engine.predict_pairs(movers, options, pairs)),
@@ -94,7 +95,9 @@ void expect_option_error(const PredictOptions& options, ErrorCode code, const st
     EXPECT_EQ(error.code, code);
     EXPECT_FALSE(error.place.record.has_value());
     EXPECT_TRUE(contains(error.message, words)) << error.message;
-    EXPECT_TRUE(contains(error.message, "give a finite")) << error.message;
+    EXPECT_TRUE(contains(error.message, "give a finite") ||
+                contains(error.message, "not given (or is not a number)"))
+        << error.message;
   });
 }
 
@@ -131,7 +134,7 @@ void expect_refused(double bad, ErrorCode code) {
         std::vector<Mover> movers = plain_movers(size);
         field.of(movers[record]) = bad;
         field.of(movers.back()) = bad;
-        for_each_error(movers, {}, [&](const Error& error) {
+        for_each_error(movers, kSome, [&](const Error& error) {
           EXPECT_EQ(error.code, code) << field.name;
           EXPECT_EQ(error.place.record, record) << field.name;
           EXPECT_TRUE(contains(error.message, field.name)) << error.message;
@@ -174,7 +177,7 @@ TEST(MotionRefusal, WhatIsWrongIsSeenByWhoeverLooks) {
       }
     }
   };
-  for (const double bad : {kNan, kInfinity, -kInfinity, 0x1.1p+100, -0x1.fp-101, 0x1p-1070}) {
+  for (const double bad : {kNan, kInfinity, -kInfinity, 0x1.1p+100, -0x1.1p+100, 0x1p+1000}) {
     for (const Field& field : kFields) {
       for (const std::size_t record : {std::size_t{0}, size / 2, size - 1}) {
         SCOPED_TRACE(std::string(field.name) + " of " + std::to_string(record));
@@ -197,14 +200,14 @@ TEST(MotionRefusal, TheFirstThingThatIsWrongIsSaid) {
   std::vector<Mover> movers = plain_movers(2);
   movers[0].velocity.y = kNan;
   movers[1].position.x = kInfinity;
-  for_each_error(movers, {}, [](const Error& error) { EXPECT_EQ(error.place.record, 0U); });
+  for_each_error(movers, kSome, [](const Error& error) { EXPECT_EQ(error.place.record, 0U); });
   movers[0].position.z = 1e31;
-  for_each_error(movers, {}, [](const Error& error) {
+  for_each_error(movers, kSome, [](const Error& error) {
     EXPECT_EQ(error.code, ErrorCode::kOutsideDomain);
     EXPECT_TRUE(contains(error.message, "position z is ")) << error.message;
     EXPECT_TRUE(contains(error.message, "7.9e-31 to 1.3e+30 in magnitude")) << error.message;
   });
-  PredictOptions options;
+  PredictOptions options = kSome;
   options.horizon_s = -1.0;
   for_each_error(movers, options,
                  [](const Error& error) { EXPECT_EQ(error.code, ErrorCode::kInvalidArgument); });
@@ -276,7 +279,7 @@ TEST(MotionRefusal, HeightsAndClimbRatesOutsideTheDomain) {
   const MoversView plain(movers);
   PredictOptions options{.threshold_m = 100.0};
   options.vertical_m = 2.0;
-  for (const double bad : {kNan, kInfinity, 0x1.1p+100, -0x1p-101}) {
+  for (const double bad : {kNan, kInfinity, 0x1.1p+100, -0x1.1p+100}) {
     for (const bool climbing : {false, true}) {
       std::vector<double> heights(10, 1.0);
       std::vector<double> climbs(10, -0.0);
@@ -299,7 +302,7 @@ TEST(MotionRefusal, MoreMoversThanIds) {
   const double& x = one.position.x;
   const PointsView many = PointsView::strided(&x, &x, &x, kMaxPoints + 1, 0);
   const MoversView movers(many, many);
-  for (const Refusal& refusal : prediction_refusals(movers, {})) {
+  for (const Refusal& refusal : prediction_refusals(movers, kSome)) {
     ASSERT_TRUE(refusal.has_value());
     EXPECT_EQ(refusal->code, ErrorCode::kTooManyPoints);
   }
