@@ -87,7 +87,8 @@ void add_search_options(CLI::App& detect, DetectOptions& options) {
   detect
       .add_option("--vertical", options.vertical,
                   "Too close only if closer than this in height too;\nthe threshold is then "
-                  "horizontal. The distance shown\nis still that in a straight line")
+                  "horizontal. The distance shown\nis still that in a straight line, and the "
+                  "nearest is\nthe nearest of those in the cylinder")
       ->type_name("METRES")
       ->group("Search");
   detect

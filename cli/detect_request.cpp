@@ -27,9 +27,6 @@ std::optional<Error> check_inputs(const DetectOptions& options) {
   if (options.input.empty() && (input_is_terminal() || options.others == "-")) {
     return detect_usage_error("say which file to read, or pipe the input in");
   }
-  if (!options.vertical.empty() && !options.others.empty()) {
-    return detect_usage_error("--vertical is for one swarm; it does not apply with --others");
-  }
   if (options.input == "-" && options.others == "-") {
     return detect_usage_error("standard input can be read once; name a file for one of the two");
   }

@@ -67,10 +67,25 @@ Result<Closest> closest_pair(Engine& engine, const Inputs& inputs,
   return Closest(pair);
 }
 
-Status find_at_risk(Engine& engine, const Inputs& inputs, const std::vector<Point>& points,
-                    const SearchOptions& options, std::vector<PointId>& at_risk) {
-  if (!inputs.others) return engine.find_at_risk(points, options, at_risk);
-  return engine.find_at_risk_between(inputs.ours.points, inputs.others->points, options, at_risk);
+// Of a bee and another of the others: both in the cylinder, and by its straight line.
+Result<Closest> closest_pair_between(Engine& engine, const std::vector<Point>& points,
+                                     const std::vector<Point>& others,
+                                     const SearchOptions& options) {
+  std::vector<Nearest> nearest;
+  if (Status found = engine.find_nearest_within_between(points, others, options, nearest); !found) {
+    return std::move(found).error();
+  }
+  const auto best = std::min_element(
+      nearest.begin(), nearest.end(),
+      [](const Nearest& a, const Nearest& b) { return a.distance_m < b.distance_m; });
+  return Closest({static_cast<PointId>(best - nearest.begin()), best->id, best->distance_m});
+}
+
+Status find_at_risk(Engine& engine, const std::vector<Point>& points,
+                    const std::vector<Point>* others, const SearchOptions& options,
+                    std::vector<PointId>& at_risk) {
+  if (others == nullptr) return engine.find_at_risk(points, options, at_risk);
+  return engine.find_at_risk_between(points, *others, options, at_risk);
 }
 
 // The library speaks to those who call it; here --max-results is what they can turn.
@@ -88,16 +103,27 @@ Error in_words_of_the_command(Error error, const DetectRequest& request) {
 Result<Detection> search(const Inputs& inputs, const DetectRequest& request) {
   Engine engine;
   Detection detection;
-  const GroundPlaces places = ground_places(inputs.ours, request.search.vertical_m.has_value());
+  const bool vertical = request.search.vertical_m.has_value();
+  const GroundPlaces places = ground_places(inputs.ours, vertical);
+  const GroundPlaces other_places =
+      inputs.others ? ground_places(*inputs.others, vertical) : GroundPlaces();
   SearchOptions options = request.search;
   options.heights_m = places.heights_m;
+  options.other_heights_m = other_places.heights_m;
   const std::vector<Point>& points = places.ground.empty() ? inputs.ours.points : places.ground;
-  const Status at_risk = find_at_risk(engine, inputs, points, options, detection.at_risk);
+  const std::vector<Point>* const others =
+      !inputs.others
+          ? nullptr
+          : (other_places.ground.empty() ? &inputs.others->points : &other_places.ground);
+  const Status at_risk = find_at_risk(engine, points, others, options, detection.at_risk);
   if (!at_risk) return at_risk.error();
   if (!request.quiet || request.form.form == Form::kJson || request.report->needs_closest) {
     auto closest = closest_pair(engine, inputs, detection.at_risk, request.search);
     if (!closest) return std::move(closest).error();
-    if (options.vertical_m && !detection.at_risk.empty()) {
+    if (vertical && others != nullptr && !detection.at_risk.empty()) {
+      closest = closest_pair_between(engine, points, *others, options);
+      if (!closest) return std::move(closest).error();
+    } else if (vertical && !detection.at_risk.empty()) {
       const auto conflict = is_in_conflict(engine, points, options, **closest);
       if (!conflict) return conflict.error();
       if (!*conflict) {
@@ -108,13 +134,8 @@ Result<Detection> search(const Inputs& inputs, const DetectRequest& request) {
     }
     detection.closest = *closest;
   }
-  const Question question{engine,
-                          points,
-                          inputs.others ? &inputs.others->points : nullptr,
-                          options,
-                          request.at_risk_only,
-                          detection.at_risk,
-                          detection.closest};
+  const Question question{
+      engine, points, others, options, request.at_risk_only, detection.at_risk, detection.closest};
   auto table = request.report->find(question);
   if (!table) return in_words_of_the_command(std::move(table).error(), request);
   detection.table = *std::move(table);

@@ -13,14 +13,16 @@ using NearestList = std::vector<Nearest>;
 Status find(const Question& question, NearestList& nearest) {
   Engine& engine = question.engine;
   const SearchOptions& search = question.search;
+  // With a vertical threshold the nearest are those in the cylinder.
+  const bool within = question.at_risk_only || search.vertical_m;
   if (question.others == nullptr) {
-    return question.at_risk_only ? engine.find_nearest_within(question.points, search, nearest)
-                                 : engine.find_nearest(question.points, nearest, search.threads);
+    return within ? engine.find_nearest_within(question.points, search, nearest)
+                  : engine.find_nearest(question.points, nearest, search.threads);
   }
-  return question.at_risk_only ? engine.find_nearest_within_between(
-                                     question.points, *question.others, search, nearest)
-                               : engine.find_nearest_between(question.points, *question.others,
-                                                             nearest, search.threads);
+  return within ? engine.find_nearest_within_between(question.points, *question.others, search,
+                                                     nearest)
+                : engine.find_nearest_between(question.points, *question.others, nearest,
+                                              search.threads);
 }
 
 // Of an even number the mean of the two in the middle. Reorders the numbers, of which there are

@@ -20,7 +20,7 @@ std::span<const Report> reports() {
       Report{"neighbors", "neighbors", "neighbours", true, true, true, false, true,
              report_neighbors},
       Report{"counts", "counts", "neighbours", true, false, true, false, true, report_counts},
-      Report{"nearest", "nearest", "nearest", true, false, true, false, false, report_nearest},
+      Report{"nearest", "nearest", "nearest", true, false, true, false, true, report_nearest},
       Report{"groups", "groups", "groups", false, false, false, false, true, report_groups},
       Report{"closest-pair", "", "", true, false, false, true, false, report_closest_pair},
   };

@@ -67,6 +67,37 @@ TEST_F(Others, NeighborsCountsAndNearestAreTheirs) {
             "maya\twasp\t50\nwilli\twasp\t78.10249675906654\nflip\twasp\t2000.6249023742557\n");
 }
 
+TEST_F(Others, WithAVerticalThresholdHeightsCountOnTheirOwn) {
+  const Arguments low = {"--threshold", "100", "--vertical", "51"};
+  EXPECT_EQ(report("at-risk", low).out, "maya\nwilli\n");
+  EXPECT_EQ(below_header(report("pairs", low).out),
+            "maya\twasp\t50\nwilli\twasp\t78.10249675906654\n");
+  EXPECT_EQ(below_header(report("neighbors", low).out), "maya\t1\twasp\nwilli\t1\twasp\nflip\t0\n");
+  EXPECT_EQ(below_header(report("counts", low).out), "maya\t1\nwilli\t1\nflip\t0\n");
+  EXPECT_EQ(below_header(report("nearest", low).out),
+            "maya\twasp\t50\nwilli\twasp\t78.10249675906654\nflip\t\t\n");
+  EXPECT_EQ(report("at-risk", {"--vertical", "50"}).out, "");
+  EXPECT_EQ(report("at-risk", {"--vertical", "50", "--inclusive"}).out, "maya\nwilli\n");
+  EXPECT_NE(report("at-risk", low).err.find("closest    50 m"), std::string::npos)
+      << report("at-risk", low).err;
+}
+
+// 2 km above each other, at the same place on the ground.
+TEST_F(Others, WithAVerticalThresholdPlacesInDegreesAreBroughtToTheGround) {
+  const std::string ours =
+      folder_.file("up.csv", "id,longitude,latitude,height\nlow,0,0,9000\nhigh,0.01,0,11000\n");
+  const std::string theirs =
+      folder_.file("there.csv", "id,longitude,latitude,height\nx,0.01,0,9200\n");
+  const auto found = [&](const std::string& metres, const std::string& vertical) {
+    return run({"detect", ours, "--others", theirs, "--threshold", metres, "--vertical", vertical})
+        .out;
+  };
+  EXPECT_EQ(found("1113.1", "201"), "");  // at that height 1114.8 m
+  EXPECT_EQ(found("1113.3", "201"), "low\n");
+  EXPECT_EQ(found("1113.3", "200"), "");
+  EXPECT_EQ(found("1113.3", "1801"), "low\nhigh\n");
+}
+
 TEST_F(Others, TheClosestPairIsBetweenTheTwo) {
   EXPECT_EQ(below_header(report("closest-pair", {"--quiet"}).out), "maya\twasp\t50\n");
   EXPECT_EQ(below_header(report("closest-pair", {"--threshold", "1"}).out), "maya\twasp\t50\n");

@@ -44,6 +44,11 @@ TEST(Vertical, EveryReportThatTakesItAgrees) {
             "a\t2\tb\tc\nb\t2\ta\tc\nc\t2\ta\tb\nd\t0\n");
   EXPECT_EQ(below_header(asked(question + Arguments{"counts"}).out), "a\t2\nb\t2\nc\t2\nd\t0\n");
   EXPECT_EQ(below_header(asked(question + Arguments{"groups"}).out), "0\t3\ta\tb\tc\n");
+  // d is 9 m from a, and nobody is in its cylinder.
+  EXPECT_EQ(below_header(asked(question + Arguments{"nearest"}).out),
+            "a\tb\t4\nb\tc\t3\nc\tb\t3\nd\t\t\n");
+  EXPECT_EQ(below_header(asked(question + Arguments{"nearest", "--at-risk-only"}).out),
+            "a\tb\t4\nb\tc\t3\nc\tb\t3\n");
   EXPECT_EQ(asked(question + Arguments{"pairs", "--csv"}).out,
             "first,second,distance_m\na,b,4\na,c,5\nb,c,3\n");
 }
@@ -170,12 +175,8 @@ TEST_F(VerticalOverTheEarth, RecordsThatAreSkippedTakeTheirHeightsWithThem) {
 }
 
 TEST(Vertical, WhatDoesNotGoWithItIsRefused) {
-  for (const std::string report : {"nearest", "closest-pair"}) {
-    expect_usage_error({"detect", "--report", report, "--vertical", "5"},
-                       "--vertical does not apply to --report " + report);
-  }
-  expect_usage_error({"detect", "x.csv", "--others", "y.csv", "--vertical", "5"},
-                     "--vertical is for one swarm; it does not apply with --others");
+  expect_usage_error({"detect", "--report", "closest-pair", "--vertical", "5"},
+                     "--vertical does not apply to --report closest-pair");
   for (const std::string bad : {"0", "-5", "nan", "inf", "high", "5m"}) {
     expect_usage_error({"detect", "--vertical=" + bad},
                        "--vertical '" + bad + "' is not a number of metres above 0");
