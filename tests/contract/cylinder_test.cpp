@@ -476,6 +476,24 @@ TEST(CylinderContract, TooManyResultsAreRefused) {
   EXPECT_TRUE(find_neighbors(scene.points, options));
 }
 
+// Enough for several workers at the same time, as rows and as trees.
+TEST(CylinderContract, EveryNumberOfThreadsGivesTheSameAnswers) {
+  for (const double side : {200.0, 20.0}) {
+    SceneMaker make(9);
+    CylinderScene scene;
+    scene.threshold_m = 5.0;
+    scene.vertical_m = 2.0;
+    scene.points = make.ragged_box(16'000, {0, 0, 0}, {side, side, 10 * side});
+    for (const CylinderScene& one : {scene, apart(scene, 1.0), in_two_sets(scene)}) {
+      const Answers right = by_functions(one, one.options(false, 1));
+      for (const unsigned threads : {2U, 5U}) {
+        expect_same(by_functions(one, one.options(false, threads)), right,
+                    std::to_string(threads) + " threads");
+      }
+    }
+  }
+}
+
 TEST(CylinderContract, AVisitorThatHasSeenEnoughEndsIt) {
   const std::vector<Point> crowd(20'000, Point{1, 2, 3});
   for (const unsigned threads : {1U, 3U}) {
