@@ -101,15 +101,27 @@ void LiveFeed::note(const ClockNote& note) {
   if (note_) note_(note);
 }
 
-Status LiveFeed::pass_on(const Report& report, double now_s) {
-  // More looks than can be counted: one at each new time.
+// The look whose time has passed, if any.
+Status LiveFeed::look_before(double now_s) {
   const auto number = times_.last_before(now_s);
-  if (!looks_) looks_ = number.value_or(0);
-  if (number && *number > *looks_) {
+  if (!number) {
+    // More looks than can be counted: one at each new time.
+    if (!looks_) looks_ = 0;
+    next_look_s_ = now_s;
+    return latest_s_ && now_s > *latest_s_ ? look(*latest_s_) : Status(std::monostate{});
+  }
+  const bool first = !looks_;
+  if (first || *number > *looks_) {
     looks_ = number;
-    if (auto done = look(times_.at(*number)); !done) return done;
-  } else if (!number && latest_s_ && now_s > *latest_s_) {
-    if (auto done = look(*latest_s_); !done) return done;
+    next_look_s_ = times_.at(*number + 1);
+    if (!first) return look(times_.at(*number));
+  }
+  return std::monostate{};
+}
+
+Status LiveFeed::pass_on(const Report& report, double now_s) {
+  if (!looks_ || now_s > next_look_s_) {
+    if (auto done = look_before(now_s); !done) return done;
   }
   Status taken = swarm_.update(report);
   if (!taken) return taken;
@@ -148,6 +160,7 @@ Status LiveFeed::look_if_due(double wall_s) {
   const auto number = times_.last_before(clocks_.now(wall_s) - kGrace_s);
   if (!number || *number <= *looks_) return std::monostate{};
   looks_ = number;
+  next_look_s_ = times_.at(*number + 1);
   const double began_s = seconds_now();
   Status done = look(times_.at(*number));
   // Reading has its turn too.
@@ -165,7 +178,7 @@ double LiveFeed::next_look_in_s(double wall_s) const {
 Status LiveFeed::go_back(double now_s, bool anew) {
   const double before_s = std::max(latest_s_.value_or(now_s), looked_s_);
   if (!anew && before_s <= now_s + max_age_s_) {
-    looks_ = times_.last_before(now_s);
+    looks_.reset();
     return std::monostate{};
   }
   Status done = end();

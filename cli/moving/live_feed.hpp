@@ -127,6 +127,7 @@ class LiveFeed {
   void free_numbers();
   Status follow();
   void note(const ClockNote& note);
+  Status look_before(double now_s);
   Status pass_on(const Report& report, double now_s);
   Status go_back(double now_s, bool anew);
   Status look(double time_s);
@@ -143,6 +144,7 @@ class LiveFeed {
   Reported reported_;
   Noted note_;
   std::optional<std::int64_t> looks_;      // the number of the last
+  double next_look_s_ = kNever;            // when the next is
   std::optional<double> latest_s_;         // the time of the swarm at the last report
   std::optional<SwarmCounts> ended_with_;  // at the end
   std::vector<Silence> silences_;          // at the end

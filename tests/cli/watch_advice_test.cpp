@@ -124,7 +124,9 @@ TEST(WatchAdvice, NeverForgetsABeeThatIsSilent) {
                           R"("because": "stale"})"});
     }
     // 60 m, less X and what it is widened by, less where a stops and b comes within 2.1 s.
-    if (number_in(line, "time_s") < 2.35) EXPECT_FALSE(gives_way) << line;
+    if (number_in(line, "time_s") < 2.35) {
+      EXPECT_FALSE(gives_way) << line;
+    }
   }
   EXPECT_TRUE(gives_way);
   expect_parts(all.ends.back(), {R"("bees": 2, )", R"("stale": 1)"});
