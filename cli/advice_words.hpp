@@ -21,6 +21,20 @@ constexpr const char* name_of(AdviceKind kind) {
   return "unknown";
 }
 
+constexpr const char* name_of(RefusedKind kind) {
+  switch (kind) {
+    case RefusedKind::kState:
+      return "state";
+    case RefusedKind::kWish:
+      return "wish";
+    case RefusedKind::kIntruder:
+      return "intruder";
+    case RefusedKind::kUnknown:
+      return "unknown";
+  }
+  return "unknown";
+}
+
 constexpr const char* name_of(AdviseMethod method) {
   switch (method) {
     case AdviseMethod::kCertified:

@@ -15,9 +15,9 @@
 namespace beespace::cli {
 namespace {
 
-// Somebody is not certified, or an intruder comes too close to somebody.
+// Some bee is not certified, or something that was said cannot be used.
 bool is_risky(const Advised& advised) {
-  return !advised.intruder_conflicts.empty() || count_uncertified(advised) > 0;
+  return !advised.refused.empty() || count_uncertified(advised) > 0;
 }
 
 Result<ExitCode> give_advice(const AdviseRequest& request) {

@@ -69,7 +69,7 @@ std::string head(const Counsel& counsel) {
   member("intruders", std::to_string(situation.intruders.size()));
   member("intruder_horizon_s", intruders ? exact(request.advice.intruder_horizon_s) : "null");
   for (const AdviceKind kind : {AdviceKind::kAsWished, AdviceKind::kDeflected, AdviceKind::kBraking,
-                                AdviceKind::kWaiting}) {
+                                AdviceKind::kWaiting, AdviceKind::kNone}) {
     std::string name = std::string(name_of(kind)) + "_count";
     std::replace(name.begin(), name.end(), '-', '_');
     member(name.c_str(), std::to_string(count(advised, kind)));
@@ -135,7 +135,9 @@ void write_as_json(const Counsel& counsel, io::AtomicOutput& output) {
     const Velocity& v = advice.velocity;
     return "{\"id\": " + names.bee_as_json(static_cast<PointId>(bee)) + ", \"vx\": " + exact(v.x) +
            ", \"vy\": " + exact(v.y) + ", \"vz\": " + exact(v.z) + ", \"advice\": \"" +
-           name_of(advice.kind) + "\", \"certified\": " + true_or_false(advice.certified) + "}";
+           name_of(advice.kind) + "\", \"certified\": " + true_or_false(advice.certified) +
+           ", \"keeps_apart\": " + true_or_false(advice.keeps_apart) +
+           ", \"clear_of_intruders\": " + true_or_false(advice.clear_of_intruders) + "}";
   });
   write_list(out, "too_close", advised.too_close, [&](const TooClose& close, std::size_t) {
     return "{\"first\": " + names.bee_as_json(close.pair.first) +
@@ -156,6 +158,14 @@ void write_as_json(const Counsel& counsel, io::AtomicOutput& output) {
                       ", \"begins_s\": " + exact(conflict.begins_s) +
                       ", \"closest_m\": " + exact(conflict.closest_m) + "}";
              });
+  write_list(out, "refused", advised.refused, [&](const Refused& refused, std::size_t) {
+    const bool is_bee = refused.kind == RefusedKind::kState || refused.kind == RefusedKind::kWish;
+    const auto index = static_cast<PointId>(refused.index);
+    return "{\"kind\": " + io::json_string(name_of(refused.kind)) +
+           ", \"id\": " + (is_bee ? names : intruders).bee_as_json(index) +
+           ", \"code\": " + io::json_string(to_string(refused.error.code)) +
+           ", \"message\": " + io::json_string(refused.error.message) + "}";
+  });
   out.text += "\n}\n";
 }
 

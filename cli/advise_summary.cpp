@@ -75,6 +75,9 @@ void append_advice(std::string& out, const Counsel& counsel) {
     const std::uint64_t bees = count(counsel.advised, line.kind);
     append_summary_line(out, line.label, grouped(bees) + (bees > 0 ? line.meaning : ""));
   }
+  if (const std::uint64_t bees = count(counsel.advised, AdviceKind::kNone); bees > 0) {
+    append_summary_line(out, "no advice", grouped(bees) + ", as what is said of them cannot be");
+  }
 }
 
 void append_uncertain(std::string& out, const Counsel& counsel) {
@@ -112,9 +115,23 @@ void append_list(std::string& out, const char* label, const std::string& how_man
                       "and " + grouped(std::uint64_t{items.size() - kMostShown}) + " more");
 }
 
+std::string refused_text(const Refused& refused, const Counsel& counsel) {
+  const auto index = static_cast<PointId>(refused.index);
+  const bool is_intruder = refused.kind == RefusedKind::kIntruder;
+  const FlightNames& names =
+      is_intruder ? counsel.situation.intruder_names : counsel.situation.names;
+  std::string text = (is_intruder ? "the intruder " : "") + names.bee(index) + ": ";
+  text += printable(refused.error.message);
+  if (refused.kind == RefusedKind::kWish) return text + "; it is advised as if it wished to stand";
+  return text + "; it may be anywhere, so no bee is certified";
+}
+
 void append_findings(std::string& out, const Counsel& counsel) {
   const Advised& advised = counsel.advised;
   const FlightNames& names = counsel.situation.names;
+  append_list(out, "refused", std::to_string(advised.refused.size()) + " that cannot be used",
+              advised.refused,
+              [&](const Refused& refused) { return refused_text(refused, counsel); });
   append_list(out, "too close", times(advised.too_close.size(), "pair", "pairs"), advised.too_close,
               [&](const TooClose& close) { return pair_text(close, names); });
   append_list(

@@ -2,6 +2,7 @@
 #include <beespace/engine.hpp>
 #include <beespace/predict_conflicts.hpp>
 
+#include "core/answered.hpp"
 #include "core/validate.hpp"
 #include "motion/flushed_copies.hpp"
 #include "motion/prediction.hpp"
@@ -27,19 +28,23 @@ std::optional<Error> check(const MoversView& movers, const PredictOptions& optio
 
 Status Engine::predict_conflicts(const MoversView& movers, const PredictOptions& options,
                                  std::vector<Conflict>& conflicts) {
-  if (auto error = check(movers, options)) return *std::move(error);
-  const core::Resources with = workshop_->resources(options.threads, movers.size());
-  return motion::with_small_values_flushed(movers, [&](const MoversView& them) {
-    return motion::predict(them, options, with, conflicts, {workshop_->choices, {}});
+  return core::answered(conflicts, [&]() -> Status {
+    if (auto error = check(movers, options)) return *std::move(error);
+    const core::Resources with = workshop_->resources(options.threads, movers.size());
+    return motion::with_small_values_flushed(movers, [&](const MoversView& them) {
+      return motion::predict(them, options, with, conflicts, {workshop_->choices, {}});
+    });
   });
 }
 
 Status Engine::predict_pairs(const MoversView& movers, const PredictOptions& options,
                              std::vector<Pair>& pairs) {
-  if (auto error = check(movers, options)) return *std::move(error);
-  const core::Resources with = workshop_->resources(options.threads, movers.size());
-  return motion::with_small_values_flushed(movers, [&](const MoversView& them) {
-    return motion::predict_pairs(them, options, with, pairs, {workshop_->choices, {}});
+  return core::answered(pairs, [&]() -> Status {
+    if (auto error = check(movers, options)) return *std::move(error);
+    const core::Resources with = workshop_->resources(options.threads, movers.size());
+    return motion::with_small_values_flushed(movers, [&](const MoversView& them) {
+      return motion::predict_pairs(them, options, with, pairs, {workshop_->choices, {}});
+    });
   });
 }
 

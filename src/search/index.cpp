@@ -69,6 +69,7 @@ Result<Point> Index::point(PointId id) const {
 
 Status Index::find_around(const Point& place, double radius_m, bool inclusive,
                           std::vector<PointId>& found) const {
+  found.clear();
   if (auto error = search::check_radius(radius_m)) return *std::move(error);
   if (auto error = check_place(place)) return *std::move(error);
   shelves_->find_around({place, radius_m, inclusive}, found);
@@ -84,6 +85,7 @@ Result<std::vector<PointId>> Index::find_around(const Point& place, double radiu
 }
 
 Status Index::k_nearest(const Point& place, std::size_t k, std::vector<Nearest>& nearest) const {
+  nearest.clear();
   if (auto error = check_place(place)) return *std::move(error);
   nearest.resize(std::min(k, size()));
   if (nearest.empty()) return std::monostate{};

@@ -200,10 +200,13 @@ TEST(Advise, JsonHasEverythingInIt) {
        R"("waiting_count": 0)",
        R"("uncertified_count": 0)",
        R"("advice": [)",
-       R"({"id": "far", "vx": 0, "vy": 8.5, "vz": 0, "advice": "as-wished", "certified": true})",
+       R"({"id": "far", "vx": 0, "vy": 8.5, "vz": 0, "advice": "as-wished", "certified": true, )"
+       R"("keeps_apart": true, "clear_of_intruders": true})",
        R"("too_close": [])",
        R"("near_obstacle": [])",
-       R"("intruder_conflicts": [])"});
+       R"("intruder_conflicts": [])",
+       R"("refused": [])",
+       R"("none_count": 0)"});
   // Without an id bees are numbers.
   expect_parts(
       advised({"--json", "--acceleration", "none"}, "x,y,z,want_vx,want_vy,want_vz\n0,0,0,1,0,0\n")

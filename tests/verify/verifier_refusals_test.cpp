@@ -131,9 +131,40 @@ TEST(VerifierRefusal, NumbersThatAreNotFinite) {
 
 TEST(VerifierRefusal, NumbersOutsideTheDomain) {
   for (const Field& field : kFields) {
-    for (const double bad : {0x1p+101, -0x1p+101, 0x1p-101}) {
+    for (const double bad : {0x1p+101, -0x1p+101, 1e200}) {
       expect_refused_anywhere(field, bad, ErrorCode::kOutsideDomain);
     }
+  }
+}
+
+// What is too small for the domain is looked at as it is.
+TEST(VerifierRefusal, TinyNumbersAreNone) {
+  for (const double tiny : {0x1p-101, -9e-32, 1e-320}) {
+    Verifier verifier({.threshold_m = 5.0});
+    std::vector<Mover> movers = plain_movers();
+    movers[0] = {{tiny, tiny, -tiny}, {-tiny, tiny, tiny}};
+    EXPECT_TRUE(verifier.add(0.0, movers));
+    movers[0].position = {-tiny, 0, tiny};
+    EXPECT_TRUE(verifier.add(1.0, movers));
+    EXPECT_TRUE(verifier.verdict().holds());
+    EXPECT_FALSE(verifier.verdict().closest_m);
+  }
+  // Nor is a loss between two who are tiny distances apart.
+  Verifier verifier({.threshold_m = 0x1p-100});
+  const std::vector<Mover> close = {{{0x1p-103, 0, 0}, {}}, {{0, 0x1p-102, 0}, {}}};
+  EXPECT_TRUE(verifier.add(0.0, close));
+  EXPECT_TRUE(verifier.add(0x1p+90, close));
+  EXPECT_EQ(verifier.verdict().losses, 1U);
+}
+
+// Steps that no time in the domain lasts.
+TEST(VerifierRefusal, StepsThatLastNextToNothing) {
+  for (const double time_s : {1e-320, 0x1p-101, 1e200}) {
+    Verifier verifier({.threshold_m = 5.0});
+    EXPECT_TRUE(verifier.add(0.0, plain_movers()));
+    expect_refused(verifier.add(time_s, plain_movers()), ErrorCode::kInvalidArgument);
+    EXPECT_TRUE(verifier.add(1.0, plain_movers()));
+    EXPECT_EQ(verifier.verdict().steps, 1U);
   }
 }
 

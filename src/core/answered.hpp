@@ -1,0 +1,30 @@
+// What a question leaves in the caller's container when it fails: nothing, so that no answer of an
+// earlier call is taken for one of this.
+#pragma once
+
+#include <beespace/id_rows.hpp>
+#include <beespace/result.hpp>
+
+#include <utility>
+#include <vector>
+
+namespace beespace::core {
+
+template <class Entry>
+void empty(std::vector<Entry>& answer) {
+  answer.clear();
+}
+inline void empty(IdRows& answer) {
+  answer.offsets.clear();
+  answer.ids.clear();
+}
+
+// Returns what ask() does, a Status.
+template <class Answer, class Ask>
+Status answered(Answer& answer, Ask&& ask) {
+  Status status = std::forward<Ask>(ask)();
+  if (!status) empty(answer);
+  return status;
+}
+
+}  // namespace beespace::core
