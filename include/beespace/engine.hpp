@@ -6,8 +6,8 @@
 // again. The answers are those of the functions of the same name.
 //
 // Ownership: an Engine owns its memory and threads; a Crew given to it must outlive it. Not
-// thread-safe: use one Engine a thread (they may share a ThreadCrew). On an error the answer's
-// contents are unspecified.
+// thread-safe: use one Engine a thread (they may share a ThreadCrew). On an error the answer is
+// empty.
 #pragma once
 
 #include <beespace/closest_approach.hpp>

@@ -122,9 +122,10 @@ class BEESPACE_API Verifier {
   // many movers each time.
   //
   // Errors: kInvalidThreshold, kInvalidArgument (another number of movers, limits below zero, a
-  // clearance that is not above zero);
+  // clearance that is not above zero, a step that lasts longer or less than times in the motion
+  // domain, a view whose arrays do not fit together);
   // kTimeOrder for a time that is not after the one before; kNotFinite and kOutsideDomain, with the
-  // mover in place.record.
+  // mover in place.record. Numbers too small for the motion domain are looked at as they are.
   Status add(double time_s, const MoversView& movers);
 
   [[nodiscard]] const Verdict& verdict() const;

@@ -5,6 +5,7 @@
 #include "motion/flush.hpp"
 #include "motion/validate.hpp"
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,6 +13,19 @@
 namespace beespace::avoidance {
 
 namespace {
+
+// What nearly all are; why the others are not is found out then.
+bool is_usable(double x, double y, double z) {
+  return std::abs(x) <= kLargestInMotion && std::abs(y) <= kLargestInMotion &&
+         std::abs(z) <= kLargestInMotion;
+}
+bool is_usable(const Velocity& v) {
+  return is_usable(v.x, v.y, v.z);
+}
+bool is_usable(const Mover& mover) {
+  return is_usable(mover.position.x, mover.position.y, mover.position.z) &&
+         is_usable(mover.velocity);
+}
 
 std::optional<Error> check_wish(const Velocity& wish, std::size_t bee) {
   auto error = motion::check_mover({{}, wish}, bee);
@@ -84,32 +98,36 @@ void Intake::take_bees(const MoversView& movers, std::span<const Velocity> prefe
   movers_.clear();
   wishes_.clear();
   limits_.clear();
+  movers_.reserve(movers.size());
+  wishes_.reserve(movers.size());
   given_bees_.clear();
   const bool own_limits = limits.size() != 1;
   if (!own_limits) limits_.push_back(limits.front());
   for (std::size_t bee = 0; bee < movers.size(); ++bee) {
     const bool is_unknown = !is_unknown_.empty() && is_unknown_[bee] != 0;
     const Mover mover = motion::flushed(movers[bee]);
-    const FlightLimits own = own_limits ? limits[bee] : FlightLimits{};
-    std::optional<Error> error;
-    if (!is_unknown) error = motion::check_mover(mover, bee);
-    if (!is_unknown && !error) error = check_limits(own);
-    if (is_unknown || error) {
+    if (is_unknown) {
       given_bees_.leave_out(movers_.size());
-      if (!error) continue;
+      continue;
+    }
+    std::optional<Error> error;
+    if (!is_usable(mover)) error = motion::check_mover(mover, bee);
+    if (!error && own_limits) error = check_limits(limits[bee]);
+    if (error) {
+      given_bees_.leave_out(movers_.size());
       error->place.record = bee;
       refused.push_back({RefusedKind::kState, bee, *std::move(error)});
       bee_anywhere_ = true;
       continue;
     }
     Velocity wish = motion::flushed(preferred[bee]);
-    if (auto bad = check_wish(wish, bee)) {
-      refused.push_back({RefusedKind::kWish, bee, *std::move(bad)});
+    if (!is_usable(wish)) {
+      refused.push_back({RefusedKind::kWish, bee, check_wish(wish, bee).value_or(Error{})});
       wish = {};
     }
     movers_.push_back(mover);
     wishes_.push_back(wish);
-    if (own_limits) limits_.push_back(own);
+    if (own_limits) limits_.push_back(limits[bee]);
     given_bees_.take(bee);
   }
 }

@@ -1,6 +1,7 @@
 // What an Engine finds in snapshots.
 #include <beespace/engine.hpp>
 
+#include "core/answered.hpp"
 #include "core/closest_pair.hpp"
 #include "core/validate.hpp"
 #include "search/at_risk_search.hpp"
@@ -39,51 +40,63 @@ void Engine::release_memory() {
 
 Status Engine::find_at_risk(const PointsView& points, const SearchOptions& options,
                             std::vector<PointId>& at_risk) {
-  if (is_vertical(options)) {
-    return workshop_->run_cylinder(
-        points, nullptr, options, [&](const auto& search) { return search.find_at_risk(at_risk); });
-  }
-  if (auto error = core::check_options(options)) return *std::move(error);
-  return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
-    search::find_at_risk(frame, options, with, workshop_->choices, at_risk);
-    return kDone;
+  return core::answered(at_risk, [&]() -> Status {
+    if (is_vertical(options)) {
+      return workshop_->run_cylinder(points, nullptr, options, [&](const auto& search) {
+        return search.find_at_risk(at_risk);
+      });
+    }
+    if (auto error = core::check_options(options)) return *std::move(error);
+    return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
+      search::find_at_risk(frame, options, with, workshop_->choices, at_risk);
+      return kDone;
+    });
   });
 }
 
 Status Engine::find_at_risk_between(const PointsView& points, const PointsView& others,
                                     const SearchOptions& options, std::vector<PointId>& at_risk) {
-  if (is_vertical(options)) {
-    return workshop_->run_cylinder(
-        points, &others, options, [&](const auto& search) { return search.find_at_risk(at_risk); });
-  }
-  if (auto error = core::check_options(options)) return *std::move(error);
-  return workshop_->run(points, others, options.threads, [&](const auto& frame, const auto& with) {
-    search::find_at_risk(frame, options, with, workshop_->choices, at_risk);
-    return kDone;
+  return core::answered(at_risk, [&]() -> Status {
+    if (is_vertical(options)) {
+      return workshop_->run_cylinder(points, &others, options, [&](const auto& search) {
+        return search.find_at_risk(at_risk);
+      });
+    }
+    if (auto error = core::check_options(options)) return *std::move(error);
+    return workshop_->run(points, others, options.threads,
+                          [&](const auto& frame, const auto& with) {
+                            search::find_at_risk(frame, options, with, workshop_->choices, at_risk);
+                            return kDone;
+                          });
   });
 }
 
 Status Engine::find_pairs(const PointsView& points, const SearchOptions& options,
                           std::vector<Pair>& pairs) {
-  if (is_vertical(options)) {
-    return workshop_->run_cylinder(points, nullptr, options,
-                                   [&](const auto& search) { return search.find_pairs(pairs); });
-  }
-  if (auto error = core::check_options(options)) return *std::move(error);
-  return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
-    return search::find_pairs(frame, options, with, workshop_->choices, pairs);
+  return core::answered(pairs, [&]() -> Status {
+    if (is_vertical(options)) {
+      return workshop_->run_cylinder(points, nullptr, options,
+                                     [&](const auto& search) { return search.find_pairs(pairs); });
+    }
+    if (auto error = core::check_options(options)) return *std::move(error);
+    return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
+      return search::find_pairs(frame, options, with, workshop_->choices, pairs);
+    });
   });
 }
 
 Status Engine::find_pairs_between(const PointsView& points, const PointsView& others,
                                   const SearchOptions& options, std::vector<Pair>& pairs) {
-  if (is_vertical(options)) {
-    return workshop_->run_cylinder(points, &others, options,
-                                   [&](const auto& search) { return search.find_pairs(pairs); });
-  }
-  if (auto error = core::check_options(options)) return *std::move(error);
-  return workshop_->run(points, others, options.threads, [&](const auto& frame, const auto& with) {
-    return search::find_pairs(frame, options, with, workshop_->choices, pairs);
+  return core::answered(pairs, [&]() -> Status {
+    if (is_vertical(options)) {
+      return workshop_->run_cylinder(points, &others, options,
+                                     [&](const auto& search) { return search.find_pairs(pairs); });
+    }
+    if (auto error = core::check_options(options)) return *std::move(error);
+    return workshop_->run(
+        points, others, options.threads, [&](const auto& frame, const auto& with) {
+          return search::find_pairs(frame, options, with, workshop_->choices, pairs);
+        });
   });
 }
 
@@ -106,112 +119,135 @@ Result<bool> Engine::visit_pairs(const PointsView& points, const SearchOptions& 
 
 Status Engine::find_neighbors(const PointsView& points, const SearchOptions& options,
                               IdRows& neighbors) {
-  if (is_vertical(options)) {
-    return workshop_->run_cylinder(points, nullptr, options, [&](const auto& search) {
-      return search.find_neighbors(neighbors);
+  return core::answered(neighbors, [&]() -> Status {
+    if (is_vertical(options)) {
+      return workshop_->run_cylinder(points, nullptr, options, [&](const auto& search) {
+        return search.find_neighbors(neighbors);
+      });
+    }
+    if (auto error = core::check_options(options)) return *std::move(error);
+    return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
+      return search::find_neighbors(frame, options, with, workshop_->choices, neighbors);
     });
-  }
-  if (auto error = core::check_options(options)) return *std::move(error);
-  return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
-    return search::find_neighbors(frame, options, with, workshop_->choices, neighbors);
   });
 }
 
 Status Engine::find_neighbors_between(const PointsView& points, const PointsView& others,
                                       const SearchOptions& options, IdRows& neighbors) {
-  if (is_vertical(options)) {
-    return workshop_->run_cylinder(points, &others, options, [&](const auto& search) {
-      return search.find_neighbors(neighbors);
-    });
-  }
-  if (auto error = core::check_options(options)) return *std::move(error);
-  return workshop_->run(points, others, options.threads, [&](const auto& frame, const auto& with) {
-    return search::find_neighbors(frame, options, with, workshop_->choices, neighbors);
+  return core::answered(neighbors, [&]() -> Status {
+    if (is_vertical(options)) {
+      return workshop_->run_cylinder(points, &others, options, [&](const auto& search) {
+        return search.find_neighbors(neighbors);
+      });
+    }
+    if (auto error = core::check_options(options)) return *std::move(error);
+    return workshop_->run(
+        points, others, options.threads, [&](const auto& frame, const auto& with) {
+          return search::find_neighbors(frame, options, with, workshop_->choices, neighbors);
+        });
   });
 }
 
 Status Engine::count_neighbors(const PointsView& points, const SearchOptions& options,
                                std::vector<std::uint32_t>& counts) {
-  if (is_vertical(options)) {
-    return workshop_->run_cylinder(points, nullptr, options, [&](const auto& search) {
-      return search.count_neighbors(counts);
+  return core::answered(counts, [&]() -> Status {
+    if (is_vertical(options)) {
+      return workshop_->run_cylinder(points, nullptr, options, [&](const auto& search) {
+        return search.count_neighbors(counts);
+      });
+    }
+    if (auto error = core::check_options(options)) return *std::move(error);
+    return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
+      search::count_neighbors(frame, options, with, workshop_->choices, counts);
+      return kDone;
     });
-  }
-  if (auto error = core::check_options(options)) return *std::move(error);
-  return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
-    search::count_neighbors(frame, options, with, workshop_->choices, counts);
-    return kDone;
   });
 }
 
 Status Engine::count_neighbors_between(const PointsView& points, const PointsView& others,
                                        const SearchOptions& options,
                                        std::vector<std::uint32_t>& counts) {
-  if (is_vertical(options)) {
-    return workshop_->run_cylinder(points, &others, options, [&](const auto& search) {
-      return search.count_neighbors(counts);
-    });
-  }
-  if (auto error = core::check_options(options)) return *std::move(error);
-  return workshop_->run(points, others, options.threads, [&](const auto& frame, const auto& with) {
-    search::count_neighbors(frame, options, with, workshop_->choices, counts);
-    return kDone;
+  return core::answered(counts, [&]() -> Status {
+    if (is_vertical(options)) {
+      return workshop_->run_cylinder(points, &others, options, [&](const auto& search) {
+        return search.count_neighbors(counts);
+      });
+    }
+    if (auto error = core::check_options(options)) return *std::move(error);
+    return workshop_->run(
+        points, others, options.threads, [&](const auto& frame, const auto& with) {
+          search::count_neighbors(frame, options, with, workshop_->choices, counts);
+          return kDone;
+        });
   });
 }
 
 Status Engine::find_conflict_groups(const PointsView& points, const SearchOptions& options,
                                     IdRows& groups) {
-  if (is_vertical(options)) {
-    return workshop_->run_cylinder(points, nullptr, options,
-                                   [&](const auto& search) { return search.find_groups(groups); });
-  }
-  if (auto error = core::check_options(options)) return *std::move(error);
-  return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
-    search::find_conflict_groups(frame, options, with, workshop_->choices, groups);
-    return kDone;
+  return core::answered(groups, [&]() -> Status {
+    if (is_vertical(options)) {
+      return workshop_->run_cylinder(
+          points, nullptr, options, [&](const auto& search) { return search.find_groups(groups); });
+    }
+    if (auto error = core::check_options(options)) return *std::move(error);
+    return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
+      search::find_conflict_groups(frame, options, with, workshop_->choices, groups);
+      return kDone;
+    });
   });
 }
 
 Status Engine::find_nearest(const PointsView& points, std::vector<Nearest>& nearest,
                             unsigned threads) {
-  return workshop_->run(points, threads, [&](const auto& frame, const auto& with) {
-    search::find_nearest(frame, std::nullopt, with, workshop_->choices, nearest);
-    return kDone;
+  return core::answered(nearest, [&]() -> Status {
+    return workshop_->run(points, threads, [&](const auto& frame, const auto& with) {
+      search::find_nearest(frame, std::nullopt, with, workshop_->choices, nearest);
+      return kDone;
+    });
   });
 }
 
 Status Engine::find_nearest_within(const PointsView& points, const SearchOptions& options,
                                    std::vector<Nearest>& nearest) {
-  if (is_vertical(options)) {
-    return workshop_->run_cylinder(
-        points, nullptr, options, [&](const auto& search) { return search.find_nearest(nearest); });
-  }
-  if (auto error = core::check_options(options)) return *std::move(error);
-  return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
-    search::find_nearest(frame, options, with, workshop_->choices, nearest);
-    return kDone;
+  return core::answered(nearest, [&]() -> Status {
+    if (is_vertical(options)) {
+      return workshop_->run_cylinder(points, nullptr, options, [&](const auto& search) {
+        return search.find_nearest(nearest);
+      });
+    }
+    if (auto error = core::check_options(options)) return *std::move(error);
+    return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
+      search::find_nearest(frame, options, with, workshop_->choices, nearest);
+      return kDone;
+    });
   });
 }
 
 Status Engine::find_nearest_between(const PointsView& points, const PointsView& others,
                                     std::vector<Nearest>& nearest, unsigned threads) {
-  return workshop_->run(points, others, threads, [&](const auto& frame, const auto& with) {
-    search::find_nearest(frame, std::nullopt, with, workshop_->choices, nearest);
-    return kDone;
+  return core::answered(nearest, [&]() -> Status {
+    return workshop_->run(points, others, threads, [&](const auto& frame, const auto& with) {
+      search::find_nearest(frame, std::nullopt, with, workshop_->choices, nearest);
+      return kDone;
+    });
   });
 }
 
 Status Engine::find_nearest_within_between(const PointsView& points, const PointsView& others,
                                            const SearchOptions& options,
                                            std::vector<Nearest>& nearest) {
-  if (is_vertical(options)) {
-    return workshop_->run_cylinder(
-        points, &others, options, [&](const auto& search) { return search.find_nearest(nearest); });
-  }
-  if (auto error = core::check_options(options)) return *std::move(error);
-  return workshop_->run(points, others, options.threads, [&](const auto& frame, const auto& with) {
-    search::find_nearest(frame, options, with, workshop_->choices, nearest);
-    return kDone;
+  return core::answered(nearest, [&]() -> Status {
+    if (is_vertical(options)) {
+      return workshop_->run_cylinder(points, &others, options, [&](const auto& search) {
+        return search.find_nearest(nearest);
+      });
+    }
+    if (auto error = core::check_options(options)) return *std::move(error);
+    return workshop_->run(points, others, options.threads,
+                          [&](const auto& frame, const auto& with) {
+                            search::find_nearest(frame, options, with, workshop_->choices, nearest);
+                            return kDone;
+                          });
   });
 }
 

@@ -70,8 +70,8 @@ Flown fly_by_old_states(Swap swap, int steps) {
   Adviser adviser;
   Advised advised;
   for (int step = 1; step <= steps; ++step) {
-    const Status status = adviser.advise(old, wishes_of(swap, old), swap.flock.limits,
-                                         swap.flock.options, advised);
+    const Status status =
+        adviser.advise(old, wishes_of(swap, old), swap.flock.limits, swap.flock.options, advised);
     EXPECT_TRUE(status);
     old = swap.flock.movers;
     for (std::size_t bee = 0; bee < old.size(); ++bee) {
@@ -123,8 +123,7 @@ TEST(LateStates, SpeedTimesDelayDoesNotMakeUpForThem) {
 
 TEST(LateStates, BroughtForwardByWhatWasAdvisedTheyKeepThePromise) {
   for (const std::uint64_t seed : {4711U, 4712U, 4713U}) {
-    const Flown flown =
-        fly_by_nominal_states(swap_of(60, seed), test::kSanitized ? 60 : 300, seed);
+    const Flown flown = fly_by_nominal_states(swap_of(60, seed), test::kSanitized ? 60 : 300, seed);
     EXPECT_TRUE(flown.all_certified);
     EXPECT_EQ(flown.losses, 0U);
   }

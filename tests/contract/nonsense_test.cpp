@@ -9,6 +9,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -159,6 +160,12 @@ const std::vector<Field>& fields() {
        [](double v) { return predict({.threshold_m = 5.0, .vertical_m = v}); }},
       {"PredictOptions::horizon_s", "EEEE.EEE",
        [](double v) { return predict({.threshold_m = 5.0, .horizon_s = v}); }},
+      {"PredictOptions::height_unit_m", "EEEEEEEE",
+       [](double v) {
+         PredictOptions options{.threshold_m = 5.0, .vertical_m = 5.0};
+         options.height_unit_m = v;
+         return predict(options);
+       }},
       {"ConflictOptions::threshold_m", "EEEEEEEE",
        [](double v) { return record({.threshold_m = v}); }},
       {"ConflictOptions::vertical_m", "EEEEEEEE",
@@ -360,6 +367,110 @@ TEST(Nonsense, BringsAnErrorOrTheAnswerThatIsDocumented) {
       EXPECT_TRUE(!error || error->message.size() > 20) << error->message;
     }
     EXPECT_EQ(found, field.expected) << field.name;
+  }
+}
+
+// What an Engine found before is no answer to a question that fails.
+TEST(Nonsense, LeavesNoEarlierAnswerBehind) {
+  Engine engine;
+  std::vector<PointId> ids;
+  std::vector<Pair> pairs;
+  IdRows rows;
+  std::vector<std::uint32_t> counts;
+  std::vector<Nearest> nearest;
+  std::vector<Conflict> conflicts;
+  const auto index = Index::build(kPoints);
+  ASSERT_TRUE(index);
+  const std::vector<Point> bad = {{0, 0, 0}, {kNan, 0, 0}};
+  const std::vector<Mover> bad_movers = {{{0, 0, 0}, {}}, {{kNan, 0, 0}, {}}};
+  const SearchOptions within{.threshold_m = 50.0};
+  const SearchOptions cylinder{.threshold_m = 50.0, .vertical_m = 5.0};
+  using Asks = std::vector<std::function<Status(bool well)>>;
+  const auto points_of = [&](bool well) { return PointsView(well ? kPoints : bad); };
+  const auto movers_of = [&](bool well) { return MoversView(well ? kMovers : bad_movers); };
+  const auto check = [](auto& answer, const Asks& asks) {
+    for (std::size_t k = 0; k < asks.size(); ++k) {
+      ASSERT_TRUE(asks[k](true)) << k;
+      ASSERT_NE(answer.size(), 0U) << k;
+      ASSERT_FALSE(asks[k](false)) << k;
+      ASSERT_EQ(answer.size(), 0U) << k;
+    }
+  };
+  for (const SearchOptions& options : {within, cylinder}) {
+    check(ids, {[&](bool well) { return engine.find_at_risk(points_of(well), options, ids); },
+                [&](bool well) {
+                  return engine.find_at_risk_between(points_of(well), kPoints, options, ids);
+                }});
+    check(pairs, {[&](bool well) { return engine.find_pairs(points_of(well), options, pairs); },
+                  [&](bool well) {
+                    return engine.find_pairs_between(points_of(well), kPoints, options, pairs);
+                  }});
+    check(rows,
+          {[&](bool well) { return engine.find_neighbors(points_of(well), options, rows); },
+           [&](bool well) {
+             return engine.find_neighbors_between(points_of(well), kPoints, options, rows);
+           },
+           [&](bool well) { return engine.find_conflict_groups(points_of(well), options, rows); }});
+    check(counts,
+          {[&](bool well) { return engine.count_neighbors(points_of(well), options, counts); },
+           [&](bool well) {
+             return engine.count_neighbors_between(points_of(well), kPoints, options, counts);
+           }});
+    check(nearest,
+          {[&](bool well) { return engine.find_nearest_within(points_of(well), options, nearest); },
+           [&](bool well) {
+             return engine.find_nearest_within_between(points_of(well), kPoints, options, nearest);
+           }});
+  }
+  check(nearest,
+        {[&](bool well) { return engine.find_nearest(points_of(well), nearest); },
+         [&](bool well) { return engine.find_nearest_between(points_of(well), kPoints, nearest); },
+         [&](bool well) { return index->k_nearest(points_of(well)[1], 2, nearest); }});
+  check(ids, {[&](bool well) { return index->find_around(points_of(well)[1], 10.0, false, ids); }});
+  const PredictOptions ahead{.threshold_m = 20.0};
+  check(conflicts,
+        {[&](bool well) { return engine.predict_conflicts(movers_of(well), ahead, conflicts); }});
+  check(pairs, {[&](bool well) { return engine.predict_pairs(movers_of(well), ahead, pairs); }});
+}
+
+// Arrays that do not fit together are no question at all, wherever they are handed in.
+TEST(Nonsense, ArraysThatDoNotFitTogether) {
+  const std::vector<double> x = {1, 2, 3};
+  const std::span<const double> all(x);
+  const PointsView ragged = PointsView::separate(all, all.first(2), all.first(1));
+  const SearchOptions within{.threshold_m = 50.0};
+  const SearchOptions cylinder{.threshold_m = 50.0, .vertical_m = 5.0};
+  std::vector<Point> ecef(1);
+  std::vector<std::optional<Error>> errors = {
+      error_of(find_nearest(ragged)),      error_of(find_nearest_between(kPoints, ragged)),
+      error_of(find_closest_pair(ragged)), error_of(find_closest_pair_between(kPoints, ragged)),
+      error_of(Index::build(ragged)),      error_of(to_ecef(ragged, ecef))};
+  const auto index = Index::build(kPoints);
+  errors.push_back(error_of(index->find_around(ragged, within)));
+  errors.push_back(error_of(index->k_nearest(ragged, 1)));
+  for (const SearchOptions& options : {within, cylinder}) {
+    errors.push_back(error_of(find_at_risk(ragged, options)));
+    errors.push_back(error_of(find_pairs(ragged, options)));
+    errors.push_back(error_of(find_neighbors(ragged, options)));
+    errors.push_back(error_of(count_neighbors(ragged, options)));
+    errors.push_back(error_of(find_conflict_groups(ragged, options)));
+    errors.push_back(error_of(brute_force::find_pairs(ragged, options)));
+    errors.push_back(error_of(find_pairs_between(kPoints, ragged, options)));
+    errors.push_back(error_of(find_pairs_between(ragged, kPoints, options)));
+    errors.push_back(
+        error_of(visit_pairs(ragged, options, [](std::span<const Pair>) { return true; })));
+  }
+  const PredictOptions ahead{.threshold_m = 5.0};
+  for (const MoversView& movers : {MoversView(kPoints, ragged), MoversView(ragged, ragged),
+                                   MoversView(kPoints, PointsView(std::span(kPoints).first(1)))}) {
+    errors.push_back(error_of(predict_conflicts(movers, ahead)));
+    errors.push_back(error_of(predict_pairs(movers, ahead)));
+    errors.push_back(error_of(brute_force::predict_conflicts(movers, ahead)));
+    errors.push_back(error_of(Verifier({.threshold_m = 5.0}).add(0.0, movers)));
+  }
+  for (std::size_t k = 0; k < errors.size(); ++k) {
+    ASSERT_TRUE(errors[k]) << k;
+    EXPECT_EQ(errors[k]->code, ErrorCode::kInvalidArgument) << k << ": " << errors[k]->message;
   }
 }
 

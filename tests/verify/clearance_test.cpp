@@ -107,6 +107,9 @@ TEST(Clearance, TheSmallestAndTheLargestWaysAreLookedAt) {
   straight.straight = true;
   const double far = 0.4 * kLargestInMotion;
   EXPECT_EQ(test::losses_of({{-far, 0, 0}, {}}, {{far, 0, 0}, {}}, 1.0, straight), 1U);
+  // Across all of it: the way itself is beyond the domain, so that nothing can be excluded.
+  const double farthest = kLargestInMotion;
+  EXPECT_EQ(test::losses_of({{-farthest, 0, 0}, {}}, {{farthest, 0, 0}, {}}, 8.0, straight), 1U);
 }
 
 TEST(Clearance, CountsMoreThanItShows) {
