@@ -123,6 +123,10 @@ Result<Detection> search(const Inputs& inputs, const DetectRequest& request) {
     if (vertical && others != nullptr && !detection.at_risk.empty()) {
       closest = closest_pair_between(engine, points, *others, options);
       if (!closest) return std::move(closest).error();
+      // What is shown is the distance in space, as elsewhere.
+      ClosestPair& pair = **closest;
+      pair.distance_m =
+          distance(inputs.ours.points[pair.first], inputs.others->points[pair.second]);
     } else if (vertical && !detection.at_risk.empty()) {
       const auto conflict = is_in_conflict(engine, points, options, **closest);
       if (!conflict) return conflict.error();
