@@ -66,7 +66,7 @@ class BeeClocks {
   void finish(std::vector<Step>& steps);
 
   // A bee that is there no longer.
-  void forget(PointId bee);
+  void forget(PointId id);
 
   // The time of the swarm: of the reports, and as it goes on by the wall.
   [[nodiscard]] double now() const { return now_s_; }
