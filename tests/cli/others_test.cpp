@@ -78,7 +78,8 @@ TEST_F(Others, WithAVerticalThresholdHeightsCountOnTheirOwn) {
             "maya\twasp\t50\nwilli\twasp\t78.10249675906654\nflip\t\t\n");
   EXPECT_EQ(report("at-risk", {"--vertical", "50"}).out, "");
   EXPECT_EQ(report("at-risk", {"--vertical", "50", "--inclusive"}).out, "maya\nwilli\n");
-  EXPECT_NE(report("at-risk", low).err.find("closest    50 m"), std::string::npos)
+  EXPECT_NE(report("at-risk", low).err.find("closest    maya and their wasp, 50.000 m apart"),
+            std::string::npos)
       << report("at-risk", low).err;
 }
 
