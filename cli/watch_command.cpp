@@ -227,12 +227,7 @@ class Watch {
 
   void tell(const ClockNote& note) {
     tally_.count(note);
-    if (note.kind == ClockNote::Kind::kAnew && advice_) {
-      unadvised_looks_ += advice_->skipped();
-      advised_before_ += advice_->told();
-      uncertified_before_ += advice_->uncertified();
-      begin_advice();
-    }
+    if (note.kind == ClockNote::Kind::kAnew && advice_) advice_->start_anew(note.time_s);
     if (write_error_ == 0) write_error_ = write_out(clock_line(note, *feed_));
   }
 
@@ -272,9 +267,10 @@ class Watch {
   }
 
   void append_advice(std::string& out) const {
-    const std::uint64_t uncertified = uncertified_before_ + advice_->uncertified();
-    std::string text = grouped(advised_before_ + advice_->told());
-    if (uncertified > 0) text += ", " + red(grouped(uncertified)) + " not certified";
+    std::string text = grouped(advice_->told());
+    if (advice_->uncertified() > 0) {
+      text += ", " + red(grouped(advice_->uncertified())) + " not certified";
+    }
     append_summary_line(out, "advice", text);
     const std::uint64_t without = unadvised_looks_ + advice_->skipped();
     if (without == 0) return;
@@ -300,8 +296,6 @@ class Watch {
           .count();
   std::uint64_t bad_lines_ = 0;
   std::uint64_t unadvised_looks_ = 0;
-  std::uint64_t advised_before_ = 0;  // the clocks began anew
-  std::uint64_t uncertified_before_ = 0;
   int write_error_ = 0;  // the errno of it
 };
 

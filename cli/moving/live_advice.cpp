@@ -138,6 +138,20 @@ Status LiveAdvice::waited() {
   return take_looks();
 }
 
+void LiveAdvice::start_anew(double time_s) {
+  const double shift_s = time_s - clock_s_ - ticks_.step_s();
+  for (auto& [id, bee] : bees_) {
+    bee.last_s += shift_s;
+    bee.flight = NominalFlight();
+    bee.flight.anchor(bee.last_s, {bee.last, bee.wish}, ticks_,
+                      request_.limits.max_acceleration_mps2);
+    if (bee.doubt != Doubt::kNoVelocity) bee.doubt = Doubt::kHeardOnce;
+    bee.awaited = false;
+  }
+  awaited_ = 0;
+  next_.reset();
+}
+
 Status LiveAdvice::finish() {
   return patience_ms() ? look() : Status(std::monostate{});
 }

@@ -62,6 +62,9 @@ class LiveAdvice {
   [[nodiscard]] std::optional<int> patience_ms() const;
   Status waited();
 
+  // The clocks of all begin anew, at a time. What was known of places still is, and grows old.
+  void start_anew(double time_s);
+
   // The end of the input: a look that has begun waits no longer.
   Status finish();
 

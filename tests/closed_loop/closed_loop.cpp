@@ -38,7 +38,7 @@ std::vector<std::string> watch_arguments(const FlightPlan& plan) {
           "--max-speed",
           text(plan.max_speed_mps),
           "--max-acceleration",
-          text(plan.max_acceleration_mps2),
+          std::isinf(plan.max_acceleration_mps2) ? "none" : text(plan.max_acceleration_mps2),
           "--uncertainty",
           text(plan.uncertainty_m),
           "--max-age",
@@ -65,7 +65,9 @@ class Loop {
 
   Outcome run() {
     write_flown(0, true);
-    for (int step = 0; step < plan_.steps; ++step) {
+    // A look that does not come is waited for: a few tell enough.
+    constexpr std::uint64_t kMostMissing = 3;
+    for (int step = 0; step < plan_.steps && outcome_.looks_missing < kMostMissing; ++step) {
       fly(step);
       write_flown(step + 1, false);
       judge(step);
@@ -262,9 +264,15 @@ class Loop {
     flown_.close();
     char threshold[40];
     std::snprintf(threshold, sizeof threshold, "%.17g", plan_.threshold_m);
-    WatchProcess verify(command_,
-                        {"verify", flown_path_, "--threshold", threshold, "--max-acceleration",
-                         std::to_string(plan_.max_acceleration_mps2 * 1.001), "--quiet"});
+    std::vector<std::string> arguments = {"verify", flown_path_, "--threshold", threshold,
+                                          "--quiet"};
+    if (std::isinf(plan_.max_acceleration_mps2)) {
+      arguments.emplace_back("--straight");
+    } else {
+      arguments.emplace_back("--max-acceleration");
+      arguments.push_back(std::to_string(plan_.max_acceleration_mps2 * 1.001));
+    }
+    WatchProcess verify(command_, arguments);
     outcome_.verify_status = verify.finish();
     if (outcome_.watch_status != 0) {
       outcome_.broken.push_back("watch ended with " + std::to_string(outcome_.watch_status));

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <string>
-#include <vector>
 
 namespace beespace::closed_loop {
 namespace {

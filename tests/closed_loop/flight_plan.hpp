@@ -39,9 +39,9 @@ struct FlightPlan {
   double threshold_m = 5;
   double uncertainty_m = 0.1;
   double max_speed_mps = 10;
-  double max_acceleration_mps2 = 5;
-  double max_age_s = 5;  // who is silent for longer may be anywhere
-  double epoch_s = 0;    // what clocks show as the flight begins
+  double max_acceleration_mps2 = 5;  // infinite: a bee flies with its new velocity at once
+  double max_age_s = 5;              // who is silent for longer may be anywhere
+  double epoch_s = 0;                // what clocks show as the flight begins
   double reports_per_s = 10;
   double phase_s = 0;       // of the first report of all
   bool own_phases = false;  // each bee has another

@@ -44,7 +44,9 @@ void TrueBee::fly(int step, bool has_look, const std::optional<Vector>& told) {
     acceleration /= 2;
     if (length(aim - velocity) > acceleration * plan_.step_s) otherwise_ = step;
   }
-  stretch_ = towards(position, velocity, aim, plan_.step_s, acceleration);
+  stretch_ = std::isinf(acceleration)
+                 ? Stretch{position, aim, {}, plan_.step_s}
+                 : towards(position, velocity, aim, plan_.step_s, acceleration);
 }
 
 std::string TrueBee::line(double made_s, long double passed_s) {
