@@ -70,12 +70,12 @@ void add_flight_options(CLI::App& advise, AdviseCommandOptions& options) {
 
 void add_prevention_options(CLI::App& advise, AdviseCommandOptions& options) {
   advise.add_option("--threshold", options.threshold, "Closer than this is too close (default: 5)")
-      ->type_name("METRES")
+      ->type_name("LENGTH")
       ->group("Separation");
   advise
       .add_option("--uncertainty", options.uncertainty,
                   "How far from where it is said to be a bee may be\n(default: 0)")
-      ->type_name("METRES")
+      ->type_name("LENGTH")
       ->group("Separation");
   advise
       .add_option("--obstacles", options.obstacles, "What stands in the way; - for standard input")
@@ -84,7 +84,7 @@ void add_prevention_options(CLI::App& advise, AdviseCommandOptions& options) {
   advise
       .add_option("--clearance", options.clearance,
                   "Closer than this to an obstacle is too close\n(default: 1)")
-      ->type_name("METRES")
+      ->type_name("LENGTH")
       ->group("Separation");
   advise
       .add_option("--intruders", options.intruders,

@@ -22,6 +22,8 @@ struct DetectOptions {
   std::string frame = "auto";
   std::string format = "auto";
   std::string columns;
+  std::string units;
+  std::string heights = "auto";
   std::string threads = "0";
   std::string max_results;
   bool inclusive = false;
@@ -30,6 +32,7 @@ struct DetectOptions {
   bool geojson = false;
   bool at_risk_only = false;
   bool skip_bad = false;
+  bool unique_ids = false;
   bool fail_on_risk = false;
   bool quiet = false;
 };

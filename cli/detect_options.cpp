@@ -1,4 +1,5 @@
 #include "cli/detect_command.hpp"
+#include "cli/moving/moving_options.hpp"
 #include "cli/option_checks.hpp"
 #include "cli/reports/report.hpp"
 
@@ -36,6 +37,7 @@ constexpr const char* kDetails =
     "  beespace detect bees.csv\n"
     "  beespace detect bees.csv --threshold 50 --report pairs --output pairs.csv\n"
     "  beespace detect bees.csv --report nearest --at-risk-only\n"
+    "  beespace detect traffic.csv --threshold 5NM --vertical 1000ft\n"
     "  beespace detect ours.csv --others towers.csv --report closest-pair\n"
     "  zcat swarm.txt.gz | beespace detect --columns id=1,lon=2,lat=3,height=4 --json\n"
     "  beespace detect swarm.npy --crs metres --quiet --fail-on-risk --output /dev/null\n"
@@ -66,11 +68,14 @@ void add_input_options(CLI::App& detect, DetectOptions& options) {
   detect.add_option("--columns", options.columns, "By number or name: id=1,lon=2,lat=3,height=4")
       ->type_name("LIST")
       ->group("Input");
+  add_units_options(detect, options.units, options.heights);
   CLI::Option* format = detect.add_option("--format", options.format, "How the input is written")
                             ->type_name("auto|text|npy|bin")
                             ->group("Input");
   allow_only(*format, {"auto", "text", "npy", "bin"});
   detect.add_flag("--skip-bad", options.skip_bad, "Leave bad records out and list them")
+      ->group("Input");
+  detect.add_flag("--unique-ids", options.unique_ids, "Refuse inputs in which an id comes again")
       ->group("Input");
 }
 
@@ -82,14 +87,14 @@ void add_search_options(CLI::App& detect, DetectOptions& options) {
   allow_only(*report, report_names());
   detect
       .add_option("--threshold", options.threshold, "Closer than this is too close (default: 100)")
-      ->type_name("METRES")
+      ->type_name("LENGTH")
       ->group("Search");
   detect
       .add_option("--vertical", options.vertical,
                   "Too close only if closer than this in height too;\nthe threshold is then "
                   "horizontal. The distance shown\nis still that in a straight line, and the "
                   "nearest is\nthe nearest of those in the cylinder")
-      ->type_name("METRES")
+      ->type_name("LENGTH")
       ->group("Search");
   detect
       .add_flag("--inclusive", options.inclusive, "A distance of exactly the threshold counts too")

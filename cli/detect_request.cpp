@@ -41,6 +41,8 @@ io::LoadOptions load_options(const DetectOptions& options, unsigned threads) {
   if (options.format == "npy") load.format = io::Format::kNpy;
   if (options.format == "bin") load.format = io::Format::kRawFloat64;
   load.format_can_be_said = true;
+  if (options.heights == "geometric") load.heights = io::HeightSource::kGeometric;
+  if (options.heights == "pressure") load.heights = io::HeightSource::kPressure;
   load.columns = options.columns;
   load.skip_bad = options.skip_bad;
   load.threads = threads;
@@ -70,17 +72,21 @@ Result<DetectRequest> request_of(const DetectOptions& options) {
   const auto max_results = read_max_results("detect", options.max_results);
   if (!max_results) return max_results.error();
   request.search = {*threshold, options.inclusive, *threads, *max_results};
-  const auto vertical =
-      read_optional_amount("detect", "--vertical", options.vertical, "metres", {0.0, false});
+  const auto vertical = read_vertical("detect", options.vertical);
   if (!vertical) return vertical.error();
-  request.search.vertical_m = *vertical;
   request.default_threshold = options.threshold.empty();
+  request.vertical = *vertical;
+  if (*vertical) request.search.vertical_m = (*vertical)->metric;
+  const auto units = io::read_unit_wishes(options.units);
+  if (!units) return detect_usage_error(units.error().message);
 
   if (!options.input.empty()) request.input = options.input;
   if (!options.others.empty()) request.others = options.others;
   request.output = options.output;
   request.load = load_options(options, *threads);
   request.form = *form;
+  request.load.units = *units;
+  request.unique_ids = options.unique_ids;
   request.at_risk_only = options.at_risk_only;
   request.fail_on_risk = options.fail_on_risk;
   request.quiet = options.quiet;

@@ -103,11 +103,13 @@ Error in_words_of_the_command(Error error, const DetectRequest& request) {
 Result<Detection> search(const Inputs& inputs, const DetectRequest& request) {
   Engine engine;
   Detection detection;
-  const bool vertical = request.search.vertical_m.has_value();
-  const GroundPlaces places = ground_places(inputs.ours, vertical);
+  const bool vertical = request.vertical.has_value();
+  const io::Unit height_unit = inputs.height_unit();
+  const GroundPlaces places = ground_places(inputs.ours, request.vertical, height_unit);
   const GroundPlaces other_places =
-      inputs.others ? ground_places(*inputs.others, vertical) : GroundPlaces();
+      inputs.others ? ground_places(*inputs.others, request.vertical, height_unit) : GroundPlaces();
   SearchOptions options = request.search;
+  options.vertical_m = places.vertical_m;
   options.heights_m = places.heights_m;
   options.other_heights_m = other_places.heights_m;
   const std::vector<Point>& points = places.ground.empty() ? inputs.ours.points : places.ground;

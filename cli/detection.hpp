@@ -3,8 +3,10 @@
 
 #include "cli/output_form.hpp"
 #include "cli/reports/report.hpp"
+#include "cli/stated_length.hpp"
 #include "cli/table.hpp"
 #include "io/load_points.hpp"
+#include "io/repeated_ids.hpp"
 
 #include <beespace/nearest.hpp>
 #include <beespace/point.hpp>
@@ -23,7 +25,9 @@ struct DetectRequest {
   std::string output = "-";
   io::LoadOptions load;  // of both inputs
   SearchOptions search;
-  bool default_threshold = false;  // nobody gave one
+  bool default_threshold = false;        // nobody gave one
+  std::optional<StatedLength> vertical;  // that of `search`, as typed
+  bool unique_ids = false;
   const Report* report = nullptr;
   OutputForm form;
   bool at_risk_only = false;
@@ -34,6 +38,14 @@ struct DetectRequest {
 struct Inputs {
   io::LoadedPoints ours;
   std::optional<io::LoadedPoints> others;
+  io::RepeatedIds our_repeated = {};
+  io::RepeatedIds their_repeated = {};
+
+  // Of the heights of both; where they differ they are compared in metres.
+  [[nodiscard]] io::Unit height_unit() const {
+    const bool alike = !others || others->height_unit == ours.height_unit;
+    return alike ? ours.height_unit : io::Unit::kMetre;
+  }
 
   // Whose ids stand second in pairs, and in columns of ids.
   [[nodiscard]] const io::LoadedPoints& theirs() const { return others ? *others : ours; }

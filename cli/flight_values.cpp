@@ -15,7 +15,7 @@ struct Range {
 
 Result<double> read_within(std::string_view command, const char* option, const std::string& text,
                            const char* unit, const Range& range) {
-  const auto value = parse_number(text);
+  const auto value = parse_amount(text, unit);
   if (value && *value >= range.least && *value <= range.most) return *value;
   return usage_error(command, std::string(option) + " '" + text + "' is not a number of " + unit +
                                   " from " + grouped(range.least, range.least > 0.0 ? 6 : 0) +

@@ -61,7 +61,7 @@ void add_swarm_options(CLI::App& generate, GenerateOptions& options) {
       ->group("Swarm");
   generate
       .add_option("--sigma", options.sigma, "How far from their centre bees are (default: 200)")
-      ->type_name("METRES")
+      ->type_name("LENGTH")
       ->group("Swarm");
   generate.add_option("--area", options.area, "A part of the Earth: medellin")
       ->type_name("NAME")
@@ -81,7 +81,7 @@ void add_flight_options(CLI::App& generate, GenerateOptions& options) {
       .add_option("--miss", options.miss,
                   "How far apart the pairs of head-on pass, and at\nmost those of encounters "
                   "(default: 10)")
-      ->type_name("METRES")
+      ->type_name("LENGTH")
       ->group("Flight");
   generate
       .add_option("--duration", options.duration,

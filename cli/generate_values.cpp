@@ -2,6 +2,7 @@
 
 #include "cli/number_text.hpp"
 #include "cli/option_values.hpp"
+#include "cli/stated_length.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -26,6 +27,13 @@ constexpr double kLongest_s = 1e9;
 
 std::optional<double> number_within(std::string_view text, double least, double most) {
   const auto value = parse_number(text);
+  const bool good = value && *value >= least && *value <= most;
+  return good ? value : std::nullopt;
+}
+
+// The same, of metres, perhaps in another unit.
+std::optional<double> metres_within(std::string_view text, double least, double most) {
+  const auto value = parse_amount(text, "metres");
   const bool good = value && *value >= least && *value <= most;
   return good ? value : std::nullopt;
 }
@@ -60,13 +68,13 @@ Result<std::uint64_t> read_seed(const std::string& text) {
 }
 
 Result<double> read_length(const std::string& text, const std::string& option) {
-  if (const auto value = number_within(text, kSmallestSize_m, kLargestSize_m)) return *value;
+  if (const auto value = metres_within(text, kSmallestSize_m, kLargestSize_m)) return *value;
   return generate_error(option + " '" + text + "' is not a length in metres" + kSizes);
 }
 
 Result<double> read_distance(const std::string& text, const std::string& option) {
   if (const auto value = parse_number(text); value && *value == 0.0) return 0.0;
-  if (const auto value = number_within(text, kSmallestSize_m, kLargestSize_m)) return *value;
+  if (const auto value = metres_within(text, kSmallestSize_m, kLargestSize_m)) return *value;
   return generate_error(option + " '" + text + "' is not a distance in metres (0, or 0.000001 to " +
                         "1e15)");
 }
@@ -79,7 +87,7 @@ Result<Point> read_size(const std::string& text, double default_side_m) {
   std::string_view rest = text;
   while (true) {
     const std::size_t end = std::min(rest.find('x'), rest.size());
-    const auto side = number_within(rest.substr(0, end), kSmallestSize_m, kLargestSize_m);
+    const auto side = metres_within(rest.substr(0, end), kSmallestSize_m, kLargestSize_m);
     if (!side) return error;
     sides.push_back(*side);
     if (end == rest.size()) break;

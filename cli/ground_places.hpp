@@ -1,11 +1,13 @@
-// What the distances of a vertical threshold between geographic positions are taken of: those
-// brought to height 0, and heights apart from them.
+// What the distances of a vertical threshold are taken of where heights are apart from positions:
+// positions brought to height 0, geographic ones, or whose heights have the threshold's own unit.
 #pragma once
 
+#include "cli/stated_length.hpp"
 #include "io/load_points.hpp"
 
 #include <beespace/point.hpp>
 
+#include <optional>
 #include <vector>
 
 namespace beespace::cli {
@@ -13,9 +15,12 @@ namespace beespace::cli {
 // Both empty where the points themselves are asked about.
 struct GroundPlaces {
   std::vector<Point> ground = {};
-  std::vector<double> heights_m = {};
+  std::vector<double> heights_m = {};  // in the unit of `vertical_m`
+  std::optional<double> vertical_m = {};
 };
 
-GroundPlaces ground_places(const io::LoadedPoints& loaded, bool vertical);
+// `height_unit` is that of all that is compared. A threshold in the unit of the heights is compared with them as they stand.
+GroundPlaces ground_places(const io::LoadedPoints& loaded,
+                           const std::optional<StatedLength>& vertical, io::Unit height_unit);
 
 }  // namespace beespace::cli

@@ -1,7 +1,9 @@
 #include "cli/answer_output.hpp"
 #include "cli/block_writer.hpp"
 #include "cli/json_cell.hpp"
+#include "cli/json_units.hpp"
 #include "cli/number_text.hpp"
+#include "cli/summary_line.hpp"
 #include "io/json_text.hpp"
 
 #include <beespace/version.hpp>
@@ -56,14 +58,23 @@ void append_skipped(std::string& out, const std::vector<Error>& skipped) {
 }
 
 void append_input(std::string& out, const char* key, const io::LoadedPoints& loaded,
-                  const std::string& path) {
+                  const std::string& path, const io::RepeatedIds& repeated) {
   out += std::string("  \"") + key + "\": {\n    \"file\": " + io::json_string(source_of(path));
   out += ",\n    \"format\": " + io::json_string(loaded.format_description);
   out += ",\n    \"frame\": " + io::json_string(name_of(loaded.frame));
   out += ",\n    \"reason\": " + io::json_string(loaded.frame_reason);
+  out += ",\n    \"units\": " + json_units(loaded.units);
+  const std::string_view datum = datum_text(loaded.heights);
+  out += ",\n    \"heights\": " + (datum.empty() ? "null" : io::json_string(datum));
   out += ",\n    \"points\": " + std::to_string(loaded.points.size());
   out += ",\n    \"skipped\": " + std::to_string(loaded.skipped_count);
   append_skipped(out, loaded.skipped);
+  out += ",\n    \"repeated_ids\": " + std::to_string(repeated.count);
+  if (repeated.count > 0) {
+    out += ",\n    \"first_repeated\": {\"id\": " + io::json_string(repeated.id) +
+           ", \"records\": [" + std::to_string(repeated.first_row) + ", " +
+           std::to_string(repeated.second_row) + "]}";
+  }
   out += ",\n    \"notes\": ";
   append_list(out, loaded.notes);
   out += "\n  },\n";
@@ -158,11 +169,16 @@ void write_json(const Answer& answer, io::AtomicOutput& output) {
   BlockWriter out(output);
   out.text += "{\n  \"version\": " + io::json_string(version());
   out.text += ",\n  \"report\": " + io::json_string(request.report->name) + ",\n";
-  append_input(out.text, "input", answer.inputs.ours, request.input);
-  if (request.others) append_input(out.text, "others", *answer.inputs.others, *request.others);
+  append_input(out.text, "input", answer.inputs.ours, request.input, answer.inputs.our_repeated);
+  if (request.others) {
+    append_input(out.text, "others", *answer.inputs.others, *request.others,
+                 answer.inputs.their_repeated);
+  }
   out.text += "  \"threshold_m\": " + exact(request.search.threshold_m);
   const auto& vertical = request.search.vertical_m;
   out.text += ",\n  \"vertical_m\": " + (vertical ? exact(*vertical) : std::string("null"));
+  out.text +=
+      ",\n  \"vertical\": " + json_vertical(request.vertical, answer.inputs.height_unit());
   out.text += ",\n  \"inclusive\": ";
   out.text += request.search.inclusive ? "true" : "false";
   out.text += ",\n  \"at_risk_count\": " + std::to_string(detection.at_risk.size());

@@ -26,13 +26,16 @@ struct Domain {
 };
 
 Result<double> read_threshold_in(const std::string& text, const Domain& domain) {
-  const auto value = parse_number(text);
-  if (!value) {
-    return Error{
-        ErrorCode::kInvalidThreshold,
-        "the threshold '" + text + "' is not a number; give metres, for example --threshold 100",
-        {}};
+  const auto stated = parse_stated(text, io::Quantity::kLength);
+  if (!stated) {
+    return Error{ErrorCode::kInvalidThreshold,
+                 "the threshold '" + text +
+                     "' is not a length; give metres, or a number with its unit, for example "
+                     "--threshold 100, 5NM, 0.3km or 1000ft (units: " +
+                     io::list_units(io::Quantity::kLength) + ")",
+                 {}};
   }
+  const std::optional<double> value = stated->metric;
   if (*value >= domain.least_m && *value <= domain.most_m) return *value;
   // The ends of the domain matter to those alone who are beyond them.
   const bool finite = std::isfinite(*value);
@@ -69,9 +72,17 @@ Result<std::uint64_t> read_max_results(std::string_view command, const std::stri
                                   std::to_string(kMost));
 }
 
+Result<std::optional<StatedLength>> read_vertical(std::string_view command,
+                                                  const std::string& text) {
+  const auto metres = read_optional_amount(command, "--vertical", text, "metres", {0.0, false});
+  if (!metres) return metres.error();
+  if (!*metres) return std::optional<StatedLength>();
+  return parse_stated(text, io::Quantity::kLength);
+}
+
 Result<double> read_amount(std::string_view command, const std::string& option,
                            const std::string& text, const char* unit, Least least) {
-  const auto value = parse_number(text);
+  const auto value = parse_amount(text, unit);
   const bool enough = value && (least.itself ? *value >= least.value : *value > least.value);
   if (enough && std::isfinite(*value)) return *value;
   return usage_error(command, option + " '" + text + "' is not a number of " + unit +

@@ -130,7 +130,7 @@ Result<ExitCode> predict(const PredictRequest& request) {
   load.progress = &progress.reading();
   const auto recording = io::load_recording(moving.inputs, load);
   if (!recording) return recording.error();
-  const Geometry geometry = geometry_for(*recording, moving.vertical_m.has_value());
+  const Geometry geometry = geometry_for(*recording, moving.vertical);
   const auto snapshot = snapshot_of(*recording, geometry, request.max_age_s, Wanted::kMotion);
   if (!snapshot) return snapshot.error();
 
@@ -138,12 +138,14 @@ Result<ExitCode> predict(const PredictRequest& request) {
   Stopwatch watch;
   const double threshold_m =
       moving.threshold_m.value_or(recording->declared_threshold_m.value_or(kDefaultThreshold_m));
-  auto conflicts = predict_conflicts(snapshot->view(), {.threshold_m = threshold_m,
-                                                        .vertical_m = moving.vertical_m,
-                                                        .horizon_s = request.horizon_s,
-                                                        .inclusive = moving.inclusive,
-                                                        .threads = moving.threads,
-                                                        .max_results = moving.max_results});
+  auto conflicts = predict_conflicts(
+      snapshot->view(), {.threshold_m = threshold_m,
+                         .vertical_m = vertical_in(geometry, moving.vertical),
+                         .horizon_s = request.horizon_s,
+                         .inclusive = moving.inclusive,
+                         .threads = moving.threads,
+                         .max_results = moving.max_results,
+                         .height_unit_m = height_unit_m(geometry, recording->height_unit)});
   if (!conflicts) return in_words_of_the_command(std::move(conflicts).error(), moving);
   const double search_s = watch.lap();
   translate(*conflicts, *snapshot);

@@ -27,7 +27,7 @@ constexpr const char* kDetails =
     "\n"
     "Examples:\n"
     "  beespace predict swarm.csv --threshold 5 --horizon 60\n"
-    "  beespace predict traffic.csv --threshold 9260 --vertical 300 --output conflicts.csv\n"
+    "  beespace predict traffic.csv --threshold 5NM --vertical 1000ft --output conflicts.csv\n"
     "  beespace generate --scene flight --points 1000 | beespace predict --threshold 10\n"
     "\n"
     "Exit status: 0 fine, 1 there is a conflict (with --fail-on-risk), 2 wrong usage, 3 bad input "

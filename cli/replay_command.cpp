@@ -102,17 +102,18 @@ Status write_events(const ReplayRequest& request, const Findings& findings, doub
   // A show is a plan: what lies ahead need not be guessed.
   const bool plan = is_plan(findings.recording);
   const double max_age_s = std::min(findings.coverage.max_gap.seconds, kLargestInMotion);
-  const bool apart = geometry_for(findings.recording, request.moving.vertical_m.has_value()) ==
-                     Geometry::kGroundAndHeight;
-  const SwarmOptions options{.threshold_m = threshold_m,
-                             .vertical_m = request.moving.vertical_m,
-                             .heights_apart = apart,
-                             .leave_factor = request.live.leave_factor,
-                             .horizon_s = plan ? 0.0 : request.live.horizon_s,
-                             .max_age_s = max_age_s,
-                             .threads = request.moving.threads,
-                             .max_bees = std::max(SwarmOptions{}.max_bees, findings.tracks.size())};
-  const auto events = events_of(findings.recording, findings.tracks, options,
+  const Geometry geometry = geometry_for(findings.recording, request.moving.vertical);
+  const SwarmOptions options{
+      .threshold_m = threshold_m,
+      .vertical_m = vertical_in(geometry, request.moving.vertical),
+      .heights_apart = heights_apart(geometry),
+      .leave_factor = request.live.leave_factor,
+      .horizon_s = plan ? 0.0 : request.live.horizon_s,
+      .max_age_s = max_age_s,
+      .threads = request.moving.threads,
+      .height_unit_m = height_unit_m(geometry, findings.recording.height_unit),
+      .max_bees = std::max(SwarmOptions{}.max_bees, findings.tracks.size())};
+  const auto events = events_of(findings.recording, findings.tracks, geometry, options,
                                 {request.live.look_every_s, default_max_skew_s(max_age_s)});
   if (!events) return events.error();
   if (request.moving.form.form == Form::kText) {
@@ -203,7 +204,7 @@ Result<ExitCode> replay(const ReplayRequest& request) {
   load.progress = &progress.reading();
   const auto recording = io::load_recording(moving.inputs, load);
   if (!recording) return recording.error();
-  const Geometry geometry = geometry_for(*recording, moving.vertical_m.has_value());
+  const Geometry geometry = geometry_for(*recording, moving.vertical);
   const auto tracks = tracks_of(*recording, geometry, request.tolerance_m);
   if (!tracks) return tracks.error();
   if (Status few = check_every(request, *tracks); !few) return few.error();
@@ -213,18 +214,20 @@ Result<ExitCode> replay(const ReplayRequest& request) {
   const double threshold_m =
       moving.threshold_m.value_or(recording->declared_threshold_m.value_or(kDefaultThreshold_m));
   const MaxGap max_gap = max_gap_for(request, *recording);
-  const auto recorded = find_conflicts(*tracks, {.threshold_m = threshold_m,
-                                                 .vertical_m = moving.vertical_m,
-                                                 .inclusive = moving.inclusive,
-                                                 .max_gap_s = max_gap.seconds,
-                                                 .threads = moving.threads,
-                                                 .max_results = moving.max_results});
+  const auto recorded =
+      find_conflicts(*tracks, {.threshold_m = threshold_m,
+                               .vertical_m = vertical_in(geometry, moving.vertical),
+                               .inclusive = moving.inclusive,
+                               .max_gap_s = max_gap.seconds,
+                               .threads = moving.threads,
+                               .max_results = moving.max_results,
+                               .height_unit_m = height_unit_m(geometry, recording->height_unit)});
   if (!recorded) return in_words_of_the_command(recorded.error(), moving);
   const auto closest = closest_of(*recorded, *tracks, max_gap.seconds, request);
   if (!closest) return closest.error();
   const double search_s = watch.lap();
 
-  const bool apart = geometry == Geometry::kGroundAndHeight;
+  const bool apart = heights_apart(geometry);
   const auto in_space =
       apart ? tracks_of(*recording, Geometry::kSpace, request.tolerance_m) : tracks;
   if (!in_space) return in_space.error();

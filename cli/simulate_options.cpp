@@ -71,7 +71,7 @@ void add_flight_options(CLI::App& simulate, SimulateOptions& options) {
       .add_option("--spacing", options.spacing,
                   "About how far apart they begin (default: three\ntimes the threshold; of head-on "
                   "20 times)")
-      ->type_name("METRES")
+      ->type_name("LENGTH")
       ->group("Scenario");
   simulate.add_option("--seed", options.seed, "Another number, another swarm (default: 1)")
       ->type_name("N")
@@ -95,7 +95,7 @@ void add_flight_options(CLI::App& simulate, SimulateOptions& options) {
 void add_prevention_options(CLI::App& simulate, SimulateOptions& options) {
   simulate
       .add_option("--threshold", options.threshold, "Closer than this is too close (default: 5)")
-      ->type_name("METRES")
+      ->type_name("LENGTH")
       ->group("Separation");
   CLI::Option* method =
       simulate
@@ -115,7 +115,7 @@ void add_prevention_options(CLI::App& simulate, SimulateOptions& options) {
   simulate
       .add_option("--clearance", options.clearance,
                   "Closer than this to an obstacle is too close\n(default: 1)")
-      ->type_name("METRES")
+      ->type_name("LENGTH")
       ->group("Separation");
   simulate.add_option("--threads", options.threads, "How many threads work (default: 0, all)")
       ->type_name("N")

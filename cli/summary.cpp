@@ -73,12 +73,16 @@ void append_skipped(std::string& out, const io::LoadedPoints& loaded) {
 
 // What one file turned out to be.
 void append_input(std::string& out, std::string_view label, const io::LoadedPoints& loaded,
-                  const std::string& path) {
+                  const std::string& path, const io::RepeatedIds& repeated) {
   append_summary_line(out, label, input_line(loaded, path));
   append_summary_line(out, "frame", frame_line(loaded));
+  append_units(out, loaded.units);
+  const std::string_view datum = datum_text(loaded.heights);
+  if (!datum.empty()) append_summary_line(out, "heights", datum);
   for (const std::string& note : loaded.notes) append_summary_line(out, "note", printable(note));
   if (loaded.skipped_count > 0) append_skipped(out, loaded);
   append_summary_line(out, "points", grouped(loaded.points.size()));
+  if (repeated.count > 0) append_summary_line(out, "repeated", red(text_of(repeated)));
 }
 
 }  // namespace
@@ -86,12 +90,15 @@ void append_input(std::string& out, std::string_view label, const io::LoadedPoin
 std::string summary(const Inputs& inputs, const Detection& detection,
                     const DetectRequest& request) {
   std::string out;
-  append_input(out, "input", inputs.ours, request.input);
-  if (inputs.others) append_input(out, "others", *inputs.others, *request.others);
+  append_input(out, "input", inputs.ours, request.input, inputs.our_repeated);
+  if (inputs.others) {
+    append_input(out, "others", *inputs.others, *request.others, inputs.their_repeated);
+  }
   append_summary_line(out, "threshold",
                       separation_text(request.search.threshold_m, request.search.vertical_m,
                                       request.search.inclusive) +
                           (request.default_threshold ? kDefaultThresholdWords : ""));
+  append_vertical(out, request.vertical, inputs.height_unit());
   append_summary_line(out, "at risk", at_risk_line(inputs.ours, detection));
   if (!detection.table.finding.empty()) {
     append_summary_line(out, request.report->label, detection.table.finding);

@@ -52,7 +52,7 @@ void add_check_options(CLI::App& verify, VerifyCommandOptions& options) {
   verify
       .add_option("--threshold", options.moving.threshold,
                   "Closer than this is too close (default: what the\ninput declares, or 5)")
-      ->type_name("METRES")
+      ->type_name("LENGTH")
       ->group("Check");
   verify.add_option("--max-speed", options.max_speed, "In m/s (default: not checked)")
       ->type_name("SPEED")
@@ -70,7 +70,7 @@ void add_check_options(CLI::App& verify, VerifyCommandOptions& options) {
   verify
       .add_option("--clearance", options.clearance,
                   "Closer than this to an obstacle is too close\n(default: 1)")
-      ->type_name("METRES")
+      ->type_name("LENGTH")
       ->group("Check");
   add_max_gap_option(verify, options.max_gap, "Check");
   verify.add_flag("--straight", options.straight, "Straight lines, whatever the velocities")

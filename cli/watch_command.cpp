@@ -114,12 +114,14 @@ class Watch {
   }
 
   // Whose first report tells what distances are taken of.
-  void begin(io::Frame frame) {
+  void begin(io::Frame frame, io::Unit height_unit) {
     frame_ = frame;
-    geometry_ = request_.swarm.vertical_m && frame == io::Frame::kWgs84 ? Geometry::kGroundAndHeight
-                                                                        : Geometry::kSpace;
+    height_unit_ = height_unit;
+    geometry_ = geometry_for(frame, height_unit, request_.vertical);
     SwarmOptions options = request_.swarm;
-    options.heights_apart = geometry_ == Geometry::kGroundAndHeight;
+    options.vertical_m = vertical_in(geometry_, request_.vertical);
+    options.heights_apart = heights_apart(geometry_);
+    options.height_unit_m = height_unit_m(geometry_, height_unit);
     feed_.emplace(options, request_.times,
                   [this](const std::vector<SwarmEvent>& events) { tell(events); });
     feed_->after_each_note([this](const ClockNote& note) { tell(note); });
@@ -159,8 +161,9 @@ class Watch {
       if (bee && advice_) advice_->remove(*bee);
       return std::monostate{};
     }
-    if (!feed_) begin(at.frame);
-    const auto metres = in_metres(at.position, at.velocity, at.frame, geometry_);
+    if (!feed_) begin(at.frame, at.height_unit);
+    const auto metres = in_metres(at.position, at.velocity, at.frame, geometry_,
+                                  {at.stated_height, at.height_unit});
     if (!metres) {
       note_bad(metres.error());
       return std::monostate{};
@@ -243,6 +246,8 @@ class Watch {
     std::string out;
     append_summary_line(out, "input", printable(lines_.description()));
     if (feed_) append_frame_lines(out, frame_, "", lines_.heights());
+    append_units(out, lines_.units());
+    append_vertical(out, request_.vertical, height_unit_);
     for (const std::string& note : lines_.notes())
       append_summary_line(out, "note", printable(note));
     const SwarmCounts counts = feed_ ? feed_->counts() : SwarmCounts{};
@@ -281,6 +286,7 @@ class Watch {
   io::ReportLines lines_;
   Pace pace_;
   io::Frame frame_ = io::Frame::kMetres;  // once there is a feed
+  io::Unit height_unit_ = io::Unit::kMetre;
   Geometry geometry_ = Geometry::kSpace;
   std::optional<LiveFeed> feed_;
   std::optional<LiveAdvice> advice_;

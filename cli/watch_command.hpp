@@ -19,6 +19,7 @@ struct WatchOptions {
   std::string frame = "auto";
   std::string columns;
   std::string time_unit = "auto";
+  std::string units;
   std::string heights = "auto";
   std::string threshold = "100";
   std::string vertical;

@@ -75,7 +75,7 @@ void add_input_options(CLI::App& watch, WatchOptions& options) {
           ->type_name("auto|s|ms|us|ns")
           ->group("Input");
   allow_only(*unit, {"auto", "s", "ms", "us", "ns"});
-  add_heights_option(watch, options.heights);
+  add_units_options(watch, options.units, options.heights);
   watch
       .add_option("--max-age", options.max_age,
                   "Stale is who was not heard of for so long (default: 5)")
@@ -117,10 +117,10 @@ CLI::App* add_watch_command(CLI::App& command, WatchOptions& options) {
   add_input_options(*watch, options);
   watch
       ->add_option("--threshold", options.threshold, "Closer than this is too close (default: 100)")
-      ->type_name("METRES")
+      ->type_name("LENGTH")
       ->group("Separation");
   watch->add_option("--vertical", options.vertical, kVerticalHelp)
-      ->type_name("METRES")
+      ->type_name("LENGTH")
       ->group("Separation");
   watch->add_option("--threads", options.threads, "How many threads work (default: 1; 0: all)")
       ->type_name("N")

@@ -35,9 +35,13 @@ Result<WatchRequest> watch_request(const WatchOptions& options) {
   }
   const auto threshold = read_threshold_in_motion(options.threshold);
   if (!threshold) return threshold.error();
-  const auto vertical =
-      read_optional_amount(kName, "--vertical", options.vertical, "metres", {0.0, false});
+  const auto vertical = read_vertical(kName, options.vertical);
   if (!vertical) return vertical.error();
+  const auto reading = recording_options(
+      kName, {options.frame, options.time_unit, options.columns, options.heights, options.units});
+  if (!reading) return reading.error();
+  std::optional<double> vertical_m;
+  if (*vertical) vertical_m = (*vertical)->metric;
   const auto max_age = read_amount(kName, "--max-age", options.max_age, "seconds", {0.0, false});
   if (!max_age) return max_age.error();
   const auto skew =
@@ -70,25 +74,25 @@ Result<WatchRequest> watch_request(const WatchOptions& options) {
       kName, options.advice,
       {*threshold, vertical->has_value(), live->look_every_s, *max_age, *threads});
   if (!advice) return advice.error();
-  return WatchRequest{
-      options.input.empty() ? "-" : options.input,
-      recording_options({options.frame, options.time_unit, options.columns, options.heights}),
-      {.threshold_m = *threshold,
-       .vertical_m = *vertical,
-       .leave_factor = live->leave_factor,
-       .horizon_s = live->horizon_s,
-       .max_age_s = *max_age,
-       .threads = *threads,
-       .max_speed_mps = max_speed,
-       .max_bees = *max_bees,
-       .max_pairs = *max_pairs},
-      {live->look_every_s, skew->value_or(default_max_skew_s(*max_age))},
-      options.clock == "arrival",
-      *speed,
-      *rate,
-      *advice,
-      options.fail_on_risk,
-      options.quiet};
+  return WatchRequest{options.input.empty() ? "-" : options.input,
+                      *reading,
+                      {.threshold_m = *threshold,
+                       .vertical_m = vertical_m,
+                       .leave_factor = live->leave_factor,
+                       .horizon_s = live->horizon_s,
+                       .max_age_s = *max_age,
+                       .threads = *threads,
+                       .max_speed_mps = max_speed,
+                       .max_bees = *max_bees,
+                       .max_pairs = *max_pairs},
+                      *vertical,
+                      {live->look_every_s, skew->value_or(default_max_skew_s(*max_age))},
+                      options.clock == "arrival",
+                      *speed,
+                      *rate,
+                      *advice,
+                      options.fail_on_risk,
+                      options.quiet};
 }
 
 }  // namespace beespace::cli

@@ -3,6 +3,7 @@
 
 #include "cli/moving/live_advice.hpp"
 #include "cli/moving/live_feed.hpp"
+#include "cli/stated_length.hpp"
 #include "cli/watch_command.hpp"
 #include "io/load_recording.hpp"
 
@@ -18,6 +19,7 @@ struct WatchRequest {
   std::string input;
   io::RecordingOptions lines;
   SwarmOptions swarm;
+  std::optional<StatedLength> vertical;  // that of `swarm`, as typed
   LiveTimes times = {};
   bool by_arrival = false;                  // the time of a report is when it came
   std::optional<double> speed;              // times that of the clock of the reports

@@ -50,7 +50,7 @@ _beespace() {
       _beespace_offer -f -- "$current"
       return
       ;;
-    *:--threshold | *:--columns | *:--threads | *:--max-results | *:--points) return ;;
+    *:--threshold | *:--columns | *:--units | *:--threads | *:--max-results | *:--points) return ;;
     *:--vertical | *:--horizon | *:--max-age | *:--every | *:--max-gap | *:--tolerance) return ;;
     *:--leave-factor | *:--look-every | *:--rate | *:--max-skew | *:--max-bees | *:--max-pairs) return ;;
     *:--size | *:--clusters | *:--sigma | *:--seed) return ;;
@@ -62,24 +62,24 @@ _beespace() {
       case $subcommand in
         detect)
           words='--report --others --threshold --vertical --inclusive --at-risk-only --max-results
-            --threads --crs --columns --format --skip-bad --output --csv --json --geojson
+            --threads --crs --columns --units --heights --format --skip-bad --unique-ids --output --csv --json --geojson
             --fail-on-risk --quiet --help --version'
           ;;
         predict)
-          words='--threshold --vertical --inclusive --horizon --max-results --threads --crs --columns
+          words='--threshold --vertical --inclusive --horizon --max-results --threads --crs --columns --units
             --time-unit --heights --max-age --grounded --skip-bad --output --csv --json --fail-on-risk --quiet
             --help --version'
           ;;
         replay)
           words='--report --every --threshold --vertical --inclusive --max-results --threads --crs
-            --columns --time-unit --heights --max-gap --tolerance --grounded --skip-bad --horizon
+            --columns --units --time-unit --heights --max-gap --tolerance --grounded --skip-bad --horizon
             --leave-factor --look-every --output --csv --json --fail-on-risk --quiet --help
             --version'
           ;;
         watch)
           words='--threshold --vertical --horizon --leave-factor --look-every --advise --max-speed
             --max-acceleration --uncertainty --step --max-bees --max-pairs --max-age --clock --max-skew
-            --speed --rate --threads --crs --columns --time-unit --heights --fail-on-risk --quiet
+            --speed --rate --threads --crs --columns --units --time-unit --heights --fail-on-risk --quiet
             --help --version'
           ;;
         advise)
@@ -93,26 +93,26 @@ _beespace() {
           ;;
         verify)
           words='--threshold --max-speed --max-acceleration --obstacles --clearance --max-gap --straight --threads
-            --crs --columns --time-unit --heights --grounded --skip-bad --output --csv --json --quiet
+            --crs --columns --units --time-unit --heights --grounded --skip-bad --output --csv --json --quiet
             --help --version'
           ;;
         report)
-          words='--threshold --vertical --inclusive --threads --crs --columns --time-unit
+          words='--threshold --vertical --inclusive --threads --crs --columns --units --time-unit
             --heights --grounded --skip-bad --max-gap --tolerance --compare --output --json
             --fail-on-risk --quiet --help --version'
           ;;
         view)
-          words='--threshold --vertical --inclusive --threads --crs --columns --time-unit
+          words='--threshold --vertical --inclusive --threads --crs --columns --units --time-unit
             --heights --grounded --skip-bad --max-gap --tolerance --compare --no-open --port
             --json --quiet --help --version'
           ;;
         plot)
-          words='--threshold --vertical --inclusive --threads --crs --columns --time-unit
+          words='--threshold --vertical --inclusive --threads --crs --columns --units --time-unit
             --heights --grounded --skip-bad --max-gap --tolerance --width --title --output
             --json --fail-on-risk --quiet --help --version'
           ;;
         export)
-          words='--threshold --vertical --inclusive --threads --crs --columns --time-unit
+          words='--threshold --vertical --inclusive --threads --crs --columns --units --time-unit
             --heights --grounded --skip-bad --max-gap --tolerance --format --output --json
             --fail-on-risk --quiet --help --version'
           ;;

@@ -4,13 +4,16 @@
 
 namespace beespace::io {
 
-std::optional<Error> AircraftGathering::begin(std::string description, double repeat_s) {
+std::optional<Error> AircraftGathering::begin(std::string description, Unit height_unit,
+                                              double repeat_s) {
   if (auto error = aircraft_problem(assembly_.options(), description)) return error;
   SourceFacts facts;
   facts.frame = Frame::kWgs84;
   facts.frame_reason = "aircraft tell longitude and latitude";
   facts.since_1970 = true;
   facts.heights = choice_.datum();
+  facts.height_unit = height_unit;
+  facts.units = AircraftChoice::units(height_unit, description);
   facts.description = std::move(description);
   if (auto error = assembly_.agree(facts)) return error;
   assembly_.tracks().round_times(repeat_s);
@@ -26,7 +29,9 @@ std::optional<Error> AircraftGathering::add(const AircraftReport& report, std::u
   origin.source = assembly_.source() & 0xFF'FFFFu;
   origin.line = line & 0xFF'FFFF'FFFFu;
   const AircraftFix& fix = **chosen;
-  assembly_.tracks().add(report.id, fix.fix, &fix.velocity, origin);
+  std::optional<double> stated;
+  if (report.height_unit != Unit::kMetre) stated = fix.stated_height;
+  assembly_.tracks().add(report.id, fix.fix, &fix.velocity, origin, stated);
   if (!report.label.empty()) assembly_.tracks().label(report.id, report.label);
   return std::nullopt;
 }

@@ -30,6 +30,7 @@ class AircraftLines final : public LineReader {
   [[nodiscard]] LineFacts facts() const override {
     LineFacts facts{"readsb JSON", choice_.datum(), left_out_.notes()};
     facts.notes.insert(facts.notes.begin(), choice_.note());
+    facts.units = AircraftChoice::units(Unit::kFoot, facts.description);
     return facts;
   }
 

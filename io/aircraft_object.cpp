@@ -65,9 +65,9 @@ class ObjectReading {
     if (auto error = number(Key::kTrack, report_.track_deg)) return error;
     if (auto error = number(Key::kGeomRate, geometric)) return error;
     if (auto error = number(Key::kBaroRate, pressure)) return error;
-    report_.ground_speed_mps = mps_of_knots(speed);
-    report_.geometric_climb_mps = mps_of_feet_per_minute(geometric);
-    report_.pressure_climb_mps = mps_of_feet_per_minute(pressure);
+    report_.ground_speed_mps = in_metric(speed, Unit::kKnot);
+    report_.geometric_climb_mps = in_metric(geometric, Unit::kFootPerMinute);
+    report_.pressure_climb_mps = in_metric(pressure, Unit::kFootPerMinute);
     return std::nullopt;
   }
 
@@ -122,19 +122,15 @@ class ObjectReading {
   }
 
   std::optional<Error> read_heights() {
-    double geometric = AircraftReport::kUnknown;
-    if (auto error = number(Key::kAltGeom, geometric)) return error;
-    report_.ellipsoid_height_m = metres_of_feet(geometric);
+    report_.height_unit = Unit::kFoot;
+    if (auto error = number(Key::kAltGeom, report_.ellipsoid_height)) return error;
     const auto& baro = at(Key::kAltBaro);
     std::string_view text;
     if (baro && baro->get(text) == simdjson::SUCCESS && text == "ground") {
       report_.on_ground = true;
       return std::nullopt;
     }
-    double pressure = AircraftReport::kUnknown;
-    if (auto error = number(Key::kAltBaro, pressure)) return error;
-    report_.pressure_height_m = metres_of_feet(pressure);
-    return std::nullopt;
+    return number(Key::kAltBaro, report_.pressure_height);
   }
 
   const Values& values_;

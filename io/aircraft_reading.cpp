@@ -66,7 +66,8 @@ std::optional<Error> read_list(JsonElement root, std::string_view key, Recording
 
 std::optional<Error> read_aircraft(JsonElement root, RecordingAssembly& assembly) {
   AircraftGathering gathering(choice_of(assembly), assembly);
-  if (auto error = gathering.begin("aircraft.json of readsb or dump1090", kAgeRounding_s)) {
+  if (auto error =
+          gathering.begin("aircraft.json of readsb or dump1090", Unit::kFoot, kAgeRounding_s)) {
     return error;
   }
   double now_s = 0.0;
@@ -93,7 +94,7 @@ std::optional<Error> read_aircraft(JsonElement root, RecordingAssembly& assembly
 
 std::optional<Error> read_states(JsonElement root, RecordingAssembly& assembly) {
   AircraftGathering gathering(choice_of(assembly), assembly);
-  if (auto error = gathering.begin("state vectors of OpenSky", 0.0)) return error;
+  if (auto error = gathering.begin("state vectors of OpenSky", Unit::kMetre, 0.0)) return error;
   return read_list(root, "states", assembly, gathering, read_state_vector);
 }
 

@@ -64,10 +64,12 @@ Result<std::optional<AircraftFix>> AircraftChoice::choose(const AircraftReport& 
   }
   if (std::isnan(report.time_s)) return leave_out(kNoTime);
   if (report.on_ground && !grounded_) return leave_out(kOnGround);
-  const double height = by_pressure() ? report.pressure_height_m : report.ellipsoid_height_m;
+  const double stated = by_pressure() ? report.pressure_height : report.ellipsoid_height;
+  const double height = in_metric(stated, report.height_unit);
   if (std::isnan(height)) return leave_out(by_pressure() ? kNoPressureHeight : kNoEllipsoidHeight);
 
   AircraftFix chosen;
+  chosen.stated_height = stated;
   chosen.fix = {report.time_s, {report.longitude_deg, report.latitude_deg, height}};
   if (auto error = impossible_place(chosen.fix.position)) return *std::move(error);
   if (!in_motion_domain(report.time_s)) {
@@ -89,6 +91,17 @@ HeightDatum AircraftChoice::datum() const {
 std::string AircraftChoice::note() const {
   return by_pressure() ? "heights are by pressure, of the standard atmosphere"
                        : "heights are geometric, above the WGS84 ellipsoid";
+}
+
+std::vector<UnitTaken> AircraftChoice::units(Unit height_unit, std::string_view format) {
+  const bool feet = height_unit == Unit::kFoot;
+  const std::string reason = std::string(format) + " has them so";
+  const auto taken = [&reason](const char* of, Unit unit) {
+    return UnitTaken{of, unit, UnitEvidence::kNamed, reason};
+  };
+  return {taken("heights", height_unit),
+          taken("speeds", feet ? Unit::kKnot : Unit::kMetrePerSecond),
+          taken("climb rates", feet ? Unit::kFootPerMinute : Unit::kMetrePerSecond)};
 }
 
 std::optional<Error> impossible_place(const Point& position) {
@@ -127,6 +140,9 @@ std::optional<Error> fixed_layout_problem(const RecordingOptions& options,
   const std::string what(format);
   if (!options.columns.empty()) {
     return invalid("--columns is for tables, but this is " + what + "; leave it out");
+  }
+  if (options.units.any()) {
+    return invalid("the numbers of " + what + " have their units; leave --units out");
   }
   if (options.time_unit != TimeUnit::kAuto) {
     return invalid("the times of " + what + " have their unit; leave --time-unit out");

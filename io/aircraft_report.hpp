@@ -7,6 +7,7 @@
 
 #include "io/left_out.hpp"
 #include "io/load_recording.hpp"
+#include "io/units.hpp"
 
 #include <beespace/point.hpp>
 #include <beespace/result.hpp>
@@ -16,6 +17,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace beespace::io {
 
@@ -28,8 +30,9 @@ struct AircraftReport {
   double time_s = kUnknown;  // of the position, since 1970
   double longitude_deg = kUnknown;
   double latitude_deg = kUnknown;
-  double ellipsoid_height_m = kUnknown;
-  double pressure_height_m = kUnknown;
+  double ellipsoid_height = kUnknown;  // both in height_unit, as they were sent
+  double pressure_height = kUnknown;
+  Unit height_unit = Unit::kMetre;
   bool on_ground = false;
   double ground_speed_mps = kUnknown;
   double track_deg = kUnknown;  // clockwise from true north
@@ -37,23 +40,13 @@ struct AircraftReport {
   double pressure_climb_mps = kUnknown;
 };
 
-// The units of aviation, by their definitions.
-constexpr double metres_of_feet(double feet) {
-  return feet * 0.3048;
-}
-constexpr double mps_of_knots(double knots) {
-  return knots * 1852.0 / 3600.0;
-}
-constexpr double mps_of_feet_per_minute(double rate) {
-  return rate * 0.3048 / 60.0;
-}
-
 // The same address always in the same letters: formats differ in their case.
 std::string normal_address(std::string_view address);
 
 struct AircraftFix {
-  Fix fix;            // longitude, latitude, height
-  Velocity velocity;  // east, north, up; not-a-number where unknown
+  Fix fix;                     // longitude, latitude, height in metres
+  Velocity velocity;           // east, north, up; not-a-number where unknown
+  double stated_height = 0.0;  // in AircraftReport::height_unit
 };
 
 class AircraftChoice {
@@ -67,6 +60,8 @@ class AircraftChoice {
   [[nodiscard]] HeightDatum datum() const;
   // To be said aloud.
   [[nodiscard]] std::string note() const;
+  // That of a format whose heights are in that unit.
+  static std::vector<UnitTaken> units(Unit height_unit, std::string_view format);
 
  private:
   [[nodiscard]] bool by_pressure() const { return heights_ == HeightSource::kPressure; }

@@ -3,8 +3,11 @@
 // Nothing is copied: the layout says where in the bytes coordinate (row, axis) lies.
 #pragma once
 
+#include "io/units.hpp"
+
 #include <beespace/result.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -18,6 +21,7 @@ struct ArrayLayout {
   std::size_t item_bytes = 8;     // 8: float64, 4: float32, little-endian
   bool column_by_column = false;  // Fortran order: all x, then all y, then all z
   std::string description = {};   // "npy float64 (1000, 3)"
+  std::array<Unit, 3> units = {Unit::kMetre, Unit::kMetre, Unit::kMetre};
 
   [[nodiscard]] double coordinate(std::uint64_t row, std::size_t axis) const;
   // As short as it can be written without changing its value.

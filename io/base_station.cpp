@@ -91,20 +91,19 @@ std::optional<Error> read_time(const Fields& fields, double& time_s) {
 
 // Everything that a message may say, whatever its kind.
 std::optional<Error> read_values(const Fields& fields, AircraftReport& now) {
-  double altitude = AircraftReport::kUnknown;
   double speed = AircraftReport::kUnknown;
   double climb = AircraftReport::kUnknown;
   if (auto error = read_time(fields, now.time_s)) return error;
-  if (auto error = read_field(fields, kAltitude, "altitude", altitude)) return error;
+  if (auto error = read_field(fields, kAltitude, "altitude", now.pressure_height)) return error;
   if (auto error = read_field(fields, kSpeed, "speed", speed)) return error;
   if (auto error = read_field(fields, kTrack, "track", now.track_deg)) return error;
   if (auto error = read_field(fields, kLatitude, "latitude", now.latitude_deg)) return error;
   if (auto error = read_field(fields, kLongitude, "longitude", now.longitude_deg)) return error;
   if (auto error = read_field(fields, kClimb, "vertical rate", climb)) return error;
   now.id = normal_address(fields[kAddress]);
-  now.pressure_height_m = metres_of_feet(altitude);
-  now.ground_speed_mps = mps_of_knots(speed);
-  now.pressure_climb_mps = mps_of_feet_per_minute(climb);
+  now.height_unit = Unit::kFoot;
+  now.ground_speed_mps = in_metric(speed, Unit::kKnot);
+  now.pressure_climb_mps = in_metric(climb, Unit::kFootPerMinute);
   now.on_ground =
       fields[kKind][0] == kSurfacePosition || fields[kGround] == "-1" || fields[kGround] == "1";
   return std::nullopt;

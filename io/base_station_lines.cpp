@@ -28,6 +28,7 @@ class BaseStationLines final : public LineReader {
   [[nodiscard]] LineFacts facts() const override {
     LineFacts facts{"BaseStation messages", choice_.datum(), {choice_.note()}};
     facts.notes.emplace_back(BaseStation::note());
+    facts.units = AircraftChoice::units(Unit::kFoot, facts.description);
     for (std::string& note : left_out_.notes()) facts.notes.push_back(std::move(note));
     return facts;
   }

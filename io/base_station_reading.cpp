@@ -24,7 +24,7 @@ std::optional<Error> read_base_station(std::string_view bytes, RecordingAssembly
   const RecordingOptions& options = assembly.options();
   if (auto error = base_station_problem(options)) return error;
   AircraftGathering gathering({HeightSource::kPressure, options.grounded}, assembly);
-  if (auto error = gathering.begin("BaseStation messages", 0.0)) return error;
+  if (auto error = gathering.begin("BaseStation messages", Unit::kFoot, 0.0)) return error;
   assembly.note(std::string(BaseStation::note()));
   BaseStation station;
   RecordWalk walk(without_byte_order_mark(bytes), 0, '\n');

@@ -1,8 +1,10 @@
 #include "io/column_choice.hpp"
 
 #include "io/column_wishes.hpp"
+#include "io/coordinate_units.hpp"
 #include "io/excerpt.hpp"
 #include "io/header_words.hpp"
+#include "io/table_sources.hpp"
 
 #include <algorithm>
 #include <array>
@@ -40,21 +42,6 @@ std::string frame_words(bool geographic, bool third) {
   return third ? "x, y and z" : "x and y";
 }
 
-std::optional<Error> unit_problem(const ColumnsSeen& seen, const ColumnChoice& choice) {
-  for (std::size_t axis = 0; axis < choice.dimensions && !seen.names.empty(); ++axis) {
-    const std::size_t column = choice.axes[axis];
-    const std::string unit = read_header_word(seen.names[column]).foreign_unit;
-    if (unit.empty()) continue;
-    Error error{ErrorCode::kUnsupportedFormat,
-                "column " + excerpt(seen.names[column]) + " is in '" + unit +
-                    "'; convert it first: beespace reads degrees and metres (1 ft = 0.3048 m)",
-                {}};
-    error.place.column = column + 1;
-    return error;
-  }
-  return std::nullopt;
-}
-
 Result<ColumnChoice> choose_as_wished(const std::vector<Wish>& wishes, const ColumnsSeen& seen) {
   std::array<std::optional<std::size_t>, kRoles> columns = {};
   for (const Wish& wish : wishes) {
@@ -82,7 +69,6 @@ Result<ColumnChoice> choose_as_wished(const std::vector<Wish>& wishes, const Col
   choice.id = at(Role::kId);
   choice.evidence = geographic ? Frame::kWgs84 : Frame::kMetres;
   choice.reason = "--columns names " + frame_words(geographic, third.has_value());
-  if (auto problem = unit_problem(seen, choice)) return *std::move(problem);
   return choice;
 }
 
@@ -102,16 +88,27 @@ bool is_taken(const ColumnsSeen& seen, std::size_t column) {
   return column < seen.taken.size() && seen.taken[column];
 }
 
-Header read_header(const ColumnsSeen& seen, std::optional<std::size_t> id) {
+Header read_header(const ColumnsSeen& seen, std::optional<std::size_t> id, HeightSource heights) {
   Header header;
+  const TableSource* const source = source_of(seen.names);
   for (std::size_t i = 0; i < seen.names.size(); ++i) {
     header.words.push_back(read_header_word(seen.names[i]));
     if (i == id || is_taken(seen, i)) header.words.back() = {};
     if (i == id) header.words.back().role = Role::kId;
+    const KnownColumn* const known = source != nullptr ? source->find(seen.names[i]) : nullptr;
+    if (known != nullptr) header.words.back().datum = known->datum;
     header.by_role[index_of(header.words.back().role)].push_back(i);
   }
-  // Where a coordinate comes several times, the one that can be read is meant, and the one without
-  // "uav" before its name.
+  // Where a coordinate comes several times, the one that can be read is meant, the one in metres,
+  // the one without "uav" before its name, and the height of the wanted kind.
+  const auto converted = [&header](std::size_t i) {
+    const Unit unit = header.words[i].unit;
+    return unit != Unit::kUnstated && unit != Unit::kMetre;
+  };
+  const auto unwanted = [&header, heights](std::size_t i) {
+    const bool pressure = header.words[i].datum == HeightDatum::kPressure;
+    return pressure != (heights == HeightSource::kPressure);
+  };
   const auto foreign = [&header](std::size_t i) { return !header.words[i].foreign_unit.empty(); };
   const auto prefixed = [&header](std::size_t i) { return !header.words[i].prefix.empty(); };
   const auto leave_out = [](std::vector<std::size_t>& columns, const auto& worse) {
@@ -121,6 +118,8 @@ Header read_header(const ColumnsSeen& seen, std::optional<std::size_t> id) {
   for (auto& columns : header.by_role) {
     leave_out(columns, foreign);
     leave_out(columns, prefixed);
+    leave_out(columns, unwanted);
+    leave_out(columns, converted);
   }
   return header;
 }
@@ -257,7 +256,7 @@ Result<std::optional<std::size_t>> find_third(const Header& header, const Column
 // How sure a header with x and y is about metres.
 Naming naming_of(const HeaderWord& x, const HeaderWord& y) {
   if (x.frame != Frame::kMetres || y.frame != Frame::kMetres) return Naming::kAxes;
-  return x.says_metres && y.says_metres ? Naming::kSure : Naming::kBareAxes;
+  return x.says_length && y.says_length ? Naming::kSure : Naming::kBareAxes;
 }
 
 Result<ColumnChoice> choose_by_names(const Header& header, const ColumnsSeen& seen,
@@ -339,25 +338,56 @@ Result<ColumnChoice> choose_by_header(const Header& header, const ColumnsSeen& s
   return choose_in_order(header, seen, id, frame);
 }
 
-}  // namespace
-
-Result<ColumnChoice> choose_columns(const ColumnsSeen& seen, const LoadOptions& options) {
+// The columns, but not yet their units.
+Result<ColumnChoice> find_columns(const ColumnsSeen& seen, const LoadOptions& options) {
   std::optional<std::size_t> id;
+  std::optional<ColumnChoice> wished;
   if (!options.columns.empty()) {
     const auto wishes = read_wishes(options.columns, options.frame);
     if (!wishes) return wishes.error();
     const bool only_id = wishes.value().size() == 1 && wishes.value().front().role == Role::kId;
-    if (!only_id) return choose_as_wished(wishes.value(), seen);
-    const auto column = find_wished_column(wishes.value().front(), seen);
-    if (!column) return column.error();
-    id = column.value();
+    if (!only_id) {
+      auto choice = choose_as_wished(wishes.value(), seen);
+      if (!choice) return choice;
+      if (choice->id) return choice;
+      wished = std::move(choice).value();
+    } else {
+      const auto column = find_wished_column(wishes.value().front(), seen);
+      if (!column) return column.error();
+      id = column.value();
+    }
   }
-  const Header header = read_header(seen, id);
-  auto choice = choose_by_header(header, seen, id, options.frame);
+  const Header header = read_header(seen, id, options.heights);
+  auto choice =
+      wished ? Result<ColumnChoice>(*wished) : choose_by_header(header, seen, id, options.frame);
   if (!choice) return choice;
-  if (auto problem = unit_problem(seen, choice.value())) return *std::move(problem);
-  if (!id && header.has(Role::kId)) id = header.columns(Role::kId).front();
-  choice.value().id = id;
+  std::vector<std::size_t> ids = header.columns(Role::kId);
+  // Who names the coordinates may take what is called an id for one.
+  const auto& axes = choice->axes;
+  const auto end = axes.begin() + static_cast<std::ptrdiff_t>(choice->dimensions);
+  ids.erase(std::remove_if(ids.begin(), ids.end(),
+                           [&axes, end](std::size_t column) {
+                             return std::find(axes.begin(), end, column) != end;
+                           }),
+            ids.end());
+  if (!id && !ids.empty()) id = choose_id(seen, ids);
+  choice->id = id;
+  return choice;
+}
+
+}  // namespace
+
+std::size_t choose_id(const ColumnsSeen& seen, const std::vector<std::size_t>& candidates) {
+  const auto alone = std::find_if(
+      candidates.begin(), candidates.end(),
+      [&seen](std::size_t column) { return split_words(seen.names[column]).size() == 1; });
+  return alone != candidates.end() ? *alone : candidates.front();
+}
+
+Result<ColumnChoice> choose_columns(const ColumnsSeen& seen, const LoadOptions& options) {
+  auto choice = find_columns(seen, options);
+  if (!choice) return choice;
+  if (auto problem = settle_coordinate_units(seen, options, *choice)) return *std::move(problem);
   return choice;
 }
 

@@ -24,8 +24,11 @@ struct ColumnsSeen {
   std::vector<bool> taken = {};  // columns that are known to hold no coordinate; may be empty
 };
 
-// Errors: kInvalidArgument for wishes that make no sense, kMissingColumn, kUnsupportedFormat for a
-// unit that is not read.
+// Of columns that could all be the id, the one that is: "id" before "frame_id".
+std::size_t choose_id(const ColumnsSeen& seen, const std::vector<std::size_t>& candidates);
+
+// Errors: kInvalidArgument for wishes that make no sense, or for units that must be said (with
+// column), kMissingColumn, kUnsupportedFormat for a unit that is not read.
 Result<ColumnChoice> choose_columns(const ColumnsSeen& seen, const LoadOptions& options);
 
 }  // namespace beespace::io

@@ -20,24 +20,28 @@ constexpr std::string_view kLatitudeWords[] = {
     "lat",   "latitude", "latitud",    "breite",      "breedte",
     "enlem", "широта",   "latitudine", "breitengrad", "breedtegraad"};
 constexpr std::string_view kHeightWords[] = {
-    "height",  "altitude",  "alt",       "elevation",   "elev",    "h",         "altura",
-    "altitud", "höhe",      "hoehe",     "hauteur",     "hoogte",  "quota",     "elevación",
-    "высота",  "elevacion", "élévation", "geoaltitude", "altezza", "yükseklik", "altitudine"};
+    "height",  "altitude",  "alt",        "elevation",   "elev",      "h",
+    "altura",  "altitud",   "höhe",       "hoehe",       "hauteur",   "hoogte",
+    "quota",   "elevación", "высота",     "elevacion",   "élévation", "geoaltitude",
+    "altezza", "yükseklik", "altitudine", "baroaltitude"};
 constexpr std::string_view kIdWords[] = {"id",     "name",     "icao",       "icao24",
                                          "hex",    "callsign", "identifier", "uuid",
                                          "nombre", "label",    "nom",        "hexid"};
-constexpr std::string_view kMetreUnits[] = {"m",      "meter", "meters", "metre",
-                                            "metres", "metro", "metros", "mts"};
 constexpr std::string_view kMetreFrames[] = {"ecef", "enu", "ned", "local"};
 constexpr std::string_view kDegreeUnits[] = {"deg",    "degree", "degrees", "grad",
                                              "grados", "°",      "dd"};
-constexpr std::string_view kForeignUnits[] = {
-    "ft",    "feet", "foot",   "pies",   "km",      "cm",         "mm",
-    "rad",   "nm",   "mi",     "mile",   "miles",   "yd",         "yard",
-    "yards", "inch", "inches", "radian", "radians", "kilometers", "kilometres"};
+// What a column may be called that tells bees apart, where it is called nothing else.
+constexpr std::string_view kMoverWords[] = {"bee",     "drone", "uav",      "agent",
+                                            "vehicle", "robot", "aircraft", "boid",
+                                            "object",  "abeja", "biene",    "abeille"};
+constexpr std::string_view kForeignUnits[] = {"rad", "radian", "radians"};
+// What a height is counted from.
+constexpr std::string_view kPressureWords[] = {"baro", "barometric", "pressure"};
+constexpr std::string_view kEllipsoidWords[] = {"geo",      "geom",        "geometric",
+                                                "geodetic", "ellipsoidal", "ellipsoid"};
+constexpr std::string_view kSeaLevelWords[] = {"msl", "amsl"};
 // Words that may stand beside a coordinate's name without changing what it is.
-constexpr std::string_view kFillers[] = {"gps",      "wgs84", "degrees",     "decimal", "geo",
-                                         "geodetic", "drone", "ellipsoidal", "aircraft"};
+constexpr std::string_view kFillers[] = {"gps", "wgs84", "degrees", "decimal", "drone", "aircraft"};
 constexpr std::string_view kArticles[] = {
     "the", "of", "in", "de", "la", "el",  "der", "die", "das", "du", "des", "dell", "della", "di",
     "l",   "d",  "le", "da", "do", "del", "las", "los", "les", "a",  "von", "each", "cada"};
@@ -60,6 +64,14 @@ bool is_among(std::string_view word, std::initializer_list<std::string_view> wor
 bool starts_with_any(std::string_view word, std::initializer_list<std::string_view> stems) {
   return std::any_of(stems.begin(), stems.end(),
                      [word](std::string_view stem) { return word.substr(0, stem.size()) == stem; });
+}
+
+// What a word says of the height beside it; nothing for other words.
+HeightDatum datum_of(std::string_view word) {
+  if (word == "baroaltitude" || is_among(word, kPressureWords)) return HeightDatum::kPressure;
+  if (word == "geoaltitude" || is_among(word, kEllipsoidWords)) return HeightDatum::kEllipsoid;
+  if (is_among(word, kSeaLevelWords)) return HeightDatum::kMeanSeaLevel;
+  return HeightDatum::kUnstated;
 }
 
 Role axis_role(std::string_view word) {
@@ -115,7 +127,7 @@ std::optional<HeaderWord> read_course_word(const std::vector<std::string>& words
       coordinate = true;
     } else if (speaks_of_a_bee(word)) {
       bee = true;
-    } else if (is_among(word, kMetreUnits)) {
+    } else if (unit_of_word(word, Quantity::kLength) == Unit::kMetre) {
       metres = true;
     } else if (!is_among(word, kArticles)) {
       return std::nullopt;
@@ -152,6 +164,12 @@ class NameReading {
  public:
   void take(const std::string& word) {
     const Role role = word_role(word);
+    const auto unit = unit_of_word(word, Quantity::kLength);
+    // "gs_km_h" is no height.
+    understood_ = understood_ && !(word == "h" && found_.unit != Unit::kUnstated);
+    if (const HeightDatum datum = datum_of(word); datum != HeightDatum::kUnstated) {
+      found_.datum = datum;
+    }
     if (role != Role::kNone) {
       understood_ = understood_ && found_.role == Role::kNone;
       found_.role = role;
@@ -161,8 +179,14 @@ class NameReading {
       degrees_ = true;
     } else if (is_among(word, kForeignUnits)) {
       found_.foreign_unit = word;
-    } else if (is_among(word, kMetreUnits) || is_among(word, kMetreFrames)) {
-      found_.says_metres = true;
+    } else if (unit) {
+      understood_ = understood_ && found_.unit == Unit::kUnstated;
+      found_.unit = *unit;
+      found_.says_length = true;
+    } else if (is_among(word, kMetreFrames)) {
+      found_.says_length = true;
+    } else if (datum_of(word) != HeightDatum::kUnstated) {
+      plain_ = false;
     } else if (is_among(word, kFillers) || is_among(word, kArticles) || speaks_of_a_bee(word) ||
                speaks_of_a_coordinate(word)) {
       plain_ = false;
@@ -179,10 +203,15 @@ class NameReading {
     if (compass_ == 'n' && found_.role != Role::kLatitude) return std::nullopt;
     if (compass_ == 'e' && found_.role != Role::kLongitude) return std::nullopt;
     if (degrees_) found_.role = as_geographic(found_.role);
-    if (found_.role == Role::kLongitude || found_.role == Role::kLatitude) {
+    const bool degrees = found_.role == Role::kLongitude || found_.role == Role::kLatitude;
+    if (found_.datum == HeightDatum::kPressure || found_.datum == HeightDatum::kMeanSeaLevel) {
+      if (degrees) return std::nullopt;
+    }
+    if (degrees) {
+      found_.datum = HeightDatum::kUnstated;
       found_.frame = Frame::kWgs84;
     } else if (found_.role != Role::kHeight &&
-               (found_.says_metres || (plain_ && found_.prefix.empty()))) {
+               (found_.says_length || (plain_ && found_.prefix.empty()))) {
       found_.frame = Frame::kMetres;
     }
     return std::move(found_);
@@ -238,7 +267,8 @@ HeaderWord read_header_word(std::string_view name) {
   for (const auto& word : words) reading.take(word);
   if (auto found = reading.finish()) return *std::move(found);
   HeaderWord other;
-  const bool id = std::any_of(words.begin(), words.end(),
+  const bool id = (words.size() == 1 && is_among(words.front(), kMoverWords)) ||
+                  std::any_of(words.begin(), words.end(),
                               [](std::string_view word) { return is_among(word, kIdWords); });
   other.role = id ? Role::kId : Role::kNone;
   other.says_position = !id && may_say_position(words);

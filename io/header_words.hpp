@@ -6,6 +6,7 @@
 #pragma once
 
 #include "io/load_points.hpp"
+#include "io/units.hpp"
 
 #include <cstdint>
 #include <string>
@@ -20,11 +21,13 @@ struct HeaderWord {
   Role role = Role::kNone;
   // The frame that this name alone speaks for; kAuto when it does not say.
   Frame frame = Frame::kAuto;
-  bool course_format = false;     // a coordinate of a bee, as in the course files
-  bool says_metres = false;       // with its unit or its kind of frame: "x [m]", "ecef_x"
-  bool says_position = false;     // has to do with a position, though no role can be told from it
-  std::string prefix = {};        // whose coordinate it is: "uav" of "uav_lat"
-  std::string foreign_unit = {};  // a unit that is not read: "ft", "km", ...
+  bool course_format = false;   // a coordinate of a bee, as in the course files
+  bool says_length = false;     // with its unit or its kind of frame: "x [m]", "ecef_x"
+  bool says_position = false;   // has to do with a position, though no role can be told from it
+  std::string prefix = {};      // whose coordinate it is: "uav" of "uav_lat"
+  Unit unit = Unit::kUnstated;  // of a length: "alt_ft"
+  HeightDatum datum = HeightDatum::kUnstated;  // of a height: "baro_alt"
+  std::string foreign_unit = {};               // a unit that is not read: "rad"
 };
 
 HeaderWord read_header_word(std::string_view name);

@@ -2,6 +2,7 @@
 //
 // The keys become the columns of a TrackLayout: each key that is new makes the layout be chosen
 // again, so that "vx" may come later than "x".
+#include "io/coordinate_units.hpp"
 #include "io/excerpt.hpp"
 #include "io/iso_time.hpp"
 #include "io/json_line.hpp"
@@ -10,6 +11,7 @@
 #include "io/to_metres.hpp"
 #include "io/track_domain.hpp"
 #include "io/track_layout.hpp"
+#include "io/track_velocity.hpp"
 #include "io/track_words.hpp"
 
 #include "io/column_choice.hpp"
@@ -55,6 +57,7 @@ class JsonLines final : public LineReader {
   explicit JsonLines(const RecordingOptions& options) : options_(options) {}
 
   Result<std::optional<ReportLine>> read(std::string_view line) override {
+    if (unit_problem_) return *unit_problem_;
     const auto object = line_.parse(line);
     if (!object) return object.error();
     if (object->size() == 0) {
@@ -69,7 +72,10 @@ class JsonLines final : public LineReader {
   [[nodiscard]] LineFacts facts() const override {
     LineFacts facts;
     facts.description = "JSON, an object a line";
-    if (chosen_) facts.notes = layout_.notes;
+    if (!chosen_) return facts;
+    facts.notes = layout_.notes;
+    facts.units = layout_.units;
+    facts.heights = layout_.table.choice.datum;
     return facts;
   }
 
@@ -95,7 +101,13 @@ class JsonLines final : public LineReader {
       }
       if (!new_keys || attempt > 0) return std::nullopt;
       learn(object);
-      if (auto error = choose(object); error && !chosen_) {
+      auto error = choose(object);
+      if (error && chosen_ && error->code == ErrorCode::kInvalidArgument) {
+        // What came before was taken for metres in good faith; what comes now is doubtful.
+        unit_problem_ = error;
+        return error;
+      }
+      if (error && !chosen_) {
         // What this object lacks or has too much of is no matter of the next one.
         names_.clear();
         slots_.clear();
@@ -133,11 +145,20 @@ class JsonLines final : public LineReader {
     auto layout = choose_track_layout(std::move(table), record, seen, options_);
     if (!layout) return of_keys(std::move(layout).error());
     if (auto problem = live_problem(*layout)) return problem;
-    if (chosen_ && layout->frame != layout_.frame) return std::nullopt;
+    if (chosen_ && !goes_on(*layout)) return std::nullopt;
     layout_ = std::move(layout).value();
     chosen_ = true;
     fill_slots();
     return std::nullopt;
+  }
+
+  // Whether positions are read as before: no key that comes later puts heights of another kind, or
+  // in another unit, beside those that were read.
+  [[nodiscard]] bool goes_on(const TrackLayout& layout) const {
+    const ColumnChoice& before = layout_.table.choice;
+    const ColumnChoice& now = layout.table.choice;
+    return layout.frame == layout_.frame && now.axes == before.axes && now.units == before.units &&
+           now.dimensions == before.dimensions && now.datum == before.datum;
   }
 
   // The layout counts columns; here they are keys.
@@ -230,7 +251,9 @@ class JsonLines final : public LineReader {
         return json_number_problem(*value, name_of(choice.axes[axis]));
       }
     }
-    report.position = {position[0], position[1], position[2]};
+    report.stated_height = position[2];
+    report.height_unit = choice.height_unit();
+    report.position = in_metric(Point{position[0], position[1], position[2]}, choice);
     return out_of_range(report.position, layout_.frame);
   }
 
@@ -247,7 +270,7 @@ class JsonLines final : public LineReader {
         return json_number_problem(*value, name_of(choice.columns[i]));
       }
     }
-    report.velocity = known({velocity[0], velocity[1], choice.down ? -velocity[2] : velocity[2]});
+    report.velocity = known(in_metric(velocity, choice));
     return std::nullopt;
   }
 
@@ -257,6 +280,7 @@ class JsonLines final : public LineReader {
   std::vector<std::uint8_t> slots_;  // by key: which value it is
   TrackLayout layout_;
   bool chosen_ = false;
+  std::optional<Error> unit_problem_;  // that a later key has brought
   std::array<std::optional<JsonElement>, kSlots> values_ = {};
 };
 

@@ -18,6 +18,7 @@ struct LineFacts {
   std::string description = {};
   HeightDatum heights = HeightDatum::kUnstated;
   std::vector<std::string> notes = {};
+  std::vector<UnitTaken> units = {};
 };
 
 class LineReader {

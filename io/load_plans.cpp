@@ -52,6 +52,7 @@ Result<FlightPlans> read_plans(std::string_view bytes, PlanNeed need) {
   FlightPlans plans;
   plans.has_ids = layout->id.has_value();
   plans.notes = std::move(layout->notes);
+  plans.units = layout->units;
   plans.format_description =
       "text, " + std::string(delimiter_name(layout->table.delimiter)) + "-separated";
   PlanRecordReader reader(*layout);

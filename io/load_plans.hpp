@@ -8,8 +8,11 @@
 // - goal_x, goal_y, goal_z: where it wants to go;
 // - want_vx, want_vy, want_vz: the velocity that it would like to have;
 // - max_speed_mps, max_acceleration_mps2: what it can do.
-// Metres, seconds, z up. Of what has three columns all are there, or none.
+// Metres and metres per second unless the header names another unit; z up. Of what has three
+// columns all are there, or none.
 #pragma once
+
+#include "io/load_points.hpp"
 
 #include <beespace/advise.hpp>
 #include <beespace/mover.hpp>
@@ -38,6 +41,7 @@ struct FlightPlans {
   std::vector<double> max_speeds_mps;
   std::vector<double> max_accelerations_mps2;
   std::string format_description;  // "text, comma-separated"
+  std::vector<UnitTaken> units;
   std::vector<std::string> notes;  // what else was decided and must be said aloud
 };
 

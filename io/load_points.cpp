@@ -2,6 +2,7 @@
 
 #include "io/array_layout.hpp"
 #include "io/byte_source.hpp"
+#include "io/coordinate_units.hpp"
 #include "io/excerpt.hpp"
 #include "io/frame_decision.hpp"
 #include "io/gzip.hpp"
@@ -42,7 +43,8 @@ Error explain(const RecordSource& source, std::uint64_t row, const Point& point,
     *error.place.line += layout.lines_before;
     return error;
   }
-  Error error = range_error(problem, point, source.array->coordinate_text(row, problem.axis));
+  Error error = range_error(problem, point, source.array->coordinate_text(row, problem.axis),
+                            symbol_of(source.array->units[problem.axis]));
   error.place.record = row;
   return error;
 }
@@ -113,6 +115,16 @@ void note_columns(const TableLayout& layout, Frame frame, std::vector<std::strin
   if (!in_order) notes.push_back(std::move(text));
 }
 
+// What is to be said of units: where the values have told that positions are in degrees, of
+// heights.
+std::vector<UnitTaken> units_in(Frame frame, const ColumnChoice& choice) {
+  if (frame != Frame::kWgs84 || choice.units_taken.size() != 1) return choice.units_taken;
+  if (choice.dimensions < 3) return {};
+  UnitTaken heights = choice.units_taken.front();
+  heights.of = "heights";
+  return {heights};
+}
+
 // How what is no text may be read all the same.
 std::string_view or_raw(const LoadOptions& options) {
   return options.format_can_be_said ? "; for raw float64 say --format bin"
@@ -150,6 +162,9 @@ std::optional<Error> load_table(LoadedPoints& loaded, RecordSource& source,
   if (known.frame == Frame::kAuto && !loaded.points.empty()) {
     if (auto error = settle_by_values(loaded, source, content->extent, options)) return error;
   }
+  loaded.units = units_in(loaded.frame, choice);
+  loaded.height_unit = choice.height_unit();
+  loaded.heights = choice.datum;
   if (options.frame == Frame::kAuto && choice.naming == Naming::kBareAxes) {
     auto error = contradiction_to_metres(loaded.points, content->extent, choice.dimensions);
     if (error) return error;
@@ -168,8 +183,9 @@ std::optional<Error> read_array(LoadedPoints& loaded, RecordSource& source,
   }
   loaded.points.reserve(layout.rows);
   for (std::uint64_t row = 0; row < layout.rows; ++row) {
-    const Point point{layout.coordinate(row, 0), layout.coordinate(row, 1),
-                      layout.coordinate(row, 2)};
+    const Point point{in_metric(layout.coordinate(row, 0), layout.units[0]),
+                      in_metric(layout.coordinate(row, 1), layout.units[1]),
+                      in_metric(layout.coordinate(row, 2), layout.units[2])};
     if (std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z)) {
       loaded.points.push_back(point);
       continue;
@@ -199,18 +215,26 @@ std::optional<Error> load_array(LoadedPoints& loaded, RecordSource& source, Form
                  "latitude, height",
                  {}};
   }
+  ColumnsSeen seen;
+  seen.count = 3;
+  ColumnChoice choice;
+  if (auto error = settle_coordinate_units(seen, options, choice)) return error;
   auto layout =
       format == Format::kNpy ? npy_layout(source.bytes.view) : raw_layout(source.bytes.view);
   if (!layout) return layout.error();
   source.array = std::move(layout).value();
   loaded.format_description = source.array->description;
-  const FrameDecision known = frame_before_values(options.frame, {});
+  source.array->units = choice.units;
+  loaded.height_unit = choice.height_unit();
+  const FrameDecision known = frame_before_values(options.frame, {choice.evidence, choice.reason});
   loaded.frame = known.frame;
   loaded.frame_reason = known.reason;
   if (auto error = read_array(loaded, source, options)) return error;
   if (options.progress != nullptr) options.progress->done += source.bytes.view.size();
   if (loaded.points.empty()) return std::nullopt;
-  return settle_by_values(loaded, source, extent_of(loaded.points), options);
+  auto error = settle_by_values(loaded, source, extent_of(loaded.points), options);
+  loaded.units = units_in(loaded.frame, choice);
+  return error;
 }
 
 Result<LoadedPoints> load_bytes(Bytes bytes, const std::string& path, const LoadOptions& options) {

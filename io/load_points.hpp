@@ -4,6 +4,9 @@
 // plain or gzip-compressed. The format is told by the content where the content says it.
 #pragma once
 
+#include "io/unit_wishes.hpp"
+#include "io/units.hpp"
+
 #include <beespace/geodesy.hpp>
 #include <beespace/point.hpp>
 #include <beespace/result.hpp>
@@ -21,6 +24,41 @@ namespace beespace::io {
 enum class Frame : std::uint8_t { kAuto, kWgs84, kMetres };
 enum class Format : std::uint8_t { kAuto, kText, kNpy, kRawFloat64 };
 
+// What a height is counted from.
+enum class HeightDatum : std::uint8_t {
+  kUnstated,      // the file does not say
+  kEllipsoid,     // WGS84
+  kMeanSeaLevel,  // a geoid
+  kPressure,      // barometric, of the standard atmosphere
+  kHome,          // the place of take-off
+};
+
+// Of those who tell several heights, such as aircraft: never some of one kind and some of the
+// other.
+enum class HeightSource : std::uint8_t {
+  kAuto,       // geometric where the format has it, otherwise by pressure
+  kGeometric,  // by satellites, above the WGS84 ellipsoid
+  kPressure,   // of the standard atmosphere
+};
+
+// What tells a unit.
+enum class UnitEvidence : std::uint8_t {
+  kNamed,   // the header, or the format
+  kAsked,   // the caller
+  kSource,  // that the whole header is the documented one of a known source
+  kUsual,   // nothing: ours, where nothing speaks of another one
+};
+
+// The unit that some numbers of the input were taken for, and why: to be said aloud.
+struct UnitTaken {
+  std::string of;  // "heights", "speeds", "climb rates", "x and y"
+  Unit unit = Unit::kMetre;
+  UnitEvidence evidence = UnitEvidence::kUsual;
+  std::string reason;  // as a phrase
+
+  friend bool operator==(const UnitTaken&, const UnitTaken&) = default;
+};
+
 // How far a long read has come; written by the reader, read by whoever shows it.
 struct Progress {
   std::atomic<std::uint64_t> done{0};   // bytes
@@ -32,7 +70,9 @@ struct LoadOptions {
   Format format = Format::kAuto;
   bool format_can_be_said = false;  // whether an error may advise to say --format
   std::string columns = {};  // "lon=1,lat=2,height=3", by number (from 1) or name; empty: automatic
-  bool skip_bad = false;     // leave bad records out and list them, instead of failing at the first
+  UnitWishes units = {};     // where the header names none
+  HeightSource heights = HeightSource::kAuto;  // of tables that have several
+  bool skip_bad = false;  // leave bad records out and list them, instead of failing at the first
   unsigned threads = 1;
   Progress* progress = nullptr;  // optional; must outlive the call
 };
@@ -45,6 +85,9 @@ struct LoadedPoints {
   Frame frame = Frame::kMetres;    // what the input was taken for: never kAuto
   std::string frame_reason;        // why, as a phrase: "the header names longitude and latitude"
   std::string format_description;  // "text, comma-separated, gzip-compressed", "npy float64 (N, 3)"
+  std::vector<UnitTaken> units;    // of what was read; heights (or z) are always among them
+  Unit height_unit = Unit::kMetre;  // of Record::height
+  HeightDatum heights = HeightDatum::kUnstated;
   std::vector<std::string> notes;  // what else was decided and must be said aloud
   std::vector<Error> skipped;      // with skip_bad: the first kMostSkippedListed bad records
   std::uint64_t skipped_count = 0;
@@ -68,7 +111,10 @@ struct Record {
   std::uint64_t row = 0;  // 0-based data row of the file (skipped records counted)
   std::string_view id;    // the id column's text, unquoted; empty when there is no id column
   std::string_view text;  // the whole record without its line end; for arrays "x,y,z"
-  GeographicPosition geographic;  // as the input has it; filled for Frame::kWgs84 only
+  GeographicPosition geographic;  // in metres; filled for Frame::kWgs84 only
+  // Or z, as the input states it, in LoadedPoints::height_unit; filled for Frame::kWgs84, and where
+  // that is not the metre.
+  double height = 0.0;
 };
 
 // Calls `visit` for the given points, which must be ascending, in their order. The views are

@@ -40,18 +40,12 @@ enum class TimeUnit : std::uint8_t {
   kNanoseconds,
 };
 
-// Of aircraft, which tell several heights; never some of one kind and some of the other.
-enum class HeightSource : std::uint8_t {
-  kAuto,       // geometric where the format has it, otherwise by pressure
-  kGeometric,  // by satellites, above the WGS84 ellipsoid
-  kPressure,   // of the standard atmosphere
-};
-
 struct RecordingOptions {
   Frame frame = Frame::kAuto;
   RecordingFormat format = RecordingFormat::kAuto;
   std::string columns = {};  // "id=1,time=2,lon=3,lat=4,height=5,ve=6,vn=7,vu=8"; empty: automatic
   TimeUnit time_unit = TimeUnit::kAuto;
+  UnitWishes units = {};  // where the header names none
   bool skip_bad = false;  // leave bad records out and list them, instead of failing
   // Of shows, keep the time in which a drone stands on the ground; aircraft on the ground, too.
   bool grounded = false;

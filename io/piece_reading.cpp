@@ -1,5 +1,6 @@
 #include "io/piece_reading.hpp"
 
+#include "io/coordinate_units.hpp"
 #include "io/excerpt.hpp"
 #include "io/plain_lines.hpp"
 #include "io/record_reading.hpp"
@@ -38,6 +39,9 @@ std::size_t read_any_line(std::string_view piece, std::size_t at, const TableLay
 // Checks what was read against the frame, and turns it into metres.
 void settle(std::string_view piece, const TableLayout& layout, const PieceOptions& options,
             PieceContent& content) {
+  if (!layout.choice.is_metric()) {
+    for (Point& point : content.points) point = in_metric(point, layout.choice);
+  }
   content.extent = extent_of(content.points);
   if (options.frame == Frame::kAuto) return;
   std::optional<RangeProblem> problem;
@@ -102,7 +106,8 @@ Error range_error_in_text(std::string_view text, const TableLayout& layout, std:
   while (walk.next() && walk.row() < row) {
   }
   const Field field = field_at(walk.record(), layout.delimiter, column);
-  Error error = range_error({0, axis, code}, point, excerpt(field.text));
+  Error error = range_error({0, axis, code}, point, excerpt(field.text),
+                            symbol_of(layout.choice.units[axis]));
   error.place.line = walk.line() + 1;
   error.place.column = column + 1;
   error.place.record = row;

@@ -5,6 +5,7 @@
 #include "io/excerpt.hpp"
 #include "io/header_words.hpp"
 #include "io/plan_words.hpp"
+#include "io/unit_choice.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -43,7 +44,7 @@ class PlanHeader {
   }
 
   // The only column of that role and axis, or none.
-  Result<std::optional<std::size_t>> find(PlanRole role, std::size_t axis) {
+  Result<std::optional<NumberColumn>> find(PlanRole role, std::size_t axis) {
     std::optional<std::size_t> found;
     for (std::size_t i = 0; i < words_.size(); ++i) {
       if (words_[i].role != role || words_[i].axis != axis) continue;
@@ -57,13 +58,14 @@ class PlanHeader {
       if (words_[i].foreign_unit.empty()) continue;
       Error error{ErrorCode::kUnsupportedFormat,
                   text(i) + " is in '" + words_[i].foreign_unit +
-                      "'; convert it first: beespace reads metres and seconds",
+                      "'; convert it first: beespace reads lengths, speeds and m/s^2",
                   {}};
       error.place.column = i + 1;
       return error;
     }
-    if (found) used_[*found] = true;
-    return found;
+    if (!found) return std::optional<NumberColumn>();
+    used_[*found] = true;
+    return std::optional(NumberColumn{*found, words_[*found].unit});
   }
 
   // All three of a group, or none.
@@ -77,9 +79,13 @@ class PlanHeader {
       if (*column) columns[axis] = **column;
       std::string& list = *column ? there : lacking;
       list.append(list.empty() ? "" : ", ")
-          .append(*column ? excerpt(seen_.names[**column]) : std::string(group.names[axis]));
+          .append(*column ? excerpt(seen_.names[(*column)->column])
+                          : std::string(group.names[axis]));
     }
-    if (lacking.empty()) return std::optional<AxisColumns>(columns);
+    if (lacking.empty()) {
+      if (auto error = half_stated(seen_.names, units_of(columns))) return *std::move(error);
+      return std::optional<AxisColumns>(columns);
+    }
     if (there.empty()) return std::optional<AxisColumns>();
     return missing("a " + std::string(group.what) + " needs three columns, and beside " + there +
                    " there is no " + lacking + "; add it (" + list_columns(seen_) + ")");
@@ -111,6 +117,15 @@ class PlanHeader {
   }
 
  private:
+  static std::vector<ColumnUnit> units_of(const AxisColumns& columns) {
+    std::vector<ColumnUnit> units;
+    for (const NumberColumn& of : columns) {
+      units.push_back({of.column, of.unit,
+                       of.unit == Unit::kUnstated ? UnitEvidence::kUsual : UnitEvidence::kNamed});
+    }
+    return units;
+  }
+
   [[nodiscard]] std::string text(std::size_t column) const {
     return "column " + std::to_string(column + 1) + " " + excerpt(seen_.names[column]);
   }
@@ -140,6 +155,25 @@ std::optional<Error> unmet(PlanNeed need, const PlanLayout& layout, const Column
         "needed";
   }
   return missing("the header names " + wanted + " (" + list_columns(seen) + ")");
+}
+
+// What is to be said of units: which are named, and that the rest are ours.
+std::vector<UnitTaken> units_of(const PlanLayout& layout, const ColumnsSeen& seen) {
+  std::vector<UnitTaken> units;
+  const auto add = [&](const char* of, Unit ours, const NumberColumn& column) {
+    if (column.unit == Unit::kUnstated) {
+      units.push_back({of, ours, UnitEvidence::kUsual, "no unit is named"});
+    } else {
+      units.push_back({of, column.unit, UnitEvidence::kNamed,
+                       "the header names it: " + excerpt(seen.names[column.column])});
+    }
+  };
+  add("positions", Unit::kMetre, layout.position[0]);
+  if (layout.velocity) add("velocities", Unit::kMetrePerSecond, (*layout.velocity)[0]);
+  if (layout.goal) add("goals", Unit::kMetre, (*layout.goal)[0]);
+  if (layout.wish) add("wished velocities", Unit::kMetrePerSecond, (*layout.wish)[0]);
+  if (layout.max_speed) add("greatest speeds", Unit::kMetrePerSecond, *layout.max_speed);
+  return units;
 }
 
 std::optional<Error> choose_columns_of(PlanLayout& layout, const ColumnsSeen& seen, PlanNeed need) {
@@ -172,6 +206,12 @@ std::optional<Error> choose_columns_of(PlanLayout& layout, const ColumnsSeen& se
   layout.id = header.find_id();
   if (!layout.id)
     layout.notes.emplace_back("there is no id: bees are numbered in their order, from 0");
+  layout.units = units_of(layout, seen);
+  for (const UnitTaken& taken : layout.units) {
+    if (taken.evidence != UnitEvidence::kNamed) continue;
+    layout.notes.push_back(taken.of + " in " + std::string(symbol_of(taken.unit)) + ": " +
+                           taken.reason);
+  }
   if (auto error = unmet(need, layout, seen)) return error;
   if (const std::string left = header.left_over(); !left.empty()) {
     layout.notes.push_back("not read: " + left);

@@ -15,7 +15,13 @@
 
 namespace beespace::io {
 
-using AxisColumns = std::array<std::size_t, 3>;  // x, y, z
+// A column that holds a number, and the unit that it names, if it names one.
+struct NumberColumn {
+  std::size_t column = 0;
+  Unit unit = Unit::kUnstated;
+};
+
+using AxisColumns = std::array<NumberColumn, 3>;  // x, y, z
 
 struct PlanLayout {
   TableLayout table = {};  // but for its choice
@@ -24,8 +30,9 @@ struct PlanLayout {
   std::optional<AxisColumns> velocity = {};
   std::optional<AxisColumns> goal = {};
   std::optional<AxisColumns> wish = {};
-  std::optional<std::size_t> max_speed = {};
-  std::optional<std::size_t> max_acceleration = {};
+  std::optional<NumberColumn> max_speed = {};
+  std::optional<NumberColumn> max_acceleration = {};
+  std::vector<UnitTaken> units = {};
   std::vector<std::string> notes = {};
 };
 

@@ -60,16 +60,18 @@ PlanRecordReader::PlanRecordReader(const PlanLayout& layout)
   if (layout.max_speed) want(*layout.max_speed, kMaxSpeed);
   if (layout.max_acceleration) want(*layout.max_acceleration, kMaxAcceleration);
   // What comes first in the line is blamed first.
-  std::sort(wanted_.begin(), wanted_.end(),
-            [](const NumberColumn& a, const NumberColumn& b) { return a.column < b.column; });
+  std::sort(wanted_.begin(), wanted_.end(), [](const WantedColumn& a, const WantedColumn& b) {
+    return a.column.column < b.column.column;
+  });
 }
 
-void PlanRecordReader::want(std::size_t column, std::size_t number) {
+void PlanRecordReader::want(const NumberColumn& column, std::size_t number) {
   wanted_.push_back({column, number});
 }
 
-std::optional<Error> PlanRecordReader::read_number(const NumberColumn& wanted) {
-  const auto [column, number] = wanted;
+std::optional<Error> PlanRecordReader::read_number(const WantedColumn& wanted) {
+  const std::size_t column = wanted.column.column;
+  const std::size_t number = wanted.number;
   const std::string name(kNames[number]);
   const std::string unit(unit_of(number));
   const std::string_view text = without_padding(fields_[column].text);
@@ -95,7 +97,7 @@ std::optional<Error> PlanRecordReader::read_number(const NumberColumn& wanted) {
                          (number < kMaxSpeed ? ", or 0" : ""),
                      column);
   }
-  values_[number] = value;
+  values_[number] = without_dust(in_metric(value, wanted.column.unit));
   return std::nullopt;
 }
 
@@ -115,7 +117,7 @@ std::optional<Error> PlanRecordReader::read(std::string_view line, PlanRecord& r
       return at_column(ErrorCode::kMalformedRecord, "the id is empty; fill it in", *layout_.id);
     }
   }
-  for (const NumberColumn& wanted : wanted_) {
+  for (const WantedColumn& wanted : wanted_) {
     if (auto problem = read_number(wanted)) return problem;
   }
   const auto three = [this](std::size_t first) {

@@ -39,18 +39,18 @@ class PlanRecordReader {
 
  private:
   // A column that holds a number, and which of kNumbers it is.
-  struct NumberColumn {
-    std::size_t column;
+  struct WantedColumn {
+    NumberColumn column;
     std::size_t number;
   };
 
   static constexpr std::size_t kNumbers = 14;
 
-  void want(std::size_t column, std::size_t number);
-  std::optional<Error> read_number(const NumberColumn& wanted);
+  void want(const NumberColumn& column, std::size_t number);
+  std::optional<Error> read_number(const WantedColumn& wanted);
 
   const PlanLayout& layout_;
-  std::vector<NumberColumn> wanted_;  // by column
+  std::vector<WantedColumn> wanted_;  // by column
   std::vector<Field> fields_;
   std::array<double, kNumbers> values_ = {};
 };

@@ -62,8 +62,9 @@ std::string joined(const Words& words) {
 }
 
 // "max_speed", "vmax [m/s]", "acceleration limit".
-std::optional<PlanWord> read_limit(const Words& words) {
+std::optional<PlanWord> read_limit(Words words) {
   PlanWord found;
+  found.unit = take_unit(words, Quantity::kSpeed).value_or(Unit::kUnstated);
   bool greatest = false;
   bool speed = false;
   bool acceleration = false;
@@ -87,6 +88,10 @@ std::optional<PlanWord> read_limit(const Words& words) {
   }
   if (!greatest || speed == acceleration) return std::nullopt;
   found.role = speed ? PlanRole::kMaxSpeed : PlanRole::kMaxAcceleration;
+  if (acceleration && found.unit != Unit::kUnstated) {
+    if (found.unit != Unit::kMetrePerSecond) found.foreign_unit = symbol_of(found.unit);
+    found.unit = Unit::kUnstated;
+  }
   return found;
 }
 
@@ -95,6 +100,7 @@ std::optional<PlanWord> read_velocity(const std::string& name, Intent intent) {
   if (word.role != TrackRole::kVelocity || intent == Intent::kGoal) return std::nullopt;
   PlanWord found;
   found.role = intent == Intent::kWanted ? PlanRole::kWish : PlanRole::kVelocity;
+  found.unit = word.speed_unit;
   found.foreign_unit = word.foreign_unit;
   switch (word.axis) {
     case VelocityAxis::kX:
@@ -116,6 +122,7 @@ std::optional<PlanWord> read_place(const std::string& name, Intent intent) {
   if (!word.prefix.empty()) return std::nullopt;
   PlanWord found;
   found.role = intent == Intent::kNow ? PlanRole::kPosition : PlanRole::kGoal;
+  found.unit = word.unit;
   found.foreign_unit = word.foreign_unit;
   switch (word.role) {
     case Role::kX:

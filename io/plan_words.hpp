@@ -4,6 +4,8 @@
 // "goal_x [m]", "target_y", "vx", "want_vx", "preferred_velocity_z", "max_speed_mps".
 #pragma once
 
+#include "io/units.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -25,8 +27,9 @@ enum class PlanRole : std::uint8_t {
 
 struct PlanWord {
   PlanRole role = PlanRole::kNone;
-  std::size_t axis = 0;           // of what has three: 0 for x, 1 for y, 2 for z
-  std::string foreign_unit = {};  // a unit that is not read: "ft", "kt", ...
+  std::size_t axis = 0;  // of what has three: 0 for x, 1 for y, 2 for z
+  Unit unit = Unit::kUnstated;
+  std::string foreign_unit = {};  // a unit that is not read: "g", "h", ...
 };
 
 PlanWord read_plan_word(std::string_view name);

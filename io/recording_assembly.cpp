@@ -50,6 +50,7 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
   if (!facts_) {
     facts_ = facts;
     facts_source_ = sources_.back();
+    recording_.units = facts.units;
     return agree_on_heights(facts.heights);
   }
   if (facts.frame != facts_->frame && facts.frame != Frame::kAuto &&
@@ -81,6 +82,7 @@ std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
   facts_->naming = std::min(facts_->naming, facts.naming);
   facts_->dimensions = std::min(facts_->dimensions, facts.dimensions);
   if (auto error = agree_on_heights(facts.heights)) return error;
+  agree_on_units(facts);
   if (facts.description != facts_->description) facts_->description = "several formats";
   return std::nullopt;
 }
@@ -101,6 +103,18 @@ std::optional<Error> RecordingAssembly::agree_on_heights(HeightDatum heights) {
        ", others say nothing; they are compared as they are");
   facts_->heights = HeightDatum::kUnstated;
   return std::nullopt;
+}
+
+// Each is converted by its own; heights as they are stated can be compared only in one unit.
+void RecordingAssembly::agree_on_units(const SourceFacts& facts) {
+  for (const UnitTaken& taken : facts.units) {
+    auto& known = recording_.units;
+    if (std::find(known.begin(), known.end(), taken) == known.end()) known.push_back(taken);
+  }
+  if (facts.height_unit == facts_->height_unit) return;
+  note("inputs state heights in different units; they are compared in metres");
+  facts_->height_unit = Unit::kMetre;
+  several_height_units_ = true;
 }
 
 void RecordingAssembly::note(std::string text) {
@@ -245,8 +259,12 @@ Result<Recording> RecordingAssembly::finish() {
     recording_.format_description = facts_->description;
     recording_.since_1970 = facts_->since_1970;
     recording_.heights = facts_->heights;
+    if (!several_height_units_) recording_.height_unit = facts_->height_unit;
   }
   recording_.bees = tracks_.release();
+  if (recording_.height_unit == Unit::kMetre) {
+    for (RecordedBee& bee : recording_.bees) bee.stated_heights.clear();
+  }
   note_counts();
   return std::move(recording_);
 }

@@ -28,6 +28,8 @@ struct SourceFacts {
   bool has_time = true;
   bool since_1970 = false;
   HeightDatum heights = HeightDatum::kUnstated;
+  Unit height_unit = Unit::kMetre;  // in which TrackGathering is told them as they are stated
+  std::vector<UnitTaken> units = {};
   std::string description = {};  // "text, comma-separated"
 };
 
@@ -76,6 +78,7 @@ class RecordingAssembly {
   void note_counts();
   [[nodiscard]] Error nothing_left() const;
   std::optional<Error> agree_on_heights(HeightDatum heights);
+  void agree_on_units(const SourceFacts& facts);
 
   const RecordingOptions& options_;
   Recording recording_;
@@ -89,6 +92,7 @@ class RecordingAssembly {
   HeightDatum stated_heights_ = HeightDatum::kUnstated;  // by whoever says so
   std::string stated_by_;
   std::uint64_t nameless_ = 0;
+  bool several_height_units_ = false;
 };
 
 }  // namespace beespace::io

@@ -3,6 +3,7 @@
 #include "io/record_source.hpp"
 #include "io/record_walk.hpp"
 
+#include <array>
 #include <cstddef>
 #include <string>
 
@@ -11,19 +12,33 @@ namespace {
 
 using Visit = std::function<void(const Record&)>;
 
-// Of a record that was read without an error before; `readable_end` as for read_piece().
-GeographicPosition geographic_of(std::string_view record, const char* readable_end,
-                                 const TableLayout& layout) {
+// Of a record that was read without an error before, as it stands; `readable_end` as for
+// read_piece().
+Point point_of(std::string_view record, const char* readable_end, const TableLayout& layout) {
   Point point;
   const bool plain = has_plain_lines(layout) &&
                      readable_end - record.data() > static_cast<std::ptrdiff_t>(kPlainLineReach) &&
                      read_plain_line(record.data(), layout, point);
   if (!plain && read_record(record, layout, point)) return {};
-  return {point.x, point.y, point.z};
+  return point;
 }
 
-void visit_table(const RecordSource& source, const std::vector<PointId>& ascending, bool geographic,
-                 const Visit& visit) {
+// Which numbers of a record are wanted.
+struct Wanted {
+  bool geographic;
+  bool height;
+};
+
+void fill(Record& record, const Point& stated, const std::array<Unit, 3>& units,
+          const Wanted& wanted) {
+  record.height = stated.z;
+  if (wanted.geographic) {
+    record.geographic = {stated.x, stated.y, in_metric(stated.z, units[2])};
+  }
+}
+
+void visit_table(const RecordSource& source, const std::vector<PointId>& ascending,
+                 const Wanted& wanted, const Visit& visit) {
   const TableLayout& layout = *source.table;
   RecordWalk walk(source.text, layout.data_offset, layout.line_end);
   const char* const readable_end = source.text.data() + source.text.size();
@@ -34,7 +49,9 @@ void visit_table(const RecordSource& source, const std::vector<PointId>& ascendi
       if (!walk.next()) return;
     } while (walk.row() < row);
     Record record{point, row, {}, walk.record(), {}};
-    if (geographic) record.geographic = geographic_of(walk.record(), readable_end, layout);
+    if (wanted.geographic || wanted.height) {
+      fill(record, point_of(walk.record(), readable_end, layout), layout.choice.units, wanted);
+    }
     if (layout.choice.id) {
       const Field field = field_at(walk.record(), layout.delimiter, *layout.choice.id);
       record.id = field.text;
@@ -44,17 +61,18 @@ void visit_table(const RecordSource& source, const std::vector<PointId>& ascendi
   }
 }
 
-void visit_array(const RecordSource& source, const std::vector<PointId>& ascending, bool geographic,
-                 const Visit& visit) {
+void visit_array(const RecordSource& source, const std::vector<PointId>& ascending,
+                 const Wanted& wanted, const Visit& visit) {
   const ArrayLayout& layout = *source.array;
   for (const PointId point : ascending) {
     const std::uint64_t row = source.skipped.row_of(point);
     const std::string text = layout.coordinate_text(row, 0) + "," + layout.coordinate_text(row, 1) +
                              "," + layout.coordinate_text(row, 2);
     Record record{point, row, {}, text, {}};
-    if (geographic) {
-      record.geographic = {layout.coordinate(row, 0), layout.coordinate(row, 1),
-                           layout.coordinate(row, 2)};
+    if (wanted.geographic || wanted.height) {
+      const Point stated{layout.coordinate(row, 0), layout.coordinate(row, 1),
+                         layout.coordinate(row, 2)};
+      fill(record, stated, layout.units, wanted);
     }
     visit(record);
   }
@@ -65,9 +83,9 @@ void visit_array(const RecordSource& source, const std::vector<PointId>& ascendi
 void for_each_record(const LoadedPoints& loaded, const std::vector<PointId>& ascending,
                      const std::function<void(const Record&)>& visit) {
   if (loaded.records == nullptr) return;
-  const bool geographic = loaded.frame == Frame::kWgs84;
-  if (loaded.records->table) visit_table(*loaded.records, ascending, geographic, visit);
-  if (loaded.records->array) visit_array(*loaded.records, ascending, geographic, visit);
+  const Wanted wanted{loaded.frame == Frame::kWgs84, loaded.height_unit != Unit::kMetre};
+  if (loaded.records->table) visit_table(*loaded.records, ascending, wanted, visit);
+  if (loaded.records->array) visit_array(*loaded.records, ascending, wanted, visit);
 }
 
 bool has_id_column(const LoadedPoints& loaded) {

@@ -53,6 +53,8 @@ Result<std::optional<ReportLine>> report_line(const AircraftReport& report,
   line.time_s = fix.fix.time_s;
   line.position = fix.fix.position;
   line.frame = Frame::kWgs84;
+  line.stated_height = fix.stated_height;
+  line.height_unit = report.height_unit;
   line.velocity = known(fix.velocity);
   line.since_1970 = true;
   return std::optional<ReportLine>(line);

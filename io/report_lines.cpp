@@ -116,6 +116,10 @@ HeightDatum ReportLines::heights() const {
   return reader_ ? reader_->facts().heights : HeightDatum::kUnstated;
 }
 
+std::vector<UnitTaken> ReportLines::units() const {
+  return reader_ ? reader_->facts().units : std::vector<UnitTaken>();
+}
+
 std::vector<std::string> ReportLines::notes() const {
   return reader_ ? reader_->facts().notes : std::vector<std::string>();
 }

@@ -34,10 +34,13 @@
 namespace beespace::io {
 
 struct ReportLine {
-  std::string_view id = {};      // as long as the line, and until the next one is taken
-  std::string_view label = {};   // the same: what it is called beside its id, or nothing
-  double time_s = 0.0;           // since 1970 (UTC), or from a zero of the input's own
-  Point position = {};           // metres; or longitude, latitude in degrees, height in metres
+  std::string_view id = {};     // as long as the line, and until the next one is taken
+  std::string_view label = {};  // the same: what it is called beside its id, or nothing
+  double time_s = 0.0;          // since 1970 (UTC), or from a zero of the input's own
+  Point position = {};          // metres; or longitude, latitude in degrees, height in metres
+  // The height, or z, as the line states it: in that unit, the same for all lines.
+  double stated_height = 0.0;
+  Unit height_unit = Unit::kMetre;
   Frame frame = Frame::kMetres;  // which of them: never kAuto, and the same for all lines
   // m/s along x, y, z; or east, north, up beside degrees. Nothing unless all of it is known.
   std::optional<Velocity> velocity = {};
@@ -71,6 +74,7 @@ class ReportLines {
   [[nodiscard]] std::uint64_t lines() const { return lines_; }
   [[nodiscard]] std::string description() const;  // "text, comma-separated", "readsb JSON", ...
   [[nodiscard]] HeightDatum heights() const;
+  [[nodiscard]] std::vector<UnitTaken> units() const;
   // What was decided, and how much was left out so far, to be said aloud.
   [[nodiscard]] std::vector<std::string> notes() const;
 

@@ -44,6 +44,8 @@ class ShowReading {
     facts.frame = Frame::kMetres;
     facts.frame_reason = "a Skybrush show is in metres";
     facts.heights = HeightDatum::kHome;
+    facts.units = {
+        {"x, y and z", Unit::kMetre, UnitEvidence::kNamed, "a Skybrush show is in metres"}};
     facts.description = "Skybrush show";
     if (auto error = assembly_.agree(facts)) return error;
     if (auto error = read_drones(root)) return error;
@@ -62,6 +64,9 @@ class ShowReading {
     }
     if (!options.columns.empty()) {
       return invalid("--columns is for text tables, but this is a Skybrush show; leave it out");
+    }
+    if (options.units.any()) {
+      return invalid("the numbers of a Skybrush show have their units; leave --units out");
     }
     if (options.time_unit != TimeUnit::kAuto) {
       return invalid("the times of a Skybrush show are in seconds; leave --time-unit out");

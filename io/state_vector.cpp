@@ -59,11 +59,11 @@ std::optional<Error> read_state_vector(JsonElement state, AircraftReport& report
   for (const Wanted& wanted : {Wanted{kTimePosition, &report.time_s, "time_position"},
                                {kLongitude, &report.longitude_deg, "longitude"},
                                {kLatitude, &report.latitude_deg, "latitude"},
-                               {kPressureHeight, &report.pressure_height_m, "baro_altitude"},
+                               {kPressureHeight, &report.pressure_height, "baro_altitude"},
                                {kSpeed, &report.ground_speed_mps, "velocity"},
                                {kTrack, &report.track_deg, "true_track"},
                                {kClimb, &report.pressure_climb_mps, "vertical_rate"},
-                               {kEllipsoidHeight, &report.ellipsoid_height_m, "geo_altitude"}}) {
+                               {kEllipsoidHeight, &report.ellipsoid_height, "geo_altitude"}}) {
     const JsonElement value = values[wanted.place];
     if (value.is_null() || read_json(value, *wanted.value)) continue;
     return json_number_problem(value, excerpt(wanted.name));

@@ -335,7 +335,10 @@ Result<TableLayout> find_layout(std::string_view text, const LoadOptions& option
   auto choice = choose_columns(seen, options);
   if (!choice) {
     Error error = choice.error();
-    if (error.code != ErrorCode::kInvalidArgument) error.place.line = first_line(*layout);
+    // What is wrong with an option as such is no matter of a line.
+    if (error.code != ErrorCode::kInvalidArgument || error.place.column) {
+      error.place.line = first_line(*layout);
+    }
     return error;
   }
   layout->choice = std::move(choice).value();

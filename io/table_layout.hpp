@@ -25,6 +25,15 @@ struct ColumnChoice {
   Frame evidence = Frame::kAuto;  // what names and wishes say; kAuto: nothing
   std::string reason = {};        // and why
   Naming naming = Naming::kSure;  // how sure that is
+  // Of the three, and what is to be said of that; of degrees none.
+  std::array<Unit, 3> units = {Unit::kMetre, Unit::kMetre, Unit::kMetre};
+  std::vector<UnitTaken> units_taken = {};
+  HeightDatum datum = HeightDatum::kUnstated;
+
+  [[nodiscard]] bool is_metric() const {
+    return units == std::array<Unit, 3>{Unit::kMetre, Unit::kMetre, Unit::kMetre};
+  }
+  [[nodiscard]] Unit height_unit() const { return dimensions == 3 ? units[2] : Unit::kMetre; }
 };
 
 struct TableLayout {

@@ -30,6 +30,8 @@ class TableLines final : public LineReader {
     if (!reader_) return facts;
     facts.description += ", " + std::string(delimiter_name(layout_.table.delimiter)) + "-separated";
     facts.notes = layout_.notes;
+    facts.units = layout_.units;
+    facts.heights = layout_.table.choice.datum;
     return facts;
   }
 
@@ -68,6 +70,8 @@ class TableLines final : public LineReader {
     report.time_s = record_.time_s;
     report.position = record_.position;
     report.frame = layout_.frame;
+    report.stated_height = record_.stated_height;
+    report.height_unit = layout_.table.choice.height_unit();
     report.since_1970 = layout_.time->since_1970;
     if (layout_.velocity) report.velocity = known(record_.velocity);
     return std::optional<ReportLine>(report);

@@ -85,6 +85,10 @@ class TelemetryReading {
                                  : "MAVLink message 32 tells metres";
     facts.since_1970 = true;
     facts.heights = global_ ? HeightDatum::kMeanSeaLevel : HeightDatum::kHome;
+    facts.units = {global_ ? UnitTaken{"heights", Unit::kMillimetre, UnitEvidence::kNamed,
+                                       "MAVLink message 33 has them so"}
+                           : UnitTaken{"x, y and z", Unit::kMetre, UnitEvidence::kNamed,
+                                       "MAVLink message 32 has them so"}};
     facts.description = "MAVLink telemetry log";
     return facts;
   }

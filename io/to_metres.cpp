@@ -55,7 +55,8 @@ std::optional<RangeProblem> find_out_of_range(std::span<const Point> points, std
   return std::nullopt;
 }
 
-Error range_error(const RangeProblem& problem, const Point& point, const std::string& shown) {
+Error range_error(const RangeProblem& problem, const Point& point, const std::string& shown,
+                  std::string_view unit) {
   std::string message;
   switch (problem.code) {
     case ErrorCode::kInvalidLongitude:
@@ -70,9 +71,9 @@ Error range_error(const RangeProblem& problem, const Point& point, const std::st
                      : "; correct it, or say --crs metres if these are metres";
       break;
     case ErrorCode::kInvalidHeight:
-      message = "height " + shown +
-                " m is no height of a bee (-12,000 to 1,000,000 m); is it in "
-                "millimetres or feet, or are columns swapped? See --columns";
+      message = "height " + shown + " " + std::string(unit) +
+                " is no height of a bee (-12,000 to 1,000,000 m); is it in "
+                "millimetres or feet (see --units), or are columns swapped? See --columns";
       break;
     default:
       message = "coordinate " + shown + " is too " +

@@ -14,6 +14,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace beespace::io {
@@ -31,8 +32,10 @@ bool surely_in_range(const Extent& extent, Frame frame);
 std::optional<RangeProblem> find_out_of_range(std::span<const Point> points, std::size_t from,
                                               Frame frame);
 
-// What is wrong with it, in a sentence; `shown` is the number as the input has it.
-Error range_error(const RangeProblem& problem, const Point& point, const std::string& shown);
+// What is wrong with it, in a sentence; `shown` is the number as the input has it, in `unit` where
+// it is a length.
+Error range_error(const RangeProblem& problem, const Point& point, const std::string& shown,
+                  std::string_view unit = "m");
 
 // Takes all points out of range out of `points` and puts them on the list; `explain(row, point,
 // problem)` gives the error of those that are listed in full.

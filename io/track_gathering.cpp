@@ -43,7 +43,7 @@ TrackGathering::Bee& TrackGathering::bee_of(std::string_view id) {
 }
 
 void TrackGathering::add(std::string_view id, const Fix& fix, const Velocity* velocity,
-                         Origin origin) {
+                         Origin origin, std::optional<double> stated_height) {
   Bee& bee = bee_of(id);
   auto& fixes = bee.recorded.fixes;
   auto& velocities = bee.recorded.velocities;
@@ -60,6 +60,11 @@ void TrackGathering::add(std::string_view id, const Fix& fix, const Velocity* ve
     velocities.push_back(*velocity);
   } else if (!velocities.empty()) {
     velocities.push_back({kUnknown, kUnknown, kUnknown});
+  }
+  auto& heights = bee.recorded.stated_heights;
+  if (stated_height || !heights.empty()) {
+    heights.resize(fixes.size(), kUnknown);
+    heights.push_back(stated_height.value_or(kUnknown));
   }
   fixes.push_back(fix);
   bee.origins.push_back(origin);
@@ -104,6 +109,7 @@ void TrackGathering::settle(const std::function<void(const TimeConflict&)>& conf
 void TrackGathering::settle(Bee& bee, const std::function<void(const TimeConflict&)>& conflict) {
   const auto& fixes = bee.recorded.fixes;
   const auto& velocities = bee.recorded.velocities;
+  const auto& heights = bee.recorded.stated_heights;
   std::vector<std::size_t> order(fixes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&fixes](std::size_t a, std::size_t b) {
@@ -128,10 +134,12 @@ void TrackGathering::settle(Bee& bee, const std::function<void(const TimeConflic
     }
     settled.recorded.fixes.push_back(fixes[i]);
     if (!velocities.empty()) settled.recorded.velocities.push_back(velocities[i]);
+    if (!heights.empty()) settled.recorded.stated_heights.push_back(heights[i]);
     settled.origins.push_back(bee.origins[i]);
   }
   bee.recorded.fixes = std::move(settled.recorded.fixes);
   bee.recorded.velocities = std::move(settled.recorded.velocities);
+  bee.recorded.stated_heights = std::move(settled.recorded.stated_heights);
   bee.origins = std::move(settled.origins);
 }
 

@@ -35,8 +35,10 @@ struct TimeConflict {
 
 class TrackGathering {
  public:
-  // A fix of that bee. Without velocity, or with one that may hold not-a-numbers.
-  void add(std::string_view id, const Fix& fix, const Velocity* velocity, Origin origin);
+  // A fix of that bee. Without velocity, or with one that may hold not-a-numbers. `stated_height`
+  // is that of an input in another unit than the metre.
+  void add(std::string_view id, const Fix& fix, const Velocity* velocity, Origin origin,
+           std::optional<double> stated_height = {});
   // A bee of its own, whatever its id.
   void add_path(std::string id, BezierPath path);
 

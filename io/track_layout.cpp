@@ -7,9 +7,11 @@
 #include "io/header_words.hpp"
 #include "io/iso_time.hpp"
 #include "io/record_reading.hpp"
+#include "io/table_sources.hpp"
 #include "io/track_velocity.hpp"
 #include "io/track_wishes.hpp"
 #include "io/track_words.hpp"
+#include "io/unit_choice.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -34,10 +36,37 @@ std::string column_text(const ColumnsSeen& seen, std::size_t column) {
   return text;
 }
 
+// What a known source has in a column.
+void take_known(const KnownColumn* known, TrackWord& word) {
+  if (known == nullptr) return;
+  switch (known->holds) {
+    case SourceColumn::kGroundSpeed:
+      word.role = TrackRole::kGroundSpeed;
+      break;
+    case SourceColumn::kTrack:
+      word.role = TrackRole::kTrack;
+      break;
+    case SourceColumn::kClimb:
+      word.role = TrackRole::kClimb;
+      break;
+    case SourceColumn::kUnixSeconds:
+      word.role = TrackRole::kTime;
+      word.unit = TimeUnit::kSeconds;
+      word.since_1970 = true;
+      break;
+    case SourceColumn::kHeight:
+      break;
+  }
+}
+
 // The header's words, but none for columns that the caller claims for something.
 std::vector<TrackWord> read_words(const ColumnsSeen& seen, const TrackWishes& wishes) {
   std::vector<TrackWord> words;
   for (const std::string& name : seen.names) words.push_back(read_track_word(name));
+  if (const TableSource* const source = source_of(seen.names)) {
+    for (std::size_t i = 0; i < words.size(); ++i)
+      take_known(source->find(seen.names[i]), words[i]);
+  }
   const auto claim = [&words](const std::optional<std::size_t>& column) {
     if (column && *column < words.size()) words[*column].role = TrackRole::kNone;
   };
@@ -58,11 +87,7 @@ std::optional<std::size_t> choose_id(const ColumnsSeen& seen, const TrackWishes&
     if (words[i].role == TrackRole::kId) found.push_back(i);
   }
   if (found.empty()) return std::nullopt;
-  // "id" before "frame_id".
-  const auto alone = std::find_if(found.begin(), found.end(), [&seen](std::size_t column) {
-    return split_words(seen.names[column]).size() == 1;
-  });
-  const std::size_t chosen = alone != found.end() ? *alone : found.front();
+  const std::size_t chosen = io::choose_id(seen, found);
   for (const std::size_t other : found) {
     if (other == chosen) continue;
     notes.push_back("ids are read from " + column_text(seen, chosen) + ", not from " +
@@ -127,8 +152,10 @@ Result<std::optional<TimeChoice>> choose_time(std::string_view text, const Table
     column = i;
   }
   if (!column) return std::optional<TimeChoice>();
-  const TrackWord word =
-      *column < seen.names.size() ? read_track_word(seen.names[*column]) : TrackWord();
+  TrackWord word;
+  if (*column < words.size()) {
+    word = wishes.time ? read_track_word(seen.names[*column]) : words[*column];
+  }
   TimeChoice time;
   time.column = *column;
   time.iso = holds_dates(text, table, *column);
@@ -181,6 +208,8 @@ Result<ColumnChoice> choose_position(const ColumnsSeen& seen, const TrackWishes&
   LoadOptions points;
   points.frame = options.frame;
   points.columns = wishes.position;
+  points.units = options.units;
+  points.heights = options.heights;
   return choose_columns(seen, points);
 }
 
@@ -255,6 +284,15 @@ Result<TrackLayout> skybrush_layout(TrackLayout layout, const ColumnsSeen& seen,
   ColumnChoice& choice = layout.table.choice;
   choice.axes = {1, 2, 3};
   choice.evidence = Frame::kMetres;
+  if (options.units.any()) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "a Skybrush CSV is in metres, but --units is given; leave it out, or name the "
+                 "columns with --columns",
+                 {}};
+  }
+  choice.units_taken = {
+      {"x, y and z", Unit::kMetre, UnitEvidence::kNamed, "a Skybrush CSV is in metres"}};
+  layout.units = choice.units_taken;
   const FrameDecision frame =
       frame_before_values(options.frame, {Frame::kMetres, "a Skybrush CSV is in metres"});
   layout.frame = frame.frame;
@@ -292,7 +330,12 @@ Result<TrackLayout> choose_all(TrackLayout layout, std::string_view text, Column
   const FrameDecision frame = frame_before_values(options.frame, {choice.evidence, choice.reason});
   layout.frame = frame.frame;
   layout.frame_reason = frame.reason;
-  layout.velocity = choose_velocity({seen, *wishes, words, choice, layout.frame}, layout.notes);
+  layout.units = choice.units_taken;
+  UnitChoice units(seen.names, options.units);
+  auto velocity = choose_velocity({seen, *wishes, words, choice, layout.frame, units}, layout.notes,
+                                  layout.units);
+  if (!velocity) return velocity.error();
+  layout.velocity = *velocity;
   if (!layout.time && !layout.velocity) {
     return missing(no_time(seen, words));
   }

@@ -27,6 +27,9 @@ struct VelocityChoice {
   std::array<std::size_t, 3> columns = {};  // along x, y, z, or east, north, up
   std::size_t dimensions = 3;               // 2: there is no third one
   bool down = false;                        // the third one counts downwards
+  // They are the speed over ground, its direction in degrees, and the climb rate.
+  bool over_ground = false;
+  std::array<Unit, 3> units = {Unit::kMetrePerSecond, Unit::kMetrePerSecond, Unit::kMetrePerSecond};
 };
 
 struct TrackLayout {
@@ -35,6 +38,7 @@ struct TrackLayout {
   std::string frame_reason = {};
   std::optional<TimeChoice> time = {};  // none: a snapshot
   std::optional<VelocityChoice> velocity = {};
+  std::vector<UnitTaken> units = {};  // of positions and velocities
   std::vector<std::string> notes = {};
 };
 

@@ -1,5 +1,6 @@
 #include "io/track_record.hpp"
 
+#include "io/coordinate_units.hpp"
 #include "io/excerpt.hpp"
 #include "io/fields.hpp"
 #include "io/iso_time.hpp"
@@ -8,10 +9,13 @@
 #include "io/skipped_records.hpp"
 #include "io/to_metres.hpp"
 #include "io/track_domain.hpp"
+#include "io/track_velocity.hpp"
 #include "io/track_words.hpp"
 
+#include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 
 namespace beespace::io {
 namespace {
@@ -21,6 +25,10 @@ constexpr std::size_t kTime = 1;
 constexpr std::size_t kPosition = 2;
 constexpr std::size_t kVelocity = 5;
 constexpr std::size_t kNothing = 8;  // where columns go that nobody asks for
+
+Point free_of_dust(const Point& point) {
+  return {without_dust(point.x), without_dust(point.y), without_dust(point.z)};
+}
 
 // [-]digits[.digits] while it fits: one division of exact doubles rounds correctly.
 bool read_short_number(std::string_view text, double& value) {
@@ -147,13 +155,26 @@ std::optional<Error> TrackRecordReader::read_position(TrackRecord& record) {
       return outside_domain(text, coordinate_name(layout_, axis), " m", choice.axes[axis]);
     }
   }
+  record.stated_height = values[2];
   record.position = {values[0], values[1], values[2]};
+  if (!choice.is_metric()) {
+    const Point metric = free_of_dust(in_metric(record.position, choice));
+    record.position = metric;
+    for (const auto& [axis, value] :
+         {std::pair{0, metric.x}, std::pair{1, metric.y}, std::pair{2, metric.z}}) {
+      if (in_motion_domain(value)) continue;
+      const auto place = static_cast<std::size_t>(axis);
+      return outside_domain(without_padding(fields_[kPosition + place].text),
+                            coordinate_name(layout_, place), " m", choice.axes[place]);
+    }
+  }
   if (layout_.frame != Frame::kWgs84) return std::nullopt;
   const auto problem =
       find_out_of_range(std::span<const Point>(&record.position, 1), 0, Frame::kWgs84);
   if (!problem) return std::nullopt;
   Error error = range_error(*problem, record.position,
-                            std::string(without_padding(fields_[kPosition + problem->axis].text)));
+                            std::string(without_padding(fields_[kPosition + problem->axis].text)),
+                            symbol_of(choice.units[problem->axis]));
   error.place.column = choice.axes[problem->axis] + 1;
   return error;
 }
@@ -176,7 +197,12 @@ std::optional<Error> TrackRecordReader::read_velocity(TrackRecord& record) {
       return outside_domain(text, "velocity", " m/s", velocity.columns[i]);
     }
   }
-  record.velocity = {values[0], values[1], velocity.down ? -values[2] : values[2]};
+  record.velocity = in_metric(values, velocity);
+  for (const double value : {record.velocity.x, record.velocity.y, record.velocity.z}) {
+    if (std::isnan(value) || in_motion_domain(value)) continue;
+    return outside_domain(without_padding(fields_[kVelocity].text), "velocity", " m/s",
+                          velocity.columns[0]);
+  }
   return std::nullopt;
 }
 

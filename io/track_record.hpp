@@ -19,10 +19,11 @@
 namespace beespace::io {
 
 struct TrackRecord {
-  std::string_view id = {};  // as long as the line and the reader live
-  double time_s = 0.0;       // 0 where there is no time
-  Point position = {};       // as the input has it
-  Velocity velocity = {};    // not-a-number where it is unknown
+  std::string_view id = {};    // as long as the line and the reader live
+  double time_s = 0.0;         // 0 where there is no time
+  Point position = {};         // metres, or degrees and a height in metres
+  double stated_height = 0.0;  // or z, as the input has it
+  Velocity velocity = {};      // not-a-number where it is unknown
 };
 
 class TrackRecordReader {

@@ -19,6 +19,9 @@ SourceFacts facts_of(const TrackLayout& layout) {
   facts.dimensions = choice.dimensions;
   facts.has_time = layout.time.has_value();
   facts.since_1970 = layout.time && layout.time->since_1970;
+  facts.heights = choice.datum;
+  facts.height_unit = choice.height_unit();
+  facts.units = layout.units;
   facts.description = "text, " + std::string(delimiter_name(layout.table.delimiter)) + "-separated";
   return facts;
 }
@@ -29,6 +32,7 @@ std::optional<Error> read_records(std::string_view text, const TrackLayout& layo
   constexpr std::uint64_t kRowsPerReport = 4096;
   Progress* const progress = assembly.options().progress;
   const bool nameless_rows = !layout.table.choice.id && !layout.time;
+  const Unit height_unit = layout.table.choice.height_unit();
   TrackRecordReader reader(layout);
   TrackRecord record;
   record.id = stem;
@@ -57,8 +61,10 @@ std::optional<Error> read_records(std::string_view text, const TrackLayout& layo
     Origin origin;
     origin.source = assembly.source() & 0xFF'FFFFu;
     origin.line = line & 0xFF'FFFF'FFFFu;
+    std::optional<double> stated_height;
+    if (height_unit != Unit::kMetre) stated_height = record.stated_height;
     assembly.tracks().add(record.id, {record.time_s, record.position},
-                          layout.velocity ? &record.velocity : nullptr, origin);
+                          layout.velocity ? &record.velocity : nullptr, origin, stated_height);
   }
   if (progress != nullptr) {
     progress->done += static_cast<std::uint64_t>(text.data() + text.size() - reported);

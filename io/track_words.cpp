@@ -94,9 +94,10 @@ std::optional<VelocityAxis> axis_of(std::string_view word) {
   return std::nullopt;
 }
 
-std::optional<TrackWord> read_velocity_word(const Words& words) {
+std::optional<TrackWord> read_velocity_word(Words words) {
   TrackWord found;
   found.role = TrackRole::kVelocity;
+  found.speed_unit = take_unit(words, Quantity::kSpeed).value_or(Unit::kUnstated);
   bool velocity = false;
   std::optional<VelocityAxis> axis;
   for (const std::string& word : words) {
@@ -111,12 +112,10 @@ std::optional<TrackWord> read_velocity_word(const Words& words) {
     } else if (is_among(word, {"v", "vel", "velocity", "speed", "velocidad", "vitesse",
                                "geschwindigkeit", "velocita"})) {
       velocity = true;
-    } else if (is_among(word, {"kt",   "kts", "kn",  "knot", "knots", "km", "kmh", "kph",
-                               "mph",  "ft",  "fps", "fpm",  "min",   "h",  "hr",  "hour",
-                               "mile", "cm",  "cms", "mm",   "feet",  "mi"})) {
+    } else if (unit_of_word(word, Quantity::kLength) ||
+               is_among(word, {"min", "h", "hr", "hour", "minute"})) {
       found.foreign_unit = word;
-    } else if (!is_among(word, {"m", "s", "mps", "ms", "meter", "meters", "metre", "metres", "per",
-                                "sec", "second"})) {
+    } else {
       return std::nullopt;
     }
   }
@@ -125,10 +124,26 @@ std::optional<TrackWord> read_velocity_word(const Words& words) {
   return found;
 }
 
-bool names_a_mover(const Words& words) {
-  return words.size() == 1 &&
-         is_among(words.front(), {"bee", "drone", "uav", "agent", "vehicle", "robot", "aircraft",
-                                  "boid", "object", "abeja", "biene", "abeille"});
+// "groundspeed", "ground_speed_kt", "gs"; "track", "track [deg]"; "vertical_rate", "climb rate".
+std::optional<TrackWord> read_over_ground(Words words) {
+  TrackWord found;
+  found.speed_unit = take_unit(words, Quantity::kSpeed).value_or(Unit::kUnstated);
+  std::string name;
+  for (const std::string& word : words) name.append(name.empty() ? "" : " ").append(word);
+  if (is_among(name, {"groundspeed", "ground speed", "gs", "speed over ground"})) {
+    found.role = TrackRole::kGroundSpeed;
+  } else if (is_among(name, {"vertical rate", "verticalrate", "vert rate", "vertrate",
+                             "vertical speed", "climb rate", "climb", "rate of climb", "roc",
+                             "rocd", "baro rate", "geom rate"})) {
+    found.role = TrackRole::kClimb;
+  } else if (found.speed_unit == Unit::kUnstated &&
+             is_among(name, {"track", "track deg", "track degrees", "true track", "track angle",
+                             "course over ground", "cog"})) {
+    found.role = TrackRole::kTrack;
+  } else {
+    return std::nullopt;
+  }
+  return found;
 }
 
 }  // namespace
@@ -138,10 +153,9 @@ TrackWord read_track_word(std::string_view name) {
   if (words.empty()) return {};
   if (auto time = read_time_word(words)) return *std::move(time);
   if (auto velocity = read_velocity_word(words)) return *std::move(velocity);
+  if (auto speed = read_over_ground(words)) return *std::move(speed);
   TrackWord other;
-  if (names_a_mover(words) || read_header_word(name).role == Role::kId) {
-    other.role = TrackRole::kId;
-  }
+  if (read_header_word(name).role == Role::kId) other.role = TrackRole::kId;
   return other;
 }
 

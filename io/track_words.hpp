@@ -5,6 +5,7 @@
 #pragma once
 
 #include "io/load_recording.hpp"
+#include "io/units.hpp"
 
 #include <array>
 #include <cstddef>
@@ -14,7 +15,15 @@
 
 namespace beespace::io {
 
-enum class TrackRole : std::uint8_t { kNone, kId, kTime, kVelocity };
+enum class TrackRole : std::uint8_t {
+  kNone,
+  kId,
+  kTime,
+  kVelocity,  // along an axis
+  kGroundSpeed,
+  kTrack,  // the direction over ground, in degrees clockwise from true north
+  kClimb,
+};
 
 // Along what a velocity is given.
 enum class VelocityAxis : std::uint8_t { kX, kY, kZ, kEast, kNorth, kUp, kDown };
@@ -24,7 +33,8 @@ struct TrackWord {
   TimeUnit unit = TimeUnit::kAuto;  // of a time; kAuto: it does not say
   bool since_1970 = false;          // of a time: "unix_time_s"
   VelocityAxis axis = VelocityAxis::kX;
-  std::string foreign_unit = {};  // a unit that is not read: "min", "kt", ...
+  Unit speed_unit = Unit::kUnstated;  // of what is a speed
+  std::string foreign_unit = {};      // a unit that is not read: "min", of a speed "km", ...
 };
 
 TrackWord read_track_word(std::string_view name);

@@ -38,7 +38,7 @@ void add_live_advice_options(CLI::App& command, LiveAdviceOptions& options, cons
       .add_option("--uncertainty", options.uncertainty,
                   "In advice, how far from where it leads a bee may be\nand still be certified "
                   "(default: 0.1)")
-      ->type_name("METRES")
+      ->type_name("LENGTH")
       ->group(group);
   command
       .add_option("--step", options.step,

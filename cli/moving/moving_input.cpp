@@ -29,27 +29,52 @@ struct Placed {
   double height_m = 0.0;
 };
 
-Result<Placed> placed(const Fix& fix, io::Frame frame, Geometry geometry) {
-  if (frame == io::Frame::kMetres) return Placed{fix, 0.0};
+Result<Placed> placed(const Fix& fix, io::Frame frame, Geometry geometry,
+                      const StatedHeight& stated) {
+  const bool as_stated = geometry == Geometry::kGroundAndStatedHeight;
+  const double height = as_stated ? stated.value : fix.position.z;
+  if (frame == io::Frame::kMetres) {
+    if (geometry == Geometry::kSpace) return Placed{fix, 0.0};
+    return Placed{{fix.time_s, {fix.position.x, fix.position.y, 0.0}}, height};
+  }
   GeographicPosition place = geographic(fix.position);
   // Checked as it is given; what lies below it at height 0 is as good.
   auto ecef = to_ecef(place);
   if (!ecef) return ecef.error();
   if (geometry == Geometry::kSpace) return Placed{{fix.time_s, *ecef}, 0.0};
   place.height_m = 0.0;
-  return Placed{{fix.time_s, *to_ecef(place)}, fix.position.z};
+  return Placed{{fix.time_s, *to_ecef(place)}, height};
 }
 
-Result<Track> track_of(const io::RecordedBee& bee, io::Frame frame, Geometry geometry,
-                       double tolerance_m) {
+// What is computed may be too small for the motion domain; nobody sees the difference to 0.
+double told(double value) {
+  return std::abs(value) < kSmallestInMotion ? 0.0 : value;
+}
+
+// How fast somebody climbs, in the unit of the heights that are compared.
+double climb_of(const Velocity& v, Geometry geometry, const StatedHeight& stated) {
+  if (geometry == Geometry::kSpace) return 0.0;
+  return geometry == Geometry::kGroundAndHeight ? v.z : told(io::from_metric(v.z, stated.unit));
+}
+
+// The height of a fix as the input states it.
+StatedHeight stated_height(const io::Recording& recording, const io::RecordedBee& bee,
+                           std::size_t fix) {
+  if (fix >= bee.stated_heights.size()) return {};
+  return {bee.stated_heights[fix], recording.height_unit};
+}
+
+Result<Track> track_of(const io::Recording& recording, const io::RecordedBee& bee,
+                       Geometry geometry, double tolerance_m) {
   if (bee.path) return to_track(*bee.path, tolerance_m);
   Track track;
   track.fixes.reserve(bee.fixes.size());
-  for (const Fix& fix : bee.fixes) {
-    const auto at = placed(fix, frame, geometry);
+  for (std::size_t i = 0; i < bee.fixes.size(); ++i) {
+    const auto at =
+        placed(bee.fixes[i], recording.frame, geometry, stated_height(recording, bee, i));
     if (!at) return at.error();
     track.fixes.push_back(at->fix);
-    if (geometry == Geometry::kGroundAndHeight) track.heights_m.push_back(at->height_m);
+    if (heights_apart(geometry)) track.heights_m.push_back(at->height_m);
   }
   return track;
 }
@@ -66,27 +91,28 @@ struct LastState {
   bool estimated = false;  // the velocity is that of the last two fixes
 };
 
-Result<LastState> given_state(const Fix& fix, const Velocity& v, io::Frame frame,
-                              Geometry geometry) {
-  const auto at = placed(fix, frame, geometry);
+Result<LastState> given_state(const Fix& fix, const Velocity& v, io::Frame frame, Geometry geometry,
+                              const StatedHeight& stated) {
+  const auto at = placed(fix, frame, geometry, stated);
   if (!at) return at.error();
-  if (frame == io::Frame::kMetres) return LastState{{at->fix.position, v}};
-  const bool apart = geometry == Geometry::kGroundAndHeight;
+  const bool apart = heights_apart(geometry);
+  const double climb = climb_of(v, geometry, stated);
+  if (frame == io::Frame::kMetres) {
+    return LastState{{at->fix.position, {v.x, v.y, apart ? 0.0 : v.z}}, at->height_m, climb};
+  }
   const auto ecef = to_ecef_velocity(geographic(fix.position), {v.x, v.y, apart ? 0.0 : v.z});
   if (!ecef) return ecef.error();
-  return LastState{{at->fix.position, *ecef}, at->height_m, apart ? v.z : 0.0};
+  return LastState{{at->fix.position, *ecef}, at->height_m, climb};
 }
 
-// What is computed may be too small for the motion domain; nobody sees the difference to 0.
-double told(double value) {
-  return std::abs(value) < kSmallestInMotion ? 0.0 : value;
-}
-
-Result<LastState> last_state(const io::RecordedBee& bee, io::Frame frame, Geometry geometry,
-                             double max_age_s) {
+Result<LastState> last_state(const io::Recording& recording, const io::RecordedBee& bee,
+                             Geometry geometry, double max_age_s) {
+  const io::Frame frame = recording.frame;
   const Fix& last = bee.fixes.back();
+  const std::size_t index = bee.fixes.size() - 1;
   if (!bee.velocities.empty() && is_known(bee.velocities.back())) {
-    return given_state(last, bee.velocities.back(), frame, geometry);
+    return given_state(last, bee.velocities.back(), frame, geometry,
+                       stated_height(recording, bee, index));
   }
   if (bee.fixes.size() < 2) {
     return Error{ErrorCode::kMissingColumn,
@@ -102,9 +128,10 @@ Result<LastState> last_state(const io::RecordedBee& bee, io::Frame frame, Geomet
                      "ve, vn, vu beside degrees), or raise --max-age",
                  {}};
   }
-  const auto before = placed(bee.fixes[bee.fixes.size() - 2], frame, geometry);
+  const auto before =
+      placed(bee.fixes[index - 1], frame, geometry, stated_height(recording, bee, index - 1));
   if (!before) return before.error();
-  const auto now = placed(last, frame, geometry);
+  const auto now = placed(last, frame, geometry, stated_height(recording, bee, index));
   if (!now) return now.error();
   const Point& p = before->fix.position;
   const Point& q = now->fix.position;
@@ -139,9 +166,23 @@ Result<double> last_time(const io::Recording& recording) {
 
 }  // namespace
 
-Geometry geometry_for(const io::Recording& recording, bool vertical) {
-  return vertical && recording.frame == io::Frame::kWgs84 ? Geometry::kGroundAndHeight
-                                                          : Geometry::kSpace;
+Geometry geometry_for(io::Frame frame, io::Unit height_unit,
+                      const std::optional<StatedLength>& vertical) {
+  if (compares_as_stated(vertical, height_unit)) return Geometry::kGroundAndStatedHeight;
+  return vertical && frame == io::Frame::kWgs84 ? Geometry::kGroundAndHeight : Geometry::kSpace;
+}
+
+Geometry geometry_for(const io::Recording& recording, const std::optional<StatedLength>& vertical) {
+  return geometry_for(recording.frame, recording.height_unit, vertical);
+}
+
+std::optional<double> vertical_in(Geometry geometry, const std::optional<StatedLength>& vertical) {
+  if (!vertical) return std::nullopt;
+  return geometry == Geometry::kGroundAndStatedHeight ? vertical->value : vertical->metric;
+}
+
+double height_unit_m(Geometry geometry, io::Unit height_unit) {
+  return geometry == Geometry::kGroundAndStatedHeight ? io::in_metric(1.0, height_unit) : 1.0;
 }
 
 MoversView Snapshot::view() const {
@@ -155,7 +196,7 @@ Result<std::vector<Track>> tracks_of(const io::Recording& recording, Geometry ge
   std::vector<Track> tracks;
   tracks.reserve(recording.bees.size());
   for (const io::RecordedBee& bee : recording.bees) {
-    auto track = track_of(bee, recording.frame, geometry, tolerance_m);
+    auto track = track_of(recording, bee, geometry, tolerance_m);
     if (!track) return of_bee(std::move(track).error(), bee);
     tracks.push_back(*std::move(track));
   }
@@ -163,15 +204,15 @@ Result<std::vector<Track>> tracks_of(const io::Recording& recording, Geometry ge
 }
 
 Result<InMetres> in_metres(const Point& position, const std::optional<Velocity>& velocity,
-                           io::Frame frame, Geometry geometry) {
+                           io::Frame frame, Geometry geometry, const StatedHeight& stated) {
   const Fix fix{0.0, position};
   if (velocity && is_known(*velocity)) {
-    const auto state = given_state(fix, *velocity, frame, geometry);
+    const auto state = given_state(fix, *velocity, frame, geometry, stated);
     if (!state) return state.error();
     return InMetres{state->mover.position, state->mover.velocity, state->height_m,
                     state->climb_mps};
   }
-  const auto at = placed(fix, frame, geometry);
+  const auto at = placed(fix, frame, geometry, stated);
   if (!at) return at.error();
   return InMetres{at->fix.position, std::nullopt, at->height_m, 0.0};
 }
@@ -181,7 +222,8 @@ Result<InMetres> in_metres(const io::Recording& recording, std::size_t bee, std:
   const io::RecordedBee& of = recording.bees[bee];
   std::optional<Velocity> velocity;
   if (of.velocities.size() > fix) velocity = of.velocities[fix];
-  return in_metres(of.fixes[fix].position, velocity, recording.frame, geometry);
+  return in_metres(of.fixes[fix].position, velocity, recording.frame, geometry,
+                   stated_height(recording, of, fix));
 }
 
 Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, double max_age_s,
@@ -200,8 +242,9 @@ Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, 
       continue;
     }
     auto state = wanted == Wanted::kPlaces && age == 0.0
-                     ? given_state(bee.fixes.back(), Velocity{}, recording.frame, geometry)
-                     : last_state(bee, recording.frame, geometry, max_age_s);
+                     ? given_state(bee.fixes.back(), Velocity{}, recording.frame, geometry,
+                                   stated_height(recording, bee, bee.fixes.size() - 1))
+                     : last_state(recording, bee, geometry, max_age_s);
     if (!state && state.error().code == ErrorCode::kMissingColumn) {
       ++snapshot.unmoving;
       no_velocity = of_bee(std::move(state).error(), bee);

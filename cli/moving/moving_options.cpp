@@ -26,7 +26,7 @@ std::optional<Error> check_inputs(const char* command, const MovingOptions& opti
 
 }  // namespace
 
-io::RecordingOptions recording_options(const ReadingOptions& options) {
+Result<io::RecordingOptions> recording_options(const char* command, const ReadingOptions& options) {
   io::RecordingOptions load;
   if (options.frame == "wgs84") load.frame = io::Frame::kWgs84;
   if (options.frame == "metres") load.frame = io::Frame::kMetres;
@@ -37,12 +37,21 @@ io::RecordingOptions recording_options(const ReadingOptions& options) {
   if (options.heights == "geometric") load.heights = io::HeightSource::kGeometric;
   if (options.heights == "pressure") load.heights = io::HeightSource::kPressure;
   load.columns = options.columns;
+  const auto units = io::read_unit_wishes(options.units);
+  if (!units) return usage_error(command, units.error().message);
+  load.units = *units;
   return load;
 }
 
-void add_heights_option(CLI::App& command, std::string& heights) {
+void add_units_options(CLI::App& command, std::string& units, std::string& heights) {
+  command
+      .add_option("--units", units,
+                  "Where the header names none: height=ft,speed=kt,\nclimb=ft/min, position=m")
+      ->type_name("LIST")
+      ->group("Input");
   CLI::Option* option =
-      command.add_option("--heights", heights, "Of aircraft, which of their heights to take")
+      command
+          .add_option("--heights", heights, "Of several heights, which to take (aircraft, tables)")
           ->type_name("auto|geometric|pressure")
           ->group("Input");
   allow_only(*option, {"auto", "geometric", "pressure"});
@@ -68,7 +77,7 @@ void add_input_options(CLI::App& command, MovingOptions& options) {
       .add_flag("--grounded", options.grounded,
                 "Count those that stand on the ground as well (shows, aircraft)")
       ->group("Input");
-  add_heights_option(command, options.heights);
+  add_units_options(command, options.units, options.heights);
   command.add_flag("--skip-bad", options.skip_bad, "Leave bad records out and list them")
       ->group("Input");
 }
@@ -76,7 +85,7 @@ void add_input_options(CLI::App& command, MovingOptions& options) {
 void add_gap_options(CLI::App& command, std::string& max_gap, std::string& tolerance) {
   add_max_gap_option(command, max_gap, "Input");
   command.add_option("--tolerance", tolerance, "How closely to follow curves (default: 0.001)")
-      ->type_name("METRES")
+      ->type_name("LENGTH")
       ->group("Input");
 }
 
@@ -84,10 +93,10 @@ void add_threshold_options(CLI::App& command, MovingOptions& options) {
   command
       .add_option("--threshold", options.threshold,
                   "Closer than this is too close (default: what the\ninput declares, or 100)")
-      ->type_name("METRES")
+      ->type_name("LENGTH")
       ->group("Separation");
   command.add_option("--vertical", options.vertical, kVerticalHelp)
-      ->type_name("METRES")
+      ->type_name("LENGTH")
       ->group("Separation");
   command
       .add_flag("--inclusive", options.inclusive, "A distance of exactly the threshold counts too")
@@ -130,8 +139,10 @@ Result<MovingRequest> moving_request(const char* command, const MovingOptions& o
   request.command = command;
   request.inputs = options.inputs;
   if (request.inputs.empty()) request.inputs.emplace_back("-");
-  request.load =
-      recording_options({options.frame, options.time_unit, options.columns, options.heights});
+  const auto load = recording_options(
+      command, {options.frame, options.time_unit, options.columns, options.heights, options.units});
+  if (!load) return load.error();
+  request.load = *load;
   request.load.skip_bad = options.skip_bad;
   request.load.grounded = options.grounded;
   if (!options.threshold.empty()) {
@@ -139,10 +150,10 @@ Result<MovingRequest> moving_request(const char* command, const MovingOptions& o
     if (!threshold) return threshold.error();
     request.threshold_m = *threshold;
   }
-  const auto vertical =
-      read_optional_amount(command, "--vertical", options.vertical, "metres", {0.0, false});
+  const auto vertical = read_vertical(command, options.vertical);
   if (!vertical) return vertical.error();
-  request.vertical_m = *vertical;
+  request.vertical = *vertical;
+  if (*vertical) request.vertical_m = (*vertical)->metric;
   request.inclusive = options.inclusive;
   const auto max_results = read_max_results(command, options.max_results);
   if (!max_results) return max_results.error();

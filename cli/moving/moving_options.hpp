@@ -4,6 +4,7 @@
 
 #include "cli/moving/rows.hpp"
 #include "cli/output_form.hpp"
+#include "cli/stated_length.hpp"
 #include "io/load_recording.hpp"
 
 #include <beespace/result.hpp>
@@ -25,6 +26,7 @@ struct MovingOptions {
   std::string frame = "auto";
   std::string columns;
   std::string time_unit = "auto";
+  std::string units;
   std::string heights = "auto";
   std::string threshold;  // empty: what the input declares, or 100
   std::string vertical;
@@ -50,6 +52,7 @@ struct MovingRequest {
   io::RecordingOptions load;
   std::optional<double> threshold_m;  // absent: what the input declares, or the default
   std::optional<double> vertical_m;
+  std::optional<StatedLength> vertical;  // the same, as typed
   bool inclusive = false;
   std::uint64_t max_results = 0;
   unsigned threads = 0;
@@ -71,9 +74,12 @@ struct ReadingOptions {
   const std::string& time_unit;
   const std::string& columns;
   const std::string& heights;
+  const std::string& units;
 };
-io::RecordingOptions recording_options(const ReadingOptions& options);
-void add_heights_option(CLI::App& command, std::string& heights);
+// Errors: kInvalidArgument for units that are none.
+Result<io::RecordingOptions> recording_options(const char* command, const ReadingOptions& options);
+// --units and --heights.
+void add_units_options(CLI::App& command, std::string& units, std::string& heights);
 
 void add_input_options(CLI::App& command, MovingOptions& options);
 // Of recordings.

@@ -1,6 +1,7 @@
 #include "cli/moving/moving_output.hpp"
 
 #include "cli/block_writer.hpp"
+#include "cli/json_units.hpp"
 #include "cli/number_text.hpp"
 #include "cli/terminal.hpp"
 #include "io/json_text.hpp"
@@ -21,22 +22,6 @@ std::string inputs_of(const MovingRequest& request) {
   std::string text = first == "-" ? "standard input" : first;
   if (request.inputs.size() > 1) text += " and " + grouped(request.inputs.size() - 1) + " more";
   return printable(text);
-}
-
-std::string_view datum_text(io::HeightDatum datum) {
-  switch (datum) {
-    case io::HeightDatum::kUnstated:
-      return "";
-    case io::HeightDatum::kEllipsoid:
-      return "above the WGS84 ellipsoid";
-    case io::HeightDatum::kMeanSeaLevel:
-      return "above mean sea level";
-    case io::HeightDatum::kPressure:
-      return "pressure altitude";
-    case io::HeightDatum::kHome:
-      return "above the place of take-off";
-  }
-  return "";
 }
 
 std::string counted(std::uint64_t count, const char* one, const char* several) {
@@ -90,6 +75,8 @@ std::string input_summary(const io::Recording& recording, const MovingRequest& r
                       inputs_of(request) + " (" + byte_count(recording.bytes) + ", " +
                           recording.format_description + ")");
   append_frame_lines(out, recording.frame, recording.frame_reason, recording.heights);
+  append_units(out, recording.units);
+  append_vertical(out, request.vertical, recording.height_unit);
   for (const std::string& note : recording.notes) {
     append_summary_line(out, "note", printable(note));
   }
@@ -165,6 +152,7 @@ std::string json_head(const io::Recording& recording, const MovingRequest& reque
   out += ",\n    \"heights\": ";
   const std::string_view datum = datum_text(recording.heights);
   out += datum.empty() ? "null" : io::json_string(datum);
+  out += ",\n    \"units\": " + json_units(recording.units);
   out += std::string(",\n    \"times\": ") +
          (recording.since_1970 ? "\"seconds since 1970-01-01T00:00:00Z\"" : "\"seconds\"");
   out += ",\n    \"bees\": " + std::to_string(recording.bees.size());
@@ -176,6 +164,7 @@ std::string json_head(const io::Recording& recording, const MovingRequest& reque
   }
   out += "]\n  },\n  \"threshold_m\": " + exact(threshold_m);
   out += ",\n  \"vertical_m\": " + (request.vertical_m ? exact(*request.vertical_m) : "null");
+  out += ",\n  \"vertical\": " + json_vertical(request.vertical, recording.height_unit);
   out += std::string(",\n  \"inclusive\": ") + (request.inclusive ? "true" : "false");
   return out;
 }

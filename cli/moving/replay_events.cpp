@@ -1,7 +1,6 @@
 #include "cli/moving/replay_events.hpp"
 
 #include "cli/moving/event_lines.hpp"
-#include "cli/moving/moving_input.hpp"
 #include "cli/moving/moving_output.hpp"
 
 #include <algorithm>
@@ -30,8 +29,8 @@ std::vector<Value> row_of(const SwarmEvent& event, const LiveFeed& feed) {
 }  // namespace
 
 Result<RecordedEvents> events_of(const io::Recording& recording, const std::vector<Track>& tracks,
-                                 const SwarmOptions& options, const LiveTimes& times) {
-  const Geometry geometry = geometry_for(recording, options.vertical_m.has_value());
+                                 Geometry geometry, const SwarmOptions& options,
+                                 const LiveTimes& times) {
   std::vector<RecordedFix> fixes;
   for (PointId bee = 0; bee < tracks.size(); ++bee) {
     for (std::uint32_t i = 0; i < tracks[bee].fixes.size(); ++i) {

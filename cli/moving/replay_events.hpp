@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/moving/live_feed.hpp"
+#include "cli/moving/moving_input.hpp"
 #include "cli/moving/rows.hpp"
 #include "io/recording.hpp"
 
@@ -19,7 +20,9 @@ struct RecordedEvents {
   Rows rows;
 };
 
+// The tracks are those of that geometry.
 Result<RecordedEvents> events_of(const io::Recording& recording, const std::vector<Track>& tracks,
-                                 const SwarmOptions& options, const LiveTimes& times);
+                                 Geometry geometry, const SwarmOptions& options,
+                                 const LiveTimes& times);
 
 }  // namespace beespace::cli

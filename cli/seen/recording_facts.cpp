@@ -6,6 +6,7 @@
 #include "cli/moving/replay_findings.hpp"
 #include "cli/number_text.hpp"
 #include "cli/seen/worst_pairs.hpp"
+#include "cli/summary_line.hpp"
 #include "report/local_axes.hpp"
 
 #include <beespace/find_conflicts.hpp>
@@ -142,16 +143,16 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
                                                const std::string& title,
                                                const SeenRequest& request) {
   const MovingRequest& moving = request.moving;
-  const Geometry geometry = geometry_for(recording, moving.vertical_m.has_value());
+  const Geometry geometry = geometry_for(recording, moving.vertical);
   auto in_space = tracks_of(recording, Geometry::kSpace, request.tolerance_m);
   if (!in_space) return std::move(in_space).error();
   std::vector<Track> on_ground;
-  if (geometry == Geometry::kGroundAndHeight) {
+  if (heights_apart(geometry)) {
     auto found = tracks_of(recording, geometry, request.tolerance_m);
     if (!found) return std::move(found).error();
     on_ground = *std::move(found);
   }
-  const std::vector<Track>& tracks = geometry == Geometry::kGroundAndHeight ? on_ground : *in_space;
+  const std::vector<Track>& tracks = heights_apart(geometry) ? on_ground : *in_space;
 
   report::RecordingFacts facts;
   report::SwarmFacts& swarm = facts.swarm;
@@ -163,7 +164,8 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   swarm.vertical_m = moving.vertical_m;
   swarm.inclusive = moving.inclusive;
   swarm.names = names_of(recording);
-  swarm.notes = recording.notes;
+  note_units(recording.units, moving.vertical, recording.height_unit, swarm.notes);
+  swarm.notes.insert(swarm.notes.end(), recording.notes.begin(), recording.notes.end());
   if (recording.skipped_count > 0) {
     swarm.notes.push_back("bad records left out: " + grouped(recording.skipped_count));
   }
@@ -175,11 +177,13 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   }
 
   const MaxGap max_gap = max_gap_of(recording, request.max_gap_s);
-  auto recorded = find_conflicts(tracks, {.threshold_m = swarm.threshold_m,
-                                          .vertical_m = moving.vertical_m,
-                                          .inclusive = moving.inclusive,
-                                          .max_gap_s = max_gap.seconds,
-                                          .threads = moving.threads});
+  auto recorded =
+      find_conflicts(tracks, {.threshold_m = swarm.threshold_m,
+                              .vertical_m = vertical_in(geometry, moving.vertical),
+                              .inclusive = moving.inclusive,
+                              .max_gap_s = max_gap.seconds,
+                              .threads = moving.threads,
+                              .height_unit_m = height_unit_m(geometry, recording.height_unit)});
   if (!recorded) return std::move(recorded).error();
   const auto closest = closest_of(*recorded, *in_space, max_gap.seconds, request);
   if (!closest) return closest.error();

@@ -85,6 +85,8 @@ io::LoadOptions options_for_points(const SeenRequest& request, io::Progress& pro
   io::LoadOptions options;
   options.frame = request.moving.load.frame;
   options.columns = request.moving.load.columns;
+  options.units = request.moving.load.units;
+  options.heights = request.moving.load.heights;
   options.skip_bad = request.moving.load.skip_bad;
   options.threads = request.moving.threads;
   options.progress = &progress;

@@ -7,6 +7,7 @@
 #include "cli/number_text.hpp"
 #include "cli/seen/worst_pairs.hpp"
 #include "cli/shown_ids.hpp"
+#include "cli/summary_line.hpp"
 #include "report/local_axes.hpp"
 
 #include <beespace/engine.hpp>
@@ -91,7 +92,7 @@ Status search(const std::vector<Point>& points, const GroundPlaces& apart, unsig
               report::SnapshotFacts& facts) {
   SearchOptions options;
   options.threshold_m = facts.swarm.threshold_m;
-  options.vertical_m = facts.swarm.vertical_m;
+  options.vertical_m = apart.vertical_m;
   options.inclusive = facts.swarm.inclusive;
   options.threads = threads;
   options.heights_m = apart.heights_m;
@@ -158,9 +159,13 @@ Result<report::SnapshotFacts> snapshot_facts(const io::LoadedPoints& loaded,
   report::SnapshotFacts facts = begun(title, request);
   report::SwarmFacts& swarm = facts.swarm;
   swarm.source = loaded.format_description;
-  swarm.notes = loaded.notes;
+  note_units(loaded.units, request.moving.vertical, loaded.height_unit, swarm.notes);
+  swarm.notes.insert(swarm.notes.end(), loaded.notes.begin(), loaded.notes.end());
+  if (const io::RepeatedIds repeated = io::find_repeated_ids(loaded); repeated.count > 0) {
+    swarm.notes.push_back(text_of(repeated));
+  }
   note_skipped(loaded.skipped_count, swarm.notes);
-  const GroundPlaces apart = ground_places(loaded, swarm.vertical_m.has_value());
+  const GroundPlaces apart = ground_places(loaded, request.moving.vertical, loaded.height_unit);
   const Status found = search(loaded.points, apart, request.moving.threads, facts);
   if (!found) return found.error();
   swarm.names = names_of(loaded, facts.pairs);
@@ -178,7 +183,8 @@ Result<report::SnapshotFacts> snapshot_facts(const io::Recording& recording,
   report::SnapshotFacts facts = begun(title, request);
   report::SwarmFacts& swarm = facts.swarm;
   swarm.source = recording.format_description;
-  swarm.notes = recording.notes;
+  note_units(recording.units, request.moving.vertical, recording.height_unit, swarm.notes);
+  swarm.notes.insert(swarm.notes.end(), recording.notes.begin(), recording.notes.end());
   note_skipped(recording.skipped_count, swarm.notes);
   const auto snapshot = snapshot_of(recording, Geometry::kSpace, kMaxAge_s, Wanted::kPlaces);
   if (!snapshot) return snapshot.error();
@@ -186,8 +192,9 @@ Result<report::SnapshotFacts> snapshot_facts(const io::Recording& recording,
   std::vector<Point> points;
   for (const Mover& mover : snapshot->movers) points.push_back(mover.position);
   GroundPlaces apart;
-  const Geometry geometry = geometry_for(recording, swarm.vertical_m.has_value());
-  if (geometry == Geometry::kGroundAndHeight) {
+  const Geometry geometry = geometry_for(recording, request.moving.vertical);
+  apart.vertical_m = vertical_in(geometry, request.moving.vertical);
+  if (heights_apart(geometry)) {
     auto on_ground = snapshot_of(recording, geometry, kMaxAge_s, Wanted::kPlaces);
     if (!on_ground) return on_ground.error();
     for (const Mover& mover : on_ground->movers) apart.ground.push_back(mover.position);

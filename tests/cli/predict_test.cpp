@@ -130,7 +130,7 @@ TEST(Predict, TheSummarySaysWhatWasAskedAndFound) {
   expect_parts(
       finished.err,
       {"input      standard input (", "frame      metres: the header names x, y and z",
-       "note       velocities along x, y, z in m/s", "bees       2\n", "now        0.00 s\n",
+       "note       velocities along x, y, z are read", "bees       2\n", "now        0.00 s\n",
        "threshold  horizontally 5 m (closer than), and in height 2 m (closer than)\n",
        "horizon    60 s\n", "conflicts  1, of 2 bees\n", "soonest    a and b, in 48.00 s\n",
        "closest    a and b, 3.000 m apart at 50.00 s\n", "time       search "});

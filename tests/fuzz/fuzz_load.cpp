@@ -30,6 +30,9 @@ LoadOptions options_from(unsigned choice) {
   const char* const columns[] = {"", "", "", "x=1,y=2,z=3", "lon=2,lat=1", "x=x,y=y,id=1"};
   options.columns = columns[(choice / 6) % 6];
   options.threads = 1 + (choice / 36) % 2;
+  if (choice % 11 == 3) options.units.height = Unit::kFoot;
+  if (choice % 13 == 5) options.units.position = Unit::kKilometre;
+  options.heights = static_cast<HeightSource>((choice / 9) % 3);
   return options;
 }
 

@@ -35,6 +35,8 @@ RecordingOptions options_from(unsigned choice) {
   options.columns = columns[(choice / 6) % 6];
   options.time_unit = choice % 5 == 0 ? TimeUnit::kMilliseconds : TimeUnit::kAuto;
   options.format = choice % 7 == 0 ? RecordingFormat::kSkybrushCsv : RecordingFormat::kAuto;
+  if (choice % 11 == 3) options.units.height = Unit::kFoot;
+  if (choice % 13 == 5) options.units.climb = Unit::kFootPerMinute;
   return options;
 }
 

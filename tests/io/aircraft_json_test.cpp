@@ -59,7 +59,7 @@ TEST(AircraftJson, VelocitiesAreThoseOfTheLibrary) {
 
 TEST(AircraftJson, HeightsByPressureForAllWhereTheyAreAskedFor) {
   const auto recording = recording_of(record(file_of(kFlying), by_pressure()));
-  EXPECT_EQ(recording.bees[0].fixes[0].position.z, 9000 * 0.3048);
+  EXPECT_EQ(recording.bees[0].fixes[0].position.z, 2743.2);
   EXPECT_NEAR(recording.bees[0].velocities[0].z, -6.096, 1e-15);
   EXPECT_EQ(recording.heights, HeightDatum::kPressure);
   EXPECT_TRUE(has_note(recording, "by pressure"));

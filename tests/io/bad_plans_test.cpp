@@ -91,11 +91,8 @@ TEST(BadPlans, ColumnsThatLookAlike) {
 }
 
 TEST(BadPlans, UnitsThatAreNotRead) {
-  expect_error(load("x,y,z [ft],goal_x,goal_y,goal_z\n1,2,3,4,5,6\n"),
-               {ErrorCode::kUnsupportedFormat, "bees.csv:1:3",
-                "column 3 'z [ft]' is in 'ft'; convert it first: beespace reads metres"});
-  expect_error(load("x,y,z,goal_x,goal_y,goal_z,max_speed_kmh\n1,2,3,4,5,6,7\n"),
-               {ErrorCode::kUnsupportedFormat, "bees.csv:1:7", "is in 'kmh'"});
+  expect_error(load("x,y,z,goal_x,goal_y,goal_z,max_acceleration_g\n1,2,3,4,5,6,7\n"),
+               {ErrorCode::kUnsupportedFormat, "bees.csv:1:7", "is in 'g'; convert it first"});
   expect_error(load("id,lon,lat,height,goal_lon,goal_lat,goal_height\na,1,2,3,4,5,6\n"),
                {ErrorCode::kUnsupportedFormat, "bees.csv:1",
                 "positions in degrees are not read here; convert them to metres"});

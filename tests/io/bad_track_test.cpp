@@ -125,8 +125,8 @@ TEST(BadTrack, PositionsBeyondTheEarth) {
 }
 
 TEST(BadTrack, HeightsInFeetAreNotTakenForMetres) {
-  expect_error(record("id,time_s,lon,lat,alt_ft\na,0,1,2,3\n"),
-               {ErrorCode::kUnsupportedFormat, "bees.csv:1:5", "is in 'ft'; convert it first"});
+  expect_error(record("id,time_s,lon [rad],lat [rad],alt_ft\na,0,1,2,3\n"),
+               {ErrorCode::kUnsupportedFormat, "bees.csv:1:3", "is in 'rad'"});
 }
 
 TEST(BadTrack, DatesThatAreNone) {

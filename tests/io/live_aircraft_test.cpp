@@ -66,7 +66,7 @@ TEST(LiveAircraft, BadObjectsAreErrorsAndTheNextOneIsRead) {
 TEST(LiveAircraft, ObjectsOfOwnWordsAreNotReadsbs) {
   ReportLines lines;
   const auto report =
-      report_of(lines.take(R"({"hex":"A","time_s":1,"lat":47,"lon":8,"height":10000})"));
+      report_of(lines.take(R"({"hex":"A","time_s":1,"lat":47,"lon":8,"height_m":10000})"));
   EXPECT_EQ(report.id, "A");
   EXPECT_EQ(report.position.z, 10000.0);
 }
@@ -75,7 +75,7 @@ TEST(LiveAircraft, HeightsByPressureWhereTheyAreAskedFor) {
   RecordingOptions options;
   options.heights = HeightSource::kPressure;
   ReportLines lines(options);
-  EXPECT_EQ(report_of(lines.take(kFlying)).position.z, 9000 * 0.3048);
+  EXPECT_EQ(report_of(lines.take(kFlying)).position.z, 2743.2);
   EXPECT_EQ(lines.heights(), HeightDatum::kPressure);
 }
 

@@ -115,8 +115,7 @@ TEST(NoGuess, UnitsAndFramesWeighMoreThanBees) {
   }
   expect_refused("bee coordinate x (rad),bee coordinate y (rad)\n0,0\n",
                  ErrorCode::kUnsupportedFormat, "'rad'");
-  expect_refused("bee coordinate x (ft),bee coordinate y (ft)\n0,0\n",
-                 ErrorCode::kUnsupportedFormat, "'ft'");
+  expect_frame("bee coordinate x (ft),bee coordinate y (ft)\n0,0\n", Frame::kMetres);
   // A word that is not known leaves open what the axes are.
   expect_refused("bee coordinate x quux,bee coordinate y quux\n0,0\n", ErrorCode::kMissingColumn,
                  "--columns lon=1,lat=2");

@@ -16,6 +16,10 @@ std::string meaning(std::string_view name) {
   std::string text(kRoles[static_cast<std::size_t>(word.role)]);
   const bool along = word.role >= PlanRole::kPosition && word.role <= PlanRole::kWish;
   if (along) text.append(" ").append(1, "xyz"[word.axis]);
+  if (word.unit != Unit::kUnstated && word.unit != Unit::kMetre &&
+      word.unit != Unit::kMetrePerSecond) {
+    return text + " in " + std::string(symbol_of(word.unit));
+  }
   return word.foreign_unit.empty() ? text : text + " in " + word.foreign_unit;
 }
 
@@ -60,7 +64,7 @@ TEST(PlanWords, UnitsThatAreNotReadAreSaid) {
   expect_meaning("goal y in km", {"goal_y_km"});
   expect_meaning("velocity x in kt", {"vx_kt"});
   expect_meaning("wish x in kt", {"want_vx_kt"});
-  expect_meaning("max_speed in kmh", {"max_speed_kmh"});
+  expect_meaning("max_speed in km/h", {"max_speed_kmh"});
   expect_meaning("degrees", {"lon", "latitude", "goal_lat", "x [deg]"});
 }
 

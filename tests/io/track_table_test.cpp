@@ -160,7 +160,7 @@ TEST(TrackTable, VelocitiesBesideMetresAreAlongTheAxes) {
   EXPECT_EQ(velocities[0], (Velocity{4, 5, 6}));
   EXPECT_TRUE(std::isnan(velocities[1].x) && std::isnan(velocities[1].y));
   EXPECT_EQ(velocities[1].z, -1.5);
-  EXPECT_TRUE(has_note(recording, "velocities along x, y, z in m/s are read from columns 6, 7, 8"));
+  EXPECT_TRUE(has_note(recording, "velocities along x, y, z are read from columns 6, 7, 8"));
 }
 
 TEST(TrackTable, VelocitiesBesideDegreesAreEastNorthAndUp) {
@@ -179,9 +179,9 @@ TEST(TrackTable, VelocitiesThatMayMeanAnythingAreLeftOutAndThatIsSaid) {
   EXPECT_TRUE(has_note(axes,
                        "velocities are not read: beside such positions they must be named "
                        "east and north"));
-  const auto knots = recording_of(record("id,time_s,x,y,z,vx_kt,vy_kt\na,0,1,2,3,4,5\n"));
-  EXPECT_TRUE(knots.bees[0].velocities.empty());
-  EXPECT_TRUE(has_note(knots, "'vx_kt' is in 'kt', not in m/s"));
+  const auto lengths = recording_of(record("id,time_s,x,y,z,vx_km,vy_km\na,0,1,2,3,4,5\n"));
+  EXPECT_TRUE(lengths.bees[0].velocities.empty());
+  EXPECT_TRUE(has_note(lengths, "'vx_km' is in 'km', which is no unit of a speed"));
 }
 
 TEST(TrackTable, WhetherBeesClimbIsUnknownWhereItIsNotSaid) {

@@ -47,8 +47,14 @@ TEST(TrackWords, TimesSince1970SaySo) {
 TEST(TrackWords, UnitsThatAreNotReadAreKept) {
   EXPECT_EQ(read_track_word("time [min]").foreign_unit, "min");
   EXPECT_EQ(read_track_word("time_h").foreign_unit, "h");
-  EXPECT_EQ(read_track_word("vx [km/h]").foreign_unit, "h");
-  EXPECT_EQ(read_track_word("vel_e_kt").foreign_unit, "kt");
+  EXPECT_EQ(read_track_word("vx [km/h]").speed_unit, Unit::kKilometrePerHour);
+  EXPECT_EQ(read_track_word("vel_e_kt").speed_unit, Unit::kKnot);
+  EXPECT_EQ(read_track_word("vx_km").foreign_unit, "km");
+  EXPECT_EQ(read_track_word("ground speed [kt]").role, TrackRole::kGroundSpeed);
+  EXPECT_EQ(read_track_word("ground speed [kt]").speed_unit, Unit::kKnot);
+  EXPECT_EQ(read_track_word("vertical_rate").role, TrackRole::kClimb);
+  EXPECT_EQ(read_track_word("track [deg]").role, TrackRole::kTrack);
+  EXPECT_EQ(read_track_word("track_id").role, TrackRole::kId);
 }
 
 TEST(TrackWords, VelocitiesSayTheirAxis) {
@@ -70,7 +76,7 @@ TEST(TrackWords, BeesHaveIds) {
 
 TEST(TrackWords, WhatIsNotUnderstoodToItsLastWordIsNothing) {
   for (const std::string_view name :
-       {"", "x", "lat", "time_position", "gps_time_local", "v", "velocity", "ground speed", "vxy",
+       {"", "x", "lat", "time_position", "gps_time_local", "v", "velocity", "ground speeds", "vxy",
         "vx_error", "acc_x", "x_time_s", "vx vy", "s", "us", "ms", "drone color"}) {
     EXPECT_EQ(read_track_word(name).role, TrackRole::kNone) << name;
   }

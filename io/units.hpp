@@ -1,0 +1,62 @@
+// Units of lengths and speeds: the words that name them, and how many of ours they are.
+//
+// Everything about a unit stands in one table (units.cpp). Ours are metres and metres per second.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace beespace::io {
+
+enum class Quantity : std::uint8_t { kLength, kSpeed };
+
+enum class Unit : std::uint8_t {
+  kUnstated,
+  kMetre,
+  kKilometre,
+  kCentimetre,
+  kMillimetre,
+  kFoot,
+  kFlightLevel,  // a hundred feet
+  kYard,
+  kInch,
+  kMile,
+  kNauticalMile,
+  kMetrePerSecond,
+  kKilometrePerHour,
+  kMetrePerMinute,
+  kCentimetrePerSecond,
+  kMillimetrePerSecond,
+  kKnot,
+  kMilePerHour,
+  kFootPerSecond,
+  kFootPerMinute,
+};
+
+// "ft", "km/h", ...
+std::string_view symbol_of(Unit unit);
+
+// The same in metres, or metres per second: the nearest double to the product with the exact factor
+// by which the unit is defined (1 ft = 381/1250 m), so rounded once. Unstated units are ours.
+double in_metric(double value, Unit unit);
+// The other way round, in general rounded once as well.
+double from_metric(double value, Unit unit);
+
+// The unit that a word names, in lower case and in several languages: "ft", "feet", "pies", "kts".
+std::optional<Unit> unit_of_word(std::string_view word, Quantity quantity);
+
+// The unit that all of `text` names, as an option's value has it: "ft", "NM", "km/h", "ft/min".
+// Capitals count nowhere but in "M", which nobody means as metres.
+std::optional<Unit> unit_of_text(std::string_view text, Quantity quantity);
+
+// The unit that the last words of a name spell, which are taken away: "m", "s" or "ft", "per",
+// "min" too, not only "fpm". Nothing where they spell none, or where nothing else would be left.
+std::optional<Unit> take_unit(std::vector<std::string>& words, Quantity quantity);
+
+// "m, km, cm, mm, ft, ...": what unit_of_text() takes.
+std::string list_units(Quantity quantity);
+
+}  // namespace beespace::io
