@@ -19,7 +19,8 @@ struct GroundPlaces {
   std::optional<double> vertical_m = {};
 };
 
-// `height_unit` is that of all that is compared. A threshold in the unit of the heights is compared with them as they stand.
+// `height_unit` is that of all that is compared. A threshold in the unit of the heights is compared
+// with them as they stand.
 GroundPlaces ground_places(const io::LoadedPoints& loaded,
                            const std::optional<StatedLength>& vertical, io::Unit height_unit);
 

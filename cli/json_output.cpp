@@ -177,8 +177,7 @@ void write_json(const Answer& answer, io::AtomicOutput& output) {
   out.text += "  \"threshold_m\": " + exact(request.search.threshold_m);
   const auto& vertical = request.search.vertical_m;
   out.text += ",\n  \"vertical_m\": " + (vertical ? exact(*vertical) : std::string("null"));
-  out.text +=
-      ",\n  \"vertical\": " + json_vertical(request.vertical, answer.inputs.height_unit());
+  out.text += ",\n  \"vertical\": " + json_vertical(request.vertical, answer.inputs.height_unit());
   out.text += ",\n  \"inclusive\": ";
   out.text += request.search.inclusive ? "true" : "false";
   out.text += ",\n  \"at_risk_count\": " + std::to_string(detection.at_risk.size());
