@@ -5,6 +5,7 @@
 #include <beespace/mover.hpp>
 #include <beespace/point.hpp>
 
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -41,7 +42,10 @@ Result<double> read_threshold_in(const std::string& text, const Domain& domain) 
   const bool finite = std::isfinite(*value);
   std::string remedy = "give a finite distance above zero, in metres, for example --threshold 100";
   if (finite && *value > 0.0) remedy = std::string("give one from ") + domain.words;
-  return Error{ErrorCode::kInvalidThreshold, "the threshold is " + text + " m; " + remedy, {}};
+  const bool has_unit = finite && std::isalpha(static_cast<unsigned char>(text.back())) != 0;
+  return Error{ErrorCode::kInvalidThreshold,
+               "the threshold is " + text + (has_unit ? "; " : " m; ") + remedy,
+               {}};
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/cli/command_run.hpp"
@@ -91,10 +92,14 @@ TEST(AdviseRefuses, ObstaclesAndIntrudersThatAreWrong) {
 }
 
 TEST(AdviseRefuses, AThresholdOutsideTheDomainOfWhatMoves) {
-  for (const char* threshold : {"-1", "0", "1e-31", "2e30"}) {
+  for (const auto& [threshold, remedy] :
+       std::vector<std::pair<std::string, std::string>>{{"-1", "a finite distance above zero"},
+                                                        {"0", "a finite distance above zero"},
+                                                        {"1e-31", "7.9e-31 m to 1.3e+30 m"},
+                                                        {"2e30", "7.9e-31 m to 1.3e+30 m"}}) {
     const Finished finished = run({"advise", "--threshold", threshold}, kOne);
     EXPECT_EQ(finished.exit_code, 2);
-    expect_parts(finished.err, {threshold, "7.9e-31 m to 1.3e+30 m"});
+    expect_parts(finished.err, {threshold, remedy});
   }
 }
 

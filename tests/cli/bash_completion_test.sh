@@ -92,7 +92,7 @@ expect "none" beespace simulate --acceleration = n
 expect "--step --steps" beespace simulate random-swap --step
 expect "" beespace simulate --bees ""
 expect "$1" beespace simulate head-on --output "${1%sh}"
-expect "--max-speed --max-acceleration" beespace verify --max
+expect "--max-speed --max-acceleration --max-gap" beespace verify --max
 expect "wgs84" beespace verify --crs = w
 expect "" beespace verify --max-speed ""
 expect "$1" beespace verify a.csv "${1%sh}"

@@ -108,7 +108,7 @@ TEST_P(MovingCommands, IdsCannotBreakTheFormOrSteerTheTerminal) {
 }
 
 TEST_P(MovingCommands, NumbersThatMakeNoSenseAreRefused) {
-  for (const std::string bad : {"0", "-5", "nan", "inf", "abc", "5m"}) {
+  for (const std::string bad : {"0", "-5", "nan", "inf", "abc", "5 m/s"}) {
     expect_refused({"--threshold=" + bad}, "the threshold");
   }
   for (const std::string bad : {"0", "-5", "nan", "inf", "abc"}) {

@@ -35,9 +35,10 @@ TEST(Usage, ThresholdsThatAreNotAboveZeroAndFiniteAreRefused) {
     expect_usage_error({"detect", "--threshold", bad},
                        "the threshold is " + bad + " m; give one from 3.9e-121 m to 2.6e+120 m");
   }
-  for (const std::string bad : {"abc", "100m", "1,5", "+-5", "++5", "+"}) {
-    expect_usage_error({"detect", "--threshold=" + bad}, "is not a number");
+  for (const std::string bad : {"abc", "100 bees", "100 m/s", "1,5", "+-5", "++5", "+"}) {
+    expect_usage_error({"detect", "--threshold=" + bad}, "'" + bad + "' is not a length");
   }
+  expect_usage_error({"detect", "--threshold=-5ft"}, "the threshold is -5ft; give");
 }
 
 TEST(Usage, AThresholdMayHaveAPlusSignAsNumbersInFilesMay) {

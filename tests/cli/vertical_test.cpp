@@ -177,7 +177,7 @@ TEST_F(VerticalOverTheEarth, RecordsThatAreSkippedTakeTheirHeightsWithThem) {
 TEST(Vertical, WhatDoesNotGoWithItIsRefused) {
   expect_usage_error({"detect", "--report", "closest-pair", "--vertical", "5"},
                      "--vertical does not apply to --report closest-pair");
-  for (const std::string bad : {"0", "-5", "nan", "inf", "high", "5m"}) {
+  for (const std::string bad : {"0", "-5", "nan", "inf", "high", "5 m/s"}) {
     expect_usage_error({"detect", "--vertical=" + bad},
                        "--vertical '" + bad + "' is not a number of metres above 0");
   }

@@ -75,7 +75,7 @@ TEST(ReportLines, WhatTheHeaderLeavesOpenIsAnErrorOfItsLine) {
        std::vector<std::tuple<std::string, std::string, ErrorCode, std::string>>{
            {"id,time,x,y,z", "a,0,1,2,3", ErrorCode::kInvalidArgument, "in which unit"},
            {"time_s,x,y,z", "0,1,2,3", ErrorCode::kMissingColumn, "there is no id"},
-           {"id,x,y,z", "a,1,2,3", ErrorCode::kMissingColumn, "there is no time"},
+           {"id,x,y,z", "a,1,2,3", ErrorCode::kMissingColumn, "neither a time nor a velocity"},
            {"id,x,y,vx,vy", "a,1,2,3,4", ErrorCode::kMissingColumn, "there is no time"},
            {"id,time_s,p,q,r", "a,0,1,2,3", ErrorCode::kMissingColumn, "names no position"},
            {"id,time_s,uav_x,uav_y", "a,0,1,2", ErrorCode::kUnknownFrame, "--crs"}}) {
@@ -185,7 +185,8 @@ TEST(ReportLines, ObjectsThatSayTooLittle) {
            {R"({})", ErrorCode::kMissingColumn, "this object is empty"},
            {R"({"id":"a","time_s":0})", ErrorCode::kMissingColumn, "names no position"},
            {R"({"time_s":0,"x":1,"y":2})", ErrorCode::kMissingColumn, "there is no id"},
-           {R"({"id":"a","x":1,"y":2})", ErrorCode::kMissingColumn, "there is no time"},
+           {R"({"id":"a","x":1,"y":2})", ErrorCode::kMissingColumn,
+            "neither a time nor a velocity"},
            {R"({"id":"a","time":0,"x":1,"y":2})", ErrorCode::kInvalidArgument, "which unit"}}) {
     ReportLines lines;
     const auto bad = lines.take(object);

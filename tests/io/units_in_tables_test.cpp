@@ -44,7 +44,8 @@ TEST(UnitsInTables, AHeightBesideWordsOfAviationMustSayItsUnit) {
     expect_error(loaded, {ErrorCode::kInvalidArgument, "bees.csv:1:4", "but in which unit?"});
     const std::string& message = loaded.error().message;
     EXPECT_NE(message.find("--units height=ft"), std::string::npos) << message;
-    EXPECT_NE(message.find("'" + std::string(height) + " [ft]'"), std::string::npos) << message;
+    const std::string remedy = std::string("'").append(height).append(" [ft]'");
+    EXPECT_NE(message.find(remedy), std::string::npos) << message;
     EXPECT_NE(message.find("'icao24'"), std::string::npos) << message;
   }
   for (const char* word : {"callsign", "squawk", "icao24", "ICAO", "hex", "gs", "onground",

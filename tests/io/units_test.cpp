@@ -47,7 +47,7 @@ constexpr Definition kDefinitions[] = {
 
 // Whether no double is nearer to the exact product.
 void expect_nearest(double converted, const Rational& exact) {
-  const auto away = [&exact](double value) { return abs(Rational(value) - exact); };
+  const auto away = [&exact](double value) -> Rational { return abs(Rational(value) - exact); };
   EXPECT_LE(away(converted), away(std::nextafter(converted, HUGE_VAL)));
   EXPECT_LE(away(converted), away(std::nextafter(converted, -HUGE_VAL)));
 }
