@@ -70,9 +70,9 @@ Result<std::optional<AircraftFix>> AircraftChoice::choose(const AircraftReport& 
 
   AircraftFix chosen;
   chosen.stated_height = stated;
-  chosen.fix = {report.time_s, {report.longitude_deg, report.latitude_deg, height}};
+  chosen.fix = {without_dust(report.time_s), {report.longitude_deg, report.latitude_deg, height}};
   if (auto error = impossible_place(chosen.fix.position)) return *std::move(error);
-  if (!in_motion_domain(report.time_s)) {
+  if (!in_motion_domain(without_dust(report.time_s))) {
     return Error{ErrorCode::kOutsideDomain,
                  "its time cannot be computed with exactly; use 0, or a size of " +
                      std::string(kMotionDomain) + " s" + std::string(kOrLeaveOut),
@@ -106,8 +106,9 @@ std::vector<UnitTaken> AircraftChoice::units(Unit height_unit, std::string_view 
 
 std::optional<Error> impossible_place(const Point& position) {
   const auto problem = find_out_of_range(std::span<const Point>(&position, 1), 0, Frame::kWgs84);
+  const auto is_computable = [](double value) { return in_motion_domain(without_dust(value)); };
   const bool computable =
-      in_motion_domain(position.x) && in_motion_domain(position.y) && in_motion_domain(position.z);
+      is_computable(position.x) && is_computable(position.y) && is_computable(position.z);
   if (!problem && computable) return std::nullopt;
   ErrorCode code = ErrorCode::kOutsideDomain;
   std::string message = "its position cannot be computed with exactly; use 0, or a size of " +

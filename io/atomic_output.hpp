@@ -47,7 +47,7 @@ class AtomicOutput {
   AtomicOutput();
   static Result<AtomicOutput> open_plain(const std::string& path);
   bool create_temporary();
-  void write_plain(std::string_view bytes);
+  void write_plain(std::string_view text);
   void send(const char* data, std::size_t size);
   void flush();
   void discard();

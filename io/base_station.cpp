@@ -62,6 +62,7 @@ std::optional<Error> read_field(const Fields& fields, std::size_t column, std::s
   const std::string_view text = fields[column];
   if (text.empty()) return std::nullopt;
   const NumberKind kind = parse_number(text, value);
+  if (kind == NumberKind::kNumber) value = without_dust(value);
   if (kind == NumberKind::kNumber && in_motion_domain(value)) return std::nullopt;
   value = AircraftReport::kUnknown;
   if (kind == NumberKind::kNumber) {

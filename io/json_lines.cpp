@@ -235,7 +235,7 @@ class JsonLines final : public LineReader {
     }
     double number = 0.0;
     if (value->get(number) == simdjson::SUCCESS) {
-      report.time_s = number / units_per_second(time.unit);
+      report.time_s = without_dust(number / units_per_second(time.unit));
       if (in_motion_domain(report.time_s)) return std::nullopt;
     }
     return json_number_problem(*value, name_of(time.column));

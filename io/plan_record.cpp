@@ -90,11 +90,13 @@ std::optional<Error> PlanRecordReader::read_number(const WantedColumn& wanted) {
     return at_column(ErrorCode::kOutsideDomain,
                      excerpt(text) + " is not above zero (" + name + "); correct it", column);
   }
-  if (!in_motion_domain(value)) {
+  // A limit that is too small is not none.
+  const bool is_limit = number >= kMaxSpeed;
+  if (!in_motion_domain(is_limit ? value : without_dust(value))) {
     return at_column(ErrorCode::kOutsideDomain,
                      excerpt(text) + " cannot be computed with exactly (" + name +
                          "); use a size of " + std::string(kMotionDomain) + unit +
-                         (number < kMaxSpeed ? ", or 0" : ""),
+                         (is_limit ? "" : ", or 0"),
                      column);
   }
   values_[number] = without_dust(in_metric(value, wanted.column.unit));

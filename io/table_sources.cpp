@@ -14,7 +14,7 @@ namespace {
 // OpenSky: the history tables state_vectors_data4, as its documentation lists them.
 const std::array<TableSource, 2>& known_sources() {
   using Column = SourceColumn;
-  static const std::array<TableSource, 2> kSources = {
+  static const std::array<TableSource, 2> sources = {
       TableSource{"traffic",
                   "velocity vertrate baroaltitude",
                   {{"icao24", Column::kHeight},
@@ -32,7 +32,7 @@ const std::array<TableSource, 2>& known_sources() {
                    {"vertrate", Column::kClimb, Unit::kMetrePerSecond},
                    {"baroaltitude", Column::kHeight, Unit::kMetre, HeightDatum::kPressure},
                    {"geoaltitude", Column::kHeight, Unit::kMetre, HeightDatum::kEllipsoid}}}};
-  return kSources;
+  return sources;
 }
 
 // One word of a name is enough.

@@ -14,8 +14,9 @@ inline bool in_motion_domain(double value) {
   return magnitude == 0.0 || (magnitude >= kSmallestInMotion && magnitude <= kLargestInMotion);
 }
 
-// Computed values may be as small as a double can be; less than 8e-31 of a metre, or of a metre per
-// second, is nothing.
+// What is smaller counts as zero where it enters, as in the library: a velocity that fades away, or
+// a coordinate that should be zero, never makes a record a bad one. Less than 8e-31 of a metre, or
+// of a metre per second, is nothing.
 inline double without_dust(double value) {
   return std::abs(value) < kSmallestInMotion ? 0.0 : value;
 }

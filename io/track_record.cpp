@@ -136,7 +136,7 @@ std::optional<Error> TrackRecordReader::read_time(TrackRecord& record) {
   if (kind != NumberKind::kNumber) {
     return number_problem(kind, text, "time", std::string(kMotionDomain) + " s", time.column);
   }
-  record.time_s = value / units_per_second(time.unit);
+  record.time_s = without_dust(value / units_per_second(time.unit));
   if (in_motion_domain(record.time_s)) return std::nullopt;
   return outside_domain(text, "time", " s", time.column);
 }
@@ -151,6 +151,7 @@ std::optional<Error> TrackRecordReader::read_position(TrackRecord& record) {
       return number_problem(kind, text, coordinate_name(layout_, axis),
                             std::string(kMotionDomain) + " m", choice.axes[axis]);
     }
+    values[axis] = without_dust(values[axis]);
     if (!in_motion_domain(values[axis])) {
       return outside_domain(text, coordinate_name(layout_, axis), " m", choice.axes[axis]);
     }
@@ -188,6 +189,7 @@ std::optional<Error> TrackRecordReader::read_velocity(TrackRecord& record) {
   for (std::size_t i = 0; i < velocity.dimensions; ++i) {
     const std::string_view text = without_padding(fields_[kVelocity + i].text);
     const NumberKind kind = text.empty() ? NumberKind::kNotFinite : read_number(text, values[i]);
+    values[i] = without_dust(values[i]);
     if (kind == NumberKind::kNotFinite) {
       values[i] = kUnknown;
     } else if (kind != NumberKind::kNumber) {

@@ -61,8 +61,6 @@ std::optional<Error> check_options(const VerifyOptions& options) {
   return check(options.max_acceleration_mps2, "acceleration", "m/s^2");
 }
 
-using verify::in_domain;
-
 Point scaled_difference(const Point& a, const Point& b, double scale) {
   return {(a.x - b.x) * scale, (a.y - b.y) * scale, (a.z - b.z) * scale};
 }

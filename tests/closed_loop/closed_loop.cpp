@@ -280,7 +280,8 @@ class Loop {
     const bool agree = (outcome_.verify_status == 1) == (outcome_.losses > 0) ||
                        std::abs(outcome_.closest_m - plan_.threshold_m) < 1e-9;
     if (!agree || outcome_.verify_status > 1) {
-      outcome_.broken.push_back("verify ended with " + std::to_string(outcome_.verify_status));
+      outcome_.broken.push_back("verify ended with " + std::to_string(outcome_.verify_status) +
+                                ": " + verify.errors());
     }
   }
 

@@ -122,8 +122,12 @@ TEST(BadPlans, NumbersThatMotionCannotBeComputedWith) {
                {ErrorCode::kOutsideDomain, "bees.csv:3:2",
                 "'1e31' cannot be computed with exactly (x); use a size of 7.9e-31 to 1.3e+30 m, "
                 "or 0"});
-  expect_error(with_row("b,0,1,2,3,4,5,1e-40,7,8,9,10"),
-               {ErrorCode::kOutsideDomain, "bees.csv:3:8", "(vx)"});
+  expect_error(with_row("b,0,1,2,3,4,5,6,7,8,1e-40,10"),
+               {ErrorCode::kOutsideDomain, "bees.csv:3:11", "(the greatest speed)"});
+}
+
+TEST(BadPlans, NumbersThatAreTooSmallCountAsZero) {
+  EXPECT_TRUE(with_row("b,0,-9.8e-32,2,3,4,5,1e-40,7,8,9,10").has_value());
 }
 
 TEST(BadPlans, LimitsAreAboveZero) {

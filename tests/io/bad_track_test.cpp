@@ -98,12 +98,20 @@ TEST(BadTrack, NumbersThatCannotBeComputedWithExactly) {
                                           "cannot be computed with exactly (time)"});
   expect_error(with_row("a,1,1,2e31,3"),
                {ErrorCode::kOutsideDomain, "bees.csv:3:4", "use 0, or a size of 7.9e-31 to"});
-  expect_error(with_row("a,1,1,2,1e-31"),
-               {ErrorCode::kOutsideDomain, "bees.csv:3:5", "cannot be computed with exactly (z)"});
   expect_error(with_row("a,1,1e999,2,3"),
                {ErrorCode::kNotFinite, "bees.csv:3:3", "too large for a number"});
   expect_error(with_row("a,1,1e-999,2,3"),
                {ErrorCode::kOutsideDomain, "bees.csv:3:3", "too small for a number"});
+}
+
+// A flight that comes to rest: what fades away to less than motion can be computed with is zero.
+TEST(BadTrack, NumbersThatAreTooSmallCountAsZero) {
+  const auto read =
+      record("id,time_s,x,y,z,vx,vy,vz\na,-1e-40,-9.8e-32,1e-31,3,-9.8e-32,1,1e-300\n");
+  ASSERT_TRUE(read.has_value()) << read.error().message;
+  const Fix& fix = read->bees.at(0).fixes.at(0);
+  EXPECT_EQ(fix.time_s, 0.0);
+  EXPECT_EQ(fix.position, (Point{0.0, 0.0, 3.0}));
 }
 
 TEST(BadTrack, VelocitiesThatAreNone) {

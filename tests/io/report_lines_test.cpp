@@ -70,6 +70,15 @@ TEST(ReportLines, ABadFirstRecordDoesNotMisleadTheNext) {
   EXPECT_EQ(report_of(lines.take("a,2024-05-01T12:00:00Z,1,2,3")).time_s, 1714564800.0);
 }
 
+TEST(ReportLines, NumbersThatAreTooSmallCountAsZero) {
+  ReportLines lines;
+  EXPECT_FALSE(says_something(lines.take("id,time_s,x,y,z,vx,vy,vz")));
+  const ReportLine report = report_of(lines.take("a,0,-9.8e-32,2,3,-9.8e-32,1e-31,3"));
+  EXPECT_EQ(report.position, (Point{0.0, 2.0, 3.0}));
+  ASSERT_TRUE(report.velocity.has_value());
+  EXPECT_EQ(*report.velocity, (Velocity{0.0, 0.0, 3.0}));
+}
+
 TEST(ReportLines, WhatTheHeaderLeavesOpenIsAnErrorOfItsLine) {
   for (const auto& [header, record, code, message] :
        std::vector<std::tuple<std::string, std::string, ErrorCode, std::string>>{
