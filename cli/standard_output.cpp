@@ -23,13 +23,13 @@ ExitCode print(const std::string& text) {
 }
 
 int write_out(std::string_view text) {
-  constexpr int kPatience_ms = 1000;
+  constexpr int kPatience = 1000;
   while (!text.empty()) {
     std::size_t most = text.size();
     if (interrupted()) {
       // What is still to be said must not wait for long: a pipe that is ready takes this much.
       pollfd waiting{STDOUT_FILENO, POLLOUT, 0};
-      if (::poll(&waiting, 1, kPatience_ms) == 0) return EINTR;
+      if (::poll(&waiting, 1, kPatience) == 0) return EINTR;
       most = std::min<std::size_t>(most, PIPE_BUF);
     }
     const ssize_t written = ::write(STDOUT_FILENO, text.data(), most);

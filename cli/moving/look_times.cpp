@@ -11,7 +11,8 @@ constexpr double kMostCounted = 0x1p53;
 }  // namespace
 
 LookTimes::LookTimes(double step_s) : step_s_(step_s) {
-  for (double parts = 1.0; parts <= 1e9; parts *= 10.0) {
+  double parts = 1.0;
+  for (int decimals = 0; decimals <= 9; ++decimals, parts *= 10.0) {
     const double whole = std::round(step_s * parts);
     if (whole < 1.0 || whole >= kMostCounted || whole / parts != step_s) continue;
     parts_ = parts;

@@ -87,7 +87,7 @@ std::optional<PairWalk::Stretch> PairWalk::walk_window(const Piece& first, const
   }
   const bool goes_on = in_conflict(first, second, {window.ends_s, window.ends_s}, outer);
   const double end = goes_on ? lasts : report.span.ends_s;
-  open.conflict.ends_s = clock(end);
+  open.conflict.ends_s = goes_on ? window.ends_s : clock(end);
   open.end_m = distance(end);
   return goes_on ? std::nullopt : std::exchange(state.open, std::nullopt);
 }
