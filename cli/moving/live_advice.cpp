@@ -128,8 +128,7 @@ Status LiveAdvice::take_looks() {
 std::optional<int> LiveAdvice::patience_ms() const {
   if (!next_ || ticks_.at_or_before(clock_s_) < *next_) return std::nullopt;
   constexpr double kMost = 1e6;
-  return static_cast<int>(
-      std::clamp(std::ceil(kPatience * ticks_.step_s() * 1000.0), 1.0, kMost));
+  return static_cast<int>(std::clamp(std::ceil(kPatience * ticks_.step_s() * 1000.0), 1.0, kMost));
 }
 
 Status LiveAdvice::waited() {
