@@ -13,6 +13,8 @@ constexpr double kPause_s = 1.0;
 constexpr double kNamedAgain_s = 10.0;
 // How often it must be found right again.
 constexpr std::uint32_t kTimesRight = 3;
+// A report may be late, and several bees may have one at once: behind is whom so many in a row say.
+constexpr std::uint32_t kTimesBehind = 3;
 // Bees that have not been heard of for so many max_age_s have no vote.
 constexpr double kPeriodInAges = 4.0;
 
@@ -35,13 +37,15 @@ BeeClocks::Place BeeClocks::place_of(double lead_s) const {
 
 void BeeClocks::vote(Bee& bee, Place place) {
   if (bee.period == period_) {
-    --votes_[static_cast<std::size_t>(bee.place)];
+    --votes_[static_cast<std::size_t>(bee.voted)];
   } else if (bee.period > 0 && bee.period + 1 == period_) {
     --votes_before_;
   }
+  const bool may_be_late = place == Place::kBehind && !bee.named && bee.times < kTimesBehind;
   bee.period = period_;
   bee.place = place;
-  ++votes_[static_cast<std::size_t>(place)];
+  bee.voted = may_be_late ? Place::kNear : place;
+  ++votes_[static_cast<std::size_t>(bee.voted)];
 }
 
 bool BeeClocks::most_are(Place place) const {
@@ -103,7 +107,7 @@ bool BeeClocks::take(const Report& report, double wall_s, std::vector<Step>& ste
     take_near(report, bee, wall_s, steps);
     return false;
   }
-  ++nears_;
+  if (time_s > now_s_) ++nears_;
   advance_to(time_s, wall_s);
   return true;
 }
@@ -120,7 +124,7 @@ void BeeClocks::take_near(const Report& report, Bee& bee, double wall_s, std::ve
     steps.push_back({Step::Kind::kRight, report, now_s_, bee.lead_s, false});
   }
   bee.times = 0;
-  ++nears_;
+  if (report.time_s > now_s_) ++nears_;
   advance_to(report.time_s, wall_s);
   pass(report, report.time_s, steps);
 }
@@ -158,7 +162,7 @@ void BeeClocks::take_elsewhere(const Report& report, Bee& bee, double lasts_s, d
   const bool wrong =
       place == Place::kAhead
           ? opposed
-          : bee.named || (bee.times >= 3 && now_s_ - bee.since_s >= limits_.max_age_s);
+          : bee.named || (bee.times >= kTimesBehind && now_s_ - bee.since_s >= limits_.max_age_s);
   if (wrong && !bee.named) name(report, bee, steps);
   if (!far) return pass(report, report.time_s, steps);
   if (!wrong) return keep(report, bee);
@@ -211,13 +215,13 @@ double BeeClocks::go_to(double now_s, double wall_s, std::vector<Step>& steps) {
   for (PointId id = 0; id < bees_.size(); ++id) {
     Bee& bee = bees_[id];
     if (bee.period == 0 || bee.period + 1 < period_) continue;
-    if (bee.place == Place::kBehind) {
+    if (bee.voted == Place::kBehind) {
       ++behind;
       if (bee.stepped) ++stepped;
     }
     bee.lead_s -= shift_s;
-    bee.place = place_of(bee.lead_s);
-    if (bee.period == period_) ++votes_[static_cast<std::size_t>(bee.place)];
+    bee.place = bee.voted = place_of(bee.lead_s);
+    if (bee.period == period_) ++votes_[static_cast<std::size_t>(bee.voted)];
     bee.times = 0;
     bee.unopposed_s = 0.0;
     bee.off = bee.off && bee.place != Place::kNear;
@@ -229,11 +233,17 @@ double BeeClocks::go_to(double now_s, double wall_s, std::vector<Step>& steps) {
     steps.push_back({Step::Kind::kRight, of, now_s, bee.lead_s, false});
   }
   const bool back = now_s < now_s_;
-  const double from_s = std::min(now_s_, now_s);
+  double from_s = std::min(now_s_, now_s);
   now_s_ = now_s;
   now_wall_s_ = wall_s;
   period_began_s_ = now_s;
-  if (back) steps.push_back({Step::Kind::kBack, {}, now_s, 0.0, 2 * stepped > behind});
+  if (!back) return from_s;
+  // To the first of those that said so.
+  for (const Kept& kept : kept_) {
+    if (place_of(kept.report.time_s - now_s) != Place::kNear) continue;
+    from_s = std::min(from_s, kept.report.time_s);
+  }
+  steps.push_back({Step::Kind::kBack, {}, from_s, 0.0, 2 * stepped > behind});
   return from_s;
 }
 
@@ -300,7 +310,7 @@ void BeeClocks::forget(PointId id) {
   Bee& bee = bees_[id];
   drop_kept(id, bee);
   if (bee.period == period_) {
-    --votes_[static_cast<std::size_t>(bee.place)];
+    --votes_[static_cast<std::size_t>(bee.voted)];
   } else if (bee.period > 0 && bee.period + 1 == period_) {
     --votes_before_;
   }

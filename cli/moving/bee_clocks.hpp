@@ -12,8 +12,9 @@
 // `max_age_s`, and kept back otherwise; a bee that is behind for `max_age_s` together is named, and
 // where it is farther behind than that, corrected.
 //
-// Where more than half of the bees that were heard of lately are ahead or behind, it is the time of
-// the swarm that is wrong, and it becomes theirs; so do the clocks of bees that nobody contradicts
+// Where more than half of the bees that were heard of lately are ahead, or behind three times in a
+// row (once they are late, as it happens to several at once), it is the time of the swarm that is
+// wrong, and it becomes theirs; so do the clocks of bees that nobody contradicts
 // while their own go on for `max_age_s`. Of two bees that contradict each other nobody can tell
 // which is right: the one that came later is named.
 //
@@ -94,6 +95,7 @@ class BeeClocks {
     std::uint32_t kept = 0;    // reports of it that are kept back
     std::uint32_t times = 0;   // found elsewhere in a row; of a bee that is named: near in a row
     Place place = Place::kNear;
+    Place voted = Place::kNear;  // a bee that is behind may be late, and votes so at the third time
     bool off = false;      // corrected
     bool named = false;    // and not right again
     bool stepped = false;  // its own clock went back when it was first found elsewhere

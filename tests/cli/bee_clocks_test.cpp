@@ -223,6 +223,43 @@ TEST(BeeClocks, ThatBeginAnewTogetherAreFollowed) {
   }
 }
 
+TEST(BeeClocks, OfSeveralBeesThatAreLateTogetherDoNotTurnTimeBack) {
+  // Of three bees two are heard of late, once and once more, beyond what is too old.
+  Flock flock({0.4, 0.8});
+  for (int round = 0; round < 50; ++round) {
+    const double now_s = 0.2 * round;
+    flock.hear(0, now_s, now_s);
+    const bool late = round >= 20 && round < 22;
+    for (const PointId bee : {PointId{1}, PointId{2}}) {
+      const double made_s = late ? now_s - 0.9 : now_s + 0.01 * bee;
+      flock.hear(bee, made_s, made_s);
+    }
+  }
+  const Told& told = flock.end();
+  EXPECT_TRUE(told.back.empty());
+  EXPECT_TRUE(told.off.empty());
+  EXPECT_EQ(told.of(0), 50u);
+  for (std::size_t i = 1; i < told.taken.size(); ++i) {
+    ASSERT_GE(told.taken[i].now_s, told.taken[i - 1].now_s);
+  }
+}
+
+TEST(BeeClocks, AreNotContradictedByReportsThatAreLate) {
+  // Both were silent for a second; one goes on, while of the other come those that were under way.
+  Flock flock({0.4, 0.8});
+  for (int round = 0; round < 10; ++round) {
+    flock.hear(0, 0.1 * round, 0.1 * round);
+    flock.hear(1, 0.1 * round, 0.1 * round);
+  }
+  for (int round = 0; round < 10; ++round) {
+    flock.hear(0, 2.0 + 0.1 * round, 2.0 + 0.1 * round);
+    flock.hear(1, 0.9 - 0.01 * round, 0.9 - 0.01 * round);
+  }
+  const Told& told = flock.end();
+  EXPECT_TRUE(told.off.empty());
+  EXPECT_EQ(told.taken.back().now_s, 2.9);
+}
+
 TEST(BeeClocks, ThatGoOnTogetherAfterAPauseAreFollowedAndNoReportIsLost) {
   Flock flock;
   const Told& told =
