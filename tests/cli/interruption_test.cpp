@@ -9,6 +9,7 @@
 
 #include "tests/cli/command_run.hpp"
 #include "tests/cli/temporary_folder.hpp"
+#include "tests/support/rounds.hpp"
 
 namespace beespace::cli_test {
 namespace {
@@ -131,17 +132,8 @@ TEST(Interruption, AFullDiskIsAnError) {
   expect_disk_full({"--help"}, "/dev/full");
 }
 
-// The sanitizers reserve more address space than any limit would allow.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kSanitized = true;
-#elif defined(__clang__)
-constexpr bool kSanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
-#else
-constexpr bool kSanitized = false;
-#endif
-
 TEST(Interruption, UsedUpMemoryIsAnErrorThatLeavesNothing) {
-  if (kSanitized) GTEST_SKIP() << "memory cannot be limited under a sanitizer";
+  if (test::kSanitized) GTEST_SKIP() << "memory cannot be limited under a sanitizer";
   const TemporaryFolder folder;
   Surroundings narrow;
   narrow.memory_bytes = std::size_t{200} << 20;

@@ -7,6 +7,7 @@
 #include <beespace/pairs.hpp>
 
 #include "scenes/swarm_scenes.hpp"
+#include "tests/support/rounds.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,14 +19,6 @@
 #include <optional>
 #include <string>
 #include <vector>
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define BEESPACE_TEST_SANITIZED 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define BEESPACE_TEST_SANITIZED 1
-#endif
-#endif
 
 namespace beespace {
 namespace {
@@ -105,9 +98,7 @@ Measured measured(const Scene& scene, unsigned threads, Ask&& ask) {
 class WorkingMemory : public testing::Test {
  protected:
   void SetUp() override {
-#if defined(BEESPACE_TEST_SANITIZED)
-    GTEST_SKIP() << "a sanitizer's shadow memory would be measured";
-#endif
+    if (test::kSanitized) GTEST_SKIP() << "a sanitizer's shadow memory would be measured";
     if (!reset_peak()) GTEST_SKIP() << "this system does not tell the peak of resident memory";
   }
 };
