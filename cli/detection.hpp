@@ -5,7 +5,8 @@
 #include "cli/reports/report.hpp"
 #include "cli/stated_length.hpp"
 #include "cli/table.hpp"
-#include "io/load_points.hpp"
+#include "io/load_options.hpp"
+#include "io/loaded_points.hpp"
 #include "io/repeated_ids.hpp"
 
 #include <beespace/nearest.hpp>

@@ -2,7 +2,8 @@
 // a bee of its own.
 #pragma once
 
-#include "io/load_points.hpp"
+#include "io/load_options.hpp"
+#include "io/loaded_points.hpp"
 
 #include <beespace/result.hpp>
 

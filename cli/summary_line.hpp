@@ -2,7 +2,8 @@
 #pragma once
 
 #include "cli/stated_length.hpp"
-#include "io/load_points.hpp"
+#include "io/heights.hpp"
+#include "io/unit_taken.hpp"
 #include "io/repeated_ids.hpp"
 
 #include <optional>

@@ -1,5 +1,6 @@
 #include "io/aircraft_object.hpp"
 
+#include "io/characters.hpp"
 #include "io/excerpt.hpp"
 #include "io/fields.hpp"
 

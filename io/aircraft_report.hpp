@@ -6,7 +6,9 @@
 #pragma once
 
 #include "io/left_out.hpp"
-#include "io/load_recording.hpp"
+#include "io/heights.hpp"
+#include "io/recording_options.hpp"
+#include "io/unit_taken.hpp"
 #include "io/units.hpp"
 
 #include <beespace/point.hpp>

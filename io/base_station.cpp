@@ -1,5 +1,6 @@
 #include "io/base_station.hpp"
 
+#include "io/characters.hpp"
 #include "io/excerpt.hpp"
 #include "io/fields.hpp"
 #include "io/iso_time.hpp"

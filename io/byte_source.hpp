@@ -5,7 +5,7 @@
 // are unpacked.
 #pragma once
 
-#include "io/load_points.hpp"
+#include "io/progress.hpp"
 
 #include <beespace/result.hpp>
 

@@ -1,5 +1,6 @@
 #include "io/column_choice.hpp"
 
+#include "io/characters.hpp"
 #include "io/column_wishes.hpp"
 #include "io/coordinate_units.hpp"
 #include "io/excerpt.hpp"
@@ -339,7 +340,7 @@ Result<ColumnChoice> choose_by_header(const Header& header, const ColumnsSeen& s
 }
 
 // The columns, but not yet their units.
-Result<ColumnChoice> find_columns(const ColumnsSeen& seen, const LoadOptions& options) {
+Result<ColumnChoice> find_columns(const ColumnsSeen& seen, const TableOptions& options) {
   std::optional<std::size_t> id;
   std::optional<ColumnChoice> wished;
   if (!options.columns.empty()) {
@@ -384,7 +385,7 @@ std::size_t choose_id(const ColumnsSeen& seen, const std::vector<std::size_t>& c
   return alone != candidates.end() ? *alone : candidates.front();
 }
 
-Result<ColumnChoice> choose_columns(const ColumnsSeen& seen, const LoadOptions& options) {
+Result<ColumnChoice> choose_columns(const ColumnsSeen& seen, const TableOptions& options) {
   auto choice = find_columns(seen, options);
   if (!choice) return choice;
   if (auto problem = settle_coordinate_units(seen, options, *choice)) return *std::move(problem);

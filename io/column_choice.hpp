@@ -29,6 +29,6 @@ std::size_t choose_id(const ColumnsSeen& seen, const std::vector<std::size_t>& c
 
 // Errors: kInvalidArgument for wishes that make no sense, or for units that must be said (with
 // column), kMissingColumn, kUnsupportedFormat for a unit that is not read.
-Result<ColumnChoice> choose_columns(const ColumnsSeen& seen, const LoadOptions& options);
+Result<ColumnChoice> choose_columns(const ColumnsSeen& seen, const TableOptions& options);
 
 }  // namespace beespace::io

@@ -1,5 +1,6 @@
 #include "io/column_wishes.hpp"
 
+#include "io/characters.hpp"
 #include "io/excerpt.hpp"
 
 #include <algorithm>

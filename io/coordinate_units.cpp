@@ -58,7 +58,7 @@ std::vector<UnitTaken> put_together(const std::vector<UnitTaken>& taken) {
 }
 
 // Which unit each coordinate has.
-std::optional<Error> settle_units(const ColumnsSeen& seen, const LoadOptions& options,
+std::optional<Error> settle_units(const ColumnsSeen& seen, const TableOptions& options,
                                   ColumnChoice& choice) {
   const UnitWishes& wishes = options.units;
   if (wishes.position != Unit::kUnstated && options.frame == Frame::kAuto &&
@@ -104,7 +104,7 @@ std::optional<Error> settle_units(const ColumnsSeen& seen, const LoadOptions& op
 }
 
 // The caller wants heights of one kind, and these are of the other.
-std::optional<Error> datum_problem(const ColumnsSeen& seen, const LoadOptions& options,
+std::optional<Error> datum_problem(const ColumnsSeen& seen, const TableOptions& options,
                                    const ColumnChoice& choice) {
   const bool pressure = choice.datum == HeightDatum::kPressure;
   const bool wrong =
@@ -122,7 +122,7 @@ std::optional<Error> datum_problem(const ColumnsSeen& seen, const LoadOptions& o
 
 }  // namespace
 
-std::optional<Error> settle_coordinate_units(const ColumnsSeen& seen, const LoadOptions& options,
+std::optional<Error> settle_coordinate_units(const ColumnsSeen& seen, const TableOptions& options,
                                              ColumnChoice& choice) {
   if (auto problem = settle_units(seen, options, choice)) return problem;
   return datum_problem(seen, options, choice);

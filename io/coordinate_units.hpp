@@ -3,7 +3,7 @@
 #pragma once
 
 #include "io/column_choice.hpp"
-#include "io/load_points.hpp"
+#include "io/table_options.hpp"
 #include "io/table_layout.hpp"
 
 #include <beespace/point.hpp>
@@ -15,7 +15,7 @@ namespace beespace::io {
 
 // Fills in units, units_taken and datum. Errors: kInvalidArgument where a unit must be said (with
 // column), or where what is asked for does not fit; kUnsupportedFormat for a unit that is not read.
-std::optional<Error> settle_coordinate_units(const ColumnsSeen& seen, const LoadOptions& options,
+std::optional<Error> settle_coordinate_units(const ColumnsSeen& seen, const TableOptions& options,
                                              ColumnChoice& choice);
 
 // From the units of the table to metres.

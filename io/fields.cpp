@@ -1,6 +1,7 @@
 #include "io/fields.hpp"
 
-#include <algorithm>
+#include "io/characters.hpp"
+
 #include <cstring>
 
 namespace beespace::io {
@@ -12,20 +13,6 @@ std::string unquoted(const Field& field) {
     if (field.doubled_quotes && field.text[i] == '"') ++i;
   }
   return text;
-}
-
-bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
-}
-
-std::string_view without_padding(std::string_view text) {
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return text;
-}
-
-bool is_blank_line(std::string_view line) {
-  return std::all_of(line.begin(), line.end(), is_blank);
 }
 
 FieldCursor::FieldCursor(std::string_view line, char delimiter)

@@ -5,6 +5,8 @@
 // a quote as "". Nothing is copied.
 #pragma once
 
+#include "io/characters.hpp"
+
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -21,13 +23,6 @@ struct Field {
 
 // The text that a field means.
 std::string unquoted(const Field& field);
-
-bool is_blank(char c);
-
-std::string_view without_padding(std::string_view text);
-
-// Whether the line holds nothing but blanks.
-bool is_blank_line(std::string_view line);
 
 class FieldCursor {
  public:

@@ -6,7 +6,7 @@
 // show only beyond +-90. Everything between is refused: nothing is guessed.
 #pragma once
 
-#include "io/load_points.hpp"
+#include "io/coordinate_frame.hpp"
 
 #include <beespace/point.hpp>
 #include <beespace/result.hpp>

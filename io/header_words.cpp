@@ -1,5 +1,7 @@
 #include "io/header_words.hpp"
 
+#include "io/characters.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <initializer_list>
@@ -226,26 +228,6 @@ class NameReading {
 };
 
 }  // namespace
-
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  unsigned char before = 0;
-  for (char& c : lower) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte >= 'A' && byte <= 'Z') c = static_cast<char>(byte + 32);
-    // U+00C0 ... U+00DE without the multiplication sign; U+0410 ... U+042F in two halves.
-    if (before == 0xC3 && byte >= 0x80 && byte <= 0x9E && byte != 0x97) {
-      c = static_cast<char>(byte + 0x20);
-    }
-    if (before == 0xD0 && byte >= 0x90 && byte <= 0x9F) c = static_cast<char>(byte + 0x20);
-    if (before == 0xD0 && byte >= 0xA0 && byte <= 0xAF) {
-      c = static_cast<char>(byte - 0x20);
-      *(&c - 1) = '\xD1';
-    }
-    before = byte;
-  }
-  return lower;
-}
 
 std::vector<std::string> split_words(std::string_view name) {
   std::vector<std::string> words;

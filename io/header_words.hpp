@@ -5,7 +5,8 @@
 // to its last word has no role, but says whether it has to do with a position.
 #pragma once
 
-#include "io/load_points.hpp"
+#include "io/coordinate_frame.hpp"
+#include "io/heights.hpp"
 #include "io/units.hpp"
 
 #include <cstdint>
@@ -34,8 +35,5 @@ HeaderWord read_header_word(std::string_view name);
 
 // Runs of letters and digits, in lower case; bytes beyond ASCII count as letters.
 std::vector<std::string> split_words(std::string_view name);
-
-// In lower case: ASCII, the letters of western Europe, and Cyrillic, in UTF-8.
-std::string lower_case(std::string_view text);
 
 }  // namespace beespace::io

@@ -1,6 +1,6 @@
 #include "io/json_text.hpp"
 
-#include "io/utf8.hpp"
+#include "io/characters.hpp"
 
 #include <cstddef>
 

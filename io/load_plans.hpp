@@ -12,38 +12,14 @@
 // columns all are there, or none.
 #pragma once
 
-#include "io/load_points.hpp"
+#include "io/flight_plans.hpp"
 
-#include <beespace/advise.hpp>
-#include <beespace/mover.hpp>
-#include <beespace/point.hpp>
 #include <beespace/result.hpp>
 
-#include <cstdint>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace beespace::io {
-
-// What the table must tell of every bee, beside where it is. Where nothing is needed there may be
-// nobody in it, but for the header.
-enum class PlanNeed : std::uint8_t { kNothing, kGoals, kGoalsOrWishes };
-
-// One entry a bee; empty what the table has no columns for.
-struct FlightPlans {
-  std::vector<std::string> ids;
-  bool has_ids = false;  // of an id column; otherwise they are numbers
-  std::vector<Point> positions;
-  std::vector<Velocity> velocities;
-  std::vector<Point> goals;
-  std::vector<Velocity> wishes;
-  std::vector<double> max_speeds_mps;
-  std::vector<double> max_accelerations_mps2;
-  std::string format_description;  // "text, comma-separated"
-  std::vector<UnitTaken> units;
-  std::vector<std::string> notes;  // what else was decided and must be said aloud
-};
 
 // `path` is a file name, or "-" for standard input. Errors carry file, line and column: of a table
 // those of load_points(), kMissingColumn, kMalformedRecord also where two bees have the same id,
@@ -53,9 +29,5 @@ Result<FlightPlans> load_flight_plans(const std::string& path, PlanNeed need);
 // The same for bytes in memory (copied); `name` stands for the file.
 Result<FlightPlans> load_flight_plans_from_memory(std::string_view content, const std::string& name,
                                                   PlanNeed need);
-
-// What each bee can do, with `otherwise` for what the table does not tell; empty where it tells
-// neither of the two.
-std::vector<FlightLimits> limits_of(const FlightPlans& plans, const FlightLimits& otherwise);
 
 }  // namespace beespace::io

@@ -1,4 +1,8 @@
+#include "io/characters.hpp"
+#include "io/coordinate_frame.hpp"
 #include "io/load_points.hpp"
+#include "io/progress.hpp"
+#include "io/unit_taken.hpp"
 
 #include "io/array_layout.hpp"
 #include "io/byte_source.hpp"
@@ -135,7 +139,11 @@ std::optional<Error> load_table(LoadedPoints& loaded, RecordSource& source,
                                 const LoadOptions& options) {
   if (auto problem = text_problem(source.bytes.view, or_raw(options))) return problem;
   source.text = without_byte_order_mark(source.bytes.view);
-  auto layout = find_layout(source.text, options);
+  auto layout = find_layout(source.text, {.frame = options.frame,
+                                          .columns = options.columns,
+                                          .units = options.units,
+                                          .heights = options.heights,
+                                          .skip_bad = options.skip_bad});
   if (!layout) return layout.error();
   source.table = std::move(layout).value();
   const auto& choice = source.table->choice;

@@ -13,45 +13,16 @@
 // become seconds. What several files say of the same id is one bee's.
 #pragma once
 
-#include "io/load_points.hpp"
 #include "io/recording.hpp"
+#include "io/recording_options.hpp"
 
 #include <beespace/result.hpp>
 
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace beespace::io {
-
-enum class RecordingFormat : std::uint8_t {
-  kAuto,
-  kTable,         // a text table, by the names of its columns
-  kSkybrushCsv,   // the same; without a header it is t [ms], x, y, z and perhaps a colour
-  kSkybrushShow,  // .skyc, or the show in one JSON file
-};
-
-enum class TimeUnit : std::uint8_t {
-  kAuto,  // as the header says
-  kSeconds,
-  kMilliseconds,
-  kMicroseconds,
-  kNanoseconds,
-};
-
-struct RecordingOptions {
-  Frame frame = Frame::kAuto;
-  RecordingFormat format = RecordingFormat::kAuto;
-  std::string columns = {};  // "id=1,time=2,lon=3,lat=4,height=5,ve=6,vn=7,vu=8"; empty: automatic
-  TimeUnit time_unit = TimeUnit::kAuto;
-  UnitWishes units = {};  // where the header names none
-  bool skip_bad = false;  // leave bad records out and list them, instead of failing
-  // Of shows, keep the time in which a drone stands on the ground; aircraft on the ground, too.
-  bool grounded = false;
-  HeightSource heights = HeightSource::kAuto;  // of aircraft; other inputs have one kind of height
-  Progress* progress = nullptr;                // optional; must outlive the call
-};
 
 // `paths` are names of files and folders, or "-" for standard input. Of a folder, all its .csv,
 // .tsv and .txt files are read, in the order of their names; where there is none, its .json files,

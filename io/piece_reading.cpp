@@ -1,5 +1,6 @@
 #include "io/piece_reading.hpp"
 
+#include "io/characters.hpp"
 #include "io/coordinate_units.hpp"
 #include "io/excerpt.hpp"
 #include "io/plain_lines.hpp"

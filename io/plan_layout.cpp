@@ -1,5 +1,6 @@
 #include "io/plan_layout.hpp"
 
+#include "io/characters.hpp"
 #include "io/column_choice.hpp"
 #include "io/column_wishes.hpp"
 #include "io/excerpt.hpp"

@@ -1,7 +1,7 @@
 // How a table of flight plans is laid out: told by the names in the header; nothing is guessed.
 #pragma once
 
-#include "io/load_plans.hpp"
+#include "io/flight_plans.hpp"
 #include "io/table_layout.hpp"
 
 #include <beespace/result.hpp>

@@ -1,5 +1,6 @@
 #include "io/plan_record.hpp"
 
+#include "io/characters.hpp"
 #include "io/excerpt.hpp"
 #include "io/number.hpp"
 #include "io/record_problems.hpp"

@@ -1,5 +1,6 @@
 #include "io/record_problems.hpp"
 
+#include "io/characters.hpp"
 #include "io/excerpt.hpp"
 #include "io/fields.hpp"
 #include "io/skipped_records.hpp"

@@ -1,5 +1,6 @@
 #include "io/record_reading.hpp"
 
+#include "io/characters.hpp"
 #include "io/number.hpp"
 #include "io/record_problems.hpp"
 

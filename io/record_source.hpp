@@ -3,7 +3,6 @@
 
 #include "io/array_layout.hpp"
 #include "io/byte_source.hpp"
-#include "io/load_points.hpp"
 #include "io/skipped_records.hpp"
 #include "io/table_layout.hpp"
 

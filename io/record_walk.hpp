@@ -2,6 +2,7 @@
 // are lines but no rows. Finds line ends and nothing else, so it costs little more than memchr.
 #pragma once
 
+#include "io/characters.hpp"
 #include "io/fields.hpp"
 
 #include <cstddef>

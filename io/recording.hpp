@@ -4,7 +4,9 @@
 // y) and height in metres (z). Heights that the input states in another unit are kept beside that.
 #pragma once
 
-#include "io/load_points.hpp"
+#include "io/coordinate_frame.hpp"
+#include "io/heights.hpp"
+#include "io/unit_taken.hpp"
 
 #include <beespace/bezier_path.hpp>
 #include <beespace/mover.hpp>

@@ -132,7 +132,7 @@ std::optional<Error> RecordingAssembly::bad(Error error) {
   if (error.place.source.empty()) error.place.source = sources_.back();
   if (!options_.skip_bad) return error;
   ++recording_.skipped_count;
-  if (recording_.skipped.size() < LoadedPoints::kMostSkippedListed) {
+  if (recording_.skipped.size() < kMostSkippedListed) {
     const std::size_t advice = error.message.rfind(kOrLeaveOut);
     if (advice != std::string::npos) error.message.erase(advice, kOrLeaveOut.size());
     recording_.skipped.push_back(std::move(error));

@@ -6,7 +6,11 @@
 
 #include "io/frame_decision.hpp"
 #include "io/left_out.hpp"
-#include "io/load_recording.hpp"
+#include "io/coordinate_frame.hpp"
+#include "io/heights.hpp"
+#include "io/recording.hpp"
+#include "io/recording_options.hpp"
+#include "io/unit_taken.hpp"
 #include "io/track_gathering.hpp"
 
 #include <beespace/result.hpp>

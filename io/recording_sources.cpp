@@ -1,5 +1,6 @@
 #include "io/recording_sources.hpp"
 
+#include "io/characters.hpp"
 #include "io/header_words.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Ids of a snapshot that come again: two records that say the same of themselves.
 #pragma once
 
-#include "io/load_points.hpp"
+#include "io/loaded_points.hpp"
 
 #include <beespace/point.hpp>
 

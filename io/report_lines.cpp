@@ -1,5 +1,6 @@
 #include "io/report_lines.hpp"
 
+#include "io/characters.hpp"
 #include "io/base_station.hpp"
 #include "io/fields.hpp"
 #include "io/json_line.hpp"

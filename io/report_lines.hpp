@@ -17,7 +17,10 @@
 // One thread at a time.
 #pragma once
 
-#include "io/load_recording.hpp"
+#include "io/coordinate_frame.hpp"
+#include "io/heights.hpp"
+#include "io/recording_options.hpp"
+#include "io/unit_taken.hpp"
 #include "io/recording.hpp"
 
 #include <beespace/mover.hpp>

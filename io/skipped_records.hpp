@@ -1,8 +1,6 @@
 // The bad records that were left out, and which data row each remaining point comes from.
 #pragma once
 
-#include "io/load_points.hpp"
-
 #include <beespace/result.hpp>
 
 #include <algorithm>
@@ -26,13 +24,15 @@ inline Error without_advice(Error error) {
   return error;
 }
 
+inline constexpr std::size_t kMostSkippedListed = 20;
+
 struct SkippedRecords {
   std::vector<std::uint64_t> rows = {};  // 0-based data rows, ascending
   std::vector<Error> errors = {};        // the first kMostSkippedListed, in the order of the rows
 
   void add(std::uint64_t row, Error error) {
     rows.push_back(row);
-    if (errors.size() >= LoadedPoints::kMostSkippedListed) return;
+    if (errors.size() >= kMostSkippedListed) return;
     errors.push_back(without_advice(std::move(error)));
   }
 
@@ -63,8 +63,8 @@ struct SkippedRecords {
     std::stable_sort(errors.begin(), errors.end(), [](const Error& a, const Error& b) {
       return a.place.record < b.place.record;
     });
-    if (errors.size() > LoadedPoints::kMostSkippedListed) {
-      errors.resize(LoadedPoints::kMostSkippedListed);
+    if (errors.size() > kMostSkippedListed) {
+      errors.resize(kMostSkippedListed);
     }
   }
 };

@@ -1,5 +1,6 @@
 #include "io/state_vector.hpp"
 
+#include "io/characters.hpp"
 #include "io/excerpt.hpp"
 #include "io/fields.hpp"
 

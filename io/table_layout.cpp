@@ -1,5 +1,6 @@
 #include "io/table_layout.hpp"
 
+#include "io/characters.hpp"
 #include "io/column_choice.hpp"
 #include "io/excerpt.hpp"
 #include "io/fields.hpp"
@@ -328,7 +329,7 @@ Result<TableLayout> find_table(std::string_view text, bool skip_bad, ColumnsSeen
   return layout;
 }
 
-Result<TableLayout> find_layout(std::string_view text, const LoadOptions& options) {
+Result<TableLayout> find_layout(std::string_view text, const TableOptions& options) {
   ColumnsSeen seen;
   auto layout = find_table(text, options.skip_bad, seen);
   if (!layout) return layout;

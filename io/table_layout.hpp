@@ -3,7 +3,10 @@
 #pragma once
 
 #include "io/frame_decision.hpp"
-#include "io/load_points.hpp"
+#include "io/coordinate_frame.hpp"
+#include "io/heights.hpp"
+#include "io/table_options.hpp"
+#include "io/unit_taken.hpp"
 
 #include <beespace/result.hpp>
 
@@ -49,7 +52,7 @@ struct TableLayout {
 
 // `text` has no byte-order mark any more. Errors: kNoPoints, kMalformedRecord, kMissingColumn,
 // kInvalidArgument, kUnsupportedFormat; without place.source.
-Result<TableLayout> find_layout(std::string_view text, const LoadOptions& options);
+Result<TableLayout> find_layout(std::string_view text, const TableOptions& options);
 
 // The same without the choice of columns: that is left to who knows what they mean, with what can
 // be seen of them in `seen`.

@@ -6,7 +6,8 @@
 #pragma once
 
 #include "io/frame_decision.hpp"
-#include "io/load_points.hpp"
+#include "io/coordinate_frame.hpp"
+#include "io/progress.hpp"
 #include "io/skipped_records.hpp"
 #include "io/table_layout.hpp"
 

@@ -1,5 +1,6 @@
 #include "io/table_sources.hpp"
 
+#include "io/characters.hpp"
 #include "io/excerpt.hpp"
 #include "io/fields.hpp"
 #include "io/header_words.hpp"

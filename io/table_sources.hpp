@@ -2,7 +2,7 @@
 // says of units without naming them. Both are data (table_sources.cpp).
 #pragma once
 
-#include "io/load_points.hpp"
+#include "io/heights.hpp"
 #include "io/unit_wishes.hpp"
 #include "io/units.hpp"
 

@@ -97,7 +97,7 @@ void skip_out_of_range(std::vector<Point>& points, Frame frame, SkippedRecords& 
     done = problem->index + 1;
     const std::uint64_t row = skipped.row_of(problem->index);
     found.rows.push_back(row);
-    if (found.errors.size() < LoadedPoints::kMostSkippedListed) {
+    if (found.errors.size() < kMostSkippedListed) {
       found.errors.push_back(explain(row, points[problem->index], *problem));
     }
   }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/frame_decision.hpp"
-#include "io/load_points.hpp"
+#include "io/coordinate_frame.hpp"
 #include "io/skipped_records.hpp"
 
 #include <beespace/point.hpp>

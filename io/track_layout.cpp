@@ -1,5 +1,6 @@
 #include "io/track_layout.hpp"
 
+#include "io/characters.hpp"
 #include "io/column_choice.hpp"
 #include "io/column_wishes.hpp"
 #include "io/excerpt.hpp"
@@ -205,7 +206,7 @@ Result<ColumnChoice> choose_position(const ColumnsSeen& seen, const TrackWishes&
                                       "height; name them in a header or with --columns (") +
                    list_columns(seen) + ")");
   }
-  LoadOptions points;
+  TableOptions points;
   points.frame = options.frame;
   points.columns = wishes.position;
   points.units = options.units;

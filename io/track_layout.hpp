@@ -2,7 +2,9 @@
 // velocity. Told by the names in the header and the caller's wishes; nothing is guessed.
 #pragma once
 
-#include "io/load_recording.hpp"
+#include "io/coordinate_frame.hpp"
+#include "io/recording_options.hpp"
+#include "io/unit_taken.hpp"
 #include "io/table_layout.hpp"
 
 #include <beespace/result.hpp>

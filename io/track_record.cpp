@@ -1,5 +1,6 @@
 #include "io/track_record.hpp"
 
+#include "io/characters.hpp"
 #include "io/coordinate_units.hpp"
 #include "io/excerpt.hpp"
 #include "io/fields.hpp"

@@ -4,7 +4,7 @@
 // "Time [msec]", "timestamp_us", "vx", "velocity_east", "vel_n_m_s", "drone".
 #pragma once
 
-#include "io/load_recording.hpp"
+#include "io/recording_options.hpp"
 #include "io/units.hpp"
 
 #include <array>

@@ -2,7 +2,7 @@
 // a known source has it. Beside words of aviation nothing is assumed.
 #pragma once
 
-#include "io/load_points.hpp"
+#include "io/unit_taken.hpp"
 #include "io/table_sources.hpp"
 #include "io/unit_wishes.hpp"
 #include "io/units.hpp"

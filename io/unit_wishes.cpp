@@ -1,7 +1,7 @@
 #include "io/unit_wishes.hpp"
 
+#include "io/characters.hpp"
 #include "io/excerpt.hpp"
-#include "io/fields.hpp"
 
 #include <array>
 #include <string>

@@ -1,6 +1,6 @@
 #include "io/units.hpp"
 
-#include "io/header_words.hpp"
+#include "io/characters.hpp"
 
 #include <algorithm>
 #include <array>

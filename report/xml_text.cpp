@@ -1,6 +1,6 @@
 #include "report/xml_text.hpp"
 
-#include "io/utf8.hpp"
+#include "io/characters.hpp"
 
 #include <algorithm>
 

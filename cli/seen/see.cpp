@@ -8,6 +8,7 @@
 #include "io/byte_source.hpp"
 #include "io/fields.hpp"
 #include "io/load_recording.hpp"
+#include "io/progress.hpp"
 #include "io/track_words.hpp"
 
 #include <algorithm>

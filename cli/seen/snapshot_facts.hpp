@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/seen/seen_request.hpp"
-#include "io/load_points.hpp"
+#include "io/loaded_points.hpp"
 #include "io/recording.hpp"
 #include "report/facts.hpp"
 

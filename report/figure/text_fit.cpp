@@ -1,6 +1,6 @@
 #include "report/figure/text_fit.hpp"
 
-#include "io/utf8.hpp"
+#include "io/characters.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 
 #include "core/hash.hpp"
 #include "core/lattice.hpp"
-#include "core/point_block.hpp"
+#include "core/position_block.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,6 +3,7 @@
 #include "core/buffer.hpp"
 #include "core/hash.hpp"
 #include "core/point_block.hpp"
+#include "core/position_block.hpp"
 
 #include <algorithm>
 #include <array>

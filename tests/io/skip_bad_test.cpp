@@ -73,7 +73,7 @@ TEST(SkipBad, ListsTheFirstTwentyAndCountsAll) {
   const auto loaded = load_text(text, skipping());
   ASSERT_EQ(points_of(loaded).size(), 1u);
   EXPECT_EQ(loaded.value().skipped_count, 1000u);
-  EXPECT_EQ(loaded.value().skipped.size(), LoadedPoints::kMostSkippedListed);
+  EXPECT_EQ(loaded.value().skipped.size(), kMostSkippedListed);
 }
 
 TEST(SkipBad, TheListDoesNotAdviseWhatIsDoneAlready) {

@@ -1,0 +1,26 @@
+// Bytes as characters: UTF-8, lower case, blanks.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace beespace::io {
+
+// The length of the well-formed UTF-8 sequence at the start of `text` (Unicode 15, table 3-7);
+// 0 when there is none.
+std::size_t utf8_length(std::string_view text);
+
+// In lower case: ASCII, the letters of western Europe, and Cyrillic, in UTF-8.
+std::string lower_case(std::string_view text);
+
+inline bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
+
+std::string_view without_padding(std::string_view text);
+
+// Whether the line holds nothing but blanks.
+bool is_blank_line(std::string_view line);
+
+}  // namespace beespace::io
