@@ -2,9 +2,9 @@
 // their cell, find the occupied cells ahead of each, compare, mark.
 #pragma once
 
+#include "base/buffer.hpp"
+#include "base/hash.hpp"
 #include "bench/cell_orders.hpp"
-#include "core/buffer.hpp"
-#include "core/hash.hpp"
 
 #include <beespace/point.hpp>
 

@@ -1,7 +1,7 @@
 #include "cli/advise_input.hpp"
 
 #include "cli/obstacle_file.hpp"
-#include "io/byte_source.hpp"
+#include "io/bytes/byte_source.hpp"
 #include "io/load_plans.hpp"
 
 #include <cstddef>

@@ -3,9 +3,9 @@
 #include "cli/advice_words.hpp"
 #include "cli/block_writer.hpp"
 #include "cli/number_text.hpp"
-#include "io/byte_source.hpp"
-#include "io/csv_field.hpp"
-#include "io/json_text.hpp"
+#include "io/bytes/byte_source.hpp"
+#include "io/json/json_text.hpp"
+#include "io/table/csv_field.hpp"
 
 #include <beespace/version.hpp>
 

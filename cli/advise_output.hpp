@@ -4,7 +4,7 @@
 
 #include "cli/advise_input.hpp"
 #include "cli/advise_request.hpp"
-#include "io/atomic_output.hpp"
+#include "io/bytes/atomic_output.hpp"
 
 #include <beespace/advise.hpp>
 

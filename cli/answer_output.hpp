@@ -5,7 +5,7 @@
 
 #include "cli/answer_ids.hpp"
 #include "cli/detection.hpp"
-#include "io/atomic_output.hpp"
+#include "io/bytes/atomic_output.hpp"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 // Text in large blocks: a string that is appended to freely and handed on when it is long.
 #pragma once
 
-#include "io/atomic_output.hpp"
+#include "io/bytes/atomic_output.hpp"
 
 #include <cstddef>
 #include <string>

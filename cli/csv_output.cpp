@@ -1,7 +1,7 @@
 #include "cli/answer_output.hpp"
 #include "cli/block_writer.hpp"
 #include "cli/number_text.hpp"
-#include "io/csv_field.hpp"
+#include "io/table/csv_field.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -11,7 +11,7 @@
 #include "cli/stopwatch.hpp"
 #include "cli/summary.hpp"
 #include "cli/terminal.hpp"
-#include "io/atomic_output.hpp"
+#include "io/bytes/atomic_output.hpp"
 
 #include <cstddef>
 #include <utility>

@@ -5,9 +5,9 @@
 #include "cli/reports/report.hpp"
 #include "cli/stated_length.hpp"
 #include "cli/table.hpp"
-#include "io/load_options.hpp"
-#include "io/loaded_points.hpp"
-#include "io/repeated_ids.hpp"
+#include "io/points/load_options.hpp"
+#include "io/points/loaded_points.hpp"
+#include "io/points/repeated_ids.hpp"
 
 #include <beespace/nearest.hpp>
 #include <beespace/point.hpp>

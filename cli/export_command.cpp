@@ -10,7 +10,7 @@
 #include "cli/stopwatch.hpp"
 #include "cli/summary_line.hpp"
 #include "cli/terminal.hpp"
-#include "io/atomic_output.hpp"
+#include "io/bytes/atomic_output.hpp"
 #include "report/map/czml.hpp"
 #include "report/map/geojson.hpp"
 #include "report/map/kml.hpp"

@@ -2,7 +2,7 @@
 
 #include "cli/answer_output.hpp"
 #include "cli/terminal.hpp"
-#include "io/atomic_output.hpp"
+#include "io/bytes/atomic_output.hpp"
 
 namespace beespace::cli {
 

@@ -2,7 +2,7 @@
 
 #include "cli/obstacle_file.hpp"
 #include "cli/terminal.hpp"
-#include "io/json_text.hpp"
+#include "io/json/json_text.hpp"
 
 namespace beespace::cli {
 

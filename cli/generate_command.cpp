@@ -4,7 +4,7 @@
 #include "cli/generate_values.hpp"
 #include "cli/swarm_output.hpp"
 #include "cli/terminal.hpp"
-#include "io/atomic_output.hpp"
+#include "io/bytes/atomic_output.hpp"
 #include "scenes/swarm_scenes.hpp"
 
 #include <cstdint>

@@ -3,7 +3,7 @@
 
 #include "cli/generate_command.hpp"
 #include "cli/swarm_output.hpp"
-#include "io/atomic_output.hpp"
+#include "io/bytes/atomic_output.hpp"
 #include "scenes/recorded_flights.hpp"
 
 #include <beespace/mover.hpp>

@@ -2,7 +2,7 @@
 #include "cli/block_writer.hpp"
 #include "cli/json_cell.hpp"
 #include "cli/number_text.hpp"
-#include "io/geojson_geometry.hpp"
+#include "io/json/geojson_geometry.hpp"
 
 #include <algorithm>
 #include <cstddef>

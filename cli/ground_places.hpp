@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cli/stated_length.hpp"
-#include "io/loaded_points.hpp"
+#include "io/points/loaded_points.hpp"
 
 #include <beespace/point.hpp>
 

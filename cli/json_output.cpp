@@ -4,7 +4,7 @@
 #include "cli/json_units.hpp"
 #include "cli/number_text.hpp"
 #include "cli/summary_line.hpp"
-#include "io/json_text.hpp"
+#include "io/json/json_text.hpp"
 
 #include <beespace/version.hpp>
 

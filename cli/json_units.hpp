@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/stated_length.hpp"
-#include "io/unit_taken.hpp"
+#include "io/units/unit_taken.hpp"
 
 #include <optional>
 #include <string>

@@ -4,7 +4,9 @@
 #include "cli/number_text.hpp"
 #include "cli/recording_check.hpp"
 #include "cli/summary_line.hpp"
-#include "io/excerpt.hpp"
+#include "io/load_points.hpp"
+#include "io/points/loaded_points.hpp"
+#include "io/problems/excerpt.hpp"
 
 #include <string>
 #include <utility>

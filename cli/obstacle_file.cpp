@@ -1,6 +1,6 @@
 #include "cli/obstacle_file.hpp"
 
-#include "io/byte_source.hpp"
+#include "io/bytes/byte_source.hpp"
 #include "io/load_obstacles.hpp"
 
 #include <utility>

@@ -1,7 +1,7 @@
 #include "cli/output_file.hpp"
 
 #include "cli/option_values.hpp"
-#include "io/recording_sources.hpp"
+#include "io/recording/recording_sources.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // The file that an answer goes to, which is none of those that it comes from.
 #pragma once
 
-#include "io/atomic_output.hpp"
+#include "io/bytes/atomic_output.hpp"
 
 #include <beespace/result.hpp>
 

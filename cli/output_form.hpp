@@ -2,7 +2,7 @@
 // One rule for all subcommands.
 #pragma once
 
-#include "io/atomic_output.hpp"
+#include "io/bytes/atomic_output.hpp"
 
 #include <beespace/result.hpp>
 

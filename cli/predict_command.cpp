@@ -9,6 +9,7 @@
 #include "cli/progress_bar.hpp"
 #include "cli/stopwatch.hpp"
 #include "cli/terminal.hpp"
+#include "io/load_recording.hpp"
 
 #include <beespace/predict_conflicts.hpp>
 

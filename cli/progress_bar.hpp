@@ -4,7 +4,7 @@
 // wiped when the object ends. Nothing is drawn where standard error is no terminal.
 #pragma once
 
-#include "io/progress.hpp"
+#include "io/bytes/progress.hpp"
 
 #include <atomic>
 #include <condition_variable>

@@ -2,11 +2,11 @@
 
 #include "cli/exit_code.hpp"
 #include "cli/number_text.hpp"
-#include "io/excerpt.hpp"
-#include "io/fields.hpp"
 #include "io/load_recording.hpp"
-#include "io/record_reading.hpp"
-#include "io/track_words.hpp"
+#include "io/points/record_reading.hpp"
+#include "io/problems/excerpt.hpp"
+#include "io/table/fields.hpp"
+#include "io/tracks/track_words.hpp"
 
 #include <cstddef>
 #include <filesystem>

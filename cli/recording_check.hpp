@@ -2,8 +2,8 @@
 // a bee of its own.
 #pragma once
 
-#include "io/load_options.hpp"
-#include "io/loaded_points.hpp"
+#include "io/points/load_options.hpp"
+#include "io/points/loaded_points.hpp"
 
 #include <beespace/result.hpp>
 

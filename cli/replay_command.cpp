@@ -13,7 +13,8 @@
 #include "cli/progress_bar.hpp"
 #include "cli/stopwatch.hpp"
 #include "cli/terminal.hpp"
-#include "io/atomic_output.hpp"
+#include "io/bytes/atomic_output.hpp"
+#include "io/load_recording.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "cli/shown_ids.hpp"
 
 #include "cli/number_text.hpp"
-#include "io/json_text.hpp"
+#include "io/json/json_text.hpp"
 
 #include <algorithm>
 #include <cstddef>

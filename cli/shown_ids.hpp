@@ -5,7 +5,7 @@
 // must outlive it. Memory: none where the row is the point's number; the text of the ids otherwise.
 #pragma once
 
-#include "io/loaded_points.hpp"
+#include "io/points/loaded_points.hpp"
 
 #include <beespace/point.hpp>
 

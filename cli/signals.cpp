@@ -1,6 +1,6 @@
 #include "cli/signals.hpp"
 
-#include "io/atomic_output.hpp"
+#include "io/bytes/atomic_output.hpp"
 
 #include <unistd.h>
 #include <csignal>

@@ -11,7 +11,7 @@
 #include "cli/simulated_flight.hpp"
 #include "cli/standard_output.hpp"
 #include "cli/terminal.hpp"
-#include "io/atomic_output.hpp"
+#include "io/bytes/atomic_output.hpp"
 
 #include <optional>
 #include <string>

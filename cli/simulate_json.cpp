@@ -2,7 +2,7 @@
 
 #include "cli/number_text.hpp"
 #include "cli/simulate_scenarios.hpp"
-#include "io/json_text.hpp"
+#include "io/json/json_text.hpp"
 
 #include <beespace/version.hpp>
 

@@ -3,7 +3,7 @@
 #include "cli/number_text.hpp"
 #include "cli/obstacle_file.hpp"
 #include "cli/simulate_scenarios.hpp"
-#include "io/byte_source.hpp"
+#include "io/bytes/byte_source.hpp"
 #include "io/load_plans.hpp"
 
 #include <beespace/nearest.hpp>

@@ -3,7 +3,7 @@
 #include "cli/number_text.hpp"
 #include "cli/summary_line.hpp"
 #include "cli/terminal.hpp"
-#include "io/byte_source.hpp"
+#include "io/bytes/byte_source.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include "cli/simulate_request.hpp"
 #include "cli/simulate_watch.hpp"
 #include "cli/swarm_output.hpp"
-#include "io/atomic_output.hpp"
+#include "io/bytes/atomic_output.hpp"
 #include "sim/closed_loop.hpp"
 
 #include <beespace/point.hpp>

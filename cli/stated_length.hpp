@@ -1,7 +1,7 @@
 // Lengths and speeds as typed, with or without a unit: "100", "5NM", "0.3km", "1000ft", "10kt".
 #pragma once
 
-#include "io/units.hpp"
+#include "io/units/units.hpp"
 
 #include <optional>
 #include <string>

@@ -2,7 +2,7 @@
 
 #include "cli/number_text.hpp"
 #include "cli/terminal.hpp"
-#include "io/excerpt.hpp"
+#include "io/problems/excerpt.hpp"
 
 #include <algorithm>
 #include <cstddef>

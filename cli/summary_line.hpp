@@ -2,9 +2,9 @@
 #pragma once
 
 #include "cli/stated_length.hpp"
-#include "io/heights.hpp"
-#include "io/unit_taken.hpp"
-#include "io/repeated_ids.hpp"
+#include "io/points/repeated_ids.hpp"
+#include "io/units/heights.hpp"
+#include "io/units/unit_taken.hpp"
 
 #include <optional>
 #include <string>

@@ -2,7 +2,7 @@
 
 #include "cli/number_text.hpp"
 #include "cli/output_form.hpp"
-#include "io/csv_field.hpp"
+#include "io/table/csv_field.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 // replay read them.
 #pragma once
 
-#include "io/atomic_output.hpp"
+#include "io/bytes/atomic_output.hpp"
 #include "scenes/recorded_flights.hpp"
 
 #include <beespace/mover.hpp>

@@ -14,7 +14,7 @@
 #include "cli/terminal.hpp"
 #include "cli/watch_request.hpp"
 #include "cli/watch_tally.hpp"
-#include "io/report_lines.hpp"
+#include "io/live/report_lines.hpp"
 
 #include <algorithm>
 #include <cerrno>

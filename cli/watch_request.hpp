@@ -5,7 +5,7 @@
 #include "cli/moving/live_feed.hpp"
 #include "cli/stated_length.hpp"
 #include "cli/watch_command.hpp"
-#include "io/recording_options.hpp"
+#include "io/recording/recording_options.hpp"
 
 #include <beespace/result.hpp>
 #include <beespace/swarm.hpp>

@@ -1,11 +1,11 @@
 #include "io/load_obstacles.hpp"
 
-#include "io/byte_source.hpp"
-#include "io/excerpt.hpp"
-#include "io/gzip.hpp"
-#include "io/json_document.hpp"
-#include "io/json_members.hpp"
-#include "io/text_check.hpp"
+#include "io/bytes/byte_source.hpp"
+#include "io/bytes/gzip.hpp"
+#include "io/json/json_document.hpp"
+#include "io/json/json_members.hpp"
+#include "io/problems/excerpt.hpp"
+#include "io/problems/text_check.hpp"
 
 #include <utility>
 

@@ -1,12 +1,12 @@
 #include "io/load_plans.hpp"
 
-#include "io/byte_source.hpp"
-#include "io/excerpt.hpp"
-#include "io/gzip.hpp"
-#include "io/plan_layout.hpp"
-#include "io/plan_record.hpp"
-#include "io/record_walk.hpp"
-#include "io/text_check.hpp"
+#include "io/bytes/byte_source.hpp"
+#include "io/bytes/gzip.hpp"
+#include "io/plans/plan_layout.hpp"
+#include "io/plans/plan_record.hpp"
+#include "io/problems/excerpt.hpp"
+#include "io/problems/text_check.hpp"
+#include "io/table/record_walk.hpp"
 
 #include <algorithm>
 #include <optional>

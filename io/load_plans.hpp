@@ -12,7 +12,7 @@
 // columns all are there, or none.
 #pragma once
 
-#include "io/flight_plans.hpp"
+#include "io/plans/flight_plans.hpp"
 
 #include <beespace/result.hpp>
 

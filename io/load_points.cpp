@@ -1,22 +1,22 @@
-#include "io/characters.hpp"
-#include "io/coordinate_frame.hpp"
+#include "io/bytes/characters.hpp"
+#include "io/bytes/progress.hpp"
+#include "io/frames/coordinate_frame.hpp"
 #include "io/load_points.hpp"
-#include "io/progress.hpp"
-#include "io/unit_taken.hpp"
+#include "io/units/unit_taken.hpp"
 
-#include "io/array_layout.hpp"
-#include "io/byte_source.hpp"
-#include "io/coordinate_units.hpp"
-#include "io/excerpt.hpp"
-#include "io/frame_decision.hpp"
-#include "io/gzip.hpp"
-#include "io/header_words.hpp"
-#include "io/piece_reading.hpp"
-#include "io/record_source.hpp"
-#include "io/table_reading.hpp"
-#include "io/text_check.hpp"
-#include "io/to_metres.hpp"
-#include "io/worker_threads.hpp"
+#include "io/bytes/byte_source.hpp"
+#include "io/bytes/gzip.hpp"
+#include "io/bytes/worker_threads.hpp"
+#include "io/frames/frame_decision.hpp"
+#include "io/frames/to_metres.hpp"
+#include "io/points/array_layout.hpp"
+#include "io/points/piece_reading.hpp"
+#include "io/points/record_source.hpp"
+#include "io/points/table_reading.hpp"
+#include "io/problems/excerpt.hpp"
+#include "io/problems/text_check.hpp"
+#include "io/table/coordinate_units.hpp"
+#include "io/table/header_words.hpp"
 
 #include <cmath>
 #include <optional>
@@ -24,6 +24,10 @@
 
 namespace beespace::io {
 namespace {
+
+ColumnOptions of_columns(const LoadOptions& options) {
+  return {options.frame, options.columns, options.units, options.heights, options.skip_bad};
+}
 
 bool ends_with(std::string_view text, std::string_view end) {
   return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
@@ -139,11 +143,7 @@ std::optional<Error> load_table(LoadedPoints& loaded, RecordSource& source,
                                 const LoadOptions& options) {
   if (auto problem = text_problem(source.bytes.view, or_raw(options))) return problem;
   source.text = without_byte_order_mark(source.bytes.view);
-  auto layout = find_layout(source.text, {.frame = options.frame,
-                                          .columns = options.columns,
-                                          .units = options.units,
-                                          .heights = options.heights,
-                                          .skip_bad = options.skip_bad});
+  auto layout = find_layout(source.text, of_columns(options));
   if (!layout) return layout.error();
   source.table = std::move(layout).value();
   const auto& choice = source.table->choice;
@@ -226,7 +226,7 @@ std::optional<Error> load_array(LoadedPoints& loaded, RecordSource& source, Form
   ColumnsSeen seen;
   seen.count = 3;
   ColumnChoice choice;
-  if (auto error = settle_coordinate_units(seen, options, choice)) return error;
+  if (auto error = settle_coordinate_units(seen, of_columns(options), choice)) return error;
   auto layout =
       format == Format::kNpy ? npy_layout(source.bytes.view) : raw_layout(source.bytes.view);
   if (!layout) return layout.error();

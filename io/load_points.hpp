@@ -4,8 +4,8 @@
 // plain or gzip-compressed. The format is told by the content where the content says it.
 #pragma once
 
-#include "io/load_options.hpp"
-#include "io/loaded_points.hpp"
+#include "io/points/load_options.hpp"
+#include "io/points/loaded_points.hpp"
 
 #include <beespace/result.hpp>
 

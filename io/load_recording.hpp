@@ -13,8 +13,8 @@
 // become seconds. What several files say of the same id is one bee's.
 #pragma once
 
-#include "io/recording.hpp"
-#include "io/recording_options.hpp"
+#include "io/recording/recording.hpp"
+#include "io/recording/recording_options.hpp"
 
 #include <beespace/result.hpp>
 

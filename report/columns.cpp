@@ -1,7 +1,7 @@
 #include "report/columns.hpp"
 
-#include "io/json_object.hpp"
-#include "io/json_text.hpp"
+#include "io/json/json_object.hpp"
+#include "io/json/json_text.hpp"
 #include "report/base64.hpp"
 
 #include <zlib.h>

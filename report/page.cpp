@@ -1,6 +1,6 @@
 #include "report/page.hpp"
 
-#include "io/json_object.hpp"
+#include "io/json/json_object.hpp"
 
 #include <beespace/version.hpp>
 

@@ -1,6 +1,6 @@
 #include "report/recording_json.hpp"
 
-#include "io/json_object.hpp"
+#include "io/json/json_object.hpp"
 #include "report/quantised.hpp"
 #include "report/shown_fixes.hpp"
 #include "report/swarm_json.hpp"

@@ -1,6 +1,6 @@
 #include "report/swarm_json.hpp"
 
-#include "io/json_text.hpp"
+#include "io/json/json_text.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // What the page's JSON says of every swarm, snapshot or recording.
 #pragma once
 
-#include "io/json_object.hpp"
+#include "io/json/json_object.hpp"
 #include "report/columns.hpp"
 #include "report/facts.hpp"
 #include "report/quantised.hpp"

@@ -1,6 +1,6 @@
 #include "report/xml_text.hpp"
 
-#include "io/characters.hpp"
+#include "io/bytes/characters.hpp"
 
 #include <algorithm>
 

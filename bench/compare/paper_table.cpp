@@ -13,7 +13,7 @@
 #include "bench/compare/text_key_hash.hpp"
 #include "bench/compare/textbook_kdtree.hpp"
 #include "bench/compare/textbook_octree.hpp"
-#include "io/coordinate_frame.hpp"
+#include "io/frames/coordinate_frame.hpp"
 #include "io/load_points.hpp"
 
 #include <beespace/at_risk.hpp>

@@ -1,6 +1,6 @@
 #include "cli/bench/bench_result.hpp"
 #include "cli/number_text.hpp"
-#include "io/json_text.hpp"
+#include "io/json/json_text.hpp"
 
 #include <beespace/version.hpp>
 

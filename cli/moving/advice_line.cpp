@@ -2,7 +2,7 @@
 
 #include "cli/advice_words.hpp"
 #include "cli/number_text.hpp"
-#include "io/json_text.hpp"
+#include "io/json/json_text.hpp"
 #include "report/local_axes.hpp"
 
 namespace beespace::cli {

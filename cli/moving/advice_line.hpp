@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/moving/rows.hpp"
-#include "io/recording.hpp"
+#include "io/recording/recording.hpp"
 
 #include <beespace/advise.hpp>
 #include <beespace/mover.hpp>

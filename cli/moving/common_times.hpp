@@ -2,7 +2,7 @@
 // bees at the same times.
 #pragma once
 
-#include "io/recording.hpp"
+#include "io/recording/recording.hpp"
 
 #include <beespace/mover.hpp>
 #include <beespace/result.hpp>

@@ -4,7 +4,7 @@
 #include "cli/number_text.hpp"
 #include "cli/summary_line.hpp"
 #include "cli/terminal.hpp"
-#include "io/json_text.hpp"
+#include "io/json/json_text.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "cli/moving/gaps.hpp"
-#include "io/recording.hpp"
+#include "io/recording/recording.hpp"
 
 #include <beespace/find_conflicts.hpp>
 

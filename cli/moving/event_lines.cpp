@@ -1,7 +1,7 @@
 #include "cli/moving/event_lines.hpp"
 
 #include "cli/number_text.hpp"
-#include "io/json_text.hpp"
+#include "io/json/json_text.hpp"
 
 namespace beespace::cli {
 

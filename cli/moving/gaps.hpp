@@ -8,7 +8,7 @@
 // longer one may take for known what is not. A show is a plan, and has no gaps.
 #pragma once
 
-#include "io/recording.hpp"
+#include "io/recording/recording.hpp"
 
 #include <beespace/result.hpp>
 

@@ -24,7 +24,7 @@
 #include "cli/moving/advice_ticks.hpp"
 #include "cli/moving/nominal_flight.hpp"
 #include "cli/moving/rows.hpp"
-#include "io/recording.hpp"
+#include "io/recording/recording.hpp"
 
 #include <beespace/advise.hpp>
 #include <beespace/result.hpp>

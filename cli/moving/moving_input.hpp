@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cli/stated_length.hpp"
-#include "io/recording.hpp"
+#include "io/recording/recording.hpp"
 
 #include <beespace/mover.hpp>
 #include <beespace/result.hpp>

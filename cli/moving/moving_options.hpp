@@ -5,7 +5,7 @@
 #include "cli/moving/rows.hpp"
 #include "cli/output_form.hpp"
 #include "cli/stated_length.hpp"
-#include "io/recording_options.hpp"
+#include "io/recording/recording_options.hpp"
 
 #include <beespace/result.hpp>
 

@@ -5,8 +5,8 @@
 #include "cli/moving/moving_options.hpp"
 #include "cli/moving/rows.hpp"
 #include "cli/summary_line.hpp"
-#include "io/atomic_output.hpp"
-#include "io/recording.hpp"
+#include "io/bytes/atomic_output.hpp"
+#include "io/recording/recording.hpp"
 
 #include <beespace/conflict.hpp>
 

@@ -4,7 +4,7 @@
 #include "cli/moving/live_feed.hpp"
 #include "cli/moving/moving_input.hpp"
 #include "cli/moving/rows.hpp"
-#include "io/recording.hpp"
+#include "io/recording/recording.hpp"
 
 #include <beespace/result.hpp>
 #include <beespace/swarm.hpp>

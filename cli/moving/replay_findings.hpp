@@ -4,7 +4,7 @@
 
 #include "cli/moving/coverage.hpp"
 #include "cli/moving/rows.hpp"
-#include "io/recording.hpp"
+#include "io/recording/recording.hpp"
 
 #include <beespace/find_conflicts.hpp>
 #include <beespace/track.hpp>

@@ -2,8 +2,8 @@
 
 #include "cli/block_writer.hpp"
 #include "cli/number_text.hpp"
-#include "io/csv_field.hpp"
-#include "io/json_text.hpp"
+#include "io/json/json_text.hpp"
+#include "io/table/csv_field.hpp"
 
 #include <cmath>
 

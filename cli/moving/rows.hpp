@@ -2,7 +2,7 @@
 // alike.
 #pragma once
 
-#include "io/atomic_output.hpp"
+#include "io/bytes/atomic_output.hpp"
 
 #include <cstdint>
 #include <string>

@@ -4,7 +4,7 @@
 #include "cli/moving/coverage.hpp"
 #include "cli/moving/moving_options.hpp"
 #include "cli/moving/rows.hpp"
-#include "io/recording.hpp"
+#include "io/recording/recording.hpp"
 
 #include <beespace/verify.hpp>
 

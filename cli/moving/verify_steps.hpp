@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cli/progress_bar.hpp"
-#include "io/recording.hpp"
+#include "io/recording/recording.hpp"
 
 #include <beespace/find_conflicts.hpp>
 #include <beespace/result.hpp>

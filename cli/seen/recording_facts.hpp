@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/seen/seen_request.hpp"
-#include "io/recording.hpp"
+#include "io/recording/recording.hpp"
 #include "report/facts.hpp"
 
 #include <beespace/result.hpp>

@@ -5,11 +5,13 @@
 #include "cli/seen/recording_facts.hpp"
 #include "cli/seen/snapshot_facts.hpp"
 #include "cli/stopwatch.hpp"
-#include "io/byte_source.hpp"
-#include "io/fields.hpp"
+#include "io/bytes/byte_source.hpp"
+#include "io/bytes/progress.hpp"
+#include "io/load_points.hpp"
 #include "io/load_recording.hpp"
-#include "io/progress.hpp"
-#include "io/track_words.hpp"
+#include "io/points/loaded_points.hpp"
+#include "io/table/fields.hpp"
+#include "io/tracks/track_words.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "cli/seen/seen_request.hpp"
-#include "io/loaded_points.hpp"
-#include "io/recording.hpp"
+#include "io/points/loaded_points.hpp"
+#include "io/recording/recording.hpp"
 #include "report/facts.hpp"
 
 #include <beespace/result.hpp>

@@ -1,6 +1,6 @@
 #include "report/figure/text_fit.hpp"
 
-#include "io/characters.hpp"
+#include "io/bytes/characters.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "report/map/czml.hpp"
 
-#include "io/json_object.hpp"
-#include "io/json_text.hpp"
+#include "io/json/json_object.hpp"
+#include "io/json/json_text.hpp"
 #include "report/figure/number_label.hpp"
 #include "report/map/map_places.hpp"
 #include "report/map/map_time.hpp"

@@ -1,8 +1,8 @@
 #include "report/map/geojson.hpp"
 
-#include "io/geojson_geometry.hpp"
-#include "io/json_object.hpp"
-#include "io/json_text.hpp"
+#include "io/json/geojson_geometry.hpp"
+#include "io/json/json_object.hpp"
+#include "io/json/json_text.hpp"
 #include "report/figure/number_label.hpp"
 #include "report/map/map_places.hpp"
 #include "report/map/map_words.hpp"

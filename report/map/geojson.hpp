@@ -3,7 +3,7 @@
 
 #include "report/facts.hpp"
 
-#include "io/atomic_output.hpp"
+#include "io/bytes/atomic_output.hpp"
 
 namespace beespace::report {
 

@@ -1,6 +1,6 @@
 #include "report/map/map_places.hpp"
 
-#include "io/json_object.hpp"
+#include "io/json/json_object.hpp"
 
 #include <cmath>
 

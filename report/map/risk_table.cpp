@@ -1,7 +1,7 @@
 #include "report/map/risk_table.hpp"
 
-#include "io/csv_field.hpp"
-#include "io/json_object.hpp"
+#include "io/json/json_object.hpp"
+#include "io/table/csv_field.hpp"
 #include "report/figure/number_label.hpp"
 #include "report/map/map_places.hpp"
 

@@ -9,8 +9,8 @@
 #include "avoidance/known_methods.hpp"
 #include "avoidance/validate.hpp"
 #include "avoidance/vicinity.hpp"
-#include "cpu/crew_size.hpp"
-#include "cpu/deal.hpp"
+#include "base/crew_size.hpp"
+#include "base/deal.hpp"
 #include "motion/flush.hpp"
 
 #include <algorithm>

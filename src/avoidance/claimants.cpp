@@ -1,6 +1,6 @@
 #include "avoidance/claimants.hpp"
 
-#include "avoidance/velocity_obstacle.hpp"
+#include "avoidance/constraints/velocity_obstacle.hpp"
 #include "obstacles/obstacle_map.hpp"
 
 #include <algorithm>

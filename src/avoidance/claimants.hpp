@@ -2,10 +2,10 @@
 // known.
 #pragma once
 
-#include "avoidance/certificate.hpp"
-#include "avoidance/claims.hpp"
+#include "avoidance/constraints/certificate.hpp"
+#include "avoidance/constraints/claims.hpp"
+#include "avoidance/constraints/obstacle_parting.hpp"
 #include "avoidance/flyers.hpp"
-#include "avoidance/obstacle_parting.hpp"
 #include "avoidance/vicinity.hpp"
 
 #include <beespace/advise.hpp>

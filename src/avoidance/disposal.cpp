@@ -1,6 +1,6 @@
 #include "avoidance/disposal.hpp"
 
-#include "avoidance/sideways.hpp"
+#include "avoidance/constraints/sideways.hpp"
 
 #include <algorithm>
 #include <cmath>

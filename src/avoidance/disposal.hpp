@@ -4,10 +4,10 @@
 // that the bee brakes as hard as it can where nothing better is found. Braking keeps to them too.
 #pragma once
 
-#include "avoidance/claims.hpp"
+#include "avoidance/constraints/claims.hpp"
+#include "avoidance/constraints/half_spaces.hpp"
+#include "avoidance/constraints/soft_program.hpp"
 #include "avoidance/flyer.hpp"
-#include "avoidance/half_spaces.hpp"
-#include "avoidance/soft_program.hpp"
 
 #include <beespace/advise.hpp>
 

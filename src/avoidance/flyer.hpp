@@ -1,8 +1,8 @@
 // A bee at the beginning of a step.
 #pragma once
 
-#include "avoidance/braking.hpp"
-#include "avoidance/closest_points.hpp"
+#include "avoidance/constraints/braking.hpp"
+#include "avoidance/constraints/closest_points.hpp"
 
 namespace beespace::avoidance {
 

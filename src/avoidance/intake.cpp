@@ -1,7 +1,7 @@
 #include "avoidance/intake.hpp"
 
 #include "avoidance/validate.hpp"
-#include "core/validate.hpp"
+#include "exact/validate.hpp"
 #include "motion/flush.hpp"
 #include "motion/validate.hpp"
 

@@ -1,6 +1,6 @@
 #include "avoidance/known_methods.hpp"
 
-#include "avoidance/velocity_obstacle.hpp"
+#include "avoidance/constraints/velocity_obstacle.hpp"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 // Methods that are well known, to compare with: what they tell one bee.
 #pragma once
 
+#include "avoidance/constraints/soft_program.hpp"
 #include "avoidance/flyers.hpp"
-#include "avoidance/soft_program.hpp"
 #include "avoidance/vicinity.hpp"
 
 #include <beespace/advise.hpp>

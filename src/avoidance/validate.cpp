@@ -1,6 +1,6 @@
 #include "avoidance/validate.hpp"
 
-#include "core/validate.hpp"
+#include "exact/validate.hpp"
 #include "motion/validate.hpp"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 #include <beespace/advise.hpp>
 
 #include "avoidance/validate.hpp"
-#include "core/vector3.hpp"
+#include "base/vector3.hpp"
 #include "motion/flush.hpp"
 #include "motion/validate.hpp"
 

@@ -1,7 +1,7 @@
 #include "avoidance/vicinity.hpp"
 
-#include "core/density.hpp"
-#include "motion/size_levels.hpp"
+#include "grid/density.hpp"
+#include "grid/size_levels.hpp"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "avoidance/flyers.hpp"
-#include "core/memory.hpp"
+#include "base/memory.hpp"
 
 #include <beespace/engine.hpp>
 #include <beespace/id_rows.hpp>

@@ -4,8 +4,8 @@
 // ExactNumber knows it always. Only signs are asked for, nothing is divided, no root is taken.
 #pragma once
 
-#include "motion/bounded_number.hpp"
-#include "motion/exact_number.hpp"
+#include "exact/bounded_number.hpp"
+#include "exact/exact_number.hpp"
 #include "motion/separation.hpp"
 
 #include <array>

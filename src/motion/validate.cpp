@@ -1,6 +1,6 @@
 #include "motion/validate.hpp"
 
-#include "core/validate.hpp"
+#include "exact/validate.hpp"
 
 #include <cmath>
 #include <string>

@@ -1,6 +1,6 @@
 #include "obstacles/side_of_line.hpp"
 
-#include "core/expansion.hpp"
+#include "exact/expansion.hpp"
 
 #include <cmath>
 

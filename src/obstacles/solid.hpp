@@ -1,7 +1,7 @@
 // An obstacle that has been checked, ready to be asked how far it is.
 #pragma once
 
-#include "core/vector3.hpp"
+#include "base/vector3.hpp"
 #include "obstacles/outline.hpp"
 
 #include <beespace/obstacle.hpp>

@@ -1,6 +1,6 @@
 #include "obstacles/validate.hpp"
 
-#include "core/validate.hpp"
+#include "exact/validate.hpp"
 #include "obstacles/crossing.hpp"
 
 #include <algorithm>

@@ -1,11 +1,11 @@
 #include "search/at_risk_search.hpp"
 
-#include "core/buffer.hpp"
-#include "core/cell_proof.hpp"
-#include "core/exact_distance.hpp"
-#include "core/look_around.hpp"
-#include "cpu/sweep_all.hpp"
+#include "base/buffer.hpp"
+#include "exact/exact_distance.hpp"
+#include "grid/cell_proof.hpp"
+#include "grid/look_around.hpp"
 #include "search/question_grids.hpp"
+#include "sweep/sweep_all.hpp"
 
 #include <algorithm>
 #include <span>

@@ -7,7 +7,7 @@
 //              sort into a grid --> sweep all rows --> ids, ascending
 #pragma once
 
-#include "core/resources.hpp"
+#include "base/resources.hpp"
 #include "search/choices.hpp"
 #include "search/frame.hpp"
 

@@ -1,9 +1,9 @@
 // What is chosen from the data unless a test or a benchmark forces it.
 #pragma once
 
-#include "core/cell_proof.hpp"
-#include "core/lattice.hpp"
-#include "cpu/sweep.hpp"
+#include "grid/cell_proof.hpp"
+#include "grid/lattice.hpp"
+#include "kernels/sweep.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -1,11 +1,11 @@
 #include "search/count_in_crowds.hpp"
 
-#include "core/crowd_places.hpp"
-#include "core/crowd_tree.hpp"
-#include "core/exact_distance.hpp"
-#include "core/lattice.hpp"
-#include "cpu/count_crowds.hpp"
+#include "exact/exact_distance.hpp"
+#include "grid/crowd_places.hpp"
+#include "grid/lattice.hpp"
 #include "search/crowded.hpp"
+#include "sweep/count_crowds.hpp"
+#include "tree/crowd_tree.hpp"
 
 #include <optional>
 

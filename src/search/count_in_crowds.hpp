@@ -1,7 +1,7 @@
 // The road of count_neighbors through crowds.
 #pragma once
 
-#include "core/resources.hpp"
+#include "base/resources.hpp"
 #include "search/choices.hpp"
 #include "search/frame.hpp"
 

@@ -2,7 +2,7 @@
 // tree that leaves out what is outside, or farther than who was found.
 #include "search/cylinder_search.hpp"
 
-#include "core/resize_for.hpp"
+#include "base/resize_for.hpp"
 
 #include <algorithm>
 #include <limits>

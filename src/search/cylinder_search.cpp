@@ -1,9 +1,9 @@
 #include "search/cylinder_search.hpp"
 
-#include "core/resize_for.hpp"
-#include "core/validate.hpp"
-#include "search/cylinder_pairs.hpp"
-#include "search/cylinder_tasks.hpp"
+#include "base/resize_for.hpp"
+#include "cylinders/cylinder_pairs.hpp"
+#include "cylinders/cylinder_tasks.hpp"
+#include "exact/validate.hpp"
 #include "search/group_search.hpp"
 #include "search/pair_search.hpp"
 

@@ -1,12 +1,12 @@
 // The searches with a vertical threshold, of one swarm or between two: rows of cells, or trees of
 // boxes where they are crowded or two. Heights and horizontal distances are compared each on their
-// own; core/cylinder_rows.hpp and core/cylinder_tree.hpp say why no pair can be lost.
+// own; cylinders/cylinder_rows.hpp and cylinders/cylinder_tree.hpp say why no pair can be lost.
 #pragma once
 
-#include "core/cylinder_join.hpp"
-#include "core/cylinder_rows.hpp"
-#include "core/pair_order.hpp"
-#include "core/resources.hpp"
+#include "base/pair_order.hpp"
+#include "base/resources.hpp"
+#include "cylinders/cylinder_join.hpp"
+#include "cylinders/cylinder_rows.hpp"
 #include "search/choices.hpp"
 
 #include <beespace/id_rows.hpp>
@@ -24,7 +24,7 @@ namespace beespace::search {
 
 class CylinderSearch {
  public:
-  // Options have a vertical threshold, have been checked as all sets have (core/validate.hpp), and
+  // Options have a vertical threshold, have been checked as all sets have (exact/validate.hpp), and
   // must outlive the search, as `with` must. Without `others` the points are compared with each
   // other.
   CylinderSearch(const PointsView& points, const PointsView* others, const SearchOptions& options,

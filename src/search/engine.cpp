@@ -1,9 +1,9 @@
 // What an Engine finds in snapshots.
 #include <beespace/engine.hpp>
 
-#include "core/answered.hpp"
-#include "core/closest_pair.hpp"
-#include "core/validate.hpp"
+#include "base/answered.hpp"
+#include "exact/validate.hpp"
+#include "grid/closest_pair.hpp"
 #include "search/at_risk_search.hpp"
 #include "search/cylinder_search.hpp"
 #include "search/group_search.hpp"

@@ -1,6 +1,6 @@
 #include "search/frame.hpp"
 
-#include "core/validate.hpp"
+#include "exact/validate.hpp"
 
 #include <algorithm>
 

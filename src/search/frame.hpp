@@ -2,10 +2,10 @@
 // longest axis, and sampled for how crowded they are.
 #pragma once
 
-#include "core/bounds.hpp"
-#include "core/density.hpp"
-#include "core/lattice.hpp"
-#include "core/resources.hpp"
+#include "base/bounds.hpp"
+#include "base/resources.hpp"
+#include "grid/density.hpp"
+#include "grid/lattice.hpp"
 
 #include <beespace/points_view.hpp>
 #include <beespace/result.hpp>

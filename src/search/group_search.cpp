@@ -1,12 +1,12 @@
 #include "search/group_search.hpp"
 
-#include "core/crowd_groups.hpp"
-#include "core/crowd_places.hpp"
-#include "core/crowd_tree.hpp"
-#include "core/disjoint_sets.hpp"
-#include "cpu/join_groups.hpp"
+#include "base/disjoint_sets.hpp"
+#include "grid/crowd_places.hpp"
 #include "search/crowded.hpp"
 #include "search/question_grids.hpp"
+#include "sweep/join_groups.hpp"
+#include "tree/crowd_groups.hpp"
+#include "tree/crowd_tree.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // The search behind find_conflict_groups, with its choices open to tests and benchmarks.
 #pragma once
 
-#include "core/resources.hpp"
+#include "base/resources.hpp"
 #include "search/choices.hpp"
 #include "search/frame.hpp"
 

@@ -1,11 +1,11 @@
 #include "search/nearest_search.hpp"
 
-#include "core/buffer.hpp"
-#include "core/exact_distance.hpp"
-#include "core/hash.hpp"
-#include "core/look_around.hpp"
-#include "core/sorted_grid.hpp"
-#include "cpu/nearest_all.hpp"
+#include "base/buffer.hpp"
+#include "base/hash.hpp"
+#include "exact/exact_distance.hpp"
+#include "grid/look_around.hpp"
+#include "grid/sorted_grid.hpp"
+#include "sweep/nearest_all.hpp"
 
 #include <algorithm>
 #include <bit>

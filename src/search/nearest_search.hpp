@@ -4,7 +4,7 @@
 // who have not found their nearest within a larger one.
 #pragma once
 
-#include "core/resources.hpp"
+#include "base/resources.hpp"
 #include "search/choices.hpp"
 #include "search/frame.hpp"
 

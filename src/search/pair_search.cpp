@@ -1,14 +1,14 @@
 #include "search/pair_search.hpp"
 
-#include "core/pair_order.hpp"
-#include "core/resize_for.hpp"
-#include "core/validate.hpp"
-#include "cpu/collect_pairs.hpp"
-#include "cpu/collect_rows.hpp"
-#include "cpu/sweep_all.hpp"
+#include "base/pair_order.hpp"
+#include "base/resize_for.hpp"
+#include "exact/validate.hpp"
 #include "search/count_in_crowds.hpp"
 #include "search/crowded.hpp"
 #include "search/question_grids.hpp"
+#include "sweep/collect_pairs.hpp"
+#include "sweep/collect_rows.hpp"
+#include "sweep/sweep_all.hpp"
 
 #include <algorithm>
 #include <utility>

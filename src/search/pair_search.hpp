@@ -2,7 +2,7 @@
 // their choices open to tests and benchmarks.
 #pragma once
 
-#include "core/resources.hpp"
+#include "base/resources.hpp"
 #include "search/choices.hpp"
 #include "search/frame.hpp"
 

@@ -1,7 +1,7 @@
 #include "search/question_grids.hpp"
 
-#include "core/lattice.hpp"
-#include "core/near_pairs.hpp"
+#include "grid/lattice.hpp"
+#include "grid/near_pairs.hpp"
 
 #include <algorithm>
 

@@ -1,12 +1,12 @@
 // The grids of a frame for one threshold, ready to be asked.
 #pragma once
 
-#include "core/exact_distance.hpp"
-#include "core/resources.hpp"
-#include "core/sorted_grid.hpp"
-#include "cpu/row_sweeps.hpp"
+#include "base/resources.hpp"
+#include "exact/exact_distance.hpp"
+#include "grid/sorted_grid.hpp"
 #include "search/choices.hpp"
 #include "search/frame.hpp"
+#include "sweep/row_sweeps.hpp"
 
 #include <beespace/search_options.hpp>
 

@@ -1,9 +1,9 @@
 // What an Engine keeps between calls: memory and hands, and how a search is given them.
 #pragma once
 
-#include "core/resources.hpp"
-#include "core/validate.hpp"
-#include "cpu/crew_size.hpp"
+#include "base/crew_size.hpp"
+#include "base/resources.hpp"
+#include "exact/validate.hpp"
 #include "search/choices.hpp"
 #include "search/cylinder_search.hpp"
 #include "search/frame.hpp"

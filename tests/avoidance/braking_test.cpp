@@ -1,6 +1,6 @@
-#include "avoidance/braking.hpp"
+#include "avoidance/constraints/braking.hpp"
 
-#include "avoidance/closest_points.hpp"
+#include "avoidance/constraints/closest_points.hpp"
 #include "avoidance/disposal.hpp"
 #include "scenes/random_stream.hpp"
 #include "scenes/random_velocity.hpp"

@@ -1,4 +1,4 @@
-#include "avoidance/certificate.hpp"
+#include "avoidance/constraints/certificate.hpp"
 
 #include "avoidance/disposal.hpp"
 #include "scenes/random_stream.hpp"

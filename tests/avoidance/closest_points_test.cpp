@@ -1,4 +1,4 @@
-#include "avoidance/closest_points.hpp"
+#include "avoidance/constraints/closest_points.hpp"
 
 #include "scenes/random_stream.hpp"
 #include "scenes/random_velocity.hpp"

@@ -1,5 +1,5 @@
 // The convex program against one that tries every set of half-spaces that may bind.
-#include "avoidance/half_spaces.hpp"
+#include "avoidance/constraints/half_spaces.hpp"
 
 #include "scenes/random_stream.hpp"
 #include "scenes/random_velocity.hpp"

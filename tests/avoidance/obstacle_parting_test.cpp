@@ -1,5 +1,5 @@
 // Planes between ways and obstacles: on the right side of both, and as far apart as these are.
-#include "avoidance/obstacle_parting.hpp"
+#include "avoidance/constraints/obstacle_parting.hpp"
 
 #include "scenes/random_stream.hpp"
 #include "scenes/random_velocity.hpp"

@@ -1,5 +1,5 @@
 // Requests that cannot all be met give up the same share, and the least: against trying all shares.
-#include "avoidance/soft_program.hpp"
+#include "avoidance/constraints/soft_program.hpp"
 
 #include "scenes/random_stream.hpp"
 #include "scenes/random_velocity.hpp"

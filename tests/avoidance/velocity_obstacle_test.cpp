@@ -1,5 +1,5 @@
 // The way out of a velocity obstacle leads to its edge, and none is shorter: against sampling.
-#include "avoidance/velocity_obstacle.hpp"
+#include "avoidance/constraints/velocity_obstacle.hpp"
 
 #include "scenes/random_stream.hpp"
 #include "scenes/random_velocity.hpp"

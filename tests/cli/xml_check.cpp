@@ -1,6 +1,6 @@
 #include "tests/cli/xml_check.hpp"
 
-#include "io/characters.hpp"
+#include "io/bytes/characters.hpp"
 
 #include <algorithm>
 #include <cstddef>

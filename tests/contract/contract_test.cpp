@@ -2,7 +2,7 @@
 #include "tests/contract/agreement.hpp"
 #include "tests/contract/golden_digest.hpp"
 
-#include "cpu/sweep.hpp"
+#include "kernels/sweep.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include "tests/support/rounds.hpp"
 #include "tests/support/scene_maker.hpp"
 
-#include "core/memory.hpp"
+#include "base/memory.hpp"
 #include "search/cylinder_search.hpp"
 
 #include <beespace/beespace.hpp>

@@ -4,7 +4,7 @@
 #include "tests/contract/backward_crew.hpp"
 #include "tests/contract/variants.hpp"
 
-#include "core/memory.hpp"
+#include "base/memory.hpp"
 #include "search/at_risk_search.hpp"
 #include "search/choices.hpp"
 #include "search/frame.hpp"

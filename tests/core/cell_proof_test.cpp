@@ -1,7 +1,7 @@
-#include "core/cell_proof.hpp"
+#include "grid/cell_proof.hpp"
 
-#include "core/exact_distance.hpp"
-#include "core/look_around.hpp"
+#include "exact/exact_distance.hpp"
+#include "grid/look_around.hpp"
 #include "tests/support/own_resources.hpp"
 #include "tests/support/search_scenes.hpp"
 

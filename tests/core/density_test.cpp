@@ -1,4 +1,4 @@
-#include "core/density.hpp"
+#include "grid/density.hpp"
 
 #include "tests/support/own_resources.hpp"
 #include "tests/support/search_scenes.hpp"

@@ -1,4 +1,4 @@
-#include "core/disjoint_sets.hpp"
+#include "base/disjoint_sets.hpp"
 
 #include <beespace/crew.hpp>
 

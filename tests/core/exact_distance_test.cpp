@@ -1,5 +1,5 @@
 // Every decision against rational arithmetic, where rounding does not exist.
-#include "core/exact_distance.hpp"
+#include "exact/exact_distance.hpp"
 
 #include <boost/multiprecision/cpp_int.hpp>
 

@@ -1,7 +1,7 @@
 // The promise the search rests on: points within the reach are in the same or adjacent cells.
-#include "core/lattice.hpp"
+#include "grid/lattice.hpp"
 
-#include "core/exact_distance.hpp"
+#include "exact/exact_distance.hpp"
 #include "tests/support/own_resources.hpp"
 #include "tests/support/search_scenes.hpp"
 

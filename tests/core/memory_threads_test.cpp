@@ -1,8 +1,8 @@
 // Memory on many threads at once; in a program that the thread sanitizer can look at.
-#include "core/memory.hpp"
+#include "base/memory.hpp"
 
-#include "core/buffer.hpp"
-#include "core/resources.hpp"
+#include "base/buffer.hpp"
+#include "base/resources.hpp"
 
 #include <beespace/crew.hpp>
 

@@ -1,4 +1,4 @@
-#include "core/pair_order.hpp"
+#include "base/pair_order.hpp"
 
 #include "tests/support/own_resources.hpp"
 

@@ -1,6 +1,6 @@
 // Rows, targets and sides, without a kernel: what the sweeps ask for, each by the rules of
 // sweep.hpp, is every pair within the reach, as often as it should be.
-#include "cpu/row_sweeps.hpp"
+#include "sweep/row_sweeps.hpp"
 
 #include "tests/support/own_resources.hpp"
 #include "tests/support/search_scenes.hpp"

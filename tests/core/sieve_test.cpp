@@ -1,8 +1,8 @@
 // The sieve may keep too many, never drop one that has company within the bound.
-#include "core/sieve.hpp"
+#include "grid/sieve.hpp"
 
-#include "core/bounds.hpp"
-#include "core/exact_distance.hpp"
+#include "base/bounds.hpp"
+#include "exact/exact_distance.hpp"
 #include "tests/support/own_resources.hpp"
 #include "tests/support/search_scenes.hpp"
 

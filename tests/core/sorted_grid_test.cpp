@@ -1,8 +1,8 @@
-#include "core/sorted_grid.hpp"
+#include "grid/sorted_grid.hpp"
 
-#include "core/cell_order.hpp"
-#include "core/exact_distance.hpp"
-#include "core/near_pairs.hpp"
+#include "exact/exact_distance.hpp"
+#include "grid/cell_order.hpp"
+#include "grid/near_pairs.hpp"
 #include "tests/support/search_scenes.hpp"
 
 #include <beespace/crew.hpp>

@@ -1,6 +1,6 @@
 // Every kernel of this processor, row by row, against plain double arithmetic on the same
 // positions.
-#include "cpu/sweep.hpp"
+#include "kernels/sweep.hpp"
 
 #include "tests/core/sweep_scene.hpp"
 #include "tests/support/scene_maker.hpp"

@@ -2,8 +2,8 @@
 // be compared by plain double arithmetic, without windows, sides or lanes.
 #pragma once
 
-#include "core/sorted_grid.hpp"
-#include "cpu/sweep.hpp"
+#include "grid/sorted_grid.hpp"
+#include "kernels/sweep.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "cpu/crew_size.hpp"
+#include "base/crew_size.hpp"
 
 #include <beespace/crew.hpp>
 

@@ -1,8 +1,8 @@
 // Memory that is kept, in a program that counts what is asked of the system.
-#include "core/memory.hpp"
+#include "base/memory.hpp"
 
-#include "core/buffer.hpp"
-#include "core/resources.hpp"
+#include "base/buffer.hpp"
+#include "base/resources.hpp"
 #include "tests/support/allocation_count.hpp"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 
 #include "tests/contract/backward_crew.hpp"
 
-#include "core/memory.hpp"
+#include "base/memory.hpp"
 #include "search/cylinder_search.hpp"
 
 #include <algorithm>

@@ -5,8 +5,8 @@
 #include "tests/differential/prediction_scenes.hpp"
 #include "tests/differential/shrink.hpp"
 
-#include "core/memory.hpp"
-#include "motion/prediction.hpp"
+#include "base/memory.hpp"
+#include "motion/predict/prediction.hpp"
 
 #include <beespace/brute_force.hpp>
 #include <beespace/engine.hpp>

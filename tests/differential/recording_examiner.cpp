@@ -6,8 +6,8 @@
 #include "tests/differential/recording_scenes.hpp"
 #include "tests/differential/shrink.hpp"
 
-#include "core/memory.hpp"
-#include "motion/recording_search.hpp"
+#include "base/memory.hpp"
+#include "motion/recorded/recording_search.hpp"
 #include "motion/runs.hpp"
 
 #include <beespace/brute_force.hpp>

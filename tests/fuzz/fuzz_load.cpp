@@ -3,11 +3,11 @@
 // The first byte chooses the options, the rest is the input. Beyond the sanitizers, it checks what
 // must hold for any input: points are finite, every record can be found again, and the fast and
 // the thorough way through a text table give the same answer in pieces of any size.
-#include "io/coordinate_frame.hpp"
-#include "io/heights.hpp"
+#include "io/frames/coordinate_frame.hpp"
 #include "io/load_points.hpp"
-#include "io/table_reading.hpp"
-#include "io/text_check.hpp"
+#include "io/points/table_reading.hpp"
+#include "io/problems/text_check.hpp"
+#include "io/units/heights.hpp"
 
 #include <cmath>
 #include <cstddef>

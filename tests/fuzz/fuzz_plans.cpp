@@ -3,9 +3,9 @@
 // The first byte chooses which, the rest is the input. Beyond the sanitizers, it checks what must
 // hold for any input: a table tells of every bee what it has columns for, all numbers are in the
 // motion domain, limits are above zero and ids differ; obstacles have finite numbers.
+#include "io/frames/track_domain.hpp"
 #include "io/load_obstacles.hpp"
 #include "io/load_plans.hpp"
-#include "io/track_domain.hpp"
 
 #include <cmath>
 #include <cstddef>

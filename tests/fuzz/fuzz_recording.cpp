@@ -4,10 +4,10 @@
 // The first byte chooses the options and how the rest is handed over: as it is, as the only file of
 // an archive, or as the trajectory that a show refers to. Beyond the sanitizers, it checks what
 // must hold for any recording: ids differ, times ascend, and everything is in the motion domain.
-#include "io/coordinate_frame.hpp"
-#include "io/heights.hpp"
+#include "io/frames/coordinate_frame.hpp"
+#include "io/frames/track_domain.hpp"
 #include "io/load_recording.hpp"
-#include "io/track_domain.hpp"
+#include "io/units/heights.hpp"
 
 #include <zip.h>
 

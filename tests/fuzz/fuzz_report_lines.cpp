@@ -1,8 +1,8 @@
 // Fuzzes live input: the first byte chooses the options, the rest is taken line by line.
 //
 // Beyond the sanitizers, it checks what must hold for every report, and that errors have a line.
-#include "io/report_lines.hpp"
-#include "io/track_domain.hpp"
+#include "io/frames/track_domain.hpp"
+#include "io/live/report_lines.hpp"
 
 #include <cmath>
 #include <cstddef>

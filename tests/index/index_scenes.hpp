@@ -1,8 +1,8 @@
 // Where an index is asked: at its points, between them, beside them, and from far away.
 #pragma once
 
-#include "core/point_tree.hpp"
 #include "tests/support/search_scenes.hpp"
+#include "tree/point_tree.hpp"
 
 #include <beespace/index.hpp>
 

@@ -1,7 +1,7 @@
 // The list keeps the exact nearest, in whatever order it sees them.
-#include "core/nearest_list.hpp"
+#include "tree/nearest_list.hpp"
 
-#include "core/exact_distance.hpp"
+#include "exact/exact_distance.hpp"
 #include "tests/support/search_scenes.hpp"
 
 #include <gtest/gtest.h>

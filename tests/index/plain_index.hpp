@@ -2,7 +2,7 @@
 // exactly.
 #pragma once
 
-#include "core/exact_distance.hpp"
+#include "exact/exact_distance.hpp"
 
 #include <beespace/index.hpp>
 

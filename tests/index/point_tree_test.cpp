@@ -1,5 +1,5 @@
 // The tree holds every point once, and its boxes hold what is below them.
-#include "core/point_tree.hpp"
+#include "tree/point_tree.hpp"
 
 #include "tests/index/index_scenes.hpp"
 

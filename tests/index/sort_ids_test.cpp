@@ -1,4 +1,4 @@
-#include "core/sort_ids.hpp"
+#include "base/sort_ids.hpp"
 
 #include <gtest/gtest.h>
 

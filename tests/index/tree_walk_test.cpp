@@ -1,5 +1,5 @@
 // Every instruction set of this processor walks to the same points.
-#include "cpu/tree_walk.hpp"
+#include "kernels/tree_walk.hpp"
 
 #include "tests/index/index_scenes.hpp"
 #include "tests/index/plain_index.hpp"

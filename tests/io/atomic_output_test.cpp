@@ -1,4 +1,4 @@
-#include "io/atomic_output.hpp"
+#include "io/bytes/atomic_output.hpp"
 
 #include "tests/io/loading.hpp"
 

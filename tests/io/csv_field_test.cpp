@@ -1,4 +1,4 @@
-#include "io/csv_field.hpp"
+#include "io/table/csv_field.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "io/frame_decision.hpp"
+#include "io/frames/frame_decision.hpp"
 #include "tests/io/loading.hpp"
 
 #include <gtest/gtest.h>

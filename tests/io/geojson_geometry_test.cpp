@@ -1,4 +1,4 @@
-#include "io/geojson_geometry.hpp"
+#include "io/json/geojson_geometry.hpp"
 
 #include <gtest/gtest.h>
 

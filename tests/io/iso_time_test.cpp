@@ -1,4 +1,4 @@
-#include "io/iso_time.hpp"
+#include "io/units/iso_time.hpp"
 
 #include <gtest/gtest.h>
 

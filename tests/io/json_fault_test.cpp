@@ -1,6 +1,6 @@
-#include "io/json_fault.hpp"
+#include "io/json/json_fault.hpp"
 
-#include "io/json_document.hpp"
+#include "io/json/json_document.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Short ways to load what a test writes down, and to say what must come out.
 #pragma once
 
-#include "io/coordinate_frame.hpp"
+#include "io/frames/coordinate_frame.hpp"
 #include "io/load_points.hpp"
 
 #include <gtest/gtest.h>

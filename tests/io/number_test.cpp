@@ -1,6 +1,6 @@
-#include "io/number.hpp"
+#include "io/bytes/number.hpp"
 
-#include "io/digit_mask.hpp"
+#include "io/bytes/digit_mask.hpp"
 
 #include <gtest/gtest.h>
 

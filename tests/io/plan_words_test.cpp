@@ -1,4 +1,4 @@
-#include "io/plan_words.hpp"
+#include "io/plans/plan_words.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Short ways to say what must come out of live input.
 #pragma once
 
-#include "io/report_lines.hpp"
+#include "io/live/report_lines.hpp"
 #include "tests/io/loading.hpp"
 
 #include <gtest/gtest.h>

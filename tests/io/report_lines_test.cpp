@@ -1,5 +1,5 @@
 // Live input line by line: tables and objects of the same words.
-#include "io/report_lines.hpp"
+#include "io/live/report_lines.hpp"
 
 #include "tests/io/report_lines_reading.hpp"
 

@@ -1,4 +1,4 @@
-#include "io/table_reading.hpp"
+#include "io/points/table_reading.hpp"
 
 #include "tests/io/loading.hpp"
 

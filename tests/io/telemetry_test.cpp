@@ -1,6 +1,6 @@
 // MAVLink telemetry logs, made here byte by byte: framing, checksums, damage, units and axes.
-#include "io/mavlink_frame.hpp"
-#include "io/telemetry_log.hpp"
+#include "io/mavlink/mavlink_frame.hpp"
+#include "io/mavlink/telemetry_log.hpp"
 #include "tests/io/recording_loading.hpp"
 #include "tests/io/telemetry_making.hpp"
 

@@ -1,4 +1,4 @@
-#include "io/track_words.hpp"
+#include "io/tracks/track_words.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "io/zip_archive.hpp"
+#include "io/bytes/zip_archive.hpp"
 
 #include "tests/io/recording_loading.hpp"
 

@@ -1,5 +1,5 @@
 // A double and how wrong it may be: the truth, in fractions, is never outside.
-#include "motion/bounded_number.hpp"
+#include "exact/bounded_number.hpp"
 
 #include "tests/motion/random_formula.hpp"
 #include "tests/support/exact_motion_oracle.hpp"

@@ -1,5 +1,5 @@
 // Numbers without rounding, against fractions of any size.
-#include "motion/exact_number.hpp"
+#include "exact/exact_number.hpp"
 
 #include "tests/motion/random_formula.hpp"
 #include "tests/support/exact_motion_oracle.hpp"

@@ -1,7 +1,7 @@
 // What a swarm remembers: no more than it needs, however long it is told.
-#include "motion/live_bees.hpp"
+#include "motion/live/live_bees.hpp"
 
-#include "motion/live_walks.hpp"
+#include "motion/live/live_walks.hpp"
 #include "tests/support/own_resources.hpp"
 #include "tests/support/rounds.hpp"
 #include "tests/support/swarm_replay.hpp"

@@ -1,6 +1,6 @@
 // A closer look at moves, four pairs at a time, against doubles: who is said to be near is, who is
 // said to be far is, by enough for what has been rounded before; and nearly everybody is told.
-#include "motion/pass_check.hpp"
+#include "motion/passing/pass_check.hpp"
 
 #include "tests/support/rounds.hpp"
 #include "tests/support/scene_maker.hpp"

@@ -1,8 +1,8 @@
 // The search of predictions: for every instruction set, number of threads and length of step, bit
 // for bit what brute force says, which says what fractions say.
-#include "motion/prediction.hpp"
+#include "motion/predict/prediction.hpp"
 
-#include "core/pair_order.hpp"
+#include "base/pair_order.hpp"
 
 #include "tests/motion/conflict_lists.hpp"
 #include "tests/support/exact_motion_oracle.hpp"

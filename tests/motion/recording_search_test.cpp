@@ -1,6 +1,6 @@
 // The search through recordings: for every instruction set, number of threads and length of step,
 // bit for bit what brute force says.
-#include "motion/recording_search.hpp"
+#include "motion/recorded/recording_search.hpp"
 
 #include "tests/support/conflict_printer.hpp"
 #include "tests/support/own_resources.hpp"

@@ -1,8 +1,8 @@
 // Hands and memory for what a test calls in the library's rooms.
 #pragma once
 
-#include "core/memory.hpp"
-#include "core/resources.hpp"
+#include "base/memory.hpp"
+#include "base/resources.hpp"
 
 #include <beespace/crew.hpp>
 

@@ -1,0 +1,39 @@
+#include "io/aircraft/aircraft_gathering.hpp"
+
+#include <utility>
+
+namespace beespace::io {
+
+std::optional<Error> AircraftGathering::begin(std::string description, Unit height_unit,
+                                              double repeat_s) {
+  if (auto error = aircraft_problem(assembly_.options(), description)) return error;
+  SourceFacts facts;
+  facts.frame = Frame::kWgs84;
+  facts.frame_reason = "aircraft tell longitude and latitude";
+  facts.since_1970 = true;
+  facts.heights = choice_.datum();
+  facts.height_unit = height_unit;
+  facts.units = AircraftChoice::units(height_unit, description);
+  facts.description = std::move(description);
+  if (auto error = assembly_.agree(facts)) return error;
+  assembly_.tracks().round_times(repeat_s);
+  assembly_.note(choice_.note());
+  return std::nullopt;
+}
+
+std::optional<Error> AircraftGathering::add(const AircraftReport& report, std::uint64_t line) {
+  const auto chosen = choice_.choose(report, assembly_.left_out());
+  if (!chosen) return chosen.error();
+  if (!chosen.value()) return std::nullopt;
+  Origin origin;
+  origin.source = assembly_.source() & 0xFF'FFFFu;
+  origin.line = line & 0xFF'FFFF'FFFFu;
+  const AircraftFix& fix = **chosen;
+  std::optional<double> stated;
+  if (report.height_unit != Unit::kMetre) stated = fix.stated_height;
+  assembly_.tracks().add(report.id, fix.fix, &fix.velocity, origin, stated);
+  if (!report.label.empty()) assembly_.tracks().label(report.id, report.label);
+  return std::nullopt;
+}
+
+}  // namespace beespace::io

@@ -1,0 +1,163 @@
+#include "io/aircraft/aircraft_object.hpp"
+
+#include "io/bytes/characters.hpp"
+#include "io/problems/excerpt.hpp"
+#include "io/table/fields.hpp"
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+namespace beespace::io {
+namespace {
+
+enum class Key : std::uint8_t {
+  kHex,
+  kFlight,
+  kNow,
+  kSeenPos,
+  kLongitude,
+  kLatitude,
+  kAltGeom,
+  kAltBaro,
+  kSpeed,
+  kTrack,
+  kGeomRate,
+  kBaroRate,
+  kCount
+};
+
+constexpr std::size_t kKeys = static_cast<std::size_t>(Key::kCount);
+
+constexpr std::array<std::string_view, kKeys> kNames = {"hex", "flight", "now",       "seen_pos",
+                                                        "lon", "lat",    "alt_geom",  "alt_baro",
+                                                        "gs",  "track",  "geom_rate", "baro_rate"};
+
+using Values = std::array<std::optional<JsonElement>, kKeys>;
+
+// One walk: such an object has dozens of other keys.
+Values values_of(simdjson::dom::object object) {
+  Values values;
+  for (const auto [key, value] : object) {
+    for (std::size_t i = 0; i < kKeys; ++i) {
+      if (key != kNames[i]) continue;
+      if (!value.is_null()) values[i] = value;
+      break;
+    }
+  }
+  return values;
+}
+
+class ObjectReading {
+ public:
+  ObjectReading(const Values& values, AircraftReport& report) : values_(values), report_(report) {}
+
+  std::optional<Error> read(double now_s) {
+    if (auto error = read_names()) return error;
+    if (auto error = read_time(now_s)) return error;
+    if (auto error = number(Key::kLongitude, report_.longitude_deg)) return error;
+    if (auto error = number(Key::kLatitude, report_.latitude_deg)) return error;
+    if (auto error = read_heights()) return error;
+    double speed = AircraftReport::kUnknown;
+    double geometric = AircraftReport::kUnknown;
+    double pressure = AircraftReport::kUnknown;
+    if (auto error = number(Key::kSpeed, speed)) return error;
+    if (auto error = number(Key::kTrack, report_.track_deg)) return error;
+    if (auto error = number(Key::kGeomRate, geometric)) return error;
+    if (auto error = number(Key::kBaroRate, pressure)) return error;
+    report_.ground_speed_mps = in_metric(speed, Unit::kKnot);
+    report_.geometric_climb_mps = in_metric(geometric, Unit::kFootPerMinute);
+    report_.pressure_climb_mps = in_metric(pressure, Unit::kFootPerMinute);
+    return std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] const std::optional<JsonElement>& at(Key key) const {
+    return values_[static_cast<std::size_t>(key)];
+  }
+  static std::string name_of(Key key) { return excerpt(kNames[static_cast<std::size_t>(key)]); }
+
+  // Leaves `value` as it is where there is none.
+  std::optional<Error> number(Key key, double& value) {
+    const auto& element = at(key);
+    if (!element || read_json(*element, value)) return std::nullopt;
+    value = AircraftReport::kUnknown;
+    return json_number_problem(*element, name_of(key));
+  }
+
+  std::optional<Error> read_names() {
+    std::string_view text;
+    const auto& hex = at(Key::kHex);
+    if (!hex) {
+      return Error{ErrorCode::kMissingColumn,
+                   "there is no 'hex', the address of the aircraft; "
+                   "correct it",
+                   {}};
+    }
+    if (hex->get(text) != simdjson::SUCCESS || text.empty()) {
+      return Error{ErrorCode::kMalformedRecord,
+                   "'hex' is no address; give it as a text such as \"4b1814\"",
+                   {}};
+    }
+    report_.id = normal_address(text);
+    const auto& flight = at(Key::kFlight);
+    if (flight && flight->get(text) == simdjson::SUCCESS) report_.label = without_padding(text);
+    return std::nullopt;
+  }
+
+  std::optional<Error> read_time(double now_s) {
+    double ago_s = AircraftReport::kUnknown;
+    if (std::isnan(now_s)) {
+      if (!at(Key::kNow)) {
+        return Error{ErrorCode::kMissingColumn,
+                     "there is no 'now', so that the time of the position is not known; let the "
+                     "sender add it",
+                     {}};
+      }
+      if (auto error = number(Key::kNow, now_s)) return error;
+    }
+    if (auto error = number(Key::kSeenPos, ago_s)) return error;
+    report_.time_s = now_s - ago_s;
+    return std::nullopt;
+  }
+
+  std::optional<Error> read_heights() {
+    report_.height_unit = Unit::kFoot;
+    if (auto error = number(Key::kAltGeom, report_.ellipsoid_height)) return error;
+    const auto& baro = at(Key::kAltBaro);
+    std::string_view text;
+    if (baro && baro->get(text) == simdjson::SUCCESS && text == "ground") {
+      report_.on_ground = true;
+      return std::nullopt;
+    }
+    return number(Key::kAltBaro, report_.pressure_height);
+  }
+
+  const Values& values_;
+  AircraftReport& report_;
+};
+
+}  // namespace
+
+bool is_aircraft_object(simdjson::dom::object object) {
+  bool hex = false;
+  bool sure = false;
+  for (const auto [key, value] : object) {
+    hex = hex || key == "hex";
+    for (const std::string_view word :
+         {"now", "seen", "seen_pos", "alt_geom", "alt_baro", "messages", "rssi", "flight"}) {
+      sure = sure || key == word;
+    }
+  }
+  return hex && sure;
+}
+
+std::optional<Error> read_aircraft_object(simdjson::dom::object object, double now_s,
+                                          AircraftReport& report) {
+  report = AircraftReport();
+  const Values values = values_of(object);
+  return ObjectReading(values, report).read(now_s);
+}
+
+}  // namespace beespace::io

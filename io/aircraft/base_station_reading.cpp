@@ -1,0 +1,43 @@
+#include "io/aircraft/base_station_reading.hpp"
+
+#include "io/aircraft/aircraft_gathering.hpp"
+#include "io/aircraft/base_station.hpp"
+#include "io/problems/text_check.hpp"
+#include "io/table/record_walk.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace beespace::io {
+
+bool is_base_station(std::string_view bytes) {
+  constexpr std::size_t kLongestMessage = 1024;
+  const std::string_view text = without_byte_order_mark(bytes);
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  if (begin == std::string_view::npos) return false;
+  const std::string_view rest = text.substr(begin, kLongestMessage);
+  return is_base_station_line(rest.substr(0, rest.find_first_of("\r\n")));
+}
+
+std::optional<Error> read_base_station(std::string_view bytes, RecordingAssembly& assembly) {
+  const RecordingOptions& options = assembly.options();
+  if (auto error = base_station_problem(options)) return error;
+  AircraftGathering gathering({HeightSource::kPressure, options.grounded}, assembly);
+  if (auto error = gathering.begin("BaseStation messages", Unit::kFoot, 0.0)) return error;
+  assembly.note(std::string(BaseStation::note()));
+  BaseStation station;
+  RecordWalk walk(without_byte_order_mark(bytes), 0, '\n');
+  while (walk.next()) {
+    const AircraftReport* report = nullptr;
+    auto error = station.take(walk.record(), report);
+    if (!error && report != nullptr) error = gathering.add(*report, walk.line() + 1);
+    if (!error) continue;
+    error->place.line = walk.line() + 1;
+    error->place.record = walk.row();
+    if (auto fatal = assembly.bad(*std::move(error))) return fatal;
+  }
+  return std::nullopt;
+}
+
+}  // namespace beespace::io

@@ -1,0 +1,75 @@
+#include "io/aircraft/state_vector.hpp"
+
+#include "io/bytes/characters.hpp"
+#include "io/problems/excerpt.hpp"
+#include "io/table/fields.hpp"
+
+#include <array>
+#include <string>
+#include <string_view>
+
+namespace beespace::io {
+namespace {
+
+// The places, by the documentation of OpenSky's REST interface.
+constexpr std::size_t kAddress = 0;
+constexpr std::size_t kCallsign = 1;
+constexpr std::size_t kTimePosition = 3;
+constexpr std::size_t kLongitude = 5;
+constexpr std::size_t kLatitude = 6;
+constexpr std::size_t kPressureHeight = 7;
+constexpr std::size_t kOnGround = 8;
+constexpr std::size_t kSpeed = 9;
+constexpr std::size_t kTrack = 10;
+constexpr std::size_t kClimb = 11;
+constexpr std::size_t kEllipsoidHeight = 13;
+constexpr std::size_t kPlaces = 14;  // as many as are needed; there may be more
+
+}  // namespace
+
+std::optional<Error> read_state_vector(JsonElement state, AircraftReport& report) {
+  report = AircraftReport();
+  simdjson::dom::array items;
+  if (state.get(items) != simdjson::SUCCESS || items.size() < kPlaces) {
+    return Error{ErrorCode::kColumnCount,
+                 "it is " + std::string(json_kind(state)) +
+                     " where a state vector of 17 or 18 values should be; correct it",
+                 {}};
+  }
+  std::array<JsonElement, kPlaces> values;
+  std::size_t place = 0;
+  for (const JsonElement item : items) {
+    if (place < kPlaces) values[place++] = item;
+  }
+  std::string_view text;
+  if (values[kAddress].get(text) != simdjson::SUCCESS || text.empty()) {
+    return Error{ErrorCode::kMalformedRecord,
+                 "its first value is no address; give it as a text such as \"4b1814\"",
+                 {}};
+  }
+  report.id = normal_address(text);
+  if (values[kCallsign].get(text) == simdjson::SUCCESS) report.label = without_padding(text);
+  if (bool on_ground = false; values[kOnGround].get(on_ground) == simdjson::SUCCESS) {
+    report.on_ground = on_ground;
+  }
+  struct Wanted {
+    std::size_t place;
+    double* value;
+    const char* name;
+  };
+  for (const Wanted& wanted : {Wanted{kTimePosition, &report.time_s, "time_position"},
+                               {kLongitude, &report.longitude_deg, "longitude"},
+                               {kLatitude, &report.latitude_deg, "latitude"},
+                               {kPressureHeight, &report.pressure_height, "baro_altitude"},
+                               {kSpeed, &report.ground_speed_mps, "velocity"},
+                               {kTrack, &report.track_deg, "true_track"},
+                               {kClimb, &report.pressure_climb_mps, "vertical_rate"},
+                               {kEllipsoidHeight, &report.ellipsoid_height, "geo_altitude"}}) {
+    const JsonElement value = values[wanted.place];
+    if (value.is_null() || read_json(value, *wanted.value)) continue;
+    return json_number_problem(value, excerpt(wanted.name));
+  }
+  return std::nullopt;
+}
+
+}  // namespace beespace::io

@@ -1,0 +1,50 @@
+// A JSON text, parsed, and what is wrong with its values in words.
+#pragma once
+
+#include "io/bytes/byte_source.hpp"
+
+#include <beespace/point.hpp>
+#include <beespace/result.hpp>
+
+#include <simdjson.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace beespace::io {
+
+using JsonElement = simdjson::dom::element;
+
+class JsonDocument {
+ public:
+  // Errors: kNoPoints (empty), kTruncated, kCorrupt with line and column; with `source` as place.
+  static Result<JsonDocument> parse(std::string_view text, std::string source);
+
+  [[nodiscard]] JsonElement root() const { return root_; }
+
+ private:
+  JsonDocument() = default;
+
+  std::unique_ptr<simdjson::dom::parser> parser_;  // holds what root_ and its parts point to
+  JsonElement root_;
+};
+
+// Member `key` of an object; nothing where there is none, or it is null.
+std::optional<JsonElement> json_member(JsonElement object, std::string_view key);
+
+// "a number", "a string", ...; what stands there instead of what is wanted.
+std::string_view json_kind(JsonElement element);
+
+// A number that motion can be computed with; false when it is not.
+bool read_json(JsonElement element, double& value);
+// An array of three such numbers; false when it is not.
+bool read_json(JsonElement element, Point& point);
+
+// Why read_json() said false; `path` names the value in the message ("points[3]"). Errors:
+// kNotANumber, kOutsideDomain, of points kColumnCount too; without place.
+Error json_number_problem(JsonElement element, const std::string& path);
+Error json_point_problem(JsonElement element, const std::string& path);
+
+}  // namespace beespace::io

@@ -1,0 +1,50 @@
+// Live input of BaseStation messages: those that complete a position are reports.
+#include "io/aircraft/base_station.hpp"
+#include "io/live/line_reader.hpp"
+#include "io/live/report_layout.hpp"
+#include "io/problems/skipped_records.hpp"
+
+#include <utility>
+
+namespace beespace::io {
+namespace {
+
+class BaseStationLines final : public LineReader {
+ public:
+  explicit BaseStationLines(const RecordingOptions& options)
+      : options_(options), choice_(HeightSource::kPressure, options.grounded) {}
+
+  Result<std::optional<ReportLine>> read(std::string_view line) override {
+    if (auto problem = base_station_problem(options_)) return *std::move(problem);
+    const AircraftReport* report = nullptr;
+    if (auto error = station_.take(line, report)) return without_advice(*std::move(error));
+    settled_ = true;
+    if (report == nullptr) return std::optional<ReportLine>();
+    return report_line(*report, choice_, left_out_);
+  }
+
+  [[nodiscard]] bool settled() const override { return settled_; }
+
+  [[nodiscard]] LineFacts facts() const override {
+    LineFacts facts{"BaseStation messages", choice_.datum(), {choice_.note()}};
+    facts.notes.emplace_back(BaseStation::note());
+    facts.units = AircraftChoice::units(Unit::kFoot, facts.description);
+    for (std::string& note : left_out_.notes()) facts.notes.push_back(std::move(note));
+    return facts;
+  }
+
+ private:
+  RecordingOptions options_;
+  AircraftChoice choice_;
+  BaseStation station_;
+  LeftOut left_out_;
+  bool settled_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<LineReader> make_base_station_lines(const RecordingOptions& options) {
+  return std::make_unique<BaseStationLines>(options);
+}
+
+}  // namespace beespace::io

@@ -1,0 +1,293 @@
+// Live input of one JSON object a line, whose keys are the words that tables have as columns.
+//
+// The keys become the columns of a TrackLayout: each key that is new makes the layout be chosen
+// again, so that "vx" may come later than "x".
+#include "io/frames/to_metres.hpp"
+#include "io/frames/track_domain.hpp"
+#include "io/json/json_line.hpp"
+#include "io/live/line_reader.hpp"
+#include "io/live/report_layout.hpp"
+#include "io/problems/excerpt.hpp"
+#include "io/table/coordinate_units.hpp"
+#include "io/tracks/track_layout.hpp"
+#include "io/tracks/track_velocity.hpp"
+#include "io/tracks/track_words.hpp"
+#include "io/units/iso_time.hpp"
+
+#include "io/table/column_choice.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <span>
+#include <utility>
+
+namespace beespace::io {
+namespace {
+
+constexpr std::size_t kMostKeys = 64;
+constexpr char kBetween = '\x1F';  // in the record that the layout is chosen from
+
+constexpr std::size_t kId = 0;
+constexpr std::size_t kTime = 1;
+constexpr std::size_t kPosition = 2;
+constexpr std::size_t kVelocity = 5;
+constexpr std::size_t kSlots = 8;
+constexpr std::uint8_t kNothing = 255;
+
+ColumnContent content_of(JsonElement value) {
+  if (value.is_null()) return ColumnContent::kUnknown;
+  return value.is_number() ? ColumnContent::kNumber : ColumnContent::kText;
+}
+
+// What a field of a table would hold of it: enough to tell dates from numbers.
+std::string field_text(JsonElement value) {
+  std::string_view text;
+  if (value.is_number()) return "1";
+  if (value.get(text) != simdjson::SUCCESS) return value.is_null() ? "" : "?";
+  std::string field(text.substr(0, 40));
+  for (char& c : field) {
+    if (c == '"' || static_cast<unsigned char>(c) < ' ') c = '?';
+  }
+  return field;
+}
+
+class JsonLines final : public LineReader {
+ public:
+  explicit JsonLines(const RecordingOptions& options) : options_(options) {}
+
+  Result<std::optional<ReportLine>> read(std::string_view line) override {
+    if (unit_problem_) return *unit_problem_;
+    const auto object = line_.parse(line);
+    if (!object) return object.error();
+    if (object->size() == 0) {
+      return Error{ErrorCode::kMissingColumn, "this object is empty; leave it out", {}};
+    }
+    if (auto error = sort_values(*object)) return *std::move(error);
+    return read_report();
+  }
+
+  [[nodiscard]] bool settled() const override { return chosen_; }
+
+  [[nodiscard]] LineFacts facts() const override {
+    LineFacts facts;
+    facts.description = "JSON, an object a line";
+    if (!chosen_) return facts;
+    facts.notes = layout_.notes;
+    facts.units = layout_.units;
+    facts.heights = layout_.table.choice.datum;
+    return facts;
+  }
+
+ private:
+  // Puts each value where it belongs; learns the keys that are new.
+  std::optional<Error> sort_values(simdjson::dom::object object) {
+    for (int attempt = 0;; ++attempt) {
+      values_ = {};
+      bool new_keys = false;
+      std::size_t expected = 0;
+      for (const auto [key, value] : object) {
+        std::size_t column = expected;
+        if (column >= names_.size() || names_[column] != key) {
+          column = static_cast<std::size_t>(std::find(names_.begin(), names_.end(), key) -
+                                            names_.begin());
+        }
+        if (column == names_.size()) {
+          new_keys = new_keys || names_.size() < kMostKeys;
+          continue;
+        }
+        expected = column + 1;
+        if (const std::uint8_t slot = slots_[column]; slot != kNothing) values_[slot] = value;
+      }
+      if (!new_keys || attempt > 0) return std::nullopt;
+      learn(object);
+      auto error = choose(object);
+      if (error && chosen_ && error->code == ErrorCode::kInvalidArgument) {
+        // What came before was taken for metres in good faith; what comes now is doubtful.
+        unit_problem_ = error;
+        return error;
+      }
+      if (error && !chosen_) {
+        // What this object lacks or has too much of is no matter of the next one.
+        names_.clear();
+        slots_.clear();
+        return error;
+      }
+    }
+  }
+
+  void learn(simdjson::dom::object object) {
+    for (const auto [key, value] : object) {
+      if (names_.size() == kMostKeys) break;
+      if (std::find(names_.begin(), names_.end(), key) != names_.end()) continue;
+      names_.emplace_back(key);
+      slots_.push_back(kNothing);
+    }
+  }
+
+  // The layout of all keys known so far. A former one stays where there is an error.
+  std::optional<Error> choose(simdjson::dom::object object) {
+    ColumnsSeen seen;
+    seen.count = names_.size();
+    seen.names = names_;
+    TableLayout table;
+    table.delimiter = kBetween;
+    table.columns = seen.count;
+    table.names = names_;
+    std::string record;
+    for (const std::string& name : names_) {
+      JsonElement value;
+      const bool here = object.at_key(name).get(value) == simdjson::SUCCESS;
+      seen.contents.push_back(here ? content_of(value) : ColumnContent::kUnknown);
+      if (!record.empty() || &name != &names_.front()) record += kBetween;
+      if (here) record += field_text(value);
+    }
+    auto layout = choose_track_layout(std::move(table), record, seen, options_);
+    if (!layout) return of_keys(std::move(layout).error());
+    if (auto problem = live_problem(*layout)) return problem;
+    if (chosen_ && !goes_on(*layout)) return std::nullopt;
+    layout_ = std::move(layout).value();
+    chosen_ = true;
+    fill_slots();
+    return std::nullopt;
+  }
+
+  // Whether positions are read as before: no key that comes later puts heights of another kind, or
+  // in another unit, beside those that were read.
+  [[nodiscard]] bool goes_on(const TrackLayout& layout) const {
+    const ColumnChoice& before = layout_.table.choice;
+    const ColumnChoice& now = layout.table.choice;
+    return layout.frame == layout_.frame && now.axes == before.axes && now.units == before.units &&
+           now.dimensions == before.dimensions && now.datum == before.datum;
+  }
+
+  // The layout counts columns; here they are keys.
+  static Error of_keys(Error error) {
+    error.place.column.reset();
+    if (error.code == ErrorCode::kMissingColumn) {
+      error.message.insert(0,
+                           "the keys of this object (as the header of a table) say too little: ");
+    }
+    return error;
+  }
+
+  void fill_slots() {
+    std::fill(slots_.begin(), slots_.end(), kNothing);
+    const auto fill = [this](std::size_t column, std::size_t slot) {
+      slots_[column] = static_cast<std::uint8_t>(slot);
+    };
+    if (layout_.velocity) {
+      for (std::size_t i = 0; i < layout_.velocity->dimensions; ++i) {
+        fill(layout_.velocity->columns[i], kVelocity + i);
+      }
+    }
+    const ColumnChoice& choice = layout_.table.choice;
+    for (std::size_t i = 0; i < choice.dimensions; ++i) fill(choice.axes[i], kPosition + i);
+    fill(layout_.time->column, kTime);
+    fill(*choice.id, kId);
+  }
+
+  [[nodiscard]] std::string name_of(std::size_t column) const { return excerpt(names_[column]); }
+
+  [[nodiscard]] Error missing(std::size_t column) const {
+    return {ErrorCode::kMissingColumn,
+            "there is no " + name_of(column) + " in this object; add it",
+            {}};
+  }
+
+  Result<std::optional<ReportLine>> read_report() {
+    ReportLine report;
+    report.frame = layout_.frame;
+    report.since_1970 = layout_.time->since_1970;
+    if (auto error = read_id(report)) return *std::move(error);
+    if (auto error = read_time(report)) return *std::move(error);
+    if (auto error = read_position(report)) return *std::move(error);
+    if (auto error = read_velocity(report)) return *std::move(error);
+    return std::optional<ReportLine>(report);
+  }
+
+  std::optional<Error> read_id(ReportLine& report) {
+    const std::size_t column = *layout_.table.choice.id;
+    const auto& value = values_[kId];
+    if (!value || value->is_null()) return missing(column);
+    if (line_.read_text(*value, report.id) && !report.id.empty()) return std::nullopt;
+    return Error{ErrorCode::kMalformedRecord,
+                 name_of(column) + " is no id; give a text or a whole number",
+                 {}};
+  }
+
+  std::optional<Error> read_time(ReportLine& report) {
+    const TimeChoice& time = *layout_.time;
+    const auto& value = values_[kTime];
+    if (!value || value->is_null()) return missing(time.column);
+    if (time.iso) {
+      std::string_view text;
+      if (value->get(text) != simdjson::SUCCESS) {
+        return Error{ErrorCode::kNotANumber,
+                     name_of(time.column) + " is " + std::string(json_kind(*value)) +
+                         " where a date and time should be, as in the lines before; correct it",
+                     {}};
+      }
+      const auto problem = parse_iso_time(text, report.time_s);
+      if (problem.empty()) return std::nullopt;
+      return Error{
+          ErrorCode::kNotANumber, excerpt(text) + " is not a time: " + std::string(problem), {}};
+    }
+    double number = 0.0;
+    if (value->get(number) == simdjson::SUCCESS) {
+      report.time_s = without_dust(number / units_per_second(time.unit));
+      if (in_motion_domain(report.time_s)) return std::nullopt;
+    }
+    return json_number_problem(*value, name_of(time.column));
+  }
+
+  std::optional<Error> read_position(ReportLine& report) {
+    const ColumnChoice& choice = layout_.table.choice;
+    std::array<double, 3> position = {};
+    for (std::size_t axis = 0; axis < choice.dimensions; ++axis) {
+      const auto& value = values_[kPosition + axis];
+      if (!value) return missing(choice.axes[axis]);
+      if (!read_json(*value, position[axis])) {
+        return json_number_problem(*value, name_of(choice.axes[axis]));
+      }
+    }
+    report.stated_height = position[2];
+    report.height_unit = choice.height_unit();
+    report.position = in_metric(Point{position[0], position[1], position[2]}, choice);
+    return out_of_range(report.position, layout_.frame);
+  }
+
+  std::optional<Error> read_velocity(ReportLine& report) {
+    if (!layout_.velocity) return std::nullopt;
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    const VelocityChoice& choice = *layout_.velocity;
+    std::array<double, 3> velocity = {kUnknown, kUnknown,
+                                      layout_.table.choice.dimensions == 2 ? 0.0 : kUnknown};
+    for (std::size_t i = 0; i < choice.dimensions; ++i) {
+      const auto& value = values_[kVelocity + i];
+      if (!value || value->is_null()) continue;
+      if (!read_json(*value, velocity[i])) {
+        return json_number_problem(*value, name_of(choice.columns[i]));
+      }
+    }
+    report.velocity = known(in_metric(velocity, choice));
+    return std::nullopt;
+  }
+
+  RecordingOptions options_;
+  JsonLine line_;
+  std::vector<std::string> names_;   // the keys, in the order in which they came first
+  std::vector<std::uint8_t> slots_;  // by key: which value it is
+  TrackLayout layout_;
+  bool chosen_ = false;
+  std::optional<Error> unit_problem_;  // that a later key has brought
+  std::array<std::optional<JsonElement>, kSlots> values_ = {};
+};
+
+}  // namespace
+
+std::unique_ptr<LineReader> make_json_lines(const RecordingOptions& options) {
+  return std::make_unique<JsonLines>(options);
+}
+
+}  // namespace beespace::io

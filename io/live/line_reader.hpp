@@ -1,0 +1,49 @@
+// One kind of live input, line by line; ReportLines chooses which.
+#pragma once
+
+#include "io/live/report_lines.hpp"
+
+#include <beespace/result.hpp>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace beespace::io {
+
+// What a reader says of all its lines.
+struct LineFacts {
+  std::string description = {};
+  HeightDatum heights = HeightDatum::kUnstated;
+  std::vector<std::string> notes = {};
+  std::vector<UnitTaken> units = {};
+};
+
+class LineReader {
+ public:
+  LineReader() = default;
+  LineReader(const LineReader&) = delete;
+  LineReader& operator=(const LineReader&) = delete;
+  virtual ~LineReader() = default;
+
+  // `line` has no line end and is not blank. Errors have a line only where it is not this one.
+  virtual Result<std::optional<ReportLine>> read(std::string_view line) = 0;
+  // Whether the lines to come are known to be understood, each for itself.
+  [[nodiscard]] virtual bool settled() const = 0;
+  [[nodiscard]] virtual LineFacts facts() const = 0;
+};
+
+// `first_line` is where the table begins, counted from 1.
+std::unique_ptr<LineReader> make_table_lines(const RecordingOptions& options,
+                                             std::uint64_t first_line);
+std::unique_ptr<LineReader> make_json_lines(const RecordingOptions& options);
+
+std::unique_ptr<LineReader> make_aircraft_lines(const RecordingOptions& options);
+std::unique_ptr<LineReader> make_base_station_lines(const RecordingOptions& options);
+
+// Of readsb's objects, not of anybody's own words; `line` is one object.
+bool is_aircraft_line(std::string_view line);
+
+}  // namespace beespace::io

@@ -1,0 +1,63 @@
+#include "io/live/report_layout.hpp"
+
+#include "io/frames/to_metres.hpp"
+#include "io/problems/skipped_records.hpp"
+
+#include <array>
+#include <charconv>
+#include <span>
+
+namespace beespace::io {
+
+std::optional<Error> live_problem(const TrackLayout& layout) {
+  if (!layout.table.choice.id) {
+    return Error{ErrorCode::kMissingColumn,
+                 "there is no id, by which the bees are told apart; name it id, or say which it is "
+                 "with --columns id=...",
+                 {}};
+  }
+  if (!layout.time) {
+    return Error{ErrorCode::kMissingColumn,
+                 "there is no time; name it, for example, time_s, or say which it is with "
+                 "--columns time=...",
+                 {}};
+  }
+  if (layout.frame == Frame::kAuto) {
+    return Error{ErrorCode::kUnknownFrame,
+                 "degrees or metres? The names do not tell; say it with --crs wgs84 (longitude, "
+                 "latitude in degrees) or --crs metres",
+                 {}};
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> out_of_range(const Point& position, Frame frame) {
+  if (frame != Frame::kWgs84) return std::nullopt;
+  const auto problem = find_out_of_range(std::span<const Point>(&position, 1), 0, frame);
+  if (!problem) return std::nullopt;
+  const std::array<double, 3> values = {position.x, position.y, position.z};
+  std::array<char, 32> text = {};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), values[problem->axis]).ptr;
+  return range_error(*problem, position, std::string(text.data(), end));
+}
+
+Result<std::optional<ReportLine>> report_line(const AircraftReport& report,
+                                              const AircraftChoice& choice, LeftOut& left_out) {
+  auto chosen = choice.choose(report, left_out);
+  if (!chosen) return without_advice(std::move(chosen).error());
+  if (!chosen.value()) return std::optional<ReportLine>();
+  const AircraftFix& fix = **chosen;
+  ReportLine line;
+  line.id = report.id;
+  line.label = report.label;
+  line.time_s = fix.fix.time_s;
+  line.position = fix.fix.position;
+  line.frame = Frame::kWgs84;
+  line.stated_height = fix.stated_height;
+  line.height_unit = report.height_unit;
+  line.velocity = known(fix.velocity);
+  line.since_1970 = true;
+  return std::optional<ReportLine>(line);
+}
+
+}  // namespace beespace::io

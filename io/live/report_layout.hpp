@@ -1,0 +1,34 @@
+// What live input needs beyond a table of fixes: the frame cannot wait for all values, and every
+// line must say whose it is and when.
+#pragma once
+
+#include "io/aircraft/aircraft_report.hpp"
+#include "io/live/report_lines.hpp"
+#include "io/tracks/track_layout.hpp"
+
+#include <beespace/mover.hpp>
+#include <beespace/point.hpp>
+#include <beespace/result.hpp>
+
+#include <cmath>
+#include <optional>
+
+namespace beespace::io {
+
+// Errors: kMissingColumn without id or time, kUnknownFrame where the names do not tell the frame.
+std::optional<Error> live_problem(const TrackLayout& layout);
+
+// What a report of an aircraft says; its texts are those of `report`. Errors: those of choose().
+Result<std::optional<ReportLine>> report_line(const AircraftReport& report,
+                                              const AircraftChoice& choice, LeftOut& left_out);
+
+// What is wrong with a position in degrees that is none.
+std::optional<Error> out_of_range(const Point& position, Frame frame);
+
+// The velocity, if all of it is known.
+inline std::optional<Velocity> known(const Velocity& velocity) {
+  if (!std::isfinite(velocity.x + velocity.y + velocity.z)) return std::nullopt;
+  return velocity;
+}
+
+}  // namespace beespace::io

@@ -1,0 +1,128 @@
+#include "io/live/report_lines.hpp"
+
+#include "io/aircraft/base_station.hpp"
+#include "io/bytes/characters.hpp"
+#include "io/json/json_line.hpp"
+#include "io/live/line_reader.hpp"
+#include "io/problems/text_check.hpp"
+#include "io/table/fields.hpp"
+#include "io/table/record_problems.hpp"
+
+#include <utility>
+
+namespace beespace::io {
+namespace {
+
+std::string_view without_line_end(std::string_view line) {
+  if (!line.empty() && line.back() == '\n') line.remove_suffix(1);
+  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  return line;
+}
+
+// By what the first line begins with.
+std::unique_ptr<LineReader> reader_for(std::string_view line, const RecordingOptions& options,
+                                       std::uint64_t number) {
+  if (without_padding(line).front() == '{') {
+    return is_aircraft_line(line) ? make_aircraft_lines(options) : make_json_lines(options);
+  }
+  if (is_base_station_line(line)) return make_base_station_lines(options);
+  return make_table_lines(options, number);
+}
+
+}  // namespace
+
+ReportLines::ReportLines(RecordingOptions options, std::string source)
+    : options_(std::move(options)), source_(std::move(source)) {
+}
+ReportLines::ReportLines(ReportLines&&) noexcept = default;
+ReportLines& ReportLines::operator=(ReportLines&&) noexcept = default;
+ReportLines::~ReportLines() = default;
+
+Result<std::optional<ReportLine>> ReportLines::read(std::string_view line) {
+  if (is_blank_line(line)) return std::optional<ReportLine>();
+  if (line.size() > kLongestLine) return long_line(line);
+  line = lines_ == 1 ? without_byte_order_mark(line) : line;
+  if (is_blank_line(line)) return std::optional<ReportLine>();
+  if (auto left = leave(line); !left || *left) return left;
+  return read_report(line);
+}
+
+Result<std::optional<ReportLine>> ReportLines::read_report(std::string_view line) {
+  if (understood_) return reader_->read(line);
+  // What came before, if anything, may have been damaged: then a later line is the header, or tells
+  // the kind.
+  std::optional<Error> first;
+  for (auto* known : {&reader_, &later_}) {
+    if (!*known) continue;
+    auto report = (*known)->read(line);
+    if (report || (*known)->settled()) {
+      if (known == &later_) reader_ = std::move(later_);
+      later_.reset();
+      understood_ = reader_->settled();
+      return report;
+    }
+    if (!first) first = std::move(report).error();
+  }
+  if (without_padding(line).front() != '{') {
+    if (auto problem = text_problem(line)) return first ? *std::move(first) : *std::move(problem);
+  }
+  auto reader = reader_for(line, options_, lines_);
+  auto report = reader->read(line);
+  understood_ = reader->settled();
+  if (!first || understood_) {
+    reader_ = std::move(reader);
+    return report;
+  }
+  if (report) later_ = std::move(reader);
+  return *std::move(first);
+}
+
+// What the line says if it says that a bee leaves.
+Result<std::optional<ReportLine>> ReportLines::leave(std::string_view line) {
+  const std::optional<ReportLine> none;
+  if (without_padding(line).front() != '{') return none;
+  if (line.find("\"leave\"") == std::string_view::npos) return none;
+  if (!leave_) leave_ = std::make_unique<JsonLine>();
+  const auto object = leave_->parse(line);
+  if (!object) return none;
+  std::string_view event;
+  if (object->at_key("event").get(event) != simdjson::SUCCESS || event != "leave") return none;
+  JsonElement id;
+  ReportLine report;
+  report.leaves = true;
+  if (object->at_key("id").get(id) == simdjson::SUCCESS && leave_->read_text(id, report.id) &&
+      !report.id.empty()) {
+    return std::optional<ReportLine>(report);
+  }
+  return Error{ErrorCode::kMissingColumn,
+               "this does not say who leaves; give an id: {\"event\": \"leave\", \"id\": \"a\"}",
+               {}};
+}
+
+Result<std::optional<ReportLine>> ReportLines::take(std::string_view line) {
+  ++lines_;
+  auto report = read(without_line_end(line));
+  if (report) return report;
+  Error& error = report.error();
+  if (error.place.source.empty()) error.place.source = source_;
+  if (!error.place.line) error.place.line = lines_;
+  return report;
+}
+
+std::string ReportLines::description() const {
+  return reader_ ? reader_->facts().description : "nothing yet";
+}
+
+HeightDatum ReportLines::heights() const {
+  return reader_ ? reader_->facts().heights : HeightDatum::kUnstated;
+}
+
+std::vector<UnitTaken> ReportLines::units() const {
+  return reader_ ? reader_->facts().units : std::vector<UnitTaken>();
+}
+
+std::vector<std::string> ReportLines::notes() const {
+  return reader_ ? reader_->facts().notes : std::vector<std::string>();
+}
+
+}  // namespace beespace::io

@@ -1,0 +1,90 @@
+#include "io/mavlink/telemetry_log.hpp"
+
+#include <algorithm>
+
+namespace beespace::io {
+namespace {
+
+constexpr std::size_t kStamp = 8;  // bytes before each frame
+
+std::uint64_t stamp_at(std::string_view bytes, std::size_t at) {
+  std::uint64_t stamp = 0;
+  for (std::size_t i = 0; i < kStamp; ++i) {
+    stamp = stamp << 8u | static_cast<unsigned char>(bytes[at + i]);
+  }
+  return stamp;
+}
+
+// Until the year 2255: beyond that a double does not hold every microsecond, and hardly any bytes
+// that are no time begin with eleven zero bits.
+bool is_stamp(std::uint64_t stamp) {
+  return stamp < std::uint64_t{1} << 53u;
+}
+
+bool may_begin(std::string_view bytes, std::size_t at) {
+  return at + kStamp < bytes.size() && is_mavlink_magic(bytes[at + kStamp]) &&
+         is_stamp(stamp_at(bytes, at));
+}
+
+// A frame behind its stamp. Where its checksum cannot be compared, what follows must look right:
+// nothing, the beginning of another, or too little to tell.
+std::optional<MavlinkFrame> frame_at(std::string_view bytes, std::size_t at) {
+  if (!may_begin(bytes, at)) return std::nullopt;
+  const auto frame = read_mavlink_frame(bytes.substr(at + kStamp));
+  if (!frame || frame->checksum == Checksum::kWrong) return std::nullopt;
+  if (frame->checksum == Checksum::kRight) return frame;
+  const std::size_t behind = at + kStamp + frame->size;
+  if (behind + kStamp >= bytes.size() || may_begin(bytes, behind)) return frame;
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool is_telemetry_log(std::string_view bytes) {
+  constexpr std::size_t kLookedAt = 4096;
+  for (std::size_t at = 0; at < std::min(bytes.size(), kLookedAt); ++at) {
+    const auto frame = frame_at(bytes, at);
+    if (!frame) continue;
+    // A short file of anything may end like one frame of an unknown message.
+    const std::size_t behind = at + kStamp + frame->size;
+    if (at == 0 || frame->checksum == Checksum::kRight || may_begin(bytes, behind)) return true;
+  }
+  return false;
+}
+
+bool TelemetryWalk::take(std::size_t at) {
+  const auto frame = frame_at(bytes_, at);
+  if (!frame) return false;
+  frame_ = *frame;
+  stamp_ = stamp_at(bytes_, at);
+  at_ = at + kStamp + frame->size;
+  ++frames_;
+  return true;
+}
+
+bool TelemetryWalk::next() {
+  const std::size_t from = at_;
+  for (std::size_t at = from; at < bytes_.size(); ++at) {
+    if (!take(at)) continue;
+    if (at > from) {
+      damaged_bytes_ += at - from;
+      ++damaged_places_;
+    }
+    return true;
+  }
+  end(from);
+  return false;
+}
+
+void TelemetryWalk::end(std::size_t from) {
+  at_ = bytes_.size();
+  if (from >= bytes_.size()) return;
+  // All of a frame that is there is right as far as it goes.
+  cut_short_ = bytes_.size() - from <= kStamp ||
+               (may_begin(bytes_, from) && !read_mavlink_frame(bytes_.substr(from + kStamp)));
+  if (cut_short_) return;
+  damaged_bytes_ += bytes_.size() - from;
+  ++damaged_places_;
+}
+
+}  // namespace beespace::io

@@ -1,0 +1,51 @@
+// Telemetry logs of MAVLink (.tlog): before each frame, when it came, in eight bytes.
+#pragma once
+
+#include "io/mavlink/mavlink_frame.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace beespace::io {
+
+// Whether it is one, by the first frames; what lies before them may be damaged.
+bool is_telemetry_log(std::string_view bytes);
+
+// A walk over the frames of a log. What is no frame, or one with a wrong checksum, is passed over
+// byte by byte until the next one.
+class TelemetryWalk {
+ public:
+  explicit TelemetryWalk(std::string_view bytes) : bytes_(bytes) {}
+
+  // To the next frame; false when there is none.
+  bool next();
+
+  [[nodiscard]] const MavlinkFrame& frame() const { return frame_; }
+  // Microseconds since 1970.
+  [[nodiscard]] std::uint64_t stamp() const { return stamp_; }
+  // 0-based, of the current frame.
+  [[nodiscard]] std::uint64_t index() const { return frames_ - 1; }
+
+  // So far: how many bytes were passed over, and in how many places.
+  [[nodiscard]] std::uint64_t damaged_bytes() const { return damaged_bytes_; }
+  [[nodiscard]] std::uint64_t damaged_places() const { return damaged_places_; }
+  // At the end: whether the last frame is not all there.
+  [[nodiscard]] bool cut_short() const { return cut_short_; }
+
+ private:
+  bool take(std::size_t at);
+  void end(std::size_t from);
+
+  std::string_view bytes_;
+  std::size_t at_ = 0;
+  MavlinkFrame frame_ = {};
+  std::uint64_t stamp_ = 0;
+  std::uint64_t frames_ = 0;
+  std::uint64_t damaged_bytes_ = 0;
+  std::uint64_t damaged_places_ = 0;
+  bool cut_short_ = false;
+};
+
+}  // namespace beespace::io

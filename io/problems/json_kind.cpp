@@ -1,0 +1,49 @@
+#include "io/problems/json_kind.hpp"
+
+#include <array>
+#include <cstddef>
+
+namespace beespace::io {
+namespace {
+
+constexpr std::size_t kLookedAt = std::size_t{1} << 16;
+
+struct Kind {
+  std::string_view key;  // in quotes
+  std::string_view words;
+};
+
+// The keys that say more first: shows have "settings", and so may anything.
+constexpr std::array<Kind, 11> kKinds = {{
+    {"\"obstacles\"",
+     "JSON with obstacles; give it with --obstacles to 'beespace simulate', 'advise' or 'verify'"},
+    {"\"FeatureCollection\"",
+     "GeoJSON, which beespace writes and does not read; export the positions as CSV"},
+    {"\"Feature\"",
+     "GeoJSON, which beespace writes and does not read; export the positions as CSV"},
+    {"\"aircraft\"",
+     "JSON with aircraft (readsb, dump1090); 'beespace replay' and 'beespace predict' read it"},
+    {"\"states\"",
+     "JSON with state vectors (OpenSky); 'beespace replay' and 'beespace predict' read it"},
+    {"\"swarm\"", "JSON of a Skybrush show; 'beespace replay' reads it"},
+    {"\"trajectory\"",
+     "JSON of a Skybrush trajectory, which is a part of a show; 'beespace replay' reads the show"},
+    {"\"hex\"", "JSON of aircraft, an object a line; 'beespace watch' reads it"},
+    {"\"lat\"", "JSON of reports; where each is an object on a line, 'beespace watch' reads it"},
+    {"\"latitude\"",
+     "JSON of reports; where each is an object on a line, 'beespace watch' reads it"},
+    {"\"time_s\"", "JSON of reports; where each is an object on a line, 'beespace watch' reads it"},
+}};
+
+}  // namespace
+
+std::string json_words(std::string_view text) {
+  const std::string_view front = text.substr(0, kLookedAt);
+  for (const Kind& kind : kKinds) {
+    if (front.find(kind.key) != std::string_view::npos) return std::string(kind.words);
+  }
+  return "JSON of a kind that beespace does not know; export the positions as CSV with a header "
+         "such as id,lon,lat,height or id,x,y,z";
+}
+
+}  // namespace beespace::io

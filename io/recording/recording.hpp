@@ -1,0 +1,51 @@
+// What was recorded: bees with their ids, and where each was when.
+//
+// Positions are as the input gives them: metres (z up), or longitude and latitude in degrees (x and
+// y) and height in metres (z). Heights that the input states in another unit are kept beside that.
+#pragma once
+
+#include "io/frames/coordinate_frame.hpp"
+#include "io/units/heights.hpp"
+#include "io/units/unit_taken.hpp"
+
+#include <beespace/bezier_path.hpp>
+#include <beespace/mover.hpp>
+#include <beespace/result.hpp>
+#include <beespace/track.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace beespace::io {
+
+struct RecordedBee {
+  std::string id;
+  std::vector<Fix> fixes;  // of strictly ascending times
+  // One for each fix, or none: m/s along x, y, z, or east, north, up; not-a-number where unknown.
+  std::vector<Velocity> velocities = {};
+  // Heights as the input states them, in Recording::height_unit: one for each fix, or none where
+  // that is the metre.
+  std::vector<double> stated_heights = {};
+  std::optional<BezierPath> path = {};  // instead of fixes, where the input has a curve
+  std::string label = {};               // what it is called beside its id: the flight; or nothing
+};
+
+struct Recording {
+  std::vector<RecordedBee> bees;   // in the order in which the input names them first
+  Frame frame = Frame::kMetres;    // what the input was taken for: never kAuto
+  std::string frame_reason;        // why, as a phrase
+  std::string format_description;  // "text, comma-separated", "Skybrush show", ...
+  bool since_1970 = false;  // times are seconds since 1970 (UTC), not from a zero of their own
+  HeightDatum heights = HeightDatum::kUnstated;
+  Unit height_unit = Unit::kMetre;             // of RecordedBee::stated_heights
+  std::vector<UnitTaken> units;                // of what was read; heights (or z) are among them
+  std::optional<double> declared_threshold_m;  // the least distance that a show promises
+  std::vector<std::string> notes;              // what else was decided and must be said aloud
+  std::vector<Error> skipped;                  // with skip_bad: the first bad records
+  std::uint64_t skipped_count = 0;
+  std::uint64_t bytes = 0;
+};
+
+}  // namespace beespace::io

@@ -1,0 +1,272 @@
+#include "io/recording/recording_assembly.hpp"
+
+#include "io/problems/excerpt.hpp"
+#include "io/problems/skipped_records.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <utility>
+
+namespace beespace::io {
+namespace {
+
+std::string number_text(double value) {
+  std::array<char, 32> text = {};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  return {text.data(), end};
+}
+
+std::string frame_words(Frame frame) {
+  return frame == Frame::kWgs84 ? "in degrees" : "in metres";
+}
+
+std::string height_words(HeightDatum heights) {
+  switch (heights) {
+    case HeightDatum::kEllipsoid:
+      return "above the WGS84 ellipsoid";
+    case HeightDatum::kMeanSeaLevel:
+      return "above mean sea level";
+    case HeightDatum::kPressure:
+      return "by pressure";
+    case HeightDatum::kHome:
+      return "above the place of take-off";
+    case HeightDatum::kUnstated:
+      break;
+  }
+  return "not said to be above anything";
+}
+
+std::string counted(std::uint64_t count, std::string_view one, std::string_view many) {
+  return std::to_string(count) + " " + std::string(count == 1 ? one : many);
+}
+
+}  // namespace
+
+std::optional<Error> RecordingAssembly::agree(const SourceFacts& facts) {
+  const auto disagree = [this](ErrorCode code, const std::string& message) {
+    return Error{code, message, {sources_.back()}};
+  };
+  if (!facts_) {
+    facts_ = facts;
+    facts_source_ = sources_.back();
+    recording_.units = facts.units;
+    return agree_on_heights(facts.heights);
+  }
+  if (facts.frame != facts_->frame && facts.frame != Frame::kAuto &&
+      facts_->frame != Frame::kAuto) {
+    return disagree(ErrorCode::kUnknownFrame,
+                    "this is " + frame_words(facts.frame) + ", but " + facts_source_ + " is " +
+                        frame_words(facts_->frame) +
+                        "; read them apart, or convert one of them first");
+  }
+  if (facts.has_time != facts_->has_time) {
+    return disagree(ErrorCode::kMissingColumn,
+                    std::string("there is ") + (facts.has_time ? "a" : "no") + " time here, but " +
+                        (facts.has_time ? "none" : "one") + " in " + facts_source_ +
+                        "; read them apart");
+  }
+  if (facts.since_1970 != facts_->since_1970) {
+    return disagree(ErrorCode::kInvalidArgument,
+                    std::string("times here ") +
+                        (facts.since_1970 ? "are counted from 1970" : "have a zero of their own") +
+                        ", but those of " + facts_source_ +
+                        (facts.since_1970 ? " have a zero of their own" : " do not") +
+                        "; read them apart, or name the column unix_time_s if it counts from 1970");
+  }
+  if (facts_->frame == Frame::kAuto) {
+    facts_->frame = facts.frame;
+    facts_->frame_reason = facts.frame_reason;
+  }
+  // The least that any of them says.
+  facts_->naming = std::min(facts_->naming, facts.naming);
+  facts_->dimensions = std::min(facts_->dimensions, facts.dimensions);
+  if (auto error = agree_on_heights(facts.heights)) return error;
+  agree_on_units(facts);
+  if (facts.description != facts_->description) facts_->description = "several formats";
+  return std::nullopt;
+}
+
+std::optional<Error> RecordingAssembly::agree_on_heights(HeightDatum heights) {
+  if (heights != HeightDatum::kUnstated) {
+    if (stated_heights_ != HeightDatum::kUnstated && heights != stated_heights_) {
+      return Error{ErrorCode::kInvalidArgument,
+                   "heights here are " + height_words(heights) + ", but elsewhere, as in " +
+                       stated_by_ + ", " + height_words(stated_heights_) + "; read them apart",
+                   {sources_.back()}};
+    }
+    if (stated_by_.empty()) stated_by_ = sources_.back();
+    stated_heights_ = heights;
+  }
+  if (heights == facts_->heights) return std::nullopt;
+  note("some inputs say that heights are " + height_words(stated_heights_) +
+       ", others say nothing; they are compared as they are");
+  facts_->heights = HeightDatum::kUnstated;
+  return std::nullopt;
+}
+
+// Each is converted by its own; heights as they are stated can be compared only in one unit.
+void RecordingAssembly::agree_on_units(const SourceFacts& facts) {
+  for (const UnitTaken& taken : facts.units) {
+    auto& known = recording_.units;
+    if (std::find(known.begin(), known.end(), taken) == known.end()) known.push_back(taken);
+  }
+  if (facts.height_unit == facts_->height_unit) return;
+  note("inputs state heights in different units; they are compared in metres");
+  facts_->height_unit = Unit::kMetre;
+  several_height_units_ = true;
+}
+
+void RecordingAssembly::note(std::string text) {
+  auto& notes = recording_.notes;
+  if (std::find(notes.begin(), notes.end(), text) == notes.end()) notes.push_back(std::move(text));
+}
+
+std::string RecordingAssembly::name_of_source(std::string stem) {
+  if (std::find(stems_.begin(), stems_.end(), stem) != stems_.end()) return sources_.back();
+  stems_.push_back(stem);
+  return stem;
+}
+
+std::optional<Error> RecordingAssembly::bad(Error error) {
+  if (error.place.source.empty()) error.place.source = sources_.back();
+  if (!options_.skip_bad) return error;
+  ++recording_.skipped_count;
+  if (recording_.skipped.size() < kMostSkippedListed) {
+    const std::size_t advice = error.message.rfind(kOrLeaveOut);
+    if (advice != std::string::npos) error.message.erase(advice, kOrLeaveOut.size());
+    recording_.skipped.push_back(std::move(error));
+  }
+  return std::nullopt;
+}
+
+void RecordingAssembly::declare_threshold(double metres) {
+  auto& declared = recording_.declared_threshold_m;
+  if (declared && *declared != metres) {
+    note("the shows promise different least distances; the greater one is taken");
+  }
+  declared = std::max(declared.value_or(metres), metres);
+}
+
+Error RecordingAssembly::conflict_error(const TimeConflict& conflict) const {
+  const std::string first = sources_[conflict.first.source] + ", line " +
+                            std::to_string(std::uint64_t{conflict.first.line});
+  std::string message = "bee " + excerpt(conflict.id) + " is at another place at the same time";
+  if (facts_ && facts_->has_time) {
+    message += ", " + number_text(conflict.time_s) + " s, in " + first +
+               "; correct one of them, or name the column that tells the bees apart with "
+               "--columns id=...";
+  } else {
+    message = "bee " + excerpt(conflict.id) + " comes twice, before in " + first +
+              "; without a time each bee has one record";
+  }
+  Error error{ErrorCode::kTimeOrder, message + std::string(kOrLeaveOut), {}};
+  error.place.source = sources_[conflict.second.source];
+  error.place.line = conflict.second.line;
+  return error;
+}
+
+std::optional<Error> RecordingAssembly::settle_times() {
+  std::vector<TimeConflict> conflicts;
+  tracks_.settle([&conflicts](const TimeConflict& conflict) { conflicts.push_back(conflict); });
+  std::sort(conflicts.begin(), conflicts.end(), [](const TimeConflict& a, const TimeConflict& b) {
+    if (a.second.source != b.second.source) return a.second.source < b.second.source;
+    return a.second.line < b.second.line;
+  });
+  for (const TimeConflict& conflict : conflicts) {
+    if (auto error = bad(conflict_error(conflict))) return error;
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> RecordingAssembly::settle_frame() {
+  if (!facts_) return std::nullopt;
+  SourceFacts& facts = *facts_;
+  const bool bare = options_.frame == Frame::kAuto && facts.naming == Naming::kBareAxes;
+  if (facts.frame == Frame::kAuto || bare) {
+    const std::vector<Point> points = tracks_.positions();
+    if (points.empty()) return std::nullopt;
+    const Extent extent = extent_of(points);
+    if (facts.frame == Frame::kAuto) {
+      auto decision = frame_from_values(points, extent, facts.dimensions, facts.naming);
+      if (!decision) {
+        Error error = std::move(decision).error();
+        error.place.source = facts_source_;
+        if (error.place.record) {
+          const Origin origin = tracks_.origin(*error.place.record);
+          error.place = {sources_[origin.source], origin.line, {}, {}};
+        }
+        return error;
+      }
+      facts.frame = decision->frame;
+      facts.frame_reason = decision->reason;
+      if (!decision->note.empty()) note(decision->note);
+    } else if (auto error = contradiction_to_metres(points, extent, facts.dimensions)) {
+      error->place.source = facts_source_;
+      return error;
+    }
+  }
+  return std::nullopt;
+}
+
+void RecordingAssembly::note_counts() {
+  if (const auto count = tracks_.out_of_order(); count > 0) {
+    note(counted(count, "record goes", "records go") +
+         " back in time; the records of each bee are brought into the order of time");
+  }
+  if (const auto count = tracks_.repeated(); count > 0) {
+    note(counted(count, "record repeats", "records repeat") +
+         " a time and place of the same bee and " + (count == 1 ? "is" : "are") + " left out");
+  }
+  if (const auto count = tracks_.clashing(); count > 0) {
+    note(counted(count, "record says", "records say") +
+         " another place for a time that the same bee has been heard at (times are rounded); the "
+         "first is taken");
+  }
+  for (std::string& text : left_out_.notes()) note(std::move(text));
+  if (const auto count = tracks_.in_several_sources(); count > 0) {
+    note(counted(count, "bee is", "bees are") +
+         " in several files under the same id; each is taken for one, merged by time");
+  }
+  if (const auto count = tracks_.renamed(); count > 0) {
+    note(counted(count, "bee has", "bees have") +
+         " the name of another one; they are told apart as in 'name#2'");
+  }
+}
+
+Error RecordingAssembly::nothing_left() const {
+  std::string message = "no bee is left";
+  if (!recording_.skipped.empty()) {
+    const auto count = recording_.skipped_count;
+    message = count == 1 ? "the only record is bad: "
+                         : "all " + std::to_string(count) + " records are bad; the first: ";
+    message += recording_.skipped.front().message;
+  }
+  const std::vector<std::string> left_out = left_out_.notes();
+  for (const std::string& text : left_out) {
+    message += (&text == &left_out.front() ? ": " : ". Also, ") + text;
+  }
+  return {ErrorCode::kNoPoints, message, {sources_.empty() ? "" : sources_.front()}};
+}
+
+Result<Recording> RecordingAssembly::finish() {
+  if (tracks_.empty()) return nothing_left();
+  if (auto error = settle_times()) return *std::move(error);
+  if (auto error = settle_frame()) return *std::move(error);
+  if (facts_) {
+    recording_.frame = facts_->frame;
+    recording_.frame_reason = facts_->frame_reason;
+    recording_.format_description = facts_->description;
+    recording_.since_1970 = facts_->since_1970;
+    recording_.heights = facts_->heights;
+    if (!several_height_units_) recording_.height_unit = facts_->height_unit;
+  }
+  recording_.bees = tracks_.release();
+  if (recording_.height_unit == Unit::kMetre) {
+    for (RecordedBee& bee : recording_.bees) bee.stated_heights.clear();
+  }
+  note_counts();
+  return std::move(recording_);
+}
+
+}  // namespace beespace::io

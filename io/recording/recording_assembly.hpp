@@ -1,0 +1,102 @@
+// Several inputs -> one recording: what they must agree on, and what must be said aloud.
+//
+// Used in this order: begin_source(), then agree(), bad(), note(), tracks() for what is in it, for
+// each input; finish() at the end.
+#pragma once
+
+#include "io/frames/coordinate_frame.hpp"
+#include "io/frames/frame_decision.hpp"
+#include "io/problems/left_out.hpp"
+#include "io/recording/recording.hpp"
+#include "io/recording/recording_options.hpp"
+#include "io/recording/track_gathering.hpp"
+#include "io/units/heights.hpp"
+#include "io/units/unit_taken.hpp"
+
+#include <beespace/result.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace beespace::io {
+
+// What an input says of all its bees.
+struct SourceFacts {
+  Frame frame = Frame::kAuto;  // kAuto: the values must tell
+  std::string frame_reason = {};
+  Naming naming = Naming::kSure;
+  std::size_t dimensions = 3;
+  bool has_time = true;
+  bool since_1970 = false;
+  HeightDatum heights = HeightDatum::kUnstated;
+  Unit height_unit = Unit::kMetre;  // in which TrackGathering is told them as they are stated
+  std::vector<UnitTaken> units = {};
+  std::string description = {};  // "text, comma-separated"
+};
+
+class RecordingAssembly {
+ public:
+  explicit RecordingAssembly(const RecordingOptions& options) : options_(options) {}
+
+  [[nodiscard]] const RecordingOptions& options() const { return options_; }
+  // Whatever is wrong from here on is blamed on `name`.
+  void begin_source(std::string name) { sources_.push_back(std::move(name)); }
+  [[nodiscard]] std::uint32_t source() const {
+    return static_cast<std::uint32_t>(sources_.size() - 1);
+  }
+
+  [[nodiscard]] const std::string& source_name() const { return sources_.back(); }
+  // Whether there is more than one input, so that what is called by numbers alone needs a name of
+  // its source before it.
+  void expect_several() { several_ = true; }
+  [[nodiscard]] bool has_several() const { return several_; }
+  // That name: `stem`, or where another source has it already, all of the source's name.
+  std::string name_of_source(std::string stem);
+
+  // Errors: kUnknownFrame, kMissingColumn, kInvalidArgument for inputs that do not go together:
+  // in frame, time or what heights are counted from.
+  std::optional<Error> agree(const SourceFacts& facts);
+  // Says it once, however often it is handed in.
+  void note(std::string text);
+  // An error that skip_bad leaves out: nothing then. Otherwise the error, with its source.
+  std::optional<Error> bad(Error error);
+  void declare_threshold(double metres);
+  void add_bytes(std::uint64_t count) { recording_.bytes += count; }
+  TrackGathering& tracks() { return tracks_; }
+  // What is left out without being a mistake.
+  LeftOut& left_out() { return left_out_; }
+  // How many records without any id came before, over all inputs.
+  [[nodiscard]] std::uint64_t nameless() const { return nameless_; }
+  void add_nameless(std::uint64_t count) { nameless_ += count; }
+
+  // Errors: kTimeOrder, kUnknownFrame, kNoPoints.
+  Result<Recording> finish();
+
+ private:
+  std::optional<Error> settle_times();
+  std::optional<Error> settle_frame();
+  [[nodiscard]] Error conflict_error(const TimeConflict& conflict) const;
+  void note_counts();
+  [[nodiscard]] Error nothing_left() const;
+  std::optional<Error> agree_on_heights(HeightDatum heights);
+  void agree_on_units(const SourceFacts& facts);
+
+  const RecordingOptions& options_;
+  Recording recording_;
+  TrackGathering tracks_;
+  LeftOut left_out_;
+  std::vector<std::string> sources_;
+  std::vector<std::string> stems_;  // those given away by name_of_source()
+  bool several_ = false;
+  std::optional<SourceFacts> facts_;                     // of all inputs so far
+  std::string facts_source_;                             // who said so first
+  HeightDatum stated_heights_ = HeightDatum::kUnstated;  // by whoever says so
+  std::string stated_by_;
+  std::uint64_t nameless_ = 0;
+  bool several_height_units_ = false;
+};
+
+}  // namespace beespace::io

@@ -1,0 +1,80 @@
+#include "io/recording/recording_sources.hpp"
+
+#include "io/bytes/characters.hpp"
+#include "io/table/header_words.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <initializer_list>
+#include <system_error>
+#include <utility>
+
+namespace beespace::io {
+namespace {
+
+bool ends_with(std::string_view text, std::string_view end) {
+  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
+}
+
+// Whether the name ends in one of these, in any case, perhaps with .gz behind.
+bool has_ending(std::string_view name, std::initializer_list<std::string_view> endings) {
+  const std::string lower = lower_case(name);
+  std::string_view rest = lower;
+  if (ends_with(rest, ".gz")) rest.remove_suffix(3);
+  return std::any_of(endings.begin(), endings.end(),
+                     [rest](std::string_view ending) { return ends_with(rest, ending); });
+}
+
+}  // namespace
+
+bool is_folder(const std::string& path) {
+  std::error_code ignored;
+  return path != "-" && std::filesystem::is_directory(path, ignored);
+}
+
+bool is_table_name(std::string_view name) {
+  return has_ending(name, {".csv", ".tsv", ".txt"});
+}
+
+Result<std::vector<std::string>> recordings_in(const std::string& folder) {
+  std::vector<std::string> tables;
+  std::vector<std::string> documents;
+  std::vector<std::string> logs;
+  std::error_code problem;
+  std::filesystem::directory_iterator entry(folder, problem);
+  for (; !problem && entry != std::filesystem::directory_iterator(); entry.increment(problem)) {
+    const std::string name = entry->path().filename().string();
+    const std::string path = entry->path().string();
+    if (name.front() == '.' || is_folder(path)) continue;
+    if (is_table_name(name)) tables.push_back(path);
+    if (has_ending(name, {".json"})) documents.push_back(path);
+    if (has_ending(name, {".tlog"})) logs.push_back(path);
+  }
+  if (problem) {
+    return Error{ErrorCode::kCannotOpen,
+                 "cannot read this folder: " + problem.message() + "; check its permissions",
+                 {folder}};
+  }
+  auto& chosen = !tables.empty() ? tables : !documents.empty() ? documents : logs;
+  if (chosen.empty()) {
+    return Error{ErrorCode::kNoPoints,
+                 "there is no .csv, .tsv or .txt file in this folder, nor any .json or .tlog; name "
+                 "the files, or the folder that holds them",
+                 {folder}};
+  }
+  std::sort(chosen.begin(), chosen.end());
+  return std::move(chosen);
+}
+
+std::string stem_of(std::string_view path) {
+  if (path == "-") return "stdin";
+  const std::size_t slash = path.rfind('/');
+  if (slash != std::string_view::npos) path.remove_prefix(slash + 1);
+  std::string_view stem = path;
+  if (ends_with(lower_case(stem), ".gz")) stem.remove_suffix(3);
+  const std::size_t dot = stem.rfind('.');
+  if (dot != std::string_view::npos && dot > 0) stem = stem.substr(0, dot);
+  return std::string(stem.empty() ? path : stem);
+}
+
+}  // namespace beespace::io

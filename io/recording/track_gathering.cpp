@@ -1,0 +1,172 @@
+#include "io/recording/track_gathering.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <unordered_set>
+#include <utility>
+
+namespace beespace::io {
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+bool strictly_ascending(const std::vector<Fix>& fixes) {
+  return std::adjacent_find(fixes.begin(), fixes.end(), [](const Fix& a, const Fix& b) {
+           return !(a.time_s < b.time_s);
+         }) == fixes.end();
+}
+
+// Whether the later fix is the earlier one, said twice. With rounded times the height may have
+// been heard of anew in between: it comes by other messages than the position.
+bool is_heard_again(const Fix& earlier, const Fix& later, std::optional<double> repeat_s) {
+  if (!repeat_s) return earlier == later;
+  return later.time_s - earlier.time_s <= *repeat_s && earlier.position.x == later.position.x &&
+         earlier.position.y == later.position.y;
+}
+
+}  // namespace
+
+TrackGathering::Bee& TrackGathering::bee_of(std::string_view id) {
+  if (last_ < bees_.size() && bees_[last_].recorded.id == id && !bees_[last_].recorded.path) {
+    return bees_[last_];
+  }
+  const auto found = index_.find(id);
+  if (found != index_.end()) {
+    last_ = found->second;
+    return bees_[last_];
+  }
+  last_ = bees_.size();
+  index_.emplace(std::string(id), last_);
+  bees_.emplace_back().recorded.id = std::string(id);
+  return bees_.back();
+}
+
+void TrackGathering::add(std::string_view id, const Fix& fix, const Velocity* velocity,
+                         Origin origin, std::optional<double> stated_height) {
+  Bee& bee = bee_of(id);
+  auto& fixes = bee.recorded.fixes;
+  auto& velocities = bee.recorded.velocities;
+  if (!fixes.empty()) {
+    const bool same_source = bee.origins.back().source == origin.source;
+    if (same_source && fix.time_s < fixes.back().time_s) ++out_of_order_;
+    if (!same_source && !bee.several_sources) {
+      bee.several_sources = true;
+      ++in_several_sources_;
+    }
+  }
+  if (velocity != nullptr) {
+    velocities.resize(fixes.size(), {kUnknown, kUnknown, kUnknown});
+    velocities.push_back(*velocity);
+  } else if (!velocities.empty()) {
+    velocities.push_back({kUnknown, kUnknown, kUnknown});
+  }
+  auto& heights = bee.recorded.stated_heights;
+  if (stated_height || !heights.empty()) {
+    heights.resize(fixes.size(), kUnknown);
+    heights.push_back(stated_height.value_or(kUnknown));
+  }
+  fixes.push_back(fix);
+  bee.origins.push_back(origin);
+}
+
+void TrackGathering::label(std::string_view id, std::string_view text) {
+  std::string& label = bee_of(id).recorded.label;
+  if (label != text) label = std::string(text);
+}
+
+void TrackGathering::add_path(std::string id, BezierPath path) {
+  Bee& bee = bees_.emplace_back();
+  bee.recorded.id = std::move(id);
+  bee.recorded.path = std::move(path);
+}
+
+Origin TrackGathering::origin(std::size_t index) const {
+  for (const Bee& bee : bees_) {
+    if (index < bee.origins.size()) return bee.origins[index];
+    index -= bee.origins.size();
+  }
+  return {};
+}
+
+std::vector<Point> TrackGathering::positions() const {
+  std::size_t count = 0;
+  for (const Bee& bee : bees_) count += bee.recorded.fixes.size();
+  std::vector<Point> points;
+  points.reserve(count);
+  for (const Bee& bee : bees_) {
+    for (const Fix& fix : bee.recorded.fixes) points.push_back(fix.position);
+  }
+  return points;
+}
+
+void TrackGathering::settle(const std::function<void(const TimeConflict&)>& conflict) {
+  for (Bee& bee : bees_) {
+    if (repeat_s_ || !strictly_ascending(bee.recorded.fixes)) settle(bee, conflict);
+  }
+}
+
+void TrackGathering::settle(Bee& bee, const std::function<void(const TimeConflict&)>& conflict) {
+  const auto& fixes = bee.recorded.fixes;
+  const auto& velocities = bee.recorded.velocities;
+  const auto& heights = bee.recorded.stated_heights;
+  std::vector<std::size_t> order(fixes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&fixes](std::size_t a, std::size_t b) {
+    return fixes[a].time_s < fixes[b].time_s;
+  });
+  Bee settled;
+  for (const std::size_t i : order) {
+    if (!settled.recorded.fixes.empty()) {
+      const Fix& last = settled.recorded.fixes.back();
+      if (is_heard_again(last, fixes[i], repeat_s_)) {
+        ++repeated_;
+        continue;
+      }
+      if (last.time_s == fixes[i].time_s) {
+        if (repeat_s_) {
+          ++clashing_;
+        } else {
+          conflict({bee.recorded.id, fixes[i].time_s, settled.origins.back(), bee.origins[i]});
+        }
+        continue;
+      }
+    }
+    settled.recorded.fixes.push_back(fixes[i]);
+    if (!velocities.empty()) settled.recorded.velocities.push_back(velocities[i]);
+    if (!heights.empty()) settled.recorded.stated_heights.push_back(heights[i]);
+    settled.origins.push_back(bee.origins[i]);
+  }
+  bee.recorded.fixes = std::move(settled.recorded.fixes);
+  bee.recorded.velocities = std::move(settled.recorded.velocities);
+  bee.recorded.stated_heights = std::move(settled.recorded.stated_heights);
+  bee.origins = std::move(settled.origins);
+}
+
+std::vector<RecordedBee> TrackGathering::release() {
+  std::vector<RecordedBee> released;
+  released.reserve(bees_.size());
+  std::unordered_set<std::string> ids;
+  for (const Bee& bee : bees_) {
+    if (!bee.recorded.path) ids.insert(bee.recorded.id);
+  }
+  std::unordered_map<std::string, std::size_t> next;
+  for (Bee& bee : bees_) {
+    std::string& id = bee.recorded.id;
+    if (bee.recorded.path && !ids.insert(id).second) {
+      std::size_t& number = next.try_emplace(id, 2).first->second;
+      std::string other;
+      do {
+        other = id + "#" + std::to_string(number++);
+      } while (!ids.insert(other).second);
+      id = std::move(other);
+      ++renamed_;
+    }
+    released.push_back(std::move(bee.recorded));
+  }
+  bees_.clear();
+  index_.clear();
+  return released;
+}
+
+}  // namespace beespace::io

@@ -1,0 +1,102 @@
+// Fixes in the order of the input -> bees, each with its fixes in the order of time.
+#pragma once
+
+#include "io/recording/recording.hpp"
+
+#include <beespace/mover.hpp>
+#include <beespace/point.hpp>
+#include <beespace/result.hpp>
+#include <beespace/track.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace beespace::io {
+
+// Where a fix was read.
+struct Origin {
+  std::uint64_t source : 24 = 0;  // as the caller counts them
+  std::uint64_t line : 40 = 0;    // 1-based
+};
+
+// Two fixes of one bee at one time that are at different places.
+struct TimeConflict {
+  std::string id;
+  double time_s;
+  Origin first;
+  Origin second;  // behind the first in the input
+};
+
+class TrackGathering {
+ public:
+  // A fix of that bee. Without velocity, or with one that may hold not-a-numbers. `stated_height`
+  // is that of an input in another unit than the metre.
+  void add(std::string_view id, const Fix& fix, const Velocity* velocity, Origin origin,
+           std::optional<double> stated_height = {});
+  // A bee of its own, whatever its id.
+  void add_path(std::string id, BezierPath path);
+
+  // What that bee, which has a fix, is called; the last one counts.
+  void label(std::string_view id, std::string_view text);
+  // From here on times are known to be rounded, or to be those of arrival, as in telemetry: a bee
+  // that is at the same place again within `repeat_s` was heard once, and of two places at one time
+  // the second in the input is no conflict.
+  void round_times(double repeat_s) { repeat_s_ = repeat_s; }
+
+  [[nodiscard]] bool empty() const { return bees_.empty(); }
+  [[nodiscard]] bool contains(std::string_view id) const { return index_.contains(id); }
+  // Where fix `index` comes from, counted bee by bee, and all their positions in that order.
+  [[nodiscard]] Origin origin(std::size_t index) const;
+  [[nodiscard]] std::vector<Point> positions() const;
+
+  // Brings each bee's fixes into the order of time: stable, and of the same fix said twice one is
+  // kept. Of two at the same time but at different places the second in the input is left out and
+  // handed to `conflict`, in no particular order.
+  void settle(const std::function<void(const TimeConflict&)>& conflict);
+
+  // What was found by add() and settle().
+  [[nodiscard]] std::uint64_t out_of_order() const { return out_of_order_; }
+  [[nodiscard]] std::uint64_t repeated() const { return repeated_; }
+  // How many records say another place for a time that their bee has been heard at, by rounding.
+  [[nodiscard]] std::uint64_t clashing() const { return clashing_; }
+  [[nodiscard]] std::uint64_t in_several_sources() const { return in_several_sources_; }
+  // How many bees got another id since theirs was taken already ("drone", "drone#2").
+  [[nodiscard]] std::uint64_t renamed() const { return renamed_; }
+
+  // In the order in which they came first. Nothing is left here.
+  std::vector<RecordedBee> release();
+
+ private:
+  struct Bee {
+    RecordedBee recorded;
+    std::vector<Origin> origins;
+    bool several_sources = false;
+  };
+  struct TextHash {
+    using is_transparent = void;  // NOLINT(readability-identifier-naming): the library's name
+    std::size_t operator()(std::string_view text) const {
+      return std::hash<std::string_view>()(text);
+    }
+  };
+
+  Bee& bee_of(std::string_view id);
+  void settle(Bee& bee, const std::function<void(const TimeConflict&)>& conflict);
+
+  std::vector<Bee> bees_;
+  std::unordered_map<std::string, std::size_t, TextHash, std::equal_to<>> index_;
+  std::size_t last_ = 0;  // records of one bee often follow each other
+  std::uint64_t out_of_order_ = 0;
+  std::uint64_t repeated_ = 0;
+  std::uint64_t clashing_ = 0;
+  std::optional<double> repeat_s_;  // of rounded times
+  std::uint64_t in_several_sources_ = 0;
+  std::uint64_t renamed_ = 0;
+};
+
+}  // namespace beespace::io

@@ -1,0 +1,240 @@
+#include "io/shows/show_reading.hpp"
+
+#include "io/problems/excerpt.hpp"
+#include "io/shows/show_trajectory.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+namespace beespace::io {
+namespace {
+
+Error show_error(ErrorCode code, std::string message, std::string place) {
+  return {code, std::move(message), {std::move(place)}};
+}
+
+// What is read of a drone, and what became of it.
+struct Drone {
+  std::string name = {};
+  BezierPath path = {};
+  bool stood = false;
+  bool flies = true;
+};
+
+class ShowReading {
+ public:
+  ShowReading(ShowDocuments& documents, RecordingAssembly& assembly)
+      : documents_(documents), assembly_(assembly) {}
+
+  std::optional<Error> read() {
+    if (auto error = option_problem()) return error;
+    const ShowValue root = documents_.root();
+    if (const auto version = json_member(root.element, "version")) {
+      double number = 0.0;
+      if (version->get(number) != simdjson::SUCCESS || number != 1.0) {
+        return show_error(ErrorCode::kUnsupportedFormat,
+                          "the show is of another version; version 1 is read",
+                          documents_.place_of(root));
+      }
+    }
+    if (auto error = read_threshold(root)) return error;
+    SourceFacts facts;
+    facts.frame = Frame::kMetres;
+    facts.frame_reason = "a Skybrush show is in metres";
+    facts.heights = HeightDatum::kHome;
+    facts.units = {
+        {"x, y and z", Unit::kMetre, UnitEvidence::kNamed, "a Skybrush show is in metres"}};
+    facts.description = "Skybrush show";
+    if (auto error = assembly_.agree(facts)) return error;
+    if (auto error = read_drones(root)) return error;
+    note_ground();
+    return std::nullopt;
+  }
+
+ private:
+  std::optional<Error> option_problem() const {
+    const RecordingOptions& options = assembly_.options();
+    const auto invalid = [](std::string message) {
+      return Error{ErrorCode::kInvalidArgument, std::move(message), {}};
+    };
+    if (options.frame == Frame::kWgs84) {
+      return invalid("a Skybrush show is in metres, but --crs wgs84 is given; leave it out");
+    }
+    if (!options.columns.empty()) {
+      return invalid("--columns is for text tables, but this is a Skybrush show; leave it out");
+    }
+    if (options.units.any()) {
+      return invalid("the numbers of a Skybrush show have their units; leave --units out");
+    }
+    if (options.time_unit != TimeUnit::kAuto) {
+      return invalid("the times of a Skybrush show are in seconds; leave --time-unit out");
+    }
+    return std::nullopt;
+  }
+
+  // settings.validation.minDistance
+  std::optional<Error> read_threshold(const ShowValue& root) {
+    std::optional<ShowValue> value = root;
+    for (const char* const key : {"settings", "validation", "minDistance"}) {
+      auto member = documents_.member(*value, key);
+      if (!member) return member.error();
+      value = std::move(member).value();
+      if (!value) return std::nullopt;
+    }
+    double metres = 0.0;
+    const std::string path = "settings.validation.minDistance";
+    if (!read_json(value->element, metres)) {
+      Error error = json_number_problem(value->element, path);
+      error.place.source = documents_.place_of(*value);
+      return error;
+    }
+    if (!(metres > 0.0)) {
+      return show_error(ErrorCode::kInvalidThreshold,
+                        path + " is not above zero; correct it, or remove it from the show",
+                        documents_.place_of(*value));
+    }
+    assembly_.declare_threshold(metres);
+    return std::nullopt;
+  }
+
+  std::optional<Error> read_drones(const ShowValue& root) {
+    auto swarm = documents_.member(root, "swarm");
+    if (!swarm) return swarm.error();
+    if (!swarm.value()) return no_drones(root);
+    auto drones = documents_.member(*swarm.value(), "drones");
+    if (!drones) return drones.error();
+    simdjson::dom::array list;
+    if (!drones.value() || drones.value()->element.get(list) != simdjson::SUCCESS) {
+      return no_drones(*swarm.value());
+    }
+    // The list lies in a document that must stay, even when it is no longer needed for references.
+    const std::string list_member = drones.value()->member;
+    const bool may_forget = list_member == root.member;
+    std::uint64_t index = 0;
+    for (const JsonElement element : list) {
+      if (may_forget) documents_.forget_parts();
+      auto drone = read_drone({element, list_member}, index);
+      if (!drone) {
+        Error error = drone.error();
+        error.place.record = index;
+        if (auto fatal = assembly_.bad(std::move(error))) return fatal;
+      } else if (!drone->flies) {
+        ++grounded_;
+      } else {
+        if (drone->stood) ++stood_;
+        assembly_.tracks().add_path(std::move(drone->name), std::move(drone->path));
+      }
+      ++index;
+    }
+    if (index == 0) return no_drones(*swarm.value());
+    if (grounded_ == index) {
+      return show_error(ErrorCode::kNoPoints,
+                        "no drone of this show leaves the ground; --grounded checks them there",
+                        documents_.place_of(root));
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] Error no_drones(const ShowValue& value) const {
+    return show_error(ErrorCode::kNoPoints,
+                      "the show has no drones (swarm.drones); export it again",
+                      documents_.place_of(value));
+  }
+
+  Result<Drone> read_drone(const ShowValue& element, std::uint64_t index) {
+    Drone drone;
+    auto value = documents_.resolve(element);
+    if (!value) return value.error();
+    auto settings = documents_.member(*value, "settings");
+    if (!settings) return settings.error();
+    if (!settings.value()) return no_trajectory(*value, index);
+    const ShowValue& of_drone = *settings.value();
+    drone.name = name_of(of_drone, index);
+    auto found = documents_.member(of_drone, "trajectory");
+    if (!found) return found.error();
+    if (!found.value()) return no_trajectory(of_drone, index);
+    auto trajectory = read_trajectory(found.value()->element);
+    if (!trajectory) {
+      Error error = trajectory.error();
+      error.message = "drone " + excerpt(drone.name) + ": " + error.message;
+      error.place.source = documents_.place_of(*found.value());
+      return error;
+    }
+    auto ground = read_ground(of_drone, drone.name);
+    if (!ground) return ground.error();
+    if (!assembly_.options().grounded) {
+      drone.stood = keep_flight(*trajectory, *ground);
+      drone.flies = !trajectory->path.pieces.empty();
+    }
+    drone.path = std::move(trajectory->path);
+    return drone;
+  }
+
+  [[nodiscard]] Error no_trajectory(const ShowValue& value, std::uint64_t index) const {
+    return show_error(
+        ErrorCode::kMissingColumn,
+        "drone " + std::to_string(index + 1) + " has no settings.trajectory; export the show again",
+        documents_.place_of(value));
+  }
+
+  static std::string name_of(const ShowValue& settings, std::uint64_t index) {
+    std::string_view name;
+    const auto member = json_member(settings.element, "name");
+    if (member && member->get(name) == simdjson::SUCCESS && !name.empty()) {
+      return std::string(name);
+    }
+    return "drone " + std::to_string(index + 1);
+  }
+
+  Result<Ground> read_ground(const ShowValue& settings, const std::string& drone) {
+    Ground ground;
+    for (const char* const key : {"home", "landAt"}) {
+      auto value = documents_.member(settings, key);
+      if (!value) return value.error();
+      if (!value.value()) continue;
+      Point point;
+      if (!read_json(value.value()->element, point)) {
+        Error error = json_point_problem(value.value()->element, key);
+        error.message = "drone " + excerpt(drone) + ": " + error.message;
+        error.place.source = documents_.place_of(*value.value());
+        return error;
+      }
+      (key == std::string_view("home") ? ground.home : ground.land_at) = point;
+    }
+    return ground;
+  }
+
+  void note_ground() {
+    const auto drones = [](std::uint64_t count, const char* one, const char* many) {
+      return std::to_string(count) + (count == 1 ? " drone" : " drones") +
+             (count == 1 ? one : many);
+    };
+    if (stood_ > 0) {
+      assembly_.note("the time on the ground of " + drones(stood_, "", "") +
+                     " is left out, before take-off and after landing; --grounded keeps it");
+    }
+    if (grounded_ > 0) {
+      assembly_.note(drones(grounded_, " never leaves", " never leave") + " the ground and " +
+                     (grounded_ == 1 ? "is" : "are") + " left out; --grounded keeps them");
+    }
+  }
+
+  ShowDocuments& documents_;
+  RecordingAssembly& assembly_;
+  std::uint64_t stood_ = 0;
+  std::uint64_t grounded_ = 0;
+};
+
+}  // namespace
+
+bool is_show(const ShowDocuments& documents) {
+  return json_member(documents.root().element, "swarm").has_value();
+}
+
+std::optional<Error> read_show(ShowDocuments& documents, RecordingAssembly& assembly) {
+  return ShowReading(documents, assembly).read();
+}
+
+}  // namespace beespace::io

@@ -1,0 +1,199 @@
+#include "io/shows/show_trajectory.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace beespace::io {
+namespace {
+
+Error malformed(ErrorCode code, std::string message) {
+  return {code, std::move(message), {}};
+}
+
+struct Entry {
+  double time_s = 0.0;
+  Point point = {};
+  std::array<Point, 2> controls = {};
+  std::uint8_t control_count = 0;
+};
+
+std::optional<Error> read_controls(JsonElement element, const std::string& path, Entry& entry) {
+  simdjson::dom::array controls;
+  if (element.get(controls) != simdjson::SUCCESS) {
+    return malformed(ErrorCode::kMalformedRecord,
+                     path + " is " + std::string(json_kind(element)) +
+                         " where the control points should be; write [] for a straight line");
+  }
+  for (const JsonElement control : controls) {
+    if (entry.control_count == 2) {
+      return malformed(ErrorCode::kUnsupportedFormat,
+                       path + " has " + std::to_string(controls.size()) +
+                           " control points; up to two are read (cubic curves), export the show "
+                           "with such");
+    }
+    if (!read_json(control, entry.controls[entry.control_count])) {
+      return json_point_problem(control,
+                                path + "[" + std::to_string(int{entry.control_count}) + "]");
+    }
+    ++entry.control_count;
+  }
+  return std::nullopt;
+}
+
+// [t, [x, y, z], [controls]], where the last may be missing.
+std::optional<Error> read_entry(JsonElement element, std::size_t index, Entry& entry) {
+  const auto path = [index](std::string_view part) {
+    return "points[" + std::to_string(index) + "]" + std::string(part);
+  };
+  simdjson::dom::array parts;
+  if (element.get(parts) != simdjson::SUCCESS || parts.size() < 2 || parts.size() > 3) {
+    return malformed(ErrorCode::kMalformedRecord,
+                     path("") + " is no [time, [x, y, z], [control points]]; correct it");
+  }
+  int part = 0;
+  for (const JsonElement item : parts) {
+    if (part == 0 && !read_json(item, entry.time_s)) return json_number_problem(item, path("[0]"));
+    if (part == 1 && !read_json(item, entry.point)) return json_point_problem(item, path("[1]"));
+    if (part == 2) {
+      simdjson::dom::array controls;
+      const bool none = item.get(controls) == simdjson::SUCCESS && controls.size() == 0;
+      if (!none) {
+        if (auto error = read_controls(item, path("[2]"), entry)) return error;
+      }
+    }
+    ++part;
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> read_points(JsonElement points, BezierPath& path) {
+  simdjson::dom::array entries;
+  if (points.get(entries) != simdjson::SUCCESS) {
+    return malformed(ErrorCode::kMalformedRecord, "points is " + std::string(json_kind(points)) +
+                                                      " where an array should be; correct it");
+  }
+  std::size_t index = 0;
+  double before_s = 0.0;
+  for (const JsonElement element : entries) {
+    Entry entry;
+    if (auto error = read_entry(element, index, entry)) return error;
+    if (index == 0) {
+      if (entry.control_count > 0) {
+        return malformed(ErrorCode::kMalformedRecord,
+                         "points[0] lists control points, but no piece ends there; remove them");
+      }
+      path.begins_s = entry.time_s;
+      path.begin = entry.point;
+    } else if (!(entry.time_s > before_s)) {
+      return malformed(ErrorCode::kTimeOrder,
+                       "the time of points[" + std::to_string(index) +
+                           "] does not come after the one before it; correct the trajectory");
+    } else {
+      path.pieces.push_back({entry.time_s, entry.point, entry.controls, entry.control_count});
+    }
+    before_s = entry.time_s;
+    ++index;
+  }
+  if (index == 0) return malformed(ErrorCode::kNoPoints, "points is empty; a path needs some");
+  return std::nullopt;
+}
+
+std::optional<Error> read_optional_time(JsonElement trajectory, const char* key,
+                                        std::optional<double>& time_s) {
+  const auto found = json_member(trajectory, key);
+  if (!found) return std::nullopt;
+  double value = 0.0;
+  if (!read_json(*found, value)) return json_number_problem(*found, key);
+  time_s = value;
+  return std::nullopt;
+}
+
+double begin_of(const BezierPath& path, std::size_t piece) {
+  return piece == 0 ? path.begins_s : path.pieces[piece - 1].ends_s;
+}
+
+const Point& start_of(const BezierPath& path, std::size_t piece) {
+  return piece == 0 ? path.begin : path.pieces[piece - 1].end;
+}
+
+bool stands_still(const BezierPath& path, std::size_t index) {
+  const BezierPiece& piece = path.pieces[index];
+  const Point& start = start_of(path, index);
+  bool still = piece.end == start;
+  for (std::size_t i = 0; i < piece.control_count; ++i) {
+    still = still && piece.controls[i] == start;
+  }
+  return still;
+}
+
+}  // namespace
+
+Result<Trajectory> read_trajectory(JsonElement trajectory) {
+  if (!trajectory.is_object()) {
+    return malformed(ErrorCode::kMalformedRecord,
+                     "the trajectory is " + std::string(json_kind(trajectory)) +
+                         " where an object should be; export the show again");
+  }
+  if (const auto version = json_member(trajectory, "version")) {
+    double number = 0.0;
+    if (version->get(number) != simdjson::SUCCESS || number != 1.0) {
+      return malformed(ErrorCode::kUnsupportedFormat,
+                       "the trajectory is of another version; version 1 is read");
+    }
+  }
+  const auto points = json_member(trajectory, "points");
+  if (!points) {
+    return malformed(ErrorCode::kMissingColumn,
+                     "the trajectory has no 'points'; export the show again");
+  }
+  Trajectory read;
+  if (auto error = read_points(*points, read.path)) return *std::move(error);
+  if (auto error = read_optional_time(trajectory, "takeoffTime", read.takeoff_s)) {
+    return *std::move(error);
+  }
+  if (auto error = read_optional_time(trajectory, "landingTime", read.landing_s)) {
+    return *std::move(error);
+  }
+  if (read.takeoff_s && read.landing_s && *read.landing_s < *read.takeoff_s) {
+    return malformed(ErrorCode::kTimeOrder,
+                     "landingTime comes before takeoffTime; correct the trajectory");
+  }
+  return read;
+}
+
+bool keep_flight(Trajectory& trajectory, const Ground& ground) {
+  BezierPath& path = trajectory.path;
+  const double ground_z = (ground.home ? *ground.home : path.begin).z;
+  const auto stands = [&](std::size_t piece) {
+    const Point& place = start_of(path, piece);
+    const bool low = place.z <= ground_z || place == ground.home || place == ground.land_at;
+    return low && stands_still(path, piece);
+  };
+  std::size_t first = 0;
+  std::size_t behind = path.pieces.size();
+  while (first < behind && trajectory.takeoff_s &&
+         path.pieces[first].ends_s <= *trajectory.takeoff_s) {
+    ++first;
+  }
+  while (first < behind && trajectory.landing_s &&
+         begin_of(path, behind - 1) >= *trajectory.landing_s) {
+    --behind;
+  }
+  while (first < behind && stands(first)) ++first;
+  while (first < behind && stands(behind - 1)) --behind;
+  if (first == 0 && behind == path.pieces.size()) return path.pieces.empty();
+
+  const double begins_s = begin_of(path, first);
+  const Point begin = start_of(path, first);
+  path.pieces.resize(behind);
+  path.pieces.erase(path.pieces.begin(), path.pieces.begin() + static_cast<std::ptrdiff_t>(first));
+  path.begins_s = begins_s;
+  path.begin = begin;
+  return true;
+}
+
+}  // namespace beespace::io

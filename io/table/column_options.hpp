@@ -1,0 +1,20 @@
+// How the columns of a table are to be taken.
+#pragma once
+
+#include "io/frames/coordinate_frame.hpp"
+#include "io/units/heights.hpp"
+#include "io/units/unit_wishes.hpp"
+
+#include <string>
+
+namespace beespace::io {
+
+struct ColumnOptions {
+  Frame frame = Frame::kAuto;
+  std::string columns = {};  // "lon=1,lat=2,height=3", by number (from 1) or name; empty: automatic
+  UnitWishes units = {};     // where the header names none
+  HeightSource heights = HeightSource::kAuto;  // of tables that have several
+  bool skip_bad = false;  // leave bad records out and list them, instead of failing at the first
+};
+
+}  // namespace beespace::io

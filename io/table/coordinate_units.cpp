@@ -1,0 +1,136 @@
+#include "io/table/coordinate_units.hpp"
+
+#include "io/problems/excerpt.hpp"
+#include "io/table/header_words.hpp"
+#include "io/table/table_sources.hpp"
+#include "io/table/unit_choice.hpp"
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace beespace::io {
+namespace {
+
+// Of what is named: a unit that is not read, or one of length where degrees are.
+std::optional<Error> unit_problem(const ColumnsSeen& seen, const ColumnChoice& choice,
+                                  bool geographic) {
+  for (std::size_t axis = 0; axis < choice.dimensions && !seen.names.empty(); ++axis) {
+    const std::size_t column = choice.axes[axis];
+    const HeaderWord word = read_header_word(seen.names[column]);
+    std::string unit = word.foreign_unit;
+    if (geographic && axis < 2 && word.unit != Unit::kUnstated) unit = symbol_of(word.unit);
+    if (unit.empty()) continue;
+    Error error{ErrorCode::kUnsupportedFormat,
+                "column " + excerpt(seen.names[column]) + " is in '" + unit +
+                    "', but longitudes and latitudes are read in degrees, and coordinates as "
+                    "lengths; convert it first, or say --crs metres if these are lengths",
+                {}};
+    error.place.column = column + 1;
+    return error;
+  }
+  return std::nullopt;
+}
+
+Error no_wish(std::string_view what, const std::string& why) {
+  return {ErrorCode::kInvalidArgument,
+          "--units " + std::string(what) + "=... is given, but " + why + "; leave it out",
+          {}};
+}
+
+// Says of x, y and z together what holds for all of them.
+std::vector<UnitTaken> put_together(const std::vector<UnitTaken>& taken) {
+  std::vector<UnitTaken> together;
+  for (const UnitTaken& one : taken) {
+    if (!together.empty() && together.back().unit == one.unit) {
+      std::string& of = together.back().of;
+      if (const std::size_t before = of.find(" and "); before != std::string::npos) {
+        of.replace(before, 5, ", ");
+      }
+      of += " and " + one.of;
+    } else {
+      together.push_back(one);
+    }
+  }
+  return together;
+}
+
+// Which unit each coordinate has.
+std::optional<Error> settle_units(const ColumnsSeen& seen, const ColumnOptions& options,
+                                  ColumnChoice& choice) {
+  const UnitWishes& wishes = options.units;
+  if (wishes.position != Unit::kUnstated && options.frame == Frame::kAuto &&
+      choice.evidence == Frame::kAuto) {
+    choice.evidence = Frame::kMetres;
+    choice.reason = "--units gives positions a unit of length";
+  }
+  const Frame frame = options.frame != Frame::kAuto ? options.frame : choice.evidence;
+  const bool geographic = frame == Frame::kWgs84;
+  if (auto problem = unit_problem(seen, choice, geographic)) return problem;
+  if (geographic && wishes.position != Unit::kUnstated) {
+    return no_wish("position", "positions are in degrees");
+  }
+  if (choice.dimensions == 2 && wishes.height != Unit::kUnstated) {
+    return no_wish("height", "there is no height");
+  }
+  constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
+  UnitChoice chooser(seen.names, wishes);
+  std::vector<UnitTaken> taken;
+  std::vector<ColumnUnit> units;
+  for (std::size_t axis = geographic ? 2 : 0; axis < choice.dimensions; ++axis) {
+    const std::size_t column = choice.axes[axis];
+    const bool named = column < seen.names.size();
+    const HeaderWord word = named ? read_header_word(seen.names[column]) : HeaderWord();
+    // What is said of positions is not of a z that names its own unit.
+    const bool height =
+        axis == 2 && (geographic || word.role == Role::kHeight || word.unit != Unit::kUnstated ||
+                      wishes.height != Unit::kUnstated);
+    const auto unit = chooser.choose(height ? UnitRole::kHeight : UnitRole::kPosition,
+                                     geographic ? "heights" : kAxes[axis], column, word.unit);
+    if (!unit) return unit.error();
+    choice.units[axis] = unit->unit;
+    if (named) units.push_back({column, unit->unit, unit->evidence});
+    taken.push_back(*unit);
+    if (axis < 2) continue;
+    choice.datum = word.datum;
+    const KnownColumn* const known =
+        chooser.source() != nullptr && named ? chooser.source()->find(seen.names[column]) : nullptr;
+    if (known != nullptr) choice.datum = known->datum;
+  }
+  choice.units_taken = put_together(taken);
+  return half_stated(seen.names, units);
+}
+
+// The caller wants heights of one kind, and these are of the other.
+std::optional<Error> datum_problem(const ColumnsSeen& seen, const ColumnOptions& options,
+                                   const ColumnChoice& choice) {
+  const bool pressure = choice.datum == HeightDatum::kPressure;
+  const bool wrong =
+      (options.heights == HeightSource::kPressure && choice.datum != HeightDatum::kPressure &&
+       choice.datum != HeightDatum::kUnstated) ||
+      (options.heights == HeightSource::kGeometric && pressure);
+  if (!wrong || choice.dimensions < 3) return std::nullopt;
+  return Error{ErrorCode::kInvalidArgument,
+               "the heights of column " + excerpt(seen.names[choice.axes[2]]) + " are " +
+                   (pressure ? "by pressure, but --heights geometric"
+                             : "geometric, but --heights pressure") +
+                   " is given; leave it out, or name another column with --columns",
+               {}};
+}
+
+}  // namespace
+
+std::optional<Error> settle_coordinate_units(const ColumnsSeen& seen, const ColumnOptions& options,
+                                             ColumnChoice& choice) {
+  if (auto problem = settle_units(seen, options, choice)) return problem;
+  return datum_problem(seen, options, choice);
+}
+
+Point in_metric(const Point& point, const ColumnChoice& choice) {
+  return {in_metric(point.x, choice.units[0]), in_metric(point.y, choice.units[1]),
+          in_metric(point.z, choice.units[2])};
+}
+
+}  // namespace beespace::io

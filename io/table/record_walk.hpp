@@ -1,0 +1,54 @@
+// A walk over the records of a text table, line by line, counting lines and data rows. Blank lines
+// are lines but no rows. Finds line ends and nothing else, so it costs little more than memchr.
+#pragma once
+
+#include "io/bytes/characters.hpp"
+#include "io/table/fields.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <string_view>
+
+namespace beespace::io {
+
+class RecordWalk {
+ public:
+  // From `begin`, the start of a line, to the end of `text`.
+  RecordWalk(std::string_view text, std::size_t begin, char line_end)
+      : at_(text.data() + begin), end_(text.data() + text.size()), line_end_(line_end) {}
+
+  // To the next record; false when there is none.
+  bool next() {
+    while (at_ < end_) {
+      const char* const begin = at_;
+      const void* const found = std::memchr(begin, line_end_, static_cast<std::size_t>(end_ - at_));
+      const char* behind = found != nullptr ? static_cast<const char*>(found) : end_;
+      at_ = behind + (found != nullptr ? 1 : 0);
+      ++lines_;
+      if (line_end_ == '\n' && behind > begin && behind[-1] == '\r') --behind;
+      line_ = std::string_view(begin, static_cast<std::size_t>(behind - begin));
+      const bool surely_no_blank = behind > begin && *begin > ' ';
+      if (surely_no_blank || !is_blank_line(line_)) {
+        ++rows_;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  [[nodiscard]] std::string_view record() const { return line_; }
+  // 0-based, of the current record, counted from where the walk began.
+  [[nodiscard]] std::uint64_t row() const { return rows_ - 1; }
+  [[nodiscard]] std::uint64_t line() const { return lines_ - 1; }
+
+ private:
+  const char* at_;
+  const char* end_;
+  char line_end_;
+  std::string_view line_ = {};
+  std::uint64_t rows_ = 0;
+  std::uint64_t lines_ = 0;
+};
+
+}  // namespace beespace::io

@@ -1,0 +1,350 @@
+#include "io/table/table_layout.hpp"
+
+#include "io/bytes/characters.hpp"
+#include "io/bytes/number.hpp"
+#include "io/problems/excerpt.hpp"
+#include "io/table/column_choice.hpp"
+#include "io/table/fields.hpp"
+#include "io/table/header_words.hpp"
+#include "io/table/record_problems.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <optional>
+#include <utility>
+
+namespace beespace::io {
+namespace {
+
+constexpr std::size_t kSampleLines = 16;
+constexpr std::size_t kSampleBytes = std::size_t{1} << 16;
+
+// "1,5": a number as half of the world writes it.
+bool is_decimal_comma(std::string_view text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string_view::npos || comma + 1 == text.size()) return false;
+  std::string point(text);
+  point[comma] = '.';
+  double value = 0.0;
+  return parse_number(point, value) == NumberKind::kNumber;
+}
+
+bool looks_numeric(std::string_view text) {
+  text = without_padding(text);
+  double value = 0.0;
+  return parse_number(text, value) != NumberKind::kNotANumber || is_decimal_comma(text);
+}
+
+struct FieldCount {
+  std::size_t fields = 0;
+  std::size_t numeric = 0;
+};
+
+FieldCount count_fields(std::string_view line, char delimiter) {
+  FieldCount count;
+  Field field;
+  FieldCursor cursor(line, delimiter);
+  while (cursor.next(field)) {
+    ++count.fields;
+    if (looks_numeric(field.text)) ++count.numeric;
+  }
+  return count;
+}
+
+// The delimiter that makes the most numbers of the first lines, and the least else; where none
+// does, the first that splits the first line. ',' is asked after ';' and tab, since it may also be
+// a decimal comma.
+char find_delimiter(const std::vector<std::string_view>& lines) {
+  char best = '\0';
+  std::size_t most = 0;
+  std::size_t least_else = 0;
+  char splitting = '\0';
+  for (const char delimiter : {'\t', ';', ',', ' '}) {
+    std::size_t numeric = 0;
+    std::size_t other = 0;
+    for (const auto line : lines) {
+      const FieldCount count = count_fields(line, delimiter);
+      if (count.fields < 2) continue;
+      numeric += count.numeric;
+      other += count.fields - count.numeric;
+    }
+    if (numeric > most || (numeric == most && numeric > 0 && other < least_else)) {
+      most = numeric;
+      least_else = other;
+      best = delimiter;
+    }
+    if (splitting == '\0' && count_fields(lines.front(), delimiter).fields > 1) {
+      splitting = delimiter;
+    }
+  }
+  if (best != '\0') return best;
+  return splitting != '\0' ? splitting : ',';
+}
+
+// '\r' only where it stands alone before the first '\n'.
+char find_line_end(std::string_view text) {
+  const std::string_view head = text.substr(0, kLongestLine + 2);
+  const std::size_t newline = head.find('\n');
+  if (newline != std::string_view::npos) {
+    const std::size_t carriage = head.substr(0, newline).find('\r');
+    return carriage == std::string_view::npos || carriage + 1 == newline ? '\n' : '\r';
+  }
+  return head.find('\r') == std::string_view::npos ? '\n' : '\r';
+}
+
+std::vector<std::string_view> sample_lines(std::string_view text, std::size_t offset,
+                                           char line_end) {
+  std::vector<std::string_view> lines;
+  const std::size_t end = std::min(text.size(), offset + kSampleBytes);
+  while (offset < end && lines.size() < kSampleLines) {
+    const Line line = line_at(text, offset, line_end);
+    // The first one whole; of others no halves.
+    const bool taken = lines.empty() || line.text.size() <= kSampleBytes;
+    if (taken && !is_blank_line(line.text)) lines.push_back(line.text);
+    offset = line.next;
+  }
+  return lines;
+}
+
+// The fields of a line and what they look like.
+struct LineFields {
+  std::vector<std::string> fields = {};
+  std::vector<ColumnContent> contents = {};
+
+  [[nodiscard]] bool has_number() const {
+    return std::find(contents.begin(), contents.end(), ColumnContent::kNumber) != contents.end();
+  }
+};
+
+ColumnContent content_of_field(std::string_view text) {
+  text = without_padding(text);
+  if (looks_numeric(text)) return ColumnContent::kNumber;
+  const std::string lower = lower_case(text);
+  for (const std::string_view nothing : {"", "n/a", "na", "null", "none", "nil", "-", "--", "?"}) {
+    if (lower == nothing) return ColumnContent::kUnknown;
+  }
+  return ColumnContent::kText;
+}
+
+Result<LineFields> read_fields(std::string_view line, char delimiter) {
+  LineFields found;
+  Field field;
+  FieldCursor cursor(line, delimiter);
+  while (cursor.next(field)) {
+    found.fields.push_back(unquoted(field));
+    found.contents.push_back(content_of_field(field.text));
+  }
+  if (!cursor.problem().empty()) {
+    Error error{ErrorCode::kMalformedRecord,
+                std::string(cursor.problem()) + ": " + excerpt(line) +
+                    "; correct the line, a record may not span several lines",
+                {}};
+    error.place.column = found.fields.size() + 1;
+    return error;
+  }
+  return found;
+}
+
+// What most of the lines from `first` on have in common: how many columns, and what they hold.
+ColumnsSeen look_at_records(const std::vector<std::string_view>& lines, std::size_t first,
+                            char delimiter) {
+  std::vector<LineFields> records;
+  for (std::size_t i = first; i < lines.size(); ++i) {
+    auto record = read_fields(lines[i], delimiter);
+    if (record) records.push_back(std::move(record).value());
+  }
+  ColumnsSeen seen;
+  std::ptrdiff_t most = 0;
+  for (const LineFields& record : records) {
+    const std::size_t fields = record.fields.size();
+    const auto alike = std::count_if(records.begin(), records.end(), [fields](const auto& other) {
+      return other.fields.size() == fields;
+    });
+    if (alike > most) {
+      most = alike;
+      seen.count = fields;
+    }
+  }
+  seen.contents.assign(seen.count, ColumnContent::kUnknown);
+  for (const LineFields& record : records) {
+    if (record.fields.size() != seen.count) continue;
+    for (std::size_t i = 0; i < seen.count; ++i) {
+      if (seen.contents[i] != ColumnContent::kNumber &&
+          record.contents[i] != ColumnContent::kUnknown) {
+        seen.contents[i] = record.contents[i];
+      }
+    }
+  }
+  return seen;
+}
+
+bool is_value_like(const std::string& field) {
+  const std::string_view text = without_padding(field);
+  if (content_of_field(text) == ColumnContent::kUnknown) return true;
+  const std::size_t digit = text.find_first_not_of("+-.");
+  return digit != std::string_view::npos && text[digit] >= '0' && text[digit] <= '9';
+}
+
+// Whether a first line without any number is a damaged record rather than names. A name that is
+// known, or a comment sign, makes it a header.
+std::optional<std::size_t> damaged_value(const LineFields& line) {
+  for (const std::string& name : line.fields) {
+    if (content_of_field(name) == ColumnContent::kUnknown) continue;
+    const HeaderWord word = read_header_word(name);
+    if (word.role != Role::kNone || word.says_position) return std::nullopt;
+  }
+  const auto begin = line.fields.begin();
+  const auto full = std::find_if(begin, line.fields.end(), [](const std::string& field) {
+    return !without_padding(field).empty() && is_value_like(field);
+  });
+  if (full != line.fields.end()) return static_cast<std::size_t>(full - begin);
+  if (std::all_of(begin, line.fields.end(), is_value_like)) return 0;
+  return std::nullopt;
+}
+
+Error no_points(bool header) {
+  return {ErrorCode::kNoPoints,
+          header ? "there is a header and no record after it; at least one point is needed"
+                 : "the input is empty; at least one point is needed",
+          {}};
+}
+
+// The line without the "#" that some programs put before the names.
+std::string_view without_comment_sign(std::string_view line) {
+  const std::string_view text = without_padding(line);
+  return !text.empty() && text.front() == '#' ? without_padding(text.substr(1)) : line;
+}
+
+Error comment_error(std::string_view line) {
+  return {ErrorCode::kMalformedRecord,
+          "a comment line: " + excerpt(line) +
+              "; comments are not read, remove it (or name the columns: # x y z)",
+          {}};
+}
+
+// Takes the first line as the header, where it is one.
+std::optional<Error> read_header_line(const std::vector<std::string_view>& samples,
+                                      const Line& line, bool skip_bad, TableLayout& layout,
+                                      ColumnsSeen& seen) {
+  const std::string_view names = samples.front();
+  const bool comment = names.data() != line.text.data();
+  auto first = read_fields(names, layout.delimiter);
+  if (!first) return first.error();
+  if (first->has_number()) {
+    if (comment) return comment_error(line.text);
+    return std::nullopt;
+  }
+  if (const auto damaged = damaged_value(first.value()); damaged && !comment) {
+    if (skip_bad) return std::nullopt;
+    Error error{ErrorCode::kNotANumber,
+                excerpt(first->fields[*damaged]) +
+                    " is neither a number nor the name of a column; correct the line, or put a "
+                    "header before it",
+                {}};
+    error.place.column = *damaged + 1;
+    return error;
+  }
+  const ColumnsSeen records = look_at_records(samples, 1, layout.delimiter);
+  const std::size_t count = first->fields.size();
+  if (comment && records.count != 0 && records.count != count) return comment_error(line.text);
+  layout.header = comment ? names : line.text;
+  layout.names = seen.names = std::move(first->fields);
+  layout.data_offset = line.next;
+  layout.lines_before += 1;
+  seen.contents = records.contents;
+  seen.contents.resize(count, ColumnContent::kUnknown);
+  seen.count = count;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Error> no_record_problem(std::string_view text, const TableLayout& layout) {
+  if (text.find_first_not_of(" \t\r\n\v\f", layout.data_offset) != std::string_view::npos) {
+    return std::nullopt;
+  }
+  return no_points(true);
+}
+
+std::string_view delimiter_name(char delimiter) {
+  switch (delimiter) {
+    case ';':
+      return "semicolon";
+    case '\t':
+      return "tab";
+    case ' ':
+      return "space";
+    default:
+      return "comma";
+  }
+}
+
+Line line_at(std::string_view text, std::size_t offset, char line_end) {
+  const std::string_view rest = text.substr(offset);
+  const void* const found =
+      rest.empty() ? nullptr : std::memchr(rest.data(), line_end, rest.size());
+  if (found == nullptr) {
+    std::string_view line = rest;
+    if (line_end == '\n' && !line.empty() && line.back() == '\r') line.remove_suffix(1);
+    return {line, text.size()};
+  }
+  const auto length = static_cast<std::size_t>(static_cast<const char*>(found) - rest.data());
+  std::string_view line = rest.substr(0, length);
+  if (line_end == '\n' && !line.empty() && line.back() == '\r') line.remove_suffix(1);
+  return {line, offset + length + 1};
+}
+
+std::uint64_t first_line(const TableLayout& layout) {
+  return layout.lines_before + (layout.header.empty() ? 1 : 0);
+}
+
+Result<TableLayout> find_table(std::string_view text, bool skip_bad, ColumnsSeen& seen) {
+  TableLayout layout;
+  layout.line_end = find_line_end(text);
+  std::size_t offset = 0;
+  Line line{{}, 0};
+  while (true) {
+    if (offset >= text.size()) return no_points(false);
+    line = line_at(text, offset, layout.line_end);
+    if (!is_blank_line(line.text)) break;
+    offset = line.next;
+    ++layout.lines_before;
+  }
+  const std::uint64_t line_number = layout.lines_before + 1;
+  if (line.text.size() > kLongestLine) {
+    Error error = long_line(line.text);
+    error.place.line = line_number;
+    return error;
+  }
+  auto samples = sample_lines(text, offset, layout.line_end);
+  samples.front() = without_comment_sign(samples.front());
+  layout.delimiter = find_delimiter(samples);
+  layout.data_offset = offset;
+  seen = look_at_records(samples, 0, layout.delimiter);
+  if (auto error = read_header_line(samples, line, skip_bad, layout, seen)) {
+    if (error->code != ErrorCode::kInvalidArgument) error->place.line = line_number;
+    return *std::move(error);
+  }
+  layout.columns = seen.count;
+  return layout;
+}
+
+Result<TableLayout> find_layout(std::string_view text, const ColumnOptions& options) {
+  ColumnsSeen seen;
+  auto layout = find_table(text, options.skip_bad, seen);
+  if (!layout) return layout;
+  auto choice = choose_columns(seen, options);
+  if (!choice) {
+    Error error = choice.error();
+    // What is wrong with an option as such is no matter of a line.
+    if (error.code != ErrorCode::kInvalidArgument || error.place.column) {
+      error.place.line = first_line(*layout);
+    }
+    return error;
+  }
+  layout->choice = std::move(choice).value();
+  if (auto error = no_record_problem(text, *layout)) return *std::move(error);
+  return layout;
+}
+
+}  // namespace beespace::io

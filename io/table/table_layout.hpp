@@ -1,0 +1,78 @@
+// How a text table is laid out: what separates lines and fields, whether there is a header, and
+// which columns hold the position. Found from the first lines, the header and the caller's wishes.
+#pragma once
+
+#include "io/frames/coordinate_frame.hpp"
+#include "io/frames/frame_decision.hpp"
+#include "io/table/column_options.hpp"
+#include "io/units/heights.hpp"
+#include "io/units/unit_taken.hpp"
+
+#include <beespace/result.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace beespace::io {
+
+// Which columns (0-based) hold which coordinate, and what that says about the frame.
+struct ColumnChoice {
+  std::array<std::size_t, 3> axes = {0, 1, 2};  // x or longitude, y or latitude, z or height
+  std::size_t dimensions = 3;                   // 2: there is no third coordinate, it is 0
+  std::optional<std::size_t> id = {};
+  Frame evidence = Frame::kAuto;  // what names and wishes say; kAuto: nothing
+  std::string reason = {};        // and why
+  Naming naming = Naming::kSure;  // how sure that is
+  // Of the three, and what is to be said of that; of degrees none.
+  std::array<Unit, 3> units = {Unit::kMetre, Unit::kMetre, Unit::kMetre};
+  std::vector<UnitTaken> units_taken = {};
+  HeightDatum datum = HeightDatum::kUnstated;
+
+  [[nodiscard]] bool is_metric() const {
+    return units == std::array<Unit, 3>{Unit::kMetre, Unit::kMetre, Unit::kMetre};
+  }
+  [[nodiscard]] Unit height_unit() const { return dimensions == 3 ? units[2] : Unit::kMetre; }
+};
+
+struct TableLayout {
+  char line_end = '\n';  // '\r' for files of the old Macintosh
+  char delimiter = ',';
+  std::string_view header = {};         // the header line, empty when there is none
+  std::vector<std::string> names = {};  // of the columns, when there is a header
+  std::size_t columns = 0;              // in every record
+  std::size_t data_offset = 0;          // where the first line after the header begins
+  std::uint64_t lines_before = 0;       // how many lines lie before that place
+  ColumnChoice choice = {};
+};
+
+// `text` has no byte-order mark any more. Errors: kNoPoints, kMalformedRecord, kMissingColumn,
+// kInvalidArgument, kUnsupportedFormat; without place.source.
+Result<TableLayout> find_layout(std::string_view text, const ColumnOptions& options);
+
+// The same without the choice of columns: that is left to who knows what they mean, with what can
+// be seen of them in `seen`.
+struct ColumnsSeen;
+Result<TableLayout> find_table(std::string_view text, bool skip_bad, ColumnsSeen& seen);
+
+// kNoPoints where nothing follows the header.
+std::optional<Error> no_record_problem(std::string_view text, const TableLayout& layout);
+
+// The line (1-based) that what is wrong with the columns as such is blamed on.
+std::uint64_t first_line(const TableLayout& layout);
+
+// "comma", "semicolon", "tab" or "space".
+std::string_view delimiter_name(char delimiter);
+
+// The line at `offset` without its line end, and where the next one begins.
+struct Line {
+  std::string_view text;
+  std::size_t next;
+};
+Line line_at(std::string_view text, std::size_t offset, char line_end);
+
+}  // namespace beespace::io

@@ -1,0 +1,140 @@
+#include "io/table/table_sources.hpp"
+
+#include "io/bytes/characters.hpp"
+#include "io/problems/excerpt.hpp"
+#include "io/table/fields.hpp"
+#include "io/table/header_words.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace beespace::io {
+namespace {
+
+// traffic: https://traffic-viz.github.io (columns of its Flight and Traffic tables).
+// OpenSky: the history tables state_vectors_data4, as its documentation lists them.
+const std::array<TableSource, 2>& known_sources() {
+  using Column = SourceColumn;
+  static const std::array<TableSource, 2> sources = {
+      TableSource{"traffic",
+                  "velocity vertrate baroaltitude",
+                  {{"icao24", Column::kHeight},
+                   {"groundspeed", Column::kGroundSpeed, Unit::kKnot},
+                   {"track", Column::kTrack},
+                   {"vertical_rate", Column::kClimb, Unit::kFootPerMinute},
+                   {"altitude", Column::kHeight, Unit::kFoot, HeightDatum::kPressure},
+                   {"geoaltitude", Column::kHeight, Unit::kFoot, HeightDatum::kEllipsoid}}},
+      TableSource{"OpenSky",
+                  "groundspeed vertical_rate altitude",
+                  {{"icao24", Column::kHeight},
+                   {"time", Column::kUnixSeconds, Unit::kUnstated, HeightDatum::kUnstated, false},
+                   {"velocity", Column::kGroundSpeed, Unit::kMetrePerSecond},
+                   {"heading", Column::kTrack},
+                   {"vertrate", Column::kClimb, Unit::kMetrePerSecond},
+                   {"baroaltitude", Column::kHeight, Unit::kMetre, HeightDatum::kPressure},
+                   {"geoaltitude", Column::kHeight, Unit::kMetre, HeightDatum::kEllipsoid}}}};
+  return sources;
+}
+
+// One word of a name is enough.
+constexpr std::array<std::string_view, 26> kAviationWords = {
+    "icao",     "icao24",       "callsign",     "squawk",      "groundspeed", "gs",   "hex",
+    "vertrate", "verticalrate", "baroaltitude", "geoaltitude", "onground",    "adsb", "tas",
+    "ias",      "cas",          "roc",          "rocd",        "flightlevel", "fl",   "kt",
+    "kts",      "knots",        "fpm",          "aircraft",    "mach"};
+
+// Two, one behind the other.
+constexpr std::array<std::array<std::string_view, 2>, 16> kAviationPairs = {
+    {{"ground", "speed"},
+     {"vertical", "rate"},
+     {"vert", "rate"},
+     {"vertical", "speed"},
+     {"baro", "rate"},
+     {"geom", "rate"},
+     {"climb", "rate"},
+     {"baro", "altitude"},
+     {"baro", "alt"},
+     {"alt", "baro"},
+     {"alt", "geom"},
+     {"geo", "altitude"},
+     {"geom", "altitude"},
+     {"pressure", "altitude"},
+     {"on", "ground"},
+     {"flight", "level"}}};
+
+std::string plain_name(std::string_view name) {
+  return lower_case(without_padding(name));
+}
+
+bool has_name(const std::vector<std::string>& names, std::string_view wanted) {
+  return std::any_of(names.begin(), names.end(),
+                     [wanted](const std::string& name) { return plain_name(name) == wanted; });
+}
+
+bool is_header_of(const TableSource& source, const std::vector<std::string>& names) {
+  const auto there = [&names](const KnownColumn& column) {
+    return !column.needed || has_name(names, column.name);
+  };
+  if (!std::all_of(source.columns.begin(), source.columns.end(), there)) return false;
+  return std::none_of(names.begin(), names.end(), [&source](const std::string& name) {
+    const std::string plain = plain_name(name);
+    std::string_view rest = source.contrary;
+    while (!rest.empty()) {
+      const std::size_t blank = std::min(rest.find(' '), rest.size());
+      if (rest.substr(0, blank) == plain) return true;
+      rest.remove_prefix(std::min(blank + 1, rest.size()));
+    }
+    return false;
+  });
+}
+
+}  // namespace
+
+const KnownColumn* TableSource::find(std::string_view column) const {
+  const std::string plain = plain_name(column);
+  const auto found =
+      std::find_if(columns.begin(), columns.end(), [&plain](const KnownColumn& known) {
+        const bool says_more = known.unit != Unit::kUnstated ||
+                               known.holds == SourceColumn::kTrack ||
+                               known.holds == SourceColumn::kUnixSeconds;
+        return says_more && known.name == plain;
+      });
+  return found == columns.end() ? nullptr : &*found;
+}
+
+const TableSource* source_of(const std::vector<std::string>& names) {
+  for (const TableSource& source : known_sources()) {
+    if (is_header_of(source, names)) return &source;
+  }
+  return nullptr;
+}
+
+bool speaks_of_aviation(std::string_view name) {
+  const std::vector<std::string> words = split_words(name);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (std::find(kAviationWords.begin(), kAviationWords.end(), words[i]) != kAviationWords.end()) {
+      return true;
+    }
+    if (i + 1 == words.size()) break;
+    for (const auto& [first, second] : kAviationPairs) {
+      if (words[i] == first && words[i + 1] == second) return true;
+    }
+  }
+  return false;
+}
+
+std::string words_of_aviation(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 3;
+  std::vector<std::string> found;
+  for (const std::string& name : names) {
+    if (found.size() < kMost && speaks_of_aviation(name)) found.push_back(excerpt(name));
+  }
+  std::string text;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    text += i == 0 ? "" : i + 1 == found.size() ? " and " : ", ";
+    text += found[i];
+  }
+  return text;
+}
+
+}  // namespace beespace::io

@@ -1,0 +1,54 @@
+// Tables of known sources, told by their whole header, and the words of aviation: what a header
+// says of units without naming them. Both are data (table_sources.cpp).
+#pragma once
+
+#include "io/units/heights.hpp"
+#include "io/units/unit_wishes.hpp"
+#include "io/units/units.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace beespace::io {
+
+// What a column of a known source holds beyond what its name says.
+enum class SourceColumn : std::uint8_t {
+  kHeight,
+  kGroundSpeed,
+  kTrack,  // the direction over ground, in degrees
+  kClimb,
+  kUnixSeconds,
+};
+
+struct KnownColumn {
+  std::string_view name;
+  SourceColumn holds;
+  Unit unit = Unit::kUnstated;
+  HeightDatum datum = HeightDatum::kUnstated;
+  bool needed = true;  // for the source to be told
+};
+
+struct TableSource {
+  std::string_view name;      // "traffic"
+  std::string_view contrary;  // a word that its headers never have; blanks between several
+  std::vector<KnownColumn> columns;
+
+  // Nothing for columns that say all by themselves.
+  [[nodiscard]] const KnownColumn* find(std::string_view column) const;
+};
+
+// The source whose documented header this is: all its columns are there, and none that it never
+// has. In any case.
+const TableSource* source_of(const std::vector<std::string>& names);
+
+// Whether a column is one that tables of aircraft have and others do not: "icao24", "squawk".
+bool speaks_of_aviation(std::string_view name);
+
+// The first columns that do, at most three: "'icao24' and 'groundspeed'"; empty where none does.
+std::string words_of_aviation(const std::vector<std::string>& names);
+
+}  // namespace beespace::io

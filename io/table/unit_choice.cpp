@@ -1,0 +1,106 @@
+#include "io/table/unit_choice.hpp"
+
+#include "io/problems/excerpt.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace beespace::io {
+namespace {
+
+Error at_column(std::string message, std::size_t column) {
+  Error error{ErrorCode::kInvalidArgument, std::move(message), {}};
+  error.place.column = column + 1;
+  return error;
+}
+
+bool is_metric(Unit unit) {
+  return unit == Unit::kMetre || unit == Unit::kMetrePerSecond;
+}
+
+// What is usual in aviation.
+Unit usual(UnitRole role) {
+  if (role == UnitRole::kClimb) return Unit::kFootPerMinute;
+  return role == UnitRole::kSpeed ? Unit::kKnot : Unit::kFoot;
+}
+
+Unit ours(UnitRole role) {
+  return quantity_of(role) == Quantity::kLength ? Unit::kMetre : Unit::kMetrePerSecond;
+}
+
+}  // namespace
+
+UnitChoice::UnitChoice(const std::vector<std::string>& names, const UnitWishes& wishes)
+    : names_(names),
+      wishes_(wishes),
+      source_(source_of(names)),
+      aviation_(words_of_aviation(names)) {
+}
+
+Error UnitChoice::unknown(UnitRole role, std::size_t column) const {
+  const std::string name = names_[column];
+  const std::string word(role_name(role));
+  const std::string unit(symbol_of(usual(role)));
+  const std::string metric(symbol_of(ours(role)));
+  return at_column("column " + std::to_string(column + 1) + " " + excerpt(name) + " holds the " +
+                       word + ", but in which unit? The header speaks of aviation (" + aviation_ +
+                       "), where it may be " + unit + " or " + metric +
+                       "; say it in the header, as in " + excerpt(name + " [" + unit + "]") +
+                       " or " + excerpt(name + " [" + metric + "]") + ", or with --units " + word +
+                       "=" + unit + " or " + word + "=" + metric,
+                   column);
+}
+
+Result<UnitTaken> UnitChoice::choose(UnitRole role, const std::string& of, std::size_t column,
+                                     Unit stated) {
+  const std::string name = column < names_.size() ? excerpt(names_[column]) : "";
+  Unit wish = wishes_.of(role);
+  // What is said of all of a position holds for a height that says nothing of itself.
+  if (wish == Unit::kUnstated && role == UnitRole::kHeight && stated == Unit::kUnstated) {
+    wish = wishes_.position;
+  }
+  if (stated != Unit::kUnstated) {
+    if (wish != Unit::kUnstated && wish != stated) {
+      return at_column("column " + std::to_string(column + 1) + " " + name + " names its unit, " +
+                           std::string(symbol_of(stated)) + ", but --units says " +
+                           std::string(symbol_of(wish)) + "; leave one of them out",
+                       column);
+    }
+    return UnitTaken{of, stated, UnitEvidence::kNamed, "the header names it: " + name};
+  }
+  if (wish != Unit::kUnstated)
+    return UnitTaken{of, wish, UnitEvidence::kAsked, "asked for with --units"};
+  if (source_ != nullptr && !name.empty()) {
+    const KnownColumn* const known = source_->find(names_[column]);
+    if (known != nullptr && known->unit != Unit::kUnstated) {
+      return UnitTaken{
+          of, known->unit, UnitEvidence::kSource,
+          "the header is that of " + std::string(source_->name) + ", which has " + name + " in it"};
+    }
+  }
+  if (!aviation_.empty() && role != UnitRole::kPosition && !name.empty()) {
+    return unknown(role, column);
+  }
+  return UnitTaken{of, ours(role), UnitEvidence::kUsual,
+                   names_.empty() ? "there is no header that says otherwise"
+                                  : "no unit is named, and nothing speaks of aviation"};
+}
+
+std::optional<Error> half_stated(const std::vector<std::string>& names,
+                                 const std::vector<ColumnUnit>& units) {
+  const auto foreign = std::find_if(units.begin(), units.end(), [](const ColumnUnit& one) {
+    return one.evidence == UnitEvidence::kNamed && !is_metric(one.unit);
+  });
+  const auto silent = std::find_if(units.begin(), units.end(), [](const ColumnUnit& one) {
+    return one.evidence == UnitEvidence::kUsual;
+  });
+  if (foreign == units.end() || silent == units.end()) return std::nullopt;
+  return at_column(
+      "column " + excerpt(names[foreign->column]) + " is in " +
+          std::string(symbol_of(foreign->unit)) + ", but " + excerpt(names[silent->column]) +
+          " beside it names no unit; name it in the header too, as in " +
+          excerpt(names[silent->column] + " [" + std::string(symbol_of(foreign->unit)) + "]"),
+      silent->column);
+}
+
+}  // namespace beespace::io

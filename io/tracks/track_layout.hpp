@@ -1,0 +1,58 @@
+// How a table of fixes is laid out: which columns hold the id, the time, the position and the
+// velocity. Told by the names in the header and the caller's wishes; nothing is guessed.
+#pragma once
+
+#include "io/frames/coordinate_frame.hpp"
+#include "io/recording/recording_options.hpp"
+#include "io/table/table_layout.hpp"
+#include "io/units/unit_taken.hpp"
+
+#include <beespace/result.hpp>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace beespace::io {
+
+struct TimeChoice {
+  std::size_t column = 0;
+  TimeUnit unit = TimeUnit::kAuto;
+  bool iso = false;  // dates and times, not numbers
+  bool since_1970 = false;
+};
+
+struct VelocityChoice {
+  std::array<std::size_t, 3> columns = {};  // along x, y, z, or east, north, up
+  std::size_t dimensions = 3;               // 2: there is no third one
+  bool down = false;                        // the third one counts downwards
+  // They are the speed over ground, its direction in degrees, and the climb rate.
+  bool over_ground = false;
+  std::array<Unit, 3> units = {Unit::kMetrePerSecond, Unit::kMetrePerSecond, Unit::kMetrePerSecond};
+};
+
+struct TrackLayout {
+  TableLayout table = {};  // the position in table.choice, and the id
+  Frame frame = Frame::kAuto;
+  std::string frame_reason = {};
+  std::optional<TimeChoice> time = {};  // none: a snapshot
+  std::optional<VelocityChoice> velocity = {};
+  std::vector<UnitTaken> units = {};  // of positions and velocities
+  std::vector<std::string> notes = {};
+};
+
+// `text` has no byte-order mark. `bare_skybrush`: a table without a header is a Skybrush CSV.
+// Errors: those of find_layout(), kInvalidArgument where a unit of time must be said,
+// kUnsupportedFormat for a unit that is not read; with line, without source.
+Result<TrackLayout> find_track_layout(std::string_view text, const RecordingOptions& options,
+                                      bool bare_skybrush);
+
+// The same for records whose columns are known already: `table` says how `text`, one or more of
+// them, is split, and `seen` what the columns are called and hold. Errors without line.
+Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text, ColumnsSeen& seen,
+                                        const RecordingOptions& options);
+
+}  // namespace beespace::io

@@ -1,0 +1,227 @@
+#include "io/tracks/track_record.hpp"
+
+#include "io/bytes/characters.hpp"
+#include "io/bytes/number.hpp"
+#include "io/frames/to_metres.hpp"
+#include "io/frames/track_domain.hpp"
+#include "io/problems/excerpt.hpp"
+#include "io/problems/skipped_records.hpp"
+#include "io/table/coordinate_units.hpp"
+#include "io/table/fields.hpp"
+#include "io/table/record_problems.hpp"
+#include "io/tracks/track_velocity.hpp"
+#include "io/tracks/track_words.hpp"
+#include "io/units/iso_time.hpp"
+
+#include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
+
+namespace beespace::io {
+namespace {
+
+constexpr std::size_t kId = 0;
+constexpr std::size_t kTime = 1;
+constexpr std::size_t kPosition = 2;
+constexpr std::size_t kVelocity = 5;
+constexpr std::size_t kNothing = 8;  // where columns go that nobody asks for
+
+Point free_of_dust(const Point& point) {
+  return {without_dust(point.x), without_dust(point.y), without_dust(point.z)};
+}
+
+// [-]digits[.digits] while it fits: one division of exact doubles rounds correctly.
+bool read_short_number(std::string_view text, double& value) {
+  constexpr std::size_t kMostDigits = 15;
+  const bool negative = !text.empty() && text.front() == '-';
+  if (negative) text.remove_prefix(1);
+  if (text.empty() || text.size() > kMostDigits + 1) return false;
+  std::uint64_t mantissa = 0;
+  std::size_t point = text.size();
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '.' && point == text.size() && i > 0) {
+      point = i;
+      continue;
+    }
+    const auto digit = static_cast<unsigned char>(text[i] - '0');
+    if (digit > 9) return false;
+    mantissa = mantissa * 10 + digit;
+  }
+  const std::size_t decimals = point == text.size() ? 0 : text.size() - point - 1;
+  if (text.size() - (point == text.size() ? 0 : 1) > kMostDigits) return false;
+  const double magnitude = static_cast<double>(mantissa) / number_detail::kPowerOfTen[decimals];
+  value = negative ? -magnitude : magnitude;
+  return true;
+}
+
+NumberKind read_number(std::string_view text, double& value) {
+  if (read_short_number(text, value)) return NumberKind::kNumber;
+  return parse_number(text, value);
+}
+
+Error at_column(ErrorCode code, std::string message, std::size_t column) {
+  Error error{code, std::move(message), {}};
+  error.place.column = column + 1;
+  return error;
+}
+
+Error outside_domain(std::string_view text, std::string_view name, std::string_view unit,
+                     std::size_t column) {
+  return at_column(ErrorCode::kOutsideDomain,
+                   excerpt(text) + " cannot be computed with exactly (" + std::string(name) +
+                       "); use 0, or a size of " + std::string(kMotionDomain) + std::string(unit),
+                   column);
+}
+
+std::string_view coordinate_name(const TrackLayout& layout, std::size_t axis) {
+  constexpr std::array<std::string_view, 3> kGeographic = {"longitude", "latitude", "height"};
+  constexpr std::array<std::string_view, 3> kMetres = {"x", "y", "z"};
+  return layout.frame == Frame::kWgs84 ? kGeographic[axis] : kMetres[axis];
+}
+
+}  // namespace
+
+TrackRecordReader::TrackRecordReader(const TrackLayout& layout)
+    : layout_(layout), slots_(layout.table.columns, kNothing) {
+  const auto fill = [this](std::size_t column, std::size_t slot) {
+    if (column < slots_.size()) slots_[column] = static_cast<std::uint8_t>(slot);
+  };
+  const ColumnChoice& choice = layout.table.choice;
+  // An id may be read from a column that is something else too, but not the other way round.
+  if (layout.velocity) {
+    for (std::size_t i = 0; i < layout.velocity->dimensions; ++i) {
+      fill(layout.velocity->columns[i], kVelocity + i);
+    }
+  }
+  for (std::size_t i = 0; i < choice.dimensions; ++i) fill(choice.axes[i], kPosition + i);
+  if (layout.time) fill(layout.time->column, kTime);
+  if (choice.id) fill(*choice.id, kId);
+}
+
+std::optional<Error> TrackRecordReader::read_id(TrackRecord& record) {
+  const ColumnChoice& choice = layout_.table.choice;
+  if (!choice.id) return std::nullopt;
+  const Field& field = fields_[kId];
+  if (field.text.empty()) {
+    return at_column(ErrorCode::kMalformedRecord,
+                     "the id is empty; fill it in" + std::string(kOrLeaveOut), *choice.id);
+  }
+  record.id = field.text;
+  if (field.doubled_quotes) {
+    unquoted_id_ = unquoted(field);
+    record.id = unquoted_id_;
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> TrackRecordReader::read_time(TrackRecord& record) {
+  if (!layout_.time) return std::nullopt;
+  const TimeChoice& time = *layout_.time;
+  const std::string_view text = without_padding(fields_[kTime].text);
+  if (time.iso) {
+    const std::string_view problem = parse_iso_time(text, record.time_s);
+    if (problem.empty()) return std::nullopt;
+    return at_column(
+        ErrorCode::kNotANumber,
+        excerpt(text) + " is not a time: " + std::string(problem) + std::string(kOrLeaveOut),
+        time.column);
+  }
+  double value = 0.0;
+  const NumberKind kind = read_number(text, value);
+  if (kind == NumberKind::kNotFinite) {
+    return at_column(ErrorCode::kNotFinite,
+                     excerpt(text) + " is no time; correct it" + std::string(kOrLeaveOut),
+                     time.column);
+  }
+  if (kind != NumberKind::kNumber) {
+    return number_problem(kind, text, "time", std::string(kMotionDomain) + " s", time.column);
+  }
+  record.time_s = without_dust(value / units_per_second(time.unit));
+  if (in_motion_domain(record.time_s)) return std::nullopt;
+  return outside_domain(text, "time", " s", time.column);
+}
+
+std::optional<Error> TrackRecordReader::read_position(TrackRecord& record) {
+  const ColumnChoice& choice = layout_.table.choice;
+  std::array<double, 3> values = {};
+  for (std::size_t axis = 0; axis < choice.dimensions; ++axis) {
+    const std::string_view text = without_padding(fields_[kPosition + axis].text);
+    const NumberKind kind = read_number(text, values[axis]);
+    if (kind != NumberKind::kNumber) {
+      return number_problem(kind, text, coordinate_name(layout_, axis),
+                            std::string(kMotionDomain) + " m", choice.axes[axis]);
+    }
+    values[axis] = without_dust(values[axis]);
+    if (!in_motion_domain(values[axis])) {
+      return outside_domain(text, coordinate_name(layout_, axis), " m", choice.axes[axis]);
+    }
+  }
+  record.stated_height = values[2];
+  record.position = {values[0], values[1], values[2]};
+  if (!choice.is_metric()) {
+    const Point metric = free_of_dust(in_metric(record.position, choice));
+    record.position = metric;
+    for (const auto& [axis, value] :
+         {std::pair{0, metric.x}, std::pair{1, metric.y}, std::pair{2, metric.z}}) {
+      if (in_motion_domain(value)) continue;
+      const auto place = static_cast<std::size_t>(axis);
+      return outside_domain(without_padding(fields_[kPosition + place].text),
+                            coordinate_name(layout_, place), " m", choice.axes[place]);
+    }
+  }
+  if (layout_.frame != Frame::kWgs84) return std::nullopt;
+  const auto problem =
+      find_out_of_range(std::span<const Point>(&record.position, 1), 0, Frame::kWgs84);
+  if (!problem) return std::nullopt;
+  Error error = range_error(*problem, record.position,
+                            std::string(without_padding(fields_[kPosition + problem->axis].text)),
+                            symbol_of(choice.units[problem->axis]));
+  error.place.column = choice.axes[problem->axis] + 1;
+  return error;
+}
+
+std::optional<Error> TrackRecordReader::read_velocity(TrackRecord& record) {
+  if (!layout_.velocity) return std::nullopt;
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  const VelocityChoice& velocity = *layout_.velocity;
+  // Bees that have no height do not climb; of others it is not known.
+  std::array<double, 3> values = {0.0, 0.0, layout_.table.choice.dimensions == 2 ? 0.0 : kUnknown};
+  for (std::size_t i = 0; i < velocity.dimensions; ++i) {
+    const std::string_view text = without_padding(fields_[kVelocity + i].text);
+    const NumberKind kind = text.empty() ? NumberKind::kNotFinite : read_number(text, values[i]);
+    values[i] = without_dust(values[i]);
+    if (kind == NumberKind::kNotFinite) {
+      values[i] = kUnknown;
+    } else if (kind != NumberKind::kNumber) {
+      return number_problem(kind, text, "velocity", std::string(kMotionDomain) + " m/s",
+                            velocity.columns[i]);
+    } else if (!in_motion_domain(values[i])) {
+      return outside_domain(text, "velocity", " m/s", velocity.columns[i]);
+    }
+  }
+  record.velocity = in_metric(values, velocity);
+  for (const double value : {record.velocity.x, record.velocity.y, record.velocity.z}) {
+    if (std::isnan(value) || in_motion_domain(value)) continue;
+    return outside_domain(without_padding(fields_[kVelocity].text), "velocity", " m/s",
+                          velocity.columns[0]);
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> TrackRecordReader::read(std::string_view line, TrackRecord& record) {
+  if (line.size() > kLongestLine) return long_line(line);
+  std::size_t count = 0;
+  FieldCursor cursor(line, layout_.table.delimiter);
+  const std::size_t columns = slots_.size();
+  for (Field field; cursor.next(field); ++count) {
+    if (count < columns) fields_[slots_[count]] = field;
+  }
+  if (auto problem = record_problem(line, layout_.table, count, cursor.problem())) return problem;
+  if (auto problem = read_id(record)) return problem;
+  if (auto problem = read_time(record)) return problem;
+  if (auto problem = read_position(record)) return problem;
+  return read_velocity(record);
+}
+
+}  // namespace beespace::io

@@ -1,0 +1,52 @@
+// One line of a table of fixes -> whose, when, where and how fast, or what is wrong.
+#pragma once
+
+#include "io/table/fields.hpp"
+#include "io/tracks/track_layout.hpp"
+
+#include <beespace/mover.hpp>
+#include <beespace/point.hpp>
+#include <beespace/result.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace beespace::io {
+
+struct TrackRecord {
+  std::string_view id = {};    // as long as the line and the reader live
+  double time_s = 0.0;         // 0 where there is no time
+  Point position = {};         // metres, or degrees and a height in metres
+  double stated_height = 0.0;  // or z, as the input has it
+  Velocity velocity = {};      // not-a-number where it is unknown
+};
+
+class TrackRecordReader {
+ public:
+  explicit TrackRecordReader(const TrackLayout& layout);
+
+  // `line` has no line end. The error has its column, but no line, record or source yet.
+  // Errors: those of read_record(), kInvalidLongitude, kInvalidLatitude, kInvalidHeight,
+  // kOutsideDomain.
+  std::optional<Error> read(std::string_view line, TrackRecord& record);
+
+ private:
+  std::optional<Error> read_id(TrackRecord& record);
+  std::optional<Error> read_time(TrackRecord& record);
+  std::optional<Error> read_position(TrackRecord& record);
+  std::optional<Error> read_velocity(TrackRecord& record);
+
+  static constexpr std::size_t kSlots = 8;  // id, time, three of position, three of velocity
+
+  const TrackLayout& layout_;
+  std::vector<std::uint8_t> slots_;  // by column: which slot it fills
+  std::array<Field, kSlots + 1> fields_ = {};
+  std::string unquoted_id_;
+};
+
+}  // namespace beespace::io

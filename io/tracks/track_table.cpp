@@ -1,0 +1,92 @@
+#include "io/tracks/track_table.hpp"
+
+#include "io/problems/text_check.hpp"
+#include "io/table/record_walk.hpp"
+#include "io/tracks/track_layout.hpp"
+#include "io/tracks/track_record.hpp"
+
+#include <utility>
+
+namespace beespace::io {
+namespace {
+
+SourceFacts facts_of(const TrackLayout& layout) {
+  const ColumnChoice& choice = layout.table.choice;
+  SourceFacts facts;
+  facts.frame = layout.frame;
+  facts.frame_reason = layout.frame_reason;
+  facts.naming = choice.naming;
+  facts.dimensions = choice.dimensions;
+  facts.has_time = layout.time.has_value();
+  facts.since_1970 = layout.time && layout.time->since_1970;
+  facts.heights = choice.datum;
+  facts.height_unit = choice.height_unit();
+  facts.units = layout.units;
+  facts.description = "text, " + std::string(delimiter_name(layout.table.delimiter)) + "-separated";
+  return facts;
+}
+
+// All records, from the first line behind the header on.
+std::optional<Error> read_records(std::string_view text, const TrackLayout& layout,
+                                  const std::string& stem, RecordingAssembly& assembly) {
+  constexpr std::uint64_t kRowsPerReport = 4096;
+  Progress* const progress = assembly.options().progress;
+  const bool nameless_rows = !layout.table.choice.id && !layout.time;
+  const Unit height_unit = layout.table.choice.height_unit();
+  TrackRecordReader reader(layout);
+  TrackRecord record;
+  record.id = stem;
+  std::string row_id;
+  std::uint64_t rows = 0;
+  const char* reported = text.data();
+  RecordWalk walk(text, layout.table.data_offset, layout.table.line_end);
+  while (walk.next()) {
+    const std::uint64_t line = layout.table.lines_before + walk.line() + 1;
+    const char* const here = walk.record().data();
+    rows = walk.row() + 1;
+    if (progress != nullptr && walk.row() % kRowsPerReport == 0) {
+      progress->done += static_cast<std::uint64_t>(here - reported);
+      reported = here;
+    }
+    if (auto error = reader.read(walk.record(), record)) {
+      error->place.line = line;
+      error->place.record = walk.row();
+      if (auto fatal = assembly.bad(*std::move(error))) return fatal;
+      continue;
+    }
+    if (nameless_rows) {
+      row_id = std::to_string(assembly.nameless() + walk.row());
+      record.id = row_id;
+    }
+    Origin origin;
+    origin.source = assembly.source() & 0xFF'FFFFu;
+    origin.line = line & 0xFF'FFFF'FFFFu;
+    std::optional<double> stated_height;
+    if (height_unit != Unit::kMetre) stated_height = record.stated_height;
+    assembly.tracks().add(record.id, {record.time_s, record.position},
+                          layout.velocity ? &record.velocity : nullptr, origin, stated_height);
+  }
+  if (progress != nullptr) {
+    progress->done += static_cast<std::uint64_t>(text.data() + text.size() - reported);
+  }
+  if (nameless_rows) assembly.add_nameless(rows);
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Error> read_track_table(const TrackTable& table, RecordingAssembly& assembly) {
+  if (auto problem = text_problem(table.bytes)) return problem;
+  const std::string_view text = without_byte_order_mark(table.bytes);
+  auto layout = find_track_layout(text, assembly.options(), table.bare_skybrush);
+  if (!layout) return layout.error();
+  if (auto error = assembly.agree(facts_of(*layout))) return error;
+  for (std::string& note : layout->notes) assembly.note(std::move(note));
+  if (!layout->table.choice.id) {
+    assembly.note(layout->time ? "there is no id: each file is taken for one bee, named after it"
+                               : "there is no id: bees are numbered in their order, from 0");
+  }
+  return read_records(text, *layout, table.stem, assembly);
+}
+
+}  // namespace beespace::io

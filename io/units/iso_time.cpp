@@ -1,0 +1,158 @@
+#include "io/units/iso_time.hpp"
+
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+
+namespace beespace::io {
+namespace {
+
+constexpr std::int64_t kNanosPerSecond = 1'000'000'000;
+constexpr std::string_view kForm = "write it as 2024-05-01T12:00:00.25Z";
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+// Takes things off the front of a text.
+class Front {
+ public:
+  explicit Front(std::string_view text) : text_(text) {}
+
+  // Exactly `count` digits.
+  bool number(std::size_t count, int& value) {
+    if (text_.size() < count) return false;
+    value = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!is_digit(text_[i])) return false;
+      value = value * 10 + (text_[i] - '0');
+    }
+    text_.remove_prefix(count);
+    return true;
+  }
+
+  // One of these characters.
+  bool any_of(std::string_view characters) {
+    if (text_.empty() || characters.find(text_.front()) == std::string_view::npos) return false;
+    text_.remove_prefix(1);
+    return true;
+  }
+
+  // All digits that are there, as billionths; false when there is none.
+  bool fraction(std::int64_t& nanos) {
+    std::int64_t unit = kNanosPerSecond / 10;
+    nanos = 0;
+    const std::size_t before = text_.size();
+    for (; !text_.empty() && is_digit(text_.front()); text_.remove_prefix(1), unit /= 10) {
+      nanos += unit * (text_.front() - '0');
+    }
+    return text_.size() < before;
+  }
+
+  [[nodiscard]] std::string_view rest() const { return text_; }
+
+ private:
+  std::string_view text_;
+};
+
+struct Clock {
+  int hour = 0;
+  int minute = 0;
+  int second = 0;
+  std::int64_t nanos = 0;
+};
+
+std::string_view parse_clock(Front& front, Clock& clock) {
+  if (!front.number(2, clock.hour) || !front.any_of(":") || !front.number(2, clock.minute)) {
+    return kForm;
+  }
+  if (!front.any_of(":") || !front.number(2, clock.second)) {
+    return "the seconds are missing; write it as 2024-05-01T12:00:00Z";
+  }
+  if (front.any_of(".,") && !front.fraction(clock.nanos)) return kForm;
+  if (clock.second == 60) return "leap seconds are not read; a minute has the seconds 00 to 59";
+  if (clock.hour > 23 || clock.minute > 59 || clock.second > 59) {
+    return "there is no such time of day; correct it";
+  }
+  return {};
+}
+
+// Minutes east of Greenwich.
+std::string_view parse_offset(Front& front, int& minutes) {
+  minutes = 0;
+  if (front.any_of("Zz")) return {};
+  if (front.rest().empty()) {
+    return "it has no time zone; write Z for UTC behind it, or an offset such as +02:00";
+  }
+  const bool west = front.rest().front() == '-';
+  int hour = 0;
+  int minute = 0;
+  if (!front.any_of("+-") || !front.number(2, hour)) return kForm;
+  if (front.any_of(":") ? !front.number(2, minute)
+                        : !front.rest().empty() && !front.number(2, minute)) {
+    return kForm;
+  }
+  if (hour > 23 || minute > 59) return "there is no such offset from UTC; correct it";
+  minutes = (west ? -1 : 1) * (hour * 60 + minute);
+  return {};
+}
+
+// `whole` + `nanos` billionths, rounded once.
+double nearest_double(std::int64_t whole, std::int64_t nanos) {
+  const bool negative = whole < 0;
+  if (negative) {
+    whole = -whole;
+    if (nanos > 0) {
+      whole -= 1;
+      nanos = kNanosPerSecond - nanos;
+    }
+  }
+  std::array<char, 40> text = {};
+  char* at = std::to_chars(text.data(), text.data() + 24, whole).ptr;
+  *at++ = '.';
+  for (std::int64_t unit = kNanosPerSecond / 10; unit > 0; unit /= 10) {
+    *at++ = static_cast<char>('0' + nanos / unit % 10);
+  }
+  double value = 0.0;
+  std::from_chars(text.data(), at, value);
+  return negative ? -value : value;
+}
+
+}  // namespace
+
+bool looks_like_iso_time(std::string_view text) {
+  Front front(text);
+  int year = 0;
+  return front.number(4, year) && front.any_of("-");
+}
+
+std::string_view parse_iso_time(std::string_view text, double& seconds) {
+  Front front(text);
+  int year = 0;
+  int month = 0;
+  int day = 0;
+  if (!front.number(4, year) || !front.any_of("-") || !front.number(2, month) ||
+      !front.any_of("-") || !front.number(2, day)) {
+    return kForm;
+  }
+  const std::chrono::year_month_day date(std::chrono::year(year),
+                                         std::chrono::month(static_cast<unsigned>(month)),
+                                         std::chrono::day(static_cast<unsigned>(day)));
+  if (!date.ok()) return "there is no such day; correct it";
+  if (front.rest().empty()) return "it is a day without a time; write it as 2024-05-01T12:00:00Z";
+  if (!front.any_of("Tt ")) return kForm;
+  Clock clock;
+  if (const auto problem = parse_clock(front, clock); !problem.empty()) return problem;
+  int offset_minutes = 0;
+  if (const auto problem = parse_offset(front, offset_minutes); !problem.empty()) return problem;
+  if (!front.rest().empty()) return kForm;
+
+  const std::int64_t days = std::chrono::sys_days(date).time_since_epoch().count();
+  const std::int64_t minutes = (days * 24 + clock.hour) * 60 + clock.minute - offset_minutes;
+  seconds = nearest_double(minutes * 60 + clock.second, clock.nanos);
+  return {};
+}
+
+}  // namespace beespace::io

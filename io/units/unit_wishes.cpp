@@ -1,0 +1,90 @@
+#include "io/units/unit_wishes.hpp"
+
+#include "io/bytes/characters.hpp"
+#include "io/problems/excerpt.hpp"
+
+#include <array>
+#include <string>
+#include <utility>
+
+namespace beespace::io {
+namespace {
+
+struct Slot {
+  UnitRole role;
+  std::string_view name;
+  Unit UnitWishes::*unit;
+};
+
+constexpr std::array<Slot, 4> kSlots = {{{UnitRole::kPosition, "position", &UnitWishes::position},
+                                         {UnitRole::kHeight, "height", &UnitWishes::height},
+                                         {UnitRole::kSpeed, "speed", &UnitWishes::speed},
+                                         {UnitRole::kClimb, "climb", &UnitWishes::climb}}};
+
+Error invalid(std::string message) {
+  return {ErrorCode::kInvalidArgument, "--units: " + std::move(message), {}};
+}
+
+Error not_understood(std::string_view item) {
+  return invalid(excerpt(item) +
+                 " is not understood; write role=unit, where the role is position, height, speed "
+                 "or climb, as in height=ft,speed=kt,climb=ft/min");
+}
+
+const Slot& slot_of(UnitRole role) {
+  return kSlots[static_cast<std::size_t>(role)];
+}
+
+}  // namespace
+
+std::string_view role_name(UnitRole role) {
+  return slot_of(role).name;
+}
+
+Quantity quantity_of(UnitRole role) {
+  const bool length = role == UnitRole::kPosition || role == UnitRole::kHeight;
+  return length ? Quantity::kLength : Quantity::kSpeed;
+}
+
+bool UnitWishes::any() const {
+  for (const Slot& slot : kSlots) {
+    if (this->*slot.unit != Unit::kUnstated) return true;
+  }
+  return false;
+}
+
+Unit UnitWishes::of(UnitRole role) const {
+  return this->*slot_of(role).unit;
+}
+
+Result<UnitWishes> read_unit_wishes(std::string_view text) {
+  UnitWishes wishes;
+  while (!text.empty()) {
+    const std::size_t comma = text.find(',');
+    const std::string_view item = text.substr(0, comma);
+    const std::size_t equals = item.find('=');
+    if (equals == std::string_view::npos) return not_understood(item);
+    const std::string_view role = without_padding(item.substr(0, equals));
+    const std::string_view word = without_padding(item.substr(equals + 1));
+    const Slot* slot = nullptr;
+    for (const Slot& known : kSlots) {
+      if (role == known.name) slot = &known;
+    }
+    if (slot == nullptr || word.empty()) return not_understood(item);
+    Unit& unit = wishes.*slot->unit;
+    if (unit != Unit::kUnstated) return invalid(std::string(role) + " is given twice; keep one");
+    const Quantity quantity = quantity_of(slot->role);
+    const auto found = unit_of_text(word, quantity);
+    if (!found) {
+      return invalid(excerpt(word) + " is no unit of a " + std::string(role) + "; it is one of " +
+                     list_units(quantity));
+    }
+    unit = *found;
+    if (comma == std::string_view::npos) break;
+    text.remove_prefix(comma + 1);
+    if (text.empty()) return invalid("a comma at the end; remove it");
+  }
+  return wishes;
+}
+
+}  // namespace beespace::io

@@ -1,0 +1,149 @@
+#include "io/units/units.hpp"
+
+#include "io/bytes/characters.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace beespace::io {
+namespace {
+
+struct UnitFacts {
+  Unit unit;
+  Quantity quantity;
+  std::string_view symbol;
+  // Of ours: value * numerator / denominator, exactly.
+  double numerator;
+  double denominator;
+  std::string_view words;  // blanks between them
+};
+
+constexpr std::array kUnits = {
+    UnitFacts{Unit::kMetre, Quantity::kLength, "m", 1, 1,
+              "m meter meters metre metres metro metros mts"},
+    UnitFacts{Unit::kKilometre, Quantity::kLength, "km", 1000, 1,
+              "km kms kilometer kilometers kilometre kilometres kilometros"},
+    UnitFacts{Unit::kCentimetre, Quantity::kLength, "cm", 1, 100,
+              "cm centimeter centimeters centimetre centimetres"},
+    UnitFacts{Unit::kMillimetre, Quantity::kLength, "mm", 1, 1000,
+              "mm millimeter millimeters millimetre millimetres"},
+    UnitFacts{Unit::kFoot, Quantity::kLength, "ft", 381, 1250, "ft feet foot pies"},
+    UnitFacts{Unit::kFlightLevel, Quantity::kLength, "FL", 762, 25, "fl"},
+    UnitFacts{Unit::kYard, Quantity::kLength, "yd", 1143, 1250, "yd yard yards"},
+    UnitFacts{Unit::kInch, Quantity::kLength, "inch", 127, 5000, "inch inches"},
+    UnitFacts{Unit::kMile, Quantity::kLength, "mi", 201168, 125, "mi mile miles"},
+    UnitFacts{Unit::kNauticalMile, Quantity::kLength, "NM", 1852, 1, "nm nmi"},
+    UnitFacts{Unit::kMetrePerSecond, Quantity::kSpeed, "m/s", 1, 1, "m/s mps ms"},
+    UnitFacts{Unit::kKilometrePerHour, Quantity::kSpeed, "km/h", 5, 18, "km/h kmh kph kmph"},
+    UnitFacts{Unit::kMetrePerMinute, Quantity::kSpeed, "m/min", 1, 60, "m/min"},
+    UnitFacts{Unit::kCentimetrePerSecond, Quantity::kSpeed, "cm/s", 1, 100, "cm/s cms"},
+    UnitFacts{Unit::kMillimetrePerSecond, Quantity::kSpeed, "mm/s", 1, 1000, "mm/s mms"},
+    UnitFacts{Unit::kKnot, Quantity::kSpeed, "kt", 463, 900, "kt kts kn knot knots nm/h nmi/h"},
+    UnitFacts{Unit::kMilePerHour, Quantity::kSpeed, "mph", 1397, 3125, "mph mi/h"},
+    UnitFacts{Unit::kFootPerSecond, Quantity::kSpeed, "ft/s", 381, 1250, "ft/s fps"},
+    UnitFacts{Unit::kFootPerMinute, Quantity::kSpeed, "ft/min", 127, 25000, "ft/min fpm"},
+};
+
+const UnitFacts* facts_of(Unit unit) {
+  const auto* const found = std::find_if(kUnits.begin(), kUnits.end(),
+                                         [unit](const UnitFacts& of) { return of.unit == unit; });
+  return found == kUnits.end() ? nullptr : found;
+}
+
+bool has_word(std::string_view words, std::string_view word) {
+  while (!words.empty()) {
+    const std::size_t blank = words.find(' ');
+    if (words.substr(0, blank) == word) return true;
+    if (blank == std::string_view::npos) break;
+    words.remove_prefix(blank + 1);
+  }
+  return false;
+}
+
+// value * factor / divisor, both whole and small: the nearest double, unless it is subnormal.
+//
+// The product is high + low exactly. A quotient q of `high` leaves a remainder that is exact; what
+// is to be added to q is below its last place, and its own rounding 2^53 times smaller than that.
+// No tie between two doubles can be missed: a tie makes the rest a half of the last place of q, of
+// which nothing is rounded, and all else is at least 1 / (4 * factor * divisor) places away.
+double times_ratio(double value, double factor, double divisor) {
+  const double high = value * factor;
+  const double low = std::fma(value, factor, -high);
+  const double quotient = high / divisor;
+  if (!std::isfinite(quotient) || divisor == 1.0) return quotient;
+  return quotient + (std::fma(-quotient, divisor, high) + low) / divisor;
+}
+
+// "sec" as "s", and so on; empty for what is no time to divide by.
+std::string_view per_time(std::string_view word) {
+  if (has_word("s sec second seconds", word)) return "s";
+  if (has_word("min minute minutes", word)) return "min";
+  if (has_word("h hr hour hours", word)) return "h";
+  return {};
+}
+
+}  // namespace
+
+std::string_view symbol_of(Unit unit) {
+  const UnitFacts* const facts = facts_of(unit);
+  return facts == nullptr ? "an unknown unit" : facts->symbol;
+}
+
+double in_metric(double value, Unit unit) {
+  const UnitFacts* const facts = facts_of(unit);
+  if (facts == nullptr || facts->numerator == facts->denominator) return value;
+  return times_ratio(value, facts->numerator, facts->denominator);
+}
+
+double from_metric(double value, Unit unit) {
+  const UnitFacts* const facts = facts_of(unit);
+  if (facts == nullptr || facts->numerator == facts->denominator) return value;
+  return times_ratio(value, facts->denominator, facts->numerator);
+}
+
+std::optional<Unit> unit_of_word(std::string_view word, Quantity quantity) {
+  for (const UnitFacts& facts : kUnits) {
+    if (facts.quantity == quantity && has_word(facts.words, word)) return facts.unit;
+  }
+  return std::nullopt;
+}
+
+std::optional<Unit> unit_of_text(std::string_view text, Quantity quantity) {
+  if (text == "M" || text.empty() || text.find(' ') != std::string_view::npos) return std::nullopt;
+  return unit_of_word(lower_case(text), quantity);
+}
+
+std::optional<Unit> take_unit(std::vector<std::string>& words, Quantity quantity) {
+  const std::size_t count = words.size();
+  if (quantity == Quantity::kSpeed && count >= 3) {
+    const std::string_view time = per_time(words.back());
+    const bool per = words[count - 2] == "per";
+    const std::size_t length = count - (per ? 3 : 2);
+    const auto of = unit_of_word(words[length], Quantity::kLength);
+    if (!time.empty() && of && length > 0) {
+      std::string ratio(symbol_of(*of));
+      ratio.append("/").append(time);
+      if (const auto unit = unit_of_word(lower_case(ratio), quantity)) {
+        words.resize(length);
+        return unit;
+      }
+    }
+  }
+  if (count < 2) return std::nullopt;
+  const auto unit = unit_of_word(words.back(), quantity);
+  if (unit) words.pop_back();
+  return unit;
+}
+
+std::string list_units(Quantity quantity) {
+  std::string list;
+  for (const UnitFacts& facts : kUnits) {
+    if (facts.quantity != quantity) continue;
+    list.append(list.empty() ? "" : ", ").append(facts.symbol);
+  }
+  return list;
+}
+
+}  // namespace beespace::io

@@ -1,0 +1,79 @@
+// How a bee comes to a stop.
+//
+// With acceleration A and steps of dt, a bee at speed u that is told to brake comes to a stop
+// within s(u) = u^2 / 2A + u dt / 2, straight on: the second term is the step in which braking
+// begins. A step later it needs s less than what it has flown, so a way that it can stop on now it
+// can stop on for ever. A bee without a limit of acceleration stops where it is.
+#pragma once
+
+#include "base/vector3.hpp"
+
+#include <beespace/advise.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace beespace::avoidance {
+
+using core::Vector3;
+
+class Braking {
+ public:
+  Braking() = default;  // of nobody yet
+  Braking(const FlightLimits& limits, double step_s)
+      : at_once_(std::isinf(limits.max_acceleration_mps2)),
+        per_acceleration_(at_once_ ? 0.0 : 1.0 / limits.max_acceleration_mps2),
+        change_(limits.max_acceleration_mps2 * step_s),
+        step_s_(step_s) {}
+
+  // Whether velocities change at once.
+  [[nodiscard]] bool at_once() const { return at_once_; }
+  // How much a velocity may change in a step.
+  [[nodiscard]] double change() const { return change_; }
+
+  [[nodiscard]] double step_s() const { return step_s_; }
+
+  // From where the bee is to where it stops at the latest.
+  [[nodiscard]] Vector3 way_to_stop(const Vector3& velocity) const {
+    if (at_once_) return {};
+    return velocity * (0.5 * (length(velocity) * per_acceleration_ + step_s_));
+  }
+
+  // A step that ends with a new velocity, and the stop after it: from where the bee is, it gets to
+  // drift(old) + way_after(new).
+  [[nodiscard]] Vector3 drift(const Vector3& old) const {
+    return at_once_ ? Vector3{} : old * (0.5 * step_s_);
+  }
+  [[nodiscard]] Vector3 way_after(const Vector3& velocity) const {
+    return velocity * (step_s_ + 0.5 * length(velocity) * per_acceleration_);
+  }
+  // How much way_after grows with the speed u, across the velocity and along it.
+  [[nodiscard]] double growth_across(double speed) const {
+    return step_s_ + 0.5 * speed * per_acceleration_;
+  }
+  [[nodiscard]] double growth_along(double speed) const {
+    return step_s_ + speed * per_acceleration_;
+  }
+
+  // How far from the end of its way to a stop a step may take the bee, and the stop after it: as
+  // far as a step at its speed, and what a change of the velocity moves the stop.
+  [[nodiscard]] double strays(const Vector3& velocity, double max_speed) const {
+    if (at_once_) return max_speed * step_s_;
+    const double speed = length(velocity);
+    return speed * step_s_ + change_ * growth_along(speed + change_);
+  }
+
+  // The velocity at the end of a step of braking as hard as can be.
+  [[nodiscard]] Vector3 braked(const Vector3& velocity) const {
+    const double speed = length(velocity);
+    return speed > change_ ? velocity * ((speed - change_) / speed) : Vector3{};
+  }
+
+ private:
+  bool at_once_ = true;
+  double per_acceleration_ = 0.0;  // 1 / A
+  double change_ = 0.0;            // A dt
+  double step_s_ = 0.0;
+};
+
+}  // namespace beespace::avoidance

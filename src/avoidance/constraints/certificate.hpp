@@ -1,0 +1,120 @@
+// The promise that each bee keeps to each other: half-spaces that its way in the next step and its
+// stop after it must lie in.
+//
+// Both ways to a stop, as they are now, lie on either side of a gap; each keeps to its own side,
+// and half of the threshold away from the middle. Whatever both do within their half-spaces, they
+// stay the threshold apart, or as far as they are where that is less. The proof is in
+// docs/prevention.md.
+#pragma once
+
+#include "avoidance/constraints/closest_points.hpp"
+#include "avoidance/constraints/half_spaces.hpp"
+#include "avoidance/constraints/sideways.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace beespace::avoidance {
+
+// Of two ways to a stop.
+struct Parting {
+  Vector3 normal;  // from the second towards the first
+  double gap;      // between what the two reach along it; below zero where they overlap
+  double middle;   // of the gap, along the normal
+
+  // What the first keeps to, and the second, to stay so far apart; or as far as they are. What is
+  // free between them is halved; with `lean` 1 it is all of the second, with -1 all of the first.
+  [[nodiscard]] HalfSpace of_first(double apart, double lean) const {
+    return {normal, middle + 0.5 * (std::min(apart, gap) + lean * free(apart))};
+  }
+  [[nodiscard]] HalfSpace of_second(double apart, double lean) const {
+    return {-normal, -middle + 0.5 * (std::min(apart, gap) - lean * free(apart))};
+  }
+  [[nodiscard]] double free(double apart) const { return std::max(0.0, gap - apart); }
+};
+
+// The widest gap, or one that is wide enough. Any normal is right: the gap is what both reach along
+// it, whatever was rounded on the way there, and never wider than they are apart. The first of the
+// two is the one of the lower id, so that both are told the same.
+class PartingSearch {
+ public:
+  PartingSearch(const Segment& first, const Segment& second) : first_(first), second_(second) {}
+
+  Parting operator()(double enough) {
+    consider(closest_points(first_, second_).between());
+    if (found_ && best_.gap >= enough) return best_;
+    // Of ways that are long and all but parallel a normal that is a little tilted loses much. What
+    // is widest is at right angles to both, or from an end of one to the other.
+    const Vector3 normal = across_both(cross(first_.way, second_.way));
+    consider(normal);
+    consider(-normal);
+    for (const double end : {0.0, 1.0}) {
+      consider_both(first_.at(end) - second_.closest_to(first_.at(end)), second_.way);
+      consider_both(first_.closest_to(second_.at(end)) - second_.at(end), first_.way);
+    }
+    // Those who fly straight at each other, and can stop no more, part to their right.
+    if (!(found_ && best_.gap > 0.0)) {
+      for (const Vector3& way : {first_.way, second_.way}) {
+        if (!(dot(way, way) > 0.0)) continue;
+        consider(right_of(way));
+        consider(-right_of(way));
+      }
+    }
+    // Bees at one place part anyhow.
+    if (!found_) consider(first_.from - second_.from);
+    if (!found_) consider({1.0, 0.0, 0.0});
+    return best_;
+  }
+
+ private:
+  void consider(const Vector3& between) {
+    const double apart = length(between);
+    if (!(apart > 0.0)) return;
+    const Vector3 normal = between * (1.0 / apart);
+    const double low = std::min(dot(normal, first_.from), dot(normal, first_.at(1.0)));
+    const double high = std::max(dot(normal, second_.from), dot(normal, second_.at(1.0)));
+    if (found_ && low - high <= best_.gap) return;
+    found_ = true;
+    best_ = {normal, low - high, 0.5 * (low + high)};
+  }
+
+  // At right angles to both ways, however nearly parallel they are: to one, and to what is left of
+  // the other beside it; twice, as the first time rounds.
+  [[nodiscard]] Vector3 across_both(Vector3 normal) const {
+    const Vector3 along = unit(first_.way);
+    Vector3 beside = second_.way;
+    for (int k = 0; k < 2; ++k) beside = beside - along * dot(beside, along);
+    beside = unit(beside);
+    normal = unit(normal);
+    for (int k = 0; k < 2; ++k) {
+      normal = normal - along * dot(normal, along);
+      normal = normal - beside * dot(normal, beside);
+    }
+    return normal;
+  }
+  static Vector3 unit(const Vector3& a) {
+    const double long_m = length(a);
+    return long_m > 0.0 ? a * (1.0 / long_m) : Vector3{};
+  }
+
+  // As it is, and at right angles to a way; twice, as the first time rounds.
+  void consider_both(const Vector3& between, const Vector3& way) {
+    consider(between);
+    const double squared = dot(way, way);
+    if (!(squared > 0.0)) return;
+    const Vector3 across = between - way * (dot(between, way) / squared);
+    consider(across - way * (dot(across, way) / squared));
+  }
+
+  const Segment& first_;
+  const Segment& second_;
+  Parting best_{};
+  bool found_ = false;
+};
+
+inline Parting part(const Segment& first, const Segment& second,
+                    double enough = std::numeric_limits<double>::infinity()) {
+  return PartingSearch(first, second)(enough);
+}
+
+}  // namespace beespace::avoidance

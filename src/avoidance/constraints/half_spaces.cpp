@@ -1,0 +1,90 @@
+#include "avoidance/constraints/half_spaces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace beespace::avoidance {
+
+namespace {
+
+// Of the ball: what rounding may do to a place in it.
+constexpr double kRounding = 1e-12;
+
+// Below this, two planes count as parallel.
+constexpr double kParallel = 1e-9;
+// And so much outside one that is parallel is in it.
+constexpr double kNearlyIn = 4.0 * kParallel;
+
+Vector3 into(const Ball& ball, const Vector3& wish) {
+  return ball.center + at_most(wish - ball.center, ball.radius);
+}
+
+// Of the line where two planes meet: the nearest place within the ball and the other half-spaces.
+std::optional<Vector3> on_line(const Vector3& wish, const Vector3& point, const Vector3& way,
+                               std::span<const HalfSpace> others, const Ball& ball) {
+  const Vector3 from_center = point - ball.center;
+  const double along = dot(from_center, way);
+  const double squared = along * along - dot(from_center, from_center) + ball.radius * ball.radius;
+  if (squared < 0.0) return std::nullopt;
+  const double root = std::sqrt(squared);
+  double low = -along - root;
+  double high = -along + root;
+  for (const HalfSpace& other : others) {
+    const double slope = dot(other.normal, way);
+    const double inside = other.inside_by(point);
+    if (std::abs(slope) <= kParallel) {
+      if (inside < -kNearlyIn * ball.radius) return std::nullopt;
+    } else if (slope > 0.0) {
+      low = std::max(low, -inside / slope);
+    } else {
+      high = std::min(high, -inside / slope);
+    }
+    if (low > high) return std::nullopt;
+  }
+  return point + way * std::clamp(dot(wish - point, way), low, high);
+}
+
+// Of the plane of a half-space: the nearest place within the ball and the other half-spaces.
+std::optional<Vector3> on_plane(const Vector3& wish, const HalfSpace& plane,
+                                std::span<const HalfSpace> others, const Ball& ball) {
+  const double height = -plane.inside_by(ball.center);
+  const double squared = ball.radius * ball.radius - height * height;
+  if (squared < 0.0) return std::nullopt;
+  const Ball disc{ball.center + plane.normal * height, std::sqrt(squared)};
+  Vector3 best = into(disc, wish - plane.normal * plane.inside_by(wish));
+  for (std::size_t k = 0; k < others.size(); ++k) {
+    const HalfSpace& other = others[k];
+    if (other.inside_by(best) >= -kRounding * ball.radius) continue;
+    const double cosine = dot(other.normal, plane.normal);
+    const Vector3 across = other.normal - plane.normal * cosine;  // on the plane, into the other
+    const double sine = length(across);
+    if (sine <= kParallel) {
+      if (other.inside_by(best) >= -kNearlyIn * ball.radius) continue;
+      return std::nullopt;
+    }
+    // From the center of the disc to the line, which lies in both planes.
+    const Vector3 unit = across * (1.0 / sine);
+    const Vector3 point = disc.center - unit * (other.inside_by(disc.center) / sine);
+    const auto found = on_line(wish, point, cross(plane.normal, unit), others.first(k), ball);
+    if (!found) return std::nullopt;
+    best = *found;
+  }
+  return best;
+}
+
+}  // namespace
+
+std::optional<Vector3> nearest_place(const Vector3& wish, std::span<const HalfSpace> half_spaces,
+                                     const Ball& ball) {
+  Vector3 best = into(ball, wish);
+  for (std::size_t k = 0; k < half_spaces.size(); ++k) {
+    if (half_spaces[k].inside_by(best) >= -kRounding * ball.radius) continue;
+    const auto found = on_plane(wish, half_spaces[k], half_spaces.first(k), ball);
+    if (!found) return std::nullopt;
+    best = *found;
+  }
+  return best;
+}
+
+}  // namespace beespace::avoidance

@@ -1,0 +1,22 @@
+// One pass over the points: do they all lie in the coordinate domain, and in which box?
+#pragma once
+
+#include "base/resources.hpp"
+
+#include <beespace/points_view.hpp>
+#include <beespace/result.hpp>
+
+#include <array>
+
+namespace beespace::core {
+
+struct Bounds {
+  std::array<double, 3> low{};
+  std::array<double, 3> high{};
+};
+
+// The box of the points, or the error for the first point outside the coordinate domain.
+// All zero for no points.
+Result<Bounds> measure(const PointsView& points, const Resources& with);
+
+}  // namespace beespace::core

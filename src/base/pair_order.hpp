@@ -1,0 +1,67 @@
+// Pairs as they are found, and how they come into order.
+#pragma once
+
+#include "base/buffer.hpp"
+#include "base/resources.hpp"
+
+#include <beespace/pairs.hpp>
+#include <beespace/point.hpp>
+
+#include <cstdint>
+
+namespace beespace::core {
+
+// Pairs of one worker, in the order in which they were found: first and second ids in arrays of
+// their own, a chunk at a time, so that nothing is copied as their number grows.
+class FoundPairs {
+ public:
+  static constexpr std::uint32_t kChunk = 1U << 15;
+
+  struct Chunk {
+    Buffer<PointId> first;
+    Buffer<PointId> second;
+    std::uint32_t size = 0;
+  };
+
+  explicit FoundPairs(Memory& memory) : memory_(memory), chunks_(&memory) {}
+
+  // An empty chunk of kChunk places, to be filled and given its size before the next one.
+  Chunk& open_chunk() {
+    chunks_.push_back({Buffer<PointId>(memory_, kChunk), Buffer<PointId>(memory_, kChunk), 0});
+    return chunks_.back();
+  }
+
+  [[nodiscard]] const Vector<Chunk>& chunks() const { return chunks_; }
+  [[nodiscard]] std::uint64_t size() const {
+    std::uint64_t size = 0;
+    for (const Chunk& chunk : chunks_) size += chunk.size;
+    return size;
+  }
+
+ private:
+  Memory& memory_;
+  Vector<Chunk> chunks_;
+};
+
+// Of all workers.
+inline std::uint64_t size_of(const Vector<FoundPairs>& found) {
+  std::uint64_t size = 0;
+  for (const FoundPairs& part : found) size += part.size();
+  return size;
+}
+
+// How a found pair (a, b) is written down.
+enum class Direction : std::uint8_t {
+  kAsFound,    // (a, b)
+  kAscending,  // (lower, higher)
+  kBothWays,   // (a, b) and (b, a)
+};
+
+// Writes the pairs of all workers in ascending order; `first_ids` is above every first id. `out`
+// has room for all of them (twice for kBothWays). Cost: one scatter of 8 bytes a pair, then buckets
+// of a few hundred in the nearest cache. Working memory: 8 bytes for each pair of the fullest
+// bucket.
+void order_pairs(const Vector<FoundPairs>& found, Direction direction, std::uint64_t first_ids,
+                 const Resources& with, Pair* out);
+
+}  // namespace beespace::core

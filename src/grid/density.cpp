@@ -1,0 +1,100 @@
+#include "grid/density.hpp"
+
+#include "base/hash.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace beespace::core {
+
+namespace {
+
+constexpr std::size_t kMostDrawn = 4096;
+constexpr std::size_t kFewestDrawn = 512;
+constexpr std::size_t kPointsADraw = 64;
+
+std::size_t drawn_of(std::size_t points) {
+  return std::min(points, std::clamp(points / kPointsADraw, kFewestDrawn, kMostDrawn));
+}
+
+}  // namespace
+
+DensitySample::DensitySample(const PointsView& points, Memory& memory)
+    : population_(points.size()),
+      size_(drawn_of(points.size())),
+      slots_(std::bit_ceil(2 * size_ + 1)),
+      points_(memory, size_),
+      table_(memory, slots_) {
+  for (std::size_t i = 0; i < size_; ++i) {
+    // One point at a random place of every stretch of the input: no rhythm of the input's order
+    // can hide a crowd.
+    const std::size_t begin = population_ * i / size_;
+    const std::size_t end = population_ * (i + 1) / size_;
+    points_[i] = points[begin + mix(i + 1) % (end - begin)];
+  }
+}
+
+double DensitySample::mates(double cell_m) const {
+  if (size_ < 2) return 0.0;
+  std::fill_n(table_.data(), slots_, Slot{0, 0});
+  const double cells_a_m = 1.0 / cell_m;
+  double pairs = 0.0;
+  for (std::size_t i = 0; i < size_; ++i) {
+    const Point& p = points_[i];
+    std::uint64_t cell = 0;
+    for (const double coordinate : {p.x, p.y, p.z}) {
+      // Any bit pattern that is the same for the same cell will do; + 0.0 makes -0 plain 0.
+      cell = mix(cell + std::bit_cast<std::uint64_t>(std::floor(coordinate * cells_a_m) + 0.0));
+    }
+    std::size_t slot = cell & (slots_ - 1);
+    while (table_[slot].points != 0 && table_[slot].cell != cell) slot = (slot + 1) & (slots_ - 1);
+    pairs += 2.0 * table_[slot].points;
+    table_[slot] = {cell, table_[slot].points + 1};
+  }
+  const auto drawn = static_cast<double>(size_);
+  return pairs / (drawn * (drawn - 1.0)) * static_cast<double>(population_ - 1);
+}
+
+double DensitySample::side_for(double wanted, const Bounds& bounds) const {
+  double widest = 0.0;
+  double log_volume = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double extent = bounds.high[axis] - bounds.low[axis];
+    widest = std::max(widest, extent);
+  }
+  if (size_ < 2 || widest == 0.0) return widest;
+  // The average over the box; an axis that is much shorter than the side does not count.
+  const auto all = static_cast<double>(population_);
+  double side = widest;
+  for (int round = 0; round < 3; ++round) {
+    unsigned axes = 0;
+    log_volume = 0.0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double extent = bounds.high[axis] - bounds.low[axis];
+      if (round > 0 && extent <= side) continue;
+      if (extent <= 0.0) continue;
+      ++axes;
+      log_volume += std::log(extent);
+    }
+    if (axes == 0) break;
+    side = std::exp((log_volume + std::log(wanted / all)) / axes);
+  }
+  // Of the widest extent: below it, only duplicates meet, even in a clump with an outlier. And
+  // cells of the whole coordinate domain must be numbers.
+  constexpr double kSmallest = 0x1p-200;
+  const double smallest = std::max(widest * kSmallest, 0x1p-500);
+  side = std::clamp(side, smallest, widest);
+  double met = mates(side);
+  if (met > 0.5 * wanted && met < 2.0 * wanted) return side;
+  if (met <= wanted) {
+    while (side < widest && met < 0.5 * wanted) met = mates(side = std::min(2.0 * side, widest));
+    return side;
+  }
+  const double twins = mates(smallest);
+  while (side > smallest && met - twins > 2.0 * wanted)
+    met = mates(side = std::max(0.5 * side, smallest));
+  return side;
+}
+
+}  // namespace beespace::core

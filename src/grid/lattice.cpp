@@ -1,0 +1,191 @@
+#include "grid/lattice.hpp"
+
+#include "base/buffer.hpp"
+
+#include <bit>
+#include <cmath>
+#include <utility>
+
+namespace beespace::core {
+
+namespace {
+
+constexpr unsigned kMostFractionBits = 22;  // differences of two cells are exact in a float
+
+// Doubles by their bits, which order those of one sign; the others are turned around.
+std::uint64_t key_of(double value) {
+  constexpr std::uint64_t kSign = std::uint64_t{1} << 63;
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  return (bits & kSign) != 0 ? ~bits : bits | kSign;
+}
+
+// One pass a digit of the keys, least significant first, except for digits that all have in common.
+void sort_numbers(Buffer<double>& numbers, std::size_t size, Memory& memory) {
+  constexpr unsigned kDigitBits = 11;
+  constexpr unsigned kDigits = 6;
+  constexpr std::size_t kValues = std::size_t{1} << kDigitBits;
+  const auto digit_of = [](double value, unsigned digit) {
+    return static_cast<std::size_t>(key_of(value) >> (digit * kDigitBits)) & (kValues - 1);
+  };
+  Buffer<std::size_t> places(memory, kDigits * kValues);
+  std::fill_n(places.data(), kDigits * kValues, std::size_t{0});
+  for (std::size_t i = 0; i < size; ++i) {
+    for (unsigned digit = 0; digit < kDigits; ++digit) {
+      ++places[digit * kValues + digit_of(numbers[i], digit)];
+    }
+  }
+  Buffer<double> spare(memory, size);
+  for (unsigned digit = 0; digit < kDigits; ++digit) {
+    std::size_t* const next = places.data() + digit * kValues;
+    if (size == 0 || next[digit_of(numbers[0], digit)] == size) continue;
+    std::size_t sum = 0;
+    for (std::size_t value = 0; value < kValues; ++value) sum += std::exchange(next[value], sum);
+    for (std::size_t i = 0; i < size; ++i) spare[next[digit_of(numbers[i], digit)]++] = numbers[i];
+    std::swap(numbers, spare);
+  }
+}
+
+double margin_for(double extent, double reach) {
+  return std::max(0x1p-20, 0x1p-50 * (extent / reach));
+}
+
+}  // namespace
+
+Lattice::Lattice(std::span<const PointsView> sets, const Bounds& bounds, double reach,
+                 Memory& memory, std::uint64_t fold_beyond_cells, std::uint64_t most_cells)
+    : axes_{Axis{0.0, 1, Vector<Stretch>(&memory)}, Axis{0.0, 1, Vector<Stretch>(&memory)},
+            Axis{0.0, 1, Vector<Stretch>(&memory)}},
+      most_cells_(most_cells) {
+  double longest_stretch = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    axes_[axis].low = bounds.low[axis];
+    const double extent = bounds.high[axis] - bounds.low[axis];
+    if (extent / reach < static_cast<double>(fold_beyond_cells)) {
+      longest_stretch = std::max(longest_stretch, extent);
+    } else {
+      longest_stretch = std::max(longest_stretch, fold(sets, axis, 4.0 * reach, memory));
+    }
+  }
+  cell_m_ = reach * (1.0 + margin_for(longest_stretch, reach));
+  while (!number_cells(bounds)) {
+    cell_m_ *= 2.0;  // larger cells are as right, only slower
+    for (Axis& axis : axes_) join_stretches(axis, 4.0 * cell_m_);
+  }
+
+  std::uint64_t most = 1;
+  for (const Axis& axis : axes_) most = std::max(most, axis.cells);
+  const auto cell_bits = static_cast<unsigned>(std::bit_width(most));
+  fraction_bits_ = std::min(kMostFractionBits, 30 - cell_bits);
+  units_per_m_ = std::ldexp(1.0, static_cast<int>(fraction_bits_)) / cell_m_;
+}
+
+// Cuts the axis wherever no point lies for more than `gap`; returns the longest stretch.
+double Lattice::fold(std::span<const PointsView> sets, std::size_t axis, double gap,
+                     Memory& memory) {
+  std::size_t size = 0;
+  for (const PointsView& points : sets) size += points.size();
+  Buffer<double> sorted(memory, size);
+  std::size_t next = 0;
+  for (const PointsView& points : sets) {
+    for (std::size_t i = 0; i < points.size(); ++i) sorted[next++] = points.coordinate(axis, i);
+  }
+  sort_numbers(sorted, size, memory);
+
+  Axis& folded = axes_[axis];
+  std::size_t gaps = 0;
+  for (std::size_t i = 1; i < size; ++i) gaps += sorted[i] - sorted[i - 1] > gap ? 1U : 0U;
+  folded.stretches.reserve(gaps + 1);
+  double longest = 0.0;
+  for (std::size_t i = 0; i < size; ++i) {
+    if (i == 0 || sorted[i] - sorted[i - 1] > gap) {
+      folded.stretches.push_back({sorted[i], sorted[i], 0});
+    }
+    folded.stretches.back().last = sorted[i];
+    longest = std::max(longest, sorted[i] - folded.stretches.back().first);
+  }
+  return longest;
+}
+
+// A stretch takes three cells however short it is; with larger cells, narrower gaps are cells too.
+void Lattice::join_stretches(Axis& axis, double gap) {
+  if (!axis.folded()) return;
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < axis.stretches.size(); ++i) {
+    if (axis.stretches[i].first - axis.stretches[last].last > gap) {
+      axis.stretches[++last] = axis.stretches[i];
+    } else {
+      axis.stretches[last].last = axis.stretches[i].last;
+    }
+  }
+  axis.stretches.resize(last + 1);
+}
+
+bool Lattice::number_cells(const Bounds& bounds) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    Axis& axis = axes_[i];
+    // One cell more than the quotient says: the last point may be rounded up into it.
+    const auto cells_of = [this](double extent) {
+      return static_cast<std::uint64_t>(extent / cell_m_) + 2;
+    };
+    if (!axis.folded()) {
+      axis.cells = cells_of(bounds.high[i] - bounds.low[i]);
+    } else {
+      axis.cells = 0;
+      for (Stretch& stretch : axis.stretches) {
+        stretch.first_cell = axis.cells;
+        axis.cells += cells_of(stretch.last - stretch.first) + 1;  // and an empty one behind it
+      }
+    }
+    if (axis.cells > most_cells_) return false;
+  }
+  return true;
+}
+
+void Lattice::positions(std::size_t axis, const double* values, std::size_t count,
+                        std::int32_t* positions) const {
+  const Axis& a = axes_[axis];
+  if (a.folded()) {
+    for (std::size_t i = 0; i < count; ++i) positions[i] = folded_position(a, values[i]);
+    return;
+  }
+  const double low = a.low;
+  const double units_per_m = units_per_m_;
+  for (std::size_t i = 0; i < count; ++i) {
+    positions[i] = static_cast<std::int32_t>((values[i] - low) * units_per_m);
+  }
+}
+
+void Lattice::positions(const double* xyz, const std::array<std::size_t, 3>& place,
+                        std::size_t count, const std::array<std::int32_t*, 3>& positions) const {
+  std::array<double, 3> low{};  // in the order of memory, as all that follows
+  std::array<std::int32_t*, 3> to{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    low[place[axis]] = axes_[axis].low;
+    to[place[axis]] = positions[axis];
+  }
+  // Copies that no store can be suspected of changing.
+  const double units_per_m = units_per_m_;
+  const double low0 = low[0];
+  const double low1 = low[1];
+  const double low2 = low[2];
+  std::int32_t* const to0 = to[0];
+  std::int32_t* const to1 = to[1];
+  std::int32_t* const to2 = to[2];
+  for (std::size_t i = 0; i < count; ++i) {
+    to0[i] = static_cast<std::int32_t>((xyz[3 * i] - low0) * units_per_m);
+    to1[i] = static_cast<std::int32_t>((xyz[3 * i + 1] - low1) * units_per_m);
+    to2[i] = static_cast<std::int32_t>((xyz[3 * i + 2] - low2) * units_per_m);
+  }
+}
+
+std::int32_t Lattice::folded_position(const Axis& axis, double value) const {
+  const auto after = std::upper_bound(
+      axis.stretches.begin(), axis.stretches.end(), value,
+      [](double coordinate, const Stretch& stretch) { return coordinate < stretch.first; });
+  const Stretch& stretch = *std::prev(after);
+  const std::uint64_t first = stretch.first_cell << fraction_bits_;
+  return static_cast<std::int32_t>(first) +
+         static_cast<std::int32_t>((value - stretch.first) * units_per_m_);
+}
+
+}  // namespace beespace::core

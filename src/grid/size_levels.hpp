@@ -1,0 +1,53 @@
+// Where a few are much larger than all others: a grid that suits them would suit nobody else, so
+// they are better compared with everybody one by one. Which sizes could be drawn a line at?
+#pragma once
+
+#include "base/resources.hpp"
+#include "grid/density.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace beespace::motion {
+
+struct SizeLevel {
+  double size;
+  std::size_t beyond;  // how many are larger
+};
+
+// What one ball costs, in nanoseconds, of those that are met within the reach in a grid, and those
+// beyond it. Measured.
+inline double comparing_cost(const core::DensitySample& sample, double reach_m,
+                             std::size_t beyond) {
+  constexpr double kComparing = 0.25;
+  constexpr double kComparingBeyond = 3.0;
+  // Rows around, as far as the reach: as large as a cube of 2.6 times that. Each pair once.
+  return 0.5 * kComparing * sample.mates(2.6 * reach_m) +
+         kComparingBeyond * static_cast<double>(beyond);
+}
+
+// The largest size first, beyond which is nobody; where it is much larger than nearly all, some
+// smaller ones. `size_of` tells that of each of `count`. Cost: a look at a thousand, and a few
+// looks at all where there are such.
+template <class SizeOf>
+core::Vector<SizeLevel> size_levels(std::size_t count, double largest, core::Memory& memory,
+                                    const SizeOf& size_of) {
+  core::Vector<SizeLevel> levels({{largest, 0}}, &memory);
+  constexpr std::size_t kSome = 1024;
+  core::Vector<double> sample(&memory);
+  for (std::size_t i = 0; i < count; i += count / kSome + 1) sample.push_back(size_of(i));
+  if (sample.empty()) return levels;
+  const auto nearly_all = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() * 97 / 100);
+  std::nth_element(sample.begin(), nearly_all, sample.end());
+  constexpr double kSmallest = 0x1p-16;  // of the largest
+  double size = std::max(1.25 * *nearly_all, kSmallest * largest);
+  while (size < 0.5 * largest) {
+    std::size_t beyond = 0;
+    for (std::size_t i = 0; i < count; ++i) beyond += size_of(i) > size ? 1U : 0U;
+    levels.push_back({size, beyond});
+    size *= 2.0;
+  }
+  return levels;
+}
+
+}  // namespace beespace::motion

@@ -1,0 +1,152 @@
+#include <beespace/index.hpp>
+
+#include "base/bounds.hpp"
+#include "base/crew_size.hpp"
+#include "exact/validate.hpp"
+#include "index/index_shelves.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace beespace {
+
+namespace {
+
+PointsView view_of(const Point& point) {
+  return std::span(&point, 1);
+}
+
+// The error for a place or point that is given alone.
+std::optional<Error> check_place(const Point& place) {
+  auto error = core::check_points(view_of(place), 0, 1);
+  if (error) error->place.record.reset();
+  return error;
+}
+
+Error no_such_point(PointId id) {
+  return {ErrorCode::kInvalidArgument,
+          "the index holds no point with id " + std::to_string(id) +
+              "; give one that was built in or inserted, and not removed since",
+          {}};
+}
+
+}  // namespace
+
+Index::Index(std::unique_ptr<Shelves> shelves) : shelves_(std::move(shelves)) {
+}
+Index::Index(Index&&) noexcept = default;
+Index& Index::operator=(Index&&) noexcept = default;
+Index::~Index() = default;
+
+Index::Index() {
+  Crew alone;
+  shelves_ = std::make_unique<Shelves>(search::ChangingPoints({}, {}, alone));
+}
+
+Result<Index> Index::build(const PointsView& points, unsigned threads) {
+  if (auto error = core::check_size(points)) return *std::move(error);
+  ThreadCrew crew(cpu::crew_size(threads, points.size()));
+  core::Memory memory;
+  const Result<core::Bounds> bounds = core::measure(points, {crew, memory});
+  if (!bounds) return bounds.error();
+  return Index(std::make_unique<Shelves>(search::ChangingPoints(points, *bounds, crew)));
+}
+
+std::size_t Index::size() const {
+  return shelves_->points.size();
+}
+
+bool Index::contains(PointId id) const {
+  return shelves_->points.contains(id);
+}
+
+Result<Point> Index::point(PointId id) const {
+  if (!contains(id)) return no_such_point(id);
+  return shelves_->points.point(id);
+}
+
+Status Index::find_around(const Point& place, double radius_m, bool inclusive,
+                          std::vector<PointId>& found) const {
+  found.clear();
+  if (auto error = search::check_radius(radius_m)) return *std::move(error);
+  if (auto error = check_place(place)) return *std::move(error);
+  shelves_->find_around({place, radius_m, inclusive}, found);
+  return std::monostate{};
+}
+
+Result<std::vector<PointId>> Index::find_around(const Point& place, double radius_m,
+                                                bool inclusive) const {
+  std::vector<PointId> found;
+  const Status status = find_around(place, radius_m, inclusive, found);
+  if (!status) return status.error();
+  return found;
+}
+
+Status Index::k_nearest(const Point& place, std::size_t k, std::vector<Nearest>& nearest) const {
+  nearest.clear();
+  if (auto error = check_place(place)) return *std::move(error);
+  nearest.resize(std::min(k, size()));
+  if (nearest.empty()) return std::monostate{};
+  core::NearestList list;
+  list.start(place, nearest.size(), std::numeric_limits<double>::infinity());
+  shelves_->find_nearest(place, list);
+  list.write(nearest.data());
+  return std::monostate{};
+}
+
+Result<std::vector<Nearest>> Index::k_nearest(const Point& place, std::size_t k) const {
+  std::vector<Nearest> nearest;
+  const Status status = k_nearest(place, k, nearest);
+  if (!status) return status.error();
+  return nearest;
+}
+
+Result<IdRows> Index::find_around(const PointsView& places, const SearchOptions& options) const {
+  if (std::isnan(options.threshold_m)) return core::threshold_not_given();
+  if (auto error = search::check_radius(options.threshold_m)) return *std::move(error);
+  if (auto error = core::check_no_vertical(options)) return *std::move(error);
+  if (auto error = core::check_size(places)) return *std::move(error);
+  ThreadCrew crew(cpu::crew_size(options.threads, places.size()));
+  core::Memory memory;
+  const Result<core::Bounds> bounds = core::measure(places, {crew, memory});
+  if (!bounds) return bounds.error();
+  return search::find_around_all(*shelves_, places, *bounds, options, crew);
+}
+
+Result<NearestRows> Index::k_nearest(const PointsView& places, std::size_t k,
+                                     unsigned threads) const {
+  if (auto error = core::check_size(places)) return *std::move(error);
+  ThreadCrew crew(cpu::crew_size(threads, places.size()));
+  core::Memory memory;
+  const Result<core::Bounds> bounds = core::measure(places, {crew, memory});
+  if (!bounds) return bounds.error();
+  return search::find_nearest_of_all(*shelves_, places, *bounds, std::min(k, size()), crew);
+}
+
+Result<PointId> Index::insert(const Point& point) {
+  if (auto error = check_place(point)) return *std::move(error);
+  if (auto error = core::check_size(shelves_->points.ids() + 1)) return *std::move(error);
+  return shelves_->points.insert(point);
+}
+
+Status Index::move(PointId id, const Point& point) {
+  if (!contains(id)) return no_such_point(id);
+  if (auto error = check_place(point)) return *std::move(error);
+  shelves_->points.move(id, point);
+  return std::monostate{};
+}
+
+Status Index::remove(PointId id) {
+  if (!contains(id)) return no_such_point(id);
+  shelves_->points.remove(id);
+  return std::monostate{};
+}
+
+void Index::rebuild(unsigned threads) {
+  ThreadCrew crew(cpu::crew_size(threads, size()));
+  shelves_->points.rebuild(crew);
+}
+
+}  // namespace beespace

@@ -1,0 +1,140 @@
+// Many places at once: looked up in an order that suits the caches, in chunks, by whoever is free.
+#include "exact/validate.hpp"
+#include "index/index_shelves.hpp"
+#include "index/place_order.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <new>
+#include <utility>
+#include <vector>
+
+namespace beespace::search {
+
+namespace {
+
+// Neighbouring places that one worker looks up.
+constexpr std::size_t kChunk = 512;
+
+// Calls work(chunk, begin, end, worker) for all chunks of [0, count).
+template <class Work>
+void share_out(std::size_t count, Crew& crew, Work&& work) {
+  std::atomic<std::size_t> next{0};
+  crew.run([&](unsigned worker) {
+    for (std::size_t chunk = next++; chunk * kChunk < count; chunk = next++) {
+      work(chunk, chunk * kChunk, std::min((chunk + 1) * kChunk, count), worker);
+    }
+  });
+}
+
+class AroundAll {
+ public:
+  AroundAll(const IndexShelves& shelves, const OrderedPlaces& places, const SearchOptions& options,
+            Crew& crew)
+      : shelves_(shelves),
+        places_(places),
+        options_(options),
+        crew_(crew),
+        found_(crew.size()),
+        chunks_(places.size() / kChunk + 1),
+        sizes_(places.size()) {}
+
+  Result<IdRows> find() {
+    share_out(places_.size(), crew_,
+              [&](std::size_t chunk, std::size_t begin, std::size_t end, unsigned worker) {
+                if (total_ > options_.max_results) return;
+                Found& mine = found_[worker];
+                chunks_[chunk] = {mine.ids.size(), worker};
+                for (std::size_t i = begin; i < end; ++i) look_around(i, mine);
+                total_ += mine.ids.size() - chunks_[chunk].begin;
+              });
+    if (total_ > options_.max_results) return core::too_many_results(options_.max_results);
+    return together();
+  }
+
+ private:
+  // What one worker found, chunk after chunk.
+  struct Found {
+    std::vector<PointId> ids;
+    std::vector<PointId> row;
+  };
+
+  // Where the ids of a chunk begin.
+  struct Chunk {
+    std::size_t begin;
+    unsigned worker;
+  };
+
+  void look_around(std::size_t i, Found& mine) {
+    shelves_.find_around({places_.places[i], options_.threshold_m, options_.inclusive}, mine.row);
+    sizes_[i] = static_cast<std::uint32_t>(mine.row.size());
+    mine.ids.insert(mine.ids.end(), mine.row.begin(), mine.row.end());
+  }
+
+  // The rows one behind the other, in the caller's order.
+  IdRows together() {
+    IdRows rows;
+    rows.offsets.resize(places_.size() + 1);
+    for (std::size_t i = 0; i < sizes_.size(); ++i) rows.offsets[places_.index[i]] = sizes_[i];
+    std::uint64_t before = 0;
+    for (std::uint64_t& offset : rows.offsets) before += std::exchange(offset, before);
+    rows.ids.resize(before);
+    share_out(places_.size(), crew_,
+              [&](std::size_t chunk, std::size_t begin, std::size_t end, unsigned) {
+                const Chunk& its = chunks_[chunk];
+                const PointId* from = found_[its.worker].ids.data() + its.begin;
+                for (std::size_t i = begin; i < end; ++i) {
+                  PointId* const to = rows.ids.data() + rows.offsets[places_.index[i]];
+                  std::copy_n(from, sizes_[i], to);
+                  from += sizes_[i];
+                }
+              });
+    return rows;
+  }
+
+  const IndexShelves& shelves_;
+  const OrderedPlaces& places_;
+  const SearchOptions& options_;
+  Crew& crew_;
+  std::vector<Found> found_;  // by worker
+  std::vector<Chunk> chunks_;
+  std::vector<std::uint32_t> sizes_;  // of the rows, in the order of looking
+  std::atomic<std::uint64_t> total_{0};
+};
+
+}  // namespace
+
+Result<IdRows> find_around_all(const IndexShelves& shelves, const PointsView& places,
+                               const core::Bounds& bounds, const SearchOptions& options,
+                               Crew& crew) {
+  if (places.empty()) return IdRows{};
+  const OrderedPlaces ordered = place_order(places, bounds, crew);
+  return AroundAll(shelves, ordered, options, crew).find();
+}
+
+NearestRows find_nearest_of_all(const IndexShelves& shelves, const PointsView& places,
+                                const core::Bounds& bounds, std::size_t k, Crew& crew) {
+  NearestRows rows{k, {}};
+  if (k == 0 || places.empty()) return rows;
+  if (places.size() > rows.entries.max_size() / k) throw std::bad_alloc();
+  rows.entries.resize(places.size() * k);
+  const OrderedPlaces ordered = place_order(places, bounds, crew);
+  share_out(places.size(), crew, [&](std::size_t, std::size_t begin, std::size_t end, unsigned) {
+    core::NearestList list;
+    double reach_m = std::numeric_limits<double>::infinity();
+    for (std::size_t i = begin; i < end; ++i) {
+      const Point& place = ordered.places[i];
+      // As many as are around the place before, are no farther from here than from there and the
+      // way between the two. Distances and sums are off by a few 2^-53.
+      if (i > begin) reach_m += distance(place, ordered.places[i - 1]);
+      list.start(place, k, reach_m * (1.0 + 0x1p-48));
+      shelves.find_nearest(place, list);
+      reach_m = list.reach_m();
+      list.write(rows.entries.data() + std::size_t{ordered.index[i]} * k);
+    }
+  });
+  return rows;
+}
+
+}  // namespace beespace::search

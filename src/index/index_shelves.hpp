@@ -1,0 +1,50 @@
+// What an Index consists of, and how one place is looked up in it.
+#pragma once
+
+#include "index/changing_points.hpp"
+#include "kernels/tree_walk.hpp"
+#include "tree/nearest_list.hpp"
+
+#include <beespace/crew.hpp>
+#include <beespace/index.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace beespace {
+
+namespace search {
+
+class IndexShelves {
+ public:
+  explicit IndexShelves(ChangingPoints held);
+
+  // The ids of the points in the ball, ascending, in the caller's vector.
+  void find_around(const cpu::Ball& ball, std::vector<PointId>& found) const;
+
+  // Offers all points to a list that was started at the place.
+  void find_nearest(const Point& place, core::NearestList& list) const;
+
+  ChangingPoints points;
+
+ private:
+  cpu::TreeWalks walks_;
+};
+
+std::optional<Error> check_radius(double radius_m);
+
+// The answers for many places, all of the domain and in this box.
+Result<IdRows> find_around_all(const IndexShelves& shelves, const PointsView& places,
+                               const core::Bounds& bounds, const SearchOptions& options,
+                               Crew& crew);
+NearestRows find_nearest_of_all(const IndexShelves& shelves, const PointsView& places,
+                                const core::Bounds& bounds, std::size_t k, Crew& crew);
+
+}  // namespace search
+
+class Index::Shelves final : public search::IndexShelves {
+ public:
+  using IndexShelves::IndexShelves;
+};
+
+}  // namespace beespace

@@ -1,0 +1,203 @@
+#include "kernels/sweep_kernel.hpp"
+#include "kernels/sweep_variants.hpp"
+
+#include <immintrin.h>
+
+namespace beespace::cpu {
+
+namespace {
+
+class Lanes {
+ public:
+  static constexpr unsigned kLanes = 16;
+
+  struct Seen {
+    unsigned near;
+    unsigned within;
+    unsigned before;
+    __mmask16 valid;
+    __m512 squared;
+  };
+
+  explicit Lanes(const Limits& limits)
+      : near_(_mm512_set1_ps(limits.near)), far_(_mm512_set1_ps(limits.far)) {}
+
+  void select(std::int32_t x, std::int32_t y, std::int32_t z, std::int32_t bound_x) {
+    x_ = _mm512_set1_epi32(x);
+    y_ = _mm512_set1_epi32(y);
+    z_ = _mm512_set1_epi32(z);
+    bound_x_ = _mm512_set1_epi32(bound_x);
+  }
+  void select_block(const std::int32_t* x, const std::int32_t* y, const std::int32_t* z,
+                    std::int32_t reach, std::int32_t slice) {
+    x_ = _mm512_loadu_si512(x);
+    y_ = _mm512_loadu_si512(y);
+    z_ = _mm512_loadu_si512(z);
+    const __m512i slices = _mm512_set1_epi32(slice);
+    const __m512i farthest = _mm512_add_epi32(x_, _mm512_set1_epi32(reach + 1));
+    bound_x_ = _mm512_sub_epi32(_mm512_and_si512(farthest, slices), slices);
+  }
+
+  [[nodiscard]] Seen look(const std::int32_t* x, const std::int32_t* y, const std::int32_t* z,
+                          std::uint32_t count) const {
+    const auto valid = static_cast<__mmask16>(_bzhi_u32(0xFFFF, count < kLanes ? count : kLanes));
+    const __m512i other_x = _mm512_loadu_si512(x);
+    Seen seen = compare(other_x, _mm512_loadu_si512(y), _mm512_loadu_si512(z), valid);
+    seen.before = _mm512_mask_cmplt_epi32_mask(valid, other_x, bound_x_);
+    return seen;
+  }
+  [[nodiscard]] Seen meet(std::int32_t x, std::int32_t y, std::int32_t z, unsigned lanes) const {
+    return compare(_mm512_set1_epi32(x), _mm512_set1_epi32(y), _mm512_set1_epi32(z),
+                   static_cast<__mmask16>(lanes));
+  }
+
+  static unsigned at_sides(const std::int32_t* y, const std::int32_t* z, unsigned sides,
+                           std::int32_t reach, std::int32_t row, std::uint32_t count) {
+    const __m512i in_row = _mm512_set1_epi32(row - 1);
+    const __m512i in_y = _mm512_and_si512(_mm512_loadu_si512(y), in_row);
+    const __m512i in_z = _mm512_and_si512(_mm512_loadu_si512(z), in_row);
+    const __m512i low = _mm512_set1_epi32(reach);
+    const __m512i high = _mm512_set1_epi32(row - reach);
+    unsigned chosen = _bzhi_u32(0xFFFF, count < kLanes ? count : kLanes);
+    if ((sides & kLowY) != 0) chosen &= _mm512_cmplt_epi32_mask(in_y, low);
+    if ((sides & kHighY) != 0) chosen &= _mm512_cmpge_epi32_mask(in_y, high);
+    if ((sides & kLowZ) != 0) chosen &= _mm512_cmplt_epi32_mask(in_z, low);
+    if ((sides & kHighZ) != 0) chosen &= _mm512_cmpge_epi32_mask(in_z, high);
+    return chosen;
+  }
+  static void pack(const std::int32_t* from, unsigned chosen, std::int32_t* to) {
+    _mm512_storeu_si512(
+        to, _mm512_maskz_compress_epi32(static_cast<__mmask16>(chosen), _mm512_loadu_si512(from)));
+  }
+  static void clear(std::int32_t* words) { _mm512_storeu_si512(words, _mm512_setzero_si512()); }
+  static void pack_numbers(std::uint32_t first, unsigned chosen, std::uint32_t* to) {
+    _mm512_storeu_si512(
+        to, _mm512_maskz_compress_epi32(static_cast<__mmask16>(chosen), numbers_from(first)));
+  }
+
+  static void add_near(Seen& seen, unsigned lane) { seen.near |= 1U << lane; }
+
+  static void mark(std::uint8_t* marks, unsigned near) {
+    _mm_mask_storeu_epi8(marks, static_cast<__mmask16>(near), _mm_set1_epi8(-1));
+  }
+
+  static unsigned above(const PointId* ids, PointId id) {
+    return _mm512_cmpgt_epu32_mask(_mm512_loadu_si512(ids),
+                                   _mm512_set1_epi32(static_cast<std::int32_t>(id)));
+  }
+  static unsigned equal(const PointId* ids, PointId id) {
+    return _mm512_cmpeq_epi32_mask(_mm512_loadu_si512(ids),
+                                   _mm512_set1_epi32(static_cast<std::int32_t>(id)));
+  }
+  static void store(const PointId* ids, unsigned near, PointId* to) {
+    _mm512_storeu_si512(
+        to, _mm512_maskz_compress_epi32(static_cast<__mmask16>(near), _mm512_loadu_si512(ids)));
+  }
+  static void fill(PointId* to, PointId id) {
+    _mm512_storeu_si512(to, _mm512_set1_epi32(static_cast<std::int32_t>(id)));
+  }
+
+  static unsigned meeting(const Seen& seen, const float* radii, const float* others) {
+    return meeting(seen, _mm512_add_ps(_mm512_loadu_ps(radii), _mm512_loadu_ps(others)));
+  }
+  static unsigned meeting(const Seen& seen, const float* radii, float other) {
+    return meeting(seen, _mm512_add_ps(_mm512_loadu_ps(radii), _mm512_set1_ps(other)));
+  }
+
+  static void leave_out(Seen& seen, const PointId* ids, PointId id) {
+    seen.valid = _mm512_mask_cmpneq_epi32_mask(seen.valid, _mm512_loadu_si512(ids),
+                                               _mm512_set1_epi32(static_cast<std::int32_t>(id)));
+  }
+
+  class Tally {
+   public:
+    void clear() { counts_ = _mm512_setzero_si512(); }
+    void add(const Seen& seen) {
+      counts_ = _mm512_mask_sub_epi32(counts_, static_cast<__mmask16>(seen.near), counts_,
+                                      _mm512_set1_epi32(-1));
+    }
+    void write(std::uint32_t* to) const { _mm512_storeu_si512(to, counts_); }
+
+   private:
+    __m512i counts_;
+  };
+
+  class Nearest {
+   public:
+    void clear() {
+      best_ = second_ = _mm512_set1_ps(kInfinity);
+      who_ = _mm512_setzero_si512();
+    }
+    void add(const Seen& seen, std::uint32_t from) {
+      who_ = _mm512_mask_mov_epi32(who_, keep_two(seen, best_, second_), numbers_from(from));
+    }
+    void add_one(const Seen& seen, std::uint32_t who) {
+      who_ = _mm512_mask_mov_epi32(who_, keep_two(seen, best_, second_),
+                                   _mm512_set1_epi32(static_cast<std::int32_t>(who)));
+    }
+    void read(const float* best, const float* second, const std::uint32_t* who) {
+      best_ = _mm512_loadu_ps(best);
+      second_ = _mm512_loadu_ps(second);
+      who_ = _mm512_loadu_si512(who);
+    }
+    void write_lanes(float* best, float* second, std::uint32_t* who) const {
+      _mm512_storeu_ps(best, best_);
+      _mm512_storeu_ps(second, second_);
+      _mm512_storeu_si512(who, who_);
+    }
+    void write(float& best, float& second, std::uint32_t& who) const {
+      best = _mm512_reduce_min_ps(best_);
+      const auto holds = _mm512_cmp_ps_mask(best_, _mm512_set1_ps(best), _CMP_EQ_OQ);
+      const auto lane = static_cast<__mmask16>(holds & -holds);
+      second = _mm512_reduce_min_ps(_mm512_mask_mov_ps(best_, lane, second_));
+      who = static_cast<std::uint32_t>(
+          _mm_cvtsi128_si32(_mm512_castsi512_si128(_mm512_maskz_compress_epi32(lane, who_))));
+    }
+
+   private:
+    static __mmask16 keep_two(const Seen& seen, __m512& best, __m512& second) {
+      const __mmask16 nearer = _mm512_mask_cmp_ps_mask(seen.valid, seen.squared, best, _CMP_LT_OQ);
+      second = _mm512_mask_min_ps(second, seen.valid, second, _mm512_max_ps(best, seen.squared));
+      best = _mm512_mask_mov_ps(best, nearer, seen.squared);
+      return nearer;
+    }
+
+    __m512 best_;
+    __m512 second_;
+    __m512i who_;
+  };
+
+ private:
+  static unsigned meeting(const Seen& seen, __m512 distance) {
+    return _mm512_mask_cmp_ps_mask(seen.valid, seen.squared, _mm512_mul_ps(distance, distance),
+                                   _CMP_LE_OQ);
+  }
+
+  static __m512i numbers_from(std::uint32_t first) {
+    return _mm512_add_epi32(_mm512_set1_epi32(static_cast<std::int32_t>(first)),
+                            _mm512_set_epi32(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0));
+  }
+
+  [[nodiscard]] Seen compare(__m512i x, __m512i y, __m512i z, __mmask16 valid) const {
+    const __m512 dx = _mm512_cvtepi32_ps(_mm512_sub_epi32(x, x_));
+    const __m512 dy = _mm512_cvtepi32_ps(_mm512_sub_epi32(y, y_));
+    const __m512 dz = _mm512_cvtepi32_ps(_mm512_sub_epi32(z, z_));
+    const __m512 squared = _mm512_fmadd_ps(dz, dz, _mm512_fmadd_ps(dy, dy, _mm512_mul_ps(dx, dx)));
+    const unsigned near = _mm512_mask_cmp_ps_mask(valid, squared, near_, _CMP_LT_OQ);
+    const unsigned within = _mm512_mask_cmp_ps_mask(valid, squared, far_, _CMP_LE_OQ);
+    return {near, within, 0, valid, squared};
+  }
+
+  __m512 near_;
+  __m512 far_;
+  __m512i x_{};
+  __m512i y_{};
+  __m512i z_{};
+  __m512i bound_x_{};
+};
+
+}  // namespace
+
+constinit const Kernels kAvx512Kernels = kernels_over<Lanes>();
+
+}  // namespace beespace::cpu

@@ -1,0 +1,234 @@
+// The kernels for every processor: GNU vectors of four lanes, which are SSE2 on x86-64 and NEON on
+// ARM64.
+#include "kernels/sweep_kernel.hpp"
+#include "kernels/sweep_variants.hpp"
+
+#include <bit>
+#include <cstring>
+
+namespace beespace::cpu {
+
+namespace {
+
+class Lanes {
+  using Ints [[gnu::vector_size(16)]] = std::int32_t;
+  using Ids [[gnu::vector_size(16)]] = PointId;
+  using Floats [[gnu::vector_size(16)]] = float;
+
+ public:
+  static constexpr unsigned kLanes = 4;
+
+  struct Seen {
+    unsigned near;
+    unsigned within;
+    unsigned before;
+    Ints near_lanes;  // all ones where near
+    Ints valid;
+    Floats squared;
+  };
+
+  explicit Lanes(const Limits& limits) : near_(limits.near), far_(limits.far) {}
+
+  void select(std::int32_t x, std::int32_t y, std::int32_t z, std::int32_t bound_x) {
+    x_ = Ints{} + x;
+    y_ = Ints{} + y;
+    z_ = Ints{} + z;
+    bound_x_ = Ints{} + bound_x;
+  }
+  void select_block(const std::int32_t* x, const std::int32_t* y, const std::int32_t* z,
+                    std::int32_t reach, std::int32_t slice) {
+    x_ = load<Ints>(x);
+    y_ = load<Ints>(y);
+    z_ = load<Ints>(z);
+    bound_x_ = ((x_ + (reach + 1)) & slice) - slice;
+  }
+
+  [[nodiscard]] Seen look(const std::int32_t* x, const std::int32_t* y, const std::int32_t* z,
+                          std::uint32_t count) const {
+    const Ints valid = kNumbers < static_cast<std::int32_t>(count < kLanes ? count : kLanes);
+    const Ints other_x = load<Ints>(x);
+    Seen seen = compare(other_x, load<Ints>(y), load<Ints>(z), valid);
+    seen.before = bits((other_x < bound_x_) & valid);
+    return seen;
+  }
+  [[nodiscard]] Seen meet(std::int32_t x, std::int32_t y, std::int32_t z, unsigned lanes) const {
+    return compare(Ints{} + x, Ints{} + y, Ints{} + z, with_bits(lanes));
+  }
+
+  static unsigned at_sides(const std::int32_t* y, const std::int32_t* z, unsigned sides,
+                           std::int32_t reach, std::int32_t row, std::uint32_t count) {
+    const Ints in_y = load<Ints>(y) & (row - 1);
+    const Ints in_z = load<Ints>(z) & (row - 1);
+    Ints chosen = kNumbers < static_cast<std::int32_t>(count < kLanes ? count : kLanes);
+    if ((sides & kLowY) != 0) chosen &= in_y < reach;
+    if ((sides & kHighY) != 0) chosen &= in_y >= row - reach;
+    if ((sides & kLowZ) != 0) chosen &= in_z < reach;
+    if ((sides & kHighZ) != 0) chosen &= in_z >= row - reach;
+    return bits(chosen);
+  }
+  static void pack(const std::int32_t* from, unsigned chosen, std::int32_t* to) {
+    for (unsigned lane = 0; lane < kLanes; ++lane) {
+      *to = from[lane];
+      to += chosen >> lane & 1U;
+    }
+  }
+  static void clear(std::int32_t* words) { store(words, Ints{}); }
+  static void pack_numbers(std::uint32_t first, unsigned chosen, std::uint32_t* to) {
+    for (unsigned lane = 0; lane < kLanes; ++lane) {
+      *to = first + lane;
+      to += chosen >> lane & 1U;
+    }
+  }
+
+  static void add_near(Seen& seen, unsigned lane) {
+    seen.near |= 1U << lane;
+    seen.near_lanes |= with_bits(1U << lane);
+  }
+
+  static void mark(std::uint8_t* marks, unsigned near) {
+    static_assert(std::endian::native == std::endian::little);
+    // Byte `lane` keeps bit `lane` of the copies of `near`, which is all that "nonzero" needs.
+    auto old = load<std::uint32_t>(marks);
+    old |= (near * 0x01010101U) & 0x08040201U;
+    store(marks, old);
+  }
+
+  static unsigned above(const PointId* ids, PointId id) { return bits(load<Ids>(ids) > id); }
+  static unsigned equal(const PointId* ids, PointId id) { return bits(load<Ids>(ids) == id); }
+  static void store(const PointId* ids, unsigned near, PointId* to) {
+    for (; near != 0; near &= near - 1) {
+      *to++ = ids[__builtin_ctz(near)];
+    }
+  }
+  static void fill(PointId* to, PointId id) {
+    for (unsigned lane = 0; lane < kLanes; ++lane) to[lane] = id;
+  }
+
+  static unsigned meeting(const Seen& seen, const float* radii, const float* others) {
+    return meeting(seen, load<Floats>(radii) + load<Floats>(others));
+  }
+  static unsigned meeting(const Seen& seen, const float* radii, float other) {
+    return meeting(seen, load<Floats>(radii) + other);
+  }
+
+  static void leave_out(Seen& seen, const PointId* ids, PointId id) {
+    seen.valid &= load<Ints>(ids) != static_cast<std::int32_t>(id);
+  }
+
+  class Tally {
+   public:
+    void clear() { counts_ = Ints{}; }
+    void add(const Seen& seen) { counts_ -= seen.near_lanes; }
+    void write(std::uint32_t* to) const { Lanes::store(to, counts_); }
+
+   private:
+    Ints counts_;
+  };
+
+  class Nearest {
+   public:
+    void clear() {
+      best_ = second_ = Floats{} + kInfinity;
+      who_ = Ints{};
+    }
+    void add(const Seen& seen, std::uint32_t from) {
+      take(kNumbers + static_cast<std::int32_t>(from), keep_two(seen, best_, second_));
+    }
+    void add_one(const Seen& seen, std::uint32_t who) {
+      take(Ints{} + static_cast<std::int32_t>(who), keep_two(seen, best_, second_));
+    }
+    void read(const float* best, const float* second, const std::uint32_t* who) {
+      best_ = load<Floats>(best);
+      second_ = load<Floats>(second);
+      who_ = load<Ints>(who);
+    }
+    void write_lanes(float* best, float* second, std::uint32_t* who) const {
+      Lanes::store(best, best_);
+      Lanes::store(second, second_);
+      Lanes::store(who, who_);
+    }
+    void write(float& best, float& second, std::uint32_t& who) const {
+      best = second = kInfinity;
+      for (unsigned lane = 0; lane < kLanes; ++lane) {
+        if (best_[lane] < best) {
+          second = best < second_[lane] ? best : second_[lane];
+          best = best_[lane];
+          who = static_cast<std::uint32_t>(who_[lane]);
+        } else if (best_[lane] < second) {
+          second = best_[lane];
+        }
+      }
+    }
+
+   private:
+    void take(const Ints& who, const Ints& nearer) { who_ = (who & nearer) | (who_ & ~nearer); }
+
+    static Ints keep_two(const Seen& seen, Floats& best, Floats& second) {
+      const Floats far = Floats{} + kInfinity;
+      const Floats squared = select(seen.valid, seen.squared, far);
+      const Ints nearer = squared < best;
+      const Floats larger = select(nearer, best, squared);
+      best = select(nearer, squared, best);
+      second = select(larger < second, larger, second);
+      return nearer;
+    }
+    static Floats select(const Ints& chosen, const Floats& yes, const Floats& no) {
+      return std::bit_cast<Floats>((std::bit_cast<Ints>(yes) & chosen) |
+                                   (std::bit_cast<Ints>(no) & ~chosen));
+    }
+
+    Floats best_;
+    Floats second_;
+    Ints who_;
+  };
+
+ private:
+  static unsigned meeting(const Seen& seen, const Floats& distance) {
+    return bits((seen.squared <= distance * distance) & seen.valid);
+  }
+
+  static constexpr Ints kNumbers = {0, 1, 2, 3};
+
+  template <class Words, class From>
+  static Words load(const From* from) {
+    Words loaded;
+    std::memcpy(&loaded, from, sizeof loaded);
+    return loaded;
+  }
+  template <class To, class Words>
+  static void store(To* to, const Words& words) {
+    std::memcpy(to, &words, sizeof words);
+  }
+  // All ones in the lanes whose bits are set.
+  static Ints with_bits(unsigned lanes) {
+    const Ints bit = {1, 2, 4, 8};
+    return (bit & static_cast<std::int32_t>(lanes)) == bit;
+  }
+
+  [[nodiscard]] Seen compare(const Ints& x, const Ints& y, const Ints& z, const Ints& valid) const {
+    const Floats dx = __builtin_convertvector(x - x_, Floats);
+    const Floats dy = __builtin_convertvector(y - y_, Floats);
+    const Floats dz = __builtin_convertvector(z - z_, Floats);
+    const Floats squared = dx * dx + dy * dy + dz * dz;
+    const Ints near = (squared < near_) & valid;
+    const Ints within = (squared <= far_) & valid;
+    return {bits(near), bits(within), 0, near, valid, squared};
+  }
+
+  static unsigned bits(const Ints& mask) {
+    return static_cast<unsigned>((mask[0] & 1) | (mask[1] & 2) | (mask[2] & 4) | (mask[3] & 8));
+  }
+
+  float near_;
+  float far_;
+  Ints x_{};
+  Ints y_{};
+  Ints z_{};
+  Ints bound_x_{};
+};
+
+}  // namespace
+
+constinit const Kernels kBaselineKernels = kernels_over<Lanes>();
+
+}  // namespace beespace::cpu

@@ -1,0 +1,78 @@
+// What the sweep kernels have in common: the lanes they are written over, and how far one looks.
+//
+// Included by the sweep_<instruction set>.cpp files only, through sweep_kernel.hpp. Those files are
+// compiled for processors that the rest of the library must not require, so nothing here may be
+// shared with other files: all is in an unnamed namespace, and no inline function of a library
+// header is called.
+//
+// Each of them brings its own Lanes, for points that ask and others that they are compared with:
+//   kLanes                          how many comparisons are made together
+//   Lanes(limits)
+//   select(x, y, z, bound_x)        one point that asks, in every lane, and a bound along x
+//   select_block(x, y, z, reach, slice)  the next kLanes points, a lane each; the bound of each is
+//                                   where its reach along x ends (see Reach)
+//   look(x, y, z, count)            every lane with its own of the next kLanes points, of which the
+//                                   first `count` count
+//   meet(x, y, z, lanes)            one point with the lanes whose bits are set
+// The last two return what was Seen, one bit a lane: near (surely), within (near or unsure), before
+// (left of the bound; look only); and what else the Lanes remember. With that:
+//   add_near(seen, lane)            an unsure one is near
+//   meeting(seen, radii, others)    the lanes that count whose distance is at most both radii; the
+//                                   others' are a lane each, or one for all
+//   leave_out(seen, ids, id)        the lane whose id is this one no longer counts
+//   mark(marks, near)               marks[lane] = nonzero for every near lane
+//   above(ids, id), equal(ids, id)  the lanes whose ids are
+//   store(ids, near, to)            writes the ids of the near lanes one after the other; kLanes
+//                                   places may be written
+//   fill(to, id)                    writes an id kLanes times
+//   at_sides(y, z, sides, reach, row, count)   which of the next points lie within the reach of all
+//                                   these sides of their row, of which the first `count` count
+//   pack(from, chosen, to)          writes the chosen ones of kLanes words, as store does
+//   pack_numbers(first, chosen, to) the same of the numbers from `first` on
+//   clear(words)                    writes kLanes zeros
+//   Tally                           counts the near, lane by lane: add(seen), write(to)
+//   Nearest                         keeps the nearest two, lane by lane, among all that count:
+//                                   add(seen, from), whose lanes met `from` and those behind it;
+//                                   add_one(seen, who); read, write_lanes; write, of all lanes
+#pragma once
+
+#include "kernels/sweep.hpp"
+
+#include <cstdint>
+
+namespace beespace::cpu {
+namespace {
+
+constexpr float kInfinity = __builtin_inff();  // NOLINT(misc-definitions-in-headers)
+
+// How far one looks, in units. Whoever is within the reach is at most so far away along x, give or
+// take a unit of rounding; windows begin and end with whole slices, whose points stand in any
+// order.
+struct Reach {
+  explicit Reach(const Sweep& sweep)
+      : units(sweep.reach_cells << sweep.fraction_bits), slice(-(1 << sweep.slice_bits)) {}
+
+  [[nodiscard]] std::int32_t first_x(std::int32_t x) const { return (x - units - 1) & slice; }
+  [[nodiscard]] std::int32_t end_x(std::int32_t x) const {
+    return ((x + units + 1) & slice) - slice;
+  }
+
+  std::int32_t units;
+  std::int32_t slice;
+};
+
+// The first point of a range whose slice is not before `first_x`.
+inline std::uint32_t window_start(const std::int32_t* x, Range range, std::int32_t first_x) {
+  while (range.begin < range.end) {
+    const std::uint32_t middle = range.begin + (range.end - range.begin) / 2;
+    if (x[middle] < first_x) {
+      range.begin = middle + 1;
+    } else {
+      range.end = middle;
+    }
+  }
+  return range.begin;
+}
+
+}  // namespace
+}  // namespace beespace::cpu

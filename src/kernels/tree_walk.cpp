@@ -1,0 +1,28 @@
+#include "kernels/tree_walk.hpp"
+
+#include "exact/exact_distance.hpp"
+
+namespace beespace::cpu {
+
+TreeWalks tree_walks_baseline();
+#if defined(BEESPACE_X86_KERNELS)
+TreeWalks tree_walks_avx2();
+#endif
+
+bool Ball::holds(const Point& point) const {
+  return core::ProximityTest(radius_m, inclusive)(point, centre);
+}
+
+TreeWalks tree_walks(InstructionSet set) {
+  switch (set) {
+#if defined(BEESPACE_X86_KERNELS)
+    case InstructionSet::kAvx2:
+    case InstructionSet::kAvx512:
+      return tree_walks_avx2();
+#endif
+    default:
+      return tree_walks_baseline();
+  }
+}
+
+}  // namespace beespace::cpu

@@ -1,0 +1,70 @@
+#include "kernels/tree_walk_kernel.hpp"
+
+#include <immintrin.h>
+
+namespace beespace::cpu {
+
+namespace {
+
+class Lanes {
+ public:
+  Lanes() = default;
+  static Lanes load(const float* from) { return {_mm256_load_ps(from), _mm256_load_ps(from + 8)}; }
+  static Lanes all(float value) {
+    const __m256 values = _mm256_set1_ps(value);
+    return {values, values};
+  }
+  void store(float* to) const {
+    _mm256_store_ps(to, low_);
+    _mm256_store_ps(to + 8, high_);
+  }
+
+  friend Lanes operator-(const Lanes& a, const Lanes& b) {
+    return {_mm256_sub_ps(a.low_, b.low_), _mm256_sub_ps(a.high_, b.high_)};
+  }
+  friend Lanes operator+(const Lanes& a, const Lanes& b) {
+    return {_mm256_add_ps(a.low_, b.low_), _mm256_add_ps(a.high_, b.high_)};
+  }
+  friend Lanes operator*(const Lanes& a, const Lanes& b) {
+    return {_mm256_mul_ps(a.low_, b.low_), _mm256_mul_ps(a.high_, b.high_)};
+  }
+  [[nodiscard]] Lanes above_zero() const {
+    const __m256 zero = _mm256_setzero_ps();
+    return {_mm256_max_ps(low_, zero), _mm256_max_ps(high_, zero)};
+  }
+  [[nodiscard]] std::uint32_t at_most(float limit) const {
+    const __m256 limits = _mm256_set1_ps(limit);
+    return bits(_mm256_cmp_ps(low_, limits, _CMP_LE_OQ), _mm256_cmp_ps(high_, limits, _CMP_LE_OQ));
+  }
+  [[nodiscard]] std::uint32_t below(float limit) const {
+    const __m256 limits = _mm256_set1_ps(limit);
+    return bits(_mm256_cmp_ps(low_, limits, _CMP_LT_OQ), _mm256_cmp_ps(high_, limits, _CMP_LT_OQ));
+  }
+
+ private:
+  Lanes(__m256 low, __m256 high) : low_(low), high_(high) {}
+
+  static std::uint32_t bits(__m256 low, __m256 high) {
+    return static_cast<std::uint32_t>(_mm256_movemask_ps(low)) |
+           static_cast<std::uint32_t>(_mm256_movemask_ps(high)) << 8;
+  }
+
+  __m256 low_;
+  __m256 high_;
+};
+
+void collect(const TreeView& tree, const Ball& ball, IdSink& sink) {
+  collect_around<Lanes>(tree, ball, sink);
+}
+
+void find_nearest(const TreeView& tree, const Point& place, core::NearestList& list) {
+  nearest_around<Lanes>(tree, place, list);
+}
+
+}  // namespace
+
+TreeWalks tree_walks_avx2() {
+  return {collect, find_nearest};
+}
+
+}  // namespace beespace::cpu

@@ -1,0 +1,327 @@
+// The walks through a PointTree: the algorithm, written once over 16 lanes.
+//
+// Included by the tree_walk_<instruction set>.cpp files only, each of which brings its own Lanes.
+// Those files are compiled for processors that the rest of the library must not require, so nothing
+// here may be shared: all is in an unnamed namespace, and no inline function of a library header is
+// called.
+//
+// Lanes is 16 floats, with
+//   load(const float*), store(float*), all(float)
+//   a - b, a + b, a * b                 rounded like floats; contraction does no harm here
+//   above_zero()                        max(a, 0), and 0 for what is not a number
+//   at_most(float), below(float)        one bit a lane; no bit for what is not a number
+//
+// What the floats promise. Write u = 2^-24. In the frame of a node of level 0 all points p have
+// coordinates in [-1, 1]; their floats are off by at most u. The place q can be anywhere; its
+// floats are off by u |q_i| (1 + 2^-28, for the doubles on the way, here and below).
+//
+// Points. On an axis with |q_i| <= 4 the difference is off by 5 u, and by u relatively from its own
+// rounding. On an axis with |q_i| > 4 the true difference is at least 3/4 |q_i|, so the 5/4 u |q_i|
+// of both are 5/3 u relatively. With three roundings in the sum of squares, 3/2 u in the root:
+//   |d_float - d| <= sqrt(3) 5 u + (8/3 + 3/2 + o(1)) u d  <  2^-20 (1 - 2^-2) + 2^-21 d.
+// So d_float < r - 2^-20 (1 + r) proves d < r, and d_float > r + 2^-20 (1 + r) proves d > r, with
+// something left for rounding these limits and squaring them.
+//
+// Boxes. With m = max(1, |b|), a border b lies kBoxMargin m = 16 u m outside of the points, of
+// which rounding takes less than 2 u m. On an axis with |q_i| <= 4 m that is more than the 4 u m by
+// which q_i may be off; on one with |q_i| > 4 m the gap is at least 3/4 |q_i|, and too large by at
+// most 4/3 u relatively. So a box that the floats see beyond the upper limit holds no point within
+// r.
+//
+// Far away and very small: coordinates of q beyond 2^61 are taken for 2^61; then d_float > 2^60,
+// which neither limit reaches unless all points are to be looked at anyway. Underflow moves squares
+// by 2^-149, next to limits that are 0 or at least 2^-40.
+#pragma once
+
+#include "kernels/tree_walk.hpp"
+
+#include <cstdint>
+
+namespace beespace::cpu {
+namespace {
+
+using core::kFanOut;
+using core::kFarthest;
+using core::TreeLeaf;
+using core::TreeNode;
+using core::TreeView;
+
+// NOLINTBEGIN(misc-definitions-in-headers): in an unnamed namespace, once in each kernel
+constexpr double kSlack = 0x1p-20;
+constexpr double kLargestFar = 0x1p+126;
+constexpr double kLargestNear = 0x1p+118;
+// NOLINTEND(misc-definitions-in-headers)
+
+// The upper limit of squared floats for a radius in the units of a frame.
+[[gnu::always_inline]] inline float far_limit(double radius) {
+  const double far = (radius + kSlack) * (1.0 + kSlack);
+  const double squared = far * far;
+  return static_cast<float>(squared < kLargestFar ? squared : kLargestFar);
+}
+
+// The same, or a little more, from the square of the radius: with s = kSlack,
+//   ((r + s) (1 + s))^2 <= (r^2 + s (r^2 + 1) + s^2) (1 + s)^2 < r^2 (1 + 4 s) + 2 s.
+[[gnu::always_inline]] inline float far_limit_of_square(double squared_radius) {
+  const double squared = squared_radius * (1.0 + 4.0 * kSlack) + 2.0 * kSlack;
+  return static_cast<float>(squared < kLargestFar ? squared : kLargestFar);
+}
+
+[[gnu::always_inline]] inline float near_limit(double radius) {
+  const double near = radius * (1.0 - kSlack) - kSlack;
+  if (!(near > 0.0)) return 0.0F;
+  const double squared = near * near;
+  return static_cast<float>(squared < kLargestNear ? squared : kLargestNear);
+}
+
+// A place in the frame of a node.
+template <class Lanes>
+struct LocalPlace {
+  Lanes x;
+  Lanes y;
+  Lanes z;
+
+  LocalPlace() = default;
+  [[gnu::always_inline]] LocalPlace(const TreeNode& node, const Point& place)
+      : x(local(place.x, node.origin[0], node.scale)),
+        y(local(place.y, node.origin[1], node.scale)),
+        z(local(place.z, node.origin[2], node.scale)) {}
+
+  // Squares of how far the boxes of the node's children are.
+  [[gnu::always_inline]] Lanes gaps(const TreeNode& node) const {
+    const Lanes gap_x = gap(node.low[0], node.high[0], x);
+    const Lanes gap_y = gap(node.low[1], node.high[1], y);
+    const Lanes gap_z = gap(node.low[2], node.high[2], z);
+    return gap_x * gap_x + gap_y * gap_y + gap_z * gap_z;
+  }
+
+  [[gnu::always_inline]] Lanes squares(const TreeLeaf& leaf) const {
+    const Lanes dx = Lanes::load(leaf.at[0]) - x;
+    const Lanes dy = Lanes::load(leaf.at[1]) - y;
+    const Lanes dz = Lanes::load(leaf.at[2]) - z;
+    return dx * dx + dy * dy + dz * dz;
+  }
+
+ private:
+  [[gnu::always_inline]] static Lanes local(double at, double origin, double scale) {
+    double value = (at - origin) * scale;
+    if (value > kFarthest) value = kFarthest;
+    if (value < -kFarthest) value = -kFarthest;
+    return Lanes::all(static_cast<float>(value));
+  }
+  // One of the two is not above zero.
+  [[gnu::always_inline]] static Lanes gap(const float* low, const float* high, const Lanes& at) {
+    return (Lanes::load(low) - at).above_zero() + (at - Lanes::load(high)).above_zero();
+  }
+};
+
+template <class Record>
+[[gnu::always_inline]] inline void prefetch(const Record& record) {
+  const auto* const bytes = reinterpret_cast<const char*>(&record);
+  for (unsigned at = 0; at < sizeof(Record); at += 64) __builtin_prefetch(bytes + at);
+}
+
+[[gnu::always_inline]] inline unsigned first_bit(std::uint32_t bits) {
+  return static_cast<unsigned>(__builtin_ctz(bits));
+}
+
+template <class Lanes>
+[[gnu::always_inline]] inline void collect_leaf(const TreeView& tree, const Ball& ball,
+                                                const LocalPlace<Lanes>& local, float near_squared,
+                                                float far_squared, std::size_t leaf_index,
+                                                IdSink& sink) {
+  const TreeLeaf& leaf = tree.leaves[leaf_index];
+  const Lanes squares = local.squares(leaf);
+  const std::uint32_t within = squares.at_most(far_squared);
+  if (within == 0) return;
+  if (static_cast<std::size_t>(sink.end - sink.next) < kFanOut) sink.make_room(sink);
+  std::uint32_t near = squares.below(near_squared);
+  for (std::uint32_t open = within & ~near; open != 0; open &= open - 1) {
+    const unsigned place = first_bit(open);
+    if (ball.holds(tree.points[leaf_index * kFanOut + place])) near |= 1U << place;
+  }
+  PointId* next = sink.next;
+  if (near == 0xFFFF) {
+    for (unsigned place = 0; place < kFanOut; ++place) next[place] = leaf.ids[place];
+    next += kFanOut;
+  } else {
+    for (; near != 0; near &= near - 1) *next++ = leaf.ids[first_bit(near)];
+  }
+  sink.next = next;
+}
+
+template <class Lanes>
+[[gnu::always_inline]] inline void collect_around(const TreeView& tree, const Ball& ball,
+                                                  IdSink& sink) {
+  struct Step {
+    std::size_t node;
+    unsigned level;
+  };
+  Step steps[kFanOut * core::kMostLevels];
+  unsigned open = 0;
+  steps[open++] = {0, tree.top};
+  while (open != 0) {
+    const Step step = steps[--open];
+    const TreeNode& node = tree.levels[step.level][step.node];
+    const LocalPlace<Lanes> local(node, ball.centre);
+    const double radius = ball.radius_m * node.scale;
+    const float far_squared = far_limit(radius);
+    const std::uint32_t within = local.gaps(node).at_most(far_squared);
+    const std::size_t first_child = step.node * kFanOut;
+    if (step.level != 0) {
+      for (std::uint32_t left = within; left != 0; left &= left - 1) {
+        const std::size_t child = first_child + first_bit(left);
+        prefetch(tree.levels[step.level - 1][child]);
+        steps[open++] = {child, step.level - 1};
+      }
+      continue;
+    }
+    for (std::uint32_t left = within; left != 0; left &= left - 1) {
+      prefetch(tree.leaves[first_child + first_bit(left)]);
+    }
+    const float near_squared = near_limit(radius);
+    for (std::uint32_t left = within; left != 0; left &= left - 1) {
+      collect_leaf(tree, ball, local, near_squared, far_squared, first_child + first_bit(left),
+                   sink);
+    }
+  }
+}
+
+[[gnu::always_inline]] inline double squared_distance(const Point& p, const Point& q) {
+  const double dx = p.x - q.x;
+  const double dy = p.y - q.y;
+  const double dz = p.z - q.z;
+  return dx * dx + dy * dy + dz * dz;
+}
+
+// An upper limit of squares beyond which nobody is among the `count` nearest, given the squares of
+// the points in a leaf. With s = kSlack, and k the count-th smallest of them, it is above
+// ((sqrt(k) + s) (1 + s) + s)^2 (1 + s)^2, which is the upper limit of the distance that surely
+// holds as many.
+template <class Lanes>
+[[gnu::always_inline]] inline float limit_in_leaf(const Lanes& squares, std::size_t count) {
+  alignas(64) float values[kFanOut];
+  squares.store(values);
+  float limit = 0.0F;
+  for (const float value : values) {
+    const auto smaller = static_cast<unsigned>(__builtin_popcount(squares.below(value)));
+    const bool counts = smaller < count && value > limit;
+    limit = counts ? value : limit;
+  }
+  return limit + 0x1p-17F * (1.0F + limit);
+}
+
+template <class Lanes>
+[[gnu::always_inline]] inline void offer_leaf(const TreeView& tree, const Point& place,
+                                              const LocalPlace<Lanes>& local, float far_squared,
+                                              std::size_t leaf_index, core::NearestList& list) {
+  const TreeLeaf& leaf = tree.leaves[leaf_index];
+  const Lanes squares = local.squares(leaf);
+  std::uint32_t within = squares.at_most(far_squared);
+  if (within == 0) return;
+  if (list.most <= kFanOut && !list.is_full) {
+    within &= squares.at_most(limit_in_leaf(squares, list.most));
+  }
+  for (; within != 0; within &= within - 1) {
+    const unsigned at = first_bit(within);
+    const Point& point = tree.points[leaf_index * kFanOut + at];
+    const double squared = squared_distance(point, place);
+    if (squared <= list.largest_squared) list.offer(point, leaf.ids[at], squared);
+  }
+}
+
+constexpr float kProbable = 0.04F;  // NOLINT(misc-definitions-in-headers)
+
+// A node on the path from the root to where the walk is, and which of its children are left.
+template <class Lanes>
+struct Visit {
+  alignas(64) float gaps[kFanOut];
+  LocalPlace<Lanes> local;
+  const TreeNode* node;
+  double squared_scale;
+  std::size_t index;
+  std::uint32_t left;
+
+  [[gnu::always_inline]] void enter(const TreeNode* level, std::size_t node_index,
+                                    const Point& place) {
+    index = node_index;
+    node = level + node_index;
+    squared_scale = node->scale * node->scale;
+    local = LocalPlace<Lanes>(*node, place);
+    local.gaps(*node).store(gaps);
+    left = 0xFFFF;
+  }
+
+  [[gnu::always_inline]] float far_squared(const core::NearestList& list) const {
+    return far_limit_of_square(list.largest_squared * squared_scale);
+  }
+
+  // Asks for the leaves that will probably be looked at: those within reach if that is known.
+  [[gnu::always_inline]] void prefetch_leaves(const TreeView& tree,
+                                              const core::NearestList& list) const {
+    const float reach = far_squared(list);
+    const float probable = reach < kProbable ? reach : kProbable;
+    for (std::uint32_t some = Lanes::load(gaps).at_most(probable); some != 0; some &= some - 1) {
+      const std::size_t leaf = index * kFanOut + first_bit(some);
+      prefetch(tree.leaves[leaf]);
+      for (unsigned i = 0; i < kFanOut; i += 2)
+        __builtin_prefetch(&tree.points[leaf * kFanOut + i]);
+    }
+  }
+
+  [[gnu::always_inline]] void drop_beyond(float far_squared) {
+    left &= Lanes::load(gaps).at_most(far_squared);
+  }
+
+  [[gnu::always_inline]] unsigned take_nearest() {
+    const std::uint32_t around = left & Lanes::load(gaps).at_most(0.0F);
+    unsigned nearest = first_bit(around != 0 ? around : left);
+    if (around == 0) {
+      for (std::uint32_t others = left & (left - 1); others != 0; others &= others - 1) {
+        const unsigned child = first_bit(others);
+        if (gaps[child] < gaps[nearest]) nearest = child;
+      }
+    }
+    left &= ~(1U << nearest);
+    return nearest;
+  }
+};
+
+// Whether a child whose points are all at one place has any to offer: a million of them cost no
+// more than those that the list takes.
+[[gnu::always_inline]] inline bool is_worth_it(const TreeView& tree, const TreeNode& node,
+                                               unsigned level, std::size_t child,
+                                               const core::NearestList& list) {
+  if ((node.same_place >> (child % kFanOut) & 1U) == 0) return true;
+  const std::size_t leaf = child << (4 * level);
+  return list.would_take(tree.points[leaf * kFanOut], tree.leaves[leaf].ids[0]);
+}
+
+template <class Lanes>
+[[gnu::always_inline]] inline void nearest_around(const TreeView& tree, const Point& place,
+                                                  core::NearestList& list) {
+  Visit<Lanes> path[core::kMostLevels];
+  unsigned level = tree.top;
+  path[level].enter(tree.levels[level], 0, place);
+  for (;;) {
+    Visit<Lanes>& visit = path[level];
+    const float far_squared = visit.far_squared(list);
+    visit.drop_beyond(far_squared);
+    if (visit.left == 0) {
+      if (level == tree.top) return;
+      ++level;
+      continue;
+    }
+    const std::size_t child = visit.index * kFanOut + visit.take_nearest();
+    if (!is_worth_it(tree, *visit.node, level, child, list)) continue;
+    if (level == 0) {
+      offer_leaf(tree, place, visit.local, far_squared, child, list);
+    } else {
+      --level;
+      path[level].enter(tree.levels[level], child, place);
+      if (level == 0) path[0].prefetch_leaves(tree, list);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace beespace::cpu

@@ -1,0 +1,181 @@
+#include "motion/live/live_bees.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace beespace::motion {
+
+namespace {
+
+// What comes out of reports may be smaller or larger than any of them: it is brought back into the
+// motion domain, at the cost of less than a millionth of a nanometre, or of being so far away that
+// nobody is near.
+double told(double value) {
+  const double magnitude = std::abs(value);
+  if (magnitude < kSmallestInMotion) return 0.0;
+  return std::copysign(std::min(magnitude, kLargestInMotion), value);
+}
+
+}  // namespace
+
+std::optional<LiveRun::Now> LiveRun::at(double now_s) const {
+  const Fix& last = fixes.back();
+  const bool apart = !heights_m.empty();
+  Now now{{last.position, {}}, apart ? heights_m.back() : 0.0, 0.0};
+  if (velocity) {
+    now.mover.velocity = *velocity;
+    now.climb_mps = climb_mps;
+  } else if (fixes.size() > 1) {
+    const Fix& before = fixes[fixes.size() - 2];
+    const double lasts = last.time_s - before.time_s;
+    now.mover.velocity = {(last.position.x - before.position.x) / lasts,
+                          (last.position.y - before.position.y) / lasts,
+                          (last.position.z - before.position.z) / lasts};
+    if (apart) now.climb_mps = (heights_m.back() - heights_m[heights_m.size() - 2]) / lasts;
+  } else {
+    return std::nullopt;
+  }
+  const double since = now_s - last.time_s;
+  Velocity& v = now.mover.velocity;
+  v = {told(v.x), told(v.y), told(v.z)};
+  now.climb_mps = told(now.climb_mps);
+  Point& p = now.mover.position;
+  p = {told(p.x + v.x * since), told(p.y + v.y * since), told(p.z + v.z * since)};
+  now.height_m = told(now.height_m + now.climb_mps * since);
+  return now;
+}
+
+void LiveBees::add(LiveRun& run, const Report& report) const {
+  run.fixes.push_back({report.time_s, report.position});
+  run.velocity = report.velocity;
+  if (!heights_apart_) return;
+  run.heights_m.push_back(report.height_m);
+  run.climb_mps = report.climb_mps;
+}
+
+void LiveBees::begin_run(KnownBee& bee, const Report& report) {
+  ++changes_;
+  if (free_.empty()) {
+    bee.run = static_cast<std::uint32_t>(runs_.size());
+    runs_.emplace_back();
+  } else {
+    bee.run = free_.back();
+    free_.pop_back();
+  }
+  LiveRun& run = runs_[bee.run];
+  run.bee = report.id;
+  run.complete = false;
+  add(run, report);
+}
+
+LiveBees::Taken LiveBees::take(const Report& report, double max_age_s, std::size_t max_bees) {
+  const Fix fix{report.time_s, report.position};
+  const auto at = known_.find(report.id);
+  if (at == known_.end()) {
+    if (known_.size() >= max_bees) return Taken::kFull;
+    begin_run(known_[report.id], report);
+    return Taken::kYes;
+  }
+  KnownBee& bee = at->second;
+  const bool said_stale = bee.stale();
+  if (!said_stale) {
+    LiveRun& run = runs_[bee.run];
+    if (fix == run.fixes.back()) return Taken::kRepeated;
+    if (fix.time_s <= run.last_s()) return Taken::kLate;
+    if (fix.time_s - run.last_s() <= max_age_s) {
+      add(run, report);
+      return Taken::kYes;
+    }
+    complete(bee, RunEnd::kSilent);
+  } else if (fix.time_s <= bee.last.time_s) {
+    return Taken::kLate;
+  }
+  const double since_s = bee.last.time_s;
+  bee.unknown_s += report.time_s - since_s;
+  unknown_s_ += report.time_s - since_s;
+  returns_.push_back({report.id, since_s, report.time_s, said_stale});
+  --stale_;
+  begin_run(bee, report);
+  return Taken::kYes;
+}
+
+void LiveBees::remove(PointId bee) {
+  const auto known = known_.find(bee);
+  if (known == known_.end()) return;
+  if (!known->second.stale()) complete(known->second, RunEnd::kRemoved);
+  --stale_;
+  ++changes_;
+  known_.erase(known);
+}
+
+// It is stale then, unless it is removed.
+void LiveBees::complete(KnownBee& bee, RunEnd end) {
+  LiveRun& run = runs_[bee.run];
+  run.complete = true;
+  run.end = end;
+  bee.last = run.fixes.back();
+  if (heights_apart_) bee.height_m = run.heights_m.back();
+  bee.run = KnownBee::kStale;
+  ++stale_;
+  ++changes_;
+}
+
+void LiveBees::complete_all() {
+  for (auto& [id, bee] : known_) {
+    if (!bee.stale()) complete(bee, RunEnd::kFinished);
+  }
+}
+
+double LiveBees::known_from_s() const {
+  double known_from_s = std::numeric_limits<double>::infinity();
+  for (const LiveRun& run : runs_) {
+    if (!run.complete) known_from_s = std::min(known_from_s, run.last_s());
+  }
+  return known_from_s;
+}
+
+void LiveBees::settle(double now_s, double max_age_s) {
+  const double from_s = known_from_s();
+  for (LiveRun& run : runs_) {
+    if (!run.complete || run.fixes.empty()) continue;
+    run.complete_since_s = std::min(run.complete_since_s, now_s);
+    run.done = run.last_s() <= from_s || now_s - run.complete_since_s > max_age_s;
+  }
+}
+
+void LiveBees::forget(std::vector<std::uint32_t>& dropped) {
+  const double from_s = known_from_s();
+  dropped.assign(runs_.size(), 0);
+  for (std::uint32_t place = 0; place < runs_.size(); ++place) {
+    LiveRun& run = runs_[place];
+    if (run.fixes.empty()) continue;
+    if (run.done) {
+      run = {};
+      free_.push_back(place);
+      continue;
+    }
+    run.searched_until_s = run.last_s();
+    // The last two stay, for the velocity.
+    while (dropped[place] + 2 < run.fixes.size() && run.fixes[dropped[place] + 1].time_s < from_s) {
+      ++dropped[place];
+    }
+    const auto gone = static_cast<std::ptrdiff_t>(dropped[place]);
+    run.fixes.erase(run.fixes.begin(), run.fixes.begin() + gone);
+    if (heights_apart_) run.heights_m.erase(run.heights_m.begin(), run.heights_m.begin() + gone);
+  }
+  give_back();
+}
+
+// The memory of bees that are gone, once they were most.
+void LiveBees::give_back() {
+  constexpr std::size_t kFew = 64;
+  while (!runs_.empty() && runs_.back().fixes.empty()) runs_.pop_back();
+  std::erase_if(free_, [&](std::uint32_t place) { return place >= runs_.size(); });
+  if (runs_.capacity() > kFew && runs_.capacity() / 4 > runs_.size()) runs_.shrink_to_fit();
+  if (free_.capacity() > kFew && free_.capacity() / 4 > free_.size()) free_.shrink_to_fit();
+  if (known_.bucket_count() > kFew && known_.bucket_count() / 8 > known_.size()) known_.rehash(0);
+}
+
+}  // namespace beespace::motion

@@ -1,0 +1,53 @@
+// What lies ahead of live bees, from their last reports: which pairs, and which of them to tell.
+#pragma once
+
+#include "base/resources.hpp"
+#include "motion/live/live_bees.hpp"
+#include "motion/live/live_overload.hpp"
+#include "motion/separation.hpp"
+
+#include <beespace/mover.hpp>
+#include <beespace/pairs.hpp>
+#include <beespace/result.hpp>
+#include <beespace/swarm.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace beespace::motion {
+
+class LivePredictions {
+ public:
+  // A pair becomes predicted by the separation of entering, and stays so by that of leaving.
+  LivePredictions(const Separation& enter, const Separation& leave, double horizon_s,
+                  std::size_t max_pairs)
+      : enter_(enter), leave_(leave), horizon_s_(horizon_s), max_pairs_(max_pairs) {}
+
+  // Tells the pairs that have become predicted and are not among the `entered` (ids, ascending). Of
+  // a bee that is stale, or was heard of once and without a velocity, nothing is predicted. Returns
+  // what there were too many of.
+  Result<LeftOut> predict(const LiveBees& bees, const std::vector<Pair>& entered, double now_s,
+                          const core::Resources& with, std::vector<SwarmEvent>& events);
+  void forget_all() { predicted_.clear(); }
+
+ private:
+  // Bees that move, by ascending ids.
+  struct Ahead {
+    std::vector<PointId> ids;
+    std::vector<Mover> movers;
+    std::vector<double> heights_m;
+    std::vector<double> climbs_mps;
+  };
+  [[nodiscard]] Ahead ahead(const LiveBees& bees, double now_s) const;
+  [[nodiscard]] Result<std::vector<Pair>> pairs_of(const MoversView& movers,
+                                                   const core::Resources& with, LeftOut& left_out);
+
+  Separation enter_;
+  Separation leave_;
+  double horizon_s_;
+  std::size_t max_pairs_;
+  Share share_;                  // of the separation, within which pairs are predicted
+  std::vector<Pair> predicted_;  // ids; said, and still in danger; ascending
+};
+
+}  // namespace beespace::motion

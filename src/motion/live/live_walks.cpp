@@ -1,0 +1,226 @@
+#include "motion/live/live_walks.hpp"
+
+#include "motion/passing/passing_search.hpp"
+#include "search/choices.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+namespace beespace::motion {
+
+namespace {
+
+double farthest_coordinate(const std::vector<Run>& runs, const std::vector<ActiveRun>& active) {
+  double farthest_m = 0.0;
+  for (const ActiveRun& a : active) {
+    for (const Fix& fix : runs[a.run].fixes) {
+      const Point& p = fix.position;
+      farthest_m = std::max({farthest_m, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    }
+  }
+  return farthest_m;
+}
+
+// The piece on which a run is then, or its first one.
+std::size_t piece_at(const Run& run, double time_s) {
+  std::size_t piece = 0;
+  while (piece + 1 < run.pieces() && piece_of(run, piece).to.time_s < time_s) ++piece;
+  return piece;
+}
+
+// The time of which something new is known. What is known of a pair ends where the first of the two
+// was last heard of. So it begins where a bee that has been heard of since was last searched, and
+// ends with the last report but one of another bee. It ends before it begins where there is none.
+TimeSpan new_time(const std::vector<LiveRun>& runs) {
+  TimeSpan time{std::numeric_limits<double>::infinity(), LiveRun::kNever};
+  double last_s = LiveRun::kNever;
+  for (const LiveRun& run : runs) {
+    if (run.fixes.empty()) continue;
+    time.ends_s = std::max(time.ends_s, std::min(last_s, run.last_s()));
+    last_s = std::max(last_s, run.last_s());
+    if (run.searched_until_s >= run.last_s()) continue;
+    time.begins_s =
+        std::min(time.begins_s, std::max(run.searched_until_s, run.fixes.front().time_s));
+  }
+  return time;
+}
+
+// What becomes of a pair where what is known of it ends.
+EventKind cut_off(const LiveRun& a, const LiveRun& b) {
+  const auto either = [&](RunEnd end) {
+    return (a.complete && a.end == end) || (b.complete && b.end == end);
+  };
+  if (either(RunEnd::kRemoved)) return EventKind::kLeft;
+  return either(RunEnd::kSilent) ? EventKind::kLost : EventKind::kEnded;
+}
+
+}  // namespace
+
+LeftOut LiveWalks::search(LiveBees& bees, const core::Resources& with,
+                          std::vector<SwarmEvent>& events) {
+  Places places{bees.runs()};
+  places.runs.reserve(bees.runs().size());
+  for (std::uint32_t place = 0; place < bees.runs().size(); ++place) {
+    const LiveRun& live = bees.runs()[place];
+    places.runs.push_back({place, 0.0, live.fixes, live.heights_m, live.complete});
+  }
+  places.pieces.resize(places.runs.size());
+  LeftOut left_out;
+  const std::vector<Pair> fresh = fresh_pairs(places, with, left_out);
+  WalkedPairs all = walk(places, fresh, with);
+  pairs_ = all.open();
+  const auto ascending = [](const LivePair& a, const LivePair& b) {
+    return a.places() < b.places();
+  };
+  if (!std::is_sorted(pairs_.begin(), pairs_.end(), ascending)) {
+    std::sort(pairs_.begin(), pairs_.end(), ascending);
+  }
+  events.insert(events.end(), all.events.begin(), all.events.end());
+  events.insert(events.end(), all.lost.begin(), all.lost.end());
+  if (all.left_out.any) left_out.add(all.left_out.count, all.left_out.from_m);
+  note_entered(bees.runs());
+  forget(bees);
+  return left_out;
+}
+
+// Pairs of places, the lower first, ascending, that may be in conflict in the time of which
+// something new is known.
+std::vector<Pair> LiveWalks::fresh_pairs(Places& places, const core::Resources& with,
+                                         LeftOut& left_out) {
+  std::vector<Pair> fresh;
+  const TimeSpan time = new_time(places.live);
+  if (!(time.begins_s <= time.ends_s)) return fresh;
+  const std::vector<Run>& runs = places.runs;
+  std::vector<ActiveRun> active;
+  active.reserve(runs.size());
+  for (std::uint32_t place = 0; place < runs.size(); ++place) {
+    const Run& run = runs[place];
+    if (run.fixes.empty() || run.ends_s() < time.begins_s || run.begins_s() > time.ends_s) continue;
+    places.pieces[place] = piece_at(run, time.begins_s);
+    active.push_back({place, places.pieces[place]});
+  }
+  const StepBalls enclosed(runs, active, time, with);
+  const double blur_m = 0x1p-46 * farthest_coordinate(runs, active);
+  const Step step{0.5 * (time.ends_s - time.begins_s) * (1.0 + 0x1p-50),
+                  separation_.outer.reach_m() * (1.0 + 0x1p-50) + blur_m};
+  const auto found = candidates(enclosed.balls(), step, with, left_out);
+  fresh.resize(core::size_of(found));
+  core::order_pairs(found, core::Direction::kAscending, active.size(), with, fresh.data());
+  for (Pair& pair : fresh) pair = {active[pair.first].run, active[pair.second].run};
+  return fresh;
+}
+
+// Of too many, those that pass most closely: by a separation of which there are few enough.
+core::Vector<core::FoundPairs> LiveWalks::candidates(const MovingBalls& balls, const Step& step,
+                                                     const core::Resources& with,
+                                                     LeftOut& left_out) {
+  Step tried = step;
+  tried.most = 4 * std::uint64_t{max_pairs_} + 16 * balls.middles.size();
+  std::optional<core::Vector<core::FoundPairs>> found;
+  const auto few = [&](double share) {
+    tried.clearance_m = share * step.clearance_m;
+    auto some = find_passing(balls, tried, with, search::Choices{});
+    if (core::size_of(some) > tried.most) return false;
+    found.emplace(std::move(some));
+    return true;
+  };
+  if (share_.choose(few)) {
+    if (share_.value() < 1.0) left_out.add(0, share_.value() * separation_.inner.threshold_m);
+    return *std::move(found);
+  }
+  // All of them at one place: any of them, but the same ones whatever the number of threads.
+  left_out.add(0, 0.0);
+  Crew alone;
+  return find_passing(balls, tried, {alone, with.memory}, search::Choices{});
+}
+
+WalkedPairs LiveWalks::walk(const Places& places, const std::vector<Pair>& fresh,
+                            const core::Resources& with) const {
+  std::vector<WalkedPairs> walked(with.crew.size(), WalkedPairs(max_pairs_));
+  with.crew.split(pairs_.size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
+    for (std::size_t i = begin; i < end; ++i) walk(places, pairs_[i], walked[worker]);
+  });
+  with.crew.split(fresh.size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
+    if (begin == end) return;
+    const auto before = [](const LivePair& kept, const Pair& pair) {
+      return std::tie(kept.first, kept.second) < std::tie(pair.first, pair.second);
+    };
+    auto kept = std::lower_bound(pairs_.begin(), pairs_.end(), fresh[begin], before);
+    for (std::size_t i = begin; i < end; ++i) {
+      const Pair& pair = fresh[i];
+      while (kept != pairs_.end() && before(*kept, pair)) ++kept;
+      if (kept != pairs_.end() && kept->first == pair.first && kept->second == pair.second) {
+        continue;
+      }
+      const LiveRun& first = places.live[pair.first];
+      const LiveRun& second = places.live[pair.second];
+      if (first.bee == second.bee) continue;
+      LivePair begun{pair.first, pair.second, {}, {}};
+      begun.state.first_piece = places.pieces[pair.first];
+      begun.state.second_piece = places.pieces[pair.second];
+      begun.state.walked_before = std::min(first.searched_until_s, second.searched_until_s);
+      walk(places, begun, walked[worker]);
+    }
+  });
+  WalkedPairs all = std::move(walked.front());
+  for (std::size_t worker = 1; worker < walked.size(); ++worker) {
+    all.append(std::move(walked[worker]));
+  }
+  all.cut();
+  return all;
+}
+
+void LiveWalks::walk(const Places& places, LivePair pair, WalkedPairs& walked) const {
+  const LiveRun& first = places.live[pair.first];
+  const LiveRun& second = places.live[pair.second];
+  const bool had_entered = pair.said.entered;
+  const std::size_t before = walked.events.size();
+  PairTeller teller(first.bee, second.bee, margin_m_, cut_off(first, second), pair.said,
+                    walked.events);
+  constexpr TimeSpan kEver{LiveRun::kNever, -LiveRun::kNever};
+  PairWalk(places.runs[pair.first], places.runs[pair.second], separation_, true)
+      .walk(
+          kEver, pair.state, [&](const PairWalk::Stretch& stretch) { teller.ended(stretch); },
+          [&](const PairWalk::Stretch& stretch) { teller.going_on(stretch); });
+  if (pair.state.open && (first.done || second.done)) {
+    pair.state.open->cut_off = true;
+    teller.ended(*std::exchange(pair.state.open, std::nullopt));
+  }
+  const std::size_t told = walked.events.size() - before;
+  if (!pair.state.open && told == 0) return;
+  double distance_m = std::numeric_limits<double>::infinity();
+  if (pair.state.open) distance_m = pair.state.open->end_m;
+  for (std::size_t k = before; k < walked.events.size(); ++k) {
+    distance_m = std::min(distance_m, walked.events[k].distance_m);
+  }
+  const Pair bees{std::min(first.bee, second.bee), std::max(first.bee, second.bee)};
+  walked.add(pair, bees, told, distance_m, had_entered);
+}
+
+void LiveWalks::note_entered(const std::vector<LiveRun>& bees) {
+  entered_.clear();
+  for (const LivePair& pair : pairs_) {
+    if (!pair.said.entered) continue;
+    const PointId a = bees[pair.first].bee;
+    const PointId b = bees[pair.second].bee;
+    entered_.push_back({std::min(a, b), std::max(a, b)});
+  }
+  if (!std::is_sorted(entered_.begin(), entered_.end()))
+    std::sort(entered_.begin(), entered_.end());
+}
+
+void LiveWalks::forget(LiveBees& bees) {
+  std::vector<std::uint32_t> dropped;
+  bees.forget(dropped);
+  for (LivePair& pair : pairs_) {
+    pair.state.walked_before = LiveRun::kNever;
+    pair.state.first_piece -= dropped[pair.first];
+    pair.state.second_piece -= dropped[pair.second];
+  }
+}
+
+}  // namespace beespace::motion

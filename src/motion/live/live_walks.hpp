@@ -1,0 +1,110 @@
+// What has happened between live bees: walks along the reports that have come since the last
+// search.
+#pragma once
+
+#include "base/resources.hpp"
+#include "motion/live/live_bees.hpp"
+#include "motion/live/live_events.hpp"
+#include "motion/live/live_overload.hpp"
+#include "motion/pair_walk.hpp"
+#include "motion/passing/passing_search.hpp"
+#include "motion/passing/step_balls.hpp"
+
+#include <beespace/pairs.hpp>
+#include <beespace/swarm.hpp>
+
+#include <cstdint>
+#include <limits>
+#include <tuple>
+#include <vector>
+
+namespace beespace::motion {
+
+// Two runs by their places, the lower first; what has been walked and said of them.
+struct LivePair {
+  std::uint32_t first;
+  std::uint32_t second;
+  PairWalk::State state;
+  PairTeller::Said said;
+
+  [[nodiscard]] auto places() const { return std::tie(first, second); }
+};
+
+// Walked pairs that are in conflict, or of which there is something to tell, no more than the
+// closest `most` of them, and what there is to tell.
+class WalkedPairs {
+ public:
+  explicit WalkedPairs(std::size_t most) : most_(most) {}
+
+  // `told` is how many of the last events are of this pair, whose bees are the lower and the higher
+  // of `bees`; `had_entered`, before this search.
+  void add(const LivePair& pair, const Pair& bees, std::size_t told, double distance_m,
+           bool had_entered);
+  void append(WalkedPairs&& other);
+  // Leaves out all but the closest. Pairs that had entered before are lost then.
+  void cut();
+
+  std::vector<SwarmEvent> events;  // in the order of the pairs
+  std::vector<SwarmEvent> lost;    // of those that were given up
+  LeftOut left_out;
+
+  // Pairs in conflict by the outer separation.
+  [[nodiscard]] std::vector<LivePair> open() const;
+
+ private:
+  struct Walked {
+    LivePair pair;
+    Pair bees;
+    std::uint32_t told;
+    bool had_entered;
+    double distance_m;
+
+    // Those that had entered are given up only for pairs that are clearly closer.
+    [[nodiscard]] double key() const { return had_entered ? 0.75 * distance_m : distance_m; }
+  };
+  void give_up(const Walked& walked);
+
+  std::size_t most_;
+  std::vector<Walked> pairs_;
+};
+
+class LiveWalks {
+ public:
+  // Bees enter by the inner separation and leave by the outer one.
+  LiveWalks(const WalkSeparation& separation, double margin_m,
+            std::size_t max_pairs = std::numeric_limits<std::uint32_t>::max())
+      : separation_(separation), margin_m_(margin_m), max_pairs_(max_pairs) {}
+
+  // Searches what is new, tells what has happened, and lets the bees forget what is done with.
+  // Returns what there were too many of.
+  LeftOut search(LiveBees& bees, const core::Resources& with, std::vector<SwarmEvent>& events);
+
+  // The pairs that have entered and not left, the lower id first, ascending.
+  [[nodiscard]] const std::vector<Pair>& entered() const { return entered_; }
+
+ private:
+  // Runs by their places, and the pieces on which to begin.
+  struct Places {
+    const std::vector<LiveRun>& live;
+    std::vector<Run> runs = {};
+    std::vector<std::size_t> pieces = {};
+  };
+
+  core::Vector<core::FoundPairs> candidates(const MovingBalls& balls, const Step& step,
+                                            const core::Resources& with, LeftOut& left_out);
+  std::vector<Pair> fresh_pairs(Places& places, const core::Resources& with, LeftOut& left_out);
+  [[nodiscard]] WalkedPairs walk(const Places& places, const std::vector<Pair>& fresh,
+                                 const core::Resources& with) const;
+  void walk(const Places& places, LivePair pair, WalkedPairs& walked) const;
+  void note_entered(const std::vector<LiveRun>& bees);
+  void forget(LiveBees& bees);
+
+  WalkSeparation separation_;
+  double margin_m_;
+  std::size_t max_pairs_;
+  Share share_;                  // of the separation, within which pairs are followed
+  std::vector<LivePair> pairs_;  // in conflict by the outer separation, ascending
+  std::vector<Pair> entered_;    // ids, the lower first; ascending
+};
+
+}  // namespace beespace::motion

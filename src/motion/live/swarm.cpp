@@ -1,0 +1,306 @@
+#include <beespace/swarm.hpp>
+
+#include "base/crew_size.hpp"
+#include "motion/flush.hpp"
+#include "motion/live/live_bees.hpp"
+#include "motion/live/live_overload.hpp"
+#include "motion/live/live_possible.hpp"
+#include "motion/live/live_predictions.hpp"
+#include "motion/live/live_walks.hpp"
+#include "motion/separation.hpp"
+#include "motion/validate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <tuple>
+#include <utility>
+
+namespace beespace {
+
+namespace {
+
+std::optional<Error> check(const SwarmOptions& options) {
+  if (auto error = motion::check_separation(options.threshold_m, options.vertical_m)) return error;
+  if (auto error = motion::check_heights(options.heights_apart, options.vertical_m)) return error;
+  if (auto error = motion::check_height_unit(options.height_unit_m)) return error;
+  const auto good = [](double value, double least) {
+    return value >= least && motion::in_motion_domain(value);
+  };
+  if (!good(options.leave_factor, 1.0) || !good(options.horizon_s, 0.0) ||
+      !good(options.max_age_s, kSmallestInMotion)) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "leave_factor must be 1 or more, horizon_s 0 or more, max_age_s above 0, and all "
+                 "of them finite",
+                 {}};
+  }
+  if (options.max_speed_mps && !good(*options.max_speed_mps, 0.0)) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "max_speed_mps must be 0 or more, and finite, where it is given",
+                 {}};
+  }
+  if (options.max_bees == 0 || options.max_pairs == 0) {
+    return Error{ErrorCode::kInvalidArgument, "max_bees and max_pairs must be 1 or more", {}};
+  }
+  return std::nullopt;
+}
+
+motion::Separation separation_of(const SwarmOptions& options, double factor) {
+  motion::Separation separation{
+      options.threshold_m * factor, {}, false, options.heights_apart, options.height_unit_m};
+  if (options.vertical_m) separation.vertical_m = *options.vertical_m * factor;
+  return separation;
+}
+
+bool earlier(const SwarmEvent& a, const SwarmEvent& b) {
+  return std::tie(a.time_s, a.kind, a.first, a.second, a.bound) <
+         std::tie(b.time_s, b.kind, b.first, b.second, b.bound);
+}
+
+}  // namespace
+
+// What is inside is not for export.
+class __attribute__((visibility("hidden"))) Swarm::State {
+ public:
+  explicit State(const SwarmOptions& options)
+      : options_(options),
+        enter_(separation_of(options, 1.0)),
+        leave_(separation_of(options, options.leave_factor)),
+        bees_(options.heights_apart),
+        walks_({leave_, enter_, options.leave_factor == 1.0},
+               std::max(0.05, options.leave_factor - 1.0) * options.threshold_m, options.max_pairs),
+        predictions_(enter_, leave_, options.horizon_s, options.max_pairs),
+        possible_(enter_, options.max_speed_mps.value_or(0.0), options.max_pairs) {}
+
+  Status update(Report report);
+  void remove(PointId id) {
+    bees_.remove(id);
+    possible_.forget(id);
+  }
+  Result<std::vector<SwarmEvent>> advance(double now_s);
+  Result<std::vector<SwarmEvent>> finish(double now_s);
+
+  [[nodiscard]] SwarmCounts counts() const {
+    SwarmCounts counts = counts_;
+    counts.bees = bees_.under_way();
+    counts.stale = bees_.stale();
+    counts.unknown_s = unknown_before_s_ + bees_.unknown_s();
+    return counts;
+  }
+  [[nodiscard]] std::vector<LiveMover> movers(double time_s) const;
+  [[nodiscard]] std::vector<Silence> silences(double time_s) const;
+
+ private:
+  Error refuse(PointId bee);
+  void tell_refused(double now_s, std::vector<SwarmEvent>& events);
+  core::Resources resources();
+  void tell_silences(double now_s, std::vector<SwarmEvent>& events);
+  void search(double now_s, const core::Resources& with, std::vector<SwarmEvent>& events);
+
+  SwarmOptions options_;
+  motion::Separation enter_;
+  motion::Separation leave_;
+  motion::LiveBees bees_;
+  motion::LiveWalks walks_;
+  motion::LivePredictions predictions_;
+  motion::LivePossible possible_;
+  std::optional<double> now_s_;
+  SwarmCounts counts_;
+  std::uint64_t refused_ = 0;  // since the last advance(), first of this bee
+  PointId refused_first_ = 0;
+  double unknown_before_s_ = 0.0;  // of bees before the last finish()
+  core::Memory memory_;
+  Crew alone_;
+  std::optional<ThreadCrew> crew_;
+};
+
+Status Swarm::State::update(Report report) {
+  if (auto error = check(options_)) return *std::move(error);
+  report.time_s = motion::flushed(report.time_s);
+  report.position = motion::flushed(report.position);
+  if (report.velocity) report.velocity = motion::flushed(*report.velocity);
+  report.height_m = motion::flushed(report.height_m);
+  report.climb_mps = motion::flushed(report.climb_mps);
+  const Mover mover{report.position, report.velocity.value_or(Velocity{})};
+  if (auto error = motion::check_mover(mover, report.id)) return *std::move(error);
+  if (auto error = motion::check_height(report.height_m, report.climb_mps, report.id)) {
+    return *std::move(error);
+  }
+  if (!motion::in_motion_domain(report.time_s)) {
+    Place place;
+    place.record = report.id;
+    return Error{std::isfinite(report.time_s) ? ErrorCode::kOutsideDomain : ErrorCode::kNotFinite,
+                 "the time of the report is " + std::to_string(report.time_s) +
+                     " s; give a finite number of seconds",
+                 place};
+  }
+  switch (bees_.take(report, options_.max_age_s, options_.max_bees)) {
+    case motion::LiveBees::Taken::kFull:
+      return refuse(report.id);
+    case motion::LiveBees::Taken::kYes:
+      ++counts_.taken;
+      break;
+    case motion::LiveBees::Taken::kRepeated:
+      ++counts_.repeated;
+      break;
+    case motion::LiveBees::Taken::kLate:
+      ++counts_.late;
+      break;
+  }
+  return std::monostate{};
+}
+
+Error Swarm::State::refuse(PointId bee) {
+  if (refused_ == 0) refused_first_ = bee;
+  ++refused_;
+  ++counts_.refused;
+  Place place;
+  place.record = bee;
+  return {ErrorCode::kTooManyPoints,
+          "there are " + std::to_string(options_.max_bees) +
+              " bees already; remove some that are gone, or allow for more (max_bees)",
+          place};
+}
+
+void Swarm::State::tell_refused(double now_s, std::vector<SwarmEvent>& events) {
+  if (refused_ == 0) return;
+  events.push_back({EventKind::kOverloaded, now_s, refused_first_, refused_first_, 0.0, now_s, 0.0,
+                    std::exchange(refused_, 0), SwarmBound::kBees});
+}
+
+core::Resources Swarm::State::resources() {
+  memory_.start_call();
+  const unsigned size = cpu::crew_size(options_.threads, bees_.under_way());
+  if (size == 1) return {alone_, memory_};
+  if (!crew_ || crew_->size() != size) crew_.emplace(size);
+  return {*crew_, memory_};
+}
+
+void Swarm::State::tell_silences(double now_s, std::vector<SwarmEvent>& events) {
+  const auto tell_stale = [&](PointId bee, double last_s) {
+    events.push_back({EventKind::kStale, last_s, bee, bee, 0.0, last_s, last_s});
+  };
+  for (const motion::Return& back : bees_.take_returns()) {
+    possible_.forget(back.bee);
+    if (!back.said_stale) tell_stale(back.bee, back.since_s);
+    events.push_back(
+        {EventKind::kHeard, back.heard_s, back.bee, back.bee, 0.0, back.heard_s, back.since_s});
+  }
+  bees_.complete_stale(now_s, options_.max_age_s, tell_stale);
+}
+
+void Swarm::State::search(double now_s, const core::Resources& with,
+                          std::vector<SwarmEvent>& events) {
+  bees_.settle(now_s, options_.max_age_s);
+  walks_.search(bees_, with, events).tell(now_s, SwarmBound::kPairs, events);
+}
+
+Result<std::vector<SwarmEvent>> Swarm::State::advance(double now_s) {
+  if (auto error = check(options_)) return *std::move(error);
+  now_s = motion::flushed(now_s);
+  if (!motion::in_motion_domain(now_s) || now_s < now_s_.value_or(now_s)) {
+    return Error{std::isfinite(now_s) ? ErrorCode::kTimeOrder : ErrorCode::kNotFinite,
+                 "cannot advance to " + std::to_string(now_s) +
+                     " s; give a time that is not before the last",
+                 {}};
+  }
+  now_s_ = now_s;
+  std::vector<SwarmEvent> events;
+  tell_silences(now_s, events);
+  const core::Resources with = resources();
+  search(now_s, with, events);
+  const auto predicted = predictions_.predict(bees_, walks_.entered(), now_s, with, events);
+  if (!predicted) return predicted.error();
+  predicted->tell(now_s, SwarmBound::kPredicted, events);
+  if (options_.max_speed_mps) {
+    possible_.tell(bees_, now_s, with, events).tell(now_s, SwarmBound::kPossible, events);
+  }
+  tell_refused(now_s, events);
+  std::sort(events.begin(), events.end(), earlier);
+  return events;
+}
+
+Result<std::vector<SwarmEvent>> Swarm::State::finish(double now_s) {
+  auto events = advance(now_s);
+  if (!events) return events;
+  bees_.complete_all();
+  search(now_s, resources(), *events);
+  std::sort(events->begin(), events->end(), earlier);
+  unknown_before_s_ += bees_.unknown_s();
+  bees_ = motion::LiveBees(options_.heights_apart);
+  predictions_.forget_all();
+  possible_.forget_all();
+  now_s_.reset();
+  return events;
+}
+
+std::vector<LiveMover> Swarm::State::movers(double time_s) const {
+  std::vector<LiveMover> movers;
+  time_s = motion::flushed(time_s);
+  if (!motion::in_motion_domain(time_s)) return movers;
+  movers.reserve(bees_.known().size());
+  for (const auto& [id, bee] : bees_.known()) {
+    LiveMover mover{id, {bee.last.position, {}}, bee.last.time_s, bee.last.position, true, false};
+    if (!bee.stale()) {
+      const motion::LiveRun& run = bees_.runs()[bee.run];
+      const Fix& last = run.fixes.back();
+      mover = {id, {last.position, {}}, last.time_s, last.position, false, run.moves()};
+      if (const auto now = run.at(time_s)) mover.mover = now->mover;
+    }
+    movers.push_back(mover);
+  }
+  std::sort(movers.begin(), movers.end(),
+            [](const LiveMover& a, const LiveMover& b) { return a.id < b.id; });
+  return movers;
+}
+
+std::vector<Silence> Swarm::State::silences(double time_s) const {
+  std::vector<Silence> silences;
+  for (const auto& [id, bee] : bees_.known()) {
+    Silence silence{id, bee.unknown_s, {}};
+    if (bee.stale()) {
+      silence.since_s = bee.last.time_s;
+      silence.unknown_s += std::max(0.0, time_s - bee.last.time_s);
+    }
+    if (silence.unknown_s > 0.0 || silence.since_s) silences.push_back(silence);
+  }
+  std::sort(silences.begin(), silences.end(),
+            [](const Silence& a, const Silence& b) { return a.id < b.id; });
+  return silences;
+}
+
+Swarm::Swarm(const SwarmOptions& options) : state_(std::make_unique<State>(options)) {
+}
+Swarm::Swarm(Swarm&&) noexcept = default;
+Swarm& Swarm::operator=(Swarm&&) noexcept = default;
+Swarm::~Swarm() = default;
+
+Status Swarm::update(const Report& report) {
+  return state_->update(report);
+}
+
+void Swarm::remove(PointId id) {
+  state_->remove(id);
+}
+
+Result<std::vector<SwarmEvent>> Swarm::advance(double now_s) {
+  return state_->advance(now_s);
+}
+
+Result<std::vector<SwarmEvent>> Swarm::finish(double now_s) {
+  return state_->finish(now_s);
+}
+
+SwarmCounts Swarm::counts() const {
+  return state_->counts();
+}
+
+std::vector<LiveMover> Swarm::movers(double time_s) const {
+  return state_->movers(time_s);
+}
+
+std::vector<Silence> Swarm::silences(double time_s) const {
+  return state_->silences(time_s);
+}
+
+}  // namespace beespace

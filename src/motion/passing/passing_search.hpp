@@ -1,0 +1,60 @@
+// Who may pass whom closely within a step of time: few more than those who do, and nobody missed.
+//
+// Everybody is a ball that moves in a straight line through the step. The search is that for
+// snapshots (see search/), of where they are in the middle of the step: whose balls around all of
+// their step meet. A closer look at the moves of those few follows (pass_check.hpp).
+#pragma once
+
+#include "base/bounds.hpp"
+#include "base/pair_order.hpp"
+#include "base/resources.hpp"
+#include "search/choices.hpp"
+
+#include <beespace/points_view.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <span>
+
+namespace beespace::motion {
+
+// How a ball moves: metres per second, and what is to be kept clear around it besides the
+// clearance. As floats, which are as good as positions in a grid are.
+struct Move {
+  float x;
+  float y;
+  float z;
+  float radius_m;
+};
+
+struct MovingBalls {
+  PointsView middles;           // where they are in the middle of the step
+  core::Bounds bounds;          // of the middles
+  std::span<const Move> moves;  // only differences of velocities matter
+  double reach_m;               // how far any ball gets at most from its middle within the step
+};
+
+struct Step {
+  double half_s;       // half of its duration
+  double clearance_m;  // who surely stays farther apart, less their radii, is left out
+  // Middles that come closer than this pass, whatever their radii; below zero: nobody surely does.
+  double surely_m = -1.0;
+  // Whether to leave out those who are surely closer than that when the step begins: the step
+  // before has found them.
+  bool follows_another = false;
+  // Once more than so many have been found the search ends, and says no more than that.
+  std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
+};
+
+// Whether two pass who may: by their ids.
+using DecidePass = std::function<bool(PointId, PointId)>;
+
+// Pairs of ids of each worker, each pair once, in no useful order: those who surely pass and those
+// who may, as far as `decide` says yes to them; all of them where there is none.
+core::Vector<core::FoundPairs> find_passing(const MovingBalls& balls, const Step& step,
+                                            const core::Resources& with,
+                                            const search::Choices& choices,
+                                            const DecidePass& decide = {});
+
+}  // namespace beespace::motion

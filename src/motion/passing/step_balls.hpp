@@ -1,0 +1,50 @@
+// Runs as balls for one step of time: each moves in a straight line through the step, and its
+// radius covers how far the run leaves that line.
+#pragma once
+
+#include "base/resources.hpp"
+#include "motion/passing/passing_search.hpp"
+#include "motion/runs.hpp"
+
+#include <beespace/closest_approach.hpp>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace beespace::motion {
+
+// A run that is there, and the piece on which it is.
+struct ActiveRun {
+  std::uint32_t run;
+  std::size_t piece;
+};
+
+// Where the run is at an instant of one of its pieces; rounded.
+Point position_on(const Piece& piece, double time_s);
+
+class StepBalls {
+ public:
+  // For a time in which all of the active runs are, at least for an instant. Their pieces end at or
+  // after its beginning.
+  StepBalls(const std::vector<Run>& runs, const std::vector<ActiveRun>& active,
+            const TimeSpan& time, const core::Resources& with);
+
+  [[nodiscard]] MovingBalls balls() const;
+
+ private:
+  [[nodiscard]] PointsView middles() const {
+    return std::span<const Point>(middles_.data(), size_);
+  }
+
+  // Returns how far it gets from its middle.
+  double enclose(const Run& run, std::size_t piece, const TimeSpan& time, std::size_t ball);
+
+  std::size_t size_;
+  core::Buffer<Point> middles_;
+  core::Buffer<Move> moves_;
+  double reach_m_ = 0.0;
+  core::Bounds bounds_;
+};
+
+}  // namespace beespace::motion

@@ -1,0 +1,33 @@
+// The searches behind predict_conflicts and predict_pairs: steps of time to the horizon, candidates
+// of each step, and an exact decision about each of those that are not clear.
+#pragma once
+
+#include "base/resources.hpp"
+#include "search/choices.hpp"
+
+#include <beespace/closest_approach.hpp>
+#include <beespace/conflict.hpp>
+#include <beespace/mover.hpp>
+#include <beespace/pairs.hpp>
+#include <beespace/result.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace beespace::motion {
+
+// What is chosen from the data unless a test or a benchmark forces it.
+struct PredictionChoices {
+  search::Choices search = {};
+  std::optional<double> step_s = {};
+};
+
+// Of predict_conflicts and predict_pairs. Options are valid; on an error what is written is
+// unspecified.
+Status predict(const MoversView& movers, const PredictOptions& options, const core::Resources& with,
+               std::vector<Conflict>& conflicts, const PredictionChoices& choices = {});
+Status predict_pairs(const MoversView& movers, const PredictOptions& options,
+                     const core::Resources& with, std::vector<Pair>& pairs,
+                     const PredictionChoices& choices = {});
+
+}  // namespace beespace::motion

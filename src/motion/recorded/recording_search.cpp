@@ -1,0 +1,250 @@
+#include "motion/recorded/recording_search.hpp"
+
+#include "exact/validate.hpp"
+#include "grid/density.hpp"
+#include "motion/pair_walk.hpp"
+#include "motion/passing/passing_search.hpp"
+#include "motion/passing/step_balls.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <tuple>
+
+namespace beespace::motion {
+
+namespace {
+
+// A pair of runs on which a walk has begun, or is to begin.
+struct PairState {
+  std::uint32_t first;
+  std::uint32_t second;
+  PairWalk::State state;
+  bool candidate = true;  // of this step; else it is kept only so that no window is walked twice
+
+  [[nodiscard]] auto pair() const { return std::tie(first, second); }
+};
+
+double speed_on(const Piece& piece) {
+  if (piece.instant()) return 0.0;
+  const Point& p = piece.from.position;
+  const Point& q = piece.to.position;
+  const double lasts = piece.to.time_s - piece.from.time_s;
+  return std::sqrt((q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y) +
+                   (q.z - p.z) * (q.z - p.z)) /
+         lasts;
+}
+
+class RecordingSearch {
+ public:
+  RecordingSearch(const std::vector<Run>& runs, const Separation& separation,
+                  std::uint64_t max_results, const core::Resources& with,
+                  const RecordingChoices& choices)
+      : runs_(runs),
+        separation_(separation),
+        max_results_(max_results),
+        with_(with),
+        choices_(choices),
+        clearance_m_(separation.reach_m()),
+        by_begin_(runs.size()) {
+    std::iota(by_begin_.begin(), by_begin_.end(), 0U);
+    std::sort(by_begin_.begin(), by_begin_.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return std::pair(runs[a].begins_s(), a) < std::pair(runs[b].begins_s(), b);
+    });
+    for (const Run& run : runs) {
+      last_s_ = std::max(last_s_, run.ends_s());
+      for (const Fix& fix : run.fixes) {
+        const Point& p = fix.position;
+        farthest_m_ = std::max({farthest_m_, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+      }
+    }
+  }
+
+  Result<std::vector<Conflict>> search() {
+    if (runs_.empty()) return std::move(found_);
+    double begin = runs_[by_begin_.front()].begins_s();
+    while (true) {
+      enter(begin, begin);
+      const TimeSpan time{begin, step_end(begin)};
+      enter(begin, time.ends_s);
+      take_step(time);
+      if (found_.size() > max_results_) return core::too_many_results(max_results_);
+      if (time.ends_s >= last_s_) break;
+      begin = time.ends_s;
+    }
+    for (PairState& pair : walks_) {
+      if (pair.state.open) found_.push_back(pair.state.open->conflict);
+    }
+    if (found_.size() > max_results_) return core::too_many_results(max_results_);
+    order_conflicts(found_);
+    return std::move(found_);
+  }
+
+ private:
+  // Those who are there at some time from `begin` to `end`, and on which piece first.
+  void enter(double begin, double end) {
+    std::erase_if(active_, [&](const ActiveRun& a) { return runs_[a.run].ends_s() < begin; });
+    for (; next_ < by_begin_.size() && runs_[by_begin_[next_]].begins_s() <= end; ++next_) {
+      active_.push_back({by_begin_[next_], 0});
+    }
+    for (ActiveRun& a : active_) {
+      const Run& run = runs_[a.run];
+      while (a.piece + 1 < run.pieces() && piece_of(run, a.piece).to.time_s < begin) ++a.piece;
+    }
+  }
+
+  double step_end(double begin) {
+    // Nobody there: until somebody comes.
+    const double next = next_ < by_begin_.size() ? runs_[by_begin_[next_]].begins_s() : last_s_;
+    const double left = last_s_ - begin;
+    if (active_.empty()) return next;
+    const double step = choices_.step_s ? *choices_.step_s : cheapest_step(begin, left);
+    const double end = begin + step;
+    return end > begin && step < left ? std::min(end, last_s_) : last_s_;
+  }
+
+  // The step whose cost is least for the time that it covers: short ones look around often, long
+  // ones look at many.
+  double cheapest_step(double begin, double left) {
+    core::Buffer<Point> places(with_.memory, active_.size());
+    std::vector<double> speeds;
+    double lasts_s = 0.0;
+    const std::size_t stride = active_.size() / 128 + 1;
+    for (std::size_t i = 0; i < active_.size(); ++i) {
+      const Piece piece = piece_of(runs_[active_[i].run], active_[i].piece);
+      places[i] = position_on(piece, std::max(begin, piece.from.time_s));
+      if (i % stride != 0) continue;
+      speeds.push_back(speed_on(piece));
+      lasts_s += piece.lasts_s();
+    }
+    // Over many pieces, balls that enclose them all say little.
+    constexpr double kPieces = 4.0;
+    const double mean_s = lasts_s / static_cast<double>(speeds.size());
+    if (mean_s > 0.0) left = std::min(left, kPieces * mean_s);
+    const auto most = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() * 9 / 10);
+    std::nth_element(speeds.begin(), most, speeds.end());
+    const core::DensitySample sample(std::span<const Point>(places.data(), active_.size()),
+                                     with_.memory);
+    // Measured, in nanoseconds: of a step, of enclosing and sorting a bee, and of comparing it with
+    // one other.
+    constexpr double kStep = 30'000.0;
+    constexpr double kSorting = 150.0;
+    constexpr double kComparing = 0.25;
+    const auto bees = static_cast<double>(active_.size());
+    double best = left;
+    double best_cost = 0.0;
+    double step = left;
+    while (step > 0.0) {
+      const double reach = clearance_m_ + *most * step;
+      const double met = std::min(bees, sample.mates(2.6 * reach));
+      const double cost = (kStep + bees * (kSorting + 0.5 * kComparing * met)) / step;
+      if (step == left || cost < best_cost) {
+        best = step;
+        best_cost = cost;
+      }
+      if (*most * step < 0.25 * clearance_m_) break;
+      step *= 0.7;
+    }
+    return best;
+  }
+
+  void take_step(const TimeSpan& time) {
+    if (active_.empty()) return;
+    const StepBalls enclosed(runs_, active_, time, with_);
+    // Positions along the way are wrong by a few roundings of these.
+    const double blur_m = 0x1p-48 * farthest_m_;
+    const Step step{0.5 * (time.ends_s - time.begins_s) * (1.0 + 0x1p-50),
+                    clearance_m_ * (1.0 + 0x1p-50) + 4.0 * blur_m};
+    walk(time, pairs_of(find_passing(enclosed.balls(), step, with_, choices_.search)));
+  }
+
+  // The pairs to walk, ascending: the candidates, and those on which a walk is under way.
+  std::vector<PairState> pairs_of(const core::Vector<core::FoundPairs>& candidates) {
+    std::vector<PairState> pairs;
+    for (const core::FoundPairs& part : candidates) {
+      for (const auto& chunk : part.chunks()) {
+        for (std::uint32_t k = 0; k < chunk.size; ++k) {
+          ActiveRun first = active_[chunk.first[k]];
+          ActiveRun second = active_[chunk.second[k]];
+          if (runs_[first.run].track == runs_[second.run].track) continue;
+          if (first.run > second.run) std::swap(first, second);
+          pairs.push_back({first.run, second.run, {first.piece, second.piece}});
+        }
+      }
+    }
+    const auto ascending = [](const PairState& a, const PairState& b) {
+      return a.pair() < b.pair();
+    };
+    std::sort(pairs.begin(), pairs.end(), ascending);
+    std::vector<PairState> all;
+    all.reserve(pairs.size() + walks_.size());
+    auto walk = walks_.begin();
+    for (PairState& kept : walks_) kept.candidate = false;
+    for (const PairState& pair : pairs) {
+      while (walk != walks_.end() && walk->pair() < pair.pair()) all.push_back(*walk++);
+      const bool begun = walk != walks_.end() && walk->pair() == pair.pair();
+      all.push_back(begun ? *walk++ : pair);
+      all.back().candidate = true;
+    }
+    all.insert(all.end(), walk, walks_.end());
+    return all;
+  }
+
+  void walk(const TimeSpan& time, std::vector<PairState> pairs) {
+    std::vector<std::vector<Conflict>> ended(with_.crew.size());
+    with_.crew.split(pairs.size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
+      for (std::size_t i = begin; i < end; ++i) {
+        PairState& pair = pairs[i];
+        if (!pair.candidate && !pair.state.open) continue;
+        const Run& first = runs_[pair.first];
+        const Run& second = runs_[pair.second];
+        const WalkSeparation separation = WalkSeparation::within(separation_, first, second);
+        PairWalk(first, second, separation)
+            .walk(time, pair.state, [&](const PairWalk::Stretch& stretch) {
+              ended[worker].push_back(stretch.conflict);
+            });
+      }
+    });
+    for (const std::vector<Conflict>& part : ended) {
+      found_.insert(found_.end(), part.begin(), part.end());
+    }
+    // Whoever has been walked beyond the step must not be walked there again.
+    std::erase_if(pairs, [&](const PairState& pair) {
+      return !pair.state.open && pair.state.walked_until < time.ends_s;
+    });
+    walks_ = std::move(pairs);
+  }
+
+  const std::vector<Run>& runs_;
+  Separation separation_;
+  std::uint64_t max_results_;
+  const core::Resources& with_;
+  const RecordingChoices& choices_;
+  double clearance_m_;
+  double farthest_m_ = 0.0;
+  double last_s_ = -std::numeric_limits<double>::infinity();
+  std::vector<std::uint32_t> by_begin_;  // runs
+  std::size_t next_ = 0;                 // of these, to enter
+  std::vector<ActiveRun> active_;
+  std::vector<PairState> walks_;  // under way, ascending
+  std::vector<Conflict> found_;
+};
+
+}  // namespace
+
+void order_conflicts(std::vector<Conflict>& conflicts) {
+  std::sort(conflicts.begin(), conflicts.end(), [](const Conflict& a, const Conflict& b) {
+    return std::tie(a.first, a.second, a.begins_s) < std::tie(b.first, b.second, b.begins_s);
+  });
+}
+
+Result<std::vector<Conflict>> search_recording(const std::vector<Run>& runs,
+                                               const Separation& separation,
+                                               std::uint64_t max_results,
+                                               const core::Resources& with,
+                                               const RecordingChoices& choices) {
+  return RecordingSearch(runs, separation, max_results, with, choices).search();
+}
+
+}  // namespace beespace::motion

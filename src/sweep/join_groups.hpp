@@ -1,0 +1,14 @@
+// Joins near points into groups by asking a whole grid, shared by a crew.
+#pragma once
+
+#include "base/disjoint_sets.hpp"
+#include "base/resources.hpp"
+#include "sweep/row_sweeps.hpp"
+
+namespace beespace::cpu {
+
+// Joins the sorted places of every two near points of a swarm by itself. Working memory: 4 bytes a
+// point.
+void join_near(const Question& question, const core::Resources& with, core::DisjointSets& groups);
+
+}  // namespace beespace::cpu
