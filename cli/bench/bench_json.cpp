@@ -1,5 +1,5 @@
+#include "cli/analysis/number_text.hpp"
 #include "cli/bench/bench_result.hpp"
-#include "cli/number_text.hpp"
 #include "io/json/json_text.hpp"
 
 #include <beespace/version.hpp>

@@ -1,6 +1,6 @@
+#include "cli/analysis/number_text.hpp"
 #include "cli/bench/bench_check.hpp"
 #include "cli/bench/bench_result.hpp"
-#include "cli/number_text.hpp"
 
 #include <beespace/version.hpp>
 

@@ -1,6 +1,6 @@
 #include "cli/bench/bench_timing.hpp"
 
-#include "cli/stopwatch.hpp"
+#include "cli/console/stopwatch.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "cli/moving/bee_clocks.hpp"
+#include "cli/analysis/bee_clocks.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "cli/moving/look_times.hpp"
+#include "cli/analysis/look_times.hpp"
 
 #include <gtest/gtest.h>
 

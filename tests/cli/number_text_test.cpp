@@ -1,4 +1,4 @@
-#include "cli/number_text.hpp"
+#include "cli/analysis/number_text.hpp"
 
 #include <gtest/gtest.h>
 

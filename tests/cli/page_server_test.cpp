@@ -1,5 +1,5 @@
 // How long the server of `beespace view` waits for whom.
-#include "cli/view/page_server.hpp"
+#include "cli/show/page_server.hpp"
 
 #include <gtest/gtest.h>
 

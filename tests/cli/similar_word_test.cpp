@@ -1,4 +1,4 @@
-#include "cli/similar_word.hpp"
+#include "cli/command_line/similar_word.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The pairs that a page shows: all of them, or of very many exactly the closest.
-#include "cli/seen/worst_pairs.hpp"
+#include "cli/analysis/worst_pairs.hpp"
 
 #include "tests/support/rounds.hpp"
 #include "tests/support/scene_maker.hpp"

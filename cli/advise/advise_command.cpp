@@ -1,0 +1,61 @@
+#include "cli/advise/advise_command.hpp"
+
+#include "cli/advise/advise_input.hpp"
+#include "cli/advise/advise_output.hpp"
+#include "cli/advise/advise_request.hpp"
+#include "cli/advise/advise_summary.hpp"
+#include "cli/console/failure.hpp"
+#include "cli/console/progress_bar.hpp"
+#include "cli/console/stopwatch.hpp"
+#include "cli/console/terminal.hpp"
+#include "cli/output/output_file.hpp"
+
+#include <utility>
+
+namespace beespace::cli {
+namespace {
+
+// Some bee is not certified, or something that was said cannot be used.
+bool is_risky(const Advised& advised) {
+  return !advised.refused.empty() || count_uncertified(advised) > 0;
+}
+
+Result<ExitCode> give_advice(const AdviseRequest& request) {
+  auto output =
+      open_output("advise", request.output, {request.input, request.obstacles, request.intruders},
+                  request.form.packing);
+  if (!output) return std::move(output).error();
+  ProgressBar progress(!request.quiet);
+  Stopwatch watch;
+  const auto situation = load_situation(request);
+  if (!situation) return situation.error();
+  AdviseTimes times{watch.lap(), 0.0};
+  progress.enter_stage("advising");
+  const auto advised = advise(situation->movers, situation->preferred, situation->limits,
+                              situation->options_for(request));
+  if (!advised) return advised.error();
+  times.advise_s = watch.lap();
+  const Counsel counsel{request, *situation, *advised};
+  if (request.form.form == Form::kJson) {
+    write_as_json(counsel, *output);
+  } else {
+    write_as_csv(counsel, *output);
+  }
+  const Status written = output->commit();
+  if (!written && output->pipe_closed()) return ExitCode::kPipeClosed;
+  if (!written) return written.error();
+  progress.finish();
+  if (!request.quiet) say(advise_summary(counsel, times));
+  return request.fail_on_risk && is_risky(*advised) ? ExitCode::kRiskFound : ExitCode::kFine;
+}
+
+}  // namespace
+
+ExitCode run_advise(const AdviseCommandOptions& options) {
+  const auto request = advise_request(options);
+  if (!request) return fail(request.error(), options.json);
+  const auto code = give_advice(*request);
+  return code ? *code : fail(code.error(), options.json);
+}
+
+}  // namespace beespace::cli

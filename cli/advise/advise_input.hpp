@@ -1,0 +1,38 @@
+// What `beespace advise` advises about: who flies, what stands in the way, and who else is there.
+#pragma once
+
+#include "cli/advise/advise_request.hpp"
+#include "cli/input/flight_names.hpp"
+
+#include <beespace/advise.hpp>
+#include <beespace/mover.hpp>
+#include <beespace/obstacle.hpp>
+#include <beespace/result.hpp>
+
+#include <string>
+#include <vector>
+
+namespace beespace::cli {
+
+struct Situation {
+  std::vector<Mover> movers;
+  std::vector<Velocity> preferred;
+  std::vector<FlightLimits> limits;  // one for each, or one for all
+  bool own_limits = false;           // as the file tells
+  bool wishes = false;               // preferred are those of the file, not ways to goals
+  ObstacleMap obstacles;
+  std::vector<Mover> intruders;
+  FlightNames names;  // of bees and obstacles
+  FlightNames intruder_names;
+  std::string format_description;
+  std::vector<std::string> notes;
+
+  // Those of the request, with obstacles and intruders; valid as long as this is where it is.
+  [[nodiscard]] AdviseOptions options_for(const AdviseRequest& request) const;
+};
+
+// Errors: those of the readers, with their places; kInvalidArgument for options that the file makes
+// void.
+Result<Situation> load_situation(const AdviseRequest& request);
+
+}  // namespace beespace::cli

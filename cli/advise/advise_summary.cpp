@@ -1,0 +1,183 @@
+#include "cli/advise/advise_summary.hpp"
+
+#include "cli/analysis/number_text.hpp"
+#include "cli/console/summary_line.hpp"
+#include "cli/console/terminal.hpp"
+#include "cli/output/advice_words.hpp"
+#include "io/bytes/byte_source.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace beespace::cli {
+namespace {
+
+// Of a list, so many are shown.
+constexpr std::size_t kMostShown = 5;
+
+std::string times(std::uint64_t count, const char* one, const char* several) {
+  return grouped(count) + " " + (count == 1 ? one : several);
+}
+
+std::string method_text(AdviseMethod method) {
+  return std::string(name_of(method)) +
+         (method == AdviseMethod::kCertified ? "" : ", which promises nothing");
+}
+
+std::string threshold_text(const AdviseOptions& options) {
+  std::string text = separation_text(options.threshold_m, std::nullopt, false);
+  if (options.uncertainty_m > 0.0) {
+    text += ", places known to " + exact(options.uncertainty_m) + " m";
+  }
+  return text;
+}
+
+std::string limits_text(const Counsel& counsel) {
+  if (counsel.situation.own_limits) return "of each bee, as the file tells";
+  const FlightLimits& limits = counsel.request.limits;
+  const std::string text = exact(limits.max_speed_mps) + " m/s";
+  if (std::isinf(limits.max_acceleration_mps2)) return text + ", velocities change at once";
+  return text + ", " + exact(limits.max_acceleration_mps2) + " m/s^2";
+}
+
+void append_surroundings(std::string& out, const Counsel& counsel) {
+  const AdviseRequest& request = counsel.request;
+  if (!request.obstacles.empty()) {
+    append_summary_line(out, "obstacles",
+                        grouped(std::uint64_t{counsel.situation.obstacles.obstacles().size()}) +
+                            ", clearance " + exact(request.advice.clearance_m) + " m");
+  }
+  if (!request.intruders.empty()) {
+    append_summary_line(out, "intruders",
+                        grouped(std::uint64_t{counsel.situation.intruders.size()}) +
+                            ", seen to fly straight on for " +
+                            exact(request.advice.intruder_horizon_s) + " s");
+  }
+}
+
+void append_advice(std::string& out, const Counsel& counsel) {
+  struct Line {
+    AdviceKind kind;
+    const char* label;
+    const char* meaning;
+  };
+  constexpr std::array<Line, 4> kLines = {
+      {{AdviceKind::kAsWished, "as wished", ""},
+       {AdviceKind::kDeflected, "deflected", ", for the sake of others"},
+       {AdviceKind::kBraking, "braking", ", as hard as they can"},
+       {AdviceKind::kWaiting, "waiting", ", as others are in their way"}}};
+  for (const Line& line : kLines) {
+    const std::uint64_t bees = count(counsel.advised, line.kind);
+    append_summary_line(out, line.label, grouped(bees) + (bees > 0 ? line.meaning : ""));
+  }
+  if (const std::uint64_t bees = count(counsel.advised, AdviceKind::kNone); bees > 0) {
+    append_summary_line(out, "no advice", grouped(bees) + ", as what is said of them cannot be");
+  }
+}
+
+void append_uncertain(std::string& out, const Counsel& counsel) {
+  std::string text = bold("none");
+  if (counsel.request.advice.method != AdviseMethod::kCertified) {
+    text = "everybody: this method certifies nobody";
+  } else if (const std::uint64_t bees = count_uncertified(counsel.advised); bees > 0) {
+    text = red(times(bees, "bee", "bees")) + " not certified";
+  }
+  append_summary_line(out, "uncertain", text);
+}
+
+std::string pair_text(const TooClose& close, const FlightNames& names) {
+  std::string text = names.bee(close.pair.first) + " and " + names.bee(close.pair.second) + ", ";
+  // Of ways that cross, nothing but rounding is left.
+  constexpr double kCrossing_m = 1e-9;
+  text += close.gap_m > kCrossing_m ? length(close.gap_m) + " between their ways to a stop"
+                                    : std::string("whose ways to a stop cross");
+  if (std::isinf(close.clear_s)) return text + ", and stay too close";
+  if (close.clear_s > 0.0) return text + ", clear in " + grouped(close.clear_s, 2) + " s";
+  return text + ", still far enough apart";
+}
+
+// "3 pairs", and below it the first few of them.
+template <class Item, class Text>
+void append_list(std::string& out, const char* label, const std::string& how_many,
+                 const std::vector<Item>& items, const Text& text_of) {
+  if (items.empty()) return;
+  append_summary_line(out, label, red(how_many));
+  for (std::size_t i = 0; i < std::min(items.size(), kMostShown); ++i) {
+    append_summary_line(out, "", text_of(items[i]));
+  }
+  if (items.size() <= kMostShown) return;
+  append_summary_line(out, "",
+                      "and " + grouped(std::uint64_t{items.size() - kMostShown}) + " more");
+}
+
+std::string refused_text(const Refused& refused, const Counsel& counsel) {
+  const auto index = static_cast<PointId>(refused.index);
+  const bool is_intruder = refused.kind == RefusedKind::kIntruder;
+  const FlightNames& names =
+      is_intruder ? counsel.situation.intruder_names : counsel.situation.names;
+  std::string text = (is_intruder ? "the intruder " : "") + names.bee(index) + ": ";
+  text += printable(refused.error.message);
+  if (refused.kind == RefusedKind::kWish) return text + "; it is advised as if it wished to stand";
+  return text + "; it may be anywhere, so no bee is certified";
+}
+
+void append_findings(std::string& out, const Counsel& counsel) {
+  const Advised& advised = counsel.advised;
+  const FlightNames& names = counsel.situation.names;
+  append_list(out, "refused", std::to_string(advised.refused.size()) + " that cannot be used",
+              advised.refused,
+              [&](const Refused& refused) { return refused_text(refused, counsel); });
+  append_list(out, "too close", times(advised.too_close.size(), "pair", "pairs"), advised.too_close,
+              [&](const TooClose& close) { return pair_text(close, names); });
+  append_list(
+      out, "near", times(advised.near_obstacle.size(), "bee", "bees") + " to an obstacle",
+      advised.near_obstacle, [&](const NearObstacle& near) {
+        const Obstacle& obstacle = counsel.situation.obstacles.obstacles()[near.obstacle];
+        const std::string which = names.obstacle(near.obstacle, obstacle);
+        return names.bee(near.bee) + ", whose way to a stop " +
+               (near.gap_m > 0.0 ? "comes within " + length(near.gap_m) + " of " : "meets ") +
+               which;
+      });
+  append_list(
+      out, "conflicts",
+      times(advised.intruder_conflicts.size(), "conflict", "conflicts") + " with an intruder ahead",
+      advised.intruder_conflicts, [&](const IntruderConflict& conflict) {
+        const auto intruder = static_cast<PointId>(conflict.intruder);
+        return names.bee(conflict.bee) + " and the intruder " +
+               counsel.situation.intruder_names.bee(intruder) + ", in " +
+               grouped(conflict.begins_s, 2) + " s, closest " + length(conflict.closest_m);
+      });
+}
+
+}  // namespace
+
+std::string advise_summary(const Counsel& counsel, const AdviseTimes& times) {
+  const AdviseRequest& request = counsel.request;
+  const Situation& situation = counsel.situation;
+  std::string out;
+  append_summary_line(
+      out, "input",
+      printable(io::source_name(request.input)) + " (" + situation.format_description + ")");
+  for (const std::string& note : situation.notes) {
+    append_summary_line(out, "note", printable(note));
+  }
+  append_summary_line(out, "bees", grouped(std::uint64_t{situation.movers.size()}));
+  append_summary_line(out, "method", method_text(request.advice.method));
+  append_summary_line(out, "threshold", threshold_text(request.advice));
+  append_summary_line(out, "limits", limits_text(counsel));
+  append_summary_line(out, "step", exact(request.advice.step_s) + " s");
+  append_surroundings(out, counsel);
+  append_advice(out, counsel);
+  append_uncertain(out, counsel);
+  append_findings(out, counsel);
+  append_summary_line(out, "time",
+                      "read " + duration(times.read_s) + ", advise " + duration(times.advise_s));
+  return out;
+}
+
+}  // namespace beespace::cli

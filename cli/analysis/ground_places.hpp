@@ -1,0 +1,27 @@
+// What the distances of a vertical threshold are taken of where heights are apart from positions:
+// positions brought to height 0, geographic ones, or whose heights have the threshold's own unit.
+#pragma once
+
+#include "cli/analysis/stated_length.hpp"
+#include "io/points/loaded_points.hpp"
+
+#include <beespace/point.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace beespace::cli {
+
+// Both empty where the points themselves are asked about.
+struct GroundPlaces {
+  std::vector<Point> ground = {};
+  std::vector<double> heights_m = {};  // in the unit of `vertical_m`
+  std::optional<double> vertical_m = {};
+};
+
+// `height_unit` is that of all that is compared. A threshold in the unit of the heights is compared
+// with them as they stand.
+GroundPlaces ground_places(const io::LoadedPoints& loaded,
+                           const std::optional<StatedLength>& vertical, io::Unit height_unit);
+
+}  // namespace beespace::cli

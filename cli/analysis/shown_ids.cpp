@@ -1,0 +1,78 @@
+#include "cli/analysis/shown_ids.hpp"
+
+#include "cli/analysis/number_text.hpp"
+#include "io/json/json_text.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+namespace beespace::cli {
+
+namespace {
+
+constexpr std::string_view kTabsAndLineEnds = "\t\n\v\f\r";
+
+bool is_empty(std::string_view id) {
+  return id.find_first_not_of(" \t\n\v\f\r") == std::string_view::npos;
+}
+
+bool is_broken(std::string_view id) {
+  return id.find_first_of(kTabsAndLineEnds) != std::string_view::npos;
+}
+
+}  // namespace
+
+ShownIds::ShownIds(const io::LoadedPoints& loaded, const std::vector<PointId>& ascending)
+    : own_ids_(io::has_id_column(loaded)),
+      rows_are_points_(!own_ids_ && loaded.skipped_count == 0),
+      points_(&ascending) {
+  if (rows_are_points_) return;
+  begin_.reserve(ascending.size() + 1);
+  io::for_each_record(loaded, ascending, [this](const io::Record& record) {
+    begin_.push_back(texts_.size());
+    if (own_ids_ && !is_empty(record.id)) {
+      texts_ += record.id;
+      if (is_broken(record.id)) ++broken_count_;
+      return;
+    }
+    append_exact(texts_, record.row);
+    if (own_ids_) empty_.push_back(record.point);
+  });
+  begin_.push_back(texts_.size());
+}
+
+std::string_view ShownIds::find(PointId point) const {
+  const auto place = std::lower_bound(points_->begin(), points_->end(), point);
+  const auto i = static_cast<std::size_t>(place - points_->begin());
+  return std::string_view(texts_).substr(begin_[i], begin_[i + 1] - begin_[i]);
+}
+
+void ShownIds::append(std::string& out, PointId point) const {
+  if (rows_are_points_) {
+    append_exact(out, std::uint64_t{point});
+    return;
+  }
+  const std::size_t begin = out.size();
+  out += find(point);
+  if (broken_count_ == 0) return;
+  std::replace_if(
+      out.begin() + static_cast<std::ptrdiff_t>(begin), out.end(),
+      [](char c) { return kTabsAndLineEnds.find(c) != std::string_view::npos; }, ' ');
+}
+
+std::string ShownIds::text(PointId point) const {
+  std::string out;
+  append(out, point);
+  return out;
+}
+
+void ShownIds::append_json(std::string& out, PointId point) const {
+  if (own_ids_ && !std::binary_search(empty_.begin(), empty_.end(), point)) {
+    io::append_json_string(out, find(point));
+  } else {
+    append(out, point);
+  }
+}
+
+}  // namespace beespace::cli

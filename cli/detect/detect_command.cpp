@@ -1,0 +1,92 @@
+#include "cli/detect/detect_command.hpp"
+
+#include "cli/analysis/number_text.hpp"
+#include "cli/console/failure.hpp"
+#include "cli/console/progress_bar.hpp"
+#include "cli/console/stopwatch.hpp"
+#include "cli/console/terminal.hpp"
+#include "cli/detect/answer_output.hpp"
+#include "cli/detect/detect_request.hpp"
+#include "cli/detect/detect_search.hpp"
+#include "cli/detect/load_inputs.hpp"
+#include "cli/detect/summary.hpp"
+#include "cli/output/output_file.hpp"
+#include "io/bytes/atomic_output.hpp"
+
+#include <cstddef>
+#include <utility>
+
+namespace beespace::cli {
+namespace {
+
+// Says when an id is not shown as the file has it; JSON needs no blanks.
+void note_ids(const ShownIds& ids, Form form, std::vector<std::string>& notes) {
+  if (const std::size_t count = ids.empty_count(); count > 0) {
+    notes.push_back(grouped(count) +
+                    (count == 1 ? " bee of the answer has" : " bees of the answer have") +
+                    " an empty id: the data row stands for it");
+  }
+  const bool is_text = form == Form::kText || form == Form::kCsv;
+  if (const std::size_t count = ids.broken_count(); count > 0 && is_text) {
+    notes.push_back("tabs and line ends inside an id are written as blanks (" + grouped(count) +
+                    (count == 1 ? " id)" : " ids)"));
+  }
+}
+
+void write_answer(const Answer& answer, io::AtomicOutput& output) {
+  switch (answer.request.form.form) {
+    case Form::kText:
+      return write_text(answer, output);
+    case Form::kCsv:
+      return write_csv(answer, output);
+    case Form::kJson:
+      return write_json(answer, output);
+    case Form::kGeoJson:
+      return write_geojson(answer, output);
+  }
+}
+
+// The whole run; the exit code, or what went wrong.
+Result<ExitCode> detect(const DetectRequest& request) {
+  // Opened first, so that a folder that is not there is known before a long read.
+  auto output = open_output("detect", request.output, {request.input, request.others.value_or("")},
+                            request.form.packing);
+  if (!output) return std::move(output).error();
+  ProgressBar progress(!request.quiet);
+  Stopwatch watch;
+  auto inputs = load_inputs(request, progress);
+  if (!inputs) return std::move(inputs).error();
+  const double read_s = watch.lap();
+
+  progress.enter_stage("searching");
+  auto detection = search(*inputs, request);
+  if (!detection) return std::move(detection).error();
+  detection->timings.read_s = read_s;
+  detection->timings.search_s = watch.lap();
+
+  progress.enter_stage("writing");
+  const AnswerIds ids(*inputs, detection->table, request.form.form);
+  note_ids(ids.ours(), request.form.form, inputs->ours.notes);
+  if (inputs->others) note_ids(ids.theirs(), request.form.form, inputs->others->notes);
+  write_answer({request, *inputs, *detection, ids}, *output);
+  const Status written = output->commit();
+  if (!written && output->pipe_closed()) return ExitCode::kPipeClosed;
+  if (!written) return written.error();
+  detection->timings.write_s = watch.lap();
+
+  progress.finish();
+  if (!request.quiet) say(summary(*inputs, *detection, request));
+  const bool risk = request.fail_on_risk && !detection->at_risk.empty();
+  return risk ? ExitCode::kRiskFound : ExitCode::kFine;
+}
+
+}  // namespace
+
+ExitCode run_detect(const DetectOptions& options) {
+  const auto request = request_of(options);
+  if (!request) return fail(request.error(), options.json);
+  const auto code = detect(*request);
+  return code ? *code : fail(code.error(), options.json);
+}
+
+}  // namespace beespace::cli

@@ -1,0 +1,73 @@
+// One run of `beespace detect`: what was asked, what was read, what was found.
+#pragma once
+
+#include "cli/analysis/stated_length.hpp"
+#include "cli/detect/reports/report.hpp"
+#include "cli/output/output_form.hpp"
+#include "cli/output/table.hpp"
+#include "io/points/load_options.hpp"
+#include "io/points/loaded_points.hpp"
+#include "io/points/repeated_ids.hpp"
+
+#include <beespace/nearest.hpp>
+#include <beespace/point.hpp>
+#include <beespace/search_options.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace beespace::cli {
+
+struct DetectRequest {
+  std::string input = "-";
+  std::optional<std::string> others;
+  std::string output = "-";
+  io::LoadOptions load;  // of both inputs
+  SearchOptions search;
+  bool default_threshold = false;        // nobody gave one
+  std::optional<StatedLength> vertical;  // that of `search`, as typed
+  bool unique_ids = false;
+  const Report* report = nullptr;
+  OutputForm form;
+  bool at_risk_only = false;
+  bool fail_on_risk = false;
+  bool quiet = false;
+};
+
+struct Inputs {
+  io::LoadedPoints ours;
+  std::optional<io::LoadedPoints> others;
+  io::RepeatedIds our_repeated = {};
+  io::RepeatedIds their_repeated = {};
+
+  // Of the heights of both; where they differ they are compared in metres.
+  [[nodiscard]] io::Unit height_unit() const {
+    const bool alike = !others || others->height_unit == ours.height_unit;
+    return alike ? ours.height_unit : io::Unit::kMetre;
+  }
+
+  // Whose ids stand second in pairs, and in columns of ids.
+  [[nodiscard]] const io::LoadedPoints& theirs() const { return others ? *others : ours; }
+};
+
+struct Timings {
+  double read_s = 0.0;
+  double search_s = 0.0;
+  double write_s = 0.0;
+};
+
+struct Detection {
+  std::vector<PointId> at_risk;
+  std::optional<ClosestPair> closest;  // only when somebody will see it
+  Table table;
+  Timings timings;
+
+  [[nodiscard]] double share(const io::LoadedPoints& loaded) const {
+    if (loaded.points.empty()) return 0.0;
+    return static_cast<double>(at_risk.size()) / static_cast<double>(loaded.points.size());
+  }
+};
+
+}  // namespace beespace::cli

@@ -1,0 +1,18 @@
+// What is worth knowing about how many neighbours bees have.
+#pragma once
+
+#include "cli/analysis/number_text.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace beespace::cli {
+
+inline std::string neighbor_finding(std::uint64_t neighbors, std::size_t bees, std::uint64_t most) {
+  if (most == 0) return "none";
+  const double mean = static_cast<double>(neighbors) / static_cast<double>(bees);
+  return grouped(mean, 2) + " a bee on average, " + grouped(most) + " at most";
+}
+
+}  // namespace beespace::cli

@@ -1,0 +1,37 @@
+#include "cli/detect/reports/report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace beespace::cli {
+
+std::vector<PointId> Question::listed_bees() const {
+  if (at_risk_only) return at_risk;
+  std::vector<PointId> everybody(points.size());
+  std::iota(everybody.begin(), everybody.end(), PointId{0});
+  return everybody;
+}
+
+std::span<const Report> reports() {
+  static constexpr std::array kReports = {
+      Report{"at-risk", "at_risk", "", true, false, false, false, true, report_at_risk},
+      Report{"pairs", "pairs", "pairs", true, true, false, false, true, report_pairs},
+      Report{"neighbors", "neighbors", "neighbours", true, true, true, false, true,
+             report_neighbors},
+      Report{"counts", "counts", "neighbours", true, false, true, false, true, report_counts},
+      Report{"nearest", "nearest", "nearest", true, false, true, false, true, report_nearest},
+      Report{"groups", "groups", "groups", false, false, false, false, true, report_groups},
+      Report{"closest-pair", "", "", true, false, false, true, false, report_closest_pair},
+  };
+  return kReports;
+}
+
+const Report* find_report(std::string_view name) {
+  const auto all = reports();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [name](const Report& r) { return r.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+}  // namespace beespace::cli

@@ -1,0 +1,116 @@
+#include "cli/detect/summary.hpp"
+
+#include "cli/analysis/number_text.hpp"
+#include "cli/analysis/shown_ids.hpp"
+#include "cli/console/summary_line.hpp"
+#include "cli/console/terminal.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+namespace beespace::cli {
+namespace {
+
+std::string input_line(const io::LoadedPoints& loaded, const std::string& path) {
+  const std::string name = path == "-" ? "standard input" : path;
+  return printable(name) + " (" + byte_count(loaded.bytes) + ", " + loaded.format_description + ")";
+}
+
+// The reader notes what it did not find.
+bool has_height(const io::LoadedPoints& loaded) {
+  return std::none_of(loaded.notes.begin(), loaded.notes.end(),
+                      [](const std::string& note) { return note.starts_with("no height column"); });
+}
+
+std::string frame_line(const io::LoadedPoints& loaded) {
+  std::string frame = "metres";
+  if (loaded.frame == io::Frame::kWgs84) {
+    frame = "WGS84 longitude, latitude";
+    if (has_height(loaded)) frame += ", height";
+  }
+  return frame + ": " + printable(loaded.frame_reason);
+}
+
+std::string at_risk_line(const io::LoadedPoints& loaded, const Detection& detection) {
+  if (detection.at_risk.empty()) return bold("nobody");
+  const std::string text =
+      grouped(detection.at_risk.size()) + " (" + percentage(detection.share(loaded)) + ")";
+  return red(text);
+}
+
+std::string closest_line(const Inputs& inputs, const ClosestPair& pair) {
+  const std::vector<PointId> first = {pair.first};
+  const std::vector<PointId> second = {pair.second};
+  const ShownIds ours(inputs.ours, first);
+  const ShownIds theirs(inputs.theirs(), second);
+  return printable(ours.text(pair.first)) + " and " + (inputs.others ? "their " : "") +
+         printable(theirs.text(pair.second)) + ", " + length(pair.distance_m) + " apart";
+}
+
+std::string time_line(const Inputs& inputs, const Timings& timings) {
+  const double total = timings.read_s + timings.search_s + timings.write_s;
+  std::string text = "read " + duration(timings.read_s) + ", search " + duration(timings.search_s) +
+                     ", write " + duration(timings.write_s);
+  if (total > 0.0) {
+    const std::size_t points =
+        inputs.ours.points.size() + (inputs.others ? inputs.others->points.size() : 0);
+    text += " (" + grouped(static_cast<double>(points) / total, 0) + " points/s)";
+  }
+  return text;
+}
+
+void append_skipped(std::string& out, const io::LoadedPoints& loaded) {
+  append_summary_line(
+      out, "skipped",
+      grouped(loaded.skipped_count) + (loaded.skipped_count == 1 ? " bad record" : " bad records"));
+  for (const Error& error : loaded.skipped)
+    append_summary_line(out, "", printable(to_string(error)));
+  if (loaded.skipped_count > loaded.skipped.size()) {
+    append_summary_line(out, "",
+                        "and " + grouped(loaded.skipped_count - loaded.skipped.size()) + " more");
+  }
+}
+
+// What one file turned out to be.
+void append_input(std::string& out, std::string_view label, const io::LoadedPoints& loaded,
+                  const std::string& path, const io::RepeatedIds& repeated) {
+  append_summary_line(out, label, input_line(loaded, path));
+  append_summary_line(out, "frame", frame_line(loaded));
+  append_units(out, loaded.units);
+  const std::string_view datum = datum_text(loaded.heights);
+  if (!datum.empty()) append_summary_line(out, "heights", datum);
+  for (const std::string& note : loaded.notes) append_summary_line(out, "note", printable(note));
+  if (loaded.skipped_count > 0) append_skipped(out, loaded);
+  append_summary_line(out, "points", grouped(loaded.points.size()));
+  if (repeated.count > 0) append_summary_line(out, "repeated", red(text_of(repeated)));
+}
+
+}  // namespace
+
+std::string summary(const Inputs& inputs, const Detection& detection,
+                    const DetectRequest& request) {
+  std::string out;
+  append_input(out, "input", inputs.ours, request.input, inputs.our_repeated);
+  if (inputs.others) {
+    append_input(out, "others", *inputs.others, *request.others, inputs.their_repeated);
+  }
+  append_summary_line(out, "threshold",
+                      separation_text(request.search.threshold_m, request.search.vertical_m,
+                                      request.search.inclusive) +
+                          (request.default_threshold ? kDefaultThresholdWords : ""));
+  append_vertical(out, request.vertical, inputs.height_unit());
+  append_summary_line(out, "at risk", at_risk_line(inputs.ours, detection));
+  if (!detection.table.finding.empty()) {
+    append_summary_line(out, request.report->label, detection.table.finding);
+  }
+  if (detection.closest) {
+    const bool kept_apart = request.search.vertical_m && detection.at_risk.empty();
+    append_summary_line(out, "closest",
+                        closest_line(inputs, *detection.closest) +
+                            (kept_apart ? " in a straight line, not too close" : ""));
+  }
+  append_summary_line(out, "time", time_line(inputs, detection.timings));
+  return out;
+}
+
+}  // namespace beespace::cli

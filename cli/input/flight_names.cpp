@@ -1,0 +1,22 @@
+#include "cli/input/flight_names.hpp"
+
+#include "cli/console/terminal.hpp"
+#include "cli/input/obstacle_file.hpp"
+#include "io/json/json_text.hpp"
+
+namespace beespace::cli {
+
+std::string FlightNames::bee(PointId bee) const {
+  return ids.empty() ? std::to_string(bee) : printable(ids[bee]);
+}
+
+std::string FlightNames::bee_as_json(PointId bee) const {
+  return ids.empty() ? std::to_string(bee) : io::json_string(ids[bee]);
+}
+
+std::string FlightNames::obstacle(std::size_t number, const Obstacle& obstacle) const {
+  if (number < scenario_obstacles) return shown_obstacle(number, obstacle) + " of the scenario";
+  return shown_obstacle(number - scenario_obstacles, obstacle) + " of " + printable(obstacles_file);
+}
+
+}  // namespace beespace::cli

@@ -1,0 +1,40 @@
+#include "cli/input/live_options.hpp"
+
+#include "cli/command_line/option_values.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace beespace::cli {
+
+void add_live_options(CLI::App& command, LiveOptions& options, const char* group) {
+  command
+      .add_option("--horizon", options.horizon,
+                  "How far to look ahead (default: 10; 0: not at all)")
+      ->type_name("SECONDS")
+      ->group(group);
+  command
+      .add_option("--leave-factor", options.leave_factor,
+                  "Bees leave a conflict at the threshold times this\n(default: 1.1)")
+      ->type_name("FACTOR")
+      ->group(group);
+  command
+      .add_option("--look-every", options.look_every,
+                  "How often to look, by the reports' clock\n(default: 0.1)")
+      ->type_name("SECONDS")
+      ->group(group);
+}
+
+Result<LiveRequest> live_request(const char* command, const LiveOptions& options) {
+  const auto horizon =
+      read_optional_amount(command, "--horizon", options.horizon, "seconds", {0.0, true});
+  if (!horizon) return horizon.error();
+  const auto leave =
+      read_optional_amount(command, "--leave-factor", options.leave_factor, "times", {1.0, true});
+  if (!leave) return leave.error();
+  const auto every =
+      read_optional_amount(command, "--look-every", options.look_every, "seconds", {0.0, false});
+  if (!every) return every.error();
+  return LiveRequest{horizon->value_or(10.0), leave->value_or(1.1), every->value_or(0.1)};
+}
+
+}  // namespace beespace::cli

@@ -1,0 +1,189 @@
+#include "cli/input/moving_options.hpp"
+
+#include "cli/analysis/gaps.hpp"
+#include "cli/analysis/number_text.hpp"
+#include "cli/command_line/option_checks.hpp"
+#include "cli/command_line/option_values.hpp"
+#include "cli/console/terminal.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace beespace::cli {
+namespace {
+
+std::optional<Error> check_inputs(const char* command, const MovingOptions& options) {
+  if (options.inputs.empty() && input_is_terminal()) {
+    return usage_error(command, "say which file to read, or pipe the input in");
+  }
+  if (std::count(options.inputs.begin(), options.inputs.end(), "-") > 1) {
+    return usage_error(command, "standard input can be read once");
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<io::RecordingOptions> recording_options(const char* command, const ReadingOptions& options) {
+  io::RecordingOptions load;
+  if (options.frame == "wgs84") load.frame = io::Frame::kWgs84;
+  if (options.frame == "metres") load.frame = io::Frame::kMetres;
+  if (options.time_unit == "s") load.time_unit = io::TimeUnit::kSeconds;
+  if (options.time_unit == "ms") load.time_unit = io::TimeUnit::kMilliseconds;
+  if (options.time_unit == "us") load.time_unit = io::TimeUnit::kMicroseconds;
+  if (options.time_unit == "ns") load.time_unit = io::TimeUnit::kNanoseconds;
+  if (options.heights == "geometric") load.heights = io::HeightSource::kGeometric;
+  if (options.heights == "pressure") load.heights = io::HeightSource::kPressure;
+  load.columns = options.columns;
+  const auto units = io::read_unit_wishes(options.units);
+  if (!units) return usage_error(command, units.error().message);
+  load.units = *units;
+  return load;
+}
+
+void add_units_options(CLI::App& command, std::string& units, std::string& heights) {
+  command
+      .add_option("--units", units,
+                  "Where the header names none: height=ft,speed=kt,\nclimb=ft/min, position=m")
+      ->type_name("LIST")
+      ->group("Input");
+  CLI::Option* option =
+      command
+          .add_option("--heights", heights, "Of several heights, which to take (aircraft, tables)")
+          ->type_name("auto|geometric|pressure")
+          ->group("Input");
+  allow_only(*option, {"auto", "geometric", "pressure"});
+}
+
+void add_input_options(CLI::App& command, MovingOptions& options) {
+  CLI::Option* frame =
+      command.add_option("--crs", options.frame, "Whether positions are in degrees or metres")
+          ->type_name("auto|wgs84|metres")
+          ->group("Input");
+  allow_only(*frame, {"auto", "wgs84", "metres"});
+  command
+      .add_option("--columns", options.columns, "By number or name: id=1,time=2,x=3,y=4,z=5,vx=6")
+      ->type_name("LIST")
+      ->group("Input");
+  CLI::Option* unit =
+      command
+          .add_option("--time-unit", options.time_unit, "Of times, where the input does not say")
+          ->type_name("auto|s|ms|us|ns")
+          ->group("Input");
+  allow_only(*unit, {"auto", "s", "ms", "us", "ns"});
+  command
+      .add_flag("--grounded", options.grounded,
+                "Count those that stand on the ground as well (shows, aircraft)")
+      ->group("Input");
+  add_units_options(command, options.units, options.heights);
+  command.add_flag("--skip-bad", options.skip_bad, "Leave bad records out and list them")
+      ->group("Input");
+}
+
+void add_gap_options(CLI::App& command, std::string& max_gap, std::string& tolerance) {
+  add_max_gap_option(command, max_gap, "Input");
+  command.add_option("--tolerance", tolerance, "How closely to follow curves (default: 0.001)")
+      ->type_name("LENGTH")
+      ->group("Input");
+}
+
+void add_threshold_options(CLI::App& command, MovingOptions& options) {
+  command
+      .add_option("--threshold", options.threshold,
+                  "Closer than this is too close (default: what the\ninput declares, or 100)")
+      ->type_name("LENGTH")
+      ->group("Separation");
+  command.add_option("--vertical", options.vertical, kVerticalHelp)
+      ->type_name("LENGTH")
+      ->group("Separation");
+  command
+      .add_flag("--inclusive", options.inclusive, "A distance of exactly the threshold counts too")
+      ->group("Separation");
+  command.add_option("--threads", options.threads, "How many threads work (default: 0, all)")
+      ->type_name("N")
+      ->group("Separation");
+}
+
+void add_separation_options(CLI::App& command, MovingOptions& options) {
+  add_threshold_options(command, options);
+  command
+      .add_option("--max-results", options.max_results,
+                  "Fail beyond so many conflicts (default: no limit)")
+      ->type_name("N")
+      ->group("Separation");
+}
+
+void add_output_options(CLI::App& command, MovingOptions& options) {
+  command
+      .add_option("-o,--output", options.output,
+                  "Where the answer goes, by its ending .csv or .json,\nperhaps with .gz, in this "
+                  "form (default: standard\noutput)")
+      ->type_name("FILE")
+      ->group("Output");
+  command.add_flag("--csv", options.csv, "With a header, values between commas")->group("Output");
+  command.add_flag("--json", options.json, "One JSON document with everything in it")
+      ->group("Output");
+  command
+      .add_flag("--fail-on-risk", options.fail_on_risk,
+                "Exit with 1 when there is a conflict, or in a\nrecording a gap that may hide one")
+      ->group("Output");
+  command.add_flag("--quiet", options.quiet, "No summary and no progress, only errors")
+      ->group("Output");
+}
+
+Result<MovingRequest> moving_request(const char* command, const MovingOptions& options) {
+  if (auto error = check_inputs(command, options)) return *std::move(error);
+  MovingRequest request;
+  request.command = command;
+  request.inputs = options.inputs;
+  if (request.inputs.empty()) request.inputs.emplace_back("-");
+  const auto load = recording_options(
+      command, {options.frame, options.time_unit, options.columns, options.heights, options.units});
+  if (!load) return load.error();
+  request.load = *load;
+  request.load.skip_bad = options.skip_bad;
+  request.load.grounded = options.grounded;
+  if (!options.threshold.empty()) {
+    const auto threshold = read_threshold_in_motion(options.threshold);
+    if (!threshold) return threshold.error();
+    request.threshold_m = *threshold;
+  }
+  const auto vertical = read_vertical(command, options.vertical);
+  if (!vertical) return vertical.error();
+  request.vertical = *vertical;
+  if (*vertical) request.vertical_m = (*vertical)->metric;
+  request.inclusive = options.inclusive;
+  const auto max_results = read_max_results(command, options.max_results);
+  if (!max_results) return max_results.error();
+  request.max_results = *max_results;
+  const auto threads = read_threads(command, options.threads);
+  if (!threads) return threads.error();
+  request.threads = *threads;
+  request.output = options.output;
+  request.fail_on_risk = options.fail_on_risk;
+  request.quiet = options.quiet;
+  return request;
+}
+
+Result<MovingRequest> answering_request(const char* command, const MovingOptions& options,
+                                        const std::vector<std::string>& text_endings) {
+  auto request = moving_request(command, options);
+  if (!request) return request;
+  const auto form = output_form(command, {options.output, options.csv, options.json},
+                                {{Form::kText, Form::kCsv, Form::kJson}, text_endings});
+  if (!form) return form.error();
+  request->form = *form;
+  return request;
+}
+
+Error in_words_of_the_command(Error error, const MovingRequest& request) {
+  if (error.code != ErrorCode::kTooManyResults) return error;
+  error.message = "there are more than " + grouped(request.max_results) +
+                  (request.max_results == 1 ? " conflict" : " conflicts") +
+                  "; raise --max-results, or lower the threshold";
+  return error;
+}
+
+}  // namespace beespace::cli

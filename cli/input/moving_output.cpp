@@ -1,0 +1,193 @@
+#include "cli/input/moving_output.hpp"
+
+#include "cli/analysis/number_text.hpp"
+#include "cli/console/terminal.hpp"
+#include "cli/output/block_writer.hpp"
+#include "cli/output/json_units.hpp"
+#include "io/json/json_text.hpp"
+
+#include <beespace/version.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+namespace beespace::cli {
+namespace {
+
+std::string inputs_of(const MovingRequest& request) {
+  const std::string& first = request.inputs.front();
+  std::string text = first == "-" ? "standard input" : first;
+  if (request.inputs.size() > 1) text += " and " + grouped(request.inputs.size() - 1) + " more";
+  return printable(text);
+}
+
+std::string counted(std::uint64_t count, const char* one, const char* several) {
+  return grouped(count) + " " + (count == 1 ? one : several);
+}
+
+void append_skipped(std::string& out, const io::Recording& recording) {
+  append_summary_line(out, "skipped",
+                      counted(recording.skipped_count, "bad record", "bad records"));
+  for (const Error& error : recording.skipped) {
+    append_summary_line(out, "", printable(to_string(error)));
+  }
+  if (recording.skipped_count > recording.skipped.size()) {
+    append_summary_line(
+        out, "", "and " + grouped(recording.skipped_count - recording.skipped.size()) + " more");
+  }
+}
+
+std::string date_and_time(double since_1970_s) {
+  using std::chrono::floor;
+  // Rounded first, so that 59.9996 s become the next minute.
+  const double rounded_s = std::round(since_1970_s * 1e3) / 1e3;
+  const double whole = std::floor(rounded_s);
+  const std::chrono::sys_seconds seconds{std::chrono::seconds(static_cast<std::int64_t>(whole))};
+  const auto day = floor<std::chrono::days>(seconds);
+  const std::chrono::year_month_day date{day};
+  const std::chrono::hh_mm_ss time{seconds - day};
+  char text[40];
+  std::snprintf(text, sizeof text, "%04d-%02u-%02uT%02d:%02d:%06.3fZ", int{date.year()},
+                unsigned{date.month()}, unsigned{date.day()},
+                static_cast<int>(time.hours().count()), static_cast<int>(time.minutes().count()),
+                static_cast<double>(time.seconds().count()) + (rounded_s - whole));
+  return text;
+}
+
+}  // namespace
+
+void append_frame_lines(std::string& out, io::Frame frame, const std::string& reason,
+                        io::HeightDatum heights) {
+  const bool degrees = frame == io::Frame::kWgs84;
+  std::string text = degrees ? "WGS84 longitude, latitude, height" : "metres";
+  if (!reason.empty()) text += ": " + printable(reason);
+  append_summary_line(out, "frame", text);
+  const std::string_view datum = datum_text(heights);
+  if (!datum.empty()) append_summary_line(out, "heights", datum);
+}
+
+std::string input_summary(const io::Recording& recording, const MovingRequest& request) {
+  std::string out;
+  append_summary_line(out, "input",
+                      inputs_of(request) + " (" + byte_count(recording.bytes) + ", " +
+                          recording.format_description + ")");
+  append_frame_lines(out, recording.frame, recording.frame_reason, recording.heights);
+  append_units(out, recording.units);
+  append_vertical(out, request.vertical, recording.height_unit);
+  for (const std::string& note : recording.notes) {
+    append_summary_line(out, "note", printable(note));
+  }
+  if (recording.skipped_count > 0) append_skipped(out, recording);
+  return out;
+}
+
+std::string separation_summary(const MovingRequest& request, double threshold_m, bool declared) {
+  const std::string text = separation_text(threshold_m, request.vertical_m, request.inclusive);
+  if (declared) return text + ", as the input declares";
+  return request.threshold_m ? text : text + kDefaultThresholdWords;
+}
+
+std::string moment(double time_s, const io::Recording& recording) {
+  // Within a few thousand years; and not what is no time at all.
+  constexpr double kFarthest_s = 1e11;
+  if (recording.since_1970 && std::abs(time_s) < kFarthest_s) return date_and_time(time_s);
+  return grouped(time_s, 2) + " s";
+}
+
+BeeName name_of(PointId bee, const io::Recording& recording) {
+  return {recording.bees[bee].id, recording.bees[bee].label};
+}
+
+bool has_labels(const io::Recording& recording) {
+  return std::any_of(recording.bees.begin(), recording.bees.end(),
+                     [](const io::RecordedBee& bee) { return !bee.label.empty(); });
+}
+
+std::string pair_text(const Conflict& conflict, const io::Recording& recording) {
+  return printable(text_of(name_of(conflict.first, recording))) + " and " +
+         printable(text_of(name_of(conflict.second, recording)));
+}
+
+std::string encounter_text(const Conflict& conflict, const io::Recording& recording) {
+  return pair_text(conflict, recording) + ", " + length(conflict.closest_m) + " apart at " +
+         moment(conflict.closest_s, recording);
+}
+
+Rows conflict_rows(const std::vector<Conflict>& conflicts, const io::Recording& recording,
+                   bool with_certain) {
+  Rows rows{{{"first", "first_label"},
+             {"second", "second_label"},
+             {"begins_s"},
+             {"closest_s"},
+             {"closest_m"},
+             {"ends_s"}},
+            {},
+            has_labels(recording)};
+  if (with_certain) rows.columns.push_back({"certain"});
+  rows.rows.reserve(conflicts.size());
+  for (const Conflict& c : conflicts) {
+    rows.rows.push_back({name_of(c.first, recording), name_of(c.second, recording), c.begins_s,
+                         c.closest_s, c.closest_m, c.ends_s});
+    if (with_certain) rows.rows.back().emplace_back(c.certain);
+  }
+  return rows;
+}
+
+std::string json_head(const io::Recording& recording, const MovingRequest& request,
+                      double threshold_m) {
+  std::string out = "{\n  \"version\": " + io::json_string(version());
+  out += ",\n  \"command\": " + io::json_string(request.command);
+  out += ",\n  \"input\": {\n    \"files\": [";
+  for (std::size_t i = 0; i < request.inputs.size(); ++i) {
+    if (i > 0) out += ", ";
+    io::append_json_string(out, request.inputs[i] == "-" ? "<stdin>" : request.inputs[i]);
+  }
+  out += "],\n    \"format\": " + io::json_string(recording.format_description);
+  out += std::string(",\n    \"frame\": ") +
+         (recording.frame == io::Frame::kWgs84 ? "\"wgs84\"" : "\"metres\"");
+  out += ",\n    \"reason\": " + io::json_string(recording.frame_reason);
+  out += ",\n    \"heights\": ";
+  const std::string_view datum = datum_text(recording.heights);
+  out += datum.empty() ? "null" : io::json_string(datum);
+  out += ",\n    \"units\": " + json_units(recording.units);
+  out += std::string(",\n    \"times\": ") +
+         (recording.since_1970 ? "\"seconds since 1970-01-01T00:00:00Z\"" : "\"seconds\"");
+  out += ",\n    \"bees\": " + std::to_string(recording.bees.size());
+  out += ",\n    \"skipped\": " + std::to_string(recording.skipped_count);
+  out += ",\n    \"notes\": [";
+  for (std::size_t i = 0; i < recording.notes.size(); ++i) {
+    if (i > 0) out += ", ";
+    io::append_json_string(out, recording.notes[i]);
+  }
+  out += "]\n  },\n  \"threshold_m\": " + exact(threshold_m);
+  out += ",\n  \"vertical_m\": " + (request.vertical_m ? exact(*request.vertical_m) : "null");
+  out += ",\n  \"vertical\": " + json_vertical(request.vertical, recording.height_unit);
+  out += std::string(",\n  \"inclusive\": ") + (request.inclusive ? "true" : "false");
+  return out;
+}
+
+void write_answer(Rows rows, const MovingRequest& request, const std::string& head, const char* key,
+                  io::AtomicOutput& output) {
+  if (request.form.form != Form::kText) set_labels_apart(rows);
+  switch (request.form.form) {
+    case Form::kText:
+      return write_rows_as_text(rows, output);
+    case Form::kCsv:
+      return write_rows_as_csv(rows, output);
+    case Form::kGeoJson:  // refused before: answering_request
+      return;
+    case Form::kJson: {
+      BlockWriter out(output);
+      out.text += head;
+      out.text += ",\n  \"" + std::string(key) + "\": ";
+      append_json_rows(out.text, rows, "    ");
+      out.text += "\n}\n";
+      return;
+    }
+  }
+}
+
+}  // namespace beespace::cli

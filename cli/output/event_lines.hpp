@@ -1,0 +1,21 @@
+// The lines of JSON that `watch` writes of what happens.
+#pragma once
+
+#include "cli/analysis/live_feed.hpp"
+
+#include <beespace/swarm.hpp>
+
+#include <string>
+
+namespace beespace::cli {
+
+// A line of JSON, with its end.
+std::string event_line(const SwarmEvent& event, const LiveFeed& feed);
+std::string clock_line(const ClockNote& note, const LiveFeed& feed);
+
+// "predicted", "entered", "closest_passed", "left", "stale", ...
+const char* name_of(EventKind kind);
+// "bees", "pairs", "predicted", "possible".
+const char* name_of(SwarmBound bound);
+
+}  // namespace beespace::cli

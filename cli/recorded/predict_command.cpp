@@ -1,0 +1,182 @@
+#include "cli/recorded/predict_command.hpp"
+
+#include "cli/analysis/moving_input.hpp"
+#include "cli/analysis/number_text.hpp"
+#include "cli/command_line/option_values.hpp"
+#include "cli/console/failure.hpp"
+#include "cli/console/progress_bar.hpp"
+#include "cli/console/stopwatch.hpp"
+#include "cli/console/terminal.hpp"
+#include "cli/input/moving_output.hpp"
+#include "cli/output/output_file.hpp"
+#include "io/load_recording.hpp"
+
+#include <beespace/predict_conflicts.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace beespace::cli {
+namespace {
+
+constexpr const char* kName = "predict";
+
+struct PredictRequest {
+  MovingRequest moving;
+  double horizon_s = 60.0;
+  double max_age_s = 30.0;
+};
+
+Result<PredictRequest> request_of(const PredictCommandOptions& options) {
+  auto moving = answering_request(kName, options.moving);
+  if (!moving) return std::move(moving).error();
+  const auto horizon = read_amount(kName, "--horizon", options.horizon, "seconds", {0.0, true});
+  if (!horizon) return horizon.error();
+  const auto max_age = read_amount(kName, "--max-age", options.max_age, "seconds", {0.0, true});
+  if (!max_age) return max_age.error();
+  return PredictRequest{*std::move(moving), *horizon, *max_age};
+}
+
+// Conflicts name bees of the recording, and times are those of its clock.
+void translate(std::vector<Conflict>& conflicts, const Snapshot& snapshot) {
+  for (Conflict& conflict : conflicts) {
+    conflict.first = snapshot.bees[conflict.first];
+    conflict.second = snapshot.bees[conflict.second];
+    conflict.begins_s += snapshot.time_s;
+    conflict.closest_s += snapshot.time_s;
+    conflict.ends_s += snapshot.time_s;
+  }
+}
+
+struct Outlook {
+  const io::Recording& recording;
+  const Snapshot& snapshot;
+  double threshold_m;
+  const std::vector<Conflict>& conflicts;
+};
+
+std::string found_line(const Outlook& outlook) {
+  if (outlook.conflicts.empty()) {
+    const std::uint64_t left_out = outlook.snapshot.stale + outlook.snapshot.unmoving;
+    if (left_out == 0) return bold("none");
+    return bold("none of those that are known") + "; " + grouped(left_out) +
+           (left_out == 1 ? " bee is" : " bees are") + " left out";
+  }
+  std::vector<PointId> bees;
+  for (const Conflict& conflict : outlook.conflicts) {
+    bees.push_back(conflict.first);
+    bees.push_back(conflict.second);
+  }
+  std::sort(bees.begin(), bees.end());
+  bees.erase(std::unique(bees.begin(), bees.end()), bees.end());
+  return red(grouped(outlook.conflicts.size()) + ", of " + grouped(bees.size()) + " bees");
+}
+
+std::string summary(const Outlook& outlook, const PredictRequest& request, double search_s) {
+  const Snapshot& snapshot = outlook.snapshot;
+  std::string out = input_summary(outlook.recording, request.moving);
+  append_summary_line(out, "bees", grouped(snapshot.movers.size()));
+  append_summary_line(out, "now", moment(snapshot.time_s, outlook.recording));
+  if (snapshot.brought_forward > 0) {
+    append_summary_line(out, "note",
+                        grouped(snapshot.brought_forward) + " last heard of before now " +
+                            (snapshot.brought_forward == 1 ? "was" : "were") +
+                            " brought forward, by up to " + grouped(snapshot.oldest_s, 2) + " s");
+  }
+  if (snapshot.stale > 0) {
+    append_summary_line(out, "stale",
+                        red(grouped(snapshot.stale) + " left out") + ", not heard of for " +
+                            exact(request.max_age_s) + " s (--max-age)");
+  }
+  if (snapshot.unmoving > 0) {
+    append_summary_line(out, "unknown",
+                        red(grouped(snapshot.unmoving) + " left out") +
+                            ": neither a velocity nor two fixes, at most " +
+                            exact(request.max_age_s) + " s apart, tell how fast they go");
+  }
+  if (snapshot.estimated > 0) {
+    append_summary_line(
+        out, "note",
+        grouped(snapshot.estimated) + " without a velocity: it is that of the last two fixes");
+  }
+  append_summary_line(out, "threshold",
+                      separation_summary(request.moving, outlook.threshold_m,
+                                         !request.moving.threshold_m.has_value() &&
+                                             outlook.recording.declared_threshold_m.has_value()));
+  append_summary_line(out, "horizon", exact(request.horizon_s) + " s");
+  append_summary_line(out, "conflicts", found_line(outlook));
+  const auto& conflicts = outlook.conflicts;
+  if (!conflicts.empty()) {
+    const auto soonest = std::min_element(
+        conflicts.begin(), conflicts.end(),
+        [](const Conflict& a, const Conflict& b) { return a.begins_s < b.begins_s; });
+    const auto closest = std::min_element(
+        conflicts.begin(), conflicts.end(),
+        [](const Conflict& a, const Conflict& b) { return a.closest_m < b.closest_m; });
+    append_summary_line(out, "soonest",
+                        pair_text(*soonest, outlook.recording) + ", in " +
+                            grouped(soonest->begins_s - snapshot.time_s, 2) + " s");
+    append_summary_line(out, "closest", encounter_text(*closest, outlook.recording));
+  }
+  append_summary_line(out, "time", "search " + duration(search_s));
+  return out;
+}
+
+Result<ExitCode> predict(const PredictRequest& request) {
+  const MovingRequest& moving = request.moving;
+  auto output = open_output(kName, moving.output, moving.inputs, moving.form.packing);
+  if (!output) return std::move(output).error();
+  ProgressBar progress(!moving.quiet);
+  io::RecordingOptions load = moving.load;
+  load.progress = &progress.reading();
+  const auto recording = io::load_recording(moving.inputs, load);
+  if (!recording) return recording.error();
+  const Geometry geometry = geometry_for(*recording, moving.vertical);
+  const auto snapshot = snapshot_of(*recording, geometry, request.max_age_s, Wanted::kMotion);
+  if (!snapshot) return snapshot.error();
+
+  progress.enter_stage("predicting");
+  Stopwatch watch;
+  const double threshold_m =
+      moving.threshold_m.value_or(recording->declared_threshold_m.value_or(kDefaultThreshold_m));
+  auto conflicts = predict_conflicts(
+      snapshot->view(), {.threshold_m = threshold_m,
+                         .vertical_m = vertical_in(geometry, moving.vertical),
+                         .horizon_s = request.horizon_s,
+                         .inclusive = moving.inclusive,
+                         .threads = moving.threads,
+                         .max_results = moving.max_results,
+                         .height_unit_m = height_unit_m(geometry, recording->height_unit)});
+  if (!conflicts) return in_words_of_the_command(std::move(conflicts).error(), moving);
+  const double search_s = watch.lap();
+  translate(*conflicts, *snapshot);
+
+  std::string head = json_head(*recording, moving, threshold_m);
+  head += ",\n  \"now_s\": " + exact(snapshot->time_s);
+  head += ",\n  \"horizon_s\": " + exact(request.horizon_s);
+  head += ",\n  \"movers\": " + std::to_string(snapshot->movers.size());
+  head += ",\n  \"stale\": " + std::to_string(snapshot->stale);
+  head += ",\n  \"without_velocity\": " + std::to_string(snapshot->unmoving);
+  head += ",\n  \"conflict_count\": " + std::to_string(conflicts->size());
+  write_answer(conflict_rows(*conflicts, *recording, false), moving, head, "conflicts", *output);
+  const Status written = output->commit();
+  if (!written && output->pipe_closed()) return ExitCode::kPipeClosed;
+  if (!written) return written.error();
+  progress.finish();
+  if (!moving.quiet) {
+    say(summary({*recording, *snapshot, threshold_m, *conflicts}, request, search_s));
+  }
+  return moving.fail_on_risk && !conflicts->empty() ? ExitCode::kRiskFound : ExitCode::kFine;
+}
+
+}  // namespace
+
+ExitCode run_predict(const PredictCommandOptions& options) {
+  const bool json = options.moving.json;
+  const auto request = request_of(options);
+  if (!request) return fail(request.error(), json);
+  const auto code = predict(*request);
+  return code ? *code : fail(code.error(), json);
+}
+
+}  // namespace beespace::cli

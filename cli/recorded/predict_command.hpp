@@ -1,0 +1,23 @@
+// `beespace predict`: its options, and what it does with them.
+#pragma once
+
+#include "cli/console/exit_code.hpp"
+#include "cli/input/moving_options.hpp"
+
+#include <string>
+
+namespace beespace::cli {
+
+// As typed, before it is checked.
+struct PredictCommandOptions {
+  MovingOptions moving;
+  std::string horizon = "60";
+  std::string max_age = "30";
+};
+
+// Adds the subcommand to the command; `options` must outlive the parsing.
+CLI::App* add_predict_command(CLI::App& command, PredictCommandOptions& options);
+
+ExitCode run_predict(const PredictCommandOptions& options);
+
+}  // namespace beespace::cli

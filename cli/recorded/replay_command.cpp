@@ -1,0 +1,275 @@
+#include "cli/recorded/replay_command.hpp"
+
+#include "cli/analysis/coverage.hpp"
+#include "cli/analysis/moving_input.hpp"
+#include "cli/analysis/number_text.hpp"
+#include "cli/analysis/replay_findings.hpp"
+#include "cli/command_line/option_values.hpp"
+#include "cli/console/failure.hpp"
+#include "cli/console/progress_bar.hpp"
+#include "cli/console/stopwatch.hpp"
+#include "cli/console/terminal.hpp"
+#include "cli/input/moving_output.hpp"
+#include "cli/output/output_file.hpp"
+#include "cli/recorded/replay_events.hpp"
+#include "cli/recorded/replay_summary.hpp"
+#include "io/bytes/atomic_output.hpp"
+#include "io/load_recording.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace beespace::cli {
+namespace {
+
+constexpr const char* kName = "replay";
+
+struct ReplayRequest {
+  MovingRequest moving;
+  std::string report;
+  std::optional<double> max_gap_s;  // absent: from the data
+  double tolerance_m;
+  double every_s;
+  LiveRequest live;
+};
+
+// An option that the report would ignore is a misunderstanding.
+Status check_fit(const ReplayOptions& options) {
+  const struct {
+    const char* name;
+    const std::string& given;
+    const char* report;
+  } table[] = {
+      {"--every", options.every, "separation"},
+      {"--horizon", options.live.horizon, "events"},
+      {"--leave-factor", options.live.leave_factor, "events"},
+      {"--look-every", options.live.look_every, "events"},
+  };
+  for (const auto& option : table) {
+    if (option.given.empty() || option.report == options.report) continue;
+    return usage_error(kName, std::string(option.name) + " does not apply to --report " +
+                                  options.report + "; leave it out, or say --report " +
+                                  option.report);
+  }
+  if (options.moving.inclusive && options.report == "events") {
+    return usage_error(kName,
+                       "--inclusive does not apply to --report events, in which exactly the "
+                       "threshold is never too close; leave it out");
+  }
+  return std::monostate{};
+}
+
+Result<ReplayRequest> request_of(const ReplayOptions& options) {
+  if (const Status fit = check_fit(options); !fit) return fit.error();
+  const bool events = options.report == "events";  // lines of JSON
+  auto moving = answering_request(
+      kName, options.moving,
+      events ? std::vector<std::string>{"jsonl", "ndjson"} : std::vector<std::string>{"tsv"});
+  if (!moving) return std::move(moving).error();
+  const auto max_gap = read_max_gap(kName, options.max_gap);
+  if (!max_gap) return max_gap.error();
+  const auto tolerance =
+      read_amount(kName, "--tolerance", options.tolerance, "metres", {0.0, false});
+  if (!tolerance) return tolerance.error();
+  const auto every = read_optional_amount(kName, "--every", options.every, "seconds", {0.0, false});
+  if (!every) return every.error();
+  const auto live = live_request(kName, options.live);
+  if (!live) return live.error();
+  return ReplayRequest{*std::move(moving), options.report,       *max_gap,
+                       *tolerance,         every->value_or(1.0), *live};
+}
+
+// A show: nobody is out of sight in it.
+bool is_plan(const io::Recording& recording) {
+  return std::any_of(recording.bees.begin(), recording.bees.end(),
+                     [](const io::RecordedBee& bee) { return bee.path.has_value(); });
+}
+
+// `watch` cannot know what is typical of reports to come: for what it would have said its own
+// default is taken.
+MaxGap max_gap_for(const ReplayRequest& request, const io::Recording& recording) {
+  if (request.report != "events" || request.max_gap_s || is_plan(recording)) {
+    return max_gap_of(recording, request.max_gap_s);
+  }
+  return {kDefaultMaxAge_s, std::nullopt, true};
+}
+
+// Events are lines of JSON, as `watch` prints them, unless another form is wished for.
+Status write_events(const ReplayRequest& request, const Findings& findings, double threshold_m,
+                    const std::string& head, io::AtomicOutput& output) {
+  // A show is a plan: what lies ahead need not be guessed.
+  const bool plan = is_plan(findings.recording);
+  const double max_age_s = std::min(findings.coverage.max_gap.seconds, kLargestInMotion);
+  const Geometry geometry = geometry_for(findings.recording, request.moving.vertical);
+  const SwarmOptions options{
+      .threshold_m = threshold_m,
+      .vertical_m = vertical_in(geometry, request.moving.vertical),
+      .heights_apart = heights_apart(geometry),
+      .leave_factor = request.live.leave_factor,
+      .horizon_s = plan ? 0.0 : request.live.horizon_s,
+      .max_age_s = max_age_s,
+      .threads = request.moving.threads,
+      .height_unit_m = height_unit_m(geometry, findings.recording.height_unit),
+      .max_bees = std::max(SwarmOptions{}.max_bees, findings.tracks.size())};
+  const auto events = events_of(findings.recording, findings.tracks, geometry, options,
+                                {request.live.look_every_s, default_max_skew_s(max_age_s)});
+  if (!events) return events.error();
+  if (request.moving.form.form == Form::kText) {
+    output.write(events->lines);
+  } else {
+    write_answer(events->rows, request.moving, head, "events", output);
+  }
+  return std::monostate{};
+}
+
+Rows rows_of(const ReplayRequest& request, const Findings& findings) {
+  if (request.report == "bees") return bee_rows(findings);
+  if (request.report == "separation") {
+    return separation_rows(separation_over_time(findings, request.every_s), findings.recording);
+  }
+  const bool curved = std::any_of(findings.tracks.begin(), findings.tracks.end(),
+                                  [](const Track& track) { return track.tolerance_m > 0.0; });
+  return conflict_rows(findings.recorded.conflicts, findings.recording, curved);
+}
+
+Rows closest_row(const Conflict& closest, const io::Recording& recording) {
+  Rows rows{{{"first", "first_label"}, {"second", "second_label"}, {"time_s"}, {"distance_m"}},
+            {{name_of(closest.first, recording), name_of(closest.second, recording),
+              closest.closest_s, closest.closest_m}},
+            has_labels(recording)};
+  set_labels_apart(rows);
+  return rows;
+}
+
+std::string json_head_of(const ReplayRequest& request, const Findings& findings,
+                         double threshold_m) {
+  std::string head = json_head(findings.recording, request.moving, threshold_m);
+  const auto& conflicts = findings.recorded.conflicts;
+  head += ",\n  \"conflict_count\": " + std::to_string(conflicts.size());
+  head += ",\n  \"pair_count\": " + std::to_string(pairs_in_conflict(conflicts).size());
+  head += ",\n  \"gap_count\": " + std::to_string(findings.recorded.gaps.size());
+  head += ",\n  \"known\": " + coverage_json(findings.coverage, findings.recording);
+  head += ",\n  \"closest\": ";
+  if (findings.closest) {
+    const Rows closest = closest_row(*findings.closest, findings.recording);
+    append_json_row(head, closest.columns, closest.rows.front());
+  } else {
+    head += "null";
+  }
+  return head;
+}
+
+// The closest of the conflicts, or of all encounters where there is none. With a vertical threshold
+// how far apart two are in a straight line says little.
+Result<std::optional<Conflict>> closest_of(const RecordedConflicts& recorded,
+                                           const std::vector<Track>& tracks, double max_gap_s,
+                                           const ReplayRequest& request) {
+  if (recorded.conflicts.empty()) {
+    if (request.moving.vertical_m) return std::optional<Conflict>();
+    return find_closest_encounter(tracks, max_gap_s, request.moving.threads);
+  }
+  return std::optional<Conflict>(*std::min_element(
+      recorded.conflicts.begin(), recorded.conflicts.end(),
+      [](const Conflict& a, const Conflict& b) { return a.closest_m < b.closest_m; }));
+}
+
+// Whether some two are there at the same time.
+bool anybody_meets(const std::optional<Conflict>& closest, const std::vector<Track>& tracks,
+                   double max_gap_s, const ReplayRequest& request) {
+  if (closest || !request.moving.vertical_m) return closest.has_value();
+  const auto any = find_closest_encounter(tracks, max_gap_s, request.moving.threads);
+  return any && any->has_value();
+}
+
+// Rows of --report separation are kept until all are there.
+Status check_every(const ReplayRequest& request, const std::vector<Track>& tracks) {
+  constexpr double kMostRows = 10'000'000;
+  const auto time = time_of(tracks);
+  if (request.report != "separation" || !time) return std::monostate{};
+  if ((time->ends_s - time->begins_s) / request.every_s <= kMostRows) return std::monostate{};
+  return usage_error(kName, "--every " + exact(request.every_s) + " is more than " +
+                                grouped(static_cast<std::uint64_t>(kMostRows)) +
+                                " rows for this recording; look less often");
+}
+
+Result<ExitCode> replay(const ReplayRequest& request) {
+  const MovingRequest& moving = request.moving;
+  auto output = open_output(kName, moving.output, moving.inputs, moving.form.packing);
+  if (!output) return std::move(output).error();
+  ProgressBar progress(!moving.quiet);
+  Stopwatch watch;
+  io::RecordingOptions load = moving.load;
+  load.progress = &progress.reading();
+  const auto recording = io::load_recording(moving.inputs, load);
+  if (!recording) return recording.error();
+  const Geometry geometry = geometry_for(*recording, moving.vertical);
+  const auto tracks = tracks_of(*recording, geometry, request.tolerance_m);
+  if (!tracks) return tracks.error();
+  if (Status few = check_every(request, *tracks); !few) return few.error();
+  const double read_s = watch.lap();
+
+  progress.enter_stage("searching");
+  const double threshold_m =
+      moving.threshold_m.value_or(recording->declared_threshold_m.value_or(kDefaultThreshold_m));
+  const MaxGap max_gap = max_gap_for(request, *recording);
+  const auto recorded =
+      find_conflicts(*tracks, {.threshold_m = threshold_m,
+                               .vertical_m = vertical_in(geometry, moving.vertical),
+                               .inclusive = moving.inclusive,
+                               .max_gap_s = max_gap.seconds,
+                               .threads = moving.threads,
+                               .max_results = moving.max_results,
+                               .height_unit_m = height_unit_m(geometry, recording->height_unit)});
+  if (!recorded) return in_words_of_the_command(recorded.error(), moving);
+  const auto closest = closest_of(*recorded, *tracks, max_gap.seconds, request);
+  if (!closest) return closest.error();
+  const double search_s = watch.lap();
+
+  const bool apart = heights_apart(geometry);
+  const auto in_space =
+      apart ? tracks_of(*recording, Geometry::kSpace, request.tolerance_m) : tracks;
+  if (!in_space) return in_space.error();
+  const Coverage coverage = coverage_of(*recording, recorded->gaps, max_gap);
+  const Findings findings{*recording,
+                          *tracks,
+                          *in_space,
+                          *recorded,
+                          *closest,
+                          coverage,
+                          anybody_meets(*closest, *in_space, max_gap.seconds, request)};
+  progress.enter_stage("writing");
+  const std::string head =
+      moving.form.form == Form::kJson ? json_head_of(request, findings, threshold_m) : "";
+  if (request.report == "events") {
+    const Status done = write_events(request, findings, threshold_m, head, *output);
+    if (!done) return done.error();
+  } else {
+    write_answer(rows_of(request, findings), moving, head, request.report.c_str(), *output);
+  }
+  const Status written = output->commit();
+  if (!written && output->pipe_closed()) return ExitCode::kPipeClosed;
+  if (!written) return written.error();
+  progress.finish();
+  if (!moving.quiet) {
+    say(replay_summary(findings, moving, {threshold_m, read_s, search_s}));
+  }
+  // A gap may hide a conflict.
+  const bool risky = !recorded->conflicts.empty() || coverage.gaps > 0;
+  const bool risk = moving.fail_on_risk && risky;
+  return risk ? ExitCode::kRiskFound : ExitCode::kFine;
+}
+
+}  // namespace
+
+ExitCode run_replay(const ReplayOptions& options) {
+  const bool json = options.moving.json;
+  const auto request = request_of(options);
+  if (!request) return fail(request.error(), json);
+  const auto code = replay(*request);
+  return code ? *code : fail(code.error(), json);
+}
+
+}  // namespace beespace::cli

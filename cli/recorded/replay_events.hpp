@@ -1,0 +1,28 @@
+// A recording as `watch` would have seen it: fix after fix in the order of time.
+#pragma once
+
+#include "cli/analysis/live_feed.hpp"
+#include "cli/analysis/moving_input.hpp"
+#include "cli/output/rows.hpp"
+#include "io/recording/recording.hpp"
+
+#include <beespace/result.hpp>
+#include <beespace/swarm.hpp>
+#include <beespace/track.hpp>
+
+#include <string>
+#include <vector>
+
+namespace beespace::cli {
+
+struct RecordedEvents {
+  std::string lines;  // as `watch` prints them
+  Rows rows;
+};
+
+// The tracks are those of that geometry.
+Result<RecordedEvents> events_of(const io::Recording& recording, const std::vector<Track>& tracks,
+                                 Geometry geometry, const SwarmOptions& options,
+                                 const LiveTimes& times);
+
+}  // namespace beespace::cli

@@ -1,0 +1,87 @@
+#include "cli/command_line/option_checks.hpp"
+#include "cli/recorded/replay_command.hpp"
+
+#include <beespace/version.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace beespace::cli {
+namespace {
+
+constexpr const char* kDescription =
+    "Tell whether a recording, or a drone show, keeps its distance";
+
+constexpr const char* kDetails =
+    "Reads recordings: text tables with columns named id, time_s, x, y, z (metres) or lon, lat, "
+    "height\n"
+    "(degrees), several files, folders or zips with a table a bee, and Skybrush shows (.skyc, or "
+    "one\n"
+    "JSON file). Between two fixes a bee moves in a straight line, so a pass between fixes is "
+    "found "
+    "as\n"
+    "well; curves of shows are followed to within --tolerance, and what that leaves open is "
+    "reported\n"
+    "as possible, not left out. Between fixes farther apart in time than --max-gap it is unknown "
+    "where a\n"
+    "bee was, and before its first fix and after its last one: the verdict is about the known "
+    "time, "
+    "and\n"
+    "says for how long which bees are unknown. A flight is shown behind its aircraft: a1b2c3 "
+    "(UAL123).\n"
+    "Writes the report, a table under a header line, to standard output and a summary to standard "
+    "error.\n"
+    "\n"
+    "Reports, and what their lines say:\n"
+    "  conflicts   id, id, when it begins, when it is closest, how close, when it ends (and "
+    "whether "
+    "it\n"
+    "              is certain, where there are curves)\n"
+    "  bees        each bee: id, conflicts, time in conflict, its closest: how close, when, with "
+    "whom;\n"
+    "              for how long it is unknown\n"
+    "  separation  how far apart the closest two are in a straight line, every so often: time,\n"
+    "              distance, id, id, how many are unknown\n"
+    "  events      what 'beespace watch' would have said, line by line\n"
+    "\n"
+    "Examples:\n"
+    "  beespace replay show.skyc\n"
+    "  beespace replay flight.csv --threshold 5 --max-gap 2 --output conflicts.csv\n"
+    "  beespace replay logs/ --threshold 10 --report bees\n"
+    "  beespace replay show.skyc --fail-on-risk --quiet --output /dev/null\n"
+    "\n"
+    "Exit status: 0 fine, 1 there is a conflict, or a gap that may hide one (with --fail-on-risk), "
+    "2\n"
+    "wrong usage, 3 bad input or more than --max-results, 4 cannot open, read or write, 130 "
+    "interrupted,\n"
+    "143 terminated, 141 closed pipe.";
+
+}  // namespace
+
+CLI::App* add_replay_command(CLI::App& command, ReplayOptions& options) {
+  CLI::App* replay = command.add_subcommand("replay", kDescription);
+  replay->footer(kDetails);
+  replay->set_version_flag("--version", std::string(version()), "Print the version and exit");
+  replay
+      ->add_option("FILES", options.moving.inputs,
+                   "Files and folders to read (default, or -:\nstandard input)")
+      ->type_name(" ");
+  add_input_options(*replay, options.moving);
+  add_gap_options(*replay, options.max_gap, options.tolerance);
+  add_separation_options(*replay, options.moving);
+  CLI::Option* report =
+      replay->add_option("--report", options.report, "What to find, see below (default: conflicts)")
+          ->type_name("WHAT")
+          ->group("Separation");
+  allow_only(*report, {"conflicts", "bees", "separation", "events"});
+  replay->add_option("--every", options.every, "How often --report separation looks (default: 1)")
+      ->type_name("SECONDS")
+      ->group("Separation");
+  add_live_options(*replay, options.live, "Events");
+  add_output_options(*replay, options.moving);
+  refuse_pointless_values(*replay);
+  return replay;
+}
+
+}  // namespace beespace::cli

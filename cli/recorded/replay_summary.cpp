@@ -1,0 +1,125 @@
+#include "cli/recorded/replay_summary.hpp"
+
+#include "cli/analysis/number_text.hpp"
+#include "cli/console/terminal.hpp"
+#include "cli/input/moving_output.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace beespace::cli {
+namespace {
+
+std::string plural(std::uint64_t count, const char* one, const char* several) {
+  return grouped(count) + " " + (count == 1 ? one : several);
+}
+
+std::string verdict(const Findings& findings, const std::vector<PairInConflict>& pairs) {
+  if (!findings.anybody_meets)
+    return red("nothing to compare") + ": no two bees are there at the same time";
+  if (pairs.empty() && !findings.coverage.complete()) {
+    return bold("no conflict in the known time") + "; " + unknown_text(findings.coverage);
+  }
+  if (pairs.empty()) return bold("keeps its distance");
+  const auto& conflicts = findings.recorded.conflicts;
+  const bool certain = std::any_of(conflicts.begin(), conflicts.end(),
+                                   [](const Conflict& conflict) { return conflict.certain; });
+  return red(certain ? "does not keep its distance" : "may not keep its distance") + ": " +
+         plural(conflicts.size(), "conflict", "conflicts") + " of " +
+         plural(pairs.size(), "pair", "pairs") +
+         (findings.coverage.complete() ? "" : "; " + unknown_text(findings.coverage));
+}
+
+void append_worst(std::string& out, const Findings& findings,
+                  const std::vector<PairInConflict>& pairs) {
+  constexpr std::size_t kMost = 5;
+  for (std::size_t i = 0; i < std::min(kMost, pairs.size()); ++i) {
+    const PairInConflict& pair = pairs[i];
+    std::string text = encounter_text(pair.closest, findings.recording);
+    text += "; in conflict for " + grouped(pair.time_s, 2) + " s";
+    if (pair.conflicts > 1) text += " in " + grouped(pair.conflicts) + " conflicts";
+    append_summary_line(out, i == 0 ? "worst" : "", text);
+  }
+  if (pairs.size() > kMost) {
+    append_summary_line(out, "", "and " + plural(pairs.size() - kMost, "pair", "pairs") + " more");
+  }
+}
+
+// The least separation over time as a row of bars, of which the highest stands for twice the
+// threshold and more.
+std::string bars_over_time(const Findings& findings, double threshold_m) {
+  constexpr std::size_t kBars = 60;
+  constexpr std::array<std::string_view, 8> kHeights = {"▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
+  const auto time = time_of(findings.tracks);
+  if (!time || !(time->ends_s > time->begins_s)) return {};
+  // What is between two moments is not seen here; where there was a conflict it is marked anyway.
+  const double each = (time->ends_s - time->begins_s) / kBars;
+  const auto moments = separation_over_time(findings, each);
+  std::array<bool, kBars> conflict{};
+  const auto bar_at = [&](double at) {
+    const double place = std::clamp((at - time->begins_s) / each, 0.0, kBars - 1.0);
+    return static_cast<std::size_t>(place);
+  };
+  for (const Conflict& c : findings.recorded.conflicts) {
+    for (std::size_t bar = bar_at(c.begins_s); bar <= bar_at(c.ends_s); ++bar) conflict[bar] = true;
+  }
+  std::string text;
+  for (std::size_t bar = 0; bar < kBars && bar < moments.size(); ++bar) {
+    const double share = moments[bar].distance_m / (2.0 * threshold_m);
+    const auto height = static_cast<std::size_t>(std::clamp(share * 8.0, 0.0, 7.0));
+    if (conflict[bar]) {
+      text += red("!");
+    } else {
+      text += std::isfinite(moments[bar].distance_m) ? kHeights[height] : " ";
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string replay_summary(const Findings& findings, const MovingRequest& request,
+                           const ReplayFigures& figures) {
+  const io::Recording& recording = findings.recording;
+  std::string out = input_summary(recording, request);
+  append_summary_line(out, "bees", grouped(findings.tracks.size()));
+  if (const auto time = time_of(findings.tracks)) {
+    append_summary_line(out, "from",
+                        moment(time->begins_s, recording) + " to " +
+                            moment(time->ends_s, recording) + " (" +
+                            grouped(time->ends_s - time->begins_s, 2) + " s)");
+  }
+  append_coverage(out, findings.coverage, recording);
+  const bool declared =
+      !request.threshold_m.has_value() && recording.declared_threshold_m.has_value();
+  const auto instants = std::count_if(findings.tracks.begin(), findings.tracks.end(),
+                                      [](const Track& track) { return track.fixes.size() == 1; });
+  if (instants > 0) {
+    append_summary_line(out, "note",
+                        plural(static_cast<std::size_t>(instants), "bee has", "bees have") +
+                            " one fix only, and so are known for an instant; 'beespace predict' "
+                            "brings everybody to one time");
+  }
+  append_summary_line(out, "threshold", separation_summary(request, figures.threshold_m, declared));
+  const auto pairs = pairs_in_conflict(findings.recorded.conflicts);
+  append_summary_line(out, "verdict", verdict(findings, pairs));
+  if (findings.closest) {
+    append_summary_line(out, "closest", encounter_text(*findings.closest, recording));
+  }
+  append_worst(out, findings, pairs);
+  const std::string bars =
+      findings.anybody_meets ? bars_over_time(findings, figures.threshold_m) : std::string();
+  if (!bars.empty()) {
+    append_summary_line(out, "over time", bars);
+    append_summary_line(out, "",
+                        "(how far apart the closest two are: a full bar is twice the "
+                        "threshold, ! a conflict)");
+  }
+  append_summary_line(
+      out, "time", "read " + duration(figures.read_s) + ", search " + duration(figures.search_s));
+  return out;
+}
+
+}  // namespace beespace::cli

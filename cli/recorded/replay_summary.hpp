@@ -1,0 +1,20 @@
+// A recording at a glance: does it keep its distance, and if not, who does not, and when?
+#pragma once
+
+#include "cli/analysis/replay_findings.hpp"
+#include "cli/input/moving_options.hpp"
+
+#include <string>
+
+namespace beespace::cli {
+
+struct ReplayFigures {
+  double threshold_m;
+  double read_s;
+  double search_s;
+};
+
+std::string replay_summary(const Findings& findings, const MovingRequest& request,
+                           const ReplayFigures& figures);
+
+}  // namespace beespace::cli

@@ -1,0 +1,164 @@
+#include "cli/recorded/verify_command.hpp"
+
+#include "cli/analysis/common_times.hpp"
+#include "cli/analysis/number_text.hpp"
+#include "cli/command_line/option_values.hpp"
+#include "cli/console/failure.hpp"
+#include "cli/console/progress_bar.hpp"
+#include "cli/console/stopwatch.hpp"
+#include "cli/console/terminal.hpp"
+#include "cli/input/moving_output.hpp"
+#include "cli/input/obstacle_file.hpp"
+#include "cli/output/output_file.hpp"
+#include "cli/recorded/verify_findings.hpp"
+#include "cli/recorded/verify_steps.hpp"
+#include "io/load_recording.hpp"
+
+#include <beespace/verify.hpp>
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace beespace::cli {
+namespace {
+
+constexpr const char* kName = "verify";
+// Where neither an option nor the input says what is too close.
+constexpr double kDefaultVerified_m = 5.0;
+constexpr double kDefaultClearance_m = 1.0;
+
+struct VerifyRequest {
+  MovingRequest moving;
+  VerifyOptions check;              // the threshold and the obstacles are not there yet
+  std::string obstacles;            // a file; empty for none
+  std::optional<double> max_gap_s;  // absent: from the data
+};
+
+Result<VerifyRequest> request_of(const VerifyCommandOptions& options) {
+  auto moving = answering_request(kName, options.moving);
+  if (!moving) return std::move(moving).error();
+  if (options.straight && !options.max_acceleration.empty()) {
+    return usage_error(kName,
+                       "--max-acceleration needs the velocities, and --straight ignores them; "
+                       "leave one out");
+  }
+  VerifyOptions check;
+  const auto speed = read_optional_amount(kName, "--max-speed", options.max_speed,
+                                          "metres per second", {0.0, true});
+  if (!speed) return speed.error();
+  check.max_speed_mps = speed->value_or(check.max_speed_mps);
+  const auto acceleration =
+      read_optional_amount(kName, "--max-acceleration", options.max_acceleration,
+                           "metres per second squared", {0.0, true});
+  if (!acceleration) return acceleration.error();
+  check.max_acceleration_mps2 = acceleration->value_or(check.max_acceleration_mps2);
+  const auto clearance =
+      read_optional_amount(kName, "--clearance", options.clearance, "metres", {0.0, false});
+  if (!clearance) return clearance.error();
+  if (*clearance && options.obstacles.empty()) {
+    return usage_error(kName, "--clearance is of obstacles, and there are none; add --obstacles");
+  }
+  check.clearance_m = clearance->value_or(kDefaultClearance_m);
+  check.straight = options.straight;
+  check.threads = moving->threads;
+  const auto max_gap = read_max_gap(kName, options.max_gap);
+  if (!max_gap) return max_gap.error();
+  return VerifyRequest{*std::move(moving), check, options.obstacles, *max_gap};
+}
+
+// How bees fly from fix to fix, in words; sets `check.straight` where there is no other way.
+Result<std::string> settle_motion(const io::Recording& recording, bool accelerations,
+                                  VerifyOptions& check) {
+  if (check.straight) return std::string("straight lines from fix to fix (--straight)");
+  const auto missing = missing_velocity(recording);
+  if (!missing) {
+    return std::string("curves from fix to fix, with the velocities at both: evenly accelerated");
+  }
+  const io::RecordedBee& bee = recording.bees[missing->bee];
+  if (accelerations) {
+    return Error{ErrorCode::kMissingColumn,
+                 "--max-acceleration needs velocities, and bee '" + bee.id + "' has none at " +
+                     exact(bee.fixes[missing->fix].time_s) +
+                     " s; give velocities (columns vx, vy, vz; or ve, vn, vu beside degrees), or "
+                     "leave the option out",
+                 {}};
+  }
+  check.straight = true;
+  std::size_t fixes = 0;
+  for (const io::RecordedBee& any : recording.bees) fixes += any.fixes.size();
+  if (missing->count == fixes) {
+    return std::string("straight lines from fix to fix: there are no velocities");
+  }
+  return "straight lines from fix to fix: " +
+         red(grouped(missing->count) + " of " + grouped(fixes) + " fixes have no velocity");
+}
+
+// Obstacles are upright: they make no sense beside degrees.
+Status check_frame(const io::Recording& recording, const std::string& obstacles) {
+  if (obstacles.empty() || recording.frame == io::Frame::kMetres) return std::monostate{};
+  return Error{ErrorCode::kUnknownFrame,
+               "obstacles are in metres, and the flight is in degrees; give the flight in metres, "
+               "or leave --obstacles out",
+               {}};
+}
+
+Result<ExitCode> verify(const VerifyRequest& request) {
+  const MovingRequest& moving = request.moving;
+  std::vector<std::string> inputs = moving.inputs;
+  inputs.push_back(request.obstacles);
+  auto output = open_output(kName, moving.output, inputs, moving.form.packing);
+  if (!output) return std::move(output).error();
+  const auto obstacles = request.obstacles.empty() ? Result<ObstacleMap>(ObstacleMap())
+                                                   : load_obstacle_map(request.obstacles);
+  if (!obstacles) return obstacles.error();
+  ProgressBar progress(!moving.quiet);
+  Stopwatch watch;
+  io::RecordingOptions load = moving.load;
+  load.progress = &progress.reading();
+  const auto recording = io::load_recording(moving.inputs, load);
+  if (!recording) return recording.error();
+  if (Status good = check_frame(*recording, request.obstacles); !good) return good.error();
+  const auto times_s = common_times(*recording);
+  if (!times_s) return times_s.error();
+  VerifyOptions check = request.check;
+  const bool accelerations =
+      request.check.max_acceleration_mps2 < VerifyOptions{}.max_acceleration_mps2;
+  const auto motion = settle_motion(*recording, accelerations, check);
+  if (!motion) return motion.error();
+  check.threshold_m =
+      moving.threshold_m.value_or(recording->declared_threshold_m.value_or(kDefaultVerified_m));
+  if (!request.obstacles.empty()) check.obstacles = &*obstacles;
+  const double read_s = watch.lap();
+
+  progress.enter_stage("checking");
+  const MaxGap max_gap = max_gap_of(*recording, request.max_gap_s);
+  const auto verdict = verify_steps(*recording, *times_s, check, max_gap.seconds, progress);
+  if (!verdict) return verdict.error();
+  const Coverage coverage =
+      coverage_of(*recording, gaps_of_all(*recording, *times_s, max_gap.seconds), max_gap);
+  const Verification verification{*recording, *times_s, check,  *verdict,
+                                  coverage,   *motion,  read_s, watch.lap()};
+  const std::string head =
+      moving.form.form == Form::kJson ? verify_json_head(verification, moving) : "";
+  write_answer(finding_rows(verification), moving, head, "findings", *output);
+  const Status written = output->commit();
+  if (!written && output->pipe_closed()) return ExitCode::kPipeClosed;
+  if (!written) return written.error();
+  progress.finish();
+  if (!moving.quiet) say(verify_summary(verification, moving));
+  return verification.holds() ? ExitCode::kFine : ExitCode::kRiskFound;
+}
+
+}  // namespace
+
+ExitCode run_verify(const VerifyCommandOptions& options) {
+  const bool json = options.moving.json;
+  const auto request = request_of(options);
+  if (!request) return fail(request.error(), json);
+  const auto code = verify(*request);
+  return code ? *code : fail(code.error(), json);
+}
+
+}  // namespace beespace::cli

@@ -1,0 +1,187 @@
+#include "cli/recorded/verify_findings.hpp"
+
+#include "cli/analysis/number_text.hpp"
+#include "cli/console/terminal.hpp"
+#include "cli/input/moving_output.hpp"
+#include "cli/input/obstacle_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace beespace::cli {
+namespace {
+
+const char* word_for(BreachKind kind) {
+  return kind == BreachKind::kSpeed ? "speed" : "acceleration";
+}
+
+std::string times(std::uint64_t count, const char* one, const char* several) {
+  return grouped(count) + " " + (count == 1 ? one : several);
+}
+
+std::string limits_text(const VerifyOptions& options) {
+  std::string text;
+  if (std::isfinite(options.max_speed_mps)) text = exact(options.max_speed_mps) + " m/s";
+  if (std::isfinite(options.max_acceleration_mps2)) {
+    text += (text.empty() ? "" : ", ") + exact(options.max_acceleration_mps2) + " m/s^2";
+  }
+  return text.empty() ? "not checked (--max-speed, --max-acceleration)" : text;
+}
+
+std::string closest_text(const Verification& verification) {
+  const Verdict& verdict = verification.verdict;
+  if (!verdict.closest_m) {
+    return "nobody came closer than " + exact(2.0 * verification.options.threshold_m) +
+           " m to anybody";
+  }
+  const auto shown = [&](PointId bee) {
+    return printable(text_of(name_of(bee, verification.recording)));
+  };
+  return shown(verdict.closest_pair->first) + " and " + shown(verdict.closest_pair->second) + ", " +
+         length(*verdict.closest_m) + " apart in the step from " +
+         moment(verdict.closest_step_s, verification.recording);
+}
+
+std::string found_text(std::uint64_t count, const char* one, const char* several) {
+  if (count == 0) return bold("none");
+  std::string text = red(times(count, one, several));
+  if (count > Verdict::kMostShown) {
+    text += ", of which the answer has the first " + grouped(std::uint64_t{Verdict::kMostShown});
+  }
+  return text;
+}
+
+std::string verdict_text(const Verdict& verdict, const Coverage& coverage) {
+  if (verdict.holds() && coverage.gaps > 0) {
+    return red("not seen as a whole") + ": holds in the known time; " + unknown_text(coverage);
+  }
+  if (verdict.holds()) return bold("holds");
+  std::string text;
+  const auto append = [&text](const char* what) {
+    if (!text.empty()) text += ", and ";
+    text += what;
+  };
+  if (verdict.losses > 0) append("does not keep its distance");
+  if (verdict.clearance_losses > 0) append("does not keep clear of obstacles");
+  if (verdict.breaches > 0) append("breaks the limits");
+  return red(text) + (coverage.gaps > 0 ? "; " + unknown_text(coverage) : "");
+}
+
+std::string obstacles_text(const VerifyOptions& options) {
+  return grouped(std::uint64_t{options.obstacles->obstacles().size()}) + ", clearance " +
+         exact(options.clearance_m) + " m";
+}
+
+}  // namespace
+
+Rows finding_rows(const Verification& verification) {
+  const io::Recording& recording = verification.recording;
+  const auto& times_s = verification.times_s;
+  Rows rows{{{"finding"},
+             {"first", "first_label"},
+             {"second", "second_label"},
+             {"begins_s"},
+             {"ends_s"},
+             {"value"}},
+            {},
+            has_labels(recording)};
+  for (const Loss& loss : verification.verdict.first_losses) {
+    rows.rows.push_back({std::string("loss"), name_of(loss.pair.first, recording),
+                         name_of(loss.pair.second, recording), loss.begins_s, loss.ends_s,
+                         loss.closest_m});
+  }
+  for (const ClearanceLoss& loss : verification.verdict.first_clearance_losses) {
+    const Obstacle& obstacle = verification.options.obstacles->obstacles()[loss.obstacle];
+    rows.rows.push_back({std::string("clearance"), name_of(loss.bee, recording),
+                         shown_obstacle(loss.obstacle, obstacle), loss.begins_s, loss.ends_s,
+                         loss.closest_m});
+  }
+  for (const Breach& breach : verification.verdict.first_breaches) {
+    const auto ends = std::upper_bound(times_s.begin(), times_s.end(), breach.begins_s);
+    rows.rows.push_back({std::string(word_for(breach.kind)), name_of(breach.bee, recording),
+                         std::monostate{}, breach.begins_s, *ends, breach.value});
+  }
+  return rows;
+}
+
+std::string verify_json_head(const Verification& verification, const MovingRequest& request) {
+  const Verdict& verdict = verification.verdict;
+  const VerifyOptions& options = verification.options;
+  const auto limit = [](double value) {
+    return std::isfinite(value) ? exact(value) : std::string("null");
+  };
+  std::string head = json_head(verification.recording, request, options.threshold_m);
+  head += ",\n  \"max_speed_mps\": " + limit(options.max_speed_mps);
+  head += ",\n  \"max_acceleration_mps2\": " + limit(options.max_acceleration_mps2);
+  head += std::string(",\n  \"straight\": ") + (options.straight ? "true" : "false");
+  head += ",\n  \"steps\": " + std::to_string(verdict.steps);
+  head += std::string(",\n  \"holds\": ") + (verification.holds() ? "true" : "false");
+  head += ",\n  \"known\": " + coverage_json(verification.coverage, verification.recording);
+  head += ",\n  \"loss_count\": " + std::to_string(verdict.losses);
+  if (options.obstacles != nullptr) {
+    head += ",\n  \"obstacles\": " + std::to_string(options.obstacles->obstacles().size());
+    head += ",\n  \"clearance_m\": " + exact(options.clearance_m);
+    head += ",\n  \"clearance_loss_count\": " + std::to_string(verdict.clearance_losses);
+  }
+  head += ",\n  \"breach_count\": " + std::to_string(verdict.breaches);
+  head += ",\n  \"fastest_mps\": " + exact(verdict.fastest_mps);
+  head += ",\n  \"hardest_mps2\": " + (options.straight ? "null" : exact(verdict.hardest_mps2));
+  head += ",\n  \"closest\": ";
+  if (verdict.closest_m) {
+    Rows closest{
+        {{"first", "first_label"}, {"second", "second_label"}, {"step_begins_s"}, {"distance_m"}},
+        {{name_of(verdict.closest_pair->first, verification.recording),
+          name_of(verdict.closest_pair->second, verification.recording), verdict.closest_step_s,
+          *verdict.closest_m}},
+        has_labels(verification.recording)};
+    set_labels_apart(closest);
+    append_json_row(head, closest.columns, closest.rows.front());
+  } else {
+    head += "null";
+  }
+  return head;
+}
+
+std::string verify_summary(const Verification& verification, const MovingRequest& request) {
+  const io::Recording& recording = verification.recording;
+  const Verdict& verdict = verification.verdict;
+  const VerifyOptions& options = verification.options;
+  const auto& times_s = verification.times_s;
+  std::string out = input_summary(recording, request);
+  append_summary_line(out, "bees", grouped(recording.bees.size()));
+  append_summary_line(out, "from",
+                      moment(times_s.front(), recording) + " to " +
+                          moment(times_s.back(), recording) + " (" +
+                          grouped(times_s.back() - times_s.front(), 2) + " s)");
+  append_coverage(out, verification.coverage, recording);
+  append_summary_line(out, "motion", verification.motion);
+  append_summary_line(out, "threshold",
+                      separation_summary(request, options.threshold_m,
+                                         !request.threshold_m && recording.declared_threshold_m));
+  if (options.obstacles != nullptr) {
+    append_summary_line(out, "obstacles", obstacles_text(options));
+  }
+  append_summary_line(out, "limits", limits_text(options));
+  append_summary_line(out, "checked", times(verdict.steps, "step", "steps"));
+  append_summary_line(out, "closest", closest_text(verification));
+  append_summary_line(out, "fastest", grouped(verdict.fastest_mps, 3) + " m/s");
+  append_summary_line(out, "hardest",
+                      options.straight ? "not known of straight lines"
+                                       : grouped(verdict.hardest_mps2, 3) + " m/s^2");
+  append_summary_line(out, "losses",
+                      found_text(verdict.losses, "pair in a step", "pairs, a step each"));
+  if (options.obstacles != nullptr) {
+    append_summary_line(out, "clearance",
+                        found_text(verdict.clearance_losses, "bee in a step", "bees, a step each"));
+  }
+  append_summary_line(out, "breaches",
+                      found_text(verdict.breaches, "limit in a step", "limits, a step each"));
+  append_summary_line(out, "verdict", verdict_text(verdict, verification.coverage));
+  append_summary_line(
+      out, "time",
+      "read " + duration(verification.read_s) + ", check " + duration(verification.check_s));
+  return out;
+}
+
+}  // namespace beespace::cli

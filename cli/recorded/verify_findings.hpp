@@ -1,0 +1,39 @@
+// What `beespace verify` found, as rows and as the lines of a summary.
+#pragma once
+
+#include "cli/analysis/coverage.hpp"
+#include "cli/input/moving_options.hpp"
+#include "cli/output/rows.hpp"
+#include "io/recording/recording.hpp"
+
+#include <beespace/verify.hpp>
+
+#include <string>
+#include <vector>
+
+namespace beespace::cli {
+
+struct Verification {
+  const io::Recording& recording;
+  const std::vector<double>& times_s;
+  const VerifyOptions& options;
+  const Verdict& verdict;  // of the known steps
+  const Coverage& coverage;
+  std::string motion;  // how bees fly from fix to fix, and why
+  double read_s = 0.0;
+  double check_s = 0.0;
+
+  // What was not seen is not certified.
+  [[nodiscard]] bool holds() const { return verdict.holds() && coverage.gaps == 0; }
+};
+
+// finding, first, second, begins_s, ends_s, value: losses, those of clearance (the second is
+// the obstacle), then breaches.
+Rows finding_rows(const Verification& verification);
+
+// The beginning of the JSON document: an open object.
+std::string verify_json_head(const Verification& verification, const MovingRequest& request);
+
+std::string verify_summary(const Verification& verification, const MovingRequest& request);
+
+}  // namespace beespace::cli

@@ -1,0 +1,114 @@
+#include "cli/analysis/gaps.hpp"
+#include "cli/command_line/option_checks.hpp"
+#include "cli/recorded/verify_command.hpp"
+
+#include <beespace/version.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace beespace::cli {
+namespace {
+
+constexpr const char* kDescription =
+    "Check that a flight kept its distance, and that everybody flew as it can";
+
+constexpr const char* kDetails =
+    "Reads recordings as 'beespace replay' does, of bees that all have fixes at the same times "
+    "(replay\n"
+    "takes others). Where all fixes have velocities, a bee flies from one to the next on the curve "
+    "that\n"
+    "has its positions and velocities at both: evenly accelerated, where it was. Without them, or "
+    "with\n"
+    "--straight, it flies straight lines. All of the time in between is looked at, not samples of "
+    "it.\n"
+    "Writes a line for each finding, the first 1000 of each kind:\n"
+    "  loss          id, id: closer than the threshold within one step; when that step begins and "
+    "ends,\n"
+    "                and how close they came at least\n"
+    "  clearance     id, obstacle: closer to an obstacle than --clearance within one step; how "
+    "close it\n"
+    "                was seen to be, below zero inside\n"
+    "  speed         id: faster than --max-speed within one step; when it begins and ends, and how "
+    "fast\n"
+    "  acceleration  id: the same of --max-acceleration\n"
+    "A step longer than --max-gap was not seen: nothing is found in it, and the flight does not "
+    "hold.\n"
+    "\n"
+    "Examples:\n"
+    "  beespace simulate random-swap --output swap.csv\n"
+    "  beespace verify swap.csv --threshold 5 --max-speed 10 --max-acceleration 5\n"
+    "  beespace verify log.csv --threshold 2 --straight --output findings.csv\n"
+    "  beespace verify flight.csv --threshold 2 --obstacles city.json --clearance 3\n"
+    "  beespace verify log.csv --quiet --output /dev/null && echo safe\n"
+    "\n"
+    "Exit status: 0 it holds, 1 there is a loss, a breach or a gap, 2 wrong usage, 3 bad input, or "
+    "fixes\n"
+    "at different times, 4 cannot open, read or write, 130 interrupted, 143 terminated, 141 closed "
+    "pipe.";
+
+void add_check_options(CLI::App& verify, VerifyCommandOptions& options) {
+  verify
+      .add_option("--threshold", options.moving.threshold,
+                  "Closer than this is too close (default: what the\ninput declares, or 5)")
+      ->type_name("LENGTH")
+      ->group("Check");
+  verify.add_option("--max-speed", options.max_speed, "In m/s (default: not checked)")
+      ->type_name("SPEED")
+      ->group("Check");
+  verify
+      .add_option("--max-acceleration", options.max_acceleration,
+                  "In m/s^2 (default: not checked); needs velocities")
+      ->type_name("A")
+      ->group("Check");
+  verify
+      .add_option("--obstacles", options.obstacles,
+                  "What stands in the way: JSON, as of 'beespace\nsimulate'; of flights in metres")
+      ->type_name("FILE")
+      ->group("Check");
+  verify
+      .add_option("--clearance", options.clearance,
+                  "Closer than this to an obstacle is too close\n(default: 1)")
+      ->type_name("LENGTH")
+      ->group("Check");
+  add_max_gap_option(verify, options.max_gap, "Check");
+  verify.add_flag("--straight", options.straight, "Straight lines, whatever the velocities")
+      ->group("Check");
+  verify.add_option("--threads", options.moving.threads, "How many threads work (default: 0, all)")
+      ->type_name("N")
+      ->group("Check");
+}
+
+void add_answer_options(CLI::App& verify, MovingOptions& options) {
+  verify
+      .add_option("-o,--output", options.output,
+                  "Where the answer goes, by its ending .csv or .json,\nperhaps with .gz, in this "
+                  "form (default: standard\noutput)")
+      ->type_name("FILE")
+      ->group("Output");
+  verify.add_flag("--csv", options.csv, "With a header, values between commas")->group("Output");
+  verify.add_flag("--json", options.json, "One JSON document with everything in it")
+      ->group("Output");
+  verify.add_flag("--quiet", options.quiet, "No summary and no progress, only errors")
+      ->group("Output");
+}
+
+}  // namespace
+
+CLI::App* add_verify_command(CLI::App& command, VerifyCommandOptions& options) {
+  CLI::App* verify = command.add_subcommand("verify", kDescription);
+  verify->footer(kDetails);
+  verify->set_version_flag("--version", std::string(version()), "Print the version and exit");
+  verify
+      ->add_option("FILES", options.moving.inputs,
+                   "Files and folders to read (default, or -:\nstandard input)")
+      ->type_name(" ");
+  add_input_options(*verify, options.moving);
+  add_check_options(*verify, options);
+  add_answer_options(*verify, options.moving);
+  refuse_pointless_values(*verify);
+  return verify;
+}
+
+}  // namespace beespace::cli

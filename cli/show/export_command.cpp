@@ -1,0 +1,115 @@
+#include "cli/show/export_command.hpp"
+
+#include "cli/analysis/see.hpp"
+#include "cli/command_line/option_values.hpp"
+#include "cli/console/failure.hpp"
+#include "cli/console/progress_bar.hpp"
+#include "cli/console/stopwatch.hpp"
+#include "cli/console/summary_line.hpp"
+#include "cli/console/terminal.hpp"
+#include "cli/output/output_file.hpp"
+#include "cli/output/output_form.hpp"
+#include "cli/show/seen_summary.hpp"
+#include "io/bytes/atomic_output.hpp"
+#include "report/map/czml.hpp"
+#include "report/map/geojson.hpp"
+#include "report/map/kml.hpp"
+#include "report/map/risk_table.hpp"
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace beespace::cli {
+namespace {
+
+constexpr const char* kName = "export";
+
+bool is_format(const std::string& ending) {
+  return ending == "kml" || ending == "czml" || ending == "geojson" || ending == "csv";
+}
+
+Result<std::string> format_of(const ExportOptions& options) {
+  const std::string& output = options.seen.moving.output;
+  const FileEnding of = output == "-" ? FileEnding{} : file_ending(output);
+  if (!options.format.empty()) {
+    if (!is_format(of.ending) || of.ending == options.format) return options.format;
+    return usage_error(kName, "--format " + options.format + " contradicts the ending of '" +
+                                  printable(output) + "'; correct one of them");
+  }
+  if (output == "-") {
+    return usage_error(kName, "say in which format: --format kml, czml, geojson or csv");
+  }
+  if (is_format(of.ending)) return of.ending;
+  return usage_error(kName, "the name of the file ends in .kml, .czml, .geojson or .csv, unlike '" +
+                                printable(output) + "'; or say which with --format" +
+                                written_elsewhere(kName, of.ending));
+}
+
+Status check_fit(const Seen& seen, const std::string& format) {
+  const report::SwarmFacts& swarm = swarm_of(seen);
+  if (swarm.origin || format == "csv") return std::monostate{};
+  return usage_error(kName, format + " is for the Earth and needs longitudes and latitudes, but '" +
+                                printable(swarm.title) +
+                                "' is in metres; --format csv takes metres as well");
+}
+
+// Returns what had to be left out.
+template <class Facts>
+std::vector<std::string> write(const Facts& facts, const std::string& format,
+                               io::AtomicOutput& output) {
+  if (format == "kml") return report::write_kml(facts, output);
+  if (format == "czml") return report::write_czml(facts, output);
+  if (format == "geojson") {
+    report::write_geojson(facts, output);
+  } else {
+    report::write_risk_table(facts, output);
+  }
+  return {};
+}
+
+Result<ExitCode> export_to(const SeenRequest& request, const std::string& format) {
+  const MovingRequest& moving = request.moving;
+  auto output =
+      open_output(kName, moving.output, moving.inputs,
+                  file_ending(moving.output).compressed ? io::Packing::kGzip : io::Packing::kPlain);
+  if (!output) return std::move(output).error();
+  ProgressBar progress(!moving.quiet);
+  SeenTimings timings;
+  const auto seen = see(moving.inputs, request, progress, timings);
+  if (!seen) return seen.error();
+  if (Status fit = check_fit(*seen, format); !fit) return fit.error();
+  Stopwatch watch;
+
+  progress.enter_stage("writing");
+  const auto notes =
+      std::visit([&](const auto& facts) { return write(facts, format, *output); }, *seen);
+  const Status written = output->commit();
+  if (!written && output->pipe_closed()) return ExitCode::kPipeClosed;
+  if (!written) return written.error();
+  timings.write_s = watch.lap();
+  progress.finish();
+  if (!moving.quiet) {
+    std::string text;
+    append_seen(text, *seen);
+    for (const std::string& note : notes) append_summary_line(text, "note", printable(note));
+    append_written(text, moving.output, timings);
+    say(text);
+  }
+  return is_risky(*seen) && moving.fail_on_risk ? ExitCode::kRiskFound : ExitCode::kFine;
+}
+
+}  // namespace
+
+ExitCode run_export(const ExportOptions& options) {
+  const bool json = options.seen.moving.json;
+  const auto request = seen_request(kName, options.seen);
+  if (!request) return fail(request.error(), json);
+  const auto format = format_of(options);
+  if (!format) return fail(format.error(), json);
+  const auto code = export_to(*request, *format);
+  return code ? *code : fail(code.error(), json);
+}
+
+}  // namespace beespace::cli

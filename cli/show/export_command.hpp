@@ -1,0 +1,22 @@
+// `beespace export`: its options, and what it does with them.
+#pragma once
+
+#include "cli/console/exit_code.hpp"
+#include "cli/show/seen_request.hpp"
+
+#include <string>
+
+namespace beespace::cli {
+
+// As typed, before it is checked.
+struct ExportOptions {
+  SeenOptions seen;
+  std::string format;
+};
+
+// Adds the subcommand to the command; `options` must outlive the parsing.
+CLI::App* add_export_command(CLI::App& command, ExportOptions& options);
+
+ExitCode run_export(const ExportOptions& options);
+
+}  // namespace beespace::cli

@@ -1,0 +1,74 @@
+#include "cli/command_line/option_checks.hpp"
+#include "cli/show/export_command.hpp"
+
+#include <beespace/version.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace beespace::cli {
+namespace {
+
+constexpr const char* kDescription = "Write who is too close for globes, maps and spreadsheets";
+
+constexpr const char* kDetails =
+    "Reads what 'beespace report' reads. The ending of FILE, or --format, says what is written:\n"
+    "  kml       for globes: those at risk and pairs; of recordings the paths in time, and\n"
+    "            conflicts where they are closest, for as long as they last\n"
+    "  czml      the same for Cesium: bees move, and are red while they are in conflict\n"
+    "  geojson   for maps: points and lines with ids, distances and times (RFC 7946)\n"
+    "  csv       for spreadsheets: a row a pair, or a row a conflict, the closest first\n"
+    "\n"
+    "Maps and globes need longitudes and latitudes; csv takes metres as well. Heights are written\n"
+    "as the input has them, as metres above the WGS84 ellipsoid. KML and CZML hold up to 20,000\n"
+    "marks of a kind and 2,000 paths, and say what they leave out. Of more than 200,000 pairs or\n"
+    "conflicts the closest 10,000 are written; the file says so, of csv only the summary. In csv\n"
+    "an id that a spreadsheet would take for a formula, as it begins with =, +, - or @ and is no\n"
+    "number, gets an apostrophe before it.\n"
+    "\n"
+    "Examples:\n"
+    "  beespace export bees.csv -o bees.kml\n"
+    "  beespace export flight.json --threshold 300 -o conflicts.geojson\n"
+    "  beespace export show.skyc -o conflicts.csv\n"
+    "  beespace export bees.csv --format csv | sort -t, -k3 -g | head\n"
+    "\n"
+    "Exit status: 0 fine, 1 somebody is at risk (with --fail-on-risk), 2 wrong usage, 3 bad "
+    "input,\n"
+    "4 cannot open, read or write, 130 interrupted, 143 terminated, 141 closed pipe.";
+
+void add_file_options(CLI::App& command, ExportOptions& options) {
+  MovingOptions& moving = options.seen.moving;
+  command
+      .add_option("-o,--output", moving.output,
+                  "Where it goes, by its ending .kml, .czml,\n.geojson or .csv (default, or -: "
+                  "standard output)")
+      ->type_name("FILE")
+      ->group("Output");
+  CLI::Option* format =
+      command.add_option("--format", options.format, "Where the ending does not say")
+          ->type_name("kml|czml|geojson|csv")
+          ->group("Output");
+  allow_only(*format, {"kml", "czml", "geojson", "csv"});
+  command.add_flag("--json", moving.json, "Say errors as JSON too")->group("Output");
+  command
+      .add_flag("--fail-on-risk", moving.fail_on_risk,
+                "Exit with 1 when somebody is at risk, or a recording\nhas a gap that may hide it")
+      ->group("Output");
+  command.add_flag("--quiet", moving.quiet, "No summary and no progress, only errors")
+      ->group("Output");
+}
+
+}  // namespace
+
+CLI::App* add_export_command(CLI::App& command, ExportOptions& options) {
+  CLI::App* subcommand = command.add_subcommand("export", kDescription);
+  subcommand->footer(kDetails);
+  subcommand->set_version_flag("--version", std::string(version()), "Print the version and exit");
+  add_seen_options(*subcommand, options.seen);
+  add_file_options(*subcommand, options);
+  refuse_pointless_values(*subcommand);
+  return subcommand;
+}
+
+}  // namespace beespace::cli

@@ -1,0 +1,90 @@
+#include "cli/show/report_command.hpp"
+
+#include "cli/analysis/page_of.hpp"
+#include "cli/command_line/option_values.hpp"
+#include "cli/console/failure.hpp"
+#include "cli/console/progress_bar.hpp"
+#include "cli/console/stopwatch.hpp"
+#include "cli/console/terminal.hpp"
+#include "cli/output/output_file.hpp"
+#include "cli/output/output_form.hpp"
+#include "cli/show/seen_summary.hpp"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace beespace::cli {
+namespace {
+
+constexpr const char* kName = "report";
+
+// A page under the name of something else would be opened by what cannot read it.
+Status check_ending(const std::string& output) {
+  if (output == "-") return std::monostate{};
+  const FileEnding of = file_ending(output);
+  const std::string& ending = of.ending;
+  const auto misnamed = [&](const std::string& otherwise) {
+    return usage_error(kName, "a page is HTML, unlike what its name '" + printable(output) +
+                                  "' says; let it end in .html, or " + otherwise);
+  };
+  if (ending == "svg" || ending == "png") {
+    return misnamed("let 'beespace plot' draw the picture");
+  }
+  for (const char* other : {"kml", "czml", "geojson", "csv"}) {
+    if (ending == other) return misnamed("let 'beespace export' write that file");
+  }
+  if (ending == "json") {
+    return misnamed(
+        "let 'beespace export' write .geojson or .czml, or ask 'beespace detect --json'");
+  }
+  const bool page = ending.empty() || ending == "html" || ending == "htm";
+  if (!page || of.compressed) return misnamed("in nothing");
+  return std::monostate{};
+}
+
+Result<ExitCode> report_on(const ReportOptions& options, const SeenRequest& request) {
+  const MovingRequest& moving = request.moving;
+  if (moving.output == "-" && output_is_terminal()) {
+    return usage_error(kName, "a page is nothing for a terminal; give it a name: -o report.html");
+  }
+  std::vector<std::string> inputs = moving.inputs;
+  inputs.push_back(options.compare);
+  auto output = open_output(kName, moving.output, inputs);
+  if (!output) return std::move(output).error();
+  if (Status html = check_ending(moving.output); !html) return std::move(html).error();
+  ProgressBar progress(!moving.quiet);
+  const auto page = page_of(kName, request, options.compare, progress);
+  if (!page) return page.error();
+  Stopwatch watch;
+  write_page(*page, [&](std::string_view text) { output->write(text); });
+  const Status written = output->commit();
+  if (!written && output->pipe_closed()) return ExitCode::kPipeClosed;
+  if (!written) return written.error();
+  const double written_s = watch.lap();
+  progress.finish();
+  if (!moving.quiet) {
+    std::string text;
+    for (const Seen& seen : page->seen) append_seen(text, seen);
+    SeenTimings timings = page->timings;
+    timings.write_s += written_s;
+    append_written(text, moving.output, timings);
+    say(text);
+  }
+  const bool risk = std::any_of(page->seen.begin(), page->seen.end(), is_risky);
+  return risk && moving.fail_on_risk ? ExitCode::kRiskFound : ExitCode::kFine;
+}
+
+}  // namespace
+
+ExitCode run_report(const ReportOptions& options) {
+  const bool json = options.seen.moving.json;
+  const auto request = seen_request(kName, options.seen);
+  if (!request) return fail(request.error(), json);
+  const auto code = report_on(options, *request);
+  return code ? *code : fail(code.error(), json);
+}
+
+}  // namespace beespace::cli

@@ -1,0 +1,67 @@
+#include "cli/show/seen_summary.hpp"
+
+#include "cli/analysis/number_text.hpp"
+#include "cli/console/summary_line.hpp"
+#include "cli/console/terminal.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <system_error>
+
+namespace beespace::cli {
+namespace {
+
+std::string count_of(std::uint64_t count, const char* one, const char* several) {
+  return grouped(count) + " " + (count == 1 ? one : several);
+}
+
+std::string risk_of(const report::SnapshotFacts& facts) {
+  if (facts.at_risk.empty()) return bold("nobody");
+  return red(grouped(facts.at_risk.size()) + " of " + grouped(facts.positions.size())) + ": " +
+         count_of(facts.pair_count, "pair", "pairs") + " in " +
+         count_of(facts.group_count, "group", "groups");
+}
+
+std::string risk_of(const report::RecordingFacts& facts) {
+  if (facts.conflict_count == 0 && !facts.unknown.empty()) {
+    return bold("none in the known time") + "; " + facts.unknown;
+  }
+  if (facts.conflict_count == 0) return bold("nobody");
+  return red(count_of(facts.conflict_count, "conflict", "conflicts")) + " of " +
+         count_of(facts.pair_count, "pair", "pairs");
+}
+
+std::size_t bees_of(const report::SnapshotFacts& facts) {
+  return facts.positions.size();
+}
+std::size_t bees_of(const report::RecordingFacts& facts) {
+  return facts.tracks.size();
+}
+
+}  // namespace
+
+void append_seen(std::string& out, const Seen& seen) {
+  const report::SwarmFacts& swarm = swarm_of(seen);
+  append_summary_line(out, "input", printable(swarm.title) + " (" + printable(swarm.source) + ")");
+  for (const std::string& note : swarm.notes) append_summary_line(out, "note", printable(note));
+  append_summary_line(out, "bees",
+                      std::visit([](const auto& facts) { return grouped(bees_of(facts)); }, seen));
+  append_summary_line(out, "threshold",
+                      separation_text(swarm.threshold_m, swarm.vertical_m, swarm.inclusive));
+  append_summary_line(out, "at risk",
+                      std::visit([](const auto& facts) { return risk_of(facts); }, seen));
+}
+
+void append_written(std::string& out, const std::string& output, const SeenTimings& timings) {
+  if (output != "-") {
+    std::error_code unknown;
+    const auto bytes = std::filesystem::file_size(output, unknown);
+    append_summary_line(out, "written",
+                        printable(output) + (unknown ? "" : " (" + byte_count(bytes) + ")"));
+  }
+  append_summary_line(out, "time",
+                      "read " + duration(timings.read_s) + ", find " + duration(timings.find_s) +
+                          ", write " + duration(timings.write_s));
+}
+
+}  // namespace beespace::cli

@@ -1,0 +1,123 @@
+#include "cli/show/view_command.hpp"
+
+#include "cli/analysis/number_text.hpp"
+#include "cli/analysis/page_of.hpp"
+#include "cli/command_line/option_checks.hpp"
+#include "cli/command_line/option_values.hpp"
+#include "cli/console/failure.hpp"
+#include "cli/console/progress_bar.hpp"
+#include "cli/console/standard_output.hpp"
+#include "cli/console/terminal.hpp"
+#include "cli/show/browser.hpp"
+#include "cli/show/page_server.hpp"
+#include "cli/show/seen_summary.hpp"
+
+#include <beespace/version.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace beespace::cli {
+namespace {
+
+constexpr const char* kName = "view";
+
+constexpr const char* kDescription = "Look at a swarm in the browser";
+
+constexpr const char* kDetails =
+    "Reads what 'beespace report' reads and makes the same page, but serves it to the browsers of\n"
+    "this machine instead of writing a file: on a free port of 127.0.0.1, until Ctrl-C. Opens the\n"
+    "browser where there is a desktop, and prints the address to standard output. Other users of\n"
+    "this machine who find the port can read the page too.\n"
+    "\n"
+    "Examples:\n"
+    "  beespace view bees.csv\n"
+    "  beespace view show.skyc --no-open\n"
+    "  beespace view before.csv --compare after.csv --threshold 5\n"
+    "\n"
+    "Exit status: 2 wrong usage, 3 bad input, 4 cannot open, read or serve, 130 ended by Ctrl-C, "
+    "143\n"
+    "terminated, 141 closed pipe.";
+
+Result<std::uint16_t> port_of(const std::string& text) {
+  const auto port = parse_whole(text);
+  if (port && *port <= std::numeric_limits<std::uint16_t>::max()) {
+    return static_cast<std::uint16_t>(*port);
+  }
+  return usage_error(kName, "--port is '" + text + "'; give a number up to 65535, or 0 for any");
+}
+
+// The whole page, and nothing of what it was made from: that is as large again, and the page is
+// served for long.
+Result<std::string> page_for(const ViewOptions& options, const SeenRequest& request) {
+  ProgressBar progress(!request.moving.quiet);
+  auto made = page_of(kName, request, options.report.compare, progress);
+  if (!made) return std::move(made).error();
+  std::string page;
+  write_page(*made, [&](std::string_view text) { page += text; });
+  progress.finish();
+  if (!request.moving.quiet) {
+    std::string text;
+    for (const Seen& seen : made->seen) append_seen(text, seen);
+    say(text);
+  }
+  return page;
+}
+
+Result<ExitCode> view(const ViewOptions& options, const SeenRequest& request) {
+  const auto port = port_of(options.port);
+  if (!port) return port.error();
+  auto server = PageServer::open(*port);
+  if (!server) return std::move(server).error();
+  const auto page = page_for(options, request);
+  if (!page) return page.error();
+  const std::string address = server->address();
+  if (const ExitCode printed = print(address + "\n"); printed != ExitCode::kFine) return printed;
+  const auto tell = [quiet = request.moving.quiet](bool opened) {
+    if (quiet) return;
+    say(opened ? "Opened in the browser; Ctrl-C ends it.\n"
+               : "Open this address in a browser on this machine; Ctrl-C ends it.\n");
+  };
+  if (options.no_open) {
+    tell(false);
+  } else {
+    open_in_browser(address, tell);
+  }
+  server->serve(*page);
+  return ExitCode::kFine;
+}
+
+}  // namespace
+
+CLI::App* add_view_command(CLI::App& command, ViewOptions& options) {
+  CLI::App* view = command.add_subcommand("view", kDescription);
+  view->footer(kDetails);
+  view->set_version_flag("--version", std::string(version()), "Print the version and exit");
+  add_page_input_options(*view, options.report);
+  view->add_flag("--no-open", options.no_open, "Do not open a browser, only print the address")
+      ->group("Output");
+  view->add_option("--port", options.port, "Of 127.0.0.1, to serve at (default: 0, a free one)")
+      ->type_name("N")
+      ->group("Output");
+  MovingOptions& moving = options.report.seen.moving;
+  view->add_flag("--json", moving.json, "Say errors as JSON too")->group("Output");
+  view->add_flag("--quiet", moving.quiet, "No summary and no progress, only the address and errors")
+      ->group("Output");
+  refuse_pointless_values(*view);
+  return view;
+}
+
+ExitCode run_view(const ViewOptions& options) {
+  const bool json = options.report.seen.moving.json;
+  const auto request = seen_request(kName, options.report.seen);
+  if (!request) return fail(request.error(), json);
+  const auto code = view(options, *request);
+  return code ? *code : fail(code.error(), json);
+}
+
+}  // namespace beespace::cli

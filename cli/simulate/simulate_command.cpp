@@ -1,0 +1,85 @@
+#include "cli/simulate/simulate_command.hpp"
+
+#include "cli/console/failure.hpp"
+#include "cli/console/progress_bar.hpp"
+#include "cli/console/standard_output.hpp"
+#include "cli/console/terminal.hpp"
+#include "cli/output/output_file.hpp"
+#include "cli/simulate/simulate_json.hpp"
+#include "cli/simulate/simulate_mission.hpp"
+#include "cli/simulate/simulate_request.hpp"
+#include "cli/simulate/simulate_scenarios.hpp"
+#include "cli/simulate/simulate_summary.hpp"
+#include "cli/simulate/simulated_flight.hpp"
+#include "io/bytes/atomic_output.hpp"
+
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace beespace::cli {
+namespace {
+
+Result<ExitCode> simulate(const SimulateRequest& request) {
+  std::optional<io::AtomicOutput> output;
+  if (!request.output.empty()) {
+    auto opened =
+        open_output("simulate", request.output,
+                    {request.from_file ? request.scenario : std::string(), request.obstacles},
+                    request.format.packing());
+    if (!opened) return std::move(opened).error();
+    output.emplace(std::move(opened).value());
+  }
+  ProgressBar progress(!request.quiet);
+  auto mission = mission_to_fly(request);
+  if (!mission) return std::move(mission).error();
+  SimulatedFlight flight(request, std::move(mission).value(), output ? &*output : nullptr);
+  const Status flown = flight.fly(progress);
+  if (!flown && output && output->pipe_closed()) return ExitCode::kPipeClosed;
+  if (!flown) return flown.error();
+  progress.finish();
+  if (request.json) {
+    const ExitCode written = print(simulate_json(flight));
+    if (written != ExitCode::kFine) return written;
+  }
+  if (!request.quiet) say(simulate_summary(flight));
+  return request.fail_on_risk && !flight.holds() ? ExitCode::kRiskFound : ExitCode::kFine;
+}
+
+// Random swaps, one after the other, closer and closer together.
+Result<ExitCode> sweep(const SimulateRequest& request) {
+  constexpr double kSpacings[] = {3.0, 2.5, 2.0, 1.75, 1.5};  // in thresholds
+  std::vector<std::string> runs;
+  bool all_hold = true;
+  if (!request.quiet) say(sweep_head(request));
+  for (const double spacing : kSpacings) {
+    SimulateRequest swap = request;
+    swap.scenario = "random-swap";
+    swap.spacing_m = spacing * request.loop.advice.threshold_m;
+    ProgressBar progress(!request.quiet);
+    auto mission = mission_to_fly(swap);
+    if (!mission) return std::move(mission).error();
+    SimulatedFlight flight(swap, std::move(mission).value(), nullptr);
+    if (const Status flown = flight.fly(progress); !flown) return flown.error();
+    progress.finish();
+    all_hold = all_hold && flight.holds();
+    if (request.json) runs.push_back(run_as_json(flight));
+    if (!request.quiet) say(sweep_row(flight));
+  }
+  if (request.json) {
+    const ExitCode written = print(sweep_json(runs));
+    if (written != ExitCode::kFine) return written;
+  }
+  return request.fail_on_risk && !all_hold ? ExitCode::kRiskFound : ExitCode::kFine;
+}
+
+}  // namespace
+
+ExitCode run_simulate(const SimulateOptions& options) {
+  const auto request = simulate_request(options);
+  if (!request) return fail(request.error(), options.json);
+  const auto code = request->scenario == kDensitySweep ? sweep(*request) : simulate(*request);
+  return code ? *code : fail(code.error(), options.json);
+}
+
+}  // namespace beespace::cli

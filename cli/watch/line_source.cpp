@@ -1,0 +1,118 @@
+#include "cli/watch/line_source.hpp"
+
+#include "cli/console/signals.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <utility>
+
+namespace beespace::cli {
+namespace {
+
+Error system_error(ErrorCode code, const std::string& what, const std::string& source) {
+  Place place;
+  place.source = source;
+  if (errno == EISDIR) {
+    return {ErrorCode::kCannotOpen,
+            "this is a directory; name a file in it, or ask 'beespace replay' about all of them",
+            place};
+  }
+  if (errno == ENOENT) {
+    return {code, "there is no such file; check the name and the folder", place};
+  }
+  if (errno == EACCES) {
+    return {code, "not allowed to read this file; check its permissions (ls -l)", place};
+  }
+  return {code, what + ": " + std::strerror(errno), place};
+}
+
+double seconds_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+LineSource::LineSource(std::string name, int descriptor, bool owned)
+    : name_(std::move(name)), descriptor_(descriptor), owned_(owned), looked_s_(seconds_now()) {
+  struct stat status {};
+  live_ = ::fstat(descriptor, &status) == 0 &&
+          (S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode) || ::isatty(descriptor) == 1);
+}
+
+Result<LineSource> LineSource::open(const std::string& path) {
+  if (path == "-") return LineSource("<stdin>", STDIN_FILENO, false);
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return system_error(ErrorCode::kCannotOpen, "cannot open", path);
+  return LineSource(path, descriptor, true);
+}
+
+LineSource::LineSource(LineSource&& other) noexcept
+    : name_(std::move(other.name_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      owned_(std::exchange(other.owned_, false)),
+      live_(other.live_),
+      looked_s_(other.looked_s_),
+      ended_(other.ended_),
+      cutting_(other.cutting_),
+      buffer_(std::move(other.buffer_)),
+      begin_(other.begin_) {
+}
+
+LineSource::~LineSource() {
+  if (owned_) ::close(descriptor_);
+}
+
+bool LineSource::take_line(std::string_view& line) {
+  while (true) {
+    const std::string_view rest = std::string_view(buffer_).substr(begin_);
+    const std::size_t end = rest.find('\n');
+    if (end == std::string_view::npos) {
+      if (ended_ && !rest.empty() && !cutting_) {
+        line = rest;
+        begin_ = buffer_.size();
+        return true;
+      }
+      if (rest.size() <= kLongest) return false;
+      // Shown once as far as it goes; what follows until its end is no line of its own.
+      const bool shown = std::exchange(cutting_, true);
+      line = rest.substr(0, kLongest);
+      begin_ = buffer_.size();
+      if (shown) return false;
+      return true;
+    }
+    begin_ += end + 1;
+    if (std::exchange(cutting_, false)) continue;
+    line = rest.substr(0, end);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    return true;
+  }
+}
+
+Result<LineSource::Got> LineSource::next(std::string_view& line, int patience_ms) {
+  while (!interrupted()) {
+    if (take_line(line)) return Got::kLine;
+    if (ended_) return Got::kEnd;
+    buffer_.erase(0, begin_);
+    begin_ = 0;
+    pollfd waiting{descriptor_, POLLIN, 0};
+    const int ready = ::poll(&waiting, 1, patience_ms);
+    looked_s_ = seconds_now();
+    if (ready == 0) return Got::kNothingYet;
+    std::array<char, std::size_t{1} << 16> block;
+    const ssize_t count = ready < 0 ? -1 : ::read(descriptor_, block.data(), block.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return system_error(ErrorCode::kReadFailed, "cannot read", name_);
+    if (count == 0) ended_ = true;
+    buffer_.append(block.data(), static_cast<std::size_t>(count));
+  }
+  return Got::kEnd;
+}
+
+}  // namespace beespace::cli

@@ -1,0 +1,317 @@
+#include "cli/watch/watch_command.hpp"
+
+#include "cli/analysis/live_feed.hpp"
+#include "cli/analysis/moving_input.hpp"
+#include "cli/analysis/number_text.hpp"
+#include "cli/console/failure.hpp"
+#include "cli/console/signals.hpp"
+#include "cli/console/standard_output.hpp"
+#include "cli/console/terminal.hpp"
+#include "cli/input/moving_output.hpp"
+#include "cli/output/event_lines.hpp"
+#include "cli/watch/line_source.hpp"
+#include "cli/watch/live_advice.hpp"
+#include "cli/watch/pace.hpp"
+#include "cli/watch/watch_request.hpp"
+#include "cli/watch/watch_tally.hpp"
+#include "io/live/report_lines.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace beespace::cli {
+namespace {
+
+constexpr std::uint64_t kMostBadLinesSaid = 20;
+constexpr std::size_t kMostNotUnderstood = 10;
+
+class Watch {
+ public:
+  explicit Watch(const WatchRequest& request)
+      : request_(request),
+        lines_(request.lines, request.input == "-" ? "<stdin>" : request.input),
+        pace_(request.speed, request.rate),
+        tally_(request.swarm.max_speed_mps.has_value()) {}
+
+  Result<ExitCode> run() {
+    auto source = LineSource::open(request_.input);
+    if (!source) return std::move(source).error();
+    // A recording, and what is read at a pace of ours, know no time but their own.
+    live_ = source->live() && !request_.speed && !request_.rate;
+    if (request_.by_arrival && !live_) {
+      return Error{ErrorCode::kInvalidArgument,
+                   "--clock arrival is for reports that come as things happen, not for a file; "
+                   "leave it out",
+                   {}};
+    }
+    let_interruption_wait();
+    std::string_view line;
+    while (write_error_ == 0) {
+      const auto got = source->next(line, patience_ms(*source));
+      if (!got) return got.error();
+      if (*got == LineSource::Got::kEnd) break;
+      came_s_ = source->looked_s();
+      if (*got == LineSource::Got::kLine) {
+        if (const Status done = take(line); !done) return done.error();
+      } else {
+        advise_if_due();
+      }
+      if (live_ && feed_) {
+        if (const Status done = feed_->look_if_due(wall_s()); !done) return done.error();
+      }
+    }
+    if (feed_ && write_error_ == 0) {
+      if (auto done = feed_->finish(); !done) return done.error();
+      if (advice_) note_advice(advice_->finish());
+    }
+    return end();
+  }
+
+ private:
+  // By a clock that never goes back, when the last line came, or nothing did; 0 where only the
+  // clock of the reports counts.
+  [[nodiscard]] double wall_s() const { return live_ ? came_s_ : 0.0; }
+
+  // Until the next look, where nothing comes.
+  [[nodiscard]] int patience_ms(const LineSource& source) const {
+    double wait_s = 1.0;
+    if (live_ && feed_) wait_s = std::min(wait_s, feed_->next_look_in_s(source.looked_s()));
+    if (const auto due_s = advice_due_s()) {
+      wait_s = std::min(wait_s, *due_s - source.looked_s());
+    }
+    return std::max(static_cast<int>(std::ceil(1000.0 * wait_s)), 1);
+  }
+
+  // Until when a look of advice that has begun waits for more reports.
+  [[nodiscard]] std::optional<double> advice_due_s() const {
+    const auto patience_ms = advice_ ? advice_->patience_ms() : std::nullopt;
+    if (!patience_ms) return std::nullopt;
+    return reported_s_ + *patience_ms / 1000.0;
+  }
+
+  void advise_if_due() {
+    const auto due_s = advice_due_s();
+    if (due_s && came_s_ >= *due_s) note_advice(advice_->waited());
+  }
+
+  // What is said last, and how it ends.
+  Result<ExitCode> end() {
+    // A signal may end the reader as well, or a write that waits for them.
+    const bool cut_off = interrupted() && (write_error_ == EPIPE || write_error_ == EINTR);
+    if (write_error_ == EPIPE && !cut_off) return ExitCode::kPipeClosed;
+    if (write_error_ != 0 && !cut_off) {
+      return Error{ErrorCode::kWriteFailed, "cannot write to standard output", {}};
+    }
+    if (!request_.quiet) say(summary());
+    if (interrupted()) return exit_code_of_interruption();
+    if (!feed_) return nothing_read();
+    return request_.fail_on_risk && tally_.risk() ? ExitCode::kRiskFound : ExitCode::kFine;
+  }
+
+  // Whose first report tells what distances are taken of.
+  void begin(io::Frame frame, io::Unit height_unit) {
+    frame_ = frame;
+    height_unit_ = height_unit;
+    geometry_ = geometry_for(frame, height_unit, request_.vertical);
+    SwarmOptions options = request_.swarm;
+    options.vertical_m = vertical_in(geometry_, request_.vertical);
+    options.heights_apart = heights_apart(geometry_);
+    options.height_unit_m = height_unit_m(geometry_, height_unit);
+    feed_.emplace(options, request_.times,
+                  [this](const std::vector<SwarmEvent>& events) { tell(events); });
+    feed_->after_each_note([this](const ClockNote& note) { tell(note); });
+    if (!request_.advice) return;
+    begin_advice();
+    feed_->after_each_report([this](const Report& report) {
+      reported_s_ = came_s_;
+      note_advice(advice_->take(report));
+    });
+  }
+
+  void begin_advice() {
+    advice_.emplace(
+        *request_.advice, frame_, [this](PointId id) -> const BeeName& { return feed_->name(id); },
+        [this](const std::string& lines) {
+          if (write_error_ == 0) write_error_ = write_out(lines);
+        });
+  }
+
+  Status take(std::string_view line) {
+    const auto read = lines_.take(line);
+    if (!read) {
+      if (lines_.understood()) {
+        note_bad(read.error());
+        return std::monostate{};
+      }
+      return not_understood(read.error());
+    }
+    if (lines_.understood() && !not_understood_.empty()) {
+      for (const Error& error : not_understood_) note_bad(error);
+      not_understood_.clear();
+    }
+    if (!*read) return std::monostate{};
+    const io::ReportLine& at = **read;
+    if (at.leaves) {
+      const auto bee = feed_ ? feed_->leave(at.id) : std::nullopt;
+      if (bee && advice_) advice_->remove(*bee);
+      return std::monostate{};
+    }
+    if (!feed_) begin(at.frame, at.height_unit);
+    const auto metres = in_metres(at.position, at.velocity, at.frame, geometry_,
+                                  {at.stated_height, at.height_unit});
+    if (!metres) {
+      note_bad(metres.error());
+      return std::monostate{};
+    }
+    pace_.wait_for(at.time_s);
+    if (interrupted()) return std::monostate{};
+    const auto number = feed_->number(at.id, at.label);
+    if (!number) {
+      note_bad(feed_->too_many());
+      return std::monostate{};
+    }
+    Status taken = feed_->take({*number, time_of(at), metres->position, metres->velocity,
+                                metres->height_m, metres->climb_mps},
+                               wall_s());
+    if (taken) return taken;
+    note_bad(taken.error());
+    return std::monostate{};
+  }
+
+  // A line before any that is a report, or may be: a damaged one, as in the middle of a stream; or
+  // the input is none that can be read.
+  Status not_understood(const Error& error) {
+    not_understood_.push_back(error);
+    if (not_understood_.size() < kMostNotUnderstood) return std::monostate{};
+    return none_understood();
+  }
+
+  [[nodiscard]] Error none_understood() const {
+    Error error = not_understood_.front();
+    if (not_understood_.size() > 1) {
+      error.message += " (and none of the next " + std::to_string(not_understood_.size() - 1) +
+                       " lines could be read)";
+    }
+    return error;
+  }
+
+  // When a report was: as it says, or by the clock of this machine, in seconds since 1970.
+  [[nodiscard]] double time_of(const io::ReportLine& at) const {
+    if (!request_.by_arrival) return at.time_s;
+    return came_s_ + since_1970_;
+  }
+
+  void note_bad(const Error& error) {
+    if (++bad_lines_ > kMostBadLinesSaid || request_.quiet) return;
+    say("beespace: left out: " + printable(to_string(error)) + "\n");
+  }
+
+  void tell(const std::vector<SwarmEvent>& events) {
+    std::string text;
+    for (const SwarmEvent& event : events) {
+      tally_.count(event);
+      text += event_line(event, *feed_);
+    }
+    if (write_error_ == 0) write_error_ = write_out(text);
+  }
+
+  // A look without advice is no reason to stop looking.
+  void note_advice(const Status& advised) {
+    if (advised) return;
+    if (unadvised_looks_++ == 0 && !request_.quiet) {
+      say("beespace: no advice: " + printable(to_string(advised.error())) + "\n");
+    }
+  }
+
+  void tell(const ClockNote& note) {
+    tally_.count(note);
+    if (note.kind == ClockNote::Kind::kAnew && advice_) advice_->start_anew(note.time_s);
+    if (write_error_ == 0) write_error_ = write_out(clock_line(note, *feed_));
+  }
+
+  [[nodiscard]] Error nothing_read() const {
+    if (!not_understood_.empty()) return none_understood();
+    return {ErrorCode::kNoPoints,
+            bad_lines_ > 0 ? "no line of the input could be read as a report"
+                           : "there is no report in the input",
+            {}};
+  }
+
+  [[nodiscard]] std::string summary() const {
+    std::string out;
+    append_summary_line(out, "input", printable(lines_.description()));
+    if (feed_) append_frame_lines(out, frame_, "", lines_.heights());
+    append_units(out, lines_.units());
+    append_vertical(out, request_.vertical, height_unit_);
+    for (const std::string& note : lines_.notes())
+      append_summary_line(out, "note", printable(note));
+    const SwarmCounts counts = feed_ ? feed_->counts() : SwarmCounts{};
+    append_summary_line(out, "reports", grouped(counts.taken));
+    if (counts.late > 0) append_summary_line(out, "late", grouped(counts.late) + " left out");
+    if (counts.repeated > 0) {
+      append_summary_line(out, "repeated", grouped(counts.repeated) + " left out");
+    }
+    if (feed_) tally_.append_clocks(out, *feed_);
+    if (bad_lines_ > 0) {
+      append_summary_line(out, "bad lines", red(grouped(bad_lines_)) + " left out");
+    }
+    append_summary_line(out, "bees",
+                        grouped(counts.bees) + " heard of, " + grouped(counts.stale) + " stale");
+    if (feed_) tally_.append_unknown(out, *feed_);
+    append_summary_line(
+        out, "threshold",
+        separation_text(request_.swarm.threshold_m, request_.swarm.vertical_m, false));
+    if (feed_) tally_.append_events(out, *feed_);
+    if (advice_) append_advice(out);
+    return out;
+  }
+
+  void append_advice(std::string& out) const {
+    std::string text = grouped(advice_->told());
+    if (advice_->uncertified() > 0) {
+      text += ", " + red(grouped(advice_->uncertified())) + " not certified";
+    }
+    append_summary_line(out, "advice", text);
+    const std::uint64_t without = unadvised_looks_ + advice_->skipped();
+    if (without == 0) return;
+    append_summary_line(out, "no advice", red(grouped(without)) + " looks");
+  }
+
+  const WatchRequest& request_;
+  io::ReportLines lines_;
+  Pace pace_;
+  io::Frame frame_ = io::Frame::kMetres;  // once there is a feed
+  io::Unit height_unit_ = io::Unit::kMetre;
+  Geometry geometry_ = Geometry::kSpace;
+  std::optional<LiveFeed> feed_;
+  std::optional<LiveAdvice> advice_;
+  WatchTally tally_;
+  std::vector<Error> not_understood_;  // before the first that was
+  bool live_ = false;
+  double came_s_ = 0.0;      // when the last line came, or nothing did
+  double reported_s_ = 0.0;  // when the last report that advice was told of came
+  // What that is less than the time since 1970.
+  double since_1970_ =
+      std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch() -
+                                    std::chrono::steady_clock::now().time_since_epoch())
+          .count();
+  std::uint64_t bad_lines_ = 0;
+  std::uint64_t unadvised_looks_ = 0;
+  int write_error_ = 0;  // the errno of it
+};
+
+}  // namespace
+
+ExitCode run_watch(const WatchOptions& options) {
+  const auto request = watch_request(options);
+  if (!request) return fail(request.error(), false);
+  const auto code = Watch(*request).run();
+  return code ? *code : fail(code.error(), false);
+}
+
+}  // namespace beespace::cli

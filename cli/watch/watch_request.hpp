@@ -1,0 +1,35 @@
+// What `beespace watch` is asked for, once its options are known to make sense.
+#pragma once
+
+#include "cli/analysis/live_feed.hpp"
+#include "cli/analysis/stated_length.hpp"
+#include "cli/watch/live_advice.hpp"
+#include "cli/watch/watch_command.hpp"
+#include "io/recording/recording_options.hpp"
+
+#include <beespace/result.hpp>
+#include <beespace/swarm.hpp>
+
+#include <optional>
+#include <string>
+
+namespace beespace::cli {
+
+struct WatchRequest {
+  std::string input;
+  io::RecordingOptions lines;
+  SwarmOptions swarm;
+  std::optional<StatedLength> vertical;  // that of `swarm`, as typed
+  LiveTimes times = {};
+  bool by_arrival = false;                  // the time of a report is when it came
+  std::optional<double> speed;              // times that of the clock of the reports
+  std::optional<double> rate;               // reports a second
+  std::optional<LiveAdviceRequest> advice;  // where it is wanted
+  bool fail_on_risk = false;
+  bool quiet = false;
+};
+
+// Errors: kInvalidThreshold, kInvalidArgument.
+Result<WatchRequest> watch_request(const WatchOptions& options);
+
+}  // namespace beespace::cli

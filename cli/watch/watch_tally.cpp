@@ -1,0 +1,112 @@
+#include "cli/watch/watch_tally.hpp"
+
+#include "cli/analysis/number_text.hpp"
+#include "cli/console/summary_line.hpp"
+#include "cli/console/terminal.hpp"
+#include "cli/output/event_lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace beespace::cli {
+namespace {
+
+// To the tenth, as nothing more is known of when a bee fell silent.
+std::string seconds(double value) {
+  return exact(std::round(10.0 * value) / 10.0) + " s";
+}
+
+std::string several(std::uint64_t count, const char* one, const char* many) {
+  return grouped(count) + " " + (count == 1 ? one : many);
+}
+
+double unknown_s(const std::vector<Silence>& silences) {
+  double sum_s = 0.0;
+  for (const Silence& silence : silences) sum_s += silence.unknown_s;
+  return sum_s;
+}
+
+}  // namespace
+
+bool WatchTally::risk() const {
+  return told(EventKind::kEntered) > 0 || told(EventKind::kLost) > 0 ||
+         told(EventKind::kPossible) > 0 || told(EventKind::kOverloaded) > 0 ||
+         (told(EventKind::kStale) > 0 && !speed_stated_);
+}
+
+void WatchTally::append_clocks(std::string& out, const LiveFeed& feed) const {
+  const BeeClocks& clocks = feed.clocks();
+  if (clocks.named() > 0) {
+    const std::string whose = clocks.named() == 1 ? " bee's is off" : " bees' are off";
+    append_summary_line(out, "clocks",
+                        red(grouped(clocks.named())) + whose +
+                            ", the last named: " + printable(feed.name(last_off_->bee).id) +
+                            ", by " + exact(last_off_->ahead_s) + " s");
+  }
+  if (clocks.left_out() > 0) {
+    const char* const for_what = clocks.left_out() == 1 ? " report left out for its time"
+                                                        : " reports left out for their times";
+    append_summary_line(out, "clocks", red(grouped(clocks.left_out())) + for_what);
+  }
+  if (feed.begun_anew() == 0) return;
+  std::string text = "all began anew";
+  if (feed.begun_anew() > 1) text += ", " + grouped(feed.begun_anew()) + " times";
+  append_summary_line(out, "clocks", text);
+}
+
+void WatchTally::append_unknown(std::string& out, const LiveFeed& feed) const {
+  constexpr std::size_t kMostNamed = 5;
+  std::vector<Silence> longest = feed.silences();
+  if (longest.empty()) return;
+  const double sum_s = unknown_s(longest);
+  const std::size_t named = std::min(kMostNamed, longest.size());
+  std::partial_sort(longest.begin(), longest.begin() + static_cast<std::ptrdiff_t>(named),
+                    longest.end(), [](const Silence& a, const Silence& b) {
+                      return std::pair(b.unknown_s, a.id) < std::pair(a.unknown_s, b.id);
+                    });
+  std::string text = red(several(longest.size(), "bee", "bees")) + " for " + seconds(sum_s) +
+                     (longest.size() > 1 ? " in all: " : ": ");
+  for (std::size_t i = 0; i < named; ++i) {
+    if (i > 0) text += ", ";
+    text += printable(feed.name(longest[i].id).id) + " " + seconds(longest[i].unknown_s);
+    if (longest[i].since_s) text += " (to the end)";
+  }
+  if (named < longest.size()) text += " and " + grouped(longest.size() - named) + " more";
+  append_summary_line(out, "unknown", text);
+}
+
+void WatchTally::append_events(std::string& out, const LiveFeed& feed) const {
+  for (const EventKind kind : {EventKind::kPredicted, EventKind::kEntered, EventKind::kLeft}) {
+    append_summary_line(out, name_of(kind), grouped(told(kind)));
+  }
+  for (const EventKind kind :
+       {EventKind::kLost, EventKind::kPossible, EventKind::kEnded, EventKind::kOverloaded}) {
+    if (told(kind) > 0) append_summary_line(out, name_of(kind), grouped(told(kind)));
+  }
+  append_summary_line(out, "verdict", verdict(feed));
+}
+
+std::string WatchTally::verdict(const LiveFeed& feed) const {
+  std::string text;
+  if (told(EventKind::kEntered) > 0) {
+    text = red(several(told(EventKind::kEntered), "conflict", "conflicts"));
+  } else {
+    text = "no conflict";
+  }
+  if (told(EventKind::kPossible) > 0) {
+    text +=
+        ", " + red(several(told(EventKind::kPossible), "possible conflict", "possible conflicts"));
+  }
+  if (told(EventKind::kOverloaded) > 0) text += ", " + red("overloaded: not all was watched");
+  const std::size_t unknown = feed.silences().size();
+  if (told(EventKind::kStale) == 0) return text;
+  text += " in the known time; " +
+          red(several(std::max<std::size_t>(unknown, 1), "bee was", "bees were")) +
+          " unknown for a time";
+  if (!speed_stated_) text += " (state --max-speed, and it is said whom they may have met)";
+  return text;
+}
+
+}  // namespace beespace::cli

@@ -1,0 +1,47 @@
+// What `watch` has told, counted; and what that comes to in the end.
+#pragma once
+
+#include "cli/analysis/live_feed.hpp"
+
+#include <beespace/swarm.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace beespace::cli {
+
+class WatchTally {
+ public:
+  // Whether the greatest speed of bees was stated: then events say where an unknown bee may matter.
+  explicit WatchTally(bool speed_stated) : speed_stated_(speed_stated) {}
+
+  void count(const SwarmEvent& event) { ++told_[static_cast<std::size_t>(event.kind)]; }
+  void count(const ClockNote& note) {
+    if (note.kind == ClockNote::Kind::kOff) last_off_ = note;
+  }
+  [[nodiscard]] std::uint64_t told(EventKind kind) const {
+    return told_[static_cast<std::size_t>(kind)];
+  }
+
+  // Whether it does not follow from what is known that no two have come too close: two have, or
+  // may have, or it is not known where bees were.
+  [[nodiscard]] bool risk() const;
+
+  // Lines of the summary, once the input has ended: of clocks, of who was unknown for how long; and
+  // of events, with the verdict.
+  void append_clocks(std::string& out, const LiveFeed& feed) const;
+  void append_unknown(std::string& out, const LiveFeed& feed) const;
+  void append_events(std::string& out, const LiveFeed& feed) const;
+
+ private:
+  [[nodiscard]] std::string verdict(const LiveFeed& feed) const;
+
+  bool speed_stated_;
+  std::array<std::uint64_t, kEventKinds> told_{};
+  std::optional<ClockNote> last_off_;
+};
+
+}  // namespace beespace::cli
