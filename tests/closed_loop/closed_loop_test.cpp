@@ -2,7 +2,7 @@
 // nothing is called certified.
 #include "tests/closed_loop/closed_loop.hpp"
 
-#include "tests/cli/temporary_folder.hpp"
+#include "tests/cli/run/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 

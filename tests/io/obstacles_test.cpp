@@ -1,7 +1,7 @@
 #include "io/load_obstacles.hpp"
 
-#include "tests/io/gzipping.hpp"
-#include "tests/io/loading.hpp"
+#include "tests/io/bytes/gzipping.hpp"
+#include "tests/io/points/loading.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,88 @@
+// `beespace detect` on what is no snapshot: a recording is refused, and replay named, before every
+// fix counts as a bee.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/cli/run/command_run.hpp"
+#include "tests/cli/run/expectations.hpp"
+#include "tests/cli/run/temporary_folder.hpp"
+
+namespace beespace::cli_test {
+namespace {
+
+constexpr int kBadInput = 3;
+
+constexpr std::string_view kRecording =
+    "id,time_s,x,y,z\na,0,0,0,0\nb,0,50,0,0\na,1,1,0,0\nb,1,51,0,0\n";
+
+void expect_answer(std::string_view input, const std::string& answer) {
+  const Finished finished = run({"detect"}, input);
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_EQ(finished.out, answer);
+}
+
+TEST(RecordingAsSnapshot, ATableWithABeeAtTwoTimesIsRefusedAndNamed) {
+  expect_failure({"detect"}, kRecording, kBadInput,
+                 "<stdin>: this is a recording: bee 'a' is in it at more than one time ('0' and "
+                 "'1'); ask 'beespace replay' about it");
+  const TemporaryFolder folder;
+  const std::string path = folder.file("flight.csv", kRecording);
+  expect_failure({"detect", path}, {}, kBadInput, "flight.csv: this is a recording");
+  expect_failure({"detect", "--others", path}, "x,y,z\n0,0,0\n", kBadInput,
+                 "flight.csv: this is a recording");
+}
+
+TEST(RecordingAsSnapshot, ColumnsAreKnownByTheirNamesWhereverTheyAre) {
+  expect_failure({"detect"},
+                 "lon;lat;height;timestamp;\"id\"\n"
+                 "1;2;3;2024-05-01T12:00:00Z;\"a\"\n1;2;4;2024-05-01T12:00:01Z;a\n",
+                 kBadInput, "bee 'a' is in it at more than one time");
+  expect_failure({"detect"}, "drone,t_ms,x,y,z\n7,0,0,0,0\n7,100,1,0,0\n", kBadInput,
+                 "bee '7' is in it at more than one time");
+  expect_failure({"detect", "--columns", "id=5,x=1,y=2,z=3"},
+                 "a,b,c,time,d\n0,0,0,1,e\n0,0,0,2,e\n", kBadInput, "bee 'e'");
+}
+
+TEST(RecordingAsSnapshot, ASnapshotMayHaveATimeColumn) {
+  expect_answer("id,time_s,x,y,z\na,0,0,0,0\nb,0,50,0,0\n", "a\nb\n");
+  // Each heard of at a time of its own.
+  expect_answer("id,time_s,x,y,z\na,0,0,0,0\nb,1,50,0,0\n", "a\nb\n");
+  expect_answer("time_s,x,y,z\n0,0,0,0\n1,50,0,0\n", "0\n1\n");
+}
+
+TEST(RecordingAsSnapshot, IdsMayRepeatWhereNoTimeTellsThemApart) {
+  expect_answer("id,x,y,z\na,0,0,0\na,50,0,0\n", "a\na\n");
+  expect_answer("id,time_s,x,y,z\na,1,0,0,0\na,1.0,50,0,0\n", "a\na\n");
+  expect_answer("id,time_s,x,y,z\n,0,0,0,0\n,1,50,0,0\na,,9,0,0\na,7,9,0,0\n", "0\n1\na\na\n");
+}
+
+TEST(RecordingAsSnapshot, OtherFormatsOfRecordingsAreNamedToo) {
+  const TemporaryFolder folder;
+  const std::string show = folder.file(
+      "show.json", R"({"version": 1, "settings": {}, "swarm": {"drones": [{"type": "generic",
+        "settings": {"name": "a", "trajectory": {"version": 1,
+        "points": [[0, [0, 0, 0], []], [9, [0, 0, 9], []]]}}}]}})");
+  expect_failure({"detect", show}, {}, kBadInput,
+                 "show.json: this is a recording of bees that move (Skybrush show");
+  const std::string heard = folder.file(
+      "port30003.csv",
+      "MSG,3,1,1,4B1814,1,2024/05/01,12:00:00.250,2024/05/01,12:00:00.250,,10000,,,47.25,8.5,,,0,"
+      "0,0,0\n");
+  expect_failure({"detect", heard}, {}, kBadInput,
+                 "port30003.csv: this is a recording of bees that move (BaseStation messages)");
+}
+
+TEST(RecordingAsSnapshot, WhatIsNoRecordingKeepsItsError) {
+  const TemporaryFolder folder;
+  expect_failure({"detect", folder.file("some.json", "{\"a\": 1}")}, {}, kBadInput,
+                 "this is JSON of a kind that beespace does not know");
+  expect_failure({"detect", folder.file("bad.csv", "x,y,z\n0,0,oops\n")}, {}, kBadInput,
+                 "bad.csv:2:3: 'oops'");
+  // Nor is that a reason to wait for more of a pipe.
+  expect_failure({"detect"}, "{\"a\": 1}", kBadInput,
+                 "this is JSON of a kind that beespace does not know");
+}
+
+}  // namespace
+}  // namespace beespace::cli_test

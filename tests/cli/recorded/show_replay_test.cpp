@@ -1,0 +1,138 @@
+// `beespace replay` of drone shows: their verdict, the distance that they declare, and curves.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/cli/run/below_header.hpp"
+#include "tests/cli/run/command_run.hpp"
+#include "tests/cli/run/expectations.hpp"
+#include "tests/cli/run/json_check.hpp"
+#include "tests/cli/run/temporary_folder.hpp"
+
+namespace beespace::cli_test {
+namespace {
+
+std::string drone(const std::string& name, const std::string& points) {
+  return R"({"type": "generic", "settings": {"name": ")" + name +
+         R"(", "trajectory": {"version": 1, "points": [)" + points + "]}}}";
+}
+
+// Up to 10 m, 10 m along x, and down again, at this y.
+std::string flight(const std::string& name, const std::string& y) {
+  return drone(name, "[0, [0, " + y + ", 0], []], [2, [0, " + y + ", 10], []], [12, [10, " + y +
+                         ", 10], []], [14, [10, " + y + ", 0], []]");
+}
+
+// Two that fly the same way, 3 m beside each other, in one JSON file.
+std::string side_by_side(const std::string& settings) {
+  return R"({"version": 1, "settings": )" + settings + R"(, "swarm": {"drones": [)" +
+         flight("left", "0") + "," + flight("right", "3") + "]}}";
+}
+
+std::string declaring(const std::string& metres) {
+  return side_by_side(R"({"validation": {"minDistance": )" + metres + "}}");
+}
+
+class ShowReplay : public testing::Test {
+ protected:
+  Finished replay(const std::string& show, const Arguments& more = {}) {
+    return run(Arguments{"replay", folder_.file("show.json", show)} + more);
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(ShowReplay, AShowThatKeepsTheDistanceThatItDeclaresIsFine) {
+  const Finished finished = replay(declaring("2.5"), {"--fail-on-risk"});
+  EXPECT_EQ(finished.exit_code, 0);
+  EXPECT_EQ(below_header(finished.out), "");
+  expect_parts(finished.err,
+               {"Skybrush show)\n", "heights    above the place of take-off\n", "bees       2\n",
+                "from       0.00 s to 14.00 s (14.00 s)\n",
+                "threshold  2.5 m (closer than), as the input declares\n",
+                "verdict    keeps its distance\n", "closest    left and right, 3.000 m apart at "});
+}
+
+TEST_F(ShowReplay, AShowThatDoesNotKeepItFails) {
+  const Finished finished = replay(declaring("3.5"), {"--fail-on-risk"});
+  EXPECT_EQ(finished.exit_code, 1);
+  expect_rows(rows_of(finished.out), {{"left", "right", "0", "0", "3", "14"}});
+  expect_parts(finished.err, {"threshold  3.5 m (closer than), as the input declares\n",
+                              "verdict    does not keep its distance: 1 conflict of 1 pair\n",
+                              "in conflict for 14.00 s\n"});
+  EXPECT_EQ(replay(declaring("3.5")).exit_code, 0);
+}
+
+TEST_F(ShowReplay, AThresholdThatIsAskedForCountsInsteadOfTheDeclaredOne) {
+  const Finished finished = replay(declaring("3.5"), {"--threshold", "3", "--fail-on-risk"});
+  EXPECT_EQ(finished.exit_code, 0);
+  expect_parts(finished.err, {"threshold  3 m (closer than)\n", "keeps its distance"});
+  EXPECT_EQ(
+      replay(declaring("2.5"), {"--threshold", "3", "--inclusive", "--fail-on-risk"}).exit_code, 1);
+}
+
+TEST_F(ShowReplay, WithoutADeclaredDistanceItIsAHundredMetres) {
+  const Finished finished = replay(side_by_side("{}"));
+  expect_parts(finished.err, {"threshold  100 m (closer than), the default (--threshold)\n"});
+  EXPECT_EQ(rows_of(finished.out).size(), 1u);
+}
+
+TEST_F(ShowReplay, TheDeclaredDistanceIsInTheDocument) {
+  const Finished finished = replay(declaring("3.5"), {"--json"});
+  EXPECT_TRUE(is_json(finished.out)) << finished.out;
+  expect_parts(finished.out, {R"("format": "Skybrush show")", R"("threshold_m": 3.5)",
+                              R"("pair_count": 1)", R"("heights": "above the place of take-off")"});
+}
+
+TEST_F(ShowReplay, EventsOfAShowAreThoseOfItsPlan) {
+  EXPECT_EQ(replay(declaring("3.5"), {"--report", "events"}).out,
+            "{\"event\": \"entered\", \"time_s\": 0, \"first\": \"left\", \"second\": \"right\", "
+            "\"distance_m\": 3, \"closest_s\": 0}\n"
+            "{\"event\": \"ended\", \"time_s\": 14, \"first\": \"left\", \"second\": \"right\", "
+            "\"distance_m\": 3, \"closest_s\": 0}\n");
+  EXPECT_EQ(replay(declaring("2.5"), {"--report", "events"}).out, "") << "somebody went stale";
+}
+
+// One flies a parabola with its apex (0, 5) at 5 s; the other one stands 3 m from there.
+class CurvedShow : public ShowReplay {
+ protected:
+  Finished ask(const std::string& threshold, const Arguments& more = {}) {
+    return replay(R"({"version": 1, "settings": {}, "swarm": {"drones": [)" +
+                      drone("curve", "[0, [-10, 0, 10], []], [10, [10, 0, 10], [[0, 10, 10]]]") +
+                      "," + drone("post", "[0, [0, 8, 10], []], [10, [0, 8, 10], []]") + "]}}",
+                  Arguments{"--grounded", "--threshold", threshold} + more);
+  }
+};
+
+TEST_F(CurvedShow, AConflictBeyondTheToleranceIsCertain) {
+  const Finished finished = ask("4");
+  const auto rows = rows_of(finished.out);
+  ASSERT_EQ(rows.size(), 1u);
+  ASSERT_EQ(rows[0].size(), 7u);
+  EXPECT_EQ(rows[0][6], "yes");
+  EXPECT_NEAR(std::stod(rows[0][3]), 5.0, 0.05);
+  EXPECT_NEAR(std::stod(rows[0][4]), 3.0, 0.002);
+  expect_parts(finished.err, {"does not keep its distance"});
+}
+
+TEST_F(CurvedShow, OneWithinTheToleranceIsPossibleAndSaidSo) {
+  const Finished finished = ask("3", {"--csv"});
+  const auto rows = rows_of(finished.out, ',');
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].at(6), "certain");
+  EXPECT_EQ(rows[1].at(6), "no");
+  expect_parts(finished.err, {"may not keep its distance"});
+  const std::string json = ask("3", {"--json"}).out;
+  EXPECT_TRUE(is_json(json)) << json;
+  expect_parts(json, {R"("certain": false})"});
+  EXPECT_EQ(ask("3", {"--fail-on-risk"}).exit_code, 1);
+}
+
+TEST_F(CurvedShow, ASmallerToleranceLeavesLessOpen) {
+  EXPECT_EQ(below_header(ask("2.9").out), "");
+  EXPECT_EQ(ask("2.9", {"--fail-on-risk"}).exit_code, 0);
+  EXPECT_NE(ask("2.9", {"--tolerance", "0.5"}).out.find("no\n"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace beespace::cli_test

@@ -1,0 +1,99 @@
+#include "tests/cli/run/expectations.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+#include <sstream>
+
+namespace beespace::cli_test {
+namespace {
+
+constexpr double kTolerance = 1e-5;
+
+std::optional<double> number_in(const std::string& field) {
+  char* end = nullptr;
+  const double value = std::strtod(field.c_str(), &end);
+  if (field.empty() || *end != '\0') return std::nullopt;
+  return value;
+}
+
+bool alike(const std::string& field, const std::string& expected) {
+  const auto a = number_in(field);
+  const auto b = number_in(expected);
+  return a && b ? std::abs(*a - *b) <= kTolerance : field == expected;
+}
+
+std::string shown(const TextRows& rows) {
+  std::string text;
+  for (const auto& row : rows) {
+    for (const std::string& field : row) text += field + " | ";
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+Arguments operator+(Arguments some, const Arguments& more) {
+  some.insert(some.end(), more.begin(), more.end());
+  return some;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+std::vector<std::string> fields_of(const std::string& line, char delimiter) {
+  std::vector<std::string> fields(1);
+  for (const char c : line) {
+    if (c == delimiter) {
+      fields.emplace_back();
+    } else {
+      fields.back() += c;
+    }
+  }
+  return fields;
+}
+
+TextRows rows_of(const std::string& text, char delimiter) {
+  TextRows rows;
+  for (const std::string& line : lines_of(text)) rows.push_back(fields_of(line, delimiter));
+  if (delimiter != '\t') return rows;
+  EXPECT_FALSE(rows.empty()) << "there is no header line";
+  if (!rows.empty()) rows.erase(rows.begin());
+  return rows;
+}
+
+void expect_rows(const TextRows& rows, const TextRows& expected) {
+  const bool same = std::equal(rows.begin(), rows.end(), expected.begin(), expected.end(),
+                               [](const auto& a, const auto& b) {
+                                 return std::equal(a.begin(), a.end(), b.begin(), b.end(), alike);
+                               });
+  EXPECT_TRUE(same) << shown(rows) << "instead of\n" << shown(expected);
+}
+
+void expect_parts(const std::string& text, std::initializer_list<std::string_view> parts) {
+  for (const std::string_view part : parts) {
+    EXPECT_NE(text.find(part), std::string::npos) << "'" << part << "' in\n" << text;
+  }
+}
+
+void expect_failure(const Arguments& arguments, std::string_view input, int exit_code,
+                    const std::string& message, const Surroundings& surroundings) {
+  const Finished finished = run(arguments, input, surroundings);
+  EXPECT_EQ(finished.exit_code, exit_code) << finished.err;
+  EXPECT_EQ(finished.out, "");
+  expect_parts(finished.err, {"beespace: error: ", message});
+}
+
+void expect_usage_error(const Arguments& arguments, const std::string& message) {
+  expect_failure(arguments, {}, 2, message);
+}
+
+}  // namespace beespace::cli_test

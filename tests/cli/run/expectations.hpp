@@ -1,0 +1,35 @@
+// What tests of several subcommands expect of a run, and its answer taken apart.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tests/cli/run/command_run.hpp"
+
+namespace beespace::cli_test {
+
+Arguments operator+(Arguments some, const Arguments& more);
+
+std::vector<std::string> lines_of(const std::string& text);
+std::vector<std::string> fields_of(const std::string& line, char delimiter);
+
+// All lines taken apart; of tables between tabs, which begin with a header line, those below it.
+using TextRows = std::vector<std::vector<std::string>>;
+TextRows rows_of(const std::string& text, char delimiter = '\t');
+
+// Numbers may differ from those expected by 1e-5, other fields not at all.
+void expect_rows(const TextRows& rows, const TextRows& expected);
+
+// Each of the parts is in the text.
+void expect_parts(const std::string& text, std::initializer_list<std::string_view> parts);
+
+// It ends with this status, says this as an error, and answers nothing.
+void expect_failure(const Arguments& arguments, std::string_view input, int exit_code,
+                    const std::string& message, const Surroundings& surroundings = {});
+
+// The same of a wrong command line.
+void expect_usage_error(const Arguments& arguments, const std::string& message);
+
+}  // namespace beespace::cli_test

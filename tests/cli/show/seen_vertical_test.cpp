@@ -1,0 +1,95 @@
+// With --vertical who is closest in a straight line may keep apart in height: pages, pictures and
+// map files, and the summary of `detect`, name those who are in conflict.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tests/cli/run/command_run.hpp"
+#include "tests/cli/run/expectations.hpp"
+#include "tests/cli/run/page_command.hpp"
+
+namespace beespace::cli_test {
+namespace {
+
+using report_test::ParsedJson;
+
+// a and "above" are closest, but 10 m apart in height; a and c are 20 m apart at one height.
+constexpr std::string_view kBees = "id,x,y,z\na,0,0,0\nabove,3,0,10\nc,20,0,0\n";
+constexpr std::string_view kFlown =
+    "id,time_s,x,y,z\na,0,0,0,0\na,9,0,90,0\nabove,0,3,0,10\nabove,9,3,90,10\n"
+    "c,0,20,0,0\nc,9,20,90,0\n";
+constexpr std::string_view kOverTheEarth =
+    "id,longitude,latitude,height\na,0,0,100\nabove,0.00003,0,110\nc,0.0002,0,100\n";
+const Arguments kCylinder = {"--threshold", "25", "--vertical", "5"};
+const Arguments kFlatCylinder = {"--threshold", "19", "--vertical", "5"};  // nobody is in conflict
+
+std::string made(const Arguments& command, std::string_view input) {
+  const Finished finished = run(command + Arguments{"--quiet"}, input);
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  return finished.out;
+}
+
+TEST(SeenVertical, MapFilesNameWhoIsInConflict) {
+  for (const std::string format : {"kml", "czml"}) {
+    const std::string map =
+        made(Arguments{"export", "--format", format} + kCylinder, kOverTheEarth);
+    expect_parts(map, {"22.3 m from c", "22.3 m from a"});
+    EXPECT_EQ(map.find("above\""), std::string::npos);
+    EXPECT_EQ(map.find("from above"), std::string::npos);
+  }
+  const std::string map =
+      made(Arguments{"export", "--format", "geojson"} + kCylinder, kOverTheEarth);
+  expect_parts(map, {R"("id":"a","nearest":"c","nearest_m":22.2)",
+                     R"("id":"c","nearest":"a","nearest_m":22.2)"});
+}
+
+TEST(SeenVertical, PicturesRingTheClosestInConflict) {
+  const std::string bees = made(Arguments{"plot"} + kCylinder, kBees);
+  expect_parts(bees, {"closest: 20 m", "a \u2013 c", "horizontally 25 m"});
+  const std::string flown = made(Arguments{"plot"} + kCylinder, kFlown);
+  expect_parts(flown, {"closest: 20 m", "a \u2013 c", "horizontally 25 m"});
+  for (const std::string& picture : {bees, flown}) {
+    EXPECT_EQ(picture.find("10.4"), std::string::npos);
+  }
+}
+
+TEST(SeenVertical, WhereNobodyIsInConflictTheClosestAreSaidNotToBe) {
+  for (const std::string_view input : {kBees, kFlown}) {
+    expect_parts(made(Arguments{"plot"} + kFlatCylinder, input),
+                 {"closest, not too close: 10.4 m", "a \u2013 above", ", not too close</text>"});
+  }
+}
+
+TEST(SeenVertical, DetectSaysTheSame) {
+  const Finished risky = run(Arguments{"detect"} + kCylinder, kBees);
+  EXPECT_EQ(risky.out, "a\nc\n");
+  expect_parts(risky.err, {"closest    a and c, 20.000 m apart\n"});
+  expect_parts(run(Arguments{"detect", "--json"} + kCylinder, kBees).out, {"\"distance_m\": 20"});
+  expect_parts(run(Arguments{"detect"} + kFlatCylinder, kBees).err,
+               {"closest    a and above, 10.440 m apart in a straight line, not too close\n"});
+}
+
+class SeenVerticalPage : public PageCommand {};
+
+TEST_F(SeenVerticalPage, HasTheClosestInConflict) {
+  for (const std::string_view input : {kBees, kFlown}) {
+    const Page risky = reported(kCylinder, input);
+    EXPECT_EQ(std::uint64_t(risky.risk()["closest"]["first"]), 0u);
+    EXPECT_EQ(std::uint64_t(risky.risk()["closest"]["second"]), 2u);
+    EXPECT_EQ(double(risky.risk()["closest"]["distance_m"]), 20.0);
+    const Page none = reported(kFlatCylinder, input);
+    EXPECT_EQ(std::uint64_t(none.risk()["closest"]["second"]), 1u);
+  }
+}
+
+TEST_F(SeenVerticalPage, StillHasTheClosestTwoOverTimeInAStraightLine) {
+  const Page page = reported(kCylinder, kFlown);
+  for (const double distance_m : page.values(page.swarm()["separation"]["distance_m"])) {
+    EXPECT_NEAR(distance_m, 10.44, 0.001);
+  }
+}
+
+}  // namespace
+}  // namespace beespace::cli_test

@@ -1,0 +1,224 @@
+// Live input line by line: tables and objects of the same words.
+#include "io/live/report_lines.hpp"
+
+#include "tests/io/live/report_lines_reading.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace beespace::io {
+namespace {
+
+TEST(ReportLines, ATableComesLineByLine) {
+  ReportLines lines;
+  EXPECT_FALSE(says_something(lines.take("id,time_s,x,y,z,vx,vy,vz\n")));
+  EXPECT_FALSE(lines.understood());
+  const auto report = report_of(lines.take("a,1.5,1,2,3,4,5,6\r\n"));
+  EXPECT_TRUE(lines.understood());
+  EXPECT_EQ(report.id, "a");
+  EXPECT_EQ(report.time_s, 1.5);
+  EXPECT_EQ(report.position, (Point{1, 2, 3}));
+  EXPECT_EQ(report.velocity, (Velocity{4, 5, 6}));
+  EXPECT_EQ(report.frame, Frame::kMetres);
+  EXPECT_FALSE(report.since_1970);
+  EXPECT_EQ(lines.description(), "text, comma-separated");
+  EXPECT_TRUE(lines_note(lines, "times are read from column 2 'time_s' in seconds"));
+  EXPECT_EQ(lines.lines(), 2u);
+}
+
+TEST(ReportLines, DegreesDatesAndVelocitiesByCompass) {
+  ReportLines lines;
+  EXPECT_FALSE(says_something(lines.take("time;drone;lat;lon;alt;vn;ve;vd")));
+  const auto report = report_of(lines.take("2024-05-01T12:00:00.25Z;b 7;6.3;-75.5;1683.7;1;2;-3"));
+  EXPECT_EQ(report.id, "b 7");
+  EXPECT_EQ(report.time_s, 1714564800.25);
+  EXPECT_TRUE(report.since_1970);
+  EXPECT_EQ(report.frame, Frame::kWgs84);
+  EXPECT_EQ(report.position, (Point{-75.5, 6.3, 1683.7}));
+  EXPECT_EQ(report.velocity, (Velocity{2, 1, 3}));
+}
+
+TEST(ReportLines, BlankLinesSayNothingAndAreCounted) {
+  ReportLines lines;
+  EXPECT_FALSE(says_something(lines.take("\n")));
+  EXPECT_FALSE(says_something(lines.take("")));
+  EXPECT_FALSE(says_something(lines.take("id,time_s,x,y,z")));
+  EXPECT_FALSE(says_something(lines.take(" \r\n")));
+  expect_line_error(lines.take("a,0,1,2,q"), {ErrorCode::kNotANumber, "<stdin>:5:5", "'q'"});
+}
+
+TEST(ReportLines, ABadLineIsAnErrorAndTheNextOneIsRead) {
+  ReportLines lines({}, "live");
+  EXPECT_FALSE(says_something(lines.take("id,time_s,x,y,z")));
+  EXPECT_EQ(report_of(lines.take("a,0,1,2,3")).id, "a");
+  expect_line_error(lines.take("a,1,1,2"), {ErrorCode::kColumnCount, "live:3", "4"});
+  const auto bad = lines.take("a,soon,1,2,3");
+  expect_line_error(bad, {ErrorCode::kNotANumber, "live:4:2", "'soon'"});
+  EXPECT_EQ(bad.error().message.find("--skip-bad"), std::string::npos);
+  expect_line_error(lines.take("a,1,nan,2,3"), {ErrorCode::kNotFinite, "live:5:3", "'nan'"});
+  expect_line_error(lines.take("a,1,1e40,2,3"), {ErrorCode::kOutsideDomain, "live:6:3", "1e40"});
+  EXPECT_EQ(report_of(lines.take("a,2,1,2,3")).time_s, 2.0);
+}
+
+TEST(ReportLines, ABadFirstRecordDoesNotMisleadTheNext) {
+  ReportLines lines;
+  EXPECT_FALSE(says_something(lines.take("id,time,x,y,z")));
+  EXPECT_FALSE(lines.take("a,b,c,d,e").has_value());
+  EXPECT_EQ(report_of(lines.take("a,2024-05-01T12:00:00Z,1,2,3")).time_s, 1714564800.0);
+}
+
+TEST(ReportLines, NumbersThatAreTooSmallCountAsZero) {
+  ReportLines lines;
+  EXPECT_FALSE(says_something(lines.take("id,time_s,x,y,z,vx,vy,vz")));
+  const ReportLine report = report_of(lines.take("a,0,-9.8e-32,2,3,-9.8e-32,1e-31,3"));
+  EXPECT_EQ(report.position, (Point{0.0, 2.0, 3.0}));
+  ASSERT_TRUE(report.velocity.has_value());
+  EXPECT_EQ(*report.velocity, (Velocity{0.0, 0.0, 3.0}));
+}
+
+TEST(ReportLines, WhatTheHeaderLeavesOpenIsAnErrorOfItsLine) {
+  for (const auto& [header, record, code, message] :
+       std::vector<std::tuple<std::string, std::string, ErrorCode, std::string>>{
+           {"id,time,x,y,z", "a,0,1,2,3", ErrorCode::kInvalidArgument, "in which unit"},
+           {"time_s,x,y,z", "0,1,2,3", ErrorCode::kMissingColumn, "there is no id"},
+           {"id,x,y,z", "a,1,2,3", ErrorCode::kMissingColumn, "neither a time nor a velocity"},
+           {"id,x,y,vx,vy", "a,1,2,3,4", ErrorCode::kMissingColumn, "there is no time"},
+           {"id,time_s,p,q,r", "a,0,1,2,3", ErrorCode::kMissingColumn, "names no position"},
+           {"id,time_s,uav_x,uav_y", "a,0,1,2", ErrorCode::kUnknownFrame, "--crs"}}) {
+    ReportLines lines;
+    EXPECT_FALSE(says_something(lines.take("")));
+    EXPECT_FALSE(says_something(lines.take(header)));
+    const auto bad = lines.take(record);
+    ASSERT_FALSE(bad.has_value()) << header;
+    EXPECT_EQ(to_string(bad.error().code), to_string(code)) << header;
+    EXPECT_EQ(bad.error().place.line, 2u) << header;
+    EXPECT_NE(bad.error().message.find(message), std::string::npos) << bad.error().message;
+    EXPECT_FALSE(lines.understood()) << header;
+  }
+}
+
+TEST(ReportLines, TheCallerMayNameColumnsInsteadOfAHeader) {
+  RecordingOptions options;
+  options.columns = "id=1,time=2,x=3,y=4,z=5";
+  options.time_unit = TimeUnit::kMilliseconds;
+  ReportLines lines(options);
+  EXPECT_EQ(report_of(lines.take("7,1500,1,2,3")).time_s, 1.5);
+  EXPECT_EQ(report_of(lines.take("8,1600,1,2,3")).id, "8");
+}
+
+TEST(ReportLines, ATableWithoutAHeaderMustBeDescribed) {
+  ReportLines lines;
+  expect_line_error(lines.take("7,1500,1,2,3"),
+                    {ErrorCode::kMissingColumn, "<stdin>:1", "there is no header"});
+}
+
+TEST(ReportLines, VelocitiesThatAreNotAllKnownAreNone) {
+  ReportLines lines;
+  EXPECT_FALSE(says_something(lines.take("id,time_s,x,y,z,vx,vy,vz")));
+  EXPECT_FALSE(report_of(lines.take("a,0,1,2,3,4,,6")).velocity.has_value());
+  EXPECT_FALSE(report_of(lines.take("a,0,1,2,3,4,5,nan")).velocity.has_value());
+  EXPECT_TRUE(report_of(lines.take("a,0,1,2,3,4,5,0")).velocity.has_value());
+}
+
+TEST(ReportLines, ObjectsAreReadByTheWordsOfTables) {
+  ReportLines lines;
+  auto report =
+      report_of(lines.take(R"({"id": "a", "time_s": 1.5, "x": 1, "y": 2, "z": 3, "vx": 4, )"
+                           R"("vy": 5, "vz": 6, "more": {"deep": [1]}})"));
+  EXPECT_EQ(report.id, "a");
+  EXPECT_EQ(report.time_s, 1.5);
+  EXPECT_EQ(report.position, (Point{1, 2, 3}));
+  EXPECT_EQ(report.velocity, (Velocity{4, 5, 6}));
+  report = report_of(lines.take(R"({"z": 3e0, "y": -2, "x": 1, "id": 12, "time_s": 2})"));
+  EXPECT_EQ(report.id, "12");
+  EXPECT_EQ(report.position, (Point{1, -2, 3}));
+  EXPECT_FALSE(report.velocity.has_value());
+  EXPECT_EQ(lines.description(), "JSON, an object a line");
+}
+
+TEST(ReportLines, ObjectsInDegreesWithMillisecondsSince1970) {
+  ReportLines lines;
+  const auto report = report_of(lines.take(
+      R"({"name":"b","unix_time_ms":1714564800250,"lat":6.3,"lon":-75.5,"height":1683.7})"));
+  EXPECT_EQ(report.time_s, 1714564800.25);
+  EXPECT_TRUE(report.since_1970);
+  EXPECT_EQ(report.frame, Frame::kWgs84);
+  EXPECT_EQ(report.position, (Point{-75.5, 6.3, 1683.7}));
+}
+
+TEST(ReportLines, KeysMayComeLater) {
+  ReportLines lines;
+  EXPECT_FALSE(report_of(lines.take(R"({"id":"a","time_s":0,"x":1,"y":2,"z":3})")).velocity);
+  const auto report =
+      report_of(lines.take(R"({"id":"a","time_s":0,"x":1,"y":2,"z":3,"vx":4,"vy":5,"vz":6})"));
+  EXPECT_EQ(report.velocity, (Velocity{4, 5, 6}));
+}
+
+TEST(ReportLines, DatesInObjectsAreTimes) {
+  ReportLines lines;
+  EXPECT_EQ(
+      report_of(lines.take(R"({"id":"a","time":"2024-05-01T12:00:00Z","x":1,"y":2,"z":3})")).time_s,
+      1714564800.0);
+  expect_line_error(lines.take(R"({"id":"a","time":5,"x":1,"y":2,"z":3})"),
+                    {ErrorCode::kNotANumber, "<stdin>:2", "where a date and time should be"});
+}
+
+TEST(ReportLines, BadObjectsAreErrorsAndTheNextOneIsRead) {
+  ReportLines lines;
+  const std::string good = R"({"id":"a","time_s":0,"lon":1,"lat":2,"height":3})";
+  EXPECT_EQ(report_of(lines.take(good)).id, "a");
+  expect_line_error(lines.take(R"({"id":"a","time_s":0,)"),
+                    {ErrorCode::kTruncated, "<stdin>:2:22", "ends too early"});
+  expect_line_error(lines.take(R"({"id":"a" "time_s":0})"),
+                    {ErrorCode::kCorrupt, "<stdin>:3:11", "a comma or } is expected"});
+  expect_line_error(lines.take("[1]"), {ErrorCode::kUnsupportedFormat, "<stdin>:4", "an array"});
+  expect_line_error(lines.take(R"({"id":"a","time_s":0,"lat":2,"height":3})"),
+                    {ErrorCode::kMissingColumn, "<stdin>:5", "there is no 'lon'"});
+  expect_line_error(lines.take(R"({"id":"a","time_s":0,"lon":"1","lat":2,"height":3})"),
+                    {ErrorCode::kNotANumber, "<stdin>:6", "'lon' is a string"});
+  expect_line_error(lines.take(R"({"id":"a","time_s":0,"lon":1,"lat":91,"height":3})"),
+                    {ErrorCode::kInvalidLatitude, "<stdin>:7", "latitude 91"});
+  expect_line_error(lines.take(R"({"id":1.5,"time_s":0,"lon":1,"lat":2,"height":3})"),
+                    {ErrorCode::kMalformedRecord, "<stdin>:8", "'id' is no id"});
+  expect_line_error(lines.take(R"({"id":"a","time_s":1e300,"lon":1,"lat":2,"height":3})"),
+                    {ErrorCode::kOutsideDomain, "<stdin>:9", "'time_s' cannot be computed"});
+  EXPECT_EQ(report_of(lines.take(good)).id, "a");
+}
+
+TEST(ReportLines, ObjectsThatSayTooLittle) {
+  for (const auto& [object, code, message] :
+       std::vector<std::tuple<std::string, ErrorCode, std::string>>{
+           {R"({})", ErrorCode::kMissingColumn, "this object is empty"},
+           {R"({"id":"a","time_s":0})", ErrorCode::kMissingColumn, "names no position"},
+           {R"({"time_s":0,"x":1,"y":2})", ErrorCode::kMissingColumn, "there is no id"},
+           {R"({"id":"a","x":1,"y":2})", ErrorCode::kMissingColumn,
+            "neither a time nor a velocity"},
+           {R"({"id":"a","time":0,"x":1,"y":2})", ErrorCode::kInvalidArgument, "which unit"}}) {
+    ReportLines lines;
+    const auto bad = lines.take(object);
+    ASSERT_FALSE(bad.has_value()) << object;
+    EXPECT_EQ(to_string(bad.error().code), to_string(code)) << object;
+    EXPECT_EQ(bad.error().place.line, 1u) << object;
+    EXPECT_NE(bad.error().message.find(message), std::string::npos) << bad.error().message;
+    EXPECT_FALSE(lines.understood());
+    EXPECT_EQ(report_of(lines.take(R"({"id":"a","time_s":0,"x":1,"y":2,"z":3})")).id, "a");
+  }
+}
+
+TEST(ReportLines, WhatIsNoTextIsRefused) {
+  ReportLines lines;
+  expect_line_error(lines.take("PK\x03\x04"),
+                    {ErrorCode::kUnsupportedFormat, "<stdin>:1", "a zip archive"});
+}
+
+TEST(ReportLines, AByteOrderMarkIsNoPartOfTheHeader) {
+  ReportLines lines;
+  EXPECT_FALSE(says_something(lines.take("\xEF\xBB\xBFid,time_s,x,y,z")));
+  EXPECT_EQ(report_of(lines.take("a,0,1,2,3")).id, "a");
+}
+
+}  // namespace
+}  // namespace beespace::io

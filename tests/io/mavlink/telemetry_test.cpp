@@ -1,0 +1,207 @@
+// MAVLink telemetry logs, made here byte by byte: framing, checksums, damage, units and axes.
+#include "io/mavlink/mavlink_frame.hpp"
+#include "io/mavlink/telemetry_log.hpp"
+#include "tests/io/mavlink/telemetry_making.hpp"
+#include "tests/io/tracks/recording_loading.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace beespace::io {
+namespace {
+
+using Ids = std::vector<std::string>;
+using Times = std::vector<double>;
+
+Result<Recording> load(std::string_view log, const RecordingOptions& options = {}) {
+  return load_recording_from_memory(log, "flight.tlog", options);
+}
+
+constexpr std::uint64_t kNoon = 1714564800'000'000;  // microseconds
+
+TEST(Mavlink, TheChecksumIsThatOfTheStandard) {
+  EXPECT_EQ(mavlink_checksum("123456789"), 0x6F91);
+}
+
+TEST(Telemetry, GlobalPositionsInUnitsAndAxesOfOurs) {
+  const auto recording = recording_of(load(
+      logged(kNoon + 250'000,
+             frame_v2(7, 33, global_payload(472'500'001, -85'000'000, 512'345, 150, -275, 50)))));
+  ASSERT_EQ(ids_of(recording), Ids{"7"});
+  const RecordedBee& bee = recording.bees[0];
+  EXPECT_EQ(times_of(bee), Times{1714564800.25});
+  EXPECT_EQ(bee.fixes[0].position, (Point{-8.5, 47.2500001, 512.345}));
+  EXPECT_EQ(bee.velocities[0], (Velocity{-2.75, 1.5, -0.5}));
+  EXPECT_EQ(recording.frame, Frame::kWgs84);
+  EXPECT_EQ(recording.heights, HeightDatum::kMeanSeaLevel);
+  EXPECT_TRUE(recording.since_1970);
+  EXPECT_EQ(recording.format_description, "MAVLink telemetry log");
+  EXPECT_TRUE(has_note(recording, "GLOBAL_POSITION_INT"));
+}
+
+TEST(Telemetry, LocalPositionsAreTurnedToEastNorthUp) {
+  const auto recording = recording_of(
+      load(logged(kNoon, frame_v1(3, 32, local_payload(1.5F, 2.5F, -10.0F, 4.0F, 5.0F, -6.0F)))));
+  ASSERT_EQ(ids_of(recording), Ids{"3"});
+  EXPECT_EQ(recording.bees[0].fixes[0].position, (Point{2.5, 1.5, 10}));
+  EXPECT_EQ(recording.bees[0].velocities[0], (Velocity{5, 4, 6}));
+  EXPECT_EQ(recording.frame, Frame::kMetres);
+  EXPECT_EQ(recording.heights, HeightDatum::kHome);
+  EXPECT_TRUE(has_note(recording, "only if all drones have the same one"));
+}
+
+TEST(Telemetry, BothVersionsSignedAndCutZerosAreOneLog) {
+  const std::string payload = global_payload(470'000'000, 80'000'000, 1000, 0, 0, 0);
+  const std::string log = logged(kNoon, frame_v1(1, 33, payload)) +
+                          logged(kNoon + 1'000'000, frame_v2(2, 33, payload)) +
+                          logged(kNoon + 2'000'000, frame_v2(3, 33, payload, 1, true)) +
+                          logged(kNoon + 3'000'000, frame_v2(1, 33, payload));
+  EXPECT_LT(frame_v2(2, 33, payload).size(), 12 + payload.size());  // the zeros are gone
+  const auto recording = recording_of(load(log));
+  EXPECT_EQ(ids_of(recording), (Ids{"1", "2", "3"}));
+  for (const RecordedBee& bee : recording.bees) {
+    EXPECT_EQ(bee.fixes[0].position, (Point{8, 47, 1}));
+    EXPECT_EQ(bee.velocities[0], (Velocity{0, 0, 0}));
+  }
+  EXPECT_EQ(recording.bees[0].fixes.size(), 2u);
+}
+
+TEST(Telemetry, OtherMessagesArePassedOver) {
+  const auto recording = recording_of(load(logged(kNoon, frame_v2(1, 0, "heartbeat")) +
+                                           logged(kNoon, frame_v1(1, 30, "attitude")) +
+                                           logged(kNoon, frame_v2(1, 33, somewhere())) +
+                                           logged(kNoon + 5, frame_v2(1, 12'901, "drone id"))));
+  EXPECT_EQ(recording.bees[0].fixes.size(), 1u);
+  EXPECT_FALSE(has_note(recording, "passed over"));
+}
+
+TEST(Telemetry, DamageIsPassedOverAndSaidAloud) {
+  std::string damaged = logged(kNoon + 1'000'000, frame_v2(1, 33, somewhere()));
+  damaged[30] = static_cast<char>(damaged[30] ^ 1);
+  const auto recording =
+      recording_of(load("garbage" + logged(kNoon, frame_v2(1, 33, somewhere())) + damaged +
+                        "\xFD\xFE more" + logged(kNoon + 2'000'000, frame_v2(1, 33, somewhere()))));
+  EXPECT_EQ(times_of(recording.bees[0]), (Times{1714564800, 1714564802}));
+  EXPECT_TRUE(has_note(
+      recording, "flight.tlog: " + std::to_string(7 + damaged.size() + 7) + " bytes in 2 places"));
+}
+
+TEST(Telemetry, ALastFrameThatIsCutShortIsNoMistake) {
+  const std::string whole = logged(kNoon, frame_v2(1, 33, somewhere()));
+  const std::string next = logged(kNoon + 1'000'000, frame_v2(1, 33, somewhere()));
+  for (std::size_t length = 1; length < next.size(); ++length) {
+    const auto recording = recording_of(load(whole + next.substr(0, length)));
+    EXPECT_EQ(recording.bees[0].fixes.size(), 1u) << length;
+    EXPECT_TRUE(has_note(recording, "the last frame is cut short")) << length;
+  }
+}
+
+TEST(Telemetry, AWrongChecksumIsNoPosition) {
+  std::string log = logged(kNoon, frame_v2(1, 33, somewhere()));
+  log.back() = static_cast<char>(log.back() ^ 1);
+  const auto recording = recording_of(load(log + logged(kNoon + 1, frame_v1(2, 33, somewhere()))));
+  EXPECT_EQ(ids_of(recording), Ids{"2"});
+}
+
+TEST(Telemetry, FlagsThatAreNotKnownMakeAFrameUnreadable) {
+  std::string frame = frame_v2(1, 33, somewhere());
+  frame[2] = 2;
+  const auto recording =
+      recording_of(load(logged(kNoon, frame) + logged(kNoon, frame_v1(2, 33, somewhere()))));
+  EXPECT_EQ(ids_of(recording), Ids{"2"});
+}
+
+TEST(Telemetry, GlobalPositionsAreTakenBeforeLocalOnes) {
+  const std::string local = local_payload(1, 2, 3, 0, 0, 0);
+  const std::string log = logged(kNoon, frame_v2(1, 32, local)) +
+                          logged(kNoon, frame_v2(1, 33, somewhere())) +
+                          logged(kNoon, frame_v2(2, 32, local));
+  const auto recording = recording_of(load(log));
+  EXPECT_EQ(ids_of(recording), Ids{"1"});
+  EXPECT_EQ(recording.frame, Frame::kWgs84);
+  EXPECT_TRUE(has_note(recording, "1 record of drones that tell local positions only"));
+  RecordingOptions metres;
+  metres.frame = Frame::kMetres;
+  EXPECT_EQ(ids_of(recording_of(load(log, metres))), (Ids{"1", "2"}));
+}
+
+TEST(Telemetry, WhoKnowsNoPositionYetIsLeftOut) {
+  const auto recording =
+      recording_of(load(logged(kNoon, frame_v2(1, 33, global_payload(0, 0, 0, 0, 0, 0))) +
+                        logged(kNoon + 1, frame_v2(1, 33, somewhere()))));
+  EXPECT_EQ(recording.bees[0].fixes.size(), 1u);
+  EXPECT_TRUE(has_note(recording, "1 record of drones that know no position yet"));
+}
+
+TEST(Telemetry, OneComponentSpeaksForASystem) {
+  const auto recording =
+      recording_of(load(logged(kNoon, frame_v2(1, 33, somewhere(), 1)) +
+                        logged(kNoon + 1, frame_v2(1, 33, somewhere(), 191)) +
+                        logged(kNoon + 2'000'000, frame_v2(1, 33, somewhere(), 1))));
+  EXPECT_EQ(recording.bees[0].fixes.size(), 2u);
+  EXPECT_TRUE(has_note(recording, "1 record of another component"));
+}
+
+TEST(Telemetry, SeveralLogsTellTheirSystemsApart) {
+  const TemporaryFolder folder;
+  EXPECT_FALSE(folder.write("b.tlog", logged(kNoon, frame_v2(1, 33, somewhere()))).empty());
+  EXPECT_FALSE(folder.write("a.tlog", logged(kNoon, frame_v2(1, 33, somewhere()))).empty());
+  EXPECT_EQ(ids_of(recording_of(load_recording({folder.file("")}))), (Ids{"a:1", "b:1"}));
+  const TemporaryFolder other;
+  const std::string same = other.write("a.tlog", logged(kNoon, frame_v2(1, 33, somewhere())));
+  EXPECT_EQ(ids_of(recording_of(load_recording({folder.file("a.tlog"), same}))),
+            (Ids{"a:1", same + ":1"}));
+}
+
+TEST(Telemetry, WhatIsWrongIsBlamedOnTheFrame) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const std::string first = logged(kNoon, frame_v2(1, 0, "x"));
+  for (const auto& [frame, code, message] :
+       std::vector<std::tuple<std::string, ErrorCode, std::string>>{
+           {frame_v2(2, 32, local_payload(nan, 0, 0, 0, 0, 0)), ErrorCode::kNotFinite,
+            "system 2: its position is not a number"},
+           {frame_v2(2, 32, local_payload(1e38F, 0, 0, 0, 0, 0)), ErrorCode::kOutsideDomain,
+            "cannot be computed with"},
+           {frame_v2(2, 33, global_payload(910'000'000, 0, 0, 0, 0, 0)),
+            ErrorCode::kInvalidLatitude, "latitude 91 is beyond 90 degrees"},
+           {frame_v2(2, 33, global_payload(1, 1, 2'000'000'000, 0, 0, 0)),
+            ErrorCode::kInvalidHeight, "is no height of a bee"}}) {
+    const auto loaded = load(first + logged(kNoon, frame));
+    expect_error(loaded, {code, "flight.tlog", message});
+    if (!loaded) {
+      EXPECT_EQ(loaded.error().place.record, 1u);
+    }
+  }
+}
+
+TEST(Telemetry, VelocitiesThatAreNoNumbersAreUnknown) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const auto recording =
+      recording_of(load(logged(kNoon, frame_v2(1, 32, local_payload(1, 2, 3, nan, 0, 1e-40F)))));
+  EXPECT_TRUE(std::isnan(recording.bees[0].velocities[0].y));
+  EXPECT_EQ(recording.bees[0].velocities[0].z, 0.0);
+}
+
+TEST(Telemetry, ALogWithoutPositionsIsAnError) {
+  const std::string log = logged(kNoon, frame_v2(1, 0, "x"));
+  expect_error(load(log), {ErrorCode::kNoPoints, "flight.tlog", "tells no position"});
+  RecordingOptions metres;
+  metres.frame = Frame::kMetres;
+  expect_error(load(logged(kNoon, frame_v2(1, 33, somewhere())), metres),
+               {ErrorCode::kNoPoints, "flight.tlog", "LOCAL_POSITION_NED (32); leave --crs out"});
+  expect_error(load(log, columns_are("id=1", TimeUnit::kAuto)),
+               {ErrorCode::kInvalidArgument, "flight.tlog", "--columns"});
+}
+
+TEST(Telemetry, OtherBytesAreNoLog) {
+  EXPECT_FALSE(is_telemetry_log("id,time_s,x,y,z\n0,0,1,2,3\n"));
+  EXPECT_FALSE(is_telemetry_log(""));
+  EXPECT_FALSE(is_telemetry_log(std::string(100, '\0')));
+}
+
+}  // namespace
+}  // namespace beespace::io

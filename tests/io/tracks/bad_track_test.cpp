@@ -1,0 +1,214 @@
+#include "tests/io/tracks/recording_loading.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace beespace::io {
+namespace {
+
+constexpr std::string_view kHeader = "id,time_s,x,y,z\n";
+
+Result<Recording> with_row(std::string_view row, const RecordingOptions& options = {}) {
+  return record(std::string(kHeader) + "a,0,1,2,3\n" + std::string(row) + "\n", options);
+}
+
+TEST(BadTrack, EmptyInputAndNothingBehindTheHeader) {
+  expect_error(record(""), {ErrorCode::kNoPoints, "bees.csv", "the input is empty"});
+  expect_error(record(" \n\n"), {ErrorCode::kNoPoints, "bees.csv", "the input is empty"});
+  expect_error(record(kHeader), {ErrorCode::kNoPoints, "bees.csv", "a header and no record"});
+}
+
+TEST(BadTrack, MissingColumnsAreNamedWithThoseThatAreThere) {
+  expect_error(record("id,time_s,a,b\nx,0,1,2\n"),
+               {ErrorCode::kMissingColumn, "bees.csv:1",
+                "the header names no position (x and y, or longitude and latitude); needed are "
+                "columns of numbers for the time, for x and y or longitude and latitude, and "
+                "perhaps for an id and the height; name them in a header or with --columns (the "
+                "columns are 1 'id', 2 'time_s', 3 'a', 4 'b')"});
+  expect_error(record("id,time_s,a,b,c\nx,0,1,2,3\n"),
+               {ErrorCode::kMissingColumn, "bees.csv:1",
+                "say which is which, for example with --columns id=1,time=2,x=3,y=4,z=5"});
+  expect_error(record("id,time_s,lat,alt\nx,0,1,2\n"),
+               {ErrorCode::kMissingColumn, "bees.csv:1", "the header names no position"});
+  expect_error(record("id,x,y,z\na,1,2,3\n"),
+               {ErrorCode::kMissingColumn, "bees.csv:1", "there is neither a time nor a velocity"});
+}
+
+TEST(BadTrack, WithoutAHeaderTheColumnsMustBeSaid) {
+  expect_error(record("a,0,1,2,3\n"),
+               {ErrorCode::kMissingColumn, "bees.csv:1",
+                "there is no header that tells the columns; say which is which"});
+  expect_error(record("0,1,2,3\n"), {ErrorCode::kMissingColumn, "bees.csv:1", "no header"});
+}
+
+TEST(BadTrack, TheUnitOfTimeIsNotGuessed) {
+  expect_error(record("id,time,x,y,z\na,0,1,2,3\n"),
+               {ErrorCode::kInvalidArgument, "bees.csv:1:2",
+                "column 2 'time' holds the time, but in which unit? Say it with --time-unit"});
+  RecordingOptions options;
+  options.columns = "id=1,time=2,x=3,y=4,z=5";
+  expect_error(record("a,0,1,2,3\n", options),
+               {ErrorCode::kInvalidArgument, "bees.csv:1:2", "in which unit?"});
+  expect_error(record("id,time [min],x,y,z\na,0,1,2,3\n"),
+               {ErrorCode::kUnsupportedFormat, "bees.csv:1:2", "is in 'min'; convert it first"});
+}
+
+TEST(BadTrack, SeveralTimesMustBeToldApart) {
+  expect_error(
+      record("id,time_s,timestamp_us,x,y,z\na,0,0,1,2,3\n"),
+      {ErrorCode::kMissingColumn, "bees.csv:1", "say which with --columns time=2 or time=3"});
+}
+
+TEST(BadTrack, WishesThatMakeNoSense) {
+  const auto wish = [](const std::string& columns) {
+    return record("id,time_s,x,y,z,vx\na,0,1,2,3,4\n", columns_are(columns));
+  };
+  expect_error(wish("when=1"), {ErrorCode::kInvalidArgument, "bees.csv",
+                                "'when=1' is not understood; write role=column"});
+  expect_error(wish("time"), {ErrorCode::kInvalidArgument, "bees.csv", "'time' is not understood"});
+  expect_error(wish("time=2,time=3"), {ErrorCode::kInvalidArgument, "bees.csv", "given twice"});
+  expect_error(wish("vx=6,ve=6"), {ErrorCode::kInvalidArgument, "bees.csv", "given twice"});
+  expect_error(wish("vx=6"), {ErrorCode::kInvalidArgument, "bees.csv", "a velocity needs vx and"});
+  expect_error(wish("time=2,"), {ErrorCode::kInvalidArgument, "bees.csv", "a comma at the end"});
+  expect_error(wish("time=9"), {ErrorCode::kMissingColumn, "bees.csv:1", "there is no column 9"});
+  expect_error(wish("time=when"),
+               {ErrorCode::kMissingColumn, "bees.csv:1", "there is no column named 'when'"});
+  expect_error(wish("time=3,x=3,y=4,z=5"), {ErrorCode::kInvalidArgument, "bees.csv",
+                                            "column 3 cannot be both position and time"});
+  expect_error(wish("x=3"), {ErrorCode::kInvalidArgument, "bees.csv", "x needs y too"});
+}
+
+TEST(BadTrack, NumbersThatAreNone) {
+  expect_error(with_row("a,oops,1,2,3"),
+               {ErrorCode::kNotANumber, "bees.csv:3:2", "'oops' is not a number (time)"});
+  expect_error(with_row("a,1,1,2,"),
+               {ErrorCode::kNotANumber, "bees.csv:3:5", "the field is empty"});
+  expect_error(with_row("a,1,1,\"2,5\",3"),
+               {ErrorCode::kNotANumber, "bees.csv:3:4", "decimals with a point"});
+  expect_error(with_row("a,nan,1,2,3"),
+               {ErrorCode::kNotFinite, "bees.csv:3:2", "'nan' is no time"});
+  expect_error(with_row("a,1,-inf,2,3"),
+               {ErrorCode::kNotFinite, "bees.csv:3:3", "'-inf' is no position (x)"});
+  EXPECT_EQ(with_row("a,1,-inf,2,3").error().place.record, 1u);
+}
+
+TEST(BadTrack, NumbersThatCannotBeComputedWithExactly) {
+  expect_error(with_row("a,1e31,1,2,3"), {ErrorCode::kOutsideDomain, "bees.csv:3:2",
+                                          "cannot be computed with exactly (time)"});
+  expect_error(with_row("a,1,1,2e31,3"),
+               {ErrorCode::kOutsideDomain, "bees.csv:3:4", "use 0, or a size of 7.9e-31 to"});
+  expect_error(with_row("a,1,1e999,2,3"),
+               {ErrorCode::kNotFinite, "bees.csv:3:3", "too large for a number"});
+  expect_error(with_row("a,1,1e-999,2,3"),
+               {ErrorCode::kOutsideDomain, "bees.csv:3:3", "too small for a number"});
+}
+
+// A flight that comes to rest: what fades away to less than motion can be computed with is zero.
+TEST(BadTrack, NumbersThatAreTooSmallCountAsZero) {
+  const auto read =
+      record("id,time_s,x,y,z,vx,vy,vz\na,-1e-40,-9.8e-32,1e-31,3,-9.8e-32,1,1e-300\n");
+  ASSERT_TRUE(read.has_value()) << read.error().message;
+  const Fix& fix = read->bees.at(0).fixes.at(0);
+  EXPECT_EQ(fix.time_s, 0.0);
+  EXPECT_EQ(fix.position, (Point{0.0, 0.0, 3.0}));
+}
+
+TEST(BadTrack, VelocitiesThatAreNone) {
+  const std::string header = "id,time_s,x,y,z,vx,vy,vz\n";
+  expect_error(record(header + "a,0,1,2,3,4,fast,6\n"),
+               {ErrorCode::kNotANumber, "bees.csv:2:7", "'fast' is not a number (velocity)"});
+  expect_error(record(header + "a,0,1,2,3,4,1e40,6\n"),
+               {ErrorCode::kOutsideDomain, "bees.csv:2:7", "exactly (velocity)"});
+}
+
+TEST(BadTrack, PositionsBeyondTheEarth) {
+  const std::string header = "id,time_s,lon,lat,alt\n";
+  expect_error(record(header + "a,0,361,0,0\n"),
+               {ErrorCode::kInvalidLongitude, "bees.csv:2:3", "longitude 361 is beyond 360"});
+  expect_error(record(header + "a,0,0,91,0\n"),
+               {ErrorCode::kInvalidLatitude, "bees.csv:2:4", "latitude 91 is beyond 90"});
+  expect_error(record(header + "a,0,0,0,2000000\n"),
+               {ErrorCode::kInvalidHeight, "bees.csv:2:5", "no height of a bee"});
+}
+
+TEST(BadTrack, HeightsInFeetAreNotTakenForMetres) {
+  expect_error(record("id,time_s,lon [rad],lat [rad],alt_ft\na,0,1,2,3\n"),
+               {ErrorCode::kUnsupportedFormat, "bees.csv:1:3", "is in 'rad'"});
+}
+
+TEST(BadTrack, DatesThatAreNone) {
+  const std::string text = "id,time,x,y,z\na,2024-05-01T12:00:00Z,1,2,3\n";
+  expect_error(record(text + "a,2024-05-01T12:00:61Z,1,2,3\n"),
+               {ErrorCode::kNotANumber, "bees.csv:3:2",
+                "'2024-05-01T12:00:61Z' is not a time: there is no such time of day"});
+  expect_error(record(text + "a,yesterday,1,2,3\n"),
+               {ErrorCode::kNotANumber, "bees.csv:3:2", "write it as 2024-05-01T12:00:00.25Z"});
+  expect_error(record(text + "a,,1,2,3\n"), {ErrorCode::kNotANumber, "bees.csv:3:2", "no"});
+  expect_error(record("id,time,x,y,z\na,2024-05-01 12:00:00,1,2,3\n"),
+               {ErrorCode::kNotANumber, "bees.csv:2:2", "it has no time zone; write Z for UTC"});
+}
+
+TEST(BadTrack, OneBeeAtTwoPlacesAtATime) {
+  expect_error(
+      record("id,time_s,x,y,z\na,0,1,2,3\nb,0,1,2,4\nb,1.5,1,2,3\na,0,1,2,9\nb,1.5,0,0,0\n"),
+      {ErrorCode::kTimeOrder, "bees.csv:5",
+       "bee 'a' is at another place at the same time, 0 s, in bees.csv, line 2; correct "
+       "one of them, or name the column that tells the bees apart with --columns id="});
+}
+
+TEST(BadTrack, OneBeeTwiceInASnapshot) {
+  expect_error(record("id,x,y,z,vx,vy,vz\na,1,2,3,4,5,6\na,7,8,9,1,1,1\n"),
+               {ErrorCode::kTimeOrder, "bees.csv:3",
+                "bee 'a' comes twice, before in bees.csv, line 2; without a time"});
+}
+
+TEST(BadTrack, RecordsOfAnotherShape) {
+  expect_error(with_row("a,1,1,2"),
+               {ErrorCode::kColumnCount, "bees.csv:3", "4 columns where the header has 5"});
+  expect_error(with_row(",1,1,2,3"),
+               {ErrorCode::kMalformedRecord, "bees.csv:3:1", "the id is empty"});
+  expect_error(with_row("\"a,1,1,2,3"),
+               {ErrorCode::kMalformedRecord, "bees.csv:3:1", "never closed on this line"});
+  expect_error(with_row("# a comment"),
+               {ErrorCode::kMalformedRecord, "bees.csv:3", "comments are not read"});
+  expect_error(with_row(std::string_view("a,1,1,\0,3", 10)),
+               {ErrorCode::kUnsupportedFormat, "bees.csv", "NUL"});
+}
+
+TEST(BadTrack, ALineTooLongForARecord) {
+  expect_error(with_row("a," + std::string(2'000'000, '1') + ",1,2,3"),
+               {ErrorCode::kMalformedRecord, "bees.csv:3", "is too long for a record"});
+}
+
+TEST(BadTrack, NoTextAtAll) {
+  expect_error(record("[1, 2]"), {ErrorCode::kUnsupportedFormat, "bees.csv", "this is JSON"});
+  expect_error(record("%PDF-1.4"), {ErrorCode::kUnsupportedFormat, "bees.csv", "a PDF document"});
+  expect_error(record("\xFF\xFEi\0d\0"), {ErrorCode::kUnsupportedFormat, "bees.csv", "UTF-16"});
+}
+
+TEST(BadTrack, ValuesThatContradictBareNamesAreRefused) {
+  expect_error(record("id,time_s,x,y\na,0,-75.54,6.31\na,1,-75.55,6.32\n"),
+               {ErrorCode::kUnknownFrame, "bees.csv", "could as well be longitude and latitude"});
+  RecordingOptions options;
+  options.frame = Frame::kMetres;
+  EXPECT_TRUE(record("id,time_s,x,y\na,0,-75.54,6.31\na,1,-75.55,6.32\n", options).has_value());
+}
+
+TEST(BadTrack, WhatTheValuesCannotTellIsRefusedWithItsLine) {
+  std::string text = "id,time_s,gps_x,gps_y,gps_z\n";
+  for (int i = 0; i < 20; ++i) text += "a," + std::to_string(i) + ",1.5,2.5,3\n";
+  expect_error(record(text), {ErrorCode::kUnknownFrame, "bees.csv", "degrees or metres?"});
+  expect_error(record(text + "a,20,1000,2.5,3\n"),
+               {ErrorCode::kUnknownFrame, "bees.csv:22", "Nearly all records would fit degrees"});
+}
+
+TEST(BadTrack, WhereEveryRecordIsBadTheFirstIsShown) {
+  expect_error(record("id,time_s,x,y,z\na,0,?,2,3\na,1,1,?,3\n", skipping_bad()),
+               {ErrorCode::kNoPoints, "bees.csv", "all 2 records are bad; the first: '?' is not"});
+  expect_error(record("id,time_s,x,y,z\na,0,?,2,3\n", skipping_bad()),
+               {ErrorCode::kNoPoints, "bees.csv", "the only record is bad: '?' is not a number"});
+}
+
+}  // namespace
+}  // namespace beespace::io

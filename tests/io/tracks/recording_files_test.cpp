@@ -1,0 +1,193 @@
+#include "tests/io/tracks/recording_loading.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace beespace::io {
+namespace {
+
+using Ids = std::vector<std::string>;
+using Times = std::vector<double>;
+using Fixes = std::vector<Fix>;
+
+constexpr std::string_view kTwoBees = "id,time_s,x,y,z\na,0,1,2,3\nb,0,4,5,6\n";
+constexpr std::string_view kOneBee = "time_s,x,y,z\n0,1,2,3\n1,1,2,4\n";
+
+void write_table(const TemporaryFolder& folder, std::string_view name, std::string_view text) {
+  EXPECT_FALSE(folder.write(name, text).empty());
+}
+
+void write_gzip(const std::string& path, std::string_view text) {
+  gzFile file = gzopen(path.c_str(), "wb");
+  ASSERT_NE(file, nullptr);
+  EXPECT_EQ(gzwrite(file, text.data(), static_cast<unsigned>(text.size())),
+            static_cast<int>(text.size()));
+  gzclose(file);
+}
+
+TEST(RecordingFiles, BeesOfTheSameIdInSeveralFilesAreOneBee) {
+  const TemporaryFolder folder;
+  const auto recording = recording_of(
+      load_recording({folder.write("late.csv", "id,time_s,x,y,z\na,1,7,8,9\nc,1,1,1,1\n"),
+                      folder.write("early.csv", kTwoBees)}));
+  EXPECT_EQ(ids_of(recording), (Ids{"a", "c", "b"}));
+  EXPECT_EQ(recording.bees[0].fixes, (Fixes{{0, {1, 2, 3}}, {1, {7, 8, 9}}}));
+  EXPECT_TRUE(has_note(recording, "1 bee is in several files under the same id"));
+  EXPECT_FALSE(has_note(recording, "back in time"));
+}
+
+TEST(RecordingFiles, VelocitiesThatOneFileHasAreUnknownInTheOther) {
+  const TemporaryFolder folder;
+  const auto recording = recording_of(
+      load_recording({folder.write("1.csv", kTwoBees),
+                      folder.write("2.csv", "id,time_s,x,y,z,vx,vy,vz\na,1,7,8,9,1,2,3\n")}));
+  ASSERT_EQ(recording.bees[0].velocities.size(), 2u);
+  EXPECT_NE(recording.bees[0].velocities[0].x, recording.bees[0].velocities[0].x);
+  EXPECT_EQ(recording.bees[0].velocities[1], (Velocity{1, 2, 3}));
+  EXPECT_TRUE(recording.bees[1].velocities.empty());
+}
+
+TEST(RecordingFiles, AConflictBetweenFilesIsBlamedOnTheSecond) {
+  const TemporaryFolder folder;
+  const std::string first = folder.write("1.csv", kTwoBees);
+  const std::string second = folder.write("2.csv", "id,time_s,x,y,z\nc,0,0,0,0\nb,0,9,9,9\n");
+  expect_error(load_recording({first, second}),
+               {ErrorCode::kTimeOrder, second + ":3", "in " + first + ", line 3"});
+}
+
+TEST(RecordingFiles, FilesMustAgreeOnTheFrame) {
+  const TemporaryFolder folder;
+  const std::string metres = folder.write("1.csv", kTwoBees);
+  const std::string degrees = folder.write("2.csv", "id,time_s,lon,lat,alt\nc,0,1,2,3\n");
+  expect_error(load_recording({metres, degrees}),
+               {ErrorCode::kUnknownFrame, degrees,
+                "this is in degrees, but " + metres + " is in metres; read them apart"});
+}
+
+TEST(RecordingFiles, FilesMustAgreeOnWhatTimesAre) {
+  const TemporaryFolder folder;
+  const std::string seconds = folder.write("1.csv", kTwoBees);
+  const std::string dates = folder.write("2.csv", "id,time,x,y,z\nc,2024-05-01T12:00:00Z,1,2,3\n");
+  const std::string snapshot = folder.write("3.csv", "id,x,y,z,vx,vy,vz\nd,1,2,3,4,5,6\n");
+  expect_error(load_recording({seconds, dates}),
+               {ErrorCode::kInvalidArgument, dates, "times here are counted from 1970"});
+  expect_error(load_recording({dates, seconds}),
+               {ErrorCode::kInvalidArgument, seconds, "times here have a zero of their own"});
+  expect_error(load_recording({seconds, snapshot}),
+               {ErrorCode::kMissingColumn, snapshot, "there is no time here, but one in"});
+}
+
+TEST(RecordingFiles, AFolderIsReadByTheNamesOfItsTables) {
+  const TemporaryFolder folder;
+  write_table(folder, "bee 2.csv", kOneBee);
+  write_table(folder, "bee 1.TXT", kOneBee);
+  write_gzip(folder.file("bee 3.csv.gz"), kOneBee);
+  write_table(folder, "README.md", "no table");
+  write_table(folder, ".hidden.csv", "no table");
+  std::filesystem::create_directory(folder.file("folder.csv"));
+  const auto recording = recording_of(load_recording({folder.file("")}));
+  EXPECT_EQ(ids_of(recording), (Ids{"bee 1", "bee 2", "bee 3"}));
+  EXPECT_EQ(times_of(recording.bees[2]), (Times{0, 1}));
+}
+
+TEST(RecordingFiles, AFolderWithoutTablesIsAnError) {
+  const TemporaryFolder folder;
+  write_table(folder, "README.md", "no table");
+  const std::string name = folder.file("");
+  expect_error(load_recording({name}),
+               {ErrorCode::kNoPoints, name, "there is no .csv, .tsv or .txt file in this folder"});
+}
+
+TEST(RecordingFiles, MissingAndUnreadableFiles) {
+  const TemporaryFolder folder;
+  const std::string missing = folder.file("no.csv");
+  expect_error(load_recording({missing}), {ErrorCode::kCannotOpen, missing, "no such file"});
+  EXPECT_EQ(load_recording({}).error().code, ErrorCode::kInvalidArgument);
+  if (::geteuid() == 0) GTEST_SKIP() << "everything is readable to root";
+  const std::string locked = folder.write("locked.csv", kTwoBees);
+  ASSERT_EQ(::chmod(locked.c_str(), 0), 0);
+  expect_error(load_recording({locked}), {ErrorCode::kCannotOpen, locked, "not allowed"});
+}
+
+TEST(RecordingFiles, TruncatedGzipIsAnError) {
+  const TemporaryFolder folder;
+  std::string text = "id,time_s,x,y,z\n";
+  for (int i = 0; i < 1000; ++i) text += "a," + std::to_string(i * i) + ",1,2,3\n";
+  write_gzip(folder.file("bees.csv.gz"), text);
+  std::string packed = content_of(folder.file("bees.csv.gz"));
+  packed.resize(packed.size() / 2);
+  const std::string half = folder.write("half.csv.gz", packed);
+  expect_error(load_recording({half}), {ErrorCode::kTruncated, half, "the gzip data ends too"});
+}
+
+TEST(RecordingFiles, AZipOfTablesIsReadByTheirNames) {
+  const auto recording =
+      recording_of(load_recording_from_memory(zipped({{"show/bee 2.csv", std::string(kOneBee)},
+                                                      {"show/bee 1.csv", std::string(kOneBee)},
+                                                      {"show/.bee 0.csv", "no table"},
+                                                      {"__MACOSX/bee 3.csv", "no table"},
+                                                      {"show/notes.md", "no table"}}),
+                                              "bees.zip"));
+  EXPECT_EQ(ids_of(recording), (Ids{"bee 1", "bee 2"}));
+  EXPECT_EQ(recording.bees[0].fixes, (Fixes{{0, {1, 2, 3}}, {1, {1, 2, 4}}}));
+}
+
+TEST(RecordingFiles, SkybrushTablesWithAHeaderAreReadByIt) {
+  const auto recording = recording_of(load_recording_from_memory(
+      zipped({{"1.csv", "Time [msec],x [m],y [m],z [m],Red,Green,Blue\n500,1,2,3,255,0,0\n"},
+              {"2.csv", "Time_msec,x_m,y_m,z_m\n1500,1,2,3\n"}}),
+      "show.zip"));
+  EXPECT_EQ(times_of(recording.bees[0]), Times{0.5});
+  EXPECT_EQ(times_of(recording.bees[1]), Times{1.5});
+}
+
+TEST(RecordingFiles, SkybrushTablesWithoutAHeaderAreSaidAloud) {
+  const std::string zip = zipped({{"1.csv", "0,1,2,3,255,0,0\n500,1,2,4,255,0,0\n"}});
+  const auto recording = recording_of(load_recording_from_memory(zip, "show.zip"));
+  EXPECT_EQ(recording.bees[0].fixes, (Fixes{{0, {1, 2, 3}}, {0.5, {1, 2, 4}}}));
+  EXPECT_EQ(recording.frame, Frame::kMetres);
+  EXPECT_TRUE(has_note(
+      recording, "taken for a Skybrush CSV: t in milliseconds, then x, y, z in metres and a"));
+  RecordingOptions table;
+  table.format = RecordingFormat::kTable;
+  expect_error(load_recording_from_memory(zip, "show.zip", table),
+               {ErrorCode::kMissingColumn, "show.zip!1.csv:1", "there is no header"});
+}
+
+TEST(RecordingFiles, SkybrushTablesOutsideOfAZipMustBeSaid) {
+  const TemporaryFolder folder;
+  const std::string table = folder.write("1.csv", "0,1,2,3\n500,1,2,4\n");
+  expect_error(load_recording({folder.file("")}),
+               {ErrorCode::kMissingColumn, table + ":1", "there is no header"});
+  RecordingOptions options;
+  options.format = RecordingFormat::kSkybrushCsv;
+  const auto recording = recording_of(load_recording({folder.file("")}, options));
+  EXPECT_EQ(times_of(recording.bees[0]), (Times{0, 0.5}));
+  expect_error(record("0,1,2\n", options),
+               {ErrorCode::kMissingColumn, "bees.csv:1", "a Skybrush CSV has the columns"});
+}
+
+TEST(RecordingFiles, WhatIsWrongInAZipIsBlamedOnItsPart) {
+  expect_error(load_recording_from_memory(
+                   zipped({{"1.csv", std::string(kOneBee)}, {"2.csv", "time_s,x,y,z\n0,1,?,3\n"}}),
+                   "bees.zip"),
+               {ErrorCode::kNotANumber, "bees.zip!2.csv:2:3", "'?' is not a number (y)"});
+}
+
+TEST(RecordingFiles, AZipOfSomethingElseIsRefused) {
+  expect_error(load_recording_from_memory(zipped({{"word/document.xml", "<x/>"}}), "bees.zip"),
+               {ErrorCode::kUnsupportedFormat, "bees.zip",
+                "holds neither a show.json nor any .csv file, but 'word/document.xml'"});
+  expect_error(load_recording_from_memory(
+                   std::string_view("PK\x05\x06\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0", 22), "e.zip"),
+               {ErrorCode::kUnsupportedFormat, "e.zip", "but nothing"});
+}
+
+}  // namespace
+}  // namespace beespace::io
