@@ -1,7 +1,7 @@
+#include "io/load_points.hpp"
 #include "io/bytes/characters.hpp"
 #include "io/bytes/progress.hpp"
 #include "io/frames/coordinate_frame.hpp"
-#include "io/load_points.hpp"
 #include "io/units/unit_taken.hpp"
 
 #include "io/bytes/byte_source.hpp"

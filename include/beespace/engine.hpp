@@ -88,8 +88,8 @@ class BEESPACE_API Engine {
   void release_memory();
 
  private:
-  class Workshop;
-  std::unique_ptr<Workshop> workshop_;
+  class EngineState;
+  std::unique_ptr<EngineState> state_;
 };
 
 }  // namespace beespace

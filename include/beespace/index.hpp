@@ -106,10 +106,10 @@ class BEESPACE_API Index {
   void rebuild(unsigned threads = 1);
 
  private:
-  class Shelves;
-  explicit Index(std::unique_ptr<Shelves> shelves);
+  class Levels;
+  explicit Index(std::unique_ptr<Levels> levels);
 
-  std::unique_ptr<Shelves> shelves_;
+  std::unique_ptr<Levels> levels_;
 };
 
 }  // namespace beespace

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "io/table/column_choice.hpp"
-#include "io/table/table_layout.hpp"
 #include "io/table/column_options.hpp"
+#include "io/table/table_layout.hpp"
 
 #include <beespace/point.hpp>
 #include <beespace/result.hpp>

@@ -2,15 +2,15 @@
 #include <beespace/closest_approach.hpp>
 #include <beespace/crew.hpp>
 
-#include "avoidance/claimants.hpp"
-#include "avoidance/disposal.hpp"
-#include "avoidance/flyers.hpp"
+#include "avoidance/agent_states.hpp"
+#include "avoidance/constraint_builder.hpp"
 #include "avoidance/intake.hpp"
 #include "avoidance/known_methods.hpp"
 #include "avoidance/validate.hpp"
+#include "avoidance/velocity_solver.hpp"
 #include "avoidance/vicinity.hpp"
 #include "base/crew_size.hpp"
-#include "base/deal.hpp"
+#include "base/dynamic_schedule.hpp"
 #include "motion/flush.hpp"
 
 #include <algorithm>
@@ -26,9 +26,9 @@ namespace beespace {
 
 namespace {
 
-using avoidance::Claimants;
-using avoidance::Flyer;
-using avoidance::Flyers;
+using avoidance::AgentState;
+using avoidance::AgentStates;
+using avoidance::ConstraintBuilder;
 using core::Vector3;
 
 // Bees that a worker takes at a time: some have many neighbours, and others nobody.
@@ -40,10 +40,10 @@ Velocity told(const Vector3& v) {
 }
 
 // Whoever wants to fly and is told to stand waits.
-bool waits(const Flyer& flyer, const Vector3& wish, const Vector3& velocity) {
+bool waits(const AgentState& agent, const Vector3& wish, const Vector3& velocity) {
   constexpr double kStands = 0.05;  // of its greatest speed
-  const double least = kStands * flyer.max_speed;
-  return length(velocity) < least && length(flyer.velocity) < least && length(wish) > 4.0 * least;
+  const double least = kStands * agent.max_speed;
+  return length(velocity) < least && length(agent.velocity) < least && length(wish) > 4.0 * least;
 }
 
 // Of each bee and obstacle once, whatever pieces it has; ascending.
@@ -83,8 +83,8 @@ class __attribute__((visibility("hidden"))) Adviser::State {
  private:
   // What one worker works with.
   struct Desk {
-    Claimants::Findings findings;
-    avoidance::Disposal disposal;
+    ConstraintBuilder::Findings findings;
+    avoidance::VelocitySolver solver;
     avoidance::KnownMethod known;
   };
 
@@ -93,36 +93,36 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     const std::span<const Velocity> wishes = intake_.wishes();
     const std::size_t bees = intake_.movers().size();
     ThreadCrew& crew = crew_for(options.threads, bees);
-    flyers_.take(intake_.movers(), intake_.limits(), options, crew);
-    const double horizon_s = avoidance::looks_ahead_s(flyers_, options.step_s);
+    agents_.take(intake_.movers(), intake_.limits(), options, crew);
+    const double horizon_s = avoidance::looks_ahead_s(agents_, options.step_s);
     if (Status found = find_near(options, horizon_s); !found) return found;
     advised.advice.assign(bees, {});
     too_close_.assign(bees, 0);
-    const Claimants claimants(flyers_, near_, too_close_, wishes, options);
+    const ConstraintBuilder constraint_builder(agents_, near_, too_close_, wishes, options);
     if (options.method == AdviseMethod::kCertified) {
-      cpu::deal(crew, bees, kDealt, [&](auto begin, auto end, unsigned /*worker*/) {
+      cpu::schedule(crew, bees, kDealt, [&](auto begin, auto end, unsigned /*worker*/) {
         for (std::size_t bee = begin; bee < end; ++bee) {
-          too_close_[bee] = claimants.is_too_close(static_cast<PointId>(bee)) ? 1 : 0;
+          too_close_[bee] = constraint_builder.is_too_close(static_cast<PointId>(bee)) ? 1 : 0;
         }
       });
     }
-    cpu::deal(crew, bees, kDealt, [&](auto begin, auto end, unsigned worker) {
+    cpu::schedule(crew, bees, kDealt, [&](auto begin, auto end, unsigned worker) {
       Desk& desk = desks_[worker];
       for (std::size_t bee = begin; bee < end; ++bee) {
         const auto id = static_cast<PointId>(bee);
         const Vector3 wish = core::vector_of(wishes[bee]);
         advised.advice[bee] = options.method == AdviseMethod::kCertified
-                                  ? advise_one(id, wish, claimants, desk)
+                                  ? advise_one(id, wish, constraint_builder, desk)
                                   : known_advice(id, wish, options, horizon_s, desk);
       }
     });
-    collect(claimants, options, advised);
+    collect(constraint_builder, options, advised);
     return std::monostate{};
   }
 
   Status find_near(const AdviseOptions& options, double horizon_s) {
-    if (options.method == AdviseMethod::kCertified) return near_.find(flyers_, options.threads);
-    const double within_m = flyers_.apart().kept_m + 2.0 * flyers_.fastest() * horizon_s;
+    if (options.method == AdviseMethod::kCertified) return near_.find(agents_, options.threads);
+    const double within_m = agents_.apart().kept_m + 2.0 * agents_.fastest() * horizon_s;
     return near_.find_within(MoversView(intake_.movers()).positions(), within_m, options.threads);
   }
 
@@ -138,16 +138,16 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     return *crew_;
   }
 
-  [[nodiscard]] Advice advise_one(PointId bee, const Vector3& wish, const Claimants& claimants,
-                                  Desk& desk) const {
+  [[nodiscard]] Advice advise_one(PointId bee, const Vector3& wish,
+                                  const ConstraintBuilder& constraint_builder, Desk& desk) const {
     constexpr double kAside = 0.5;  // of its greatest speed: how fast somebody makes room
-    const Flyer& flyer = flyers_[bee];
-    Claimants::Findings& findings = desk.findings;
-    claimants.look_at(bee, findings);
-    const bool makes_room = claimants.is_idle(bee) && !(findings.pressed == Vector3{});
-    const Vector3 aside = at_most(findings.pressed, 1.0) * (kAside * flyer.max_speed);
+    const AgentState& agent = agents_[bee];
+    ConstraintBuilder::Findings& findings = desk.findings;
+    constraint_builder.look_at(bee, findings);
+    const bool makes_room = constraint_builder.is_idle(bee) && !(findings.pressed == Vector3{});
+    const Vector3 aside = at_most(findings.pressed, 1.0) * (kAside * agent.max_speed);
     const auto [velocity, kind] =
-        desk.disposal.dispose(flyer, makes_room ? wish + aside : wish, findings.claims);
+        desk.solver.solve(agent, makes_room ? wish + aside : wish, findings.constraints);
     Advice advice{told(velocity), kind};
     advice.keeps_apart = findings.certified;
     advice.clear_of_unknown_s = intake_.bee_anywhere() ? 0.0 : findings.clear_of_unknown_s;
@@ -155,7 +155,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     advice.clear_of_intruders = !intake_.intruder_anywhere();  // until a conflict is found
     if (kind == AdviceKind::kAsWished) {
       if (makes_room) advice.kind = AdviceKind::kDeflected;
-    } else if (findings.certified && waits(flyer, wish, velocity)) {
+    } else if (findings.certified && waits(agent, wish, velocity)) {
       advice.kind = AdviceKind::kWaiting;
     }
     return advice;
@@ -165,14 +165,15 @@ class __attribute__((visibility("hidden"))) Adviser::State {
                                     double horizon_s, Desk& desk) const {
     const Vector3 velocity =
         options.method == AdviseMethod::kOrca
-            ? desk.known.orca(flyers_, bee, near_, wish, horizon_s, options.step_s)
-            : avoidance::KnownMethod::mvp(flyers_, bee, near_, wish, horizon_s, options.step_s);
-    const bool as_wished = velocity == flyers_[bee].able(wish);
+            ? desk.known.orca(agents_, bee, near_, wish, horizon_s, options.step_s)
+            : avoidance::KnownMethod::mvp(agents_, bee, near_, wish, horizon_s, options.step_s);
+    const bool as_wished = velocity == agents_[bee].able(wish);
     return {told(velocity), as_wished ? AdviceKind::kAsWished : AdviceKind::kDeflected};
   }
 
   // What all workers have found that is not certified.
-  void collect(const Claimants& claimants, const AdviseOptions& options, Advised& advised) const {
+  void collect(const ConstraintBuilder& constraint_builder, const AdviseOptions& options,
+               Advised& advised) const {
     const auto append = [](const auto& found, auto& all) {
       all.insert(all.end(), found.begin(), found.end());
     };
@@ -191,8 +192,8 @@ class __attribute__((visibility("hidden"))) Adviser::State {
               [](const NearUnknown& a, const NearUnknown& b) {
                 return std::tie(a.bee, a.unknown) < std::tie(b.bee, b.unknown);
               });
-    for (std::size_t bee = 0; bee < flyers_.size(); ++bee) {
-      collect_intruders(static_cast<PointId>(bee), claimants, options, advised);
+    for (std::size_t bee = 0; bee < agents_.size(); ++bee) {
+      collect_intruders(static_cast<PointId>(bee), constraint_builder, options, advised);
       Advice& advice = advised.advice[bee];
       advice.certified = advice.keeps_apart && advice.clear_of_intruders && advice.clear_of_unknown;
     }
@@ -200,7 +201,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
 
   // From where it is, as it is advised.
   [[nodiscard]] Mover as_advised(PointId bee, const Advised& advised) const {
-    const Vector3& p = flyers_[bee].position;
+    const Vector3& p = agents_[bee].position;
     return {{p.x, p.y, p.z}, advised.advice[bee].velocity};
   }
 
@@ -208,20 +209,20 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     constexpr double kForever_s = 1e9;
     const auto approach =
         closest_approach(as_advised(pair.first, advised), as_advised(pair.second, advised),
-                         {.threshold_m = flyers_.apart().asked_m, .horizon_s = kForever_s});
+                         {.threshold_m = agents_.apart().asked_m, .horizon_s = kForever_s});
     if (!approach || !approach->conflict) return 0.0;
     const double end_s = approach->conflict->ends_s;
     return end_s < kForever_s ? end_s : std::numeric_limits<double>::infinity();
   }
 
-  void collect_intruders(PointId bee, const Claimants& claimants, const AdviseOptions& options,
-                         Advised& advised) const {
+  void collect_intruders(PointId bee, const ConstraintBuilder& constraint_builder,
+                         const AdviseOptions& options, Advised& advised) const {
     const Mover mover = as_advised(bee, advised);
     for (std::size_t k = 0; k < options.intruders.size(); ++k) {
-      if (!claimants.may_come_close(bee, options.intruders[k])) continue;
+      if (!constraint_builder.may_come_close(bee, options.intruders[k])) continue;
       const auto approach = closest_approach(
           mover, options.intruders[k],
-          {.threshold_m = flyers_.apart().asked_m, .horizon_s = options.intruder_horizon_s});
+          {.threshold_m = agents_.apart().asked_m, .horizon_s = options.intruder_horizon_s});
       if (!approach || !approach->conflict) continue;
       advised.advice[bee].clear_of_intruders = false;
       advised.intruder_conflicts.push_back(
@@ -230,7 +231,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
   }
 
   avoidance::Intake intake_;
-  Flyers flyers_;
+  AgentStates agents_;
   avoidance::Vicinity near_;
   std::vector<char> too_close_;  // of each bee, whether it is so to any
   std::optional<ThreadCrew> crew_;

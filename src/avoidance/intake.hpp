@@ -2,7 +2,7 @@
 //
 // One bad number never stops the advice: who cannot be used is left out and named, and the others
 // are numbered anew without it. Values that are too small for the motion domain become zero here
-// (motion/flush.hpp); Keep in flyers.hpp allows for it.
+// (motion/flush.hpp); SeparationMargins in agents.hpp allows for it.
 #pragma once
 
 #include <beespace/advise.hpp>

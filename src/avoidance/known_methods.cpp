@@ -6,42 +6,42 @@
 
 namespace beespace::avoidance {
 
-double looks_ahead_s(const Flyers& flyers, double step_s) {
+double looks_ahead_s(const AgentStates& agents, double step_s) {
   constexpr double kAtOnce_s = 2.0;
   double longest_s = 0.0;
-  for (std::size_t bee = 0; bee < flyers.size(); ++bee) {
-    const Braking& braking = flyers[bee].braking;
+  for (std::size_t bee = 0; bee < agents.size(); ++bee) {
+    const Braking& braking = agents[bee].braking;
     const double stop_s =
-        braking.at_once() ? kAtOnce_s : flyers[bee].max_speed * step_s / braking.change();
+        braking.at_once() ? kAtOnce_s : agents[bee].max_speed * step_s / braking.change();
     longest_s = std::max(longest_s, stop_s);
   }
   return longest_s + step_s;
 }
 
-Vector3 KnownMethod::orca(const Flyers& flyers, PointId bee, const Vicinity& near,
+Vector3 KnownMethod::orca(const AgentStates& agents, PointId bee, const Vicinity& near,
                           const Vector3& wish, double horizon_s, double step_s) {
-  const Flyer& flyer = flyers[bee];
+  const AgentState& agent = agents[bee];
   requests_.clear();
   near.visit(bee, [&](PointId other) {
-    const VelocityObstacle obstacle{flyers[other].position - flyer.position,
-                                    flyer.velocity - flyers[other].velocity, flyers.apart().kept_m,
+    const VelocityObstacle obstacle{agents[other].position - agent.position,
+                                    agent.velocity - agents[other].velocity, agents.apart().kept_m,
                                     horizon_s, step_s};
-    const HalfSpace side = half_space_of(obstacle.way_out(), flyer.velocity, 0.5);
-    requests_.push_back({side, std::max(0.0, side.offset + flyer.max_speed)});
+    const HalfSpace side = half_space_of(obstacle.way_out(), agent.velocity, 0.5);
+    requests_.push_back({side, std::max(0.0, side.offset + agent.max_speed)});
     return true;
   });
-  const auto found = program_.nearest(wish, {}, requests_, {{}, flyer.max_speed});
-  return flyer.able(found.value_or(flyer.velocity));
+  const auto found = program_.nearest(wish, {}, requests_, {{}, agent.max_speed});
+  return agent.able(found.value_or(agent.velocity));
 }
 
-Vector3 KnownMethod::mvp(const Flyers& flyers, PointId bee, const Vicinity& near,
+Vector3 KnownMethod::mvp(const AgentStates& agents, PointId bee, const Vicinity& near,
                          const Vector3& wish, double horizon_s, double step_s) {
-  const Flyer& flyer = flyers[bee];
-  const double apart = flyers.apart().kept_m;
+  const AgentState& agent = agents[bee];
+  const double apart = agents.apart().kept_m;
   Vector3 sum = wish;
   near.visit(bee, [&](PointId other) {
-    const Vector3 place = flyers[other].position - flyer.position;
-    const Vector3 velocity = wish - flyers[other].velocity;  // seen from the other one
+    const Vector3 place = agents[other].position - agent.position;
+    const Vector3 velocity = wish - agents[other].velocity;  // seen from the other one
     const double squared = dot(velocity, velocity);
     const double closest_s =
         squared > 0.0 ? std::clamp(dot(place, velocity) / squared, 0.0, horizon_s) : 0.0;
@@ -52,7 +52,7 @@ Vector3 KnownMethod::mvp(const Flyers& flyers, PointId bee, const Vicinity& near
     sum = sum + away * ((apart - missed) / std::max(closest_s, step_s));
     return true;
   });
-  return flyer.able(sum);
+  return agent.able(sum);
 }
 
 }  // namespace beespace::avoidance

@@ -7,19 +7,19 @@
 
 namespace beespace::avoidance {
 
-Status Vicinity::find(const Flyers& flyers, unsigned threads) {
+Status Vicinity::find(const AgentStates& agents, unsigned threads) {
   memory_.start_call();
-  const double reach_m = reach_in_rows(flyers);
+  const double reach_m = reach_in_rows(agents);
   far_.clear();
   is_far_.clear();
-  if (reach_m < flyers.farthest_reach()) {
-    for (PointId bee = 0; bee < flyers.size(); ++bee) {
-      is_far_.push_back(flyers.reach(bee) > reach_m ? 1 : 0);
+  if (reach_m < agents.farthest_reach()) {
+    for (PointId bee = 0; bee < agents.size(); ++bee) {
+      is_far_.push_back(agents.reach(bee) > reach_m ? 1 : 0);
       if (is_far_.back() != 0) far_.push_back(bee);
     }
   }
-  const SearchOptions around{.threshold_m = flyers.meet(reach_m, reach_m), .threads = threads};
-  return engine_.find_neighbors(flyers.middles(), around, rows_);
+  const SearchOptions around{.threshold_m = agents.meet(reach_m, reach_m), .threads = threads};
+  return engine_.find_neighbors(agents.middles(), around, rows_);
 }
 
 Status Vicinity::find_within(const PointsView& places, double within_m, unsigned threads) {
@@ -29,13 +29,13 @@ Status Vicinity::find_within(const PointsView& places, double within_m, unsigned
 }
 
 // Up to which reach bees have rows: all, unless it costs less to compare a few with everybody.
-double Vicinity::reach_in_rows(const Flyers& flyers) {
-  const auto levels = motion::size_levels(flyers.size(), flyers.farthest_reach(), memory_,
-                                          [&](std::size_t bee) { return flyers.reach(bee); });
+double Vicinity::reach_in_rows(const AgentStates& agents) {
+  const auto levels = motion::size_levels(agents.size(), agents.farthest_reach(), memory_,
+                                          [&](std::size_t bee) { return agents.reach(bee); });
   if (levels.size() == 1) return levels.front().size;
-  const core::DensitySample sample(flyers.middles(), memory_);
+  const core::DensitySample sample(agents.middles(), memory_);
   const auto cost = [&](const motion::SizeLevel& level) {
-    return motion::comparing_cost(sample, flyers.meet(level.size, level.size), level.beyond);
+    return motion::comparing_cost(sample, agents.meet(level.size, level.size), level.beyond);
   };
   return std::min_element(levels.begin(), levels.end(),
                           [&](const auto& a, const auto& b) { return cost(a) < cost(b); })

@@ -4,7 +4,7 @@
 // that is far too fast does, are compared with everybody.
 #pragma once
 
-#include "avoidance/flyers.hpp"
+#include "avoidance/agent_states.hpp"
 #include "base/memory.hpp"
 
 #include <beespace/engine.hpp>
@@ -19,7 +19,7 @@ namespace beespace::avoidance {
 class Vicinity {
  public:
   // Errors: as Engine::find_neighbors.
-  Status find(const Flyers& flyers, unsigned threads);
+  Status find(const AgentStates& agents, unsigned threads);
   // Simply whoever is so near.
   Status find_within(const PointsView& places, double within_m, unsigned threads);
 
@@ -43,7 +43,7 @@ class Vicinity {
 
  private:
   [[nodiscard]] bool reaches_far(PointId bee) const { return !far_.empty() && is_far_[bee] != 0; }
-  [[nodiscard]] double reach_in_rows(const Flyers& flyers);
+  [[nodiscard]] double reach_in_rows(const AgentStates& agents);
 
   Engine engine_;
   core::Memory memory_;

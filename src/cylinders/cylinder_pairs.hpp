@@ -97,8 +97,8 @@ class RowPairs {
   Sink sink_;
 };
 
-// Pairs of slots of trees: a task of cylinders/cylinder_join.hpp. Takes nodes that are near as a whole
-// apart.
+// Pairs of slots of trees: a task of cylinders/cylinder_join.hpp. Takes nodes that are near as a
+// whole apart.
 template <class Sink>
 class TreePairs {
  public:

@@ -145,7 +145,7 @@ class CylinderRows::Builder {
         begin = next;
       }
     }
-    return squares > kMostMates * rows_.size_;
+    return squares > kMostExpected * rows_.size_;
   }
 
   void insert(std::size_t begin, std::size_t slot) {
@@ -161,7 +161,7 @@ class CylinderRows::Builder {
     rows_.order_[to] = index;
   }
 
-  static constexpr std::uint64_t kMostMates = 8;
+  static constexpr std::uint64_t kMostExpected = 8;
 
   CylinderRows& rows_;
   const UprightPoints& points_;

@@ -1,5 +1,5 @@
-// What becomes of places that are in each other's cylinders: the tasks of cylinders/cylinder_join.hpp,
-// and of cylinders/cylinder_rows.hpp.
+// What becomes of places that are in each other's cylinders: the tasks of
+// cylinders/cylinder_join.hpp, and of cylinders/cylinder_rows.hpp.
 #pragma once
 
 #include "base/disjoint_sets.hpp"

@@ -11,8 +11,9 @@
 //   heights: a rounded difference d is monotone in the difference, and V is a double; so d < V says
 //     that the heights are closer than V, d > V that they are not, and only d = V leaves it open.
 //   horizontally: the sum s of the squares of rounded differences has a relative error of at most
-//     5 u, u = 2^-53 (exact/exact_distance), X * X one of u, and so has the product with the margin:
-//     s < X X (1 - 2^-50) says closer than X, s > X X (1 + 2^-50) not closer. 5 u + u + u < 8 u.
+//     5 u, u = 2^-53 (exact/exact_distance), X * X one of u, and so has the product with the
+//     margin: s < X X (1 - 2^-50) says closer than X, s > X X (1 + 2^-50) not closer. 5 u + u + u <
+//     8 u.
 //
 // The same holds of boxes: the nearest and farthest corners of two boxes are rounded differences of
 // given doubles too, and monotone in the places between them. Nothing under- or overflows: in the

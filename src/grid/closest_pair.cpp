@@ -5,7 +5,7 @@
 #include "exact/exact_distance.hpp"
 #include "grid/lattice.hpp"
 #include "grid/near_pairs.hpp"
-#include "grid/sieve.hpp"
+#include "grid/occupancy_filter.hpp"
 #include "grid/sorted_grid.hpp"
 
 #include <algorithm>
@@ -130,7 +130,7 @@ IdPair closest_pair(const PointsView& points, const Bounds& bounds, const Resour
   if (bound == 0.0) return lowest_duplicates(points, with.memory);
 
   const Lattice lattice(std::span(&points, 1), bounds, kSieveCellInBounds * bound, with.memory);
-  const Vector<PointId> left = sieve(points, lattice, bound, with);
+  const Vector<PointId> left = occupancy_filter(points, lattice, bound, with);
   Vector<Point> few(left.size(), &with.memory);
   for (std::size_t i = 0; i < left.size(); ++i) few[i] = points[left[i]];
   // Ids ascend, so the lowest pair of the few is the lowest pair of all.

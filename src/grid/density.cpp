@@ -35,7 +35,7 @@ DensitySample::DensitySample(const PointsView& points, Memory& memory)
   }
 }
 
-double DensitySample::mates(double cell_m) const {
+double DensitySample::expected_neighbors(double cell_m) const {
   if (size_ < 2) return 0.0;
   std::fill_n(table_.data(), slots_, Slot{0, 0});
   const double cells_a_m = 1.0 / cell_m;
@@ -85,15 +85,16 @@ double DensitySample::side_for(double wanted, const Bounds& bounds) const {
   constexpr double kSmallest = 0x1p-200;
   const double smallest = std::max(widest * kSmallest, 0x1p-500);
   side = std::clamp(side, smallest, widest);
-  double met = mates(side);
+  double met = expected_neighbors(side);
   if (met > 0.5 * wanted && met < 2.0 * wanted) return side;
   if (met <= wanted) {
-    while (side < widest && met < 0.5 * wanted) met = mates(side = std::min(2.0 * side, widest));
+    while (side < widest && met < 0.5 * wanted)
+      met = expected_neighbors(side = std::min(2.0 * side, widest));
     return side;
   }
-  const double twins = mates(smallest);
+  const double twins = expected_neighbors(smallest);
   while (side > smallest && met - twins > 2.0 * wanted)
-    met = mates(side = std::max(0.5 * side, smallest));
+    met = expected_neighbors(side = std::max(0.5 * side, smallest));
   return side;
 }
 

@@ -20,10 +20,11 @@ class DensitySample {
   // The expected number of other points in a point's own cell, for cubic cells of side `cell_m`:
   // the share of pairs of the sample that share a cell, times the number of points. Sees a tenth of
   // a mate among a million points as plain zero.
-  [[nodiscard]] double mates(double cell_m) const;
+  [[nodiscard]] double expected_neighbors(double cell_m) const;
 
-  // A cell side with about `wanted` mates, found from the average over the box downward: at most
-  // some 200 looks, one for an even swarm. Duplicates share cells of any size and do not count.
+  // A cell side with about `wanted` expected_neighbors, found from the average over the box
+  // downward: at most some 200 looks, one for an even swarm. Duplicates share cells of any size and
+  // do not count.
   [[nodiscard]] double side_for(double wanted, const Bounds& bounds) const;
 
  private:

@@ -22,7 +22,7 @@ inline double comparing_cost(const core::DensitySample& sample, double reach_m,
   constexpr double kComparing = 0.25;
   constexpr double kComparingBeyond = 3.0;
   // Rows around, as far as the reach: as large as a cube of 2.6 times that. Each pair once.
-  return 0.5 * kComparing * sample.mates(2.6 * reach_m) +
+  return 0.5 * kComparing * sample.expected_neighbors(2.6 * reach_m) +
          kComparingBeyond * static_cast<double>(beyond);
 }
 

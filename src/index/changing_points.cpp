@@ -5,7 +5,7 @@
 namespace beespace::search {
 
 ChangingPoints::ChangingPoints(const PointsView& points, const core::Bounds& bounds, Crew& crew)
-    : shelf_(points.size(), 0), place_(points.size()), size_(points.size()) {
+    : level_(points.size(), 0), place_(points.size()), size_(points.size()) {
   if (points.empty()) return;
   trees_.emplace_back(points, nullptr, bounds, crew);
   kept_ = points.size();
@@ -18,13 +18,13 @@ ChangingPoints::ChangingPoints(const PointsView& points, const core::Bounds& bou
 }
 
 const Point& ChangingPoints::point(PointId id) const {
-  const Shelf shelf = shelf_[id];
-  return shelf == kRecent ? recent_[place_[id]].point : trees_[shelf].point(place_[id]);
+  const Level level = level_[id];
+  return level == kRecent ? recent_[place_[id]].point : trees_[level].point(place_[id]);
 }
 
 PointId ChangingPoints::insert(const Point& point) {
   const auto id = static_cast<PointId>(ids());
-  shelf_.push_back(kGone);
+  level_.push_back(kGone);
   place_.push_back(0);
   put_among_recent(id, point);
   ++size_;
@@ -32,7 +32,7 @@ PointId ChangingPoints::insert(const Point& point) {
 }
 
 void ChangingPoints::move(PointId id, const Point& point) {
-  if (shelf_[id] == kRecent) {
+  if (level_[id] == kRecent) {
     recent_[place_[id]].point = point;
     return;
   }
@@ -62,21 +62,21 @@ void ChangingPoints::put_among_recent(PointId id, const Point& point) {
     Crew alone;
     merge_from(first, alone);
   }
-  shelf_[id] = kRecent;
+  level_[id] = kRecent;
   place_[id] = static_cast<std::uint32_t>(recent_.size());
   recent_.push_back({point, id});
 }
 
 void ChangingPoints::take_out(PointId id) {
   const std::uint32_t place = place_[id];
-  if (shelf_[id] == kRecent) {
+  if (level_[id] == kRecent) {
     recent_[place] = recent_.back();
     place_[recent_[place].id] = place;
     recent_.pop_back();
   } else {
-    trees_[shelf_[id]].discard(place);
+    trees_[level_[id]].discard(place);
   }
-  shelf_[id] = kGone;
+  level_[id] = kGone;
 }
 
 void ChangingPoints::merge_from(std::size_t first, Crew& crew) {
@@ -89,7 +89,7 @@ void ChangingPoints::merge_from(std::size_t first, Crew& crew) {
   for (std::size_t tree = first; tree < trees_.size(); ++tree) {
     for (std::uint32_t slot = 0; slot < trees_[tree].size(); ++slot) {
       const PointId id = trees_[tree].id(slot);
-      if (shelf_[id] == tree && place_[id] == slot) add(trees_[tree].point(slot), id);
+      if (level_[id] == tree && place_[id] == slot) add(trees_[tree].point(slot), id);
     }
   }
   for (const Recent& recent : recent_) add(recent.point, recent.id);
@@ -111,7 +111,7 @@ void ChangingPoints::merge_from(std::size_t first, Crew& crew) {
 void ChangingPoints::note_places(std::size_t tree) {
   for (std::uint32_t slot = 0; slot < trees_[tree].size(); ++slot) {
     const PointId id = trees_[tree].id(slot);
-    shelf_[id] = static_cast<Shelf>(tree);
+    level_[id] = static_cast<Level>(tree);
     place_[id] = slot;
   }
 }

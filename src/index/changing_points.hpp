@@ -34,8 +34,8 @@ class ChangingPoints {
   ChangingPoints(const PointsView& points, const core::Bounds& bounds, Crew& crew);
 
   [[nodiscard]] std::size_t size() const { return size_; }
-  [[nodiscard]] std::size_t ids() const { return shelf_.size(); }
-  [[nodiscard]] bool contains(PointId id) const { return id < ids() && shelf_[id] != kGone; }
+  [[nodiscard]] std::size_t ids() const { return level_.size(); }
+  [[nodiscard]] bool contains(PointId id) const { return id < ids() && level_[id] != kGone; }
   [[nodiscard]] const Point& point(PointId id) const;
 
   [[nodiscard]] const std::vector<core::PointTree>& trees() const { return trees_; }
@@ -50,9 +50,9 @@ class ChangingPoints {
 
  private:
   // Where a point is: in the tree of this number, among the recent, or nowhere any more.
-  using Shelf = std::uint8_t;
-  static constexpr Shelf kRecent = 254;
-  static constexpr Shelf kGone = 255;
+  using Level = std::uint8_t;
+  static constexpr Level kRecent = 254;
+  static constexpr Level kGone = 255;
 
   static constexpr std::size_t kMostRecent = 64;
   static constexpr std::size_t kShrink = 8;
@@ -65,7 +65,7 @@ class ChangingPoints {
 
   std::vector<core::PointTree> trees_;
   std::vector<Recent> recent_;
-  std::vector<Shelf> shelf_;          // by id
+  std::vector<Level> level_;          // by id
   std::vector<std::uint32_t> place_;  // by id: the slot in the tree, or where in recent_
   std::size_t size_ = 0;
   std::size_t kept_ = 0;  // places in trees, empty ones included

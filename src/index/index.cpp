@@ -3,7 +3,7 @@
 #include "base/bounds.hpp"
 #include "base/crew_size.hpp"
 #include "exact/validate.hpp"
-#include "index/index_shelves.hpp"
+#include "index/index_levels.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ Error no_such_point(PointId id) {
 
 }  // namespace
 
-Index::Index(std::unique_ptr<Shelves> shelves) : shelves_(std::move(shelves)) {
+Index::Index(std::unique_ptr<Levels> levels) : levels_(std::move(levels)) {
 }
 Index::Index(Index&&) noexcept = default;
 Index& Index::operator=(Index&&) noexcept = default;
@@ -42,7 +42,7 @@ Index::~Index() = default;
 
 Index::Index() {
   Crew alone;
-  shelves_ = std::make_unique<Shelves>(search::ChangingPoints({}, {}, alone));
+  levels_ = std::make_unique<Levels>(search::ChangingPoints({}, {}, alone));
 }
 
 Result<Index> Index::build(const PointsView& points, unsigned threads) {
@@ -51,20 +51,20 @@ Result<Index> Index::build(const PointsView& points, unsigned threads) {
   core::Memory memory;
   const Result<core::Bounds> bounds = core::measure(points, {crew, memory});
   if (!bounds) return bounds.error();
-  return Index(std::make_unique<Shelves>(search::ChangingPoints(points, *bounds, crew)));
+  return Index(std::make_unique<Levels>(search::ChangingPoints(points, *bounds, crew)));
 }
 
 std::size_t Index::size() const {
-  return shelves_->points.size();
+  return levels_->points.size();
 }
 
 bool Index::contains(PointId id) const {
-  return shelves_->points.contains(id);
+  return levels_->points.contains(id);
 }
 
 Result<Point> Index::point(PointId id) const {
   if (!contains(id)) return no_such_point(id);
-  return shelves_->points.point(id);
+  return levels_->points.point(id);
 }
 
 Status Index::find_around(const Point& place, double radius_m, bool inclusive,
@@ -72,7 +72,7 @@ Status Index::find_around(const Point& place, double radius_m, bool inclusive,
   found.clear();
   if (auto error = search::check_radius(radius_m)) return *std::move(error);
   if (auto error = check_place(place)) return *std::move(error);
-  shelves_->find_around({place, radius_m, inclusive}, found);
+  levels_->find_around({place, radius_m, inclusive}, found);
   return std::monostate{};
 }
 
@@ -91,7 +91,7 @@ Status Index::k_nearest(const Point& place, std::size_t k, std::vector<Nearest>&
   if (nearest.empty()) return std::monostate{};
   core::NearestList list;
   list.start(place, nearest.size(), std::numeric_limits<double>::infinity());
-  shelves_->find_nearest(place, list);
+  levels_->find_nearest(place, list);
   list.write(nearest.data());
   return std::monostate{};
 }
@@ -112,7 +112,7 @@ Result<IdRows> Index::find_around(const PointsView& places, const SearchOptions&
   core::Memory memory;
   const Result<core::Bounds> bounds = core::measure(places, {crew, memory});
   if (!bounds) return bounds.error();
-  return search::find_around_all(*shelves_, places, *bounds, options, crew);
+  return search::find_around_all(*levels_, places, *bounds, options, crew);
 }
 
 Result<NearestRows> Index::k_nearest(const PointsView& places, std::size_t k,
@@ -122,31 +122,31 @@ Result<NearestRows> Index::k_nearest(const PointsView& places, std::size_t k,
   core::Memory memory;
   const Result<core::Bounds> bounds = core::measure(places, {crew, memory});
   if (!bounds) return bounds.error();
-  return search::find_nearest_of_all(*shelves_, places, *bounds, std::min(k, size()), crew);
+  return search::find_nearest_of_all(*levels_, places, *bounds, std::min(k, size()), crew);
 }
 
 Result<PointId> Index::insert(const Point& point) {
   if (auto error = check_place(point)) return *std::move(error);
-  if (auto error = core::check_size(shelves_->points.ids() + 1)) return *std::move(error);
-  return shelves_->points.insert(point);
+  if (auto error = core::check_size(levels_->points.ids() + 1)) return *std::move(error);
+  return levels_->points.insert(point);
 }
 
 Status Index::move(PointId id, const Point& point) {
   if (!contains(id)) return no_such_point(id);
   if (auto error = check_place(point)) return *std::move(error);
-  shelves_->points.move(id, point);
+  levels_->points.move(id, point);
   return std::monostate{};
 }
 
 Status Index::remove(PointId id) {
   if (!contains(id)) return no_such_point(id);
-  shelves_->points.remove(id);
+  levels_->points.remove(id);
   return std::monostate{};
 }
 
 void Index::rebuild(unsigned threads) {
   ThreadCrew crew(cpu::crew_size(threads, size()));
-  shelves_->points.rebuild(crew);
+  levels_->points.rebuild(crew);
 }
 
 }  // namespace beespace

@@ -1,6 +1,6 @@
 // Many places at once: looked up in an order that suits the caches, in chunks, by whoever is free.
 #include "exact/validate.hpp"
-#include "index/index_shelves.hpp"
+#include "index/index_levels.hpp"
 #include "index/place_order.hpp"
 
 #include <algorithm>
@@ -30,9 +30,9 @@ void share_out(std::size_t count, Crew& crew, Work&& work) {
 
 class AroundAll {
  public:
-  AroundAll(const IndexShelves& shelves, const OrderedPlaces& places, const SearchOptions& options,
+  AroundAll(const IndexLevels& levels, const OrderedPlaces& places, const SearchOptions& options,
             Crew& crew)
-      : shelves_(shelves),
+      : levels_(levels),
         places_(places),
         options_(options),
         crew_(crew),
@@ -46,7 +46,7 @@ class AroundAll {
                 if (total_ > options_.max_results) return;
                 Found& mine = found_[worker];
                 chunks_[chunk] = {mine.ids.size(), worker};
-                for (std::size_t i = begin; i < end; ++i) look_around(i, mine);
+                for (std::size_t i = begin; i < end; ++i) probe_neighbors(i, mine);
                 total_ += mine.ids.size() - chunks_[chunk].begin;
               });
     if (total_ > options_.max_results) return core::too_many_results(options_.max_results);
@@ -66,8 +66,8 @@ class AroundAll {
     unsigned worker;
   };
 
-  void look_around(std::size_t i, Found& mine) {
-    shelves_.find_around({places_.places[i], options_.threshold_m, options_.inclusive}, mine.row);
+  void probe_neighbors(std::size_t i, Found& mine) {
+    levels_.find_around({places_.places[i], options_.threshold_m, options_.inclusive}, mine.row);
     sizes_[i] = static_cast<std::uint32_t>(mine.row.size());
     mine.ids.insert(mine.ids.end(), mine.row.begin(), mine.row.end());
   }
@@ -93,7 +93,7 @@ class AroundAll {
     return rows;
   }
 
-  const IndexShelves& shelves_;
+  const IndexLevels& levels_;
   const OrderedPlaces& places_;
   const SearchOptions& options_;
   Crew& crew_;
@@ -105,15 +105,15 @@ class AroundAll {
 
 }  // namespace
 
-Result<IdRows> find_around_all(const IndexShelves& shelves, const PointsView& places,
+Result<IdRows> find_around_all(const IndexLevels& levels, const PointsView& places,
                                const core::Bounds& bounds, const SearchOptions& options,
                                Crew& crew) {
   if (places.empty()) return IdRows{};
   const OrderedPlaces ordered = place_order(places, bounds, crew);
-  return AroundAll(shelves, ordered, options, crew).find();
+  return AroundAll(levels, ordered, options, crew).find();
 }
 
-NearestRows find_nearest_of_all(const IndexShelves& shelves, const PointsView& places,
+NearestRows find_nearest_of_all(const IndexLevels& levels, const PointsView& places,
                                 const core::Bounds& bounds, std::size_t k, Crew& crew) {
   NearestRows rows{k, {}};
   if (k == 0 || places.empty()) return rows;
@@ -129,7 +129,7 @@ NearestRows find_nearest_of_all(const IndexShelves& shelves, const PointsView& p
       // way between the two. Distances and sums are off by a few 2^-53.
       if (i > begin) reach_m += distance(place, ordered.places[i - 1]);
       list.start(place, k, reach_m * (1.0 + 0x1p-48));
-      shelves.find_nearest(place, list);
+      levels.find_nearest(place, list);
       reach_m = list.reach_m();
       list.write(rows.entries.data() + std::size_t{ordered.index[i]} * k);
     }

@@ -3,8 +3,8 @@
 #include "base/buffer.hpp"
 #include "exact/exact_distance.hpp"
 #include "grid/cell_proof.hpp"
-#include "grid/look_around.hpp"
-#include "search/question_grids.hpp"
+#include "grid/neighbor_probe.hpp"
+#include "search/query_grids.hpp"
 #include "sweep/sweep_all.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace beespace::search {
 
 namespace {
 
-// Above this many mates in a point's proof cell, proofs settle nearly everybody.
+// Above this many expected_neighbors in a point's proof cell, proofs settle nearly everybody.
 constexpr double kCrowded = 2.0;
 
 // The measured cost of looking around a point, as a multiple of what one cell mate adds to the
@@ -22,21 +22,21 @@ constexpr double kCrowded = 2.0;
 constexpr double kLookCost = 100.0;
 
 struct Search {
-  const Frame& frame;
+  const SearchDomain& domain;
   const SearchOptions& options;
   const core::Resources& with;
-  const Choices& choices;
+  const TuningOverrides& tuning;
   core::ProximityTest closer{options.threshold_m, options.inclusive};
 
   void sweep(std::uint8_t* at_risk) const {
-    const QuestionGrids grids(frame, options, with, choices);
+    const QueryGrids grids(domain, options, with, tuning);
     cpu::mark_all(grids.question(), with, at_risk);
   }
 
   void look(const core::Vector<PointId>& undecided, std::uint8_t* at_risk) const {
-    const PointsView& points = frame.points();
-    const core::Lattice lattice(frame.sets(), frame.bounds(), options.threshold_m, with.memory,
-                                choices.fold_beyond_cells);
+    const PointsView& points = domain.points();
+    const core::Lattice lattice(domain.sets(), domain.bounds(), options.threshold_m, with.memory,
+                                tuning.fold_beyond_cells);
     core::Selection selected{points};
     core::Vector<PointId> subset(&with.memory);
     if (undecided.size() * 32 < points.size()) {
@@ -44,26 +44,26 @@ struct Search {
       selected.ids = subset;
     }
     const core::SortedGrid grid = core::sort_into_grid(selected, lattice, 0, with);
-    core::look_around(grid, points, closer, options.threshold_m, with, at_risk);
+    core::probe_neighbors(grid, points, closer, options.threshold_m, with, at_risk);
   }
 
   void run(core::Buffer<std::uint8_t>& at_risk) const {
-    using Method = Choices::Method;
-    const std::size_t size = frame.points().size();
-    double mates = 0.0;
-    bool prove = !frame.has_others() && choices.method != Method::kSweep;
+    using Method = TuningOverrides::Method;
+    const std::size_t size = domain.points().size();
+    double expected_neighbors = 0.0;
+    bool prove = !domain.has_others() && tuning.method != Method::kSweep;
     if (prove) {
-      mates = frame.mates(core::proof_cell_side(options.threshold_m));
-      if (choices.method == Method::kAutomatic) prove = mates > kCrowded;
+      expected_neighbors = domain.expected_neighbors(core::proof_cell_side(options.threshold_m));
+      if (tuning.method == Method::kAutomatic) prove = expected_neighbors > kCrowded;
     }
     if (!prove) return sweep(at_risk.data());
     const core::Vector<PointId> undecided =
-        core::prove_by_cells(frame.points(), frame.bounds(), options.threshold_m, closer, with,
-                             at_risk, choices.cell_table);
+        core::prove_by_cells(domain.points(), domain.bounds(), options.threshold_m, closer, with,
+                             at_risk, tuning.cell_table);
     if (undecided.empty()) return;
-    const bool few =
-        mates * static_cast<double>(size) > kLookCost * static_cast<double>(undecided.size());
-    if (choices.method == Method::kAutomatic ? few : choices.method == Method::kProveThenLook) {
+    const bool few = expected_neighbors * static_cast<double>(size) >
+                     kLookCost * static_cast<double>(undecided.size());
+    if (tuning.method == Method::kAutomatic ? few : tuning.method == Method::kProveThenLook) {
       look(undecided, at_risk.data());
     } else {
       sweep(at_risk.data());
@@ -101,13 +101,14 @@ void write_ids(const core::Buffer<std::uint8_t>& at_risk, std::size_t size,
 
 }  // namespace
 
-void find_at_risk(const Frame& frame, const SearchOptions& options, const core::Resources& with,
-                  const Choices& choices, std::vector<PointId>& at_risk) {
+void find_at_risk(const SearchDomain& domain, const SearchOptions& options,
+                  const core::Resources& with, const TuningOverrides& tuning,
+                  std::vector<PointId>& at_risk) {
   at_risk.clear();
-  if (frame.others().size() < (frame.has_others() ? 1U : 2U)) return;
-  core::Buffer<std::uint8_t> marks(with.memory, frame.points().size());
-  Search{frame, options, with, choices}.run(marks);
-  write_ids(marks, frame.points().size(), with, at_risk);
+  if (domain.others().size() < (domain.has_others() ? 1U : 2U)) return;
+  core::Buffer<std::uint8_t> marks(with.memory, domain.points().size());
+  Search{domain, options, with, tuning}.run(marks);
+  write_ids(marks, domain.points().size(), with, at_risk);
 }
 
 }  // namespace beespace::search

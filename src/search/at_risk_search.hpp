@@ -1,4 +1,4 @@
-// The at-risk search behind find_at_risk, with its choices open to tests and benchmarks.
+// The at-risk search behind find_at_risk, with its tuning open to tests and benchmarks.
 //
 //   points --> crowded? --yes--> prove by cells --> rest? --few--> look around each of them
 //                  |                                  |
@@ -8,8 +8,8 @@
 #pragma once
 
 #include "base/resources.hpp"
-#include "search/choices.hpp"
-#include "search/frame.hpp"
+#include "search/search_domain.hpp"
+#include "search/tuning_overrides.hpp"
 
 #include <beespace/point.hpp>
 #include <beespace/search_options.hpp>
@@ -18,8 +18,9 @@
 
 namespace beespace::search {
 
-// The ids of the frame's points that are near another one, or near one of the frame's others.
-void find_at_risk(const Frame& frame, const SearchOptions& options, const core::Resources& with,
-                  const Choices& choices, std::vector<PointId>& at_risk);
+// The ids of the domain's points that are near another one, or near one of the domain's others.
+void find_at_risk(const SearchDomain& domain, const SearchOptions& options,
+                  const core::Resources& with, const TuningOverrides& tuning,
+                  std::vector<PointId>& at_risk);
 
 }  // namespace beespace::search

@@ -1,7 +1,7 @@
 #include "search/count_in_crowds.hpp"
 
 #include "exact/exact_distance.hpp"
-#include "grid/crowd_places.hpp"
+#include "grid/coincident_points.hpp"
 #include "grid/lattice.hpp"
 #include "search/crowded.hpp"
 #include "sweep/count_crowds.hpp"
@@ -29,35 +29,36 @@ class Side {
   }
 
   [[nodiscard]] cpu::Crowds crowds() const { return {*tree_, weights_.data()}; }
-  [[nodiscard]] const std::optional<core::CrowdPlaces>& places() const { return places_; }
+  [[nodiscard]] const std::optional<core::CoincidentPoints>& places() const { return places_; }
 
  private:
-  std::optional<core::CrowdPlaces> places_;
+  std::optional<core::CoincidentPoints> places_;
   std::optional<core::CrowdTree> tree_;
   core::Buffer<std::uint32_t> weights_;
 };
 
 }  // namespace
 
-void count_in_crowds(const Frame& frame, const SearchOptions& options, const core::Resources& with,
-                     const Choices& choices, std::uint32_t* counts) {
-  const core::Lattice lattice(frame.sets(), frame.bounds(), options.threshold_m, with.memory,
-                              choices.fold_beyond_cells);
+void count_in_crowds(const SearchDomain& domain, const SearchOptions& options,
+                     const core::Resources& with, const TuningOverrides& tuning,
+                     std::uint32_t* counts) {
+  const core::Lattice lattice(domain.sets(), domain.bounds(), options.threshold_m, with.memory,
+                              tuning.fold_beyond_cells);
   const core::ProximityTest closer(options.threshold_m, options.inclusive);
-  const bool duplicates = has_duplicates(frame, options.threshold_m);
-  const Side asked(frame.points(), duplicates, frame.bounds(), lattice, with);
+  const bool duplicates = has_duplicates(domain, options.threshold_m);
+  const Side asked(domain.points(), duplicates, domain.bounds(), lattice, with);
   std::optional<Side> others;
-  if (frame.has_others()) {
-    others.emplace(frame.others(), duplicates, frame.bounds(), lattice, with);
+  if (domain.has_others()) {
+    others.emplace(domain.others(), duplicates, domain.bounds(), lattice, with);
   }
-  const cpu::CrowdQuestion question{asked.crowds(),
-                                    others ? others->crowds() : asked.crowds(),
-                                    options.threshold_m,
-                                    lattice.units_per_m(),
-                                    closer,
-                                    choices.instruction_set};
-  const std::size_t size = frame.points().size();
-  const std::uint32_t self = frame.has_others() ? 0 : 1;
+  const cpu::CrowdQuery question{asked.crowds(),
+                                 others ? others->crowds() : asked.crowds(),
+                                 options.threshold_m,
+                                 lattice.units_per_m(),
+                                 closer,
+                                 tuning.instruction_set};
+  const std::size_t size = domain.points().size();
+  const std::uint32_t self = domain.has_others() ? 0 : 1;
   if (!asked.places()) {
     cpu::count_crowds(question, with, counts);
     for (std::size_t id = 0; id < size; ++id) counts[id] -= self;

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/resources.hpp"
-#include "search/choices.hpp"
-#include "search/frame.hpp"
+#include "search/search_domain.hpp"
+#include "search/tuning_overrides.hpp"
 
 #include <beespace/search_options.hpp>
 
@@ -11,8 +11,10 @@
 
 namespace beespace::search {
 
-// Writes the count of every point of a frame in which nobody is missing: neither points nor others.
-void count_in_crowds(const Frame& frame, const SearchOptions& options, const core::Resources& with,
-                     const Choices& choices, std::uint32_t* counts);
+// Writes the count of every point of a domain in which nobody is missing: neither points nor
+// others.
+void count_in_crowds(const SearchDomain& domain, const SearchOptions& options,
+                     const core::Resources& with, const TuningOverrides& tuning,
+                     std::uint32_t* counts);
 
 }  // namespace beespace::search

@@ -35,12 +35,12 @@ struct Shared {
 
 CylinderSearch::CylinderSearch(const PointsView& points, const PointsView* others,
                                const SearchOptions& options, const core::Resources& with,
-                               const Choices& choices)
+                               const TuningOverrides& tuning)
     : points_(core::upright(points, options.heights_m, options)),
       options_(options),
       tests_{core::CylinderBoxTest(size_of(options)), core::CylinderTest(options)},
       with_(with),
-      choices_(choices) {
+      tuning_(tuning) {
   if (others != nullptr) others_ = core::upright(*others, options.other_heights_m, options);
 }
 
@@ -49,8 +49,8 @@ bool CylinderSearch::is_empty() const {
 }
 
 std::optional<core::CylinderRows> CylinderSearch::rows() const {
-  if (others_ || is_empty() || choices_.crowds == Choices::Crowds::kAlways) return {};
-  const bool wanted = choices_.crowds == Choices::Crowds::kNever;
+  if (others_ || is_empty() || tuning_.crowds == TuningOverrides::Crowds::kAlways) return {};
+  const bool wanted = tuning_.crowds == TuningOverrides::Crowds::kNever;
   std::optional<core::CylinderRows> rows;
   rows.emplace(points_, size_of(options_), wanted, with_);
   if (!rows->finished()) rows.reset();

@@ -7,7 +7,7 @@
 #include "base/resources.hpp"
 #include "cylinders/cylinder_join.hpp"
 #include "cylinders/cylinder_rows.hpp"
-#include "search/choices.hpp"
+#include "search/tuning_overrides.hpp"
 
 #include <beespace/id_rows.hpp>
 #include <beespace/nearest.hpp>
@@ -28,7 +28,7 @@ class CylinderSearch {
   // must outlive the search, as `with` must. Without `others` the points are compared with each
   // other.
   CylinderSearch(const PointsView& points, const PointsView* others, const SearchOptions& options,
-                 const core::Resources& with, const Choices& choices);
+                 const core::Resources& with, const TuningOverrides& tuning);
 
   Status find_at_risk(std::vector<PointId>& at_risk) const;
   Status find_pairs(std::vector<Pair>& pairs) const;
@@ -67,7 +67,7 @@ class CylinderSearch {
   const SearchOptions& options_;
   core::CylinderTests tests_;
   const core::Resources& with_;
-  const Choices& choices_;
+  const TuningOverrides& tuning_;
 };
 
 }  // namespace beespace::search

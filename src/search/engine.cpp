@@ -6,10 +6,10 @@
 #include "grid/closest_pair.hpp"
 #include "search/at_risk_search.hpp"
 #include "search/cylinder_search.hpp"
+#include "search/engine_state.hpp"
 #include "search/group_search.hpp"
 #include "search/nearest_search.hpp"
 #include "search/pair_search.hpp"
-#include "search/workshop.hpp"
 
 #include <optional>
 #include <utility>
@@ -26,29 +26,28 @@ bool is_vertical(const SearchOptions& options) {
 
 }  // namespace
 
-Engine::Engine() : workshop_(std::make_unique<Workshop>(nullptr)) {
+Engine::Engine() : state_(std::make_unique<EngineState>(nullptr)) {
 }
-Engine::Engine(Crew& crew) : workshop_(std::make_unique<Workshop>(&crew)) {
+Engine::Engine(Crew& crew) : state_(std::make_unique<EngineState>(&crew)) {
 }
 Engine::Engine(Engine&&) noexcept = default;
 Engine& Engine::operator=(Engine&&) noexcept = default;
 Engine::~Engine() = default;
 
 void Engine::release_memory() {
-  workshop_->memory().release();
+  state_->memory().release();
 }
 
 Status Engine::find_at_risk(const PointsView& points, const SearchOptions& options,
                             std::vector<PointId>& at_risk) {
   return core::answered(at_risk, [&]() -> Status {
     if (is_vertical(options)) {
-      return workshop_->run_cylinder(points, nullptr, options, [&](const auto& search) {
-        return search.find_at_risk(at_risk);
-      });
+      return state_->run_cylinder(points, nullptr, options,
+                                  [&](const auto& search) { return search.find_at_risk(at_risk); });
     }
     if (auto error = core::check_options(options)) return *std::move(error);
-    return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
-      search::find_at_risk(frame, options, with, workshop_->choices, at_risk);
+    return state_->run(points, options.threads, [&](const auto& domain, const auto& with) {
+      search::find_at_risk(domain, options, with, state_->tuning, at_risk);
       return kDone;
     });
   });
@@ -58,16 +57,14 @@ Status Engine::find_at_risk_between(const PointsView& points, const PointsView& 
                                     const SearchOptions& options, std::vector<PointId>& at_risk) {
   return core::answered(at_risk, [&]() -> Status {
     if (is_vertical(options)) {
-      return workshop_->run_cylinder(points, &others, options, [&](const auto& search) {
-        return search.find_at_risk(at_risk);
-      });
+      return state_->run_cylinder(points, &others, options,
+                                  [&](const auto& search) { return search.find_at_risk(at_risk); });
     }
     if (auto error = core::check_options(options)) return *std::move(error);
-    return workshop_->run(points, others, options.threads,
-                          [&](const auto& frame, const auto& with) {
-                            search::find_at_risk(frame, options, with, workshop_->choices, at_risk);
-                            return kDone;
-                          });
+    return state_->run(points, others, options.threads, [&](const auto& domain, const auto& with) {
+      search::find_at_risk(domain, options, with, state_->tuning, at_risk);
+      return kDone;
+    });
   });
 }
 
@@ -75,12 +72,12 @@ Status Engine::find_pairs(const PointsView& points, const SearchOptions& options
                           std::vector<Pair>& pairs) {
   return core::answered(pairs, [&]() -> Status {
     if (is_vertical(options)) {
-      return workshop_->run_cylinder(points, nullptr, options,
-                                     [&](const auto& search) { return search.find_pairs(pairs); });
+      return state_->run_cylinder(points, nullptr, options,
+                                  [&](const auto& search) { return search.find_pairs(pairs); });
     }
     if (auto error = core::check_options(options)) return *std::move(error);
-    return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
-      return search::find_pairs(frame, options, with, workshop_->choices, pairs);
+    return state_->run(points, options.threads, [&](const auto& domain, const auto& with) {
+      return search::find_pairs(domain, options, with, state_->tuning, pairs);
     });
   });
 }
@@ -89,28 +86,27 @@ Status Engine::find_pairs_between(const PointsView& points, const PointsView& ot
                                   const SearchOptions& options, std::vector<Pair>& pairs) {
   return core::answered(pairs, [&]() -> Status {
     if (is_vertical(options)) {
-      return workshop_->run_cylinder(points, &others, options,
-                                     [&](const auto& search) { return search.find_pairs(pairs); });
+      return state_->run_cylinder(points, &others, options,
+                                  [&](const auto& search) { return search.find_pairs(pairs); });
     }
     if (auto error = core::check_options(options)) return *std::move(error);
-    return workshop_->run(
-        points, others, options.threads, [&](const auto& frame, const auto& with) {
-          return search::find_pairs(frame, options, with, workshop_->choices, pairs);
-        });
+    return state_->run(points, others, options.threads, [&](const auto& domain, const auto& with) {
+      return search::find_pairs(domain, options, with, state_->tuning, pairs);
+    });
   });
 }
 
 Result<bool> Engine::visit_pairs(const PointsView& points, const SearchOptions& options,
                                  const PairVisitor& visit) {
   if (is_vertical(options)) {
-    return workshop_->run_cylinder(points, nullptr, options,
-                                   [&](const auto& search) { return search.visit_pairs(visit); });
+    return state_->run_cylinder(points, nullptr, options,
+                                [&](const auto& search) { return search.visit_pairs(visit); });
   }
   if (auto error = core::check_options(options)) return *std::move(error);
   bool saw_all = false;
   const Status status =
-      workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
-        saw_all = search::visit_pairs(frame, options, with, workshop_->choices, visit);
+      state_->run(points, options.threads, [&](const auto& domain, const auto& with) {
+        saw_all = search::visit_pairs(domain, options, with, state_->tuning, visit);
         return kDone;
       });
   if (!status) return status.error();
@@ -121,13 +117,13 @@ Status Engine::find_neighbors(const PointsView& points, const SearchOptions& opt
                               IdRows& neighbors) {
   return core::answered(neighbors, [&]() -> Status {
     if (is_vertical(options)) {
-      return workshop_->run_cylinder(points, nullptr, options, [&](const auto& search) {
+      return state_->run_cylinder(points, nullptr, options, [&](const auto& search) {
         return search.find_neighbors(neighbors);
       });
     }
     if (auto error = core::check_options(options)) return *std::move(error);
-    return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
-      return search::find_neighbors(frame, options, with, workshop_->choices, neighbors);
+    return state_->run(points, options.threads, [&](const auto& domain, const auto& with) {
+      return search::find_neighbors(domain, options, with, state_->tuning, neighbors);
     });
   });
 }
@@ -136,15 +132,14 @@ Status Engine::find_neighbors_between(const PointsView& points, const PointsView
                                       const SearchOptions& options, IdRows& neighbors) {
   return core::answered(neighbors, [&]() -> Status {
     if (is_vertical(options)) {
-      return workshop_->run_cylinder(points, &others, options, [&](const auto& search) {
+      return state_->run_cylinder(points, &others, options, [&](const auto& search) {
         return search.find_neighbors(neighbors);
       });
     }
     if (auto error = core::check_options(options)) return *std::move(error);
-    return workshop_->run(
-        points, others, options.threads, [&](const auto& frame, const auto& with) {
-          return search::find_neighbors(frame, options, with, workshop_->choices, neighbors);
-        });
+    return state_->run(points, others, options.threads, [&](const auto& domain, const auto& with) {
+      return search::find_neighbors(domain, options, with, state_->tuning, neighbors);
+    });
   });
 }
 
@@ -152,13 +147,13 @@ Status Engine::count_neighbors(const PointsView& points, const SearchOptions& op
                                std::vector<std::uint32_t>& counts) {
   return core::answered(counts, [&]() -> Status {
     if (is_vertical(options)) {
-      return workshop_->run_cylinder(points, nullptr, options, [&](const auto& search) {
+      return state_->run_cylinder(points, nullptr, options, [&](const auto& search) {
         return search.count_neighbors(counts);
       });
     }
     if (auto error = core::check_options(options)) return *std::move(error);
-    return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
-      search::count_neighbors(frame, options, with, workshop_->choices, counts);
+    return state_->run(points, options.threads, [&](const auto& domain, const auto& with) {
+      search::count_neighbors(domain, options, with, state_->tuning, counts);
       return kDone;
     });
   });
@@ -169,16 +164,15 @@ Status Engine::count_neighbors_between(const PointsView& points, const PointsVie
                                        std::vector<std::uint32_t>& counts) {
   return core::answered(counts, [&]() -> Status {
     if (is_vertical(options)) {
-      return workshop_->run_cylinder(points, &others, options, [&](const auto& search) {
+      return state_->run_cylinder(points, &others, options, [&](const auto& search) {
         return search.count_neighbors(counts);
       });
     }
     if (auto error = core::check_options(options)) return *std::move(error);
-    return workshop_->run(
-        points, others, options.threads, [&](const auto& frame, const auto& with) {
-          search::count_neighbors(frame, options, with, workshop_->choices, counts);
-          return kDone;
-        });
+    return state_->run(points, others, options.threads, [&](const auto& domain, const auto& with) {
+      search::count_neighbors(domain, options, with, state_->tuning, counts);
+      return kDone;
+    });
   });
 }
 
@@ -186,12 +180,12 @@ Status Engine::find_conflict_groups(const PointsView& points, const SearchOption
                                     IdRows& groups) {
   return core::answered(groups, [&]() -> Status {
     if (is_vertical(options)) {
-      return workshop_->run_cylinder(
-          points, nullptr, options, [&](const auto& search) { return search.find_groups(groups); });
+      return state_->run_cylinder(points, nullptr, options,
+                                  [&](const auto& search) { return search.find_groups(groups); });
     }
     if (auto error = core::check_options(options)) return *std::move(error);
-    return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
-      search::find_conflict_groups(frame, options, with, workshop_->choices, groups);
+    return state_->run(points, options.threads, [&](const auto& domain, const auto& with) {
+      search::find_conflict_groups(domain, options, with, state_->tuning, groups);
       return kDone;
     });
   });
@@ -200,8 +194,8 @@ Status Engine::find_conflict_groups(const PointsView& points, const SearchOption
 Status Engine::find_nearest(const PointsView& points, std::vector<Nearest>& nearest,
                             unsigned threads) {
   return core::answered(nearest, [&]() -> Status {
-    return workshop_->run(points, threads, [&](const auto& frame, const auto& with) {
-      search::find_nearest(frame, std::nullopt, with, workshop_->choices, nearest);
+    return state_->run(points, threads, [&](const auto& domain, const auto& with) {
+      search::find_nearest(domain, std::nullopt, with, state_->tuning, nearest);
       return kDone;
     });
   });
@@ -211,13 +205,12 @@ Status Engine::find_nearest_within(const PointsView& points, const SearchOptions
                                    std::vector<Nearest>& nearest) {
   return core::answered(nearest, [&]() -> Status {
     if (is_vertical(options)) {
-      return workshop_->run_cylinder(points, nullptr, options, [&](const auto& search) {
-        return search.find_nearest(nearest);
-      });
+      return state_->run_cylinder(points, nullptr, options,
+                                  [&](const auto& search) { return search.find_nearest(nearest); });
     }
     if (auto error = core::check_options(options)) return *std::move(error);
-    return workshop_->run(points, options.threads, [&](const auto& frame, const auto& with) {
-      search::find_nearest(frame, options, with, workshop_->choices, nearest);
+    return state_->run(points, options.threads, [&](const auto& domain, const auto& with) {
+      search::find_nearest(domain, options, with, state_->tuning, nearest);
       return kDone;
     });
   });
@@ -226,8 +219,8 @@ Status Engine::find_nearest_within(const PointsView& points, const SearchOptions
 Status Engine::find_nearest_between(const PointsView& points, const PointsView& others,
                                     std::vector<Nearest>& nearest, unsigned threads) {
   return core::answered(nearest, [&]() -> Status {
-    return workshop_->run(points, others, threads, [&](const auto& frame, const auto& with) {
-      search::find_nearest(frame, std::nullopt, with, workshop_->choices, nearest);
+    return state_->run(points, others, threads, [&](const auto& domain, const auto& with) {
+      search::find_nearest(domain, std::nullopt, with, state_->tuning, nearest);
       return kDone;
     });
   });
@@ -238,23 +231,21 @@ Status Engine::find_nearest_within_between(const PointsView& points, const Point
                                            std::vector<Nearest>& nearest) {
   return core::answered(nearest, [&]() -> Status {
     if (is_vertical(options)) {
-      return workshop_->run_cylinder(points, &others, options, [&](const auto& search) {
-        return search.find_nearest(nearest);
-      });
+      return state_->run_cylinder(points, &others, options,
+                                  [&](const auto& search) { return search.find_nearest(nearest); });
     }
     if (auto error = core::check_options(options)) return *std::move(error);
-    return workshop_->run(points, others, options.threads,
-                          [&](const auto& frame, const auto& with) {
-                            search::find_nearest(frame, options, with, workshop_->choices, nearest);
-                            return kDone;
-                          });
+    return state_->run(points, others, options.threads, [&](const auto& domain, const auto& with) {
+      search::find_nearest(domain, options, with, state_->tuning, nearest);
+      return kDone;
+    });
   });
 }
 
 Result<std::optional<ClosestPair>> Engine::find_closest_pair(const PointsView& points,
                                                              unsigned threads) {
   std::optional<ClosestPair> closest;
-  const core::Resources with = workshop_->resources(threads, points.size());
+  const core::Resources with = state_->resources(threads, points.size());
   if (auto error = core::check_size(points)) return *std::move(error);
   const Result<core::Bounds> bounds = core::measure(points, with);
   if (!bounds) return bounds.error();
@@ -270,8 +261,8 @@ Result<std::optional<ClosestPair>> Engine::find_closest_pair_between(const Point
                                                                      unsigned threads) {
   std::optional<ClosestPair> closest;
   const Status status =
-      workshop_->run(points, others, threads, [&](const auto& frame, const auto& with) {
-        closest = search::find_closest_between(frame, with, workshop_->choices, workshop_->nearest);
+      state_->run(points, others, threads, [&](const auto& domain, const auto& with) {
+        closest = search::find_closest_between(domain, with, state_->tuning, state_->nearest);
         return kDone;
       });
   if (!status) return status.error();

@@ -1,9 +1,9 @@
 #include "search/group_search.hpp"
 
 #include "base/disjoint_sets.hpp"
-#include "grid/crowd_places.hpp"
+#include "grid/coincident_points.hpp"
 #include "search/crowded.hpp"
-#include "search/question_grids.hpp"
+#include "search/query_grids.hpp"
 #include "sweep/join_groups.hpp"
 #include "tree/crowd_groups.hpp"
 #include "tree/crowd_tree.hpp"
@@ -24,10 +24,11 @@ constexpr double kCrowded = 25.0;
 
 using Roots = core::Buffer<std::uint32_t>;  // by id
 
-void find_roots_in_grid(const Frame& frame, const SearchOptions& options,
-                        const core::Resources& with, const Choices& choices, Roots& root_of) {
-  const QuestionGrids grids(frame, options, with, choices);
-  const cpu::Question question = grids.question();
+void find_roots_in_grid(const SearchDomain& domain, const SearchOptions& options,
+                        const core::Resources& with, const TuningOverrides& tuning,
+                        Roots& root_of) {
+  const QueryGrids grids(domain, options, with, tuning);
+  const cpu::SweepQuery question = grids.question();
   const core::SortedGrid& grid = question.asked.grid;
   core::DisjointSets sets(with.memory, static_cast<std::uint32_t>(grid.size));
   cpu::join_near(question, with, sets);
@@ -39,11 +40,12 @@ void find_roots_in_grid(const Frame& frame, const SearchOptions& options,
 }
 
 // For every one of `points` the slot that is the root of its set.
-void find_roots_in_tree(const PointsView& points, const Frame& frame, const SearchOptions& options,
-                        const core::Resources& with, const Choices& choices, Roots& root_of) {
-  const core::Lattice lattice(frame.sets(), frame.bounds(), options.threshold_m, with.memory,
-                              choices.fold_beyond_cells);
-  const core::CrowdTree tree(points, frame.bounds(), lattice, with);
+void find_roots_in_tree(const PointsView& points, const SearchDomain& domain,
+                        const SearchOptions& options, const core::Resources& with,
+                        const TuningOverrides& tuning, Roots& root_of) {
+  const core::Lattice lattice(domain.sets(), domain.bounds(), options.threshold_m, with.memory,
+                              tuning.fold_beyond_cells);
+  const core::CrowdTree tree(points, domain.bounds(), lattice, with);
   const core::ProximityTest closer(options.threshold_m, options.inclusive);
   core::DisjointSets sets(with.memory, static_cast<std::uint32_t>(tree.size()));
   core::join_crowds(tree, options.threshold_m, lattice.units_per_m(), closer, with, sets);
@@ -54,18 +56,18 @@ void find_roots_in_tree(const PointsView& points, const Frame& frame, const Sear
   });
 }
 
-void find_roots(const Frame& frame, const SearchOptions& options, const core::Resources& with,
-                const Choices& choices, Roots& root_of) {
-  if (!is_crowded(frame, options.threshold_m, kCrowded, choices)) {
-    return find_roots_in_grid(frame, options, with, choices, root_of);
+void find_roots(const SearchDomain& domain, const SearchOptions& options,
+                const core::Resources& with, const TuningOverrides& tuning, Roots& root_of) {
+  if (!is_crowded(domain, options.threshold_m, kCrowded, tuning)) {
+    return find_roots_in_grid(domain, options, with, tuning, root_of);
   }
-  if (!has_duplicates(frame, options.threshold_m)) {
-    return find_roots_in_tree(frame.points(), frame, options, with, choices, root_of);
+  if (!has_duplicates(domain, options.threshold_m)) {
+    return find_roots_in_tree(domain.points(), domain, options, with, tuning, root_of);
   }
-  const core::CrowdPlaces places(frame.points(), with.memory);
+  const core::CoincidentPoints places(domain.points(), with.memory);
   Roots root_of_place(with.memory, places.size());
-  find_roots_in_tree(places.places(), frame, options, with, choices, root_of_place);
-  for (PointId id = 0; id < frame.points().size(); ++id) {
+  find_roots_in_tree(places.places(), domain, options, with, tuning, root_of_place);
+  for (PointId id = 0; id < domain.points().size(); ++id) {
     root_of[id] = root_of_place[places.place_of(id)];
   }
 }
@@ -94,11 +96,12 @@ void write_groups(const Roots& root_of, std::size_t size, const core::Resources&
   }
 }
 
-void find_conflict_groups(const Frame& frame, const SearchOptions& options,
-                          const core::Resources& with, const Choices& choices, IdRows& groups) {
-  const std::size_t size = frame.points().size();
+void find_conflict_groups(const SearchDomain& domain, const SearchOptions& options,
+                          const core::Resources& with, const TuningOverrides& tuning,
+                          IdRows& groups) {
+  const std::size_t size = domain.points().size();
   Roots root_of(with.memory, size);
-  find_roots(frame, options, with, choices, root_of);
+  find_roots(domain, options, with, tuning, root_of);
   write_groups(root_of, size, with, groups);
 }
 

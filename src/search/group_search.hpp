@@ -1,18 +1,19 @@
-// The search behind find_conflict_groups, with its choices open to tests and benchmarks.
+// The search behind find_conflict_groups, with its tuning open to tests and benchmarks.
 #pragma once
 
 #include "base/resources.hpp"
-#include "search/choices.hpp"
-#include "search/frame.hpp"
+#include "search/search_domain.hpp"
+#include "search/tuning_overrides.hpp"
 
 #include <beespace/id_rows.hpp>
 #include <beespace/search_options.hpp>
 
 namespace beespace::search {
 
-// Of a frame without others.
-void find_conflict_groups(const Frame& frame, const SearchOptions& options,
-                          const core::Resources& with, const Choices& choices, IdRows& groups);
+// Of a domain without others.
+void find_conflict_groups(const SearchDomain& domain, const SearchOptions& options,
+                          const core::Resources& with, const TuningOverrides& tuning,
+                          IdRows& groups);
 
 // Writes groups of two or more, given by the root of each id, in the order of their lowest member,
 // members ascending: ids are gone through in order, and each goes to the end of its group.

@@ -3,7 +3,7 @@
 #include "base/buffer.hpp"
 #include "base/hash.hpp"
 #include "exact/exact_distance.hpp"
-#include "grid/look_around.hpp"
+#include "grid/neighbor_probe.hpp"
 #include "grid/sorted_grid.hpp"
 #include "sweep/nearest_all.hpp"
 
@@ -22,32 +22,33 @@ constexpr std::size_t kFew = 16;
 
 class NearestSearch {
  public:
-  NearestSearch(const Frame& frame, const std::optional<SearchOptions>& within,
-                const core::Resources& with, const Choices& choices, std::vector<Nearest>& nearest)
-      : frame_(frame),
+  NearestSearch(const SearchDomain& domain, const std::optional<SearchOptions>& within,
+                const core::Resources& with, const TuningOverrides& tuning,
+                std::vector<Nearest>& nearest)
+      : domain_(domain),
         with_(with),
-        choices_(choices),
+        tuning_(tuning),
         within_(within),
         farthest_(within ? within->threshold_m : std::numeric_limits<double>::infinity()),
         nearest_(nearest),
-        ids_(with.memory, frame.points().size()),
+        ids_(with.memory, domain.points().size()),
         candidates_(&with.memory),
         open_(&with.memory) {}
 
   void run() {
-    const std::size_t size = frame_.points().size();
-    if (frame_.others().size() < (frame_.has_others() ? 1U : 2U)) {
+    const std::size_t size = domain_.points().size();
+    if (domain_.others().size() < (domain_.has_others() ? 1U : 2U)) {
       return nearest_.assign(size, Nearest{});
     }
     nearest_.resize(size);
     bool all_open = true;
-    if (!frame_.has_others() && frame_.mates(frame_.widest() * kTwinCells) > 1.0) {
+    if (!domain_.has_others() && domain_.expected_neighbors(domain_.widest() * kTwinCells) > 1.0) {
       nearest_.assign(size, Nearest{});
       settle_duplicates();
       all_open = false;
       if (open_.empty()) return;
     }
-    double radius = std::min(frame_.side_with_some() * kFirstRadius, farthest_);
+    double radius = std::min(domain_.side_with_some() * kFirstRadius, farthest_);
     if (radius == 0.0) radius = std::min(1.0, farthest_);  // all asked and others at one place
     for (;;) {
       look_within(radius, all_open);
@@ -70,7 +71,7 @@ class NearestSearch {
   // Points at one place are each other's nearest, however many there are. Only the first of each
   // place takes part in what follows: the others could be nearest to nobody else.
   void settle_duplicates() {
-    const PointsView& points = frame_.points();
+    const PointsView& points = domain_.points();
     const std::size_t slots = std::bit_ceil(points.size() * 2);
     core::Buffer<PointId> first_at(with_.memory, slots);
     std::fill_n(first_at.data(), slots, Nearest::kNobody);
@@ -122,7 +123,7 @@ class NearestSearch {
   // Writes to ids_ the nearest of those whom every open point sees within the radius, and maybe
   // beyond.
   void look_within(double radius, bool all_open) {
-    core::Selection asking{frame_.points()};
+    core::Selection asking{domain_.points()};
     if (!all_open) asking.ids = open_;
     if (around_) {
       if (const auto cells = around_->cells(radius)) {
@@ -133,11 +134,11 @@ class NearestSearch {
       around_.reset();
     }
 
-    core::Lattice lattice(frame_.sets(), frame_.bounds(), radius, with_.memory,
-                          choices_.fold_beyond_cells);
-    unsigned row_shift = frame_.row_shift(lattice, radius);
-    if (choices_.row_shift) row_shift = std::min(*choices_.row_shift, 30 - lattice.fraction_bits());
-    core::Selection around{frame_.others()};
+    core::Lattice lattice(domain_.sets(), domain_.bounds(), radius, with_.memory,
+                          tuning_.fold_beyond_cells);
+    unsigned row_shift = domain_.row_shift(lattice, radius);
+    if (tuning_.row_shift) row_shift = std::min(*tuning_.row_shift, 30 - lattice.fraction_bits());
+    core::Selection around{domain_.others()};
     core::Vector<PointId> surrounding(&with_.memory);
     if (!candidates_.empty()) around.ids = candidates_;
     const bool few = !all_open && open_.size() * 32 < around.size();
@@ -146,7 +147,7 @@ class NearestSearch {
       around.ids = surrounding;
     }
     core::SortedGrid others = core::sort_into_grid(around, lattice, row_shift, with_);
-    if (all_open && !frame_.has_others()) {
+    if (all_open && !domain_.has_others()) {
       ask(others, others, 1);
     } else {
       ask(core::sort_into_grid(asking, lattice, row_shift, with_), others, 1);
@@ -157,12 +158,12 @@ class NearestSearch {
   void ask(const core::SortedGrid& asked, const core::SortedGrid& others,
            std::int32_t reach_cells) {
     const core::ProximityTest unused(1.0, false);
-    cpu::nearest_all({{asked, frame_.points()},
-                      {others, frame_.others()},
+    cpu::nearest_all({{asked, domain_.points()},
+                      {others, domain_.others()},
                       unused,
                       {},
-                      cpu::kernels(choices_.instruction_set),
-                      !frame_.has_others(),
+                      cpu::kernels(tuning_.instruction_set),
+                      !domain_.has_others(),
                       reach_cells},
                      with_, ids_.data());
   }
@@ -172,9 +173,9 @@ class NearestSearch {
   void settle(double radius, bool all_open) {
     const bool last = radius == farthest_;
     const core::ProximityTest closer(radius, last && within_->inclusive);
-    const std::size_t size = all_open ? frame_.points().size() : open_.size();
-    const PointsView points = frame_.original_points();
-    const PointsView others = frame_.original_others();
+    const std::size_t size = all_open ? domain_.points().size() : open_.size();
+    const PointsView points = domain_.original_points();
+    const PointsView others = domain_.original_others();
     core::PerWorker<PointId> still_open(with_);
     with_.crew.split(size, [&](std::size_t begin, std::size_t end, unsigned worker) {
       for (std::size_t i = begin; i < end; ++i) {
@@ -201,20 +202,20 @@ class NearestSearch {
   void prefetch_found(PointId id) const {
     const PointId found = ids_[id];
     if (found == Nearest::kNobody) return;
-    const auto* place = reinterpret_cast<const std::byte*>(frame_.others().axes()[0]);
+    const auto* place = reinterpret_cast<const std::byte*>(domain_.others().axes()[0]);
     __builtin_prefetch(place +
-                       static_cast<std::ptrdiff_t>(found) * frame_.others().stride_bytes()[0]);
+                       static_cast<std::ptrdiff_t>(found) * domain_.others().stride_bytes()[0]);
   }
 
   // By the points as the caller has them, not as they are turned: sums of squares round
   // differently.
   [[nodiscard]] double found_distance(PointId id, PointId found) const {
-    return distance(frame_.original_points()[id], frame_.original_others()[found]);
+    return distance(domain_.original_points()[id], domain_.original_others()[found]);
   }
 
   void compare_with_everybody() {
-    const PointsView& points = frame_.points();
-    const PointsView& others = frame_.others();
+    const PointsView& points = domain_.points();
+    const PointsView& others = domain_.others();
     for (const PointId id : open_) {
       const Point place = points[id];
       PointId best = Nearest::kNobody;
@@ -223,7 +224,7 @@ class NearestSearch {
         const double squared = core::squared_distance(place, others[j]);
         if (squared > surely_farther) continue;
         const auto other = static_cast<PointId>(j);
-        if (!frame_.has_others() && other == id) continue;
+        if (!domain_.has_others() && other == id) continue;
         if (best != Nearest::kNobody &&
             core::compare_distances(place, others[other], place, others[best]) >= 0) {
           continue;  // ids ascend, so a tie stays with the lower one
@@ -240,9 +241,9 @@ class NearestSearch {
     }
   }
 
-  const Frame& frame_;
+  const SearchDomain& domain_;
   const core::Resources& with_;
-  const Choices& choices_;
+  const TuningOverrides& tuning_;
   const std::optional<SearchOptions>& within_;
   double farthest_;
   std::vector<Nearest>& nearest_;
@@ -254,18 +255,19 @@ class NearestSearch {
 
 }  // namespace
 
-void find_nearest(const Frame& frame, const std::optional<SearchOptions>& within,
-                  const core::Resources& with, const Choices& choices,
+void find_nearest(const SearchDomain& domain, const std::optional<SearchOptions>& within,
+                  const core::Resources& with, const TuningOverrides& tuning,
                   std::vector<Nearest>& nearest) {
-  NearestSearch(frame, within, with, choices, nearest).run();
+  NearestSearch(domain, within, with, tuning, nearest).run();
 }
 
-std::optional<ClosestPair> find_closest_between(const Frame& frame, const core::Resources& with,
-                                                const Choices& choices,
+std::optional<ClosestPair> find_closest_between(const SearchDomain& domain,
+                                                const core::Resources& with,
+                                                const TuningOverrides& tuning,
                                                 std::vector<Nearest>& nearest) {
-  find_nearest(frame, std::nullopt, with, choices, nearest);
-  const PointsView& points = frame.points();
-  const PointsView& others = frame.others();
+  find_nearest(domain, std::nullopt, with, tuning, nearest);
+  const PointsView& points = domain.points();
+  const PointsView& others = domain.others();
   std::optional<ClosestPair> closest;
   for (PointId id = 0; id < nearest.size(); ++id) {
     const Nearest& found = nearest[id];

@@ -1,12 +1,12 @@
-// The search behind find_nearest and its relatives, with its choices open to tests and benchmarks.
+// The search behind find_nearest and its relatives, with its tuning open to tests and benchmarks.
 //
 // Everybody is looked at within a radius in which most find somebody; then, again and again, those
 // who have not found their nearest within a larger one.
 #pragma once
 
 #include "base/resources.hpp"
-#include "search/choices.hpp"
-#include "search/frame.hpp"
+#include "search/search_domain.hpp"
+#include "search/tuning_overrides.hpp"
 
 #include <beespace/nearest.hpp>
 #include <beespace/search_options.hpp>
@@ -16,16 +16,17 @@
 
 namespace beespace::search {
 
-// For each of the frame's points its nearest other, or its nearest of the frame's others; within
+// For each of the domain's points its nearest other, or its nearest of the domain's others; within
 // the options' threshold if there are options.
-void find_nearest(const Frame& frame, const std::optional<SearchOptions>& within,
-                  const core::Resources& with, const Choices& choices,
+void find_nearest(const SearchDomain& domain, const std::optional<SearchOptions>& within,
+                  const core::Resources& with, const TuningOverrides& tuning,
                   std::vector<Nearest>& nearest);
 
-// The closest of all pairs of one of the frame's points and one of its others.
+// The closest of all pairs of one of the domain's points and one of its others.
 // `nearest` is room to work in.
-std::optional<ClosestPair> find_closest_between(const Frame& frame, const core::Resources& with,
-                                                const Choices& choices,
+std::optional<ClosestPair> find_closest_between(const SearchDomain& domain,
+                                                const core::Resources& with,
+                                                const TuningOverrides& tuning,
                                                 std::vector<Nearest>& nearest);
 
 }  // namespace beespace::search

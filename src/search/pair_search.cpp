@@ -5,7 +5,7 @@
 #include "exact/validate.hpp"
 #include "search/count_in_crowds.hpp"
 #include "search/crowded.hpp"
-#include "search/question_grids.hpp"
+#include "search/query_grids.hpp"
 #include "sweep/collect_pairs.hpp"
 #include "sweep/collect_rows.hpp"
 #include "sweep/sweep_all.hpp"
@@ -25,20 +25,20 @@ constexpr double kCrowded = 260.0;
 // faster than pairs that are brought into order. Measured.
 constexpr double kLongRows = 20.0;
 
-core::Vector<core::FoundPairs> collect(const Frame& frame, const SearchOptions& options,
-                                       const core::Resources& with, const Choices& choices,
+core::Vector<core::FoundPairs> collect(const SearchDomain& domain, const SearchOptions& options,
+                                       const core::Resources& with, const TuningOverrides& tuning,
                                        std::uint64_t most) {
-  const QuestionGrids grids(frame, options, with, choices);
+  const QueryGrids grids(domain, options, with, tuning);
   return cpu::collect_pairs(grids.question(), with, most);
 }
 
-// The rows of a frame: where each begins by the id of its point, and how they come there.
+// The rows of a domain: where each begins by the id of its point, and how they come there.
 class LongRows {
  public:
-  LongRows(const Frame& frame, const SearchOptions& options, cpu::Which which,
-           const core::Resources& with, const Choices& choices)
+  LongRows(const SearchDomain& domain, const SearchOptions& options, cpu::Which which,
+           const core::Resources& with, const TuningOverrides& tuning)
       : with_(with),
-        grids_(frame, options, with, choices),
+        grids_(domain, options, with, tuning),
         ids_(grids_.question().asked.grid.id),
         found_(cpu::collect_rows(grids_.question(), which, with, options.max_results, size_)) {}
 
@@ -65,19 +65,19 @@ class LongRows {
 
  private:
   const core::Resources& with_;
-  QuestionGrids grids_;
+  QueryGrids grids_;
   const PointId* ids_;
   std::uint64_t size_ = 0;
   core::AllFoundRows found_;
 };
 
-Status find_crowded_pairs(const Frame& frame, const SearchOptions& options,
-                          const core::Resources& with, const Choices& choices,
+Status find_crowded_pairs(const SearchDomain& domain, const SearchOptions& options,
+                          const core::Resources& with, const TuningOverrides& tuning,
                           std::vector<Pair>& pairs) {
-  const auto which = frame.has_others() ? cpu::Which::kAll : cpu::Which::kAboveOnly;
-  const LongRows rows(frame, options, which, with, choices);
+  const auto which = domain.has_others() ? cpu::Which::kAll : cpu::Which::kAboveOnly;
+  const LongRows rows(domain, options, which, with, tuning);
   if (rows.size() > options.max_results) return core::too_many_results(options.max_results);
-  core::Buffer<std::uint64_t> offsets(with.memory, frame.points().size() + 1);
+  core::Buffer<std::uint64_t> offsets(with.memory, domain.points().size() + 1);
   rows.write_offsets(offsets.data());
   core::resize_for(pairs, rows.size());
   rows.for_each([&](PointId id, const PointId* row, std::size_t length) {
@@ -87,12 +87,12 @@ Status find_crowded_pairs(const Frame& frame, const SearchOptions& options,
   return std::monostate{};
 }
 
-Status find_crowded_neighbors(const Frame& frame, const SearchOptions& options,
-                              const core::Resources& with, const Choices& choices,
+Status find_crowded_neighbors(const SearchDomain& domain, const SearchOptions& options,
+                              const core::Resources& with, const TuningOverrides& tuning,
                               IdRows& neighbors) {
-  const LongRows rows(frame, options, cpu::Which::kAll, with, choices);
+  const LongRows rows(domain, options, cpu::Which::kAll, with, tuning);
   if (rows.size() > options.max_results) return core::too_many_results(options.max_results);
-  core::resize_for(neighbors.offsets, frame.points().size() + 1);
+  core::resize_for(neighbors.offsets, domain.points().size() + 1);
   rows.write_offsets(neighbors.offsets.data());
   core::resize_for(neighbors.ids, rows.size());
   rows.for_each([&](PointId id, const PointId* row, std::size_t length) {
@@ -119,54 +119,58 @@ void write_rows(const core::Buffer<Pair>& pairs, std::size_t size, std::size_t r
   for (; next_row <= row_count; ++next_row) rows.offsets[next_row] = size;
 }
 
-Status find_pairs(const Frame& frame, const SearchOptions& options, const core::Resources& with,
-                  const Choices& choices, std::vector<Pair>& pairs) {
+Status find_pairs(const SearchDomain& domain, const SearchOptions& options,
+                  const core::Resources& with, const TuningOverrides& tuning,
+                  std::vector<Pair>& pairs) {
   pairs.clear();
-  if (is_crowded(frame, options.threshold_m, kLongRows, choices)) {
-    return find_crowded_pairs(frame, options, with, choices, pairs);
+  if (is_crowded(domain, options.threshold_m, kLongRows, tuning)) {
+    return find_crowded_pairs(domain, options, with, tuning, pairs);
   }
-  const auto found = collect(frame, options, with, choices, options.max_results);
+  const auto found = collect(domain, options, with, tuning, options.max_results);
   const std::uint64_t size = core::size_of(found);
   if (size > options.max_results) return core::too_many_results(options.max_results);
   core::resize_for(pairs, size);
   core::order_pairs(found,
-                    frame.has_others() ? core::Direction::kAsFound : core::Direction::kAscending,
-                    frame.points().size(), with, pairs.data());
+                    domain.has_others() ? core::Direction::kAsFound : core::Direction::kAscending,
+                    domain.points().size(), with, pairs.data());
   return std::monostate{};
 }
 
-bool visit_pairs(const Frame& frame, const SearchOptions& options, const core::Resources& with,
-                 const Choices& choices, const PairVisitor& visit) {
-  const QuestionGrids grids(frame, options, with, choices);
+bool visit_pairs(const SearchDomain& domain, const SearchOptions& options,
+                 const core::Resources& with, const TuningOverrides& tuning,
+                 const PairVisitor& visit) {
+  const QueryGrids grids(domain, options, with, tuning);
   return cpu::show_pairs(grids.question(), with, visit);
 }
 
-Status find_neighbors(const Frame& frame, const SearchOptions& options, const core::Resources& with,
-                      const Choices& choices, IdRows& neighbors) {
+Status find_neighbors(const SearchDomain& domain, const SearchOptions& options,
+                      const core::Resources& with, const TuningOverrides& tuning,
+                      IdRows& neighbors) {
   neighbors.offsets.clear();
   neighbors.ids.clear();
-  if (is_crowded(frame, options.threshold_m, kLongRows, choices)) {
-    return find_crowded_neighbors(frame, options, with, choices, neighbors);
+  if (is_crowded(domain, options.threshold_m, kLongRows, tuning)) {
+    return find_crowded_neighbors(domain, options, with, tuning, neighbors);
   }
-  const std::uint64_t rows_a_pair = frame.has_others() ? 1 : 2;
-  const auto found = collect(frame, options, with, choices, options.max_results / rows_a_pair);
+  const std::uint64_t rows_a_pair = domain.has_others() ? 1 : 2;
+  const auto found = collect(domain, options, with, tuning, options.max_results / rows_a_pair);
   const std::uint64_t size = rows_a_pair * core::size_of(found);
   if (size > options.max_results) return core::too_many_results(options.max_results);
   core::Buffer<Pair> pairs(with.memory, size);
   core::order_pairs(found,
-                    frame.has_others() ? core::Direction::kAsFound : core::Direction::kBothWays,
-                    frame.points().size(), with, pairs.data());
-  write_rows(pairs, size, frame.points().size(), with, neighbors);
+                    domain.has_others() ? core::Direction::kAsFound : core::Direction::kBothWays,
+                    domain.points().size(), with, pairs.data());
+  write_rows(pairs, size, domain.points().size(), with, neighbors);
   return std::monostate{};
 }
 
-void count_neighbors(const Frame& frame, const SearchOptions& options, const core::Resources& with,
-                     const Choices& choices, std::vector<std::uint32_t>& counts) {
-  core::resize_for(counts, frame.points().size());
-  if (is_crowded(frame, options.threshold_m, kCrowded, choices)) {
-    return count_in_crowds(frame, options, with, choices, counts.data());
+void count_neighbors(const SearchDomain& domain, const SearchOptions& options,
+                     const core::Resources& with, const TuningOverrides& tuning,
+                     std::vector<std::uint32_t>& counts) {
+  core::resize_for(counts, domain.points().size());
+  if (is_crowded(domain, options.threshold_m, kCrowded, tuning)) {
+    return count_in_crowds(domain, options, with, tuning, counts.data());
   }
-  const QuestionGrids grids(frame, options, with, choices);
+  const QueryGrids grids(domain, options, with, tuning);
   cpu::count_all(grids.question(), with, counts.data());
 }
 

@@ -9,7 +9,7 @@ namespace beespace::cpu {
 namespace {
 
 // Runs the collecting kernel over the sorted points [begin, end). `sink` tells where pairs go.
-void collect(const Question& question, std::uint32_t begin, std::uint32_t end, PairSink& sink) {
+void collect(const SweepQuery& question, std::uint32_t begin, std::uint32_t end, PairSink& sink) {
   const Kernels& kernels = question.kernels;
   const auto kernel = question.by_itself() ? kernels.collect : kernels.collect_asked;
   RowSweeps(question, decided_by(question)).for_each(begin, end, [&](const Sweep& sweep) {
@@ -89,8 +89,8 @@ struct Show {
 
 }  // namespace
 
-core::Vector<core::FoundPairs> collect_pairs(const Question& question, const core::Resources& with,
-                                             std::uint64_t most) {
+core::Vector<core::FoundPairs> collect_pairs(const SweepQuery& question,
+                                             const core::Resources& with, std::uint64_t most) {
   core::Vector<core::FoundPairs> found(&with.memory);
   found.reserve(with.crew.size());
   for (unsigned worker = 0; worker < with.crew.size(); ++worker) {
@@ -108,7 +108,7 @@ core::Vector<core::FoundPairs> collect_pairs(const Question& question, const cor
   return found;
 }
 
-bool show_pairs(const Question& question, const core::Resources& with, const PairVisitor& visit) {
+bool show_pairs(const SweepQuery& question, const core::Resources& with, const PairVisitor& visit) {
   Show::Audience audience{visit};
   with.crew.split(question.asked.grid.size, [&](std::size_t begin, std::size_t end, unsigned) {
     if (begin == end) return;

@@ -13,11 +13,11 @@ namespace beespace::cpu {
 
 // The near pairs of each worker: every pair once, asked point first. Stops early, with pairs
 // missing, when there are more than `most`.
-core::Vector<core::FoundPairs> collect_pairs(const Question& question, const core::Resources& with,
-                                             std::uint64_t most);
+core::Vector<core::FoundPairs> collect_pairs(const SweepQuery& question,
+                                             const core::Resources& with, std::uint64_t most);
 
 // Shows every near pair of a swarm by itself to `visit`, lower id first, by the batch, until it
 // returns false; returns whether it never did.
-bool show_pairs(const Question& question, const core::Resources& with, const PairVisitor& visit);
+bool show_pairs(const SweepQuery& question, const core::Resources& with, const PairVisitor& visit);
 
 }  // namespace beespace::cpu

@@ -51,8 +51,9 @@ class Collector {
 
 }  // namespace
 
-core::AllFoundRows collect_rows(const Question& question, Which which, const core::Resources& with,
-                                std::uint64_t most, std::uint64_t& total) {
+core::AllFoundRows collect_rows(const SweepQuery& question, Which which,
+                                const core::Resources& with, std::uint64_t most,
+                                std::uint64_t& total) {
   core::AllFoundRows found(question.asked.grid.size, with);
   std::atomic<std::uint64_t> count = 0;
   with.crew.split(found.size, [&](std::size_t begin, std::size_t end, unsigned worker) {

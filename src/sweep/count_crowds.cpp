@@ -75,7 +75,7 @@ struct Tally {
 
 class Counter {
  public:
-  Counter(const CrowdQuestion& question, const Weights& asked_weights, const Weights& other_weights,
+  Counter(const CrowdQuery& question, const Weights& asked_weights, const Weights& other_weights,
           Tally& tally, core::Memory& memory)
       : question_(question),
         asked_(question.asked.tree),
@@ -109,7 +109,7 @@ class Counter {
   }
 
  private:
-  static Limits limits(const CrowdQuestion& question) {
+  static Limits limits(const CrowdQuery& question) {
     const core::SquaredLimits squared(question.threshold, question.units_per_m);
     return {squared.surely_near, squared.surely_far};
   }
@@ -179,7 +179,7 @@ class Counter {
     if (both) self.tally_.of_slots[j] += weight(self.question_.asked, i);
   }
 
-  const CrowdQuestion& question_;
+  const CrowdQuery& question_;
   const CrowdTree& asked_;
   const CrowdTree& others_;
   bool both_;
@@ -222,8 +222,7 @@ void write_counts(const CrowdTree& tree, const Tallies& tallies, const core::Res
 
 }  // namespace
 
-void count_crowds(const CrowdQuestion& question, const core::Resources& with,
-                  std::uint32_t* counts) {
+void count_crowds(const CrowdQuery& question, const core::Resources& with, std::uint32_t* counts) {
   const CrowdTree& asked = question.asked.tree;
   const bool both = &asked == &question.others.tree;
   const Weights asked_weights(question.asked, with.memory);

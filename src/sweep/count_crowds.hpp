@@ -18,7 +18,7 @@ struct Crowds {
 };
 
 // Both trees are of one lattice; the same crowds twice: of a set with itself.
-struct CrowdQuestion {
+struct CrowdQuery {
   Crowds asked;
   Crowds others;
   double threshold;
@@ -32,7 +32,6 @@ struct CrowdQuestion {
 //
 // Cost: proportional to the pairs of leaves that are near in part. Working memory: 5 bytes a point;
 // of a set with itself, for every worker.
-void count_crowds(const CrowdQuestion& question, const core::Resources& with,
-                  std::uint32_t* counts);
+void count_crowds(const CrowdQuery& question, const core::Resources& with, std::uint32_t* counts);
 
 }  // namespace beespace::cpu

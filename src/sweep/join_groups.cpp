@@ -13,7 +13,7 @@ namespace {
 struct Joining {
   static constexpr std::uint32_t kAtOnce = 1024;
 
-  Joining(const Question& asking, core::DisjointSets& sets) : question(asking), groups(sets) {}
+  Joining(const SweepQuery& asking, core::DisjointSets& sets) : question(asking), groups(sets) {}
   Joining(const Joining&) = delete;
   Joining& operator=(const Joining&) = delete;
   ~Joining() = default;
@@ -28,7 +28,7 @@ struct Joining {
     return self.groups.root(i) != self.groups.root(j) && self.question.decide(i, j);
   }
 
-  const Question& question;
+  const SweepQuery& question;
   core::DisjointSets& groups;
   std::array<PointId, kAtOnce> first;
   std::array<PointId, kAtOnce> second;
@@ -45,7 +45,8 @@ struct Joining {
 
 }  // namespace
 
-void join_near(const Question& question, const core::Resources& with, core::DisjointSets& groups) {
+void join_near(const SweepQuery& question, const core::Resources& with,
+               core::DisjointSets& groups) {
   const std::size_t size = question.asked.grid.size;
   // In place of ids: neighbours in space are neighbours in the sets' memory.
   core::Buffer<PointId> places(with.memory, size + core::kPadding);

@@ -9,6 +9,6 @@ namespace beespace::cpu {
 
 // Joins the sorted places of every two near points of a swarm by itself. Working memory: 4 bytes a
 // point.
-void join_near(const Question& question, const core::Resources& with, core::DisjointSets& groups);
+void join_near(const SweepQuery& question, const core::Resources& with, core::DisjointSets& groups);
 
 }  // namespace beespace::cpu

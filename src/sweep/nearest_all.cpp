@@ -32,7 +32,7 @@ struct Batch {
 
 class NearestAll {
  public:
-  NearestAll(const Question& question, PointId* nearest)
+  NearestAll(const SweepQuery& question, PointId* nearest)
       : question_(question),
         nearest_(nearest),
         around_(question.asked.grid, question.others.grid, question.reach_cells) {}
@@ -40,7 +40,7 @@ class NearestAll {
   // Asks for the sorted points [begin, end).
   void ask(std::uint32_t begin, std::uint32_t end) {
     // The kernel has no limits: everybody it sees counts, and surely so.
-    Question everything = question_;
+    SweepQuery everything = question_;
     everything.limits = {kFar, kFar};
     const auto nobody = [this](Range points) {
       for (std::uint32_t i = points.begin; i < points.end; ++i) result_of(i) = Nearest::kNobody;
@@ -117,7 +117,7 @@ class NearestAll {
 
   static constexpr std::size_t kNoRow = std::numeric_limits<std::size_t>::max();
 
-  const Question& question_;
+  const SweepQuery& question_;
   PointId* nearest_;
   core::NeighbourRows around_;  // of row_
   std::size_t row_ = kNoRow;
@@ -126,7 +126,7 @@ class NearestAll {
 
 }  // namespace
 
-void nearest_all(const Question& question, const core::Resources& with, PointId* nearest) {
+void nearest_all(const SweepQuery& question, const core::Resources& with, PointId* nearest) {
   with.crew.split(question.asked.grid.size, [&](std::size_t begin, std::size_t end, unsigned) {
     if (begin == end) return;
     NearestAll(question, nearest)

@@ -23,7 +23,7 @@ struct Swarm {
 
 // What is to be found out: who of `asked` is within the test's threshold of whom of `others`. Both
 // grids are of one lattice and one row shift. The same swarm twice: who of it is near to whom.
-struct Question {
+struct SweepQuery {
   Swarm asked;
   Swarm others;
   const core::ProximityTest& closer;
@@ -39,11 +39,11 @@ struct Question {
 };
 
 // Unsure pairs are decided by the question, which must outlive this.
-inline Unsure decided_by(const Question& question) {
+inline Unsure decided_by(const SweepQuery& question) {
   const auto decide = [](void* asking, std::uint32_t i, std::uint32_t j) {
-    return static_cast<const Question*>(asking)->decide(i, j);
+    return static_cast<const SweepQuery*>(asking)->decide(i, j);
   };
-  return {decide, const_cast<Question*>(&question)};
+  return {decide, const_cast<SweepQuery*>(&question)};
 }
 
 class RowSweeps {
@@ -52,7 +52,7 @@ class RowSweeps {
   // around it, or all nine alike, as between two swarms.
   enum class Around { kLaterRows, kAllRows, kOwnRowToo };
 
-  RowSweeps(const Question& question, const Unsure& unsure, Around around = Around::kLaterRows)
+  RowSweeps(const SweepQuery& question, const Unsure& unsure, Around around = Around::kLaterRows)
       : asked_(question.asked.grid),
         others_(question.others.grid),
         by_itself_(question.by_itself() && around != Around::kOwnRowToo),

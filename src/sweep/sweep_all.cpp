@@ -11,7 +11,7 @@ namespace {
 // asked points and others are the same, and so are the notes.
 template <class Note>
 struct Notes {
-  Notes(const Question& asking, Range points, Range reach_of_points, core::Memory& memory)
+  Notes(const SweepQuery& asking, Range points, Range reach_of_points, core::Memory& memory)
       : question(asking),
         asked(points),
         reach(reach_of_points),
@@ -23,7 +23,7 @@ struct Notes {
   [[nodiscard]] Note* other_notes() { return of_reach.data(); }
   [[nodiscard]] std::uint32_t first_asked() const { return asked.begin; }
 
-  const Question& question;
+  const SweepQuery& question;
   Range asked;
   Range reach;
   bool both;
@@ -36,7 +36,7 @@ using Parts = core::Vector<std::optional<Notes<Note>>>;
 
 // Calls sweep_part(notes) for every worker's part.
 template <class Note, class SweepPart>
-void sweep_parts(const Question& question, const core::Resources& with, Parts<Note>& parts,
+void sweep_parts(const SweepQuery& question, const core::Resources& with, Parts<Note>& parts,
                  SweepPart&& sweep_part) {
   with.crew.split(
       question.asked.grid.size, [&](std::size_t begin, std::size_t end, unsigned worker) {
@@ -53,7 +53,7 @@ void sweep_parts(const Question& question, const core::Resources& with, Parts<No
 // it: parts reach into each other, so what they noted beyond their own points comes afterwards, one
 // part after another.
 template <class Note, class First, class Add>
-void read_notes(const Question& question, const core::Resources& with, Parts<Note>& parts,
+void read_notes(const SweepQuery& question, const core::Resources& with, Parts<Note>& parts,
                 const First& first, const Add& add) {
   const PointId* const id = question.asked.grid.id;
   with.crew.split(question.asked.grid.size,
@@ -77,7 +77,7 @@ void read_notes(const Question& question, const core::Resources& with, Parts<Not
 
 }  // namespace
 
-void mark_all(const Question& question, const core::Resources& with, std::uint8_t* at_risk) {
+void mark_all(const SweepQuery& question, const core::Resources& with, std::uint8_t* at_risk) {
   Parts<std::uint8_t> parts(with.crew.size(), &with.memory);
   sweep_parts(question, with, parts, [](Notes<std::uint8_t>& notes) {
     const auto decide = [](void* context, std::uint32_t i, std::uint32_t j) {
@@ -102,7 +102,7 @@ void mark_all(const Question& question, const core::Resources& with, std::uint8_
       [at_risk](PointId id, std::uint8_t mark) { at_risk[id] = mark != 0 ? 1 : at_risk[id]; });
 }
 
-void count_all(const Question& question, const core::Resources& with, std::uint32_t* counts) {
+void count_all(const SweepQuery& question, const core::Resources& with, std::uint32_t* counts) {
   Parts<std::uint32_t> parts(with.crew.size(), &with.memory);
   sweep_parts(question, with, parts, [](Notes<std::uint32_t>& notes) {
     const Counts into{notes.asked_notes(), notes.other_notes(), notes.asked.begin,

@@ -208,7 +208,7 @@ TEST(AdviceRefusal, HeightsApartFromPositions) {
   EXPECT_TRUE(contains(refused.error().message, "heights")) << refused.error().message;
 }
 
-// More movers than ids: the view claims them, and its size is looked at before they are.
+// More movers than ids: the view constraints them, and its size is looked at before they are.
 TEST(AdviceRefusal, MoreMoversThanIds) {
   const double x = 0.0;
   const PointsView many = PointsView::strided(&x, &x, &x, kMaxPoints + 1, 0);

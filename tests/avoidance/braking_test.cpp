@@ -1,7 +1,7 @@
 #include "avoidance/constraints/braking.hpp"
 
 #include "avoidance/constraints/closest_points.hpp"
-#include "avoidance/disposal.hpp"
+#include "avoidance/velocity_solver.hpp"
 #include "scenes/random_stream.hpp"
 #include "scenes/random_velocity.hpp"
 #include "tests/avoidance/long_vector.hpp"
@@ -27,7 +27,7 @@ Vector3 direction(RandomStream& random) {
 struct Case {
   FlightLimits limits;
   double step_s;
-  Flyer flyer;
+  AgentState agent;
 };
 
 // From much slower to much faster than what a step of braking takes away.
@@ -36,16 +36,16 @@ Case random_case(RandomStream& random) {
   const double change = std::exp(random.uniform(-5.0, 3.0));
   const double speed = change * std::exp(random.uniform(-3.0, 4.0));
   const FlightLimits limits{speed * random.uniform(0.3, 2.0), change / step_s};
-  const Flyer flyer{direction(random) * random.uniform(0.0, 100.0), direction(random) * speed,
-                    Braking(limits, step_s), limits.max_speed_mps};
-  return {limits, step_s, flyer};
+  const AgentState agent{direction(random) * random.uniform(0.0, 100.0), direction(random) * speed,
+                         Braking(limits, step_s), limits.max_speed_mps};
+  return {limits, step_s, agent};
 }
 
 TEST(Braking, TheWayToAStopIsThatOfTheFormula) {
   const Braking braking({20.0, 2.0}, 0.5);
-  EXPECT_EQ(braking.way_to_stop({8.0, 0.0, 0.0}), (Vector3{16.0 + 2.0, 0.0, 0.0}));
-  EXPECT_EQ(braking.way_to_stop({0.0, 0.0, -8.0}), (Vector3{0.0, 0.0, -18.0}));
-  EXPECT_EQ(braking.way_to_stop({}), (Vector3{}));
+  EXPECT_EQ(braking.stopping_segment({8.0, 0.0, 0.0}), (Vector3{16.0 + 2.0, 0.0, 0.0}));
+  EXPECT_EQ(braking.stopping_segment({0.0, 0.0, -8.0}), (Vector3{0.0, 0.0, -18.0}));
+  EXPECT_EQ(braking.stopping_segment({}), (Vector3{}));
   EXPECT_EQ(braking.change(), 1.0);
   EXPECT_EQ(braking.braked({0.0, 8.0, 0.0}), (Vector3{0.0, 7.0, 0.0}));
   EXPECT_EQ(braking.braked({0.0, 1.0, 0.0}), (Vector3{}));
@@ -56,7 +56,7 @@ TEST(Braking, TheWayToAStopIsThatOfTheFormula) {
 TEST(Braking, WithoutALimitABeeStopsWhereItIs) {
   const Braking braking({20.0, kInfinity}, 0.5);
   EXPECT_TRUE(braking.at_once());
-  EXPECT_EQ(braking.way_to_stop({8.0, 0.0, 0.0}), (Vector3{}));
+  EXPECT_EQ(braking.stopping_segment({8.0, 0.0, 0.0}), (Vector3{}));
   EXPECT_EQ(braking.drift({8.0, 0.0, 0.0}), (Vector3{}));
   EXPECT_EQ(braking.way_after({8.0, 0.0, 0.0}), (Vector3{4.0, 0.0, 0.0}));
 }
@@ -65,19 +65,19 @@ TEST(Braking, WithoutALimitABeeStopsWhereItIs) {
 TEST(Braking, ComesToAStopWithinTheWayToAStop) {
   RandomStream random(1);
   for (int round = 0; round < test::rounds(5'000); ++round) {
-    const auto [limits, step_s, flyer] = random_case(random);
-    const double way = length(flyer.braking.way_to_stop(flyer.velocity));
+    const auto [limits, step_s, agent] = random_case(random);
+    const double way = length(agent.braking.stopping_segment(agent.velocity));
     double flown = 0.0;
-    Vector3 v = flyer.velocity;
+    Vector3 v = agent.velocity;
     while (length(v) > 0.0) {
-      const Vector3 next = flyer.braking.braked(v);
-      ASSERT_LE(length(next - v), flyer.braking.change() * (1.0 + 1e-12));
+      const Vector3 next = agent.braking.braked(v);
+      ASSERT_LE(length(next - v), agent.braking.change() * (1.0 + 1e-12));
       flown += 0.5 * (length(v) + length(next)) * step_s;
       v = next;
     }
     ASSERT_LE(flown, way * (1.0 + 1e-12)) << "round " << round;
     // Of the last step, which is not used up.
-    const double spare = 0.5 * step_s * (length(flyer.velocity) + flyer.braking.change());
+    const double spare = 0.5 * step_s * (length(agent.velocity) + agent.braking.change());
     ASSERT_GE(flown, way - spare * (1.0 + 1e-12)) << "round " << round;
   }
 }
@@ -86,16 +86,16 @@ TEST(Braking, ComesToAStopWithinTheWayToAStop) {
 TEST(Braking, AfterAStepOfBrakingTheStopLiesInTheOldWay) {
   RandomStream random(2);
   for (int round = 0; round < test::rounds(50'000); ++round) {
-    const auto [limits, step_s, flyer] = random_case(random);
-    const Vector3 braked = flyer.braking.braked(flyer.velocity);
-    const Segment old_way = flyer.way_to_stop();
+    const auto [limits, step_s, agent] = random_case(random);
+    const Vector3 braked = agent.braking.braked(agent.velocity);
+    const Segment old_way = agent.stopping_segment();
     const test::LongSegment old{long_of(old_way.from), long_of(old_way.way)};
     const double rounding = 1e-13 * (length(old_way.from) + length(old_way.way));
-    const Vector3 stop = flyer.stop_after(braked);
+    const Vector3 stop = agent.stop_after(braked);
     ASSERT_LE(static_cast<double>(old.distance_to(long_of(stop))), rounding) << "round " << round;
-    ASSERT_LE(length(flyer.braking.way_to_stop(braked)), length(old_way.way) * (1.0 + 1e-15));
+    ASSERT_LE(length(agent.braking.stopping_segment(braked)), length(old_way.way) * (1.0 + 1e-15));
     // Where it is a step later, and half a step's drift on.
-    const Vector3 middle = flyer.position + flyer.velocity * (0.5 * step_s);
+    const Vector3 middle = agent.position + agent.velocity * (0.5 * step_s);
     const Vector3 later = middle + braked * (0.5 * step_s);
     ASSERT_LE(static_cast<double>(old.distance_to(long_of(middle))), rounding);
     ASSERT_LE(static_cast<double>(old.distance_to(long_of(later))), rounding);
@@ -106,15 +106,15 @@ TEST(Braking, AfterAStepOfBrakingTheStopLiesInTheOldWay) {
 TEST(Braking, TheStopAfterAStepIsTheEndOfTheNextWayToAStop) {
   RandomStream random(3);
   for (int round = 0; round < test::rounds(20'000); ++round) {
-    const auto [limits, step_s, flyer] = random_case(random);
+    const auto [limits, step_s, agent] = random_case(random);
     const Vector3 next = direction(random) * random.uniform(0.0, limits.max_speed_mps);
-    Flyer later = flyer;
-    later.position = flyer.position + (flyer.velocity + next) * (0.5 * step_s);
+    AgentState later = agent;
+    later.position = agent.position + (agent.velocity + next) * (0.5 * step_s);
     later.velocity = next;
-    const Vector3 stop = later.way_to_stop().at(1.0);
+    const Vector3 stop = later.stopping_segment().at(1.0);
     const double rounding =
-        1e-13 * (length(flyer.position) + length(stop) + length(flyer.velocity));
-    ASSERT_LE(length(flyer.stop_after(next) - stop), rounding) << "round " << round;
+        1e-13 * (length(agent.position) + length(stop) + length(agent.velocity));
+    ASSERT_LE(length(agent.stop_after(next) - stop), rounding) << "round " << round;
   }
 }
 
@@ -122,11 +122,11 @@ TEST(Braking, TheStopAfterAStepIsTheEndOfTheNextWayToAStop) {
 TEST(Braking, StraysIsAsFarAsAStopMayMove) {
   RandomStream random(4);
   for (int round = 0; round < test::rounds(50'000); ++round) {
-    const auto [limits, step_s, flyer] = random_case(random);
+    const auto [limits, step_s, agent] = random_case(random);
     const Vector3 next =
-        flyer.able(direction(random) * random.uniform(0.0, 3.0) * limits.max_speed_mps);
-    const double strays = flyer.strays() * (1.0 + 1e-12);
-    ASSERT_LE(length(flyer.stop_after(next) - flyer.way_to_stop().at(1.0)), strays)
+        agent.able(direction(random) * random.uniform(0.0, 3.0) * limits.max_speed_mps);
+    const double strays = agent.strays() * (1.0 + 1e-12);
+    ASSERT_LE(length(agent.stop_after(next) - agent.stopping_segment().at(1.0)), strays)
         << "round " << round;
   }
 }
@@ -135,34 +135,34 @@ TEST(Braking, StraysIsAsFarAsAStopMayMove) {
 TEST(Braking, GrowthIsTheSlopeOfTheWayAfterAStep) {
   RandomStream random(5);
   for (int round = 0; round < test::rounds(5'000); ++round) {
-    const Flyer flyer = random_case(random).flyer;
-    const Vector3& v = flyer.velocity;
+    const AgentState agent = random_case(random).agent;
+    const Vector3& v = agent.velocity;
     const double speed = length(v);
     const Vector3 heading = v * (1.0 / speed);
     Vector3 aside = cross(heading, direction(random));
     aside = aside * (1.0 / length(aside));
     const double little = 1e-4 * speed;
     const auto grown = [&](const Vector3& by) {
-      return (flyer.braking.way_after(v + by * little) - flyer.braking.way_after(v - by * little)) *
+      return (agent.braking.way_after(v + by * little) - agent.braking.way_after(v - by * little)) *
              (0.5 / little);
     };
-    const double along = flyer.braking.growth_along(speed);
-    const double across = flyer.braking.growth_across(speed);
+    const double along = agent.braking.growth_along(speed);
+    const double across = agent.braking.growth_across(speed);
     ASSERT_LE(length(grown(heading) - heading * along), 1e-6 * along) << "round " << round;
     ASSERT_LE(length(grown(aside) - aside * across), 1e-6 * across) << "round " << round;
   }
 }
 
-TEST(Flyer, IsAbleToGetAsNearToItsWishAsItsLimitsAllow) {
-  const Flyer flyer{{}, {3, 0, 0}, Braking({5.0, 2.0}, 0.5), 5.0};
-  EXPECT_EQ(flyer.able({3.5, 0.5, 0}), (Vector3{3.5, 0.5, 0}));
-  EXPECT_EQ(flyer.able({5, 0, 0}), (Vector3{4, 0, 0}));
-  EXPECT_EQ(flyer.able({3, 0, -9}), flyer.able(core::at_most({3, 0, -9}, 5.0)));
-  EXPECT_EQ(flyer.able({}), (Vector3{2, 0, 0}));
-  const Flyer too_fast{{}, {9, 0, 0}, Braking({5.0, 2.0}, 0.5), 5.0};
+TEST(AgentState, IsAbleToGetAsNearToItsWishAsItsLimitsAllow) {
+  const AgentState agent{{}, {3, 0, 0}, Braking({5.0, 2.0}, 0.5), 5.0};
+  EXPECT_EQ(agent.able({3.5, 0.5, 0}), (Vector3{3.5, 0.5, 0}));
+  EXPECT_EQ(agent.able({5, 0, 0}), (Vector3{4, 0, 0}));
+  EXPECT_EQ(agent.able({3, 0, -9}), agent.able(core::at_most({3, 0, -9}, 5.0)));
+  EXPECT_EQ(agent.able({}), (Vector3{2, 0, 0}));
+  const AgentState too_fast{{}, {9, 0, 0}, Braking({5.0, 2.0}, 0.5), 5.0};
   EXPECT_EQ(too_fast.able({9, 0, 0}), (Vector3{8, 0, 0}));
   EXPECT_EQ(too_fast.able({0, 5, 0}), (Vector3{8, 0, 0}));
-  const Flyer nimble{{}, {3, 0, 0}, Braking({5.0, kInfinity}, 0.5), 5.0};
+  const AgentState nimble{{}, {3, 0, 0}, Braking({5.0, kInfinity}, 0.5), 5.0};
   EXPECT_EQ(nimble.able({-9, 0, 0}), (Vector3{-5, 0, 0}));
 }
 

@@ -47,7 +47,7 @@ struct Flock {
     return std::isinf(limits[bee].max_acceleration_mps2);
   }
   // From where a bee is to where it stops at the latest, by the formula of docs/prevention.md.
-  [[nodiscard]] LongSegment way_to_stop(std::size_t bee) const {
+  [[nodiscard]] LongSegment stopping_segment(std::size_t bee) const {
     const auto& [p, v] = movers[bee];
     if (at_once(bee)) return {long_of(p), {}};
     const long double speed = length(long_of(v));
@@ -57,7 +57,7 @@ struct Flock {
     return {long_of(p), long_of(v) * lasts_s};
   }
   [[nodiscard]] long double ways_apart(std::size_t bee, std::size_t other) const {
-    return distance_between(way_to_stop(bee), way_to_stop(other));
+    return distance_between(stopping_segment(bee), stopping_segment(other));
   }
   [[nodiscard]] long double least_ways_apart() const {
     long double least = std::numeric_limits<long double>::infinity();

@@ -80,9 +80,9 @@ inline void leave_the_clear_ones(Course& course) {
   std::vector<Mover> movers;
   std::vector<FlightLimits> limits;
   for (std::size_t bee = 0; bee < flock.size(); ++bee) {
-    if (clearance_along(course.map, flock.way_to_stop(bee)) < enough_m) {
+    if (clearance_along(course.map, flock.stopping_segment(bee)) < enough_m) {
       flock.movers[bee].velocity = {};
-      if (clearance_along(course.map, flock.way_to_stop(bee)) < enough_m) continue;
+      if (clearance_along(course.map, flock.stopping_segment(bee)) < enough_m) continue;
     }
     movers.push_back(flock.movers[bee]);
     limits.push_back(flock.limits[bee]);

@@ -24,7 +24,7 @@
 namespace beespace::test {
 namespace {
 
-using search::Choices;
+using search::TuningOverrides;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double above(double value) {
@@ -152,17 +152,17 @@ Answers by_brute_force(const CylinderScene& scene, const SearchOptions& options)
 }
 
 // With the method forced.
-Answers by_method(const CylinderScene& scene, const SearchOptions& options, Choices::Crowds crowds,
-                  unsigned workers) {
+Answers by_method(const CylinderScene& scene, const SearchOptions& options,
+                  TuningOverrides::Crowds crowds, unsigned workers) {
   BackwardCrew crew(workers);
   core::Memory memory;
   const core::Resources with{crew, memory};
-  Choices choices;
-  choices.crowds = crowds;
+  TuningOverrides tuning;
+  tuning.crowds = crowds;
   const PointsView points = scene.points;
   const PointsView others = scene.others;
   const search::CylinderSearch search(points, scene.two_sets ? &others : nullptr, options, with,
-                                      choices);
+                                      tuning);
   std::vector<PointId> ids;
   std::vector<std::uint32_t> counts;
   std::vector<Pair> pairs;
@@ -197,8 +197,9 @@ std::size_t check(const CylinderScene& scene, bool inclusive, const std::string&
   for (const unsigned threads : {1U, 3U}) {
     const SearchOptions options = scene.options(inclusive, threads);
     expect_same(by_functions(scene, options), right, "functions");
-    expect_same(by_method(scene, options, Choices::Crowds::kNever, threads), right, "rows");
-    expect_same(by_method(scene, options, Choices::Crowds::kAlways, threads), right, "tree");
+    expect_same(by_method(scene, options, TuningOverrides::Crowds::kNever, threads), right, "rows");
+    expect_same(by_method(scene, options, TuningOverrides::Crowds::kAlways, threads), right,
+                "tree");
   }
   return right.at("pairs").size();
 }
@@ -350,15 +351,15 @@ TEST_P(CornerEncounters, AreAllFound) {
     scene.points = {{0, 0, low}, {below(scene.threshold_m), 0, just_inside(low, scene.vertical_m)}};
     const SearchOptions options = scene.options(false);
     ASSERT_TRUE(ExactCylinders(scene).in_cylinder(0, 1, false));
-    for (const auto crowds : {Choices::Crowds::kNever, Choices::Crowds::kAlways}) {
+    for (const auto crowds : {TuningOverrides::Crowds::kNever, TuningOverrides::Crowds::kAlways}) {
       BackwardCrew crew(1);
       core::Memory memory;
       const core::Resources with{crew, memory};
-      Choices choices;
-      choices.crowds = crowds;
+      TuningOverrides tuning;
+      tuning.crowds = crowds;
       const PointsView points = scene.points;
       std::vector<Pair> pairs;
-      const search::CylinderSearch search(points, nullptr, options, with, choices);
+      const search::CylinderSearch search(points, nullptr, options, with, tuning);
       ASSERT_TRUE(search.find_pairs(pairs));
       found += pairs.size() == 1 ? 1 : 0;
     }
@@ -397,12 +398,12 @@ TEST(CylinderContract, AtTheBordersOfCells) {
         BackwardCrew crew(1);
         core::Memory memory;
         const core::Resources with{crew, memory};
-        Choices choices;
-        choices.crowds = Choices::Crowds::kNever;
+        TuningOverrides tuning;
+        tuning.crowds = TuningOverrides::Crowds::kNever;
         const PointsView points = scene.points;
         const SearchOptions options = scene.options(false);
         std::vector<Pair> pairs;
-        const search::CylinderSearch search(points, nullptr, options, with, choices);
+        const search::CylinderSearch search(points, nullptr, options, with, tuning);
         ASSERT_TRUE(search.find_pairs(pairs));
         ASSERT_TRUE(std::count(pairs.begin(), pairs.end(), Pair{2, 3}) == 1)
             << "axis " << axis << ", cell " << cell << ", wider by " << wider;

@@ -1,4 +1,4 @@
-// The searches with the choices that they make from the data forced upon them: every instruction
+// The searches with the tuning that they make from the data forced upon them: every instruction
 // set of this processor, narrow and wide rows, folded axes, crowds taken as a whole or never, every
 // way to find points at risk.
 #include "tests/contract/backward_crew.hpp"
@@ -6,11 +6,11 @@
 
 #include "base/memory.hpp"
 #include "search/at_risk_search.hpp"
-#include "search/choices.hpp"
-#include "search/frame.hpp"
 #include "search/group_search.hpp"
 #include "search/nearest_search.hpp"
 #include "search/pair_search.hpp"
+#include "search/search_domain.hpp"
+#include "search/tuning_overrides.hpp"
 
 #include <beespace/nearest.hpp>
 
@@ -24,66 +24,67 @@ namespace beespace::test {
 
 namespace {
 
-using search::Choices;
+using search::TuningOverrides;
 
 // Keeps memory and answers from one inquiry to the next, as an Engine does.
 class ForcedSearch {
  public:
-  ForcedSearch(const Choices& choices, unsigned workers) : choices_(choices), crew_(workers) {}
+  ForcedSearch(const TuningOverrides& tuning, unsigned workers) : tuning_(tuning), crew_(workers) {}
 
   Answer ask(const Inquiry& inquiry) {
     const Subject& subject = *inquiry.subject;
     const PointsView points = subject.points;
     const PointsView others = subject.others;
-    const Result<search::Frame> frame = subject.two_sets ? search::Frame::of(points, others, with_)
-                                                         : search::Frame::of(points, with_);
-    if (!frame) return flat(frame.error());
-    return ask(inquiry, *frame);
+    const Result<search::SearchDomain> domain =
+        subject.two_sets ? search::SearchDomain::of(points, others, with_)
+                         : search::SearchDomain::of(points, with_);
+    if (!domain) return flat(domain.error());
+    return ask(inquiry, *domain);
   }
 
  private:
-  Answer ask(const Inquiry& inquiry, const search::Frame& frame) {
+  Answer ask(const Inquiry& inquiry, const search::SearchDomain& domain) {
     const SearchOptions& options = inquiry.options;
     switch (inquiry.question) {
       case Question::kAtRisk:
       case Question::kAtRiskBetween:
-        search::find_at_risk(frame, options, with_, choices_, ids_);
+        search::find_at_risk(domain, options, with_, tuning_, ids_);
         return flat(ids_);
       case Question::kPairs:
       case Question::kPairsBetween:
-        return flat_if(search::find_pairs(frame, options, with_, choices_, pairs_), pairs_);
+        return flat_if(search::find_pairs(domain, options, with_, tuning_, pairs_), pairs_);
       case Question::kVisitedPairs:
-        return visited_pairs(frame, options);
+        return visited_pairs(domain, options);
       case Question::kNeighbors:
       case Question::kNeighborsBetween:
-        return flat_if(search::find_neighbors(frame, options, with_, choices_, rows_), rows_);
+        return flat_if(search::find_neighbors(domain, options, with_, tuning_, rows_), rows_);
       case Question::kCounts:
       case Question::kCountsBetween:
-        search::count_neighbors(frame, options, with_, choices_, ids_);
+        search::count_neighbors(domain, options, with_, tuning_, ids_);
         return flat(ids_);
       case Question::kGroups:
-        search::find_conflict_groups(frame, options, with_, choices_, rows_);
+        search::find_conflict_groups(domain, options, with_, tuning_, rows_);
         return flat(rows_);
       case Question::kNearest:
       case Question::kNearestBetween:
-        search::find_nearest(frame, std::nullopt, with_, choices_, nearest_);
+        search::find_nearest(domain, std::nullopt, with_, tuning_, nearest_);
         return flat(nearest_);
       case Question::kNearestWithin:
       case Question::kNearestWithinBetween:
-        search::find_nearest(frame, options, with_, choices_, nearest_);
+        search::find_nearest(domain, options, with_, tuning_, nearest_);
         return flat(nearest_);
-      case Question::kClosestPair:  // has no choices
+      case Question::kClosestPair:  // has no tuning
         return flat(find_closest_pair(inquiry.subject->points));
       case Question::kClosestPairBetween:
-        return flat(search::find_closest_between(frame, with_, choices_, nearest_));
+        return flat(search::find_closest_between(domain, with_, tuning_, nearest_));
     }
     return {};
   }
 
-  Answer visited_pairs(const search::Frame& frame, const SearchOptions& options) {
+  Answer visited_pairs(const search::SearchDomain& domain, const SearchOptions& options) {
     pairs_.clear();
     const bool all =
-        search::visit_pairs(frame, options, with_, choices_, [&](std::span<const Pair> batch) {
+        search::visit_pairs(domain, options, with_, tuning_, [&](std::span<const Pair> batch) {
           pairs_.insert(pairs_.end(), batch.begin(), batch.end());
           return true;
         });
@@ -91,7 +92,7 @@ class ForcedSearch {
     return all ? flat(pairs_) : Answer{0, 0, 0};
   }
 
-  Choices choices_;
+  TuningOverrides tuning_;
   BackwardCrew crew_;
   core::Memory memory_;
   core::Resources with_{crew_, memory_};
@@ -101,8 +102,8 @@ class ForcedSearch {
   std::vector<Nearest> nearest_;
 };
 
-Variant forced(const std::string& name, const Choices& choices, unsigned workers) {
-  const auto kept = std::make_shared<ForcedSearch>(choices, workers);
+Variant forced(const std::string& name, const TuningOverrides& tuning, unsigned workers) {
+  const auto kept = std::make_shared<ForcedSearch>(tuning, workers);
   return {name, [kept](const Inquiry& inquiry) { return kept->ask(inquiry); }, {}};
 }
 
@@ -113,19 +114,19 @@ std::vector<Variant> forced_kernels() {
   for (const cpu::InstructionSet set : cpu::kInstructionSets) {
     if (!cpu::is_available(set)) continue;
     const std::string name = cpu::name_of(set);
-    Choices choices;
-    choices.method = Choices::Method::kSweep;
-    choices.crowds = Choices::Crowds::kNever;
-    choices.instruction_set = set;
-    all.push_back(forced(name, choices, 1));
+    TuningOverrides tuning;
+    tuning.method = TuningOverrides::Method::kSweep;
+    tuning.crowds = TuningOverrides::Crowds::kNever;
+    tuning.instruction_set = set;
+    all.push_back(forced(name, tuning, 1));
     for (const unsigned row_shift : {0U, 2U, 30U}) {
-      choices.row_shift = row_shift;
+      tuning.row_shift = row_shift;
       const unsigned workers = 1 + row_shift % 4;
-      all.push_back(forced(name + "RowShift" + std::to_string(row_shift), choices, workers));
+      all.push_back(forced(name + "RowShift" + std::to_string(row_shift), tuning, workers));
     }
-    choices.row_shift = {};
-    choices.fold_beyond_cells = 4;
-    all.push_back(forced(name + "Folded", choices, 3));
+    tuning.row_shift = {};
+    tuning.fold_beyond_cells = 4;
+    all.push_back(forced(name + "Folded", tuning, 3));
   }
   return all;
 }
@@ -134,16 +135,16 @@ std::vector<Variant> forced_crowds() {
   std::vector<Variant> all;
   for (const cpu::InstructionSet set : cpu::kInstructionSets) {
     if (!cpu::is_available(set)) continue;
-    Choices choices;
-    choices.crowds = Choices::Crowds::kAlways;
-    choices.instruction_set = set;
+    TuningOverrides tuning;
+    tuning.crowds = TuningOverrides::Crowds::kAlways;
+    tuning.instruction_set = set;
     for (const unsigned workers : {1U, 3U}) {
       const std::string name = std::string(cpu::name_of(set)) + "Crowds" + std::to_string(workers);
-      all.push_back(forced(name, choices, workers));
+      all.push_back(forced(name, tuning, workers));
       all.back().questions = {Question::kCounts, Question::kCountsBetween, Question::kGroups};
     }
-    choices.fold_beyond_cells = 4;
-    all.push_back(forced(std::string(cpu::name_of(set)) + "CrowdsFolded", choices, 2));
+    tuning.fold_beyond_cells = 4;
+    all.push_back(forced(std::string(cpu::name_of(set)) + "CrowdsFolded", tuning, 2));
     all.back().questions = {Question::kCounts, Question::kCountsBetween, Question::kGroups};
   }
   return all;
@@ -151,7 +152,7 @@ std::vector<Variant> forced_crowds() {
 
 std::vector<Variant> forced_methods() {
   std::vector<Variant> all;
-  using Method = Choices::Method;
+  using Method = TuningOverrides::Method;
   for (const auto& [method, name] :
        {std::pair(Method::kAutomatic, "Automatic"), std::pair(Method::kSweep, "Sweep"),
         std::pair(Method::kProveThenSweep, "ProveThenSweep"),
@@ -159,11 +160,11 @@ std::vector<Variant> forced_methods() {
     for (const auto& [table, table_name] : {std::pair(core::CellTable::kDense, "Dense"),
                                             std::pair(core::CellTable::kHashed, "Hashed")}) {
       for (const unsigned workers : {1U, 2U, 5U}) {
-        Choices choices;
-        choices.method = method;
-        choices.cell_table = table;
+        TuningOverrides tuning;
+        tuning.method = method;
+        tuning.cell_table = table;
         const std::string full_name = std::string(name) + table_name + std::to_string(workers);
-        all.push_back(forced(full_name, choices, workers));
+        all.push_back(forced(full_name, tuning, workers));
         all.back().questions = {Question::kAtRisk};
       }
     }

@@ -14,7 +14,7 @@ namespace beespace::differential {
 
 namespace {
 
-using search::Choices;
+using search::TuningOverrides;
 using test::Answer;
 using test::flat_if;
 using test::Inquiry;
@@ -23,14 +23,15 @@ using test::Question;
 // Keeps its memory from one inquiry to the next, as an Engine does.
 class ForcedCylinders {
  public:
-  ForcedCylinders(const Choices& choices, unsigned workers) : choices_(choices), crew_(workers) {}
+  ForcedCylinders(const TuningOverrides& tuning, unsigned workers)
+      : tuning_(tuning), crew_(workers) {}
 
   Answer ask(const Inquiry& inquiry) {
     const PointsView points = inquiry.subject->points;
     const PointsView others = inquiry.subject->others;
     memory_.start_call();
     const search::CylinderSearch search(points, inquiry.subject->two_sets ? &others : nullptr,
-                                        inquiry.options, with_, choices_);
+                                        inquiry.options, with_, tuning_);
     switch (inquiry.question) {
       case Question::kAtRisk:
       case Question::kAtRiskBetween:
@@ -65,7 +66,7 @@ class ForcedCylinders {
     return all && *all ? test::flat(pairs_) : Answer{0, 0, 0};
   }
 
-  Choices choices_;
+  TuningOverrides tuning_;
   test::BackwardCrew crew_;
   core::Memory memory_;
   core::Resources with_{crew_, memory_};
@@ -79,12 +80,13 @@ class ForcedCylinders {
 
 std::vector<test::Variant> forced_cylinders() {
   std::vector<test::Variant> all;
-  for (const auto& [crowds, name] : {std::pair(Choices::Crowds::kNever, "CylinderRows"),
-                                     std::pair(Choices::Crowds::kAlways, "CylinderTrees")}) {
+  for (const auto& [crowds, name] :
+       {std::pair(TuningOverrides::Crowds::kNever, "CylinderRows"),
+        std::pair(TuningOverrides::Crowds::kAlways, "CylinderTrees")}) {
     for (const unsigned workers : {1U, 3U}) {
-      Choices choices;
-      choices.crowds = crowds;
-      const auto kept = std::make_shared<ForcedCylinders>(choices, workers);
+      TuningOverrides tuning;
+      tuning.crowds = crowds;
+      const auto kept = std::make_shared<ForcedCylinders>(tuning, workers);
       all.push_back({name + std::to_string(workers),
                      [kept](const Inquiry& inquiry) { return kept->ask(inquiry); },
                      {}});

@@ -106,7 +106,7 @@ Way forced(cpu::InstructionSet set, std::optional<unsigned> row_shift, unsigned 
   };
   const auto tools = std::make_shared<Tools>(workers);
   const auto choices = [set, row_shift, share](const PredictOptions& options) {
-    motion::PredictionChoices chosen;
+    motion::PredictionTuning chosen;
     chosen.search.instruction_set = set;
     chosen.search.row_shift = row_shift;
     if (share) chosen.step_s = options.horizon_s * *share;

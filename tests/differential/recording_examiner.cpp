@@ -67,7 +67,7 @@ Way forced(cpu::InstructionSet set, unsigned workers, double share) {
             const bool apart = std::any_of(tracks.begin(), tracks.end(), [](const Track& track) {
               return !track.heights_m.empty();
             });
-            motion::RecordingChoices choices;
+            motion::RecordingTuning choices;
             choices.search.instruction_set = set;
             choices.step_s = lasts(tracks) * share;
             auto found = motion::search_recording(cut.runs, motion::separation_of(options, apart),

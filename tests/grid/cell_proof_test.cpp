@@ -1,7 +1,7 @@
 #include "grid/cell_proof.hpp"
 
 #include "exact/exact_distance.hpp"
-#include "grid/look_around.hpp"
+#include "grid/neighbor_probe.hpp"
 #include "tests/support/own_resources.hpp"
 #include "tests/support/search_scenes.hpp"
 

@@ -22,22 +22,23 @@ TEST(DensitySample, IsAboutRightForUniformPoints) {
   Memory memory;
   const std::vector<Point> points = make.box(200'000, {0, 0, 0}, {100, 100, 100});
   const DensitySample sample(points, memory);
-  EXPECT_NEAR(sample.mates(10.0), 200.0, 20.0);
-  EXPECT_NEAR(sample.mates(5.0), 25.0, 6.0);
+  EXPECT_NEAR(sample.expected_neighbors(10.0), 200.0, 20.0);
+  EXPECT_NEAR(sample.expected_neighbors(5.0), 25.0, 6.0);
 }
 
 TEST(DensitySample, SeesACrowdThatTheAverageOverSpaceHides) {
   Memory memory;
-  EXPECT_NEAR(DensitySample(crowd_in_wide_space(), memory).mates(1.0), 12'500.0, 1500.0);
+  EXPECT_NEAR(DensitySample(crowd_in_wide_space(), memory).expected_neighbors(1.0), 12'500.0,
+              1500.0);
 }
 
 TEST(DensitySample, IsZeroForLonelyPoints) {
   test::SceneMaker make(6);
   Memory memory;
   const std::vector<Point> lonely = make.box(5000, {0, 0, 0}, {1e6, 1e6, 1e6});
-  EXPECT_EQ(DensitySample(lonely, memory).mates(1.0), 0.0);
-  EXPECT_EQ(DensitySample(std::vector<Point>{{1, 1, 1}}, memory).mates(1.0), 0.0);
-  EXPECT_EQ(DensitySample(std::vector<Point>{}, memory).mates(1.0), 0.0);
+  EXPECT_EQ(DensitySample(lonely, memory).expected_neighbors(1.0), 0.0);
+  EXPECT_EQ(DensitySample(std::vector<Point>{{1, 1, 1}}, memory).expected_neighbors(1.0), 0.0);
+  EXPECT_EQ(DensitySample(std::vector<Point>{}, memory).expected_neighbors(1.0), 0.0);
 }
 
 TEST(DensitySample, FindsTheSideThatHoldsSome) {
@@ -48,8 +49,8 @@ TEST(DensitySample, FindsTheSideThatHoldsSome) {
   const auto side_of = [&](const std::vector<Point>& points) {
     const DensitySample sample(points, own.memory);
     const double side = sample.side_for(12.0, *measure(points, own.with));
-    EXPECT_GT(sample.mates(side), 6.0);
-    EXPECT_LT(sample.mates(side), 24.0);
+    EXPECT_GT(sample.expected_neighbors(side), 6.0);
+    EXPECT_LT(sample.expected_neighbors(side), 24.0);
     return side;
   };
   EXPECT_NEAR(side_of(cube), std::cbrt(12.0 / 100'000) * 1000, 15.0);

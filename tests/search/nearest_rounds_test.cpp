@@ -1,8 +1,8 @@
 // Nearest ones are looked for in rounds of growing radius, the later ones in the grid of the first
 // where that is possible. Swarms with gaps of all widths, of which most points need later rounds:
 // equal to brute force whatever is folded and however wide rows are.
-#include "search/frame.hpp"
 #include "search/nearest_search.hpp"
+#include "search/search_domain.hpp"
 
 #include "tests/support/own_resources.hpp"
 #include "tests/support/rounds.hpp"
@@ -37,7 +37,7 @@ std::vector<Point> clump_and_steps(test::SceneMaker& make, std::size_t clump, st
 
 struct Forced {
   std::string name;
-  search::Choices choices;
+  search::TuningOverrides tuning;
 };
 
 std::vector<Forced> forced_choices() {
@@ -49,9 +49,9 @@ std::vector<Forced> forced_choices() {
         Forced forced{std::string(cpu::name_of(set)) + ", row shift " + std::to_string(row_shift) +
                           (fold_beyond == 1 ? ", folded" : ""),
                       {}};
-        forced.choices.instruction_set = set;
-        forced.choices.row_shift = row_shift;
-        forced.choices.fold_beyond_cells = fold_beyond;
+        forced.tuning.instruction_set = set;
+        forced.tuning.row_shift = row_shift;
+        forced.tuning.fold_beyond_cells = fold_beyond;
         all.push_back(forced);
       }
     }
@@ -74,11 +74,11 @@ void expect_the_nearest(const std::vector<Point>& points, const SearchOptions& w
   for (const Forced& forced : forced_choices()) {
     SCOPED_TRACE(forced.name);
     test::OwnResources own(1 + ++workers % 3);
-    const search::Frame frame = *search::Frame::of(points, own.with);
+    const search::SearchDomain domain = *search::SearchDomain::of(points, own.with);
     std::vector<Nearest> nearest;
-    search::find_nearest(frame, std::nullopt, own.with, forced.choices, nearest);
+    search::find_nearest(domain, std::nullopt, own.with, forced.tuning, nearest);
     expect_same(nearest, truly);
-    search::find_nearest(frame, within, own.with, forced.choices, nearest);
+    search::find_nearest(domain, within, own.with, forced.tuning, nearest);
     expect_same(nearest, truly_within);
   }
 }

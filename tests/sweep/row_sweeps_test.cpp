@@ -62,7 +62,7 @@ class Sweeps : public testing::TestWithParam<unsigned> {
  protected:
   // All pairs that all workers together ask for.
   IdPairs asked_for(const Swarm& asked, const Swarm& others, Around around) {
-    const Question question{asked, others, closer_, {1.0F, 1.0F}, kernels_, false};
+    const SweepQuery question{asked, others, closer_, {1.0F, 1.0F}, kernels_, false};
     IdPairs found;
     for (unsigned worker = 0; worker < own_.crew.size(); ++worker) {
       const auto share = own_.crew.share(asked.grid.size, worker);
@@ -201,7 +201,7 @@ TEST_P(Sweeps, EndWhenTheirVisitorSaysSo) {
   const PointsView view(points);
   const core::Lattice lattice({&view, 1}, *core::measure(view, own_.with), 1.0, own_.memory);
   const core::SortedGrid grid = core::sort_into_grid({view}, lattice, 0, own_.with);
-  const Question question{
+  const SweepQuery question{
       {grid, view}, {grid, view}, closer_, {1.0F, 1.0F}, kernels(InstructionSet::kBaseline), true};
   int calls = 0;
   RowSweeps(question, {nullptr, nullptr}).for_each(0, 300, [&](const Sweep&) {

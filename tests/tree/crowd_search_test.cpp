@@ -1,8 +1,8 @@
 // The searches that take whole boxes of points at once, forced onto every scene, also where a
 // search would not choose them.
-#include "search/frame.hpp"
 #include "search/group_search.hpp"
 #include "search/pair_search.hpp"
+#include "search/search_domain.hpp"
 #include "tests/support/search_scenes.hpp"
 #include "tests/support/two_set_scenes.hpp"
 
@@ -18,7 +18,7 @@
 namespace beespace::search {
 namespace {
 
-using Crowds = Choices::Crowds;
+using Crowds = TuningOverrides::Crowds;
 
 struct Case {
   Crowds crowds;
@@ -41,35 +41,36 @@ std::vector<Case> cases() {
 class Searches {
  public:
   explicit Searches(const Case& chosen) : crew_(chosen.threads) {
-    choices_.crowds = chosen.crowds;
-    choices_.instruction_set = chosen.instruction_set;
+    tuning_.crowds = chosen.crowds;
+    tuning_.instruction_set = chosen.instruction_set;
   }
 
   IdRows groups(const PointsView& points, const SearchOptions& options) {
     IdRows groups;
-    const Result<Frame> frame = Frame::of(points, with_);
-    find_conflict_groups(*frame, options, with_, choices_, groups);
+    const Result<SearchDomain> domain = SearchDomain::of(points, with_);
+    find_conflict_groups(*domain, options, with_, tuning_, groups);
     return groups;
   }
   std::vector<std::uint32_t> counts(const PointsView& points, const SearchOptions& options) {
-    return counts_in(Frame::of(points, with_), options);
+    return counts_in(SearchDomain::of(points, with_), options);
   }
   std::vector<std::uint32_t> counts(const PointsView& points, const PointsView& others,
                                     const SearchOptions& options) {
-    return counts_in(Frame::of(points, others, with_), options);
+    return counts_in(SearchDomain::of(points, others, with_), options);
   }
 
  private:
-  std::vector<std::uint32_t> counts_in(const Result<Frame>& frame, const SearchOptions& options) {
+  std::vector<std::uint32_t> counts_in(const Result<SearchDomain>& domain,
+                                       const SearchOptions& options) {
     std::vector<std::uint32_t> counts;
-    count_neighbors(*frame, options, with_, choices_, counts);
+    count_neighbors(*domain, options, with_, tuning_, counts);
     return counts;
   }
 
   ThreadCrew crew_;
   core::Memory memory_;
   core::Resources with_{crew_, memory_};
-  Choices choices_;
+  TuningOverrides tuning_;
 };
 
 std::vector<Point> every_place_times(const std::vector<Point>& places, std::size_t times) {

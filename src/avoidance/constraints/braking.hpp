@@ -34,7 +34,7 @@ class Braking {
   [[nodiscard]] double step_s() const { return step_s_; }
 
   // From where the bee is to where it stops at the latest.
-  [[nodiscard]] Vector3 way_to_stop(const Vector3& velocity) const {
+  [[nodiscard]] Vector3 stopping_segment(const Vector3& velocity) const {
     if (at_once_) return {};
     return velocity * (0.5 * (length(velocity) * per_acceleration_ + step_s_));
   }

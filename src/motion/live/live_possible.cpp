@@ -70,8 +70,9 @@ void LivePossible::follow(const std::vector<Heard>& heard) {
   }
 }
 
-void LivePossible::look_around(const Heard& stale, Silent& silent, const std::vector<Heard>& heard,
-                               double now_s, std::vector<SwarmEvent>& found) const {
+void LivePossible::probe_neighbors(const Heard& stale, Silent& silent,
+                                   const std::vector<Heard>& heard, double now_s,
+                                   std::vector<SwarmEvent>& found) const {
   // All but itself, and of two that are stale it is the lower one that tells.
   silent.unsaid = 0;
   std::vector<PointId> still;
@@ -153,7 +154,7 @@ LeftOut LivePossible::tell(const LiveBees& bees, double now_s, const core::Resou
           std::lower_bound(heard.begin(), heard.end(), silent.bee,
                            [](const Heard& bee, PointId id) { return bee.bee < id; });
       if (silent.all_said_at == bees.changes()) continue;
-      look_around(*stale, silent, heard, now_s, found[worker]);
+      probe_neighbors(*stale, silent, heard, now_s, found[worker]);
       silent.all_said_at = silent.unsaid == 0 ? bees.changes() : 0;
       if (found[worker].size() > 2 * max_pairs_) cut(found[worker], max_pairs_, left[worker]);
     }

@@ -49,8 +49,8 @@ class LivePossible {
   static std::vector<Heard> heard_of(const LiveBees& bees);
   void follow(const std::vector<Heard>& heard);
   void remember(const SwarmEvent& event);
-  void look_around(const Heard& stale, Silent& silent, const std::vector<Heard>& heard,
-                   double now_s, std::vector<SwarmEvent>& found) const;
+  void probe_neighbors(const Heard& stale, Silent& silent, const std::vector<Heard>& heard,
+                       double now_s, std::vector<SwarmEvent>& found) const;
 
   Separation enter_;
   double max_speed_mps_;

@@ -1,7 +1,7 @@
 #include "motion/live/live_walks.hpp"
 
 #include "motion/passing/passing_search.hpp"
-#include "search/choices.hpp"
+#include "search/tuning_overrides.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -123,7 +123,7 @@ core::Vector<core::FoundPairs> LiveWalks::candidates(const MovingBalls& balls, c
   std::optional<core::Vector<core::FoundPairs>> found;
   const auto few = [&](double share) {
     tried.clearance_m = share * step.clearance_m;
-    auto some = find_passing(balls, tried, with, search::Choices{});
+    auto some = find_passing(balls, tried, with, search::TuningOverrides{});
     if (core::size_of(some) > tried.most) return false;
     found.emplace(std::move(some));
     return true;
@@ -135,7 +135,7 @@ core::Vector<core::FoundPairs> LiveWalks::candidates(const MovingBalls& balls, c
   // All of them at one place: any of them, but the same ones whatever the number of threads.
   left_out.add(0, 0.0);
   Crew alone;
-  return find_passing(balls, tried, {alone, with.memory}, search::Choices{});
+  return find_passing(balls, tried, {alone, with.memory}, search::TuningOverrides{});
 }
 
 WalkedPairs LiveWalks::walk(const Places& places, const std::vector<Pair>& fresh,

@@ -2,8 +2,8 @@
 
 #include "motion/passing/beyond_grid.hpp"
 #include "motion/passing/pass_check.hpp"
-#include "search/frame.hpp"
-#include "search/question_grids.hpp"
+#include "search/query_grids.hpp"
+#include "search/search_domain.hpp"
 #include "sweep/row_sweeps.hpp"
 
 #include <algorithm>
@@ -18,10 +18,11 @@ namespace {
 class SortedBalls {
  public:
   SortedBalls(const MovingBalls& balls, const PointId* ids, const Step& step,
-              const search::Frame& frame, const core::SortedGrid& grid, const core::Resources& with)
+              const search::SearchDomain& domain, const core::SortedGrid& grid,
+              const core::Resources& with)
       : balls_(with.memory, grid.size), reach_(with.memory, grid.size + core::kPadding) {
     std::fill_n(reach_.data() + grid.size, core::kPadding, 0.0F);
-    const std::array<std::size_t, 3> order = frame.order();
+    const std::array<std::size_t, 3> order = domain.order();
     const double units_per_m = grid.units_per_m;
     const double units_per_mps = units_per_m * step.half_s;
     const auto half_clearance = static_cast<float>(
@@ -157,17 +158,17 @@ class Passes {
 
 // Pairs of balls in a grid; `ids` says who they are, or is null where they are numbered as such.
 void search_grid(const MovingBalls& balls, const PointId* ids, const Step& step,
-                 const core::Resources& with, const search::Choices& choices,
+                 const core::Resources& with, const search::TuningOverrides& tuning,
                  const DecidePass& decide, Total& total, core::Vector<core::FoundPairs>& found) {
-  const search::Frame frame = search::Frame::of(balls.middles, balls.bounds, with);
+  const search::SearchDomain domain = search::SearchDomain::of(balls.middles, balls.bounds, with);
   // Rounded sums and roots, and then some.
   constexpr double kUpward = 1.0 + 0x1p-20;
   const double reach_m = (step.clearance_m + 2.0 * balls.reach_m) * kUpward;
-  const search::QuestionGrids grids(frame, {.threshold_m = reach_m}, with, choices);
-  cpu::Question question = grids.question();
+  const search::QueryGrids grids(domain, {.threshold_m = reach_m}, with, tuning);
+  cpu::SweepQuery question = grids.question();
   question.limits = {-1.0F, -1.0F};  // it is the radii that say who meets
   const core::SortedGrid& grid = question.asked.grid;
-  const SortedBalls sorted(balls, ids, step, frame, grid, with);
+  const SortedBalls sorted(balls, ids, step, domain, grid, with);
   const PassCheck check(grid, sorted.balls(), step);
   with.crew.split(grid.size, [&](std::size_t begin, std::size_t end, unsigned worker) {
     if (begin == end) return;
@@ -186,7 +187,7 @@ void search_grid(const MovingBalls& balls, const PointId* ids, const Step& step,
 
 core::Vector<core::FoundPairs> find_passing(const MovingBalls& balls, const Step& step,
                                             const core::Resources& with,
-                                            const search::Choices& choices,
+                                            const search::TuningOverrides& tuning,
                                             const DecidePass& decide) {
   core::Vector<core::FoundPairs> found(&with.memory);
   found.reserve(with.crew.size());
@@ -196,11 +197,11 @@ core::Vector<core::FoundPairs> find_passing(const MovingBalls& balls, const Step
   Total total(step.most);
   const double reach_m = reach_in_grid(balls, step, with);
   if (!(reach_m < balls.reach_m)) {
-    search_grid(balls, nullptr, step, with, choices, decide, total, found);
+    search_grid(balls, nullptr, step, with, tuning, decide, total, found);
     return found;
   }
   const Divided divided(balls, step, reach_m, with);
-  search_grid(divided.grid(), divided.in_grid(), step, with, choices, decide, total, found);
+  search_grid(divided.grid(), divided.in_grid(), step, with, tuning, decide, total, found);
   search_beyond(balls, step, divided.beyond(), with, decide, total, found);
   return found;
 }

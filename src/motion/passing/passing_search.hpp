@@ -8,7 +8,7 @@
 #include "base/bounds.hpp"
 #include "base/pair_order.hpp"
 #include "base/resources.hpp"
-#include "search/choices.hpp"
+#include "search/tuning_overrides.hpp"
 
 #include <beespace/points_view.hpp>
 
@@ -54,7 +54,7 @@ using DecidePass = std::function<bool(PointId, PointId)>;
 // who may, as far as `decide` says yes to them; all of them where there is none.
 core::Vector<core::FoundPairs> find_passing(const MovingBalls& balls, const Step& step,
                                             const core::Resources& with,
-                                            const search::Choices& choices,
+                                            const search::TuningOverrides& tuning,
                                             const DecidePass& decide = {});
 
 }  // namespace beespace::motion

@@ -118,8 +118,8 @@ std::optional<Error> check(const MoversView& movers, const PredictionSteps& step
 
 Status predict_pairs(const MoversView& movers, const PredictOptions& options,
                      const core::Resources& with, std::vector<Pair>& pairs,
-                     const PredictionChoices& choices) {
-  PredictionSteps steps(movers, options, with, choices);
+                     const PredictionTuning& tuning) {
+  PredictionSteps steps(movers, options, with, tuning);
   if (auto error = check(movers, steps)) return *std::move(error);
   const auto exactly = [&](PointId a, PointId b) {
     return in_conflict(state_of(movers, a), state_of(movers, b), steps.separation(),
@@ -147,14 +147,14 @@ Status predict_pairs(const MoversView& movers, const PredictOptions& options,
 }
 
 Status predict(const MoversView& movers, const PredictOptions& options, const core::Resources& with,
-               std::vector<Conflict>& conflicts, const PredictionChoices& choices) {
+               std::vector<Conflict>& conflicts, const PredictionTuning& tuning) {
   conflicts.clear();
   if (options.max_results < kUnlimited) {
     // Candidates may be many more than conflicts; who they are takes less memory, and is exact.
     std::vector<Pair> pairs;
-    if (Status few = predict_pairs(movers, options, with, pairs, choices); !few) return few;
+    if (Status few = predict_pairs(movers, options, with, pairs, tuning); !few) return few;
   }
-  PredictionSteps steps(movers, options, with, choices);
+  PredictionSteps steps(movers, options, with, tuning);
   if (auto error = check(movers, steps)) return *std::move(error);
   Judge judge(movers, steps.separation(), options.horizon_s, with, conflicts);
   steps.for_each({}, kUnlimited, [&](const auto& candidates) {

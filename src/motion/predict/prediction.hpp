@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/resources.hpp"
-#include "search/choices.hpp"
+#include "search/tuning_overrides.hpp"
 
 #include <beespace/closest_approach.hpp>
 #include <beespace/conflict.hpp>
@@ -17,17 +17,17 @@
 namespace beespace::motion {
 
 // What is chosen from the data unless a test or a benchmark forces it.
-struct PredictionChoices {
-  search::Choices search = {};
+struct PredictionTuning {
+  search::TuningOverrides search = {};
   std::optional<double> step_s = {};
 };
 
 // Of predict_conflicts and predict_pairs. Options are valid; on an error what is written is
 // unspecified.
 Status predict(const MoversView& movers, const PredictOptions& options, const core::Resources& with,
-               std::vector<Conflict>& conflicts, const PredictionChoices& choices = {});
+               std::vector<Conflict>& conflicts, const PredictionTuning& tuning = {});
 Status predict_pairs(const MoversView& movers, const PredictOptions& options,
                      const core::Resources& with, std::vector<Pair>& pairs,
-                     const PredictionChoices& choices = {});
+                     const PredictionTuning& tuning = {});
 
 }  // namespace beespace::motion

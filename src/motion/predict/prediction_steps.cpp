@@ -103,12 +103,12 @@ class MoverExtremes {
 }  // namespace
 
 PredictionSteps::PredictionSteps(const MoversView& movers, const PredictOptions& options,
-                                 const core::Resources& with, const PredictionChoices& choices)
+                                 const core::Resources& with, const PredictionTuning& tuning)
     : movers_(movers),
       options_(options),
       separation_(separation_of(options, movers.has_heights())),
       with_(with),
-      choices_(choices),
+      tuning_(tuning),
       middles_(with.memory, movers.size()),
       moves_(with.memory, movers.size()),
       speeds_(&with.memory) {
@@ -197,7 +197,7 @@ void PredictionSteps::move_middles_to(double time) {
 // Where the step from `begin` on ends: later than it, unless that is the horizon.
 double PredictionSteps::step_end(double begin) {
   const double left = options_.horizon_s - begin;
-  const double step = choices_.step_s ? *choices_.step_s : cheapest_step(begin, left);
+  const double step = tuning_.step_s ? *tuning_.step_s : cheapest_step(begin, left);
   const double end = begin + step;
   const bool last = step > 0.999'999 * left || !(end > begin);
   return last ? options_.horizon_s : end;
@@ -245,7 +245,7 @@ core::Vector<core::FoundPairs> PredictionSteps::passing(double begin, double end
   // Velocities are rounded to floats.
   const double reach_m = fastest_ * step.half_s * (1.0 + 0x1p-20);
   const MovingBalls balls{middles(), bounds_, {moves_.data(), movers_.size()}, reach_m};
-  return find_passing(balls, step, with_, choices_.search, decide);
+  return find_passing(balls, step, with_, tuning_.search, decide);
 }
 
 }  // namespace beespace::motion

@@ -19,7 +19,7 @@ class PredictionSteps {
  public:
   // Options are valid. All must outlive this.
   PredictionSteps(const MoversView& movers, const PredictOptions& options,
-                  const core::Resources& with, const PredictionChoices& choices);
+                  const core::Resources& with, const PredictionTuning& tuning);
 
   [[nodiscard]] const Separation& separation() const { return separation_; }
 
@@ -52,7 +52,7 @@ class PredictionSteps {
   const PredictOptions& options_;
   Separation separation_;
   const core::Resources& with_;
-  const PredictionChoices& choices_;
+  const PredictionTuning& tuning_;
   Velocity drift_;           // moving along with it, nearly everybody is slower
   double fastest_ = 0.0;     // relative to it
   double farthest_m_ = 0.0;  // largest coordinate

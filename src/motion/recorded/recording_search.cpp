@@ -40,12 +40,12 @@ class RecordingSearch {
  public:
   RecordingSearch(const std::vector<Run>& runs, const Separation& separation,
                   std::uint64_t max_results, const core::Resources& with,
-                  const RecordingChoices& choices)
+                  const RecordingTuning& tuning)
       : runs_(runs),
         separation_(separation),
         max_results_(max_results),
         with_(with),
-        choices_(choices),
+        tuning_(tuning),
         clearance_m_(separation.reach_m()),
         by_begin_(runs.size()) {
     std::iota(by_begin_.begin(), by_begin_.end(), 0U);
@@ -99,7 +99,7 @@ class RecordingSearch {
     const double next = next_ < by_begin_.size() ? runs_[by_begin_[next_]].begins_s() : last_s_;
     const double left = last_s_ - begin;
     if (active_.empty()) return next;
-    const double step = choices_.step_s ? *choices_.step_s : cheapest_step(begin, left);
+    const double step = tuning_.step_s ? *tuning_.step_s : cheapest_step(begin, left);
     const double end = begin + step;
     return end > begin && step < left ? std::min(end, last_s_) : last_s_;
   }
@@ -137,7 +137,7 @@ class RecordingSearch {
     double step = left;
     while (step > 0.0) {
       const double reach = clearance_m_ + *most * step;
-      const double met = std::min(bees, sample.mates(2.6 * reach));
+      const double met = std::min(bees, sample.expected_neighbors(2.6 * reach));
       const double cost = (kStep + bees * (kSorting + 0.5 * kComparing * met)) / step;
       if (step == left || cost < best_cost) {
         best = step;
@@ -156,7 +156,7 @@ class RecordingSearch {
     const double blur_m = 0x1p-48 * farthest_m_;
     const Step step{0.5 * (time.ends_s - time.begins_s) * (1.0 + 0x1p-50),
                     clearance_m_ * (1.0 + 0x1p-50) + 4.0 * blur_m};
-    walk(time, pairs_of(find_passing(enclosed.balls(), step, with_, choices_.search)));
+    walk(time, pairs_of(find_passing(enclosed.balls(), step, with_, tuning_.search)));
   }
 
   // The pairs to walk, ascending: the candidates, and those on which a walk is under way.
@@ -220,7 +220,7 @@ class RecordingSearch {
   Separation separation_;
   std::uint64_t max_results_;
   const core::Resources& with_;
-  const RecordingChoices& choices_;
+  const RecordingTuning& tuning_;
   double clearance_m_;
   double farthest_m_ = 0.0;
   double last_s_ = -std::numeric_limits<double>::infinity();
@@ -243,8 +243,8 @@ Result<std::vector<Conflict>> search_recording(const std::vector<Run>& runs,
                                                const Separation& separation,
                                                std::uint64_t max_results,
                                                const core::Resources& with,
-                                               const RecordingChoices& choices) {
-  return RecordingSearch(runs, separation, max_results, with, choices).search();
+                                               const RecordingTuning& tuning) {
+  return RecordingSearch(runs, separation, max_results, with, tuning).search();
 }
 
 }  // namespace beespace::motion

@@ -5,7 +5,7 @@
 #include "base/resources.hpp"
 #include "motion/runs.hpp"
 #include "motion/separation.hpp"
-#include "search/choices.hpp"
+#include "search/tuning_overrides.hpp"
 
 #include <beespace/find_conflicts.hpp>
 #include <beespace/result.hpp>
@@ -16,8 +16,8 @@
 namespace beespace::motion {
 
 // What is chosen from the data unless a test or a benchmark forces it.
-struct RecordingChoices {
-  search::Choices search = {};
+struct RecordingTuning {
+  search::TuningOverrides search = {};
   std::optional<double> step_s = {};
 };
 
@@ -26,7 +26,7 @@ Result<std::vector<Conflict>> search_recording(const std::vector<Run>& runs,
                                                const Separation& separation,
                                                std::uint64_t max_results,
                                                const core::Resources& with,
-                                               const RecordingChoices& choices = {});
+                                               const RecordingTuning& tuning = {});
 
 // The order of find_conflicts.
 void order_conflicts(std::vector<Conflict>& conflicts);

@@ -1,6 +1,6 @@
 // Units: the words that name them, and conversions that round once.
-#include "io/units/unit_wishes.hpp"
 #include "io/units/units.hpp"
+#include "io/units/unit_wishes.hpp"
 
 #include <gtest/gtest.h>
 

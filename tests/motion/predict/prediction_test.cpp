@@ -98,14 +98,14 @@ class EveryWay {
 
  private:
   Answer answer(const Way& way, const MoversView& movers, const PredictOptions& options) {
-    PredictionChoices choices;
-    choices.search.instruction_set = way.set;
-    choices.step_s = way.step_s;
+    PredictionTuning tuning;
+    tuning.search.instruction_set = way.set;
+    tuning.step_s = way.step_s;
     test::OwnResources& own = way.threads == 1 ? one_ : way.threads == 2 ? two_ : five_;
     own.memory.start_call();
-    Status full = predict(movers, options, own.with, conflicts_, choices);
+    Status full = predict(movers, options, own.with, conflicts_, tuning);
     own.memory.start_call();
-    Status of_pairs = predict_pairs(movers, options, own.with, pairs_, choices);
+    Status of_pairs = predict_pairs(movers, options, own.with, pairs_, tuning);
     return {std::move(full), std::move(of_pairs), conflicts_, pairs_};
   }
 

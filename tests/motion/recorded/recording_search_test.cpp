@@ -89,12 +89,12 @@ class EveryWay {
  private:
   Result<Conflicts> answer(const Way& way, const std::vector<Run>& runs,
                            const Separation& separation, std::uint64_t max_results) {
-    RecordingChoices choices;
-    choices.search.instruction_set = way.set;
-    choices.step_s = way.step_s;
+    RecordingTuning tuning;
+    tuning.search.instruction_set = way.set;
+    tuning.step_s = way.step_s;
     test::OwnResources& own = way.threads == 1 ? one_ : way.threads == 2 ? two_ : five_;
     own.memory.start_call();
-    return search_recording(runs, separation, max_results, own.with, choices);
+    return search_recording(runs, separation, max_results, own.with, tuning);
   }
 
   test::OwnResources one_{1};
@@ -207,12 +207,12 @@ TEST(RecordingSearch, SaysWhatBruteForceSaysOfManySmallRecordings) {
     for (const double step : {0.25, 1.0, make.between(0.05, 9.0)}) {
       SCOPED_TRACE(std::to_string(round) + ", step " + std::to_string(step) +
                    (has_tolerances(tracks) ? ", tolerances, " : ", ") + test::name_of(shape));
-      RecordingChoices choices;
-      choices.step_s = step;
+      RecordingTuning tuning;
+      tuning.step_s = step;
       own.memory.start_call();
       const bool apart = shape == Shape::kHeightsApart;
       expect_same(*search_recording(cut.runs, separation_of(options, apart), options.max_results,
-                                    own.with, choices),
+                                    own.with, tuning),
                   expected);
       if (HasFatalFailure()) return;
     }

@@ -1,11 +1,11 @@
-#include "avoidance/constraints/soft_program.hpp"
+#include "avoidance/constraints/relaxed_qp.hpp"
 
 #include <algorithm>
 
 namespace beespace::avoidance {
 
-std::optional<Vector3> SoftProgram::nearest(const Vector3& wish, std::span<const HalfSpace> firm,
-                                            std::span<const Request> requests, const Ball& ball) {
+std::optional<Vector3> RelaxedQp::nearest(const Vector3& wish, std::span<const HalfSpace> firm,
+                                          std::span<const Request> requests, const Ball& ball) {
   if (requests.empty()) return nearest_place(wish, firm, ball);
   ask_for_what_there_is(requests, ball);
   if (auto found = at(0.0, wish, firm, ball)) return found;
@@ -25,7 +25,7 @@ std::optional<Vector3> SoftProgram::nearest(const Vector3& wish, std::span<const
 
 // What is asked for beyond the ball is given up before anything is shared: however much it is, what
 // lies within the ball is decided as finely.
-void SoftProgram::ask_for_what_there_is(std::span<const Request> requests, const Ball& ball) {
+void RelaxedQp::ask_for_what_there_is(std::span<const Request> requests, const Ball& ball) {
   constexpr double kReached = 0.999;  // of the ball: the rest is little, and hard to meet exactly
   requests_.clear();
   for (const auto& [side, yields] : requests) {
@@ -34,8 +34,8 @@ void SoftProgram::ask_for_what_there_is(std::span<const Request> requests, const
   }
 }
 
-std::optional<Vector3> SoftProgram::at(double share, const Vector3& wish,
-                                       std::span<const HalfSpace> firm, const Ball& ball) {
+std::optional<Vector3> RelaxedQp::at(double share, const Vector3& wish,
+                                     std::span<const HalfSpace> firm, const Ball& ball) {
   all_.assign(firm.begin(), firm.end());
   for (const auto& [side, yields] : requests_) {
     all_.push_back({side.normal, side.offset - share * yields});

@@ -1,7 +1,7 @@
 // Everybody at the beginning of a step, and how far apart they are to be.
 #pragma once
 
-#include "avoidance/flyer.hpp"
+#include "avoidance/agent_state.hpp"
 
 #include <beespace/advise.hpp>
 #include <beespace/crew.hpp>
@@ -17,13 +17,13 @@
 namespace beespace::avoidance {
 
 // A distance to keep.
-struct Keep {
+struct SeparationMargins {
   double asked_m = 0.0;
   double kept_m = 0.0;       // a little more, for rounding
   double certified_m = 0.0;  // who is closer than this has lost what rounding was allowed
 
   // The same with more for rounding.
-  [[nodiscard]] Keep with(double spare_m) const {
+  [[nodiscard]] SeparationMargins with(double spare_m) const {
     return {asked_m, kept_m + spare_m, certified_m + 0.5 * spare_m};
   }
 };
@@ -31,31 +31,35 @@ struct Keep {
 // Of the distance to keep: who is no farther beyond it presses others.
 inline constexpr double kPresses = 0.6;
 
-class Flyers {
+class AgentStates {
  public:
   // `limits` has one for each or one for all.
   void take(std::span<const Mover> movers, std::span<const FlightLimits> limits,
             const AdviseOptions& options, Crew& crew);
 
-  [[nodiscard]] std::size_t size() const { return flyers_.size(); }
-  [[nodiscard]] const Flyer& operator[](std::size_t bee) const { return flyers_[bee]; }
+  [[nodiscard]] std::size_t size() const { return agents_.size(); }
+  [[nodiscard]] const AgentState& operator[](std::size_t bee) const { return agents_[bee]; }
   // How a bee comes to a stop as it flies now.
-  [[nodiscard]] const Segment& way_to_stop(std::size_t bee) const { return ways_[bee].to_stop; }
+  [[nodiscard]] const Segment& stopping_segment(std::size_t bee) const {
+    return ways_[bee].to_stop;
+  }
   // How far from there it may get in the step and the stop after it.
   [[nodiscard]] double strays(std::size_t bee) const { return ways_[bee].strays_m; }
   [[nodiscard]] double fastest() const { return extremes_.speed_mps; }
 
   // To be kept where coordinates are small; of two bees; of a bee and something near it whose
   // coordinates or size may be as large.
-  [[nodiscard]] const Keep& apart() const { return apart_; }
-  [[nodiscard]] Keep apart(PointId bee, PointId other) const {
+  [[nodiscard]] const SeparationMargins& apart() const { return apart_; }
+  [[nodiscard]] SeparationMargins apart(PointId bee, PointId other) const {
     return apart_.with(std::max(ways_[bee].spare_m, ways_[other].spare_m));
   }
-  [[nodiscard]] Keep apart_from(double large_m, PointId bee) const {
+  [[nodiscard]] SeparationMargins apart_from(double large_m, PointId bee) const {
     return apart_.with(ways_[bee].spare_m + spare_m(large_m));
   }
   // From obstacles.
-  [[nodiscard]] Keep clearance(PointId bee) const { return clearance_.with(ways_[bee].spare_m); }
+  [[nodiscard]] SeparationMargins clearance(PointId bee) const {
+    return clearance_.with(ways_[bee].spare_m);
+  }
 
   // Everything that a bee may do in the step and the stop after it lies in a ball; and so does
   // half of what it presses.
@@ -104,10 +108,10 @@ class Flyers {
 
   std::vector<Point> middles_;  // of the ways
   std::vector<Way> ways_;
-  std::vector<Flyer> flyers_;
+  std::vector<AgentState> agents_;
   Extremes extremes_;
-  Keep apart_;      // from each other
-  Keep clearance_;  // from obstacles
+  SeparationMargins apart_;      // from each other
+  SeparationMargins clearance_;  // from obstacles
 };
 
 }  // namespace beespace::avoidance

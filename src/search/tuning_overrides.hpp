@@ -10,7 +10,7 @@
 
 namespace beespace::search {
 
-struct Choices {
+struct TuningOverrides {
   // How points at risk are found in one swarm.
   enum class Method : std::uint8_t { kAutomatic, kSweep, kProveThenSweep, kProveThenLook };
 

@@ -12,7 +12,7 @@ namespace beespace::core {
 // The points that may have another point within `bound`, ascending: all that have, and some that
 // have not. The lattice's cells should be some times as wide as the bound (then few points are near
 // a face of theirs) and mostly empty. Working memory: at most 8 bytes a point, and those left.
-Vector<PointId> sieve(const PointsView& points, const Lattice& lattice, double bound,
-                      const Resources& with);
+Vector<PointId> occupancy_filter(const PointsView& points, const Lattice& lattice, double bound,
+                                 const Resources& with);
 
 }  // namespace beespace::core

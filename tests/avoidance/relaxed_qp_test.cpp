@@ -1,5 +1,5 @@
 // Requests that cannot all be met give up the same share, and the least: against trying all shares.
-#include "avoidance/constraints/soft_program.hpp"
+#include "avoidance/constraints/relaxed_qp.hpp"
 
 #include "scenes/random_stream.hpp"
 #include "scenes/random_velocity.hpp"
@@ -28,7 +28,7 @@ struct Program {
   Ball ball;
 
   [[nodiscard]] std::optional<Vector3> solved() const {
-    SoftProgram program;
+    RelaxedQp program;
     return program.nearest(wish, firm, requests, ball);
   }
   // What all but no place of the ball has is not asked for.
@@ -77,7 +77,7 @@ Program random_program(RandomStream& random) {
   return program;
 }
 
-TEST(SoftProgram, GivesUpTheLeastShareThatWillDo) {
+TEST(RelaxedQp, GivesUpTheLeastShareThatWillDo) {
   RandomStream random(1);
   int shared = 0;
   int met = 0;
@@ -107,7 +107,7 @@ TEST(SoftProgram, GivesUpTheLeastShareThatWillDo) {
 }
 
 // The share by brute force: all of 500, each decided by the convex program.
-TEST(SoftProgram, IsAsTryingAllShares) {
+TEST(RelaxedQp, IsAsTryingAllShares) {
   RandomStream random(2);
   int shared = 0;
   for (int round = 0; round < test::rounds(600); ++round) {
@@ -124,8 +124,8 @@ TEST(SoftProgram, IsAsTryingAllShares) {
   EXPECT_GT(shared, test::rounds(600) / 20);
 }
 
-TEST(SoftProgram, ByTheBook) {
-  SoftProgram program;
+TEST(RelaxedQp, ByTheBook) {
+  RelaxedQp program;
   const Ball ball{{0, 0, 0}, 1.0};
   // No requests: the nearest place.
   EXPECT_EQ(program.nearest({0.5, 0, 0}, {}, {}, ball), (Vector3{0.5, 0, 0}));

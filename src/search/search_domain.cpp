@@ -1,4 +1,4 @@
-#include "search/frame.hpp"
+#include "search/search_domain.hpp"
 
 #include "exact/validate.hpp"
 
@@ -10,7 +10,7 @@ namespace {
 
 // About as many are worth having ahead of a point in its row: with fewer, more points lie beside
 // seams; with more, more are met who are not near. Between 10 and 18 it makes little difference.
-constexpr double kMates = 12.0;
+constexpr double kExpectedNeighbors = 12.0;
 
 using Order = std::array<std::size_t, 3>;
 
@@ -49,33 +49,33 @@ Result<core::Bounds> measured(const PointsView& points, const char* name,
 
 }  // namespace
 
-Frame::Frame(std::array<PointsView, 2> sets, std::size_t set_count, const core::Bounds& bounds,
-             const core::Resources& with)
+SearchDomain::SearchDomain(std::array<PointsView, 2> sets, std::size_t set_count,
+                           const core::Bounds& bounds, const core::Resources& with)
     : originals_(sets),
       order_(longest_first(bounds)),
       sets_(sets),
       set_count_(set_count),
       bounds_(bounds),
       sample_(others(), with.memory),
-      mates_side_(0.0) {
+      neighbors_side_(0.0) {
   for (PointsView& set : sets_) set = turned(set);
   bounds_ = {permuted(bounds.low, order_), permuted(bounds.high, order_)};
-  mates_side_ = sample_.side_for(kMates, bounds_);
+  neighbors_side_ = sample_.side_for(kExpectedNeighbors, bounds_);
 }
 
-PointsView Frame::turned(const PointsView& points) const {
+PointsView SearchDomain::turned(const PointsView& points) const {
   return PointsView::strided(permuted(points.axes(), order_), points.size(),
                              permuted(points.stride_bytes(), order_));
 }
 
-Result<Frame> Frame::of(const PointsView& points, const core::Resources& with) {
+Result<SearchDomain> SearchDomain::of(const PointsView& points, const core::Resources& with) {
   const Result<core::Bounds> bounds = measured(points, "", with);
   if (!bounds) return bounds.error();
   return of(points, *bounds, with);
 }
 
-Result<Frame> Frame::of(const PointsView& points, const PointsView& others,
-                        const core::Resources& with) {
+Result<SearchDomain> SearchDomain::of(const PointsView& points, const PointsView& others,
+                                      const core::Resources& with) {
   const Result<core::Bounds> first = measured(points, core::kPointsName, with);
   if (!first) return first.error();
   const Result<core::Bounds> second = measured(others, core::kOthersName, with);
@@ -85,27 +85,27 @@ Result<Frame> Frame::of(const PointsView& points, const PointsView& others,
     both.low[axis] = std::min(both.low[axis], second->low[axis]);
     both.high[axis] = std::max(both.high[axis], second->high[axis]);
   }
-  return Frame({points, others}, 2, both, with);
+  return SearchDomain({points, others}, 2, both, with);
 }
 
-double Frame::mates(double side_m) const {
+double SearchDomain::expected_neighbors(double side_m) const {
   // Far below the side that holds some, only a crowd that the sample has met would show.
-  return sample_.mates(side_m);
+  return sample_.expected_neighbors(side_m);
 }
 
-unsigned Frame::row_shift(const core::Lattice& lattice, double reach) const {
-  constexpr double kMostInWindow = 1.5 * kMates;
+unsigned SearchDomain::row_shift(const core::Lattice& lattice, double reach) const {
+  constexpr double kMostInWindow = 1.5 * kExpectedNeighbors;
   const unsigned most = 30 - lattice.fraction_bits();
   const double widest = std::max(extent(bounds_, 1), extent(bounds_, 2));
   const auto share = [&](std::size_t axis, double width) {
     const double across = extent(bounds_, axis);
-    const double own = std::min(mates_side_, across);
+    const double own = std::min(neighbors_side_, across);
     return own > 0.0 ? std::min(width, across) / own : 1.0;
   };
-  const double ahead = mates_side_ > 0.0 ? reach / mates_side_ : 1.0;
+  const double ahead = neighbors_side_ > 0.0 ? reach / neighbors_side_ : 1.0;
   unsigned shift = 0;
   for (double width = 2.0 * reach; shift < most && width < 2.0 * widest; width *= 2.0) {
-    if (kMates * ahead * share(1, width) * share(2, width) > kMostInWindow) break;
+    if (kExpectedNeighbors * ahead * share(1, width) * share(2, width) > kMostInWindow) break;
     ++shift;
   }
   return shift;

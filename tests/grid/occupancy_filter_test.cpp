@@ -1,5 +1,5 @@
-// The sieve may keep too many, never drop one that has company within the bound.
-#include "grid/sieve.hpp"
+// The occupancy_filter may keep too many, never drop one that has company within the bound.
+#include "grid/occupancy_filter.hpp"
 
 #include "base/bounds.hpp"
 #include "exact/exact_distance.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 // Pairs just within the bound, across faces, edges and corners of cells, in boxes of all sizes: few
 // units a cell where the box is large.
-TEST(Sieve, KeepsEveryPairWithinTheBound) {
+TEST(OccupancyFilter, KeepsEveryPairWithinTheBound) {
   const double bound = 1.0;
   for (int power = 4; power <= 26; ++power) {
     const double side = std::ldexp(1.0, power);
@@ -35,7 +35,7 @@ TEST(Sieve, KeepsEveryPairWithinTheBound) {
       for (const double cell_in_bounds : {2.5, 8.0}) {
         const Lattice lattice({&view, 1}, *measure(view, own.with), cell_in_bounds * bound,
                               own.memory);
-        const Vector<PointId> left = sieve(view, lattice, bound, own.with);
+        const Vector<PointId> left = occupancy_filter(view, lattice, bound, own.with);
         const ProximityTest near(bound, true);
         for (PointId id = 0; id < 400; ++id) {
           if (!near(points[id], points[id + 400])) continue;
@@ -47,22 +47,22 @@ TEST(Sieve, KeepsEveryPairWithinTheBound) {
   }
 }
 
-TEST(Sieve, DropsMostOfThoseWithoutCompany) {
+TEST(OccupancyFilter, DropsMostOfThoseWithoutCompany) {
   test::SceneMaker make(1);
   const std::vector<Point> points = make.box(20'000, {0, 0, 0}, {10'000, 10'000, 10'000});
   test::OwnResources own;
   const PointsView view(points);
   const Lattice lattice({&view, 1}, *measure(view, own.with), 8.0, own.memory);
-  EXPECT_LT(sieve(view, lattice, 1.0, own.with).size(), points.size() / 4);
+  EXPECT_LT(occupancy_filter(view, lattice, 1.0, own.with).size(), points.size() / 4);
 }
 
-TEST(Sieve, KeepsEverybodyWhereItCannotTell) {
+TEST(OccupancyFilter, KeepsEverybodyWhereItCannotTell) {
   const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {1e9, 0, 0}};
   test::OwnResources own;
   const PointsView view(points);
   const Lattice lattice({&view, 1}, *measure(view, own.with), 2.0, own.memory,
                         std::uint64_t{1} << 40);
-  EXPECT_EQ(sieve(view, lattice, 1.0, own.with).size(), points.size());
+  EXPECT_EQ(occupancy_filter(view, lattice, 1.0, own.with).size(), points.size());
 }
 
 }  // namespace

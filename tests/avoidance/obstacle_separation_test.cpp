@@ -1,5 +1,5 @@
 // Planes between ways and obstacles: on the right side of both, and as far apart as these are.
-#include "avoidance/constraints/obstacle_parting.hpp"
+#include "avoidance/constraints/obstacle_separation.hpp"
 
 #include "scenes/random_stream.hpp"
 #include "scenes/random_velocity.hpp"
@@ -61,7 +61,7 @@ Real distance_of(const Segment& way, const Obstacle& obstacle) {
 }
 
 // Whatever the way: it and all of the piece lie on their own sides.
-TEST(ObstacleParting, ThePlaneLiesBetweenTheWayAndThePiece) {
+TEST(ObstacleSeparation, ThePlaneLiesBetweenTheWayAndThePiece) {
   RandomStream random(1);
   int crossing = 0;
   for (int round = 0; round < test::rounds(20'000); ++round) {
@@ -70,25 +70,25 @@ TEST(ObstacleParting, ThePlaneLiesBetweenTheWayAndThePiece) {
     const Segment way{core::vector_of(test::random_place(random, 10.0)),
                       direction(random) * log_uniform(random, 0.01, 50.0)};
     const ConvexPiece piece = pieces_of(obstacle)[0];
-    const ObstacleParting parting = part(way, piece);
-    ASSERT_NEAR(length(parting.normal), 1.0, 1e-14);
-    ASSERT_EQ(parting.edge, piece.support(parting.normal));
+    const ObstacleSeparation plane = separate(way, piece);
+    ASSERT_NEAR(length(plane.normal), 1.0, 1e-14);
+    ASSERT_EQ(plane.edge, piece.support(plane.normal));
     for (const double apart_m : {0.1, 5.0}) {
-      const HalfSpace side = parting.of_way(apart_m);
+      const HalfSpace side = plane.of_way(apart_m);
       for (const double share : {0.0, 0.4, 1.0}) {
         ASSERT_GE(side.inside_by(way.at(share)), -1e-12);
       }
-      ASSERT_NEAR(side.offset - parting.edge, std::min(apart_m, parting.gap), 1e-12);
+      ASSERT_NEAR(side.offset - plane.edge, std::min(apart_m, plane.gap), 1e-12);
     }
-    ASSERT_LE(parting.gap, static_cast<double>(std::max(0.0L, distance_of(way, obstacle))) + 1e-12);
-    crossing += parting.gap < 0.0 ? 1 : 0;
+    ASSERT_LE(plane.gap, static_cast<double>(std::max(0.0L, distance_of(way, obstacle))) + 1e-12);
+    crossing += plane.gap < 0.0 ? 1 : 0;
   }
   EXPECT_GT(crossing, test::rounds(20'000) / 10);
 }
 
 // What is lost of it is lost from the clearance: half of 2^-44 of the coordinates, and of 1e-7 of
 // the clearance, may be. Ways up to thousands of times as long as the clearance.
-TEST(ObstacleParting, TheGapIsTheDistanceOfAWayThatIsClear) {
+TEST(ObstacleSeparation, TheGapIsTheDistanceOfAWayThatIsClear) {
   RandomStream random(2);
   int clear = 0;
   for (int round = 0; round < test::rounds(20'000); ++round) {
@@ -110,7 +110,7 @@ TEST(ObstacleParting, TheGapIsTheDistanceOfAWayThatIsClear) {
     const auto distance = static_cast<double>(distance_of(way, obstacle));
     if (!(distance > 0.01)) continue;
     ++clear;
-    const double gap = part(way, piece).gap;
+    const double gap = separate(way, piece).gap;
     const double spare_m = 1e-7 * distance + 0x1p-44 * (far_m + long_m + 30.0);
     ASSERT_LE(gap, distance + 0.25 * spare_m);
     ASSERT_GE(gap, distance - 0.25 * spare_m) << far_m << " m off, a way of " << long_m << " m";
@@ -119,7 +119,7 @@ TEST(ObstacleParting, TheGapIsTheDistanceOfAWayThatIsClear) {
 }
 
 // From inside: to where the whole obstacle ends, whatever piece of it.
-TEST(ObstacleParting, FromInsideItIsStraightOut) {
+TEST(ObstacleSeparation, FromInsideItIsStraightOut) {
   RandomStream random(3);
   int inside = 0;
   for (int round = 0; round < test::rounds(20'000); ++round) {
@@ -130,10 +130,10 @@ TEST(ObstacleParting, FromInsideItIsStraightOut) {
     if (!(distance < -1e-9L)) continue;
     ++inside;
     const auto out = obstacles::facing_of(obstacles::solid_of(obstacle), way.from);
-    const ObstacleParting parting = part_inside(way, out);
-    ASSERT_NEAR(core::length(parting.normal), 1.0, 1e-9);
+    const ObstacleSeparation plane = part_inside(way, out);
+    ASSERT_NEAR(core::length(plane.normal), 1.0, 1e-9);
     ASSERT_NEAR(part_inside({way.from, {}}, out).gap, static_cast<double>(distance), 1e-12);
-    const HalfSpace side = parting.of_way(1.0);
+    const HalfSpace side = plane.of_way(1.0);
     ASSERT_GE(side.inside_by(way.from), -1e-12);
     ASSERT_GE(side.inside_by(way.at(1.0)), -1e-12);
   }

@@ -16,16 +16,16 @@
 
 namespace beespace::search {
 
-class Frame {
+class SearchDomain {
  public:
-  // Of one swarm, or of two whose points share a frame. Errors: as find_at_risk(_between).
-  static Result<Frame> of(const PointsView& points, const core::Resources& with);
-  static Result<Frame> of(const PointsView& points, const PointsView& others,
-                          const core::Resources& with);
+  // Of one swarm, or of two whose points share a domain. Errors: as find_at_risk(_between).
+  static Result<SearchDomain> of(const PointsView& points, const core::Resources& with);
+  static Result<SearchDomain> of(const PointsView& points, const PointsView& others,
+                                 const core::Resources& with);
   // Of points that have been measured.
-  static Frame of(const PointsView& points, const core::Bounds& bounds,
-                  const core::Resources& with) {
-    return Frame({points, {}}, 1, bounds, with);
+  static SearchDomain of(const PointsView& points, const core::Bounds& bounds,
+                         const core::Resources& with) {
+    return SearchDomain({points, {}}, 1, bounds, with);
   }
 
   [[nodiscard]] const PointsView& points() const { return sets_[0]; }
@@ -33,7 +33,7 @@ class Frame {
   // The same as the caller gave them, with x first.
   [[nodiscard]] const PointsView& original_points() const { return originals_[0]; }
   [[nodiscard]] const PointsView& original_others() const { return originals_[set_count_ - 1]; }
-  // Which of the caller's axes each of the frame's is.
+  // Which of the caller's axes each of the domain's is.
   [[nodiscard]] const std::array<std::size_t, 3>& order() const { return order_; }
   [[nodiscard]] bool has_others() const { return set_count_ == 2; }
   [[nodiscard]] std::span<const PointsView> sets() const { return {sets_.data(), set_count_}; }
@@ -41,9 +41,9 @@ class Frame {
 
   // The longest side of the box, and that of a cube that holds about a dozen others.
   [[nodiscard]] double widest() const { return bounds_.high[0] - bounds_.low[0]; }
-  [[nodiscard]] double side_with_some() const { return mates_side_; }
+  [[nodiscard]] double side_with_some() const { return neighbors_side_; }
   // The expected number of others in a cube of side `side_m` around a point's own place.
-  [[nodiscard]] double mates(double side_m) const;
+  [[nodiscard]] double expected_neighbors(double side_m) const;
 
   // How wide rows should be, as a power of two, for searches up to `reach`: so wide that few points
   // lie beside a seam, and no wider.
@@ -51,8 +51,8 @@ class Frame {
 
  private:
   [[nodiscard]] PointsView turned(const PointsView& points) const;
-  Frame(std::array<PointsView, 2> sets, std::size_t set_count, const core::Bounds& bounds,
-        const core::Resources& with);
+  SearchDomain(std::array<PointsView, 2> sets, std::size_t set_count, const core::Bounds& bounds,
+               const core::Resources& with);
 
   std::array<PointsView, 2> originals_;
   std::array<std::size_t, 3> order_;  // of the axes
@@ -60,7 +60,7 @@ class Frame {
   std::size_t set_count_;
   core::Bounds bounds_;
   core::DensitySample sample_;
-  double mates_side_;  // of a cube that holds about kMates others
+  double neighbors_side_;  // of a cube that holds about kExpectedNeighbors others
 };
 
 }  // namespace beespace::search

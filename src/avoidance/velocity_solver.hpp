@@ -4,10 +4,10 @@
 // that the bee brakes as hard as it can where nothing better is found. Braking keeps to them too.
 #pragma once
 
-#include "avoidance/constraints/claims.hpp"
+#include "avoidance/agent_state.hpp"
+#include "avoidance/constraints/constraints.hpp"
 #include "avoidance/constraints/half_spaces.hpp"
-#include "avoidance/constraints/soft_program.hpp"
-#include "avoidance/flyer.hpp"
+#include "avoidance/constraints/relaxed_qp.hpp"
 
 #include <beespace/advise.hpp>
 
@@ -15,22 +15,22 @@
 
 namespace beespace::avoidance {
 
-class Disposal {
+class VelocitySolver {
  public:
-  struct Disposed {
+  struct Solved {
     Vector3 velocity;
     AdviceKind kind;
   };
-  Disposed dispose(const Flyer& flyer, const Vector3& wish, const Claims& claims);
+  Solved solve(const AgentState& agent, const Vector3& wish, const Constraints& constraints);
 
  private:
-  void put_in_changes(const Flyer& flyer, const Vector3& from, const Claims& claims,
+  void put_in_changes(const AgentState& agent, const Vector3& from, const Constraints& constraints,
                       double most_change, double within);
 
   // Of velocity.
   std::vector<HalfSpace> firm_;
   std::vector<Request> requests_;
-  SoftProgram program_;
+  RelaxedQp program_;
 };
 
 }  // namespace beespace::avoidance

@@ -12,11 +12,11 @@
 
 namespace beespace::core {
 
-class CrowdPlaces {
+class CoincidentPoints {
  public:
   // Working memory: at most 24 bytes a point while it looks for the places; 4 bytes a point and 28
   // a place in the end.
-  CrowdPlaces(const PointsView& points, Memory& memory);
+  CoincidentPoints(const PointsView& points, Memory& memory);
 
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] PointsView places() const;

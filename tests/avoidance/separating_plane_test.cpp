@@ -1,6 +1,6 @@
-#include "avoidance/constraints/certificate.hpp"
+#include "avoidance/constraints/separating_plane.hpp"
 
-#include "avoidance/disposal.hpp"
+#include "avoidance/velocity_solver.hpp"
 #include "scenes/random_stream.hpp"
 #include "scenes/random_velocity.hpp"
 #include "tests/avoidance/long_vector.hpp"
@@ -33,23 +33,23 @@ Segment random_way(RandomStream& random) {
 }
 
 void expect_parted(const Segment& first, const Segment& second, double apart_m, double lean) {
-  const Parting parting = part(first, second);
+  const SeparatingPlane plane = separate(first, second);
   const double rounding = 1e-14 * (1.0 + length(first.from) + length(first.way) +
                                    length(second.from) + length(second.way));
-  ASSERT_NEAR(length(parting.normal), 1.0, 1e-14);
-  ASSERT_LE(parting.gap, distance(first, second) + rounding);
-  const HalfSpace of_first = parting.of_first(apart_m, lean);
-  const HalfSpace of_second = parting.of_second(apart_m, lean);
+  ASSERT_NEAR(length(plane.normal), 1.0, 1e-14);
+  ASSERT_LE(plane.gap, distance(first, second) + rounding);
+  const HalfSpace of_first = plane.of_first(apart_m, lean);
+  const HalfSpace of_second = plane.of_second(apart_m, lean);
   for (const double share : {0.0, 0.3, 1.0}) {
     ASSERT_GE(of_first.inside_by(first.at(share)), -rounding);
     ASSERT_GE(of_second.inside_by(second.at(share)), -rounding);
   }
   // Whatever is in one half-space is so far from whatever is in the other.
   ASSERT_EQ(of_first.normal, -of_second.normal);
-  ASSERT_NEAR(of_first.offset + of_second.offset, std::min(apart_m, parting.gap), rounding);
+  ASSERT_NEAR(of_first.offset + of_second.offset, std::min(apart_m, plane.gap), rounding);
 }
 
-TEST(Parting, EachWayLiesInItsOwnHalfSpaceAndTheGapIsNotAboveTheDistance) {
+TEST(SeparatingPlane, EachWayLiesInItsOwnHalfSpaceAndTheGapIsNotAboveTheDistance) {
   RandomStream random(1);
   for (int round = 0; round < test::rounds(100'000); ++round) {
     const Segment first = random_way(random);
@@ -60,7 +60,7 @@ TEST(Parting, EachWayLiesInItsOwnHalfSpaceAndTheGapIsNotAboveTheDistance) {
   }
 }
 
-TEST(Parting, TheGapIsTheDistanceOfWaysThatAreApart) {
+TEST(SeparatingPlane, TheGapIsTheDistanceOfWaysThatAreApart) {
   RandomStream random(2);
   int apart = 0;
   for (int round = 0; round < test::rounds(100'000); ++round) {
@@ -69,14 +69,14 @@ TEST(Parting, TheGapIsTheDistanceOfWaysThatAreApart) {
     const double far = distance(first, second);
     if (far < 0.05) continue;
     ++apart;
-    ASSERT_NEAR(part(first, second).gap, far, 1e-9 * far) << "round " << round;
+    ASSERT_NEAR(separate(first, second).gap, far, 1e-9 * far) << "round " << round;
   }
   EXPECT_GT(apart, test::rounds(100'000) / 2);
 }
 
 // The same of ways that are all but parallel and cross over one another: long ways of bees who fly
 // side by side. What is lost here is lost from the threshold, which is widened by 1e-7 of it.
-TEST(Parting, TheGapIsTheDistanceOfNearlyParallelWays) {
+TEST(SeparatingPlane, TheGapIsTheDistanceOfNearlyParallelWays) {
   RandomStream random(3);
   for (int round = 0; round < test::rounds(100'000); ++round) {
     const double angle = std::exp(random.uniform(std::log(1e-12), std::log(1e-2)));
@@ -89,7 +89,7 @@ TEST(Parting, TheGapIsTheDistanceOfNearlyParallelWays) {
     const Segment first{way * -random.uniform(0.0, 0.5), way};
     const Segment second{up - turned * random.uniform(0.0, 0.5), turned};
     const double far = distance(first, second);
-    ASSERT_NEAR(part(first, second).gap, far, 1e-8 * far)
+    ASSERT_NEAR(separate(first, second).gap, far, 1e-8 * far)
         << "angle " << angle << ", ways of " << long_m << " m, round " << round;
   }
 }
@@ -97,7 +97,7 @@ TEST(Parting, TheGapIsTheDistanceOfNearlyParallelWays) {
 // However long they are: less is lost than half of what is added for the rounding of coordinates,
 // which is 2^-44 of the farthest, and so of the way at least. (Of ways that are parallel to less
 // than a hundred-millionth, long doubles do not tell the distance.)
-TEST(Parting, TheGapOfVeryLongWaysIsRightToTheirRounding) {
+TEST(SeparatingPlane, TheGapOfVeryLongWaysIsRightToTheirRounding) {
   RandomStream random(5);
   for (int round = 0; round < test::rounds(100'000); ++round) {
     const double angle = std::exp(random.uniform(std::log(1e-8), std::log(1e-2)));
@@ -110,23 +110,23 @@ TEST(Parting, TheGapOfVeryLongWaysIsRightToTheirRounding) {
     const Segment first{way * -random.uniform(0.2, 0.5), way};
     const Segment second{up - turned * random.uniform(0.2, 0.5), turned};
     const double far = distance(first, second);
-    ASSERT_NEAR(part(first, second).gap, far, 1e-8 * far + 0x1p-45 * long_m)
+    ASSERT_NEAR(separate(first, second).gap, far, 1e-8 * far + 0x1p-45 * long_m)
         << "angle " << angle << ", ways of " << long_m << " m, round " << round;
   }
 }
 
-TEST(Parting, OfWaysThatMeetIsAtRightAnglesToBoth) {
+TEST(SeparatingPlane, OfWaysThatMeetIsAtRightAnglesToBoth) {
   const Segment first{{-1, 0, 0}, {2, 0, 0}};
   const Segment second{{0, -1, 0}, {0, 2, 0}};
-  const Parting parting = part(first, second);
-  EXPECT_EQ(parting.normal, (Vector3{0, 0, 1}));
-  EXPECT_EQ(parting.gap, 0.0);
-  EXPECT_EQ(part(second, first).normal, (Vector3{0, 0, -1}));  // turned with the roles
+  const SeparatingPlane plane = separate(first, second);
+  EXPECT_EQ(plane.normal, (Vector3{0, 0, 1}));
+  EXPECT_EQ(plane.gap, 0.0);
+  EXPECT_EQ(separate(second, first).normal, (Vector3{0, 0, -1}));  // turned with the roles
   expect_parted(first, second, 1.0, 0.0);
 }
 
 // Bees on one line, at one place, standing or not: there is a normal, and all are in their own.
-TEST(Parting, OfWaysThatOverlap) {
+TEST(SeparatingPlane, OfWaysThatOverlap) {
   const std::vector<Segment> ways = {{{0, 0, 0}, {0, 0, 0}}, {{0, 0, 0}, {2, 0, 0}},
                                      {{1, 0, 0}, {2, 0, 0}}, {{3, 0, 0}, {-3, 0, 0}},
                                      {{1, 0, 0}, {0, 0, 0}}, {{0, 0, 0}, {0, 0, 2}}};
@@ -134,53 +134,54 @@ TEST(Parting, OfWaysThatOverlap) {
     for (const Segment& second : ways) {
       if (distance(first, second) > 0.0) continue;
       ASSERT_NO_FATAL_FAILURE(expect_parted(first, second, 1.0, 0.0));
-      EXPECT_LE(part(first, second).gap, 0.0);
+      EXPECT_LE(separate(first, second).gap, 0.0);
     }
   }
 }
 
-// Whatever a disposal gives keeps to the half-spaces, or is braking.
-TEST(Disposal, WhateverIsProposedKeepsToTheHalfSpacesOrBrakes) {
+// Whatever a solver gives keeps to the half-spaces, or is braking.
+TEST(VelocitySolver, WhateverIsProposedKeepsToTheHalfSpacesOrBrakes) {
   RandomStream random(4);
-  Disposal disposal;
+  VelocitySolver solver;
   int deflected = 0;
   for (int round = 0; round < test::rounds(50'000); ++round) {
     const double step_s = 0.1;
     const FlightLimits limits{random.uniform(1.0, 10.0), std::exp(random.uniform(0.0, 4.0))};
-    const Flyer flyer{{},
-                      direction(random) * random.uniform(0.0, limits.max_speed_mps),
-                      Braking(limits, step_s),
-                      limits.max_speed_mps};
+    const AgentState agent{{},
+                           direction(random) * random.uniform(0.0, limits.max_speed_mps),
+                           Braking(limits, step_s),
+                           limits.max_speed_mps};
     // Half-spaces that hold the way to a stop.
-    std::vector<HalfSpace> keep_to;
-    const Segment way = flyer.way_to_stop();
+    std::vector<HalfSpace> hard;
+    const Segment way = agent.stopping_segment();
     for (std::size_t i = random.index(8); i > 0; --i) {
       const Vector3 n = direction(random);
       const double low = std::min(dot(n, way.from), dot(n, way.at(1.0)));
-      keep_to.push_back({n, low - random.uniform(0.0, 0.3) * random.uniform(0.0, 1.0)});
+      hard.push_back({n, low - random.uniform(0.0, 0.3) * random.uniform(0.0, 1.0)});
     }
     const Vector3 wish = direction(random) * random.uniform(0.0, 30.0);
-    const auto [v, kind] = disposal.dispose(flyer, wish, {keep_to, {}, {}});
-    const Vector3 stop = flyer.stop_after(v);
+    const auto [v, kind] = solver.solve(agent, wish, {hard, {}, {}});
+    const Vector3 stop = agent.stop_after(v);
     if (kind == AdviceKind::kBraking) {
-      ASSERT_EQ(v, flyer.braking.braked(flyer.velocity));
+      ASSERT_EQ(v, agent.braking.braked(agent.velocity));
       continue;
     }
     deflected += kind == AdviceKind::kDeflected ? 1 : 0;
     if (kind == AdviceKind::kAsWished) {
-      ASSERT_EQ(v, flyer.able(wish));
+      ASSERT_EQ(v, agent.able(wish));
     }
-    for (const HalfSpace& side : keep_to) ASSERT_GE(side.inside_by(stop), 0.0) << "round " << round;
+    for (const HalfSpace& side : hard) ASSERT_GE(side.inside_by(stop), 0.0) << "round " << round;
   }
   EXPECT_GT(deflected, test::rounds(50'000) / 20);
 }
 
 // A wall ahead: the bee gets as near to its wish as the wall allows, not less.
-TEST(Disposal, GoesAlongAWall) {
-  const Flyer flyer{{}, {}, Braking({10.0, std::numeric_limits<double>::infinity()}, 0.1), 10.0};
+TEST(VelocitySolver, GoesAlongAWall) {
+  const AgentState agent{
+      {}, {}, Braking({10.0, std::numeric_limits<double>::infinity()}, 0.1), 10.0};
   const std::vector<HalfSpace> wall = {{{-1, 0, 0}, -0.5}};  // x <= 0.5
-  Disposal disposal;
-  const auto [v, kind] = disposal.dispose(flyer, {6, 8, 0}, {wall, {}, {}});
+  VelocitySolver solver;
+  const auto [v, kind] = solver.solve(agent, {6, 8, 0}, {wall, {}, {}});
   EXPECT_EQ(kind, AdviceKind::kDeflected);
   EXPECT_NEAR(v.x, 5.0, 1e-9);
   EXPECT_NEAR(v.y, 8.0, 1e-9);

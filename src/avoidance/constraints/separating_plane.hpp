@@ -17,7 +17,7 @@
 namespace beespace::avoidance {
 
 // Of two ways to a stop.
-struct Parting {
+struct SeparatingPlane {
   Vector3 normal;  // from the second towards the first
   double gap;      // between what the two reach along it; below zero where they overlap
   double middle;   // of the gap, along the normal
@@ -36,11 +36,12 @@ struct Parting {
 // The widest gap, or one that is wide enough. Any normal is right: the gap is what both reach along
 // it, whatever was rounded on the way there, and never wider than they are apart. The first of the
 // two is the one of the lower id, so that both are told the same.
-class PartingSearch {
+class SeparatingPlaneSearch {
  public:
-  PartingSearch(const Segment& first, const Segment& second) : first_(first), second_(second) {}
+  SeparatingPlaneSearch(const Segment& first, const Segment& second)
+      : first_(first), second_(second) {}
 
-  Parting operator()(double enough) {
+  SeparatingPlane operator()(double enough) {
     consider(closest_points(first_, second_).between());
     if (found_ && best_.gap >= enough) return best_;
     // Of ways that are long and all but parallel a normal that is a little tilted loses much. What
@@ -108,13 +109,13 @@ class PartingSearch {
 
   const Segment& first_;
   const Segment& second_;
-  Parting best_{};
+  SeparatingPlane best_{};
   bool found_ = false;
 };
 
-inline Parting part(const Segment& first, const Segment& second,
-                    double enough = std::numeric_limits<double>::infinity()) {
-  return PartingSearch(first, second)(enough);
+inline SeparatingPlane separate(const Segment& first, const Segment& second,
+                                double enough = std::numeric_limits<double>::infinity()) {
+  return SeparatingPlaneSearch(first, second)(enough);
 }
 
 }  // namespace beespace::avoidance

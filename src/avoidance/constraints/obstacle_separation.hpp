@@ -12,8 +12,8 @@
 
 namespace beespace::avoidance {
 
-// As Parting, of a way to a stop and what does not move.
-struct ObstacleParting {
+// As SeparatingPlane, of a way to a stop and what does not move.
+struct ObstacleSeparation {
   Vector3 normal;  // towards the way
   double gap;      // between what the two reach along it
   double edge;     // what the piece reaches along it
@@ -43,20 +43,20 @@ inline Vector3 closest_on_way(const Segment& way, const obstacles::ConvexPiece& 
 }
 
 // Of a way that begins in an obstacle: straight out to where its surface is nearest.
-inline ObstacleParting part_inside(const Segment& way, const obstacles::Facing& out) {
+inline ObstacleSeparation part_inside(const Segment& way, const obstacles::Facing& out) {
   const Vector3& normal = out.normal;
   const double edge = dot(normal, core::vector_of(out.surface.point));
   return {normal, std::min(dot(normal, way.from), dot(normal, way.at(1.0))) - edge, edge};
 }
 
 // The widest gap between a way and a convex piece of an obstacle, or one that is wide enough. Any
-// normal is right, as in Parting.
-class ObstaclePartingSearch {
+// normal is right, as in SeparatingPlane.
+class ObstacleSeparationSearch {
  public:
-  ObstaclePartingSearch(const Segment& way, const obstacles::ConvexPiece& piece)
+  ObstacleSeparationSearch(const Segment& way, const obstacles::ConvexPiece& piece)
       : way_(way), piece_(piece) {}
 
-  ObstacleParting operator()(double enough) {
+  ObstacleSeparation operator()(double enough) {
     const obstacles::Facing closest = piece_.facing(closest_on_way(way_, piece_));
     consider(closest.normal);
     if (best_.gap >= enough) return best_;
@@ -91,12 +91,12 @@ class ObstaclePartingSearch {
 
   const Segment& way_;
   const obstacles::ConvexPiece& piece_;
-  ObstacleParting best_{{0.0, 0.0, 1.0}, -std::numeric_limits<double>::infinity(), 0.0};
+  ObstacleSeparation best_{{0.0, 0.0, 1.0}, -std::numeric_limits<double>::infinity(), 0.0};
 };
 
-inline ObstacleParting part(const Segment& way, const obstacles::ConvexPiece& piece,
-                            double enough = std::numeric_limits<double>::infinity()) {
-  return ObstaclePartingSearch(way, piece)(enough);
+inline ObstacleSeparation separate(const Segment& way, const obstacles::ConvexPiece& piece,
+                                   double enough = std::numeric_limits<double>::infinity()) {
+  return ObstacleSeparationSearch(way, piece)(enough);
 }
 
 }  // namespace beespace::avoidance

@@ -1,4 +1,4 @@
-#include "avoidance/disposal.hpp"
+#include "avoidance/velocity_solver.hpp"
 
 #include "avoidance/constraints/sideways.hpp"
 
@@ -11,20 +11,20 @@ namespace {
 
 // The way in the step lies between the start, half the old velocity on, and the stop after the new
 // one: within the half-spaces if the stop is, as the first two lie on the old way to a stop.
-bool keeps_to(const Flyer& flyer, const Vector3& velocity, const Claims& claims) {
-  const Vector3 stop = flyer.stop_after(velocity);
-  return std::all_of(claims.keep_to.begin(), claims.keep_to.end(),
+bool keeps_to(const AgentState& agent, const Vector3& velocity, const Constraints& constraints) {
+  const Vector3 stop = agent.stop_after(velocity);
+  return std::all_of(constraints.hard.begin(), constraints.hard.end(),
                      [&](const HalfSpace& side) { return side.inside_by(stop) >= 0.0; });
 }
 
 // And whether it does what is asked for beyond that.
-bool does_all(const Flyer& flyer, const Vector3& velocity, const Claims& claims) {
-  const Vector3 stop = flyer.stop_after(velocity);
-  return std::all_of(claims.get_away.begin(), claims.get_away.end(),
-                     [&](const Claims::Farther& farther) {
-                       return claims.keep_to[farther.of].inside_by(stop) >= farther.by;
+bool does_all(const AgentState& agent, const Vector3& velocity, const Constraints& constraints) {
+  const Vector3 stop = agent.stop_after(velocity);
+  return std::all_of(constraints.separation_requests.begin(), constraints.separation_requests.end(),
+                     [&](const Constraints::Farther& farther) {
+                       return constraints.hard[farther.of].inside_by(stop) >= farther.by;
                      }) &&
-         std::all_of(claims.give_way.begin(), claims.give_way.end(),
+         std::all_of(constraints.intruder_requests.begin(), constraints.intruder_requests.end(),
                      [&](const HalfSpace& side) { return side.inside_by(velocity) >= 0.0; });
 }
 
@@ -34,9 +34,9 @@ double sum_of(const Vector3& a) {
 
 // By how much what the program finds may be outside of a half-space: for its own rounding, and for
 // that of the stop and of how far inside it is.
-double rounding_of(const Flyer& flyer, const Vector3& from, double most_change) {
-  return 0x1p-50 * (sum_of(flyer.position) + sum_of(flyer.stop_after(from))) +
-         0x1p-38 * most_change * flyer.braking.growth_along(length(from) + most_change);
+double rounding_of(const AgentState& agent, const Vector3& from, double most_change) {
+  return 0x1p-50 * (sum_of(agent.position) + sum_of(agent.stop_after(from))) +
+         0x1p-38 * most_change * agent.braking.growth_along(length(from) + most_change);
 }
 
 // A wish, turned to the right as seen from above: by the angle of this sine.
@@ -47,23 +47,23 @@ Vector3 turned_right(const Vector3& wish, double sine) {
 
 }  // namespace
 
-Disposal::Disposed Disposal::dispose(const Flyer& flyer, const Vector3& wish,
-                                     const Claims& claims) {
-  const Vector3 proposed = flyer.able(wish);
-  if (keeps_to(flyer, proposed, claims) && does_all(flyer, proposed, claims)) {
+VelocitySolver::Solved VelocitySolver::solve(const AgentState& agent, const Vector3& wish,
+                                             const Constraints& constraints) {
+  const Vector3 proposed = agent.able(wish);
+  if (keeps_to(agent, proposed, constraints) && does_all(agent, proposed, constraints)) {
     return {proposed, AdviceKind::kAsWished};
   }
-  const Braking& braking = flyer.braking;
-  const Vector3 brake = braking.at_once() ? Vector3{} : braking.braked(flyer.velocity);
-  const Vector3 from = braking.at_once() ? Vector3{} : flyer.velocity;
-  const Ball changes{{}, braking.at_once() ? flyer.max_speed : braking.change()};
+  const Braking& braking = agent.braking;
+  const Vector3 brake = braking.at_once() ? Vector3{} : braking.braked(agent.velocity);
+  const Vector3 from = braking.at_once() ? Vector3{} : agent.velocity;
+  const Ball changes{{}, braking.at_once() ? agent.max_speed : braking.change()};
   const auto nearest = [&](const Vector3& velocity) {
     // Who slides along a plane must not be told to stand because a rounding puts it outside; where
     // there is no room for that, the plane itself will have to do.
-    for (const double within : {rounding_of(flyer, from, changes.radius), 0.0}) {
-      put_in_changes(flyer, from, claims, changes.radius, within);
+    for (const double within : {rounding_of(agent, from, changes.radius), 0.0}) {
+      put_in_changes(agent, from, constraints, changes.radius, within);
       const auto found = program_.nearest(velocity - from, firm_, requests_, changes);
-      if (found) return flyer.able(from + *found);
+      if (found) return agent.able(from + *found);
     }
     return velocity;
   };
@@ -73,25 +73,26 @@ Disposal::Disposed Disposal::dispose(const Flyer& flyer, const Vector3& wish,
   constexpr double kEnough = 0.6;
   const double progress = std::max(0.0, dot(best, wish) / dot(wish, wish));
   if (progress < kEnough) {
-    best = nearest(flyer.able(turned_right(wish, 1.0 - progress / kEnough)));
+    best = nearest(agent.able(turned_right(wish, 1.0 - progress / kEnough)));
   }
   // What is left of the curve that was taken for straight: a little towards braking.
   for (const double share : {1.0, 0.999, 0.99, 0.9, 0.7, 0.4, 0.15, 0.05}) {
     const Vector3 velocity = brake + (best - brake) * share;
-    if (keeps_to(flyer, velocity, claims)) return {velocity, AdviceKind::kDeflected};
+    if (keeps_to(agent, velocity, constraints)) return {velocity, AdviceKind::kDeflected};
   }
   return {brake, AdviceKind::kBraking};
 }
 
 // The half-spaces, so far within, as they look to small changes of the velocity: a change across it
 // and one along it move the stop by different lengths.
-void Disposal::put_in_changes(const Flyer& flyer, const Vector3& from, const Claims& claims,
-                              double most_change, double within) {
+void VelocitySolver::put_in_changes(const AgentState& agent, const Vector3& from,
+                                    const Constraints& constraints, double most_change,
+                                    double within) {
   const double speed = length(from);
-  const double across = flyer.braking.growth_across(speed);
-  const double along = flyer.braking.growth_along(speed);
+  const double across = agent.braking.growth_across(speed);
+  const double along = agent.braking.growth_along(speed);
   const Vector3 heading = speed > 0.0 ? from * (1.0 / speed) : Vector3{};
-  const Vector3 stop = flyer.stop_after(from);
+  const Vector3 stop = agent.stop_after(from);
   const auto in_changes = [&](const HalfSpace& side, double farther) {
     const Vector3& n = side.normal;
     const Vector3 slope = n * across + heading * (dot(n, heading) * (along - across));
@@ -99,13 +100,13 @@ void Disposal::put_in_changes(const Flyer& flyer, const Vector3& from, const Cla
     return HalfSpace{slope * (1.0 / steep), (farther - side.inside_by(stop)) / steep};
   };
   firm_.clear();
-  for (const HalfSpace& side : claims.keep_to) firm_.push_back(in_changes(side, within));
+  for (const HalfSpace& side : constraints.hard) firm_.push_back(in_changes(side, within));
   requests_.clear();
-  for (const auto& [of, by] : claims.get_away) {
-    const HalfSpace side = in_changes(claims.keep_to[of], by);
+  for (const auto& [of, by] : constraints.separation_requests) {
+    const HalfSpace side = in_changes(constraints.hard[of], by);
     requests_.push_back({side, side.offset - firm_[of].offset});
   }
-  for (const HalfSpace& side : claims.give_way) {
+  for (const HalfSpace& side : constraints.intruder_requests) {
     const HalfSpace change{side.normal, -side.inside_by(from)};
     // All changes there are lie in it once it has given up as much.
     requests_.push_back({change, std::max(0.0, change.offset + most_change)});

@@ -15,9 +15,9 @@ namespace beespace {
 
 namespace search {
 
-class IndexShelves {
+class IndexLevels {
  public:
-  explicit IndexShelves(ChangingPoints held);
+  explicit IndexLevels(ChangingPoints held);
 
   // The ids of the points in the ball, ascending, in the caller's vector.
   void find_around(const cpu::Ball& ball, std::vector<PointId>& found) const;
@@ -34,17 +34,17 @@ class IndexShelves {
 std::optional<Error> check_radius(double radius_m);
 
 // The answers for many places, all of the domain and in this box.
-Result<IdRows> find_around_all(const IndexShelves& shelves, const PointsView& places,
+Result<IdRows> find_around_all(const IndexLevels& levels, const PointsView& places,
                                const core::Bounds& bounds, const SearchOptions& options,
                                Crew& crew);
-NearestRows find_nearest_of_all(const IndexShelves& shelves, const PointsView& places,
+NearestRows find_nearest_of_all(const IndexLevels& levels, const PointsView& places,
                                 const core::Bounds& bounds, std::size_t k, Crew& crew);
 
 }  // namespace search
 
-class Index::Shelves final : public search::IndexShelves {
+class Index::Levels final : public search::IndexLevels {
  public:
-  using IndexShelves::IndexShelves;
+  using IndexLevels::IndexLevels;
 };
 
 }  // namespace beespace

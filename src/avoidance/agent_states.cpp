@@ -1,4 +1,4 @@
-#include "avoidance/flyers.hpp"
+#include "avoidance/agent_states.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@ namespace {
 
 // What rounding may take from a distance along the way: the distance is widened by it, and whoever
 // keeps it is certified while at least half of it is left.
-Keep keep(double asked_m) {
-  return Keep{asked_m, asked_m, asked_m}.with(1e-7 * asked_m);
+SeparationMargins keep(double asked_m) {
+  return SeparationMargins{asked_m, asked_m, asked_m}.with(1e-7 * asked_m);
 }
 
 // And what may come of values that are too small for the motion domain and count as zero. Each
@@ -19,18 +19,18 @@ Keep keep(double asked_m) {
 // growth_along times as much each: no slope of the way to a stop is above that. So of two bees,
 // both at the beginning and at the end of a step, it is less than 2^-95 (1 + growth_along): half of
 // this is sixty times as much.
-double spare_for_flushed(const Flyer& flyer) {
-  const Braking& braking = flyer.braking;
+double spare_for_flushed(const AgentState& agent) {
+  const Braking& braking = agent.braking;
   return 0x1p-88 * (1.0 + (braking.at_once()
                                ? braking.step_s()
-                               : braking.growth_along(length(flyer.velocity) + braking.change())));
+                               : braking.growth_along(length(agent.velocity) + braking.change())));
 }
 
 }  // namespace
 
-void Flyers::take(std::span<const Mover> movers, std::span<const FlightLimits> limits,
-                  const AdviseOptions& options, Crew& crew) {
-  flyers_.resize(movers.size());
+void AgentStates::take(std::span<const Mover> movers, std::span<const FlightLimits> limits,
+                       const AdviseOptions& options, Crew& crew) {
+  agents_.resize(movers.size());
   middles_.resize(movers.size());
   ways_.resize(movers.size());
   std::vector<Extremes> extremes(crew.size());  // of each worker's
@@ -39,19 +39,19 @@ void Flyers::take(std::span<const Mover> movers, std::span<const FlightLimits> l
     for (std::size_t i = begin; i < end; ++i) {
       const auto [p, v] = movers[i];
       const FlightLimits& limit = limits[limits.size() == 1 ? 0 : i];
-      const Flyer flyer{
+      const AgentState agent{
           core::vector_of(p), core::vector_of(v), {limit, options.step_s}, limit.max_speed_mps};
-      const Segment to_stop = flyer.way_to_stop();
+      const Segment to_stop = agent.stopping_segment();
       const Vector3 middle = to_stop.at(0.5);
       const double half_m = 0.5 * length(to_stop.way);
-      const double gets_m = half_m + std::max(flyer.strays(), 0.5 * kPresses * options.threshold_m);
+      const double gets_m = half_m + std::max(agent.strays(), 0.5 * kPresses * options.threshold_m);
       const double far_m = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-      const double own_spare_m = spare_m(far_m + 2.0 * gets_m) + spare_for_flushed(flyer);
+      const double own_spare_m = spare_m(far_m + 2.0 * gets_m) + spare_for_flushed(agent);
       const double reach_m = gets_m + own_spare_m;
-      flyers_[i] = flyer;
+      agents_[i] = agent;
       middles_[i] = {middle.x, middle.y, middle.z};
-      ways_[i] = {to_stop, half_m, flyer.strays(), reach_m, own_spare_m};
-      seen.add({reach_m, std::max(limit.max_speed_mps, length(flyer.velocity))});
+      ways_[i] = {to_stop, half_m, agent.strays(), reach_m, own_spare_m};
+      seen.add({reach_m, std::max(limit.max_speed_mps, length(agent.velocity))});
     }
     extremes[worker] = seen;
   });

@@ -8,22 +8,22 @@
 
 namespace beespace::avoidance {
 
-struct Claims {
+struct Constraints {
   // Of where it would stop after the step; its way to a stop lies in them.
-  std::vector<HalfSpace> keep_to;
+  std::vector<HalfSpace> hard;
   // The same, farther in, as far as that goes: who is too close gets away.
   struct Farther {
-    std::size_t of;  // keep_to
+    std::size_t of;  // hard
     double by;
   };
-  std::vector<Farther> get_away;
+  std::vector<Farther> separation_requests;
   // Of its velocity, as far as that goes.
-  std::vector<HalfSpace> give_way;
+  std::vector<HalfSpace> intruder_requests;
 
   void clear() {
-    keep_to.clear();
-    get_away.clear();
-    give_way.clear();
+    hard.clear();
+    separation_requests.clear();
+    intruder_requests.clear();
   }
 };
 

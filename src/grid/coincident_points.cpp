@@ -1,4 +1,4 @@
-#include "grid/crowd_places.hpp"
+#include "grid/coincident_points.hpp"
 
 #include "base/hash.hpp"
 
@@ -7,7 +7,7 @@
 
 namespace beespace::core {
 
-CrowdPlaces::CrowdPlaces(const PointsView& points, Memory& memory)
+CoincidentPoints::CoincidentPoints(const PointsView& points, Memory& memory)
     : place_of_(memory, points.size()) {
   constexpr std::uint32_t kNone = 0xFFFF'FFFFU;
   Buffer<PointId> first(memory, points.size());  // at each place
@@ -38,7 +38,7 @@ CrowdPlaces::CrowdPlaces(const PointsView& points, Memory& memory)
   for (std::size_t id = 0; id < points.size(); ++id) ++points_at_[place_of_[id]];
 }
 
-PointsView CrowdPlaces::places() const {
+PointsView CoincidentPoints::places() const {
   const Point* const first = places_.data();
   return PointsView::strided(&first->x, &first->y, &first->z, size_, sizeof(Point));
 }

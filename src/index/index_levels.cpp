@@ -1,4 +1,4 @@
-#include "index/index_shelves.hpp"
+#include "index/index_levels.hpp"
 
 #include "base/sort_ids.hpp"
 #include "exact/exact_distance.hpp"
@@ -48,11 +48,11 @@ class VectorSink final : public cpu::IdSink {
 
 }  // namespace
 
-IndexShelves::IndexShelves(ChangingPoints held)
+IndexLevels::IndexLevels(ChangingPoints held)
     : points(std::move(held)), walks_(cpu::tree_walks(cpu::best_instruction_set())) {
 }
 
-void IndexShelves::find_around(const cpu::Ball& ball, std::vector<PointId>& found) const {
+void IndexLevels::find_around(const cpu::Ball& ball, std::vector<PointId>& found) const {
   found.clear();
   if (ball.radius_m == 0.0 && !ball.inclusive) return;
   VectorSink sink(found);
@@ -74,7 +74,7 @@ std::optional<Error> check_radius(double radius_m) {
                {}};
 }
 
-void IndexShelves::find_nearest(const Point& place, core::NearestList& list) const {
+void IndexLevels::find_nearest(const Point& place, core::NearestList& list) const {
   for (const core::PointTree& tree : points.trees()) {
     walks_.find_nearest(tree.view(), place, list);
   }

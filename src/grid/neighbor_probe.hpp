@@ -26,7 +26,7 @@ Vector<PointId> surroundings(const Selection& asked, const Selection& others,
 
 // Sets at_risk[id] to 1 for the points of the grid with at_risk[id] == 0 that have another point
 // of the grid within `threshold`, which is at most the reach of the grid's lattice.
-void look_around(const SortedGrid& grid, const PointsView& points, const ProximityTest& closer,
-                 double threshold, const Resources& with, std::uint8_t* at_risk);
+void probe_neighbors(const SortedGrid& grid, const PointsView& points, const ProximityTest& closer,
+                     double threshold, const Resources& with, std::uint8_t* at_risk);
 
 }  // namespace beespace::core

@@ -1,4 +1,4 @@
-#include "grid/look_around.hpp"
+#include "grid/neighbor_probe.hpp"
 
 #include "base/hash.hpp"
 #include "base/point_block.hpp"
@@ -58,8 +58,8 @@ Vector<PointId> surroundings(const Selection& asked, const Selection& others,
   return std::move(found).joined();
 }
 
-void look_around(const SortedGrid& grid, const PointsView& points, const ProximityTest& closer,
-                 double threshold, const Resources& with, std::uint8_t* at_risk) {
+void probe_neighbors(const SortedGrid& grid, const PointsView& points, const ProximityTest& closer,
+                     double threshold, const Resources& with, std::uint8_t* at_risk) {
   const SquaredLimits limits(threshold, grid.units_per_m);
   with.crew.split(grid.rows(), [&](std::size_t begin, std::size_t end, unsigned) {
     NeighbourRows around(grid, grid);

@@ -2,10 +2,10 @@
 // known.
 #pragma once
 
-#include "avoidance/constraints/certificate.hpp"
-#include "avoidance/constraints/claims.hpp"
-#include "avoidance/constraints/obstacle_parting.hpp"
-#include "avoidance/flyers.hpp"
+#include "avoidance/agent_states.hpp"
+#include "avoidance/constraints/constraints.hpp"
+#include "avoidance/constraints/obstacle_separation.hpp"
+#include "avoidance/constraints/separating_plane.hpp"
 #include "avoidance/vicinity.hpp"
 
 #include <beespace/advise.hpp>
@@ -17,22 +17,23 @@
 
 namespace beespace::avoidance {
 
-class Claimants {
+class ConstraintBuilder {
  public:
   // `near` has whoever may meet a bee; `too_close`, what is_too_close() says of each, before any is
   // looked at. All of these outlive this.
-  Claimants(const Flyers& flyers, const Vicinity& near, std::span<const char> too_close,
-            std::span<const Velocity> wishes, const AdviseOptions& options)
-      : flyers_(flyers), near_(near), too_close_(too_close), wishes_(wishes), options_(options) {}
+  ConstraintBuilder(const AgentStates& agents, const Vicinity& near,
+                    std::span<const char> too_close, std::span<const Velocity> wishes,
+                    const AdviseOptions& options)
+      : agents_(agents), near_(near), too_close_(too_close), wishes_(wishes), options_(options) {}
 
   // Whether a bee has come too close to another one, or will as it brakes.
   [[nodiscard]] bool is_too_close(PointId bee) const;
 
   // What is found of one bee after the other.
   struct Findings {
-    Claims claims;    // of the last one
-    Vector3 pressed;  // where others want it, who is idle
-    bool certified;   // of other bees and obstacles
+    Constraints constraints;  // of the last one
+    Vector3 pressed;          // where others want it, who is idle
+    bool certified;           // of other bees and obstacles
     double clear_of_unknown_s;
     std::vector<std::size_t> inside;  // obstacles that it lies in, ascending
     std::vector<TooClose> too_close;  // of all so far
@@ -47,11 +48,11 @@ class Claimants {
   [[nodiscard]] bool may_come_close(PointId bee, const Mover& intruder) const;
 
  private:
-  [[nodiscard]] Parting parting_of(PointId bee, PointId other) const;
+  [[nodiscard]] SeparatingPlane plane_between(PointId bee, PointId other) const;
   void look_at_bees(PointId bee, Findings& findings) const;
   void look_at_bee(PointId bee, PointId other, Findings& findings) const;
   void look_at_obstacles(PointId bee, Findings& findings) const;
-  void keep_clear(PointId bee, std::size_t obstacle, const ObstacleParting& parting,
+  void keep_clear(PointId bee, std::size_t obstacle, const ObstacleSeparation& plane,
                   Findings& findings) const;
   void look_at_intruders(PointId bee, Findings& findings) const;
   void look_at_unknown(PointId bee, Findings& findings) const;
@@ -62,7 +63,7 @@ class Claimants {
   [[nodiscard]] Vector3 pressure(PointId other, const Vector3& away, double gap_m,
                                  bool certified) const;
 
-  const Flyers& flyers_;
+  const AgentStates& agents_;
   const Vicinity& near_;
   std::span<const char> too_close_;
   std::span<const Velocity> wishes_;

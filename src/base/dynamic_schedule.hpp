@@ -12,7 +12,7 @@ namespace beespace::cpu {
 // Calls task(begin, end, worker) for stretches of `count` things, at most `dealt` at a time:
 // whoever is done takes the next one. Which worker has which is different from run to run.
 template <class Task>
-void deal(Crew& crew, std::size_t count, std::size_t dealt, Task&& task) {
+void schedule(Crew& crew, std::size_t count, std::size_t dealt, Task&& task) {
   std::atomic<std::size_t> next = 0;
   crew.run([&](unsigned worker) {
     for (;;) {

@@ -1,4 +1,4 @@
-#include "grid/sieve.hpp"
+#include "grid/occupancy_filter.hpp"
 
 #include "base/buffer.hpp"
 #include "base/hash.hpp"
@@ -31,7 +31,8 @@ class OccupiedCells {
     std::fill_n(words_.data(), mask_ / kSlotsAWord + 1, std::uint64_t{0});
   }
 
-  // With few units a cell, a point may be near both faces of it: the sieve cannot tell then.
+  // With few units a cell, a point may be near both faces of it: the occupancy_filter cannot tell
+  // then.
   [[nodiscard]] bool is_useful() const { return 2 * reach_ < 1 << fraction_bits_; }
 
   // Safe to call from several threads at once: which bits are set does not depend on the order.
@@ -130,8 +131,8 @@ class OccupiedCells {
 
 }  // namespace
 
-Vector<PointId> sieve(const PointsView& points, const Lattice& lattice, double bound,
-                      const Resources& with) {
+Vector<PointId> occupancy_filter(const PointsView& points, const Lattice& lattice, double bound,
+                                 const Resources& with) {
   OccupiedCells cells(lattice, bound, points.size(), with.memory);
   PerWorker<PointId> left(with);
   if (!cells.is_useful()) {

@@ -16,7 +16,7 @@ struct Request {
   double yields = 0.0;
 };
 
-class SoftProgram {
+class RelaxedQp {
  public:
   // Where not all requests can be met, each gives up what no place of the ball has (or all but
   // none), and the same share of what it may then, no more of it than must be (to a

@@ -4,9 +4,9 @@
 #include "base/crew_size.hpp"
 #include "base/resources.hpp"
 #include "exact/validate.hpp"
-#include "search/choices.hpp"
 #include "search/cylinder_search.hpp"
-#include "search/frame.hpp"
+#include "search/search_domain.hpp"
+#include "search/tuning_overrides.hpp"
 
 #include <beespace/engine.hpp>
 
@@ -17,9 +17,9 @@
 
 namespace beespace {
 
-class Engine::Workshop {
+class Engine::EngineState {
  public:
-  explicit Workshop(Crew* lent) : lent_(lent) {}
+  explicit EngineState(Crew* lent) : lent_(lent) {}
 
   // Hands and memory for a search of so many points.
   core::Resources resources(unsigned threads, std::size_t points) {
@@ -28,21 +28,21 @@ class Engine::Workshop {
   }
   core::Memory& memory() { return memory_; }
 
-  // Measures the points and calls search(frame, resources), whose Status it returns.
+  // Measures the points and calls search(domain, resources), whose Status it returns.
   template <class Search>
   Status run(const PointsView& points, unsigned threads, Search&& search) {
     const core::Resources with = resources(threads, points.size());
-    const Result<search::Frame> frame = search::Frame::of(points, with);
-    if (!frame) return frame.error();
-    return search(*frame, with);
+    const Result<search::SearchDomain> domain = search::SearchDomain::of(points, with);
+    if (!domain) return domain.error();
+    return search(*domain, with);
   }
   template <class Search>
   Status run(const PointsView& points, const PointsView& others, unsigned threads,
              Search&& search) {
     const core::Resources with = resources(threads, std::max(points.size(), others.size()));
-    const Result<search::Frame> frame = search::Frame::of(points, others, with);
-    if (!frame) return frame.error();
-    return search(*frame, with);
+    const Result<search::SearchDomain> domain = search::SearchDomain::of(points, others, with);
+    if (!domain) return domain.error();
+    return search(*domain, with);
   }
 
   // Checks a search with a vertical threshold and calls search(CylinderSearch), whose answer it
@@ -65,10 +65,10 @@ class Engine::Workshop {
     }
     const std::size_t most = std::max(points.size(), between ? others->size() : 0);
     const core::Resources with = resources(options.threads, most);
-    return search(search::CylinderSearch(points, others, options, with, choices));
+    return search(search::CylinderSearch(points, others, options, with, tuning));
   }
 
-  const search::Choices choices = {};
+  const search::TuningOverrides tuning = {};
   std::vector<Nearest> nearest;  // of the closest pair between two swarms
 
  private:

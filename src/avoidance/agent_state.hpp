@@ -6,13 +6,15 @@
 
 namespace beespace::avoidance {
 
-struct Flyer {
+struct AgentState {
   Vector3 position;
   Vector3 velocity;
   Braking braking;
   double max_speed = 0.0;
 
-  [[nodiscard]] Segment way_to_stop() const { return {position, braking.way_to_stop(velocity)}; }
+  [[nodiscard]] Segment stopping_segment() const {
+    return {position, braking.stopping_segment(velocity)};
+  }
   // Where it comes to a stop if it has a velocity at the end of the step.
   [[nodiscard]] Vector3 stop_after(const Vector3& next) const {
     return position + braking.drift(velocity) + braking.way_after(next);
