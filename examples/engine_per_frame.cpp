@@ -1,7 +1,6 @@
 // Frame after frame: an Engine keeps its memory and threads, and fills the caller's own vector.
 #include <beespace/beespace.hpp>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <vector>
@@ -17,8 +16,11 @@ int main() {
     // A lattice 4 m wide that is pressed together, a little more in each frame.
     const double width_m = 4.0 - 0.4 * frame;
     for (std::size_t i = 0; i < kDrones; ++i) {
-      drones[i] = {width_m * static_cast<double>(i % 10), 4.0 * static_cast<double>(i / 10 % 10),
-                   4.0 * static_cast<double>(i / 100)};
+      const std::size_t column = i % 10;
+      const std::size_t row = i / 10 % 10;
+      const std::size_t layer = i / 100;
+      drones[i] = {width_m * static_cast<double>(column), 4.0 * static_cast<double>(row),
+                   4.0 * static_cast<double>(layer)};
     }
     const beespace::Status status = engine.find_at_risk(drones, options, at_risk);
     if (!status) {
