@@ -1,4 +1,4 @@
-// Four drones, positions in metres: who is closer than 100 m to another?
+// Four drones, positions in metres: which are closer than 100 m to another one?
 #include <beespace/beespace.hpp>
 
 #include <iostream>
