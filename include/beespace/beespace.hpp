@@ -1,4 +1,5 @@
-// All of beespace in one include.
+/// @file
+/// @brief All of beespace in one include.
 #pragma once
 
 #include <beespace/advise.hpp>

@@ -1,7 +1,6 @@
-// Rows of ids of different lengths, one behind the other: "compressed sparse rows".
-//
-//   offsets   0        3     5        Row r is ids[offsets[r]] ... ids[offsets[r + 1] - 1].
-//   ids       4  7  9  2  8
+/// @file
+/// @brief Rows of ids of different lengths, one after the other in memory: "compressed sparse rows"
+/// (CSR).
 #pragma once
 
 #include <beespace/point.hpp>
@@ -13,11 +12,25 @@
 
 namespace beespace {
 
+/// @brief Rows of ids of different lengths.
+///
+///     offsets   0        3     5        Row r is ids[offsets[r]] ... ids[offsets[r + 1] - 1].
+///     ids       4  7  9  2  8
+///
+/// Ownership: owns its memory.
 struct IdRows {
-  std::vector<std::uint64_t> offsets;  // one more than there are rows; empty when there is no row
+  /// @brief Where each row begins in `ids`, and where the last one ends: one more than there are
+  /// rows; may be empty when there is no row.
+  std::vector<std::uint64_t> offsets;
+  /// @brief The ids of all rows.
   std::vector<PointId> ids;
 
+  /// @brief Says how many rows there are.
+  /// @return The number of rows.
   [[nodiscard]] std::size_t size() const { return offsets.empty() ? 0 : offsets.size() - 1; }
+  /// @brief Gives one row.
+  /// @param row The index of the row; unchecked.
+  /// @return Its ids, in the memory of this.
   [[nodiscard]] std::span<const PointId> operator[](std::size_t row) const {
     return std::span(ids).subspan(offsets[row], offsets[row + 1] - offsets[row]);
   }

@@ -1,11 +1,5 @@
-// How beespace reads the caller's points: in place, whatever their layout, without a copy.
-//
-// A PointsView is three pointers to doubles, one per axis, and a stride in bytes for each; it
-// serves arrays of structures, interleaved and separate coordinate arrays alike. It owns nothing:
-// the memory must outlive the view and must not change while a search reads it. Cheap to copy.
-//
-// Arrays that do not fit together are an error, kInvalidArgument, of every question that they are
-// given to: the view remembers what it was made of, and reads none of it beyond its end.
+/// @file
+/// @brief How beespace reads the caller's points: in place, whatever their layout, without a copy.
 #pragma once
 
 #include <beespace/point.hpp>
@@ -25,17 +19,33 @@ concept SpanOfPoints =
     std::convertible_to<const T&, std::span<const Point>> && !std::same_as<T, PointsView>;
 }  // namespace detail
 
+/// @brief A view of points in the caller's memory: three pointers to doubles, one per axis, and a
+/// stride in bytes for each.
+///
+/// It serves arrays of structures, interleaved and separate coordinate arrays alike. Arrays that do
+/// not fit together are an error, ErrorCode::kInvalidArgument, of every function that the view is
+/// given to: the view remembers what it was made of, and reads none of it beyond its end.
+///
+/// Ownership: none; the memory must outlive the view and must not change while a search reads it.
+/// Cheap to copy.
 class PointsView {
  public:
+  /// @brief A view of no points.
   constexpr PointsView() = default;
 
-  // Points one after the other: std::span<const Point>, std::vector<Point>, std::array<Point, N>.
-  // As a function's argument a temporary vector is fine; a view that is kept must not outlive it.
+  /// @brief A view of points one after the other: std::span<const Point>, std::vector<Point>,
+  /// std::array<Point, N>.
+  ///
+  /// As a function's argument a temporary vector is fine; a view that is kept must not outlive it.
+  ///
+  /// @param points The points; must outlive the view.
   template <detail::SpanOfPoints Points>
   constexpr PointsView(const Points& points)  // NOLINT(google-explicit-constructor): a view
       : PointsView(std::span<const Point>(points), FromSpan{}) {}
 
-  // x0 y0 z0 x1 y1 z1 ...: `xyz.size() / 3` points; doubles that are left over do not fit.
+  /// @brief A view of interleaved coordinates: x0 y0 z0 x1 y1 z1 ...
+  /// @param xyz The coordinates in metres; must outlive the view.
+  /// @return A view of `xyz.size() / 3` points; coordinates that are left over do not fit.
   static PointsView interleaved(std::span<const double> xyz) {
     constexpr auto kStride = static_cast<std::ptrdiff_t>(3 * sizeof(double));
     PointsView view = strided(xyz.data(), xyz.data() + 1, xyz.data() + 2, xyz.size() / 3, kStride);
@@ -43,7 +53,11 @@ class PointsView {
     return view;
   }
 
-  // One array per axis, all of one length. (Of others, the view is as long as the shortest.)
+  /// @brief A view of one array per axis, all of one length.
+  /// @param x The first coordinates in metres; must outlive the view.
+  /// @param y The second coordinates in metres; must outlive the view.
+  /// @param z The third coordinates in metres; must outlive the view.
+  /// @return The view. (Where the lengths differ, it is as long as the shortest, and does not fit.)
   static PointsView separate(std::span<const double> x, std::span<const double> y,
                              std::span<const double> z) {
     const std::size_t shorter = x.size() < y.size() ? x.size() : y.size();
@@ -53,14 +67,27 @@ class PointsView {
     return view;
   }
 
-  // The first point's three coordinates, and the distance in bytes from one point to the next
-  // (for example sizeof(MyBee)). A stride may be negative; a stride of 0 repeats a coordinate.
-  // Every coordinate must be aligned as doubles are: packed structures must be copied first.
+  /// @brief A view of points at equal distances in memory, as members of larger structures are.
+  ///
+  /// Each coordinate must be aligned as doubles are: packed structures must be copied first.
+  ///
+  /// @param x The first coordinate of the first point, in metres.
+  /// @param y The second coordinate of the first point, in metres.
+  /// @param z The third coordinate of the first point, in metres.
+  /// @param size How many points there are.
+  /// @param stride_bytes The distance in bytes from one point to the next (for example
+  ///   sizeof(MyBee)). It may be negative; 0 repeats a coordinate.
+  /// @return The view.
   static PointsView strided(const double* x, const double* y, const double* z, std::size_t size,
                             std::ptrdiff_t stride_bytes) {
     return strided({x, y, z}, size, {stride_bytes, stride_bytes, stride_bytes});
   }
 
+  /// @brief The same with a stride of its own for each axis.
+  /// @param axes The three coordinates of the first point, in metres.
+  /// @param size How many points there are.
+  /// @param stride_bytes For each axis the distance in bytes from one point to the next.
+  /// @return The view.
   static PointsView strided(std::array<const double*, 3> axes, std::size_t size,
                             std::array<std::ptrdiff_t, 3> stride_bytes) {
     PointsView view;
@@ -71,27 +98,44 @@ class PointsView {
     return view;
   }
 
-  // How many numbers were given for each axis, and whether they are as many.
+  /// @brief Says how many numbers were given for each axis.
+  /// @return Three counts.
   [[nodiscard]] constexpr const std::array<std::size_t, 3>& lengths() const { return lengths_; }
+  /// @brief Says whether as many numbers were given for each axis.
+  /// @return Whether the arrays fit together.
   [[nodiscard]] constexpr bool fits() const {
     return lengths_[0] == size_ && lengths_[1] == size_ && lengths_[2] == size_;
   }
 
+  /// @brief Says how many points there are.
+  /// @return The number of points.
   [[nodiscard]] constexpr std::size_t size() const { return size_; }
+  /// @brief Says whether there are no points.
+  /// @return Whether size() is 0.
   [[nodiscard]] constexpr bool empty() const { return size_ == 0; }
 
-  // Coordinate `axis` (0, 1 or 2) of point `index`; both unchecked.
+  /// @brief Reads one coordinate.
+  /// @param axis 0, 1 or 2; unchecked.
+  /// @param index The index of the point; unchecked.
+  /// @return The coordinate in metres.
   [[nodiscard]] double coordinate(std::size_t axis, std::size_t index) const {
     const auto* bytes = reinterpret_cast<const std::byte*>(axes_[axis]);
     return *reinterpret_cast<const double*>(bytes + static_cast<std::ptrdiff_t>(index) *
                                                         stride_bytes_[axis]);
   }
 
+  /// @brief Reads one point.
+  /// @param index The index of the point; unchecked.
+  /// @return A copy of it.
   [[nodiscard]] Point operator[](std::size_t index) const {
     return {coordinate(0, index), coordinate(1, index), coordinate(2, index)};
   }
 
+  /// @brief Gives the pointers of the view.
+  /// @return Where the three coordinates of the first point are.
   [[nodiscard]] constexpr const std::array<const double*, 3>& axes() const { return axes_; }
+  /// @brief Gives the strides of the view.
+  /// @return For each axis the distance in bytes from one point to the next.
   [[nodiscard]] constexpr const std::array<std::ptrdiff_t, 3>& stride_bytes() const {
     return stride_bytes_;
   }
