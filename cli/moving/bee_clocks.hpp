@@ -96,9 +96,9 @@ class BeeClocks {
     std::uint32_t times = 0;   // found elsewhere in a row; of a bee that is named: near in a row
     Place place = Place::kNear;
     Place voted = Place::kNear;  // a bee that is behind may be late, and votes so at the third time
-    bool off = false;      // corrected
-    bool named = false;    // and not right again
-    bool stepped = false;  // its own clock went back when it was first found elsewhere
+    bool off = false;            // corrected
+    bool named = false;          // and not right again
+    bool stepped = false;        // its own clock went back when it was first found elsewhere
   };
 
   struct Kept {
