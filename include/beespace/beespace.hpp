@@ -15,6 +15,7 @@
 #include <beespace/geodesy.hpp>
 #include <beespace/id_rows.hpp>
 #include <beespace/index.hpp>
+#include <beespace/lifetimebound.hpp>
 #include <beespace/mover.hpp>
 #include <beespace/nearest.hpp>
 #include <beespace/neighbors.hpp>

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <beespace/export.hpp>
+#include <beespace/lifetimebound.hpp>
 
 #include <cstddef>
 #include <memory>
@@ -26,7 +27,7 @@ class CrewTask {
   template <class Callable>
   requires(!std::is_same_v<std::remove_cvref_t<Callable>, CrewTask>)
       // NOLINTNEXTLINE(google-explicit-constructor, bugprone-forwarding-reference-overload)
-      CrewTask(Callable&& callable)  // like a reference
+      CrewTask(Callable&& callable BEESPACE_LIFETIMEBOUND)  // like a reference
       : callable_(const_cast<void*>(static_cast<const void*>(std::addressof(callable)))),
         call_([](void* object, unsigned worker) {
           (*static_cast<std::remove_reference_t<Callable>*>(object))(worker);

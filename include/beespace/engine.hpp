@@ -12,6 +12,7 @@
 #include <beespace/crew.hpp>
 #include <beespace/export.hpp>
 #include <beespace/id_rows.hpp>
+#include <beespace/lifetimebound.hpp>
 #include <beespace/mover.hpp>
 #include <beespace/nearest.hpp>
 #include <beespace/pairs.hpp>
@@ -43,7 +44,7 @@ class BEESPACE_API Engine {
   /// @brief Works with the threads of `crew`, all of which work on every call:
   /// SearchOptions::threads is ignored.
   /// @param crew The threads; must outlive the Engine.
-  explicit Engine(Crew& crew);
+  explicit Engine(Crew& crew BEESPACE_LIFETIMEBOUND);
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
   /// @brief Takes over memory and threads.

@@ -3,6 +3,7 @@
 /// (CSR).
 #pragma once
 
+#include <beespace/lifetimebound.hpp>
 #include <beespace/point.hpp>
 
 #include <cstddef>
@@ -31,7 +32,7 @@ struct IdRows {
   /// @brief Gives one row.
   /// @param row The index of the row; unchecked.
   /// @return Its ids, in the memory of this.
-  [[nodiscard]] std::span<const PointId> operator[](std::size_t row) const {
+  [[nodiscard]] std::span<const PointId> operator[](std::size_t row) const BEESPACE_LIFETIMEBOUND {
     return std::span(ids).subspan(offsets[row], offsets[row + 1] - offsets[row]);
   }
 

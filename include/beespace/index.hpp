@@ -9,6 +9,7 @@
 
 #include <beespace/export.hpp>
 #include <beespace/id_rows.hpp>
+#include <beespace/lifetimebound.hpp>
 #include <beespace/nearest.hpp>
 #include <beespace/point.hpp>
 #include <beespace/points_view.hpp>
@@ -37,7 +38,7 @@ struct NearestRows {
   /// @brief Gives one row.
   /// @param row The index of the row; unchecked.
   /// @return Its entries, in the memory of this.
-  [[nodiscard]] std::span<const Nearest> operator[](std::size_t row) const {
+  [[nodiscard]] std::span<const Nearest> operator[](std::size_t row) const BEESPACE_LIFETIMEBOUND {
     return std::span(entries).subspan(row * length, length);
   }
 

@@ -16,6 +16,7 @@
 /// and so are thresholds that are too small.
 #pragma once
 
+#include <beespace/lifetimebound.hpp>
 #include <beespace/point.hpp>
 #include <beespace/points_view.hpp>
 
@@ -67,6 +68,13 @@ class MoversView {
   /// @param movers The agents; must outlive the view.
   template <detail::SpanOfMovers Movers>
   MoversView(const Movers& movers)  // NOLINT(google-explicit-constructor): a view
+      : MoversView(std::span<const Mover>(movers), FromSpan{}) {}
+
+  /// @brief The same of a container, for which a compiler may warn where the view outlives it.
+  /// @param movers The agents; must outlive the view.
+  template <detail::SpanOfMovers Movers>
+  requires detail::Container<Movers> MoversView(  // NOLINT(google-explicit-constructor): a view
+      const Movers& movers BEESPACE_LIFETIMEBOUND)
       : MoversView(std::span<const Mover>(movers), FromSpan{}) {}
 
   /// @brief A view of positions and velocities.
@@ -126,10 +134,10 @@ class MoversView {
   [[nodiscard]] bool empty() const { return size() == 0; }
   /// @brief Gives the positions.
   /// @return A view of them, in metres.
-  [[nodiscard]] const PointsView& positions() const { return positions_; }
+  [[nodiscard]] const PointsView& positions() const BEESPACE_LIFETIMEBOUND { return positions_; }
   /// @brief Gives the velocities.
   /// @return A view of them, in metres per second.
-  [[nodiscard]] const PointsView& velocities() const { return velocities_; }
+  [[nodiscard]] const PointsView& velocities() const BEESPACE_LIFETIMEBOUND { return velocities_; }
 
   /// @brief Reads one agent.
   /// @param index The index of the agent; unchecked.

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <beespace/export.hpp>
+#include <beespace/lifetimebound.hpp>
 #include <beespace/mover.hpp>
 #include <beespace/point.hpp>
 #include <beespace/result.hpp>
@@ -146,7 +147,7 @@ class BEESPACE_API ObstacleMap {
 
   /// @brief Gives the obstacles, in the order in which they were given.
   /// @return A view of them, in the memory of the map.
-  [[nodiscard]] std::span<const Obstacle> obstacles() const;
+  [[nodiscard]] std::span<const Obstacle> obstacles() const BEESPACE_LIFETIMEBOUND;
 
   /// @brief Finds the obstacle whose surface distance is least: inside one, the one in which the
   /// point is deepest.

@@ -2,11 +2,13 @@
 /// @brief How beespace reads the caller's points: in place, whatever their layout, without a copy.
 #pragma once
 
+#include <beespace/lifetimebound.hpp>
 #include <beespace/point.hpp>
 
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <ranges>
 #include <span>
 
 namespace beespace {
@@ -17,6 +19,12 @@ namespace detail {
 template <class T>
 concept SpanOfPoints =
     std::convertible_to<const T&, std::span<const Point>> && !std::same_as<T, PointsView>;
+
+// A span may die before what it refers to; a container may not.
+template <class T>
+concept Container = !std::ranges::enable_borrowed_range<T>;
+template <class T>
+concept ContainerOfDoubles = Container<T> && std::convertible_to<const T&, std::span<const double>>;
 }  // namespace detail
 
 /// @brief A view of points in the caller's memory: three pointers to doubles, one per axis, and a
@@ -43,6 +51,14 @@ class PointsView {
   constexpr PointsView(const Points& points)  // NOLINT(google-explicit-constructor): a view
       : PointsView(std::span<const Point>(points), FromSpan{}) {}
 
+  /// @brief The same of a container, for which a compiler may warn where the view outlives it.
+  /// @param points The points; must outlive the view.
+  template <detail::SpanOfPoints Points>
+  requires detail::Container<Points>
+  constexpr PointsView(  // NOLINT(google-explicit-constructor): a view
+      const Points& points BEESPACE_LIFETIMEBOUND)
+      : PointsView(std::span<const Point>(points), FromSpan{}) {}
+
   /// @brief A view of interleaved coordinates: x0 y0 z0 x1 y1 z1 ...
   /// @param xyz The coordinates in metres; must outlive the view.
   /// @return A view of `xyz.size() / 3` points; coordinates that are left over do not fit.
@@ -51,6 +67,14 @@ class PointsView {
     PointsView view = strided(xyz.data(), xyz.data() + 1, xyz.data() + 2, xyz.size() / 3, kStride);
     view.lengths_ = {(xyz.size() + 2) / 3, (xyz.size() + 1) / 3, xyz.size() / 3};
     return view;
+  }
+
+  /// @brief The same of a container, for which a compiler may warn where the view outlives it.
+  /// @param xyz The coordinates in metres; must outlive the view.
+  /// @return The view.
+  template <detail::ContainerOfDoubles Doubles>
+  static PointsView interleaved(const Doubles& xyz BEESPACE_LIFETIMEBOUND) {
+    return interleaved(std::span<const double>(xyz));
   }
 
   /// @brief A view of one array per axis, all of one length.
@@ -65,6 +89,19 @@ class PointsView {
     PointsView view = strided(x.data(), y.data(), z.data(), size, sizeof(double));
     view.lengths_ = {x.size(), y.size(), z.size()};
     return view;
+  }
+
+  /// @brief The same of containers, for which a compiler may warn where the view outlives them.
+  /// @param x The first coordinates in metres; must outlive the view.
+  /// @param y The second coordinates in metres; must outlive the view.
+  /// @param z The third coordinates in metres; must outlive the view.
+  /// @return The view.
+  template <detail::ContainerOfDoubles Doubles>
+  static PointsView separate(const Doubles& x BEESPACE_LIFETIMEBOUND,
+                             const Doubles& y BEESPACE_LIFETIMEBOUND,
+                             const Doubles& z BEESPACE_LIFETIMEBOUND) {
+    return separate(std::span<const double>(x), std::span<const double>(y),
+                    std::span<const double>(z));
   }
 
   /// @brief A view of points at equal distances in memory, as members of larger structures are.
@@ -100,7 +137,9 @@ class PointsView {
 
   /// @brief Says how many numbers were given for each axis.
   /// @return Three counts.
-  [[nodiscard]] constexpr const std::array<std::size_t, 3>& lengths() const { return lengths_; }
+  [[nodiscard]] constexpr const std::array<std::size_t, 3>& lengths() const BEESPACE_LIFETIMEBOUND {
+    return lengths_;
+  }
   /// @brief Says whether as many numbers were given for each axis.
   /// @return Whether the arrays fit together.
   [[nodiscard]] constexpr bool fits() const {
@@ -133,10 +172,13 @@ class PointsView {
 
   /// @brief Gives the pointers of the view.
   /// @return Where the three coordinates of the first point are.
-  [[nodiscard]] constexpr const std::array<const double*, 3>& axes() const { return axes_; }
+  [[nodiscard]] constexpr const std::array<const double*, 3>& axes() const BEESPACE_LIFETIMEBOUND {
+    return axes_;
+  }
   /// @brief Gives the strides of the view.
   /// @return For each axis the distance in bytes from one point to the next.
-  [[nodiscard]] constexpr const std::array<std::ptrdiff_t, 3>& stride_bytes() const {
+  [[nodiscard]] constexpr const std::array<std::ptrdiff_t, 3>& stride_bytes() const
+      BEESPACE_LIFETIMEBOUND {
     return stride_bytes_;
   }
 

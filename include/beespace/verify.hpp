@@ -12,6 +12,7 @@
 #pragma once
 
 #include <beespace/export.hpp>
+#include <beespace/lifetimebound.hpp>
 #include <beespace/mover.hpp>
 #include <beespace/not_given.hpp>
 #include <beespace/obstacle.hpp>
@@ -165,7 +166,7 @@ class BEESPACE_API Verifier {
 
   /// @brief Says what was found so far.
   /// @return The verdict, in the memory of this; changed by add().
-  [[nodiscard]] const Verdict& verdict() const;
+  [[nodiscard]] const Verdict& verdict() const BEESPACE_LIFETIMEBOUND;
 
  private:
   class State;
