@@ -26,6 +26,7 @@
 #include <beespace/points_view.hpp>
 #include <beespace/predict_conflicts.hpp>
 #include <beespace/result.hpp>
+#include <beespace/row_iterator.hpp>
 #include <beespace/search_options.hpp>
 #include <beespace/swarm.hpp>
 #include <beespace/track.hpp>

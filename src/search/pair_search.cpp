@@ -145,6 +145,7 @@ Status find_neighbors(const Frame& frame, const SearchOptions& options, const co
                       const Choices& choices, IdRows& neighbors) {
   neighbors.offsets.clear();
   neighbors.ids.clear();
+  if (frame.points().empty()) return std::monostate{};
   if (is_crowded(frame, options.threshold_m, kLongRows, choices)) {
     return find_crowded_neighbors(frame, options, with, choices, neighbors);
   }

@@ -34,7 +34,9 @@ void hold_views() {
   const AdviseOptions options = {.intruders = movers()};                              // dangles
   const auto ids = id_rows()[0];                                                      // dangles
   const auto nearest = nearest_rows()[0];                                             // dangles
-  for (const PointId id : id_rows()[0]) static_cast<void>(id);                        // dangles
+  const auto first = id_rows().begin();                                               // dangles
+  static_cast<void>(first);
+  for (const PointId id : id_rows()[0]) static_cast<void>(id);  // dangles
   static_cast<void>(of_points);
   static_cast<void>(interleaved);
   static_cast<void>(separate);
