@@ -64,8 +64,7 @@ Frame::Frame(std::array<PointsView, 2> sets, std::size_t set_count, const core::
 }
 
 PointsView Frame::turned(const PointsView& points) const {
-  return PointsView::strided(permuted(points.axes(), order_), points.size(),
-                             permuted(points.stride_bytes(), order_));
+  return points.with_axes(order_);
 }
 
 Result<Frame> Frame::of(const PointsView& points, const core::Resources& with) {
