@@ -1,6 +1,6 @@
 # The everyday commands. Each works on a brand-new Debian 12 or Ubuntu 24.04 machine.
 .DEFAULT_GOAL := help
-.PHONY: help demo test bench bench-prevention compare format lint clean install
+.PHONY: help demo test bench bench-prevention compare docs format lint clean install
 
 PREFIX ?= /usr/local
 
@@ -10,6 +10,7 @@ help: ## this list
 	@echo "make bench    build and run the benchmarks"
 	@echo "make bench-prevention  fly whole missions with and without advice (takes long)"
 	@echo "make compare  compare with other libraries and the paper's methods (about 25 minutes)"
+	@echo "make docs     build the reference of the C++ interface in build/docs"
 	@echo "make format   format the sources with clang-format 14"
 	@echo "make lint     format, include and header checks, clang-tidy"
 	@echo "make install  install under PREFIX ($(PREFIX)); DESTDIR is honoured"
@@ -37,6 +38,12 @@ bench-prevention:
 compare:
 	@scripts/install-packages build compare
 	@scripts/compare
+
+docs:
+	@scripts/install-packages docs
+	@mkdir -p build
+	@doxygen docs/Doxyfile
+	@echo "The reference: build/docs/index.html"
 
 format:
 	@scripts/install-packages ci

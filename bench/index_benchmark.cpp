@@ -105,7 +105,8 @@ void check_answers(const Scene& scene) {
     }
     if (*index.find_around(place, scene.radius_m) != around) wrong(scene, "points around a place");
     std::nth_element(distances.begin(), distances.begin() + 31, distances.end());
-    if (index.k_nearest(place, 32)->back().distance_m != distances[31]) wrong(scene, "distance");
+    if (index.k_nearest(place, 32).value().back().distance_m != distances[31])
+      wrong(scene, "distance");
   }
 }
 

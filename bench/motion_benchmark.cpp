@@ -75,8 +75,8 @@ void check_answers() {
   }
   const auto tracks = beespace::scenes::fly(flight(300, 1e-4), {60.0, 0.5});
   const beespace::ConflictOptions options{.threshold_m = kThreshold_m};
-  if (beespace::find_conflicts(tracks, options)->conflicts !=
-      beespace::brute_force::find_conflicts(tracks, options)->conflicts) {
+  if (beespace::find_conflicts(tracks, options).value().conflicts !=
+      beespace::brute_force::find_conflicts(tracks, options).value().conflicts) {
     fail("find_conflicts");
   }
 }
@@ -118,7 +118,7 @@ void snapshot_pairs_once(benchmark::State& state) {
   const auto places = places_of(flight(kMillion, with_two_neighbours()));
   std::size_t found = 0;
   for (auto _ : state) {
-    found = beespace::find_pairs(places, {.threshold_m = kThreshold_m})->size();
+    found = beespace::find_pairs(places, {.threshold_m = kThreshold_m}).value().size();
   }
   per_bee(state, places.size(), found);
 }
@@ -126,14 +126,14 @@ void snapshot_pairs_once(benchmark::State& state) {
 void predict_pairs_once(benchmark::State& state, double density, double horizon_s) {
   const auto movers = flight(kMillion, density);
   std::size_t found = 0;
-  for (auto _ : state) found = beespace::predict_pairs(movers, ahead(horizon_s))->size();
+  for (auto _ : state) found = beespace::predict_pairs(movers, ahead(horizon_s)).value().size();
   per_bee(state, movers.size(), found);
 }
 
 void predict_conflicts_once(benchmark::State& state, double density, double horizon_s) {
   const auto movers = flight(kMillion, density);
   std::size_t found = 0;
-  for (auto _ : state) found = beespace::predict_conflicts(movers, ahead(horizon_s))->size();
+  for (auto _ : state) found = beespace::predict_conflicts(movers, ahead(horizon_s)).value().size();
   per_bee(state, movers.size(), found);
 }
 
@@ -143,7 +143,8 @@ void recording(benchmark::State& state) {
   for (const Track& track : tracks) fixes += track.fixes.size();
   std::size_t found = 0;
   for (auto _ : state) {
-    found = beespace::find_conflicts(tracks, {.threshold_m = kThreshold_m})->conflicts.size();
+    found =
+        beespace::find_conflicts(tracks, {.threshold_m = kThreshold_m}).value().conflicts.size();
   }
   state.counters["time_a_fix"] =
       benchmark::Counter(static_cast<double>(state.iterations()) * static_cast<double>(fixes),

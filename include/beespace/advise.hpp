@@ -1,21 +1,27 @@
-// Which velocity shall each bee take next, so that nobody comes too close to anybody?
-//
-// Given where all bees are, how fast they fly and how each would like to fly, advise() gives each
-// the velocity for the next step that is closest to its wish among those that are *certified*: as
-// long as everybody does as advised, no two come closer than the threshold, in this step and for
-// ever after, because everybody can always still brake to a stop clear of everybody else. Nor does
-// anybody come too close to an obstacle. The proof and its conditions are in docs/prevention.md.
-//
-// One bad number never stops the advice: a bee whose state cannot be used is named
-// (Advised::refused) and gets no advice, and the others get theirs, certified as far as that is
-// true without it.
-//
-// Values too small for the motion domain (below kSmallestInMotion, see mover.hpp) count as zero
-// where they enter, which the certificate allows for.
-//
-// The motion that is meant: in a step of `step_s` a bee changes its velocity evenly from the old
-// one to the new one, within its greatest acceleration; one without such a limit flies with the new
-// one from the start. Units: metres, seconds, in one Cartesian frame.
+/// @file
+/// @brief Which velocity should each agent take next, so that all keep the threshold?
+///
+/// Given where all agents are, how fast they fly and which velocity each prefers, advise() gives
+/// each agent the velocity for the next step that is closest to its preferred one among those that
+/// are *certified*: as long as all agents do as advised, no two come closer than the threshold, in
+/// this step and for ever after, because each can always brake to a stop clear of all others.
+/// Neither does any agent come closer to an obstacle than the clearance. The proof and its
+/// conditions are in docs/prevention.md.
+///
+/// One bad number never stops the advice: an agent whose state cannot be used is named
+/// (Advised::refused) and gets no advice, and the others get theirs, certified as far as that is
+/// true without it.
+///
+/// Values too small for the motion domain (below #beespace::kSmallestInMotion, see mover.hpp) count
+/// as zero where they enter, which the certificate allows for.
+///
+/// The model of motion: in a step of AdviseOptions::step_s an agent changes its velocity evenly
+/// from the old one to the new one, within its greatest acceleration; an agent without such a limit
+/// flies with the new velocity from the start. Units: metres and seconds, in one Cartesian frame.
+///
+/// Source: docs/prevention.md for the certificate; as in optimal reciprocal collision avoidance
+/// (ORCA: van den Berg, Guy, Lin, Manocha: Reciprocal n-body collision avoidance, 2011),
+/// half-spaces bound the velocities.
 #pragma once
 
 #include <beespace/export.hpp>
@@ -35,187 +41,229 @@
 
 namespace beespace {
 
-// What a bee can do.
+/// @brief The limits of an agent.
 struct FlightLimits {
-  double max_speed_mps = 10.0;
-  // Infinite: velocities change at once.
+  double max_speed_mps = 10.0;  ///< The greatest speed in metres per second; zero or more.
+  /// @brief The greatest acceleration in metres per second squared; above zero. Infinite:
+  /// velocities change at once.
   double max_acceleration_mps2 = std::numeric_limits<double>::infinity();
 
   friend constexpr bool operator==(const FlightLimits&, const FlightLimits&) = default;
 };
 
-// The fastest flight straight to a goal that stops there: what to prefer for who has a place to go
-// to. Zero within a nanometre of it.
-//
-// Errors: kNotFinite and kOutsideDomain (the motion domain, see mover.hpp) for the position and the
-// goal; kInvalidArgument for a step that is not above zero, and for limits as Adviser::advise.
+/// @brief The velocity of the fastest flight straight to a goal that stops there: the preferred
+/// velocity of an agent with a destination. Zero within a nanometre of it.
+///
+/// Complexity: constant. Thread safety: no state is kept.
+///
+/// @param position Where the agent is, in metres.
+/// @param goal Where it shall go, in metres.
+/// @param limits What it can do.
+/// @param step_s The length of a step in seconds; above zero.
+/// @return The velocity in metres per second; or an error:
+///   - ErrorCode::kNotFinite, ErrorCode::kOutsideDomain: a position or goal that is not of the
+///     motion domain (see mover.hpp);
+///   - ErrorCode::kInvalidArgument: a step that is not above zero, or limits as Adviser::advise.
 BEESPACE_API Result<Velocity> velocity_to_goal(const Point& position, const Point& goal,
                                                const FlightLimits& limits, double step_s);
 
-// Who keeps bees apart.
+/// @brief The method that keeps agents apart.
 enum class AdviseMethod : std::uint8_t {
+  /// @brief The certified method of beespace.
   kCertified,
-  // Methods that are well known, to compare with. They promise nothing, and certify nobody; of
-  // obstacles and intruders they know nothing.
-  kOrca,  // optimal reciprocal collision avoidance, in space
-  kMvp,   // modified voltage potential: sideways, out of each conflict that is ahead
+  /// @brief Optimal reciprocal collision avoidance (ORCA), in space; to compare with. Like kMvp it
+  /// promises nothing, certifies no agent, and ignores obstacles and intruders.
+  kOrca,
+  /// @brief Modified voltage potential (MVP): sideways, out of each conflict ahead; to compare
+  /// with.
+  kMvp,
 };
 
-// A bee that is not where it could be told, or was not heard of for a while: all that is known is a
-// ball that it is in. So many seconds after the step begins, the ball has grown by its growth times
-// that; of a bee that is known to hover, the growth is zero.
+/// @brief An agent whose position is not known, only a ball that contains it: it was not heard of
+/// for a while, or is not where its reports say.
+///
+/// t seconds after the step begins, the ball has grown by `growth_mps` times t. Of an agent that is
+/// known to hover, the growth is zero.
 struct UnknownBee {
-  Point center;
-  double radius_m = 0.0;    // as the step begins; zero or more
-  double growth_mps = 0.0;  // its greatest speed; zero or more
+  Point center;           ///< The centre of the ball, in metres.
+  double radius_m = 0.0;  ///< The radius in metres as the step begins; zero or more.
+  double growth_mps =
+      0.0;  ///< The greatest speed of the agent, in metres per second; zero or more.
 
-  // Which of the movers it is, if it is one: what they say of it is not looked at then, and it gets
-  // no advice.
+  /// @brief The index of the agent among the movers, if it is one of them. Its mover is then
+  /// ignored, and it gets no advice.
   std::optional<PointId> bee = {};
 
   friend constexpr bool operator==(const UnknownBee&, const UnknownBee&) = default;
 };
 
+/// @brief What advice needs to know.
+///
+/// Ownership: `obstacles`, `intruders` and `unknown` refer to the caller's memory, which must
+/// outlive the options.
 struct AdviseOptions {
-  // Metres: nobody shall come closer than this to anybody. Must be given.
+  /// @brief The threshold in metres: no two agents shall come closer than this. Must be given:
+  /// there is no default.
   double threshold_m = kNotGiven;
 
-  // Seconds: until the next advice. All bees begin it at the same time.
+  /// @brief The time in seconds until the next advice; above zero. All agents begin the step at the
+  /// same time.
   double step_s = 0.1;
 
-  // Metres: how far from where it is said to be a bee may be at most, if what is said moves as the
-  // bee was told to: positions are those that the advice before led to, not measured anew (see
-  // docs/prevention.md). It widens the threshold by twice this, and the clearance by once.
+  /// @brief The largest distance in metres between the true and the stated position of an agent, if
+  /// the stated one moves as the agent was advised: positions are those to which the advice before
+  /// led, not measured anew (see docs/prevention.md). It widens the threshold by twice this, and
+  /// the clearance by once.
   double uncertainty_m = 0.0;
 
-  // What stands in the way; not owned, and null for nothing. Nobody shall come closer to it than
-  // the clearance, in metres, above zero; it must be given where there are obstacles.
+  /// @brief The static obstacles; null for none.
   const ObstacleMap* obstacles = nullptr;
+  /// @brief The clearance in metres: no agent shall come closer to an obstacle than this. Above
+  /// zero; must be given where there are obstacles.
   double clearance_m = kNotGiven;
 
-  // Who flies among the bees and does not do as advised; not owned. Everybody gives way to them, as
-  // if they flew straight on for so many seconds, above zero. Nothing is promised about them.
+  /// @brief Agents that fly among the others and do not do as advised. All others give way to them,
+  /// as if they flew straight on for `intruder_horizon_s`. Nothing is promised about them.
   MoversView intruders = {};
+  /// @brief How far to look ahead for intruders, in seconds; above zero.
   double intruder_horizon_s = 10.0;
 
-  // Bees of which only a ball is known, that grows (see above); not owned. Everybody keeps clear of
-  // what the balls are after so many seconds, above zero, as far as it can. What is promised of
-  // them: Advice::clear_of_unknown_s.
+  /// @brief Agents of which only a growing ball is known. All others keep clear of what the balls
+  /// are after `unknown_horizon_s`, as far as they can. For what is promised see
+  /// Advice::clear_of_unknown_s.
   std::span<const UnknownBee> unknown = {};
+  /// @brief How far to look ahead for unknown agents, in seconds; above zero.
   double unknown_horizon_s = 10.0;
 
+  /// @brief The method that keeps agents apart.
   AdviseMethod method = AdviseMethod::kCertified;
 
-  // How many threads may work, the calling one included; 0 means one per processor. The answer is
-  // the same for every number.
+  /// @brief How many threads may work, the calling one included; 0 means one per processor. The
+  /// answer is the same for every number.
   unsigned threads = 1;
 };
 
+/// @brief How an advised velocity relates to the preferred one.
 enum class AdviceKind : std::uint8_t {
-  kAsWished,   // the preferred velocity, or as near to it as the bee's limits allow
-  kDeflected,  // another one, for the sake of others
-  kBraking,    // the bee brakes as hard as it can: there is nothing better
-  kWaiting,    // it would like to fly, and stands (or all but): others are in its way
-  kNone,       // no advice: its state is unknown, or cannot be used (see Advised::refused)
+  kAsWished,   ///< The preferred velocity, or as near to it as the limits of the agent allow.
+  kDeflected,  ///< Another velocity, because of other agents or obstacles.
+  kBraking,    ///< The agent brakes as hard as it can: there is no better velocity.
+  kWaiting,    ///< It would like to fly, and stands (or nearly so): others are in its way.
+  kNone,       ///< No advice: its state is unknown, or cannot be used (see Advised::refused).
 };
 
+/// @brief The advice for one agent.
 struct Advice {
-  // For the end of the step; without a limit of acceleration, for all of it. Of kNone it is no
-  // advice, and zero.
+  /// @brief The velocity at the end of the step, in metres per second; of an agent without a limit
+  /// of acceleration, for all of the step. Of AdviceKind::kNone it is zero, and no advice.
   Velocity velocity;
+  /// @brief How the velocity relates to the preferred one.
   AdviceKind kind = AdviceKind::kNone;
 
-  // The all-clear: all of the three below. What is proven of it holds for ever, or for
-  // clear_of_unknown_s where that is finite.
+  /// @brief The all-clear: `keeps_apart`, `clear_of_intruders` and `clear_of_unknown` together.
+  /// What is proven of it holds for ever, or for `clear_of_unknown_s` where that is finite.
   bool certified = false;
 
-  // Proven: as long as everybody does as advised, this bee keeps the threshold from all others that
-  // are advised, and the clearance from obstacles, for ever. It does not where it is closer
-  // already, or could not brake in time: see Advised::too_close and Advised::near_obstacle.
+  /// @brief Proven: as long as all agents do as advised, this one keeps the threshold from all
+  /// others that are advised, and the clearance from obstacles, for ever. False where it is closer
+  /// already, or could not brake in time: see Advised::too_close and Advised::near_obstacle.
   bool keeps_apart = false;
 
-  // Foreseen, not proven: no intruder comes too close within the horizon, if it flies straight on
-  // and the bee as advised. See Advised::intruder_conflicts. False for all where an intruder cannot
-  // be used (Advised::refused): it may be anywhere.
+  /// @brief Predicted, not proven: no intruder comes closer than the threshold within the horizon,
+  /// if it flies straight on and the agent as advised. See Advised::intruder_conflicts. False for
+  /// all agents where an intruder cannot be used (Advised::refused): it may be anywhere.
   bool clear_of_intruders = false;
 
-  // Proven: as long as this bee does as advised, it keeps the threshold from all unknown bees for
-  // so many seconds from the beginning of the step, wherever in their balls they are, and however
-  // often it is advised anew. Infinite where there are none, or where they do not grow; zero where
-  // one that is nowhere to be found (Advised::refused) may be anywhere.
+  /// @brief Proven: as long as this agent does as advised, it keeps the threshold from all unknown
+  /// agents for so many seconds from the beginning of the step, wherever in their balls they are,
+  /// and however often it is advised anew.
+  ///
+  /// Infinite where there are no unknown agents, or where their balls do not grow; zero where an
+  /// agent of which no ball is known (Advised::refused) may be anywhere.
   double clear_of_unknown_s = 0.0;
-  bool clear_of_unknown = false;  // for the whole unknown_horizon_s
+  /// @brief The same for the whole AdviseOptions::unknown_horizon_s.
+  bool clear_of_unknown = false;
 
   friend constexpr bool operator==(const Advice&, const Advice&) = default;
 };
 
-// Two whose ways to a stop come closer than the threshold. They do not come closer than those ways
-// are, and are told to part as fast as they can.
+/// @brief Two agents whose stopping segments come closer than the threshold.
+///
+/// A stopping segment is the way of an agent that brakes to a stop. The two do not come closer than
+/// those segments are, and are advised to separate as fast as they can.
 struct TooClose {
-  Pair pair;
-  double gap_m = 0.0;  // between the two ways; below zero, or so, where they cross
-  // When the two are the threshold apart, if both go on as advised; infinite: not ever. Zero for
-  // two who are too fast to stop in time, and still far enough apart.
+  Pair pair;  ///< The two agents.
+  double gap_m =
+      0.0;  ///< Between the two segments, in metres; about zero or below where they cross.
+  /// @brief When the two are the threshold apart, in seconds, if both go on as advised; infinite:
+  /// never. Zero for two that are too fast to stop in time, and still far enough apart.
   double clear_s = 0.0;
 
   friend constexpr bool operator==(const TooClose&, const TooClose&) = default;
 };
 
-// One whose way to a stop comes closer to an obstacle than the clearance.
+/// @brief An agent whose stopping segment comes closer to an obstacle than the clearance.
 struct NearObstacle {
-  PointId bee = 0;
-  std::size_t obstacle = 0;
-  double gap_m = 0.0;
+  PointId bee = 0;           ///< The index of the agent.
+  std::size_t obstacle = 0;  ///< The index of the obstacle.
+  double gap_m = 0.0;        ///< Between segment and obstacle, in metres.
 
   friend constexpr bool operator==(const NearObstacle&, const NearObstacle&) = default;
 };
 
-// One to whom an intruder comes too close, if both fly straight on, the bee as advised.
+/// @brief An agent to which an intruder comes closer than the threshold, if both fly straight on,
+/// the agent as advised.
 struct IntruderConflict {
-  PointId bee = 0;
-  std::size_t intruder = 0;
-  double begins_s = 0.0;
-  double closest_m = 0.0;
+  PointId bee = 0;           ///< The index of the agent.
+  std::size_t intruder = 0;  ///< The index of the intruder.
+  double begins_s = 0.0;     ///< When the conflict begins, in seconds.
+  double closest_m = 0.0;    ///< How close they come, in metres.
 
   friend constexpr bool operator==(const IntruderConflict&, const IntruderConflict&) = default;
 };
 
-// One whose way to a stop comes closer than the threshold to what the ball of an unknown bee may be
-// within the horizon.
+/// @brief An agent whose stopping segment comes closer than the threshold to what the ball of an
+/// unknown agent may be within the horizon.
 struct NearUnknown {
-  PointId bee = 0;
-  std::size_t unknown = 0;
-  double gap_m = 0.0;    // between the way and the ball as the step begins
-  double clear_s = 0.0;  // for so long it surely keeps the threshold
+  PointId bee = 0;          ///< The index of the agent.
+  std::size_t unknown = 0;  ///< The index of the unknown agent in AdviseOptions::unknown.
+  double gap_m = 0.0;       ///< Between segment and ball as the step begins, in metres.
+  double clear_s = 0.0;     ///< For so many seconds it surely keeps the threshold.
 
   friend constexpr bool operator==(const NearUnknown&, const NearUnknown&) = default;
 };
 
-// What was given that cannot be used, and what that means.
+/// @brief Which input cannot be used, and what that means.
 enum class RefusedKind : std::uint8_t {
-  kState,  // of a bee, its position, velocity or limits: no advice for it. It may be anywhere, so
-           // no other bee is clear of it, unless AdviseOptions::unknown says where it is at most.
-  kWish,   // of a bee, its preferred velocity: it is advised as if it wished to stand
-  kIntruder,  // no bee is clear of it
-  kUnknown,   // no bee is clear of it
+  /// @brief The position, velocity or limits of an agent: no advice for it. It may be anywhere, so
+  /// no
+  /// other agent is clear of it, unless AdviseOptions::unknown gives a ball that contains it.
+  kState,
+  /// @brief The preferred velocity of an agent: it is advised as if it preferred to stand.
+  kWish,
+  kIntruder,  ///< An intruder: no agent is clear of it.
+  kUnknown,   ///< An unknown agent: no agent is clear of it.
 };
 
+/// @brief An input that cannot be used.
 struct Refused {
-  RefusedKind kind = RefusedKind::kState;
-  std::size_t index = 0;  // of the bee, the intruder, or the unknown one
-  Error error;            // what is wrong: kNotFinite, kOutsideDomain, kInvalidArgument
+  RefusedKind kind = RefusedKind::kState;  ///< Which input.
+  std::size_t index = 0;  ///< The index of the agent, the intruder or the unknown agent.
+  /// @brief What is wrong: ErrorCode::kNotFinite, ErrorCode::kOutsideDomain or
+  /// ErrorCode::kInvalidArgument.
+  Error error;
 };
 
+/// @brief The advice for all agents, and what could not be certified.
 struct Advised {
-  std::vector<Advice> advice;  // of each bee
-  // What could not be certified, and because of whom; each ascending.
-  std::vector<TooClose> too_close;
-  std::vector<NearObstacle> near_obstacle;
-  std::vector<IntruderConflict> intruder_conflicts;
-  std::vector<NearUnknown> near_unknown;
-  std::vector<Refused> refused;
+  std::vector<Advice> advice;                        ///< The advice for each agent.
+  std::vector<TooClose> too_close;                   ///< In ascending order of the pairs.
+  std::vector<NearObstacle> near_obstacle;           ///< In ascending order of (agent, obstacle).
+  std::vector<IntruderConflict> intruder_conflicts;  ///< In ascending order of (agent, intruder).
+  std::vector<NearUnknown> near_unknown;             ///< In ascending order of (agent, unknown).
+  std::vector<Refused> refused;  ///< Unknown agents, agents, intruders; each in order of index.
 
-  // Keeps the memory.
+  /// @brief Empties all; keeps the memory.
   void clear() {
     advice.clear();
     too_close.clear();
@@ -226,30 +274,48 @@ struct Advised {
   }
 };
 
-// Gives advice again and again: keeps its working memory and its threads between calls.
-//
-// Ownership: an Adviser owns its memory. Not thread-safe: use one a thread.
+/// @brief Gives advice again and again: keeps its working memory and its threads between calls.
+///
+/// Ownership: an Adviser owns its memory and threads; views are read during a call and not kept.
+/// Thread safety: none; use one Adviser per thread. A moved-from Adviser can only be destroyed or
+/// assigned to.
 class BEESPACE_API Adviser {
  public:
+  /// @brief Makes an adviser.
   Adviser();
   Adviser(const Adviser&) = delete;
   Adviser& operator=(const Adviser&) = delete;
+  /// @brief Takes over memory and threads.
   Adviser(Adviser&&) noexcept;
+  /// @brief Takes over memory and threads.
+  /// @return This.
   Adviser& operator=(Adviser&&) noexcept;
+  /// @brief Gives back memory and threads.
   ~Adviser();
 
-  // `preferred` has a velocity for each of `movers`; `limits` one set of limits for each, or one
-  // for all. The answer depends on nothing but these: not on the order of calls, nor on threads.
-  //
-  // Cost: a microsecond or two a bee, and a tenth for each that it may meet; of n bees at one place
-  // that is n squared, in time and in memory.
-  //
-  // Errors: kInvalidThreshold; kInvalidArgument for a step, clearance or horizon that is not above
-  // zero, a negative uncertainty, a method that is none, spans of the wrong length, an unknown bee
-  // that is none of the movers; for limits that are given once for all, a greatest speed that is
-  // negative or infinite, or a greatest acceleration that is not above zero; kTooManyPoints. Then
-  // `advised` is empty. What is wrong with one bee or intruder alone is no error of the call: see
-  // Advised::refused.
+  /// @brief Advises all agents for one step.
+  ///
+  /// The answer depends on the arguments alone: not on the order of calls, nor on threads.
+  ///
+  /// Complexity: a microsecond or two per agent, and a tenth for each other agent that it may meet;
+  /// of n agents at one position that is n squared, in time and in memory.
+  ///
+  /// @param movers The agents, in metres and metres per second.
+  /// @param preferred The preferred velocity of each agent, in metres per second.
+  /// @param limits The limits of each agent, or one for all.
+  /// @param options The threshold, the step, obstacles, intruders and unknown agents.
+  /// @param[out] advised The advice; overwritten, and empty after an error. Input of one agent or
+  ///   intruder alone that cannot be used is no error of the call: see Advised::refused.
+  /// @return Success, or an error:
+  ///   - ErrorCode::kInvalidThreshold: a threshold that is not given, or is no number above zero of
+  ///     the motion domain (see mover.hpp);
+  ///   - ErrorCode::kInvalidArgument: a step, clearance or horizon that is not above zero, a
+  ///   negative
+  ///     uncertainty, a value that is no AdviseMethod, arrays of the wrong length, an unknown agent
+  ///     that is said to be a mover and is none; and for limits that are given once for all, a
+  ///     greatest speed that is negative or infinite, or a greatest acceleration that is not above
+  ///     zero;
+  ///   - ErrorCode::kTooManyPoints: more agents than ids.
   Status advise(const MoversView& movers, std::span<const Velocity> preferred,
                 std::span<const FlightLimits> limits, const AdviseOptions& options,
                 Advised& advised);
@@ -259,7 +325,12 @@ class BEESPACE_API Adviser {
   std::unique_ptr<State> state_;
 };
 
-// The same once.
+/// @brief Advises all agents for one step, as Adviser::advise, once.
+/// @param movers The agents, in metres and metres per second.
+/// @param preferred The preferred velocity of each agent, in metres per second.
+/// @param limits The limits of each agent, or one for all.
+/// @param options The threshold, the step, obstacles, intruders and unknown agents.
+/// @return The advice, or an error of Adviser::advise.
 BEESPACE_API Result<Advised> advise(const MoversView& movers, std::span<const Velocity> preferred,
                                     std::span<const FlightLimits> limits,
                                     const AdviseOptions& options);

@@ -1,4 +1,5 @@
-// All of beespace in one include.
+/// @file
+/// @brief All of beespace in one include.
 #pragma once
 
 #include <beespace/advise.hpp>
@@ -14,6 +15,7 @@
 #include <beespace/geodesy.hpp>
 #include <beespace/id_rows.hpp>
 #include <beespace/index.hpp>
+#include <beespace/lifetimebound.hpp>
 #include <beespace/mover.hpp>
 #include <beespace/nearest.hpp>
 #include <beespace/neighbors.hpp>
@@ -24,6 +26,7 @@
 #include <beespace/points_view.hpp>
 #include <beespace/predict_conflicts.hpp>
 #include <beespace/result.hpp>
+#include <beespace/row_iterator.hpp>
 #include <beespace/search_options.hpp>
 #include <beespace/swarm.hpp>
 #include <beespace/track.hpp>

@@ -1,8 +1,11 @@
-// Curved paths, as drone shows have them: Bézier pieces, one behind the other.
-//
-// Units: metres and seconds. Within a piece the curve's parameter runs evenly with time. Source of
-// the curve: de Casteljau; of the bound on a chord's deviation: the second differences of its
-// control points.
+/// @file
+/// @brief Curved paths, as drone shows have them: Bézier curves, one after the other, and their
+/// approximation by straight lines.
+///
+/// Units: metres and seconds. Within a piece the parameter of the curve is linear in time.
+///
+/// Sources: de Casteljau's algorithm for the curve; the second differences of its control points
+/// for the bound on the deviation of a chord.
 #pragma once
 
 #include <beespace/export.hpp>
@@ -16,27 +19,38 @@
 
 namespace beespace {
 
-// From where the piece before it ended to `end`.
+/// @brief One Bézier curve of a path: from the end of the piece before it to `end`.
 struct BezierPiece {
-  double ends_s = 0.0;
-  Point end;
-  std::array<Point, 2> controls{};  // the inner control points, of which the first
-  std::uint8_t control_count = 0;   // so many count: 0 a straight line, 1 a quadratic, 2 a cubic
+  double ends_s = 0.0;              ///< When the piece ends, in seconds.
+  Point end;                        ///< Where it ends, in metres.
+  std::array<Point, 2> controls{};  ///< The inner control points, in metres.
+  std::uint8_t control_count = 0;   ///< How many of `controls` count: 0 makes a straight line, 1 a
+                                    ///< quadratic curve, 2 a cubic one.
 };
 
+/// @brief A path of Bézier curves, one after the other.
 struct BezierPath {
-  double begins_s = 0.0;
-  Point begin;
-  std::vector<BezierPiece> pieces;  // of ascending times
+  double begins_s = 0.0;            ///< When the path begins, in seconds.
+  Point begin;                      ///< Where it begins, in metres.
+  std::vector<BezierPiece> pieces;  ///< Its curves, of ascending times.
 };
 
-// The path as fixes with straight lines between them, each less than `tolerance_m` away from the
-// curve at every instant; the track's own tolerance says so. Straight pieces cost nothing and are
-// exact: a path of nothing else has a tolerance of 0.
-//
-// Errors: kInvalidArgument for a tolerance that is not above zero, or so small that more than a
-// million fixes would be needed for a piece; kTimeOrder; kNotFinite and kOutsideDomain, each with
-// the piece in place.record.
+/// @brief Approximates a path by straight lines between fixes.
+///
+/// At every instant the result is less than `tolerance_m` away from the curve, and
+/// Track::tolerance_m says so. Straight pieces are kept as they are: a path of straight pieces
+/// alone has a tolerance of 0.
+///
+/// Complexity: linear in the number of fixes. Thread safety: no state is kept.
+///
+/// @param path The path, in metres and seconds.
+/// @param tolerance_m The largest deviation in metres; above zero.
+/// @return The track; or an error, with the piece in Place::record:
+///   - ErrorCode::kInvalidArgument: a tolerance that is not above zero, or so small that a piece
+///     would need more than a million fixes;
+///   - ErrorCode::kTimeOrder: a piece that does not end after the one before it;
+///   - ErrorCode::kNotFinite, ErrorCode::kOutsideDomain: a time or coordinate that is not a number
+///     of the motion domain (see mover.hpp).
 BEESPACE_API Result<Track> to_track(const BezierPath& path, double tolerance_m = 0.001);
 
 }  // namespace beespace

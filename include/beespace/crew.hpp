@@ -1,10 +1,12 @@
-// The hands that share a search: threads of beespace's own, or of the caller's pool.
-//
-// A crew runs a task once per worker and returns when all are done. The base class is a crew of
-// one: the calling thread. Derive from it to lend a search the threads of another pool.
+/// @file
+/// @brief The threads that a search works with: beespace's own, or those of the caller's pool.
+///
+/// A Crew runs a task once per worker and returns when all calls have returned. The base class has
+/// one worker: the calling thread. Derive from it to lend a search the threads of another pool.
 #pragma once
 
 #include <beespace/export.hpp>
+#include <beespace/lifetimebound.hpp>
 
 #include <cstddef>
 #include <memory>
@@ -13,19 +15,26 @@
 
 namespace beespace {
 
-// What a worker does: a reference to something callable with a worker's number, which must outlive
-// it. (std::function may allocate memory; this never does.)
+/// @brief A task for the workers of a Crew: a reference to a callable that takes the number of a
+/// worker.
+///
+/// Ownership: none; the callable must outlive it. (std::function may allocate memory; this never
+/// does.)
 class CrewTask {
  public:
+  /// @brief Refers to a callable.
+  /// @param callable Called as `callable(unsigned worker)`; must outlive this.
   template <class Callable>
   requires(!std::is_same_v<std::remove_cvref_t<Callable>, CrewTask>)
       // NOLINTNEXTLINE(google-explicit-constructor, bugprone-forwarding-reference-overload)
-      CrewTask(Callable&& callable)  // like a reference
+      CrewTask(Callable&& callable BEESPACE_LIFETIMEBOUND)  // like a reference
       : callable_(const_cast<void*>(static_cast<const void*>(std::addressof(callable)))),
         call_([](void* object, unsigned worker) {
           (*static_cast<std::remove_reference_t<Callable>*>(object))(worker);
         }) {}
 
+  /// @brief Calls the callable.
+  /// @param worker The number of the worker, from 0.
   void operator()(unsigned worker) const { call_(callable_, worker); }
 
  private:
@@ -33,31 +42,47 @@ class CrewTask {
   void (*call_)(void* object, unsigned worker);
 };
 
+/// @brief Runs a task once per worker. The base class has one worker, the calling thread.
 class BEESPACE_API Crew {
  public:
+  /// @brief What a worker does.
   using Task = CrewTask;
 
+  /// @brief One worker: the calling thread.
   Crew() = default;
   Crew(const Crew&) = delete;
   Crew& operator=(const Crew&) = delete;
+  /// @brief No task may be running.
   virtual ~Crew();
 
-  // How many workers there are; always the same, and at least 1.
+  /// @brief Says how many workers there are.
+  /// @return At least 1, and always the same.
   [[nodiscard]] virtual unsigned size() const { return 1; }
 
-  // Calls task(worker) once for each worker in [0, size()), on any threads, and returns when all
-  // have returned. The calls must not wait for each other. An exception (std::bad_alloc) of a call
-  // is rethrown here after all have stopped.
+  /// @brief Calls `task(worker)` once for each worker in [0, size()), on any threads, and returns
+  /// when all calls have returned.
+  ///
+  /// The calls must not wait for each other. An exception (std::bad_alloc) of a call is rethrown
+  /// here after all have stopped.
+  ///
+  /// @param task What each worker does.
   virtual void run(Task task) { task(0); }
 
-  // The part [first, second) of `count` things that belongs to `worker`.
+  /// @brief Says which of `count` items belong to a worker.
+  /// @param count How many items there are.
+  /// @param worker The number of the worker, below size().
+  /// @return The interval [first, second) of the worker's items.
   [[nodiscard]] std::pair<std::size_t, std::size_t> share(std::size_t count,
                                                           unsigned worker) const {
     return {count * worker / size(), count * (worker + 1) / size()};
   }
 
-  // Calls task(begin, end, worker) with each worker's share of `count` things. (Hidden: what
-  // the compiler makes of it belongs to whoever calls.)
+  /// @brief Calls `task(begin, end, worker)` with each worker's share of `count` items.
+  ///
+  /// (Its visibility is hidden: each library that calls it has an instantiation of its own.)
+  ///
+  /// @param count How many items there are.
+  /// @param task What each worker does with its interval [begin, end).
   template <class SharedTask>
   [[gnu::visibility("hidden")]] void split(std::size_t count, SharedTask&& task) {
     run([&](unsigned worker) {
@@ -67,21 +92,27 @@ class BEESPACE_API Crew {
   }
 };
 
-// A crew of threads of its own, which sleep between tasks.
-//
-// Many threads may use one crew at the same time without waiting for each other: whoever finds it
-// at work does all the workers' parts alone. So a process that shares one crew never has more
-// threads at work than its callers and this crew's.
+/// @brief A Crew with threads of its own, which sleep between tasks.
+///
+/// Thread safety: many threads may use one ThreadCrew at the same time without waiting for each
+/// other. A caller that finds the workers busy runs the parts of all workers itself. So a process
+/// that shares one ThreadCrew never has more threads at work than its callers and those of this.
 class BEESPACE_API ThreadCrew final : public Crew {
  public:
-  // `size` workers, of which the caller of run() is one; 0 means one per processor. If the system
-  // gives fewer threads than asked for, the crew is smaller.
+  /// @brief Starts the threads.
+  /// @param size The number of workers, of which the caller of run() is one; 0 means one per
+  ///   processor. If the system gives fewer threads than asked for, there are fewer workers.
   explicit ThreadCrew(unsigned size = 0);
   ThreadCrew(const ThreadCrew&) = delete;
   ThreadCrew& operator=(const ThreadCrew&) = delete;
+  /// @brief Ends the threads; no task may be running.
   ~ThreadCrew() override;
 
+  /// @brief Says how many workers there are.
+  /// @return At least 1, and always the same.
   [[nodiscard]] unsigned size() const override;
+  /// @brief As Crew::run.
+  /// @param task What each worker does.
   void run(Task task) override;
 
  private:

@@ -1,12 +1,14 @@
-// From where a bee is on the Earth to metres in space.
-//
-// Input: WGS84 longitude and latitude in degrees, height above the ellipsoid in metres.
-// Output: Earth-centred, Earth-fixed (ECEF) coordinates in metres; x towards 0 N 0 E, y towards
-// 0 N 90 E, z towards the north pole. Source: Heiskanen and Moritz, Physical Geodesy, 1967, 5-3.
-//
-// The conversion uses only + - * / and square root on doubles, so every machine returns the same
-// bits; it differs from exact arithmetic by less than 1e-8 m up to a height of 1,000 km.
-// Thread-safe; no state.
+/// @file
+/// @brief From geographic positions to Cartesian coordinates in metres.
+///
+/// Input: WGS84 longitude and latitude in degrees, height above the ellipsoid in metres.
+/// Output: Earth-centred, Earth-fixed (ECEF) coordinates in metres; x towards 0 N 0 E, y towards
+/// 0 N 90 E, z towards the north pole.
+///
+/// The conversion uses only + - * / and square root on doubles, so every machine returns the same
+/// bits; it differs from exact arithmetic by less than 1e-8 m up to a height of 1,000 km.
+///
+/// Thread safety: no state is kept. Source: Heiskanen and Moritz, Physical Geodesy, 1967, 5-3.
 #pragma once
 
 #include <beespace/export.hpp>
@@ -19,39 +21,61 @@
 
 namespace beespace {
 
+/// @brief A position on or above the Earth.
 struct GeographicPosition {
-  double longitude_deg = 0.0;  // -360 ... 360, east positive
-  double latitude_deg = 0.0;   // -90 ... 90, north positive
-  double height_m = 0.0;       // above the WGS84 ellipsoid
+  double longitude_deg = 0.0;  ///< Degrees, -360 to 360, east positive.
+  double latitude_deg = 0.0;   ///< Degrees, -90 to 90, north positive.
+  double height_m = 0.0;       ///< Metres above the WGS84 ellipsoid.
 };
 
-// Heights outside these are taken for a mistake (feet, millimetres, swapped columns).
+/// @brief The lowest height in metres that is accepted. Heights beyond the two limits are taken for
+/// a mistake (feet, millimetres, swapped columns).
 inline constexpr double kLowestHeight_m = -12'000.0;
+/// @brief The greatest height in metres that is accepted.
 inline constexpr double kGreatestHeight_m = 1'000'000.0;
 
-// One position. Errors: kNotFinite, kInvalidLatitude, kInvalidLongitude, kInvalidHeight.
+/// @brief Converts one position.
+/// @param position The geographic position, in degrees and metres.
+/// @return The ECEF position in metres; or an error:
+///   - ErrorCode::kNotFinite: a NaN or an infinity;
+///   - ErrorCode::kInvalidLatitude, ErrorCode::kInvalidLongitude: beyond +-90 and +-360 degrees;
+///   - ErrorCode::kInvalidHeight: a height beyond #kLowestHeight_m or #kGreatestHeight_m.
 BEESPACE_API Result<Point> to_ecef(const GeographicPosition& position);
 
-// Many at once: point i of `positions` has x = longitude, y = latitude, z = height, and becomes
-// ecef[i]. The two may be the same memory (in place). Cost: some nanoseconds a point.
-// Errors: as above, with the index of the first bad position in place.record, and
-// kInvalidArgument when the sizes differ; then `ecef` is left with unspecified contents.
+/// @brief Converts many positions at once.
+///
+/// Complexity: some nanoseconds a point.
+///
+/// @param positions Point i has x = longitude and y = latitude in degrees, z = height in metres.
+/// @param[out] ecef Entry i is the ECEF position of point i, in metres. It may be the memory of
+///   `positions` (in place). After an error its contents are unspecified.
+/// @return Success; or an error as that of one position, with the index of the first bad position
+/// in
+///   Place::record, or ErrorCode::kInvalidArgument when the sizes differ.
 BEESPACE_API Status to_ecef(const PointsView& positions, std::span<Point> ecef);
 
-// Metres per second along the parallel, the meridian and the ellipsoid's normal.
+/// @brief A velocity along the parallel, the meridian and the normal of the ellipsoid.
 struct LocalVelocity {
-  double east_mps = 0.0;
-  double north_mps = 0.0;
-  double up_mps = 0.0;
+  double east_mps = 0.0;   ///< Metres per second towards the east.
+  double north_mps = 0.0;  ///< Metres per second towards the north.
+  double up_mps = 0.0;     ///< Metres per second upwards.
 };
 
-// The same from a speed over ground and a track over ground, in degrees clockwise from true north
-// (any finite number of turns up to 10^12), as aircraft report them.
+/// @brief Makes a local velocity of a speed and a track over ground, as aircraft report them.
+/// @param ground_speed_mps The speed over ground in metres per second.
+/// @param track_deg The track over ground in degrees clockwise from true north; any finite number
+/// of
+///   turns up to 10^12.
+/// @param climb_mps The rate of climb in metres per second.
+/// @return The velocity.
 BEESPACE_API LocalVelocity local_velocity(double ground_speed_mps, double track_deg,
                                           double climb_mps);
 
-// The velocity in the ECEF frame of a bee at `position`. Errors: as to_ecef, and kNotFinite for a
-// velocity that is not.
+/// @brief Converts a local velocity to the ECEF frame.
+/// @param position Where the agent is, in degrees and metres.
+/// @param velocity Its local velocity, in metres per second.
+/// @return The velocity in the ECEF frame, in metres per second; or an error as to_ecef, and
+///   ErrorCode::kNotFinite for a velocity that is not finite.
 BEESPACE_API Result<Velocity> to_ecef_velocity(const GeographicPosition& position,
                                                const LocalVelocity& velocity);
 

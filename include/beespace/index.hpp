@@ -1,20 +1,20 @@
-// Who is around any place, and who is nearest to it: an index that is built once and asked often.
-//
-// An Index holds points by id and answers about any place in space, not only about its own points.
-// Distances are compared as real numbers, as in at_risk.hpp and nearest.hpp: the answers are exact,
-// and the same whatever was inserted, moved and removed before, in whatever order.
-//
-// Ownership: the coordinates are copied. Memory: about 50 bytes a point, also while it is built.
-// Thread-safe as containers are: any number of threads may ask at the same time; whoever changes
-// the points must be alone.
+/// @file
+/// @brief Which points are around any position, and which are nearest to it? An index that is built
+/// once and asked often.
+///
+/// An Index holds points by id and answers about any position in space, not only about its own
+/// points. Distances are compared as real numbers, as in at_risk.hpp and nearest.hpp: the answers
+/// are exact, and the same whatever was inserted, moved and removed before, in whatever order.
 #pragma once
 
 #include <beespace/export.hpp>
 #include <beespace/id_rows.hpp>
+#include <beespace/lifetimebound.hpp>
 #include <beespace/nearest.hpp>
 #include <beespace/point.hpp>
 #include <beespace/points_view.hpp>
 #include <beespace/result.hpp>
+#include <beespace/row_iterator.hpp>
 #include <beespace/search_options.hpp>
 
 #include <cstddef>
@@ -24,85 +24,173 @@
 
 namespace beespace {
 
-// Rows of equal length: row r belongs to place r, and begins with its nearest.
+/// @brief Rows of equal length: row r belongs to query r, and begins with the nearest point.
+///
+/// Ownership: owns its memory.
 struct NearestRows {
-  std::size_t length = 0;  // of each row: k, or the number of points where that is less
+  /// @brief The length of each row: k, or the number of points where that is less; 0 when there is
+  /// no row, as in a default-constructed NearestRows. Rows of length 0 count as no rows.
+  std::size_t length = 0;
+  /// @brief The entries of all rows, one row after the other.
   std::vector<Nearest> entries;
 
+  /// @brief Says how many rows there are.
+  /// @return The number of rows; 0 where rows have a length of 0.
   [[nodiscard]] std::size_t size() const { return length == 0 ? 0 : entries.size() / length; }
-  [[nodiscard]] std::span<const Nearest> operator[](std::size_t row) const {
+  /// @brief Says whether there is no row.
+  /// @return Whether size() is 0.
+  [[nodiscard]] bool empty() const { return size() == 0; }
+  /// @brief Gives one row.
+  /// @param row The index of the row; unchecked.
+  /// @return Its entries, in the memory of this.
+  [[nodiscard]] std::span<const Nearest> operator[](std::size_t row) const BEESPACE_LIFETIMEBOUND {
     return std::span(entries).subspan(row * length, length);
+  }
+
+  /// @brief Begins a loop over the rows: `for (const auto row : rows)`.
+  /// @return An iterator to the first row; it and the rows must not outlive this.
+  [[nodiscard]] RowIterator<NearestRows> begin() const BEESPACE_LIFETIMEBOUND { return {*this, 0}; }
+  /// @brief Ends a loop over the rows.
+  /// @return An iterator behind the last row.
+  [[nodiscard]] RowIterator<NearestRows> end() const BEESPACE_LIFETIMEBOUND {
+    return {*this, size()};
   }
 
   friend bool operator==(const NearestRows&, const NearestRows&) = default;
 };
 
+/// @brief Points by id, for queries at any position; points can be inserted, moved and removed.
+///
+/// Ownership: the coordinates are copied. Memory: about 50 bytes a point, also while it is built.
+///
+/// Thread safety: that of the standard containers. Any number of threads may call const functions
+/// at the same time; a thread that changes the points must be alone.
+///
+/// Complexity of changes: new and moved points are kept beside the large tree: up to 64 in a list,
+/// the others in trees, each at most an eighth as large as the next, which are merged when they
+/// grow beyond that. Removed points leave gaps; when half of all slots are gaps, everything is
+/// built anew. So a change costs one to two microseconds on average, a single one up to a rebuild,
+/// and answers take somewhat longer than after rebuild(), which is never needed otherwise.
+///
+/// A moved-from Index can only be destroyed or assigned to.
 class BEESPACE_API Index {
  public:
-  // Empty.
+  /// @brief Holds no points.
   Index();
-  // Holds the points under the ids 0, 1, 2, ... `threads` as in SearchOptions; more of them make
-  // it faster, not different. Cost: some 80 nanoseconds a point, whatever their positions.
-  // Errors: kTooManyPoints, kNotFinite, kOutsideDomain as find_at_risk.
+  /// @brief Builds an index of points, under the ids 0, 1, 2, ...
+  ///
+  /// Complexity: some 80 nanoseconds a point, whatever their positions.
+  ///
+  /// @param points The positions in metres; copied.
+  /// @param threads As SearchOptions::threads; the result is the same for every number.
+  /// @return The index; or ErrorCode::kTooManyPoints, ErrorCode::kNotFinite,
+  ///   ErrorCode::kOutsideDomain as find_at_risk.
   static Result<Index> build(const PointsView& points, unsigned threads = 1);
 
   Index(const Index&) = delete;
   Index& operator=(const Index&) = delete;
+  /// @brief Takes over the points.
   Index(Index&&) noexcept;
+  /// @brief Takes over the points.
+  /// @return This.
   Index& operator=(Index&&) noexcept;
+  /// @brief Frees its memory.
   ~Index();
 
-  // How many points there are now.
+  /// @brief Says how many points there are now.
+  /// @return The number of points.
   [[nodiscard]] std::size_t size() const;
+  /// @brief Says whether there is a point of this id now.
+  /// @param id The id.
+  /// @return Whether there is one.
   [[nodiscard]] bool contains(PointId id) const;
-  // Errors: kInvalidArgument where there is no such point.
+  /// @brief Gives the position of a point.
+  /// @param id The id of the point.
+  /// @return Its position in metres; or ErrorCode::kInvalidArgument where there is no such point.
   [[nodiscard]] Result<Point> point(PointId id) const;
 
-  // The ids of all points closer to the place than the radius, ascending; with `inclusive`, also of
-  // those exactly as far. A radius of 0 finds nobody, or, inclusive, those at the very place.
-  // Cost: some hundred nanoseconds, and a few for each point found.
-  // Errors: kInvalidThreshold for a radius that is negative or not of the coordinate domain;
-  // kNotFinite and kOutsideDomain for the place.
+  /// @brief Finds the points around one position.
+  ///
+  /// Complexity: some hundred nanoseconds, and a few for each point found.
+  ///
+  /// @param place The position, in metres.
+  /// @param radius_m The radius in metres. A radius of 0 finds no point or, if inclusive, those at
+  ///   the very position.
+  /// @param inclusive Whether points exactly as far as the radius are found, too.
+  /// @return The ids of all points closer than the radius, ascending; or an error:
+  ///   - ErrorCode::kInvalidThreshold: a radius that is negative or not of the coordinate domain;
+  ///   - ErrorCode::kNotFinite, ErrorCode::kOutsideDomain: a position that is not of the coordinate
+  ///     domain.
   [[nodiscard]] Result<std::vector<PointId>> find_around(const Point& place, double radius_m,
                                                          bool inclusive = false) const;
-  // The same into the caller's vector, which is overwritten; allocates nothing when its capacity is
-  // twice what is found, and 64 more.
+  /// @brief The same into the caller's vector.
+  ///
+  /// Allocates nothing when the vector's capacity is twice what is found, and 64 more.
+  ///
+  /// @param place The position, in metres.
+  /// @param radius_m The radius in metres.
+  /// @param inclusive Whether points exactly as far as the radius are found, too.
+  /// @param[out] found The ids, ascending; overwritten.
+  /// @return Success, or the same errors.
   Status find_around(const Point& place, double radius_m, bool inclusive,
                      std::vector<PointId>& found) const;
 
-  // Row r holds the ids around places[r], with options.threshold_m as the radius. Places in any
-  // order are looked up in an order that suits the memory.
-  // Errors: the same, with the place in place.record; kTooManyResults when the rows together hold
-  // more than options.max_results.
+  /// @brief Finds the points around each of many positions. Positions in any order are looked up in
+  /// an order that suits the memory.
+  /// @param places The positions in metres; read in place.
+  /// @param options The radius (SearchOptions::threshold_m) and how to search.
+  /// @return Row r holds the ids around places[r], ascending; or the same errors, with the position
+  ///   in Place::record, and ErrorCode::kTooManyResults when the rows together hold more than
+  ///   SearchOptions::max_results.
   [[nodiscard]] Result<IdRows> find_around(const PointsView& places,
                                            const SearchOptions& options) const;
 
-  // The `k` points nearest to the place, or all if there are fewer, in the order of their
-  // distances; equally near ones in the order of their ids. Cost: some hundred nanoseconds, and
-  // about a hundred a point. Errors: kNotFinite and kOutsideDomain for the place.
+  /// @brief Finds the `k` nearest points of one position.
+  ///
+  /// Complexity: some hundred nanoseconds, and about a hundred a point.
+  ///
+  /// @param place The position, in metres.
+  /// @param k How many points to find.
+  /// @return The `k` points nearest to the position, or all if there are fewer, in the order of
+  ///   their distances; equally near ones in the order of their ids. Or ErrorCode::kNotFinite,
+  ///   ErrorCode::kOutsideDomain for the position.
   [[nodiscard]] Result<std::vector<Nearest>> k_nearest(const Point& place, std::size_t k) const;
-  // The same into the caller's vector, which is overwritten.
+  /// @brief The same into the caller's vector.
+  /// @param place The position, in metres.
+  /// @param k How many points to find.
+  /// @param[out] nearest The nearest points; overwritten.
+  /// @return Success, or the same errors.
   Status k_nearest(const Point& place, std::size_t k, std::vector<Nearest>& nearest) const;
 
-  // Row r holds the nearest to places[r]. Errors: the same, with the place in place.record.
+  /// @brief Finds the `k` nearest points of each of many positions.
+  /// @param places The positions in metres; read in place.
+  /// @param k How many points to find for each.
+  /// @param threads As SearchOptions::threads.
+  /// @return Row r holds the nearest points of places[r]; no rows where `k` is 0 or there are no
+  /// points
+  ///   in the index; or the same errors, with the position in
+  ///   Place::record.
   [[nodiscard]] Result<NearestRows> k_nearest(const PointsView& places, std::size_t k,
                                               unsigned threads = 1) const;
 
-  // Changes. New and moved points are kept beside the large tree: up to 64 in a list, the others in
-  // trees that are each at most an eighth of the next larger one, and merged when they grow beyond
-  // that. Removed points leave gaps; when half of all places are gaps, everything is built anew. So
-  // a change costs one to two microseconds on average, a single one up to a rebuild, and answers
-  // take somewhat longer than after rebuild(), which is never needed otherwise.
-
-  // Adds a point, under the next id that was never used. Errors: kNotFinite and kOutsideDomain;
-  // kTooManyPoints when the ids are used up.
+  /// @brief Adds a point, under the next id that was never used.
+  /// @param point The position, in metres.
+  /// @return The id; or ErrorCode::kNotFinite, ErrorCode::kOutsideDomain for the position, or
+  ///   ErrorCode::kTooManyPoints when the ids are used up.
   Result<PointId> insert(const Point& point);
-  // Errors: kInvalidArgument where there is no such point; kNotFinite, kOutsideDomain.
+  /// @brief Moves a point.
+  /// @param id The id of the point.
+  /// @param point Its new position, in metres.
+  /// @return Success; or ErrorCode::kInvalidArgument where there is no such point,
+  ///   ErrorCode::kNotFinite, ErrorCode::kOutsideDomain for the position.
   Status move(PointId id, const Point& point);
-  // Errors: kInvalidArgument where there is no such point.
+  /// @brief Removes a point.
+  /// @param id The id of the point; it is not used again.
+  /// @return Success; or ErrorCode::kInvalidArgument where there is no such point.
   Status remove(PointId id);
 
-  // Builds one tree of all points, for answers as fast as those after build(). Ids stay.
+  /// @brief Builds one tree of all points, for answers as fast as those after build(). Ids stay.
+  /// @param threads As SearchOptions::threads.
   void rebuild(unsigned threads = 1);
 
  private:

@@ -1,8 +1,9 @@
-// How near is the nearest other bee, and which two are the closest of all?
-//
-// Distances are compared as real numbers, so no rounding decides who is nearest; exact ties go to
-// the lowest id. A reported distance is a double, computed by distance() below and by nothing
-// else, so it is the same on every machine.
+/// @file
+/// @brief How near is the nearest other point, and which two points are closest of all?
+///
+/// Distances are compared as real numbers, so no rounding decides which point is nearest; exact
+/// ties go to the lowest id. A reported distance is a double, computed by beespace::distance and by
+/// nothing else, so it is the same on every machine.
 #pragma once
 
 #include <beespace/export.hpp>
@@ -17,56 +18,103 @@
 
 namespace beespace {
 
-// The Euclidean distance in metres: the square root of the sum of three squares, each step rounded
-// to the nearest double, so within 4 * 2^-53 of the true one, relatively. For points of the domain.
+/// @brief The Euclidean distance of two points.
+///
+/// It is the square root of the sum of three squares, each step rounded to the nearest double, so
+/// within 4 * 2^-53 of the true distance, relatively. For points of the coordinate domain.
+///
+/// @param a One point, in metres.
+/// @param b The other point, in metres.
+/// @return Their distance in metres.
 BEESPACE_API double distance(const Point& a, const Point& b);
 
+/// @brief The two points that are closest to each other.
 struct ClosestPair {
-  PointId first = 0;  // first < second; of equally close pairs the lowest first, then second
-  PointId second = 0;
-  double distance_m = 0.0;
+  PointId first = 0;   ///< Below `second`; of equally close pairs the lowest first, then second.
+  PointId second = 0;  ///< The other point.
+  double distance_m = 0.0;  ///< Their distance in metres, as beespace::distance says.
 
   friend bool operator==(const ClosestPair&, const ClosestPair&) = default;
 };
 
-// The two points that are closest to each other; empty when there are fewer than two points.
-// `threads` as in SearchOptions. Expected cost: a few tens of nanoseconds a point.
-// Errors: kTooManyPoints, kNotFinite, kOutsideDomain as find_at_risk.
+/// @brief Finds the two points that are closest to each other.
+///
+/// Complexity: a few tens of nanoseconds a point, expected. Thread safety: no state is kept.
+///
+/// @param points The positions in metres; read in place, not kept.
+/// @param threads As SearchOptions::threads.
+/// @return The closest pair, absent when there are fewer than two points; or
+///   ErrorCode::kTooManyPoints, ErrorCode::kNotFinite, ErrorCode::kOutsideDomain as find_at_risk.
 BEESPACE_API Result<std::optional<ClosestPair>> find_closest_pair(const PointsView& points,
                                                                   unsigned threads = 1);
 
-// The closest pair of one of `points` (first) and one of `others` (second); empty when either set
-// is. Expected cost: as find_nearest_between.
+/// @brief Finds the closest pair of a point of one set and a point of another.
+///
+/// Complexity: as find_nearest_between, expected. Thread safety: no state is kept.
+///
+/// @param points The positions in metres of ClosestPair::first.
+/// @param others The positions in metres of ClosestPair::second.
+/// @param threads As SearchOptions::threads.
+/// @return The closest pair, absent when either set is empty; or an error as find_closest_pair.
 BEESPACE_API Result<std::optional<ClosestPair>> find_closest_pair_between(const PointsView& points,
                                                                           const PointsView& others,
                                                                           unsigned threads = 1);
 
+/// @brief The nearest point of a point.
 struct Nearest {
+  /// @brief The id that stands for no point.
   static constexpr PointId kNobody = std::numeric_limits<PointId>::max();
 
-  PointId id = kNobody;  // kNobody where there is nobody
+  /// @brief The nearest point; #kNobody where there is none.
+  PointId id = kNobody;
+  /// @brief Its distance in metres, as beespace::distance says; infinite where there is none.
   double distance_m = std::numeric_limits<double>::infinity();
 
   friend bool operator==(const Nearest&, const Nearest&) = default;
 };
 
-// For every point the nearest other point, however far. Entry i belongs to point i; with a single
-// point it is nobody. `threads` as in SearchOptions. Cost: one to three hundred nanoseconds a
-// point, in crowds too, and more where density differs by many powers of ten; working memory: at
-// most 104 bytes a point, the answer included. Errors: as find_closest_pair.
+/// @brief Finds for each point the nearest other point, however far.
+///
+/// Complexity: one to three hundred nanoseconds a point, in crowds too, and more where density
+/// differs by many powers of ten. Working memory: at most 104 bytes a point, the answer included.
+/// Thread safety: no state is kept.
+///
+/// @param points The positions in metres; read in place, not kept.
+/// @param threads As SearchOptions::threads.
+/// @return Entry i belongs to point i; of a single point it is empty (Nearest::kNobody). Or an
+/// error
+///   as find_closest_pair.
 BEESPACE_API Result<std::vector<Nearest>> find_nearest(const PointsView& points,
                                                        unsigned threads = 1);
 
-// The same among those closer than the threshold; nobody where there is none. With a vertical
-// threshold: the nearest by the straight line among those in the cylinder (see search_options.hpp).
-// Errors: as find_at_risk.
+/// @brief Finds for each point the nearest of those that are closer than the threshold.
+///
+/// With a vertical threshold it is the nearest by the straight line among those in the cylinder
+/// (see SearchOptions::vertical_m). Thread safety: no state is kept.
+///
+/// @param points The positions in metres; read in place, not kept.
+/// @param options The threshold and how to search.
+/// @return Entry i belongs to point i; Nearest::kNobody where there is none. Or an error as
+///   find_at_risk.
 BEESPACE_API Result<std::vector<Nearest>> find_nearest_within(const PointsView& points,
                                                               const SearchOptions& options);
 
-// For every one of `points` the nearest of `others`, in the two ways above.
+/// @brief Finds for each point of one set the nearest point of another, however far.
+/// @param points The positions in metres, each of which has an entry.
+/// @param others The positions in metres of the other set.
+/// @param threads As SearchOptions::threads.
+/// @return Entry i belongs to point i of `points` and names a point of `others`; or an error as
+///   find_nearest.
 BEESPACE_API Result<std::vector<Nearest>> find_nearest_between(const PointsView& points,
                                                                const PointsView& others,
                                                                unsigned threads = 1);
+/// @brief Finds for each point of one set the nearest of those points of another that are closer
+/// than the threshold.
+/// @param points The positions in metres, each of which has an entry.
+/// @param others The positions in metres of the other set.
+/// @param options The threshold and how to search.
+/// @return Entry i belongs to point i of `points` and names a point of `others`; or an error as
+///   find_nearest_within.
 BEESPACE_API Result<std::vector<Nearest>> find_nearest_within_between(const PointsView& points,
                                                                       const PointsView& others,
                                                                       const SearchOptions& options);

@@ -1,38 +1,32 @@
-// A swarm as it is heard of: reports come in, events come out.
-//
-// What has happened is told from reports alone: between two reports that are no more than max_age_s
-// apart a bee moves in a straight line, as in track.hpp; the time between two that are farther
-// apart is unknown, as in a gap of a recording; and a bee that is heard of once is there at that
-// instant. So the events *entered*, *closest passed*, *left* and *lost* are exact, and the same
-// however often advance() is called, where reports come in the order of their times (a bee that is
-// first heard of late has missed what all others know by then). They come as soon as both bees are
-// known up to then. What is about to happen, *predicted*, is told from the last reports and
-// velocities, as by predict_conflicts; it comes again for a pair only after the pair has been out
-// of danger.
-//
-// Silence is not absence. A bee that has not been heard of for max_age_s is *stale*: it is
-// somewhere, and stays known until it is removed. A pair that had entered and of which one falls
-// silent is *lost*, which is neither left nor a distance that is kept. Each *entered* is followed
-// by one of *left*, *lost* and *ended* of its pair. When the stale bee is *heard* of again, what
-// there is then is told anew: *entered*, if the two are in conflict at that instant. With
-// max_speed_mps, a stale bee is somewhere in a ball that grows with it around where it was last
-// heard of, and any other bee in one around its own last report: where these come closer than the
-// threshold a conflict is *possible*. It is said once for a pair until one of the
-// two is heard of again after a silence, or removed, and is so until then.
-//
-// So that nothing flaps, a pair that has entered (come closer than the threshold) has left only
-// when it is farther apart than the leave threshold.
-//
-// Values of reports that are too small for exact comparison are zero to a swarm (see mover.hpp).
-//
-// Units: metres and seconds, in one Cartesian frame. Ids are the caller's own numbers. Memory: a
-// few hundred bytes a bee until it is removed, of which there are at most max_bees; so much a pair
-// that is followed, of which there are at most max_pairs; and the reports since the bee that was
-// last heard of longest ago, which max_age_s bounds. Where a bound leaves something out, advance()
-// says so (kOverloaded), and what it leaves out are the pairs farthest apart. A pair in conflict
-// that makes room for closer ones is *lost*. Time: as the bees and their reports, and as the pairs
-// up to a few times max_pairs; with max_speed_mps, stale bees times all bees too, as long as their
-// balls have not reached all. Not thread-safe.
+/// @file
+/// @brief A live swarm: position reports go in, events come out.
+///
+/// What has happened is derived from reports alone: between two reports that are no more than
+/// SwarmOptions::max_age_s apart an agent moves in a straight line, as in track.hpp; the time
+/// between two that are farther apart is unknown, as in a gap of a recording; and an agent that is
+/// heard of once is there at that instant. So the events *entered*, *closest passed*, *left* and
+/// *lost* are exact, and the same however often Swarm::advance is called, where reports come in the
+/// order of their times (an agent that is first heard of late has missed what all others know by
+/// then). They come as soon as both agents are known up to then. What is about to happen,
+/// *predicted*, is derived from the last reports and velocities, as by predict_conflicts; it comes
+/// again for a pair only after the pair has been out of danger.
+///
+/// Silence is not absence. An agent that has not been heard of for `max_age_s` is *stale*: it is
+/// somewhere, and stays known until it is removed. A pair that had entered and of which one agent
+/// falls silent is *lost*, which is neither left nor a distance that is kept. Each *entered* is
+/// followed by one of *left*, *lost* and *ended* of its pair. When the stale agent is *heard* of
+/// again, what is true then is reported anew: *entered*, if the two are in conflict at that
+/// instant. With SwarmOptions::max_speed_mps, a stale agent is somewhere in a growing ball around
+/// the position where it was last heard of, and any other agent in one around its own last report:
+/// where these come closer than the threshold a conflict is *possible*. That is reported once for a
+/// pair until one of the two is heard of again after a silence, or removed, and is true until then.
+///
+/// Hysteresis: a pair that has entered (come closer than the threshold) has left only when it is
+/// farther apart than the leave threshold, so that events do not alternate at the threshold.
+///
+/// Values of reports that are too small for exact comparison are zero to a swarm (see mover.hpp).
+///
+/// Units: metres and seconds, in one Cartesian frame. Ids are the caller's own numbers.
 #pragma once
 
 #include <beespace/export.hpp>
@@ -49,178 +43,237 @@
 
 namespace beespace {
 
+/// @brief What a live swarm needs to know. Plain values; nothing is referred to.
 struct SwarmOptions {
-  // Metres, as in ConflictOptions. Must be given.
+  /// @brief The threshold in metres, as ConflictOptions::threshold_m. Must be given: there is no
+  /// default.
   double threshold_m = kNotGiven;
+  /// @brief The vertical threshold in metres, or in the unit of `height_unit_m`, as
+  /// ConflictOptions::vertical_m.
   std::optional<double> vertical_m = {};
 
-  // With vertical_m: heights are those that reports give apart from their positions, not z (as in
-  // Track::heights_m).
+  /// @brief With `vertical_m`: heights are those that reports give apart from their positions
+  /// (Report::height_m), not z (as in Track::heights_m).
   bool heights_apart = false;
 
-  // Thresholds of leaving are those of entering times this: 1 or more.
+  /// @brief Thresholds of leaving are those of entering times this: 1 or more.
   double leave_factor = 1.1;
 
-  // Seconds: how far to look ahead. 0: no predictions.
+  /// @brief How far to look ahead, in seconds. 0: no predictions.
   double horizon_s = 10.0;
 
-  // Seconds: a bee that has not been heard of for longer is stale: unknown until it is.
+  /// @brief An agent that has not been heard of for longer than this, in seconds, is stale: unknown
+  /// until it is heard of again.
   double max_age_s = 5.0;
 
-  // How many threads may work, the calling one included; 0 means one per processor.
+  /// @brief How many threads may work, the calling one included; 0 means one per processor.
   unsigned threads = 1;
 
-  // How many metres one unit of heights is that are apart, where these are not
-  // metres: 0.3048 for feet. Then `vertical_m` and climb rates are in that unit too, and compared
-  // with the heights as they are, exactly; distances that are told are in metres all the same.
+  /// @brief The length in metres of one unit of heights that are kept apart, where these are not
+  /// metres: 0.3048 for feet. `vertical_m` and climb rates are then in that unit too, and compared
+  /// with the heights as they are, exactly. Reported distances are in metres in any case.
   double height_unit_m = 1.0;
 
-  // Metres per second: no bee is ever faster, heights included. Where it is given, what a stale bee
-  // may be in conflict with comes as kPossible; without it that is unknown.
+  /// @brief The greatest speed of all agents in metres per second, heights included. If it is
+  /// given, possible conflicts of a stale agent come as EventKind::kPossible; without it these are
+  /// unknown.
   std::optional<double> max_speed_mps = {};
 
-  // How many bees are known at a time, stale ones included. The report of another one is refused.
+  /// @brief How many agents are known at a time, stale ones included. The report of another one is
+  /// refused.
   std::size_t max_bees = 1'000'000;
 
-  // How many pairs are followed at a time: of those in conflict, of those predicted, and of those
-  // possible so many each. Of more, the closest are. A pair takes up to some 700 bytes.
+  /// @brief How many pairs are followed at a time: so many of those in conflict, of those
+  /// predicted, and of those possible each. Of more, the closest are followed. A pair takes up to
+  /// some 700 bytes.
   std::size_t max_pairs = 500'000;
 };
 
-// One message: where a bee was at a time, and how fast it went, where that is known.
+/// @brief One message: where an agent was at a time, and how fast it was, where that is known.
 struct Report {
-  PointId id = 0;
-  double time_s = 0.0;
-  Point position;
-  std::optional<Velocity> velocity = {};  // absent: that of the last two reports
+  PointId id = 0;                         ///< The caller's number of the agent.
+  double time_s = 0.0;                    ///< The time in seconds.
+  Point position;                         ///< The position in metres.
+  std::optional<Velocity> velocity = {};  ///< In metres per second; absent: that of the last two
+                                          ///< reports.
 
-  // With SwarmOptions::heights_apart.
+  /// @brief The height, with SwarmOptions::heights_apart; in metres or SwarmOptions::height_unit_m.
   double height_m = 0.0;
-  double climb_mps = 0.0;  // counts where there is a velocity
+  /// @brief The climb rate, in the unit of heights per second; used where there is a velocity.
+  double climb_mps = 0.0;
 };
 
-// In the order in which events of one instant are told.
+/// @brief The kinds of events, in the order in which events of one instant are reported.
 enum class EventKind : std::uint8_t {
-  kPredicted,      // a conflict lies ahead, or is there now
-  kPossible,       // a stale bee may be in conflict with another one, at max_speed_mps
-  kHeard,          // a stale bee has been heard of again
-  kEntered,        // closer than the threshold
-  kClosestPassed,  // the closest has passed: they are getting farther apart again
-  kLeft,           // farther apart than the leave threshold, or one of the two was removed
-  kStale,          // a bee has not been heard of for max_age_s
-  kLost,           // one of two that had entered has fallen silent: from then on it is unknown
-  kEnded,          // of finish(): two that had entered, when nothing more was heard
-  kOverloaded,     // a bound was reached, and something left out: for as long as advance() says so
+  kPredicted,      ///< A conflict lies ahead, or is there now.
+  kPossible,       ///< A stale agent may be in conflict with another one, at `max_speed_mps`.
+  kHeard,          ///< A stale agent has been heard of again.
+  kEntered,        ///< Two agents have come closer than the threshold.
+  kClosestPassed,  ///< The closest instant has passed: the distance of the two grows again.
+  kLeft,           ///< Farther apart than the leave threshold, or one of the two was removed.
+  kStale,          ///< An agent has not been heard of for `max_age_s`.
+  kLost,           ///< One of two that had entered has fallen silent: from then on it is unknown.
+  kEnded,          ///< Of finish(): two that had entered, when nothing more was heard.
+  kOverloaded,     ///< A bound was reached, and something left out: while advance() says so.
 };
+/// @brief How many kinds of events there are.
 inline constexpr std::size_t kEventKinds = 10;
 
-// What was reached where a swarm is overloaded.
+/// @brief The bound that was reached where a swarm is overloaded.
 enum class SwarmBound : std::uint8_t {
-  kNone,
-  kBees,       // max_bees: reports of others were refused; the first of them was of `first`
-  kPairs,      // max_pairs, of pairs in conflict
-  kPredicted,  // max_pairs, of pairs predicted
-  kPossible,   // max_pairs, of possible conflicts
+  kNone,       ///< None.
+  kBees,       ///< `max_bees`: reports of other agents were refused, the first of them of `first`.
+  kPairs,      ///< `max_pairs`, of pairs in conflict.
+  kPredicted,  ///< `max_pairs`, of predicted pairs.
+  kPossible,   ///< `max_pairs`, of possible conflicts.
 };
 
+/// @brief An event: what happened to which agents, and when.
 struct SwarmEvent {
+  /// @brief What happened.
   EventKind kind = EventKind::kPredicted;
-  // When it happened; of a prediction, when it begins; of kStale, when the bee was last heard of;
-  // of kLost and kEnded, up to when both are known; of kPossible, since when it may be so, from
-  // where both were last heard of; of kOverloaded, when advance() was asked about.
+  /// @brief When it happened, in seconds. Of a prediction: when the conflict begins; of kStale:
+  /// when the agent was last heard of; of kLost and kEnded: until when both are known; of
+  /// kPossible: since when it may be so, from where both were last heard of; of kOverloaded: the
+  /// time that advance() was asked about.
   double time_s = 0.0;
-  PointId first = 0;   // below second
-  PointId second = 0;  // of kStale, kHeard and kOverloaded, the same as first
-  // How far apart they are then; of a prediction, when they are closest; of kPossible, where they
-  // were last heard of. Of kOverloaded, from what distance on pairs were left out.
+  PointId first = 0;   ///< One agent; below `second`.
+  PointId second = 0;  ///< The other; of kStale, kHeard and kOverloaded, the same as `first`.
+  /// @brief The distance of the two at that time, in metres. Of a prediction: when they are
+  /// closest; of kPossible: where they were last heard of; of kOverloaded: from what distance on
+  /// pairs were left out.
   double distance_m = 0.0;
-  // When they are closest: of a prediction; otherwise so far. Of the others, as time_s.
+  /// @brief When the two are closest, in seconds: in the future of a prediction, otherwise so far.
+  /// Of events of no pair, as `time_s`.
   double closest_s = 0.0;
-  // Of kHeard, kStale, kLost and kPossible: since when the bee has been silent, or the one of two
-  // that has been for longer.
+  /// @brief Of kHeard, kStale, kLost and kPossible: since when the agent has been silent, in
+  /// seconds; of two silent ones, that with the longer silence.
   double since_s = 0.0;
-  std::uint64_t count = 0;  // of kOverloaded: how many were left out, at least; 0: not known
-  SwarmBound bound = SwarmBound::kNone;  // of kOverloaded
+  std::uint64_t count = 0;  ///< Of kOverloaded: how many were left out, at least; 0: not known.
+  SwarmBound bound = SwarmBound::kNone;  ///< Of kOverloaded: the bound.
 
   friend constexpr bool operator==(const SwarmEvent&, const SwarmEvent&) = default;
 };
 
-// What became of the reports.
+/// @brief What became of the reports.
 struct SwarmCounts {
-  std::uint64_t taken = 0;
-  std::uint64_t repeated = 0;  // the same time and position again: left out
-  std::uint64_t late = 0;      // before one that was taken from the same bee: left out
-  std::uint64_t bees = 0;      // known and not stale, now
-  std::uint64_t stale = 0;     // now
-  std::uint64_t refused = 0;   // of a bee beyond max_bees: left out
-  // For how long bees have been unknown in all, removed ones included, where they have been heard
-  // of again.
+  std::uint64_t taken = 0;     ///< Reports that were used.
+  std::uint64_t repeated = 0;  ///< The same time and position again: left out.
+  std::uint64_t late = 0;      ///< Before a report of the same agent that was used: left out.
+  std::uint64_t bees = 0;      ///< Agents that are known and not stale, now.
+  std::uint64_t stale = 0;     ///< Agents that are stale, now.
+  std::uint64_t refused = 0;   ///< Of an agent beyond `max_bees`: left out.
+  /// @brief For how long agents have been unknown in all, in seconds, removed ones included, where
+  /// they have been heard of again.
   double unknown_s = 0.0;
 };
 
-// A bee that is known, and where it would be.
+/// @brief A known agent, and where it would be.
 struct LiveMover {
-  PointId id = 0;
-  // Flown on straight from its last report, where it moves; otherwise it stands where it was last
-  // heard of, which does not say that it stands: it may have gone anywhere since heard_s.
+  PointId id = 0;  ///< The caller's number of the agent.
+  /// @brief Extrapolated in a straight line from its last report, where it `moves`; otherwise it
+  /// stands where it was last heard of. That does not say that it stands: it may have gone anywhere
+  /// since `heard_s`.
   Mover mover;
-  double heard_s = 0.0;  // its last report
-  Point heard_at;
-  bool stale = false;  // when advance() was last called
-  bool moves = false;  // it is not stale, and its velocity is known: given, or of two reports
+  double heard_s = 0.0;  ///< The time of its last report, in seconds.
+  Point heard_at;        ///< The position of its last report, in metres.
+  bool stale = false;    ///< Whether it was stale when advance() was last called.
+  bool moves = false;    ///< Whether it is not stale, and its velocity is known: given, or of two
+                         ///< reports.
 
   friend constexpr bool operator==(const LiveMover&, const LiveMover&) = default;
 };
 
-// A bee that was or is unknown for a time: between two reports more than max_age_s apart, or since
-// its last one where it is stale.
+/// @brief An agent that was or is unknown for a time: between two reports more than `max_age_s`
+/// apart, or since its last one where it is stale.
 struct Silence {
-  PointId id = 0;
-  double unknown_s = 0.0;              // in all, until now
-  std::optional<double> since_s = {};  // of the silence that has not ended
+  PointId id = 0;                      ///< The caller's number of the agent.
+  double unknown_s = 0.0;              ///< How long in all, until now, in seconds.
+  std::optional<double> since_s = {};  ///< Since when, of the silence that has not ended.
 
   friend constexpr bool operator==(const Silence&, const Silence&) = default;
 };
 
+/// @brief A live swarm: takes position reports, reports events.
+///
+/// Ownership: owns its memory. Memory: a few hundred bytes an agent until it is removed, of which
+/// there are at most SwarmOptions::max_bees; so much for each followed pair, of which there are at
+/// most SwarmOptions::max_pairs; and the reports since the agent that was last heard of longest
+/// ago, which SwarmOptions::max_age_s bounds. Where a bound leaves something out, advance() says so
+/// (EventKind::kOverloaded), and what it leaves out are the pairs farthest apart. A pair in
+/// conflict that makes room for closer ones is *lost*.
+///
+/// Complexity: linear in the agents and their reports, and in the pairs up to a few times
+/// `max_pairs`; with `max_speed_mps`, stale agents times all agents too, as long as their balls
+/// have not reached all.
+///
+/// Thread safety: none. A moved-from Swarm can only be destroyed or assigned to.
 class BEESPACE_API Swarm {
  public:
-  // Errors of a swarm with options that make no sense come from every call.
+  /// @brief Makes a swarm without agents.
+  /// @param options The threshold and the bounds. If they make no sense, each call returns the
+  /// error.
   explicit Swarm(const SwarmOptions& options);
   Swarm(const Swarm&) = delete;
   Swarm& operator=(const Swarm&) = delete;
+  /// @brief Takes over the agents.
   Swarm(Swarm&&) noexcept;
+  /// @brief Takes over the agents.
+  /// @return This.
   Swarm& operator=(Swarm&&) noexcept;
+  /// @brief Frees its memory.
   ~Swarm();
 
-  // Takes note of a report, in any order of bees; of one bee, late and repeated ones are counted
-  // and left out. Errors: kNotFinite, kOutsideDomain (too large for the motion domain, see
-  // mover.hpp), kTooManyPoints (a bee beyond max_bees), with the bee in place.record; the report is
-  // then left out, and all others count.
+  /// @brief Takes a report, in any order of agents; of one agent, late and repeated ones are
+  /// counted and left out.
+  /// @param report The report, in metres and seconds.
+  /// @return Success; or an error with the agent in Place::record, in which case the report is left
+  ///   out, and all others count:
+  ///   - ErrorCode::kNotFinite, ErrorCode::kOutsideDomain: a value that is too large for the motion
+  ///     domain (see mover.hpp);
+  ///   - ErrorCode::kTooManyPoints: an agent beyond SwarmOptions::max_bees;
+  ///   - the errors of the options.
   Status update(const Report& report);
 
-  // A bee that is there no longer, of which nothing is kept once the others have been heard of as
-  // late as it was, or for max_age_s; unknown ones are no matter. What it was in has *left*.
+  /// @brief Removes an agent that is no longer there.
+  ///
+  /// Nothing of it is kept once the others have been heard of as late as it was, or for
+  /// `max_age_s`; unknown agents do not delay that. Pairs of it that had entered have *left*.
+  ///
+  /// @param id The caller's number of the agent.
   void remove(PointId id);
 
-  // What has happened since the last call, and what is predicted at `now_s`, by which the age of
-  // reports is told: in ascending order of (time, kind, first, second). Errors: kTimeOrder where
-  // `now_s` is before that of the last call, kNotFinite, kInvalidThreshold, kInvalidArgument.
+  /// @brief Reports what has happened since the last call, and what is predicted.
+  /// @param now_s The time in seconds, by which the age of reports is judged.
+  /// @return The events, in ascending order of (time, kind, first, second); or an error:
+  ///   - ErrorCode::kTimeOrder: `now_s` is before that of the last call;
+  ///   - ErrorCode::kNotFinite: `now_s` is not finite;
+  ///   - ErrorCode::kInvalidThreshold, ErrorCode::kInvalidArgument: the options.
   Result<std::vector<SwarmEvent>> advance(double now_s);
 
-  // The last advance(): nothing more will be heard. Pairs that have entered and neither left nor
-  // been lost have *ended*. No bee is known afterwards, and times may begin anew; counts go on.
-  // Errors: as advance().
+  /// @brief The last advance(): nothing more will be heard.
+  ///
+  /// Pairs that have entered and neither left nor been lost have *ended*. No agent is known
+  /// afterwards, and times may begin anew; counts go on.
+  ///
+  /// @param now_s The time in seconds.
+  /// @return The events, or an error, as advance().
   Result<std::vector<SwarmEvent>> finish(double now_s);
 
+  /// @brief Says what became of the reports.
+  /// @return The counts.
   [[nodiscard]] SwarmCounts counts() const;
 
-  // All bees that have not been removed, at `time_s`, in ascending order of ids: stale ones, and
-  // those heard of once, too. Heights that are kept apart are left out. None at a time outside the
-  // motion domain.
+  /// @brief Says where all agents are that have not been removed: stale ones, and those heard of
+  /// once, too. Heights that are kept apart are left out.
+  /// @param time_s The time in seconds.
+  /// @return The agents in ascending order of ids; none at a time outside the motion domain.
   [[nodiscard]] std::vector<LiveMover> movers(double time_s) const;
 
-  // The bees that have not been removed and were unknown for a time, until `time_s`, in ascending
-  // order of ids; staleness is that of the last advance().
+  /// @brief Says which agents that have not been removed were unknown for a time. Staleness is that
+  /// of the last advance().
+  /// @param time_s Until when, in seconds.
+  /// @return The silences in ascending order of ids.
   [[nodiscard]] std::vector<Silence> silences(double time_s) const;
 
  private:

@@ -40,7 +40,11 @@ inline void prefetch_behind(const double* xyz, std::size_t count) {
 }
 
 inline std::optional<Interleaved> interleaved(const PointsView& points) {
-  const auto& axes = points.axes();
+  if (points.holds_floats()) return std::nullopt;
+  std::array<const double*, 3> axes;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    axes[axis] = static_cast<const double*>(points.axes()[axis]);
+  }
   for (const std::ptrdiff_t stride : points.stride_bytes()) {
     if (stride != sizeof(Point)) return std::nullopt;
   }
@@ -75,15 +79,14 @@ class PointBlock {
   // Loads the points [begin, begin + count), count <= kSize.
   void load(const PointsView& points, std::size_t begin, std::size_t count) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto* from = reinterpret_cast<const std::byte*>(points.axes()[axis]);
+      const auto* from = static_cast<const std::byte*>(points.axes()[axis]);
       const std::ptrdiff_t stride = points.stride_bytes()[axis];
       from += static_cast<std::ptrdiff_t>(begin) * stride;
       if (axis == 0) prefetch(from, stride, count);
-      // The common stride as a constant, so that the compiler can read whole vectors.
-      if (stride == sizeof(Point)) {
-        copy(from, sizeof(Point), count, values_[axis].data());
+      if (points.holds_floats()) {
+        copy<float>(from, stride, count, values_[axis].data());
       } else {
-        copy(from, stride, count, values_[axis].data());
+        copy<double>(from, stride, count, values_[axis].data());
       }
     }
   }
@@ -99,10 +102,23 @@ class PointBlock {
     }
   }
 
-  [[gnu::always_inline]] static void copy(const std::byte* from, std::ptrdiff_t stride,
-                                          std::size_t count, double* to) {
+  template <class Number>
+  static void copy(const std::byte* from, std::ptrdiff_t stride, std::size_t count, double* to) {
+    // The common stride as a constant, so that the compiler can read whole vectors.
+    constexpr auto kInterleaved = static_cast<std::ptrdiff_t>(3 * sizeof(Number));
+    if (stride == kInterleaved) {
+      copy_strided<Number>(from, kInterleaved, count, to);
+    } else {
+      copy_strided<Number>(from, stride, count, to);
+    }
+  }
+
+  template <class Number>
+  [[gnu::always_inline]] static void copy_strided(const std::byte* from, std::ptrdiff_t stride,
+                                                  std::size_t count, double* to) {
     for (std::size_t i = 0; i < count; ++i) {
-      to[i] = *reinterpret_cast<const double*>(from + static_cast<std::ptrdiff_t>(i) * stride);
+      to[i] = static_cast<double>(
+          *reinterpret_cast<const Number*>(from + static_cast<std::ptrdiff_t>(i) * stride));
     }
   }
 

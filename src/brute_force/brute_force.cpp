@@ -112,6 +112,7 @@ Result<std::vector<Pair>> pairs_of(const Pairing& pairing, const SearchOptions& 
 Result<IdRows> neighbors_of(const Pairing& pairing, const SearchOptions& options) {
   if (auto error = pairing.check(options)) return *std::move(error);
   IdRows rows;
+  if (pairing.size() == 0) return rows;
   rows.offsets.assign(std::size_t{pairing.size()} + 1, 0);
   pairing.for_each_closer(options, [&](PointId i, PointId j) {
     ++rows.offsets[i + 1];
@@ -243,6 +244,7 @@ Result<IdRows> find_conflict_groups(const PointsView& points, const SearchOption
     std::sort(groups.ids.begin() + static_cast<std::ptrdiff_t>(begin), groups.ids.end());
     groups.offsets.push_back(groups.ids.size());
   }
+  if (groups.ids.empty()) groups.offsets.clear();  // no rows
   return groups;
 }
 

@@ -63,10 +63,12 @@ GeographicPosition position_at(const EcefBlock& block, std::size_t i) {
 void fill(EcefBlock& block, const PointsView& positions, std::size_t first, std::size_t count) {
   constexpr auto kPacked = static_cast<std::ptrdiff_t>(sizeof(Point));
   const auto& axes = positions.axes();
-  const bool packed = positions.stride_bytes() == std::array{kPacked, kPacked, kPacked} &&
-                      axes[1] == axes[0] + 1 && axes[2] == axes[0] + 2;
+  const auto* const longitudes = static_cast<const double*>(axes[0]);
+  const bool packed = !positions.holds_floats() &&
+                      positions.stride_bytes() == std::array{kPacked, kPacked, kPacked} &&
+                      axes[1] == longitudes + 1 && axes[2] == longitudes + 2;
   if (packed) {
-    const double* from = axes[0] + 3 * first;
+    const double* from = longitudes + 3 * first;
     for (std::size_t i = 0; i < count; ++i) {
       block.longitude_deg[i] = from[3 * i];
       block.latitude_deg[i] = from[3 * i + 1];

@@ -115,8 +115,8 @@ Result<IdRows> find_around_all(const IndexLevels& levels, const PointsView& plac
 
 NearestRows find_nearest_of_all(const IndexLevels& levels, const PointsView& places,
                                 const core::Bounds& bounds, std::size_t k, Crew& crew) {
+  if (k == 0 || places.empty()) return {};
   NearestRows rows{k, {}};
-  if (k == 0 || places.empty()) return rows;
   if (places.size() > rows.entries.max_size() / k) throw std::bad_alloc();
   rows.entries.resize(places.size() * k);
   const OrderedPlaces ordered = place_order(places, bounds, crew);

@@ -165,6 +165,7 @@ Status CylinderSearch::find_pairs(std::vector<Pair>& pairs) const {
 Status CylinderSearch::find_neighbors(IdRows& neighbors) const {
   neighbors.offsets.clear();
   neighbors.ids.clear();
+  if (points_.size() == 0) return std::monostate{};
   const std::uint64_t rows_a_pair = others_ ? 1 : 2;
   const auto found = collect(options_.max_results / rows_a_pair);
   const std::uint64_t size = rows_a_pair * core::size_of(found);

@@ -89,6 +89,7 @@ void write_groups(const Roots& root_of, std::size_t size, const core::Resources&
     groups.offsets.push_back(groups.offsets.back() + members[root]);
   }
   groups.ids.resize(groups.offsets.back());
+  if (groups.offsets.size() == 1) return groups.offsets.clear();  // no rows
   core::Vector<std::uint64_t> next(groups.offsets.begin(), groups.offsets.end(), &with.memory);
   for (PointId id = 0; id < size; ++id) {
     const std::uint32_t group = group_of[root_of[id]];

@@ -202,7 +202,7 @@ class NearestSearch {
   void prefetch_found(PointId id) const {
     const PointId found = ids_[id];
     if (found == Nearest::kNobody) return;
-    const auto* place = reinterpret_cast<const std::byte*>(domain_.others().axes()[0]);
+    const auto* place = static_cast<const std::byte*>(domain_.others().axes()[0]);
     __builtin_prefetch(place +
                        static_cast<std::ptrdiff_t>(found) * domain_.others().stride_bytes()[0]);
   }

@@ -148,6 +148,7 @@ Status find_neighbors(const SearchDomain& domain, const SearchOptions& options,
                       IdRows& neighbors) {
   neighbors.offsets.clear();
   neighbors.ids.clear();
+  if (domain.points().empty()) return std::monostate{};
   if (is_crowded(domain, options.threshold_m, kLongRows, tuning)) {
     return find_crowded_neighbors(domain, options, with, tuning, neighbors);
   }

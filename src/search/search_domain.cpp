@@ -64,8 +64,7 @@ SearchDomain::SearchDomain(std::array<PointsView, 2> sets, std::size_t set_count
 }
 
 PointsView SearchDomain::turned(const PointsView& points) const {
-  return PointsView::strided(permuted(points.axes(), order_), points.size(),
-                             permuted(points.stride_bytes(), order_));
+  return points.with_axes(order_);
 }
 
 Result<SearchDomain> SearchDomain::of(const PointsView& points, const core::Resources& with) {

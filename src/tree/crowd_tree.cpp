@@ -79,7 +79,7 @@ CrowdTree::CrowdTree(const PointsView& points, const Bounds& bounds, const Latti
 // Points lie anywhere in memory: those of the next node are asked for while this one is worked on.
 void CrowdTree::prefetch(std::size_t node) const {
   if (node >= nodes(0)) return;
-  const auto* const first = reinterpret_cast<const std::byte*>(points_.axes()[0]);
+  const auto* const first = static_cast<const std::byte*>(points_.axes()[0]);
   const std::ptrdiff_t stride = points_.stride_bytes()[0];
   for (std::size_t slot = first_slot(0, node); slot < end_slot(0, node); ++slot) {
     __builtin_prefetch(first + static_cast<std::ptrdiff_t>(order_[slot]) * stride);

@@ -218,7 +218,7 @@ class PointTree::Builder {
   void prefetch(const std::uint32_t* order, std::size_t begin, std::size_t end) const {
     for (std::size_t slot = begin; slot < end; ++slot) {
       const auto index = static_cast<std::ptrdiff_t>(order[slot]);
-      __builtin_prefetch(reinterpret_cast<const std::byte*>(points_.axes()[0]) +
+      __builtin_prefetch(static_cast<const std::byte*>(points_.axes()[0]) +
                          index * points_.stride_bytes()[0]);
     }
   }

@@ -86,7 +86,7 @@ TEST(VelocityToGoal, IsZeroAtTheGoalAndPointsThere) {
             (Velocity{0.5, 0, 0}));
   EXPECT_EQ(*velocity_to_goal({0, 0, 0}, {9, 0, 0}, {0.0, 5.0}, 0.1), Velocity{});
   // Braking with half of the acceleration: 20 m at 10 m/s.
-  EXPECT_NEAR(velocity_to_goal({0, 0, 0}, {20, 0, 0}, {50.0, 5.0}, 0.1)->x, 10.0, 1e-12);
+  EXPECT_NEAR(velocity_to_goal({0, 0, 0}, {20, 0, 0}, {50.0, 5.0}, 0.1).value().x, 10.0, 1e-12);
 }
 
 }  // namespace

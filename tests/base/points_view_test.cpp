@@ -81,7 +81,7 @@ TEST_F(Layouts, AConstantHeightWithAStrideOfZero) {
 TEST(PointsView, IsEmptyByDefaultAndForNoPoints) {
   EXPECT_TRUE(PointsView().empty());
   EXPECT_TRUE(PointsView(std::vector<Point>{}).empty());
-  EXPECT_EQ(find_at_risk(PointsView(), {1.0})->size(), 0U);
+  EXPECT_EQ(find_at_risk(PointsView(), {1.0}).value().size(), 0U);
 }
 
 // What does not fit together is never read beyond its end, and an error of every question.

@@ -28,6 +28,7 @@ inline Answer flat(const std::vector<Pair>& pairs) {
 
 inline Answer flat(const IdRows& rows) {
   Answer answer(rows.offsets);
+  if (answer.empty()) answer.push_back(0);
   answer.insert(answer.end(), rows.ids.begin(), rows.ids.end());
   return answer;
 }

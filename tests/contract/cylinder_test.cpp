@@ -465,7 +465,7 @@ TEST(CylinderContract, TooManyResultsAreRefused) {
   scene.threshold_m = 3.0;
   scene.vertical_m = 2.0;
   SearchOptions options = scene.options(false);
-  const std::size_t pairs = find_pairs(scene.points, options)->size();
+  const std::size_t pairs = find_pairs(scene.points, options).value().size();
   options.max_results = pairs;
   EXPECT_TRUE(find_pairs(scene.points, options));
   EXPECT_FALSE(find_neighbors(scene.points, options));

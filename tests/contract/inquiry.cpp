@@ -135,8 +135,8 @@ void add_questions_of_limits(const Subject& subject, SearchOptions options,
                              std::vector<Inquiry>& all) {
   const std::size_t pairs =
       subject.two_sets
-          ? brute_force::find_pairs_between(subject.points, subject.others, options)->size()
-          : brute_force::find_pairs(subject.points, options)->size();
+          ? brute_force::find_pairs_between(subject.points, subject.others, options).value().size()
+          : brute_force::find_pairs(subject.points, options).value().size();
   const auto add = [&](Question question, std::size_t results) {
     for (const std::size_t fewer : {0U, 1U}) {
       if (results < fewer) continue;

@@ -126,7 +126,7 @@ TEST(LargeSwarms, BruteForceAgreesAboutSomeOfThePoints) {
     for (PointId i = 0; i < subject.points.size(); i += 500) {
       const std::vector<Point> one = {subject.points[i]};
       std::vector<PointId> expected =
-          brute_force::find_neighbors_between(one, others, options)->ids;
+          brute_force::find_neighbors_between(one, others, options).value().ids;
       if (!subject.two_sets) std::erase(expected, i);
       ASSERT_TRUE(std::equal(rows[i].begin(), rows[i].end(), expected.begin(), expected.end()))
           << i;

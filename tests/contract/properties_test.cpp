@@ -227,7 +227,7 @@ TEST_F(Properties, PairDistancesAreThoseOfThePoints) {
 
 TEST_F(Properties, AVisitEndsWhenTheVisitorSaysSo) {
   on_every_scene([](const SearchScene& scene) {
-    const std::size_t all = find_pairs(scene.points, options_of(scene))->size();
+    const std::size_t all = find_pairs(scene.points, options_of(scene)).value().size();
     std::size_t calls = 0;
     const auto finished =
         visit_pairs(scene.points, options_of(scene), [&](std::span<const Pair> batch) {
@@ -253,7 +253,7 @@ TEST(Limits, AnyLimitBelowTheNumberOfResultsIsTooLow) {
       EXPECT_FALSE(find_pairs_between(crowd, crowd, {1.0, false, 1, limit}).has_value()) << limit;
     }
   }
-  EXPECT_EQ(find_pairs(crowd, {1.0, false, 1, kPairs})->size(), kPairs);
+  EXPECT_EQ(find_pairs(crowd, {1.0, false, 1, kPairs}).value().size(), kPairs);
 }
 
 }  // namespace

@@ -56,17 +56,18 @@ TEST(IndexAround, ARadiusOfZeroFindsWhoIsAtTheVeryPlace) {
       test::built({{1, 2, 3}, {0, 0, -0.0}, {1, 2, 3}, {1, 2, std::nextafter(3, 4)}});
   EXPECT_EQ(*index.find_around({1, 2, 3}, 0.0, true), (std::vector<PointId>{0, 2}));
   EXPECT_EQ(*index.find_around({-0.0, 0, 0}, 0.0, true), (std::vector<PointId>{1}));
-  EXPECT_TRUE(index.find_around({1, 2, 3}, 0.0)->empty());
+  EXPECT_TRUE(index.find_around({1, 2, 3}, 0.0).value().empty());
 }
 
 TEST(IndexAround, TheLargestRadiusHoldsEverybodyNear) {
   const std::vector<Point> points = test::SceneMaker(1).box(1000, {0, 0, 0}, {1e6, 1e6, 1e6});
-  EXPECT_EQ(test::built(points).find_around({5e5, 5e5, 5e5}, kLargestCoordinate_m)->size(), 1000U);
+  EXPECT_EQ(test::built(points).find_around({5e5, 5e5, 5e5}, kLargestCoordinate_m).value().size(),
+            1000U);
 }
 
 TEST(IndexAround, AnEmptyIndexFindsNobody) {
-  EXPECT_TRUE(Index().find_around({1, 2, 3}, 1e9, true)->empty());
-  EXPECT_TRUE(test::built({}).find_around({1, 2, 3}, 1e9, true)->empty());
+  EXPECT_TRUE(Index().find_around({1, 2, 3}, 1e9, true).value().empty());
+  EXPECT_TRUE(test::built({}).find_around({1, 2, 3}, 1e9, true).value().empty());
 }
 
 TEST(IndexAround, ManyPlacesEqualOneByOneForAnyNumberOfThreads) {
@@ -104,7 +105,7 @@ TEST(IndexAround, ManyThreadsGiveWhatOneGivesForManyPlaces) {
 }
 
 TEST(IndexAround, NoPlacesGiveNoRows) {
-  EXPECT_EQ(test::built({{1, 2, 3}}).find_around(std::vector<Point>{}, {1.0})->size(), 0U);
+  EXPECT_EQ(test::built({{1, 2, 3}}).find_around(std::vector<Point>{}, {1.0}).value().size(), 0U);
 }
 
 TEST(IndexAround, FillsTheCallersVectorAnew) {
@@ -121,7 +122,7 @@ TEST(IndexAround, AllocatesNothingWhereTheCallersVectorHasRoom) {
   const Index index = test::built(points);
   for (const double radius : {0.5, 1.5, 4.0, 20.0}) {
     std::vector<PointId> found;
-    found.reserve(2 * index.find_around({4, 4, 4}, radius)->size() + 64);
+    found.reserve(2 * index.find_around({4, 4, 4}, radius).value().size() + 64);
     const PointId* const memory = found.data();
     ASSERT_TRUE(index.find_around({4, 4, 4}, radius, false, found).has_value());
     EXPECT_EQ(found.data(), memory) << radius;

@@ -146,7 +146,7 @@ TEST(IndexChanges, AHundredThousandOfEachStayCheap) {
   for (PointId id = 0; id < 100'000; ++id) ASSERT_TRUE(index.move(id, points[id / 2]).has_value());
   for (PointId id = 0; id < 150'000; ++id) ASSERT_TRUE(index.remove(id).has_value());
   EXPECT_EQ(index.size(), 50'000U);
-  EXPECT_EQ(index.k_nearest(points[60'000], 1)->front(), (Nearest{160'000, 0.0}));
+  EXPECT_EQ(index.k_nearest(points[60'000], 1).value().front(), (Nearest{160'000, 0.0}));
 }
 
 }  // namespace

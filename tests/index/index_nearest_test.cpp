@@ -43,14 +43,14 @@ TEST(IndexNearest, EquallyNearPointsComeInTheOrderOfTheirIds) {
 TEST(IndexNearest, MoreThanThereAreGivesAll) {
   const std::vector<Point> points = test::SceneMaker(6).box(100, {0, 0, 0}, {9, 9, 9});
   const Index index = test::built(points);
-  EXPECT_EQ(index.k_nearest({1, 2, 3}, 100)->size(), 100U);
+  EXPECT_EQ(index.k_nearest({1, 2, 3}, 100).value().size(), 100U);
   EXPECT_EQ(*index.k_nearest({1, 2, 3}, 1'000'000'000'000), *index.k_nearest({1, 2, 3}, 100));
 }
 
 TEST(IndexNearest, NoneAreAskedForOrThere) {
-  EXPECT_TRUE(test::built({{1, 2, 3}}).k_nearest({1, 2, 3}, 0)->empty());
-  EXPECT_TRUE(Index().k_nearest({1, 2, 3}, 5)->empty());
-  EXPECT_EQ(Index().k_nearest(std::vector<Point>{{1, 2, 3}}, 5)->size(), 0U);
+  EXPECT_TRUE(test::built({{1, 2, 3}}).k_nearest({1, 2, 3}, 0).value().empty());
+  EXPECT_TRUE(Index().k_nearest({1, 2, 3}, 5).value().empty());
+  EXPECT_EQ(Index().k_nearest(std::vector<Point>{{1, 2, 3}}, 5).value().size(), 0U);
 }
 
 TEST(IndexNearest, ManyPlacesEqualOneByOneForAnyNumberOfThreads) {

@@ -86,9 +86,9 @@ TEST_P(GreatHeights, ArePredicted) {
   for (int round = 0; round < test::rounds(2000); ++round) {
     const Meeting m = corner(round % 2 == 0);
     const std::vector<Mover> movers = {{m.other, {}}, {m.from, m.velocity}};
-    ASSERT_EQ(brute_force::predict_conflicts(movers, options(m))->size(), 1U) << round;
-    ASSERT_EQ(predict_conflicts(movers, options(m))->size(), 1U) << round;
-    ASSERT_EQ(predict_pairs(movers, options(m))->size(), 1U) << round;
+    ASSERT_EQ(brute_force::predict_conflicts(movers, options(m)).value().size(), 1U) << round;
+    ASSERT_EQ(predict_conflicts(movers, options(m)).value().size(), 1U) << round;
+    ASSERT_EQ(predict_pairs(movers, options(m)).value().size(), 1U) << round;
     std::vector<Pair> pairs;
     ASSERT_TRUE(engine.predict_pairs(movers, options(m), pairs).has_value());
     ASSERT_EQ(pairs.size(), 1U) << round;
@@ -102,9 +102,9 @@ TEST_P(GreatHeights, AtTheThresholdItselfAreNone) {
     m.other.x = threshold_;
     const std::vector<Mover> movers = {{m.other, {}}, {m.from, m.velocity}};
     PredictOptions o = options(m);
-    ASSERT_EQ(predict_pairs(movers, o)->size(), 0U) << round;
+    ASSERT_EQ(predict_pairs(movers, o).value().size(), 0U) << round;
     o.inclusive = true;
-    ASSERT_EQ(predict_pairs(movers, o)->size(), 1U) << round;
+    ASSERT_EQ(predict_pairs(movers, o).value().size(), 1U) << round;
   }
 }
 
@@ -121,7 +121,7 @@ TEST_P(GreatHeights, AreFoundInRecordings) {
     ConflictOptions o;
     o.threshold_m = threshold_;
     o.vertical_m = vertical_;
-    ASSERT_EQ(find_conflicts(tracks_of(m), o)->conflicts.size(), 1U) << round;
+    ASSERT_EQ(find_conflicts(tracks_of(m), o).value().conflicts.size(), 1U) << round;
   }
 }
 

@@ -36,7 +36,7 @@ void expect_alike(const std::vector<Mover>& given, const std::vector<Mover>& zer
   EXPECT_EQ(*predict_pairs(given, options), *predict_pairs(zeroed, options));
   const auto approach = closest_approach(given[0], given[1], options);
   ASSERT_TRUE(approach.has_value());
-  EXPECT_EQ(approach->closest_m, closest_approach(zeroed[0], zeroed[1], options)->closest_m);
+  EXPECT_EQ(approach->closest_m, closest_approach(zeroed[0], zeroed[1], options).value().closest_m);
 }
 
 TEST(SmallValues, AreZeroToPredictions) {
@@ -80,7 +80,7 @@ TEST(SmallValues, AreZeroToRecordings) {
     ASSERT_TRUE(found.has_value()) << found.error().message;
     EXPECT_EQ(found->conflicts, expected->conflicts);
     EXPECT_EQ(found->conflicts.size(), 1U);
-    EXPECT_EQ(brute_force::find_conflicts(given, options)->conflicts, expected->conflicts);
+    EXPECT_EQ(brute_force::find_conflicts(given, options).value().conflicts, expected->conflicts);
     const auto closest = find_closest_encounter(given);
     ASSERT_TRUE(closest.has_value()) << closest.error().message;
     EXPECT_EQ((*closest)->closest_m, 3.0);

@@ -72,7 +72,7 @@ TEST(VisitNear, KnowsTheObstacleOfEachPiece) {
       ++pieces[piece->obstacle()];
       const Vector3 place = piece->nearest_to(vector_of(test::random_place(random, 30.0)));
       const Obstacle& obstacle = map.obstacles()[piece->obstacle()];
-      ASSERT_LE(nearest_surface(obstacle, {place.x, place.y, place.z})->distance_m, 1e-12);
+      ASSERT_LE(nearest_surface(obstacle, {place.x, place.y, place.z}).value().distance_m, 1e-12);
     }
     EXPECT_GE(*std::min_element(pieces.begin(), pieces.end()), 1);
     EXPECT_GT(*std::max_element(pieces.begin(), pieces.end()), 1);

@@ -49,7 +49,7 @@ TEST(AtRisk, DuplicatesAreAtRisk) {
 
 TEST(AtRisk, NothingIsCapped) {
   const std::vector<Point> crowd(100'000, Point{3, 3, 3});
-  EXPECT_EQ(find_at_risk(crowd, {1.0})->size(), crowd.size());
+  EXPECT_EQ(find_at_risk(crowd, {1.0}).value().size(), crowd.size());
 }
 
 TEST(AtRisk, StrictByDefaultAndInclusiveOnRequest) {
@@ -61,15 +61,17 @@ TEST(AtRisk, StrictByDefaultAndInclusiveOnRequest) {
 TEST(AtRisk, OneUlpDecides) {
   const double closer = std::nextafter(100.0, 0.0);
   const double farther = std::nextafter(100.0, 200.0);
-  EXPECT_EQ(find_at_risk(std::vector<Point>{{0, 0, 0}, {closer, 0, 0}}, {100.0})->size(), 2U);
-  EXPECT_EQ(find_at_risk(std::vector<Point>{{0, 0, 0}, {farther, 0, 0}}, {100.0, true})->size(),
-            0U);
+  EXPECT_EQ(find_at_risk(std::vector<Point>{{0, 0, 0}, {closer, 0, 0}}, {100.0}).value().size(),
+            2U);
+  EXPECT_EQ(
+      find_at_risk(std::vector<Point>{{0, 0, 0}, {farther, 0, 0}}, {100.0, true}).value().size(),
+      0U);
 }
 
 TEST(AtRisk, DecidesOnTheGivenDoublesNotOnTheDecimals) {
   const std::vector<Point> points = {{0.1, 0, 0}, {0.3, 0, 0}};
   // Exactly: 0.3 - 0.1 = 0.1999999999999999833..., and the double 0.2 is 0.200000000000000011...
-  EXPECT_EQ(find_at_risk(points, {0.2})->size(), 2U);
+  EXPECT_EQ(find_at_risk(points, {0.2}).value().size(), 2U);
 }
 
 TEST(AtRisk, DoesNotDependOnTheOrderOfThePoints) {

@@ -155,9 +155,9 @@ TEST(ThreadCrew, ServesAnEngineWithinItsOwnTask) {
 
 TEST(MaxResults, AreAllowedAndOneMoreIsAnError) {
   const Swarm swarm = swarm_of(20'000, 12.0);
-  const std::uint64_t pairs = find_pairs(swarm.points, swarm.options)->size();
+  const std::uint64_t pairs = find_pairs(swarm.points, swarm.options).value().size();
   const std::uint64_t between =
-      find_pairs_between(swarm.points, swarm.others, swarm.options)->size();
+      find_pairs_between(swarm.points, swarm.others, swarm.options).value().size();
   ASSERT_GT(std::min(pairs, between), 1000U);
   const auto expect_limit = [](std::uint64_t results, const auto& ask) {
     for (const std::uint64_t allowed : {results, results + 1}) {

@@ -106,7 +106,7 @@ class WorkingMemory : public testing::Test {
 void expect_little_for_at_risk(const std::vector<Scene>& scenes, unsigned threads) {
   for (const Scene& scene : scenes) {
     const Measured took = measured(scene, threads, [](const auto& points, const auto& options) {
-      return find_at_risk(points, options)->size();
+      return find_at_risk(points, options).value().size();
     });
     EXPECT_LE(took.bytes / kSize, 40.0) << scene.name;
     EXPECT_GE(took.bytes / kSize, 1.0) << "not even the marks were measured";
@@ -132,11 +132,13 @@ struct Question {
 TEST_F(WorkingMemory, GrowsWithPointsAndResultsOnly) {
   const PairVisitor all = [](std::span<const Pair>) { return true; };
   const Question questions[] = {
-      {"pairs", [](auto p, auto& o) { return find_pairs(p, o)->size(); }, 40, 16},
+      {"pairs", [](auto p, auto& o) { return find_pairs(p, o).value().size(); }, 40, 16},
       {"visit", [all](auto p, auto& o) { return visit_pairs(p, o, all) ? 0U : 1U; }, 40, 0},
-      {"neighbours", [](auto p, auto& o) { return find_neighbors(p, o)->ids.size(); }, 48, 12},
-      {"counts", [](auto p, auto& o) { return count_neighbors(p, o)->empty() ? 1U : 0U; }, 44, 0},
-      {"groups", [](auto p, auto& o) { return find_conflict_groups(p, o)->size(); }, 56, 0},
+      {"neighbours", [](auto p, auto& o) { return find_neighbors(p, o).value().ids.size(); }, 48,
+       12},
+      {"counts", [](auto p, auto& o) { return count_neighbors(p, o).value().empty() ? 1U : 0U; },
+       44, 0},
+      {"groups", [](auto p, auto& o) { return find_conflict_groups(p, o).value().size(); }, 56, 0},
       {"nearest", [](auto p, auto& o) { return find_nearest(p, o.threads) ? 0U : 1U; }, 104, 0},
       {"within", [](auto p, auto& o) { return find_nearest_within(p, o) ? 0U : 1U; }, 60, 0},
       {"closest", [](auto p, auto& o) { return find_closest_pair(p, o.threads) ? 0U : 1U; }, 40,

@@ -41,8 +41,8 @@ TEST(ClosestPair, EqualsBruteForceOnManyRandomSwarms) {
 }
 
 TEST(ClosestPair, NeedsTwoPoints) {
-  EXPECT_FALSE(find_closest_pair(std::vector<Point>{})->has_value());
-  EXPECT_FALSE(find_closest_pair(std::vector<Point>{{1, 2, 3}})->has_value());
+  EXPECT_FALSE(find_closest_pair(std::vector<Point>{}).value().has_value());
+  EXPECT_FALSE(find_closest_pair(std::vector<Point>{{1, 2, 3}}).value().has_value());
 }
 
 TEST(ClosestPair, ManyEquallyCloseGiveTheLowestIds) {

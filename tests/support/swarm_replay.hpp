@@ -110,8 +110,8 @@ inline std::vector<ExpectedEncounter> expected_encounters(const Tracks& tracks,
   ConflictOptions leave = enter;
   leave.threshold_m *= options.leave_factor;
   if (leave.vertical_m) *leave.vertical_m *= options.leave_factor;
-  const auto inner = find_conflicts(tracks, enter)->conflicts;
-  const auto outer = find_conflicts(tracks, leave)->conflicts;
+  const auto inner = find_conflicts(tracks, enter).value().conflicts;
+  const auto outer = find_conflicts(tracks, leave).value().conflicts;
   std::vector<ExpectedEncounter> expected;
   for (const Conflict& stretch : outer) {
     const auto entered = std::find_if(inner.begin(), inner.end(), [&](const Conflict& conflict) {

@@ -169,8 +169,8 @@ TEST(CrowdSearches, AreNotQuadraticInDuplicates) {
       const IdRows groups = searches.groups(points, options);
       ASSERT_EQ(groups.ids.size(), points.size());
       // Strictly, only twins are closer than the spacing; inclusively, all hang together.
-      ASSERT_EQ(groups.offsets.size() - 1, inclusive ? 1 : places.size());
-      ASSERT_EQ(groups_of_places.offsets.size() - 1, inclusive ? 1 : 0);
+      ASSERT_EQ(groups.size(), inclusive ? 1 : places.size());
+      ASSERT_EQ(groups_of_places.size(), inclusive ? 1 : 0);
     }
   }
 }

@@ -94,7 +94,7 @@ class Judge {
 
   void prefetch(PointId id) const {
     for (const PointsView* view : {&movers_.positions(), &movers_.velocities()}) {
-      const auto* const first = reinterpret_cast<const std::byte*>(view->axes()[0]);
+      const auto* const first = static_cast<const std::byte*>(view->axes()[0]);
       __builtin_prefetch(first + static_cast<std::ptrdiff_t>(id) * view->stride_bytes()[0]);
     }
   }

@@ -37,9 +37,9 @@ TEST(ZipArchive, FilesAreNamedAndRead) {
   EXPECT_EQ(archive->names(), (std::vector<std::string>{"b/two", "one", "none"}));
   EXPECT_TRUE(archive->contains("one"));
   EXPECT_FALSE(archive->contains("two"));
-  EXPECT_EQ(archive->read("b/two")->view, long_text);
-  EXPECT_EQ(archive->read("one")->view, "1");
-  EXPECT_EQ(archive->read("none")->view, "");
+  EXPECT_EQ(archive->read("b/two").value().view, long_text);
+  EXPECT_EQ(archive->read("one").value().view, "1");
+  EXPECT_EQ(archive->read("none").value().view, "");
   EXPECT_EQ(archive->place_of("one"), "a.zip!one");
 }
 

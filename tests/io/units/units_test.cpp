@@ -109,7 +109,7 @@ TEST(Units, MayBeSaidByRole) {
   EXPECT_EQ(wishes->speed, Unit::kKnot);
   EXPECT_EQ(wishes->climb, Unit::kFootPerMinute);
   EXPECT_EQ(wishes->position, Unit::kKilometre);
-  EXPECT_FALSE(read_unit_wishes("")->any());
+  EXPECT_FALSE(read_unit_wishes("").value().any());
   for (const auto& [text, part] : {std::pair{"height", "'height' is not understood"},
                                    {"hight=ft", "'hight=ft' is not understood"},
                                    {"height=", "'height=' is not understood"},

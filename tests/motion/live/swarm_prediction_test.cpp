@@ -83,7 +83,7 @@ TEST(SwarmPrediction, OfWhoHasBeenHeardOfOnceWithoutAVelocityIsNotTried) {
   Swarm swarm(looking_ahead(10.0));
   ASSERT_TRUE(swarm.update({1, 0.0, {0, 0, 0}}).has_value());
   ASSERT_TRUE(swarm.update({2, 0.0, {60, 0, 0}, Velocity{-5, 0, 0}}).has_value());
-  EXPECT_TRUE(swarm.advance(0.0)->empty());
+  EXPECT_TRUE(swarm.advance(0.0).value().empty());
   ASSERT_TRUE(swarm.update({1, 0.5, {0, 0, 0}}).has_value());
   const Events events = *swarm.advance(0.5);
   ASSERT_EQ(events.size(), 1U);

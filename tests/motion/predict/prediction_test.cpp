@@ -175,7 +175,7 @@ TEST_P(Scene, HasItsResultsCountedInEveryWay) {
     if (test::kSanitized && shape != Shape::kSphere) continue;
     PredictOptions options = GetParam().options(shape, true);
     const MoversView movers = GetParam().view(shape);
-    const std::size_t all = brute_force::predict_conflicts(movers, options)->size();
+    const std::size_t all = brute_force::predict_conflicts(movers, options).value().size();
     options.max_results = all;
     ways.for_each(GetParam(), shape, options, [&](const Answer& found) {
       ASSERT_TRUE(found.full.has_value());
@@ -325,7 +325,8 @@ TEST(MoverScenes, HaveConflictsAndPairsWithoutAndManyAtTheEdge) {
     SCOPED_TRACE(scene.name);
     const auto count = [&](Shape shape, bool inclusive) {
       return brute_force::predict_conflicts(scene.view(shape), scene.options(shape, inclusive))
-          ->size();
+          .value()
+          .size();
     };
     const std::size_t pairs = scene.movers.size() * (scene.movers.size() - 1) / 2;
     EXPECT_TRUE(count(Shape::kSphere, true) < pairs || scene.name == "SphereSwap" ||

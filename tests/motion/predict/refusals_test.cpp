@@ -240,9 +240,9 @@ TEST(MotionRefusal, OneResultMoreThanAllowed) {
   PredictOptions options{.threshold_m = 100.0};  // 100 m: everybody with everybody
   const std::vector<Mover> movers = plain_movers(30);
   options.max_results = 30 * 29 / 2;
-  EXPECT_EQ(predict_conflicts(movers, options)->size(), options.max_results);
-  EXPECT_EQ(predict_pairs(movers, options)->size(), options.max_results);
-  EXPECT_EQ(brute_force::predict_conflicts(movers, options)->size(), options.max_results);
+  EXPECT_EQ(predict_conflicts(movers, options).value().size(), options.max_results);
+  EXPECT_EQ(predict_pairs(movers, options).value().size(), options.max_results);
+  EXPECT_EQ(brute_force::predict_conflicts(movers, options).value().size(), options.max_results);
   --options.max_results;
   for (const Refusal& refusal : prediction_refusals(movers, options)) {
     ASSERT_TRUE(refusal.has_value());

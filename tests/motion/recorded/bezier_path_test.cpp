@@ -173,7 +173,7 @@ TEST(BezierConflicts, MissNoViolationAndAreCertainOfNoneThatIsNotThere) {
                                        *to_track(paths[1], tolerance_m)};
     ConflictOptions options;
     options.threshold_m = kThreshold;
-    const std::vector<Conflict> found = find_conflicts(tracks, options)->conflicts;
+    const std::vector<Conflict> found = find_conflicts(tracks, options).value().conflicts;
     const double ends = std::min(paths[0].pieces.back().ends_s, paths[1].pieces.back().ends_s);
     std::vector<Number> least(found.size(), std::numeric_limits<Number>::infinity());
     constexpr int kSamples = 1000;

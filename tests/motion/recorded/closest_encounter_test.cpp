@@ -69,7 +69,7 @@ TEST(ClosestEncounter, OfEveryRecordingIsTheLeastOfBruteForce) {
     SCOPED_TRACE(scene.name);
     ConflictOptions all = everybody(scene.max_gap_s);
     all.threshold_m = kLargestInMotion;
-    const auto conflicts = brute_force::find_conflicts(scene.tracks, all)->conflicts;
+    const auto conflicts = brute_force::find_conflicts(scene.tracks, all).value().conflicts;
     for (const unsigned threads : {1U, 3U}) {
       const auto found = find_closest_encounter(scene.tracks, scene.max_gap_s, threads);
       ASSERT_TRUE(found.has_value()) << found.error().message;

@@ -25,7 +25,7 @@ using test::Tracks;
 // Of two tracks, 0 and 1, in both ways.
 std::vector<Conflict> conflicts_of(const Tracks& tracks, const ConflictOptions& options) {
   const auto brute = *brute_force::find_conflicts(tracks, options);
-  EXPECT_EQ(find_conflicts(tracks, options)->conflicts, brute.conflicts);
+  EXPECT_EQ(find_conflicts(tracks, options).value().conflicts, brute.conflicts);
   return brute.conflicts;
 }
 
@@ -101,7 +101,8 @@ TEST(RecordedConflicts, AreAsLongAsTolerancesLeaveOpenAndCertainWhereTheyDoNot) 
       if (other.vertical_m) *other.vertical_m += by_m;
       return other;
     };
-    const std::vector<Conflict> found = brute_force::find_conflicts(tracks, options)->conflicts;
+    const std::vector<Conflict> found =
+        brute_force::find_conflicts(tracks, options).value().conflicts;
     expect_as_exact(tracks, changed(tolerance_m), found);
     const auto inner = changed(-tolerance_m);
     const std::vector<ExactStretch> sure =
@@ -126,7 +127,7 @@ TEST(RecordedConflicts, OfALatticeAreThoseOfEachPairByFractions) {
     SCOPED_TRACE(scene.name);
     const std::size_t stride = test::kSanitized ? 17 : 1;
     const ConflictOptions options = scene.options(Shape::kCylinder, true);
-    const auto found = brute_force::find_conflicts(scene.tracks, options)->conflicts;
+    const auto found = brute_force::find_conflicts(scene.tracks, options).value().conflicts;
     auto next = found.begin();
     for (PointId i = 0; i < scene.tracks.size(); ++i) {
       for (PointId j = i + 1; j < scene.tracks.size(); ++j) {
@@ -220,7 +221,7 @@ TEST(RecordedConflicts, GapsAreNamedAndNobodyIsInConflictDuringOne) {
     EXPECT_EQ(found.gaps, (std::vector<Gap>{{0, 4, 9}, {1, 5, 10}}));
   }
   options.max_gap_s = 5.0;  // no more than that is none
-  EXPECT_TRUE(find_conflicts(tracks, options)->gaps.empty());
+  EXPECT_TRUE(find_conflicts(tracks, options).value().gaps.empty());
   EXPECT_EQ(conflicts_of(tracks, options), (std::vector<Conflict>{{0, 1, 1, 1, 10, 1, true}}));
 }
 

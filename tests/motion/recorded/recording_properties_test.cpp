@@ -49,7 +49,7 @@ TEST(RecordingProperties, WhoIsSeenTooCloseIsInAReportedConflict) {
     if (round % 2 == 0) tracks = test::coming_and_going(tracks, make);
     ConflictOptions options = closer_than(16);
     if (round % 3 == 0) options.max_gap_s = 1.2;
-    const Conflicts conflicts = find_conflicts(tracks, options)->conflicts;
+    const Conflicts conflicts = find_conflicts(tracks, options).value().conflicts;
     for (int sample = 0; sample < 60; ++sample) {
       const double time = make.between(0, 15);
       for (PointId i = 0; i < tracks.size(); ++i) {
@@ -81,7 +81,7 @@ TEST(RecordingProperties, AllThroughAReportedConflictTheTwoAreTooClose) {
                          scene.name == "HugeOffsets" || scene.name == "Glitch";
     const double slack = blurred ? 1e-4 : 1e-9 * unit;
     const ConflictOptions options = scene.options(test::Shape::kSphere, false);
-    const Conflicts conflicts = find_conflicts(scene.tracks, options)->conflicts;
+    const Conflicts conflicts = find_conflicts(scene.tracks, options).value().conflicts;
     for (const Conflict& conflict : conflicts) {
       if (!conflict.certain || scene.name.find("Tolerances") != std::string::npos) continue;
       ASSERT_LE(conflict.begins_s, conflict.closest_s);
@@ -122,14 +122,14 @@ TEST(RecordingProperties, TheOrderOfTracksChangesNothingButTheirNumbers) {
     Tracks tracks;
     for (const PointId id : number) tracks.push_back(scene.tracks[id]);
     const ConflictOptions options = scene.options(test::Shape::kSphere, true);
-    Conflicts found = find_conflicts(tracks, options)->conflicts;
+    Conflicts found = find_conflicts(tracks, options).value().conflicts;
     for (Conflict& conflict : found) {
       const PointId a = number[conflict.first];
       const PointId b = number[conflict.second];
       conflict.first = std::min(a, b);
       conflict.second = std::max(a, b);
     }
-    EXPECT_EQ(ordered(found), find_conflicts(scene.tracks, options)->conflicts);
+    EXPECT_EQ(ordered(found), find_conflicts(scene.tracks, options).value().conflicts);
   }
 }
 
@@ -177,8 +177,8 @@ TEST(RecordingProperties, AFixInTheMiddleOfAPieceChangesNothing) {
     for (const bool inclusive : {false, true}) {
       ConflictOptions options = closer_than(5);
       options.inclusive = inclusive;
-      const Conflicts found = find_conflicts(split, options)->conflicts;
-      expect_near(found, find_conflicts(tracks, options)->conflicts, 0.0);
+      const Conflicts found = find_conflicts(split, options).value().conflicts;
+      expect_near(found, find_conflicts(tracks, options).value().conflicts, 0.0);
       conflicts += found.size();
     }
     if (HasFailure()) return;
@@ -191,10 +191,10 @@ TEST(RecordingProperties, ConflictsAreAsMuchLaterAsTheRecording) {
   for (int round = 0; round < test::rounds(60); ++round) {
     SCOPED_TRACE(round);
     const Tracks tracks = whole_numbers(make);
-    const Conflicts expected = find_conflicts(tracks, closer_than(5))->conflicts;
+    const Conflicts expected = find_conflicts(tracks, closer_than(5)).value().conflicts;
     for (const double later_s : {0x1p+20, -0x1p+21}) {
       const Tracks later = test::moved(tracks, {0, 0, 0}, later_s);
-      expect_near(find_conflicts(later, closer_than(5))->conflicts, expected, later_s);
+      expect_near(find_conflicts(later, closer_than(5)).value().conflicts, expected, later_s);
     }
     if (HasFailure()) return;
   }
@@ -204,10 +204,10 @@ TEST(RecordingProperties, TheNumberOfThreadsChangesNothing) {
   for (const test::RecordingScene& scene : test::recording_scenes()) {
     SCOPED_TRACE(scene.name);
     ConflictOptions options = scene.options(test::Shape::kCylinder, false);
-    const Conflicts expected = find_conflicts(scene.tracks, options)->conflicts;
+    const Conflicts expected = find_conflicts(scene.tracks, options).value().conflicts;
     for (const unsigned threads : {0U, 2U, 3U}) {
       options.threads = threads;
-      EXPECT_EQ(find_conflicts(scene.tracks, options)->conflicts, expected);
+      EXPECT_EQ(find_conflicts(scene.tracks, options).value().conflicts, expected);
     }
   }
 }

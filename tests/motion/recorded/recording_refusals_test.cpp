@@ -133,7 +133,7 @@ TEST(RecordingRefusal, HeightsOfTheWrongNumberOrOfSomeOrWithoutAQuestion) {
 TEST(RecordingRefusal, OneResultMoreThanAllowed) {
   ConflictOptions options = kSome;  // all four with each other
   options.max_results = 6;
-  EXPECT_EQ(find_conflicts(plain_tracks(), options)->conflicts.size(), 6U);
+  EXPECT_EQ(find_conflicts(plain_tracks(), options).value().conflicts.size(), 6U);
   options.max_results = 5;
   expect_error(plain_tracks(), options, ErrorCode::kTooManyResults, {}, "more than 5");
 }
@@ -150,7 +150,7 @@ TEST(RecordingRefusal, TheEndsOfTheDomainAreInsideIt) {
       const auto brute = brute_force::find_conflicts(tracks, options);
       ASSERT_TRUE(brute.has_value()) << brute.error().message;
       EXPECT_EQ(brute->conflicts.size(), 1U);
-      EXPECT_EQ(find_conflicts(tracks, options)->conflicts, brute->conflicts);
+      EXPECT_EQ(find_conflicts(tracks, options).value().conflicts, brute->conflicts);
     }
   }
 }

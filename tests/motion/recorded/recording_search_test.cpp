@@ -133,7 +133,7 @@ TEST_P(RecordingScenes, AreSearchedAsByBruteForceInEveryWay) {
 TEST_P(RecordingScenes, HaveTheirResultsCountedInEveryWay) {
   ConflictOptions options = GetParam().options(Shape::kSphere, true);
   const test::Tracks& tracks = GetParam().tracks;
-  const std::size_t all = brute_force::find_conflicts(tracks, options)->conflicts.size();
+  const std::size_t all = brute_force::find_conflicts(tracks, options).value().conflicts.size();
   EveryWay ways;
   options.max_results = all;
   ways.for_each(GetParam(), tracks, Shape::kSphere, options, [&](const Result<Conflicts>& found) {
@@ -202,7 +202,7 @@ TEST(RecordingSearch, SaysWhatBruteForceSaysOfManySmallRecordings) {
     const auto shape = static_cast<Shape>(make.below(3));
     const ConflictOptions options = scene.options(shape, make.below(2) == 0);
     const test::Tracks tracks = scene.of(shape);
-    const Conflicts expected = brute_force::find_conflicts(tracks, options)->conflicts;
+    const Conflicts expected = brute_force::find_conflicts(tracks, options).value().conflicts;
     const Runs cut = cut_at_gaps(tracks, options.max_gap_s);
     for (const double step : {0.25, 1.0, make.between(0.05, 9.0)}) {
       SCOPED_TRACE(std::to_string(round) + ", step " + std::to_string(step) +
@@ -228,8 +228,8 @@ TEST(RecordingSearch, FindsWhomTolerancesBringTogetherAtTheCornerOfACylinder) {
   ConflictOptions options;
   options.threshold_m = 10.0;
   options.vertical_m = 10.0;
-  ASSERT_EQ(brute_force::find_conflicts(tracks, options)->conflicts.size(), 1U);
-  EXPECT_EQ(find_conflicts(tracks, options)->conflicts.size(), 1U);
+  ASSERT_EQ(brute_force::find_conflicts(tracks, options).value().conflicts.size(), 1U);
+  EXPECT_EQ(find_conflicts(tracks, options).value().conflicts.size(), 1U);
 }
 
 }  // namespace
