@@ -17,8 +17,8 @@
 // there is then is told anew: *entered*, if the two are in conflict at that instant. With
 // max_speed_mps, a stale bee is somewhere in a ball that grows with it around where it was last
 // heard of, and any other bee in one around its own last report: where these come closer than the
-// threshold a conflict is *possible*. It is said once for a pair until one of the
-// two is heard of again after a silence, or removed, and is so until then.
+// threshold, before one of the two is heard of, a conflict is *possible*. It is said once for a
+// pair until one of the two is heard of again after a silence, or removed, and is so until then.
 //
 // So that nothing flaps, a pair that has entered (come closer than the threshold) has left only
 // when it is farther apart than the leave threshold.
@@ -153,6 +153,11 @@ struct SwarmCounts {
   std::uint64_t bees = 0;      // known and not stale, now
   std::uint64_t stale = 0;     // now
   std::uint64_t refused = 0;   // of a bee beyond max_bees: left out
+  std::uint64_t contrary = 0;  // the time of one of the last two again, elsewhere: left out
+  // Bees that are known from one report only: where they were at that instant, and no more.
+  std::uint64_t heard_once = 0;
+  // Pairs of which a conflict was predicted, and neither has begun nor is averted, now.
+  std::uint64_t predicted = 0;
   // For how long bees have been unknown in all, removed ones included, where they have been heard
   // of again.
   double unknown_s = 0.0;
@@ -192,8 +197,8 @@ class BEESPACE_API Swarm {
   Swarm& operator=(Swarm&&) noexcept;
   ~Swarm();
 
-  // Takes note of a report, in any order of bees; of one bee, late and repeated ones are counted
-  // and left out. Errors: kNotFinite, kOutsideDomain (too large for the motion domain, see
+  // Takes note of a report, in any order of bees; of one bee, late, repeated and contrary ones are
+  // counted and left out. Errors: kNotFinite, kOutsideDomain (too large for the motion domain, see
   // mover.hpp), kTooManyPoints (a bee beyond max_bees), with the bee in place.record; the report is
   // then left out, and all others count.
   Status update(const Report& report);
@@ -201,6 +206,11 @@ class BEESPACE_API Swarm {
   // A bee that is there no longer, of which nothing is kept once the others have been heard of as
   // late as it was, or for max_age_s; unknown ones are no matter. What it was in has *left*.
   void remove(PointId id);
+
+  // What comes next of a bee does not go on from what came before it (its clock has stepped,
+  // reports in between cannot be used): it is stale from its last report on, until it is heard of
+  // again.
+  void lose(PointId id);
 
   // What has happened since the last call, and what is predicted at `now_s`, by which the age of
   // reports is told: in ascending order of (time, kind, first, second). Errors: kTimeOrder where
@@ -211,6 +221,12 @@ class BEESPACE_API Swarm {
   // been lost have *ended*. No bee is known afterwards, and times may begin anew; counts go on.
   // Errors: as advance().
   Result<std::vector<SwarmEvent>> finish(double now_s);
+
+  // As finish(), but all bees stay known: times begin anew, and what was `now_s` is `then_s` now.
+  // Stale ones stay so. Of others nothing is known between their last reports and the first ones
+  // that come now, and nothing is said of that either, unless they do not come for max_age_s: then
+  // they are stale. Errors: as advance().
+  Result<std::vector<SwarmEvent>> begin_anew(double now_s, double then_s);
 
   [[nodiscard]] SwarmCounts counts() const;
 
