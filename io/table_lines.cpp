@@ -4,6 +4,7 @@
 #include "io/line_reader.hpp"
 #include "io/report_layout.hpp"
 #include "io/skipped_records.hpp"
+#include "io/text_check.hpp"
 #include "io/track_layout.hpp"
 #include "io/track_record.hpp"
 
@@ -21,14 +22,15 @@ class TableLines final : public LineReader {
 
   Result<std::optional<ReportLine>> read(std::string_view line) override {
     record_.id = {};
-    if (const auto known = repeats_header(line); !known) {
-      ended_ = true;
-      return known.error();
-    } else if (*known) {
-      return std::optional<ReportLine>();
+    if (!reader_) {
+      if (auto header = take_header(line)) return *std::move(header);
+      return read_first(line);
     }
-    if (!reader_) return read_first(line);
-    return read_record(line);
+    auto report = read_record(line);
+    if (report) return report;
+    // What can be read as a record is no header.
+    if (auto header = take_header(line)) return *std::move(header);
+    return report;
   }
 
   [[nodiscard]] std::string_view last_id() const override { return record_.id; }
@@ -48,6 +50,15 @@ class TableLines final : public LineReader {
   }
 
  private:
+  // What becomes of a line that is a header again; nothing where it is none.
+  std::optional<Result<std::optional<ReportLine>>> take_header(std::string_view line) {
+    const auto again = repeats_header(line);
+    ended_ = !again;
+    if (!again) return again.error();
+    if (!*again) return std::nullopt;
+    return Result<std::optional<ReportLine>>(std::optional<ReportLine>());
+  }
+
   // Whether the line is the header again, as where files are joined. One with other names, or one
   // where there was none before, makes something else of the lines to come.
   Result<bool> repeats_header(std::string_view line) {
@@ -120,8 +131,9 @@ class TableLines final : public LineReader {
     return std::optional<ReportLine>(report);
   }
 
-  // Of a line that has too many fields, or too few, the id before the others.
+  // Of a line that has too many fields, or too few, the id before the others, if it is text.
   [[nodiscard]] std::string_view id_of(std::string_view line) const {
+    if (text_problem(line)) return {};
     const std::size_t column = layout_.table.choice.id.value_or(0);
     FieldCursor cursor(line, layout_.table.delimiter);
     std::string_view id;

@@ -324,6 +324,58 @@ TEST(SwarmPossible, IsOfCylindersToo) {
   }
 }
 
+// Nothing leads from what came before to what comes next, however soon that is.
+TEST(SwarmSilence, OfABeeThatIsLostBeginsWithItsLastReport) {
+  SwarmOptions options = options_with();
+  Swarm swarm(options);
+  Events events;
+  swarm.lose(1);  // not known yet
+  hear(swarm, 1, 0.0, -100.0);
+  hear(swarm, 2, 0.0, 0.0);
+  swarm.lose(1);
+  swarm.lose(1);
+  hear(swarm, 1, 1.0, 100.0);
+  hear(swarm, 2, 1.0, 0.0);
+  test::take_all(swarm, 1.0, events);
+  EXPECT_EQ(count(events, EventKind::kEntered), 0U) << "it went past 2 on a line";
+  EXPECT_EQ(count(events, EventKind::kStale), 1U);
+  EXPECT_EQ(count(events, EventKind::kHeard), 1U);
+  EXPECT_EQ(swarm.silences(1.0), (std::vector<Silence>{{1, 1.0, {}}}));
+  swarm.lose(1);
+  test::take_all(swarm, 1.0, events);
+  EXPECT_EQ(count(events, EventKind::kStale), 2U) << "and is told while it lasts";
+  EXPECT_EQ(swarm.counts().stale, 1U);
+}
+
+TEST(SwarmSilence, LastsWhenTimesBeginAnew) {
+  SwarmOptions options = options_with();
+  options.horizon_s = 0.0;
+  Swarm swarm(options);
+  Events events;
+  hear(swarm, 1, 90.0, -100.0);
+  hear(swarm, 2, 100.0, 0.0);
+  hear(swarm, 3, 100.0, 500.0);
+  test::take_all(swarm, 100.0, events);
+  EXPECT_EQ(count(events, EventKind::kStale), 1U);
+  ASSERT_TRUE(swarm.begin_anew(100.0, 0.0).has_value());
+  EXPECT_EQ(swarm.counts().stale, 1U);
+  EXPECT_EQ(swarm.counts().bees, 2U);
+  EXPECT_EQ(swarm.silences(1.0), (std::vector<Silence>{{1, 11.0, -10.0}}));
+  hear(swarm, 2, 0.0, 0.0);
+  hear(swarm, 2, 10.0, 0.0);
+  events.clear();
+  test::take_all(swarm, 10.0, events);
+  // 3 has not been heard of since; 2 was silent, too.
+  EXPECT_EQ(count(events, EventKind::kStale), 2U);
+  EXPECT_EQ(swarm.counts().stale, 2U);
+  hear(swarm, 1, 11.0, -100.0);
+  hear(swarm, 3, 11.0, 500.0);
+  events.clear();
+  test::take_all(swarm, 11.0, events);
+  EXPECT_EQ(count(events, EventKind::kHeard), 2U);
+  EXPECT_EQ(swarm.counts().stale, 0U);
+}
+
 // Both fall silent and are heard of again before, or between, looks.
 TEST(SwarmPossible, IsTheSameHoweverOftenItIsLookedAt) {
   test::SceneMaker make(78);
