@@ -86,10 +86,10 @@ bool BeeClocks::take(const Report& report, double wall_s, std::vector<Step>& ste
     now_wall_s_ = wall_s;
   }
   // The same again says nothing of its clock.
-  if (time_s == bee.last_s) {
+  if (time_s == bee.last_s && !bee.broken) {
     if (bee.kept == 0 && !bee.off) return true;
     if (bee.off) {
-      pass(report, time_s - bee.offset_s, steps);
+      pass(report, bee, time_s - bee.offset_s, steps);
     } else {
       keep(report, bee);
     }
@@ -103,7 +103,7 @@ bool BeeClocks::take(const Report& report, double wall_s, std::vector<Step>& ste
   }
   if (std::isfinite(lasts_s) && lasts_s > 0.0) bee.interval_s = lasts_s;
   vote(bee, Place::kNear);
-  if (bee.named || bee.kept > 0) {
+  if (bee.named || bee.kept > 0 || bee.broken) {
     take_near(report, bee, wall_s, steps);
     return false;
   }
@@ -118,15 +118,16 @@ void BeeClocks::take_near(const Report& report, Bee& bee, double wall_s, std::ve
   if (bee.named) {
     if (++bee.times < kTimesRight) {
       if (bee.off) return correct(report, bee, wall_s, steps);
-      return pass(report, report.time_s, steps);
+      return pass(report, bee, report.time_s, steps);
     }
-    bee.named = bee.off = false;
+    if (std::exchange(bee.off, false)) bee.broken = true;
+    bee.named = false;
     steps.push_back({Step::Kind::kRight, report, now_s_, bee.lead_s, false});
   }
   bee.times = 0;
   if (report.time_s > now_s_) ++nears_;
   advance_to(report.time_s, wall_s);
-  pass(report, report.time_s, steps);
+  pass(report, bee, report.time_s, steps);
 }
 
 // `lasts_s`: since its last report, by its own clock.
@@ -164,9 +165,8 @@ void BeeClocks::take_elsewhere(const Report& report, Bee& bee, double lasts_s, d
           ? opposed
           : bee.named || (bee.times >= kTimesBehind && now_s_ - bee.since_s >= limits_.max_age_s);
   if (wrong && !bee.named) name(report, bee, steps);
-  if (!far) return pass(report, report.time_s, steps);
-  if (!wrong) return keep(report, bee);
-  bee.off = true;
+  if (!wrong) return far ? keep(report, bee) : pass(report, bee, report.time_s, steps);
+  bee.off = bee.broken = true;
   bee.offset_s = bee.lead_s;
   correct(report, bee, wall_s, steps);
 }
@@ -178,6 +178,7 @@ void BeeClocks::correct(const Report& report, Bee& bee, double wall_s, std::vect
   double time_s = report.time_s - bee.offset_s;
   if (!others_silent && place_of(time_s - reference_s) != Place::kNear) {
     bee.offset_s = bee.lead_s;
+    bee.broken = true;
     time_s = reference_s;
   }
   // Then time goes on by its clock.
@@ -186,7 +187,7 @@ void BeeClocks::correct(const Report& report, Bee& bee, double wall_s, std::vect
       now_s_ - bee.told_at_s >= kNamedAgain_s) {
     name(report, bee, steps);
   }
-  pass(report, time_s, steps);
+  pass(report, bee, time_s, steps);
 }
 
 void BeeClocks::name(const Report& report, Bee& bee, std::vector<Step>& steps) {
@@ -198,7 +199,11 @@ void BeeClocks::name(const Report& report, Bee& bee, std::vector<Step>& steps) {
   steps.push_back({Step::Kind::kOff, report, now_s_, bee.lead_s, false});
 }
 
-void BeeClocks::pass(const Report& report, double time_s, std::vector<Step>& steps) const {
+void BeeClocks::pass(const Report& report, Bee& bee, double time_s,
+                     std::vector<Step>& steps) const {
+  if (std::exchange(bee.broken, false)) {
+    steps.push_back({Step::Kind::kLost, report, now_s_, 0.0, false});
+  }
   Step step{Step::Kind::kReport, report, now_s_, 0.0, false};
   step.report.time_s = time_s;
   steps.push_back(step);
@@ -224,7 +229,10 @@ double BeeClocks::go_to(double now_s, double wall_s, std::vector<Step>& steps) {
     if (bee.period == period_) ++votes_[static_cast<std::size_t>(bee.voted)];
     bee.times = 0;
     bee.unopposed_s = 0.0;
-    bee.off = bee.off && bee.place != Place::kNear;
+    if (bee.off && bee.place == Place::kNear) {
+      bee.off = false;
+      bee.broken = true;
+    }
     if (!bee.named || bee.place != Place::kNear) continue;
     bee.named = false;
     Report of;
@@ -250,7 +258,9 @@ double BeeClocks::go_to(double now_s, double wall_s, std::vector<Step>& steps) {
 void BeeClocks::keep(const Report& report, Bee& bee) {
   // One of each bee must find place, as all may go on after a pause.
   if (kept_.size() >= kMostKept + 2 * bees_.size()) {
-    --bees_[kept_.front().report.id].kept;
+    Bee& first = bees_[kept_.front().report.id];
+    --first.kept;
+    first.broken = true;
     kept_.pop_front();
     ++left_out_;
   }
@@ -267,6 +277,7 @@ double BeeClocks::first_kept_s(const Report& report) const {
 void BeeClocks::drop_kept(PointId id, Bee& bee) {
   if (bee.kept == 0) return;
   left_out_ += std::exchange(bee.kept, 0);
+  bee.broken = true;
   std::erase_if(kept_, [id](const Kept& kept) { return kept.report.id == id; });
 }
 
@@ -288,7 +299,7 @@ void BeeClocks::release(double from_s, double wall_s, std::vector<Step>& steps) 
       }
       advance_to(kept.report.time_s, wall_s);
       from_s = std::min(now_s_, std::max(from_s, kept.report.time_s));
-      pass(kept.report, kept.report.time_s, steps);
+      pass(kept.report, bee, kept.report.time_s, steps);
       steps.back().now_s = from_s;
       return true;
     });
@@ -297,10 +308,21 @@ void BeeClocks::release(double from_s, double wall_s, std::vector<Step>& steps) 
 }
 
 void BeeClocks::finish(std::vector<Step>& steps) {
+  // Whether these are late only will not be known any more.
+  for (PointId id = 0; id < bees_.size(); ++id) {
+    Bee& bee = bees_[id];
+    const bool behind = bee.place == Place::kBehind && bee.times >= kTimesBehind;
+    if (bee.named || !behind || bee.period == 0) continue;
+    Report of;
+    of.id = id;
+    of.time_s = bee.last_s;
+    name(of, bee, steps);
+  }
   for (const Kept& kept : kept_) {
-    bees_[kept.report.id].kept = 0;
+    Bee& bee = bees_[kept.report.id];
+    bee.kept = 0;
     advance_to(kept.report.time_s, now_wall_s_);
-    pass(kept.report, kept.report.time_s, steps);
+    pass(kept.report, bee, kept.report.time_s, steps);
   }
   kept_.clear();
 }

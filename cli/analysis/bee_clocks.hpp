@@ -9,8 +9,11 @@
 // the clock steps. Nothing comes from the future, so that is right but for how long reports take.
 //
 // One that is behind may be late only. It is passed on as it is if it is not older than
-// `max_age_s`, and kept back otherwise; a bee that is behind for `max_age_s` together is named, and
-// where it is farther behind than that, corrected.
+// `max_age_s`, and kept back otherwise; a bee that is behind for `max_age_s` together, or three
+// times in a row at the end of the input, is named and corrected.
+//
+// Where what is passed on of a bee does not go on from what was passed on before, as reports in
+// between are left out, or it is corrected by something else, kLost comes between the two.
 //
 // Where more than half of the bees that were heard of lately are ahead, or behind three times in a
 // row (once they are late, as it happens to several at once), it is the time of the swarm that is
@@ -48,6 +51,7 @@ class BeeClocks {
   struct Step {
     enum class Kind : std::uint8_t {
       kReport,  // take this one, at its time
+      kLost,    // what comes next of report.id does not go on from what came before
       kOff,     // of report.id: its clock is ahead by ahead_s, or behind where that is negative
       kRight,   // its clock is right again
       kBack,    // the time of the swarm goes back to now_s
@@ -99,6 +103,7 @@ class BeeClocks {
     bool off = false;            // corrected
     bool named = false;          // and not right again
     bool stepped = false;        // its own clock went back when it was first found elsewhere
+    bool broken = false;         // what comes next does not go on from what was passed on last
   };
 
   struct Kept {
@@ -117,7 +122,7 @@ class BeeClocks {
                       std::vector<Step>& steps);
   void correct(const Report& report, Bee& bee, double wall_s, std::vector<Step>& steps);
   void name(const Report& report, Bee& bee, std::vector<Step>& steps);
-  void pass(const Report& report, double time_s, std::vector<Step>& steps) const;
+  void pass(const Report& report, Bee& bee, double time_s, std::vector<Step>& steps) const;
   double go_to(double now_s, double wall_s, std::vector<Step>& steps);
   void keep(const Report& report, Bee& bee);
   [[nodiscard]] double first_kept_s(const Report& report) const;

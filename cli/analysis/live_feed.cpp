@@ -42,6 +42,11 @@ std::optional<PointId> LiveFeed::number(std::string_view id, std::string_view la
   return found;
 }
 
+std::optional<PointId> LiveFeed::known(std::string_view id) const {
+  const auto found = numbers_.find(id);
+  return found == numbers_.end() ? std::nullopt : std::optional<PointId>(found->second);
+}
+
 Error LiveFeed::too_many() {
   ++refused_;
   return {ErrorCode::kTooManyPoints,
@@ -80,6 +85,9 @@ Status LiveFeed::follow() {
     switch (step.kind) {
       case BeeClocks::Step::Kind::kReport:
         next = pass_on(step.report, step.now_s);
+        break;
+      case BeeClocks::Step::Kind::kLost:
+        swarm_.lose(step.report.id);
         break;
       case BeeClocks::Step::Kind::kOff:
         note({ClockNote::Kind::kOff, step.now_s, step.report.id, step.ahead_s, 0.0});
@@ -123,8 +131,10 @@ Status LiveFeed::pass_on(const Report& report, double now_s) {
   if (!looks_ || now_s > next_look_s_) {
     if (auto done = look_before(now_s); !done) return done;
   }
+  const std::uint64_t contrary = swarm_.counts().contrary;
   Status taken = swarm_.update(report);
   if (!taken) return taken;
+  if (contrary_ && swarm_.counts().contrary > contrary) contrary_(report);
   latest_s_ = std::max(latest_s_.value_or(now_s), now_s);
   if (reported_) reported_(report);
   return taken;
@@ -174,14 +184,15 @@ double LiveFeed::next_look_in_s(double wall_s) const {
   return std::clamp(std::max(due_s, not_before_s_ - wall_s), 0.0, kLongestWait_s);
 }
 
-// Time goes back: bees that are known at times to come would be in the way.
+// Time goes back: bees that are known at times to come would be in the way. They stay known, as of
+// so long ago.
 Status LiveFeed::go_back(double now_s, bool anew) {
   const double before_s = std::max(latest_s_.value_or(now_s), looked_s_);
   if (!anew && before_s <= now_s + max_age_s_) {
     looks_.reset();
     return std::monostate{};
   }
-  Status done = end();
+  Status done = end(now_s);
   ended_with_.reset();
   silences_.clear();
   looks_.reset();
@@ -203,12 +214,12 @@ Status LiveFeed::finish() {
   return done ? ended : done;
 }
 
-Status LiveFeed::end() {
+Status LiveFeed::end(std::optional<double> anew_s) {
   if (!latest_s_) return std::monostate{};
   if (auto done = look(std::max(*latest_s_, looked_s_)); !done) return done;
   ended_with_ = swarm_.counts();
   silences_ = swarm_.silences(looked_s_);
-  const auto events = swarm_.finish(looked_s_);
+  const auto events = anew_s ? swarm_.begin_anew(looked_s_, *anew_s) : swarm_.finish(looked_s_);
   if (!events) return events.error();
   if (!events->empty()) tell_(*events);
   return std::monostate{};

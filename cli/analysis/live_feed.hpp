@@ -70,10 +70,15 @@ class LiveFeed {
   using Noted = std::function<void(const ClockNote& note)>;
   void after_each_note(Noted note) { note_ = std::move(note); }
 
+  // Sees each report that was not taken as its bee is elsewhere at that time already.
+  void after_each_contrary(Reported contrary) { contrary_ = std::move(contrary); }
+
   // The number of a bee, by its id; nothing where there are too many. What it is called beside
   // that is kept, if it is said.
   std::optional<PointId> number(std::string_view id, std::string_view label);
   [[nodiscard]] const BeeName& name(PointId number) const { return names_[number]; }
+  // The same of one that has a number already.
+  [[nodiscard]] std::optional<PointId> known(std::string_view id) const;
 
   // What is wrong where there are too many; it is told at the next look.
   Error too_many();
@@ -131,7 +136,7 @@ class LiveFeed {
   Status pass_on(const Report& report, double now_s);
   Status go_back(double now_s, bool anew);
   Status look(double time_s);
-  Status end();
+  Status end(std::optional<double> anew_s = {});
 
   Swarm swarm_;
   double max_age_s_;
@@ -142,6 +147,7 @@ class LiveFeed {
   Tell tell_;
   Looked looked_;
   Reported reported_;
+  Reported contrary_;
   Noted note_;
   std::optional<std::int64_t> looks_;      // the number of the last
   double next_look_s_ = kNever;            // when the next is

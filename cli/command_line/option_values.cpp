@@ -104,4 +104,14 @@ Result<std::optional<double>> read_optional_amount(std::string_view command,
   return std::optional<double>(*value);
 }
 
+Status in_motion_domain(std::string_view command, const std::string& option,
+                        const std::string& text, double value) {
+  const double size = std::abs(value);
+  if (value == 0.0 || (size >= kSmallestInMotion && size <= kLargestInMotion)) {
+    return std::monostate{};
+  }
+  return usage_error(command, option + " '" + text +
+                                  "' cannot be computed with; use a size from 7.9e-31 to 1.3e+30");
+}
+
 }  // namespace beespace::cli

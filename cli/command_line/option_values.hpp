@@ -45,4 +45,8 @@ Result<std::optional<double>> read_optional_amount(std::string_view command,
                                                    const std::string& text, const char* unit,
                                                    Least least);
 
+// An amount that what moves can be computed with: 0, or in the motion domain. `text` is as typed.
+Status in_motion_domain(std::string_view command, const std::string& option,
+                        const std::string& text, double value);
+
 }  // namespace beespace::cli

@@ -4,6 +4,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include <optional>
+#include <tuple>
+
 namespace beespace::cli {
 
 void add_live_options(CLI::App& command, LiveOptions& options, const char* group) {
@@ -34,6 +37,14 @@ Result<LiveRequest> live_request(const char* command, const LiveOptions& options
   const auto every =
       read_optional_amount(command, "--look-every", options.look_every, "seconds", {0.0, false});
   if (!every) return every.error();
+  for (const auto& [option, text, value] :
+       {std::tuple<const char*, const std::string&, std::optional<double>>{
+            "--horizon", options.horizon, *horizon},
+        {"--leave-factor", options.leave_factor, *leave}}) {
+    if (auto good = in_motion_domain(command, option, text, value.value_or(0.0)); !good) {
+      return good.error();
+    }
+  }
   return LiveRequest{horizon->value_or(10.0), leave->value_or(1.1), every->value_or(0.1)};
 }
 

@@ -45,6 +45,8 @@ const char* name_of(Doubt doubt) {
       return "near_unknown";
     case Doubt::kRefused:
       return "refused";
+    case Doubt::kUnplaced:
+      return "unplaced_bee";
   }
   return "unknown";
 }

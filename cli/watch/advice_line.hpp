@@ -24,8 +24,9 @@ enum class Doubt : std::uint8_t {
   kTooClose,      // by Adviser::advise
   kNearUnknown,   // the same: to where one of which nothing is known may be
   kRefused,       // Adviser::advise cannot use its state
+  kUnplaced,      // another bee has been heard of, and it is not known where
 };
-inline constexpr std::size_t kDoubts = 9;
+inline constexpr std::size_t kDoubts = 10;
 const char* name_of(Doubt doubt);
 
 // When a look is taken, and from when on it is to be flown.

@@ -215,6 +215,7 @@ void LiveAdvice::tell_all() {
     if (doubt == Doubt::kNone && advice.clear_of_unknown_s < ticks_.step_s()) {
       doubt = Doubt::kNearUnknown;
     }
+    if (doubt == Doubt::kNone && unplaced_) doubt = Doubt::kUnplaced;
     ++counts.doubts[static_cast<std::size_t>(doubt)];
     // A bee that is heard of no more after this has its name in one line at least.
     const bool told = !bee.advised || doubt != Doubt::kNone || !(advice.velocity == mover.velocity);

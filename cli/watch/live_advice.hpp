@@ -12,7 +12,8 @@
 //   pairs is widened;
 // - it has its distance from all others, by Adviser::advise; from one that is stale, or was heard
 // of
-//   once and without a velocity, wherever that may be by its greatest speed.
+//   once and without a velocity, wherever that may be by its greatest speed;
+// - no bee has been heard of whose place is not known at all.
 // Otherwise the line says what fails. A bee is never forgotten, until it is removed.
 //
 // Between positions in degrees the frame is that of the Earth, in which z is not up. The advice
@@ -71,6 +72,11 @@ class LiveAdvice {
   // A bee that is there no longer.
   void remove(PointId id);
 
+  // Whether a bee has been heard of here; and whether there are others, of which it is not known
+  // where they are: then no bee is certified.
+  [[nodiscard]] bool knows(PointId id) const { return bees_.contains(id); }
+  void note_unplaced(bool any) { unplaced_ = any; }
+
   // The lines of bees so far; those of bees that are not certified; looks for which the reports of
   // their time came too late.
   [[nodiscard]] std::uint64_t told() const { return told_; }
@@ -116,6 +122,7 @@ class LiveAdvice {
   std::vector<FlightLimits> limits_;
   std::vector<UnknownBee> unknown_;
   Advised advised_;
+  bool unplaced_ = false;
   std::uint64_t told_ = 0;
   std::uint64_t uncertified_ = 0;
   std::uint64_t skipped_ = 0;

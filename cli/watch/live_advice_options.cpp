@@ -88,6 +88,8 @@ Result<std::optional<LiveAdviceRequest>> live_advice_request(const char* command
     const auto step = read_span(command, "--step", options.step);
     if (!step) return step.error();
     request.options.step_s = *step;
+  } else if (!(looks.look_every_s >= 1e-6 && looks.look_every_s <= 1e6)) {
+    return usage_error(command, "--look-every is no step of advice; say --step");
   }
   // In this time all come to a stop, whatever they are told.
   request.options.unknown_horizon_s = request.options.step_s + *speed / *acceleration;

@@ -20,7 +20,11 @@
 #include <cerrno>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <optional>
+#include <set>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -109,8 +113,9 @@ class Watch {
     }
     if (!request_.quiet) say(summary());
     if (interrupted()) return exit_code_of_interruption();
-    if (!feed_) return nothing_read();
-    return request_.fail_on_risk && tally_.risk() ? ExitCode::kRiskFound : ExitCode::kFine;
+    if (!feed_ || feed_->counts().taken == 0) return nothing_read();
+    return request_.fail_on_risk && tally_.risk(*feed_, left_out_) ? ExitCode::kRiskFound
+                                                                   : ExitCode::kFine;
   }
 
   // Whose first report tells what distances are taken of.
@@ -125,10 +130,12 @@ class Watch {
     feed_.emplace(options, request_.times,
                   [this](const std::vector<SwarmEvent>& events) { tell(events); });
     feed_->after_each_note([this](const ClockNote& note) { tell(note); });
+    feed_->after_each_contrary([this](const Report& report) { note_contrary(report); });
     if (!request_.advice) return;
     begin_advice();
     feed_->after_each_report([this](const Report& report) {
       reported_s_ = came_s_;
+      if (!unplaced_.empty()) note_placed(feed_->name(report.id).id);
       note_advice(advice_->take(report));
     });
   }
@@ -139,11 +146,38 @@ class Watch {
         [this](const std::string& lines) {
           if (write_error_ == 0) write_error_ = write_out(lines);
         });
+    advice_->note_unplaced(any_unplaced());
   }
+
+  // A bee has been heard of, perhaps in a line that cannot be taken otherwise: as long as it is not
+  // known where it is, advice certifies no bee.
+  void note_heard_of(std::string_view id) {
+    constexpr std::size_t kMost = 100'000;
+    if (!request_.advice || id.empty()) return;
+    const auto number = feed_ ? feed_->known(id) : std::nullopt;
+    if (number && advice_->knows(*number)) return;
+    if (unplaced_.size() < kMost) {
+      unplaced_.emplace(id);
+    } else {
+      many_unplaced_ = true;
+    }
+    if (advice_) advice_->note_unplaced(true);
+  }
+
+  void note_placed(std::string_view id) {
+    const auto known = unplaced_.find(id);
+    if (known == unplaced_.end()) return;
+    unplaced_.erase(known);
+    if (advice_) advice_->note_unplaced(any_unplaced());
+  }
+
+  [[nodiscard]] bool any_unplaced() const { return many_unplaced_ || !unplaced_.empty(); }
 
   Status take(std::string_view line) {
     const auto read = lines_.take(line);
     if (!read) {
+      if (lines_.ended()) return read.error();
+      note_heard_of(lines_.bad_id());
       if (lines_.understood()) {
         note_bad(read.error());
         return std::monostate{};
@@ -157,6 +191,7 @@ class Watch {
     if (!*read) return std::monostate{};
     const io::ReportLine& at = **read;
     if (at.leaves) {
+      note_placed(at.id);
       const auto bee = feed_ ? feed_->leave(at.id) : std::nullopt;
       if (bee && advice_) advice_->remove(*bee);
       return std::monostate{};
@@ -165,6 +200,7 @@ class Watch {
     const auto metres = in_metres(at.position, at.velocity, at.frame, geometry_,
                                   {at.stated_height, at.height_unit});
     if (!metres) {
+      note_heard_of(at.id);
       note_bad(metres.error());
       return std::monostate{};
     }
@@ -172,12 +208,14 @@ class Watch {
     if (interrupted()) return std::monostate{};
     const auto number = feed_->number(at.id, at.label);
     if (!number) {
+      note_heard_of(at.id);
       note_bad(feed_->too_many());
       return std::monostate{};
     }
     Status taken = feed_->take({*number, time_of(at), metres->position, metres->velocity,
                                 metres->height_m, metres->climb_mps},
                                wall_s());
+    note_heard_of(at.id);
     if (taken) return taken;
     note_bad(taken.error());
     return std::monostate{};
@@ -206,8 +244,14 @@ class Watch {
     return came_s_ + since_1970_;
   }
 
+  void note_contrary(const Report& report) {
+    if (++left_out_.contrary > kMostBadLinesSaid || request_.quiet) return;
+    say("beespace: left out: " + printable(feed_->name(report.id).id) +
+        " is said to be at two places at " + exact(report.time_s) + " s; the first one counts\n");
+  }
+
   void note_bad(const Error& error) {
-    if (++bad_lines_ > kMostBadLinesSaid || request_.quiet) return;
+    if (++left_out_.lines > kMostBadLinesSaid || request_.quiet) return;
     say("beespace: left out: " + printable(to_string(error)) + "\n");
   }
 
@@ -237,8 +281,8 @@ class Watch {
   [[nodiscard]] Error nothing_read() const {
     if (!not_understood_.empty()) return none_understood();
     return {ErrorCode::kNoPoints,
-            bad_lines_ > 0 ? "no line of the input could be read as a report"
-                           : "there is no report in the input",
+            left_out_.lines > 0 ? "no line of the input could be read as a report"
+                                : "there is no report in the input",
             {}};
   }
 
@@ -257,8 +301,11 @@ class Watch {
       append_summary_line(out, "repeated", grouped(counts.repeated) + " left out");
     }
     if (feed_) tally_.append_clocks(out, *feed_);
-    if (bad_lines_ > 0) {
-      append_summary_line(out, "bad lines", red(grouped(bad_lines_)) + " left out");
+    if (left_out_.contrary > 0) {
+      append_summary_line(out, "contrary", red(grouped(left_out_.contrary)) + " left out");
+    }
+    if (left_out_.lines > 0) {
+      append_summary_line(out, "bad lines", red(grouped(left_out_.lines)) + " left out");
     }
     append_summary_line(out, "bees",
                         grouped(counts.bees) + " heard of, " + grouped(counts.stale) + " stale");
@@ -266,7 +313,7 @@ class Watch {
     append_summary_line(
         out, "threshold",
         separation_text(request_.swarm.threshold_m, request_.swarm.vertical_m, false));
-    if (feed_) tally_.append_events(out, *feed_);
+    if (feed_) tally_.append_events(out, *feed_, left_out_);
     if (advice_) append_advice(out);
     return out;
   }
@@ -300,7 +347,9 @@ class Watch {
       std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch() -
                                     std::chrono::steady_clock::now().time_since_epoch())
           .count();
-  std::uint64_t bad_lines_ = 0;
+  LeftOutOfWatch left_out_;
+  std::set<std::string, std::less<>> unplaced_;  // ids, for advice
+  bool many_unplaced_ = false;                   // more than are kept
   std::uint64_t unadvised_looks_ = 0;
   int write_error_ = 0;  // the errno of it
 };

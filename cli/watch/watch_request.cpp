@@ -8,6 +8,8 @@
 #include "cli/input/moving_options.hpp"
 #include "cli/watch/live_advice_options.hpp"
 
+#include <vector>
+
 namespace beespace::cli {
 namespace {
 
@@ -22,6 +24,33 @@ Result<std::size_t> read_bound(const std::string& option, const std::string& tex
   if (value && *value >= 1 && *value <= kMost) return static_cast<std::size_t>(*value);
   return usage_error(
       kName, option + " '" + text + "' is not a whole number from 1 to " + std::to_string(kMost));
+}
+
+// What the engine can compute with, so that no report is refused for the options. A vertical
+// threshold may be compared as typed, or in metres.
+Status domain_problem(const WatchOptions& typed, const SwarmOptions& swarm,
+                      const std::optional<StatedLength>& vertical) {
+  if (auto good = in_motion_domain(kName, "--max-age", typed.max_age, swarm.max_age_s); !good) {
+    return good;
+  }
+  if (auto good = in_motion_domain(kName, "--max-speed", typed.advice.max_speed,
+                                   swarm.max_speed_mps.value_or(0.0));
+      !good) {
+    return good;
+  }
+  std::vector<std::optional<double>> heights = {swarm.vertical_m};
+  if (vertical) heights.emplace_back(vertical->value);
+  for (const auto& height : heights) {
+    if (auto good = in_motion_domain(kName, "--vertical", typed.vertical, height.value_or(0.0));
+        !good) {
+      return good;
+    }
+    SwarmOptions compared = swarm;
+    compared.vertical_m = height;
+    const auto usable = Swarm(compared).advance(0.0);
+    if (!usable) return usage_error(kName, usable.error().message);
+  }
+  return std::monostate{};
 }
 
 }  // namespace
@@ -74,17 +103,19 @@ Result<WatchRequest> watch_request(const WatchOptions& options) {
       kName, options.advice,
       {*threshold, vertical->has_value(), live->look_every_s, *max_age, *threads});
   if (!advice) return advice.error();
+  const SwarmOptions swarm{.threshold_m = *threshold,
+                           .vertical_m = vertical_m,
+                           .leave_factor = live->leave_factor,
+                           .horizon_s = live->horizon_s,
+                           .max_age_s = *max_age,
+                           .threads = *threads,
+                           .max_speed_mps = max_speed,
+                           .max_bees = *max_bees,
+                           .max_pairs = *max_pairs};
+  if (auto good = domain_problem(options, swarm, *vertical); !good) return good.error();
   return WatchRequest{options.input.empty() ? "-" : options.input,
                       *reading,
-                      {.threshold_m = *threshold,
-                       .vertical_m = vertical_m,
-                       .leave_factor = live->leave_factor,
-                       .horizon_s = live->horizon_s,
-                       .max_age_s = *max_age,
-                       .threads = *threads,
-                       .max_speed_mps = max_speed,
-                       .max_bees = *max_bees,
-                       .max_pairs = *max_pairs},
+                      swarm,
                       *vertical,
                       {live->look_every_s, skew->value_or(default_max_skew_s(*max_age))},
                       options.clock == "arrival",

@@ -28,9 +28,38 @@ double unknown_s(const std::vector<Silence>& silences) {
   return sum_s;
 }
 
+// What has been heard and is not in the answer.
+std::vector<std::string> untaken(const LiveFeed& feed, const LeftOutOfWatch& left_out) {
+  std::vector<std::string> texts;
+  const auto add = [&](std::uint64_t count, const char* one, const char* many) {
+    if (count > 0) texts.push_back(several(count, one, many));
+  };
+  add(left_out.lines, "line was left out", "lines were left out");
+  add(feed.counts().late, "report came too late", "reports came too late");
+  add(left_out.contrary, "report contradicts another one", "reports contradict others");
+  add(feed.clocks().left_out(), "report was left out for its time",
+      "reports were left out for their times");
+  return texts;
+}
+
+// What is known, but not well enough.
+std::vector<std::string> doubtful(const LiveFeed& feed) {
+  std::vector<std::string> texts;
+  const auto add = [&](std::uint64_t count, const char* one, const char* many) {
+    if (count > 0) texts.push_back(several(count, one, many));
+  };
+  add(feed.clocks().named(), "bee's clock was off", "bees' clocks were off");
+  if (feed.begun_anew() > 0) texts.emplace_back("all clocks began anew");
+  add(feed.counts().heard_once, "bee was heard of once only", "bees were heard of once only");
+  add(feed.counts().predicted, "predicted conflict lay ahead at the end",
+      "predicted conflicts lay ahead at the end");
+  return texts;
+}
+
 }  // namespace
 
-bool WatchTally::risk() const {
+bool WatchTally::risk(const LiveFeed& feed, const LeftOutOfWatch& left_out) const {
+  if (!untaken(feed, left_out).empty() || !doubtful(feed).empty()) return true;
   return told(EventKind::kEntered) > 0 || told(EventKind::kLost) > 0 ||
          told(EventKind::kPossible) > 0 || told(EventKind::kOverloaded) > 0 ||
          (told(EventKind::kStale) > 0 && !speed_stated_);
@@ -77,7 +106,8 @@ void WatchTally::append_unknown(std::string& out, const LiveFeed& feed) const {
   append_summary_line(out, "unknown", text);
 }
 
-void WatchTally::append_events(std::string& out, const LiveFeed& feed) const {
+void WatchTally::append_events(std::string& out, const LiveFeed& feed,
+                               const LeftOutOfWatch& left_out) const {
   for (const EventKind kind : {EventKind::kPredicted, EventKind::kEntered, EventKind::kLeft}) {
     append_summary_line(out, name_of(kind), grouped(told(kind)));
   }
@@ -85,10 +115,10 @@ void WatchTally::append_events(std::string& out, const LiveFeed& feed) const {
        {EventKind::kLost, EventKind::kPossible, EventKind::kEnded, EventKind::kOverloaded}) {
     if (told(kind) > 0) append_summary_line(out, name_of(kind), grouped(told(kind)));
   }
-  append_summary_line(out, "verdict", verdict(feed));
+  append_summary_line(out, "verdict", verdict(feed, left_out));
 }
 
-std::string WatchTally::verdict(const LiveFeed& feed) const {
+std::string WatchTally::verdict(const LiveFeed& feed, const LeftOutOfWatch& left_out) const {
   std::string text;
   if (told(EventKind::kEntered) > 0) {
     text = red(several(told(EventKind::kEntered), "conflict", "conflicts"));
@@ -100,12 +130,21 @@ std::string WatchTally::verdict(const LiveFeed& feed) const {
         ", " + red(several(told(EventKind::kPossible), "possible conflict", "possible conflicts"));
   }
   if (told(EventKind::kOverloaded) > 0) text += ", " + red("overloaded: not all was watched");
-  const std::size_t unknown = feed.silences().size();
-  if (told(EventKind::kStale) == 0) return text;
-  text += " in the known time; " +
-          red(several(std::max<std::size_t>(unknown, 1), "bee was", "bees were")) +
-          " unknown for a time";
-  if (!speed_stated_) text += " (state --max-speed, and it is said whom they may have met)";
+  const std::vector<std::string> left = untaken(feed, left_out);
+  const bool stale = told(EventKind::kStale) > 0;
+  if (stale) text += " in the known time";
+  if (!left.empty()) text += stale ? ", among what was taken" : " among what was taken";
+  if (stale) {
+    const std::size_t unknown = std::max<std::size_t>(feed.silences().size(), 1);
+    text += "; " + red(several(unknown, "bee was", "bees were")) + " unknown for a time";
+    if (!speed_stated_) text += " (state --max-speed, and it is said whom they may have met)";
+  }
+  const char* before = "; ";
+  for (const auto& reasons : {left, doubtful(feed)}) {
+    for (const std::string& reason : reasons) {
+      text += std::exchange(before, ", ") + red(reason);
+    }
+  }
   return text;
 }
 

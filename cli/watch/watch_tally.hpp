@@ -13,6 +13,12 @@
 
 namespace beespace::cli {
 
+// What was heard and not taken into account beside what the feed counts.
+struct LeftOutOfWatch {
+  std::uint64_t lines = 0;     // bad ones
+  std::uint64_t contrary = 0;  // reports of a bee that is elsewhere at that time
+};
+
 class WatchTally {
  public:
   // Whether the greatest speed of bees was stated: then events say where an unknown bee may matter.
@@ -27,17 +33,18 @@ class WatchTally {
   }
 
   // Whether it does not follow from what is known that no two have come too close: two have, or
-  // may have, or it is not known where bees were.
-  [[nodiscard]] bool risk() const;
+  // may have or are about to, or it is not known where bees were, or not all that was heard could
+  // be taken into account.
+  [[nodiscard]] bool risk(const LiveFeed& feed, const LeftOutOfWatch& left_out) const;
 
   // Lines of the summary, once the input has ended: of clocks, of who was unknown for how long; and
   // of events, with the verdict.
   void append_clocks(std::string& out, const LiveFeed& feed) const;
   void append_unknown(std::string& out, const LiveFeed& feed) const;
-  void append_events(std::string& out, const LiveFeed& feed) const;
+  void append_events(std::string& out, const LiveFeed& feed, const LeftOutOfWatch& left_out) const;
 
  private:
-  [[nodiscard]] std::string verdict(const LiveFeed& feed) const;
+  [[nodiscard]] std::string verdict(const LiveFeed& feed, const LeftOutOfWatch& left_out) const;
 
   bool speed_stated_;
   std::array<std::uint64_t, kEventKinds> told_{};

@@ -18,7 +18,8 @@
 /// again, what is true then is reported anew: *entered*, if the two are in conflict at that
 /// instant. With SwarmOptions::max_speed_mps, a stale agent is somewhere in a growing ball around
 /// the position where it was last heard of, and any other agent in one around its own last report:
-/// where these come closer than the threshold a conflict is *possible*. That is reported once for a
+/// where these come closer than the threshold, before one of the two is heard of, a conflict is
+/// *possible*. That is reported once for a
 /// pair until one of the two is heard of again after a silence, or removed, and is true until then.
 ///
 /// Hysteresis: a pair that has entered (come closer than the threshold) has left only when it is
@@ -163,6 +164,11 @@ struct SwarmCounts {
   std::uint64_t bees = 0;      ///< Agents that are known and not stale, now.
   std::uint64_t stale = 0;     ///< Agents that are stale, now.
   std::uint64_t refused = 0;   ///< Of an agent beyond `max_bees`: left out.
+  std::uint64_t contrary = 0;  ///< The time of one of the last two again, elsewhere: left out.
+  /// @brief Agents that are known from one report only: where they were at that instant, no more.
+  std::uint64_t heard_once = 0;
+  /// @brief Pairs of which a conflict was predicted that has neither begun nor been averted, now.
+  std::uint64_t predicted = 0;
   /// @brief For how long agents have been unknown in all, in seconds, removed ones included, where
   /// they have been heard of again.
   double unknown_s = 0.0;
@@ -224,8 +230,8 @@ class BEESPACE_API Swarm {
   /// @brief Frees its memory.
   ~Swarm();
 
-  /// @brief Takes a report, in any order of agents; of one agent, late and repeated ones are
-  /// counted and left out.
+  /// @brief Takes a report, in any order of agents; of one agent, late, repeated and contrary
+  /// ones are counted and left out.
   /// @param report The report, in metres and seconds.
   /// @return Success; or an error with the agent in Place::record, in which case the report is left
   ///   out, and all others count:
@@ -243,6 +249,14 @@ class BEESPACE_API Swarm {
   /// @param id The caller's number of the agent.
   void remove(PointId id);
 
+  /// @brief Breaks the line of an agent: its next report does not go on from those before it (its
+  /// clock has stepped, or reports in between cannot be used).
+  ///
+  /// The agent is stale from its last report on, until it is heard of again.
+  ///
+  /// @param id The caller's number of the agent.
+  void lose(PointId id);
+
   /// @brief Reports what has happened since the last call, and what is predicted.
   /// @param now_s The time in seconds, by which the age of reports is judged.
   /// @return The events, in ascending order of (time, kind, first, second); or an error:
@@ -259,6 +273,17 @@ class BEESPACE_API Swarm {
   /// @param now_s The time in seconds.
   /// @return The events, or an error, as advance().
   Result<std::vector<SwarmEvent>> finish(double now_s);
+
+  /// @brief As finish(), but all agents stay known: times begin anew, and what was `now_s` is
+  /// `then_s` from now on.
+  ///
+  /// Stale agents stay stale. Of the others nothing is known between their last reports and the
+  /// first ones that come now; they are stale where none comes for `max_age_s`.
+  ///
+  /// @param now_s The time in seconds, as it was.
+  /// @param then_s The same instant in seconds, as it is from now on.
+  /// @return The events, or an error, as advance().
+  Result<std::vector<SwarmEvent>> begin_anew(double now_s, double then_s);
 
   /// @brief Says what became of the reports.
   /// @return The counts.

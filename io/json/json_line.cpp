@@ -1,11 +1,14 @@
 #include "io/json/json_line.hpp"
 
 #include "io/json/json_fault.hpp"
+#include "io/problems/excerpt.hpp"
 
 #include <array>
+#include <bitset>
 #include <charconv>
 #include <cstdint>
 #include <new>
+#include <optional>
 
 namespace beespace::io {
 namespace {
@@ -28,6 +31,24 @@ Error syntax_error(std::string_view line, simdjson::error_code code) {
   return error;
 }
 
+// Of a few keys most differ in what this adds up, so that few are compared.
+std::optional<std::string_view> repeated_key(simdjson::dom::object object) {
+  std::bitset<256> seen;
+  for (auto at = object.begin(); at != object.end(); ++at) {
+    const std::string_view key = at.key();
+    std::size_t sum = key.size();
+    for (const char c : key.substr(0, 16)) sum = 31 * sum + static_cast<unsigned char>(c);
+    if (!seen.test(sum % seen.size())) {
+      seen.set(sum % seen.size());
+      continue;
+    }
+    for (auto before = object.begin(); before != at; ++before) {
+      if (before.key() == key) return key;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Result<simdjson::dom::object> JsonLine::parse(std::string_view line) {
@@ -39,7 +60,14 @@ Result<simdjson::dom::object> JsonLine::parse(std::string_view line) {
   if (code == simdjson::MEMALLOC) throw std::bad_alloc();
   if (code != simdjson::SUCCESS) return syntax_error(line, code);
   simdjson::dom::object object;
-  if (root.get(object) == simdjson::SUCCESS) return object;
+  if (root.get(object) == simdjson::SUCCESS) {
+    if (const auto key = repeated_key(object)) {
+      return Error{ErrorCode::kMalformedRecord,
+                   excerpt(*key) + " is there twice in this object; leave one out",
+                   {}};
+    }
+    return object;
+  }
   return Error{
       ErrorCode::kUnsupportedFormat,
       "this line is " + std::string(json_kind(root)) + ", not an object; write one object a line",

@@ -13,7 +13,7 @@ namespace beespace::io {
 class JsonLine {
  public:
   // What it returns holds until the next call. Errors: kTruncated, kCorrupt, with a column counted
-  // in bytes; kUnsupportedFormat where it is no object.
+  // in bytes; kUnsupportedFormat where it is no object; kMalformedRecord where it has a key twice.
   Result<simdjson::dom::object> parse(std::string_view line);
 
   // A text, or a whole number as one; false when it is neither. Holds until the next call of

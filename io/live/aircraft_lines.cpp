@@ -17,15 +17,17 @@ class AircraftLines final : public LineReader {
 
   Result<std::optional<ReportLine>> read(std::string_view line) override {
     if (auto problem = aircraft_problem(options_, "readsb JSON")) return *std::move(problem);
+    last_id_.clear();
     const auto object = line_.parse(line);
     if (!object) return object.error();
-    if (auto error = read_aircraft_object(*object, AircraftReport::kUnknown, report_)) {
-      return *std::move(error);
-    }
+    auto error = read_aircraft_object(*object, AircraftReport::kUnknown, report_);
+    last_id_ = report_.id;
+    if (error) return *std::move(error);
     return report_line(report_, choice_, left_out_);
   }
 
   [[nodiscard]] bool settled() const override { return !report_.id.empty(); }
+  [[nodiscard]] std::string_view last_id() const override { return last_id_; }
 
   [[nodiscard]] LineFacts facts() const override {
     LineFacts facts{"readsb JSON", choice_.datum(), left_out_.notes()};
@@ -40,6 +42,7 @@ class AircraftLines final : public LineReader {
   JsonLine line_;
   LeftOut left_out_;
   AircraftReport report_;
+  std::string last_id_;
 };
 
 }  // namespace

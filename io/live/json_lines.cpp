@@ -57,6 +57,7 @@ class JsonLines final : public LineReader {
   explicit JsonLines(const RecordingOptions& options) : options_(options) {}
 
   Result<std::optional<ReportLine>> read(std::string_view line) override {
+    last_id_.clear();
     if (unit_problem_) return *unit_problem_;
     const auto object = line_.parse(line);
     if (!object) return object.error();
@@ -68,6 +69,7 @@ class JsonLines final : public LineReader {
   }
 
   [[nodiscard]] bool settled() const override { return chosen_; }
+  [[nodiscard]] std::string_view last_id() const override { return last_id_; }
 
   [[nodiscard]] LineFacts facts() const override {
     LineFacts facts;
@@ -200,6 +202,7 @@ class JsonLines final : public LineReader {
     report.frame = layout_.frame;
     report.since_1970 = layout_.time->since_1970;
     if (auto error = read_id(report)) return *std::move(error);
+    last_id_ = report.id;
     if (auto error = read_time(report)) return *std::move(error);
     if (auto error = read_position(report)) return *std::move(error);
     if (auto error = read_velocity(report)) return *std::move(error);
@@ -276,6 +279,7 @@ class JsonLines final : public LineReader {
 
   RecordingOptions options_;
   JsonLine line_;
+  std::string last_id_;
   std::vector<std::string> names_;   // the keys, in the order in which they came first
   std::vector<std::uint8_t> slots_;  // by key: which value it is
   TrackLayout layout_;

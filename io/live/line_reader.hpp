@@ -33,6 +33,10 @@ class LineReader {
   // Whether the lines to come are known to be understood, each for itself.
   [[nodiscard]] virtual bool settled() const = 0;
   [[nodiscard]] virtual LineFacts facts() const = 0;
+  // Whose the last line was, as far as that could be read; or empty. As long as the line.
+  [[nodiscard]] virtual std::string_view last_id() const { return {}; }
+  // Whether the last error is about all lines to come: they cannot be understood as those before.
+  [[nodiscard]] virtual bool ended() const { return false; }
 };
 
 // `first_line` is where the table begins, counted from 1.

@@ -101,12 +101,18 @@ Result<std::optional<ReportLine>> ReportLines::leave(std::string_view line) {
 
 Result<std::optional<ReportLine>> ReportLines::take(std::string_view line) {
   ++lines_;
+  bad_id_ = {};
   auto report = read(without_line_end(line));
   if (report) return report;
+  bad_id_ = understood_ ? reader_->last_id() : std::string_view();
   Error& error = report.error();
   if (error.place.source.empty()) error.place.source = source_;
   if (!error.place.line) error.place.line = lines_;
   return report;
+}
+
+bool ReportLines::ended() const {
+  return reader_ && reader_->ended();
 }
 
 std::string ReportLines::description() const {

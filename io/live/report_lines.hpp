@@ -74,6 +74,12 @@ class ReportLines {
   // be about the input as a whole: columns that are missing, a unit or a frame that must be said.
   [[nodiscard]] bool understood() const { return understood_; }
 
+  // Of a line that is an error: whose it was, as far as that could be read; or empty. As long as
+  // the line.
+  [[nodiscard]] std::string_view bad_id() const { return bad_id_; }
+  // Whether that error is about all lines to come: another header, of other columns.
+  [[nodiscard]] bool ended() const;
+
   [[nodiscard]] std::uint64_t lines() const { return lines_; }
   [[nodiscard]] std::string description() const;  // "text, comma-separated", "readsb JSON", ...
   [[nodiscard]] HeightDatum heights() const;
@@ -91,6 +97,7 @@ class ReportLines {
   std::unique_ptr<LineReader> reader_;  // of the kind that the first line told
   std::unique_ptr<LineReader> later_;   // until a line is understood: of a later one
   std::unique_ptr<JsonLine> leave_;
+  std::string_view bad_id_ = {};
   std::uint64_t lines_ = 0;
   bool understood_ = false;
 };

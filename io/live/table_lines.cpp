@@ -1,7 +1,10 @@
 // A table of fixes that comes line by line: the header, then one record a line.
 #include "io/live/line_reader.hpp"
 #include "io/live/report_layout.hpp"
+#include "io/problems/excerpt.hpp"
 #include "io/problems/skipped_records.hpp"
+#include "io/problems/text_check.hpp"
+#include "io/table/fields.hpp"
 #include "io/tracks/track_layout.hpp"
 #include "io/tracks/track_record.hpp"
 
@@ -18,9 +21,20 @@ class TableLines final : public LineReader {
   }
 
   Result<std::optional<ReportLine>> read(std::string_view line) override {
-    if (!reader_) return read_first(line);
-    return read_record(line);
+    record_.id = {};
+    if (!reader_) {
+      if (auto header = take_header(line)) return *std::move(header);
+      return read_first(line);
+    }
+    auto report = read_record(line);
+    if (report) return report;
+    // What can be read as a record is no header.
+    if (auto header = take_header(line)) return *std::move(header);
+    return report;
   }
+
+  [[nodiscard]] std::string_view last_id() const override { return record_.id; }
+  [[nodiscard]] bool ended() const override { return ended_; }
 
   [[nodiscard]] bool settled() const override { return layout_found_; }
 
@@ -36,6 +50,43 @@ class TableLines final : public LineReader {
   }
 
  private:
+  // What becomes of a line that is a header again; nothing where it is none.
+  std::optional<Result<std::optional<ReportLine>>> take_header(std::string_view line) {
+    const auto again = repeats_header(line);
+    ended_ = !again;
+    if (!again) return again.error();
+    if (!*again) return std::nullopt;
+    return Result<std::optional<ReportLine>>(std::optional<ReportLine>());
+  }
+
+  // Whether the line is the header again, as where files are joined. One with other names, or one
+  // where there was none before, makes something else of the lines to come.
+  Result<bool> repeats_header(std::string_view line) {
+    if (!layout_found_ && header_.empty()) return false;
+    const char* const delimiters = "\t;, ";
+    for (const char delimiter : std::string_view(delimiters)) {
+      if (layout_found_ && delimiter != layout_.table.delimiter) continue;
+      const auto names = header_names(line, delimiter);
+      if (!names) continue;
+      const auto before =
+          layout_found_ ? trimmed(layout_.table.names) : header_names(header_, delimiter);
+      if (before == names) return true;
+      return Error{ErrorCode::kMalformedRecord,
+                   "another header, " + excerpt(line) +
+                       (before && !before->empty() ? ", than in line " : ", and none in line ") +
+                       std::to_string(first_line_) +
+                       "; read inputs of different columns each for itself",
+                   {}};
+    }
+    return false;
+  }
+
+  static std::optional<std::vector<std::string>> trimmed(const std::vector<std::string>& names) {
+    std::vector<std::string> some;
+    for (const std::string& name : names) some.emplace_back(without_padding(name));
+    return some;
+  }
+
   // The layout takes a record beside the header, so the header waits for one that can be read.
   Result<std::optional<ReportLine>> read_first(std::string_view line) {
     const bool headed = !header_.empty();
@@ -64,7 +115,10 @@ class TableLines final : public LineReader {
   }
 
   Result<std::optional<ReportLine>> read_record(std::string_view line) {
-    if (auto error = reader_->read(line, record_)) return without_advice(*std::move(error));
+    if (auto error = reader_->read(line, record_)) {
+      if (record_.id.empty()) record_.id = id_of(line);
+      return without_advice(*std::move(error));
+    }
     ReportLine report;
     report.id = record_.id;
     report.time_s = record_.time_s;
@@ -77,12 +131,27 @@ class TableLines final : public LineReader {
     return std::optional<ReportLine>(report);
   }
 
+  // Of a line that has too many fields, or too few, the id before the others, if it is text.
+  [[nodiscard]] std::string_view id_of(std::string_view line) const {
+    if (text_problem(line)) return {};
+    const std::size_t column = layout_.table.choice.id.value_or(0);
+    FieldCursor cursor(line, layout_.table.delimiter);
+    std::string_view id;
+    std::size_t count = 0;
+    for (Field field; cursor.next(field); ++count) {
+      if (count == column) id = field.text;
+    }
+    // The last one may be cut off.
+    return column + 1 < count ? id : std::string_view();
+  }
+
   RecordingOptions options_;
   std::uint64_t first_line_;
   std::string header_;
   std::string text_;  // what the layout was found from: it holds views of it
   TrackLayout layout_;
   bool layout_found_ = false;
+  bool ended_ = false;
   std::optional<TrackRecordReader> reader_;
   TrackRecord record_;
 };

@@ -259,6 +259,20 @@ std::optional<Error> read_header_line(const std::vector<std::string_view>& sampl
 
 }  // namespace
 
+std::optional<std::vector<std::string>> header_names(std::string_view line, char delimiter) {
+  auto fields = read_fields(without_comment_sign(line), delimiter);
+  if (!fields || fields->has_number() || damaged_value(fields.value())) return std::nullopt;
+  std::size_t positions = 0;
+  for (std::string& name : fields->fields) {
+    name = std::string(without_padding(name));
+    const HeaderWord word = read_header_word(name);
+    const bool id = word.role == Role::kId;
+    if (word.says_position || (word.role != Role::kNone && !id)) ++positions;
+  }
+  if (positions < 2) return std::nullopt;
+  return std::move(fields->fields);
+}
+
 std::optional<Error> no_record_problem(std::string_view text, const TableLayout& layout) {
   if (text.find_first_not_of(" \t\r\n\v\f", layout.data_offset) != std::string_view::npos) {
     return std::nullopt;

@@ -65,6 +65,10 @@ std::optional<Error> no_record_problem(std::string_view text, const TableLayout&
 // The line (1-based) that what is wrong with the columns as such is blamed on.
 std::uint64_t first_line(const TableLayout& layout);
 
+// The names of a line that can only be a header: words alone, two of which say a position. Nothing
+// for other lines.
+std::optional<std::vector<std::string>> header_names(std::string_view line, char delimiter);
+
 // "comma", "semicolon", "tab" or "space".
 std::string_view delimiter_name(char delimiter);
 

@@ -60,7 +60,7 @@ class Loop {
                          random_.bits());
     }
     flown_ << "id,time_s,x,y,z,vx,vy,vz\n";
-    watch_.send(plan.velocities ? "id,time_s,x,y,z,vx,vy,vz\n" : "id,time_s,x,y,z\n");
+    watch_.send(header());
   }
 
   Outcome run() {
@@ -212,6 +212,11 @@ class Loop {
     watch_.send(text);
   }
 
+  [[nodiscard]] const char* header() const {
+    return plan_.velocities ? "id,time_s,x,y,z,vx,vy,vz\n" : "id,time_s,x,y,z\n";
+  }
+
+  // What is no report. Another header would end it.
   std::string garbage() {
     const char* const lines[] = {"\n",
                                  "b0,nan,1,2,3,4,5,6\n",
@@ -220,7 +225,7 @@ class Loop {
                                  "b1,1,1e200,2,3,0,0,0\n",
                                  ",,,,,,,\n",
                                  "b1,1\n",
-                                 "id,time_s,x,y,z,vx,vy,vz\n",
+                                 header(),
                                  "\xff\xfe\x01,,;\"\n",
                                  "{\"id\": 3\n"};
     return lines[random_.below(std::size(lines))];

@@ -70,42 +70,81 @@ void LiveBees::begin_run(KnownBee& bee, const Report& report) {
   add(run, report);
 }
 
-LiveBees::Taken LiveBees::take(const Report& report, double max_age_s, std::size_t max_bees) {
+// What a report is that is no later than the last one of its bee. It is compared with the last two,
+// which are always known.
+std::optional<LiveBees::Taken> LiveBees::before_last(const KnownBee& bee,
+                                                     const Report& report) const {
   const Fix fix{report.time_s, report.position};
+  const auto compared = [&](const Fix& with, double height_m) {
+    const bool same = fix == with && (!heights_apart_ || height_m == report.height_m);
+    return same ? Taken::kRepeated : Taken::kContrary;
+  };
+  if (!bee.has_run()) {
+    if (fix.time_s > bee.last.time_s) return std::nullopt;
+    return fix.time_s == bee.last.time_s ? compared(bee.last, bee.height_m) : Taken::kLate;
+  }
+  const LiveRun& run = runs_[bee.run];
+  if (fix.time_s > run.last_s()) return std::nullopt;
+  for (std::size_t back = 1; back <= std::min<std::size_t>(2, run.fixes.size()); ++back) {
+    const std::size_t at = run.fixes.size() - back;
+    if (run.fixes[at].time_s != fix.time_s) continue;
+    return compared(run.fixes[at], heights_apart_ ? run.heights_m[at] : 0.0);
+  }
+  return Taken::kLate;
+}
+
+LiveBees::Taken LiveBees::take(const Report& report, double max_age_s, std::size_t max_bees) {
   const auto at = known_.find(report.id);
   if (at == known_.end()) {
     if (known_.size() >= max_bees) return Taken::kFull;
     begin_run(known_[report.id], report);
+    ++once_;
     return Taken::kYes;
   }
   KnownBee& bee = at->second;
-  const bool said_stale = bee.stale();
-  if (!said_stale) {
+  if (!bee.waiting) {
+    if (const auto left_out = before_last(bee, report)) return *left_out;
+  }
+  if (std::exchange(bee.once, false)) --once_;
+  if (std::exchange(bee.waiting, false)) {
+    --waiting_;
+    begin_run(bee, report);
+    return Taken::kYes;
+  }
+  const bool said_stale = bee.stale() && !bee.untold;
+  if (bee.has_run()) {
     LiveRun& run = runs_[bee.run];
-    if (fix == run.fixes.back()) return Taken::kRepeated;
-    if (fix.time_s <= run.last_s()) return Taken::kLate;
-    if (fix.time_s - run.last_s() <= max_age_s) {
+    if (report.time_s - run.last_s() <= max_age_s) {
       add(run, report);
       return Taken::kYes;
     }
     complete(bee, RunEnd::kSilent);
-  } else if (fix.time_s <= bee.last.time_s) {
-    return Taken::kLate;
   }
   const double since_s = bee.last.time_s;
   bee.unknown_s += report.time_s - since_s;
   unknown_s_ += report.time_s - since_s;
-  returns_.push_back({report.id, since_s, report.time_s, said_stale});
+  returns_.push_back(
+      {report.id, since_s, report.time_s, said_stale, bee.last, bee.height_m, bee.lost});
+  bee.lost = bee.untold = false;
   --stale_;
   begin_run(bee, report);
   return Taken::kYes;
 }
 
+void LiveBees::lose(PointId bee) {
+  const auto known = known_.find(bee);
+  if (known == known_.end() || !known->second.has_run()) return;
+  complete(known->second, RunEnd::kSilent);
+  known->second.lost = known->second.untold = true;
+  lost_.push_back(bee);
+}
+
 void LiveBees::remove(PointId bee) {
   const auto known = known_.find(bee);
   if (known == known_.end()) return;
-  if (!known->second.stale()) complete(known->second, RunEnd::kRemoved);
-  --stale_;
+  if (known->second.has_run()) complete(known->second, RunEnd::kRemoved);
+  --(known->second.waiting ? waiting_ : stale_);
+  if (known->second.once) --once_;
   ++changes_;
   known_.erase(known);
 }
@@ -122,9 +161,26 @@ void LiveBees::complete(KnownBee& bee, RunEnd end) {
   ++changes_;
 }
 
-void LiveBees::complete_all() {
+void LiveBees::complete_all(bool anew) {
   for (auto& [id, bee] : known_) {
-    if (!bee.stale()) complete(bee, RunEnd::kFinished);
+    if (!bee.has_run()) continue;
+    complete(bee, RunEnd::kFinished);
+    if (!anew) continue;
+    bee.waiting = true;
+    --stale_;
+    ++waiting_;
+  }
+}
+
+void LiveBees::begin_anew(double later_s) {
+  runs_.clear();
+  free_.clear();
+  returns_.clear();
+  lost_.clear();
+  ++changes_;
+  for (auto& [id, bee] : known_) {
+    bee.last.time_s = told(bee.last.time_s + later_s);
+    bee.untold = false;
   }
 }
 

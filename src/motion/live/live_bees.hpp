@@ -48,11 +48,16 @@ struct KnownBee {
   static constexpr std::uint32_t kStale = std::numeric_limits<std::uint32_t>::max();
 
   std::uint32_t run = kStale;  // the place of the run under way
-  Fix last = {};               // where it was last heard of, if it is stale
+  Fix last = {};               // where it was last heard of, if it has no run
   double height_m = 0.0;
   double unknown_s = 0.0;  // silences that are over
+  bool waiting = false;    // without a run and not stale: times have begun anew
+  bool lost = false;       // stale from its last report on, however old that is
+  bool untold = false;     // and nothing has been said of that
+  bool once = true;        // heard of once only
 
-  [[nodiscard]] bool stale() const { return run == kStale; }
+  [[nodiscard]] bool has_run() const { return run != kStale; }
+  [[nodiscard]] bool stale() const { return run == kStale && !waiting; }
 };
 
 // That a bee has been heard of again after a silence.
@@ -61,6 +66,9 @@ struct Return {
   double since_s;
   double heard_s;
   bool said_stale;  // while it lasted
+  Fix last;         // before it
+  double height_m;
+  bool lost;
 };
 
 class LiveBees {
@@ -69,23 +77,28 @@ class LiveBees {
 
   // Returns what became of the report, whose values are flushed; kFull where it is of a bee beyond
   // `max_bees`.
-  enum class Taken : std::uint8_t { kYes, kRepeated, kLate, kFull };
+  enum class Taken : std::uint8_t { kYes, kRepeated, kLate, kContrary, kFull };
   Taken take(const Report& report, double max_age_s,
              std::size_t max_bees = std::numeric_limits<std::size_t>::max());
 
   // A bee that is there no longer; nothing where it is not known.
   void remove(PointId bee);
+  // What comes next of a bee does not go on from what came before: it is stale until then.
+  void lose(PointId bee);
   // Completes all that have not been heard of for more than max_age_s; calls stale(bee, last heard
   // of). By the difference of the two times, as take() does between two reports.
   template <class Stale>
   void complete_stale(double now_s, double max_age_s, Stale&& stale);
-  // Completes all: nothing more will be heard.
-  void complete_all();
+  // Completes all: nothing more will be heard; or times begin anew, and all are waited for.
+  void complete_all(bool anew);
+  // After that and a search: times are later by so much. Where bees were last heard of stays known.
+  void begin_anew(double later_s);
 
   // Runs by their place, which stays as long as the run does.
   [[nodiscard]] const std::vector<LiveRun>& runs() const { return runs_; }
   [[nodiscard]] const std::unordered_map<PointId, KnownBee>& known() const { return known_; }
   [[nodiscard]] std::size_t under_way() const { return known_.size() - stale_; }
+  [[nodiscard]] std::size_t heard_once() const { return once_; }
   // Stale, and not heard of since.
   [[nodiscard]] std::size_t stale() const { return stale_; }
   // Grows with each bee that comes, goes, falls silent or is heard of again; above zero.
@@ -104,6 +117,7 @@ class LiveBees {
   void forget(std::vector<std::uint32_t>& dropped);
 
  private:
+  [[nodiscard]] std::optional<Taken> before_last(const KnownBee& bee, const Report& report) const;
   void add(LiveRun& run, const Report& report) const;
   void begin_run(KnownBee& bee, const Report& report);
   void complete(KnownBee& bee, RunEnd end);
@@ -115,6 +129,9 @@ class LiveBees {
   std::vector<std::uint32_t> free_;  // places
   std::unordered_map<PointId, KnownBee> known_;
   std::size_t stale_ = 0;
+  std::size_t waiting_ = 0;
+  std::size_t once_ = 0;
+  std::vector<PointId> lost_;  // and not told
   std::uint64_t changes_ = 1;
   double unknown_s_ = 0.0;
   std::vector<Return> returns_;
@@ -122,6 +139,21 @@ class LiveBees {
 
 template <class Stale>
 void LiveBees::complete_stale(double now_s, double max_age_s, Stale&& stale) {
+  for (const PointId id : std::exchange(lost_, {})) {
+    const auto at = known_.find(id);
+    if (at == known_.end() || !std::exchange(at->second.untold, false)) continue;
+    stale(id, at->second.last.time_s);
+  }
+  if (waiting_ > 0) {
+    for (auto& [id, bee] : known_) {
+      if (!bee.waiting || now_s - bee.last.time_s <= max_age_s) continue;
+      bee.waiting = false;
+      --waiting_;
+      ++stale_;
+      ++changes_;
+      stale(id, bee.last.time_s);
+    }
+  }
   for (const LiveRun& run : runs_) {
     if (run.fixes.empty() || run.complete || now_s - run.last_s() <= max_age_s) continue;
     stale(run.bee, run.last_s());

@@ -36,144 +36,223 @@ double largest_of(const Point& p) {
 
 }  // namespace
 
-std::vector<LivePossible::Heard> LivePossible::heard_of(const LiveBees& bees) {
-  std::vector<Heard> heard;
-  heard.reserve(bees.known().size());
+// Of each bee that is known: where it was when the last call was made, and from then on.
+void LivePossible::note_places(const LiveBees& bees, const std::vector<Return>& returns) {
+  places_.clear();
+  heard_.clear();
+  for (const LiveRun& run : bees.runs()) {
+    if (run.fixes.empty() || (run.complete && run.end == RunEnd::kRemoved)) continue;
+    std::size_t first = run.fixes.size() - 1;
+    while (first > 0 && run.fixes[first].time_s > told_until_s_) --first;
+    for (std::size_t i = first; i < run.fixes.size(); ++i) {
+      const double height_m = run.heights_m.empty() ? 0.0 : run.heights_m[i];
+      places_.push_back({run.bee, run.fixes[i], height_m, max_age_s_});
+    }
+  }
   for (const auto& [id, bee] : bees.known()) {
-    if (bee.stale()) {
-      heard.push_back({id, bee.last, bee.height_m, true});
-      continue;
-    }
-    const LiveRun& run = bees.runs()[bee.run];
-    heard.push_back(
-        {id, run.fixes.back(), run.heights_m.empty() ? 0.0 : run.heights_m.back(), false});
+    if (bee.has_run()) continue;
+    places_.push_back({id, bee.last, bee.height_m, bee.lost ? 0.0 : max_age_s_});
   }
-  std::sort(heard.begin(), heard.end(),
-            [](const Heard& a, const Heard& b) { return a.bee < b.bee; });
-  return heard;
+  for (const Return& back : returns) {
+    if (!bees.known().contains(back.bee)) continue;
+    places_.push_back({back.bee, back.last, back.height_m, back.lost ? 0.0 : max_age_s_});
+  }
+  // What is known of a place twice is known best where it is known to be lost.
+  std::sort(places_.begin(), places_.end(), [](const Place& a, const Place& b) {
+    return std::tie(a.bee, a.at.time_s, a.silent_after_s) <
+           std::tie(b.bee, b.at.time_s, b.silent_after_s);
+  });
+  const auto same = [](const Place& a, const Place& b) {
+    return a.bee == b.bee && a.at.time_s == b.at.time_s;
+  };
+  places_.erase(std::unique(places_.begin(), places_.end(), same), places_.end());
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    if (heard_.empty() || heard_.back().bee != places_[i].bee)
+      heard_.push_back({places_[i].bee, i, i});
+    heard_.back().end = i + 1;
+  }
 }
 
-// Silences that are over are forgotten, new ones begun; and whoever was removed is forgotten.
-void LivePossible::follow(const std::vector<Heard>& heard) {
+// New silences are begun, and those that end are known for the last time; of who was removed
+// nothing is.
+void LivePossible::follow(const LiveBees& bees, const std::vector<Return>& returns) {
   auto before = std::exchange(silent_, {});
+  for (const Return& back : returns) {
+    if (!bees.known().contains(back.bee)) continue;
+    silent_.push_back(
+        {{back.bee, back.last, back.height_m, back.lost ? 0.0 : max_age_s_}, back.heard_s});
+  }
+  for (const auto& [id, bee] : bees.known()) {
+    if (!bee.stale()) continue;
+    silent_.push_back({{id, bee.last, bee.height_m, bee.lost ? 0.0 : max_age_s_}});
+  }
+  const auto key = [](const Silent& silent) {
+    return std::tie(silent.last.bee, silent.last.at.time_s);
+  };
+  std::sort(silent_.begin(), silent_.end(),
+            [&](const Silent& a, const Silent& b) { return key(a) < key(b); });
   auto known = before.begin();
-  for (const Heard& bee : heard) {
-    if (!bee.stale) continue;
-    while (known != before.end() && known->bee < bee.bee) ++known;
-    const bool goes_on =
-        known != before.end() && known->bee == bee.bee && known->since_s == bee.last.time_s;
-    if (goes_on) {
-      silent_.push_back(std::move(*known));
-    } else {
-      silent_.push_back({bee.bee, bee.last.time_s, {}});
-    }
+  for (Silent& silent : silent_) {
+    while (known != before.end() && key(*known) < key(silent)) ++known;
+    if (known == before.end() || key(*known) != key(silent)) continue;
+    silent.said = std::move(known->said);
+    silent.all_said_at = known->all_said_at;
   }
 }
 
-void LivePossible::probe_neighbors(const Heard& stale, Silent& silent,
-                                   const std::vector<Heard>& heard, double now_s,
-                                   std::vector<SwarmEvent>& found) const {
-  // All but itself, and of two that are stale it is the lower one that tells.
+// Whether it is possible then, by where both were last heard of.
+std::optional<SwarmEvent> LivePossible::possible(const Place& silent, const Place& other,
+                                                 double at_s) const {
+  const Point& p = silent.at.position;
+  const Point& q = other.at.position;
+  const double grown_m = max_speed_mps_ * (age_s(silent.at, at_s) + age_s(other.at, at_s));
+  const double x = q.x - p.x;
+  const double y = q.y - p.y;
+  const double z = q.z - p.z;
+  const double largest = std::max(largest_of(p), largest_of(q));
+  const bool level = enter_.vertical_m && !enter_.heights_apart;
+  const Bridge across{std::sqrt(x * x + y * y + (level ? 0.0 : z * z)), enter_.threshold_m,
+                      largest};
+  if (!across.closed(grown_m)) return std::nullopt;
+  double gap_m = across.gap();
+  double rise_m = level ? z : 0.0;
+  if (enter_.vertical_m) {
+    const double unit_m = enter_.heights_apart ? enter_.height_unit_m : 1.0;
+    const double rise = enter_.heights_apart ? other.height_m - silent.height_m : z;
+    const Bridge up{std::abs(rise), *enter_.vertical_m,
+                    std::max({largest, std::abs(other.height_m), std::abs(silent.height_m)})};
+    if (!up.closed(grown_m / unit_m)) return std::nullopt;
+    gap_m = std::max(gap_m, up.gap() * unit_m);
+    rise_m = rise * unit_m;
+  }
+  const double latest_s = std::max(silent.at.time_s, other.at.time_s);
+  double since_s = latest_s;
+  if (gap_m > 0.0 && max_speed_mps_ > 0.0) {
+    const double middle_s = 0.5 * (silent.at.time_s + other.at.time_s);
+    since_s =
+        std::clamp(middle_s + 0.5 * gap_m / max_speed_mps_, latest_s, std::max(latest_s, at_s));
+  }
+  const bool both = at_s - other.at.time_s > other.silent_after_s;
+  const double silent_since_s =
+      both ? std::min(silent.at.time_s, other.at.time_s) : silent.at.time_s;
+  return SwarmEvent{EventKind::kPossible,
+                    since_s,
+                    std::min(silent.bee, other.bee),
+                    std::max(silent.bee, other.bee),
+                    std::hypot(across.distance, rise_m),
+                    since_s,
+                    silent_since_s};
+}
+
+// Whether it has been `said` of the two, and still holds. At each time the lower one of two that
+// are silent tells.
+bool LivePossible::judge(std::size_t index, const Heard& other, bool said, double now_s,
+                         std::vector<Found>& found) const {
+  const Silent& silent = silent_[index];
+  const bool said_before = said;
+  bool again = false;
+  for (std::size_t i = other.begin; i < other.end; ++i) {
+    const Place& at = places_[i];
+    if (i > other.begin &&
+        at.at.time_s - places_[i - 1].at.time_s > places_[i - 1].silent_after_s) {
+      // It has been heard of again: what was said of it is over.
+      again = true;
+      said = false;
+      if (!found.empty() && found.back().silent == index && found.back().other == other.bee) {
+        found.back().goes_on = false;
+      }
+    }
+    if (said) continue;
+    double until_s = i + 1 < other.end ? places_[i + 1].at.time_s : now_s;
+    until_s = std::min({until_s, silent.ends_s, now_s});
+    if (other.bee < silent.last.bee && until_s - at.at.time_s > at.silent_after_s) {
+      until_s = at.at.time_s + at.silent_after_s;
+    }
+    if (until_s <= told_until_s_ || until_s < at.at.time_s) continue;
+    if (!(until_s - silent.last.at.time_s > silent.last.silent_after_s)) continue;
+    const auto event = possible(silent.last, at, until_s);
+    if (!event) continue;
+    found.push_back({*event, index, other.bee, silent.goes_on()});
+    said = true;
+  }
+  return said_before && !again;
+}
+
+void LivePossible::look_around(std::size_t index, double now_s, std::vector<Found>& found) {
+  Silent& silent = silent_[index];
   silent.unsaid = 0;
   std::vector<PointId> still;
   still.reserve(silent.said.size());
   auto said = silent.said.begin();
-  const Point& p = stale.last.position;
-  for (const Heard& other : heard) {
+  for (const Heard& other : heard_) {
     while (said != silent.said.end() && *said < other.bee) ++said;
-    if (said != silent.said.end() && *said == other.bee) {
+    if (other.bee == silent.last.bee) continue;
+    const bool was_said = said != silent.said.end() && *said == other.bee;
+    if (judge(index, other, was_said, now_s, found)) {
       still.push_back(other.bee);
       continue;
     }
-    if (other.bee == stale.bee || (other.stale && other.bee < stale.bee)) continue;
-    ++silent.unsaid;
-    const Point& q = other.last.position;
-    const double grown_m = max_speed_mps_ * (age_s(stale.last, now_s) + age_s(other.last, now_s));
-    const double x = q.x - p.x;
-    const double y = q.y - p.y;
-    const double z = q.z - p.z;
-    const double largest = std::max(largest_of(p), largest_of(q));
-    const bool level = enter_.vertical_m && !enter_.heights_apart;
-    const Bridge across{std::sqrt(x * x + y * y + (level ? 0.0 : z * z)), enter_.threshold_m,
-                        largest};
-    if (!across.closed(grown_m)) continue;
-    double gap_m = across.gap();
-    double rise_m = level ? z : 0.0;
-    if (enter_.vertical_m) {
-      const double unit_m = enter_.heights_apart ? enter_.height_unit_m : 1.0;
-      const double rise = enter_.heights_apart ? other.height_m - stale.height_m : z;
-      const Bridge up{std::abs(rise), *enter_.vertical_m,
-                      std::max({largest, std::abs(other.height_m), std::abs(stale.height_m)})};
-      if (!up.closed(grown_m / unit_m)) continue;
-      gap_m = std::max(gap_m, up.gap() * unit_m);
-      rise_m = rise * unit_m;
-    }
-    const double latest_s = std::max(stale.last.time_s, other.last.time_s);
-    double since_s = latest_s;
-    if (gap_m > 0.0 && max_speed_mps_ > 0.0) {
-      const double middle_s = 0.5 * (stale.last.time_s + other.last.time_s);
-      since_s =
-          std::clamp(middle_s + 0.5 * gap_m / max_speed_mps_, latest_s, std::max(latest_s, now_s));
-    }
-    const double silent_since_s =
-        other.stale ? std::min(stale.last.time_s, other.last.time_s) : stale.last.time_s;
-    found.push_back({EventKind::kPossible, since_s, std::min(stale.bee, other.bee),
-                     std::max(stale.bee, other.bee), std::hypot(across.distance, rise_m), since_s,
-                     silent_since_s});
+    const Place& last = places_[other.end - 1];
+    const bool it_tells =
+        other.bee < silent.last.bee && now_s - last.at.time_s > last.silent_after_s;
+    if (!it_tells) ++silent.unsaid;
   }
   silent.said = std::move(still);
 }
 
-LeftOut LivePossible::tell(const LiveBees& bees, double now_s, const core::Resources& with,
-                           std::vector<SwarmEvent>& events) {
+LeftOut LivePossible::tell(const LiveBees& bees, const std::vector<Return>& returns, double now_s,
+                           const core::Resources& with, std::vector<SwarmEvent>& events) {
   LeftOut left_out;
-  if (bees.stale() == 0) {
+  if (bees.stale() == 0 && returns.empty()) {
     silent_.clear();
+    told_until_s_ = now_s;
     return left_out;
   }
-  const std::vector<Heard> heard = heard_of(bees);
-  follow(heard);
-  const auto closer = [](const SwarmEvent& a, const SwarmEvent& b) {
-    return std::tie(a.distance_m, a.first, a.second) < std::tie(b.distance_m, b.first, b.second);
+  note_places(bees, returns);
+  follow(bees, returns);
+  const auto closer = [](const Found& a, const Found& b) {
+    return std::tie(a.event.distance_m, a.event.first, a.event.second, a.event.time_s) <
+           std::tie(b.event.distance_m, b.event.first, b.event.second, b.event.time_s);
   };
   // No more than the closest of what there is room for at most, and as many again.
-  const auto cut = [&](std::vector<SwarmEvent>& found, std::size_t most, LeftOut& left) {
+  const auto cut = [&](std::vector<Found>& found, std::size_t most, LeftOut& left) {
     if (found.size() <= most) return;
     const auto end = found.begin() + static_cast<std::ptrdiff_t>(most);
     std::nth_element(found.begin(), end, found.end(), closer);
-    left.add(found.size() - most, end->distance_m);
+    left.add(found.size() - most, end->event.distance_m);
     found.resize(most);
   };
   const std::size_t workers = with.crew.size();
-  std::vector<std::vector<SwarmEvent>> found(workers);
+  std::vector<std::vector<Found>> found(workers);
   std::vector<LeftOut> left(workers);
   with.crew.split(silent_.size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
     for (std::size_t i = begin; i < end; ++i) {
       Silent& silent = silent_[i];
-      const auto stale =
-          std::lower_bound(heard.begin(), heard.end(), silent.bee,
-                           [](const Heard& bee, PointId id) { return bee.bee < id; });
       if (silent.all_said_at == bees.changes()) continue;
-      probe_neighbors(*stale, silent, heard, now_s, found[worker]);
+      look_around(i, now_s, found[worker]);
       silent.all_said_at = silent.unsaid == 0 ? bees.changes() : 0;
       if (found[worker].size() > 2 * max_pairs_) cut(found[worker], max_pairs_, left[worker]);
     }
   });
+  told_until_s_ = now_s;
   std::size_t said = 0;
   for (const Silent& silent : silent_) said += silent.said.size();
-  std::vector<SwarmEvent> all;
+  std::vector<Found> all;
   for (std::size_t worker = 0; worker < workers; ++worker) {
     all.insert(all.end(), found[worker].begin(), found[worker].end());
     if (left[worker].any) left_out.add(left[worker].count, left[worker].from_m);
   }
   cut(all, max_pairs_ - std::min(max_pairs_, said), left_out);
-  for (const SwarmEvent& event : all) remember(event);
+  for (const Found& of : all) {
+    events.push_back(of.event);
+    if (of.goes_on) silent_[of.silent].said.push_back(of.other);
+  }
+  std::erase_if(silent_, [](const Silent& silent) { return !silent.goes_on(); });
   for (Silent& silent : silent_) {
     if (!std::is_sorted(silent.said.begin(), silent.said.end())) {
       std::sort(silent.said.begin(), silent.said.end());
     }
   }
-  events.insert(events.end(), all.begin(), all.end());
   return left_out;
 }
 
@@ -182,19 +261,6 @@ void LivePossible::forget(PointId bee) {
     const auto at = std::lower_bound(silent.said.begin(), silent.said.end(), bee);
     if (at != silent.said.end() && *at == bee) silent.said.erase(at);
   }
-}
-
-// The lower one of two that are stale knows what has been said; otherwise the stale one does.
-void LivePossible::remember(const SwarmEvent& event) {
-  const auto silence_of = [&](PointId bee) {
-    const auto at = std::lower_bound(silent_.begin(), silent_.end(), bee,
-                                     [](const Silent& a, PointId id) { return a.bee < id; });
-    return at != silent_.end() && at->bee == bee ? &*at : nullptr;
-  };
-  Silent* silent = silence_of(event.first);
-  const PointId other = silent != nullptr ? event.second : event.first;
-  if (silent == nullptr) silent = silence_of(event.second);
-  silent->said.push_back(other);
 }
 
 }  // namespace beespace::motion

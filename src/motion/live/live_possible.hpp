@@ -1,5 +1,9 @@
-// What stale bees may be in conflict with: each bee is somewhere in a ball around where it was last
-// heard of, which grows with the greatest speed of any.
+// What silent bees may be in conflict with: each bee is somewhere in a ball around where it was
+// last heard of, which grows with the greatest speed of any until it is heard of again.
+//
+// The other bee is in a ball around its last report, too. Two balls are largest just before one of
+// the two is heard of again. So that is when they are judged, whenever this is asked: silences that
+// are over by then, too.
 #pragma once
 
 #include "base/resources.hpp"
@@ -12,50 +16,81 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <vector>
 
 namespace beespace::motion {
 
 class LivePossible {
  public:
-  LivePossible(const Separation& enter, double max_speed_mps, std::size_t max_pairs)
-      : enter_(enter), max_speed_mps_(max_speed_mps), max_pairs_(max_pairs) {}
+  LivePossible(const Separation& enter, double max_speed_mps, double max_age_s,
+               std::size_t max_pairs)
+      : enter_(enter),
+        max_speed_mps_(max_speed_mps),
+        max_age_s_(max_age_s),
+        max_pairs_(max_pairs) {}
 
-  // Tells the pairs of which one is stale and that have become possible: each once a silence.
-  LeftOut tell(const LiveBees& bees, double now_s, const core::Resources& with,
-               std::vector<SwarmEvent>& events);
-  // What has been said of a bee that has been heard of again, or removed: with others that are
-  // still silent it is said anew.
+  // Tells the pairs of which one is silent, or was in one of the silences that have ended since the
+  // last call, and that have become possible: each once, until one of the two is heard of again
+  // after a silence.
+  LeftOut tell(const LiveBees& bees, const std::vector<Return>& returns, double now_s,
+               const core::Resources& with, std::vector<SwarmEvent>& events);
+  // What has been said of a bee that has been removed.
   void forget(PointId bee);
-  void forget_all() { silent_.clear(); }
+  void forget_all() {
+    silent_.clear();
+    told_until_s_ = LiveRun::kNever;
+  }
 
  private:
+  // Where a bee was heard of; it is silent when it is not heard of again for longer.
+  struct Place {
+    PointId bee;
+    Fix at;
+    double height_m;
+    double silent_after_s;
+  };
+  // The places of a bee since the last call, ascending in time: places_[begin] to places_[end - 1].
   struct Heard {
     PointId bee;
-    Fix last;
-    double height_m;
-    bool stale;
+    std::size_t begin;
+    std::size_t end;
   };
   // A silence, and with whom a conflict has been said to be possible in it: ascending.
   struct Silent {
-    PointId bee;
-    double since_s;
-    std::vector<PointId> said;
+    Place last;
+    double ends_s = std::numeric_limits<double>::infinity();
+    std::vector<PointId> said = {};
     std::size_t unsaid = 0;  // others, at the last look around
     std::uint64_t all_said_at =
         0;  // of LiveBees::changes(): nothing is left to say until it changes
+
+    [[nodiscard]] bool goes_on() const { return ends_s == std::numeric_limits<double>::infinity(); }
+  };
+  struct Found {
+    SwarmEvent event;
+    std::size_t silent;  // of silent_
+    PointId other;
+    bool goes_on;  // neither has been heard of since
   };
 
-  static std::vector<Heard> heard_of(const LiveBees& bees);
-  void follow(const std::vector<Heard>& heard);
-  void remember(const SwarmEvent& event);
-  void probe_neighbors(const Heard& stale, Silent& silent, const std::vector<Heard>& heard,
-                       double now_s, std::vector<SwarmEvent>& found) const;
+  void note_places(const LiveBees& bees, const std::vector<Return>& returns);
+  void follow(const LiveBees& bees, const std::vector<Return>& returns);
+  void look_around(std::size_t index, double now_s, std::vector<Found>& found);
+  bool judge(std::size_t index, const Heard& other, bool said, double now_s,
+             std::vector<Found>& found) const;
+  [[nodiscard]] std::optional<SwarmEvent> possible(const Place& silent, const Place& other,
+                                                   double at_s) const;
 
   Separation enter_;
   double max_speed_mps_;
+  double max_age_s_;
   std::size_t max_pairs_;
-  std::vector<Silent> silent_;  // ascending
+  double told_until_s_ = LiveRun::kNever;
+  std::vector<Silent> silent_;  // ascending by bee; between calls those that go on
+  std::vector<Place> places_;
+  std::vector<Heard> heard_;  // ascending
 };
 
 }  // namespace beespace::motion

@@ -85,6 +85,7 @@ Result<LeftOut> LivePredictions::predict(const LiveBees& bees, const std::vector
   const auto pairs = pairs_of(view, with, left_out);
   if (!pairs) return pairs.error();
   std::vector<Pair> still;
+  std::size_t open = 0;
   auto before = predicted_.cbegin();
   auto inside = entered.cbegin();
   for (const Pair& pair : *pairs) {
@@ -95,12 +96,14 @@ Result<LeftOut> LivePredictions::predict(const LiveBees& bees, const std::vector
     const State second = state_of(view, pair.second);
     if (!said && !in_conflict(first, second, enter_, horizon_s_)) continue;
     still.push_back(bee);
+    if (!is_inside) ++open;
     if (said || is_inside) continue;
     const auto report = report_conflict(relative_motion(first, second), enter_, horizon_s_);
     events.push_back({EventKind::kPredicted, now_s + report.span.begins_s, bee.first, bee.second,
                       report.closest_m, now_s + report.closest_s});
   }
   predicted_ = std::move(still);
+  open_ = open;
   return left_out;
 }
 

@@ -28,7 +28,12 @@ class LivePredictions {
   // what there were too many of.
   Result<LeftOut> predict(const LiveBees& bees, const std::vector<Pair>& entered, double now_s,
                           const core::Resources& with, std::vector<SwarmEvent>& events);
-  void forget_all() { predicted_.clear(); }
+  void forget_all() {
+    predicted_.clear();
+    open_ = 0;
+  }
+  // Pairs that have been predicted, are still in danger, and have not entered.
+  [[nodiscard]] std::size_t open() const { return open_; }
 
  private:
   // Bees that move, by ascending ids.
@@ -48,6 +53,7 @@ class LivePredictions {
   std::size_t max_pairs_;
   Share share_;                  // of the separation, within which pairs are predicted
   std::vector<Pair> predicted_;  // ids; said, and still in danger; ascending
+  std::size_t open_ = 0;         // of them: not among the entered
 };
 
 }  // namespace beespace::motion

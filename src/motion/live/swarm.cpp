@@ -34,6 +34,12 @@ std::optional<Error> check(const SwarmOptions& options) {
                  "of them finite",
                  {}};
   }
+  if (!good(options.threshold_m * options.leave_factor, kSmallestInMotion) ||
+      !good(options.vertical_m.value_or(1.0) * options.leave_factor, kSmallestInMotion)) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "the thresholds times leave_factor are out of the motion domain; give less",
+                 {}};
+  }
   if (options.max_speed_mps && !good(*options.max_speed_mps, 0.0)) {
     return Error{ErrorCode::kInvalidArgument,
                  "max_speed_mps must be 0 or more, and finite, where it is given",
@@ -70,21 +76,26 @@ class __attribute__((visibility("hidden"))) Swarm::State {
         walks_({leave_, enter_, options.leave_factor == 1.0},
                std::max(0.05, options.leave_factor - 1.0) * options.threshold_m, options.max_pairs),
         predictions_(enter_, leave_, options.horizon_s, options.max_pairs),
-        possible_(enter_, options.max_speed_mps.value_or(0.0), options.max_pairs) {}
+        possible_(enter_, options.max_speed_mps.value_or(0.0), options.max_age_s,
+                  options.max_pairs) {}
 
   Status update(Report report);
   void remove(PointId id) {
     bees_.remove(id);
     possible_.forget(id);
   }
+  void lose(PointId id) { bees_.lose(id); }
   Result<std::vector<SwarmEvent>> advance(double now_s);
   Result<std::vector<SwarmEvent>> finish(double now_s);
+  Result<std::vector<SwarmEvent>> begin_anew(double now_s, double then_s);
 
   [[nodiscard]] SwarmCounts counts() const {
     SwarmCounts counts = counts_;
     counts.bees = bees_.under_way();
     counts.stale = bees_.stale();
     counts.unknown_s = unknown_before_s_ + bees_.unknown_s();
+    counts.heard_once = bees_.heard_once();
+    counts.predicted = predictions_.open();
     return counts;
   }
   [[nodiscard]] std::vector<LiveMover> movers(double time_s) const;
@@ -94,7 +105,8 @@ class __attribute__((visibility("hidden"))) Swarm::State {
   Error refuse(PointId bee);
   void tell_refused(double now_s, std::vector<SwarmEvent>& events);
   core::Resources resources();
-  void tell_silences(double now_s, std::vector<SwarmEvent>& events);
+  std::vector<motion::Return> tell_silences(double now_s, std::vector<SwarmEvent>& events);
+  Result<std::vector<SwarmEvent>> end(double now_s, bool anew);
   void search(double now_s, const core::Resources& with, std::vector<SwarmEvent>& events);
 
   SwarmOptions options_;
@@ -146,6 +158,9 @@ Status Swarm::State::update(Report report) {
     case motion::LiveBees::Taken::kLate:
       ++counts_.late;
       break;
+    case motion::LiveBees::Taken::kContrary:
+      ++counts_.contrary;
+      break;
   }
   return std::monostate{};
 }
@@ -176,17 +191,20 @@ core::Resources Swarm::State::resources() {
   return {*crew_, memory_};
 }
 
-void Swarm::State::tell_silences(double now_s, std::vector<SwarmEvent>& events) {
+// Returns the silences that are over.
+std::vector<motion::Return> Swarm::State::tell_silences(double now_s,
+                                                        std::vector<SwarmEvent>& events) {
   const auto tell_stale = [&](PointId bee, double last_s) {
     events.push_back({EventKind::kStale, last_s, bee, bee, 0.0, last_s, last_s});
   };
-  for (const motion::Return& back : bees_.take_returns()) {
-    possible_.forget(back.bee);
+  std::vector<motion::Return> returns = bees_.take_returns();
+  for (const motion::Return& back : returns) {
     if (!back.said_stale) tell_stale(back.bee, back.since_s);
     events.push_back(
         {EventKind::kHeard, back.heard_s, back.bee, back.bee, 0.0, back.heard_s, back.since_s});
   }
   bees_.complete_stale(now_s, options_.max_age_s, tell_stale);
+  return returns;
 }
 
 void Swarm::State::search(double now_s, const core::Resources& with,
@@ -206,31 +224,51 @@ Result<std::vector<SwarmEvent>> Swarm::State::advance(double now_s) {
   }
   now_s_ = now_s;
   std::vector<SwarmEvent> events;
-  tell_silences(now_s, events);
+  const std::vector<motion::Return> returns = tell_silences(now_s, events);
   const core::Resources with = resources();
+  // Before the search, which forgets where bees were.
+  if (options_.max_speed_mps) {
+    possible_.tell(bees_, returns, now_s, with, events).tell(now_s, SwarmBound::kPossible, events);
+  }
   search(now_s, with, events);
   const auto predicted = predictions_.predict(bees_, walks_.entered(), now_s, with, events);
   if (!predicted) return predicted.error();
   predicted->tell(now_s, SwarmBound::kPredicted, events);
-  if (options_.max_speed_mps) {
-    possible_.tell(bees_, now_s, with, events).tell(now_s, SwarmBound::kPossible, events);
-  }
   tell_refused(now_s, events);
   std::sort(events.begin(), events.end(), earlier);
   return events;
 }
 
-Result<std::vector<SwarmEvent>> Swarm::State::finish(double now_s) {
+Result<std::vector<SwarmEvent>> Swarm::State::end(double now_s, bool anew) {
   auto events = advance(now_s);
   if (!events) return events;
-  bees_.complete_all();
+  bees_.complete_all(anew);
   search(now_s, resources(), *events);
   std::sort(events->begin(), events->end(), earlier);
-  unknown_before_s_ += bees_.unknown_s();
-  bees_ = motion::LiveBees(options_.heights_apart);
   predictions_.forget_all();
   possible_.forget_all();
   now_s_.reset();
+  return events;
+}
+
+Result<std::vector<SwarmEvent>> Swarm::State::finish(double now_s) {
+  auto events = end(now_s, false);
+  if (!events) return events;
+  unknown_before_s_ += bees_.unknown_s();
+  bees_ = motion::LiveBees(options_.heights_apart);
+  return events;
+}
+
+Result<std::vector<SwarmEvent>> Swarm::State::begin_anew(double now_s, double then_s) {
+  then_s = motion::flushed(then_s);
+  if (!motion::in_motion_domain(then_s)) {
+    return Error{ErrorCode::kNotFinite,
+                 "times cannot begin anew at " + std::to_string(then_s) +
+                     " s; give a finite number of seconds",
+                 {}};
+  }
+  auto events = end(now_s, true);
+  if (events) bees_.begin_anew(then_s - now_s);
   return events;
 }
 
@@ -241,7 +279,8 @@ std::vector<LiveMover> Swarm::State::movers(double time_s) const {
   movers.reserve(bees_.known().size());
   for (const auto& [id, bee] : bees_.known()) {
     LiveMover mover{id, {bee.last.position, {}}, bee.last.time_s, bee.last.position, true, false};
-    if (!bee.stale()) {
+    mover.stale = bee.stale();
+    if (bee.has_run()) {
       const motion::LiveRun& run = bees_.runs()[bee.run];
       const Fix& last = run.fixes.back();
       mover = {id, {last.position, {}}, last.time_s, last.position, false, run.moves()};
@@ -287,8 +326,16 @@ Result<std::vector<SwarmEvent>> Swarm::advance(double now_s) {
   return state_->advance(now_s);
 }
 
+void Swarm::lose(PointId id) {
+  state_->lose(id);
+}
+
 Result<std::vector<SwarmEvent>> Swarm::finish(double now_s) {
   return state_->finish(now_s);
+}
+
+Result<std::vector<SwarmEvent>> Swarm::begin_anew(double now_s, double then_s) {
+  return state_->begin_anew(now_s, then_s);
 }
 
 SwarmCounts Swarm::counts() const {

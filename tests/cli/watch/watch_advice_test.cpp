@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/cli/run/command_run.hpp"
@@ -253,6 +254,47 @@ TEST(WatchAdvice, EndsQuietlyWhenNobodyReads) {
       run({"watch", "--threshold", "5", "--horizon", "0", "--advise"}, head_on(), closed);
   EXPECT_EQ(finished.exit_code, 141);
   EXPECT_EQ(finished.err, "");
+}
+
+// a and b stand far from each other, and c, of which lines say so much.
+std::string with_c(const std::string& c_line, int from = 0, int until = 30) {
+  std::ostringstream text;
+  text << "id,time_s,x,y,z,vx,vy,vz\n";
+  for (int i = 0; i < 30; ++i) {
+    std::ostringstream t;
+    t << ',' << i / 10 << '.' << i % 10 << ',';
+    text << "a" << t.str() << "0,0,0,0,0,0\nb" << t.str() << "1000,0,0,0,0,0\n";
+    if (i >= from && i < until) text << "c" << t.str() << c_line << "\n";
+  }
+  return text.str();
+}
+
+TEST(WatchAdvice, NoBeeIsCertifiedWhileOneHasBeenHeardOfAndItIsNotKnownWhere) {
+  const std::string certified = "\"certified\": 2";
+  const std::string unplaced = R"("not_certified": {"unplaced_bee": 2})";
+  EXPECT_NE(watched({"--advise"}, with_c("1,0,0,0,0,0", 0, 0)).out.find(certified),
+            std::string::npos);
+  for (const auto& [more, table] :
+       {std::pair{Arguments{"--advise", "--max-bees", "2"}, with_c("500,0,0,0,0,0")},
+        std::pair{Arguments{"--advise"}, with_c("1e,0,0,0,0,0")},
+        std::pair{Arguments{"--advise"}, with_c("1e,0,0,0,0,0", 0, 1)},
+        std::pair{Arguments{"--advise"}, with_c("500,0,0", 0, 1)}}) {
+    const Finished finished = watched(more, table);
+    EXPECT_EQ(finished.out.find(certified), std::string::npos) << finished.out;
+    expect_parts(finished.out, {unplaced, R"("because": "unplaced_bee")"});
+  }
+  // Once it is heard of, or has left, it is as any.
+  const std::string left = with_c("1e,0,0,0,0,0", 0, 1);
+  const std::size_t at = left.find("a,1.0");
+  const Finished gone =
+      watched({"--advise"},
+              left.substr(0, at) + "{\"event\": \"leave\", \"id\": \"c\"}\n" + left.substr(at));
+  expect_parts(gone.out, {unplaced, certified});
+  std::string heard = with_c("500,0,0,0,0,0");
+  const std::string damaged = "c,0.0,5e0e";
+  heard = heard.substr(0, heard.find("c,0.0,500")) + damaged +
+          heard.substr(heard.find("c,0.0,500") + 9);
+  expect_parts(watched({"--advise"}, heard).out, {"\"certified\": 3"});
 }
 
 }  // namespace

@@ -37,8 +37,8 @@ TEST(WatchUnknown, ABeeHeardOfOnceIsInConflict) {
   expect_parts(finished.out, {R"({"event": "entered", "time_s": 0, "first": "a", "second": "b", )"
                               R"("distance_m": 3)",
                               R"({"event": "ended", "time_s": 0)"});
-  expect_parts(finished.err, {"verdict    1 conflict\n"});
-  EXPECT_EQ(watched("a,0,0,0,0\nb,0,6,0,0\n").exit_code, 0);
+  expect_parts(finished.err, {"verdict    1 conflict; 2 bees were heard of once only\n"});
+  EXPECT_EQ(watched("a,0,0,0,0\nb,0,6,0,0\n").out, "");
 }
 
 TEST(WatchUnknown, ASilentBeeHasNotLeft) {

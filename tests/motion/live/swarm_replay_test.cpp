@@ -230,6 +230,7 @@ TEST(SwarmReplay, IsNotMisledByLateAndRepeatedReports) {
   std::map<PointId, std::vector<Report>> heard;
   std::uint64_t repeated = 0;
   std::uint64_t late = 0;
+  std::uint64_t contrary = 0;
   for (const auto& [arrives_s, report] : deliveries) {
     ASSERT_TRUE(swarm.update(report).has_value());
     auto& before = heard[report.id];
@@ -238,20 +239,23 @@ TEST(SwarmReplay, IsNotMisledByLateAndRepeatedReports) {
       ++repeated;
     }
     if (!before.empty() && make.below(2) == 0) {
-      ASSERT_TRUE(swarm.update(before[make.below(before.size())]).has_value());
-      ++late;
+      const std::size_t which = make.below(before.size());
+      ASSERT_TRUE(swarm.update(before[which]).has_value());
+      // The last two are remembered.
+      ++(which + 1 == before.size() ? repeated : late);
     }
     Report elsewhere = report;  // the same time, another place
     elsewhere.position.x += 1.0;
     if (make.below(5) == 0) {
       ASSERT_TRUE(swarm.update(elsewhere).has_value());
-      ++late;
+      ++contrary;
     }
     before.push_back(report);
   }
   EXPECT_EQ(swarm.counts().taken, deliveries.size());
   EXPECT_EQ(swarm.counts().repeated, repeated);
   EXPECT_EQ(swarm.counts().late, late);
+  EXPECT_EQ(swarm.counts().contrary, contrary);
   Events events;
   test::take_all(swarm, 15.0 + 2.0 * options.max_age_s, events);
   EXPECT_EQ(test::happened(events), test::happened(clean));

@@ -1,0 +1,243 @@
+// What `beespace watch` has heard and not taken into account: "no conflict" is then about the rest
+// only, which the verdict says, and with --fail-on-risk the exit status.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "tests/cli/run/command_run.hpp"
+#include "tests/cli/run/expectations.hpp"
+
+namespace beespace::cli_test {
+namespace {
+
+constexpr int kRisk = 1;
+constexpr int kBadInput = 3;
+
+Finished watched(const std::string& lines, const Arguments& more = {}) {
+  return run(Arguments{"watch", "--threshold", "5", "--fail-on-risk"} + more,
+             "id,time_s,x,y,z\n" + lines);
+}
+
+// a and b stand 100 m from each other for two seconds, with other lines after the first.
+std::string apart_with(const std::string& more) {
+  return "a,0,0,0,0\nb,0,100,0,0\na,1,0,0,0\nb,1,100,0,0\n" + more + "a,2,0,0,0\nb,2,100,0,0\n";
+}
+
+// Looks that are rarer tell more at a time.
+std::string sorted(const std::string& lines) {
+  auto all = lines_of(lines);
+  std::sort(all.begin(), all.end());
+  std::string text;
+  for (const std::string& line : all) text += line + "\n";
+  return text;
+}
+
+TEST(WatchTaken, OptionsThatNothingCanBeComputedWithAreRefusedAtOnce) {
+  for (const auto& [option, value] : {std::pair<const char*, const char*>{"--max-age", "1e31"},
+                                      {"--max-age", "1e-31"},
+                                      {"--horizon", "1e31"},
+                                      {"--leave-factor", "1e300"},
+                                      {"--vertical", "1e31"},
+                                      {"--vertical", "1e-31"}}) {
+    expect_usage_error({"watch", option, value},
+                       std::string(option) + " '" + value + "' cannot be computed with");
+  }
+  // Each for itself is fine.
+  expect_usage_error({"watch", "--threshold", "1e20", "--leave-factor", "1e20"}, "leave_factor");
+  expect_usage_error({"watch", "--vertical", "1e20ft", "--leave-factor", "1e20"}, "leave_factor");
+  expect_usage_error({"watch", "--advise", "--look-every", "1e31"}, "--look-every");
+  for (const char* option : {"--horizon", "--leave-factor"}) {
+    expect_usage_error({"replay", "--report", "events", "-", option, "1e31"}, option);
+  }
+}
+
+TEST(WatchTaken, InputOfWhichNoReportIsTakenIsBadInput) {
+  for (const std::string line : {"a,0,1e40,0,0\n", "a,0,0,nan,0\n", "a,soon,0,0,0\n"}) {
+    expect_failure({"watch", "--quiet"}, "id,time_s,x,y,z\n" + line, kBadInput, "");
+  }
+  // What is only over the ends of the domain as metres.
+  expect_failure({"watch", "--quiet"}, "id,time_s,x_km,y_km,z_km\na,0,1.2e30,0,0\n", kBadInput, "");
+}
+
+TEST(WatchTaken, ThatAllIsTakenIsFine) {
+  for (const std::string harmless : {"", "\n\n", "a,1,0,0,0\nb,1,100,0,0\na,1,0,0,0\n"}) {
+    const Finished finished = watched(apart_with(harmless));
+    EXPECT_EQ(finished.exit_code, 0) << finished.err;
+    expect_parts(finished.err, {"verdict    no conflict\n"});
+  }
+}
+
+TEST(WatchTaken, WhatCouldNotBeReadIsUnknown) {
+  const Finished finished = watched(apart_with("rubbish\nc,1,oops,0,0\nc,1,oops,0,0\n"));
+  EXPECT_EQ(finished.exit_code, kRisk);
+  expect_parts(finished.err,
+               {"verdict    no conflict among what was taken; 3 lines were left out\n"});
+}
+
+TEST(WatchTaken, WhatCameTooLateIsUnknown) {
+  // b was at a.
+  const Finished finished = watched(apart_with("b,0.5,0,0,0\n"));
+  EXPECT_EQ(finished.exit_code, kRisk);
+  expect_parts(finished.err, {"late       1 left out\n", "no conflict among what was taken; ",
+                              "1 report came too late\n"});
+}
+
+TEST(WatchTaken, ABeeAtTwoPlacesAtOneTimeIsSaid) {
+  for (const std::string contrary : {"b,1,0,0,0\n", "b,0,0,0,0\n"}) {
+    const Finished finished = watched(apart_with(contrary));
+    EXPECT_EQ(finished.exit_code, kRisk);
+    EXPECT_EQ(finished.out, "");
+    expect_parts(
+        finished.err,
+        {"beespace: left out: b is said to be at two places at ", "contrary   1 left out\n",
+         "no conflict among what was taken; 1 report contradicts another one\n"});
+  }
+  // In height alone, where that is compared apart.
+  const Finished high =
+      run({"watch", "--threshold", "5", "--vertical", "2", "--fail-on-risk", "--crs", "wgs84"},
+          "id,time_s,lon,lat,height\na,0,8,47,0\na,0,8,47,10\na,1,8,47,0\n");
+  EXPECT_EQ(high.exit_code, kRisk);
+  expect_parts(high.err, {"contrary   1 left out\n"});
+}
+
+TEST(WatchTaken, WhoWasHeardOfOnceIsUnknown) {
+  const Finished finished = watched("a,0,0,0,0\nb,0.5,1,0,0\n");
+  EXPECT_EQ(finished.exit_code, kRisk);
+  expect_parts(finished.err, {"verdict    no conflict; 2 bees were heard of once only\n"});
+  EXPECT_EQ(watched("a,0,0,0,0\nb,0.5,1,0,0\n", {"--max-speed", "1"}).exit_code, kRisk);
+  EXPECT_EQ(watched(apart_with("c,0,0,900,0\n")).exit_code, kRisk);
+  EXPECT_EQ(watched(apart_with("c,1,0,900,0\n{\"event\": \"leave\", \"id\": \"c\"}\n")).exit_code,
+            0);
+}
+
+TEST(WatchTaken, AConflictThatLiesAheadAtTheEndIsARisk) {
+  const std::string table = "a,0,0,0,0\nb,0,100,0,0\na,1,0,0,0\nb,1,80,0,0\n";
+  const Finished finished = watched(table);
+  EXPECT_EQ(finished.exit_code, kRisk);
+  expect_parts(finished.out, {"\"predicted\""});
+  expect_parts(finished.err,
+               {"verdict    no conflict; 1 predicted conflict lay ahead at the end\n"});
+  // It turns away.
+  EXPECT_EQ(watched(table + "a,2,0,0,0\nb,2,90,0,0\n").exit_code, 0);
+}
+
+// a comes along x, b along y, and both are at 0 at 10 s; b's clock is ahead as it says.
+std::string meeting(double ahead_s, double lasts_s) {
+  std::ostringstream text;
+  for (int t = 0; t <= lasts_s; ++t) {
+    text << "a," << 1'000 + t << "," << -200 + 20 * t << ",0,0\n";
+    text << "b," << 1'000 + t + ahead_s << ",0," << -200 + 20 * t << ",0\n";
+  }
+  return text.str();
+}
+
+TEST(WatchTaken, AClockThatIsBehindHidesNoConflict) {
+  for (const double ahead_s : {-2.1, -3.0, -4.0, -4.9, -6.0, -100.0, 3.0, 100.0}) {
+    const Finished finished = watched(meeting(ahead_s, 20.0));
+    EXPECT_EQ(finished.exit_code, kRisk) << ahead_s;
+    expect_parts(finished.out, {"\"clock\"", "\"entered\""});
+    expect_parts(finished.err, {"verdict    1 conflict", "1 bee's clock was off"});
+  }
+  // Before it is clear whether b is late only.
+  const Finished soon = watched(meeting(-3.0, 4.0), {"--horizon", "0"});
+  EXPECT_EQ(soon.exit_code, kRisk);
+  expect_parts(soon.err, {"no conflict", "1 bee's clock was off"});
+}
+
+TEST(WatchTaken, WhereAClockStepsItsBeeIsUnknown) {
+  // b comes towards a; then its clock steps, and its reports are left out for a while.
+  // Reports that are a little late are believed until it is clear that the clock is off.
+  for (const auto& [step_s, since] :
+       {std::pair{100.0, "1004"}, {-100.0, "1004"}, {-3.5, "1005.5"}}) {
+    std::ostringstream text;
+    for (int t = 0; t <= 20; ++t) {
+      const double ahead_s = t < 5 ? 0.0 : step_s;
+      text << "a," << 1'000 + t << ",0,0,0\n";
+      text << "c," << 1'000 + t << ",0,5000,0\n";
+      text << "b," << 1'000 + t + ahead_s << "," << 1'000 - 10 * t << ",0,0\n";
+    }
+    const Finished finished = watched(text.str(), {"--horizon", "0"});
+    EXPECT_EQ(finished.exit_code, kRisk) << step_s;
+    expect_parts(finished.out,
+                 {R"({"event": "stale", "time_s": )" + std::string(since) + R"(, "id": "b"})",
+                  R"("since_s": )" + std::string(since) + R"(, "id": "b")"});
+    expect_parts(finished.err, {"unknown    1 bee for "});
+    EXPECT_EQ(finished.out.find(R"("id": "a")"), std::string::npos) << finished.out;
+  }
+}
+
+TEST(WatchTaken, ASilentBeeStaysUnknownWhenAllClocksBeginAnew) {
+  std::ostringstream text;
+  for (int t = 0; t < 60; ++t) {
+    const int time_s = t < 30 ? 100 + t : t - 30;
+    text << "a," << time_s << ",0,0,0\nb," << time_s << ",1000,0,0\n";
+    if (t < 3) text << "w," << time_s << ",0,2000,0\n";
+    // Heard of until just before.
+    if (t < 29) text << "v," << time_s << ",0,3000,0\n";
+  }
+  const Finished finished = watched(text.str());
+  EXPECT_EQ(finished.exit_code, kRisk);
+  expect_parts(finished.out, {R"("event": "clocks_anew")",
+                              R"({"event": "stale", "time_s": 102, "id": "w"})", R"("id": "v"})"});
+  expect_parts(finished.err, {"bees       2 heard of, 2 stale\n", "unknown    2 bees for ", "w 5",
+                              "2 bees were unknown for a time", "all clocks began anew"});
+  // With how fast it may be it is said whom it may meet, and when it is heard of that is said.
+  const Finished fast = watched(text.str() + "w,31,0,2000,0\n", {"--max-speed", "100"});
+  expect_parts(fast.out, {"\"possible\"", R"("event": "heard", "time_s": 31)"});
+}
+
+TEST(WatchTaken, AnotherHeaderIsNoRecord) {
+  const std::string header = "id,time_s,x,y,z\n";
+  EXPECT_EQ(watched(apart_with(header)).exit_code, 0);
+  EXPECT_EQ(watched(header + apart_with("")).exit_code, 0);
+  for (const std::string other : {"id,time_s,x_ft,y_ft,z_ft\n", "id,time_s,y,x,z\n",
+                                  "id,time_s,lon,lat,height\n", "time_s,id,x,y,z,vx,vy,vz\n"}) {
+    for (const std::string& table : {apart_with(other), other + apart_with("")}) {
+      const Finished finished = watched(table);
+      EXPECT_EQ(finished.exit_code, kBadInput) << other << finished.err;
+      expect_parts(finished.err, {"another header, "});
+    }
+  }
+  // Where the columns are told.
+  expect_failure({"watch", "--columns", "id=1,time=2,x=3,y=4,z=5", "--time-unit", "s"},
+                 "a,0,0,0,0\nb,0,1,0,0\nid,time_s,x_ft,y_ft,z_ft\nb,1,30,0,0\n", kBadInput,
+                 "<stdin>:3: another header, ");
+}
+
+TEST(WatchTaken, AKeyThatIsThereTwiceIsSaid) {
+  const Finished finished = run({"watch", "--fail-on-risk", "--threshold", "5"},
+                                "{\"id\": \"a\", \"time_s\": 0, \"x\": 0, \"y\": 0}\n"
+                                "{\"id\": \"a\", \"time_s\": 1, \"x\": 0, \"y\": 0, \"x\": 9}\n"
+                                "{\"id\": \"a\", \"time_s\": 2, \"x\": 0, \"y\": 0}\n");
+  EXPECT_EQ(finished.exit_code, kRisk);
+  expect_parts(finished.err,
+               {"left out: <stdin>:2: 'x' is there twice", "bad lines  1 left out\n"});
+  expect_failure({"watch"}, "{\"id\": \"a\", \"id\": \"b\", \"time_s\": 0, \"x\": 0, \"y\": 0}\n",
+                 kBadInput, "'id' is there twice");
+}
+
+// What may have happened between two looks is the same however often they are.
+TEST(WatchTaken, APossibleConflictBetweenTwoLooksIsSaid) {
+  const std::string table =
+      "a,0.01,0,0,0\nb,0.01,1000,0,0\na,5.05,0,0,0\nb,5.05,1000,0,0\na,5.5,0,0,0\nb,5.5,1000,0,0\n";
+  const std::string others =
+      "a,0,0,0,0\nb,0,1000,0,0\na,1.4,0,0,0\na,2.8,0,0,0\na,4.2,0,0,0\na,5.6,0,0,0\n"
+      "b,5.9,1000,0,0\na,7,0,0,0\nb,7,1000,0,0\n";
+  for (const std::string& lines : {table, others}) {
+    std::string first;
+    for (const char* every : {"0.01", "0.1", "1", "10"}) {
+      const Finished finished =
+          watched(lines, {"--max-speed", "200", "--look-every", every, "--horizon", "0"});
+      EXPECT_EQ(finished.exit_code, kRisk) << every << finished.out;
+      expect_parts(finished.out, {"\"possible\""});
+      if (first.empty()) first = sorted(finished.out);
+      EXPECT_EQ(sorted(finished.out), first) << every;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace beespace::cli_test
