@@ -3,6 +3,7 @@
 #include "cli/number_text.hpp"
 #include "cli/obstacle_file.hpp"
 #include "cli/simulate_scenarios.hpp"
+#include "cli/summary_line.hpp"
 #include "io/byte_source.hpp"
 #include "io/load_plans.hpp"
 
@@ -47,6 +48,9 @@ Result<MissionToFly> mission_of_file(const SimulateRequest& request) {
   flown.mission.goals = std::move(plans->goals);
   if (plans->has_ids) flown.names.ids = std::move(plans->ids);
   flown.notes = std::move(plans->notes);
+  for (const io::UnitTaken& taken : plans->units) {
+    if (taken.evidence == io::UnitEvidence::kNamed) flown.notes.push_back(text_of(taken));
+  }
   if (!plans->velocities.empty()) {
     flown.notes.emplace_back("the velocities of the file are not used: everybody begins at rest");
   }
