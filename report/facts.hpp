@@ -52,6 +52,7 @@ struct SnapshotFacts {
   // The closest first; all, or as many as can be shown.
   std::vector<Pair> pairs = {};
   std::vector<double> distances_m = {};  // of each of these
+  std::string unknown = {};              // how many are left out; empty: none
 };
 
 // When a bee is in conflict with somebody.
@@ -71,7 +72,8 @@ struct RecordingFacts {
   std::vector<Track> tracks;  // to look at
   bool since_1970 = false;
   std::vector<Gap> gaps = {};            // in ascending order of (track, begins_s)
-  std::string unknown = {};              // who is unknown for how long; empty: nobody is
+  std::string unknown = {};              // who is unknown for how long, or left out; empty: none
+  bool hidden = false;                   // whether conflicts may be hidden by that
   std::vector<AtRisk> at_risk = {};      // ascending by bee, then time; of a bee none overlap
   std::vector<Conflict> conflicts = {};  // the closest first; all, or as many as can be shown
   std::uint64_t conflict_count = 0;      // of all

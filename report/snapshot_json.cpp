@@ -64,6 +64,7 @@ std::string risk_json(const SnapshotFacts& facts) {
   json.add_count("pairs", facts.pair_count);
   json.add_count("groups", facts.group_count);
   json.add_count("largest_group", facts.largest_group);
+  if (!facts.unknown.empty()) json.add_text("unknown", facts.unknown);
   if (facts.closest) json.add_json("closest", closest_json(*facts.closest));
   return json.text();
 }

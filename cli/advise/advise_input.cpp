@@ -42,6 +42,7 @@ Status load_bees(const AdviseRequest& request, Situation& situation) {
   situation.own_limits = !situation.limits.empty();
   if (!situation.own_limits) situation.limits = {request.limits};
   situation.format_description = std::move(plans->format_description);
+  situation.units = std::move(plans->units);
   situation.notes = std::move(plans->notes);
   situation.wishes = !plans->wishes.empty();
   if (situation.wishes) {
@@ -81,6 +82,10 @@ Status load_intruders(const std::string& file, Situation& situation) {
     situation.notes.push_back(io::source_name(file) + " has no intruders");
   } else if (plans->velocities.empty()) {
     situation.notes.push_back(io::source_name(file) + " has no velocities: intruders stand");
+  }
+  for (io::UnitTaken& taken : plans->units) {
+    taken.of += " of intruders";
+    situation.units.push_back(std::move(taken));
   }
   if (plans->has_ids) situation.intruder_names.ids = std::move(plans->ids);
   return std::monostate{};

@@ -3,6 +3,7 @@
 
 #include "cli/advise/advise_request.hpp"
 #include "cli/input/flight_names.hpp"
+#include "io/load_points.hpp"
 
 #include <beespace/advise.hpp>
 #include <beespace/mover.hpp>
@@ -25,6 +26,7 @@ struct Situation {
   FlightNames names;  // of bees and obstacles
   FlightNames intruder_names;
   std::string format_description;
+  std::vector<io::UnitTaken> units;  // of bees, then of intruders
   std::vector<std::string> notes;
 
   // Those of the request, with obstacles and intruders; valid as long as this is where it is.

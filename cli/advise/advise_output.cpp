@@ -3,6 +3,7 @@
 #include "cli/analysis/number_text.hpp"
 #include "cli/output/advice_words.hpp"
 #include "cli/output/block_writer.hpp"
+#include "cli/output/json_units.hpp"
 #include "io/bytes/byte_source.hpp"
 #include "io/json/json_text.hpp"
 #include "io/table/csv_field.hpp"
@@ -33,6 +34,7 @@ std::string input_json(const Counsel& counsel) {
   std::string out = "{\n    \"files\": [" + io::json_string(io::source_name(counsel.request.input));
   out += "],\n    \"format\": " + io::json_string(counsel.situation.format_description);
   out += ",\n    \"bees\": " + std::to_string(counsel.situation.movers.size());
+  out += ",\n    \"units\": " + json_units(counsel.situation.units);
   out += ",\n    \"notes\": [";
   std::string_view before;
   for (const std::string& note : counsel.situation.notes) {

@@ -163,6 +163,7 @@ std::string advise_summary(const Counsel& counsel, const AdviseTimes& times) {
   append_summary_line(
       out, "input",
       printable(io::source_name(request.input)) + " (" + situation.format_description + ")");
+  append_units(out, situation.units);
   for (const std::string& note : situation.notes) {
     append_summary_line(out, "note", printable(note));
   }

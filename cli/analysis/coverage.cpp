@@ -22,6 +22,10 @@ std::string bees_text(std::size_t count) {
   return grouped(std::uint64_t{count}) + (count == 1 ? " bee" : " bees");
 }
 
+std::string records_text(std::uint64_t count) {
+  return grouped(count) + (count == 1 ? " record" : " records");
+}
+
 // From the first fix of all to the last one.
 std::pair<double, double> whole_time(const io::Recording& recording) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -74,18 +78,65 @@ Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& gap
     coverage.outside_s += missing_s;
     if (missing_s > 0.0) ++coverage.bees_partly;
   }
+  coverage.missing = recording.missing;
   return coverage;
 }
 
 std::string unknown_text(const Coverage& coverage) {
   std::string text;
+  const auto append = [&text](const std::string& more) {
+    if (!text.empty() && !more.empty()) text += ", ";
+    text += more;
+  };
   if (coverage.gaps > 0) {
-    text = bees_text(coverage.bees_with_gaps) + " unknown for " + time_span(coverage.in_gaps_s) +
-           " in all";
+    append(bees_text(coverage.bees_with_gaps) + " unknown for " + time_span(coverage.in_gaps_s) +
+           " in all");
   }
-  if (coverage.bees_partly == 0) return text;
-  if (!text.empty()) text += ", ";
-  return text + bees_text(coverage.bees_partly) + " known for a part of the recording only";
+  if (coverage.bees_partly > 0) {
+    append(bees_text(coverage.bees_partly) + " known for a part of the recording only");
+  }
+  append(missing_text(coverage.missing));
+  return text;
+}
+
+std::string missing_text(const io::MissingRecords& missing) {
+  if (missing.count == 0) return {};
+  std::string text;
+  if (missing.nowhere > 0) {
+    text = grouped(missing.nowhere) +
+           (missing.nowhere == 1 ? " bee is known nowhere, " : " bees are known nowhere, ");
+  }
+  return text + records_text(missing.count) + (missing.count == 1 ? " was" : " were") + " left out";
+}
+
+void append_missing(std::string& out, const io::MissingRecords& missing) {
+  if (missing.count == 0) return;
+  std::string text = red(records_text(missing.count));
+  if (missing.without_id < missing.count) text += " of " + bees_text(missing.bees);
+  if (missing.without_id > 0) {
+    text += missing.without_id == missing.count
+                ? " of unknown bees"
+                : " and " + grouped(missing.without_id) + " of unknown ones";
+  }
+  append_summary_line(out, "left out", text + ": place, height or time is missing or bad");
+  if (missing.nowhere == 0) return;
+  std::string named;
+  for (const std::string& id : missing.nowhere_ids) named += (named.empty() ? "" : ", ") + id;
+  if (missing.nowhere > missing.nowhere_ids.size()) named += ", ...";
+  append_summary_line(out, "", "known nowhere: " + printable(named));
+}
+
+std::string missing_json(const io::MissingRecords& missing) {
+  std::string out = "\"left_out_records\": " + std::to_string(missing.count);
+  out += ", \"left_out_without_id\": " + std::to_string(missing.without_id);
+  out += ", \"left_out_bees\": " + std::to_string(missing.bees);
+  out += ", \"bees_known_nowhere\": " + std::to_string(missing.nowhere);
+  out += ", \"known_nowhere\": [";
+  for (const std::string& id : missing.nowhere_ids) {
+    if (&id != &missing.nowhere_ids.front()) out += ", ";
+    io::append_json_string(out, id);
+  }
+  return out + "]";
 }
 
 std::string gap_text(const Gap& gap, const io::Recording& recording) {
@@ -115,6 +166,7 @@ void append_coverage(std::string& out, const Coverage& coverage, const io::Recor
                             " before the first or after the last fix, for " +
                             time_span(coverage.outside_s) + " in all");
   }
+  append_missing(out, coverage.missing);
 }
 
 std::string coverage_json(const Coverage& coverage, const io::Recording& recording) {
@@ -130,6 +182,7 @@ std::string coverage_json(const Coverage& coverage, const io::Recording& recordi
   out += ", \"in_gaps_s\": " + exact(coverage.in_gaps_s);
   out += ", \"bees_partly_known\": " + std::to_string(coverage.bees_partly);
   out += ", \"before_first_and_after_last_s\": " + exact(coverage.outside_s);
+  out += ",\n    " + missing_json(coverage.missing);
   out += ",\n    \"longest_gaps\": [";
   for (std::size_t i = 0; i < coverage.longest.size(); ++i) {
     const Gap& gap = coverage.longest[i];

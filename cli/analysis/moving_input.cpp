@@ -191,6 +191,23 @@ MoversView Snapshot::view() const {
   return {positions.positions(), positions.velocities(), heights_m, climbs_mps};
 }
 
+Snapshot Snapshot::present() const {
+  Snapshot all;
+  all.time_s = time_s;
+  all.movers = movers;
+  all.heights_m = heights_m;
+  all.climbs_mps = climbs_mps;
+  all.bees = bees;
+  for (const Placed& placed : unmoving) {
+    all.movers.push_back({placed.position, {}});
+    all.bees.push_back(placed.bee);
+    if (heights_m.empty()) continue;
+    all.heights_m.push_back(placed.height_m);
+    all.climbs_mps.push_back(0.0);
+  }
+  return all;
+}
+
 Result<std::vector<Track>> tracks_of(const io::Recording& recording, Geometry geometry,
                                      double tolerance_m) {
   std::vector<Track> tracks;
@@ -246,7 +263,11 @@ Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, 
                                    stated_height(recording, bee, bee.fixes.size() - 1))
                      : last_state(recording, bee, geometry, max_age_s);
     if (!state && state.error().code == ErrorCode::kMissingColumn) {
-      ++snapshot.unmoving;
+      const std::size_t last = bee.fixes.size() - 1;
+      const auto at =
+          placed(bee.fixes[last], recording.frame, geometry, stated_height(recording, bee, last));
+      if (!at) return of_bee(at.error(), bee);
+      snapshot.unmoving.push_back({static_cast<std::uint32_t>(i), at->fix.position, at->height_m});
       no_velocity = of_bee(std::move(state).error(), bee);
       continue;
     }

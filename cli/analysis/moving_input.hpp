@@ -68,11 +68,20 @@ struct Snapshot {
   std::uint64_t brought_forward = 0;
   double oldest_s = 0.0;    // of those: how far
   std::uint64_t stale = 0;  // left out
-  // Left out: neither a velocity nor two fixes, max_age_s apart at most, tell how fast they go.
-  std::uint64_t unmoving = 0;
+  // Of these neither a velocity nor two fixes, max_age_s apart at most, tell how fast they go: they
+  // are no movers, and known only where they were last heard of.
+  struct Placed {
+    std::uint32_t bee = 0;
+    Point position = {};
+    double height_m = 0.0;  // apart, as above
+  };
+  std::vector<Placed> unmoving;
   std::uint64_t estimated = 0;  // velocities that come from the last two fixes
 
   [[nodiscard]] MoversView view() const;
+  // The movers, and behind them the unmoving ones where they were last heard of: the present moment
+  // as far as it is known, of which a search must not look ahead.
+  [[nodiscard]] Snapshot present() const;
 };
 
 // Whether it matters how fast those go who need not be brought there.

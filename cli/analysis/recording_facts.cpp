@@ -194,6 +194,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
       {recording, tracks, *in_space, *recorded, *closest, coverage, closest->has_value()},
       moving.vertical_m.has_value());
   facts.unknown = unknown_text(coverage);
+  facts.hidden = coverage.may_hide_conflicts();
   if (!coverage.complete()) {
     swarm.notes.push_back("what is said of conflicts is of the known time: " + facts.unknown);
   }

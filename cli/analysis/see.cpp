@@ -195,9 +195,10 @@ const report::SwarmFacts& swarm_of(const Seen& seen) {
 }
 
 bool is_risky(const Seen& seen) {
-  // A gap may hide a conflict.
   const auto* recording = std::get_if<report::RecordingFacts>(&seen);
-  if (recording != nullptr && !recording->gaps.empty()) return true;
+  if (recording != nullptr && recording->hidden) return true;
+  const auto* snapshot = std::get_if<report::SnapshotFacts>(&seen);
+  if (snapshot != nullptr && !snapshot->unknown.empty()) return true;
   return std::visit([](const auto& facts) { return !facts.at_risk.empty(); }, seen);
 }
 

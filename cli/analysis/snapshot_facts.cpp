@@ -1,6 +1,7 @@
 #include "cli/analysis/snapshot_facts.hpp"
 
 #include "cli/analysis/closest_in_conflict.hpp"
+#include "cli/analysis/coverage.hpp"
 #include "cli/analysis/ground_places.hpp"
 #include "cli/analysis/moving_input.hpp"
 #include "cli/analysis/number_text.hpp"
@@ -135,6 +136,21 @@ void note_skipped(std::uint64_t count, std::vector<std::string>& notes) {
   if (count > 0) notes.push_back("bad records left out: " + grouped(count));
 }
 
+// Whom or what the search did not see.
+std::string unknown_text(const Snapshot& snapshot, const io::Recording& recording) {
+  std::string text;
+  if (const std::uint64_t unseen = snapshot.stale + snapshot.unmoving.size(); unseen > 0) {
+    text = grouped(unseen) + (unseen == 1 ? " bee is" : " bees are") + " left out";
+  }
+  const std::string missing = missing_text(recording.missing);
+  if (!text.empty() && !missing.empty()) text += ", ";
+  return text + missing;
+}
+
+void note_unknown(const std::string& unknown, std::vector<std::string>& notes) {
+  if (!unknown.empty()) notes.push_back("what is said is of those that are known: " + unknown);
+}
+
 // What `predict` says of bees that are not where they were last seen.
 void note_ages(const Snapshot& snapshot, std::vector<std::string>& notes) {
   if (snapshot.brought_forward > 0) {
@@ -146,8 +162,8 @@ void note_ages(const Snapshot& snapshot, std::vector<std::string>& notes) {
     notes.push_back(grouped(snapshot.stale) + " left out: not heard of for " + exact(kMaxAge_s) +
                     " s");
   }
-  if (snapshot.unmoving > 0) {
-    notes.push_back(grouped(snapshot.unmoving) +
+  if (!snapshot.unmoving.empty()) {
+    notes.push_back(grouped(snapshot.unmoving.size()) +
                     " left out: neither a velocity nor two fixes tell how fast they go");
   }
 }
@@ -165,6 +181,10 @@ Result<report::SnapshotFacts> snapshot_facts(const io::LoadedPoints& loaded,
     swarm.notes.push_back(text_of(repeated));
   }
   note_skipped(loaded.skipped_count, swarm.notes);
+  io::MissingRecords missing;
+  missing.count = loaded.skipped_count;
+  facts.unknown = missing_text(missing);
+  note_unknown(facts.unknown, swarm.notes);
   const GroundPlaces apart = ground_places(loaded, request.moving.vertical, loaded.height_unit);
   const Status found = search(loaded.points, apart, request.moving.threads, facts);
   if (!found) return found.error();
@@ -189,6 +209,8 @@ Result<report::SnapshotFacts> snapshot_facts(const io::Recording& recording,
   const auto snapshot = snapshot_of(recording, Geometry::kSpace, kMaxAge_s, Wanted::kPlaces);
   if (!snapshot) return snapshot.error();
   note_ages(*snapshot, swarm.notes);
+  facts.unknown = unknown_text(*snapshot, recording);
+  note_unknown(facts.unknown, swarm.notes);
   std::vector<Point> points;
   for (const Mover& mover : snapshot->movers) points.push_back(mover.position);
   GroundPlaces apart;

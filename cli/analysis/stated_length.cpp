@@ -2,6 +2,9 @@
 
 #include "cli/analysis/number_text.hpp"
 
+#include <array>
+#include <cstdio>
+
 namespace beespace::cli {
 
 std::optional<StatedLength> parse_stated(std::string_view text, io::Quantity quantity) {
@@ -34,6 +37,17 @@ bool compares_as_stated(const std::optional<StatedLength>& vertical, io::Unit he
   return vertical && vertical->unit == height_unit && height_unit != io::Unit::kMetre;
 }
 
+namespace {
+
+// A suggestion to type: not every digit of what is rounded anyway.
+std::string short_number(double value) {
+  std::array<char, 32> text = {};
+  std::snprintf(text.data(), text.size(), "%.6g", value);
+  return text.data();
+}
+
+}  // namespace
+
 std::string vertical_note(const std::optional<StatedLength>& vertical, io::Unit height_unit) {
   if (!vertical) return {};
   const std::string heights(io::symbol_of(height_unit));
@@ -42,7 +56,9 @@ std::string vertical_note(const std::optional<StatedLength>& vertical, io::Unit 
   }
   if (height_unit != io::Unit::kMetre) {
     return "compared in metres, to which heights in " + heights + " are rounded; a threshold in " +
-           heights + " (--vertical 1000" + heights + ") is compared with them as they stand";
+           heights + " (--vertical " +
+           short_number(io::from_metric(vertical->metric, height_unit)) + heights +
+           ") is compared with them as they stand";
   }
   if (vertical->unit == io::Unit::kMetre) return {};
   return text_of(*vertical) + ", compared in metres, as heights are";

@@ -76,7 +76,8 @@ Result<ExitCode> detect(const DetectRequest& request) {
 
   progress.finish();
   if (!request.quiet) say(summary(*inputs, *detection, request));
-  const bool risk = request.fail_on_risk && !detection->at_risk.empty();
+  const bool risky = !detection->at_risk.empty() || inputs->skipped() > 0;
+  const bool risk = request.fail_on_risk && risky;
   return risk ? ExitCode::kRiskFound : ExitCode::kFine;
 }
 

@@ -128,7 +128,9 @@ void add_output_options(CLI::App& detect, DetectOptions& options) {
       .add_flag("--geojson", options.geojson,
                 "Points or lines for map tools (input in degrees only)")
       ->group("Output");
-  detect.add_flag("--fail-on-risk", options.fail_on_risk, "Exit with 1 when somebody is at risk")
+  detect
+      .add_flag("--fail-on-risk", options.fail_on_risk,
+                "Exit with 1 when somebody is at risk, or records were\nleft out")
       ->group("Output");
   detect.add_flag("--quiet", options.quiet, "No summary and no progress, only errors")
       ->group("Output");

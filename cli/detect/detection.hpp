@@ -48,6 +48,11 @@ struct Inputs {
     return alike ? ours.height_unit : io::Unit::kMetre;
   }
 
+  // Bad records, of which it is not known where they are.
+  [[nodiscard]] std::uint64_t skipped() const {
+    return ours.skipped_count + (others ? others->skipped_count : 0);
+  }
+
   // Whose ids stand second in pairs, and in columns of ids.
   [[nodiscard]] const io::LoadedPoints& theirs() const { return others ? *others : ours; }
 };

@@ -7,9 +7,18 @@
 #include "io/load_points.hpp"
 #include "io/points/loaded_points.hpp"
 #include "io/problems/excerpt.hpp"
+#include "io/table/column_wishes.hpp"
+#include "io/table/fields.hpp"
+#include "io/table/header_words.hpp"
 
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 namespace beespace::cli {
 namespace {
@@ -29,6 +38,12 @@ Result<io::LoadedPoints> load_snapshot(const std::string& path, const io::LoadOp
   if (!loaded) return or_recording(std::move(loaded).error(), path, options);
   if (auto problem = recording_problem(*loaded, path)) return *std::move(problem);
   return loaded;
+}
+
+bool has_heights(const io::LoadedPoints& loaded) {
+  return std::none_of(loaded.notes.begin(), loaded.notes.end(), [](const std::string& note) {
+    return note.starts_with("no height column") || note.starts_with("no z column");
+  });
 }
 
 // Refused where they are to be unique.
@@ -56,6 +71,57 @@ std::optional<Error> datum_problem(const io::LoadedPoints& ours, const io::Loade
                             "; take the same of both with --heights or --columns");
 }
 
+// Of 0 m for whatever has no height nothing follows beside heights that are known.
+std::optional<Error> height_problem(const Inputs& inputs, const io::LoadedPoints& others,
+                                    const DetectRequest& request) {
+  if (has_heights(inputs.ours) == has_heights(others)) return std::nullopt;
+  const std::string& without = has_heights(others) ? request.input : *request.others;
+  const std::string& with = has_heights(others) ? *request.others : request.input;
+  const bool degrees = others.frame == io::Frame::kWgs84;
+  return detect_usage_error(
+      "the two swarms cannot be compared: " + source_of(without) + " has no " +
+      (degrees ? "height" : "z") + " column, and " + source_of(with) +
+      " has one; add it to the first, or take it from the second to compare both at 0 m");
+}
+
+// The columns of a header by their numbers.
+std::vector<std::string> names_in(const io::LoadedPoints& loaded) {
+  std::vector<std::string> names;
+  io::FieldCursor cursor(io::header_line(loaded), io::delimiter(loaded));
+  io::Field field;
+  while (!io::header_line(loaded).empty() && cursor.next(field)) {
+    names.push_back(io::lower_case(io::without_padding(io::unquoted(field))));
+  }
+  return names;
+}
+
+// --columns goes to both files; by number only where these call the same columns the same.
+std::optional<Error> columns_problem(const Inputs& inputs, const io::LoadedPoints& others,
+                                     const DetectRequest& request) {
+  const auto ours = names_in(inputs.ours);
+  const auto theirs = names_in(others);
+  if (request.load.columns.empty() || ours.empty() || theirs.empty()) return std::nullopt;
+  const auto wishes = io::read_wishes(request.load.columns, request.load.frame);
+  if (!wishes) return wishes.error();
+  for (const io::Wish& wish : *wishes) {
+    std::size_t number = 0;
+    const char* const end = wish.column.data() + wish.column.size();
+    const auto read = std::from_chars(wish.column.data(), end, number);
+    if (read.ec != std::errc() || read.ptr != end || number == 0) continue;
+    if (number > ours.size() || number > theirs.size()) continue;
+    if (ours[number - 1] == theirs[number - 1]) continue;
+    const io::Role role = io::read_header_word(ours[number - 1]).role;
+    const bool alike = role == io::read_header_word(theirs[number - 1]).role;
+    if (alike && role != io::Role::kNone) continue;
+    return detect_usage_error(
+        "--columns goes to both files, but column " + wish.column + " is " +
+        io::excerpt(ours[number - 1]) + " in " + source_of(request.input) + " and " +
+        io::excerpt(theirs[number - 1]) + " in " + source_of(*request.others) +
+        "; name the columns instead of numbering them, or leave --columns out");
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Result<Inputs> load_inputs(const DetectRequest& request, ProgressBar& progress) {
@@ -81,6 +147,8 @@ Result<Inputs> load_inputs(const DetectRequest& request, ProgressBar& progress) 
         ", and " + taken_for(*others, *request.others) +
         "; convert one, or say with --crs what both are");
   }
+  if (auto problem = columns_problem(inputs, *others, request)) return *std::move(problem);
+  if (auto problem = height_problem(inputs, *others, request)) return *std::move(problem);
   if (auto problem = datum_problem(inputs.ours, *others)) return *std::move(problem);
   auto their_repeated = repeated_ids(*others, *request.others, request.unique_ids);
   if (!their_repeated) return std::move(their_repeated).error();

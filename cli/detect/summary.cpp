@@ -31,7 +31,12 @@ std::string frame_line(const io::LoadedPoints& loaded) {
   return frame + ": " + printable(loaded.frame_reason);
 }
 
-std::string at_risk_line(const io::LoadedPoints& loaded, const Detection& detection) {
+std::string at_risk_line(const Inputs& inputs, const Detection& detection) {
+  const io::LoadedPoints& loaded = inputs.ours;
+  if (const std::uint64_t skipped = inputs.skipped(); detection.at_risk.empty() && skipped > 0) {
+    return bold("none of those that are known") + "; " + grouped(skipped) +
+           (skipped == 1 ? " record was left out" : " records were left out");
+  }
   if (detection.at_risk.empty()) return bold("nobody");
   const std::string text =
       grouped(detection.at_risk.size()) + " (" + percentage(detection.share(loaded)) + ")";
@@ -99,7 +104,7 @@ std::string summary(const Inputs& inputs, const Detection& detection,
                                       request.search.inclusive) +
                           (request.default_threshold ? kDefaultThresholdWords : ""));
   append_vertical(out, request.vertical, inputs.height_unit());
-  append_summary_line(out, "at risk", at_risk_line(inputs.ours, detection));
+  append_summary_line(out, "at risk", at_risk_line(inputs, detection));
   if (!detection.table.finding.empty()) {
     append_summary_line(out, request.report->label, detection.table.finding);
   }

@@ -127,7 +127,8 @@ void add_output_options(CLI::App& command, MovingOptions& options) {
       ->group("Output");
   command
       .add_flag("--fail-on-risk", options.fail_on_risk,
-                "Exit with 1 when there is a conflict, or in a\nrecording a gap that may hide one")
+                "Exit with 1 when there is a conflict, or a gap or\nrecords that were left out may "
+                "hide one")
       ->group("Output");
   command.add_flag("--quiet", options.quiet, "No summary and no progress, only errors")
       ->group("Output");

@@ -1,5 +1,6 @@
 #include "cli/recorded/predict_command.hpp"
 
+#include "cli/analysis/coverage.hpp"
 #include "cli/analysis/moving_input.hpp"
 #include "cli/analysis/number_text.hpp"
 #include "cli/command_line/option_values.hpp"
@@ -37,15 +38,41 @@ Result<PredictRequest> request_of(const PredictCommandOptions& options) {
   return PredictRequest{*std::move(moving), *horizon, *max_age};
 }
 
+// Those of the horizon, and of the bees that are known for the present moment only those of now:
+// between movers and snapshot.present().
+Result<std::vector<Conflict>> conflicts_of(const Snapshot& snapshot,
+                                           const PredictOptions& options) {
+  auto conflicts = predict_conflicts(snapshot.view(), options);
+  if (!conflicts || snapshot.unmoving.empty()) return conflicts;
+  PredictOptions now = options;
+  now.horizon_s = 0.0;
+  const auto present = predict_conflicts(snapshot.present().view(), now);
+  if (!present) return present.error();
+  for (const Conflict& conflict : *present) {
+    // The second one is the later: where it is a mover both are.
+    if (conflict.second >= snapshot.movers.size()) conflicts->push_back(conflict);
+  }
+  if (conflicts->size() > options.max_results) {
+    return Error{ErrorCode::kTooManyResults, "there are too many conflicts", {}};
+  }
+  return conflicts;
+}
+
 // Conflicts name bees of the recording, and times are those of its clock.
 void translate(std::vector<Conflict>& conflicts, const Snapshot& snapshot) {
+  const std::vector<std::uint32_t> bees = snapshot.present().bees;
   for (Conflict& conflict : conflicts) {
-    conflict.first = snapshot.bees[conflict.first];
-    conflict.second = snapshot.bees[conflict.second];
+    const PointId first = bees[conflict.first];
+    const PointId second = bees[conflict.second];
+    conflict.first = std::min(first, second);
+    conflict.second = std::max(first, second);
     conflict.begins_s += snapshot.time_s;
     conflict.closest_s += snapshot.time_s;
     conflict.ends_s += snapshot.time_s;
   }
+  std::sort(conflicts.begin(), conflicts.end(), [](const Conflict& a, const Conflict& b) {
+    return a.first != b.first ? a.first < b.first : a.second < b.second;
+  });
 }
 
 struct Outlook {
@@ -53,14 +80,34 @@ struct Outlook {
   const Snapshot& snapshot;
   double threshold_m;
   const std::vector<Conflict>& conflicts;
+
+  // Whether it is known of every bee where it goes.
+  [[nodiscard]] bool complete() const {
+    return snapshot.stale == 0 && snapshot.unmoving.empty() && recording.missing.count == 0;
+  }
 };
+
+// Whom the conflicts do not cover.
+std::string unknown_text(const Outlook& outlook) {
+  std::string text;
+  const auto append = [&text](const std::string& more) {
+    if (!text.empty() && !more.empty()) text += ", ";
+    text += more;
+  };
+  if (const std::uint64_t count = outlook.snapshot.unmoving.size(); count > 0) {
+    append(grouped(count) + (count == 1 ? " bee is" : " bees are") + " checked for now only");
+  }
+  if (const std::uint64_t count = outlook.snapshot.stale; count > 0) {
+    append(grouped(count) + (count == 1 ? " bee is" : " bees are") + " left out");
+  }
+  append(missing_text(outlook.recording.missing));
+  return text;
+}
 
 std::string found_line(const Outlook& outlook) {
   if (outlook.conflicts.empty()) {
-    const std::uint64_t left_out = outlook.snapshot.stale + outlook.snapshot.unmoving;
-    if (left_out == 0) return bold("none");
-    return bold("none of those that are known") + "; " + grouped(left_out) +
-           (left_out == 1 ? " bee is" : " bees are") + " left out";
+    return outlook.complete() ? bold("none")
+                              : bold("none of those that are known") + "; " + unknown_text(outlook);
   }
   std::vector<PointId> bees;
   for (const Conflict& conflict : outlook.conflicts) {
@@ -69,7 +116,8 @@ std::string found_line(const Outlook& outlook) {
   }
   std::sort(bees.begin(), bees.end());
   bees.erase(std::unique(bees.begin(), bees.end()), bees.end());
-  return red(grouped(outlook.conflicts.size()) + ", of " + grouped(bees.size()) + " bees");
+  return red(grouped(outlook.conflicts.size()) + ", of " + grouped(bees.size()) + " bees") +
+         (outlook.complete() ? "" : "; " + unknown_text(outlook));
 }
 
 std::string summary(const Outlook& outlook, const PredictRequest& request, double search_s) {
@@ -88,12 +136,13 @@ std::string summary(const Outlook& outlook, const PredictRequest& request, doubl
                         red(grouped(snapshot.stale) + " left out") + ", not heard of for " +
                             exact(request.max_age_s) + " s (--max-age)");
   }
-  if (snapshot.unmoving > 0) {
+  if (!snapshot.unmoving.empty()) {
     append_summary_line(out, "unknown",
-                        red(grouped(snapshot.unmoving) + " left out") +
-                            ": neither a velocity nor two fixes, at most " +
+                        red(grouped(snapshot.unmoving.size()) + " checked for now only") +
+                            ", where last heard of: neither a velocity nor two fixes, at most " +
                             exact(request.max_age_s) + " s apart, tell how fast they go");
   }
+  append_missing(out, outlook.recording.missing);
   if (snapshot.estimated > 0) {
     append_summary_line(
         out, "note",
@@ -139,14 +188,14 @@ Result<ExitCode> predict(const PredictRequest& request) {
   Stopwatch watch;
   const double threshold_m =
       moving.threshold_m.value_or(recording->declared_threshold_m.value_or(kDefaultThreshold_m));
-  auto conflicts = predict_conflicts(
-      snapshot->view(), {.threshold_m = threshold_m,
-                         .vertical_m = vertical_in(geometry, moving.vertical),
-                         .horizon_s = request.horizon_s,
-                         .inclusive = moving.inclusive,
-                         .threads = moving.threads,
-                         .max_results = moving.max_results,
-                         .height_unit_m = height_unit_m(geometry, recording->height_unit)});
+  auto conflicts =
+      conflicts_of(*snapshot, {.threshold_m = threshold_m,
+                               .vertical_m = vertical_in(geometry, moving.vertical),
+                               .horizon_s = request.horizon_s,
+                               .inclusive = moving.inclusive,
+                               .threads = moving.threads,
+                               .max_results = moving.max_results,
+                               .height_unit_m = height_unit_m(geometry, recording->height_unit)});
   if (!conflicts) return in_words_of_the_command(std::move(conflicts).error(), moving);
   const double search_s = watch.lap();
   translate(*conflicts, *snapshot);
@@ -156,7 +205,10 @@ Result<ExitCode> predict(const PredictRequest& request) {
   head += ",\n  \"horizon_s\": " + exact(request.horizon_s);
   head += ",\n  \"movers\": " + std::to_string(snapshot->movers.size());
   head += ",\n  \"stale\": " + std::to_string(snapshot->stale);
-  head += ",\n  \"without_velocity\": " + std::to_string(snapshot->unmoving);
+  head += ",\n  \"without_velocity\": " + std::to_string(snapshot->unmoving.size());
+  const Outlook outlook{*recording, *snapshot, threshold_m, *conflicts};
+  head += std::string(",\n  \"known\": {\"complete\": ") + (outlook.complete() ? "true" : "false") +
+          ", " + missing_json(recording->missing) + "}";
   head += ",\n  \"conflict_count\": " + std::to_string(conflicts->size());
   write_answer(conflict_rows(*conflicts, *recording, false), moving, head, "conflicts", *output);
   const Status written = output->commit();
@@ -164,9 +216,10 @@ Result<ExitCode> predict(const PredictRequest& request) {
   if (!written) return written.error();
   progress.finish();
   if (!moving.quiet) {
-    say(summary({*recording, *snapshot, threshold_m, *conflicts}, request, search_s));
+    say(summary(outlook, request, search_s));
   }
-  return moving.fail_on_risk && !conflicts->empty() ? ExitCode::kRiskFound : ExitCode::kFine;
+  const bool risky = !conflicts->empty() || !outlook.complete();
+  return moving.fail_on_risk && risky ? ExitCode::kRiskFound : ExitCode::kFine;
 }
 
 }  // namespace

@@ -256,8 +256,7 @@ Result<ExitCode> replay(const ReplayRequest& request) {
   if (!moving.quiet) {
     say(replay_summary(findings, moving, {threshold_m, read_s, search_s}));
   }
-  // A gap may hide a conflict.
-  const bool risky = !recorded->conflicts.empty() || coverage.gaps > 0;
+  const bool risky = !recorded->conflicts.empty() || coverage.may_hide_conflicts();
   const bool risk = moving.fail_on_risk && risky;
   return risk ? ExitCode::kRiskFound : ExitCode::kFine;
 }

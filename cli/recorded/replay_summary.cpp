@@ -18,7 +18,8 @@ std::string plural(std::uint64_t count, const char* one, const char* several) {
 
 std::string verdict(const Findings& findings, const std::vector<PairInConflict>& pairs) {
   if (!findings.anybody_meets)
-    return red("nothing to compare") + ": no two bees are there at the same time";
+    return red("nothing to compare") + ": no two bees are there at the same time" +
+           (findings.coverage.may_hide_conflicts() ? "; " + unknown_text(findings.coverage) : "");
   if (pairs.empty() && !findings.coverage.complete()) {
     return bold("no conflict in the known time") + "; " + unknown_text(findings.coverage);
   }

@@ -53,7 +53,7 @@ std::string found_text(std::uint64_t count, const char* one, const char* several
 }
 
 std::string verdict_text(const Verdict& verdict, const Coverage& coverage) {
-  if (verdict.holds() && coverage.gaps > 0) {
+  if (verdict.holds() && coverage.may_hide_conflicts()) {
     return red("not seen as a whole") + ": holds in the known time; " + unknown_text(coverage);
   }
   if (verdict.holds()) return bold("holds");
@@ -65,7 +65,7 @@ std::string verdict_text(const Verdict& verdict, const Coverage& coverage) {
   if (verdict.losses > 0) append("does not keep its distance");
   if (verdict.clearance_losses > 0) append("does not keep clear of obstacles");
   if (verdict.breaches > 0) append("breaks the limits");
-  return red(text) + (coverage.gaps > 0 ? "; " + unknown_text(coverage) : "");
+  return red(text) + (coverage.may_hide_conflicts() ? "; " + unknown_text(coverage) : "");
 }
 
 std::string obstacles_text(const VerifyOptions& options) {

@@ -24,7 +24,7 @@ struct Verification {
   double check_s = 0.0;
 
   // What was not seen is not certified.
-  [[nodiscard]] bool holds() const { return verdict.holds() && coverage.gaps == 0; }
+  [[nodiscard]] bool holds() const { return verdict.holds() && !coverage.may_hide_conflicts(); }
 };
 
 // finding, first, second, begins_s, ends_s, value: losses, those of clearance (the second is

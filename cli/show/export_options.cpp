@@ -53,7 +53,8 @@ void add_file_options(CLI::App& command, ExportOptions& options) {
   command.add_flag("--json", moving.json, "Say errors as JSON too")->group("Output");
   command
       .add_flag("--fail-on-risk", moving.fail_on_risk,
-                "Exit with 1 when somebody is at risk, or a recording\nhas a gap that may hide it")
+                "Exit with 1 when somebody is at risk, or a gap or\nrecords that were left out may "
+                "hide it")
       ->group("Output");
   command.add_flag("--quiet", moving.quiet, "No summary and no progress, only errors")
       ->group("Output");

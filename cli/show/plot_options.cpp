@@ -47,7 +47,8 @@ void add_picture_options(CLI::App& plot, PlotOptions& options) {
       ->group("Output");
   plot.add_flag("--json", moving.json, "Say errors as JSON too")->group("Output");
   plot.add_flag("--fail-on-risk", moving.fail_on_risk,
-                "Exit with 1 when somebody is at risk, or a recording\nhas a gap that may hide it")
+                "Exit with 1 when somebody is at risk, or a gap or\nrecords that were left out may "
+                "hide it")
       ->group("Output");
   plot.add_flag("--quiet", moving.quiet, "No summary and no progress, only errors")
       ->group("Output");

@@ -40,7 +40,8 @@ void add_page_options(CLI::App& report, MovingOptions& options) {
   report.add_flag("--json", options.json, "Say errors as JSON too")->group("Output");
   report
       .add_flag("--fail-on-risk", options.fail_on_risk,
-                "Exit with 1 when somebody is at risk, or a recording\nhas a gap that may hide it")
+                "Exit with 1 when somebody is at risk, or a gap or\nrecords that were left out may "
+                "hide it")
       ->group("Output");
   report.add_flag("--quiet", options.quiet, "No summary and no progress, only errors")
       ->group("Output");

@@ -16,6 +16,9 @@ std::string count_of(std::uint64_t count, const char* one, const char* several) 
 }
 
 std::string risk_of(const report::SnapshotFacts& facts) {
+  if (facts.at_risk.empty() && !facts.unknown.empty()) {
+    return bold("none of those that are known") + "; " + facts.unknown;
+  }
   if (facts.at_risk.empty()) return bold("nobody");
   return red(grouped(facts.at_risk.size()) + " of " + grouped(facts.positions.size())) + ": " +
          count_of(facts.pair_count, "pair", "pairs") + " in " +

@@ -1,6 +1,7 @@
 #include "cli/simulate/simulate_mission.hpp"
 
 #include "cli/analysis/number_text.hpp"
+#include "cli/console/summary_line.hpp"
 #include "cli/input/obstacle_file.hpp"
 #include "cli/simulate/simulate_scenarios.hpp"
 #include "io/bytes/byte_source.hpp"
@@ -47,6 +48,9 @@ Result<MissionToFly> mission_of_file(const SimulateRequest& request) {
   flown.mission.goals = std::move(plans->goals);
   if (plans->has_ids) flown.names.ids = std::move(plans->ids);
   flown.notes = std::move(plans->notes);
+  for (const io::UnitTaken& taken : plans->units) {
+    if (taken.evidence == io::UnitEvidence::kNamed) flown.notes.push_back(text_of(taken));
+  }
   if (!plans->velocities.empty()) {
     flown.notes.emplace_back("the velocities of the file are not used: everybody begins at rest");
   }

@@ -22,9 +22,13 @@ std::optional<Error> AircraftGathering::begin(std::string description, Unit heig
 }
 
 std::optional<Error> AircraftGathering::add(const AircraftReport& report, std::uint64_t line) {
-  const auto chosen = choice_.choose(report, assembly_.left_out());
+  LeftOut left_out;
+  const auto chosen = choice_.choose(report, left_out);
   if (!chosen) return chosen.error();
-  if (!chosen.value()) return std::nullopt;
+  if (!chosen.value()) {
+    for (const LeftOutReason& reason : left_out.reasons()) assembly_.leave_out(reason, report.id);
+    return std::nullopt;
+  }
   Origin origin;
   origin.source = assembly_.source() & 0xFF'FFFFu;
   origin.line = line & 0xFF'FFFF'FFFFu;

@@ -2,6 +2,7 @@
 
 #include "io/bytes/characters.hpp"
 #include "io/problems/excerpt.hpp"
+#include "io/problems/skipped_records.hpp"
 #include "io/table/fields.hpp"
 
 #include <array>
@@ -36,12 +37,16 @@ constexpr std::array<std::string_view, kKeys> kNames = {"hex", "flight", "now", 
 
 using Values = std::array<std::optional<JsonElement>, kKeys>;
 
-// One walk: such an object has dozens of other keys.
-Values values_of(simdjson::dom::object object) {
+// One walk: such an object has dozens of other keys. `twice` becomes the first of ours that is
+// there twice.
+Values values_of(simdjson::dom::object object, std::string_view& twice) {
   Values values;
+  std::array<bool, kKeys> met = {};
   for (const auto [key, value] : object) {
     for (std::size_t i = 0; i < kKeys; ++i) {
       if (key != kNames[i]) continue;
+      if (met[i] && twice.empty()) twice = kNames[i];
+      met[i] = true;
       if (!value.is_null()) values[i] = value;
       break;
     }
@@ -156,8 +161,13 @@ bool is_aircraft_object(simdjson::dom::object object) {
 std::optional<Error> read_aircraft_object(simdjson::dom::object object, double now_s,
                                           AircraftReport& report) {
   report = AircraftReport();
-  const Values values = values_of(object);
-  return ObjectReading(values, report).read(now_s);
+  std::string_view twice;
+  const Values values = values_of(object, twice);
+  auto error = ObjectReading(values, report).read(now_s);
+  if (error || twice.empty()) return error;
+  return Error{ErrorCode::kMalformedRecord,
+               excerpt(twice) + " is there twice; keep one" + std::string(kOrLeaveOut),
+               {}};
 }
 
 }  // namespace beespace::io

@@ -14,7 +14,8 @@ bool is_aircraft_object(simdjson::dom::object object);
 // `now_s` is when the file was written; not-a-number where the object says it itself. Heights come
 // in feet, speeds in knots, climbs in feet per minute, times in seconds before now. Errors without
 // place, and with the key at the front of the message: kMissingColumn (hex, now), kNotANumber,
-// kOutsideDomain, kMalformedRecord.
+// kOutsideDomain, kMalformedRecord (a
+// key that is there twice).
 std::optional<Error> read_aircraft_object(simdjson::dom::object object, double now_s,
                                           AircraftReport& report);
 

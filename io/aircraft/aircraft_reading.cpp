@@ -57,7 +57,7 @@ std::optional<Error> read_list(JsonElement root, std::string_view key, Recording
       if (!report.id.empty()) whose.append(" (").append(excerpt(report.id)).append(")");
       error->message.insert(0, whose.append(": "));
       error->place.record = index;
-      if (auto fatal = assembly.bad(*std::move(error))) return fatal;
+      if (auto fatal = assembly.bad(*std::move(error), report.id)) return fatal;
     }
     ++index;
   }
@@ -105,6 +105,7 @@ bool is_aircraft_document(JsonElement root) {
 }
 
 std::optional<Error> read_aircraft_document(JsonElement root, RecordingAssembly& assembly) {
+  if (auto error = json_twice(root, {"now", "aircraft", "states"})) return error;
   return has_member(root, "aircraft") ? read_aircraft(root, assembly) : read_states(root, assembly);
 }
 

@@ -17,7 +17,7 @@ namespace {
 constexpr LeftOutReason kNoPosition = {"without a position"};
 constexpr LeftOutReason kNoTime = {"without the time of the position"};
 constexpr LeftOutReason kOnGround = {"of aircraft on the ground",
-                                     "--grounded keeps those that tell a height"};
+                                     "--grounded keeps those that tell a height", true};
 constexpr LeftOutReason kNoEllipsoidHeight = {
     "without a height above the ellipsoid",
     "--heights pressure takes heights by pressure instead, for all"};
@@ -59,11 +59,11 @@ Result<std::optional<AircraftFix>> AircraftChoice::choose(const AircraftReport& 
     left_out.add(reason);
     return std::optional<AircraftFix>();
   };
+  if (report.on_ground && !grounded_) return leave_out(kOnGround);
   if (std::isnan(report.longitude_deg) || std::isnan(report.latitude_deg)) {
     return leave_out(kNoPosition);
   }
   if (std::isnan(report.time_s)) return leave_out(kNoTime);
-  if (report.on_ground && !grounded_) return leave_out(kOnGround);
   const double stated = by_pressure() ? report.pressure_height : report.ellipsoid_height;
   const double height = in_metric(stated, report.height_unit);
   if (std::isnan(height)) return leave_out(by_pressure() ? kNoPressureHeight : kNoEllipsoidHeight);

@@ -178,6 +178,7 @@ BaseStation::Heard& BaseStation::heard_of(const std::string& address) {
 
 std::optional<Error> BaseStation::take(std::string_view line, const AircraftReport*& report) {
   report = nullptr;
+  address_.clear();
   if (line.size() > kLongestLine) return long_line(line);
   Fields fields;
   const std::size_t count = split(line, fields);
@@ -192,6 +193,7 @@ std::optional<Error> BaseStation::take(std::string_view line, const AircraftRepo
   const char kind = fields[kKind][0];
 
   AircraftReport now;
+  address_ = normal_address(fields[kAddress]);
   if (auto error = read_values(fields, now)) return error;
   Heard& heard = heard_of(now.id);
   if (!fields[kCallsign].empty()) heard.callsign = fields[kCallsign].substr(0, kLongestCallsign);

@@ -36,6 +36,9 @@ class BaseStation {
   // kColumnCount, kMalformedRecord, kNotANumber, kNotFinite, kOutsideDomain.
   std::optional<Error> take(std::string_view line, const AircraftReport*& report);
 
+  // Whose the last message was; empty where it was not understood, or is a notice.
+  [[nodiscard]] const std::string& address() const { return address_; }
+
  private:
   struct Heard {
     double time_s = AircraftReport::kUnknown;  // of the velocity
@@ -48,6 +51,7 @@ class BaseStation {
   Heard& heard_of(const std::string& address);
 
   AircraftReport report_;
+  std::string address_;
   std::unordered_map<std::string, Heard> heard_;
 };
 

@@ -7,9 +7,17 @@
 
 #include <algorithm>
 #include <string>
+#include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace beespace::io {
+
+namespace {
+
+constexpr LeftOutReason kNoPositionEver = {"of aircraft that never tell a position (one each)"};
+
+}  // namespace
 
 bool is_base_station(std::string_view bytes) {
   constexpr std::size_t kLongestMessage = 1024;
@@ -27,16 +35,27 @@ std::optional<Error> read_base_station(std::string_view bytes, RecordingAssembly
   if (auto error = gathering.begin("BaseStation messages", Unit::kFoot, 0.0)) return error;
   assembly.note(std::string(BaseStation::note()));
   BaseStation station;
+  std::unordered_map<std::string, bool> heard;  // whether it tells positions
   RecordWalk walk(without_byte_order_mark(bytes), 0, '\n');
   while (walk.next()) {
     const AircraftReport* report = nullptr;
     auto error = station.take(walk.record(), report);
     if (!error && report != nullptr) error = gathering.add(*report, walk.line() + 1);
+    if (!error && !station.address().empty()) {
+      bool& tells_positions = heard.try_emplace(station.address(), false).first->second;
+      tells_positions = tells_positions || report != nullptr;
+    }
     if (!error) continue;
     error->place.line = walk.line() + 1;
     error->place.record = walk.row();
-    if (auto fatal = assembly.bad(*std::move(error))) return fatal;
+    if (auto fatal = assembly.bad(*std::move(error), station.address())) return fatal;
   }
+  std::vector<std::string> silent;
+  for (const auto& [address, tells_positions] : heard) {
+    if (!tells_positions) silent.push_back(address);
+  }
+  std::sort(silent.begin(), silent.end());
+  for (const std::string& address : silent) assembly.heard_of(kNoPositionEver, address);
   return std::nullopt;
 }
 

@@ -2,6 +2,7 @@
 
 #include "io/frames/track_domain.hpp"
 #include "io/json/json_fault.hpp"
+#include "io/problems/excerpt.hpp"
 
 #include <array>
 #include <utility>
@@ -50,6 +51,24 @@ std::optional<JsonElement> json_member(JsonElement object, std::string_view key)
   if (object.get(members) != simdjson::SUCCESS) return std::nullopt;
   if (members.at_key(key).get(found) != simdjson::SUCCESS || found.is_null()) return std::nullopt;
   return found;
+}
+
+std::optional<Error> json_twice(JsonElement object, std::initializer_list<std::string_view> keys) {
+  simdjson::dom::object members;
+  if (object.get(members) != simdjson::SUCCESS) return std::nullopt;
+  for (const std::string_view key : keys) {
+    std::size_t count = 0;
+    for (const auto member : members) {
+      if (member.key == key) ++count;
+    }
+    if (count > 1) {
+      return Error{ErrorCode::kMalformedRecord,
+                   excerpt(key) + " is there " + (count == 2 ? "twice" : "several times") +
+                       " in one object; keep one",
+                   {}};
+    }
+  }
+  return std::nullopt;
 }
 
 std::string_view json_kind(JsonElement element) {

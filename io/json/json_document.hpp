@@ -8,6 +8,7 @@
 
 #include <simdjson.h>
 
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,6 +34,10 @@ class JsonDocument {
 
 // Member `key` of an object; nothing where there is none, or it is null.
 std::optional<JsonElement> json_member(JsonElement object, std::string_view key);
+
+// An object that has one of these members twice, which no two readers take alike. Error without
+// place: kMalformedRecord.
+std::optional<Error> json_twice(JsonElement object, std::initializer_list<std::string_view> keys);
 
 // "a number", "a string", ...; what stands there instead of what is wanted.
 std::string_view json_kind(JsonElement element);

@@ -17,10 +17,11 @@ namespace beespace::io {
 namespace {
 
 constexpr LeftOutReason kNoSatellites = {"of drones that know no position yet (0, 0)"};
-constexpr LeftOutReason kOtherComponent = {"of another component of the same system"};
+constexpr LeftOutReason kOtherComponent = {"of another component of the same system", {}, true};
 constexpr LeftOutReason kOtherFrame = {
     "of drones that tell local positions only, beside others that tell longitude and latitude",
     "--crs metres takes local positions"};
+constexpr LeftOutReason kNotLocal = {"of drones that tell no local positions (--crs metres)"};
 
 struct Heard {
   std::uint64_t stamp = 0;
@@ -105,6 +106,7 @@ class TelemetryReading {
       assembly_.note(assembly_.source_name() + ": " + counted(walk_.damaged_bytes(), "byte") +
                      " in " + counted(walk_.damaged_places(), "place") +
                      " are no frame of MAVLink, or a damaged one, and are passed over");
+      assembly_.miss(walk_.damaged_places(), {});
     }
     if (walk_.cut_short()) {
       assembly_.note(assembly_.source_name() + ": the last frame is cut short and left out");
@@ -112,43 +114,46 @@ class TelemetryReading {
   }
 
   std::optional<Error> take(const Heard& heard, const std::string& before) {
+    const std::string id = before + std::to_string(heard.system);
     if (heard.at.global != global_) {
-      // Whoever tells both is taken by the better one.
-      if (global_ && !tells_global(heard.system)) assembly_.left_out().add(kOtherFrame);
+      // A drone that tells both is taken by the better one; of local positions that are asked for
+      // there may be none.
+      if (global_ && !tells(heard.system, true)) assembly_.leave_out(kOtherFrame, id);
+      if (!global_ && !tells(heard.system, false)) assembly_.leave_out(kNotLocal, id);
       return std::nullopt;
     }
     if (global_ && heard.at.position.x == 0.0 && heard.at.position.y == 0.0) {
-      assembly_.left_out().add(kNoSatellites);
+      assembly_.leave_out(kNoSatellites, id);
       return std::nullopt;
     }
     auto& component = components_[heard.system];
     if (!component) component = heard.component;
     if (*component != heard.component) {
-      assembly_.left_out().add(kOtherComponent);
+      assembly_.leave_out(kOtherComponent, id);
       return std::nullopt;
     }
     if (auto error = position_problem(heard)) {
       error->place.record = heard.frame;
-      return assembly_.bad(*std::move(error));
+      return assembly_.bad(*std::move(error), id);
     }
     constexpr double kMicrosPerSecond = 1e6;
     const double time_s = static_cast<double>(heard.stamp) / kMicrosPerSecond;
     Origin origin;
     origin.source = assembly_.source() & 0xFF'FFFFu;
     origin.line = (heard.frame + 1) & 0xFF'FFFF'FFFFu;
-    assembly_.tracks().add(before + std::to_string(heard.system), {time_s, heard.at.position},
-                           &heard.at.velocity, origin);
+    assembly_.tracks().add(id, {time_s, heard.at.position}, &heard.at.velocity, origin);
     return std::nullopt;
   }
 
-  bool tells_global(std::uint8_t system) {
+  // Whether that system tells positions of that kind at all.
+  bool tells(std::uint8_t system, bool global) {
     if (!systems_known_) {
       for (const Heard& heard : heard_) {
-        if (heard.at.global) tells_global_[heard.system] = true;
+        (heard.at.global ? tells_global_ : tells_local_)[heard.system] = true;
       }
       systems_known_ = true;
     }
-    return tells_global_[system];
+    return (global ? tells_global_ : tells_local_)[system];
   }
 
   [[nodiscard]] std::optional<Error> position_problem(const Heard& heard) const {
@@ -180,6 +185,7 @@ class TelemetryReading {
   bool global_ = false;
   bool systems_known_ = false;
   std::array<bool, 256> tells_global_ = {};
+  std::array<bool, 256> tells_local_ = {};
   std::array<std::optional<std::uint8_t>, 256> components_ = {};  // by system: who speaks for it
 };
 

@@ -92,6 +92,23 @@ class PlanHeader {
                    " there is no " + lacking + "; add it (" + list_columns(seen_) + ")");
   }
 
+  // Places belong together, and so do speeds: where one of them names a unit, the others do.
+  [[nodiscard]] std::optional<Error> half_stated_together(const PlanLayout& layout) const {
+    std::vector<ColumnUnit> places = units_of(layout.position);
+    std::vector<ColumnUnit> speeds;
+    const auto append = [](const std::optional<AxisColumns>& columns,
+                           std::vector<ColumnUnit>& units) {
+      if (!columns) return;
+      for (const ColumnUnit& one : units_of(*columns)) units.push_back(one);
+    };
+    append(layout.goal, places);
+    append(layout.velocity, speeds);
+    append(layout.wish, speeds);
+    if (layout.max_speed) speeds.push_back(unit_of(*layout.max_speed));
+    if (auto error = half_stated(seen_.names, places)) return error;
+    return half_stated(seen_.names, speeds);
+  }
+
   // "id" before "name" and "frame_id".
   std::optional<std::size_t> find_id() {
     std::optional<std::size_t> found;
@@ -120,11 +137,13 @@ class PlanHeader {
  private:
   static std::vector<ColumnUnit> units_of(const AxisColumns& columns) {
     std::vector<ColumnUnit> units;
-    for (const NumberColumn& of : columns) {
-      units.push_back({of.column, of.unit,
-                       of.unit == Unit::kUnstated ? UnitEvidence::kUsual : UnitEvidence::kNamed});
-    }
+    for (const NumberColumn& of : columns) units.push_back(unit_of(of));
     return units;
+  }
+
+  static ColumnUnit unit_of(const NumberColumn& of) {
+    return {of.column, of.unit,
+            of.unit == Unit::kUnstated ? UnitEvidence::kUsual : UnitEvidence::kNamed};
   }
 
   [[nodiscard]] std::string text(std::size_t column) const {
@@ -204,15 +223,11 @@ std::optional<Error> choose_columns_of(PlanLayout& layout, const ColumnsSeen& se
   const auto max_acceleration = header.find(PlanRole::kMaxAcceleration, 0);
   if (!max_acceleration) return max_acceleration.error();
   layout.max_acceleration = *max_acceleration;
+  if (auto error = header.half_stated_together(layout)) return error;
   layout.id = header.find_id();
   if (!layout.id)
     layout.notes.emplace_back("there is no id: bees are numbered in their order, from 0");
   layout.units = units_of(layout, seen);
-  for (const UnitTaken& taken : layout.units) {
-    if (taken.evidence != UnitEvidence::kNamed) continue;
-    layout.notes.push_back(taken.of + " in " + std::string(symbol_of(taken.unit)) + ": " +
-                           taken.reason);
-  }
   if (auto error = unmet(need, layout, seen)) return error;
   if (const std::string left = header.left_over(); !left.empty()) {
     layout.notes.push_back("not read: " + left);

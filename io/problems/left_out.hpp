@@ -1,5 +1,5 @@
 // Records that are no mistake but say too little, or not what was asked for: counted by reason, to
-// be said aloud.
+// be said aloud. Whether they may hide a bee that flies is part of the reason.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +13,7 @@ namespace beespace::io {
 struct LeftOutReason {
   std::string_view which;
   std::string_view advice = {};
+  bool harmless = false;  // nothing that flies is missing without them
 };
 
 class LeftOut {
@@ -25,6 +26,13 @@ class LeftOut {
       }
     }
     counts_.push_back({reason, 1});
+  }
+
+  // Each once, in the order of their first time.
+  [[nodiscard]] std::vector<LeftOutReason> reasons() const {
+    std::vector<LeftOutReason> reasons;
+    for (const Count& count : counts_) reasons.push_back(count.reason);
+    return reasons;
   }
 
   // "3 records without a position are left out", in the order of their first time.

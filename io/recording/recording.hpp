@@ -32,6 +32,19 @@ struct RecordedBee {
   std::string label = {};               // what it is called beside its id: the flight; or nothing
 };
 
+// Records that were there but are left out, since their place, height or time is missing or bad:
+// what is said of the others is not of all. Those that are known to be harmless do not count, as of
+// aircraft on the ground, or the same fix said twice.
+struct MissingRecords {
+  std::uint64_t count = 0;
+  std::uint64_t without_id = 0;          // of these: whose bee is not known
+  std::uint64_t bees = 0;                // of how many bees the others are
+  std::uint64_t nowhere = 0;             // how many of these bees have no known place at all
+  std::vector<std::string> nowhere_ids;  // of the first kMostNamed of them
+
+  static constexpr std::size_t kMostNamed = 3;
+};
+
 struct Recording {
   std::vector<RecordedBee> bees;   // in the order in which the input names them first
   Frame frame = Frame::kMetres;    // what the input was taken for: never kAuto
@@ -45,6 +58,7 @@ struct Recording {
   std::vector<std::string> notes;              // what else was decided and must be said aloud
   std::vector<Error> skipped;                  // with skip_bad: the first bad records
   std::uint64_t skipped_count = 0;
+  MissingRecords missing;  // bad records that were skipped are among them
   std::uint64_t bytes = 0;
 };
 

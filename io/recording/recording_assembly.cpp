@@ -128,10 +128,51 @@ std::string RecordingAssembly::name_of_source(std::string stem) {
   return stem;
 }
 
-std::optional<Error> RecordingAssembly::bad(Error error) {
+void RecordingAssembly::miss(std::uint64_t records, std::string_view id) {
+  missing_ += records;
+  if (id.empty()) {
+    missing_without_id_ += records;
+  } else if (missing_known_.emplace(id).second) {
+    missing_ids_.emplace_back(id);
+  }
+}
+
+void RecordingAssembly::leave_out(const LeftOutReason& reason, std::string_view id) {
+  left_out_.add(reason);
+  if (!reason.harmless) miss(1, id);
+}
+
+void RecordingAssembly::heard_of(const LeftOutReason& reason, std::string_view id) {
+  heard_.emplace_back(reason, id);
+}
+
+void RecordingAssembly::settle_heard() {
+  std::unordered_set<std::string> said;
+  for (const auto& [reason, id] : heard_) {
+    if (!tracks_.contains(id) && said.insert(id).second) leave_out(reason, id);
+  }
+  heard_.clear();
+}
+
+// Once all is read.
+MissingRecords RecordingAssembly::missing() const {
+  MissingRecords missing;
+  missing.count = missing_;
+  missing.without_id = missing_without_id_;
+  missing.bees = missing_ids_.size();
+  for (const std::string& id : missing_ids_) {
+    if (tracks_.contains(id)) continue;
+    ++missing.nowhere;
+    if (missing.nowhere_ids.size() < MissingRecords::kMostNamed) missing.nowhere_ids.push_back(id);
+  }
+  return missing;
+}
+
+std::optional<Error> RecordingAssembly::bad(Error error, std::string_view id) {
   if (error.place.source.empty()) error.place.source = sources_.back();
   if (!options_.skip_bad) return error;
   ++recording_.skipped_count;
+  miss(1, id);
   if (recording_.skipped.size() < kMostSkippedListed) {
     const std::size_t advice = error.message.rfind(kOrLeaveOut);
     if (advice != std::string::npos) error.message.erase(advice, kOrLeaveOut.size());
@@ -174,7 +215,7 @@ std::optional<Error> RecordingAssembly::settle_times() {
     return a.second.line < b.second.line;
   });
   for (const TimeConflict& conflict : conflicts) {
-    if (auto error = bad(conflict_error(conflict))) return error;
+    if (auto error = bad(conflict_error(conflict), conflict.id)) return error;
   }
   return std::nullopt;
 }
@@ -250,6 +291,7 @@ Error RecordingAssembly::nothing_left() const {
 }
 
 Result<Recording> RecordingAssembly::finish() {
+  settle_heard();
   if (tracks_.empty()) return nothing_left();
   if (auto error = settle_times()) return *std::move(error);
   if (auto error = settle_frame()) return *std::move(error);
@@ -261,6 +303,7 @@ Result<Recording> RecordingAssembly::finish() {
     recording_.heights = facts_->heights;
     if (!several_height_units_) recording_.height_unit = facts_->height_unit;
   }
+  recording_.missing = missing();
   recording_.bees = tracks_.release();
   if (recording_.height_unit == Unit::kMetre) {
     for (RecordedBee& bee : recording_.bees) bee.stated_heights.clear();

@@ -19,6 +19,9 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace beespace::io {
@@ -61,13 +64,19 @@ class RecordingAssembly {
   std::optional<Error> agree(const SourceFacts& facts);
   // Says it once, however often it is handed in.
   void note(std::string text);
-  // An error that skip_bad leaves out: nothing then. Otherwise the error, with its source.
-  std::optional<Error> bad(Error error);
+  // An error that skip_bad leaves out: nothing then, and a record of that bee is missing; no id
+  // where it is not known. Otherwise the error, with its source.
+  std::optional<Error> bad(Error error, std::string_view id = {});
   void declare_threshold(double metres);
   void add_bytes(std::uint64_t count) { recording_.bytes += count; }
   TrackGathering& tracks() { return tracks_; }
-  // What is left out without being a mistake.
-  LeftOut& left_out() { return left_out_; }
+  // As many records of that bee, or of an unknown one, may hide what it did.
+  void miss(std::uint64_t records, std::string_view id);
+  // A record of that bee is left out without being a mistake.
+  void leave_out(const LeftOutReason& reason, std::string_view id);
+  // It was heard of, though not its place: if no place comes from anywhere, a record is left out
+  // for that reason.
+  void heard_of(const LeftOutReason& reason, std::string_view id);
   // How many records without any id came before, over all inputs.
   [[nodiscard]] std::uint64_t nameless() const { return nameless_; }
   void add_nameless(std::uint64_t count) { nameless_ += count; }
@@ -79,6 +88,8 @@ class RecordingAssembly {
   std::optional<Error> settle_times();
   std::optional<Error> settle_frame();
   [[nodiscard]] Error conflict_error(const TimeConflict& conflict) const;
+  void settle_heard();
+  [[nodiscard]] MissingRecords missing() const;
   void note_counts();
   [[nodiscard]] Error nothing_left() const;
   std::optional<Error> agree_on_heights(HeightDatum heights);
@@ -88,6 +99,11 @@ class RecordingAssembly {
   Recording recording_;
   TrackGathering tracks_;
   LeftOut left_out_;
+  std::uint64_t missing_ = 0;  // records
+  std::uint64_t missing_without_id_ = 0;
+  std::vector<std::string> missing_ids_;  // of the others, each once, in the order of the input
+  std::unordered_set<std::string> missing_known_;  // the same
+  std::vector<std::pair<LeftOutReason, std::string>> heard_;
   std::vector<std::string> sources_;
   std::vector<std::string> stems_;  // those given away by name_of_source()
   bool several_ = false;

@@ -44,8 +44,10 @@ std::optional<std::string> path_within(std::string_view from, std::string_view p
   return joined;
 }
 
+constexpr std::string_view kReference = "$ref";
+
 std::optional<std::string_view> reference_in(JsonElement element) {
-  const auto member = json_member(element, "$ref");
+  const auto member = json_member(element, kReference);
   std::string_view reference;
   if (!member || member->get(reference) != simdjson::SUCCESS) return std::nullopt;
   return reference;
@@ -145,6 +147,10 @@ Result<ShowValue> ShowDocuments::resolve(ShowValue value) {
 
 Result<std::optional<ShowValue>> ShowDocuments::member(const ShowValue& object,
                                                        std::string_view key) {
+  if (auto error = json_twice(object.element, {key, kReference})) {
+    error->place.source = place_of(object);
+    return *std::move(error);
+  }
   const auto found = json_member(object.element, key);
   if (!found) return std::optional<ShowValue>();
   auto resolved = resolve({*found, object.member});

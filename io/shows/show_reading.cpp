@@ -31,6 +31,10 @@ class ShowReading {
   std::optional<Error> read() {
     if (auto error = option_problem()) return error;
     const ShowValue root = documents_.root();
+    if (auto error = json_twice(root.element, {"version"})) {
+      error->place.source = documents_.place_of(root);
+      return error;
+    }
     if (const auto version = json_member(root.element, "version")) {
       double number = 0.0;
       if (version->get(number) != simdjson::SUCCESS || number != 1.0) {
@@ -115,11 +119,12 @@ class ShowReading {
     std::uint64_t index = 0;
     for (const JsonElement element : list) {
       if (may_forget) documents_.forget_parts();
-      auto drone = read_drone({element, list_member}, index);
+      std::string name = "drone " + std::to_string(index + 1);
+      auto drone = read_drone({element, list_member}, index, name);
       if (!drone) {
         Error error = drone.error();
         error.place.record = index;
-        if (auto fatal = assembly_.bad(std::move(error))) return fatal;
+        if (auto fatal = assembly_.bad(std::move(error), name)) return fatal;
       } else if (!drone->flies) {
         ++grounded_;
       } else {
@@ -143,7 +148,8 @@ class ShowReading {
                       documents_.place_of(value));
   }
 
-  Result<Drone> read_drone(const ShowValue& element, std::uint64_t index) {
+  // `name` is what it is called where it does not say so; and becomes what it says.
+  Result<Drone> read_drone(const ShowValue& element, std::uint64_t index, std::string& name) {
     Drone drone;
     auto value = documents_.resolve(element);
     if (!value) return value.error();
@@ -151,7 +157,12 @@ class ShowReading {
     if (!settings) return settings.error();
     if (!settings.value()) return no_trajectory(*value, index);
     const ShowValue& of_drone = *settings.value();
-    drone.name = name_of(of_drone, index);
+    name = name_of(of_drone, name);
+    drone.name = name;
+    if (auto error = json_twice(of_drone.element, {"name"})) {
+      error->place.source = documents_.place_of(of_drone);
+      return *std::move(error);
+    }
     auto found = documents_.member(of_drone, "trajectory");
     if (!found) return found.error();
     if (!found.value()) return no_trajectory(of_drone, index);
@@ -179,13 +190,13 @@ class ShowReading {
         documents_.place_of(value));
   }
 
-  static std::string name_of(const ShowValue& settings, std::uint64_t index) {
+  static std::string name_of(const ShowValue& settings, const std::string& otherwise) {
     std::string_view name;
     const auto member = json_member(settings.element, "name");
     if (member && member->get(name) == simdjson::SUCCESS && !name.empty()) {
       return std::string(name);
     }
-    return "drone " + std::to_string(index + 1);
+    return otherwise;
   }
 
   Result<Ground> read_ground(const ShowValue& settings, const std::string& drone) {

@@ -138,6 +138,9 @@ Result<Trajectory> read_trajectory(JsonElement trajectory) {
                      "the trajectory is " + std::string(json_kind(trajectory)) +
                          " where an object should be; export the show again");
   }
+  if (auto error = json_twice(trajectory, {"version", "points", "takeoffTime", "landingTime"})) {
+    return *std::move(error);
+  }
   if (const auto version = json_member(trajectory, "version")) {
     double number = 0.0;
     if (version->get(number) != simdjson::SUCCESS || number != 1.0) {

@@ -78,7 +78,7 @@ Result<UnitTaken> UnitChoice::choose(UnitRole role, const std::string& of, std::
           "the header is that of " + std::string(source_->name) + ", which has " + name + " in it"};
     }
   }
-  if (!aviation_.empty() && role != UnitRole::kPosition && !name.empty()) {
+  if (!aviation_.empty() && !name.empty()) {
     return unknown(role, column);
   }
   return UnitTaken{of, ours(role), UnitEvidence::kUsual,

@@ -48,15 +48,16 @@ std::optional<Error> read_records(std::string_view text, const TrackLayout& layo
       progress->done += static_cast<std::uint64_t>(here - reported);
       reported = here;
     }
-    if (auto error = reader.read(walk.record(), record)) {
-      error->place.line = line;
-      error->place.record = walk.row();
-      if (auto fatal = assembly.bad(*std::move(error))) return fatal;
-      continue;
-    }
+    if (layout.table.choice.id) record.id = {};
     if (nameless_rows) {
       row_id = std::to_string(assembly.nameless() + walk.row());
       record.id = row_id;
+    }
+    if (auto error = reader.read(walk.record(), record)) {
+      error->place.line = line;
+      error->place.record = walk.row();
+      if (auto fatal = assembly.bad(*std::move(error), record.id)) return fatal;
+      continue;
     }
     Origin origin;
     origin.source = assembly.source() & 0xFF'FFFFu;

@@ -30,12 +30,17 @@ std::string name_of(const Names& names, PointId first, PointId second) {
 
 std::string findings_of(const SnapshotFacts& facts) {
   std::string text = count_label(facts.positions.size(), "bee", "bees") + ". ";
+  if (facts.at_risk.empty() && !facts.unknown.empty()) {
+    return text + "Of those that are known none is " + too_close(facts.swarm) + " to another; " +
+           facts.unknown + ".";
+  }
   if (facts.at_risk.empty()) return text + "Nobody is " + too_close(facts.swarm) + " to another.";
   text += count_label(facts.at_risk.size(), "is at risk", "are at risk") + ": " +
           count_label(facts.pair_count, "pair", "pairs") + " " + too_close(facts.swarm) + ", in " +
           count_label(facts.group_count, "group", "groups");
   if (facts.group_count > 1 && facts.largest_group > 2)
     text += " of up to " + count_label(facts.largest_group);
+  if (!facts.unknown.empty()) text += "; " + facts.unknown;
   return text + ".";
 }
 

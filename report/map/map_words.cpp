@@ -15,6 +15,12 @@ std::string closest_of(std::uint64_t all, std::uint64_t kept, const char* what) 
          " are in the file";
 }
 
+std::string with_unknown(std::string words, const std::string& unknown) {
+  if (unknown.empty()) return words;
+  if (!words.empty()) words += "; ";
+  return words + "conflicts are those of the bees and times that are known: " + unknown;
+}
+
 }  // namespace
 
 std::string pair_name(const Names& names, PointId first, PointId second) {
@@ -33,11 +39,12 @@ std::string conflict_words(const Conflict& conflict, const SwarmFacts& swarm) {
 }
 
 std::string kept_words(const SnapshotFacts& facts) {
-  return closest_of(facts.pair_count, facts.pairs.size(), " pairs");
+  return with_unknown(closest_of(facts.pair_count, facts.pairs.size(), " pairs"), facts.unknown);
 }
 
 std::string kept_words(const RecordingFacts& facts) {
-  return closest_of(facts.conflict_count, facts.conflicts.size(), " conflicts");
+  return with_unknown(closest_of(facts.conflict_count, facts.conflicts.size(), " conflicts"),
+                      facts.unknown);
 }
 
 std::string document_words(const std::string& kept, const std::vector<std::string>& notes) {

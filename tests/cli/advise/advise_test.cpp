@@ -53,6 +53,21 @@ TEST(Advise, TellsEverybodyAVelocity) {
   EXPECT_EQ(finished.err.find("too close "), std::string::npos);
 }
 
+TEST(Advise, UnitsAreSaidAndNotMixedSilently) {
+  const TemporaryFolder folder;
+  const std::string intruders = folder.file("others.csv", "x_ft,y_ft,z_ft\n1000,0,0\n");
+  const Finished finished = advised({"--intruders", intruders});
+  expect_parts(finished.err, {"units      positions in m: no unit is named\n",
+                              "units      goals in m: no unit is named\n",
+                              "units      velocities in m/s: no unit is named\n",
+                              "units      positions of intruders in ft: the header names it: "});
+  const Finished json = advised({"--json", "--quiet"});
+  EXPECT_TRUE(is_json(json.out));
+  expect_parts(json.out, {R"("units": [{"of": "positions", "unit": "m")"});
+  expect_failure({"advise"}, "x_ft,y_ft,z_ft,goal_x,goal_y,goal_z\n0,0,0,1000,0,0\n", 2,
+                 "column 'x_ft' is in ft, but 'goal_x' beside it names no unit");
+}
+
 TEST(Advise, TheOptionsAreThoseOfTheAdvice) {
   const std::string alone = "x,y,z,goal_x,goal_y,goal_z\n0,0,0,1000,0,0\n";
   const auto speed = [&](const Arguments& more) {

@@ -79,7 +79,7 @@ TEST_F(Messages, NoColumnIsOfferedAsAHeightThatDoesNotSoundLikeOne) {
 }
 
 TEST_F(Messages, ATableWithoutTimesIsToldWhatItMayLack) {
-  constexpr std::string_view kTable = "id,x,y,z,vertical_rate\na,0,0,0,1\nb,1,0,0,1\n";
+  constexpr std::string_view kTable = "id,x_m,y_m,z_m,vertical_rate\na,0,0,0,1\nb,1,0,0,1\n";
   for (const char* command : {"predict", "replay"}) {
     const Finished finished = run({command}, kTable);
     EXPECT_EQ(finished.exit_code, kBadInput);

@@ -161,6 +161,32 @@ TEST_F(Others, AnUnreadableFileIsNamed) {
   expect_refused(secret, 4, "secret.csv: not allowed to read this file", unprivileged);
 }
 
+TEST_F(Others, OneSideWithoutHeightsIsNotAtZeroMetres) {
+  const std::string ours = folder_.file("high.csv", "id,lat,lon,alt\na,48,11,1000\n");
+  const std::string flat = folder_.file("flat.csv", "id,lat,lon\nb,48,11\n");
+  for (const Arguments& both : {Arguments{ours, "--others", flat}, {flat, "--others", ours}}) {
+    const Finished finished = run(Arguments{"detect"} + both);
+    EXPECT_EQ(finished.exit_code, 2);
+    expect_parts(finished.err, {"flat.csv' has no height column, and '", "add it to the first"});
+  }
+  EXPECT_EQ(run({"detect", flat, "--others", flat, "--quiet"}).exit_code, 0);
+  expect_refused(folder_.file("xy.csv", "id,x,y\na,1,2\n"), 2, "has no z column");
+}
+
+TEST_F(Others, ColumnsByNumberAreThoseOfBothFilesOrRefused) {
+  const std::string ours = folder_.file("a.csv", "id,lon,lat,alt\na,11,48,1000\n");
+  const std::string turned = folder_.file("b.csv", "id,lat,lon,alt\nb,48,11,1000\n");
+  const std::string alike = folder_.file("c.csv", "name,longitude,latitude,h\nb,11,48,1000\n");
+  const auto ask = [&ours](const std::string& others, const char* columns) {
+    return run({"detect", ours, "--others", others, "--columns", columns, "--fail-on-risk"});
+  };
+  const Finished refused = ask(turned, "lon=2,lat=3,height=4");
+  EXPECT_EQ(refused.exit_code, 2);
+  expect_parts(refused.err, {"column 2 is 'lon' in '", "' and 'lat' in '"});
+  EXPECT_EQ(ask(turned, "lon=lon,lat=lat,height=alt").exit_code, 1);
+  EXPECT_EQ(ask(alike, "lon=2,lat=3").exit_code, 1);
+}
+
 TEST_F(Others, DegreesAndMetresAreNotMixed) {
   const std::string degrees = folder_.file("degrees.csv", kDegrees);
   expect_refused(degrees, 2, "the two swarms are not in the same frame: ");

@@ -98,6 +98,15 @@ TEST(Units, TheSummaryAndTheDocumentSayWhichUnitWasTakenAndWhy) {
   expect_parts(watched.err, {"heights in ft: the header names it: 'alt_ft'"});
 }
 
+// What is suggested is the same threshold in the unit of the heights.
+TEST(Units, TheSuggestedThresholdIsTheOneThatWasGiven) {
+  const std::string levels = "id,lat,lon,altitude [FL]\na,48,2,310\nb,48,2,320\n";
+  expect_parts(run({"detect", "--threshold", "5NM", "--vertical", "1000ft"}, levels).err,
+               {"(--vertical 10FL)"});
+  expect_parts(run({"detect", "--vertical", "304.8"}, "id,lat,lon,alt_ft\na,48,2,1\n").err,
+               {"(--vertical 1000ft)"});
+}
+
 // 16 of 39 flight levels were in conflict at 304.8 m.
 TEST(Units, AThousandFeetAreExactInSnapshots) {
   const Arguments question = {"detect", "--threshold", "0.3km", "--vertical",

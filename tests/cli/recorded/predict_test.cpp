@@ -103,14 +103,16 @@ TEST(Predict, WithoutVelocitiesItIsThatOfTheLastTwoReports) {
   expect_parts(finished.err, {"2 without a velocity: it is that of the last two fixes"});
 }
 
-TEST(Predict, WhoHasNeitherAVelocityNorTwoReportsIsLeftOutAndCounted) {
+TEST(Predict, WhoHasNeitherAVelocityNorTwoReportsIsCheckedForNowAndCounted) {
   const Finished finished =
-      run({"predict"}, "id,time_s,x,y,z\na,0,0,0,0\na,1,1,0,0\nb,1,2,2,2\nc,0,9,0,0\nc,1,9,0,0\n");
+      run({"predict", "--threshold", "5"},
+          "id,time_s,x,y,z\na,0,0,0,0\na,1,1,0,0\nb,1,2,2,2\nc,0,9,0,0\nc,1,9,0,0\n");
   EXPECT_EQ(finished.exit_code, 0);
-  expect_parts(finished.err,
-               {"bees       2\n", "unknown    1 left out: neither a velocity nor two fixes, at "});
-  EXPECT_NE(below_header(finished.out), "");
-  EXPECT_EQ(below_header(finished.out).find('b'), std::string::npos);
+  expect_parts(finished.err, {"bees       2\n",
+                              "unknown    1 checked for now only, where last heard "
+                              "of: neither a velocity nor two fixes, at "});
+  expect_rows(rows_of(finished.out),
+              {{"a", "b", "1", "1", "3", "1"}, {"a", "c", "4", "9", "0", "14"}});
 }
 
 TEST(Predict, WhereNobodyHasAVelocityThatIsAnError) {

@@ -124,6 +124,7 @@ TEST(Telemetry, GlobalPositionsAreTakenBeforeLocalOnes) {
   EXPECT_EQ(ids_of(recording), Ids{"1"});
   EXPECT_EQ(recording.frame, Frame::kWgs84);
   EXPECT_TRUE(has_note(recording, "1 record of drones that tell local positions only"));
+  EXPECT_EQ(recording.missing.nowhere_ids, Ids{"2"});
   RecordingOptions metres;
   metres.frame = Frame::kMetres;
   EXPECT_EQ(ids_of(recording_of(load(log, metres))), (Ids{"1", "2"}));
@@ -135,6 +136,20 @@ TEST(Telemetry, WhoKnowsNoPositionYetIsLeftOut) {
                         logged(kNoon + 1, frame_v2(1, 33, somewhere()))));
   EXPECT_EQ(recording.bees[0].fixes.size(), 1u);
   EXPECT_TRUE(has_note(recording, "1 record of drones that know no position yet"));
+  EXPECT_EQ(recording.missing.count, 1u);
+  EXPECT_EQ(recording.missing.nowhere, 0u);
+}
+
+TEST(Telemetry, WithoutLocalPositionsADroneIsKnownNowhereInMetres) {
+  RecordingOptions metres;
+  metres.frame = Frame::kMetres;
+  const auto recording =
+      recording_of(load(logged(kNoon, frame_v2(1, 32, local_payload(1, 2, 3, 0, 0, 0))) +
+                            logged(kNoon, frame_v2(2, 33, somewhere())),
+                        metres));
+  EXPECT_EQ(ids_of(recording), Ids{"1"});
+  EXPECT_EQ(recording.missing.nowhere_ids, Ids{"2"});
+  EXPECT_TRUE(has_note(recording, "1 record of drones that tell no local positions"));
 }
 
 TEST(Telemetry, OneComponentSpeaksForASystem) {

@@ -40,7 +40,7 @@ TEST(Records, ComeAsTheyStandInTheInput) {
 }
 
 TEST(Records, CarryTheirIdColumnUnquoted) {
-  const auto loaded = load_text("hex,x,y,z\nabc,1,2,3\n\"d\"\"e\",4,5,6\n \"f,g\" ,7,8,9\n");
+  const auto loaded = load_text("hex,x_m,y_m,z_m\nabc,1,2,3\n\"d\"\"e\",4,5,6\n \"f,g\" ,7,8,9\n");
   ASSERT_EQ(points_of(loaded).size(), 3u);
   EXPECT_TRUE(has_id_column(loaded.value()));
   const auto seen = visited(loaded, {0, 1, 2});

@@ -133,6 +133,53 @@ TEST(UnitsInTables, KnownSourcesAreToldByTheirWholeHeader) {
                {ErrorCode::kInvalidArgument, "bees.csv:1:6", "but in which unit?"});
 }
 
+// One word is enough, in the words of several languages and of two words too; and then positions
+// are not taken for metres either.
+TEST(UnitsInTables, AnyWordOfAviationMakesTheUnitAQuestion) {
+  for (const char* word : {"flight",
+                           "Flight ID",
+                           "flight_number",
+                           "registration",
+                           "tail",
+                           "tail_number",
+                           "ident",
+                           "plane",
+                           "airline",
+                           "mode_s",
+                           "modes",
+                           "transponder",
+                           "call sign",
+                           "n_number",
+                           "vuelo",
+                           "aeronave",
+                           "avion",
+                           "indicativo",
+                           "immatriculation",
+                           "Indicatif",
+                           "Kennzeichen",
+                           "Rufzeichen",
+                           "Flug",
+                           "vol",
+                           "volo",
+                           "matricula",
+                           "voo"}) {
+    const std::string header = std::string(word) + ",lat,lon,alt";
+    expect_error(load_text(header + "\na,48,2,350\n"),
+                 {ErrorCode::kInvalidArgument, "bees.csv:1:4", "but in which unit?"});
+    EXPECT_TRUE(load_text(header + "_m\na,48,2,350\n").has_value()) << word;
+  }
+  expect_error(load_text("callsign,x,y,z\na,1,2,3\n"),
+               {ErrorCode::kInvalidArgument, "bees.csv:1:2", "holds the position, but in which"});
+  expect_error(load_text("callsign,x_m,y_m,z\na,1,2,3\n"),
+               {ErrorCode::kInvalidArgument, "bees.csv:1:4", "but in which unit?"});
+  LoadOptions metres;
+  metres.units.position = Unit::kMetre;
+  EXPECT_TRUE(load_text("callsign,x,y,z\na,1,2,3\n", metres).has_value());
+  for (const char* word : {"drone", "bird", "species", "volume", "planet"}) {
+    EXPECT_TRUE(load_text(std::string(word) + ",lat,lon,alt\na,48,2,350\n").has_value()) << word;
+  }
+}
+
 TEST(UnitsInTables, HeightsByPressureAndBySatellitesAreNeverMixed) {
   LoadOptions pressure;
   pressure.heights = HeightSource::kPressure;
@@ -188,13 +235,13 @@ TEST(UnitsInTables, RecordingsHaveThemInHeightsAndVelocities) {
 
 TEST(UnitsInTables, VelocitiesAlongAxesAreConverted) {
   const Recording knots =
-      recording_of(record("id,time_s,x,y,z,vx_kt,vy_kt,vz [ft/min]\na,0,1,2,3,36,0,-100\n"));
+      recording_of(record("id,time_s,x_m,y_m,z_m,vx_kt,vy_kt,vz [ft/min]\na,0,1,2,3,36,0,-100\n"));
   ASSERT_EQ(knots.bees.at(0).velocities.size(), 1U);
   EXPECT_EQ(knots.bees[0].velocities[0].x, in_metric(36.0, Unit::kKnot));
   EXPECT_EQ(knots.bees[0].velocities[0].z, in_metric(-100.0, Unit::kFootPerMinute));
   expect_error(record("id,time_s,x,y,vx_kmh,vy\na,0,1,2,3,4\n"),
                {ErrorCode::kInvalidArgument, "bees.csv:1:6", "names no unit"});
-  expect_error(record("id,time_s,x,y,vx_kt,vy\na,0,1,2,3,4\n"),
+  expect_error(record("id,time_s,x_m,y_m,vx_kt,vy\na,0,1,2,3,4\n"),
                {ErrorCode::kInvalidArgument, "bees.csv:1:6", "but in which unit?"});
 }
 
@@ -262,7 +309,7 @@ TEST(UnitsInTables, KeysThatComeLaterChangeNoUnitInSilence) {
 
 TEST(UnitsInTables, PlansAreConverted) {
   const auto plans = load_flight_plans_from_memory(
-      "id,x_ft,y_ft,z_ft,goal_x,goal_y,goal_z,vx_kt,vy_kt,vz_kt,max_speed_kmh\n"
+      "id,x_ft,y_ft,z_ft,goal_x_m,goal_y_m,goal_z_m,vx_kt,vy_kt,vz_kt,max_speed_kmh\n"
       "a,1000,0,500,1,2,3,36,0,0,36\n",
       "bees.csv", PlanNeed::kGoals);
   ASSERT_TRUE(plans.has_value()) << to_string(plans.error());
@@ -273,6 +320,19 @@ TEST(UnitsInTables, PlansAreConverted) {
   const auto half = load_flight_plans_from_memory("x,y,z [ft],goal_x,goal_y,goal_z\n1,2,3,4,5,6\n",
                                                   "bees.csv", PlanNeed::kGoals);
   expect_error(half, {ErrorCode::kInvalidArgument, "bees.csv:1:1", "names no unit"});
+  // Places belong together, and so do speeds.
+  const auto half_named = [](const char* header) {
+    return load_flight_plans_from_memory(std::string(header) + "\n", "bees.csv",
+                                         PlanNeed::kNothing);
+  };
+  expect_error(half_named("x_ft,y_ft,z_ft,goal_x,goal_y,goal_z"),
+               {ErrorCode::kInvalidArgument, "bees.csv:1:4", "names no unit"});
+  expect_error(half_named("x,y,z,goal_x_ft,goal_y_ft,goal_z_ft"),
+               {ErrorCode::kInvalidArgument, "bees.csv:1:1", "names no unit"});
+  expect_error(half_named("x,y,z,goal_x,goal_y,goal_z,vx_kt,vy_kt,vz_kt,max_speed"),
+               {ErrorCode::kInvalidArgument, "bees.csv:1:10", "names no unit"});
+  expect_error(half_named("x,y,z,vx,vy,vz,want_vx_kmh,want_vy_kmh,want_vz_kmh"),
+               {ErrorCode::kInvalidArgument, "bees.csv:1:4", "names no unit"});
 }
 
 TEST(UnitsInTables, FormatsWithUnitsOfTheirOwnTakeNoOthers) {

@@ -18,6 +18,7 @@ export interface SnapshotRisk {
   pairs: number;
   groups: number;
   largest_group: number;
+  unknown?: string;
   closest?: ClosestPair;
 }
 

@@ -146,7 +146,10 @@ function neighbourList(shown: Shown, bee: number, chosen: number | null, actions
 function neighbourlessText(shown: Shown, bee: number): string {
   const { swarm } = shown;
   if (swarm.kind === 'snapshot' && swarm.isAtRisk(bee)) return 'Its pairs are among those left out of this page.';
-  if (swarm.kind === 'snapshot') return 'Nobody is too close to it.';
+  if (swarm.kind === 'snapshot') {
+    const whole = swarm.head.risk.unknown === undefined;
+    return whole ? 'Nobody is too close to it.' : 'None of those that are known is too close to it.';
+  }
   const { head } = swarm;
   const unknown = head.kind === 'recording' && head.risk.unknown !== undefined;
   return unknown ? 'It was in no conflict in the known time.' : 'It was in no conflict.';

@@ -30,6 +30,7 @@ function snapshotRows(risk: SnapshotRisk, count: number): Row[] {
     countRow('Pairs too close', risk.pairs),
     countRow('Conflict groups', risk.groups),
     countRow('Largest group', risk.largest_group),
+    ...(risk.unknown === undefined ? [] : [{ label: 'Unknown', value: risk.unknown }]),
   ];
 }
 
@@ -75,9 +76,11 @@ function rowsOf(shown: Shown): Row[] {
 function headline(shown: Shown): HTMLElement {
   const { head } = shown.swarm;
   const count = head.kind === 'snapshot' ? head.risk.at_risk : head.risk.bees;
-  const known = head.kind === 'recording' && head.risk.unknown !== undefined ? ' in the known time' : '';
+  const whole = head.risk.unknown === undefined;
+  const known = head.kind === 'recording' && !whole ? ' in the known time' : '';
   const when = shown.label ? 'in conflict' : 'in conflict at some time';
-  const what = head.kind === 'snapshot' ? 'at risk' : known ? `in conflict${known}` : when;
+  const risk = whole ? 'at risk' : 'that are known at risk';
+  const what = head.kind === 'snapshot' ? risk : known ? `in conflict${known}` : when;
   const of = head.count === 1 ? 'of 1 bee' : `of ${formatCount(head.count)} bees`;
   return element(
     'p',
