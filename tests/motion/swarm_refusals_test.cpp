@@ -51,14 +51,6 @@ TEST(SwarmRefusal, OptionsThatMakeNoSense) {
   SwarmOptions options{.threshold_m = 100.0};
   options.leave_factor = std::nextafter(1.0, 0.0);
   expect_unusable(options, ErrorCode::kInvalidArgument);
-  // Each for itself would do.
-  options = {.threshold_m = 1e20};
-  options.leave_factor = 1e20;
-  expect_unusable(options, ErrorCode::kInvalidArgument);
-  options = {.threshold_m = 100.0};
-  options.vertical_m = 1e20;
-  options.leave_factor = 1e20;
-  expect_unusable(options, ErrorCode::kInvalidArgument);
   options = {.threshold_m = 100.0};
   options.heights_apart = true;  // apart from what?
   expect_unusable(options, ErrorCode::kInvalidArgument);
