@@ -8,6 +8,8 @@
 #include "cli/input/moving_options.hpp"
 #include "cli/watch/live_advice_options.hpp"
 
+#include <beespace/mover.hpp>
+
 #include <vector>
 
 namespace beespace::cli {
@@ -45,10 +47,11 @@ Status domain_problem(const WatchOptions& typed, const SwarmOptions& swarm,
         !good) {
       return good;
     }
-    SwarmOptions compared = swarm;
-    compared.vertical_m = height;
-    const auto usable = Swarm(compared).advance(0.0);
-    if (!usable) return usage_error(kName, usable.error().message);
+    for (const double threshold : {swarm.threshold_m, height.value_or(swarm.threshold_m)}) {
+      if (threshold * swarm.leave_factor <= kLargestInMotion) continue;
+      return usage_error(kName, "--leave-factor '" + typed.live.leave_factor +
+                                    "' times the threshold cannot be computed with; give less");
+    }
   }
   return std::monostate{};
 }

@@ -34,12 +34,6 @@ std::optional<Error> check(const SwarmOptions& options) {
                  "of them finite",
                  {}};
   }
-  if (!good(options.threshold_m * options.leave_factor, kSmallestInMotion) ||
-      !good(options.vertical_m.value_or(1.0) * options.leave_factor, kSmallestInMotion)) {
-    return Error{ErrorCode::kInvalidArgument,
-                 "the thresholds times leave_factor are out of the motion domain; give less",
-                 {}};
-  }
   if (options.max_speed_mps && !good(*options.max_speed_mps, 0.0)) {
     return Error{ErrorCode::kInvalidArgument,
                  "max_speed_mps must be 0 or more, and finite, where it is given",

@@ -46,8 +46,10 @@ TEST(WatchTaken, OptionsThatNothingCanBeComputedWithAreRefusedAtOnce) {
                        std::string(option) + " '" + value + "' cannot be computed with");
   }
   // Each for itself is fine.
-  expect_usage_error({"watch", "--threshold", "1e20", "--leave-factor", "1e20"}, "leave_factor");
-  expect_usage_error({"watch", "--vertical", "1e20ft", "--leave-factor", "1e20"}, "leave_factor");
+  expect_usage_error({"watch", "--threshold", "1e20", "--leave-factor", "1e20"},
+                     "--leave-factor '1e20' times the threshold");
+  expect_usage_error({"watch", "--vertical", "1e20ft", "--leave-factor", "1e20"},
+                     "--leave-factor '1e20' times the threshold");
   expect_usage_error({"watch", "--advise", "--look-every", "1e31"}, "--look-every");
   for (const char* option : {"--horizon", "--leave-factor"}) {
     expect_usage_error({"replay", "--report", "events", "-", option, "1e31"}, option);

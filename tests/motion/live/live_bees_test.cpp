@@ -88,7 +88,9 @@ TEST(LiveBees, AreOneBeeAgainOnlyWithinTheGreatestAge) {
   EXPECT_EQ(bees.take({1, 5.0, {1, 0, 0}}, 5.0), Taken::kYes);
   EXPECT_EQ(bees.runs()[0].fixes.size(), 2U);
   EXPECT_EQ(bees.take({1, 5.0, {1, 0, 0}}, 5.0), Taken::kRepeated);
-  EXPECT_EQ(bees.take({1, 5.0, {2, 0, 0}}, 5.0), Taken::kLate);
+  EXPECT_EQ(bees.take({1, 5.0, {2, 0, 0}}, 5.0), Taken::kContrary);
+  EXPECT_EQ(bees.take({1, 0.0, {0, 0, 0}}, 5.0), Taken::kRepeated);
+  EXPECT_EQ(bees.take({1, 0.0, {9, 0, 0}}, 5.0), Taken::kContrary);
   EXPECT_EQ(bees.take({1, 4.0, {1, 0, 0}}, 5.0), Taken::kLate);
   EXPECT_EQ(bees.take({1, 10.5, {1, 0, 0}}, 5.0), Taken::kYes);
   ASSERT_EQ(bees.runs().size(), 2U);
