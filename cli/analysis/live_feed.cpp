@@ -136,7 +136,7 @@ Status LiveFeed::pass_on(const Report& report, double now_s) {
   if (!taken) return taken;
   if (contrary_ && swarm_.counts().contrary > contrary) contrary_(report);
   latest_s_ = std::max(latest_s_.value_or(now_s), now_s);
-  if (reported_) reported_(report);
+  if (reported_) reported_(report, now_s);
   return taken;
 }
 

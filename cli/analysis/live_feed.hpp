@@ -63,7 +63,8 @@ class LiveFeed {
   void after_each_look(Looked looked) { looked_ = std::move(looked); }
 
   // Sees each report that has been taken, at the time at which it was.
-  using Reported = std::function<void(const Report& report)>;
+  // `now_s`: the time of the swarm, which the time of a corrected report may be ahead of.
+  using Reported = std::function<void(const Report& report, double now_s)>;
   void after_each_report(Reported reported) { reported_ = std::move(reported); }
 
   // Sees what is said of clocks.
@@ -71,7 +72,8 @@ class LiveFeed {
   void after_each_note(Noted note) { note_ = std::move(note); }
 
   // Sees each report that was not taken as its bee is elsewhere at that time already.
-  void after_each_contrary(Reported contrary) { contrary_ = std::move(contrary); }
+  using Contrary = std::function<void(const Report& report)>;
+  void after_each_contrary(Contrary contrary) { contrary_ = std::move(contrary); }
 
   // The number of a bee, by its id; nothing where there are too many. What it is called beside
   // that is kept, if it is said.
@@ -147,7 +149,7 @@ class LiveFeed {
   Tell tell_;
   Looked looked_;
   Reported reported_;
-  Reported contrary_;
+  Contrary contrary_;
   Noted note_;
   std::optional<std::int64_t> looks_;      // the number of the last
   double next_look_s_ = kNever;            // when the next is

@@ -30,7 +30,7 @@ LiveAdvice::LiveAdvice(const LiveAdviceRequest& request, io::Frame frame, Name n
       tell_(std::move(tell)) {
 }
 
-Status LiveAdvice::take(const Report& report) {
+Status LiveAdvice::take(const Report& report, double now_s) {
   const auto [known, is_new] = bees_.try_emplace(report.id);
   Bee& bee = known->second;
   // Late, or repeated.
@@ -41,7 +41,8 @@ Status LiveAdvice::take(const Report& report) {
     if (clock_s_ - ticks_.time_of(*next_) > kSlack * ticks_.step_s()) ++*next_;
     first_ = *next_;
   }
-  clock_s_ = std::max(clock_s_, report.time_s);
+  // One bee that is corrected must not take time on for all: looks would be skipped.
+  clock_s_ = std::max(clock_s_, std::min(report.time_s, now_s));
   if (is_new) {
     meet(bee, report);
   } else {

@@ -54,9 +54,10 @@ class LiveAdvice {
   using Tell = std::function<void(const std::string& lines)>;
   LiveAdvice(const LiveAdviceRequest& request, io::Frame frame, Name name, Tell tell);
 
-  // Takes a report, in any order, and the looks for which nothing is waited for any more. Errors:
-  // as Adviser::advise, of the first look that failed; the next may go well.
-  Status take(const Report& report);
+  // Takes a report, in any order, at the time of the swarm, and the looks for which nothing is
+  // waited for any more. Errors: as Adviser::advise, of the first look that failed; the next may go
+  // well.
+  Status take(const Report& report, double now_s);
 
   // For how long a look that has begun may wait for more, in milliseconds by the clock of the wall;
   // nothing where none has. Then call waited().

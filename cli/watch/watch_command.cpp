@@ -133,10 +133,10 @@ class Watch {
     feed_->after_each_contrary([this](const Report& report) { note_contrary(report); });
     if (!request_.advice) return;
     begin_advice();
-    feed_->after_each_report([this](const Report& report) {
+    feed_->after_each_report([this](const Report& report, double now_s) {
       reported_s_ = came_s_;
       if (!unplaced_.empty()) note_placed(feed_->name(report.id).id);
-      note_advice(advice_->take(report));
+      note_advice(advice_->take(report, now_s));
     });
   }
 

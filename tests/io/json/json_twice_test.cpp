@@ -1,6 +1,6 @@
 // A key that is there twice in an object: no two readers take it alike, so that it is bad input.
-#include "tests/io/tracks/recording_loading.hpp"
 #include "tests/io/live/report_lines_reading.hpp"
+#include "tests/io/tracks/recording_loading.hpp"
 
 #include <gtest/gtest.h>
 
