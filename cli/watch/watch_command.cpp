@@ -105,6 +105,7 @@ class Watch {
 
   // What is said last, and how it ends.
   Result<ExitCode> end() {
+    left_out_.nowhere = unplaced_.size();
     // A signal may end the reader as well, or a write that waits for them.
     const bool cut_off = interrupted() && (write_error_ == EPIPE || write_error_ == EINTR);
     if (write_error_ == EPIPE && !cut_off) return ExitCode::kPipeClosed;
@@ -135,7 +136,7 @@ class Watch {
     begin_advice();
     feed_->after_each_report([this](const Report& report, double now_s) {
       reported_s_ = came_s_;
-      if (!unplaced_.empty()) note_placed(feed_->name(report.id).id);
+      note_placed(feed_->name(report.id).id);
       note_advice(advice_->take(report, now_s));
     });
   }
@@ -150,12 +151,12 @@ class Watch {
   }
 
   // A bee has been heard of, perhaps in a line that cannot be taken otherwise: as long as it is not
-  // known where it is, advice certifies no bee.
+  // known where it is, the verdict says so, and advice certifies no bee.
   void note_heard_of(std::string_view id) {
     constexpr std::size_t kMost = 100'000;
-    if (!request_.advice || id.empty()) return;
+    if (id.empty()) return;
     const auto number = feed_ ? feed_->known(id) : std::nullopt;
-    if (number && advice_->knows(*number)) return;
+    if (number && (!advice_ || advice_->knows(*number))) return;
     if (unplaced_.size() < kMost) {
       unplaced_.emplace(id);
     } else {
@@ -165,6 +166,7 @@ class Watch {
   }
 
   void note_placed(std::string_view id) {
+    if (unplaced_.empty()) return;
     const auto known = unplaced_.find(id);
     if (known == unplaced_.end()) return;
     unplaced_.erase(known);
@@ -188,7 +190,10 @@ class Watch {
       for (const Error& error : not_understood_) note_bad(error);
       not_understood_.clear();
     }
-    if (!*read) return std::monostate{};
+    if (!*read) {
+      note_heard_of(lines_.hidden_id());
+      return std::monostate{};
+    }
     const io::ReportLine& at = **read;
     if (at.leaves) {
       note_placed(at.id);
@@ -215,6 +220,7 @@ class Watch {
     Status taken = feed_->take({*number, time_of(at), metres->position, metres->velocity,
                                 metres->height_m, metres->climb_mps},
                                wall_s());
+    if (taken && !advice_) note_placed(at.id);
     note_heard_of(at.id);
     if (taken) return taken;
     note_bad(taken.error());

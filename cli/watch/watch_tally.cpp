@@ -35,6 +35,7 @@ std::vector<std::string> untaken(const LiveFeed& feed, const LeftOutOfWatch& lef
     if (count > 0) texts.push_back(several(count, one, many));
   };
   add(left_out.lines, "line was left out", "lines were left out");
+  add(left_out.nowhere, "bee is known nowhere", "bees are known nowhere");
   add(feed.counts().late, "report came too late", "reports came too late");
   add(left_out.contrary, "report contradicts another one", "reports contradict others");
   add(feed.clocks().left_out(), "report was left out for its time",

@@ -17,6 +17,7 @@ namespace beespace::cli {
 struct LeftOutOfWatch {
   std::uint64_t lines = 0;     // bad ones
   std::uint64_t contrary = 0;  // reports of a bee that is elsewhere at that time
+  std::uint64_t nowhere = 0;   // bees of which no line says where they are
 };
 
 class WatchTally {

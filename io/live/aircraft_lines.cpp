@@ -5,6 +5,7 @@
 #include "io/live/line_reader.hpp"
 #include "io/live/report_layout.hpp"
 
+#include <cstdint>
 #include <utility>
 
 namespace beespace::io {
@@ -18,16 +19,22 @@ class AircraftLines final : public LineReader {
   Result<std::optional<ReportLine>> read(std::string_view line) override {
     if (auto problem = aircraft_problem(options_, "readsb JSON")) return *std::move(problem);
     last_id_.clear();
+    const std::uint64_t hidden = left_out_.hiding();
+    hides_ = false;
     const auto object = line_.parse(line);
     if (!object) return object.error();
     auto error = read_aircraft_object(*object, AircraftReport::kUnknown, report_);
     last_id_ = report_.id;
     if (error) return *std::move(error);
-    return report_line(report_, choice_, left_out_);
+    auto line_of_it = report_line(report_, choice_, left_out_);
+    hides_ = left_out_.hiding() > hidden;
+    return line_of_it;
   }
 
   [[nodiscard]] bool settled() const override { return !report_.id.empty(); }
   [[nodiscard]] std::string_view last_id() const override { return last_id_; }
+
+  [[nodiscard]] bool hides() const override { return hides_; }
 
   [[nodiscard]] LineFacts facts() const override {
     LineFacts facts{"readsb JSON", choice_.datum(), left_out_.notes()};
@@ -43,6 +50,7 @@ class AircraftLines final : public LineReader {
   LeftOut left_out_;
   AircraftReport report_;
   std::string last_id_;
+  bool hides_ = false;
 };
 
 }  // namespace

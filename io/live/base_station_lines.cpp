@@ -4,6 +4,7 @@
 #include "io/live/report_layout.hpp"
 #include "io/problems/skipped_records.hpp"
 
+#include <cstdint>
 #include <utility>
 
 namespace beespace::io {
@@ -17,13 +18,23 @@ class BaseStationLines final : public LineReader {
   Result<std::optional<ReportLine>> read(std::string_view line) override {
     if (auto problem = base_station_problem(options_)) return *std::move(problem);
     const AircraftReport* report = nullptr;
+    const std::uint64_t hidden = left_out_.hiding();
+    hides_ = false;
     if (auto error = station_.take(line, report)) return without_advice(*std::move(error));
     settled_ = true;
-    if (report == nullptr) return std::optional<ReportLine>();
-    return report_line(*report, choice_, left_out_);
+    if (report == nullptr) {
+      hides_ = true;
+      return std::optional<ReportLine>();
+    }
+    auto line_of_it = report_line(*report, choice_, left_out_);
+    hides_ = left_out_.hiding() > hidden;
+    return line_of_it;
   }
 
   [[nodiscard]] bool settled() const override { return settled_; }
+
+  [[nodiscard]] std::string_view last_id() const override { return station_.address(); }
+  [[nodiscard]] bool hides() const override { return hides_; }
 
   [[nodiscard]] LineFacts facts() const override {
     LineFacts facts{"BaseStation messages", choice_.datum(), {choice_.note()}};
@@ -39,6 +50,7 @@ class BaseStationLines final : public LineReader {
   BaseStation station_;
   LeftOut left_out_;
   bool settled_ = false;
+  bool hides_ = false;
 };
 
 }  // namespace

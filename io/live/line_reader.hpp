@@ -35,6 +35,8 @@ class LineReader {
   [[nodiscard]] virtual LineFacts facts() const = 0;
   // Whose the last line was, as far as that could be read; or empty. As long as the line.
   [[nodiscard]] virtual std::string_view last_id() const { return {}; }
+  // Of a line that is no report: whether it speaks of a bee that flies, and does not say where.
+  [[nodiscard]] virtual bool hides() const { return false; }
   // Whether the last error is about all lines to come: they cannot be understood as those before.
   [[nodiscard]] virtual bool ended() const { return false; }
 };

@@ -102,8 +102,12 @@ Result<std::optional<ReportLine>> ReportLines::leave(std::string_view line) {
 Result<std::optional<ReportLine>> ReportLines::take(std::string_view line) {
   ++lines_;
   bad_id_ = {};
+  hidden_id_ = {};
   auto report = read(without_line_end(line));
-  if (report) return report;
+  if (report) {
+    if (!*report && understood_ && reader_->hides()) hidden_id_ = reader_->last_id();
+    return report;
+  }
   bad_id_ = understood_ ? reader_->last_id() : std::string_view();
   Error& error = report.error();
   if (error.place.source.empty()) error.place.source = source_;

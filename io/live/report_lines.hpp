@@ -77,6 +77,9 @@ class ReportLines {
   // Of a line that is an error: whose it was, as far as that could be read; or empty. As long as
   // the line.
   [[nodiscard]] std::string_view bad_id() const { return bad_id_; }
+  // Of a line that is no report: whose it was where it speaks of a bee that flies and does not say
+  // where; or empty. As long as the line.
+  [[nodiscard]] std::string_view hidden_id() const { return hidden_id_; }
   // Whether that error is about all lines to come: another header, of other columns.
   [[nodiscard]] bool ended() const;
 
@@ -98,6 +101,7 @@ class ReportLines {
   std::unique_ptr<LineReader> later_;   // until a line is understood: of a later one
   std::unique_ptr<JsonLine> leave_;
   std::string_view bad_id_ = {};
+  std::string_view hidden_id_ = {};
   std::uint64_t lines_ = 0;
   bool understood_ = false;
 };

@@ -35,6 +35,13 @@ class LeftOut {
     return reasons;
   }
 
+  // How many may hide a bee that flies.
+  [[nodiscard]] std::uint64_t hiding() const {
+    std::uint64_t records = 0;
+    for (const Count& count : counts_) records += count.reason.harmless ? 0 : count.records;
+    return records;
+  }
+
   // "3 records without a position are left out", in the order of their first time.
   [[nodiscard]] std::vector<std::string> notes() const {
     std::vector<std::string> texts;

@@ -56,6 +56,43 @@ TEST(WatchTaken, OptionsThatNothingCanBeComputedWithAreRefusedAtOnce) {
   }
 }
 
+TEST(WatchTaken, AnAircraftThatNeverSaysWhereItIsIsKnownNowhere) {
+  const auto readsb = [](const char* hex, int now, const char* rest) {
+    return R"({"now": )" + std::to_string(now) + R"(, "hex": ")" + hex +
+           R"(", "seen_pos": 0, "lat": 33, "lon": )" + rest + "}\n";
+  };
+  std::string lines;
+  for (int now = 1000; now < 1003; ++now) {
+    lines += readsb("aaaaaa", now, R"(-117.0, "alt_geom": 3000)");
+    lines +=
+        readsb("bbbbbb", now, R"(-117.0, "alt_baro": 3000)");  // no height of the kind asked for
+    lines += readsb("cccccc", now, R"(-116.0, "alt_geom": 3000)");
+  }
+  const Arguments watch{"watch", "--threshold", "5NM", "--vertical", "1000ft", "--fail-on-risk"};
+  Finished finished = run(watch, lines);
+  EXPECT_EQ(finished.exit_code, kRisk);
+  expect_parts(finished.err,
+               {"verdict    no conflict among what was taken; 1 bee is known nowhere\n"});
+  // Once it says so it is known.
+  finished = run(watch, lines + readsb("bbbbbb", 1003, R"(-115.0, "alt_geom": 3000)") +
+                            readsb("bbbbbb", 1004, R"(-115.0, "alt_geom": 3000)"));
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+
+  const auto message = [](const std::string& kind, const std::string& hex, int second,
+                          const std::string& rest) {
+    return "MSG," + kind + ",1,1," + hex + ",1,2024/05/01,12:00:0" + std::to_string(second) +
+           ".000,2024/05/01,12:00:00.000," + rest + "\n";
+  };
+  std::string messages;
+  for (int second = 0; second < 3; ++second) {
+    messages += message("3", "4B1814", second, ",10000,,,47.25,8.5,,,0,0,0,0");
+    messages += message("1", "4B1815", second, "SWR1,,,,,,,,,,,");
+  }
+  finished = run(watch, messages);
+  EXPECT_EQ(finished.exit_code, kRisk);
+  expect_parts(finished.err, {"1 bee is known nowhere\n"});
+}
+
 TEST(WatchTaken, InputOfWhichNoReportIsTakenIsBadInput) {
   for (const std::string line : {"a,0,1e40,0,0\n", "a,0,0,nan,0\n", "a,soon,0,0,0\n"}) {
     expect_failure({"watch", "--quiet"}, "id,time_s,x,y,z\n" + line, kBadInput, "");

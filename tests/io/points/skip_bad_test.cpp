@@ -1,3 +1,4 @@
+#include "io/problems/skipped_records.hpp"
 #include "tests/io/points/loading.hpp"
 
 #include <gtest/gtest.h>

@@ -22,9 +22,9 @@ const std::vector<Way> kWays = {{1, true, 1 << 18}, {1, false, 1 << 18}, {1, tru
                                 {4, false, 20},     {3, true, 1}};
 
 Result<TableContent> read(std::string_view text, const Way& way, bool skip_bad, Frame frame) {
-  LoadOptions load_options;
-  load_options.frame = Frame::kMetres;
-  const auto layout = find_layout(text, load_options);
+  ColumnOptions columns;
+  columns.frame = Frame::kMetres;
+  const auto layout = find_layout(text, columns);
   if (!layout) return layout.error();
   TableOptions options;
   options.frame = frame;
