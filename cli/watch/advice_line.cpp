@@ -47,6 +47,8 @@ const char* name_of(Doubt doubt) {
       return "refused";
     case Doubt::kUnplaced:
       return "unplaced_bee";
+    case Doubt::kClockOff:
+      return "clock_off";
   }
   return "unknown";
 }

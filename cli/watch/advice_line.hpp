@@ -25,8 +25,9 @@ enum class Doubt : std::uint8_t {
   kNearUnknown,   // the same: to where one of which nothing is known may be
   kRefused,       // Adviser::advise cannot use its state
   kUnplaced,      // another bee has been heard of, and it is not known where
+  kClockOff,      // its clock is not believed: when it was where is known about only
 };
-inline constexpr std::size_t kDoubts = 10;
+inline constexpr std::size_t kDoubts = 11;
 const char* name_of(Doubt doubt);
 
 // When a look is taken, and from when on it is to be flown.

@@ -156,7 +156,16 @@ Status LiveAdvice::finish() {
   return patience_ms() ? look() : Status(std::monostate{});
 }
 
+void LiveAdvice::note_clock(PointId id, bool off) {
+  if (off) {
+    clocks_off_.insert(id);
+  } else {
+    clocks_off_.erase(id);
+  }
+}
+
 void LiveAdvice::remove(PointId id) {
+  clocks_off_.erase(id);
   const auto known = bees_.find(id);
   if (known == bees_.end()) return;
   if (known->second.awaited) --awaited_;
@@ -216,6 +225,7 @@ void LiveAdvice::tell_all() {
     if (doubt == Doubt::kNone && advice.clear_of_unknown_s < ticks_.step_s()) {
       doubt = Doubt::kNearUnknown;
     }
+    if (doubt == Doubt::kNone && clocks_off_.contains(id)) doubt = Doubt::kClockOff;
     if (doubt == Doubt::kNone && unplaced_) doubt = Doubt::kUnplaced;
     ++counts.doubts[static_cast<std::size_t>(doubt)];
     // A bee that is heard of no more after this has its name in one line at least.

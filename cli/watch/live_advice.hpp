@@ -35,6 +35,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -77,6 +78,9 @@ class LiveAdvice {
   // where they are: then no bee is certified.
   [[nodiscard]] bool knows(PointId id) const { return bees_.contains(id); }
   void note_unplaced(bool any) { unplaced_ = any; }
+
+  // That the clock of a bee is off, or right again.
+  void note_clock(PointId id, bool off);
 
   // The lines of bees so far; those of bees that are not certified; looks for which the reports of
   // their time came too late.
@@ -124,6 +128,7 @@ class LiveAdvice {
   std::vector<UnknownBee> unknown_;
   Advised advised_;
   bool unplaced_ = false;
+  std::set<PointId> clocks_off_;
   std::uint64_t told_ = 0;
   std::uint64_t uncertified_ = 0;
   std::uint64_t skipped_ = 0;

@@ -280,7 +280,11 @@ class Watch {
 
   void tell(const ClockNote& note) {
     tally_.count(note);
-    if (note.kind == ClockNote::Kind::kAnew && advice_) advice_->start_anew(note.time_s);
+    if (advice_ && note.kind == ClockNote::Kind::kAnew) {
+      advice_->start_anew(note.time_s);
+    } else if (advice_) {
+      advice_->note_clock(note.bee, note.kind == ClockNote::Kind::kOff);
+    }
     if (write_error_ == 0) write_error_ = write_out(clock_line(note, *feed_));
   }
 

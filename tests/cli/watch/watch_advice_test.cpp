@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -295,6 +296,20 @@ TEST(WatchAdvice, NoBeeIsCertifiedWhileOneHasBeenHeardOfAndItIsNotKnownWhere) {
   heard = heard.substr(0, heard.find("c,0.0,500")) + damaged +
           heard.substr(heard.find("c,0.0,500") + 9);
   expect_parts(watched({"--advise"}, heard).out, {"\"certified\": 3"});
+}
+
+TEST(WatchAdvice, ABeeWhoseClockIsOffIsNotCertified) {
+  std::ostringstream text;
+  text << "id,time_s,x,y,z,vx,vy,vz\n";
+  for (int i = 0; i < 60; ++i) {
+    for (const auto& [id, x, ahead_s] :
+         {std::tuple{"a", 0, 0}, std::tuple{"b", 1'000, 0}, std::tuple{"c", 2'000, 60}}) {
+      text << id << ',' << i / 10 + ahead_s << '.' << i % 10 << ',' << x << ",0,0,0,0,0\n";
+    }
+  }
+  const Finished finished = watched({"--advise"}, text.str());
+  expect_parts(finished.out, {R"("id": "c", "ahead_s": 60)", R"("because": "clock_off")",
+                              R"("certified": 2, "not_certified": {"clock_off": 1})"});
 }
 
 }  // namespace
