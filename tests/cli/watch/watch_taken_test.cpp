@@ -112,8 +112,8 @@ TEST(WatchTaken, ThatAllIsTakenIsFine) {
 TEST(WatchTaken, WhatCouldNotBeReadIsUnknown) {
   const Finished finished = watched(apart_with("rubbish\nc,1,oops,0,0\nc,1,oops,0,0\n"));
   EXPECT_EQ(finished.exit_code, kRisk);
-  expect_parts(finished.err,
-               {"verdict    no conflict among what was taken; 3 lines were left out\n"});
+  expect_parts(finished.err, {"verdict    no conflict among what was taken; 3 lines were left out, "
+                              "1 bee is known nowhere\n"});
 }
 
 TEST(WatchTaken, WhatCameTooLateIsUnknown) {
