@@ -80,9 +80,9 @@ class Result;
 namespace detail {
 
 template <class T>
-inline constexpr bool is_result = false;
+inline constexpr bool kIsResult = false;
 template <class T>
-inline constexpr bool is_result<Result<T>> = true;
+inline constexpr bool kIsResult<Result<T>> = true;
 
 // Calls with the value; with nothing, where the value says nothing and the callable takes nothing.
 template <class Callable, class Value>
@@ -270,7 +270,7 @@ class [[nodiscard]] Result {
   static auto go_on(Self&& self, Next&& next) {
     using Other = std::remove_cvref_t<decltype(detail::call_with(
         std::forward<Next>(next), std::forward<Self>(self).value()))>;
-    static_assert(detail::is_result<Other>, "the function of and_then must return a Result");
+    static_assert(detail::kIsResult<Other>, "the function of and_then must return a Result");
     if (!self.has_value()) return Other(std::forward<Self>(self).error());
     return Other(detail::call_with(std::forward<Next>(next), std::forward<Self>(self).value()));
   }
