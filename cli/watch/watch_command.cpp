@@ -220,10 +220,14 @@ class Watch {
     Status taken = feed_->take({*number, time_of(at), metres->position, metres->velocity,
                                 metres->height_m, metres->climb_mps},
                                wall_s());
-    if (taken && !advice_) note_placed(at.id);
-    note_heard_of(at.id);
-    if (taken) return taken;
-    note_bad(taken.error());
+    if (!taken) {
+      note_heard_of(at.id);
+      note_bad(taken.error());
+    } else if (!advice_) {
+      note_placed(at.id);
+    } else if (!advice_->knows(*number)) {
+      note_heard_of(at.id);
+    }
     return std::monostate{};
   }
 
