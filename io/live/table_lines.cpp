@@ -83,6 +83,7 @@ class TableLines final : public LineReader {
 
   static std::optional<std::vector<std::string>> trimmed(const std::vector<std::string>& names) {
     std::vector<std::string> some;
+    some.reserve(names.size());
     for (const std::string& name : names) some.emplace_back(without_padding(name));
     return some;
   }
