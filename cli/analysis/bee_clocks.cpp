@@ -101,7 +101,8 @@ bool BeeClocks::take(const Report& report, double wall_s, std::vector<Step>& ste
     take_elsewhere(report, bee, lasts_s, wall_s, steps);
     return false;
   }
-  if (std::isfinite(lasts_s) && lasts_s > 0.0) bee.interval_s = lasts_s;
+  const bool went_on = bee.place == Place::kNear && std::isfinite(lasts_s) && lasts_s > 0.0;
+  if (went_on) bee.interval_s = lasts_s;
   vote(bee, Place::kNear);
   if (bee.named || bee.kept > 0 || bee.broken) {
     take_near(report, bee, wall_s, steps);
@@ -154,7 +155,8 @@ void BeeClocks::take_elsewhere(const Report& report, Bee& bee, double lasts_s, d
     return release(from_s, wall_s, steps);
   }
   if (bee.off) return correct(report, bee, wall_s, steps);
-  if (bee.unopposed_s >= limits_.max_age_s) {
+  const bool may_be_late = place == Place::kBehind && !bee.named && bee.times < kTimesBehind;
+  if (bee.unopposed_s >= limits_.max_age_s && !may_be_late) {
     keep(report, bee);
     const double from_s = go_to(first_kept_s(report), wall_s, steps);
     return release(from_s, wall_s, steps);

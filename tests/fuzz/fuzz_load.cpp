@@ -57,7 +57,10 @@ void check_loaded(const LoadedPoints& loaded) {
 void check_ways(std::string_view text, const LoadOptions& options) {
   if (text_problem(text)) return;
   text = without_byte_order_mark(text);
-  const auto layout = find_layout(text, options);
+  const auto layout = find_layout(text, {.frame = options.frame,
+                                         .columns = options.columns,
+                                         .units = options.units,
+                                         .heights = options.heights});
   if (!layout) return;
   TableOptions table;
   table.skip_bad = options.skip_bad;

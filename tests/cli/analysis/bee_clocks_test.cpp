@@ -251,6 +251,33 @@ TEST(BeeClocks, OfSeveralBeesThatAreLateTogetherDoNotTurnTimeBack) {
   }
 }
 
+// How often a bee is heard is measured between reports that came in time: not from a late one.
+TEST(BeeClocks, OfLateReportsOneAfterTheOtherDoNotTurnTimeBack) {
+  Flock flock;
+  const auto both = [&](double time_s) {
+    flock.hear(0, time_s, time_s);
+    flock.hear(1, time_s, time_s);
+  };
+  for (int tenth = 0; tenth <= 200; ++tenth) both(tenth / 10.0);
+  flock.hear(1, 12.0, 12.0);
+  both(20.1);
+  for (const double late_s : {6.0, 9.0, 13.0}) flock.hear(1, late_s, late_s);
+  both(20.2);
+  EXPECT_TRUE(flock.end().back.empty());
+  expect_times_right(flock.told(), 0.0);
+}
+
+TEST(BeeClocks, OfABeeThatIsSeldomHeardMayBeLateTwice) {
+  Flock flock;
+  for (int tenth = 0; tenth <= 300; ++tenth) {
+    flock.hear(0, tenth / 10.0, tenth / 10.0);
+    if (tenth % 60 == 0) flock.hear(1, tenth / 10.0, tenth / 10.0);
+  }
+  for (const double late_s : {12.0, 18.0}) flock.hear(1, late_s, late_s);
+  for (int tenth = 301; tenth <= 310; ++tenth) flock.hear(0, tenth / 10.0, tenth / 10.0);
+  EXPECT_TRUE(flock.end().back.empty());
+}
+
 TEST(BeeClocks, AreNotContradictedByReportsThatAreLate) {
   // Both were silent for a second; one goes on, while of the other come those that were under way.
   Flock flock({0.4, 0.8});
