@@ -1,5 +1,5 @@
-// Programs that link allocation_count.cpp have operator new and delete of their own, in all their
-// forms, which count: on all threads, whoever calls.
+// Programs that link allocation_count.cpp replace operator new and delete, in all their forms, with
+// ones that count the calls of all threads.
 #pragma once
 
 #include <cstdint>

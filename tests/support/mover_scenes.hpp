@@ -31,7 +31,7 @@ struct MoverScene {
   double vertical_m = 0.0;  // where cylinders are asked for
   double horizon_s = 0.0;
 
-  // Heights apart from positions: those of whoever comes next.
+  // Heights apart from positions, in the order of the movers.
   std::vector<double> heights_m = {};
   std::vector<double> climbs_mps = {};
 
@@ -235,7 +235,7 @@ inline std::vector<MoverScene> mover_scenes() {
     scenes.push_back(std::move(scene));
   };
   const Mover one{{1, 2, 3}, {4, 5, 6}};
-  add("Nobody", {}, 1, 1, 10);
+  add("Empty", {}, 1, 1, 10);
   add("OneAlone", {one}, 1, 1, 10);
   add("TwoAtTheSamePlace", {one, {{1, 2, 3}, {0, 0, 0}}}, 1e-3, 1e-3, 10);
   // Found in the step that ends when they pass, and in the next one again.

@@ -51,7 +51,7 @@ std::vector<Told> told_of_head_on(const SwarmOptions& options, bool says_velocit
   return told;
 }
 
-TEST(SwarmPrediction, OfAHeadOnPairIsSaidOnceAndComesTrue) {
+TEST(SwarmPrediction, OfAHeadOnPairComesOnceAndIsTrue) {
   const double begins_s = 20.0 - std::sqrt(400.0 - 9.0) / 10.0;
   for (const bool says_velocity : {false, true}) {
     const std::vector<Told> told = told_of_head_on(looking_ahead(10.0), says_velocity, 40.0);
@@ -79,7 +79,7 @@ TEST(SwarmPrediction, WithoutAHorizonThereIsNone) {
   }
 }
 
-TEST(SwarmPrediction, OfWhoHasBeenHeardOfOnceWithoutAVelocityIsNotTried) {
+TEST(SwarmPrediction, IsNotMadeFromOneReportWithoutAVelocity) {
   Swarm swarm(looking_ahead(10.0));
   ASSERT_TRUE(swarm.update({1, 0.0, {0, 0, 0}}).has_value());
   ASSERT_TRUE(swarm.update({2, 0.0, {60, 0, 0}, Velocity{-5, 0, 0}}).has_value());
@@ -92,7 +92,7 @@ TEST(SwarmPrediction, OfWhoHasBeenHeardOfOnceWithoutAVelocityIsNotTried) {
   EXPECT_NEAR(events[0].distance_m, 7.5, 1e-9) << "where the horizon ends";
 }
 
-// From a report a while ago it flies on.
+// The position is extrapolated from an older report.
 TEST(SwarmPrediction, IsMadeFromWhereBeesAreByNow) {
   Swarm swarm(looking_ahead(10.0));
   for (const PointId id : {1U, 2U}) {
@@ -127,7 +127,7 @@ TEST(SwarmPrediction, ComesAgainOnlyAfterThePairWasOutOfDanger) {
   EXPECT_GE(predicted_at[1], 14.0);
 }
 
-// Velocities that waver between danger and just none do not make it come again and again.
+// Velocities that waver around danger do not repeat the prediction.
 TEST(SwarmPrediction, DoesNotFlap) {
   Swarm swarm(looking_ahead(10.0));
   std::size_t predicted = 0;
@@ -143,7 +143,7 @@ TEST(SwarmPrediction, DoesNotFlap) {
   EXPECT_EQ(predicted, 1U);
 }
 
-// Of many at once, what predict_conflicts says of the same.
+// Of many bees: what predict_conflicts() finds for the same states.
 TEST(SwarmPrediction, OfManyIsThatOfPredictConflicts) {
   test::SceneMaker make(808);
   std::size_t predicted = 0;

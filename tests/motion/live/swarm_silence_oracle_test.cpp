@@ -1,7 +1,7 @@
-// Random swarms with silences, against what follows from the definition alone: between two reports
-// no more than max_age_s apart a bee flies straight, at a single one it is there for an instant,
-// and all other times are unknown. The oracle shares no code with the library: for each pair and
-// each two pieces it solves the quadratic in long double.
+// Random swarms with silences, compared with the definition: between two reports at most max_age_s
+// apart a bee flies straight, at a single report it is there for an instant, and all other times
+// are unknown. The oracle shares no code with the library: for each pair of bees and of pieces it
+// solves the quadratic in long double.
 #include "tests/support/rounds.hpp"
 #include "tests/support/scene_maker.hpp"
 #include "tests/support/swarm_replay.hpp"

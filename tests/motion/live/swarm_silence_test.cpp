@@ -1,5 +1,5 @@
-// Silence is not absence: what a live swarm says of bees that fall silent, at every phase of an
-// encounter, and when they are heard of again.
+// Silence is not absence: the events of bees that fall silent, in every phase of an encounter, and
+// when they are heard again.
 #include "tests/support/conflict_printer.hpp"
 #include "tests/support/swarm_replay.hpp"
 
@@ -50,8 +50,8 @@ Events told_of_a_pass(double silent_s, double returns_s = 1e9,
   return events;
 }
 
-// Whatever phase it is in: entered at 8 s, closest at 12 s, left at 16.4 s.
-TEST(SwarmSilence, IsToldForWhatItIsInEveryPhaseOfAnEncounter) {
+// For each phase: entered at 8 s, closest at 12 s, left at 16.4 s.
+TEST(SwarmSilence, IsReportedAsSuchInEveryPhaseOfAnEncounter) {
   for (double silent_s = 0.0; silent_s <= 20.0; silent_s += 0.5) {
     SCOPED_TRACE(silent_s);
     const Events events = told_of_a_pass(silent_s);
@@ -71,8 +71,8 @@ TEST(SwarmSilence, IsToldForWhatItIsInEveryPhaseOfAnEncounter) {
   }
 }
 
-// Of two that close in head on one falls silent at 20 m.
-TEST(SwarmSilence, OfOneThatComesHeadOnIsNoAllClear) {
+// Two bees close in head on; one falls silent at 20 m.
+TEST(SwarmSilence, OfABeeThatComesHeadOnIsNoAllClear) {
   SwarmOptions options{.threshold_m = 25.0};
   options.max_speed_mps = 12.0;
   Swarm swarm(options);
@@ -117,11 +117,11 @@ TEST(SwarmSilence, EndsWithWhatIsThereThen) {
   EXPECT_EQ(count(outside, EventKind::kEntered), 1U);
   EXPECT_EQ(count(outside, EventKind::kLost), 1U);
   EXPECT_EQ(count(outside, EventKind::kLeft), 0U);
-  EXPECT_EQ(count(outside, EventKind::kClosestPassed), 0U) << "nobody saw it";
+  EXPECT_EQ(count(outside, EventKind::kClosestPassed), 0U) << "it was not observed";
 }
 
-// Nobody looked while it was silent: the same is told.
-TEST(SwarmSilence, IsToldHoweverSeldomItIsLookedFor) {
+// The events are the same if none were asked for during the silence.
+TEST(SwarmSilence, IsReportedHoweverSeldomEventsAreAskedFor) {
   for (const double every_s : {0.5, 3.0, 100.0}) {
     Swarm swarm(options_with());
     Events events;
@@ -157,8 +157,8 @@ TEST(SwarmSilence, OfBothIsOneLoss) {
   EXPECT_EQ(events.size(), 4U);
 }
 
-// A bee that is removed in the middle of a conflict has left, though what the other did up to then
-// is heard of only afterwards.
+// A bee that is removed during a conflict has left, even if the other one's reports up to then come
+// only afterwards.
 TEST(SwarmRemoval, TakesNothingBackThatHappenedBefore) {
   Swarm swarm(options_with());
   Events events;
@@ -255,7 +255,8 @@ TEST(SwarmSilences, AreCountedUntilNow) {
   EXPECT_EQ(swarm.silences(5.0), (std::vector<Silence>{{2, 5.0, 0.0}}));
 }
 
-// 100 m apart, 10 m/s at most, 20 m: 80 m to bridge by both, from where each was last heard of.
+// 100 m apart, at most 10 m/s each, a threshold of 20 m: both together bridge 80 m from their last
+// positions.
 TEST(SwarmPossible, ComesWhenTheBallsReachEachOther) {
   for (const bool both : {false, true}) {
     SwarmOptions options = options_with();
@@ -272,7 +273,7 @@ TEST(SwarmPossible, ComesWhenTheBallsReachEachOther) {
     }
     const Events possible = test::of_kind(events, EventKind::kPossible);
     ASSERT_EQ(possible.size(), 1U) << "once a silence";
-    // Of one, just before the other one was heard of at its place again.
+    // One bee alone, just before the other is heard again at its place.
     EXPECT_EQ(told_s, both ? 4.0 : 7.75);
     EXPECT_NEAR(possible[0].time_s, both ? 4.0 : 7.75, 1e-9);
     EXPECT_EQ(possible[0].first, 1U);
@@ -324,7 +325,7 @@ TEST(SwarmPossible, IsOfCylindersToo) {
   }
 }
 
-// Nothing leads from what came before to what comes next, however soon that is.
+// Positions before and after a loss are not connected, however soon the bee is heard again.
 TEST(SwarmSilence, OfABeeThatIsLostBeginsWithItsLastReport) {
   SwarmOptions options = options_with();
   Swarm swarm(options);
@@ -376,8 +377,8 @@ TEST(SwarmSilence, LastsWhenTimesBeginAnew) {
   EXPECT_EQ(swarm.counts().stale, 0U);
 }
 
-// Both fall silent and are heard of again before, or between, looks.
-TEST(SwarmPossible, IsTheSameHoweverOftenItIsLookedAt) {
+// Both fall silent and are heard again before, or between, two calls.
+TEST(SwarmPossible, IsTheSameHoweverOftenEventsAreAskedFor) {
   test::SceneMaker make(78);
   for (int round = 0; round < 40; ++round) {
     std::vector<Report> reports;
@@ -416,8 +417,8 @@ TEST(SwarmPossible, IsTheSameHoweverOftenItIsLookedAt) {
   }
 }
 
-// Nothing that is possible is missed: bees that fly as fast as they may, in any direction, some of
-// them silent for a while.
+// No possible conflict is missed: bees fly as fast as they may, in any direction, some of them
+// silent for a while.
 TEST(SwarmPossible, MissesNothingThatHappensUnseen) {
   test::SceneMaker make(77);
   std::size_t unseen = 0;

@@ -1,4 +1,4 @@
-// What a live swarm promises, one thing at a time: on encounters that anybody can follow.
+// What a live swarm promises, case by case, on encounters that are easy to check by hand.
 #include "tests/support/conflict_printer.hpp"
 #include "tests/support/swarm_replay.hpp"
 
@@ -39,7 +39,7 @@ std::size_t count(const Events& events, EventKind kind) {
   return test::of_kind(events, kind).size();
 }
 
-// Bee 3 hovers, bee 8 is at these distances from it, a second each; all events until then.
+// Bee 3 hovers; bee 8 is at these distances from it, a second each. All events until then.
 Events told_of_distances(Swarm& swarm, const std::vector<double>& distances_m, double begin_s = 0) {
   Events events;
   for (std::size_t i = 0; i < distances_m.size(); ++i) {
@@ -68,8 +68,8 @@ TEST(SwarmEvents, OfAPassAreEnteredClosestPassedAndLeft) {
   }
 }
 
-// A velocity that comes out of two reports may be smaller than any that may be given.
-TEST(SwarmEvents, AreToldWhoeverHardlyMoves) {
+// The velocity between two reports may be smaller than any that is valid as input.
+TEST(SwarmEvents, AreReportedOfBeesThatHardlyMove) {
   SwarmOptions options = plain_options();
   options.horizon_s = 10.0;
   Swarm swarm(options);
@@ -81,7 +81,7 @@ TEST(SwarmEvents, AreToldWhoeverHardlyMoves) {
   }
 }
 
-TEST(SwarmEvents, AreToldAsSoonAsBothHaveBeenHeardOfAgain) {
+TEST(SwarmEvents, AreReportedAsSoonAsBothAreHeardAgain) {
   Swarm swarm(plain_options());
   EXPECT_TRUE(told_of_distances(swarm, {30, 25}).empty());
   hear(swarm, {8, 2.0, {10, 0, 0}});
@@ -106,13 +106,13 @@ TEST(SwarmEvents, DoNotFlapBetweenTheThresholds) {
   EXPECT_EQ(count(more, EventKind::kLeft), 5U);
 }
 
-TEST(SwarmEvents, OfWhoComesNoCloserThanTheThresholdAreNone) {
+TEST(SwarmEvents, DoNotComeWithoutCrossingTheThreshold) {
   Swarm swarm(plain_options());
   EXPECT_TRUE(told_of_distances(swarm, {30, 21, 20, 21, 30}).empty());
 }
 
-// Closest, and then clearly closer still; what is hardly closer is not said.
-TEST(SwarmEvents, TellTheClosestAgainOnlyWhenItIsClearlyCloser) {
+// The closest distance is reported again only when it is clearly less than before.
+TEST(SwarmEvents, ReportTheClosestAgainOnlyWhenItIsClearlyCloser) {
   Swarm swarm(plain_options());
   const Events closest = test::of_kind(told_of_distances(swarm, {30, 15, 18, 14.5, 18, 8, 18, 30}),
                                        EventKind::kClosestPassed);
@@ -121,7 +121,7 @@ TEST(SwarmEvents, TellTheClosestAgainOnlyWhenItIsClearlyCloser) {
   EXPECT_NEAR(closest[1].distance_m, 8.0, 1e-12);
 }
 
-TEST(SwarmEvents, OfHoveringBeesAreToldOnce) {
+TEST(SwarmEvents, OfHoveringBeesAreReportedOnce) {
   Swarm swarm(plain_options());
   const Events events = told_of_distances(swarm, std::vector<double>(50, 7.0));
   ASSERT_EQ(events.size(), 1U);
@@ -150,14 +150,14 @@ TEST(SwarmRemoval, LetsABeeComeBackAsANewOne) {
   told_of_distances(swarm, {30, 10, 9});
   swarm.remove(8);
   advanced(swarm, 2.5);
-  // From where it was removed to where it comes back it does not pass anybody.
+  // Between its removal and its return it does not pass any bee.
   const Events events = told_of_distances(swarm, {10, 10, 40}, 3.0);
   const Events entered = test::of_kind(events, EventKind::kEntered);
   ASSERT_EQ(entered.size(), 1U);
   EXPECT_EQ(entered[0].time_s, 3.0);
 }
 
-TEST(SwarmStaleness, EndsEncountersAndIsToldOnce) {
+TEST(SwarmStaleness, EndsEncountersAndIsReportedOnce) {
   Swarm swarm(plain_options());  // 5 s
   told_of_distances(swarm, {30, 10, 9});
   for (int i = 3; i <= 7; ++i) {
@@ -194,7 +194,7 @@ TEST(SwarmStaleness, LetsABeeComeBackAndEnterAnew) {
   EXPECT_EQ(swarm.counts().bees, 2U);
   const Events entered = test::of_kind(events, EventKind::kEntered);
   ASSERT_EQ(entered.size(), 1U);
-  EXPECT_EQ(entered[0].time_s, 10.0) << "nobody knows where it was before";
+  EXPECT_EQ(entered[0].time_s, 10.0) << "its place before that is unknown";
 }
 
 TEST(SwarmStaleness, IsNotEndedByWhatWasHeardBefore) {
@@ -237,7 +237,7 @@ TEST(SwarmHeights, AreComparedWithTheHeightWhetherApartOrNot) {
   }
 }
 
-// It climbs, at first by what it says, then by what is seen of it.
+// It climbs, first by its reported rate, then by the rate between reports.
 TEST(SwarmHeights, ThatChangeArePredicted) {
   for (const bool says_so : {false, true}) {
     SwarmOptions options = plain_options();
@@ -258,8 +258,8 @@ TEST(SwarmHeights, ThatChangeArePredicted) {
   }
 }
 
-// In seconds since 1970 doubles are 2.4e-7 apart: an age is the difference of two of them, and not
-// compared with a time that has been rounded.
+// In seconds since 1970 doubles are 2.4e-7 apart. An age is the difference of two such times, and
+// is not compared with a rounded time.
 TEST(SwarmEvents, AnAgeIsTheDifferenceOfTwoTimes) {
   constexpr double kTick = 0x1p-22;
   SwarmOptions options = plain_options();
