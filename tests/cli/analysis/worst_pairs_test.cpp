@@ -223,7 +223,7 @@ TEST(WorstPairs, MayBeAskedOfOtherPlacesThanTheirDistancesAreTakenOf) {
   }
 }
 
-TEST(WorstPairs, OfNobodyThereAreNone) {
+TEST(WorstPairs, OfFewerThanTwoThereAreNone) {
   for (const std::size_t count : {0u, 1u}) {
     const Points points(count);
     const WorstPairs worst = found(points, points, {.threshold_m = 1.0});

@@ -42,7 +42,7 @@ class LeftOutRecords : public testing::Test {
   }
 };
 
-TEST_F(LeftOutRecords, ReplaySaysWhoIsKnownNowhere) {
+TEST_F(LeftOutRecords, ReplaySaysWhichBeesAreKnownNowhere) {
   const Finished finished = run(ask("replay", {"--vertical", "1000ft", "--fail-on-risk"}));
   EXPECT_EQ(finished.exit_code, 1);
   expect_parts(finished.err,

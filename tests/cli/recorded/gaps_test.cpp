@@ -52,7 +52,7 @@ TEST_F(Gaps, NoStraightLineJoinsFixesThatAreHoursApart) {
                {"no conflict in the known time; 1 bee unknown for 2 h in all",
                 "5 s, 5 times the typical interval of 1 s (--max-gap)", "a from 10.00 s for 2 h"});
   EXPECT_EQ(finished.err.find("keeps its distance"), std::string::npos) << finished.err;
-  // The line is there for those who ask for it.
+  // The straight line is used where it is asked for.
   const Finished joined = run({"replay", file_, "--threshold", "5", "--max-gap", "never"});
   EXPECT_EQ(lines_of(joined.out).size(), 2u) << joined.out;
   expect_parts(joined.err, {"does not keep its distance: 1 conflict of 1 pair"});
@@ -68,7 +68,7 @@ TEST_F(Gaps, WithoutGapsItKeepsItsDistance) {
 }
 
 // Absence before the first fix and after the last one is no knowledge either.
-TEST_F(Gaps, WhoIsKnownForAPartOnlyIsSaid) {
+TEST_F(Gaps, BeesThatAreKnownForAPartOnlyAreNamed) {
   const std::string input =
       kHeader + standing("a", 0, 0, 60) + standing("b", 100, 0, 60) + standing("late", 200, 30, 60);
   const Finished finished = ask({"replay", "--threshold", "5"}, input);
@@ -164,7 +164,7 @@ TEST_F(Gaps, VerifyFindsNothingInAGapAndAllBesideIt) {
 }
 
 // Status 0 would be an all-clear.
-TEST_F(Gaps, AGapIsARiskToThoseWhoAskForTheStatus) {
+TEST_F(Gaps, AGapIsARiskWhereTheStatusIsAskedFor) {
   for (const Arguments& command :
        {Arguments{"replay", file_}, Arguments{"export", file_, "--format", "csv"},
         Arguments{"plot", file_, "-o", folder_.path("x.svg")}}) {

@@ -27,7 +27,7 @@ Finished run_on_terminal(const Arguments& arguments, const std::string& no_colou
 struct Surroundings {
   enum class Output { kCollected, kFile, kClosedPipe };
 
-  Output output = Output::kCollected;  // kClosedPipe: a pipe that nobody reads
+  Output output = Output::kCollected;  // kClosedPipe: a pipe without a reader
   std::string file = {};               // where standard output goes with kFile
   bool input_on_terminal = false;
   bool error_on_terminal = false;

@@ -168,7 +168,7 @@ TEST_F(Report, APipeWithANameIsReadOnce) {
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
     std::thread writer([&] { folder_.file("pipe.csv", input); });
     const Finished finished = run({"report", pipe});
-    const int other_end = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);  // if nobody has read it
+    const int other_end = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);  // if it was not read
     writer.join();
     close(other_end);
     expect_alike(Page(finished.out), reported({}, input));

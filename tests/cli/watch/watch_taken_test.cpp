@@ -142,7 +142,7 @@ TEST(WatchTaken, ABeeAtTwoPlacesAtOneTimeIsSaid) {
   expect_parts(high.err, {"contrary   1 left out\n"});
 }
 
-TEST(WatchTaken, WhoWasHeardOfOnceIsUnknown) {
+TEST(WatchTaken, ABeeHeardOnceIsUnknown) {
   const Finished finished = watched("a,0,0,0,0\nb,0.5,1,0,0\n");
   EXPECT_EQ(finished.exit_code, kRisk);
   expect_parts(finished.err, {"verdict    no conflict; 2 bees were heard of once only\n"});
@@ -223,7 +223,7 @@ TEST(WatchTaken, ASilentBeeStaysUnknownWhenAllClocksBeginAnew) {
                               R"({"event": "stale", "time_s": 102, "id": "w"})", R"("id": "v"})"});
   expect_parts(finished.err, {"bees       2 heard of, 2 stale\n", "unknown    2 bees for ", "w 5",
                               "2 bees were unknown for a time", "all clocks began anew"});
-  // With how fast it may be it is said whom it may meet, and when it is heard of that is said.
+  // With a greatest speed, possible conflicts and the next report are events.
   const Finished fast = watched(text.str() + "w,31,0,2000,0\n", {"--max-speed", "100"});
   expect_parts(fast.out, {"\"possible\"", R"("event": "heard", "time_s": 31)"});
 }
