@@ -120,7 +120,7 @@ TEST(Memory, MoreThanThereIsIsAnExceptionAndTheRestLivesOn) {
   EXPECT_EQ(new_blocks_of(memory, kOddSizes), 0U);
 }
 
-TEST(Memory, GivesBackAllThatNobodyUses) {
+TEST(Memory, GivesBackAllThatIsUnused) {
   const std::uint64_t before = blocks_held();
   {
     Memory memory;

@@ -82,7 +82,7 @@ class Loop {
 
  private:
   void fly(int step) {
-    // What was told in the step before takes effect.
+    // The advice of the step before takes effect.
     before_ = std::exchange(certified_, {});
     if (next_) {
       certified_ = certified_in(*next_);
@@ -105,7 +105,7 @@ class Loop {
     }
   }
 
-  // What must hold of whom is certified in the look of a step.
+  // What must hold of bees that are certified in a round of advice.
   void check_conditions(int step, const TrueBee& bee) {
     if (certified_.count(bee.id()) == 0) return;
     constexpr double kOldest = 2.05;

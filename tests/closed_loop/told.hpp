@@ -1,4 +1,4 @@
-// What `watch --advise` has told in a look.
+// The output of `watch --advise`, one round of advice (look) after the other.
 #pragma once
 
 #include "tests/closed_loop/flown.hpp"
@@ -9,14 +9,14 @@
 
 namespace beespace::closed_loop {
 
-// What one bee is told.
+// The advice for one bee.
 struct Told {
-  std::optional<Vector> velocity;  // none: nothing to fly by
+  std::optional<Vector> velocity;  // none: no velocity advised
   bool certified = false;
   std::string because;
 };
 
-// All that is said of one look.
+// One round of advice.
 struct Look {
   double time_s = 0;
   double effective_s = 0;

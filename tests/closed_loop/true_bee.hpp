@@ -17,7 +17,7 @@ class TrueBee {
  public:
   TrueBee(std::string id, const Start& start, const FlightPlan& plan, std::uint64_t seed);
 
-  // Flies step `step`. Without a look it brakes; told nothing it flies straight on.
+  // Flies step `step`. Without a look it brakes; without advice for it, it flies straight on.
   void fly(int step, bool has_look, const std::optional<Vector>& told);
 
   // The lines of its reports in the step, each with the time at which it is made; those that are
@@ -33,7 +33,7 @@ class TrueBee {
   [[nodiscard]] const Stretch& stretch() const { return stretch_; }
   [[nodiscard]] Vector position() const { return stretch_.position_at(stretch_.lasts_s); }
   [[nodiscard]] Vector velocity() const { return stretch_.velocity_at(stretch_.lasts_s); }
-  // Whether it has flown as told in all steps from one on, up to the last.
+  // Whether it has flown as advised in all steps from one on, up to the last.
   [[nodiscard]] bool as_told_since(int step) const { return otherwise_ < step; }
 
   double heard_s = -std::numeric_limits<double>::infinity();  // made: the latest that was sent
@@ -51,7 +51,7 @@ class TrueBee {
   Stretch stretch_;
   double phase_s_ = 0;
   int next_report_ = 0;
-  int otherwise_ = -1;  // the last step that it flew otherwise than told
+  int otherwise_ = -1;  // the last step that it flew otherwise than advised
   int own_will_until_ = -1;
   int weak_until_ = -1;
   int silent_until_ = -1;

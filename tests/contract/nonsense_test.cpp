@@ -72,7 +72,7 @@ std::optional<Error> record(const ConflictOptions& options, double tolerance_m =
   return found;
 }
 
-// An answer has no NaN, and what cannot be used certifies nobody.
+// An answer has no NaN, and unusable input leaves no bee certified.
 std::optional<Error> advised(const AdviseOptions& options, std::vector<Mover> movers = kMovers,
                              std::vector<Velocity> wishes = std::vector<Velocity>(3),
                              std::vector<FlightLimits> limits = {FlightLimits{10.0, 5.0}}) {

@@ -152,7 +152,7 @@ std::string shown(const std::vector<Pair>& pairs) {
   for (const Pair& p : pairs) {
     text.append(" ").append(std::to_string(p.first)).append("-").append(std::to_string(p.second));
   }
-  return text.empty() ? " nobody" : text;
+  return text.empty() ? " none" : text;
 }
 
 // What is wrong with a way's answers about a scene; nothing where all is right.

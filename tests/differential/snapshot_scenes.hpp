@@ -1,4 +1,4 @@
-// Moments of a swarm that are made to be told wrongly.
+// Snapshots that are constructed to provoke wrong answers.
 #pragma once
 
 #include "tests/contract/inquiry.hpp"

@@ -56,7 +56,7 @@ TEST(OccupancyFilter, DropsMostOfThoseWithoutCompany) {
   EXPECT_LT(occupancy_filter(view, lattice, 1.0, own.with).size(), points.size() / 4);
 }
 
-TEST(OccupancyFilter, KeepsEverybodyWhereItCannotTell) {
+TEST(OccupancyFilter, KeepsAllPointsWhereItCannotTell) {
   const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {1e9, 0, 0}};
   test::OwnResources own;
   const PointsView view(points);

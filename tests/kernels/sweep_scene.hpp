@@ -150,7 +150,7 @@ class SweepScene {
   }
 
   SweepShape shape;
-  cpu::Range points{0, 0};  // who asks: all of the row, or a part of it
+  cpu::Range points{0, 0};  // the queries: all of the row, or a part of it
   cpu::Range own{0, 0};     // the row, by itself
   bool same_set = true;
 

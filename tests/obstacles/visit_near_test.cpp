@@ -31,7 +31,7 @@ double distance(const ConvexPiece& piece, const Vector3& place) {
   return length(place - piece.nearest_to(place));
 }
 
-TEST(VisitNear, LeavesOutNobodyWhoIsNear) {
+TEST(VisitNear, LeavesOutNoneThatIsNear) {
   RandomStream random(1);
   int visited = 0;
   int left_out = 0;

@@ -161,8 +161,8 @@ TEST(Figure, SomebodyBelowTheThresholdIsInADarkBarAndTheThresholdIsAnEdge) {
             histogram->edges_m.end());
 }
 
-// With heights compared apart somebody may be near and not at risk.
-TEST(Figure, BarsAreDarkByWhoIsAtRisk) {
+// With heights compared apart, a near bee need not be at risk.
+TEST(Figure, BarsAreDarkByTheBeesAtRisk) {
   SnapshotFacts facts = three_bees();
   facts.swarm.vertical_m = 5.0;
   facts.positions.push_back({30, 0, 40});
@@ -225,9 +225,9 @@ TEST(Figure, SwarmsWithoutAnyExtentCanBeDrawn) {
   facts.positions = {{-1e120, 0, 0}, {1e120, 0, 0}};
   facts.nearest = {{1, 2e120}, {0, 2e120}};
   expect_inside(figure_of(facts));
-  RecordingFacts nobody;
-  nobody.swarm.threshold_m = 5.0;
-  expect_inside(figure_of(nobody));
+  RecordingFacts empty;
+  empty.swarm.threshold_m = 5.0;
+  expect_inside(figure_of(empty));
 }
 
 TEST(Figure, OfARecordingPartsInConflictAreFat) {

@@ -116,7 +116,7 @@ TEST(Quantised, ThoseAtOnePlaceAreWhereTheyAre) {
   EXPECT_EQ(all.error_m, 0.0);
 }
 
-TEST(Quantised, NobodyIsNowhere) {
+TEST(Quantised, NoPositionsAreNothing) {
   const Quantised all = quantised({}, 16);
   EXPECT_TRUE(all.codes[0].empty() && all.codes[1].empty() && all.codes[2].empty());
   EXPECT_EQ(all.error_m, 0.0);

@@ -206,7 +206,7 @@ TEST(ShownFixes, TheErrorIsThatOfTheWorstBeeAndItsTolerance) {
   EXPECT_EQ(shown_of(tracks, kNever, 5).error_m, 3.25);
 }
 
-TEST(ShownFixes, NobodyIsNothing) {
+TEST(ShownFixes, OfNoBeesAreNone) {
   const ShownFixes none = shown_of({}, kNever, 10);
   EXPECT_EQ(none.every, 1u);
   EXPECT_TRUE(none.counts.empty() && none.times_s.empty() && none.absent_after.empty());

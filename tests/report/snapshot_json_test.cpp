@@ -41,7 +41,7 @@ struct Read {
   ParsedJson json;
 };
 
-// Bees all about, of whom nothing is known but where they are.
+// Bees all about; only their positions are known.
 SnapshotFacts somewhere(std::size_t count) {
   SceneMaker make(5);
   SnapshotFacts facts;
@@ -115,7 +115,7 @@ TEST(SnapshotJson, NamesOfAllNeedNoNumbers) {
   EXPECT_FALSE(has(Read(facts)["names"], "bees"));
 }
 
-TEST(SnapshotJson, WhoIsAtRiskIsABitOfEach) {
+TEST(SnapshotJson, AtRiskIsABitOfEachBee) {
   SceneMaker make(6);
   for (std::size_t count = 0; count < 60; ++count) {
     SnapshotFacts facts = somewhere(count);
@@ -184,7 +184,7 @@ TEST(SnapshotJson, TheNearestMayAllBeEquallyFar) {
   expect_nearest(with_nearest({0x1p-400, 0x1p+401}));
 }
 
-TEST(SnapshotJson, ASingleBeeHasNobodyNear) {
+TEST(SnapshotJson, ASingleBeeHasNoneNear) {
   SnapshotFacts facts = somewhere(1);
   facts.nearest = {Nearest{}};
   const Read read(facts);
@@ -193,7 +193,7 @@ TEST(SnapshotJson, ASingleBeeHasNobodyNear) {
   EXPECT_EQ(position_error(read, facts.positions), 0.0);
 }
 
-TEST(SnapshotJson, ThereMayBeNobody) {
+TEST(SnapshotJson, ThereMayBeNoBees) {
   const Read read(SnapshotFacts{});
   EXPECT_EQ(std::uint64_t(read["count"]), 0u);
   EXPECT_FALSE(has(read.json.root(), "nearest"));

@@ -27,7 +27,7 @@ TEST(Missions, StartsAndGoalsAreClearOfEachOther) {
   }
 }
 
-TEST(Missions, InARandomSwapEverybodyTakesSomebodysPlace) {
+TEST(Missions, ARandomSwapIsAPermutationOfPlaces) {
   const Mission mission = random_swap(500, 15.0, 5.0, 7);
   EXPECT_EQ(sorted(mission.goals), sorted(mission.starts));
   std::size_t stay = 0;

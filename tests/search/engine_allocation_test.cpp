@@ -25,7 +25,7 @@ struct Frames {
   double threshold_m;
   std::vector<Point> velocities = {};
 
-  // The next frame: everybody a little elsewhere.
+  // The next frame: all points have moved a little.
   void move(test::SceneMaker& make) {
     for (std::vector<Point>* set : {&points, &others}) {
       for (Point& p : *set) {
@@ -206,7 +206,7 @@ TEST_P(EngineAllocates, NothingForFramesThatItHasSeen) {
   }
 }
 
-// Everybody moves, and here and there a frame takes a little more than all before it.
+// All points move, and now and then a frame takes a little more than all before it.
 TEST_P(EngineAllocates, LittleForNewFramesThatAreMuchTheSame) {
   for (Frames& frame : swarms()) {
     for (const unsigned threads : {1U, 2U}) {

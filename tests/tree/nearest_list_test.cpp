@@ -55,7 +55,7 @@ TEST(NearestList, ManyAreKeptAsExactlyAsFew) {
   }
 }
 
-TEST(NearestList, LimitsNeverLeaveOutWhoIsAsNear) {
+TEST(NearestList, LimitsNeverLeaveOutEquallyNearPoints) {
   NearestList list;
   const Point point{3, 4, 0};
   list.start({}, 1, std::numeric_limits<double>::infinity());

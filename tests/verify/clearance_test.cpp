@@ -8,7 +8,8 @@
 namespace beespace {
 namespace {
 
-// Past one after the other, in one step: the first is told, whatever the way bends.
+// Past one obstacle after the other, in one step: the first is reported, whichever way the path
+// bends.
 TEST(Clearance, TheFirstOfSeveralIsTold) {
   const ObstacleMap map = test::map_of({Sphere{{300, 0, 0}, 5.0}, Sphere{{-300, 0, 0}, 5.0},
                                         Sphere{{0, 0, 0}, 5.0}, Sphere{{400, 400, 0}, 50.0}});
