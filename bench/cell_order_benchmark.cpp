@@ -47,7 +47,7 @@ struct Swarm {
   double threshold_m;
   std::vector<Point> points;
   std::vector<PointId> at_risk;   // by the library
-  std::uint64_t comparisons = 0;  // by whoever is checked first; the same for all
+  std::uint64_t comparisons = 0;  // of the first one checked; the same for all
 };
 
 // The scenes of the other benchmarks, equally dense at every size.
@@ -206,7 +206,7 @@ void report(benchmark::State& state, const Swarm& swarm, const Seconds& seconds)
   state.counters["answer"] = seconds.answer * ns_a_point;
 }
 
-// One swarm and memory that is kept, so that nobody pays for new pages.
+// One swarm and memory that is kept, so that no run pays for new pages.
 struct Bench {
   explicit Bench(Swarm&& made) : swarm(std::move(made)) {}
 

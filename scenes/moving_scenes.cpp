@@ -68,8 +68,8 @@ void append(Encounters& scene, const Pass& pass, double closest_m) {
   scene.movers.push_back(mover_before(pass, 0.5, pass.second));
 }
 
-// Velocities of two that are not nearly the same: those of a pair that hardly moves apart would
-// leave the time of its closest approach to rounding errors.
+// Velocities of a pair that are clearly different: if the pair hardly moved apart, the time of its
+// closest approach would be left to rounding errors.
 void draw_velocities(Pass& pass, const Speeds& speeds, RandomStream& random) {
   const double least_mps = 0.25 * speeds.fastest_mps;
   while (true) {
@@ -139,7 +139,7 @@ Encounters head_on_pairs(std::size_t pairs, const Point& size, const Speeds& spe
 
 Encounters known_encounters(std::size_t pairs, const EncounterPlan& plan, std::uint64_t seed) {
   RandomStream random(seed);
-  // Until within_s nobody is farther from the middle of its cell than this, on any axis.
+  // Until within_s no mover is farther from the centre of its cell than this, on any axis.
   const double reach_m = plan.speeds.fastest_mps * plan.within_s + 0.5 * plan.farthest_m;
   // A hair more than the reach, so that roundings do not eat up the room between cells.
   const double cell_m = 2.125 * reach_m + 1.125 * plan.clear_m;

@@ -48,7 +48,7 @@ class Contender {
   // says otherwise). Only questions of description() are asked.
   virtual Answer answer(Question question, std::span<const Point> points, double threshold_m) = 0;
 
-  // Gets an answer back that is no longer needed, for those who use memory again. Not timed.
+  // Takes back an answer that is no longer needed, for contenders that reuse memory. Not timed.
   virtual void take_back(Answer /*answer*/) {}
 };
 

@@ -49,7 +49,7 @@ int timed_runs(double first_run_ms) {
   return first_run_ms < 8'000.0 ? 1 : 0;
 }
 
-// Whoever is too slow to be repeated gets passes of the read floor all the same.
+// A contender that is too slow to be repeated still gets passes of the read floor.
 constexpr std::size_t kLeastReadPasses = 3;
 
 struct Times {

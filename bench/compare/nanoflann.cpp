@@ -64,9 +64,9 @@ class AnyOther : public OtherThanSelf {
 };
 
 template <class Visit>
-class Everybody : public OtherThanSelf {
+class VisitAll : public OtherThanSelf {
  public:
-  Everybody(PointId self, double worst, Visit& visit) : OtherThanSelf(self, worst), visit_(visit) {}
+  VisitAll(PointId self, double worst, Visit& visit) : OtherThanSelf(self, worst), visit_(visit) {}
   bool addPoint(double /*squared*/, PointId id) {
     visit_(id);
     return true;
@@ -105,7 +105,7 @@ class Queries {
   }
   template <class Visit>
   void visit_near(PointId self, Visit&& visit) const {
-    Everybody results(self, squared_, visit);
+    VisitAll results(self, squared_, visit);
     search(results, self);
   }
   [[nodiscard]] std::uint32_t count_others(PointId self) const {

@@ -1,5 +1,5 @@
 // One method on one text file, as the paper measures: the time to parse it and the time to find
-// who is at risk, over many repetitions, and the memory of the process.
+// which bees are at risk, over many repetitions, and the memory of the process.
 //
 //   compare_paper_table hash|kdtree|octree|beespace FILE SECONDS
 //

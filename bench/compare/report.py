@@ -7,9 +7,9 @@ import plan
 from results import Results, percent, rounded, thousands
 
 QUESTION_TITLES = {
-    "at_risk": "At risk: who has anybody within X?",
+    "at_risk": "At risk: which bees have another within X?",
     "pairs": "Pairs: which two are within X of each other?",
-    "nearest": "Nearest: who is each one's nearest other?",
+    "nearest": "Nearest: which other is nearest to each?",
     "counts": "Counts: how many are within X of each?",
 }
 
@@ -81,7 +81,7 @@ def rounded_ratio(above, below):
 
 
 def question_table(results, question):
-    swarms = [name for name in results.swarm_names() if results.anybody(name, question)]
+    swarms = [name for name in results.swarm_names() if results.was_asked(name, question)]
     rows = []
     for contender in plan.CONTENDERS:
         times = [results.shown_time(swarm, question, contender.key) for swarm in swarms]

@@ -147,7 +147,7 @@ TEST(Figure, FromAboveAMetreIsAsLongOnBothAxes) {
   }
 }
 
-TEST(Figure, SomebodyBelowTheThresholdIsInADarkBarAndTheThresholdIsAnEdge) {
+TEST(Figure, DistancesBelowTheThresholdAreInADarkBarAndTheThresholdIsAnEdge) {
   const auto histogram = nearest_histogram(three_bees());
   ASSERT_TRUE(histogram.has_value());
   EXPECT_EQ(std::accumulate(histogram->counts.begin(), histogram->counts.end(), std::uint64_t{0}),

@@ -1,4 +1,4 @@
-// What missions are made of: places on a grid, stirred at random, and a random order of them.
+// Building blocks of missions: places on a jittered grid, and a random order of them.
 #pragma once
 
 #include "scenes/random_stream.hpp"
@@ -28,10 +28,10 @@ struct GridCell {
 // The smallest cube with room for so many.
 GridShape cube_for(std::size_t count);
 
-// A place in each of the first `count` cells of `spacing_m`: its middle, stirred by at most half of
-// what `spacing_m` is more than `clear_m` along each axis, so that any two stay clear.
-std::vector<Point> stirred_grid(std::size_t count, const GridShape& shape, const GridCell& first,
-                                double spacing_m, double clear_m, RandomStream& random);
+// A place in each of the first `count` cells of `spacing_m`: its centre, moved at random by at most
+// half of `spacing_m` - `clear_m` along each axis, so that any two stay clear.
+std::vector<Point> jittered_grid(std::size_t count, const GridShape& shape, const GridCell& first,
+                                 double spacing_m, double clear_m, RandomStream& random);
 
 // Each of 0 ... count - 1 once, at random.
 std::vector<std::size_t> shuffled(std::size_t count, RandomStream& random);
