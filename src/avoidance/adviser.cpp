@@ -31,7 +31,7 @@ using avoidance::AgentStates;
 using avoidance::ConstraintBuilder;
 using core::Vector3;
 
-// Bees that a worker takes at a time: some have many neighbours, and others nobody.
+// Bees that a worker takes at a time: some have many neighbours, others none.
 constexpr std::size_t kDealt = 512;
 
 // As it will be taken when it is handed in again.
@@ -39,7 +39,7 @@ Velocity told(const Vector3& v) {
   return motion::flushed(Velocity{v.x, v.y, v.z});
 }
 
-// Whoever wants to fly and is told to stand waits.
+// An agent that wants to fly and is told to stand waits.
 bool waits(const AgentState& agent, const Vector3& wish, const Vector3& velocity) {
   constexpr double kStands = 0.05;  // of its greatest speed
   const double least = kStands * agent.max_speed;
@@ -88,7 +88,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     avoidance::KnownMethod known;
   };
 
-  // All who are taken, under the numbers that they have here.
+  // Advises all valid bees, which are numbered without the others here.
   Status advise_all(const AdviseOptions& options, Advised& advised) {
     const std::span<const Velocity> wishes = intake_.wishes();
     const std::size_t bees = intake_.movers().size();
@@ -140,7 +140,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
 
   [[nodiscard]] Advice advise_one(PointId bee, const Vector3& wish,
                                   const ConstraintBuilder& constraint_builder, Desk& desk) const {
-    constexpr double kAside = 0.5;  // of its greatest speed: how fast somebody makes room
+    constexpr double kAside = 0.5;  // of its greatest speed: how fast an idle agent makes room
     const AgentState& agent = agents_[bee];
     ConstraintBuilder::Findings& findings = desk.findings;
     constraint_builder.look_at(bee, findings);

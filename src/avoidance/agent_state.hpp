@@ -22,8 +22,8 @@ struct AgentState {
   // How far from its way to a stop it may get in a step, and the stop after it.
   [[nodiscard]] double strays() const { return braking.strays(velocity, max_speed); }
 
-  // The nearest velocity within its limits: towards the wish, as far as the acceleration goes. Who
-  // is too fast slows down first.
+  // The nearest velocity within its limits: towards the wish, as far as the acceleration goes. An
+  // agent that is too fast brakes first.
   [[nodiscard]] Vector3 able(const Vector3& wish) const {
     const Vector3 slow = at_most(wish, max_speed);
     if (braking.at_once()) return slow;

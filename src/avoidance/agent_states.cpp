@@ -7,8 +7,8 @@ namespace beespace::avoidance {
 
 namespace {
 
-// What rounding may take from a distance along the way: the distance is widened by it, and whoever
-// keeps it is certified while at least half of it is left.
+// What rounding may take from a distance along the stopping segment: the distance is widened by it,
+// and an agent that keeps it is certified while at least half of the margin is left.
 SeparationMargins keep(double asked_m) {
   return SeparationMargins{asked_m, asked_m, asked_m}.with(1e-7 * asked_m);
 }

@@ -1,4 +1,4 @@
-// Everybody at the beginning of a step, and how far apart they are to be.
+// The states of all agents at the beginning of a step, and their separation margins.
 #pragma once
 
 #include "avoidance/agent_state.hpp"
@@ -20,7 +20,7 @@ namespace beespace::avoidance {
 struct SeparationMargins {
   double asked_m = 0.0;
   double kept_m = 0.0;       // a little more, for rounding
-  double certified_m = 0.0;  // who is closer than this has lost what rounding was allowed
+  double certified_m = 0.0;  // closer than this, the allowance for rounding is used up
 
   // The same with more for rounding.
   [[nodiscard]] SeparationMargins with(double spare_m) const {
@@ -28,7 +28,7 @@ struct SeparationMargins {
   }
 };
 
-// Of the distance to keep: who is no farther beyond it presses others.
+// As a share of the distance to keep: an agent at most so much farther away presses others.
 inline constexpr double kPresses = 0.6;
 
 class AgentStates {
@@ -66,8 +66,8 @@ class AgentStates {
   [[nodiscard]] PointsView middles() const { return std::span<const Point>(middles_); }
   [[nodiscard]] double reach(std::size_t bee) const { return ways_[bee].reach_m; }
   [[nodiscard]] double farthest_reach() const { return extremes_.reach_m; }
-  // Two whose middles are farther apart than this are nothing to each other, whatever both do: two
-  // who reach so far; these two.
+  // Two agents whose segments' midpoints are farther apart than this cannot interact, whatever both
+  // do: two that reach so far; these two.
   [[nodiscard]] double meet(double reach_m, double other_reach_m) const {
     return (apart_.kept_m + reach_m + other_reach_m) * (1.0 + 0x1p-40);
   }
@@ -91,8 +91,8 @@ class AgentStates {
     double reach_m;
     double spare_m;  // for the rounding of its coordinates; part of its reach
   };
-  // What is spared for the rounding of coordinates of this size. Of each bee its own: one that is
-  // astray at the end of the world must not widen what those keep who are nowhere near it.
+  // The allowance for the rounding of coordinates of this size. Each bee has its own: one that is
+  // far astray must not widen the margins of those that are nowhere near it.
   static double spare_m(double large_m) { return 0x1p-44 * large_m; }
 
   // The largest of all.

@@ -1,5 +1,5 @@
-// Who makes a bee do what in a step: other bees, obstacles, intruders, and those of which little is
-// known.
+// Builds the constraints on one bee in a step, from other bees, obstacles, intruders, and bees of
+// which only a ball is known.
 #pragma once
 
 #include "avoidance/agent_states.hpp"
@@ -19,8 +19,8 @@ namespace beespace::avoidance {
 
 class ConstraintBuilder {
  public:
-  // `near` has whoever may meet a bee; `too_close`, what is_too_close() says of each, before any is
-  // looked at. All of these outlive this.
+  // `near` has all bees that may meet each other; `too_close` has the result of is_too_close() for
+  // each pair before any constraints are built. All of these outlive this object.
   ConstraintBuilder(const AgentStates& agents, const Vicinity& near,
                     std::span<const char> too_close, std::span<const Velocity> wishes,
                     const AdviseOptions& options)
@@ -32,7 +32,7 @@ class ConstraintBuilder {
   // What is found of one bee after the other.
   struct Findings {
     Constraints constraints;  // of the last one
-    Vector3 pressed;          // where others want it, who is idle
+    Vector3 pressed;          // where others press it, if it is idle
     bool certified;           // of other bees and obstacles
     double clear_of_unknown_s;
     std::vector<std::size_t> inside;  // obstacles that it lies in, ascending

@@ -1,8 +1,8 @@
-// What can be used of what was given; and what cannot, and why.
+// Checks the input: what is valid, and what is not, and why.
 //
-// One bad number never stops the advice: who cannot be used is left out and named, and the others
-// are numbered anew without it. Values that are too small for the motion domain become zero here
-// (motion/flush.hpp); SeparationMargins in agents.hpp allows for it.
+// One bad number never stops the advice: an invalid bee is left out and named, and the others are
+// numbered anew without it. Values that are too small for the motion domain become zero here
+// (motion/flush.hpp); SeparationMargins in agent_states.hpp allows for it.
 #pragma once
 
 #include <beespace/advise.hpp>
@@ -51,7 +51,7 @@ class Intake {
   [[nodiscard]] std::span<const FlightLimits> limits() const { return limits_; }
   [[nodiscard]] const AdviseOptions& options() const { return options_; }
 
-  // Whether somebody may be anywhere: a bee that is in no ball, or whose ball is none.
+  // Whether a bee may be anywhere: one that is in no ball, or whose ball is invalid.
   [[nodiscard]] bool bee_anywhere() const { return bee_anywhere_; }
   [[nodiscard]] bool intruder_anywhere() const { return intruder_anywhere_; }
 
@@ -69,7 +69,7 @@ class Intake {
   std::vector<FlightLimits> limits_;
   std::vector<Mover> intruders_;
   std::vector<UnknownBee> unknown_;
-  AdviseOptions options_;  // as given, but for who cannot be used
+  AdviseOptions options_;  // as given, without invalid entries
 
   GivenNumbers given_bees_;
   GivenNumbers given_intruders_;

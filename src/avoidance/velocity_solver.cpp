@@ -58,8 +58,8 @@ VelocitySolver::Solved VelocitySolver::solve(const AgentState& agent, const Vect
   const Vector3 from = braking.at_once() ? Vector3{} : agent.velocity;
   const Ball changes{{}, braking.at_once() ? agent.max_speed : braking.change()};
   const auto nearest = [&](const Vector3& velocity) {
-    // Who slides along a plane must not be told to stand because a rounding puts it outside; where
-    // there is no room for that, the plane itself will have to do.
+    // An agent that slides along a plane must not be told to stand because rounding puts it
+    // outside. Where there is no room for that, the plane itself has to do.
     for (const double within : {rounding_of(agent, from, changes.radius), 0.0}) {
       put_in_changes(agent, from, constraints, changes.radius, within);
       const auto found = program_.nearest(velocity - from, firm_, requests_, changes);
@@ -68,8 +68,8 @@ VelocitySolver::Solved VelocitySolver::solve(const AgentState& agent, const Vect
     return velocity;
   };
   Vector3 best = nearest(proposed);
-  // Whoever gets too little of its way by going straight turns right, the more the less it gets: so
-  // that two who meet pass each other, and many who meet go round.
+  // An agent that makes too little progress straight on turns right, the more the less it makes. So
+  // two that meet pass each other, and many that meet go round.
   constexpr double kEnough = 0.6;
   const double progress = std::max(0.0, dot(best, wish) / dot(wish, wish));
   if (progress < kEnough) {

@@ -40,7 +40,7 @@ class Memory final : public std::pmr::memory_resource {
   // of them.
   void start_call();
 
-  // Gives all blocks that nobody uses back to the system.
+  // Gives all unused blocks back to the system.
   void release();
 
  private:
@@ -61,7 +61,7 @@ class Memory final : public std::pmr::memory_resource {
 
   std::mutex mutex_;
   std::uint64_t calls_ = 0;
-  std::vector<Block> kept_;  // nobody's, for whoever asks next
+  std::vector<Block> kept_;  // unused, for the next allocation
   std::vector<Block> lent_;
   std::vector<std::unique_ptr<Memory>> of_workers_;
 };

@@ -93,7 +93,7 @@ class ThreadCrew::Threads {
     done_.wait(lock, [this] { return busy_ == 0; });
   }
 
-  // A search is a row of short tasks: who sleeps after each wakes up late for the next.
+  // A search is a row of short tasks: a thread that sleeps after each wakes up late for the next.
   template <class Condition>
   static bool comes_soon(const Condition& condition) {
     constexpr auto kSoon = std::chrono::microseconds(50);

@@ -46,7 +46,7 @@ class KeepPairs {
   core::FoundPairs::Chunk* chunk_ = nullptr;
 };
 
-// Whom all workers show pairs to, one at a time.
+// The visitor that all workers show pairs to, one at a time.
 struct Audience {
   const PairVisitor& visit;
   std::mutex mutex = {};

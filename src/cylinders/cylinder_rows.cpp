@@ -74,7 +74,7 @@ class CylinderRows::Builder {
     return is_crowded(cell_of);
   }
 
-  // In the order of their coordinates along each row. Whoever is in an earlier cell comes first.
+  // In the order of their coordinates along each row. Points of earlier cells come first.
   void sort_and_fill() {
     with_.crew.split(rows_.rows_, [&](std::size_t first, std::size_t last, unsigned) {
       for (std::size_t row = first; row < last; ++row) {

@@ -70,7 +70,7 @@ void for_each_upward(const core::CylinderTree& tree, const Settle& settle) {
   }
 }
 
-// Who is near anybody. Nodes of which all are need no more looking at.
+// Marks the places that are near another one. Nodes whose places are all marked need no more work.
 class Marks {
  public:
   // Of two trees, those of the first are marked.
@@ -190,8 +190,8 @@ class Counts {
   core::Buffer<std::uint32_t> of_nodes_;
 };
 
-// Who belongs together. Nodes that are known to be of one group each are looked into until they
-// are known to be of the same.
+// The groups. Nodes that are known to be of one group each are looked into until they are known to
+// be of the same.
 class Groups {
  public:
   Groups(const core::CylinderTree& tree, core::Memory& memory)

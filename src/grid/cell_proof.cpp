@@ -142,9 +142,9 @@ class AloneNearby {
   Vector<Entry> entries_;
 };
 
-// Decides the few points that are alone in their cells: every point is held against those nearby.
-// Most find company among the first points that come; the lists are made anew for the others, so
-// that the bulk of the points has nobody to be held against.
+// Decides the few points that are alone in their cells: every point is compared with those nearby.
+// Most find a neighbour among the first points that come; the lists are made anew for the others,
+// so that most points have none to be compared with.
 void settle_alone(const PointsView& points, const ProximityTest& closer,
                   const Buffer<std::uint32_t>& cell, const Lattice& lattice, std::size_t cells,
                   Vector<PointId> alone, const Resources& with, Buffer<std::uint8_t>& at_risk) {

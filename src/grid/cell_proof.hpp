@@ -1,8 +1,9 @@
 // The cheapest proof of all: two points in a cell whose diagonal is below the threshold are closer
 // than the threshold, with no distance computed.
 //
-// In a crowd this settles nearly every point in two passes over the data. A few who are left are
-// held against the points of the cells around theirs; many are left to the search proper.
+// In a crowd this settles nearly every point in two passes over the data. If few points are left,
+// they are compared with the points of the cells around theirs; if many, the search proper decides
+// them.
 #pragma once
 
 #include "base/bounds.hpp"

@@ -1,4 +1,4 @@
-// Many places at once: looked up in an order that suits the caches, in chunks, by whoever is free.
+// Many queries at once: in an order that suits the caches, in chunks, which free threads take.
 #include "exact/validate.hpp"
 #include "index/index_levels.hpp"
 #include "index/place_order.hpp"

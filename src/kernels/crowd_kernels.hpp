@@ -45,7 +45,7 @@ using CountCrowds = void (*)(const CrowdNode& asked, const CrowdNode& others, co
 struct CrowdKernels {
   CountCrowds count[2];         // [weighted]: both note the other
   CountCrowds count_asked[2];   // [weighted]
-  CountCrowds count_within[2];  // [weighted]: of a node with itself; everybody is its own neighbour
+  CountCrowds count_within[2];  // [weighted]: of a node with itself; a point is its own neighbour
 };
 
 const CrowdKernels& crowd_kernels(InstructionSet set);

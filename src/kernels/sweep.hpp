@@ -66,11 +66,11 @@ struct Sweep {
   Unsure unsure;
 };
 
-// What becomes of near pairs. Between two sets the asking point takes note. Where a set is swept by
-// itself, `targets` are the rows of higher numbers, a pair is met once, and both points take note;
-// but counts and nearest ones are taken within a row by everybody for itself. Arrays are indexed by
-// sorted points, less first_asked or first_other; where a set is swept by itself they are the same
-// arrays, and can be read and written kPadding beyond.
+// What becomes of near pairs. Between two sets the query point records them. Where a set is swept
+// by itself, `targets` are the rows of higher numbers, a pair is compared once, and both points
+// record it; but counts and nearest ones are taken within a row for each point separately. Arrays
+// are indexed by sorted points, less first_asked or first_other; where a set is swept by itself
+// they are the same arrays, and can be read and written kPadding beyond.
 
 struct Marks {
   std::uint8_t* asked;  // nonzero: has a near one
@@ -117,10 +117,10 @@ struct MeetingSink {
   PairSink& places;
 };
 
-// The nearest two of all that were looked at, near or not: squared distances in units, and who the
-// nearest is, as a sorted point. Nobody is its own nearest.
+// The nearest two of all that were compared, near or not: squared distances in units, and the
+// nearest one as a sorted point. No point is its own nearest.
 struct NearestTable {
-  float* best;  // infinite: nobody
+  float* best;  // infinite: none
   float* second;
   std::uint32_t* who;
   std::uint32_t first_asked;

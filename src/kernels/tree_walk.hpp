@@ -1,4 +1,4 @@
-// Walks through a PointTree: who is around a place, and who is nearest to it.
+// Walks through a PointTree: the points around a place, and the nearest ones.
 //
 // One walk an instruction set, all compiled from tree_walk_kernel.hpp. Floats decide what they can
 // surely decide, the given doubles the rest, so all walks give the same points.

@@ -193,8 +193,8 @@ template <class Lanes>
   return dx * dx + dy * dy + dz * dz;
 }
 
-// An upper limit of squares beyond which nobody is among the `count` nearest, given the squares of
-// the points in a leaf. With s = kSlack, and k the count-th smallest of them, it is above
+// An upper limit of squares beyond which no point is among the `count` nearest, given the squares
+// of the points in a leaf. With s = kSlack, and k the count-th smallest of them, it is above
 // ((sqrt(k) + s) (1 + s) + s)^2 (1 + s)^2, which is the upper limit of the distance that surely
 // holds as many.
 template <class Lanes>

@@ -35,7 +35,7 @@ struct Ratio {
   Number denominator;
 };
 
-// Somebody is at r + w t, seen from somebody else, for t from 0 to `duration`.
+// One mover is at r + w t relative to the other, for t from 0 to `duration`.
 template <class Number>
 struct Passage {
   Vector3<Number> r;
@@ -106,9 +106,9 @@ std::optional<bool> comes_close(const Passage<Number>& p, bool inclusive) {
 // The same while |z + climb t| < threshold in height as well: looks for the time in which that is
 // so, a stretch of [0, duration] with rational ends, and asks the above about it.
 //
-// Heights are close in an open interval of time, but a closed one may be asked about: whoever is
-// close at an end of it is close shortly before or after as well, as long as it has a length, which
-// it has unless the duration is 0.
+// Heights are close in an open interval of time, but the query may be about a closed one: a pair
+// that is close at an end of it is close shortly before or after as well, as long as it has a
+// length, which it has unless the duration is 0.
 template <class Number>
 std::optional<bool> comes_close(Passage<Number> p, HeightPassage<Number> h, bool inclusive) {
   const Sign climbing = h.climb.sign();

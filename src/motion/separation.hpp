@@ -40,12 +40,12 @@ struct Separation {
   std::optional<double> vertical_m = {};
   bool inclusive = false;
   bool heights_apart = false;  // what counts in height is on the fourth axis, not on the third
-  // The fourth axis and vertical_m count in units of so many metres: for what is told.
+  // The fourth axis and vertical_m count in units of so many metres: for reported distances.
   double height_unit_m = 1.0;
 
   [[nodiscard]] std::size_t vertical_axis() const { return heights_apart ? 3 : 2; }
-  // Whoever is farther apart is not in conflict: cylinders lie in spheres. Where heights are apart,
-  // of positions.
+  // Pairs that are farther apart are not in conflict: cylinders lie in spheres. Where heights are
+  // apart, of positions.
   [[nodiscard]] double reach_m() const {
     return heights_apart ? threshold_m : std::hypot(threshold_m, vertical_m.value_or(0.0));
   }
@@ -66,7 +66,7 @@ RelativeMotion<4> relative_motion(const State& a, const State& b);
 // The same with heights that are apart in metres too, rounded: for distances.
 RelativeMotion<4> in_metres(RelativeMotion<4> motion, const Separation& separation);
 
-// Of two who are in conflict: from when to when, and closest in between.
+// A conflict of two: from when to when, and the closest approach in between.
 struct ConflictReport {
   TimeSpan span;
   double closest_s;

@@ -1,5 +1,5 @@
 // The nearest by the straight line among those in the cylinder: for each place a walk through the
-// tree that leaves out what is outside, or farther than who was found.
+// tree that leaves out what is outside, or farther than the nearest found so far.
 #include "search/cylinder_search.hpp"
 
 #include "base/resize_for.hpp"
@@ -49,7 +49,7 @@ class NearestWalk {
     myself_ = myself;
     id_ = Nearest::kNobody;
     least_ = std::numeric_limits<double>::infinity();
-    look_into(near_leaf);  // somebody to begin with, mostly
+    look_into(near_leaf);  // mostly finds a first candidate
     descend(tree_.top(), 0, near_leaf);
     if (id_ == Nearest::kNobody) return {};
     return {id_, line_.length(place_, best_)};

@@ -1,7 +1,7 @@
 // The search behind find_nearest and its relatives, with its tuning open to tests and benchmarks.
 //
-// Everybody is looked at within a radius in which most find somebody; then, again and again, those
-// who have not found their nearest within a larger one.
+// All points are searched around within a radius in which most find another; then, again and again,
+// those that have not found their nearest, within a larger one.
 #pragma once
 
 #include "base/resources.hpp"

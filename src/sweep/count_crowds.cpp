@@ -91,8 +91,8 @@ class Counter {
         of_slot_lanes_(memory, std::size_t{kNodePoints} * kCrowdLanes),
         of_leaf_lanes_(memory, std::size_t{kCrowdLanes} * kCrowdLanes) {}
 
-  // Counts whom the points of a node are near to; of a set with itself, among themselves and
-  // the points behind them, for both.
+  // Counts the points that the points of a node are near to; of a set with itself, among themselves
+  // and the points behind them, for both.
   void count(std::size_t node) {
     node_ = node;
     std::fill_n(of_slot_lanes_.data(), kNodePoints * kCrowdLanes, 0U);

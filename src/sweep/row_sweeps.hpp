@@ -21,8 +21,9 @@ struct Swarm {
   [[nodiscard]] Point point(std::uint32_t sorted) const { return points[grid.id[sorted]]; }
 };
 
-// What is to be found out: who of `asked` is within the test's threshold of whom of `others`. Both
-// grids are of one lattice and one row shift. The same swarm twice: who of it is near to whom.
+// The query: which points of `asked` are within the test's threshold of which of `others`. Both
+// grids are of one lattice and one row shift. The same swarm twice: which of its points are near
+// each other.
 struct SweepQuery {
   Swarm asked;
   Swarm others;
@@ -86,7 +87,7 @@ class RowSweeps {
     }
   }
 
-  // Where the others begin and end whom the sorted points [begin, end) may look at.
+  // Where the others begin and end that the sorted points [begin, end) may look at.
   [[nodiscard]] Range reach(std::uint32_t begin, std::uint32_t end) const {
     if (begin == end) return {0, 0};
     const std::uint64_t step = others_.rows_a_layer + 1;

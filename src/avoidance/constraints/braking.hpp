@@ -19,7 +19,7 @@ using core::Vector3;
 
 class Braking {
  public:
-  Braking() = default;  // of nobody yet
+  Braking() = default;  // of no agent yet
   Braking(const FlightLimits& limits, double step_s)
       : at_once_(std::isinf(limits.max_acceleration_mps2)),
         per_acceleration_(at_once_ ? 0.0 : 1.0 / limits.max_acceleration_mps2),

@@ -11,7 +11,7 @@ namespace beespace::avoidance {
 struct Constraints {
   // Of where it would stop after the step; its way to a stop lies in them.
   std::vector<HalfSpace> hard;
-  // The same, farther in, as far as that goes: who is too close gets away.
+  // The same, farther in, as far as possible: an agent that is too close gets away.
   struct Farther {
     std::size_t of;  // hard
     double by;

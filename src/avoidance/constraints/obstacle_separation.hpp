@@ -60,7 +60,7 @@ class ObstacleSeparationSearch {
     const obstacles::Facing closest = piece_.facing(closest_on_way(way_, piece_));
     consider(closest.normal);
     if (best_.gap >= enough) return best_;
-    // Who flies into the piece is turned back where it gets in.
+    // A segment that enters the piece is turned back where it enters.
     if (closest.surface.distance_m > 0.0) consider_across(closest.normal);
     return best_;
   }

@@ -33,9 +33,9 @@ struct SeparatingPlane {
   [[nodiscard]] double free(double apart) const { return std::max(0.0, gap - apart); }
 };
 
-// The widest gap, or one that is wide enough. Any normal is right: the gap is what both reach along
-// it, whatever was rounded on the way there, and never wider than they are apart. The first of the
-// two is the one of the lower id, so that both are told the same.
+// The widest gap, or one that is wide enough. Any normal is valid: the gap is computed from the
+// extents of both along it, whatever was rounded before, and is never wider than their distance.
+// The first of the two is that of the lower id, so that both get the same plane.
 class SeparatingPlaneSearch {
  public:
   SeparatingPlaneSearch(const Segment& first, const Segment& second)
@@ -53,7 +53,7 @@ class SeparatingPlaneSearch {
       consider_both(first_.at(end) - second_.closest_to(first_.at(end)), second_.way);
       consider_both(first_.closest_to(second_.at(end)) - second_.at(end), first_.way);
     }
-    // Those who fly straight at each other, and can stop no more, part to their right.
+    // Two that fly straight at each other, and can stop no more, turn to their right.
     if (!(found_ && best_.gap > 0.0)) {
       for (const Vector3& way : {first_.way, second_.way}) {
         if (!(dot(way, way) > 0.0)) continue;

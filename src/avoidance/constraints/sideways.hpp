@@ -1,4 +1,4 @@
-// To the right, which is where everybody gives way to.
+// The direction to the right, in which all agents give way.
 #pragma once
 
 #include "base/vector3.hpp"

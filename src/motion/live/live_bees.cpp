@@ -9,9 +9,9 @@ namespace beespace::motion {
 
 namespace {
 
-// What comes out of reports may be smaller or larger than any of them: it is brought back into the
-// motion domain, at the cost of less than a millionth of a nanometre, or of being so far away that
-// nobody is near.
+// Values computed from reports may be smaller or larger than any of them. They are brought back
+// into the motion domain, at the cost of less than a millionth of a nanometre, or of being so far
+// away that no bee is near.
 double told(double value) {
   const double magnitude = std::abs(value);
   if (magnitude < kSmallestInMotion) return 0.0;

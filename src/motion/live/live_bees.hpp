@@ -131,7 +131,7 @@ class LiveBees {
   std::size_t stale_ = 0;
   std::size_t waiting_ = 0;
   std::size_t once_ = 0;
-  std::vector<PointId> lost_;  // and not told
+  std::vector<PointId> lost_;  // and not reported
   std::uint64_t changes_ = 1;
   double unknown_s_ = 0.0;
   std::vector<Return> returns_;

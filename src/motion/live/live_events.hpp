@@ -20,8 +20,8 @@ class PairTeller {
     double closest_m = std::numeric_limits<double>::infinity();
   };
 
-  // `cut_off` is what a stretch is told to have come to that ends with what is known: kLeft where
-  // one of the two was removed, kLost where it is silent, kEnded where nothing more comes.
+  // `cut_off` is the event that ends a stretch which ends with what is known: kLeft where one of
+  // the two was removed, kLost where it is silent, kEnded where nothing more comes.
   PairTeller(PointId a, PointId b, double margin_m, EventKind cut_off, Said& said,
              std::vector<SwarmEvent>& events)
       : first_(std::min(a, b)),

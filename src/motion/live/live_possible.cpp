@@ -73,8 +73,7 @@ void LivePossible::note_places(const LiveBees& bees, const std::vector<Return>& 
   }
 }
 
-// New silences are begun, and those that end are known for the last time; of who was removed
-// nothing is.
+// Begins new silences, and ends others with what is known last; nothing is known of removed bees.
 void LivePossible::follow(const LiveBees& bees, const std::vector<Return>& returns) {
   auto before = std::exchange(silent_, {});
   for (const Return& back : returns) {

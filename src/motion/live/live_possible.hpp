@@ -57,7 +57,7 @@ class LivePossible {
     std::size_t begin;
     std::size_t end;
   };
-  // A silence, and with whom a conflict has been said to be possible in it: ascending.
+  // A silence, and the bees with which a conflict has been reported as possible in it: ascending.
   struct Silent {
     Place last;
     double ends_s = std::numeric_limits<double>::infinity();

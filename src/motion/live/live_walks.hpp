@@ -37,7 +37,7 @@ class WalkedPairs {
   explicit WalkedPairs(std::size_t most) : most_(most) {}
 
   // `told` is how many of the last events are of this pair, whose bees are the lower and the higher
-  // of `bees`; `had_entered`, before this search.
+  // of `bees`; `had_entered` is its state before this search.
   void add(const LivePair& pair, const Pair& bees, std::size_t told, double distance_m,
            bool had_entered);
   void append(WalkedPairs&& other);

@@ -74,8 +74,8 @@ double StepBalls::enclose(const Run& run, std::size_t piece, const TimeSpan& tim
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   });
-  // Who is not there all the time, or is faster than a float can say, stands still in the middle of
-  // where it is.
+  // A mover that is not there all the time, or is faster than a float can hold, stands still at the
+  // midpoint of where it is.
   constexpr double kFastest = 0x1p+100;
   const double lasts = time.ends_s - time.begins_s;
   const bool all_the_time = lasts > 0.0 && run.begins_s() <= time.begins_s &&

@@ -27,7 +27,7 @@ bool same_pair(const Conflict& a, const Conflict& b) {
   return a.first == b.first && a.second == b.second;
 }
 
-// Judges whom the steps have found, into a list.
+// Judges the pairs that the steps have found, into a list.
 class Judge {
  public:
   Judge(const MoversView& movers, const Separation& separation, double horizon_s,
@@ -71,7 +71,7 @@ class Judge {
     close_gaps(before, size, ends);
   }
 
-  // Sorts what several steps have found, and drops whom more than one has.
+  // Sorts what several steps have found, and drops repeated pairs.
   void settle() {
     const auto not_below = [](const Conflict& a, const Conflict& b) { return !by_pair(a, b); };
     if (std::adjacent_find(found_.begin(), found_.end(), not_below) == found_.end()) return;
@@ -150,7 +150,7 @@ Status predict(const MoversView& movers, const PredictOptions& options, const co
                std::vector<Conflict>& conflicts, const PredictionTuning& tuning) {
   conflicts.clear();
   if (options.max_results < kUnlimited) {
-    // Candidates may be many more than conflicts; who they are takes less memory, and is exact.
+    // Candidates may be many more than conflicts; their ids take less memory, and are exact.
     std::vector<Pair> pairs;
     if (Status few = predict_pairs(movers, options, with, pairs, tuning); !few) return few;
   }

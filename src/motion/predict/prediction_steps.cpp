@@ -125,8 +125,8 @@ PointsView PredictionSteps::middles() const {
   return std::span<const Point>(middles_.data(), movers_.size());
 }
 
-// Any drift will do, but the better ones make everybody slower: the median of some, which a few
-// that are very fast do not move.
+// Any drift will do, but a bad one makes all movers faster: the median of some, which a few that
+// are very fast do not move.
 void PredictionSteps::choose_drift() {
   constexpr std::size_t kSome = 1024;
   const std::size_t stride = movers_.size() / kSome + 1;

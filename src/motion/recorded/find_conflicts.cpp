@@ -34,7 +34,7 @@ std::optional<Error> check(std::span<const Track> tracks, const ConflictOptions&
   return motion::check_tracks(tracks);
 }
 
-// Of the box that everybody stays in.
+// The diagonal of the box that contains all tracks.
 double diagonal_of(std::span<const Track> tracks) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   std::array<double, 3> low{kNone, kNone, kNone};
@@ -60,7 +60,7 @@ std::optional<double> closest_at_some_instants(std::span<const Track> tracks, do
   std::optional<double> closest_m;
   std::vector<Point> places;
   for (std::size_t k = 0; k < kInstants; ++k) {
-    // In the middle of what somebody's track says.
+    // The midpoint of a track.
     const Track& some = tracks[k * tracks.size() / kInstants];
     if (some.fixes.empty()) continue;
     const double time_s = some.fixes[some.fixes.size() / 2].time_s;

@@ -82,7 +82,7 @@ class RecordingSearch {
   }
 
  private:
-  // Those who are there at some time from `begin` to `end`, and on which piece first.
+  // The bees that are there at some time from `begin` to `end`, and the first piece of each.
   void enter(double begin, double end) {
     std::erase_if(active_, [&](const ActiveRun& a) { return runs_[a.run].ends_s() < begin; });
     for (; next_ < by_begin_.size() && runs_[by_begin_[next_]].begins_s() <= end; ++next_) {
@@ -95,7 +95,7 @@ class RecordingSearch {
   }
 
   double step_end(double begin) {
-    // Nobody there: until somebody comes.
+    // None is there: until one comes.
     const double next = next_ < by_begin_.size() ? runs_[by_begin_[next_]].begins_s() : last_s_;
     const double left = last_s_ - begin;
     if (active_.empty()) return next;
@@ -209,7 +209,7 @@ class RecordingSearch {
     for (const std::vector<Conflict>& part : ended) {
       found_.insert(found_.end(), part.begin(), part.end());
     }
-    // Whoever has been walked beyond the step must not be walked there again.
+    // A pair that has been walked beyond the step must not be walked there again.
     std::erase_if(pairs, [&](const PairState& pair) {
       return !pair.state.open && pair.state.walked_until < time.ends_s;
     });
