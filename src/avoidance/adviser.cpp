@@ -34,7 +34,7 @@ using core::Vector3;
 // Bees that a worker takes at a time: some have many neighbours, others none.
 constexpr std::size_t kDealt = 512;
 
-// As it will be taken when it is handed in again.
+// The value as it will be read when it is passed in again.
 Velocity told(const Vector3& v) {
   return motion::flushed(Velocity{v.x, v.y, v.z});
 }
@@ -46,7 +46,7 @@ bool waits(const AgentState& agent, const Vector3& wish, const Vector3& velocity
   return length(velocity) < least && length(agent.velocity) < least && length(wish) > 4.0 * least;
 }
 
-// Of each bee and obstacle once, whatever pieces it has; ascending.
+// Lists each pair of bee and obstacle once, however many pieces the obstacle has; ascending.
 void keep_nearest_pieces(std::vector<NearObstacle>& all) {
   const auto place = [](const NearObstacle& near) {
     return std::tuple(near.bee, near.obstacle, near.gap_m);
@@ -81,7 +81,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
   }
 
  private:
-  // What one worker works with.
+  // The working memory of one thread.
   struct Desk {
     ConstraintBuilder::Findings findings;
     avoidance::VelocitySolver solver;
@@ -171,7 +171,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     return {told(velocity), as_wished ? AdviceKind::kAsWished : AdviceKind::kDeflected};
   }
 
-  // What all workers have found that is not certified.
+  // Collects all conflicts that the threads have found.
   void collect(const ConstraintBuilder& constraint_builder, const AdviseOptions& options,
                Advised& advised) const {
     const auto append = [](const auto& found, auto& all) {
@@ -199,7 +199,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     }
   }
 
-  // From where it is, as it is advised.
+  // Conflicts with intruders, from a bee's position and its advised velocity.
   [[nodiscard]] Mover as_advised(PointId bee, const Advised& advised) const {
     const Vector3& p = agents_[bee].position;
     return {{p.x, p.y, p.z}, advised.advice[bee].velocity};

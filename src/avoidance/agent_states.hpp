@@ -16,13 +16,13 @@
 
 namespace beespace::avoidance {
 
-// A distance to keep.
+// A distance to keep, with its allowance for rounding.
 struct SeparationMargins {
   double asked_m = 0.0;
   double kept_m = 0.0;       // a little more, for rounding
   double certified_m = 0.0;  // closer than this, the allowance for rounding is used up
 
-  // The same with more for rounding.
+  // The same with a larger allowance.
   [[nodiscard]] SeparationMargins with(double spare_m) const {
     return {asked_m, kept_m + spare_m, certified_m + 0.5 * spare_m};
   }
@@ -39,16 +39,16 @@ class AgentStates {
 
   [[nodiscard]] std::size_t size() const { return agents_.size(); }
   [[nodiscard]] const AgentState& operator[](std::size_t bee) const { return agents_[bee]; }
-  // How a bee comes to a stop as it flies now.
+  // The stopping segment at the present velocity.
   [[nodiscard]] const Segment& stopping_segment(std::size_t bee) const {
     return ways_[bee].to_stop;
   }
-  // How far from there it may get in the step and the stop after it.
+  // How far from its end the step and the stop after it may take the agent.
   [[nodiscard]] double strays(std::size_t bee) const { return ways_[bee].strays_m; }
   [[nodiscard]] double fastest() const { return extremes_.speed_mps; }
 
-  // To be kept where coordinates are small; of two bees; of a bee and something near it whose
-  // coordinates or size may be as large.
+  // The distance to keep where coordinates are small; for two bees; for a bee and an object near it
+  // whose coordinates or size may be as large.
   [[nodiscard]] const SeparationMargins& apart() const { return apart_; }
   [[nodiscard]] SeparationMargins apart(PointId bee, PointId other) const {
     return apart_.with(std::max(ways_[bee].spare_m, ways_[other].spare_m));
@@ -56,13 +56,13 @@ class AgentStates {
   [[nodiscard]] SeparationMargins apart_from(double large_m, PointId bee) const {
     return apart_.with(ways_[bee].spare_m + spare_m(large_m));
   }
-  // From obstacles.
+  // The clearance of obstacles.
   [[nodiscard]] SeparationMargins clearance(PointId bee) const {
     return clearance_.with(ways_[bee].spare_m);
   }
 
-  // Everything that a bee may do in the step and the stop after it lies in a ball; and so does
-  // half of what it presses.
+  // A ball contains all places of the step and of the stop after it, and half of the distance
+  // within which the agent presses others.
   [[nodiscard]] PointsView middles() const { return std::span<const Point>(middles_); }
   [[nodiscard]] double reach(std::size_t bee) const { return ways_[bee].reach_m; }
   [[nodiscard]] double farthest_reach() const { return extremes_.reach_m; }
@@ -76,7 +76,7 @@ class AgentStates {
     const double meet_m = meet(ways_[bee].reach_m, ways_[other].reach_m);
     return dot(between, between) <= meet_m * meet_m;
   }
-  // False where two ways to a stop are surely farther apart than this.
+  // False where two stopping segments are surely farther apart than this.
   [[nodiscard]] bool ways_may_be_within(PointId bee, PointId other, double apart_m) const {
     const Vector3 between = core::vector_of(middles_[bee]) - core::vector_of(middles_[other]);
     const double within_m = (apart_m + ways_[bee].half_m + ways_[other].half_m) * (1.0 + 0x1p-40);
@@ -95,7 +95,7 @@ class AgentStates {
   // far astray must not widen the margins of those that are nowhere near it.
   static double spare_m(double large_m) { return 0x1p-44 * large_m; }
 
-  // The largest of all.
+  // The greatest values of all agents.
   struct Extremes {
     double reach_m = 0.0;
     double speed_mps = 0.0;

@@ -30,7 +30,7 @@ void ConstraintBuilder::look_at(PointId bee, Findings& findings) const {
   look_at_unknown(bee, findings);
 }
 
-// Of the two, the one of the lower id is the first.
+// The one of the lower id is the first.
 SeparatingPlane ConstraintBuilder::plane_between(PointId bee, PointId other) const {
   const Segment& first = agents_.stopping_segment(std::min(bee, other));
   const Segment& second = agents_.stopping_segment(std::max(bee, other));
@@ -79,7 +79,8 @@ void ConstraintBuilder::look_at_obstacles(PointId bee, Findings& findings) const
   const double reach_m = (kept_m + agents_.reach(bee)) * (1.0 + 0x1p-40);
   const Vector3 middle = core::vector_of(agents_.middles()[bee]);
   const ObstacleMap::State& map = options_.obstacles->state();
-  // Pieces of what it lies in are no walls: it may have to get out through them.
+  // The pieces of an obstacle that contains the bee are no walls: it may have to get out through
+  // them.
   std::vector<std::size_t>& inside = findings.inside;
   inside.clear();
   map.visit_near(way.from, 0.0, [&](const obstacles::ConvexPiece& piece) {
@@ -154,7 +155,7 @@ void ConstraintBuilder::keep_clear_of_ball(PointId bee, std::size_t unknown, dou
   const Segment middle{core::vector_of(ball.center), {}};
   const double apart_m = later_m + kept_m;
   const SeparatingPlane plane = separate(agents_.stopping_segment(bee), middle, apart_m);
-  // The middle does not move: all that is free is the bee's.
+  // The centre does not move: all of the free distance is the bee's.
   const HalfSpace side = plane.of_first(apart_m, -1.0);
   Constraints& constraints = findings.constraints;
   const bool clear = plane.gap >= later_m + certified_m;

@@ -26,10 +26,10 @@ class ConstraintBuilder {
                     const AdviseOptions& options)
       : agents_(agents), near_(near), too_close_(too_close), wishes_(wishes), options_(options) {}
 
-  // Whether a bee has come too close to another one, or will as it brakes.
+  // Whether a bee is too close to another one, or will be when it brakes.
   [[nodiscard]] bool is_too_close(PointId bee) const;
 
-  // What is found of one bee after the other.
+  // The results, for one bee after the other.
   struct Findings {
     Constraints constraints;  // of the last one
     Vector3 pressed;          // where others press it, if it is idle
@@ -42,7 +42,7 @@ class ConstraintBuilder {
   };
   void look_at(PointId bee, Findings& findings) const;
 
-  // Whether a bee is where it wants to be.
+  // Whether a bee is at its goal.
   [[nodiscard]] bool is_idle(PointId bee) const;
   // Whether an intruder that flies straight on may come too close to a bee within the horizon.
   [[nodiscard]] bool may_come_close(PointId bee, const Mover& intruder) const;

@@ -14,15 +14,15 @@
 
 namespace beespace::avoidance {
 
-// Under which numbers things were given of which some were left out.
+// The original numbers of a list from which some were left out.
 class GivenNumbers {
  public:
   void clear() { numbers_.clear(), left_out_ = false; }
-  // The next one is taken, and was given under this number.
+  // Takes the next one, whose original number is this.
   void take(std::size_t given) {
     if (left_out_) numbers_.push_back(given);
   }
-  // One is left out, after so many that were taken.
+  // Leaves one out, after so many that were taken.
   void leave_out(std::size_t taken) {
     if (left_out_) return;
     left_out_ = true;
@@ -40,14 +40,14 @@ class GivenNumbers {
 
 class Intake {
  public:
-  // What check() of validate.hpp lets pass. Sets `refused`.
+  // What check() of validate.hpp accepts. Sets `refused`.
   void take(const MoversView& movers, std::span<const Velocity> preferred,
             std::span<const FlightLimits> limits, const AdviseOptions& options,
             std::vector<Refused>& refused);
 
   [[nodiscard]] std::span<const Mover> movers() const { return movers_; }
   [[nodiscard]] std::span<const Velocity> wishes() const { return wishes_; }
-  // One for each or one for all.
+  // One set of limits for each bee, or one for all.
   [[nodiscard]] std::span<const FlightLimits> limits() const { return limits_; }
   [[nodiscard]] const AdviseOptions& options() const { return options_; }
 
@@ -55,7 +55,7 @@ class Intake {
   [[nodiscard]] bool bee_anywhere() const { return bee_anywhere_; }
   [[nodiscard]] bool intruder_anywhere() const { return intruder_anywhere_; }
 
-  // From the numbers here to those that were given, in all of an answer.
+  // Replaces the numbers used here by the original ones, in all of an answer.
   void number_as_given(Advised& advised) const;
 
  private:

@@ -20,7 +20,7 @@ class Vicinity {
  public:
   // Errors: as Engine::find_neighbors.
   Status find(const AgentStates& agents, unsigned threads);
-  // All that are so near.
+  // All agents within this distance.
   Status find_within(const PointsView& places, double within_m, unsigned threads);
 
   // Calls visit(other) for each agent that may matter to a bee, and for some that do not, once

@@ -1,5 +1,6 @@
-// Velocities with which a bee comes too close to another one, if both fly straight on: a cone, cut
-// off at the horizon. The way out of it is the shortest change of the velocity between the two.
+// A velocity obstacle: the velocities with which a bee comes too close to another one if both fly
+// straight on. It is a cone, cut off at the horizon. The way out is the smallest change of the
+// relative velocity that leaves it.
 //
 // van den Berg, Guy, Lin, Manocha: Reciprocal n-body collision avoidance (2011), in space.
 #pragma once
@@ -77,7 +78,7 @@ struct VelocityObstacle {
   [[nodiscard]] bool is_too_close() const { return length(place) <= apart; }
 
  private:
-  // Through the side of the cone that lies in a direction at right angles to its axis.
+  // Through the side of the cone in a direction at right angles to its axis.
   [[nodiscard]] WayOut out_of_cone(const Vector3& axis, const Vector3& outward) const {
     const double sine = apart / length(place);
     const double cosine = std::sqrt(1.0 - sine * sine);
@@ -96,7 +97,7 @@ struct VelocityObstacle {
   }
 };
 
-// What a bee's velocity keeps to that takes a share of the change on itself.
+// The half-space of velocities for a bee that takes a share of the change on itself.
 inline HalfSpace half_space_of(const VelocityObstacle::WayOut& out, const Vector3& velocity,
                                double share) {
   return {out.normal, dot(out.normal, velocity) + share * out.change};
