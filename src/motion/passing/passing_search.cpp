@@ -48,7 +48,7 @@ class SortedBalls {
   }
 
   [[nodiscard]] const BallInGrid* balls() const { return balls_.data(); }
-  // How far each gets from the middle of its step, with its radius and half of the clearance.
+  // How far each gets from the midpoint of its step, with its radius and half of the clearance.
   [[nodiscard]] const float* reach() const { return reach_.data(); }
 
  private:
@@ -82,7 +82,7 @@ class Passes {
   }
 
  private:
-  // At a time: so few are still in the nearest cache.
+  // So few at a time are still in the nearest cache.
   static constexpr std::uint32_t kLookAt = 1024;
   static constexpr std::uint32_t kAhead = 16;
 
@@ -107,7 +107,7 @@ class Passes {
   }
 
   void keep_those_who_pass() {
-    // The last look is at some more than there are: any place will do.
+    // The last group may be longer than the list: any place will do.
     for (std::uint32_t k = 0; k < PassCheck::kAtOnce; ++k) {
       sink_.first[sink_.size + k] = sink_.second[sink_.size + k] = 0;
     }

@@ -20,8 +20,8 @@
 
 namespace beespace::motion {
 
-// How a ball moves: metres per second, and what is to be kept clear around it besides the
-// clearance. As floats, which are as good as positions in a grid are.
+// The move of a ball: metres per second, and its radius, which adds to the clearance. In floats,
+// which are as accurate as positions in a grid.
 struct Move {
   float x;
   float y;
@@ -30,7 +30,7 @@ struct Move {
 };
 
 struct MovingBalls {
-  PointsView middles;           // where they are in the middle of the step
+  PointsView middles;           // at the midpoint of the step
   core::Bounds bounds;          // of the middles
   std::span<const Move> moves;  // only differences of velocities matter
   double reach_m;               // how far any ball gets at most from its middle within the step
@@ -44,7 +44,7 @@ struct Step {
   // Whether to leave out pairs that are surely closer than that when the step begins: the step
   // before has found them.
   bool follows_another = false;
-  // Once more than so many have been found the search ends, and says no more than that.
+  // The search ends once more than so many have been found, with no exact number.
   std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
 };
 

@@ -17,13 +17,14 @@ namespace beespace::motion {
 
 class PredictionSteps {
  public:
-  // Options are valid. All must outlive this.
+  // Options are valid. All must outlive this object.
   PredictionSteps(const MoversView& movers, const PredictOptions& options,
                   const core::Resources& with, const PredictionTuning& tuning);
 
   [[nodiscard]] const Separation& separation() const { return separation_; }
 
-  // Whether all positions and velocities lie in the motion domain; or nothing must be asked.
+  // Whether all positions and velocities lie in the motion domain; if not, for_each() must not be
+  // called.
   [[nodiscard]] bool in_domain() const { return in_domain_; }
 
   // Calls visit(found) after each step, with the pairs that find_passing found in it and in no step
@@ -62,7 +63,7 @@ class PredictionSteps {
   double middles_time_ = 0.0;
   core::Bounds bounds_;
   core::Buffer<Move> moves_;
-  core::Vector<SizeLevel> speeds_;  // at which a line could be drawn between slow and fast ones
+  core::Vector<SizeLevel> speeds_;  // possible limits between slow and fast ones
 };
 
 }  // namespace beespace::motion
