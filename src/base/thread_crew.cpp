@@ -66,8 +66,8 @@ class ThreadCrew::Threads {
   [[nodiscard]] unsigned size() const { return static_cast<unsigned>(threads_.size()) + 1; }
 
   void run(const Crew::Task& task) {
-    // While the threads are busy, also with a task that this call is part of: all parts, one by
-    // one.
+    // While the threads are busy, also with a task that this call is part of: runs all parts, one
+    // by one.
     if (threads_.empty() || at_work_.exchange(true)) {
       for (unsigned worker = 0; worker < size(); ++worker) task(worker);
       return;

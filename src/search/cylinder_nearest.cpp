@@ -43,7 +43,7 @@ class NearestWalk {
         line_(options.height_unit_m),
         unit_(options.height_unit_m) {}
 
-  // Of all but `myself`, which is no index where others are asked.
+  // The nearest of all but `myself`, which is no valid index between two sets.
   Nearest operator()(const core::Upright& place, PointId myself, std::size_t near_leaf) {
     place_ = place;
     myself_ = myself;
@@ -55,7 +55,7 @@ class NearestWalk {
     return {id_, line_.length(place_, best_)};
   }
 
-  // Where the last one that was found is.
+  // The leaf of the last point found.
   [[nodiscard]] std::size_t last_leaf() const { return last_leaf_; }
 
  private:
@@ -87,7 +87,7 @@ class NearestWalk {
       squared += gap * gap;
     }
     if (squared * (1.0 - 0x1p-48) > least_) return false;
-    // At one place with this: only a lower id is better.
+    // At the same place only a lower id is better.
     return least_ > 0.0 || lowest_[tree_.number(level, node)] < id_;
   }
 

@@ -97,13 +97,13 @@ class NearestSearch {
     }
   }
 
-  // Points in a grid that later rounds may look into again, as far as its rows are wide.
+  // A grid of points that later rounds may search again, as far as its rows are wide.
   struct Around {
     Around(core::Lattice&& of, double reach, core::SortedGrid&& sorted)
         : lattice(std::move(of)), radius(reach), grid(std::move(sorted)) {}
 
-    // How many of its cells the radius is; none if that is more than a row, or if what is more than
-    // a cell away may be farther than it looks.
+    // The radius in cells of this grid; none if that is more than a row, or if points more than a
+    // cell away may be beyond the kernel's reach.
     [[nodiscard]] std::optional<std::int32_t> cells(double wanted) const {
       constexpr unsigned kMostUnitsBits = 28;  // positions are below 2^30
       const unsigned most =

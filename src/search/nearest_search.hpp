@@ -23,7 +23,7 @@ void find_nearest(const SearchDomain& domain, const std::optional<SearchOptions>
                   std::vector<Nearest>& nearest);
 
 // The closest of all pairs of one of the domain's points and one of its others.
-// `nearest` is room to work in.
+// `nearest` is working memory.
 std::optional<ClosestPair> find_closest_between(const SearchDomain& domain,
                                                 const core::Resources& with,
                                                 const TuningOverrides& tuning,

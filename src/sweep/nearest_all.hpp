@@ -1,4 +1,4 @@
-// Finds nearest others by asking whole grids, shared by a crew.
+// Finds nearest others by sweeping whole grids with all threads.
 #pragma once
 
 #include "base/buffer.hpp"
