@@ -1,7 +1,7 @@
-// In which order places stand in a CylinderTree: neighbours together.
+// The order of places in a CylinderTree: neighbours together.
 //
-// Nothing but speed depends on it. So it may count widths in thresholds, horizontal or vertical as
-// the axis is, and may round: no decision is made here.
+// Only speed depends on it. So it may count widths in thresholds, horizontal or vertical by the
+// axis, and may round: no decision is made here.
 #pragma once
 
 #include "base/buffer.hpp"

@@ -1,4 +1,4 @@
-// The order of points in a grid, and what a row of it is.
+// The order of points in a grid, and its rows.
 //
 // Space is cut into long square bars along x, called rows: `1 << row_shift` cells wide in y and z.
 // Points stand in the order of their rows, within a row in the order of slices along x, a quarter

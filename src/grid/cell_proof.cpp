@@ -47,7 +47,7 @@ std::uint64_t number_densely(const PointsView& points, const Lattice& lattice,
   return layer * lattice.cells(2);
 }
 
-// Open addressing; a slot holds a point of its cell, whose cell is worked out again to compare: a
+// Open addressing; a slot holds a point of its cell, whose cell is computed again to compare: a
 // hash collision must not prove anything.
 std::uint64_t number_by_hashing(const PointsView& points, const Lattice& lattice, Memory& memory,
                                 Buffer<std::uint32_t>& cell) {
@@ -156,7 +156,7 @@ void settle_alone(const PointsView& points, const ProximityTest& closer,
     with.crew.split(count, [&](std::size_t begin, std::size_t end, unsigned) {
       for (std::size_t i = done + begin; i < done + end; ++i) {
         nearby.for_each(cell[i], [&](PointId id) {
-          // Several workers may find company for the same point; all of them write the same.
+          // Several workers may find a neighbour of the same point; all of them write the same.
           const std::atomic_ref<std::uint8_t> found(at_risk[id]);
           if (found.load(std::memory_order_relaxed) != 0 || id == i) return;
           if (closer(points[i], points[id])) found.store(1, std::memory_order_relaxed);
@@ -168,7 +168,7 @@ void settle_alone(const PointsView& points, const ProximityTest& closer,
   }
 }
 
-// Marks the points with company in their cell; returns those alone.
+// Marks the points that share their cell; returns those that are alone.
 Vector<PointId> read_off(const Buffer<std::uint32_t>& cell, const Vector<std::uint8_t>& counts,
                          std::size_t size, const Resources& with, Buffer<std::uint8_t>& at_risk) {
   PerWorker<PointId> alone(with);

@@ -15,8 +15,8 @@ struct SizeLevel {
   std::size_t beyond;  // how many are larger
 };
 
-// What one ball costs, in nanoseconds, of those that are met within the reach in a grid, and those
-// beyond it. Measured.
+// The cost of one ball, in nanoseconds, from the balls within the reach in a grid, and those beyond
+// it. Measured.
 inline double comparing_cost(const core::DensitySample& sample, double reach_m,
                              std::size_t beyond) {
   constexpr double kComparing = 0.25;

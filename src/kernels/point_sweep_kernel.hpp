@@ -12,8 +12,8 @@
 namespace beespace::cpu {
 namespace {
 
-// What becomes of near pairs is up to a sink: start(sweep, i) says whether point i is still worth
-// comparing, take(seen, from) whether to go on with a row, finish(i) whether to go on at all.
+// A sink takes the near pairs: start(sweep, i) says whether point i is still worth comparing,
+// take(seen, from) whether to go on with a row, finish(i) whether to go on at all.
 
 template <class Lanes>
 class MarkAsked {

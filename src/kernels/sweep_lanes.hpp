@@ -1,4 +1,4 @@
-// What the sweep kernels have in common: the lanes they are written over, and how far one looks.
+// The common part of the sweep kernels: the lanes that they are written over, and the reach.
 //
 // Included by the sweep_<instruction set>.cpp files only, through sweep_kernel.hpp. Those files are
 // compiled for processors that the rest of the library must not require, so nothing here may be

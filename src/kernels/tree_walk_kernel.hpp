@@ -86,7 +86,7 @@ struct LocalPlace {
         y(local(place.y, node.origin[1], node.scale)),
         z(local(place.z, node.origin[2], node.scale)) {}
 
-  // Squares of how far the boxes of the node's children are.
+  // Squared distances of the boxes of the node's children.
   [[gnu::always_inline]] Lanes gaps(const TreeNode& node) const {
     const Lanes gap_x = gap(node.low[0], node.high[0], x);
     const Lanes gap_y = gap(node.low[1], node.high[1], y);
@@ -255,7 +255,7 @@ struct Visit {
     return far_limit_of_square(list.largest_squared * squared_scale);
   }
 
-  // Asks for the leaves that will probably be looked at: those within reach if that is known.
+  // Prefetches the leaves that will probably be needed: those within reach if that is known.
   [[gnu::always_inline]] void prefetch_leaves(const TreeView& tree,
                                               const core::NearestList& list) const {
     const float reach = far_squared(list);
