@@ -11,7 +11,7 @@
 
 namespace beespace::closed_loop {
 
-// What was flown, and whether what was said about it was true.
+// The flight, and whether the promises about it were kept.
 struct Outcome {
   std::uint64_t looks = 0;
   std::uint64_t looks_missing = 0;               // that were due, and did not come

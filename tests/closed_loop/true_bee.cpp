@@ -76,7 +76,7 @@ std::vector<TrueBee::Line> TrueBee::reports(int step) {
   for (;; ++next_report_) {
     double due_s = phase_s_ + next_report_ / plan_.reports_per_s;
     if (due_s >= ends_s - 1e-9) break;
-    // As the clock shows it, in microseconds; and not so late that it counts as of the next step.
+    // By the bee's clock, in microseconds; and not so late that it counts for the next step.
     due_s = std::clamp(due_s + random_.between(-faults.jitter_s, faults.jitter_s), begins_s,
                        ends_s - 0.02 * plan_.step_s);
     due_s = std::nearbyint(due_s * 1e6) / 1e6;

@@ -412,7 +412,7 @@ TEST(CylinderContract, AtTheBordersOfCells) {
   }
 }
 
-// What was once missed, or refused.
+// Cases that were once missed, or refused.
 TEST(CylinderContract, NamedCases) {
   CylinderScene high;
   high.points = {{0, 0, 1e15 + 0.5}, {142.79199471803761, 0, 1e15 + 1.875}};

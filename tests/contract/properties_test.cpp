@@ -1,4 +1,4 @@
-// What must hold whatever the right answer is.
+// Properties that hold for any right answer.
 #include "tests/support/search_scenes.hpp"
 
 #include <beespace/beespace.hpp>

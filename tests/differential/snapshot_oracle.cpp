@@ -102,7 +102,7 @@ const SnapshotOracle::Rows& SnapshotOracle::rows() {
   rows_.emplace(ours_.size());
   for (std::size_t i = 0; i < ours_.size(); ++i) {
     const Place& p = ours_[i];
-    // Those farther away along x than the threshold are farther away.
+    // Points farther away along x than the threshold are farther away.
     const auto first =
         std::lower_bound(by_x_.begin(), by_x_.end(), Whole(p.x - threshold_),
                          [&](PointId j, const Whole& x) { return others()[j].x < x; });
@@ -160,8 +160,8 @@ Answer SnapshotOracle::groups() {
   return flat_rows(groups);
 }
 
-// The distance that is reported: as nearest.hpp says, the root of the sum of the squares, each step
-// rounded to the nearest double.
+// The reported distance: by nearest.hpp the root of the sum of the squares, each step rounded to
+// the nearest double.
 Nearest SnapshotOracle::told(std::size_t i, std::optional<PointId> j) const {
   if (!j) return {};
   const Point& p = subject_.points[i];

@@ -1,6 +1,6 @@
-// Recordings told to a Swarm report by report, and asked about at odd times: its events against the
-// oracle for recordings. A pair enters at the threshold and leaves at the wider one: so each
-// stretch of conflict by the wider one in which they come closer than the threshold is one
+// Recordings reported to a Swarm one fix after the other, with calls at random times: its events
+// against the oracle for recordings. A pair enters at the threshold and leaves at the wider one: so
+// each stretch of conflict by the wider one in which they come closer than the threshold is one
 // encounter.
 #include "tests/differential/described.hpp"
 #include "tests/differential/examiner.hpp"

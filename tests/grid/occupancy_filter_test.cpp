@@ -1,4 +1,4 @@
-// The occupancy_filter may keep too many, never drop one that has company within the bound.
+// The filter may keep too many points, but never drops one that has a neighbour within the bound.
 #include "grid/occupancy_filter.hpp"
 
 #include "base/bounds.hpp"

@@ -7,7 +7,7 @@
 namespace beespace {
 namespace {
 
-// An Index and the plain list, changed and asked together.
+// An Index and the reference list, changed and queried together.
 class Twins {
  public:
   Twins(std::uint32_t seed, const std::vector<Point>& points)

@@ -24,7 +24,7 @@ using PlacePairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;  // ask
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-// What is decided about pairs that a kernel is unsure of.
+// A fixed verdict on pairs that a kernel is unsure of.
 bool decided_near(std::uint32_t i, std::uint32_t j) {
   return (i + j) % 3 == 0;
 }
@@ -422,7 +422,7 @@ class Balls {
   double band_;
 };
 
-// By their places, whatever is decided about distances.
+// By their places, whatever the verdict on distances.
 TEST_P(EveryKernel, CollectsEveryPairOfBallsThatMeetOnceInBuffersOfAnySize) {
   std::size_t near = 0;
   std::size_t unsure = 0;

@@ -52,7 +52,7 @@ void expect_clear(const Flight& flight, double end, double rounding) {
   }
 }
 
-// Of the whole flight, by looking closer where it is least, over and over.
+// Over the whole flight, by repeated refinement around the minimum.
 double least_clearance(const Flight& flight) {
   double begin = 0.0;
   double end = flight.horizon;

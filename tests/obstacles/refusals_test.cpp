@@ -1,5 +1,5 @@
-// What is no obstacle, and what makes no question: with which code, in which words, and which of
-// many it is.
+// Invalid obstacles and queries: the error's code and sentence, and which of many obstacles it
+// names.
 #include "tests/obstacles/outlines.hpp"
 
 #include <beespace/obstacle.hpp>

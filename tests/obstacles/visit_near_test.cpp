@@ -94,7 +94,7 @@ TEST(VisitNear, OfAMapBuiltAgainComesInTheSameOrder) {
   }
 }
 
-// Of a city of ten thousand towers a bee sees a few, whatever stands in the whole of it.
+// In a city of ten thousand towers a query visits only the few that are near.
 TEST(VisitNear, VisitsFewOfMany) {
   RandomStream random(5);
   std::vector<Obstacle> obstacles;

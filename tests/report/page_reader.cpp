@@ -81,7 +81,7 @@ std::vector<std::uint64_t> from_planes(const std::string& bytes, std::size_t siz
   return numbers;
 }
 
-// Running sums, modulo 2^bits, of what was told in zigzag.
+// Running sums, modulo 2^bits, of zigzag-coded numbers.
 void add_up(std::vector<std::uint64_t>& numbers, std::uint64_t most) {
   std::uint64_t sum = 0;
   for (std::uint64_t& number : numbers) {

@@ -17,7 +17,7 @@ namespace {
 using test::rounds;
 using test::SceneMaker;
 
-// Where position i is told to be.
+// The decoded position i.
 Point told(const Quantised& all, std::size_t i) {
   const auto along = [&](std::size_t axis) {
     return all.low_m[axis] + all.step_m[axis] * double{static_cast<double>(all.codes[axis][i])};
@@ -37,8 +37,8 @@ double largest_coordinate(const std::vector<Point>& points) {
   return largest;
 }
 
-// The error is an upper bound, it is no more than the steps explain, and the ends are told exactly
-// but for rounding.
+// The error is an upper bound, at most what the steps explain, and the ends are exact except for
+// rounding.
 void expect_good(const std::vector<Point>& points, unsigned bits) {
   const Quantised all = quantised(points, bits);
   const double rounding_m =

@@ -55,7 +55,7 @@ void expect_in_box(const std::vector<Mover>& movers, const Point& size) {
   }
 }
 
-// What the scene says is what closest_approach finds, but for rounding.
+// The stated encounters are those that closest_approach finds, except for rounding.
 void expect_true(const Encounters& scene, double within_s, double rounding) {
   ASSERT_EQ(scene.movers.size(), 2 * scene.encounters.size());
   for (std::size_t i = 0; i < scene.encounters.size(); ++i) {

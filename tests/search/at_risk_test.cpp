@@ -1,4 +1,4 @@
-// What a user may rely on, case by case.
+// The guarantees for points at risk, case by case.
 #include "tests/support/search_scenes.hpp"
 
 #include <beespace/at_risk.hpp>

@@ -162,7 +162,7 @@ std::vector<Method> methods() {
 
 class EngineAllocates : public testing::TestWithParam<Method> {
  protected:
-  // What a call on this frame takes from the system.
+  // The memory that a call on this frame takes from the system.
   static std::uint64_t taken(Engine& engine, const Frames& frame, unsigned threads) {
     static Answers answers;
     const SearchOptions options{frame.threshold_m, false, threads};
@@ -185,7 +185,7 @@ TEST_P(EngineAllocates, NothingForTheSameFrameAgain) {
   }
 }
 
-// Frames that it has seen, in whatever order they come again.
+// Frames of sizes that it has seen before, in any order.
 TEST_P(EngineAllocates, NothingForFramesThatItHasSeen) {
   for (Frames& frame : swarms()) {
     for (const unsigned threads : {1U, 2U}) {

@@ -33,7 +33,7 @@ Swarm swarm_of(std::size_t size, double threshold, std::uint32_t seed = 1) {
   return {make.box(size, {0, 0, 0}, high), make.box(size / 2, {0, 0, 0}, high), {threshold}};
 }
 
-// An Engine with the containers that it writes into, held against a new one for each question.
+// An Engine with reused containers, compared with a new Engine for each query.
 class Asking {
  public:
   Asking() = default;
@@ -100,7 +100,7 @@ TEST(Engine, MovesWithAllItHas) {
   }
 }
 
-// A pool that starts a thread for every part, as no pool should, and counts how often it was asked.
+// A pool that starts a thread for every part, as no pool should, and counts its calls.
 class ThreadAPart final : public Crew {
  public:
   [[nodiscard]] unsigned size() const override { return 3; }

@@ -1,4 +1,4 @@
-// The list keeps the exact nearest, in whatever order it sees them.
+// The list keeps the exact nearest points, whatever the order in which it gets them.
 #include "tree/nearest_list.hpp"
 
 #include "exact/exact_distance.hpp"

@@ -1,4 +1,4 @@
-// What the Verifier says of obstacles, by the book.
+// The Verifier's findings about obstacles, for cases computed by hand.
 #include "tests/verify/clearance_verdict.hpp"
 
 #include <gtest/gtest.h>
@@ -90,7 +90,8 @@ TEST(Clearance, InsideFromTheStartIsLostInEachStep) {
   }
 }
 
-// What moves by less than the motion domain has, or across half of it, is looked at all the same.
+// Moves smaller than the motion domain's least value, or across half of the domain, are checked
+// too.
 TEST(Clearance, TheSmallestAndTheLargestWaysAreLookedAt) {
   const ObstacleMap map = test::map_of({Sphere{{0, 0, 0}, 10.0}});
   const VerifyOptions options = test::options_of(map, 1.0);

@@ -1,4 +1,4 @@
-// What a Verifier refuses; and that it goes on from where it was.
+// What a Verifier refuses; and that it continues from its last valid state.
 #include <beespace/verify.hpp>
 
 #include <gtest/gtest.h>
@@ -137,7 +137,7 @@ TEST(VerifierRefusal, NumbersOutsideTheDomain) {
   }
 }
 
-// What is too small for the domain is looked at as it is.
+// Values too small for the domain are checked as they are.
 TEST(VerifierRefusal, TinyNumbersAreNone) {
   for (const double tiny : {0x1p-101, -9e-32, 1e-320}) {
     Verifier verifier({.threshold_m = 5.0});

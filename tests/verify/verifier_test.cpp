@@ -1,4 +1,4 @@
-// The Verifier against sampling: what it says of separation.
+// The Verifier's findings about separation, compared with sampling.
 #include "scenes/random_stream.hpp"
 #include "scenes/random_velocity.hpp"
 #include "tests/support/rounds.hpp"

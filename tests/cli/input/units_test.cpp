@@ -151,7 +151,7 @@ TEST(Units, AThousandFeetAreExactWhenPredictedReplayedAndWatched) {
   closer[3] = "1000.5ft";
   const std::string events = run(watch + closer, recorded).out;
   EXPECT_GE(lines_of(events), kLevels);
-  // Apart by 304.8 m: told in metres.
+  // 304.8 m apart: reported in metres.
   expect_parts(events, {R"("distance_m": 304.8)"});
   expect_parts(run(Arguments{"replay", "-", "--csv"} + closer, recorded).out, {",304.8"});
 }

@@ -82,7 +82,7 @@ TEST(WatchAdvice, IsGivenToBeesThatShouldNotFlyOn) {
 
 TEST(WatchAdvice, SaysThatABeeDidNotFlyAsItWasTold) {
   const Told all = told(watched({"--advise"}, head_on()));
-  // They are told when they are to brake, and fly on.
+  // They are told when to brake, and fly on.
   ASSERT_FALSE(all.bees.empty());
   expect_parts(all.bees.back(), {R"("id": "b")", R"("certified": false, "because": ")"});
   EXPECT_NE(all.ends.back().find(R"("not_as_advised": )"), std::string::npos) << all.ends.back();

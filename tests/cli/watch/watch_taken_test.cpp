@@ -240,7 +240,7 @@ TEST(WatchTaken, AnotherHeaderIsNoRecord) {
       expect_parts(finished.err, {"another header, "});
     }
   }
-  // Where the columns are told.
+  // With given columns.
   expect_failure({"watch", "--columns", "id=1,time=2,x=3,y=4,z=5", "--time-unit", "s"},
                  "a,0,0,0,0\nb,0,1,0,0\nid,time_s,x_ft,y_ft,z_ft\nb,1,30,0,0\n", kBadInput,
                  "<stdin>:3: another header, ");
