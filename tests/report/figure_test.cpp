@@ -277,7 +277,7 @@ TEST(Figure, TheHeadingOfTheListSaysOfHowManyItIs) {
   EXPECT_FALSE(says(figure_of(facts), "Closest pairs: "));
   facts.pair_count = 1'503;
   EXPECT_TRUE(says(figure_of(facts), "Closest pairs: 1 of 1,503"));
-  // Of more than there is room for, those that are there are counted.
+  // Where not all pairs fit, the shown ones are counted.
   facts.pairs.assign(100, {0, 1});
   facts.distances_m.assign(100, 50.0);
   facts.pair_count = 100;

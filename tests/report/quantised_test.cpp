@@ -1,4 +1,4 @@
-// Positions in few bits: how far off they may be is never more than is said.
+// Positions in few bits: the error is never larger than stated.
 #include "report/quantised.hpp"
 
 #include "tests/support/rounds.hpp"

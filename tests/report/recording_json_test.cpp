@@ -1,4 +1,4 @@
-// What a page says of a recording is what is known of it; spans of time are never too short.
+// The data of a page agree with the facts of a recording; spans of time are never too short.
 #include "report/recording_json.hpp"
 
 #include "tests/report/page_reader.hpp"
@@ -59,7 +59,7 @@ struct Read {
   ParsedJson json;
 };
 
-// What rounds where times are subtracted and scaled.
+// The rounding error of subtracted and scaled times.
 double rounding_s(const Read& read, double lasts_s) {
   return 1e-15 * lasts_s + 4e-16 * std::abs(read.begins_s());
 }
@@ -352,7 +352,7 @@ TEST(RecordingJson, NoBeesAndNoConflictsAreWrittenToo) {
   }
 }
 
-// The page says of which time it speaks.
+// The page names the time that it is about.
 TEST(RecordingJson, UnknownTimesOfEachBeeAreWrittenWhereThereAreAny) {
   RecordingFacts facts;
   facts.tracks = {{{{0.0, {0.0, 0.0, 0.0}}, {9.0, {1.0, 0.0, 0.0}}}}};

@@ -1,4 +1,4 @@
-// What a page says of a snapshot is what is known of it.
+// The data of a page agree with the facts of a snapshot.
 #include "report/snapshot_json.hpp"
 
 #include "tests/report/page_reader.hpp"

@@ -6,7 +6,7 @@
 
 namespace beespace::test {
 
-// How often memory was asked for since the program began.
+// The number of allocations since the program began.
 std::uint64_t allocations();
 
 // How many of these have not been given back.

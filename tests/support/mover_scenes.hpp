@@ -1,4 +1,4 @@
-// The moving swarms that predictions are held against brute force on: small, nasty, and named.
+// The moving swarms on which predictions are compared with brute force: small, hard, and named.
 #pragma once
 
 #include "tests/support/lattice_scenes.hpp"
@@ -55,7 +55,7 @@ struct MoverScene {
   }
 };
 
-// Calls ask(shape, inclusive) for all that a scene is asked about.
+// Calls ask(shape, inclusive) for all queries about a scene.
 template <class Ask>
 void for_each_question(Ask&& ask) {
   for (const Shape shape : {Shape::kSphere, Shape::kCylinder, Shape::kHeightsApart}) {

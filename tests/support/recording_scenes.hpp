@@ -1,4 +1,5 @@
-// The recordings that the search for conflicts is held against brute force on: small, nasty, named.
+// The recordings on which the search for conflicts is compared with brute force: small, hard,
+// named.
 #pragma once
 
 #include "scenes/recorded_flights.hpp"
@@ -76,7 +77,7 @@ inline Tracks thinned(Tracks tracks, SceneMaker& make, std::size_t one_of) {
   return tracks;
 }
 
-// Of each track a part: from one of its fixes to another, or to the same, or nothing at all.
+// A part of each track: from one of its fixes to another, or to the same, or nothing at all.
 inline Tracks coming_and_going(Tracks tracks, SceneMaker& make) {
   for (Track& track : tracks) {
     std::size_t begin = make.below(track.fixes.size() + 1);
@@ -143,7 +144,7 @@ inline Tracks long_pieces_among_short(SceneMaker& make, const scenes::FixTimes& 
   return tracks;
 }
 
-// One of them is said to have been ten thousand kilometres away for one fix.
+// One of them has a fix that is ten thousand kilometres away.
 inline Tracks with_a_glitch(Tracks tracks) {
   Track& track = tracks[tracks.size() / 2];
   track.fixes[track.fixes.size() / 2].position = {1e7, -3e6, 5e5};

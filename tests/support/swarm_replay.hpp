@@ -67,7 +67,7 @@ inline void take_all(Swarm& swarm, double now_s, Events& events) {
   events.insert(events.end(), more->begin(), more->end());
 }
 
-// All events, sorted: the swarm is asked as often as `every_s`, and at last when all are stale.
+// All events, sorted: the swarm is called every `every_s`, and at last when all are stale.
 inline Events replay(const std::vector<Delivery>& deliveries, const SwarmOptions& options,
                      double every_s) {
   Swarm swarm(options);

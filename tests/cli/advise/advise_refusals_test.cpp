@@ -1,4 +1,4 @@
-// What `beespace advise` refuses, and how it ends where it cannot go on.
+// What `beespace advise` refuses, and how it ends then.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -1,4 +1,4 @@
-// Records that were there and were left out: an all-clear is never said of what was not seen.
+// Records that were left out: there is no all-clear for what was not read.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -1,4 +1,4 @@
-// A gap is unknown, neither a straight line nor absence: what recordings are said to be then.
+// A gap is unknown, neither a straight line nor absence: the answers about such recordings.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -120,7 +120,7 @@ TEST_F(Gaps, TheDefaultComesFromTheDataAndIsRobust) {
   EXPECT_EQ(max_gap(fast + standing("a", 0, 0, 60) + standing("b", 50, 0, 60)), "5");
 }
 
-// Rows of one bee or one moment say of how much they know nothing.
+// Rows of one bee or one instant say how much of their time is unknown.
 TEST_F(Gaps, BeesAndMomentsSayWhatIsUnknown) {
   const Arguments question = {"replay", file_, "--threshold", "5", "--quiet", "--report"};
   expect_rows(rows_of(run(question + Arguments{"bees"}).out),
@@ -147,7 +147,7 @@ TEST_F(Gaps, VerifyDoesNotCertifyWhatItDidNotSee) {
   }
 }
 
-// What a straight line across a gap would break is no finding; what was flown beside it is.
+// A breach that only a straight line across a gap has is no finding; breaches outside of gaps are.
 TEST_F(Gaps, VerifyFindsNothingInAGapAndAllBesideIt) {
   std::string input = kHeader;
   for (int t = 0; t <= 60; ++t) {

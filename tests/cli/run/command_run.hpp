@@ -1,4 +1,4 @@
-// Starting the built command as a shell would, and seeing what it says.
+// Starts the built command as a shell would, and returns its output.
 #pragma once
 
 #include <sys/types.h>
@@ -40,7 +40,7 @@ struct Surroundings {
 Finished run(const Arguments& arguments, std::string_view input = {},
              const Surroundings& surroundings = {});
 
-// A command that is still running. Its standard input stays open until asked.
+// A command that is still running. Its standard input stays open until close_input().
 class Running {
  public:
   explicit Running(const Arguments& arguments, const Surroundings& surroundings = {});

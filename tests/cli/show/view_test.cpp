@@ -122,7 +122,7 @@ class View : public PageCommand {
     return line + " HTTP/1.1\r\nHost: " + host() + "\r\n" + more + "\r\n";
   }
 
-  // What is said to this on a connection of its own.
+  // The response to this request on a connection of its own.
   [[nodiscard]] Reply asked(const std::string& text, bool only_head = false) const {
     const Socket socket;
     EXPECT_TRUE(socket.connect_to(port_));

@@ -147,7 +147,7 @@ TEST(Simulate, TheSameSeedIsTheSameFlightWithAnyNumberOfThreads) {
 
 class SimulatedRecording : public testing::TestWithParam<const char*> {};
 
-// The checks of a recording say what was said while it was flown.
+// The checks of a recording find what was found during the flight.
 TEST_P(SimulatedRecording, IsWhatVerifyAndReplayRead) {
   const TemporaryFolder folder;
   const std::string file = folder.path(GetParam());

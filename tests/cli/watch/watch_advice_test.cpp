@@ -116,7 +116,7 @@ TEST(WatchAdvice, NeverForgetsABeeThatIsSilent) {
     if (tenths <= 3) table += "b," + time + ",60,0,0,0,0,0\n";
   }
   const Told all = told(watched({"--advise", "--max-age", "2", "--max-speed", "10"}, table));
-  // Told nothing to fly by; a makes way for it as soon as it may come close, and not before.
+  // The silent b gets no advice; a makes way for it as soon as it may come close, and not before.
   bool gives_way = false;
   for (const std::string& line : all.bees) {
     const bool is_a = line.find(R"("id": "a")") != std::string::npos;

@@ -168,7 +168,7 @@ TEST_P(WatchOfARecording, SaysTheSameOfAVerticalThresholdAndOtherHorizons) {
   }
 }
 
-// What has happened is known from the reports alone; only predictions depend on the looks.
+// Past events follow from the reports alone; only predictions depend on the looks.
 TEST_P(WatchOfARecording, TellsTheSamePastHoweverOftenItLooks) {
   const std::string table = recording();
   std::vector<std::string> first;

@@ -1,5 +1,5 @@
-// What `beespace watch` has heard and not taken into account: "no conflict" is then about the rest
-// only, which the verdict says, and with --fail-on-risk the exit status.
+// Input of `beespace watch` that is left out: "no conflict" is then about the rest only, which the
+// verdict says, and with --fail-on-risk the exit status.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -73,7 +73,7 @@ TEST(WatchTaken, AnAircraftThatNeverSaysWhereItIsIsKnownNowhere) {
   EXPECT_EQ(finished.exit_code, kRisk);
   expect_parts(finished.err,
                {"verdict    no conflict among what was taken; 1 bee is known nowhere\n"});
-  // Once it says so it is known.
+  // It is known once it has reported.
   finished = run(watch, lines + readsb("bbbbbb", 1003, R"(-115.0, "alt_geom": 3000)") +
                             readsb("bbbbbb", 1004, R"(-115.0, "alt_geom": 3000)"));
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
@@ -258,7 +258,7 @@ TEST(WatchTaken, AKeyThatIsThereTwiceIsSaid) {
                  kBadInput, "'id' is there twice");
 }
 
-// What may have happened between two looks is the same however often they are.
+// Possible events between two looks are the same, however often looks are taken.
 TEST(WatchTaken, APossibleConflictBetweenTwoLooksIsSaid) {
   const std::string table =
       "a,0.01,0,0,0\nb,0.01,1000,0,0\na,5.05,0,0,0\nb,5.05,1000,0,0\na,5.5,0,0,0\nb,5.5,1000,0,0\n";

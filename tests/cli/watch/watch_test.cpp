@@ -138,7 +138,7 @@ TEST(Watch, ALineOfMegabytesIsOneBadLine) {
 }
 
 TEST(Watch, LateAndRepeatedReportsAreCountedAndLeftOut) {
-  // a is said to be at b after it was already heard of later, and twice at the same place.
+  // A report puts a at b after later ones were heard, and others come twice at the same place.
   const Finished finished =
       watched("id,time_s,x,y,z\na,5,0,0,0\nb,5,500,0,0\na,4,500,0,0\na,5,0,0,0\nb,6,500,0,0\n");
   EXPECT_EQ(finished.exit_code, 0);

@@ -288,7 +288,7 @@ TEST(UnitsInTables, LinesThatComeOneByOneAreReadAlike) {
       k35000Feet_m);
 }
 
-// What was taken for metres becomes doubtful; heights of another kind do not come between.
+// Values that were taken for metres become doubtful; heights of another kind do not matter.
 TEST(UnitsInTables, KeysThatComeLaterChangeNoUnitInSilence) {
   ReportLines lines;
   EXPECT_TRUE(says_something(
