@@ -8,7 +8,7 @@
 // whatever the magnitude of c). Cells are w >= X (1 + 2^-20) wide, rounded by no more than 2^-52:
 // so two places whose coordinates are at most X apart have q at most 1 - 2^-21 + 2 * 2^-31 < 1
 // apart, and are in the same cell or in one beside it. The window ends where a rounded difference
-// is above X, which it is of real differences above X only. Who meets is decided as in
+// is above X, which it is of real differences above X only. Pairs are decided as in
 // cylinders/cylinder_tree.hpp.
 #pragma once
 

@@ -5,10 +5,10 @@
 // nearly the same others. So a block of points queries together, and the others pass by:
 //
 //   in their own row    lane by lane: the points one place further on, then two, and so on, until
-//                       these are beyond the reach of every lane. Or, where every point asks for
-//                       itself, one by one.
-//   across a seam       one by one: the points of the row beyond who lie beside the seam, past
-//                       those who lie beside it on this side. Both are packed together first, so
+//                       these are beyond the reach of every lane. Or, where every point searches
+//                       for itself, one by one.
+//   across a seam       one by one: the points of the row beyond that lie beside the seam, past
+//                       those that lie beside it on this side. Both are packed together first, so
 //                       that no lane idles for the many in the middle of a wide row.
 //
 // Comparing does not branch on whether a pair is near.

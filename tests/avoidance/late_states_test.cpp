@@ -75,13 +75,14 @@ Flown fly_by_old_states(Swap swap, int steps) {
     EXPECT_TRUE(status);
     old = swap.flock.movers;
     for (std::size_t bee = 0; bee < old.size(); ++bee) {
-      const Velocity& told = advised.advice[bee].velocity;
+      const Velocity& advised_velocity = advised.advice[bee].velocity;
       const Velocity& v = old[bee].velocity;
       const double most = swap.flock.limits[bee].max_acceleration_mps2 * kStep_s;
-      const double change = test::length_of_change(v, told);
+      const double change = test::length_of_change(v, advised_velocity);
       const double share = change > most ? most / change : 1.0;
-      const Velocity next{v.x + (told.x - v.x) * share, v.y + (told.y - v.y) * share,
-                          v.z + (told.z - v.z) * share};
+      const Velocity next{v.x + (advised_velocity.x - v.x) * share,
+                          v.y + (advised_velocity.y - v.y) * share,
+                          v.z + (advised_velocity.z - v.z) * share};
       swap.flock.movers[bee] = test::flown(old[bee], next, false, kStep_s);
     }
     EXPECT_TRUE(verifier.add(step * kStep_s, swap.flock.movers));

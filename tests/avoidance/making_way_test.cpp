@@ -71,7 +71,7 @@ TEST(MakingWay, ABeeThatCannotGetOutWaits) {
   course.flock.movers = {{{0, 0, 0}, {}}};
   for (const double acceleration : {test::kNoLimit, 5.0}) {
     course.flock.limits = {{10.0, acceleration}};
-    const auto told = [&](const Velocity& wish) {
+    const auto kind_of = [&](const Velocity& wish) {
       const auto advised = advise(course.flock.movers, std::vector<Velocity>{wish},
                                   course.flock.limits, course.flock.options);
       EXPECT_TRUE(advised);
@@ -79,11 +79,11 @@ TEST(MakingWay, ABeeThatCannotGetOutWaits) {
       EXPECT_LT(test::length_of(advised->advice[0].velocity), 1e-4);
       return advised->advice[0].kind;
     };
-    EXPECT_EQ(told({8, 0, 0}), AdviceKind::kWaiting);
-    EXPECT_EQ(told({2, -3, 4}), AdviceKind::kWaiting);
-    EXPECT_EQ(told({0, 0, 0}), AdviceKind::kAsWished);
+    EXPECT_EQ(kind_of({8, 0, 0}), AdviceKind::kWaiting);
+    EXPECT_EQ(kind_of({2, -3, 4}), AdviceKind::kWaiting);
+    EXPECT_EQ(kind_of({0, 0, 0}), AdviceKind::kAsWished);
     // A bee that would hardly move anyway does not wait.
-    EXPECT_NE(told({0, 1, 0}), AdviceKind::kWaiting);
+    EXPECT_NE(kind_of({0, 1, 0}), AdviceKind::kWaiting);
   }
 }
 

@@ -1,6 +1,6 @@
 #include "tests/closed_loop/closed_loop.hpp"
 
-#include "tests/closed_loop/told.hpp"
+#include "tests/closed_loop/looks.hpp"
 #include "tests/closed_loop/true_bee.hpp"
 #include "tests/closed_loop/watch_process.hpp"
 
@@ -96,12 +96,12 @@ class Loop {
       certified_ = before_;
     }
     for (TrueBee& bee : bees_) {
-      std::optional<Vector> told;
+      std::optional<Vector> advised;
       if (next_) {
         const auto named = next_->bees.find(bee.id());
-        if (named != next_->bees.end()) told = named->second.velocity;
+        if (named != next_->bees.end()) advised = named->second.velocity;
       }
-      bee.fly(step, next_.has_value() || !bee.named, told);
+      bee.fly(step, next_.has_value() || !bee.named, advised);
     }
   }
 
@@ -164,7 +164,7 @@ class Loop {
     if (certified_.count(bees_[i].id()) == 0) return false;
     const double since_s = heard_at_look_[i];
     if (since_s < 0) return false;
-    return bees_[i].as_told_since(static_cast<int>(std::floor(since_s / plan_.step_s + 1e-6)));
+    return bees_[i].as_advised_since(static_cast<int>(std::floor(since_s / plan_.step_s + 1e-6)));
   }
 
   bool stale(std::size_t i) const {

@@ -21,14 +21,14 @@ bool TrueBee::lasts(int& until, int step, double probability, std::size_t most) 
   return step <= until;
 }
 
-void TrueBee::fly(int step, bool has_look, const std::optional<Vector>& told) {
+void TrueBee::fly(int step, bool has_look, const std::optional<Vector>& advised) {
   const Vector position = this->position();
   const Vector velocity = this->velocity();
-  Vector aim = !has_look ? Vector{} : told.value_or(velocity);
+  Vector aim = !has_look ? Vector{} : advised.value_or(velocity);
   double acceleration = plan_.max_acceleration_mps2;
   const Faults& faults = plan_.faults;
   if (random_.happens(faults.missed)) {
-    if (told || !has_look) otherwise_ = step;
+    if (advised || !has_look) otherwise_ = step;
     aim = velocity;
   }
   const bool willed = step <= own_will_until_;

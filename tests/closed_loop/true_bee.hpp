@@ -3,8 +3,8 @@
 
 #include "tests/closed_loop/flight_plan.hpp"
 #include "tests/closed_loop/flown.hpp"
+#include "tests/closed_loop/looks.hpp"
 #include "tests/closed_loop/random.hpp"
-#include "tests/closed_loop/told.hpp"
 
 #include <limits>
 #include <optional>
@@ -18,7 +18,7 @@ class TrueBee {
   TrueBee(std::string id, const Start& start, const FlightPlan& plan, std::uint64_t seed);
 
   // Flies step `step`. Without a look it brakes; without advice for it, it flies straight on.
-  void fly(int step, bool has_look, const std::optional<Vector>& told);
+  void fly(int step, bool has_look, const std::optional<Vector>& advised);
 
   // The lines of its reports in the step, each with the time at which it is made; those that are
   // late come with a later step.
@@ -34,7 +34,7 @@ class TrueBee {
   [[nodiscard]] Vector position() const { return stretch_.position_at(stretch_.lasts_s); }
   [[nodiscard]] Vector velocity() const { return stretch_.velocity_at(stretch_.lasts_s); }
   // Whether it has flown as advised in all steps from one on, up to the last.
-  [[nodiscard]] bool as_told_since(int step) const { return otherwise_ < step; }
+  [[nodiscard]] bool as_advised_since(int step) const { return otherwise_ < step; }
 
   double heard_s = -std::numeric_limits<double>::infinity();  // made: the latest that was sent
   double heard_before_s = heard_s;                            // the same, as the step began

@@ -1,4 +1,4 @@
-// Who is around a place: equal to comparing every distance exactly.
+// The points around a place: equal to comparing every distance exactly.
 #include "tests/index/index_scenes.hpp"
 #include "tests/index/plain_index.hpp"
 

@@ -399,7 +399,7 @@ class Balls {
 
   [[nodiscard]] const float* data() const { return radius_.data(); }
 
-  // Who meets: `near` surely, `unsure` within a few roundings of the edge.
+  // The pairs that meet: `near` surely, `unsure` within a few roundings of the limit.
   [[nodiscard]] Found meeting(const SweepScene& scene) const {
     Found found;
     scene.for_each_pair([&](std::uint32_t i, std::uint32_t j, double squared) {

@@ -18,7 +18,7 @@ using test::rounds;
 using test::SceneMaker;
 
 // The decoded position i.
-Point told(const Quantised& all, std::size_t i) {
+Point decoded(const Quantised& all, std::size_t i) {
   const auto along = [&](std::size_t axis) {
     return all.low_m[axis] + all.step_m[axis] * double{static_cast<double>(all.codes[axis][i])};
   };
@@ -48,7 +48,7 @@ void expect_good(const std::vector<Point>& points, unsigned bits) {
   double farthest_m = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (std::size_t axis = 0; axis < 3; ++axis) ASSERT_LE(all.codes[axis][i], most);
-    farthest_m = std::max(farthest_m, far_from(points[i], told(all, i)));
+    farthest_m = std::max(farthest_m, far_from(points[i], decoded(all, i)));
   }
   EXPECT_LE(farthest_m, all.error_m * (1.0 + 1e-14)) << bits << " bits";
   const double half_a_step_m = 0.5 * std::hypot(all.step_m[0], all.step_m[1], all.step_m[2]);
@@ -104,7 +104,7 @@ TEST(Quantised, OnePointIsWhereItIs) {
   for (const unsigned bits : {1u, 15u, 16u}) {
     const std::vector<Point> one = {{0.1, -7e8, 1e-300}};
     const Quantised all = quantised(one, bits);
-    EXPECT_EQ(told(all, 0), one.front());
+    EXPECT_EQ(decoded(all, 0), one.front());
     EXPECT_EQ(all.error_m, 0.0);
   }
 }
@@ -112,7 +112,7 @@ TEST(Quantised, OnePointIsWhereItIs) {
 TEST(Quantised, ThoseAtOnePlaceAreWhereTheyAre) {
   const std::vector<Point> points(100, Point{0.1, -0.2, 1e9});
   const Quantised all = quantised(points, 16);
-  for (std::size_t i = 0; i < points.size(); ++i) EXPECT_EQ(told(all, i), points[i]);
+  for (std::size_t i = 0; i < points.size(); ++i) EXPECT_EQ(decoded(all, i), points[i]);
   EXPECT_EQ(all.error_m, 0.0);
 }
 

@@ -242,14 +242,14 @@ void expect_span(const Read& read, double begins_s, double ends_s, const TimeSpa
 }
 
 void expect_conflicts(const Read& read, const std::vector<Conflict>& conflicts) {
-  const Json told = read["conflicts"];
-  const auto firsts = read.numbers(told["first"]);
-  const auto seconds = read.numbers(told["second"]);
-  const auto begins_s = read.values(told["begins_s"]);
-  const auto closest_s = read.values(told["closest_s"]);
-  const auto ends_s = read.values(told["ends_s"]);
-  const auto distances_m = read.values(told["distance_m"]);
-  const auto certain = read.numbers(told["certain"]);
+  const Json columns = read["conflicts"];
+  const auto firsts = read.numbers(columns["first"]);
+  const auto seconds = read.numbers(columns["second"]);
+  const auto begins_s = read.values(columns["begins_s"]);
+  const auto closest_s = read.values(columns["closest_s"]);
+  const auto ends_s = read.values(columns["ends_s"]);
+  const auto distances_m = read.values(columns["distance_m"]);
+  const auto certain = read.numbers(columns["certain"]);
   for (const std::size_t size : {firsts.size(), seconds.size(), begins_s.size(), closest_s.size(),
                                  ends_s.size(), distances_m.size(), certain.size()}) {
     ASSERT_EQ(size, conflicts.size());
@@ -266,10 +266,10 @@ void expect_conflicts(const Read& read, const std::vector<Conflict>& conflicts) 
 }
 
 void expect_at_risk(const Read& read, const std::vector<AtRisk>& at_risk) {
-  const Json told = read["at_risk"];
-  const auto bees = read.numbers(told["bee"]);
-  const auto begins_s = read.values(told["begins_s"]);
-  const auto ends_s = read.values(told["ends_s"]);
+  const Json columns = read["at_risk"];
+  const auto bees = read.numbers(columns["bee"]);
+  const auto begins_s = read.values(columns["begins_s"]);
+  const auto ends_s = read.values(columns["ends_s"]);
   ASSERT_EQ(bees.size(), at_risk.size());
   ASSERT_EQ(begins_s.size(), at_risk.size());
   ASSERT_EQ(ends_s.size(), at_risk.size());

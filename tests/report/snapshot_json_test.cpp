@@ -146,9 +146,9 @@ void expect_nearest(const SnapshotFacts& facts) {
     const double true_m = facts.nearest[i].distance_m;
     ASSERT_EQ(codes[i] == 0, true_m == 0.0);
     if (codes[i] == 0) continue;
-    const double told_m = least_m * std::pow(ratio, static_cast<double>(codes[i]) - 1.0);
-    ASSERT_LE(told_m, true_m * half);
-    ASSERT_GE(told_m, true_m / half);
+    const double decoded_m = least_m * std::pow(ratio, static_cast<double>(codes[i]) - 1.0);
+    ASSERT_LE(decoded_m, true_m * half);
+    ASSERT_GE(decoded_m, true_m / half);
   }
 }
 

@@ -98,7 +98,7 @@ TEST_P(Acceleration, TwoAgentsHeadOnBothArrive) {
   }
 }
 
-// Who has arrived may stay for ever.
+// An agent that has arrived may stay for ever.
 TEST_P(Acceleration, AnAgentThatHasArrivedGoesOnStanding) {
   const LoopOptions options = options_of(Method::kCertified, GetParam());
   ClosedLoop loop(scenes::head_on(30.0), options);

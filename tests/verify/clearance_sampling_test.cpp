@@ -150,9 +150,9 @@ TEST(Clearance, OfManyIsAsSamplingSays) {
         each.push_back(closest(obstacle, from[bee], to[bee], step_s, 150));
         least = std::min(least, each.back());
       }
-      const bool told = next < verdict.first_clearance_losses.size() &&
-                        verdict.first_clearance_losses[next].bee == bee;
-      if (!told) {
+      const bool reported = next < verdict.first_clearance_losses.size() &&
+                            verdict.first_clearance_losses[next].bee == bee;
+      if (!reported) {
         ASSERT_GE(least, 0.4L * (1.0L - 1e-9L)) << "missed: bee " << bee;
         continue;
       }

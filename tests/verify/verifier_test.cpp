@@ -184,7 +184,7 @@ TEST(Verifier, FarAwayTheClosestIsNeverMoreThanItWas) {
   RandomStream random(5);
   VerifyOptions options;
   options.threshold_m = 0.01;
-  int told = 0;
+  int reported = 0;
   for (int round = 0; round < test::rounds(1'000); ++round) {
     const double step_s = random.uniform(0.1, 1.0);
     const auto from = random_movers(2, 0.02, 0.02, {1e6, -1e6, 3e5}, random);
@@ -194,12 +194,12 @@ TEST(Verifier, FarAwayTheClosestIsNeverMoreThanItWas) {
     if (!verdict.closest_m) {
       continue;
     }
-    ++told;
+    ++reported;
     const double truth = test::oracle_closest({from[0], from[1]}, {to[0], to[1]}, step_s);
     ASSERT_LE(*verdict.closest_m, truth + 1e-12) << "round " << round;
     ASSERT_GE(*verdict.closest_m, truth - 1e-6 * options.threshold_m) << "round " << round;
   }
-  EXPECT_GT(told, test::rounds(1'000) / 4);
+  EXPECT_GT(reported, test::rounds(1'000) / 4);
 }
 
 // At both fixes far apart, in between not: one flies past the other in a step.

@@ -156,16 +156,16 @@ void expect_encounters(const Events& events, const test::Tracks& tracks,
 }
 
 TEST(SwarmReplay, TellsTheConflictsOfTheRecording) {
-  std::size_t told = 0;
+  std::size_t event_count = 0;
   for (const Replayed& replayed : replays()) {
     SCOPED_TRACE(replayed.name + ", leaving at " + std::to_string(replayed.options.leave_factor));
     const Events events =
         test::happened(test::replay(test::deliveries_of(replayed.tracks), replayed.options, 0.7));
     expect_encounters(events, replayed.tracks, replayed.options);
-    told += events.size();
+    event_count += events.size();
     if (testing::Test::HasFailure()) return;
   }
-  EXPECT_GT(told, 3000U);
+  EXPECT_GT(event_count, 3000U);
 }
 
 TEST(SwarmReplay, TellsTheSameHoweverOftenItIsAsked) {

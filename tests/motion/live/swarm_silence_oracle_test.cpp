@@ -221,7 +221,7 @@ std::vector<std::vector<Report>> reports_of(test::SceneMaker& make, bool ties) {
 
 TEST(SwarmSilenceOracle, SaysTheSameOfRandomSwarms) {
   test::SceneMaker make(2024);
-  std::size_t told = 0;
+  std::size_t event_count = 0;
   std::size_t lost = 0;
   for (int round = 0; round < test::rounds(1500); ++round) {
     SCOPED_TRACE(round);
@@ -276,10 +276,10 @@ TEST(SwarmSilenceOracle, SaysTheSameOfRandomSwarms) {
       if (now_s - bee.back().time_s > kMaxAge_s) unknown_s += now_s;
     }
     EXPECT_NEAR(silent_s, unknown_s, 1e-6);
-    told += should.size();
+    event_count += should.size();
     if (testing::Test::HasFailure()) return;
   }
-  EXPECT_GT(told, static_cast<std::size_t>(test::rounds(10'000)));
+  EXPECT_GT(event_count, static_cast<std::size_t>(test::rounds(10'000)));
   EXPECT_GT(lost, static_cast<std::size_t>(test::rounds(500)));
 }
 

@@ -40,7 +40,8 @@ std::size_t count(const Events& events, EventKind kind) {
 }
 
 // Bee 3 hovers; bee 8 is at these distances from it, a second each. All events until then.
-Events told_of_distances(Swarm& swarm, const std::vector<double>& distances_m, double begin_s = 0) {
+Events events_of_distances(Swarm& swarm, const std::vector<double>& distances_m,
+                           double begin_s = 0) {
   Events events;
   for (std::size_t i = 0; i < distances_m.size(); ++i) {
     const double time = begin_s + static_cast<double>(i);
@@ -53,7 +54,7 @@ Events told_of_distances(Swarm& swarm, const std::vector<double>& distances_m, d
 
 TEST(SwarmEvents, OfAPassAreEnteredClosestPassedAndLeft) {
   Swarm swarm(plain_options());
-  const Events events = told_of_distances(swarm, {30, 10, 5, 10, 24, 30});
+  const Events events = events_of_distances(swarm, {30, 10, 5, 10, 24, 30});
   const Events expected = {{EventKind::kEntered, 0.5, 3, 8, 20, 1},
                            {EventKind::kClosestPassed, 2, 3, 8, 5, 2},
                            {EventKind::kLeft, 4.0 - 2.0 / 14.0, 3, 8, 22, 2}};
@@ -75,7 +76,7 @@ TEST(SwarmEvents, AreReportedOfBeesThatHardlyMove) {
   Swarm swarm(options);
   hear(swarm, {77, 0.0, {6.123233995736766e-17, 900, 0}});
   hear(swarm, {77, 1.0, {std::nextafter(6.123233995736766e-17, 1.0), 900, 0}});
-  const Events events = told_of_distances(swarm, {30, 10, 5, 10, 24, 30}, 0.5);
+  const Events events = events_of_distances(swarm, {30, 10, 5, 10, 24, 30}, 0.5);
   for (const EventKind kind : {EventKind::kEntered, EventKind::kClosestPassed, EventKind::kLeft}) {
     EXPECT_EQ(count(events, kind), 1U) << static_cast<int>(kind);
   }
@@ -83,7 +84,7 @@ TEST(SwarmEvents, AreReportedOfBeesThatHardlyMove) {
 
 TEST(SwarmEvents, AreReportedAsSoonAsBothAreHeardAgain) {
   Swarm swarm(plain_options());
-  EXPECT_TRUE(told_of_distances(swarm, {30, 25}).empty());
+  EXPECT_TRUE(events_of_distances(swarm, {30, 25}).empty());
   hear(swarm, {8, 2.0, {10, 0, 0}});
   EXPECT_TRUE(advanced(swarm, 2.5).empty()) << "where the other was at 2 s is not known";
   hear(swarm, {3, 3.0, {0, 0, 0}});
@@ -94,28 +95,28 @@ TEST(SwarmEvents, AreReportedAsSoonAsBothAreHeardAgain) {
 TEST(SwarmEvents, DoNotFlapBetweenTheThresholds) {
   const std::vector<double> distances = {30, 19, 21, 19, 21.9, 18, 21, 19, 23, 19, 21, 40};
   Swarm calm(plain_options());
-  const Events events = told_of_distances(calm, distances);
+  const Events events = events_of_distances(calm, distances);
   EXPECT_EQ(count(events, EventKind::kEntered), 2U);
   EXPECT_EQ(count(events, EventKind::kLeft), 2U);
   EXPECT_EQ(count(events, EventKind::kClosestPassed), 2U);
   SwarmOptions nervous_options = plain_options();
   nervous_options.leave_factor = 1.0;
   Swarm nervous(nervous_options);
-  const Events more = told_of_distances(nervous, distances);
+  const Events more = events_of_distances(nervous, distances);
   EXPECT_EQ(count(more, EventKind::kEntered), 5U);
   EXPECT_EQ(count(more, EventKind::kLeft), 5U);
 }
 
 TEST(SwarmEvents, DoNotComeWithoutCrossingTheThreshold) {
   Swarm swarm(plain_options());
-  EXPECT_TRUE(told_of_distances(swarm, {30, 21, 20, 21, 30}).empty());
+  EXPECT_TRUE(events_of_distances(swarm, {30, 21, 20, 21, 30}).empty());
 }
 
 // The closest distance is reported again only when it is clearly less than before.
 TEST(SwarmEvents, ReportTheClosestAgainOnlyWhenItIsClearlyCloser) {
   Swarm swarm(plain_options());
-  const Events closest = test::of_kind(told_of_distances(swarm, {30, 15, 18, 14.5, 18, 8, 18, 30}),
-                                       EventKind::kClosestPassed);
+  const Events closest = test::of_kind(
+      events_of_distances(swarm, {30, 15, 18, 14.5, 18, 8, 18, 30}), EventKind::kClosestPassed);
   ASSERT_EQ(closest.size(), 2U);
   EXPECT_NEAR(closest[0].distance_m, 15.0, 1e-12);
   EXPECT_NEAR(closest[1].distance_m, 8.0, 1e-12);
@@ -123,7 +124,7 @@ TEST(SwarmEvents, ReportTheClosestAgainOnlyWhenItIsClearlyCloser) {
 
 TEST(SwarmEvents, OfHoveringBeesAreReportedOnce) {
   Swarm swarm(plain_options());
-  const Events events = told_of_distances(swarm, std::vector<double>(50, 7.0));
+  const Events events = events_of_distances(swarm, std::vector<double>(50, 7.0));
   ASSERT_EQ(events.size(), 1U);
   EXPECT_EQ(events[0].kind, EventKind::kEntered);
   EXPECT_EQ(events[0].time_s, 0.0);
@@ -132,7 +133,7 @@ TEST(SwarmEvents, OfHoveringBeesAreReportedOnce) {
 
 TEST(SwarmRemoval, EndsAnEncounter) {
   Swarm swarm(plain_options());
-  EXPECT_EQ(count(told_of_distances(swarm, {30, 10, 9}), EventKind::kEntered), 1U);
+  EXPECT_EQ(count(events_of_distances(swarm, {30, 10, 9}), EventKind::kEntered), 1U);
   swarm.remove(8);
   swarm.remove(8);
   swarm.remove(77);  // never heard of
@@ -147,11 +148,11 @@ TEST(SwarmRemoval, EndsAnEncounter) {
 
 TEST(SwarmRemoval, LetsABeeComeBackAsANewOne) {
   Swarm swarm(plain_options());
-  told_of_distances(swarm, {30, 10, 9});
+  events_of_distances(swarm, {30, 10, 9});
   swarm.remove(8);
   advanced(swarm, 2.5);
   // Between its removal and its return it does not pass any bee.
-  const Events events = told_of_distances(swarm, {10, 10, 40}, 3.0);
+  const Events events = events_of_distances(swarm, {10, 10, 40}, 3.0);
   const Events entered = test::of_kind(events, EventKind::kEntered);
   ASSERT_EQ(entered.size(), 1U);
   EXPECT_EQ(entered[0].time_s, 3.0);
@@ -159,7 +160,7 @@ TEST(SwarmRemoval, LetsABeeComeBackAsANewOne) {
 
 TEST(SwarmStaleness, EndsEncountersAndIsReportedOnce) {
   Swarm swarm(plain_options());  // 5 s
-  told_of_distances(swarm, {30, 10, 9});
+  events_of_distances(swarm, {30, 10, 9});
   for (int i = 3; i <= 7; ++i) {
     hear(swarm, {3, 1.0 * i, {0, 0, 0}});
     EXPECT_TRUE(advanced(swarm, i).empty()) << "heard of " << i - 2 << " s ago";
@@ -184,12 +185,12 @@ TEST(SwarmStaleness, EndsEncountersAndIsReportedOnce) {
 
 TEST(SwarmStaleness, LetsABeeComeBackAndEnterAnew) {
   Swarm swarm(plain_options());
-  told_of_distances(swarm, {30, 10, 9});
+  events_of_distances(swarm, {30, 10, 9});
   for (int i = 3; i <= 9; ++i) {
     hear(swarm, {3, 1.0 * i, {0, 0, 0}});
     advanced(swarm, i);
   }
-  const Events events = told_of_distances(swarm, {10, 9, 30}, 10.0);
+  const Events events = events_of_distances(swarm, {10, 9, 30}, 10.0);
   EXPECT_EQ(swarm.counts().stale, 0U);
   EXPECT_EQ(swarm.counts().bees, 2U);
   const Events entered = test::of_kind(events, EventKind::kEntered);
@@ -274,9 +275,9 @@ TEST(SwarmEvents, AnAgeIsTheDifferenceOfTwoTimes) {
 
 TEST(SwarmMove, TakesAllThatIsKnownAlong) {
   Swarm swarm(plain_options());
-  told_of_distances(swarm, {30, 10});
+  events_of_distances(swarm, {30, 10});
   Swarm other(std::move(swarm));
-  EXPECT_EQ(count(told_of_distances(other, {9, 30}, 2.0), EventKind::kLeft), 1U);
+  EXPECT_EQ(count(events_of_distances(other, {9, 30}, 2.0), EventKind::kLeft), 1U);
   Swarm third(plain_options());
   third = std::move(other);
   EXPECT_EQ(third.counts().taken, 8U);

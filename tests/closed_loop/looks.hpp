@@ -10,7 +10,7 @@
 namespace beespace::closed_loop {
 
 // The advice for one bee.
-struct Told {
+struct BeeAdvice {
   std::optional<Vector> velocity;  // none: no velocity advised
   bool certified = false;
   std::string because;
@@ -20,8 +20,8 @@ struct Told {
 struct Look {
   double time_s = 0;
   double effective_s = 0;
-  std::map<std::string, Told> bees;  // those that are named
-  std::string closing;               // the line that ends it
+  std::map<std::string, BeeAdvice> bees;  // those that are named
+  std::string closing;                    // the line that ends it
 };
 
 // Puts the lines of looks together.
