@@ -76,7 +76,7 @@ double cpu_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-// Adds the time since it was last asked.
+// Adds the time since the last call.
 class Stopwatch {
  public:
   void lap(double& seconds) {
@@ -128,7 +128,7 @@ void search(const Swarm& swarm, Memory& memory, Seconds& seconds, std::vector<Po
   watch.lap(seconds.answer);
 }
 
-// What `search` looks at.
+// The memory that `search` accesses.
 template <class Order, template <class> class Locator>
 Looks look(const Swarm& swarm, Memory& memory) {
   const Cells cells(swarm.points, swarm.threshold_m);

@@ -141,7 +141,7 @@ void fly_all(const Sizes& sizes) {
        kAcceleration_mps2, 2});
 }
 
-// The same loop, with what is known from elsewhere.
+// The same loop with the known methods, for comparison.
 void compare_methods(const Sizes& sizes) {
   const struct {
     Method method;

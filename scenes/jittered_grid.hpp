@@ -11,7 +11,7 @@
 
 namespace beespace::scenes {
 
-// How many cells along each axis; filled along x first, then y, then z.
+// The number of cells along each axis; filled along x first, then y, then z.
 struct GridShape {
   std::size_t x = 1;
   std::size_t y = 1;
@@ -33,7 +33,7 @@ GridShape cube_for(std::size_t count);
 std::vector<Point> jittered_grid(std::size_t count, const GridShape& shape, const GridCell& first,
                                  double spacing_m, double clear_m, RandomStream& random);
 
-// Each of 0 ... count - 1 once, at random.
+// A random permutation of 0 ... count - 1.
 std::vector<std::size_t> shuffled(std::size_t count, RandomStream& random);
 
 }  // namespace beespace::scenes

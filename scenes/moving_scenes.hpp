@@ -35,7 +35,7 @@ std::vector<Mover> crossing_streams(std::size_t count, const Point& size, const 
 std::vector<Mover> sphere_swap(std::size_t count, double radius_m, const Speeds& speeds,
                                std::uint64_t seed);
 
-// When two are closest, and how close they are then.
+// The time and distance of the closest approach of two.
 struct Encounter {
   PointId first;
   PointId second;

@@ -36,7 +36,7 @@ class Cloud {
 using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud,
                                                  3, PointId>;
 
-// What nanoflann asks of a result set. addPoint() returns whether to go on.
+// The interface that nanoflann requires of a result set. addPoint() returns whether to go on.
 class OtherThanSelf {
  public:
   using DistanceType = double;
@@ -165,7 +165,7 @@ class Nanoflann final : public Contender {
     return answer_point_by_point(question, tree.vAcc, Queries(tree, points, threshold_m));
   }
 
-  // The answer about points in an order of their own, told in the caller's ids.
+  // The answer about points in an order of their own, converted to the caller's ids.
   static Answer with_ids(Answer answer, const std::vector<PointId>& order) {
     std::vector<char> marks(order.size());
     for (const PointId id : answer.at_risk) marks[order[id]] = 1;

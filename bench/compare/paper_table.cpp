@@ -40,8 +40,8 @@ struct Answered {
   double find_mb = 0.0;
 };
 
-// Parses and finds once more, and notes what it cost. `ids` names those found, which is not timed:
-// the paper's program does not.
+// Parses and finds once more, and records the cost. `ids` names the found ones, which is not timed:
+// the paper's program does not do it.
 template <class Parse, class Find, class Ids>
 void repeat(Answered& result, Parse&& parse, Find&& find, Ids&& ids) {
   const bool first = result.parse_ms.empty();

@@ -11,7 +11,7 @@
 
 namespace beespace::compare {
 
-// Asks `index` about each point of `order`, which names every point once. An index has
+// Queries `index` for each point of `order`, which names every point once. An index has
 //   bool has_other(PointId self)                    whether another point is within the threshold
 //   void visit_near(PointId self, Visit&& visit)    calls visit(id) for each such point (`self` may
 //                                                   be one of them)

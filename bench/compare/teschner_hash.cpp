@@ -55,7 +55,7 @@ class HashTable {
     visit_near(self, [&](PointId other) { count += other != self ? 1 : 0; });
     return count;
   }
-  // Not a question that a hash of fixed cells can answer; never asked.
+  // A hash of fixed cells cannot answer this question; it is never asked.
   [[nodiscard]] static Nearest nearest_other(PointId /*self*/) { return {}; }
 
  private:
