@@ -1,4 +1,4 @@
-// What every question refuses, in every variant, and where it says the trouble lies.
+// What every query refuses, in every variant, and the place that the error names.
 #include "tests/contract/backward_crew.hpp"
 #include "tests/contract/variants.hpp"
 

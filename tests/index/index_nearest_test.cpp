@@ -1,4 +1,4 @@
-// The k nearest: equal to sorting everybody by exact distance, ties by the lowest id.
+// The k nearest: equal to sorting all points by exact distance, ties by the lowest id.
 #include "tests/index/index_scenes.hpp"
 #include "tests/index/plain_index.hpp"
 
@@ -85,7 +85,7 @@ TEST(IndexNearest, ManyThreadsGiveWhatOneGivesForManyPlaces) {
   }
 }
 
-// If all who are as near were looked at, this would take hours.
+// If all equally near points were visited, this would take hours.
 TEST(IndexNearest, ManyAtOnePlaceStayCheap) {
   constexpr std::size_t kHalf = 50'000;
   std::vector<Point> points = test::SceneMaker(9).box(2 * kHalf, {0, 0, 0}, {1000, 1000, 1000});

@@ -1,5 +1,5 @@
 // Heights apart from positions may be in feet: they are compared with a vertical threshold in feet
-// as they are, and distances are told in metres all the same.
+// as they are, and distances are reported in metres all the same.
 #include <beespace/find_conflicts.hpp>
 #include <beespace/predict_conflicts.hpp>
 #include <beespace/swarm.hpp>

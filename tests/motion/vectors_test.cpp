@@ -97,7 +97,7 @@ TEST(ClosestApproachVectors, AreWhatClosestApproachSays) {
   EXPECT_GT(rows.size() - conflicts, 100U);
 }
 
-// Two who do not know each other, in Python and here, say the same.
+// The oracles in Python and here share no code and agree.
 TEST(ClosestApproachVectors, AreWhatTheOracleSays) {
   for (const Vector& row : vectors()) {
     SCOPED_TRACE(row.at("name"));

@@ -1,4 +1,4 @@
-// What is put into columns comes out again, number for number.
+// Encoded columns are decoded to the same numbers.
 #include "report/columns.hpp"
 
 #include "report/base64.hpp"

@@ -1,4 +1,4 @@
-// What a page says of a snapshot is what is known of it.
+// The data of a page agree with the facts of a snapshot.
 #include "report/snapshot_json.hpp"
 
 #include "tests/report/page_reader.hpp"
@@ -41,7 +41,7 @@ struct Read {
   ParsedJson json;
 };
 
-// Bees all about, of whom nothing is known but where they are.
+// Bees all about; only their positions are known.
 SnapshotFacts somewhere(std::size_t count) {
   SceneMaker make(5);
   SnapshotFacts facts;
@@ -115,7 +115,7 @@ TEST(SnapshotJson, NamesOfAllNeedNoNumbers) {
   EXPECT_FALSE(has(Read(facts)["names"], "bees"));
 }
 
-TEST(SnapshotJson, WhoIsAtRiskIsABitOfEach) {
+TEST(SnapshotJson, AtRiskIsABitOfEachBee) {
   SceneMaker make(6);
   for (std::size_t count = 0; count < 60; ++count) {
     SnapshotFacts facts = somewhere(count);
@@ -146,9 +146,9 @@ void expect_nearest(const SnapshotFacts& facts) {
     const double true_m = facts.nearest[i].distance_m;
     ASSERT_EQ(codes[i] == 0, true_m == 0.0);
     if (codes[i] == 0) continue;
-    const double told_m = least_m * std::pow(ratio, static_cast<double>(codes[i]) - 1.0);
-    ASSERT_LE(told_m, true_m * half);
-    ASSERT_GE(told_m, true_m / half);
+    const double decoded_m = least_m * std::pow(ratio, static_cast<double>(codes[i]) - 1.0);
+    ASSERT_LE(decoded_m, true_m * half);
+    ASSERT_GE(decoded_m, true_m / half);
   }
 }
 
@@ -184,7 +184,7 @@ TEST(SnapshotJson, TheNearestMayAllBeEquallyFar) {
   expect_nearest(with_nearest({0x1p-400, 0x1p+401}));
 }
 
-TEST(SnapshotJson, ASingleBeeHasNobodyNear) {
+TEST(SnapshotJson, ASingleBeeHasNoneNear) {
   SnapshotFacts facts = somewhere(1);
   facts.nearest = {Nearest{}};
   const Read read(facts);
@@ -193,7 +193,7 @@ TEST(SnapshotJson, ASingleBeeHasNobodyNear) {
   EXPECT_EQ(position_error(read, facts.positions), 0.0);
 }
 
-TEST(SnapshotJson, ThereMayBeNobody) {
+TEST(SnapshotJson, ThereMayBeNoBees) {
   const Read read(SnapshotFacts{});
   EXPECT_EQ(std::uint64_t(read["count"]), 0u);
   EXPECT_FALSE(has(read.json.root(), "nearest"));

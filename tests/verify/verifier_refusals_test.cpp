@@ -1,4 +1,4 @@
-// What a Verifier refuses; and that it goes on from where it was.
+// What a Verifier refuses; and that it continues from its last valid state.
 #include <beespace/verify.hpp>
 
 #include <gtest/gtest.h>
@@ -137,7 +137,7 @@ TEST(VerifierRefusal, NumbersOutsideTheDomain) {
   }
 }
 
-// What is too small for the domain is looked at as it is.
+// Values too small for the domain are checked as they are.
 TEST(VerifierRefusal, TinyNumbersAreNone) {
   for (const double tiny : {0x1p-101, -9e-32, 1e-320}) {
     Verifier verifier({.threshold_m = 5.0});
@@ -149,7 +149,7 @@ TEST(VerifierRefusal, TinyNumbersAreNone) {
     EXPECT_TRUE(verifier.verdict().holds());
     EXPECT_FALSE(verifier.verdict().closest_m);
   }
-  // Nor is a loss between two who are tiny distances apart.
+  // Nor is a loss between two that are tiny distances apart.
   Verifier verifier({.threshold_m = 0x1p-100});
   const std::vector<Mover> close = {{{0x1p-103, 0, 0}, {}}, {{0, 0x1p-102, 0}, {}}};
   EXPECT_TRUE(verifier.add(0.0, close));
@@ -168,7 +168,7 @@ TEST(VerifierRefusal, StepsThatLastNextToNothing) {
   }
 }
 
-// Straight flights have no velocities that anybody looks at.
+// Velocities of straight flights are not used.
 TEST(VerifierRefusal, VelocitiesOfStraightFlightsAreNotLookedAt) {
   VerifyOptions options{.threshold_m = 5.0};
   options.straight = true;
@@ -179,7 +179,7 @@ TEST(VerifierRefusal, VelocitiesOfStraightFlightsAreNotLookedAt) {
   EXPECT_TRUE(verifier.add(1.0, movers));
 }
 
-// What is given lies in the domain; that what is computed from it does not, is nobody's fault.
+// The input lies in the domain; if results computed from it do not, the input is not at fault.
 TEST(VerifierRefusal, ALittleMoveInALongTimeIsNone) {
   Verifier verifier({.threshold_m = 5.0});
   ASSERT_TRUE(verifier.add(0.0, std::vector<Mover>{{{0, 0, 0}, {}}}));

@@ -30,7 +30,7 @@ WorstPairs found(const Points& places, const Points& points, const SearchOptions
   return worst ? *std::move(worst) : WorstPairs{};
 }
 
-// What brute force says.
+// The answer by brute force.
 WorstPairs expected(const Points& places, const Points& points, const SearchOptions& options) {
   const auto pairs = brute_force::find_pairs(places, options);
   EXPECT_TRUE(pairs.has_value());
@@ -223,7 +223,7 @@ TEST(WorstPairs, MayBeAskedOfOtherPlacesThanTheirDistancesAreTakenOf) {
   }
 }
 
-TEST(WorstPairs, OfNobodyThereAreNone) {
+TEST(WorstPairs, OfFewerThanTwoThereAreNone) {
   for (const std::size_t count : {0u, 1u}) {
     const Points points(count);
     const WorstPairs worst = found(points, points, {.threshold_m = 1.0});

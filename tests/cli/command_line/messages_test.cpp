@@ -55,7 +55,7 @@ TEST_F(Messages, Utf16WithoutAMarkIsKnown) {
               "this is UTF-16 text without a mark that says so; save it as UTF-8 (iconv -f "
               "UTF-16LE -t UTF-8 FILE)");
   expect_said(kAllThatRead, "big.csv", utf16(kTable, true), "iconv -f UTF-16BE -t UTF-8 FILE");
-  // Of one NUL nothing follows.
+  // A single NUL proves nothing.
   expect_said({"detect"}, "one.csv", "x,y,z\n0,0,\0000\n"sv, "byte 10 is NUL");
 }
 

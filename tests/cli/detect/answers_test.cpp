@@ -105,7 +105,7 @@ TEST(Answers, JsonWithNearestHasAnObjectForEachBee) {
       << finished.out;
 }
 
-TEST(Answers, JsonOfNobodyIsStillADocument) {
+TEST(Answers, JsonOfNoneIsStillADocument) {
   const Finished finished = run({"detect", "--json"}, "x,y,z\n1,2,3\n");
   EXPECT_TRUE(is_json(finished.out)) << finished.out;
   EXPECT_NE(finished.out.find(R"("closest_pair": null)"), std::string::npos);
@@ -222,7 +222,7 @@ TEST(Answers, QuietSaysNothing) {
   EXPECT_EQ(finished.err, "");
 }
 
-TEST(Answers, FailOnRiskExitsWithOneOnlyWhenSomebodyIsAtRisk) {
+TEST(Answers, FailOnRiskExitsWithOneOnlyWhenABeeIsAtRisk) {
   EXPECT_EQ(run({"detect", "--fail-on-risk"}, kMetres).exit_code, 1);
   EXPECT_EQ(run({"detect", "--fail-on-risk", "--threshold", "60"}, kMetres).exit_code, 0);
   EXPECT_EQ(run({"detect"}, kMetres).exit_code, 0);
@@ -237,7 +237,7 @@ TEST(Answers, TheExampleOfACheckInAScriptTellsDangerFromAFailure) {
   EXPECT_EQ(danger.out + danger.err, "");
   EXPECT_EQ(run(check, "x,y,z\n0,0,0\n").exit_code, 0);
   Arguments missing = check;
-  missing[1] = "/nobody.csv";
+  missing[1] = "/missing.csv";
   EXPECT_EQ(run(missing).exit_code, 4);
   const std::string help = run({"detect", "--help"}).out;
   EXPECT_NE(help.find("--fail-on-risk --output /dev/null\n  [ $? -eq 1 ] && echo danger\n"),

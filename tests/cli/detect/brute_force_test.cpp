@@ -1,4 +1,4 @@
-// What the command says of the example swarm, compared line by line with brute force.
+// The command's answers for the example swarm, compared line by line with brute force.
 #include <gtest/gtest.h>
 
 #include <beespace/beespace.hpp>

@@ -145,7 +145,7 @@ TEST_F(Others, EitherMayComeFromStandardInput) {
 }
 
 TEST_F(Others, FilesThatCannotBeReadAreNamed) {
-  expect_refused(folder_.path("nobody.csv"), 4, "nobody.csv: there is no such file");
+  expect_refused(folder_.path("missing.csv"), 4, "missing.csv: there is no such file");
   expect_refused(folder_.file("empty.csv", ""), 3, "empty.csv: the input is empty");
   expect_refused(folder_.file("header.csv", "x,y,z\n"), 3, "no record after it");
   expect_refused(folder_.file("bad.csv", "x,y,z\n1,2,oops\n"), 3, "bad.csv:2:3: 'oops'");

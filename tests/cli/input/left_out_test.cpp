@@ -1,4 +1,4 @@
-// Records that were there and were left out: an all-clear is never said of what was not seen.
+// Records that were left out: there is no all-clear for what was not read.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -42,7 +42,7 @@ class LeftOutRecords : public testing::Test {
   }
 };
 
-TEST_F(LeftOutRecords, ReplaySaysWhoIsKnownNowhere) {
+TEST_F(LeftOutRecords, ReplaySaysWhichBeesAreKnownNowhere) {
   const Finished finished = run(ask("replay", {"--vertical", "1000ft", "--fail-on-risk"}));
   EXPECT_EQ(finished.exit_code, 1);
   expect_parts(finished.err,

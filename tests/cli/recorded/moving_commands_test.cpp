@@ -82,7 +82,7 @@ TEST_P(MovingCommands, TheSameConflictsComeInEveryForm) {
                           R"(, "ends_s": )" + rows[0][5] + "}"});
 }
 
-TEST_P(MovingCommands, NobodyInConflictIsAnEmptyAnswerInEveryForm) {
+TEST_P(MovingCommands, NoConflictIsAnEmptyAnswerInEveryForm) {
   EXPECT_EQ(below_header(ask({}, kFarApart).out), "");
   EXPECT_EQ(ask({"--csv"}, kFarApart).out, "first,second,begins_s,closest_s,closest_m,ends_s\n");
   const std::string json = ask({"--json"}, kFarApart).out;
@@ -197,8 +197,8 @@ TEST_P(MovingCommands, ColumnsMayBeGivenByNumber) {
 
 TEST_P(MovingCommands, FilesAndFoldersThatCannotBeReadAreNamed) {
   const std::string command = GetParam();
-  expect_failure({command, folder_.path("nobody.csv")}, {}, kSystem,
-                 "nobody.csv: there is no such file");
+  expect_failure({command, folder_.path("missing.csv")}, {}, kSystem,
+                 "missing.csv: there is no such file");
   expect_failure({command, folder_.path(".")}, {}, kBadInput,
                  "there is no .csv, .tsv or .txt file in this folder");
   Surroundings unprivileged;
@@ -237,7 +237,7 @@ TEST_P(MovingCommands, TheOutputFileHoldsTheAnswerAndIsLeftAloneByErrors) {
   EXPECT_EQ(folder_.names(), std::vector<std::string>{"answer"});
 }
 
-TEST_P(MovingCommands, EveryFormEndsQuietlyWhenNobodyReads) {
+TEST_P(MovingCommands, EveryFormEndsQuietlyWhenTheReaderIsGone) {
   Surroundings closed;
   closed.output = Surroundings::Output::kClosedPipe;
   for (const Arguments& form : {Arguments{}, Arguments{"--csv"}, Arguments{"--json"}}) {
@@ -286,7 +286,7 @@ TEST_P(MovingCommands, TerminalsSeeColourUnlessNoColorIsSet) {
   EXPECT_EQ(plain.err.find('\x1b'), std::string::npos) << plain.err;
 }
 
-TEST_P(MovingCommands, NobodyIsLeftWaitingForInputThatNobodyTypes) {
+TEST_P(MovingCommands, ACommandDoesNotWaitForInputFromATerminal) {
   if (!has_terminals()) GTEST_SKIP() << "this system has no pseudo-terminals";
   Surroundings surroundings;
   surroundings.input_on_terminal = true;

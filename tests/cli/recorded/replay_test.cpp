@@ -1,4 +1,4 @@
-// `beespace replay`: who came too close, on recordings whose encounters are worked out by hand.
+// `beespace replay`: conflicts, on recordings whose encounters are computed by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -93,7 +93,7 @@ TEST(Replay, TheSeparationIsThatOfTheClosestTwoEverySoOften) {
             "time_s,distance_m,first,second,unknown\n0,5,a,b,0\n");
 }
 
-TEST(Replay, WhereNobodyIsThereTogetherTheSeparationIsEmpty) {
+TEST(Replay, WithoutCommonTimesTheSeparationIsEmpty) {
   constexpr std::string_view input =
       "id,time_s,x,y,z\na,0,0,0,0\na,1,0,0,0\nb,2,9,0,0\nb,3,9,0,0\n";
   EXPECT_EQ(below_header(run({"replay", "--report", "separation", "--quiet"}, input).out),
@@ -140,7 +140,7 @@ TEST(Replay, AVerticalThresholdHoldsAtTheSameTimeAsTheHorizontalOne) {
   expect_rows(replayed({"--vertical", "0.4"}), {{"a", "b", "4.8", "5", "3", "5.2"}});
 }
 
-TEST(Replay, TheSummarySaysWhoWhenAndHowClose) {
+TEST(Replay, TheSummaryNamesTheClosestPairItsTimeAndDistance) {
   const Finished finished = run({"replay", "--threshold", "5"}, kPassing);
   expect_parts(finished.err,
                {"input      standard input (", "frame      metres: the header names x, y and z",

@@ -102,7 +102,7 @@ TEST_F(Export, CsvHasOneRowAPairOrAConflict) {
   expect_parts(conflicts[1][0], {"a,'=1+1,17145648", ",yes,", ",2024-05-01T12:00:30Z,"});
 }
 
-TEST_F(Export, OfNobodyAtRiskFilesAreEmptyButWhole) {
+TEST_F(Export, WithoutBeesAtRiskFilesAreEmptyButWhole) {
   EXPECT_TRUE(is_xml(exported(bees_, "kml", {"--threshold", "1"})));
   EXPECT_TRUE(is_json(exported(bees_, "czml", {"--threshold", "1"})));
   EXPECT_EQ(exported(bees_, "geojson", {"--threshold", "1"}),

@@ -1,4 +1,4 @@
-// `beespace report`: what its pages say is what `detect` and `replay` say of the same input.
+// `beespace report`: its pages agree with the answers of `detect` and `replay` for the same input.
 #include <gtest/gtest.h>
 
 #include <fcntl.h>
@@ -36,7 +36,7 @@ std::string flights() {
       .out;
 }
 
-// What a command answers as JSON.
+// The answer of a command as JSON.
 ParsedJson answer(const Arguments& arguments, std::string_view input) {
   const Finished finished = run(arguments + Arguments{"--json"}, input);
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
@@ -53,7 +53,7 @@ std::vector<std::string> at_risk_in(const Page& page) {
   return at_risk;
 }
 
-// Of pairs, how far apart they are.
+// The distances of the pairs.
 using Apart = std::map<std::pair<std::string, std::string>, double>;
 
 Apart pairs_in(const Page& page) {
@@ -168,7 +168,7 @@ TEST_F(Report, APipeWithANameIsReadOnce) {
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
     std::thread writer([&] { folder_.file("pipe.csv", input); });
     const Finished finished = run({"report", pipe});
-    const int other_end = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);  // if nobody has read it
+    const int other_end = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);  // if it was not read
     writer.join();
     close(other_end);
     expect_alike(Page(finished.out), reported({}, input));
@@ -176,7 +176,7 @@ TEST_F(Report, APipeWithANameIsReadOnce) {
   }
 }
 
-// Of a recording, what `replay` finds.
+// For a recording, the answer of `replay`.
 void expect_as_replay(const Arguments& how, const std::string& input) {
   const Page page = reported(how, input);
   EXPECT_EQ(text_of(page.swarm()["kind"]), "recording");

@@ -122,7 +122,7 @@ class View : public PageCommand {
     return line + " HTTP/1.1\r\nHost: " + host() + "\r\n" + more + "\r\n";
   }
 
-  // What is said to this on a connection of its own.
+  // The response to this request on a connection of its own.
   [[nodiscard]] Reply asked(const std::string& text, bool only_head = false) const {
     const Socket socket;
     EXPECT_TRUE(socket.connect_to(port_));
@@ -205,7 +205,7 @@ TEST_F(View, AConnectionMayAskAgain) {
   EXPECT_TRUE(rest.ends_with(whole));
 }
 
-TEST_F(View, ManyAreServedAtOnceAndIdleOnesAreInNobodysWay) {
+TEST_F(View, ManyAreServedAtOnceAndIdleOnesDoNotBlock) {
   std::vector<std::unique_ptr<Socket>> idle;
   for (int i = 0; i < 20; ++i) {
     idle.push_back(std::make_unique<Socket>());
@@ -368,7 +368,7 @@ TEST_F(ViewOnce, WhatIsNoPortIsRefused) {
   }
 }
 
-TEST_F(ViewOnce, ItsHelpSaysWhoElseCanRead) {
+TEST_F(ViewOnce, ItsHelpSaysWhichOthersCanRead) {
   expect_parts(run({"view", "--help"}).out, {"who find the port can read the page"});
 }
 

@@ -241,7 +241,7 @@ TEST(DensitySweep, IsADocumentOfRuns) {
                 R"("spacing_m": 10,)", R"("spacing_m": 8.75,)", R"("spacing_m": 7.5,)"});
 }
 
-TEST(DensitySweep, WithoutPreventionSomebodyIsLost) {
+TEST(DensitySweep, WithoutPreventionSeparationIsLost) {
   const Finished finished =
       run({"simulate", "density-sweep", "--bees", "60", "--method", "none", "--fail-on-risk"});
   EXPECT_EQ(finished.exit_code, 1) << finished.err;

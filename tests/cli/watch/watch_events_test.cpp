@@ -110,7 +110,7 @@ TEST(WatchEvents, AVerticalThresholdIsComparedApart) {
   EXPECT_EQ(lines_of(watched({"--vertical", "4.5"}, high).out).size(), 4u);
 }
 
-TEST(WatchEvents, WhoIsSilentForLongIsStaleAndLost) {
+TEST(WatchEvents, ABeeThatIsSilentForLongIsStaleAndLost) {
   const Finished finished = watched({"--max-age", "3", "--horizon", "0"},
                                     "id,time_s,x,y,z\n"
                                     "a,0,0,0,0\nb,0,3,0,0\na,1,0,0,0\nb,1,3,0,0\n"
@@ -168,7 +168,7 @@ TEST_P(WatchOfARecording, SaysTheSameOfAVerticalThresholdAndOtherHorizons) {
   }
 }
 
-// What has happened is known from the reports alone; only predictions depend on the looks.
+// Past events follow from the reports alone; only predictions depend on the looks.
 TEST_P(WatchOfARecording, TellsTheSamePastHoweverOftenItLooks) {
   const std::string table = recording();
   std::vector<std::string> first;

@@ -1,5 +1,5 @@
-// What `beespace watch` does not know: bees that were heard of once, have fallen silent or were too
-// many. It says so, and ends with 0 only where no conflict follows from what is known.
+// Unknown bees of `beespace watch`: those heard once, silent or too many. It names them, and ends
+// with 0 only where no conflict follows from what is known.
 #include <gtest/gtest.h>
 
 #include <sstream>

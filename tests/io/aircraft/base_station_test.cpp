@@ -57,7 +57,7 @@ TEST(BaseStation, VelocitiesAreJoinedByAddressWhileTheyAreFresh) {
   EXPECT_TRUE(std::isnan(recording.bees[1].velocities[1].x));
 }
 
-TEST(BaseStation, WhoStandsOnTheGroundIsLeftOutUnlessAskedFor) {
+TEST(BaseStation, AircraftOnTheGroundAreLeftOutUnlessAskedFor) {
   const std::string text = airborne("A", "12:00:00.000") +
                            message('2', "B", "12:00:00.000", ",0,5,90,47,8,,,0,0,0,-1") +
                            message('3', "C", "12:00:00.000", ",1300,,,47,8,,,0,0,0,-1");

@@ -147,7 +147,7 @@ TEST(AtomicOutput, AClosedPipeIsToldFromOtherFailures) {
   std::thread reader([&pipe] { ::close(::open(pipe.c_str(), O_RDONLY)); });
   output = opened(pipe);
   reader.join();
-  output->write("nobody reads this");
+  output->write("this is not read");
   const Status status = output->commit();
   std::signal(SIGPIPE, before);
   ASSERT_FALSE(status.has_value());

@@ -130,7 +130,7 @@ TEST(Telemetry, GlobalPositionsAreTakenBeforeLocalOnes) {
   EXPECT_EQ(ids_of(recording_of(load(log, metres))), (Ids{"1", "2"}));
 }
 
-TEST(Telemetry, WhoKnowsNoPositionYetIsLeftOut) {
+TEST(Telemetry, AVehicleWithoutAPositionYetIsLeftOut) {
   const auto recording =
       recording_of(load(logged(kNoon, frame_v2(1, 33, global_payload(0, 0, 0, 0, 0, 0))) +
                         logged(kNoon + 1, frame_v2(1, 33, somewhere()))));

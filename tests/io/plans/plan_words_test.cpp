@@ -55,7 +55,7 @@ TEST(PlanWords, WhatItCanDo) {
                                       "max_accel [m/s^2]", "max acc (m/s²)"});
 }
 
-TEST(PlanWords, WhoItIs) {
+TEST(PlanWords, TheId) {
   expect_meaning("id", {"id", "ID", "bee_id", "name", "drone", "bee"});
 }
 

@@ -52,7 +52,7 @@ TEST(BadShow, NoDrones) {
   expect_error(load("{\"swarm\": {\"drones\": 3}}"), {ErrorCode::kNoPoints, "show.json", "no dr"});
 }
 
-TEST(BadShow, NobodyFlies) {
+TEST(BadShow, WithoutDrones) {
   expect_error(with_points("[[0, [0, 0, 0]], [9, [0, 0, 0]]]"),
                {ErrorCode::kNoPoints, "show.json", "no drone of this show leaves the ground"});
 }

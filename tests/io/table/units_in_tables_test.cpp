@@ -188,7 +188,7 @@ TEST(UnitsInTables, HeightsByPressureAndBySatellitesAreNeverMixed) {
   EXPECT_EQ(loaded->heights, HeightDatum::kPressure);
   expect_error(load_text("lat,lon,geoaltitude_m\n48,2,3\n", pressure),
                {ErrorCode::kInvalidArgument, "bees.csv", "--heights pressure"});
-  // One who lacks the height of that kind is no record, whatever else it has.
+  // A record without a height of that kind is left out, whatever else it has.
   std::string without(kTraffic);
   without += "2024-05-01 12:00:00Z,b,AFR2,48,2,34000,,360,90,600,False\n";
   EXPECT_FALSE(load_text(without).has_value());
@@ -288,7 +288,7 @@ TEST(UnitsInTables, LinesThatComeOneByOneAreReadAlike) {
       k35000Feet_m);
 }
 
-// What was taken for metres becomes doubtful; heights of another kind do not come between.
+// Values that were taken for metres become doubtful; heights of another kind do not matter.
 TEST(UnitsInTables, KeysThatComeLaterChangeNoUnitInSilence) {
   ReportLines lines;
   EXPECT_TRUE(says_something(
