@@ -16,19 +16,10 @@
 #include <optional>
 #include <string>
 
-namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
-class App;
-}
-
 namespace beespace::cli {
 
 inline constexpr double kGapFactor = 5.0;
 inline constexpr std::size_t kFixesToTell = 4;
-
-void add_max_gap_option(CLI::App& command, std::string& max_gap, const char* group);
-
-// As typed: nothing, "never" (infinite), or seconds above zero. Errors: kInvalidArgument.
-Result<std::optional<double>> read_max_gap(const char* command, const std::string& text);
 
 struct MaxGap {
   double seconds;                   // infinite: never

@@ -3,17 +3,13 @@
 #include "cli/analysis/gaps.hpp"
 #include "cli/command_line/option_values.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <utility>
 
 namespace beespace::cli {
 
-void add_seen_options(CLI::App& command, SeenOptions& options) {
-  command
-      .add_option("FILES", options.moving.inputs,
-                  "Files and folders to read (default, or -:\nstandard input)")
-      ->type_name(" ");
+void add_seen_options(Command& command, SeenOptions& options) {
+  command.arguments("FILES", options.moving.inputs,
+                    "Files and folders to read (default, or -:\nstandard input)");
   add_input_options(command, options.moving);
   add_gap_options(command, options.max_gap, options.tolerance);
   add_threshold_options(command, options.moving);

@@ -1,6 +1,7 @@
 // What pages, pictures and map files are asked for: the separation that counts, and how to read.
 #pragma once
 
+#include "cli/command_line/command.hpp"
 #include "cli/input/moving_options.hpp"
 
 #include <beespace/geodesy.hpp>
@@ -8,10 +9,6 @@
 
 #include <optional>
 #include <string>
-
-namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
-class App;
-}
 
 namespace beespace::cli {
 
@@ -31,7 +28,7 @@ struct SeenRequest {
 };
 
 // FILES and what --help says of reading and of the separation.
-void add_seen_options(CLI::App& command, SeenOptions& options);
+void add_seen_options(Command& command, SeenOptions& options);
 
 Result<SeenRequest> seen_request(const char* command, const SeenOptions& options);
 

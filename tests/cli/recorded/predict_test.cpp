@@ -246,7 +246,8 @@ TEST(Predict, NumbersThatMakeNoSenseAreRefused) {
                          option + " '" + bad + "' is not a number of seconds from 0 on");
     }
   }
-  expect_usage_error({"predict", "a.csv", "b.csv"}, "FILE is given 2 times");
+  expect_usage_error({"predict", "a.csv", "b.csv"},
+                     "'b.csv' is one argument too many for 'beespace predict'");
   expect_usage_error({"predict", "--report", "bees"}, "'--report' is no option");
   expect_usage_error({"predict", "--speed", "2"}, "'--speed' is no option");
 }
