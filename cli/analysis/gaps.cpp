@@ -1,7 +1,7 @@
 #include "cli/analysis/gaps.hpp"
 
-#include "cli/analysis/number_text.hpp"
 #include "cli/command_line/option_values.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -65,7 +65,7 @@ void add_max_gap_option(CLI::App& command, std::string& max_gap, const char* gro
 Result<std::optional<double>> read_max_gap(const char* command, const std::string& text) {
   if (text.empty()) return std::optional<double>();
   if (text == "never") return std::optional<double>(kNever);
-  const auto seconds = parse_number(text);
+  const auto seconds = io::parse_number(text);
   if (seconds && *seconds > 0.0 && std::isfinite(*seconds)) return std::optional<double>(*seconds);
   return usage_error(command,
                      "--max-gap '" + text + "' is not a number of seconds above 0, nor 'never'");
@@ -80,10 +80,10 @@ MaxGap max_gap_of(const io::Recording& recording, const std::optional<double>& a
 
 std::string max_gap_text(const MaxGap& max_gap) {
   if (!std::isfinite(max_gap.seconds)) return max_gap.asked ? "never (--max-gap)" : "never";
-  std::string text = exact(max_gap.seconds) + " s";
+  std::string text = io::exact(max_gap.seconds) + " s";
   if (max_gap.typical_s) {
-    text += ", " + exact(kGapFactor) + " times the typical interval of " +
-            exact(*max_gap.typical_s) + " s";
+    text += ", " + io::exact(kGapFactor) + " times the typical interval of " +
+            io::exact(*max_gap.typical_s) + " s";
   }
   return text + " (--max-gap)";
 }

@@ -1,10 +1,10 @@
 #include "cli/input/moving_options.hpp"
 
 #include "cli/analysis/gaps.hpp"
-#include "cli/analysis/number_text.hpp"
 #include "cli/command_line/option_checks.hpp"
 #include "cli/command_line/option_values.hpp"
 #include "cli/console/terminal.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -181,7 +181,7 @@ Result<MovingRequest> answering_request(const char* command, const MovingOptions
 
 Error in_words_of_the_command(Error error, const MovingRequest& request) {
   if (error.code != ErrorCode::kTooManyResults) return error;
-  error.message = "there are more than " + grouped(request.max_results) +
+  error.message = "there are more than " + io::grouped(request.max_results) +
                   (request.max_results == 1 ? " conflict" : " conflicts") +
                   "; raise --max-results, or lower the threshold";
   return error;
