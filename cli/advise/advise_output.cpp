@@ -1,10 +1,10 @@
 #include "cli/advise/advise_output.hpp"
 
-#include "cli/analysis/number_text.hpp"
 #include "cli/output/advice_words.hpp"
 #include "cli/output/block_writer.hpp"
 #include "cli/output/json_units.hpp"
 #include "io/bytes/byte_source.hpp"
+#include "io/bytes/number_text.hpp"
 #include "io/json/json_text.hpp"
 #include "io/table/csv_field.hpp"
 
@@ -22,7 +22,7 @@ namespace beespace::cli {
 namespace {
 
 std::string finite_or_null(double value) {
-  return std::isfinite(value) ? exact(value) : "null";
+  return std::isfinite(value) ? io::exact(value) : "null";
 }
 
 const char* true_or_false(bool yes) {
@@ -59,17 +59,17 @@ std::string head(const Counsel& counsel) {
   member("input", input_json(counsel));
   member("preferred", situation.wishes ? "\"wishes\"" : "\"goals\"");
   member("method", io::json_string(name_of(request.advice.method)));
-  member("threshold_m", exact(request.advice.threshold_m));
-  member("uncertainty_m", exact(request.advice.uncertainty_m));
+  member("threshold_m", io::exact(request.advice.threshold_m));
+  member("uncertainty_m", io::exact(request.advice.uncertainty_m));
   member("own_limits", true_or_false(own));
-  member("max_speed_mps", own ? "null" : exact(request.limits.max_speed_mps));
+  member("max_speed_mps", own ? "null" : io::exact(request.limits.max_speed_mps));
   member("max_acceleration_mps2",
          own ? "null" : finite_or_null(request.limits.max_acceleration_mps2));
-  member("step_s", exact(request.advice.step_s));
+  member("step_s", io::exact(request.advice.step_s));
   member("obstacles", std::to_string(situation.obstacles.obstacles().size()));
-  member("clearance_m", obstacles ? exact(request.advice.clearance_m) : "null");
+  member("clearance_m", obstacles ? io::exact(request.advice.clearance_m) : "null");
   member("intruders", std::to_string(situation.intruders.size()));
-  member("intruder_horizon_s", intruders ? exact(request.advice.intruder_horizon_s) : "null");
+  member("intruder_horizon_s", intruders ? io::exact(request.advice.intruder_horizon_s) : "null");
   for (const AdviceKind kind : {AdviceKind::kAsWished, AdviceKind::kDeflected, AdviceKind::kBraking,
                                 AdviceKind::kWaiting, AdviceKind::kNone}) {
     std::string name = std::string(name_of(kind)) + "_count";
@@ -114,13 +114,13 @@ void write_as_csv(const Counsel& counsel, io::AtomicOutput& output) {
   for (std::size_t bee = 0; bee < counsel.advised.advice.size(); ++bee) {
     const Advice& advice = counsel.advised.advice[bee];
     if (ids.empty()) {
-      append_exact(out.text, std::uint64_t{bee});
+      io::append_exact(out.text, std::uint64_t{bee});
     } else {
       io::append_csv_field(out.text, ids[bee], ',');
     }
     for (const double speed : {advice.velocity.x, advice.velocity.y, advice.velocity.z}) {
       out.text += ',';
-      append_exact(out.text, speed);
+      io::append_exact(out.text, speed);
     }
     out.text.append(",").append(name_of(advice.kind)).append(advice.certified ? ",yes\n" : ",no\n");
     out.pass_on();
@@ -135,30 +135,31 @@ void write_as_json(const Counsel& counsel, io::AtomicOutput& output) {
   out.text += head(counsel);
   write_list(out, "advice", advised.advice, [&](const Advice& advice, std::size_t bee) {
     const Velocity& v = advice.velocity;
-    return "{\"id\": " + names.bee_as_json(static_cast<PointId>(bee)) + ", \"vx\": " + exact(v.x) +
-           ", \"vy\": " + exact(v.y) + ", \"vz\": " + exact(v.z) + ", \"advice\": \"" +
-           name_of(advice.kind) + "\", \"certified\": " + true_or_false(advice.certified) +
+    return "{\"id\": " + names.bee_as_json(static_cast<PointId>(bee)) +
+           ", \"vx\": " + io::exact(v.x) + ", \"vy\": " + io::exact(v.y) +
+           ", \"vz\": " + io::exact(v.z) + ", \"advice\": \"" + name_of(advice.kind) +
+           "\", \"certified\": " + true_or_false(advice.certified) +
            ", \"keeps_apart\": " + true_or_false(advice.keeps_apart) +
            ", \"clear_of_intruders\": " + true_or_false(advice.clear_of_intruders) + "}";
   });
   write_list(out, "too_close", advised.too_close, [&](const TooClose& close, std::size_t) {
     return "{\"first\": " + names.bee_as_json(close.pair.first) +
            ", \"second\": " + names.bee_as_json(close.pair.second) +
-           ", \"gap_m\": " + exact(close.gap_m) +
+           ", \"gap_m\": " + io::exact(close.gap_m) +
            ", \"clear_s\": " + finite_or_null(close.clear_s) + "}";
   });
   write_list(out, "near_obstacle", advised.near_obstacle,
              [&](const NearObstacle& near, std::size_t) {
                return "{\"bee\": " + names.bee_as_json(near.bee) +
                       ", \"obstacle\": " + std::to_string(near.obstacle) +
-                      ", \"gap_m\": " + exact(near.gap_m) + "}";
+                      ", \"gap_m\": " + io::exact(near.gap_m) + "}";
              });
   write_list(out, "intruder_conflicts", advised.intruder_conflicts,
              [&](const IntruderConflict& conflict, std::size_t) {
                return "{\"bee\": " + names.bee_as_json(conflict.bee) + ", \"intruder\": " +
                       intruders.bee_as_json(static_cast<PointId>(conflict.intruder)) +
-                      ", \"begins_s\": " + exact(conflict.begins_s) +
-                      ", \"closest_m\": " + exact(conflict.closest_m) + "}";
+                      ", \"begins_s\": " + io::exact(conflict.begins_s) +
+                      ", \"closest_m\": " + io::exact(conflict.closest_m) + "}";
              });
   write_list(out, "refused", advised.refused, [&](const Refused& refused, std::size_t) {
     const bool is_bee = refused.kind == RefusedKind::kState || refused.kind == RefusedKind::kWish;

@@ -1,10 +1,10 @@
 #include "cli/advise/advise_summary.hpp"
 
-#include "cli/analysis/number_text.hpp"
 #include "cli/console/summary_line.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/output/advice_words.hpp"
 #include "io/bytes/byte_source.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t kMostShown = 5;
 
 std::string times(std::uint64_t count, const char* one, const char* several) {
-  return grouped(count) + " " + (count == 1 ? one : several);
+  return io::grouped(count) + " " + (count == 1 ? one : several);
 }
 
 std::string method_text(AdviseMethod method) {
@@ -32,7 +32,7 @@ std::string method_text(AdviseMethod method) {
 std::string threshold_text(const AdviseOptions& options) {
   std::string text = separation_text(options.threshold_m, std::nullopt, false);
   if (options.uncertainty_m > 0.0) {
-    text += ", places known to " + exact(options.uncertainty_m) + " m";
+    text += ", places known to " + io::exact(options.uncertainty_m) + " m";
   }
   return text;
 }
@@ -40,23 +40,23 @@ std::string threshold_text(const AdviseOptions& options) {
 std::string limits_text(const Counsel& counsel) {
   if (counsel.situation.own_limits) return "of each bee, as the file tells";
   const FlightLimits& limits = counsel.request.limits;
-  const std::string text = exact(limits.max_speed_mps) + " m/s";
+  const std::string text = io::exact(limits.max_speed_mps) + " m/s";
   if (std::isinf(limits.max_acceleration_mps2)) return text + ", velocities change at once";
-  return text + ", " + exact(limits.max_acceleration_mps2) + " m/s^2";
+  return text + ", " + io::exact(limits.max_acceleration_mps2) + " m/s^2";
 }
 
 void append_surroundings(std::string& out, const Counsel& counsel) {
   const AdviseRequest& request = counsel.request;
   if (!request.obstacles.empty()) {
     append_summary_line(out, "obstacles",
-                        grouped(std::uint64_t{counsel.situation.obstacles.obstacles().size()}) +
-                            ", clearance " + exact(request.advice.clearance_m) + " m");
+                        io::grouped(std::uint64_t{counsel.situation.obstacles.obstacles().size()}) +
+                            ", clearance " + io::exact(request.advice.clearance_m) + " m");
   }
   if (!request.intruders.empty()) {
     append_summary_line(out, "intruders",
-                        grouped(std::uint64_t{counsel.situation.intruders.size()}) +
+                        io::grouped(std::uint64_t{counsel.situation.intruders.size()}) +
                             ", seen to fly straight on for " +
-                            exact(request.advice.intruder_horizon_s) + " s");
+                            io::exact(request.advice.intruder_horizon_s) + " s");
   }
 }
 
@@ -73,10 +73,11 @@ void append_advice(std::string& out, const Counsel& counsel) {
        {AdviceKind::kWaiting, "waiting", ", as others are in their way"}}};
   for (const Line& line : kLines) {
     const std::uint64_t bees = count(counsel.advised, line.kind);
-    append_summary_line(out, line.label, grouped(bees) + (bees > 0 ? line.meaning : ""));
+    append_summary_line(out, line.label, io::grouped(bees) + (bees > 0 ? line.meaning : ""));
   }
   if (const std::uint64_t bees = count(counsel.advised, AdviceKind::kNone); bees > 0) {
-    append_summary_line(out, "no advice", grouped(bees) + ", as what is said of them cannot be");
+    append_summary_line(out, "no advice",
+                        io::grouped(bees) + ", as what is said of them cannot be");
   }
 }
 
@@ -94,10 +95,10 @@ std::string pair_text(const TooClose& close, const FlightNames& names) {
   std::string text = names.bee(close.pair.first) + " and " + names.bee(close.pair.second) + ", ";
   // Of ways that cross, nothing but rounding is left.
   constexpr double kCrossing_m = 1e-9;
-  text += close.gap_m > kCrossing_m ? length(close.gap_m) + " between their ways to a stop"
+  text += close.gap_m > kCrossing_m ? io::length(close.gap_m) + " between their ways to a stop"
                                     : std::string("whose ways to a stop cross");
   if (std::isinf(close.clear_s)) return text + ", and stay too close";
-  if (close.clear_s > 0.0) return text + ", clear in " + grouped(close.clear_s, 2) + " s";
+  if (close.clear_s > 0.0) return text + ", clear in " + io::grouped(close.clear_s, 2) + " s";
   return text + ", still far enough apart";
 }
 
@@ -112,7 +113,7 @@ void append_list(std::string& out, const char* label, const std::string& how_man
   }
   if (items.size() <= kMostShown) return;
   append_summary_line(out, "",
-                      "and " + grouped(std::uint64_t{items.size() - kMostShown}) + " more");
+                      "and " + io::grouped(std::uint64_t{items.size() - kMostShown}) + " more");
 }
 
 std::string refused_text(const Refused& refused, const Counsel& counsel) {
@@ -140,7 +141,7 @@ void append_findings(std::string& out, const Counsel& counsel) {
         const Obstacle& obstacle = counsel.situation.obstacles.obstacles()[near.obstacle];
         const std::string which = names.obstacle(near.obstacle, obstacle);
         return names.bee(near.bee) + ", whose way to a stop " +
-               (near.gap_m > 0.0 ? "comes within " + length(near.gap_m) + " of " : "meets ") +
+               (near.gap_m > 0.0 ? "comes within " + io::length(near.gap_m) + " of " : "meets ") +
                which;
       });
   append_list(
@@ -150,7 +151,7 @@ void append_findings(std::string& out, const Counsel& counsel) {
         const auto intruder = static_cast<PointId>(conflict.intruder);
         return names.bee(conflict.bee) + " and the intruder " +
                counsel.situation.intruder_names.bee(intruder) + ", in " +
-               grouped(conflict.begins_s, 2) + " s, closest " + length(conflict.closest_m);
+               io::grouped(conflict.begins_s, 2) + " s, closest " + io::length(conflict.closest_m);
       });
 }
 
@@ -167,17 +168,18 @@ std::string advise_summary(const Counsel& counsel, const AdviseTimes& times) {
   for (const std::string& note : situation.notes) {
     append_summary_line(out, "note", printable(note));
   }
-  append_summary_line(out, "bees", grouped(std::uint64_t{situation.movers.size()}));
+  append_summary_line(out, "bees", io::grouped(std::uint64_t{situation.movers.size()}));
   append_summary_line(out, "method", method_text(request.advice.method));
   append_summary_line(out, "threshold", threshold_text(request.advice));
   append_summary_line(out, "limits", limits_text(counsel));
-  append_summary_line(out, "step", exact(request.advice.step_s) + " s");
+  append_summary_line(out, "step", io::exact(request.advice.step_s) + " s");
   append_surroundings(out, counsel);
   append_advice(out, counsel);
   append_uncertain(out, counsel);
   append_findings(out, counsel);
-  append_summary_line(out, "time",
-                      "read " + duration(times.read_s) + ", advise " + duration(times.advise_s));
+  append_summary_line(
+      out, "time",
+      "read " + io::duration(times.read_s) + ", advise " + io::duration(times.advise_s));
   return out;
 }
 

@@ -1,8 +1,8 @@
 #include "cli/analysis/common_times.hpp"
 
-#include "cli/analysis/moving_input.hpp"
-#include "cli/analysis/number_text.hpp"
+#include "analysis/recorded/moving_input.hpp"
 #include "cli/input/moving_output.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +39,7 @@ std::optional<Error> difference(const io::RecordedBee& first, const io::Recorded
   const io::RecordedBee& lacks = second_lacks ? second : first;
   const io::RecordedBee& has = second_lacks ? first : second;
   std::string when = moment(time_s, recording);
-  if (!recording.since_1970) when = exact(time_s) + " s";
+  if (!recording.since_1970) when = io::exact(time_s) + " s";
   return unsuited(quoted(lacks) + " has no fix at " + when + ", where " + quoted(has) +
                   " has one; this checks bees with fixes at the same times, and 'beespace replay' "
                   "checks others");
@@ -86,7 +86,7 @@ Result<std::vector<Mover>> movers_at(const io::Recording& recording, std::size_t
   std::vector<Mover> movers;
   movers.reserve(recording.bees.size());
   for (std::size_t bee = 0; bee < recording.bees.size(); ++bee) {
-    const auto at = in_metres(recording, bee, fix, Geometry::kSpace);
+    const auto at = in_metres(recording, bee, fix, analysis::Geometry::kSpace);
     if (!at) {
       Error error = at.error();
       error.message.insert(0, quoted(recording.bees[bee]) + ": ");

@@ -1,9 +1,9 @@
 #include "cli/analysis/coverage.hpp"
 
-#include "cli/analysis/number_text.hpp"
 #include "cli/console/summary_line.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/input/moving_output.hpp"
+#include "io/bytes/number_text.hpp"
 #include "io/json/json_text.hpp"
 
 #include <algorithm>
@@ -19,11 +19,11 @@ double length_of(const Gap& gap) {
 }
 
 std::string bees_text(std::size_t count) {
-  return grouped(std::uint64_t{count}) + (count == 1 ? " bee" : " bees");
+  return io::grouped(std::uint64_t{count}) + (count == 1 ? " bee" : " bees");
 }
 
 std::string records_text(std::uint64_t count) {
-  return grouped(count) + (count == 1 ? " record" : " records");
+  return io::grouped(count) + (count == 1 ? " record" : " records");
 }
 
 // From the first fix of all to the last one.
@@ -89,8 +89,8 @@ std::string unknown_text(const Coverage& coverage) {
     text += more;
   };
   if (coverage.gaps > 0) {
-    append(bees_text(coverage.bees_with_gaps) + " unknown for " + time_span(coverage.in_gaps_s) +
-           " in all");
+    append(bees_text(coverage.bees_with_gaps) + " unknown for " +
+           io::time_span(coverage.in_gaps_s) + " in all");
   }
   if (coverage.bees_partly > 0) {
     append(bees_text(coverage.bees_partly) + " known for a part of the recording only");
@@ -103,7 +103,7 @@ std::string missing_text(const io::MissingRecords& missing) {
   if (missing.count == 0) return {};
   std::string text;
   if (missing.nowhere > 0) {
-    text = grouped(missing.nowhere) +
+    text = io::grouped(missing.nowhere) +
            (missing.nowhere == 1 ? " bee is known nowhere, " : " bees are known nowhere, ");
   }
   return text + records_text(missing.count) + (missing.count == 1 ? " was" : " were") + " left out";
@@ -116,7 +116,7 @@ void append_missing(std::string& out, const io::MissingRecords& missing) {
   if (missing.without_id > 0) {
     text += missing.without_id == missing.count
                 ? " of unknown bees"
-                : " and " + grouped(missing.without_id) + " of unknown ones";
+                : " and " + io::grouped(missing.without_id) + " of unknown ones";
   }
   append_summary_line(out, "left out", text + ": place, height or time is missing or bad");
   if (missing.nowhere == 0) return;
@@ -141,7 +141,7 @@ std::string missing_json(const io::MissingRecords& missing) {
 
 std::string gap_text(const Gap& gap, const io::Recording& recording) {
   return text_of(name_of(gap.track, recording)) + " from " + moment(gap.begins_s, recording) +
-         " for " + time_span(length_of(gap));
+         " for " + io::time_span(length_of(gap));
 }
 
 void append_coverage(std::string& out, const Coverage& coverage, const io::Recording& recording) {
@@ -150,9 +150,10 @@ void append_coverage(std::string& out, const Coverage& coverage, const io::Recor
   }
   if (coverage.gaps > 0) {
     append_summary_line(out, "unknown",
-                        red(bees_text(coverage.bees_with_gaps)) + " in " + grouped(coverage.gaps) +
-                            (coverage.gaps == 1 ? " gap" : " gaps") + " between two fixes, for " +
-                            time_span(coverage.in_gaps_s) + " in all");
+                        red(bees_text(coverage.bees_with_gaps)) + " in " +
+                            io::grouped(coverage.gaps) + (coverage.gaps == 1 ? " gap" : " gaps") +
+                            " between two fixes, for " + io::time_span(coverage.in_gaps_s) +
+                            " in all");
   }
   for (const Gap& gap : coverage.longest) {
     append_summary_line(out, "", printable(gap_text(gap, recording)));
@@ -164,32 +165,32 @@ void append_coverage(std::string& out, const Coverage& coverage, const io::Recor
     append_summary_line(out, coverage.gaps > 0 ? "" : "unknown",
                         bees_text(coverage.bees_partly) +
                             " before the first or after the last fix, for " +
-                            time_span(coverage.outside_s) + " in all");
+                            io::time_span(coverage.outside_s) + " in all");
   }
   append_missing(out, coverage.missing);
 }
 
 std::string coverage_json(const Coverage& coverage, const io::Recording& recording) {
   const auto finite = [](double value) {
-    return std::isfinite(value) ? exact(value) : std::string("null");
+    return std::isfinite(value) ? io::exact(value) : std::string("null");
   };
   const auto& typical_s = coverage.max_gap.typical_s;
   std::string out = std::string("{\"complete\": ") + (coverage.complete() ? "true" : "false");
   out += ", \"max_gap_s\": " + finite(coverage.max_gap.seconds);
-  out += ", \"typical_interval_s\": " + (typical_s ? exact(*typical_s) : std::string("null"));
+  out += ", \"typical_interval_s\": " + (typical_s ? io::exact(*typical_s) : std::string("null"));
   out += ", \"gap_count\": " + std::to_string(coverage.gaps);
   out += ", \"bees_with_gaps\": " + std::to_string(coverage.bees_with_gaps);
-  out += ", \"in_gaps_s\": " + exact(coverage.in_gaps_s);
+  out += ", \"in_gaps_s\": " + io::exact(coverage.in_gaps_s);
   out += ", \"bees_partly_known\": " + std::to_string(coverage.bees_partly);
-  out += ", \"before_first_and_after_last_s\": " + exact(coverage.outside_s);
+  out += ", \"before_first_and_after_last_s\": " + io::exact(coverage.outside_s);
   out += ",\n    " + missing_json(coverage.missing);
   out += ",\n    \"longest_gaps\": [";
   for (std::size_t i = 0; i < coverage.longest.size(); ++i) {
     const Gap& gap = coverage.longest[i];
     out += i > 0 ? ",\n      {\"id\": " : "\n      {\"id\": ";
     io::append_json_string(out, recording.bees[gap.track].id);
-    out += ", \"begins_s\": " + exact(gap.begins_s) + ", \"ends_s\": " + exact(gap.ends_s);
-    out += ", \"lasts_s\": " + exact(length_of(gap)) + "}";
+    out += ", \"begins_s\": " + io::exact(gap.begins_s) + ", \"ends_s\": " + io::exact(gap.ends_s);
+    out += ", \"lasts_s\": " + io::exact(length_of(gap)) + "}";
   }
   return out + "]}";
 }

@@ -1,6 +1,6 @@
 #include "cli/analysis/gaps.hpp"
 
-#include "cli/analysis/number_text.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -59,10 +59,10 @@ MaxGap max_gap_of(const io::Recording& recording, const std::optional<double>& a
 
 std::string max_gap_text(const MaxGap& max_gap) {
   if (!std::isfinite(max_gap.seconds)) return max_gap.asked ? "never (--max-gap)" : "never";
-  std::string text = exact(max_gap.seconds) + " s";
+  std::string text = io::exact(max_gap.seconds) + " s";
   if (max_gap.typical_s) {
-    text += ", " + exact(kGapFactor) + " times the typical interval of " +
-            exact(*max_gap.typical_s) + " s";
+    text += ", " + io::exact(kGapFactor) + " times the typical interval of " +
+            io::exact(*max_gap.typical_s) + " s";
   }
   return text + " (--max-gap)";
 }

@@ -80,22 +80,22 @@ Status LiveFeed::take(const Report& report, double wall_s) {
 // What follows of the clocks. Of reports that are refused the last is told.
 Status LiveFeed::follow() {
   Status done = std::monostate{};
-  for (const BeeClocks::Step& step : steps_) {
+  for (const analysis::BeeClocks::Step& step : steps_) {
     Status next = std::monostate{};
     switch (step.kind) {
-      case BeeClocks::Step::Kind::kReport:
+      case analysis::BeeClocks::Step::Kind::kReport:
         next = pass_on(step.report, step.now_s);
         break;
-      case BeeClocks::Step::Kind::kLost:
+      case analysis::BeeClocks::Step::Kind::kLost:
         swarm_.lose(step.report.id);
         break;
-      case BeeClocks::Step::Kind::kOff:
+      case analysis::BeeClocks::Step::Kind::kOff:
         note({ClockNote::Kind::kOff, step.now_s, step.report.id, step.ahead_s, 0.0});
         break;
-      case BeeClocks::Step::Kind::kRight:
+      case analysis::BeeClocks::Step::Kind::kRight:
         note({ClockNote::Kind::kRight, step.now_s, step.report.id, step.ahead_s, 0.0});
         break;
-      case BeeClocks::Step::Kind::kBack:
+      case analysis::BeeClocks::Step::Kind::kBack:
         next = go_back(step.now_s, step.anew);
         break;
     }

@@ -7,8 +7,8 @@
 // and looks are taken so too. Whose clock is believed: bee_clocks.hpp.
 #pragma once
 
-#include "cli/analysis/bee_clocks.hpp"
-#include "cli/analysis/look_times.hpp"
+#include "analysis/live/bee_clocks.hpp"
+#include "analysis/live/look_times.hpp"
 #include "cli/output/rows.hpp"
 
 #include <beespace/result.hpp>
@@ -108,7 +108,7 @@ class LiveFeed {
   [[nodiscard]] SwarmCounts counts() const { return ended_with_.value_or(swarm_.counts()); }
   // Bees that were unknown for a time: once it has ended.
   [[nodiscard]] const std::vector<Silence>& silences() const { return silences_; }
-  [[nodiscard]] const BeeClocks& clocks() const { return clocks_; }
+  [[nodiscard]] const analysis::BeeClocks& clocks() const { return clocks_; }
   // How often all clocks began anew.
   [[nodiscard]] std::uint64_t begun_anew() const { return begun_anew_; }
 
@@ -143,9 +143,9 @@ class LiveFeed {
   Swarm swarm_;
   double max_age_s_;
   std::size_t max_bees_;
-  LookTimes times_;
-  BeeClocks clocks_;
-  std::vector<BeeClocks::Step> steps_;
+  analysis::LookTimes times_;
+  analysis::BeeClocks clocks_;
+  std::vector<analysis::BeeClocks::Step> steps_;
   Tell tell_;
   Looked looked_;
   Reported reported_;

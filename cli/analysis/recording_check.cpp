@@ -1,7 +1,7 @@
 #include "cli/analysis/recording_check.hpp"
 
-#include "cli/analysis/number_text.hpp"
 #include "cli/console/exit_code.hpp"
+#include "io/bytes/number_text.hpp"
 #include "io/load_recording.hpp"
 #include "io/points/record_reading.hpp"
 #include "io/problems/excerpt.hpp"
@@ -30,8 +30,8 @@ std::optional<std::size_t> find_column(const io::LoadedPoints& loaded, io::Track
 
 bool is_same_time(const std::string& a, const std::string& b) {
   if (a == b) return true;
-  const auto first = parse_number(a);
-  return first && first == parse_number(b);  // "1" and "1.0"
+  const auto first = io::parse_number(a);
+  return first && first == io::parse_number(b);  // "1" and "1.0"
 }
 
 // Takes records, and keeps the first that has a bee at a second time.

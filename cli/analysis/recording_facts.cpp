@@ -1,12 +1,12 @@
 #include "cli/analysis/recording_facts.hpp"
 
+#include "analysis/recorded/moving_input.hpp"
+#include "analysis/snapshot/worst_pairs.hpp"
 #include "cli/analysis/coverage.hpp"
-#include "cli/analysis/moving_input.hpp"
-#include "cli/analysis/number_text.hpp"
 #include "cli/analysis/replay_findings.hpp"
-#include "cli/analysis/worst_pairs.hpp"
 #include "cli/console/summary_line.hpp"
 #include "cli/input/moving_output.hpp"
+#include "io/bytes/number_text.hpp"
 #include "report/local_axes.hpp"
 
 #include <beespace/find_conflicts.hpp>
@@ -70,11 +70,11 @@ void take_conflicts(std::vector<Conflict> conflicts, report::RecordingFacts& fac
   facts.at_risk = at_risk_in(conflicts);
   std::stable_sort(conflicts.begin(), conflicts.end(),
                    [](const Conflict& a, const Conflict& b) { return a.closest_m < b.closest_m; });
-  if (conflicts.size() > kAllPairs) {
-    conflicts.resize(kWorstPairs);
+  if (conflicts.size() > analysis::kAllPairs) {
+    conflicts.resize(analysis::kWorstPairs);
     facts.swarm.notes.push_back(
-        "of " + grouped(facts.conflict_count) + " conflicts, the closest " +
-        grouped(conflicts.size()) +
+        "of " + io::grouped(facts.conflict_count) + " conflicts, the closest " +
+        io::grouped(conflicts.size()) +
         " are kept; how many there are, and who is at risk when, is of all");
   }
   facts.conflicts = std::move(conflicts);
@@ -143,8 +143,8 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
                                                const std::string& title,
                                                const SeenRequest& request) {
   const MovingRequest& moving = request.moving;
-  const Geometry geometry = geometry_for(recording, moving.vertical);
-  auto in_space = tracks_of(recording, Geometry::kSpace, request.tolerance_m);
+  const analysis::Geometry geometry = analysis::geometry_for(recording, moving.vertical);
+  auto in_space = tracks_of(recording, analysis::Geometry::kSpace, request.tolerance_m);
   if (!in_space) return std::move(in_space).error();
   std::vector<Track> on_ground;
   if (heights_apart(geometry)) {
@@ -167,7 +167,7 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
   note_units(recording.units, moving.vertical, recording.height_unit, swarm.notes);
   swarm.notes.insert(swarm.notes.end(), recording.notes.begin(), recording.notes.end());
   if (recording.skipped_count > 0) {
-    swarm.notes.push_back("bad records left out: " + grouped(recording.skipped_count));
+    swarm.notes.push_back("bad records left out: " + io::grouped(recording.skipped_count));
   }
   facts.since_1970 = recording.since_1970;
   if (is_nobody_there_for_long(*in_space)) {

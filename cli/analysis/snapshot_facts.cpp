@@ -1,14 +1,14 @@
 #include "cli/analysis/snapshot_facts.hpp"
 
-#include "cli/analysis/closest_in_conflict.hpp"
+#include "analysis/geometry/ground_places.hpp"
+#include "analysis/recorded/moving_input.hpp"
+#include "analysis/snapshot/closest_in_conflict.hpp"
+#include "analysis/snapshot/shown_ids.hpp"
+#include "analysis/snapshot/worst_pairs.hpp"
 #include "cli/analysis/coverage.hpp"
-#include "cli/analysis/ground_places.hpp"
-#include "cli/analysis/moving_input.hpp"
-#include "cli/analysis/number_text.hpp"
-#include "cli/analysis/shown_ids.hpp"
-#include "cli/analysis/worst_pairs.hpp"
 #include "cli/console/summary_line.hpp"
 #include "cli/input/moving_output.hpp"
+#include "io/bytes/number_text.hpp"
 #include "report/local_axes.hpp"
 
 #include <beespace/engine.hpp>
@@ -41,7 +41,7 @@ report::Names names_of(const io::LoadedPoints& loaded, const std::vector<Pair>& 
     std::sort(bees.begin(), bees.end());
     bees.erase(std::unique(bees.begin(), bees.end()), bees.end());
   }
-  const ShownIds ids(loaded, bees);
+  const analysis::ShownIds ids(loaded, bees);
   if (ids.are_point_numbers()) return names;
   for (const PointId bee : bees) names.texts.push_back(ids.text(bee));
   if (!all) names.bees = std::move(bees);
@@ -69,7 +69,7 @@ Status find_closest_in_conflict(Engine& engine, const std::vector<Point>& places
     }
     return std::monostate{};
   }
-  auto closest = closest_in_conflict(engine, places, points, options, facts.at_risk);
+  auto closest = analysis::closest_in_conflict(engine, places, points, options, facts.at_risk);
   if (!closest) return std::move(closest).error();
   facts.closest_in_conflict = *std::move(closest);
   return std::monostate{};
@@ -89,8 +89,8 @@ Status find_closest_pair(Engine& engine, const std::vector<Point>& points, unsig
 }
 
 // Asks the engine.
-Status search(const std::vector<Point>& points, const GroundPlaces& apart, unsigned threads,
-              report::SnapshotFacts& facts) {
+Status search(const std::vector<Point>& points, const analysis::GroundPlaces& apart,
+              unsigned threads, report::SnapshotFacts& facts) {
   SearchOptions options;
   options.threshold_m = facts.swarm.threshold_m;
   options.vertical_m = apart.vertical_m;
@@ -109,14 +109,14 @@ Status search(const std::vector<Point>& points, const GroundPlaces& apart, unsig
   for (std::size_t i = 0; i < groups.size(); ++i) {
     facts.largest_group = std::max<std::uint64_t>(facts.largest_group, groups[i].size());
   }
-  auto worst = worst_pairs(engine, places, points, options);
+  auto worst = analysis::worst_pairs(engine, places, points, options);
   if (!worst) return std::move(worst).error();
   facts.pair_count = worst->count;
   facts.pairs = std::move(worst->pairs);
   facts.distances_m = std::move(worst->distances_m);
   if (facts.pairs.size() < facts.pair_count) {
-    facts.swarm.notes.push_back("of " + grouped(facts.pair_count) + " pairs, the closest " +
-                                grouped(facts.pairs.size()) + " are kept");
+    facts.swarm.notes.push_back("of " + io::grouped(facts.pair_count) + " pairs, the closest " +
+                                io::grouped(facts.pairs.size()) + " are kept");
   }
   return find_closest_pair(engine, points, threads, facts);
 }
@@ -133,14 +133,14 @@ void place(const std::vector<Point>& points, io::Frame frame, report::SnapshotFa
 }
 
 void note_skipped(std::uint64_t count, std::vector<std::string>& notes) {
-  if (count > 0) notes.push_back("bad records left out: " + grouped(count));
+  if (count > 0) notes.push_back("bad records left out: " + io::grouped(count));
 }
 
 // Whom or what the search did not see.
-std::string unknown_text(const Snapshot& snapshot, const io::Recording& recording) {
+std::string unknown_text(const analysis::Snapshot& snapshot, const io::Recording& recording) {
   std::string text;
   if (const std::uint64_t unseen = snapshot.stale + snapshot.unmoving.size(); unseen > 0) {
-    text = grouped(unseen) + (unseen == 1 ? " bee is" : " bees are") + " left out";
+    text = io::grouped(unseen) + (unseen == 1 ? " bee is" : " bees are") + " left out";
   }
   const std::string missing = missing_text(recording.missing);
   if (!text.empty() && !missing.empty()) text += ", ";
@@ -152,18 +152,18 @@ void note_unknown(const std::string& unknown, std::vector<std::string>& notes) {
 }
 
 // What `predict` says of bees that are not where they were last seen.
-void note_ages(const Snapshot& snapshot, std::vector<std::string>& notes) {
+void note_ages(const analysis::Snapshot& snapshot, std::vector<std::string>& notes) {
   if (snapshot.brought_forward > 0) {
-    notes.push_back(grouped(snapshot.brought_forward) +
+    notes.push_back(io::grouped(snapshot.brought_forward) +
                     " last heard of before the time shown were brought forward, by up to " +
-                    grouped(snapshot.oldest_s, 2) + " s");
+                    io::grouped(snapshot.oldest_s, 2) + " s");
   }
   if (snapshot.stale > 0) {
-    notes.push_back(grouped(snapshot.stale) + " left out: not heard of for " + exact(kMaxAge_s) +
-                    " s");
+    notes.push_back(io::grouped(snapshot.stale) + " left out: not heard of for " +
+                    io::exact(kMaxAge_s) + " s");
   }
   if (!snapshot.unmoving.empty()) {
-    notes.push_back(grouped(snapshot.unmoving.size()) +
+    notes.push_back(io::grouped(snapshot.unmoving.size()) +
                     " left out: neither a velocity nor two fixes tell how fast they go");
   }
 }
@@ -185,7 +185,8 @@ Result<report::SnapshotFacts> snapshot_facts(const io::LoadedPoints& loaded,
   missing.count = loaded.skipped_count;
   facts.unknown = missing_text(missing);
   note_unknown(facts.unknown, swarm.notes);
-  const GroundPlaces apart = ground_places(loaded, request.moving.vertical, loaded.height_unit);
+  const analysis::GroundPlaces apart =
+      analysis::ground_places(loaded, request.moving.vertical, loaded.height_unit);
   const Status found = search(loaded.points, apart, request.moving.threads, facts);
   if (!found) return found.error();
   swarm.names = names_of(loaded, facts.pairs);
@@ -206,18 +207,19 @@ Result<report::SnapshotFacts> snapshot_facts(const io::Recording& recording,
   note_units(recording.units, request.moving.vertical, recording.height_unit, swarm.notes);
   swarm.notes.insert(swarm.notes.end(), recording.notes.begin(), recording.notes.end());
   note_skipped(recording.skipped_count, swarm.notes);
-  const auto snapshot = snapshot_of(recording, Geometry::kSpace, kMaxAge_s, Wanted::kPlaces);
+  const auto snapshot =
+      snapshot_of(recording, analysis::Geometry::kSpace, kMaxAge_s, analysis::Wanted::kPlaces);
   if (!snapshot) return snapshot.error();
   note_ages(*snapshot, swarm.notes);
   facts.unknown = unknown_text(*snapshot, recording);
   note_unknown(facts.unknown, swarm.notes);
   std::vector<Point> points;
   for (const Mover& mover : snapshot->movers) points.push_back(mover.position);
-  GroundPlaces apart;
-  const Geometry geometry = geometry_for(recording, request.moving.vertical);
+  analysis::GroundPlaces apart;
+  const analysis::Geometry geometry = analysis::geometry_for(recording, request.moving.vertical);
   apart.vertical_m = vertical_in(geometry, request.moving.vertical);
   if (heights_apart(geometry)) {
-    auto on_ground = snapshot_of(recording, geometry, kMaxAge_s, Wanted::kPlaces);
+    auto on_ground = snapshot_of(recording, geometry, kMaxAge_s, analysis::Wanted::kPlaces);
     if (!on_ground) return on_ground.error();
     for (const Mover& mover : on_ground->movers) apart.ground.push_back(mover.position);
     apart.heights_m = std::move(on_ground->heights_m);

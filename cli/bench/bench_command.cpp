@@ -1,6 +1,5 @@
 #include "cli/bench/bench_command.hpp"
 
-#include "cli/analysis/number_text.hpp"
 #include "cli/bench/bench_check.hpp"
 #include "cli/bench/bench_question.hpp"
 #include "cli/bench/bench_result.hpp"
@@ -8,6 +7,7 @@
 #include "cli/console/progress_bar.hpp"
 #include "cli/console/standard_output.hpp"
 #include "cli/console/terminal.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <beespace/crew.hpp>
 
@@ -26,10 +26,10 @@ Error usage_error(std::string message) {
 
 Result<std::uint64_t> read_whole(const std::string& text, const std::string& option,
                                  std::uint64_t least, std::uint64_t most) {
-  const auto count = parse_whole(text);
+  const auto count = io::parse_whole(text);
   if (count && *count >= least && *count <= most) return *count;
-  return usage_error(option + " '" + text + "' is not a whole number from " + grouped(least) +
-                     " to " + grouped(most));
+  return usage_error(option + " '" + text + "' is not a whole number from " + io::grouped(least) +
+                     " to " + io::grouped(most));
 }
 
 // All answers about the scene, by one engine.

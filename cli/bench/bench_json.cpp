@@ -1,5 +1,5 @@
-#include "cli/analysis/number_text.hpp"
 #include "cli/bench/bench_result.hpp"
+#include "io/bytes/number_text.hpp"
 #include "io/json/json_text.hpp"
 
 #include <beespace/version.hpp>
@@ -12,15 +12,15 @@ void append_figure(std::string& out, const BenchFigure& figure, unsigned threads
                    const BenchSceneResult& scene, std::size_t points) {
   out += std::string("{\"question\": ") + io::json_string(figure.question);
   out += ", \"threads\": " + std::to_string(threads);
-  out += ", \"ns_per_point\": " + exact(seconds * 1e9 / static_cast<double>(points));
-  out += ", \"floors\": " + exact(seconds / scene.read_floor_s) + '}';
+  out += ", \"ns_per_point\": " + io::exact(seconds * 1e9 / static_cast<double>(points));
+  out += ", \"floors\": " + io::exact(seconds / scene.read_floor_s) + '}';
 }
 
 void append_scene(std::string& out, const BenchSceneResult& scene, const BenchRun& run) {
   out += "{\"scene\": " + io::json_string(scene.scene->name);
-  out += ", \"threshold_m\": " + exact(scene.scene->threshold_m);
+  out += ", \"threshold_m\": " + io::exact(scene.scene->threshold_m);
   out += ", \"floor_ns_per_point\": " +
-         exact(scene.read_floor_s * 1e9 / static_cast<double>(run.points));
+         io::exact(scene.read_floor_s * 1e9 / static_cast<double>(run.points));
   out += ", \"results\": [";
   const char* separator = "\n      ";
   for (const BenchFigure& figure : scene.figures) {

@@ -1,6 +1,6 @@
-#include "cli/analysis/number_text.hpp"
 #include "cli/bench/bench_check.hpp"
 #include "cli/bench/bench_result.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <beespace/version.hpp>
 
@@ -26,7 +26,8 @@ std::string right(const std::string& text, std::size_t width) {
 std::string columns(const std::optional<double>& seconds, double floor_s, std::size_t points) {
   if (!seconds) return right("-", kTimeWidth) + right("-", kFloorWidth);
   const double ns = *seconds * 1e9 / static_cast<double>(points);
-  return right(grouped(ns, 1), kTimeWidth) + right(grouped(*seconds / floor_s, 1), kFloorWidth);
+  return right(io::grouped(ns, 1), kTimeWidth) +
+         right(io::grouped(*seconds / floor_s, 1), kFloorWidth);
 }
 
 }  // namespace
@@ -36,7 +37,7 @@ std::string bench_head(const BenchRun& run) {
   const std::string indent(2 + kNameWidth + kQuestionWidth, ' ');
   const bool many = run.threads > 1;
   std::string out = "beespace " + std::string(version()) + ", " +
-                    grouped(std::uint64_t{run.points}) + " points a scene\n\n";
+                    io::grouped(std::uint64_t{run.points}) + " points a scene\n\n";
   out += indent + right("one thread", both);
   if (many) out += right(std::to_string(run.threads) + " threads", both);
   out += "\n  " + left("scene", kNameWidth) + left("question", kQuestionWidth);

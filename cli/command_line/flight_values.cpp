@@ -1,7 +1,7 @@
 #include "cli/command_line/flight_values.hpp"
 
-#include "cli/analysis/number_text.hpp"
 #include "cli/command_line/option_values.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <limits>
 
@@ -15,11 +15,11 @@ struct Range {
 
 Result<double> read_within(std::string_view command, const char* option, const std::string& text,
                            const char* unit, const Range& range) {
-  const auto value = parse_amount(text, unit);
+  const auto value = io::parse_amount(text, unit);
   if (value && *value >= range.least && *value <= range.most) return *value;
   return usage_error(command, std::string(option) + " '" + text + "' is not a number of " + unit +
-                                  " from " + grouped(range.least, range.least > 0.0 ? 6 : 0) +
-                                  " to " + grouped(range.most, 0));
+                                  " from " + io::grouped(range.least, range.least > 0.0 ? 6 : 0) +
+                                  " to " + io::grouped(range.most, 0));
 }
 
 }  // namespace

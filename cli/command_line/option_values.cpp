@@ -1,6 +1,6 @@
 #include "cli/command_line/option_values.hpp"
 
-#include "cli/analysis/number_text.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <beespace/mover.hpp>
 #include <beespace/point.hpp>
@@ -61,36 +61,36 @@ Result<double> read_threshold_in_motion(const std::string& text) {
 
 Result<unsigned> read_threads(std::string_view command, const std::string& text) {
   constexpr unsigned kMost = std::numeric_limits<unsigned>::max();
-  const auto count = parse_whole(text);
+  const auto count = io::parse_whole(text);
   if (count && *count <= kMost) return static_cast<unsigned>(*count);
   return usage_error(command, "--threads '" + text + "' is not a whole number from 0 (all) to " +
-                                  grouped(std::uint64_t{kMost}));
+                                  io::grouped(std::uint64_t{kMost}));
 }
 
 Result<std::uint64_t> read_max_results(std::string_view command, const std::string& text) {
   constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
   if (text.empty()) return kMost;
-  const auto count = parse_whole(text);
+  const auto count = io::parse_whole(text);
   if (count && *count >= 1) return *count;
   return usage_error(command, "--max-results '" + text + "' is not a whole number from 1 to " +
                                   std::to_string(kMost));
 }
 
-Result<std::optional<StatedLength>> read_vertical(std::string_view command,
-                                                  const std::string& text) {
+Result<std::optional<io::StatedLength>> read_vertical(std::string_view command,
+                                                      const std::string& text) {
   const auto metres = read_optional_amount(command, "--vertical", text, "metres", {0.0, false});
   if (!metres) return metres.error();
-  if (!*metres) return std::optional<StatedLength>();
+  if (!*metres) return std::optional<io::StatedLength>();
   return parse_stated(text, io::Quantity::kLength);
 }
 
 Result<double> read_amount(std::string_view command, const std::string& option,
                            const std::string& text, const char* unit, Least least) {
-  const auto value = parse_amount(text, unit);
+  const auto value = io::parse_amount(text, unit);
   const bool enough = value && (least.itself ? *value >= least.value : *value > least.value);
   if (enough && std::isfinite(*value)) return *value;
   return usage_error(command, option + " '" + text + "' is not a number of " + unit +
-                                  (least.itself ? " from " : " above ") + exact(least.value) +
+                                  (least.itself ? " from " : " above ") + io::exact(least.value) +
                                   (least.itself ? " on" : ""));
 }
 

@@ -3,7 +3,7 @@
 // `command` is the subcommand whose help an error points at.
 #pragma once
 
-#include "cli/analysis/stated_length.hpp"
+#include "io/units/stated_length.hpp"
 
 #include <beespace/result.hpp>
 
@@ -23,8 +23,8 @@ Result<double> read_threshold(const std::string& text);
 Result<double> read_threshold_in_motion(const std::string& text);
 
 // A vertical threshold, as typed; nothing where it is not given.
-Result<std::optional<StatedLength>> read_vertical(std::string_view command,
-                                                  const std::string& text);
+Result<std::optional<io::StatedLength>> read_vertical(std::string_view command,
+                                                      const std::string& text);
 
 // Whole numbers. 0 threads are all; an empty `max_results` is no limit.
 Result<unsigned> read_threads(std::string_view command, const std::string& text);

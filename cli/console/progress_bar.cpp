@@ -1,7 +1,7 @@
 #include "cli/console/progress_bar.hpp"
 
-#include "cli/analysis/number_text.hpp"
 #include "cli/console/terminal.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -92,13 +92,13 @@ void ProgressBar::draw() {
     line += ' ';
     line += bar(fraction);
     line += ' ';
-    line += percentage(fraction);
+    line += io::percentage(fraction);
   } else {
     line += " ...";
   }
   if (stage == kReading && total == 0.0 && done > 0.0) {
     line += ' ';
-    line += byte_count(static_cast<std::uint64_t>(done));
+    line += io::byte_count(static_cast<std::uint64_t>(done));
   }
   say(line);
   drawn_ = true;

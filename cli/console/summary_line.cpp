@@ -1,7 +1,7 @@
 #include "cli/console/summary_line.hpp"
 
-#include "cli/analysis/number_text.hpp"
 #include "cli/console/terminal.hpp"
+#include "io/bytes/number_text.hpp"
 #include "io/problems/excerpt.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ std::string text_of(const io::UnitTaken& taken) {
 }
 
 std::string text_of(const io::RepeatedIds& repeated) {
-  return grouped(repeated.count) + (repeated.count == 1 ? " record has" : " records have") +
+  return io::grouped(repeated.count) + (repeated.count == 1 ? " record has" : " records have") +
          " the id of another one before: the first is " + io::excerpt(repeated.id) +
          ", of data rows " + std::to_string(repeated.first_row) + " and " +
          std::to_string(repeated.second_row);
@@ -52,14 +52,14 @@ std::string_view datum_text(io::HeightDatum datum) {
   return "";
 }
 
-void append_vertical(std::string& out, const std::optional<StatedLength>& vertical,
+void append_vertical(std::string& out, const std::optional<io::StatedLength>& vertical,
                      io::Unit height_unit) {
   const std::string note = vertical_note(vertical, height_unit);
   if (!note.empty()) append_summary_line(out, "vertical", note);
 }
 
 void note_units(const std::vector<io::UnitTaken>& units,
-                const std::optional<StatedLength>& vertical, io::Unit height_unit,
+                const std::optional<io::StatedLength>& vertical, io::Unit height_unit,
                 std::vector<std::string>& notes) {
   for (const io::UnitTaken& taken : units) notes.push_back(text_of(taken));
   std::string note = vertical_note(vertical, height_unit);
@@ -69,9 +69,9 @@ void note_units(const std::vector<io::UnitTaken>& units,
 std::string separation_text(double threshold_m, const std::optional<double>& vertical_m,
                             bool inclusive) {
   const char* const how = inclusive ? " m or closer" : " m (closer than)";
-  std::string text = exact(threshold_m) + how;
+  std::string text = io::exact(threshold_m) + how;
   if (!vertical_m) return text;
-  return "horizontally " + text + ", and in height " + exact(*vertical_m) + how;
+  return "horizontally " + text + ", and in height " + io::exact(*vertical_m) + how;
 }
 
 }  // namespace beespace::cli

@@ -1,9 +1,9 @@
 // The lines of a summary, alike for all subcommands.
 #pragma once
 
-#include "cli/analysis/stated_length.hpp"
 #include "io/points/repeated_ids.hpp"
 #include "io/units/heights.hpp"
+#include "io/units/stated_length.hpp"
 #include "io/units/unit_taken.hpp"
 
 #include <optional>
@@ -27,14 +27,14 @@ void append_units(std::string& out, const std::vector<io::UnitTaken>& units);
 
 // Both of these among the notes of a page or a picture.
 void note_units(const std::vector<io::UnitTaken>& units,
-                const std::optional<StatedLength>& vertical, io::Unit height_unit,
+                const std::optional<io::StatedLength>& vertical, io::Unit height_unit,
                 std::vector<std::string>& notes);
 
 // What heights are counted from; empty where that is not said.
 std::string_view datum_text(io::HeightDatum datum);
 
 // How the vertical threshold is compared, where that is not in metres.
-void append_vertical(std::string& out, const std::optional<StatedLength>& vertical,
+void append_vertical(std::string& out, const std::optional<io::StatedLength>& vertical,
                      io::Unit height_unit);
 
 // "5 m (closer than)", or "horizontally 5 m or closer, and in height 2 m or closer".

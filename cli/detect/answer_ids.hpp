@@ -3,7 +3,7 @@
 // The inputs must outlive it.
 #pragma once
 
-#include "cli/analysis/shown_ids.hpp"
+#include "analysis/snapshot/shown_ids.hpp"
 #include "cli/detect/detection.hpp"
 
 #include <optional>
@@ -19,16 +19,18 @@ class AnswerIds {
   AnswerIds& operator=(const AnswerIds&) = delete;
 
   // Of whom a row is about, or who stands first.
-  [[nodiscard]] const ShownIds& ours() const { return ours_; }
+  [[nodiscard]] const analysis::ShownIds& ours() const { return ours_; }
   // Of whom a value names, or who stands second: the same without others.
-  [[nodiscard]] const ShownIds& theirs() const { return theirs_ ? *theirs_ : ours_; }
-  [[nodiscard]] const ShownIds* of_others() const { return theirs_ ? &*theirs_ : nullptr; }
+  [[nodiscard]] const analysis::ShownIds& theirs() const { return theirs_ ? *theirs_ : ours_; }
+  [[nodiscard]] const analysis::ShownIds* of_others() const {
+    return theirs_ ? &*theirs_ : nullptr;
+  }
 
  private:
   std::vector<PointId> our_points_;  // ascending
   std::vector<PointId> their_points_;
-  ShownIds ours_;
-  std::optional<ShownIds> theirs_;
+  analysis::ShownIds ours_;
+  std::optional<analysis::ShownIds> theirs_;
 };
 
 }  // namespace beespace::cli

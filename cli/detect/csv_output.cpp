@@ -1,6 +1,6 @@
-#include "cli/analysis/number_text.hpp"
 #include "cli/detect/answer_output.hpp"
 #include "cli/output/block_writer.hpp"
+#include "io/bytes/number_text.hpp"
 #include "io/table/csv_field.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ std::string_view header_of(const io::LoadedPoints& loaded) {
   return loaded.frame == io::Frame::kWgs84 ? "longitude,latitude,height" : "x,y,z";
 }
 
-std::string listed(std::span<const PointId> bees, const ShownIds& ids, char delimiter) {
+std::string listed(std::span<const PointId> bees, const analysis::ShownIds& ids, char delimiter) {
   const char between = delimiter == ';' ? ',' : ';';
   std::string text;
   for (const PointId bee : bees) {
@@ -25,10 +25,10 @@ std::string listed(std::span<const PointId> bees, const ShownIds& ids, char deli
   return text;
 }
 
-std::string text_of(const Cell& cell, const ShownIds& ids, char delimiter) {
+std::string text_of(const Cell& cell, const analysis::ShownIds& ids, char delimiter) {
   if (const auto* number = std::get_if<std::uint64_t>(&cell)) return std::to_string(*number);
   if (const auto* far = std::get_if<DistanceCell>(&cell)) {
-    return std::isfinite(far->distance_m) ? exact(far->distance_m) : std::string();
+    return std::isfinite(far->distance_m) ? io::exact(far->distance_m) : std::string();
   }
   if (const auto* bee = std::get_if<BeeCell>(&cell)) {
     return bee->id == Nearest::kNobody ? std::string() : ids.text(bee->id);
@@ -53,7 +53,7 @@ void write_rows(const BeeTable& table, const Answer& answer, io::AtomicOutput& o
   }
   io::for_each_record(ours, table.bees, [&](const io::Record& record) {
     out.text += record.text;
-    if (with_rows) append_exact(out.text += delimiter, record.row);
+    if (with_rows) io::append_exact(out.text += delimiter, record.row);
     for (const Column& column : table.columns) {
       out.text += delimiter;
       io::append_csv_field(
@@ -76,8 +76,8 @@ void write_rows(const PairTable& table, const Answer& answer, io::AtomicOutput& 
     out.text += delimiter;
     io::append_csv_field(out.text, answer.ids.theirs().text(pair.second), delimiter);
     out.text += delimiter;
-    append_exact(out.text,
-                 distance(inputs.ours.points[pair.first], inputs.theirs().points[pair.second]));
+    io::append_exact(out.text,
+                     distance(inputs.ours.points[pair.first], inputs.theirs().points[pair.second]));
     out.text += '\n';
     out.pass_on();
   }

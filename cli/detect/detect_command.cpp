@@ -1,6 +1,5 @@
 #include "cli/detect/detect_command.hpp"
 
-#include "cli/analysis/number_text.hpp"
 #include "cli/console/failure.hpp"
 #include "cli/console/progress_bar.hpp"
 #include "cli/console/stopwatch.hpp"
@@ -12,6 +11,7 @@
 #include "cli/detect/summary.hpp"
 #include "cli/output/output_file.hpp"
 #include "io/bytes/atomic_output.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <cstddef>
 #include <utility>
@@ -20,15 +20,15 @@ namespace beespace::cli {
 namespace {
 
 // Says when an id is not shown as the file has it; JSON needs no blanks.
-void note_ids(const ShownIds& ids, Form form, std::vector<std::string>& notes) {
+void note_ids(const analysis::ShownIds& ids, Form form, std::vector<std::string>& notes) {
   if (const std::size_t count = ids.empty_count(); count > 0) {
-    notes.push_back(grouped(count) +
+    notes.push_back(io::grouped(count) +
                     (count == 1 ? " bee of the answer has" : " bees of the answer have") +
                     " an empty id: the data row stands for it");
   }
   const bool is_text = form == Form::kText || form == Form::kCsv;
   if (const std::size_t count = ids.broken_count(); count > 0 && is_text) {
-    notes.push_back("tabs and line ends inside an id are written as blanks (" + grouped(count) +
+    notes.push_back("tabs and line ends inside an id are written as blanks (" + io::grouped(count) +
                     (count == 1 ? " id)" : " ids)"));
   }
 }

@@ -1,8 +1,8 @@
 #include "cli/detect/detect_search.hpp"
 
-#include "cli/analysis/closest_in_conflict.hpp"
-#include "cli/analysis/ground_places.hpp"
-#include "cli/analysis/number_text.hpp"
+#include "analysis/geometry/ground_places.hpp"
+#include "analysis/snapshot/closest_in_conflict.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -35,7 +35,7 @@ Result<Closest> closest_pair_in_conflict(Engine& engine, const std::vector<Point
                                          const std::vector<Point>& points,
                                          const SearchOptions& options,
                                          const std::vector<PointId>& at_risk) {
-  const auto closest = closest_in_conflict(engine, places, points, options, at_risk);
+  const auto closest = analysis::closest_in_conflict(engine, places, points, options, at_risk);
   if (!closest) return closest.error();
   const auto best = std::min_element(
       closest->begin(), closest->end(),
@@ -92,7 +92,7 @@ Status find_at_risk(Engine& engine, const std::vector<Point>& points,
 Error in_words_of_the_command(Error error, const DetectRequest& request) {
   if (error.code != ErrorCode::kTooManyResults) return error;
   const bool pairs = std::string_view(request.report->name) == "pairs";
-  error.message = std::string("there are more than ") + grouped(request.search.max_results) +
+  error.message = std::string("there are more than ") + io::grouped(request.search.max_results) +
                   (pairs ? " pairs" : " neighbours") +
                   "; raise --max-results, or lower the threshold";
   return error;
@@ -105,9 +105,11 @@ Result<Detection> search(const Inputs& inputs, const DetectRequest& request) {
   Detection detection;
   const bool vertical = request.vertical.has_value();
   const io::Unit height_unit = inputs.height_unit();
-  const GroundPlaces places = ground_places(inputs.ours, request.vertical, height_unit);
-  const GroundPlaces other_places =
-      inputs.others ? ground_places(*inputs.others, request.vertical, height_unit) : GroundPlaces();
+  const analysis::GroundPlaces places =
+      analysis::ground_places(inputs.ours, request.vertical, height_unit);
+  const analysis::GroundPlaces other_places =
+      inputs.others ? analysis::ground_places(*inputs.others, request.vertical, height_unit)
+                    : analysis::GroundPlaces();
   SearchOptions options = request.search;
   options.vertical_m = places.vertical_m;
   options.heights_m = places.heights_m;

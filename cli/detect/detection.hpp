@@ -1,13 +1,13 @@
 // One run of `beespace detect`: what was asked, what was read, what was found.
 #pragma once
 
-#include "cli/analysis/stated_length.hpp"
 #include "cli/detect/reports/report.hpp"
 #include "cli/output/output_form.hpp"
 #include "cli/output/table.hpp"
 #include "io/points/load_options.hpp"
 #include "io/points/loaded_points.hpp"
 #include "io/points/repeated_ids.hpp"
+#include "io/units/stated_length.hpp"
 
 #include <beespace/nearest.hpp>
 #include <beespace/point.hpp>
@@ -26,8 +26,8 @@ struct DetectRequest {
   std::string output = "-";
   io::LoadOptions load;  // of both inputs
   SearchOptions search;
-  bool default_threshold = false;        // nobody gave one
-  std::optional<StatedLength> vertical;  // that of `search`, as typed
+  bool default_threshold = false;            // nobody gave one
+  std::optional<io::StatedLength> vertical;  // that of `search`, as typed
   bool unique_ids = false;
   const Report* report = nullptr;
   OutputForm form;

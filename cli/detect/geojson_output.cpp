@@ -1,7 +1,7 @@
-#include "cli/analysis/number_text.hpp"
 #include "cli/detect/answer_output.hpp"
 #include "cli/detect/json_cell.hpp"
 #include "cli/output/block_writer.hpp"
+#include "io/bytes/number_text.hpp"
 #include "io/json/geojson_geometry.hpp"
 
 #include <algorithm>
@@ -71,8 +71,8 @@ void write_rows(const PairTable& table, const Answer& answer, BlockWriter& out) 
     out.text += ", \"second\": ";
     answer.ids.theirs().append_json(out.text, pair.second);
     out.text += ", \"distance_m\": ";
-    append_exact(out.text,
-                 distance(inputs.ours.points[pair.first], inputs.theirs().points[pair.second]));
+    io::append_exact(out.text,
+                     distance(inputs.ours.points[pair.first], inputs.theirs().points[pair.second]));
     out.text += "}}";
     out.pass_on();
   }

@@ -1,22 +1,22 @@
 #include "cli/detect/json_cell.hpp"
 
-#include "cli/analysis/number_text.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <cmath>
 
 namespace beespace::cli {
 namespace {
 
-void append_cell(std::string& out, const Cell& cell, const ShownIds& ids) {
+void append_cell(std::string& out, const Cell& cell, const analysis::ShownIds& ids) {
   if (const auto* number = std::get_if<std::uint64_t>(&cell)) {
-    append_exact(out, *number);
+    io::append_exact(out, *number);
   } else if (const auto* bees = std::get_if<std::span<const PointId>>(&cell)) {
     append_json_ids(out, *bees, ids);
   } else if (const auto* bee = std::get_if<BeeCell>(&cell); bee && bee->id != Nearest::kNobody) {
     ids.append_json(out, bee->id);
   } else if (const auto* far = std::get_if<DistanceCell>(&cell);
              far && std::isfinite(far->distance_m)) {
-    append_exact(out, far->distance_m);
+    io::append_exact(out, far->distance_m);
   } else {
     out += "null";
   }
@@ -25,7 +25,7 @@ void append_cell(std::string& out, const Cell& cell, const ShownIds& ids) {
 }  // namespace
 
 void append_json_members(std::string& out, const std::vector<Column>& columns, PointId bee,
-                         const ShownIds& ids) {
+                         const analysis::ShownIds& ids) {
   for (const Column& column : columns) {
     out += ", \"";
     out += column.name;
@@ -34,7 +34,8 @@ void append_json_members(std::string& out, const std::vector<Column>& columns, P
   }
 }
 
-void append_json_ids(std::string& out, std::span<const PointId> bees, const ShownIds& ids) {
+void append_json_ids(std::string& out, std::span<const PointId> bees,
+                     const analysis::ShownIds& ids) {
   out += '[';
   for (std::size_t i = 0; i < bees.size(); ++i) {
     if (i > 0) out += ", ";

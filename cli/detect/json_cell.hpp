@@ -1,7 +1,7 @@
 // The values of a table as members of a JSON object.
 #pragma once
 
-#include "cli/analysis/shown_ids.hpp"
+#include "analysis/snapshot/shown_ids.hpp"
 #include "cli/output/table.hpp"
 
 #include <string>
@@ -11,9 +11,10 @@ namespace beespace::cli {
 
 // ", "name": value" for each column; null where there is nobody.
 void append_json_members(std::string& out, const std::vector<Column>& columns, PointId bee,
-                         const ShownIds& ids);
+                         const analysis::ShownIds& ids);
 
 // "[1, 2]".
-void append_json_ids(std::string& out, std::span<const PointId> bees, const ShownIds& ids);
+void append_json_ids(std::string& out, std::span<const PointId> bees,
+                     const analysis::ShownIds& ids);
 
 }  // namespace beespace::cli

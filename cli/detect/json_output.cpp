@@ -1,9 +1,9 @@
-#include "cli/analysis/number_text.hpp"
 #include "cli/console/summary_line.hpp"
 #include "cli/detect/answer_output.hpp"
 #include "cli/detect/json_cell.hpp"
 #include "cli/output/block_writer.hpp"
 #include "cli/output/json_units.hpp"
+#include "io/bytes/number_text.hpp"
 #include "io/json/json_text.hpp"
 
 #include <beespace/version.hpp>
@@ -80,14 +80,15 @@ void append_input(std::string& out, const char* key, const io::LoadedPoints& loa
   out += "\n  },\n";
 }
 
-void append_pair(std::string& out, const Pair& pair, const Inputs& inputs, const ShownIds& ours,
-                 const ShownIds& theirs) {
+void append_pair(std::string& out, const Pair& pair, const Inputs& inputs,
+                 const analysis::ShownIds& ours, const analysis::ShownIds& theirs) {
   out += "{\"first\": ";
   ours.append_json(out, pair.first);
   out += ", \"second\": ";
   theirs.append_json(out, pair.second);
   out += ", \"distance_m\": ";
-  append_exact(out, distance(inputs.ours.points[pair.first], inputs.theirs().points[pair.second]));
+  io::append_exact(out,
+                   distance(inputs.ours.points[pair.first], inputs.theirs().points[pair.second]));
   out += '}';
 }
 
@@ -134,9 +135,9 @@ void write_rows(const PairTable& table, const Answer& answer, BlockWriter& out) 
 void write_rows(const GroupTable& table, const Answer& answer, BlockWriter& out) {
   for (std::size_t i = 0; i < table.groups.size(); ++i) {
     out.text += i == 0 ? "\n    {\"group\": " : ",\n    {\"group\": ";
-    append_exact(out.text, std::uint64_t{i});
+    io::append_exact(out.text, std::uint64_t{i});
     out.text += ", \"size\": ";
-    append_exact(out.text, std::uint64_t{table.groups[i].size()});
+    io::append_exact(out.text, std::uint64_t{table.groups[i].size()});
     out.text += ", \"members\": ";
     append_json_ids(out.text, table.groups[i], answer.ids.ours());
     out.text += '}';
@@ -174,18 +175,18 @@ void write_json(const Answer& answer, io::AtomicOutput& output) {
     append_input(out.text, "others", *answer.inputs.others, *request.others,
                  answer.inputs.their_repeated);
   }
-  out.text += "  \"threshold_m\": " + exact(request.search.threshold_m);
+  out.text += "  \"threshold_m\": " + io::exact(request.search.threshold_m);
   const auto& vertical = request.search.vertical_m;
-  out.text += ",\n  \"vertical_m\": " + (vertical ? exact(*vertical) : std::string("null"));
+  out.text += ",\n  \"vertical_m\": " + (vertical ? io::exact(*vertical) : std::string("null"));
   out.text += ",\n  \"vertical\": " + json_vertical(request.vertical, answer.inputs.height_unit());
   out.text += ",\n  \"inclusive\": ";
   out.text += request.search.inclusive ? "true" : "false";
   out.text += ",\n  \"at_risk_count\": " + std::to_string(detection.at_risk.size());
-  out.text += ",\n  \"share\": " + exact(detection.share(answer.inputs.ours)) + ",\n";
+  out.text += ",\n  \"share\": " + io::exact(detection.share(answer.inputs.ours)) + ",\n";
   append_closest(out.text, answer);
   const bool has_rows = *request.report->key != '\0';
-  out.text += "  \"timings\": {\"read_s\": " + exact(detection.timings.read_s);
-  out.text += ", \"search_s\": " + exact(detection.timings.search_s) + '}';
+  out.text += "  \"timings\": {\"read_s\": " + io::exact(detection.timings.read_s);
+  out.text += ", \"search_s\": " + io::exact(detection.timings.search_s) + '}';
   if (has_rows) {
     out.text += ",\n";
     write_table(answer, out);

@@ -1,9 +1,9 @@
 #include "cli/detect/load_inputs.hpp"
 
-#include "cli/analysis/number_text.hpp"
 #include "cli/analysis/recording_check.hpp"
 #include "cli/console/summary_line.hpp"
 #include "cli/detect/detect_request.hpp"
+#include "io/bytes/number_text.hpp"
 #include "io/load_points.hpp"
 #include "io/points/loaded_points.hpp"
 #include "io/problems/excerpt.hpp"

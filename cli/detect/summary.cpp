@@ -1,9 +1,9 @@
 #include "cli/detect/summary.hpp"
 
-#include "cli/analysis/number_text.hpp"
-#include "cli/analysis/shown_ids.hpp"
+#include "analysis/snapshot/shown_ids.hpp"
 #include "cli/console/summary_line.hpp"
 #include "cli/console/terminal.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <algorithm>
 #include <string_view>
@@ -13,7 +13,8 @@ namespace {
 
 std::string input_line(const io::LoadedPoints& loaded, const std::string& path) {
   const std::string name = path == "-" ? "standard input" : path;
-  return printable(name) + " (" + byte_count(loaded.bytes) + ", " + loaded.format_description + ")";
+  return printable(name) + " (" + io::byte_count(loaded.bytes) + ", " + loaded.format_description +
+         ")";
 }
 
 // The reader notes what it did not find.
@@ -34,45 +35,45 @@ std::string frame_line(const io::LoadedPoints& loaded) {
 std::string at_risk_line(const Inputs& inputs, const Detection& detection) {
   const io::LoadedPoints& loaded = inputs.ours;
   if (const std::uint64_t skipped = inputs.skipped(); detection.at_risk.empty() && skipped > 0) {
-    return bold("none of those that are known") + "; " + grouped(skipped) +
+    return bold("none of those that are known") + "; " + io::grouped(skipped) +
            (skipped == 1 ? " record was left out" : " records were left out");
   }
   if (detection.at_risk.empty()) return bold("nobody");
   const std::string text =
-      grouped(detection.at_risk.size()) + " (" + percentage(detection.share(loaded)) + ")";
+      io::grouped(detection.at_risk.size()) + " (" + io::percentage(detection.share(loaded)) + ")";
   return red(text);
 }
 
 std::string closest_line(const Inputs& inputs, const ClosestPair& pair) {
   const std::vector<PointId> first = {pair.first};
   const std::vector<PointId> second = {pair.second};
-  const ShownIds ours(inputs.ours, first);
-  const ShownIds theirs(inputs.theirs(), second);
+  const analysis::ShownIds ours(inputs.ours, first);
+  const analysis::ShownIds theirs(inputs.theirs(), second);
   return printable(ours.text(pair.first)) + " and " + (inputs.others ? "their " : "") +
-         printable(theirs.text(pair.second)) + ", " + length(pair.distance_m) + " apart";
+         printable(theirs.text(pair.second)) + ", " + io::length(pair.distance_m) + " apart";
 }
 
 std::string time_line(const Inputs& inputs, const Timings& timings) {
   const double total = timings.read_s + timings.search_s + timings.write_s;
-  std::string text = "read " + duration(timings.read_s) + ", search " + duration(timings.search_s) +
-                     ", write " + duration(timings.write_s);
+  std::string text = "read " + io::duration(timings.read_s) + ", search " +
+                     io::duration(timings.search_s) + ", write " + io::duration(timings.write_s);
   if (total > 0.0) {
     const std::size_t points =
         inputs.ours.points.size() + (inputs.others ? inputs.others->points.size() : 0);
-    text += " (" + grouped(static_cast<double>(points) / total, 0) + " points/s)";
+    text += " (" + io::grouped(static_cast<double>(points) / total, 0) + " points/s)";
   }
   return text;
 }
 
 void append_skipped(std::string& out, const io::LoadedPoints& loaded) {
-  append_summary_line(
-      out, "skipped",
-      grouped(loaded.skipped_count) + (loaded.skipped_count == 1 ? " bad record" : " bad records"));
+  append_summary_line(out, "skipped",
+                      io::grouped(loaded.skipped_count) +
+                          (loaded.skipped_count == 1 ? " bad record" : " bad records"));
   for (const Error& error : loaded.skipped)
     append_summary_line(out, "", printable(to_string(error)));
   if (loaded.skipped_count > loaded.skipped.size()) {
-    append_summary_line(out, "",
-                        "and " + grouped(loaded.skipped_count - loaded.skipped.size()) + " more");
+    append_summary_line(
+        out, "", "and " + io::grouped(loaded.skipped_count - loaded.skipped.size()) + " more");
   }
 }
 
@@ -86,7 +87,7 @@ void append_input(std::string& out, std::string_view label, const io::LoadedPoin
   if (!datum.empty()) append_summary_line(out, "heights", datum);
   for (const std::string& note : loaded.notes) append_summary_line(out, "note", printable(note));
   if (loaded.skipped_count > 0) append_skipped(out, loaded);
-  append_summary_line(out, "points", grouped(loaded.points.size()));
+  append_summary_line(out, "points", io::grouped(loaded.points.size()));
   if (repeated.count > 0) append_summary_line(out, "repeated", red(text_of(repeated)));
 }
 

@@ -1,6 +1,6 @@
-#include "cli/analysis/number_text.hpp"
 #include "cli/detect/answer_output.hpp"
 #include "cli/output/block_writer.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <array>
 #include <charconv>
@@ -26,30 +26,30 @@ void write_numbers(const std::vector<PointId>& numbers, io::AtomicOutput& output
   output.write({block.data(), static_cast<std::size_t>(at - block.data())});
 }
 
-void append_ids(std::string& out, std::span<const PointId> bees, const ShownIds& ids) {
+void append_ids(std::string& out, std::span<const PointId> bees, const analysis::ShownIds& ids) {
   for (const PointId bee : bees) {
     out += '\t';
     ids.append(out, bee);
   }
 }
 
-void append_cell(std::string& out, const Cell& cell, const ShownIds& ids) {
+void append_cell(std::string& out, const Cell& cell, const analysis::ShownIds& ids) {
   if (const auto* bees = std::get_if<std::span<const PointId>>(&cell)) {
     append_ids(out, *bees, ids);
     return;
   }
   out += '\t';
-  if (const auto* number = std::get_if<std::uint64_t>(&cell)) append_exact(out, *number);
+  if (const auto* number = std::get_if<std::uint64_t>(&cell)) io::append_exact(out, *number);
   if (const auto* bee = std::get_if<BeeCell>(&cell); bee && bee->id != Nearest::kNobody) {
     ids.append(out, bee->id);
   }
   if (const auto* far = std::get_if<DistanceCell>(&cell); far && std::isfinite(far->distance_m)) {
-    append_exact(out, far->distance_m);
+    io::append_exact(out, far->distance_m);
   }
 }
 
 void write_rows(const BeeTable& table, const Answer& answer, io::AtomicOutput& output) {
-  const ShownIds& ids = answer.ids.ours();
+  const analysis::ShownIds& ids = answer.ids.ours();
   if (table.columns.empty() && ids.are_point_numbers()) return write_numbers(table.bees, output);
   BlockWriter out(output);
   // A plain list of ids needs no header.
@@ -77,8 +77,8 @@ void write_rows(const PairTable& table, const Answer& answer, io::AtomicOutput& 
     out.text += '\t';
     answer.ids.theirs().append(out.text, pair.second);
     out.text += '\t';
-    append_exact(out.text,
-                 distance(inputs.ours.points[pair.first], inputs.theirs().points[pair.second]));
+    io::append_exact(out.text,
+                     distance(inputs.ours.points[pair.first], inputs.theirs().points[pair.second]));
     out.text += '\n';
     out.pass_on();
   }
@@ -88,9 +88,9 @@ void write_rows(const GroupTable& table, const Answer& answer, io::AtomicOutput&
   BlockWriter out(output);
   out.text += "group\tsize\tmembers\n";
   for (std::size_t i = 0; i < table.groups.size(); ++i) {
-    append_exact(out.text, std::uint64_t{i});
+    io::append_exact(out.text, std::uint64_t{i});
     out.text += '\t';
-    append_exact(out.text, std::uint64_t{table.groups[i].size()});
+    io::append_exact(out.text, std::uint64_t{table.groups[i].size()});
     append_ids(out.text, table.groups[i], answer.ids.ours());
     out.text += '\n';
     out.pass_on();

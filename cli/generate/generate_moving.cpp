@@ -1,7 +1,7 @@
 #include "cli/generate/generate_moving.hpp"
 
-#include "cli/analysis/number_text.hpp"
 #include "cli/generate/generate_values.hpp"
+#include "io/bytes/number_text.hpp"
 #include "scenes/moving_scenes.hpp"
 
 #include <algorithm>
@@ -46,8 +46,8 @@ Result<std::optional<scenes::FixTimes>> read_fix_times(const GenerateOptions& op
   const auto interval = read_seconds(or_default(options.interval, kDefaultInterval), "--interval");
   if (!interval) return interval.error();
   if (*duration / *interval > static_cast<double>(kMostFixes)) {
-    return generate_error("--duration " + exact(*duration) + " with --interval " +
-                          exact(*interval) + " is more than " + grouped(kMostFixes) +
+    return generate_error("--duration " + io::exact(*duration) + " with --interval " +
+                          io::exact(*interval) + " is more than " + io::grouped(kMostFixes) +
                           " fixes a bee; make the interval longer");
   }
   return std::optional(scenes::FixTimes{*duration, *interval});

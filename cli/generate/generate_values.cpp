@@ -1,8 +1,8 @@
 #include "cli/generate/generate_values.hpp"
 
-#include "cli/analysis/number_text.hpp"
-#include "cli/analysis/stated_length.hpp"
 #include "cli/command_line/option_values.hpp"
+#include "io/bytes/number_text.hpp"
+#include "io/units/stated_length.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -26,14 +26,14 @@ constexpr double kShortest_s = 1e-6;
 constexpr double kLongest_s = 1e9;
 
 std::optional<double> number_within(std::string_view text, double least, double most) {
-  const auto value = parse_number(text);
+  const auto value = io::parse_number(text);
   const bool good = value && *value >= least && *value <= most;
   return good ? value : std::nullopt;
 }
 
 // The same, of metres, perhaps in another unit.
 std::optional<double> metres_within(std::string_view text, double least, double most) {
-  const auto value = parse_amount(text, "metres");
+  const auto value = io::parse_amount(text, "metres");
   const bool good = value && *value >= least && *value <= most;
   return good ? value : std::nullopt;
 }
@@ -54,14 +54,14 @@ Error generate_error(std::string message) {
 
 Result<std::uint64_t> read_count(const std::string& text, const std::string& option,
                                  std::uint64_t most) {
-  const auto count = parse_whole(text);
+  const auto count = io::parse_whole(text);
   if (count && *count >= 1 && *count <= most) return *count;
   return generate_error(option + " '" + text + "' is not a whole number from 1 to " +
-                        grouped(most));
+                        io::grouped(most));
 }
 
 Result<std::uint64_t> read_seed(const std::string& text) {
-  const auto seed = parse_whole(text);
+  const auto seed = io::parse_whole(text);
   if (seed) return *seed;
   return generate_error("--seed '" + text + "' is not a whole number from 0 to " +
                         std::to_string(std::numeric_limits<std::uint64_t>::max()));
@@ -73,7 +73,7 @@ Result<double> read_length(const std::string& text, const std::string& option) {
 }
 
 Result<double> read_distance(const std::string& text, const std::string& option) {
-  if (const auto value = parse_number(text); value && *value == 0.0) return 0.0;
+  if (const auto value = io::parse_number(text); value && *value == 0.0) return 0.0;
   if (const auto value = metres_within(text, kSmallestSize_m, kLargestSize_m)) return *value;
   return generate_error(option + " '" + text + "' is not a distance in metres (0, or 0.000001 to " +
                         "1e15)");

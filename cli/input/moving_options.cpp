@@ -1,8 +1,8 @@
 #include "cli/input/moving_options.hpp"
 
-#include "cli/analysis/number_text.hpp"
 #include "cli/command_line/option_values.hpp"
 #include "cli/console/terminal.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -73,7 +73,7 @@ void add_max_gap_option(Command& command, std::string& max_gap, const char* grou
 Result<std::optional<double>> read_max_gap(const char* command, const std::string& text) {
   if (text.empty()) return std::optional<double>();
   if (text == "never") return std::optional<double>(std::numeric_limits<double>::infinity());
-  const auto seconds = parse_number(text);
+  const auto seconds = io::parse_number(text);
   if (seconds && *seconds > 0.0 && std::isfinite(*seconds)) return std::optional<double>(*seconds);
   return usage_error(command,
                      "--max-gap '" + text + "' is not a number of seconds above 0, nor 'never'");
@@ -162,7 +162,7 @@ Result<MovingRequest> answering_request(const char* command, const MovingOptions
 
 Error in_words_of_the_command(Error error, const MovingRequest& request) {
   if (error.code != ErrorCode::kTooManyResults) return error;
-  error.message = "there are more than " + grouped(request.max_results) +
+  error.message = "there are more than " + io::grouped(request.max_results) +
                   (request.max_results == 1 ? " conflict" : " conflicts") +
                   "; raise --max-results, or lower the threshold";
   return error;

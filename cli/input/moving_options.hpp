@@ -2,11 +2,11 @@
 // goes.
 #pragma once
 
-#include "cli/analysis/stated_length.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/output/output_form.hpp"
 #include "cli/output/rows.hpp"
 #include "io/recording/recording_options.hpp"
+#include "io/units/stated_length.hpp"
 
 #include <beespace/result.hpp>
 
@@ -49,7 +49,7 @@ struct MovingRequest {
   io::RecordingOptions load;
   std::optional<double> threshold_m;  // absent: what the input declares, or the default
   std::optional<double> vertical_m;
-  std::optional<StatedLength> vertical;  // the same, as typed
+  std::optional<io::StatedLength> vertical;  // the same, as typed
   bool inclusive = false;
   std::uint64_t max_results = 0;
   unsigned threads = 0;

@@ -1,9 +1,9 @@
 #include "cli/input/moving_output.hpp"
 
-#include "cli/analysis/number_text.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/output/block_writer.hpp"
 #include "cli/output/json_units.hpp"
+#include "io/bytes/number_text.hpp"
 #include "io/json/json_text.hpp"
 
 #include <beespace/version.hpp>
@@ -20,12 +20,12 @@ namespace {
 std::string inputs_of(const MovingRequest& request) {
   const std::string& first = request.inputs.front();
   std::string text = first == "-" ? "standard input" : first;
-  if (request.inputs.size() > 1) text += " and " + grouped(request.inputs.size() - 1) + " more";
+  if (request.inputs.size() > 1) text += " and " + io::grouped(request.inputs.size() - 1) + " more";
   return printable(text);
 }
 
 std::string counted(std::uint64_t count, const char* one, const char* several) {
-  return grouped(count) + " " + (count == 1 ? one : several);
+  return io::grouped(count) + " " + (count == 1 ? one : several);
 }
 
 void append_skipped(std::string& out, const io::Recording& recording) {
@@ -36,7 +36,8 @@ void append_skipped(std::string& out, const io::Recording& recording) {
   }
   if (recording.skipped_count > recording.skipped.size()) {
     append_summary_line(
-        out, "", "and " + grouped(recording.skipped_count - recording.skipped.size()) + " more");
+        out, "",
+        "and " + io::grouped(recording.skipped_count - recording.skipped.size()) + " more");
   }
 }
 
@@ -72,7 +73,7 @@ void append_frame_lines(std::string& out, io::Frame frame, const std::string& re
 std::string input_summary(const io::Recording& recording, const MovingRequest& request) {
   std::string out;
   append_summary_line(out, "input",
-                      inputs_of(request) + " (" + byte_count(recording.bytes) + ", " +
+                      inputs_of(request) + " (" + io::byte_count(recording.bytes) + ", " +
                           recording.format_description + ")");
   append_frame_lines(out, recording.frame, recording.frame_reason, recording.heights);
   append_units(out, recording.units);
@@ -94,7 +95,7 @@ std::string moment(double time_s, const io::Recording& recording) {
   // Within a few thousand years; and not what is no time at all.
   constexpr double kFarthest_s = 1e11;
   if (recording.since_1970 && std::abs(time_s) < kFarthest_s) return date_and_time(time_s);
-  return grouped(time_s, 2) + " s";
+  return io::grouped(time_s, 2) + " s";
 }
 
 BeeName name_of(PointId bee, const io::Recording& recording) {
@@ -112,7 +113,7 @@ std::string pair_text(const Conflict& conflict, const io::Recording& recording) 
 }
 
 std::string encounter_text(const Conflict& conflict, const io::Recording& recording) {
-  return pair_text(conflict, recording) + ", " + length(conflict.closest_m) + " apart at " +
+  return pair_text(conflict, recording) + ", " + io::length(conflict.closest_m) + " apart at " +
          moment(conflict.closest_s, recording);
 }
 
@@ -162,8 +163,8 @@ std::string json_head(const io::Recording& recording, const MovingRequest& reque
     if (i > 0) out += ", ";
     io::append_json_string(out, recording.notes[i]);
   }
-  out += "]\n  },\n  \"threshold_m\": " + exact(threshold_m);
-  out += ",\n  \"vertical_m\": " + (request.vertical_m ? exact(*request.vertical_m) : "null");
+  out += "]\n  },\n  \"threshold_m\": " + io::exact(threshold_m);
+  out += ",\n  \"vertical_m\": " + (request.vertical_m ? io::exact(*request.vertical_m) : "null");
   out += ",\n  \"vertical\": " + json_vertical(request.vertical, recording.height_unit);
   out += std::string(",\n  \"inclusive\": ") + (request.inclusive ? "true" : "false");
   return out;

@@ -1,6 +1,6 @@
 #include "cli/output/event_lines.hpp"
 
-#include "cli/analysis/number_text.hpp"
+#include "io/bytes/number_text.hpp"
 #include "io/json/json_text.hpp"
 
 namespace beespace::cli {
@@ -60,9 +60,9 @@ void append_label(std::string& line, const char* key, const BeeName& name) {
 std::string event_line(const SwarmEvent& event, const LiveFeed& feed) {
   std::string line = "{\"event\": \"";
   line += name_of(event.kind);
-  line += "\", \"time_s\": " + exact(event.time_s);
+  line += "\", \"time_s\": " + io::exact(event.time_s);
   if (event.kind == EventKind::kStale || event.kind == EventKind::kHeard) {
-    if (event.kind == EventKind::kHeard) line += ", \"since_s\": " + exact(event.since_s);
+    if (event.kind == EventKind::kHeard) line += ", \"since_s\": " + io::exact(event.since_s);
     line += ", \"id\": " + io::json_string(feed.name(event.first).id);
     append_label(line, "label", feed.name(event.first));
     return line + "}\n";
@@ -70,16 +70,17 @@ std::string event_line(const SwarmEvent& event, const LiveFeed& feed) {
   if (event.kind == EventKind::kOverloaded) {
     line += std::string(", \"bound\": \"") + name_of(event.bound) + "\"";
     line += ", \"left_out\": " + std::to_string(event.count);
-    if (event.bound != SwarmBound::kBees) line += ", \"distance_m\": " + exact(event.distance_m);
+    if (event.bound != SwarmBound::kBees)
+      line += ", \"distance_m\": " + io::exact(event.distance_m);
     return line + "}\n";
   }
   line += ", \"first\": " + io::json_string(feed.name(event.first).id);
   line += ", \"second\": " + io::json_string(feed.name(event.second).id);
-  line += ", \"distance_m\": " + exact(event.distance_m);
+  line += ", \"distance_m\": " + io::exact(event.distance_m);
   if (event.kind == EventKind::kPossible || event.kind == EventKind::kLost) {
-    line += ", \"since_s\": " + exact(event.since_s);
+    line += ", \"since_s\": " + io::exact(event.since_s);
   }
-  line += ", \"closest_s\": " + exact(event.closest_s);
+  line += ", \"closest_s\": " + io::exact(event.closest_s);
   append_label(line, "first_label", feed.name(event.first));
   append_label(line, "second_label", feed.name(event.second));
   return line + "}\n";
@@ -88,12 +89,12 @@ std::string event_line(const SwarmEvent& event, const LiveFeed& feed) {
 std::string clock_line(const ClockNote& note, const LiveFeed& feed) {
   std::string line = "{\"event\": ";
   line += note.kind == ClockNote::Kind::kAnew ? "\"clocks_anew\"" : "\"clock\"";
-  line += ", \"time_s\": " + exact(note.time_s);
+  line += ", \"time_s\": " + io::exact(note.time_s);
   if (note.kind == ClockNote::Kind::kAnew) {
-    return line + ", \"before_s\": " + exact(note.before_s) + "}\n";
+    return line + ", \"before_s\": " + io::exact(note.before_s) + "}\n";
   }
   line += ", \"id\": " + io::json_string(feed.name(note.bee).id);
-  line += ", \"ahead_s\": " + exact(note.ahead_s);
+  line += ", \"ahead_s\": " + io::exact(note.ahead_s);
   line += note.kind == ClockNote::Kind::kOff ? ", \"right\": false" : ", \"right\": true";
   append_label(line, "label", feed.name(note.bee));
   return line + "}\n";

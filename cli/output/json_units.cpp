@@ -1,6 +1,6 @@
 #include "cli/output/json_units.hpp"
 
-#include "cli/analysis/number_text.hpp"
+#include "io/bytes/number_text.hpp"
 #include "io/json/json_text.hpp"
 
 namespace beespace::cli {
@@ -16,11 +16,11 @@ std::string json_units(const std::vector<io::UnitTaken>& units) {
   return out + "]";
 }
 
-std::string json_vertical(const std::optional<StatedLength>& vertical, io::Unit height_unit) {
+std::string json_vertical(const std::optional<io::StatedLength>& vertical, io::Unit height_unit) {
   if (!vertical) return "null";
   const io::Unit compared =
       compares_as_stated(vertical, height_unit) ? height_unit : io::Unit::kMetre;
-  return "{\"value\": " + exact(vertical->value) +
+  return "{\"value\": " + io::exact(vertical->value) +
          ", \"unit\": " + io::json_string(io::symbol_of(vertical->unit)) +
          ", \"compared_in\": " + io::json_string(io::symbol_of(compared)) + "}";
 }

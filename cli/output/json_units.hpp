@@ -1,7 +1,7 @@
 // Units as JSON: which were taken and why, and how the vertical threshold was compared.
 #pragma once
 
-#include "cli/analysis/stated_length.hpp"
+#include "io/units/stated_length.hpp"
 #include "io/units/unit_taken.hpp"
 
 #include <optional>
@@ -14,6 +14,6 @@ namespace beespace::cli {
 std::string json_units(const std::vector<io::UnitTaken>& units);
 
 // {"value": 1000, "unit": "ft", "compared_in": "ft"}, or null.
-std::string json_vertical(const std::optional<StatedLength>& vertical, io::Unit height_unit);
+std::string json_vertical(const std::optional<io::StatedLength>& vertical, io::Unit height_unit);
 
 }  // namespace beespace::cli

@@ -1,7 +1,7 @@
 #include "cli/output/rows.hpp"
 
-#include "cli/analysis/number_text.hpp"
 #include "cli/output/block_writer.hpp"
+#include "io/bytes/number_text.hpp"
 #include "io/json/json_text.hpp"
 #include "io/table/csv_field.hpp"
 
@@ -22,7 +22,7 @@ std::string text_of(const Value& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
   if (const auto* bee = std::get_if<BeeName>(&value)) return bee->id;
   if (const auto* number = std::get_if<double>(&value)) {
-    return std::isfinite(*number) ? exact(*number) : std::string();
+    return std::isfinite(*number) ? io::exact(*number) : std::string();
   }
   if (const auto* count = std::get_if<std::uint64_t>(&value)) return std::to_string(*count);
   if (const auto* yes = std::get_if<bool>(&value)) return *yes ? "yes" : "no";

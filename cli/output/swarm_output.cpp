@@ -1,7 +1,7 @@
 #include "cli/output/swarm_output.hpp"
 
-#include "cli/analysis/number_text.hpp"
 #include "cli/output/output_form.hpp"
+#include "io/bytes/number_text.hpp"
 #include "io/table/csv_field.hpp"
 
 #include <algorithm>
@@ -34,11 +34,11 @@ void append_fixed(std::string& out, double value, int decimals) {
 }
 
 void append_axes(std::string& out, double x, double y, double z, char delimiter) {
-  append_exact(out, x);
+  io::append_exact(out, x);
   out += delimiter;
-  append_exact(out, y);
+  io::append_exact(out, y);
   out += delimiter;
-  append_exact(out, z);
+  io::append_exact(out, z);
 }
 
 void append_metres(std::string& out, const Point& point, char delimiter) {
@@ -159,7 +159,7 @@ Status write_movers(const std::vector<Mover>& movers, SwarmFormat format,
   const char delimiter = delimiter_of(format);
   std::string text = delimited("id,x,y,z,vx,vy,vz\n", delimiter);
   for (std::size_t bee = 0; bee < movers.size(); ++bee) {
-    append_exact(text, std::uint64_t{bee});
+    io::append_exact(text, std::uint64_t{bee});
     text += delimiter;
     append_motion(text, movers[bee].position, movers[bee].velocity, delimiter);
     write_full(text, output);
@@ -176,9 +176,9 @@ Status write_flights(const std::vector<Mover>& movers, const scenes::FixTimes& t
     // One at a time, as all of them may be more than the memory holds.
     const Track track = scenes::fly(movers[bee], static_cast<PointId>(bee), times, seed);
     for (const Fix& fix : track.fixes) {
-      append_exact(text, std::uint64_t{bee});
+      io::append_exact(text, std::uint64_t{bee});
       text += delimiter;
-      append_exact(text, fix.time_s);
+      io::append_exact(text, fix.time_s);
       text += delimiter;
       append_motion(text, fix.position, movers[bee].velocity, delimiter);
       write_full(text, output);
@@ -200,13 +200,13 @@ FlightWriter::FlightWriter(io::AtomicOutput& output, SwarmFormat format,
 
 void FlightWriter::add(double time_s, const std::vector<Mover>& movers) {
   std::string time;
-  append_exact(time, time_s);
+  io::append_exact(time, time_s);
   time += delimiter_;
   for (std::size_t bee = 0; bee < movers.size(); ++bee) {
     const auto& [position, velocity] = movers[bee];
     text_ += time;
     if (ids_.empty()) {
-      append_exact(text_, std::uint64_t{bee});
+      io::append_exact(text_, std::uint64_t{bee});
     } else {
       text_ += ids_[bee];
     }

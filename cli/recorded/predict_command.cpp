@@ -1,8 +1,7 @@
 #include "cli/recorded/predict_command.hpp"
 
+#include "analysis/recorded/moving_input.hpp"
 #include "cli/analysis/coverage.hpp"
-#include "cli/analysis/moving_input.hpp"
-#include "cli/analysis/number_text.hpp"
 #include "cli/command_line/option_values.hpp"
 #include "cli/console/failure.hpp"
 #include "cli/console/progress_bar.hpp"
@@ -10,6 +9,7 @@
 #include "cli/console/terminal.hpp"
 #include "cli/input/moving_output.hpp"
 #include "cli/output/output_file.hpp"
+#include "io/bytes/number_text.hpp"
 #include "io/load_recording.hpp"
 
 #include <beespace/predict_conflicts.hpp>
@@ -40,7 +40,7 @@ Result<PredictRequest> request_of(const PredictCommandOptions& options) {
 
 // Those of the horizon, and of the bees that are known for the present moment only those of now:
 // between movers and snapshot.present().
-Result<std::vector<Conflict>> conflicts_of(const Snapshot& snapshot,
+Result<std::vector<Conflict>> conflicts_of(const analysis::Snapshot& snapshot,
                                            const PredictOptions& options) {
   auto conflicts = predict_conflicts(snapshot.view(), options);
   if (!conflicts || snapshot.unmoving.empty()) return conflicts;
@@ -59,7 +59,7 @@ Result<std::vector<Conflict>> conflicts_of(const Snapshot& snapshot,
 }
 
 // Conflicts name bees of the recording, and times are those of its clock.
-void translate(std::vector<Conflict>& conflicts, const Snapshot& snapshot) {
+void translate(std::vector<Conflict>& conflicts, const analysis::Snapshot& snapshot) {
   const std::vector<std::uint32_t> bees = snapshot.present().bees;
   for (Conflict& conflict : conflicts) {
     const PointId first = bees[conflict.first];
@@ -77,7 +77,7 @@ void translate(std::vector<Conflict>& conflicts, const Snapshot& snapshot) {
 
 struct Outlook {
   const io::Recording& recording;
-  const Snapshot& snapshot;
+  const analysis::Snapshot& snapshot;
   double threshold_m;
   const std::vector<Conflict>& conflicts;
 
@@ -95,10 +95,10 @@ std::string unknown_text(const Outlook& outlook) {
     text += more;
   };
   if (const std::uint64_t count = outlook.snapshot.unmoving.size(); count > 0) {
-    append(grouped(count) + (count == 1 ? " bee is" : " bees are") + " checked for now only");
+    append(io::grouped(count) + (count == 1 ? " bee is" : " bees are") + " checked for now only");
   }
   if (const std::uint64_t count = outlook.snapshot.stale; count > 0) {
-    append(grouped(count) + (count == 1 ? " bee is" : " bees are") + " left out");
+    append(io::grouped(count) + (count == 1 ? " bee is" : " bees are") + " left out");
   }
   append(missing_text(outlook.recording.missing));
   return text;
@@ -116,43 +116,44 @@ std::string found_line(const Outlook& outlook) {
   }
   std::sort(bees.begin(), bees.end());
   bees.erase(std::unique(bees.begin(), bees.end()), bees.end());
-  return red(grouped(outlook.conflicts.size()) + ", of " + grouped(bees.size()) + " bees") +
+  return red(io::grouped(outlook.conflicts.size()) + ", of " + io::grouped(bees.size()) + " bees") +
          (outlook.complete() ? "" : "; " + unknown_text(outlook));
 }
 
 std::string summary(const Outlook& outlook, const PredictRequest& request, double search_s) {
-  const Snapshot& snapshot = outlook.snapshot;
+  const analysis::Snapshot& snapshot = outlook.snapshot;
   std::string out = input_summary(outlook.recording, request.moving);
-  append_summary_line(out, "bees", grouped(snapshot.movers.size()));
+  append_summary_line(out, "bees", io::grouped(snapshot.movers.size()));
   append_summary_line(out, "now", moment(snapshot.time_s, outlook.recording));
   if (snapshot.brought_forward > 0) {
     append_summary_line(out, "note",
-                        grouped(snapshot.brought_forward) + " last heard of before now " +
+                        io::grouped(snapshot.brought_forward) + " last heard of before now " +
                             (snapshot.brought_forward == 1 ? "was" : "were") +
-                            " brought forward, by up to " + grouped(snapshot.oldest_s, 2) + " s");
+                            " brought forward, by up to " + io::grouped(snapshot.oldest_s, 2) +
+                            " s");
   }
   if (snapshot.stale > 0) {
     append_summary_line(out, "stale",
-                        red(grouped(snapshot.stale) + " left out") + ", not heard of for " +
-                            exact(request.max_age_s) + " s (--max-age)");
+                        red(io::grouped(snapshot.stale) + " left out") + ", not heard of for " +
+                            io::exact(request.max_age_s) + " s (--max-age)");
   }
   if (!snapshot.unmoving.empty()) {
     append_summary_line(out, "unknown",
-                        red(grouped(snapshot.unmoving.size()) + " checked for now only") +
+                        red(io::grouped(snapshot.unmoving.size()) + " checked for now only") +
                             ", where last heard of: neither a velocity nor two fixes, at most " +
-                            exact(request.max_age_s) + " s apart, tell how fast they go");
+                            io::exact(request.max_age_s) + " s apart, tell how fast they go");
   }
   append_missing(out, outlook.recording.missing);
   if (snapshot.estimated > 0) {
     append_summary_line(
         out, "note",
-        grouped(snapshot.estimated) + " without a velocity: it is that of the last two fixes");
+        io::grouped(snapshot.estimated) + " without a velocity: it is that of the last two fixes");
   }
   append_summary_line(out, "threshold",
                       separation_summary(request.moving, outlook.threshold_m,
                                          !request.moving.threshold_m.has_value() &&
                                              outlook.recording.declared_threshold_m.has_value()));
-  append_summary_line(out, "horizon", exact(request.horizon_s) + " s");
+  append_summary_line(out, "horizon", io::exact(request.horizon_s) + " s");
   append_summary_line(out, "conflicts", found_line(outlook));
   const auto& conflicts = outlook.conflicts;
   if (!conflicts.empty()) {
@@ -164,10 +165,10 @@ std::string summary(const Outlook& outlook, const PredictRequest& request, doubl
         [](const Conflict& a, const Conflict& b) { return a.closest_m < b.closest_m; });
     append_summary_line(out, "soonest",
                         pair_text(*soonest, outlook.recording) + ", in " +
-                            grouped(soonest->begins_s - snapshot.time_s, 2) + " s");
+                            io::grouped(soonest->begins_s - snapshot.time_s, 2) + " s");
     append_summary_line(out, "closest", encounter_text(*closest, outlook.recording));
   }
-  append_summary_line(out, "time", "search " + duration(search_s));
+  append_summary_line(out, "time", "search " + io::duration(search_s));
   return out;
 }
 
@@ -180,8 +181,9 @@ Result<ExitCode> predict(const PredictRequest& request) {
   load.progress = &progress.reading();
   const auto recording = io::load_recording(moving.inputs, load);
   if (!recording) return recording.error();
-  const Geometry geometry = geometry_for(*recording, moving.vertical);
-  const auto snapshot = snapshot_of(*recording, geometry, request.max_age_s, Wanted::kMotion);
+  const analysis::Geometry geometry = analysis::geometry_for(*recording, moving.vertical);
+  const auto snapshot =
+      snapshot_of(*recording, geometry, request.max_age_s, analysis::Wanted::kMotion);
   if (!snapshot) return snapshot.error();
 
   progress.enter_stage("predicting");
@@ -201,8 +203,8 @@ Result<ExitCode> predict(const PredictRequest& request) {
   translate(*conflicts, *snapshot);
 
   std::string head = json_head(*recording, moving, threshold_m);
-  head += ",\n  \"now_s\": " + exact(snapshot->time_s);
-  head += ",\n  \"horizon_s\": " + exact(request.horizon_s);
+  head += ",\n  \"now_s\": " + io::exact(snapshot->time_s);
+  head += ",\n  \"horizon_s\": " + io::exact(request.horizon_s);
   head += ",\n  \"movers\": " + std::to_string(snapshot->movers.size());
   head += ",\n  \"stale\": " + std::to_string(snapshot->stale);
   head += ",\n  \"without_velocity\": " + std::to_string(snapshot->unmoving.size());

@@ -1,8 +1,7 @@
 #include "cli/recorded/replay_command.hpp"
 
+#include "analysis/recorded/moving_input.hpp"
 #include "cli/analysis/coverage.hpp"
-#include "cli/analysis/moving_input.hpp"
-#include "cli/analysis/number_text.hpp"
 #include "cli/analysis/replay_findings.hpp"
 #include "cli/command_line/option_values.hpp"
 #include "cli/console/failure.hpp"
@@ -14,6 +13,7 @@
 #include "cli/recorded/replay_events.hpp"
 #include "cli/recorded/replay_summary.hpp"
 #include "io/bytes/atomic_output.hpp"
+#include "io/bytes/number_text.hpp"
 #include "io/load_recording.hpp"
 
 #include <algorithm>
@@ -103,7 +103,8 @@ Status write_events(const ReplayRequest& request, const Findings& findings, doub
   // A show is a plan: what lies ahead need not be guessed.
   const bool plan = is_plan(findings.recording);
   const double max_age_s = std::min(findings.coverage.max_gap.seconds, kLargestInMotion);
-  const Geometry geometry = geometry_for(findings.recording, request.moving.vertical);
+  const analysis::Geometry geometry =
+      analysis::geometry_for(findings.recording, request.moving.vertical);
   const SwarmOptions options{
       .threshold_m = threshold_m,
       .vertical_m = vertical_in(geometry, request.moving.vertical),
@@ -190,8 +191,8 @@ Status check_every(const ReplayRequest& request, const std::vector<Track>& track
   const auto time = time_of(tracks);
   if (request.report != "separation" || !time) return std::monostate{};
   if ((time->ends_s - time->begins_s) / request.every_s <= kMostRows) return std::monostate{};
-  return usage_error(kName, "--every " + exact(request.every_s) + " is more than " +
-                                grouped(static_cast<std::uint64_t>(kMostRows)) +
+  return usage_error(kName, "--every " + io::exact(request.every_s) + " is more than " +
+                                io::grouped(static_cast<std::uint64_t>(kMostRows)) +
                                 " rows for this recording; look less often");
 }
 
@@ -205,7 +206,7 @@ Result<ExitCode> replay(const ReplayRequest& request) {
   load.progress = &progress.reading();
   const auto recording = io::load_recording(moving.inputs, load);
   if (!recording) return recording.error();
-  const Geometry geometry = geometry_for(*recording, moving.vertical);
+  const analysis::Geometry geometry = analysis::geometry_for(*recording, moving.vertical);
   const auto tracks = tracks_of(*recording, geometry, request.tolerance_m);
   if (!tracks) return tracks.error();
   if (Status few = check_every(request, *tracks); !few) return few.error();
@@ -230,7 +231,7 @@ Result<ExitCode> replay(const ReplayRequest& request) {
 
   const bool apart = heights_apart(geometry);
   const auto in_space =
-      apart ? tracks_of(*recording, Geometry::kSpace, request.tolerance_m) : tracks;
+      apart ? tracks_of(*recording, analysis::Geometry::kSpace, request.tolerance_m) : tracks;
   if (!in_space) return in_space.error();
   const Coverage coverage = coverage_of(*recording, recorded->gaps, max_gap);
   const Findings findings{*recording,

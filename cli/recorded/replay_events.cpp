@@ -29,7 +29,7 @@ std::vector<Value> row_of(const SwarmEvent& event, const LiveFeed& feed) {
 }  // namespace
 
 Result<RecordedEvents> events_of(const io::Recording& recording, const std::vector<Track>& tracks,
-                                 Geometry geometry, const SwarmOptions& options,
+                                 analysis::Geometry geometry, const SwarmOptions& options,
                                  const LiveTimes& times) {
   std::vector<RecordedFix> fixes;
   for (PointId bee = 0; bee < tracks.size(); ++bee) {

@@ -1,8 +1,8 @@
 // A recording as `watch` would have seen it: fix after fix in the order of time.
 #pragma once
 
+#include "analysis/recorded/moving_input.hpp"
 #include "cli/analysis/live_feed.hpp"
-#include "cli/analysis/moving_input.hpp"
 #include "cli/output/rows.hpp"
 #include "io/recording/recording.hpp"
 
@@ -22,7 +22,7 @@ struct RecordedEvents {
 
 // The tracks are those of that geometry.
 Result<RecordedEvents> events_of(const io::Recording& recording, const std::vector<Track>& tracks,
-                                 Geometry geometry, const SwarmOptions& options,
+                                 analysis::Geometry geometry, const SwarmOptions& options,
                                  const LiveTimes& times);
 
 }  // namespace beespace::cli

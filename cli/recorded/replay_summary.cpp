@@ -1,8 +1,8 @@
 #include "cli/recorded/replay_summary.hpp"
 
-#include "cli/analysis/number_text.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/input/moving_output.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@ namespace beespace::cli {
 namespace {
 
 std::string plural(std::uint64_t count, const char* one, const char* several) {
-  return grouped(count) + " " + (count == 1 ? one : several);
+  return io::grouped(count) + " " + (count == 1 ? one : several);
 }
 
 std::string verdict(const Findings& findings, const std::vector<PairInConflict>& pairs) {
@@ -39,8 +39,8 @@ void append_worst(std::string& out, const Findings& findings,
   for (std::size_t i = 0; i < std::min(kMost, pairs.size()); ++i) {
     const PairInConflict& pair = pairs[i];
     std::string text = encounter_text(pair.closest, findings.recording);
-    text += "; in conflict for " + grouped(pair.time_s, 2) + " s";
-    if (pair.conflicts > 1) text += " in " + grouped(pair.conflicts) + " conflicts";
+    text += "; in conflict for " + io::grouped(pair.time_s, 2) + " s";
+    if (pair.conflicts > 1) text += " in " + io::grouped(pair.conflicts) + " conflicts";
     append_summary_line(out, i == 0 ? "worst" : "", text);
   }
   if (pairs.size() > kMost) {
@@ -85,12 +85,12 @@ std::string replay_summary(const Findings& findings, const MovingRequest& reques
                            const ReplayFigures& figures) {
   const io::Recording& recording = findings.recording;
   std::string out = input_summary(recording, request);
-  append_summary_line(out, "bees", grouped(findings.tracks.size()));
+  append_summary_line(out, "bees", io::grouped(findings.tracks.size()));
   if (const auto time = time_of(findings.tracks)) {
     append_summary_line(out, "from",
                         moment(time->begins_s, recording) + " to " +
                             moment(time->ends_s, recording) + " (" +
-                            grouped(time->ends_s - time->begins_s, 2) + " s)");
+                            io::grouped(time->ends_s - time->begins_s, 2) + " s)");
   }
   append_coverage(out, findings.coverage, recording);
   const bool declared =
@@ -119,7 +119,8 @@ std::string replay_summary(const Findings& findings, const MovingRequest& reques
                         "threshold, ! a conflict)");
   }
   append_summary_line(
-      out, "time", "read " + duration(figures.read_s) + ", search " + duration(figures.search_s));
+      out, "time",
+      "read " + io::duration(figures.read_s) + ", search " + io::duration(figures.search_s));
   return out;
 }
 

@@ -1,7 +1,6 @@
 #include "cli/recorded/verify_command.hpp"
 
 #include "cli/analysis/common_times.hpp"
-#include "cli/analysis/number_text.hpp"
 #include "cli/command_line/option_values.hpp"
 #include "cli/console/failure.hpp"
 #include "cli/console/progress_bar.hpp"
@@ -12,6 +11,7 @@
 #include "cli/output/output_file.hpp"
 #include "cli/recorded/verify_findings.hpp"
 #include "cli/recorded/verify_steps.hpp"
+#include "io/bytes/number_text.hpp"
 #include "io/load_recording.hpp"
 
 #include <beespace/verify.hpp>
@@ -80,7 +80,7 @@ Result<std::string> settle_motion(const io::Recording& recording, bool accelerat
   if (accelerations) {
     return Error{ErrorCode::kMissingColumn,
                  "--max-acceleration needs velocities, and bee '" + bee.id + "' has none at " +
-                     exact(bee.fixes[missing->fix].time_s) +
+                     io::exact(bee.fixes[missing->fix].time_s) +
                      " s; give velocities (columns vx, vy, vz; or ve, vn, vu beside degrees), or "
                      "leave the option out",
                  {}};
@@ -92,7 +92,7 @@ Result<std::string> settle_motion(const io::Recording& recording, bool accelerat
     return std::string("straight lines from fix to fix: there are no velocities");
   }
   return "straight lines from fix to fix: " +
-         red(grouped(missing->count) + " of " + grouped(fixes) + " fixes have no velocity");
+         red(io::grouped(missing->count) + " of " + io::grouped(fixes) + " fixes have no velocity");
 }
 
 // Obstacles are upright: they make no sense beside degrees.

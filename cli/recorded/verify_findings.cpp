@@ -1,9 +1,9 @@
 #include "cli/recorded/verify_findings.hpp"
 
-#include "cli/analysis/number_text.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/input/moving_output.hpp"
 #include "cli/input/obstacle_file.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,14 +17,14 @@ const char* word_for(BreachKind kind) {
 }
 
 std::string times(std::uint64_t count, const char* one, const char* several) {
-  return grouped(count) + " " + (count == 1 ? one : several);
+  return io::grouped(count) + " " + (count == 1 ? one : several);
 }
 
 std::string limits_text(const VerifyOptions& options) {
   std::string text;
-  if (std::isfinite(options.max_speed_mps)) text = exact(options.max_speed_mps) + " m/s";
+  if (std::isfinite(options.max_speed_mps)) text = io::exact(options.max_speed_mps) + " m/s";
   if (std::isfinite(options.max_acceleration_mps2)) {
-    text += (text.empty() ? "" : ", ") + exact(options.max_acceleration_mps2) + " m/s^2";
+    text += (text.empty() ? "" : ", ") + io::exact(options.max_acceleration_mps2) + " m/s^2";
   }
   return text.empty() ? "not checked (--max-speed, --max-acceleration)" : text;
 }
@@ -32,14 +32,14 @@ std::string limits_text(const VerifyOptions& options) {
 std::string closest_text(const Verification& verification) {
   const Verdict& verdict = verification.verdict;
   if (!verdict.closest_m) {
-    return "nobody came closer than " + exact(2.0 * verification.options.threshold_m) +
+    return "nobody came closer than " + io::exact(2.0 * verification.options.threshold_m) +
            " m to anybody";
   }
   const auto shown = [&](PointId bee) {
     return printable(text_of(name_of(bee, verification.recording)));
   };
   return shown(verdict.closest_pair->first) + " and " + shown(verdict.closest_pair->second) + ", " +
-         length(*verdict.closest_m) + " apart in the step from " +
+         io::length(*verdict.closest_m) + " apart in the step from " +
          moment(verdict.closest_step_s, verification.recording);
 }
 
@@ -47,7 +47,8 @@ std::string found_text(std::uint64_t count, const char* one, const char* several
   if (count == 0) return bold("none");
   std::string text = red(times(count, one, several));
   if (count > Verdict::kMostShown) {
-    text += ", of which the answer has the first " + grouped(std::uint64_t{Verdict::kMostShown});
+    text +=
+        ", of which the answer has the first " + io::grouped(std::uint64_t{Verdict::kMostShown});
   }
   return text;
 }
@@ -69,8 +70,8 @@ std::string verdict_text(const Verdict& verdict, const Coverage& coverage) {
 }
 
 std::string obstacles_text(const VerifyOptions& options) {
-  return grouped(std::uint64_t{options.obstacles->obstacles().size()}) + ", clearance " +
-         exact(options.clearance_m) + " m";
+  return io::grouped(std::uint64_t{options.obstacles->obstacles().size()}) + ", clearance " +
+         io::exact(options.clearance_m) + " m";
 }
 
 }  // namespace
@@ -109,7 +110,7 @@ std::string verify_json_head(const Verification& verification, const MovingReque
   const Verdict& verdict = verification.verdict;
   const VerifyOptions& options = verification.options;
   const auto limit = [](double value) {
-    return std::isfinite(value) ? exact(value) : std::string("null");
+    return std::isfinite(value) ? io::exact(value) : std::string("null");
   };
   std::string head = json_head(verification.recording, request, options.threshold_m);
   head += ",\n  \"max_speed_mps\": " + limit(options.max_speed_mps);
@@ -121,12 +122,12 @@ std::string verify_json_head(const Verification& verification, const MovingReque
   head += ",\n  \"loss_count\": " + std::to_string(verdict.losses);
   if (options.obstacles != nullptr) {
     head += ",\n  \"obstacles\": " + std::to_string(options.obstacles->obstacles().size());
-    head += ",\n  \"clearance_m\": " + exact(options.clearance_m);
+    head += ",\n  \"clearance_m\": " + io::exact(options.clearance_m);
     head += ",\n  \"clearance_loss_count\": " + std::to_string(verdict.clearance_losses);
   }
   head += ",\n  \"breach_count\": " + std::to_string(verdict.breaches);
-  head += ",\n  \"fastest_mps\": " + exact(verdict.fastest_mps);
-  head += ",\n  \"hardest_mps2\": " + (options.straight ? "null" : exact(verdict.hardest_mps2));
+  head += ",\n  \"fastest_mps\": " + io::exact(verdict.fastest_mps);
+  head += ",\n  \"hardest_mps2\": " + (options.straight ? "null" : io::exact(verdict.hardest_mps2));
   head += ",\n  \"closest\": ";
   if (verdict.closest_m) {
     Rows closest{
@@ -149,11 +150,11 @@ std::string verify_summary(const Verification& verification, const MovingRequest
   const VerifyOptions& options = verification.options;
   const auto& times_s = verification.times_s;
   std::string out = input_summary(recording, request);
-  append_summary_line(out, "bees", grouped(recording.bees.size()));
+  append_summary_line(out, "bees", io::grouped(recording.bees.size()));
   append_summary_line(out, "from",
                       moment(times_s.front(), recording) + " to " +
                           moment(times_s.back(), recording) + " (" +
-                          grouped(times_s.back() - times_s.front(), 2) + " s)");
+                          io::grouped(times_s.back() - times_s.front(), 2) + " s)");
   append_coverage(out, verification.coverage, recording);
   append_summary_line(out, "motion", verification.motion);
   append_summary_line(out, "threshold",
@@ -165,10 +166,10 @@ std::string verify_summary(const Verification& verification, const MovingRequest
   append_summary_line(out, "limits", limits_text(options));
   append_summary_line(out, "checked", times(verdict.steps, "step", "steps"));
   append_summary_line(out, "closest", closest_text(verification));
-  append_summary_line(out, "fastest", grouped(verdict.fastest_mps, 3) + " m/s");
+  append_summary_line(out, "fastest", io::grouped(verdict.fastest_mps, 3) + " m/s");
   append_summary_line(out, "hardest",
                       options.straight ? "not known of straight lines"
-                                       : grouped(verdict.hardest_mps2, 3) + " m/s^2");
+                                       : io::grouped(verdict.hardest_mps2, 3) + " m/s^2");
   append_summary_line(out, "losses",
                       found_text(verdict.losses, "pair in a step", "pairs, a step each"));
   if (options.obstacles != nullptr) {
@@ -178,9 +179,9 @@ std::string verify_summary(const Verification& verification, const MovingRequest
   append_summary_line(out, "breaches",
                       found_text(verdict.breaches, "limit in a step", "limits, a step each"));
   append_summary_line(out, "verdict", verdict_text(verdict, verification.coverage));
-  append_summary_line(
-      out, "time",
-      "read " + duration(verification.read_s) + ", check " + duration(verification.check_s));
+  append_summary_line(out, "time",
+                      "read " + io::duration(verification.read_s) + ", check " +
+                          io::duration(verification.check_s));
   return out;
 }
 

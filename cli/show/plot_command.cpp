@@ -1,6 +1,5 @@
 #include "cli/show/plot_command.hpp"
 
-#include "cli/analysis/number_text.hpp"
 #include "cli/analysis/see.hpp"
 #include "cli/command_line/option_values.hpp"
 #include "cli/console/failure.hpp"
@@ -12,6 +11,7 @@
 #include "cli/output/output_file.hpp"
 #include "cli/output/output_form.hpp"
 #include "cli/show/seen_summary.hpp"
+#include "io/bytes/number_text.hpp"
 #include "report/figure/figure.hpp"
 #include "report/figure/png.hpp"
 #include "report/figure/svg.hpp"
@@ -36,7 +36,7 @@ struct PlotRequest {
 Result<unsigned> read_width(const std::string& text) {
   constexpr std::uint64_t kLeast = 200;
   constexpr std::uint64_t kMost = 10'000;
-  const auto width = parse_whole(text);
+  const auto width = io::parse_whole(text);
   if (!width || *width < kLeast || *width > kMost) {
     return usage_error(
         kName, "--width must be a whole number of pixels from 200 to 10000, not '" + text + "'");

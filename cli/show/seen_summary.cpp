@@ -1,8 +1,8 @@
 #include "cli/show/seen_summary.hpp"
 
-#include "cli/analysis/number_text.hpp"
 #include "cli/console/summary_line.hpp"
 #include "cli/console/terminal.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -12,7 +12,7 @@ namespace beespace::cli {
 namespace {
 
 std::string count_of(std::uint64_t count, const char* one, const char* several) {
-  return grouped(count) + " " + (count == 1 ? one : several);
+  return io::grouped(count) + " " + (count == 1 ? one : several);
 }
 
 std::string risk_of(const report::SnapshotFacts& facts) {
@@ -20,8 +20,8 @@ std::string risk_of(const report::SnapshotFacts& facts) {
     return bold("none of those that are known") + "; " + facts.unknown;
   }
   if (facts.at_risk.empty()) return bold("nobody");
-  return red(grouped(facts.at_risk.size()) + " of " + grouped(facts.positions.size())) + ": " +
-         count_of(facts.pair_count, "pair", "pairs") + " in " +
+  return red(io::grouped(facts.at_risk.size()) + " of " + io::grouped(facts.positions.size())) +
+         ": " + count_of(facts.pair_count, "pair", "pairs") + " in " +
          count_of(facts.group_count, "group", "groups");
 }
 
@@ -47,8 +47,8 @@ void append_seen(std::string& out, const Seen& seen) {
   const report::SwarmFacts& swarm = swarm_of(seen);
   append_summary_line(out, "input", printable(swarm.title) + " (" + printable(swarm.source) + ")");
   for (const std::string& note : swarm.notes) append_summary_line(out, "note", printable(note));
-  append_summary_line(out, "bees",
-                      std::visit([](const auto& facts) { return grouped(bees_of(facts)); }, seen));
+  append_summary_line(
+      out, "bees", std::visit([](const auto& facts) { return io::grouped(bees_of(facts)); }, seen));
   append_summary_line(out, "threshold",
                       separation_text(swarm.threshold_m, swarm.vertical_m, swarm.inclusive));
   append_summary_line(out, "at risk",
@@ -60,11 +60,12 @@ void append_written(std::string& out, const std::string& output, const SeenTimin
     std::error_code unknown;
     const auto bytes = std::filesystem::file_size(output, unknown);
     append_summary_line(out, "written",
-                        printable(output) + (unknown ? "" : " (" + byte_count(bytes) + ")"));
+                        printable(output) + (unknown ? "" : " (" + io::byte_count(bytes) + ")"));
   }
   append_summary_line(out, "time",
-                      "read " + duration(timings.read_s) + ", find " + duration(timings.find_s) +
-                          ", write " + duration(timings.write_s));
+                      "read " + io::duration(timings.read_s) + ", find " +
+                          io::duration(timings.find_s) + ", write " +
+                          io::duration(timings.write_s));
 }
 
 }  // namespace beespace::cli

@@ -1,6 +1,5 @@
 #include "cli/show/view_command.hpp"
 
-#include "cli/analysis/number_text.hpp"
 #include "cli/analysis/page_of.hpp"
 #include "cli/command_line/option_values.hpp"
 #include "cli/console/failure.hpp"
@@ -10,6 +9,7 @@
 #include "cli/show/browser.hpp"
 #include "cli/show/page_server.hpp"
 #include "cli/show/seen_summary.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <cstdint>
 #include <limits>
@@ -40,7 +40,7 @@ constexpr const char* kDetails =
     "terminated, 141 closed pipe.";
 
 Result<std::uint16_t> port_of(const std::string& text) {
-  const auto port = parse_whole(text);
+  const auto port = io::parse_whole(text);
   if (port && *port <= std::numeric_limits<std::uint16_t>::max()) {
     return static_cast<std::uint16_t>(*port);
   }

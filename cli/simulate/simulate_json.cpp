@@ -1,7 +1,7 @@
 #include "cli/simulate/simulate_json.hpp"
 
-#include "cli/analysis/number_text.hpp"
 #include "cli/simulate/simulate_scenarios.hpp"
+#include "io/bytes/number_text.hpp"
 #include "io/json/json_text.hpp"
 
 #include <beespace/version.hpp>
@@ -14,7 +14,7 @@ namespace beespace::cli {
 namespace {
 
 std::string or_null(const std::optional<double>& value) {
-  return value ? exact(*value) : "null";
+  return value ? io::exact(*value) : "null";
 }
 
 const char* yes_or_no(bool yes) {
@@ -60,8 +60,8 @@ std::string closest_pair(const SimulatedFlight& flight) {
   if (!verdict.closest_m) return "null";
   return "{\"first\": " + flight.names().bee_as_json(verdict.closest_pair->first) +
          ", \"second\": " + flight.names().bee_as_json(verdict.closest_pair->second) +
-         ", \"step_begins_s\": " + exact(verdict.closest_step_s) +
-         ", \"distance_m\": " + exact(*verdict.closest_m) + "}";
+         ", \"step_begins_s\": " + io::exact(verdict.closest_step_s) +
+         ", \"distance_m\": " + io::exact(*verdict.closest_m) + "}";
 }
 
 std::string nearest_obstacle(const SimulatedFlight& flight) {
@@ -69,8 +69,8 @@ std::string nearest_obstacle(const SimulatedFlight& flight) {
   if (!nearest) return "null";
   return "{\"bee\": " + flight.names().bee_as_json(nearest->bee) +
          ", \"obstacle\": " + std::to_string(nearest->obstacle) +
-         ", \"time_s\": " + exact(nearest->time_s) +
-         ", \"distance_m\": " + exact(nearest->distance_m) + "}";
+         ", \"time_s\": " + io::exact(nearest->time_s) +
+         ", \"distance_m\": " + io::exact(nearest->distance_m) + "}";
 }
 
 std::string stuck_bees(const SimulatedFlight& flight, const FlightOutcome& outcome) {
@@ -89,26 +89,26 @@ void add_question(JsonObject& object, const SimulatedFlight& flight) {
   const bool own = flight.has_own_limits();
   object.add("scenario", io::json_string(request.scenario));
   object.add("bees", std::uint64_t{flight.loop().movers().size()});
-  object.add("spacing_m", request.from_file ? "null" : exact(request.spacing_m));
+  object.add("spacing_m", request.from_file ? "null" : io::exact(request.spacing_m));
   object.add("seed", request.from_file || request.scenario == kHeadOn
                          ? "null"
                          : std::to_string(request.seed));
   object.add("obstacles", std::uint64_t{map == nullptr ? 0 : map->obstacles().size()});
-  object.add("clearance_m", map == nullptr ? "null" : exact(options.advice.clearance_m));
+  object.add("clearance_m", map == nullptr ? "null" : io::exact(options.advice.clearance_m));
   object.add("method", io::json_string(method_name(options.method)));
-  object.add("threshold_m", exact(options.advice.threshold_m));
+  object.add("threshold_m", io::exact(options.advice.threshold_m));
   object.add("own_limits", yes_or_no(own));
-  object.add("max_speed_mps", own ? "null" : exact(options.limits.max_speed_mps));
+  object.add("max_speed_mps", own ? "null" : io::exact(options.limits.max_speed_mps));
   object.add("max_acceleration_mps2",
-             own || flight.at_once() ? "null" : exact(options.limits.max_acceleration_mps2));
-  object.add("step_s", exact(options.advice.step_s));
+             own || flight.at_once() ? "null" : io::exact(options.limits.max_acceleration_mps2));
+  object.add("step_s", io::exact(options.advice.step_s));
 }
 
 void add_answer(JsonObject& object, const SimulatedFlight& flight) {
   const FlightFigures& figures = flight.figures();
   const FlightOutcome outcome = flight.outcome();
   object.add("steps", figures.steps);
-  object.add("time_s", exact(flight.loop().time_s()));
+  object.add("time_s", io::exact(flight.loop().time_s()));
   object.add("all_stand", yes_or_no(figures.landed));
   object.add("loss_count", flight.verdict().losses);
   object.add("steps_with_losses", figures.steps_with_losses);
@@ -120,7 +120,7 @@ void add_answer(JsonObject& object, const SimulatedFlight& flight) {
   object.add("nearest_obstacle", nearest_obstacle(flight));
   object.add("arrived", std::uint64_t{flight.loop().arrived()});
   object.add("path_ratio", or_null(outcome.path_ratio));
-  object.add("stuck_s", exact(outcome.stuck_s));
+  object.add("stuck_s", io::exact(outcome.stuck_s));
   object.add("stuck_at_end", stuck_bees(flight, outcome));
   object.add("advice_us", or_null(outcome.advice_us));
 }

@@ -1,10 +1,10 @@
 #include "cli/simulate/simulate_mission.hpp"
 
-#include "cli/analysis/number_text.hpp"
 #include "cli/console/summary_line.hpp"
 #include "cli/input/obstacle_file.hpp"
 #include "cli/simulate/simulate_scenarios.hpp"
 #include "io/bytes/byte_source.hpp"
+#include "io/bytes/number_text.hpp"
 #include "io/load_plans.hpp"
 
 #include <beespace/nearest.hpp>
@@ -85,8 +85,8 @@ Status check_apart(const SimulateRequest& request, const FlightNames& names,
     who = "the bees '" + names.bee((*closest)->first) + "' and '" + names.bee((*closest)->second) +
           "'";
   }
-  return misplaced(request, who + " " + words.two + " " + length((*closest)->distance_m) +
-                                " apart, and the threshold is " + exact(threshold_m) + " m; " +
+  return misplaced(request, who + " " + words.two + " " + io::length((*closest)->distance_m) +
+                                " apart, and the threshold is " + io::exact(threshold_m) + " m; " +
                                 (request.from_file ? "correct the file, or give a smaller "
                                                      "--threshold"
                                                    : "give a larger --spacing"));
@@ -106,8 +106,8 @@ Status check_clear(const SimulateRequest& request, const FlightNames& names, con
     if (distance_m < 0.0) {
       text.append("inside ").append(obstacle).append("; move one of the two");
     } else {
-      text.append(length(distance_m)).append(" from ").append(obstacle);
-      text.append(", and the clearance is ").append(exact(request.loop.advice.clearance_m));
+      text.append(io::length(distance_m)).append(" from ").append(obstacle);
+      text.append(", and the clearance is ").append(io::exact(request.loop.advice.clearance_m));
       text.append(" m; move one of the two, or give another --clearance");
     }
     return misplaced(request, std::move(text));

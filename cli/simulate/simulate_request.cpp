@@ -1,10 +1,10 @@
 #include "cli/simulate/simulate_request.hpp"
 
-#include "cli/analysis/number_text.hpp"
 #include "cli/command_line/flight_values.hpp"
 #include "cli/command_line/option_values.hpp"
 #include "cli/output/output_form.hpp"
 #include "cli/simulate/simulate_scenarios.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <beespace/point.hpp>
 
@@ -23,10 +23,10 @@ constexpr const char* kDefaultAcceleration = "5";
 constexpr const char* kDefaultClearance = "1";
 
 Result<std::uint64_t> read_count(const char* option, const std::string& text, std::uint64_t most) {
-  const auto count = parse_whole(text);
+  const auto count = io::parse_whole(text);
   if (count && *count >= 1 && *count <= most) return *count;
   return simulate_error(std::string(option) + " '" + text + "' is not a whole number from 1 to " +
-                        grouped(most));
+                        io::grouped(most));
 }
 
 std::string or_default(const std::string& given, const char* otherwise) {
@@ -113,7 +113,7 @@ Result<double> read_spacing(const SimulateOptions& options, double threshold_m) 
   if (!spacing) return spacing.error();
   if (*spacing >= threshold_m * kRoom) return *spacing;
   return simulate_error("--spacing " + options.spacing + " is not above the threshold of " +
-                        exact(threshold_m) + " m; bees would begin too close to each other");
+                        io::exact(threshold_m) + " m; bees would begin too close to each other");
 }
 
 // Text, by the ending; a name without one, as that of a device or a pipe, is as good as any.
@@ -165,7 +165,7 @@ Result<SimulateRequest> simulate_request(const SimulateOptions& options) {
   const auto steps = read_count("--steps", options.steps, 1'000'000'000);
   if (!steps) return steps.error();
   request.most_steps = *steps;
-  const auto seed = parse_whole(or_default(options.seed, kDefaultSeed));
+  const auto seed = io::parse_whole(or_default(options.seed, kDefaultSeed));
   if (!seed) {
     return simulate_error("--seed '" + options.seed + "' is not a whole number from 0 to " +
                           std::to_string(std::numeric_limits<std::uint64_t>::max()));

@@ -1,9 +1,9 @@
 #include "cli/simulate/simulate_summary.hpp"
 
-#include "cli/analysis/number_text.hpp"
 #include "cli/console/summary_line.hpp"
 #include "cli/console/terminal.hpp"
 #include "io/bytes/byte_source.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,12 +17,12 @@ namespace beespace::cli {
 namespace {
 
 std::string times(std::uint64_t count, const char* one, const char* several) {
-  return grouped(count) + " " + (count == 1 ? one : several);
+  return io::grouped(count) + " " + (count == 1 ? one : several);
 }
 
 std::string scenario_text(const SimulateRequest& request) {
   if (request.from_file) return printable(io::source_name(request.scenario));
-  const std::string spacing = exact(request.spacing_m) + " m";
+  const std::string spacing = io::exact(request.spacing_m) + " m";
   if (request.scenario == "head-on") return "head-on, from " + spacing + " apart";
   return request.scenario + ", about " + spacing + " apart, seed " + std::to_string(request.seed);
 }
@@ -42,9 +42,9 @@ std::string method_text(sim::Method method) {
 }
 
 std::string limits_text(const FlightLimits& limits) {
-  const std::string text = exact(limits.max_speed_mps) + " m/s";
+  const std::string text = io::exact(limits.max_speed_mps) + " m/s";
   if (std::isinf(limits.max_acceleration_mps2)) return text + ", velocities change at once";
-  return text + ", " + exact(limits.max_acceleration_mps2) + " m/s^2";
+  return text + ", " + io::exact(limits.max_acceleration_mps2) + " m/s^2";
 }
 
 std::string threshold_text(const SimulateRequest& request) {
@@ -55,15 +55,15 @@ void append_obstacles(std::string& out, const SimulatedFlight& flight) {
   const ObstacleMap* map = flight.loop().obstacles();
   if (map == nullptr) return;
   append_summary_line(out, "obstacles",
-                      grouped(std::uint64_t{map->obstacles().size()}) + ", clearance " +
-                          exact(flight.request().loop.advice.clearance_m) + " m");
+                      io::grouped(std::uint64_t{map->obstacles().size()}) + ", clearance " +
+                          io::exact(flight.request().loop.advice.clearance_m) + " m");
 }
 
 std::string flown_text(const SimulatedFlight& flight) {
   const FlightFigures& figures = flight.figures();
   const std::string text = times(figures.steps, "step", "steps") + " of " +
-                           exact(flight.request().loop.advice.step_s) + " s (" +
-                           grouped(flight.loop().time_s(), 2) + " s)";
+                           io::exact(flight.request().loop.advice.step_s) + " s (" +
+                           io::grouped(flight.loop().time_s(), 2) + " s)";
   return text + (figures.landed ? ", until all had arrived" : ", the most (--steps)");
 }
 
@@ -71,19 +71,19 @@ std::string losses_text(const SimulatedFlight& flight) {
   const std::uint64_t losses = flight.verdict().losses;
   if (losses == 0) return bold("none");
   return red(times(losses, "loss", "losses")) + " of separation, a pair a step; in " +
-         grouped(flight.figures().steps_with_losses) + " of " +
+         io::grouped(flight.figures().steps_with_losses) + " of " +
          times(flight.figures().steps, "step", "steps");
 }
 
 std::string closest_text(const SimulatedFlight& flight) {
   const Verdict& verdict = flight.verdict();
   if (!verdict.closest_m) {
-    return "nobody came closer than " + exact(2.0 * flight.request().loop.advice.threshold_m) +
+    return "nobody came closer than " + io::exact(2.0 * flight.request().loop.advice.threshold_m) +
            " m to anybody";
   }
   return flight.names().bee(verdict.closest_pair->first) + " and " +
-         flight.names().bee(verdict.closest_pair->second) + ", " + length(*verdict.closest_m) +
-         " apart in the step from " + grouped(verdict.closest_step_s, 2) + " s";
+         flight.names().bee(verdict.closest_pair->second) + ", " + io::length(*verdict.closest_m) +
+         " apart in the step from " + io::grouped(verdict.closest_step_s, 2) + " s";
 }
 
 // How near to obstacles, and how often too near.
@@ -96,13 +96,15 @@ void append_nearness(std::string& out, const SimulatedFlight& flight) {
       out, "clearance",
       losses == 0 ? bold("kept") : red(times(losses, "loss", "losses")) + ", a bee a step");
   std::string text = "nobody came closer than " +
-                     exact(2.0 * flight.request().loop.advice.clearance_m) + " m to any obstacle";
+                     io::exact(2.0 * flight.request().loop.advice.clearance_m) +
+                     " m to any obstacle";
   if (watched.nearest) {
     const auto& [bee, obstacle, distance_m, time_s] = *watched.nearest;
     text = flight.names().bee(bee) + ", " +
-           (distance_m < 0.0 ? length(-distance_m) + " inside " : length(distance_m) + " from ") +
+           (distance_m < 0.0 ? io::length(-distance_m) + " inside "
+                             : io::length(distance_m) + " from ") +
            flight.names().obstacle(obstacle, map->obstacles()[obstacle]) + ", at " +
-           grouped(time_s, 2) + " s";
+           io::grouped(time_s, 2) + " s";
   }
   append_summary_line(out, "nearest", text);
 }
@@ -122,15 +124,15 @@ void append_uncertified(std::string& out, const FlightFigures& figures) {
 
 std::string arrived_text(const sim::ClosedLoop& loop) {
   const auto bees = static_cast<double>(loop.movers().size());
-  return grouped(std::uint64_t{loop.arrived()}) + " (" +
-         percentage(static_cast<double>(loop.arrived()) / bees) + ")";
+  return io::grouped(std::uint64_t{loop.arrived()}) + " (" +
+         io::percentage(static_cast<double>(loop.arrived()) / bees) + ")";
 }
 
 std::string stuck_text(const SimulatedFlight& flight, const FlightOutcome& outcome) {
-  std::string text = grouped(outcome.stuck_s, 2) + " s a bee";
+  std::string text = io::grouped(outcome.stuck_s, 2) + " s a bee";
   if (outcome.stuck.empty()) return text;
-  text += "; at the end " + red(grouped(std::uint64_t{outcome.stuck.size()})) + " for up to " +
-          grouped(outcome.longest_stuck_s, 2) + " s: ";
+  text += "; at the end " + red(io::grouped(std::uint64_t{outcome.stuck.size()})) + " for up to " +
+          io::grouped(outcome.longest_stuck_s, 2) + " s: ";
   constexpr std::size_t kShown = 5;
   const std::size_t shown = std::min(kShown, outcome.stuck.size());
   for (std::size_t i = 0; i < shown; ++i) {
@@ -165,7 +167,7 @@ std::string simulate_summary(const SimulatedFlight& flight) {
   const FlightOutcome outcome = flight.outcome();
   std::string out;
   append_summary_line(out, "scenario", scenario_text(request));
-  append_summary_line(out, "bees", grouped(std::uint64_t{flight.loop().movers().size()}));
+  append_summary_line(out, "bees", io::grouped(std::uint64_t{flight.loop().movers().size()}));
   append_obstacles(out, flight);
   append_summary_line(out, "method", method_text(request.loop.method));
   append_summary_line(out, "threshold", threshold_text(request));
@@ -181,13 +183,13 @@ std::string simulate_summary(const SimulatedFlight& flight) {
   append_uncertified(out, flight.figures());
   append_summary_line(out, "arrived", arrived_text(flight.loop()));
   append_summary_line(out, "path ratio",
-                      outcome.path_ratio ? grouped(*outcome.path_ratio, 3) +
+                      outcome.path_ratio ? io::grouped(*outcome.path_ratio, 3) +
                                                " (flown to shortest, of those that arrived)"
                                          : "none: nobody has flown and arrived");
   append_summary_line(out, "stuck", stuck_text(flight, outcome));
-  std::string time = "in all " + duration(flight.figures().total_s);
+  std::string time = "in all " + io::duration(flight.figures().total_s);
   if (outcome.advice_us) {
-    time.insert(0, "advice " + grouped(*outcome.advice_us, 2) + " us a bee a step, ");
+    time.insert(0, "advice " + io::grouped(*outcome.advice_us, 2) + " us a bee a step, ");
   }
   append_summary_line(out, "time", time);
   for (const std::string& note : flight.notes()) append_summary_line(out, "note", printable(note));
@@ -199,7 +201,7 @@ std::string sweep_head(const SimulateRequest& request) {
   append_summary_line(
       out, "scenario",
       "random swaps, closer and closer together, seed " + std::to_string(request.seed));
-  append_summary_line(out, "bees", grouped(std::uint64_t{request.bees}));
+  append_summary_line(out, "bees", io::grouped(std::uint64_t{request.bees}));
   append_summary_line(out, "method", method_text(request.loop.method));
   append_summary_line(out, "threshold", threshold_text(request));
   append_summary_line(out, "limits", limits_text(request.loop.limits));
@@ -212,11 +214,11 @@ std::string sweep_row(const SimulatedFlight& flight) {
   const sim::ClosedLoop& loop = flight.loop();
   const double arrived =
       static_cast<double>(loop.arrived()) / static_cast<double>(loop.movers().size());
-  return row_of({exact(flight.request().spacing_m) + " m", grouped(verdict.losses),
-                 verdict.closest_m ? length(*verdict.closest_m) : "-", percentage(arrived),
-                 outcome.path_ratio ? grouped(*outcome.path_ratio, 3) : "-",
-                 grouped(outcome.stuck_s, 2),
-                 outcome.advice_us ? grouped(*outcome.advice_us, 2) : "-"});
+  return row_of({io::exact(flight.request().spacing_m) + " m", io::grouped(verdict.losses),
+                 verdict.closest_m ? io::length(*verdict.closest_m) : "-", io::percentage(arrived),
+                 outcome.path_ratio ? io::grouped(*outcome.path_ratio, 3) : "-",
+                 io::grouped(outcome.stuck_s, 2),
+                 outcome.advice_us ? io::grouped(*outcome.advice_us, 2) : "-"});
 }
 
 }  // namespace beespace::cli

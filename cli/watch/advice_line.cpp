@@ -1,7 +1,7 @@
 #include "cli/watch/advice_line.hpp"
 
-#include "cli/analysis/number_text.hpp"
 #include "cli/output/advice_words.hpp"
+#include "io/bytes/number_text.hpp"
 #include "io/json/json_text.hpp"
 #include "report/local_axes.hpp"
 
@@ -13,14 +13,14 @@ void append_member(std::string& out, const char* key, const std::string& value) 
 }
 
 void append_times(std::string& out, const AdviceTimes& times) {
-  append_member(out, "time_s", exact(times.time_s));
-  append_member(out, "effective_s", exact(times.effective_s));
+  append_member(out, "time_s", io::exact(times.time_s));
+  append_member(out, "effective_s", io::exact(times.effective_s));
 }
 
 std::string velocity_text(const char* names, double a, double b, double c) {
   const std::string n(names);
-  return "{\"v" + n.substr(0, 1) + "\": " + exact(a) + ", \"v" + n.substr(1, 1) +
-         "\": " + exact(b) + ", \"v" + n.substr(2, 1) + "\": " + exact(c) + "}";
+  return "{\"v" + n.substr(0, 1) + "\": " + io::exact(a) + ", \"v" + n.substr(1, 1) +
+         "\": " + io::exact(b) + ", \"v" + n.substr(2, 1) + "\": " + io::exact(c) + "}";
 }
 
 }  // namespace

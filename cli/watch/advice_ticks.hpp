@@ -2,7 +2,7 @@
 // none is passed over for the rounding of a time.
 #pragma once
 
-#include "cli/analysis/look_times.hpp"
+#include "analysis/live/look_times.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +38,7 @@ class AdviceTicks {
   }
 
   double step_s_;
-  LookTimes times_;
+  analysis::LookTimes times_;
 };
 
 }  // namespace beespace::cli

@@ -1,8 +1,8 @@
 #include "cli/watch/live_advice_options.hpp"
 
-#include "cli/analysis/number_text.hpp"
 #include "cli/command_line/flight_values.hpp"
 #include "cli/command_line/option_values.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <utility>
 

@@ -1,8 +1,7 @@
 #include "cli/watch/watch_command.hpp"
 
+#include "analysis/recorded/moving_input.hpp"
 #include "cli/analysis/live_feed.hpp"
-#include "cli/analysis/moving_input.hpp"
-#include "cli/analysis/number_text.hpp"
 #include "cli/console/failure.hpp"
 #include "cli/console/signals.hpp"
 #include "cli/console/standard_output.hpp"
@@ -14,6 +13,7 @@
 #include "cli/watch/pace.hpp"
 #include "cli/watch/watch_request.hpp"
 #include "cli/watch/watch_tally.hpp"
+#include "io/bytes/number_text.hpp"
 #include "io/live/report_lines.hpp"
 
 #include <algorithm>
@@ -123,7 +123,7 @@ class Watch {
   void begin(io::Frame frame, io::Unit height_unit) {
     frame_ = frame;
     height_unit_ = height_unit;
-    geometry_ = geometry_for(frame, height_unit, request_.vertical);
+    geometry_ = analysis::geometry_for(frame, height_unit, request_.vertical);
     SwarmOptions options = request_.swarm;
     options.vertical_m = vertical_in(geometry_, request_.vertical);
     options.heights_apart = heights_apart(geometry_);
@@ -257,7 +257,8 @@ class Watch {
   void note_contrary(const Report& report) {
     if (++left_out_.contrary > kMostBadLinesSaid || request_.quiet) return;
     say("beespace: left out: " + printable(feed_->name(report.id).id) +
-        " is said to be at two places at " + exact(report.time_s) + " s; the first one counts\n");
+        " is said to be at two places at " + io::exact(report.time_s) +
+        " s; the first one counts\n");
   }
 
   void note_bad(const Error& error) {
@@ -309,20 +310,21 @@ class Watch {
     for (const std::string& note : lines_.notes())
       append_summary_line(out, "note", printable(note));
     const SwarmCounts counts = feed_ ? feed_->counts() : SwarmCounts{};
-    append_summary_line(out, "reports", grouped(counts.taken));
-    if (counts.late > 0) append_summary_line(out, "late", grouped(counts.late) + " left out");
+    append_summary_line(out, "reports", io::grouped(counts.taken));
+    if (counts.late > 0) append_summary_line(out, "late", io::grouped(counts.late) + " left out");
     if (counts.repeated > 0) {
-      append_summary_line(out, "repeated", grouped(counts.repeated) + " left out");
+      append_summary_line(out, "repeated", io::grouped(counts.repeated) + " left out");
     }
     if (feed_) tally_.append_clocks(out, *feed_);
     if (left_out_.contrary > 0) {
-      append_summary_line(out, "contrary", red(grouped(left_out_.contrary)) + " left out");
+      append_summary_line(out, "contrary", red(io::grouped(left_out_.contrary)) + " left out");
     }
     if (left_out_.lines > 0) {
-      append_summary_line(out, "bad lines", red(grouped(left_out_.lines)) + " left out");
+      append_summary_line(out, "bad lines", red(io::grouped(left_out_.lines)) + " left out");
     }
-    append_summary_line(out, "bees",
-                        grouped(counts.bees) + " heard of, " + grouped(counts.stale) + " stale");
+    append_summary_line(
+        out, "bees",
+        io::grouped(counts.bees) + " heard of, " + io::grouped(counts.stale) + " stale");
     if (feed_) tally_.append_unknown(out, *feed_);
     append_summary_line(
         out, "threshold",
@@ -333,14 +335,14 @@ class Watch {
   }
 
   void append_advice(std::string& out) const {
-    std::string text = grouped(advice_->told());
+    std::string text = io::grouped(advice_->told());
     if (advice_->uncertified() > 0) {
-      text += ", " + red(grouped(advice_->uncertified())) + " not certified";
+      text += ", " + red(io::grouped(advice_->uncertified())) + " not certified";
     }
     append_summary_line(out, "advice", text);
     const std::uint64_t without = unadvised_looks_ + advice_->skipped();
     if (without == 0) return;
-    append_summary_line(out, "no advice", red(grouped(without)) + " looks");
+    append_summary_line(out, "no advice", red(io::grouped(without)) + " looks");
   }
 
   const WatchRequest& request_;
@@ -348,7 +350,7 @@ class Watch {
   Pace pace_;
   io::Frame frame_ = io::Frame::kMetres;  // once there is a feed
   io::Unit height_unit_ = io::Unit::kMetre;
-  Geometry geometry_ = Geometry::kSpace;
+  analysis::Geometry geometry_ = analysis::Geometry::kSpace;
   std::optional<LiveFeed> feed_;
   std::optional<LiveAdvice> advice_;
   WatchTally tally_;

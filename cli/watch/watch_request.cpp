@@ -1,12 +1,12 @@
 #include "cli/watch/watch_request.hpp"
 
-#include "cli/analysis/number_text.hpp"
 #include "cli/command_line/flight_values.hpp"
 #include "cli/command_line/option_values.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/input/live_options.hpp"
 #include "cli/input/moving_options.hpp"
 #include "cli/watch/live_advice_options.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <beespace/mover.hpp>
 
@@ -21,7 +21,7 @@ constexpr const char* kName = "watch";
 Result<std::size_t> read_bound(const std::string& option, const std::string& text,
                                std::size_t otherwise) {
   if (text.empty()) return otherwise;
-  const auto value = parse_whole(text);
+  const auto value = io::parse_whole(text);
   constexpr std::uint64_t kMost = 4'000'000'000;
   if (value && *value >= 1 && *value <= kMost) return static_cast<std::size_t>(*value);
   return usage_error(
@@ -31,7 +31,7 @@ Result<std::size_t> read_bound(const std::string& option, const std::string& tex
 // What the engine can compute with, so that no report is refused for the options. A vertical
 // threshold may be compared as typed, or in metres.
 Status domain_problem(const WatchOptions& typed, const SwarmOptions& swarm,
-                      const std::optional<StatedLength>& vertical) {
+                      const std::optional<io::StatedLength>& vertical) {
   if (auto good = in_motion_domain(kName, "--max-age", typed.max_age, swarm.max_age_s); !good) {
     return good;
   }

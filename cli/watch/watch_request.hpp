@@ -2,10 +2,10 @@
 #pragma once
 
 #include "cli/analysis/live_feed.hpp"
-#include "cli/analysis/stated_length.hpp"
 #include "cli/watch/live_advice.hpp"
 #include "cli/watch/watch_command.hpp"
 #include "io/recording/recording_options.hpp"
+#include "io/units/stated_length.hpp"
 
 #include <beespace/result.hpp>
 #include <beespace/swarm.hpp>
@@ -19,7 +19,7 @@ struct WatchRequest {
   std::string input;
   io::RecordingOptions lines;
   SwarmOptions swarm;
-  std::optional<StatedLength> vertical;  // that of `swarm`, as typed
+  std::optional<io::StatedLength> vertical;  // that of `swarm`, as typed
   LiveTimes times = {};
   bool by_arrival = false;                  // the time of a report is when it came
   std::optional<double> speed;              // times that of the clock of the reports

@@ -1,9 +1,9 @@
 #include "cli/watch/watch_tally.hpp"
 
-#include "cli/analysis/number_text.hpp"
 #include "cli/console/summary_line.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/output/event_lines.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,11 +15,11 @@ namespace {
 
 // To the tenth, as nothing more is known of when a bee fell silent.
 std::string seconds(double value) {
-  return exact(std::round(10.0 * value) / 10.0) + " s";
+  return io::exact(std::round(10.0 * value) / 10.0) + " s";
 }
 
 std::string several(std::uint64_t count, const char* one, const char* many) {
-  return grouped(count) + " " + (count == 1 ? one : many);
+  return io::grouped(count) + " " + (count == 1 ? one : many);
 }
 
 double unknown_s(const std::vector<Silence>& silences) {
@@ -67,22 +67,22 @@ bool WatchTally::risk(const LiveFeed& feed, const LeftOutOfWatch& left_out) cons
 }
 
 void WatchTally::append_clocks(std::string& out, const LiveFeed& feed) const {
-  const BeeClocks& clocks = feed.clocks();
+  const analysis::BeeClocks& clocks = feed.clocks();
   if (clocks.named() > 0) {
     const std::string whose = clocks.named() == 1 ? " bee's is off" : " bees' are off";
     append_summary_line(out, "clocks",
-                        red(grouped(clocks.named())) + whose +
+                        red(io::grouped(clocks.named())) + whose +
                             ", the last named: " + printable(feed.name(last_off_->bee).id) +
-                            ", by " + exact(last_off_->ahead_s) + " s");
+                            ", by " + io::exact(last_off_->ahead_s) + " s");
   }
   if (clocks.left_out() > 0) {
     const char* const for_what = clocks.left_out() == 1 ? " report left out for its time"
                                                         : " reports left out for their times";
-    append_summary_line(out, "clocks", red(grouped(clocks.left_out())) + for_what);
+    append_summary_line(out, "clocks", red(io::grouped(clocks.left_out())) + for_what);
   }
   if (feed.begun_anew() == 0) return;
   std::string text = "all began anew";
-  if (feed.begun_anew() > 1) text += ", " + grouped(feed.begun_anew()) + " times";
+  if (feed.begun_anew() > 1) text += ", " + io::grouped(feed.begun_anew()) + " times";
   append_summary_line(out, "clocks", text);
 }
 
@@ -103,18 +103,18 @@ void WatchTally::append_unknown(std::string& out, const LiveFeed& feed) const {
     text += printable(feed.name(longest[i].id).id) + " " + seconds(longest[i].unknown_s);
     if (longest[i].since_s) text += " (to the end)";
   }
-  if (named < longest.size()) text += " and " + grouped(longest.size() - named) + " more";
+  if (named < longest.size()) text += " and " + io::grouped(longest.size() - named) + " more";
   append_summary_line(out, "unknown", text);
 }
 
 void WatchTally::append_events(std::string& out, const LiveFeed& feed,
                                const LeftOutOfWatch& left_out) const {
   for (const EventKind kind : {EventKind::kPredicted, EventKind::kEntered, EventKind::kLeft}) {
-    append_summary_line(out, name_of(kind), grouped(told(kind)));
+    append_summary_line(out, name_of(kind), io::grouped(told(kind)));
   }
   for (const EventKind kind :
        {EventKind::kLost, EventKind::kPossible, EventKind::kEnded, EventKind::kOverloaded}) {
-    if (told(kind) > 0) append_summary_line(out, name_of(kind), grouped(told(kind)));
+    if (told(kind) > 0) append_summary_line(out, name_of(kind), io::grouped(told(kind)));
   }
   append_summary_line(out, "verdict", verdict(feed, left_out));
 }

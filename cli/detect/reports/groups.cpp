@@ -1,5 +1,5 @@
-#include "cli/analysis/number_text.hpp"
 #include "cli/detect/reports/report.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -28,8 +28,8 @@ std::string finding(const IdRows& groups) {
   if (groups.size() == 0) return "none";
   std::size_t largest = 0;
   for (std::size_t i = 0; i < groups.size(); ++i) largest = std::max(largest, groups[i].size());
-  return grouped(groups.size()) + (groups.size() == 1 ? ", of " : ", the largest of ") +
-         grouped(largest) + " bees";
+  return io::grouped(groups.size()) + (groups.size() == 1 ? ", of " : ", the largest of ") +
+         io::grouped(largest) + " bees";
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-#include "cli/analysis/number_text.hpp"
 #include "cli/detect/reports/report.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -41,8 +41,8 @@ std::string finding(const NearestList& nearest) {
   }
   if (distances.empty()) return "nobody";
   const double middle = median(distances);
-  return length(middle) + " is the median, " +
-         length(*std::max_element(distances.begin(), distances.end())) + " the farthest";
+  return io::length(middle) + " is the median, " +
+         io::length(*std::max_element(distances.begin(), distances.end())) + " the farthest";
 }
 
 }  // namespace

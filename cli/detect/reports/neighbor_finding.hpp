@@ -1,7 +1,7 @@
 // What is worth knowing about how many neighbours bees have.
 #pragma once
 
-#include "cli/analysis/number_text.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace beespace::cli {
 inline std::string neighbor_finding(std::uint64_t neighbors, std::size_t bees, std::uint64_t most) {
   if (most == 0) return "none";
   const double mean = static_cast<double>(neighbors) / static_cast<double>(bees);
-  return grouped(mean, 2) + " a bee on average, " + grouped(most) + " at most";
+  return io::grouped(mean, 2) + " a bee on average, " + io::grouped(most) + " at most";
 }
 
 }  // namespace beespace::cli

@@ -1,5 +1,5 @@
-#include "cli/analysis/number_text.hpp"
 #include "cli/detect/reports/report.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <utility>
 
@@ -13,7 +13,7 @@ Result<Table> report_pairs(const Question& question) {
           : question.engine.find_pairs_between(question.points, *question.others, question.search,
                                                table.pairs);
   if (!found) return found.error();
-  std::string finding = table.pairs.empty() ? "none" : grouped(table.pairs.size());
+  std::string finding = table.pairs.empty() ? "none" : io::grouped(table.pairs.size());
   return Table{std::move(table), std::move(finding)};
 }
 

@@ -1,10 +1,10 @@
-#include "cli/analysis/bee_clocks.hpp"
+#include "analysis/live/bee_clocks.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-namespace beespace::cli {
+namespace beespace::analysis {
 namespace {
 
 // The clock of the reports counts as going on while it is heard of so often.
@@ -341,4 +341,4 @@ void BeeClocks::forget(PointId id) {
   bee = {};
 }
 
-}  // namespace beespace::cli
+}  // namespace beespace::analysis

@@ -1,8 +1,8 @@
-#include "cli/analysis/look_times.hpp"
+#include "analysis/live/look_times.hpp"
 
 #include <cmath>
 
-namespace beespace::cli {
+namespace beespace::analysis {
 namespace {
 
 // Integers of doubles are exact below.
@@ -39,4 +39,4 @@ std::optional<std::int64_t> LookTimes::last_before(double time_s) const {
   return number;
 }
 
-}  // namespace beespace::cli
+}  // namespace beespace::analysis

@@ -1,13 +1,13 @@
-#include "cli/analysis/ground_places.hpp"
+#include "analysis/geometry/ground_places.hpp"
 
 #include <beespace/geodesy.hpp>
 
 #include <numeric>
 
-namespace beespace::cli {
+namespace beespace::analysis {
 
 GroundPlaces ground_places(const io::LoadedPoints& loaded,
-                           const std::optional<StatedLength>& vertical, io::Unit height_unit) {
+                           const std::optional<io::StatedLength>& vertical, io::Unit height_unit) {
   GroundPlaces places;
   if (!vertical) return places;
   const bool as_stated = compares_as_stated(vertical, height_unit);
@@ -30,4 +30,4 @@ GroundPlaces ground_places(const io::LoadedPoints& loaded,
   return places;
 }
 
-}  // namespace beespace::cli
+}  // namespace beespace::analysis

@@ -1,4 +1,4 @@
-#include "cli/analysis/number_text.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <system_error>
 
-namespace beespace::cli {
+namespace beespace::io {
 namespace {
 
 constexpr std::size_t kLongestNumber = 400;  // a double with decimals: up to 309 digits before
@@ -131,4 +131,4 @@ std::optional<std::uint64_t> parse_whole(std::string_view text) {
   return value;
 }
 
-}  // namespace beespace::cli
+}  // namespace beespace::io

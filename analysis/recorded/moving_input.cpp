@@ -1,6 +1,6 @@
-#include "cli/analysis/moving_input.hpp"
+#include "analysis/recorded/moving_input.hpp"
 
-#include "cli/analysis/number_text.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <beespace/bezier_path.hpp>
 #include <beespace/geodesy.hpp>
@@ -10,7 +10,7 @@
 #include <limits>
 #include <utility>
 
-namespace beespace::cli {
+namespace beespace::analysis {
 namespace {
 
 GeographicPosition geographic(const Point& p) {
@@ -123,7 +123,7 @@ Result<LastState> last_state(const io::Recording& recording, const io::RecordedB
   const double lasts = last.time_s - bee.fixes[bee.fixes.size() - 2].time_s;
   if (lasts > max_age_s) {
     return Error{ErrorCode::kMissingColumn,
-                 "there is no velocity, and its last two fixes are " + exact(lasts) +
+                 "there is no velocity, and its last two fixes are " + io::exact(lasts) +
                      " s apart, too far to tell it from; give velocities (columns vx, vy, vz; or "
                      "ve, vn, vu beside degrees), or raise --max-age",
                  {}};
@@ -167,16 +167,18 @@ Result<double> last_time(const io::Recording& recording) {
 }  // namespace
 
 Geometry geometry_for(io::Frame frame, io::Unit height_unit,
-                      const std::optional<StatedLength>& vertical) {
+                      const std::optional<io::StatedLength>& vertical) {
   if (compares_as_stated(vertical, height_unit)) return Geometry::kGroundAndStatedHeight;
   return vertical && frame == io::Frame::kWgs84 ? Geometry::kGroundAndHeight : Geometry::kSpace;
 }
 
-Geometry geometry_for(const io::Recording& recording, const std::optional<StatedLength>& vertical) {
+Geometry geometry_for(const io::Recording& recording,
+                      const std::optional<io::StatedLength>& vertical) {
   return geometry_for(recording.frame, recording.height_unit, vertical);
 }
 
-std::optional<double> vertical_in(Geometry geometry, const std::optional<StatedLength>& vertical) {
+std::optional<double> vertical_in(Geometry geometry,
+                                  const std::optional<io::StatedLength>& vertical) {
   if (!vertical) return std::nullopt;
   return geometry == Geometry::kGroundAndStatedHeight ? vertical->value : vertical->metric;
 }
@@ -288,4 +290,4 @@ Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, 
   return snapshot;
 }
 
-}  // namespace beespace::cli
+}  // namespace beespace::analysis

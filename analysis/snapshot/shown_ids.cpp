@@ -1,13 +1,13 @@
-#include "cli/analysis/shown_ids.hpp"
+#include "analysis/snapshot/shown_ids.hpp"
 
-#include "cli/analysis/number_text.hpp"
+#include "io/bytes/number_text.hpp"
 #include "io/json/json_text.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
-namespace beespace::cli {
+namespace beespace::analysis {
 
 namespace {
 
@@ -36,7 +36,7 @@ ShownIds::ShownIds(const io::LoadedPoints& loaded, const std::vector<PointId>& a
       if (is_broken(record.id)) ++broken_count_;
       return;
     }
-    append_exact(texts_, record.row);
+    io::append_exact(texts_, record.row);
     if (own_ids_) empty_.push_back(record.point);
   });
   begin_.push_back(texts_.size());
@@ -50,7 +50,7 @@ std::string_view ShownIds::find(PointId point) const {
 
 void ShownIds::append(std::string& out, PointId point) const {
   if (rows_are_points_) {
-    append_exact(out, std::uint64_t{point});
+    io::append_exact(out, std::uint64_t{point});
     return;
   }
   const std::size_t begin = out.size();
@@ -75,4 +75,4 @@ void ShownIds::append_json(std::string& out, PointId point) const {
   }
 }
 
-}  // namespace beespace::cli
+}  // namespace beespace::analysis

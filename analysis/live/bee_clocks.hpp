@@ -35,7 +35,7 @@
 #include <limits>
 #include <vector>
 
-namespace beespace::cli {
+namespace beespace::analysis {
 
 class BeeClocks {
  public:
@@ -148,4 +148,4 @@ class BeeClocks {
   std::uint64_t named_ = 0;
 };
 
-}  // namespace beespace::cli
+}  // namespace beespace::analysis

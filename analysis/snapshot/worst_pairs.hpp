@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace beespace::cli {
+namespace beespace::analysis {
 
 inline constexpr std::uint64_t kAllPairs = 200'000;  // of no more than these, all
 inline constexpr std::uint64_t kWorstPairs = 10'000;
@@ -26,4 +26,4 @@ struct WorstPairs {
 Result<WorstPairs> worst_pairs(Engine& engine, const PointsView& places, const PointsView& points,
                                const SearchOptions& options);
 
-}  // namespace beespace::cli
+}  // namespace beespace::analysis

@@ -1,11 +1,11 @@
-#include "cli/analysis/closest_in_conflict.hpp"
+#include "analysis/snapshot/closest_in_conflict.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <span>
 #include <tuple>
 
-namespace beespace::cli {
+namespace beespace::analysis {
 
 Result<std::vector<Nearest>> closest_in_conflict(Engine& engine, const PointsView& places,
                                                  const PointsView& points,
@@ -33,4 +33,4 @@ Result<std::vector<Nearest>> closest_in_conflict(Engine& engine, const PointsVie
   return closest;
 }
 
-}  // namespace beespace::cli
+}  // namespace beespace::analysis

@@ -1,4 +1,4 @@
-#include "cli/analysis/worst_pairs.hpp"
+#include "analysis/snapshot/worst_pairs.hpp"
 
 #include <beespace/nearest.hpp>
 
@@ -11,7 +11,7 @@
 #include <tuple>
 #include <utility>
 
-namespace beespace::cli {
+namespace beespace::analysis {
 namespace {
 
 struct Apart {
@@ -116,4 +116,4 @@ Result<WorstPairs> worst_pairs(Engine& engine, const PointsView& places, const P
   return worst;
 }
 
-}  // namespace beespace::cli
+}  // namespace beespace::analysis

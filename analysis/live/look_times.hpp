@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace beespace::cli {
+namespace beespace::analysis {
 
 class LookTimes {
  public:
@@ -26,4 +26,4 @@ class LookTimes {
   double step_in_parts_ = 0.0;
 };
 
-}  // namespace beespace::cli
+}  // namespace beespace::analysis

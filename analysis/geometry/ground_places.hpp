@@ -2,15 +2,15 @@
 // positions brought to height 0, geographic ones, or whose heights have the threshold's own unit.
 #pragma once
 
-#include "cli/analysis/stated_length.hpp"
 #include "io/points/loaded_points.hpp"
+#include "io/units/stated_length.hpp"
 
 #include <beespace/point.hpp>
 
 #include <optional>
 #include <vector>
 
-namespace beespace::cli {
+namespace beespace::analysis {
 
 // Both empty where the points themselves are asked about.
 struct GroundPlaces {
@@ -22,6 +22,6 @@ struct GroundPlaces {
 // `height_unit` is that of all that is compared. A threshold in the unit of the heights is compared
 // with them as they stand.
 GroundPlaces ground_places(const io::LoadedPoints& loaded,
-                           const std::optional<StatedLength>& vertical, io::Unit height_unit);
+                           const std::optional<io::StatedLength>& vertical, io::Unit height_unit);
 
-}  // namespace beespace::cli
+}  // namespace beespace::analysis

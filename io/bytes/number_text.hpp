@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace beespace::cli {
+namespace beespace::io {
 
 // The shortest text that reads back as the same double.
 void append_exact(std::string& out, double value);
@@ -41,4 +41,4 @@ std::optional<double> parse_number(std::string_view text);
 // Decimal digits and nothing else, of a number below 2^64.
 std::optional<std::uint64_t> parse_whole(std::string_view text);
 
-}  // namespace beespace::cli
+}  // namespace beespace::io

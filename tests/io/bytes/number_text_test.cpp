@@ -1,11 +1,11 @@
-#include "cli/analysis/number_text.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-namespace beespace::cli {
+namespace beespace::io {
 namespace {
 
 TEST(NumberText, ExactNumbersReadBackAsTheSameDouble) {
@@ -70,4 +70,4 @@ TEST(NumberText, WholeNumbersAreDigitsBelowTwoToThe64) {
 }
 
 }  // namespace
-}  // namespace beespace::cli
+}  // namespace beespace::io

@@ -1,4 +1,4 @@
-#include "cli/analysis/bee_clocks.hpp"
+#include "analysis/live/bee_clocks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace beespace::cli {
+namespace beespace::analysis {
 namespace {
 
 using Step = BeeClocks::Step;
@@ -356,4 +356,4 @@ TEST(BeeClocks, OfManyBeesThatGoOnAfterAPauseLoseNoReport) {
 }
 
 }  // namespace
-}  // namespace beespace::cli
+}  // namespace beespace::analysis

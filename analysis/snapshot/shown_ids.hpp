@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-namespace beespace::cli {
+namespace beespace::analysis {
 
 class ShownIds {
  public:
@@ -47,4 +47,4 @@ class ShownIds {
   std::vector<std::size_t> begin_;  // of each in texts_, and the end of the last
 };
 
-}  // namespace beespace::cli
+}  // namespace beespace::analysis

@@ -2,8 +2,8 @@
 // as movers at one instant.
 #pragma once
 
-#include "cli/analysis/stated_length.hpp"
 #include "io/recording/recording.hpp"
+#include "io/units/stated_length.hpp"
 
 #include <beespace/mover.hpp>
 #include <beespace/result.hpp>
@@ -13,22 +13,24 @@
 #include <optional>
 #include <vector>
 
-namespace beespace::cli {
+namespace beespace::analysis {
 
 // What distances are taken of: positions in space; or, for a vertical threshold between geographic
 // positions, those on the ground, and heights apart from them. Of a threshold in the unit of the
 // heights, where that is not the metre, these are heights as they are stated.
 enum class Geometry : std::uint8_t { kSpace, kGroundAndHeight, kGroundAndStatedHeight };
 Geometry geometry_for(io::Frame frame, io::Unit height_unit,
-                      const std::optional<StatedLength>& vertical);
-Geometry geometry_for(const io::Recording& recording, const std::optional<StatedLength>& vertical);
+                      const std::optional<io::StatedLength>& vertical);
+Geometry geometry_for(const io::Recording& recording,
+                      const std::optional<io::StatedLength>& vertical);
 
 [[nodiscard]] inline bool heights_apart(Geometry geometry) {
   return geometry != Geometry::kSpace;
 }
 
 // The vertical threshold for that geometry, and how many metres the unit of its heights is.
-std::optional<double> vertical_in(Geometry geometry, const std::optional<StatedLength>& vertical);
+std::optional<double> vertical_in(Geometry geometry,
+                                  const std::optional<io::StatedLength>& vertical);
 double height_unit_m(Geometry geometry, io::Unit height_unit);
 
 // A height as the input states it.
@@ -91,4 +93,4 @@ enum class Wanted : std::uint8_t { kMotion, kPlaces };
 Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, double max_age_s,
                              Wanted wanted);
 
-}  // namespace beespace::cli
+}  // namespace beespace::analysis

@@ -1,4 +1,4 @@
-#include "cli/analysis/look_times.hpp"
+#include "analysis/live/look_times.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-namespace beespace::cli {
+namespace beespace::analysis {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -55,4 +55,4 @@ TEST(LookTimes, ThatCannotBeCountedAreNone) {
 }
 
 }  // namespace
-}  // namespace beespace::cli
+}  // namespace beespace::analysis

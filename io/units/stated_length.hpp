@@ -7,17 +7,17 @@
 #include <string>
 #include <string_view>
 
-namespace beespace::cli {
+namespace beespace::io {
 
 // What was typed: so that it can be compared in its own unit. Without a unit it is in ours.
 struct StatedLength {
   double metric = 0.0;  // metres, or metres per second, rounded once
   double value = 0.0;
-  io::Unit unit = io::Unit::kMetre;
+  Unit unit = Unit::kMetre;
 };
 
 // Nothing where it is none. "inf" and "nan" are read, too.
-std::optional<StatedLength> parse_stated(std::string_view text, io::Quantity quantity);
+std::optional<StatedLength> parse_stated(std::string_view text, Quantity quantity);
 
 // A number of what `words` say: of "metres" and "metres per second" also one with another unit
 // behind it, in ours.
@@ -28,9 +28,9 @@ std::string text_of(const StatedLength& stated);
 
 // A vertical threshold and the heights of an input: whether they have the same unit, other than the
 // metre, so that they can be compared as they stand. What is converted is rounded.
-bool compares_as_stated(const std::optional<StatedLength>& vertical, io::Unit height_unit);
+bool compares_as_stated(const std::optional<StatedLength>& vertical, Unit height_unit);
 
 // To be said of that; empty where all is in metres.
-std::string vertical_note(const std::optional<StatedLength>& vertical, io::Unit height_unit);
+std::string vertical_note(const std::optional<StatedLength>& vertical, Unit height_unit);
 
-}  // namespace beespace::cli
+}  // namespace beespace::io

@@ -10,7 +10,7 @@
 
 #include <vector>
 
-namespace beespace::cli {
+namespace beespace::analysis {
 
 // One for each of `at_risk`, which are those that these options find, ascending; of equally close
 // ones the lowest id. `places` and `points` as for worst_pairs(). Looks at every pair. Errors: as
@@ -20,4 +20,4 @@ Result<std::vector<Nearest>> closest_in_conflict(Engine& engine, const PointsVie
                                                  const SearchOptions& options,
                                                  const std::vector<PointId>& at_risk);
 
-}  // namespace beespace::cli
+}  // namespace beespace::analysis

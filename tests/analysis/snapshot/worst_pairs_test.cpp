@@ -1,5 +1,5 @@
 // The pairs that a page shows: all of them, or of very many exactly the closest.
-#include "cli/analysis/worst_pairs.hpp"
+#include "analysis/snapshot/worst_pairs.hpp"
 
 #include "tests/support/rounds.hpp"
 #include "tests/support/scene_maker.hpp"
@@ -15,7 +15,7 @@
 #include <numbers>
 #include <utility>
 
-namespace beespace::cli {
+namespace beespace::analysis {
 namespace {
 
 using test::kSanitized;
@@ -241,4 +241,4 @@ TEST(WorstPairs, AnErrorOfTheSearchIsThatOfTheQuestion) {
 }
 
 }  // namespace
-}  // namespace beespace::cli
+}  // namespace beespace::analysis
