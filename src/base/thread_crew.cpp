@@ -47,7 +47,7 @@ class ThreadCrew::Threads {
       try {
         threads_.emplace_back([this, worker] { work(worker); });
       } catch (const std::exception&) {  // no thread to be had, or no memory for one
-        break;                           // fewer hands, the same answer
+        break;                           // fewer threads, the same answer
       }
     }
   }

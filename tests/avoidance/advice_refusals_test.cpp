@@ -64,7 +64,7 @@ void expect_refused(const Question& question, const std::string& words) {
   expect_refused(question, ErrorCode::kInvalidArgument, std::nullopt, words);
 }
 
-TEST(AdviceRefusal, AThresholdThatMakesNoSense) {
+TEST(AdviceRefusal, AnInvalidThreshold) {
   for (const double bad : {0.0, -1.0, kNan, kInfinity, -kInfinity, 0x1p-101, 0x1p+101}) {
     SCOPED_TRACE(bad);
     Question question;
@@ -73,7 +73,7 @@ TEST(AdviceRefusal, AThresholdThatMakesNoSense) {
   }
 }
 
-TEST(AdviceRefusal, AStepOrAnUncertaintyThatMakesNoSense) {
+TEST(AdviceRefusal, AnInvalidStepOrUncertainty) {
   for (const double bad : {0.0, -1.0, kNan, kInfinity, -kInfinity, 0x1p-101, 0x1p+101}) {
     SCOPED_TRACE(bad);
     Question question;
@@ -87,7 +87,7 @@ TEST(AdviceRefusal, AStepOrAnUncertaintyThatMakesNoSense) {
 }
 
 // With and without obstacles, intruders and unknown bees.
-TEST(AdviceRefusal, AClearanceOrAHorizonThatMakesNoSense) {
+TEST(AdviceRefusal, AnInvalidClearanceOrHorizon) {
   const ObstacleMap map;
   for (const double bad : {0.0, -1.0, kNan, kInfinity, -kInfinity, 0x1p-101, 0x1p+101}) {
     SCOPED_TRACE(bad);
@@ -121,7 +121,7 @@ TEST(AdviceRefusal, IntrudersWithHeightsApartFromPositions) {
 
 // One set of limits for all bees. (Where each bee has its own, the bee with bad ones is named: see
 // bad_bee_test.)
-TEST(AdviceRefusal, LimitsThatMakeNoSense) {
+TEST(AdviceRefusal, InvalidLimits) {
   for (const double bad : {-1.0, kNan, kInfinity, -kInfinity, 0x1p-101, 0x1p+101}) {
     SCOPED_TRACE(bad);
     Question question;

@@ -151,7 +151,7 @@ double clear_s(const Mover& a, const Mover& b, double threshold_m) {
   return std::max(0.0, static_cast<double>((-pv + std::sqrt(squared)) / vv));
 }
 
-TEST(GettingAway, WhenTheyAreApartAndHowCloseTheirWaysAreIsSaid) {
+TEST(GettingAway, TheTimeToClearAndTheGapAreReported) {
   RandomStream random(3);
   int later = 0;
   int at_once = 0;

@@ -150,7 +150,7 @@ TEST(TooClose, TheThresholdIsTheLimit) {
 
 // At one place, on one line, one behind the other: nothing is undefined, and each gets finite
 // advice.
-TEST(TooClose, BeesAtOnePlaceAreToldSomethingFinite) {
+TEST(TooClose, BeesAtOnePlaceGetFiniteAdvice) {
   for (const double acceleration : {test::kNoLimit, 2.0}) {
     Flock flock;
     flock.limits.assign(6, {10.0, acceleration});

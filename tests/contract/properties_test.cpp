@@ -225,7 +225,7 @@ TEST_F(Properties, PairDistancesAreThoseOfThePoints) {
   });
 }
 
-TEST_F(Properties, AVisitEndsWhenTheVisitorSaysSo) {
+TEST_F(Properties, AVisitEndsWhenTheVisitorReturnsFalse) {
   on_every_scene([](const SearchScene& scene) {
     const std::size_t all = find_pairs(scene.points, options_of(scene)).value().size();
     std::size_t calls = 0;

@@ -78,7 +78,7 @@ TEST(BoundedNumber, KnowsSignsThatRoundingLeavesNoDoubtAbout) {
   EXPECT_EQ((-tenth).sign(), -1);
 }
 
-TEST(BoundedNumber, SaysNothingAfterAnOverflow) {
+TEST(BoundedNumber, HasNoSignAfterAnOverflow) {
   const BoundedNumber huge(0x1p+600);
   const BoundedNumber square = huge * huge;
   EXPECT_EQ(square.sign(), std::nullopt);
@@ -89,7 +89,7 @@ TEST(BoundedNumber, SaysNothingAfterAnOverflow) {
   EXPECT_EQ((BoundedNumber(1.0) + square).sign(), std::nullopt);
 }
 
-TEST(BoundedNumber, SaysNothingOfWhatIsTooSmallForADouble) {
+TEST(BoundedNumber, HasNoSignWhereTooSmallForADouble) {
   const BoundedNumber tiny(0x1p-600);
   EXPECT_EQ((tiny * tiny).sign(), std::nullopt);
   EXPECT_EQ((tiny * tiny * BoundedNumber(0x1p+900)).sign(), std::nullopt);

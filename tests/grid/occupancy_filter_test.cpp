@@ -47,7 +47,7 @@ TEST(OccupancyFilter, KeepsEveryPairWithinTheBound) {
   }
 }
 
-TEST(OccupancyFilter, DropsMostOfThoseWithoutCompany) {
+TEST(OccupancyFilter, DropsMostPointsWithoutNeighbours) {
   test::SceneMaker make(1);
   const std::vector<Point> points = make.box(20'000, {0, 0, 0}, {10'000, 10'000, 10'000});
   test::OwnResources own;

@@ -47,7 +47,7 @@ TEST(IndexNearest, MoreThanThereAreGivesAll) {
   EXPECT_EQ(*index.k_nearest({1, 2, 3}, 1'000'000'000'000), *index.k_nearest({1, 2, 3}, 100));
 }
 
-TEST(IndexNearest, NoneAreAskedForOrThere) {
+TEST(IndexNearest, OfNoneOrOfAnEmptyIndex) {
   EXPECT_TRUE(test::built({{1, 2, 3}}).k_nearest({1, 2, 3}, 0).value().empty());
   EXPECT_TRUE(Index().k_nearest({1, 2, 3}, 5).value().empty());
   EXPECT_EQ(Index().k_nearest(std::vector<Point>{{1, 2, 3}}, 5).value().size(), 0U);

@@ -37,7 +37,7 @@ TEST(ExactMotionOracle, AGrazeIsAConflictOnlyInclusively) {
   EXPECT_FALSE(witness(std::nextafter(5.0, 4.0), true));
 }
 
-TEST(ExactMotionOracle, ACylinderAsksForBothAtTheSameTime) {
+TEST(ExactMotionOracle, ACylinderRequiresBothAtTheSameTime) {
   // Falls through heights 2 to -2 from 1 s to 5 s, and is within 3 m from 6 s on.
   const Mover falling{{9, 0, 3}, {-1, 0, -1}};
   EXPECT_FALSE(ExactEncounter(kStill, falling, options_of(3, 60, 2.0)).in_conflict());

@@ -93,7 +93,7 @@ TEST(HeightUnit, AThousandFeetApartAreNotCloserThanThatOnAnyFlightLevel) {
   }
 }
 
-TEST(HeightUnit, DistancesAreToldInMetres) {
+TEST(HeightUnit, DistancesAreReportedInMetres) {
   const double apart_ft = 900.0;
   const double expected_m = std::hypot(kGround_m, apart_ft * kFoot_m);
   const auto in_recording = recorded(35000.0, apart_ft, false);

@@ -252,7 +252,7 @@ TEST(Figure, OfARecordingPartsInConflictAreFat) {
   expect_inside(drawing);
 }
 
-TEST(Figure, AConflictThatIsOnlyPossibleIsSaidToBe) {
+TEST(Figure, APossibleConflictIsMarkedAsSuch) {
   RecordingFacts facts = two_tracks();
   EXPECT_FALSE(says(figure_of(facts), "possible"));
   facts.conflicts.front().certain = false;
@@ -271,7 +271,7 @@ TEST(Figure, ListsNothingAtTheThresholdThatIsBelowIt) {
   EXPECT_TRUE(says(drawing, "closest: 99.99996 m"));
 }
 
-TEST(Figure, TheHeadingOfTheListSaysOfHowManyItIs) {
+TEST(Figure, TheHeadingOfTheListGivesTheTotal) {
   SnapshotFacts facts = three_bees();
   EXPECT_TRUE(says(figure_of(facts), "Closest pairs"));
   EXPECT_FALSE(says(figure_of(facts), "Closest pairs: "));

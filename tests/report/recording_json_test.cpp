@@ -114,7 +114,7 @@ RecordingFacts flights(SceneMaker& make, double begins_s, double every_s, double
   return facts;
 }
 
-TEST(RecordingJson, RegularTimesAreToldAsMilliseconds) {
+TEST(RecordingJson, RegularTimesAreWrittenAsMilliseconds) {
   SceneMaker make(1);
   for (int round = 0; round < rounds(60); ++round) {
     for (const double begins_s : {0.0, -20.0, 1.7e9}) {
@@ -127,7 +127,7 @@ TEST(RecordingJson, RegularTimesAreToldAsMilliseconds) {
   }
 }
 
-TEST(RecordingJson, MicrosecondsAreToldAsSuch) {
+TEST(RecordingJson, MicrosecondsAreWrittenAsSuch) {
   RecordingFacts facts;
   facts.tracks = {{{{0.000'001, {0, 0, 0}}, {1.234'567, {9, 0, 0}}, {4'000.000'002, {0, 0, 0}}}}};
   const Read read(facts);
@@ -161,7 +161,7 @@ void expect_irregular(double closest_s, double begins_s, SceneMaker& make) {
   }
 }
 
-TEST(RecordingJson, IrregularTimesAreToldFinelyEnough) {
+TEST(RecordingJson, IrregularTimesAreWrittenFinelyEnough) {
   SceneMaker make(2);
   for (int round = 0; round < rounds(60); ++round) {
     for (const double begins_s : {0.0, -1e4, 1.7e9}) {
@@ -170,7 +170,7 @@ TEST(RecordingJson, IrregularTimesAreToldFinelyEnough) {
   }
 }
 
-TEST(RecordingJson, FastBeesAndCoarseTicksAreInTheErrorThatIsSaid) {
+TEST(RecordingJson, FastBeesAndCoarseTicksAreInTheStatedError) {
   SceneMaker make(3);
   for (int round = 0; round < rounds(40); ++round) {
     RecordingFacts facts = flights(make, 0.0, 0.0, 300.0);
@@ -182,7 +182,7 @@ TEST(RecordingJson, FastBeesAndCoarseTicksAreInTheErrorThatIsSaid) {
   }
 }
 
-TEST(RecordingJson, WithTimesToldExactlyTheErrorIsThatOfThePositionsOnly) {
+TEST(RecordingJson, WithExactTimesTheErrorIsThatOfThePositionsOnly) {
   RecordingFacts facts;
   facts.tracks = {{{{0.0, {0, 0, 0}}, {1.0, {1e6, 0, 0}}, {1.5, {2e6, 0, 0}}}}};
   const double half_a_step_m = 0.5 * 2e6 / 65'535.0;
@@ -206,7 +206,7 @@ TEST(RecordingJson, TheTimeIsThatOfAllFixes) {
   EXPECT_FALSE(bool(Read(facts)["time"]["since_1970"]));
 }
 
-TEST(RecordingJson, GapsAreToldByTheFixBeforeThem) {
+TEST(RecordingJson, GapsAreWrittenAsTheFixBeforeThem) {
   RecordingFacts facts;
   facts.tracks = {{{{0, {}}, {1, {}}, {50, {}}}}, {{{0, {}}, {60, {}}}}};
   facts.gaps = {{0, 1.0, 50.0}, {1, 0.0, 60.0}};
@@ -279,7 +279,7 @@ void expect_at_risk(const Read& read, const std::vector<AtRisk>& at_risk) {
   }
 }
 
-TEST(RecordingJson, ConflictsAreToldAndTheirTimesOutward) {
+TEST(RecordingJson, ConflictsAreWrittenWithTimesRoundedOutward) {
   SceneMaker make(4);
   for (int round = 0; round < rounds(40); ++round) {
     for (const double begins_s : {0.0, -1e3, 1.7e9}) {
@@ -323,7 +323,7 @@ TEST(RecordingJson, TheRiskIsThatOfAll) {
   EXPECT_EQ(double(risk["closest"]["time_s"]), 4.0);
 }
 
-TEST(RecordingJson, TheSeparationIsToldExactly) {
+TEST(RecordingJson, TheSeparationIsWrittenExactly) {
   RecordingFacts facts;
   facts.tracks = {{{{100, {}}, {110, {}}}}};
   facts.separation = {{100, {0, 1, 0.1}}, {104.25, {2, 3, 0.0}}, {110, {0, 3, 1e9}}};

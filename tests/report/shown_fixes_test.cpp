@@ -120,7 +120,7 @@ void expect_shown_well(const Tracks& tracks, double max_gap_s, std::size_t most)
   EXPECT_NEAR(shown.error_m, bend_m + tolerance_m, 1e-9) << "more than need be";
 }
 
-TEST(ShownFixes, WhatIsLeftOutIsNeverFartherOffThanIsSaid) {
+TEST(ShownFixes, LeftOutFixesAreWithinTheStatedError) {
   SceneMaker make(3);
   for (int round = 0; round < rounds(200); ++round) {
     Tracks tracks;

@@ -112,7 +112,7 @@ TEST_P(Acceleration, AnAgentThatHasArrivedGoesOnStanding) {
   EXPECT_NEAR(loop.time_s(), 200.0, 1e-9);
 }
 
-TEST(ClosedLoop, TellsOfAFlightWhatItWas) {
+TEST(ClosedLoop, RecordsTheFlightOfEachAgent) {
   const LoopOptions options = options_of(Method::kCertified, kInfinity);
   // One with 40 m to go, and one that is there.
   ClosedLoop loop({{{0, 0, 0}, {0, 100, 0}}, {{40, 0, 0}, {0.5, 100, 0}}}, options);
@@ -128,7 +128,7 @@ TEST(ClosedLoop, TellsOfAFlightWhatItWas) {
   EXPECT_GT(loop.advising_s(), 0.0);
 }
 
-TEST(ClosedLoop, SaysWhatAdviseRefuses) {
+TEST(ClosedLoop, ReturnsTheErrorsOfAdvise) {
   LoopOptions options = options_of(Method::kCertified, kInfinity);
   options.advice.threshold_m = -1.0;
   ClosedLoop loop(scenes::head_on(30.0), options);

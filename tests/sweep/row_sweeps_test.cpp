@@ -196,7 +196,7 @@ TEST_P(Sweeps, BetweenTwoSwarmsAskForEveryPairOnce) {
   EXPECT_GT(close, 1000U);
 }
 
-TEST_P(Sweeps, EndWhenTheirVisitorSaysSo) {
+TEST_P(Sweeps, EndWhenTheirVisitorReturnsFalse) {
   const std::vector<Point> points = test::SceneMaker(1).box(300, {0, 0, 0}, {5, 5, 5});
   const PointsView view(points);
   const core::Lattice lattice({&view, 1}, *core::measure(view, own_.with), 1.0, own_.memory);

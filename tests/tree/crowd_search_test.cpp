@@ -37,7 +37,7 @@ std::vector<Case> cases() {
   return all;
 }
 
-// Hands and memory that are used again and again, as an Engine does.
+// Threads and memory that are reused, as an Engine does.
 class Searches {
  public:
   explicit Searches(const Case& chosen) : crew_(chosen.threads) {

@@ -115,7 +115,7 @@ TEST_P(AtTheClearance, AMillionthLessIsLostAndAMillionthMoreIsNot) {
 }
 
 // Many obstacles, many bees: the losses are those that sampling sees, and their figures.
-TEST(Clearance, OfManyIsAsSamplingSays) {
+TEST(Clearance, OfManyAgreesWithSampling) {
   RandomStream random(2);
   std::uint64_t seen = 0;
   for (int round = 0; round < test::rounds(60); ++round) {

@@ -10,7 +10,7 @@ namespace {
 
 // Past one obstacle after the other, in one step: the first is reported, whichever way the path
 // bends.
-TEST(Clearance, TheFirstOfSeveralIsTold) {
+TEST(Clearance, TheFirstOfSeveralIsReported) {
   const ObstacleMap map = test::map_of({Sphere{{300, 0, 0}, 5.0}, Sphere{{-300, 0, 0}, 5.0},
                                         Sphere{{0, 0, 0}, 5.0}, Sphere{{400, 400, 0}, 50.0}});
   VerifyOptions options = test::options_of(map, 1.0);

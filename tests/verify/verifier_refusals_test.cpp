@@ -28,7 +28,7 @@ void expect_refused(const Status& status, ErrorCode code,
   EXPECT_FALSE(status.error().message.empty());
 }
 
-TEST(VerifierRefusal, AThresholdThatMakesNoSense) {
+TEST(VerifierRefusal, AnInvalidThreshold) {
   for (const double bad : {0.0, -1.0, kNan, kInfinity, 0x1p-101, 0x1p+101}) {
     SCOPED_TRACE(bad);
     VerifyOptions options;
@@ -53,7 +53,7 @@ TEST(VerifierRefusal, LimitsBelowZero) {
 }
 
 // Whether or not there are obstacles; but where there are none it need not be given.
-TEST(VerifierRefusal, AClearanceThatMakesNoSense) {
+TEST(VerifierRefusal, AnInvalidClearance) {
   const ObstacleMap map;
   for (const double bad : {0.0, -1.0, kNan, kInfinity, -kInfinity, 0x1p+101}) {
     SCOPED_TRACE(bad);
@@ -180,7 +180,7 @@ TEST(VerifierRefusal, VelocitiesOfStraightFlightsAreNotLookedAt) {
 }
 
 // The input lies in the domain; if results computed from it do not, the input is not at fault.
-TEST(VerifierRefusal, ALittleMoveInALongTimeIsNone) {
+TEST(VerifierRefusal, ALittleMoveInALongTimeCountsAsNone) {
   Verifier verifier({.threshold_m = 5.0});
   ASSERT_TRUE(verifier.add(0.0, std::vector<Mover>{{{0, 0, 0}, {}}}));
   const Status slow = verifier.add(1e6, std::vector<Mover>{{{1e-29, 0, 0}, {}}});

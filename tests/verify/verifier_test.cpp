@@ -107,7 +107,7 @@ void expect_as_sampled(const std::vector<Mover>& from, const std::vector<Mover>&
 
 class AnyMotion : public testing::TestWithParam<bool> {};
 
-TEST_P(AnyMotion, IsJudgedAsSamplingSays) {
+TEST_P(AnyMotion, IsJudgedAsBySampling) {
   RandomStream random(1);
   std::uint64_t losses = 0;
   for (int round = 0; round < test::rounds(160); ++round) {
@@ -280,7 +280,7 @@ TEST(Verifier, OfNoneAndOfOne) {
 }
 
 // A pair is counted anew in each step; the closest is reported with its pair and step.
-TEST(Verifier, CountsLossesAStepAndTellsTheClosest) {
+TEST(Verifier, CountsLossesAStepAndReportsTheClosest) {
   const auto at = [](double second_x, double third_x) {
     return std::vector<Mover>{{{0, 0, 0}, {}}, {{second_x, 0, 0}, {}}, {{third_x, 0, 0}, {}}};
   };
@@ -304,7 +304,7 @@ TEST(Verifier, CountsLossesAStepAndTellsTheClosest) {
   EXPECT_EQ(verdict.closest_step_s, 1.0);
 }
 
-TEST(Verifier, TheClosestIsToldBelowTwiceTheThresholdOnly) {
+TEST(Verifier, TheClosestIsReportedBelowTwiceTheThresholdOnly) {
   const auto apart = [](double far) {
     const std::vector<Mover> movers = {{{0, 0, 0}, {}}, {{far, 0, 0}, {}}};
     VerifyOptions options;

@@ -203,7 +203,7 @@ TEST(WorstPairs, WithAVerticalThresholdAreThoseOfBruteForce) {
 }
 
 // As of geographic positions: on the ground, with heights beside them, and in space.
-TEST(WorstPairs, MayBeAskedOfOtherPlacesThanTheirDistancesAreTakenOf) {
+TEST(WorstPairs, MayUseOtherPlacesThanTheirDistances) {
   SceneMaker make(5);
   for (const double size_m : {3.0, 30.0}) {
     const Points points = make.ragged_box(1'200, {0, 0, 0}, {size_m, size_m, size_m});

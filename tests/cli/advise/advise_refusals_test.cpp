@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kOne = "id,x,y,z,goal_x,goal_y,goal_z\na,0,0,0,9,0,0\n";
 
-TEST(AdviseRefuses, NumbersThatMakeNoSense) {
+TEST(AdviseRefuses, InvalidNumbers) {
   for (const std::string bad : {"0", "-5", "nan", "inf", "fast"}) {
     const std::string text = " '" + bad + "' is not a number of ";
     expect_usage_error({"advise", "--speed=" + bad},

@@ -53,7 +53,7 @@ TEST(Advise, GivesEachBeeAVelocity) {
   EXPECT_EQ(finished.err.find("too close "), std::string::npos);
 }
 
-TEST(Advise, UnitsAreSaidAndNotMixedSilently) {
+TEST(Advise, UnitsAreReportedAndNotMixedSilently) {
   const TemporaryFolder folder;
   const std::string intruders = folder.file("others.csv", "x_ft,y_ft,z_ft\n1000,0,0\n");
   const Finished finished = advised({"--intruders", intruders});
@@ -132,7 +132,7 @@ TEST(Advise, BeesThatAreTooCloseAreToldToSeparateAndListed) {
                           R"({"first": "a", "second": "b", "gap_m": 2, "clear_s": )"});
 }
 
-TEST(Advise, OnlyTheFirstPairsAreSaid) {
+TEST(Advise, OnlyTheFirstPairsAreListed) {
   std::string crowd = "x,y,z,want_vx,want_vy,want_vz\n";
   for (int bee = 0; bee < 10; ++bee) crowd += std::to_string(bee) + ",0,0,0,0,0\n";
   const Finished finished = advised({"--threshold", "1.5"}, crowd);

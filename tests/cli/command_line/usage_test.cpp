@@ -96,7 +96,7 @@ TEST(Usage, AnEmptyValueIsNoValue) {
   }
 }
 
-TEST(Usage, AnUnknownReportIsToldWhichThereAre) {
+TEST(Usage, TheErrorOfAnUnknownReportListsAll) {
   expect_usage_error(
       {"detect", "--report", "neighbours"},
       "--report: 'neighbours' is none of at-risk, pairs, neighbors, counts, nearest, "
@@ -190,7 +190,7 @@ TEST(Usage, GenerateChecksItsNumbers) {
                      "cube");
 }
 
-TEST(Usage, TheFormatIsToldByTheEndingOrRefused) {
+TEST(Usage, TheFormatFollowsFromTheEndingOrIsRefused) {
   const TemporaryFolder folder;
   expect_usage_error({"generate", "--points", "5", "--output", folder.path("bees.xls")},
                      "does not tell the format");

@@ -112,7 +112,7 @@ TEST(Answers, JsonOfNoneIsStillADocument) {
   EXPECT_NE(finished.out.find(R"("at_risk": [])"), std::string::npos);
 }
 
-TEST(Answers, TheRowStandsForAnEmptyIdAndThatIsSaid) {
+TEST(Answers, TheRowReplacesAnEmptyIdAndThatIsReported) {
   constexpr std::string_view kInput = "id,x,y,z\nmaya,0,0,0\n,1,0,0\n\" \",2,0,0\n";
   const Finished finished = run({"detect", "--report", "nearest", "--at-risk-only"}, kInput);
   EXPECT_EQ(below_header(finished.out), "maya\t1\t1\n1\tmaya\t1\n2\t1\t1\n");
@@ -229,7 +229,7 @@ TEST(Answers, FailOnRiskExitsWithOneOnlyWhenABeeIsAtRisk) {
 }
 
 // The check that the help and the manual show: only 1 is danger, and nothing is printed.
-TEST(Answers, TheExampleOfACheckInAScriptTellsDangerFromAFailure) {
+TEST(Answers, TheExampleOfACheckInAScriptDistinguishesDangerFromAFailure) {
   const Arguments check = {"detect",         "-",        "--crs",    "metres", "--quiet",
                            "--fail-on-risk", "--output", "/dev/null"};
   const Finished danger = run(check, kMetres);

@@ -125,7 +125,7 @@ TEST_F(Others, GeoJsonDrawsLinesBetweenTheTwo) {
   EXPECT_NE(finished.out.find(R"("first": 0, "second": 1, )"), std::string::npos) << finished.out;
 }
 
-TEST_F(Others, TheSummaryTellsThemApart) {
+TEST_F(Others, TheSummaryDistinguishesThem) {
   const Finished finished = report("at-risk");
   for (const char* part : {"\n  others     ", "\n  points     3\n", "\n  points     2\n",
                            "at risk    2 (66.7 %)", "closest    maya and their wasp, 50.000 m"}) {

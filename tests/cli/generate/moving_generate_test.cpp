@@ -214,7 +214,7 @@ TEST(GenerateMoving, OptionsThatTheSceneWouldIgnoreAreRefused) {
   expect_refused({"--scene", "sphere-swap", "--size", "1x2x3"}, "give --size its diameter");
 }
 
-TEST(GenerateMoving, ValuesThatMakeNoSenseAreRefused) {
+TEST(GenerateMoving, InvalidValuesAreRefused) {
   for (const char* speed :
        {"0", "-5", "5-", "-", "20-5", "5-20-30", "fast", "nan", "1-inf", "1e7"}) {
     expect_refused({"--scene", "flight", std::string("--speed=") + speed}, "--speed '");

@@ -73,7 +73,7 @@ TEST_F(LeftOutRecords, VerifyDoesNotHold) {
                 "2 records were left out"});
 }
 
-TEST_F(LeftOutRecords, PredictSaysNoneOfThoseThatAreKnown) {
+TEST_F(LeftOutRecords, PredictSaysNoneOfTheKnownBees) {
   const Arguments question = {"predict", first_, "--threshold", "5NM", "--fail-on-risk"};
   const Finished finished = run(question);
   EXPECT_EQ(finished.exit_code, 1);

@@ -57,7 +57,7 @@ class MovingCommands : public testing::TestWithParam<const char*> {
   TemporaryFolder folder_;
 };
 
-TEST_P(MovingCommands, FailOnRiskTellsConflictsByTheExitStatus) {
+TEST_P(MovingCommands, FailOnRiskReportsConflictsByTheExitStatus) {
   EXPECT_EQ(ask({"--fail-on-risk"}).exit_code, 1);
   EXPECT_EQ(ask({"--fail-on-risk", "--json", "--quiet"}).exit_code, 1);
   EXPECT_EQ(ask({}).exit_code, 0);
@@ -107,7 +107,7 @@ TEST_P(MovingCommands, IdsCannotBreakTheFormOrSteerTheTerminal) {
   expect_parts(json.out, {R"("first": "a,\"1\"")"});
 }
 
-TEST_P(MovingCommands, NumbersThatMakeNoSenseAreRefused) {
+TEST_P(MovingCommands, InvalidNumbersAreRefused) {
   for (const std::string bad : {"0", "-5", "nan", "inf", "abc", "5 m/s"}) {
     expect_refused({"--threshold=" + bad}, "the threshold");
   }
@@ -124,7 +124,7 @@ TEST_P(MovingCommands, NumbersThatMakeNoSenseAreRefused) {
   }
 }
 
-TEST_P(MovingCommands, WordsAndOptionsThatMakeNoSenseAreRefused) {
+TEST_P(MovingCommands, InvalidWordsAndOptionsAreRefused) {
   const Finished both = ask({"--csv", "--json"});
   EXPECT_EQ(both.exit_code, 2);
   EXPECT_TRUE(is_json(both.out)) << both.out;
@@ -171,7 +171,7 @@ TEST_P(MovingCommands, SkippedRecordsAreListedAndTheRestIsSearched) {
                {R"("skipped": 1)"});
 }
 
-TEST_P(MovingCommands, RecordsThatGoBackInTimeAreBroughtIntoOrderAndSaid) {
+TEST_P(MovingCommands, RecordsThatGoBackInTimeAreSortedAndReported) {
   const Finished finished = ask({"--threshold", "5"},
                                 "id,time_s,x,y,z,vx,vy,vz\n"
                                 "a,10,10,0,0,1,0,0\nb,10,13,0,0,1,0,0\n"
@@ -180,7 +180,7 @@ TEST_P(MovingCommands, RecordsThatGoBackInTimeAreBroughtIntoOrderAndSaid) {
   expect_parts(finished.err, {"2 records go back in time"});
 }
 
-TEST_P(MovingCommands, TimesWithoutAUnitAreRefusedUntilItIsSaid) {
+TEST_P(MovingCommands, TimesWithoutAUnitAreRefusedUntilItIsGiven) {
   std::string text(kMeeting);
   text.replace(text.find("time_s"), 6, "time");
   expect_failure({GetParam()}, text, 2, "--time-unit s, ms, us or ns");

@@ -34,7 +34,7 @@ TextRows predicted(const Arguments& more, std::string_view input = kHeadOn) {
   return rows_of(finished.out);
 }
 
-TEST(Predict, TellsWhenAConflictBeginsIsClosestAndEnds) {
+TEST(Predict, GivesBeginClosestAndEndOfAConflict) {
   expect_rows(predicted({}), {{"a", "b", "48", "50", "3", "52"}});
 }
 
@@ -141,7 +141,7 @@ TEST(Predict, TheSummarySaysWhatWasAskedAndFound) {
                {"threshold  3 m or closer\n"});
 }
 
-TEST(Predict, JsonSaysTheQuestionAndTheAnswer) {
+TEST(Predict, JsonHasTheQueryAndTheAnswer) {
   const std::string json =
       run({"predict", "--threshold", "5", "--vertical", "2", "--horizon", "70", "--json"}, kSinking)
           .out;
@@ -239,7 +239,7 @@ TEST(Predict, BeesOnTheGroundCountWhenAskedFor) {
   EXPECT_EQ(rows_of(run({"predict", "--grounded"}, landed).out).size(), 1u);
 }
 
-TEST(Predict, NumbersThatMakeNoSenseAreRefused) {
+TEST(Predict, InvalidNumbersAreRefused) {
   for (const std::string option : {"--horizon", "--max-age"}) {
     for (const std::string bad : {"-1", "nan", "inf", "soon", "5s"}) {
       expect_usage_error({"predict", option + "=" + bad},

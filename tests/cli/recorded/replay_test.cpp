@@ -105,7 +105,7 @@ TEST(Replay, WithoutCommonTimesTheSeparationIsEmpty) {
                {"verdict    nothing to compare: no two bees are there at the same time\n"});
 }
 
-TEST(Replay, BeesWithOneFixAreSaidToBeThereForAnInstant) {
+TEST(Replay, BeesWithOneFixExistForAnInstant) {
   const Finished finished =
       run({"replay"}, "id,time_s,x,y,z\na,0,0,0,0\nb,1,0,0,0\nc,0,9,0,0\nc,2,9,0,0\n");
   expect_parts(finished.err, {"2 bees have one fix only, and so are known for an instant; "});
@@ -118,7 +118,7 @@ TEST(Replay, MomentsOfTheSeparationAreBounded) {
   expect_parts(finished.err, {"--every 1e-09 is more than 10,000,000 rows"});
 }
 
-TEST(Replay, InAGapABeeIsUnknownAndThatIsSaid) {
+TEST(Replay, InAGapABeeIsUnknownAndThatIsReported) {
   constexpr std::string_view input =
       "id,time_s,x,y,z\n"
       "a,0,0,0,0\na,1,10,0,0\na,9,90,0,0\na,10,100,0,0\n"
@@ -242,7 +242,7 @@ TEST(Replay, OptionsThatTheReportWouldIgnoreAreRefused) {
                      "--inclusive does not apply to --report events");
 }
 
-TEST(Replay, NumbersAndWordsThatMakeNoSenseAreRefused) {
+TEST(Replay, InvalidNumbersAndWordsAreRefused) {
   for (const auto& [option, report] :
        {std::pair<std::string, std::string>{"--max-gap", "bees"},
         std::pair<std::string, std::string>{"--every", "separation"},

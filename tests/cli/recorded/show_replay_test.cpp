@@ -115,7 +115,7 @@ TEST_F(CurvedShow, AConflictBeyondTheToleranceIsCertain) {
   expect_parts(finished.err, {"does not keep its distance"});
 }
 
-TEST_F(CurvedShow, OneWithinTheToleranceIsPossibleAndSaidSo) {
+TEST_F(CurvedShow, OneWithinTheToleranceIsReportedAsPossible) {
   const Finished finished = ask("3", {"--csv"});
   const auto rows = rows_of(finished.out, ',');
   ASSERT_EQ(rows.size(), 2u);

@@ -65,7 +65,7 @@ TEST_F(VerifyObstacles, TheDocumentSaysSo) {
                               "\"clearance_loss_count\": 1,", "\"finding\": \"clearance\""});
 }
 
-TEST_F(VerifyObstacles, WhatMakesNoSenseIsRefused) {
+TEST_F(VerifyObstacles, InvalidOptionsAreRefused) {
   expect_usage_error({"verify", "--clearance", "2"}, "--clearance is of obstacles");
   expect_usage_error({"verify", "--obstacles", file_, "--clearance", "0"},
                      "--clearance '0' is not a number of metres above 0");

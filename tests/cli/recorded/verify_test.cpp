@@ -205,7 +205,7 @@ TEST(Verify, DegreesBecomeMetres) {
   EXPECT_EQ(run({"verify", "--threshold", "11.12"}, text).exit_code, 0);
 }
 
-TEST(Verify, NumbersThatMakeNoSenseAreRefused) {
+TEST(Verify, InvalidNumbersAreRefused) {
   for (const std::string bad : {"-1", "nan", "inf", "fast"}) {
     expect_usage_error({"verify", "--max-speed=" + bad},
                        "--max-speed '" + bad + "' is not a number of metres per second from 0 on");
@@ -219,7 +219,7 @@ TEST(Verify, NumbersThatMakeNoSenseAreRefused) {
   expect_usage_error({"verify", "--vertical", "5"}, "'--vertical' is no option");
 }
 
-TEST(Verify, AnAnswerThatCannotBeWrittenIsSaid) {
+TEST(Verify, AnAnswerThatCannotBeWrittenIsAnError) {
   EXPECT_EQ(run({"verify", "--output", "/dev/full"}, kPassing).exit_code, 4);
   Surroundings closed;
   closed.output = Surroundings::Output::kClosedPipe;

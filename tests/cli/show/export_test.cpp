@@ -166,7 +166,7 @@ std::string crowd(bool flying) {
   return text;
 }
 
-TEST_F(Export, PairsThatAreLeftOutAreSaidToBe) {
+TEST_F(Export, PairsThatAreLeftOutAreReported) {
   const std::string bees = folder_.file("crowd.csv", crowd(false));
   const std::string flown = folder_.file("flown.csv", crowd(true));
   const std::string pairs = "of 204,480 pairs, the closest 10,000 are ";

@@ -24,7 +24,7 @@ constexpr std::string_view kFlown = "id,time_s,x,y,z\na,0,0,0,0\na,9,0,0,0\nb,0,
 
 class ReportRefusals : public PageCommand {};
 
-TEST_F(ReportRefusals, BadInputIsSaidWithItsLineAndLeavesNothing) {
+TEST_F(ReportRefusals, BadInputIsReportedWithItsLineAndLeavesNoFile) {
   const std::string bad = folder_.file("bad.csv", "x,y,z\n0,0,0\n1,zero,0\n");
   expect_failure({"report", bad, "-o", folder_.path("page.html")}, {}, kBadInput, "bad.csv:3");
   EXPECT_EQ(folder_.names(), std::vector<std::string>{"bad.csv"});
@@ -216,7 +216,7 @@ TEST_F(ReportRefusals, ErrorsAreJsonWhenAskedFor) {
   expect_parts(finished.out, {"\"error\"", "<stdin>"});
 }
 
-TEST_F(ReportRefusals, OptionsThatMakeNoSenseAreRefused) {
+TEST_F(ReportRefusals, InvalidOptionsAreRefused) {
   expect_usage_error({"report", "--threshold", "0"}, "threshold");
   expect_usage_error({"report", "--port", "1"}, "'--port' is no option");
 }

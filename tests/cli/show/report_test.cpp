@@ -107,7 +107,7 @@ void expect_as_detect(const Arguments& how, const std::string& input) {
   expect_parts(run(Arguments{"report"} + how, input).err, {"at risk    " + said});
 }
 
-TEST_F(Report, OfASnapshotItSaysWhatDetectSays) {
+TEST_F(Report, OfASnapshotItAgreesWithDetect) {
   const std::string input = swarm_of("800", "60");
   expect_as_detect({"--threshold", "3"}, input);
   expect_as_detect({"--threshold", "3", "--vertical", "0.5", "--inclusive"}, input);
@@ -214,7 +214,7 @@ double seconds_at_risk(const std::string& bees) {
   return sum_s;
 }
 
-TEST_F(Report, OfARecordingItSaysWhatReplaySays) {
+TEST_F(Report, OfARecordingItAgreesWithReplay) {
   const std::string input = flights();
   const Arguments how = {"--threshold", "11"};
   expect_as_replay(how, input);
@@ -233,7 +233,7 @@ TEST_F(Report, OfARecordingItSaysWhatReplaySays) {
   EXPECT_TRUE(std::is_sorted(times_s.begin(), times_s.end()));
 }
 
-TEST_F(Report, OfARecordingItSaysAtAGlanceWhatReplaySays) {
+TEST_F(Report, TheSummaryOfARecordingAgreesWithReplay) {
   const std::string input = flights();
   const std::string seen = run({"report", "--threshold", "11"}, input).err;
   const std::string replayed = run({"replay", "--threshold", "11"}, input).err;
@@ -277,7 +277,7 @@ TEST_F(Report, StretchesOfABeeThatTouchAreOne) {
   EXPECT_EQ(std::uint64_t(page.risk()["bees"]), 3u);
 }
 
-TEST_F(Report, GapsAreToldAndSaidAloud) {
+TEST_F(Report, GapsAreWrittenAndReported) {
   constexpr std::string_view input =
       "id,time_s,x,y,z\na,0,0,0,0\na,1,1,0,0\na,60,9,0,0\nb,0,0,50,0\nb,60,0,50,0\n";
   const Page joined = reported({"--max-gap", "never"}, input);

@@ -55,7 +55,7 @@ TEST(SeenVertical, PicturesRingTheClosestInConflict) {
   }
 }
 
-TEST(SeenVertical, WithoutConflictsTheClosestAreSaidToKeepApart) {
+TEST(SeenVertical, WithoutConflictsTheClosestAreReportedToKeepApart) {
   for (const std::string_view input : {kBees, kFlown}) {
     expect_parts(made(Arguments{"plot"} + kFlatCylinder, input),
                  {"closest, not too close: 10.4 m", "a \u2013 above", ", not too close</text>"});

@@ -199,7 +199,7 @@ TEST(Simulate, VelocitiesThatJumpAreCheckedAsStraightLines) {
                {"motion     straight lines from fix to fix: there are no velocities\n"});
 }
 
-TEST(Simulate, NumbersThatMakeNoSenseAreRefused) {
+TEST(Simulate, InvalidNumbersAreRefused) {
   for (const char* bad : {"0", "-1", "1.5", "many", "99999999999"}) {
     expect_usage_error({"simulate", "random-swap", "--bees", bad},
                        "--bees '" + std::string(bad) + "' is not a whole number from 1 to");
@@ -250,7 +250,7 @@ TEST(Simulate, StandardOutputHasRoomForOneOfTheTwo) {
   expect_parts(finished.err, {"--json and --output - would both write to standard output"});
 }
 
-TEST(Simulate, TheFormatIsToldByTheEndingOrRefused) {
+TEST(Simulate, TheFormatFollowsFromTheEndingOrIsRefused) {
   const TemporaryFolder folder;
   expect_usage_error({"simulate", "head-on", "--output", folder.path("a.npy")},
                      "npy and bin hold positions only");

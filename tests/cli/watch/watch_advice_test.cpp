@@ -80,7 +80,7 @@ TEST(WatchAdvice, IsGivenToBeesThatShouldNotFlyOn) {
   expect_parts(finished.err, {"advice     " + std::to_string(all.bees.size())});
 }
 
-TEST(WatchAdvice, SaysThatABeeDidNotFlyAsItWasTold) {
+TEST(WatchAdvice, ReportsABeeThatDidNotFlyAsAdvised) {
   const Told all = told(watched({"--advise"}, head_on()));
   // They are told when to brake, and fly on.
   ASSERT_FALSE(all.bees.empty());
@@ -149,7 +149,7 @@ TEST(WatchAdvice, IsAboutTheTimeAtWhichItIsFlown) {
   EXPECT_LT(first_s, (60.0 - 5.2 - 2 * 6.8) / 16.0);
 }
 
-TEST(WatchAdvice, IsNotToldUnlessItIsWished) {
+TEST(WatchAdvice, IsNotGivenUnlessAskedFor) {
   const Finished finished = watched({}, head_on());
   EXPECT_EQ(finished.out, "");
   EXPECT_EQ(finished.err.find("advice"), std::string::npos) << finished.err;
@@ -233,7 +233,7 @@ TEST(WatchAdvice, NamesFlightsAsEventsDo) {
   expect_parts(lines[1], {R"("id": "d4e5f6")", R"("certified": false, "because": "heard_once"})"});
 }
 
-TEST(WatchAdvice, OptionsThatMakeNoSenseAreRefused) {
+TEST(WatchAdvice, InvalidOptionsAreRefused) {
   expect_usage_error({"watch", "--max-speed", "0"}, "--max-speed '0'");
   expect_usage_error({"watch", "--max-acceleration", "9"}, "--max-acceleration is of advice");
   expect_usage_error({"watch", "--uncertainty", "9"}, "--uncertainty is of advice");

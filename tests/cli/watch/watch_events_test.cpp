@@ -140,7 +140,7 @@ class WatchOfARecording : public testing::TestWithParam<const char*> {
   }
 };
 
-TEST_P(WatchOfARecording, SaysWhatReplaySaysHoweverOftenItLooks) {
+TEST_P(WatchOfARecording, AgreesWithReplayHoweverOftenItLooks) {
   const std::string table = recording();
   for (const char* every : {"0.03", "0.1", "0.7", "5", "1000"}) {
     const Arguments live = {"--threshold", "15", "--look-every", every};
@@ -156,7 +156,7 @@ TEST_P(WatchOfARecording, SaysWhatReplaySaysHoweverOftenItLooks) {
   }
 }
 
-TEST_P(WatchOfARecording, SaysTheSameOfAVerticalThresholdAndOtherHorizons) {
+TEST_P(WatchOfARecording, AgreesForAVerticalThresholdAndOtherHorizons) {
   const std::string table = recording({"--seed", "3"});
   for (const Arguments& live :
        {Arguments{"--vertical", "10"}, Arguments{"--horizon", "2", "--leave-factor", "1"},
@@ -169,7 +169,7 @@ TEST_P(WatchOfARecording, SaysTheSameOfAVerticalThresholdAndOtherHorizons) {
 }
 
 // Past events follow from the reports alone; only predictions depend on the looks.
-TEST_P(WatchOfARecording, TellsTheSamePastHoweverOftenItLooks) {
+TEST_P(WatchOfARecording, ReportsTheSamePastHoweverOftenItLooks) {
   const std::string table = recording();
   std::vector<std::string> first;
   for (const char* every : {"0.05", "3", "1000"}) {

@@ -56,7 +56,7 @@ TEST(WatchTaken, OptionsThatNothingCanBeComputedWithAreRefusedAtOnce) {
   }
 }
 
-TEST(WatchTaken, AnAircraftThatNeverSaysWhereItIsIsKnownNowhere) {
+TEST(WatchTaken, AnAircraftWithoutPositionsIsKnownNowhere) {
   const auto readsb = [](const char* hex, int now, const char* rest) {
     return R"({"now": )" + std::to_string(now) + R"(, "hex": ")" + hex +
            R"(", "seen_pos": 0, "lat": 33, "lon": )" + rest + "}\n";
@@ -124,7 +124,7 @@ TEST(WatchTaken, WhatCameTooLateIsUnknown) {
                               "1 report came too late\n"});
 }
 
-TEST(WatchTaken, ABeeAtTwoPlacesAtOneTimeIsSaid) {
+TEST(WatchTaken, ABeeAtTwoPlacesAtOneTimeIsReported) {
   for (const std::string contrary : {"b,1,0,0,0\n", "b,0,0,0,0\n"}) {
     const Finished finished = watched(apart_with(contrary));
     EXPECT_EQ(finished.exit_code, kRisk);
@@ -246,7 +246,7 @@ TEST(WatchTaken, AnotherHeaderIsNoRecord) {
                  "<stdin>:3: another header, ");
 }
 
-TEST(WatchTaken, AKeyThatIsThereTwiceIsSaid) {
+TEST(WatchTaken, ADuplicateKeyIsReported) {
   const Finished finished = run({"watch", "--fail-on-risk", "--threshold", "5"},
                                 "{\"id\": \"a\", \"time_s\": 0, \"x\": 0, \"y\": 0}\n"
                                 "{\"id\": \"a\", \"time_s\": 1, \"x\": 0, \"y\": 0, \"x\": 9}\n"
@@ -259,7 +259,7 @@ TEST(WatchTaken, AKeyThatIsThereTwiceIsSaid) {
 }
 
 // Possible events between two looks are the same, however often looks are taken.
-TEST(WatchTaken, APossibleConflictBetweenTwoLooksIsSaid) {
+TEST(WatchTaken, APossibleConflictBetweenTwoLooksIsReported) {
   const std::string table =
       "a,0.01,0,0,0\nb,0.01,1000,0,0\na,5.05,0,0,0\nb,5.05,1000,0,0\na,5.5,0,0,0\nb,5.5,1000,0,0\n";
   const std::string others =

@@ -51,7 +51,7 @@ const std::string kAInJson = "{\"id\": \"a\", \"time_s\": 0, \"x\": 0, \"y\": 0,
 // With its keys in another order.
 const std::string kBInJson = "{\"x\": 1, \"y\": 0, \"z\": 0, \"id\": \"b\", \"time_s\": 0}\n";
 
-TEST(Watch, TablesAndJsonLinesAreReadAndSaid) {
+TEST(Watch, TablesAndJsonLinesAreReadAndReported) {
   const Finished table = watched(std::string(kTogether));
   EXPECT_EQ(table.exit_code, 0);
   EXPECT_EQ(table.out, kEnteredAndEnded);
@@ -91,7 +91,7 @@ TEST(Watch, IdsCannotBreakALineOfJson) {
   expect_parts(lines[0], {R"("first": "a\"\\")", R"("second": "b\tc")"});
 }
 
-TEST(Watch, BadLinesAreSaidAndCountedAndTheRestSurvives) {
+TEST(Watch, BadLinesAreReportedAndCountedAndTheRestSurvives) {
   const Finished finished = watched(
       "id,time_s,x,y,z\na,0,0,0,0\na,1,nan,0,0\nrubbish\n,,,,\nb,soon,1,0,0\nb,0,1,0,0\n" + kAgain);
   EXPECT_EQ(finished.exit_code, 0);
@@ -103,7 +103,7 @@ TEST(Watch, BadLinesAreSaidAndCountedAndTheRestSurvives) {
   EXPECT_EQ(watched("id,time_s,x,y,z\na,0,0,0,0\nrubbish\nb,0,1,0,0\n", {"--quiet"}).err, "");
 }
 
-TEST(Watch, BadLinesOfJsonAreSaidAndCountedAndTheRestSurvives) {
+TEST(Watch, BadLinesOfJsonAreReportedAndCountedAndTheRestSurvives) {
   const Finished finished =
       watched(kAInJson + "{\"id\": \"b\"}\n{\n[1, 2]\n{}\n" +
               "{\"id\": \"b\", \"time_s\": \"soon\", \"x\": 1, \"y\": 0, \"z\": 0}\n" + kBInJson +
@@ -115,7 +115,7 @@ TEST(Watch, BadLinesOfJsonAreSaidAndCountedAndTheRestSurvives) {
                               "left out: <stdin>:6:", "reports    4\n", "bad lines  5 left out\n"});
 }
 
-TEST(Watch, OnlyTheFirstBadLinesAreSaidOneByOne) {
+TEST(Watch, OnlyTheFirstBadLinesAreReportedOneByOne) {
   std::string many(kTogether);
   for (int i = 0; i < 50; ++i) many += "rubbish\n";
   const Finished finished = watched(many);
@@ -247,7 +247,7 @@ TEST(Watch, ABeeThatLeavesIsThereNoLonger) {
   expect_parts(bad.err, {"this does not say who leaves; give an id", "bad lines  1 left out\n"});
 }
 
-TEST(Watch, InputWithoutAReportIsAnErrorThatIsSaidEvenWhenQuiet) {
+TEST(Watch, InputWithoutAReportIsAnErrorEvenWhenQuiet) {
   for (const std::string input : {"", "\n\n", "id,time_s,x,y,z\n"}) {
     expect_failure({"watch", "--quiet"}, input, kBadInput, "there is no report in the input");
   }
@@ -277,7 +277,7 @@ TEST(Watch, FilesAreReadAsStandardInputIs) {
   EXPECT_EQ(run({"watch", "-", "--horizon", "0"}, kTogether).out, kEnteredAndEnded);
 }
 
-TEST(Watch, NumbersAndOptionsThatMakeNoSenseAreRefused) {
+TEST(Watch, InvalidNumbersAndOptionsAreRefused) {
   for (const std::string option : {"--max-age", "--look-every"}) {
     for (const std::string bad : {"0", "-1", "nan", "inf", "soon"}) {
       expect_usage_error({"watch", option + "=" + bad},
@@ -311,7 +311,7 @@ TEST(Watch, NumbersAndOptionsThatMakeNoSenseAreRefused) {
   expect_usage_error({"watch", "--columns", ""}, "--columns: the value is empty");
 }
 
-TEST(Watch, FailOnRiskTellsWhetherABeeHasEntered) {
+TEST(Watch, FailOnRiskReportsWhetherABeeHasEntered) {
   EXPECT_EQ(watched(std::string(kTogether), {"--fail-on-risk"}).exit_code, 1);
   EXPECT_EQ(watched(std::string(kTogether)).exit_code, 0);
   EXPECT_EQ(watched(std::string(kTogether), {"--fail-on-risk", "--threshold", "0.5"}).exit_code, 0);

@@ -69,7 +69,7 @@ TEST(BaseStation, AircraftOnTheGroundAreLeftOutUnlessAskedFor) {
   EXPECT_EQ(ids_of(recording_of(record(text, grounded))), (Ids{"a", "b", "c"}));
 }
 
-TEST(BaseStation, WhatSaysTooLittleIsLeftOut) {
+TEST(BaseStation, IncompleteRecordsAreLeftOut) {
   const auto recording = recording_of(record(
       airborne("A", "12:00:00.000") + message('3', "A", "12:00:01.000", ",10000,,,,,,,,,,0") +
       message('3', "A", "12:00:02.000", ",,,,47,8,,,0,0,0,0") +

@@ -138,7 +138,7 @@ TEST(AtomicOutput, AWriteProtectedFileIsNotReplaced) {
   EXPECT_EQ(output.error().code, ErrorCode::kWriteFailed);
 }
 
-TEST(AtomicOutput, AClosedPipeIsToldFromOtherFailures) {
+TEST(AtomicOutput, AClosedPipeIsDistinguishedFromOtherFailures) {
   const TemporaryFolder folder;
   const std::string pipe = folder.file("pipe");
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);

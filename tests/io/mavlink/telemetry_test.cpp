@@ -79,7 +79,7 @@ TEST(Telemetry, OtherMessagesArePassedOver) {
   EXPECT_FALSE(has_note(recording, "passed over"));
 }
 
-TEST(Telemetry, DamageIsPassedOverAndSaidAloud) {
+TEST(Telemetry, DamageIsSkippedAndReported) {
   std::string damaged = logged(kNoon + 1'000'000, frame_v2(1, 33, somewhere()));
   damaged[30] = static_cast<char>(damaged[30] ^ 1);
   const auto recording =

@@ -63,7 +63,7 @@ TEST(UnitsInTables, AHeightBesideWordsOfAviationMustSayItsUnit) {
                {ErrorCode::kInvalidArgument, "bees.csv:1:4", "but in which unit?"});
 }
 
-TEST(UnitsInTables, TheHeaderOrTheCallerSaysIt) {
+TEST(UnitsInTables, TheHeaderOrTheCallerGivesThem) {
   const std::string before = "icao24,lat,lon,";
   const std::string row = "\na,48,2,35000\n";
   for (const char* height : {"altitude_ft", "altitude [ft]", "Altitude (feet)", "alt_ft",
@@ -95,7 +95,7 @@ TEST(UnitsInTables, TheHeaderOrTheCallerSaysIt) {
                {ErrorCode::kInvalidArgument, "bees.csv", "positions are in degrees"});
 }
 
-TEST(UnitsInTables, WithoutWordsOfAviationHeightsAreMetresAndThatIsSaid) {
+TEST(UnitsInTables, WithoutWordsOfAviationHeightsAreMetresAndThatIsReported) {
   const auto loaded = load_text("lat,lon,alt\n48,2,350\n");
   EXPECT_EQ(points_of(loaded), std::vector<Point>{at(350.0)});
   ASSERT_EQ(loaded->units.size(), 1U);
@@ -115,7 +115,7 @@ constexpr std::string_view kOpenSky =
     "time,icao24,lat,lon,velocity,heading,vertrate,callsign,onground,baroaltitude,geoaltitude\n"
     "1714564800,a,48,2,180,90,3,AFR1,False,10000,10668\n";
 
-TEST(UnitsInTables, KnownSourcesAreToldByTheirWholeHeader) {
+TEST(UnitsInTables, KnownSourcesAreRecognisedByTheirWholeHeader) {
   const auto traffic = load_text(kTraffic);
   EXPECT_EQ(points_of(traffic), std::vector<Point>{at(k35000Feet_m)});
   EXPECT_EQ(traffic->units.at(0).unit, Unit::kFoot);

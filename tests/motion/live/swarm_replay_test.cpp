@@ -155,7 +155,7 @@ void expect_encounters(const Events& events, const test::Tracks& tracks,
   EXPECT_EQ(test::of_kind(events, EventKind::kLost).size(), silent);
 }
 
-TEST(SwarmReplay, TellsTheConflictsOfTheRecording) {
+TEST(SwarmReplay, ReportsTheConflictsOfTheRecording) {
   std::size_t event_count = 0;
   for (const Replayed& replayed : replays()) {
     SCOPED_TRACE(replayed.name + ", leaving at " + std::to_string(replayed.options.leave_factor));
@@ -168,7 +168,7 @@ TEST(SwarmReplay, TellsTheConflictsOfTheRecording) {
   EXPECT_GT(event_count, 3000U);
 }
 
-TEST(SwarmReplay, TellsTheSameHoweverOftenItIsAsked) {
+TEST(SwarmReplay, ReportsTheSameHoweverOftenItIsCalled) {
   for (const Replayed& replayed : replays()) {
     SCOPED_TRACE(replayed.name);
     const auto deliveries = test::deliveries_of(replayed.tracks);
@@ -183,7 +183,7 @@ TEST(SwarmReplay, TellsTheSameHoweverOftenItIsAsked) {
   }
 }
 
-TEST(SwarmReplay, TellsTheSameWithAnyNumberOfThreads) {
+TEST(SwarmReplay, ReportsTheSameWithAnyNumberOfThreads) {
   const auto tracks = scenes::random_turns(60, {100, 100, 30}, {3, 12}, {12.0, 1.0, false}, 99);
   SwarmOptions options;
   options.threshold_m = 12.0;
@@ -198,7 +198,7 @@ TEST(SwarmReplay, TellsTheSameWithAnyNumberOfThreads) {
 }
 
 // Every bee's messages take their own time, up to four seconds.
-TEST(SwarmReplay, TellsTheSameWhateverOrderBeesAreHeardIn) {
+TEST(SwarmReplay, ReportsTheSameInAnyOrderOfBees) {
   for (int round = 0; round < test::rounds(40); ++round) {
     SCOPED_TRACE(round);
     test::SceneMaker make(static_cast<std::uint32_t>(round));
@@ -263,7 +263,7 @@ TEST(SwarmReplay, IsNotMisledByLateAndRepeatedReports) {
 }
 
 // Reports of a new bee may be older than all that is kept of the others: no event comes twice.
-TEST(SwarmReplay, TellsNothingTwiceWhenABeeIsHeardLate) {
+TEST(SwarmReplay, ReportsNothingTwiceWhenABeeIsHeardLate) {
   const auto tracks = scenes::random_turns(20, {80, 80, 20}, {3, 12}, {15.0, 1.0, false}, 6);
   SwarmOptions options;
   options.threshold_m = 12.0;

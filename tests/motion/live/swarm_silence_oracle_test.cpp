@@ -219,7 +219,7 @@ std::vector<std::vector<Report>> reports_of(test::SceneMaker& make, bool ties) {
   return bees;
 }
 
-TEST(SwarmSilenceOracle, SaysTheSameOfRandomSwarms) {
+TEST(SwarmSilenceOracle, AgreesOnRandomSwarms) {
   test::SceneMaker make(2024);
   std::size_t event_count = 0;
   std::size_t lost = 0;

@@ -177,7 +177,7 @@ TEST(SwarmRemoval, TakesNothingBackThatHappenedBefore) {
   EXPECT_EQ(events.size(), 2U);
 }
 
-TEST(SwarmRemoval, OfALostBeeSaysNothingMore) {
+TEST(SwarmRemoval, OfALostBeeReportsNothingMore) {
   Swarm swarm(options_with());
   Events events;
   hear(swarm, 1, 0.0, 0.0);
@@ -216,7 +216,7 @@ TEST(SwarmOfOneReport, IsInConflictAtThatInstant) {
   EXPECT_EQ(beside[0].time_s, 1.0);
 }
 
-TEST(SwarmFinish, TellsWhatIsKnownAndForgetsAll) {
+TEST(SwarmFinish, ReportsWhatIsKnownAndForgetsAll) {
   Swarm swarm(options_with());
   hear(swarm, 1, 5.0, 0.0);
   hear(swarm, 2, 5.0, 3.0);

@@ -101,7 +101,7 @@ void expect_option_error(const PredictOptions& options, ErrorCode code, const st
   });
 }
 
-TEST(MotionRefusal, AThresholdThatMakesNoSense) {
+TEST(MotionRefusal, AnInvalidThreshold) {
   for (const double bad :
        {0.0, -1.0, kNan, kInfinity, -kInfinity, std::nextafter(kSmallestInMotion, 0.0),
         std::nextafter(kLargestInMotion, kInfinity)}) {
@@ -115,7 +115,7 @@ TEST(MotionRefusal, AThresholdThatMakesNoSense) {
   }
 }
 
-TEST(MotionRefusal, AHorizonThatMakesNoSense) {
+TEST(MotionRefusal, AnInvalidHorizon) {
   for (const double bad :
        {-1.0, -0x1p-100, kNan, kInfinity, -kInfinity, std::nextafter(kSmallestInMotion, 0.0),
         std::nextafter(kLargestInMotion, kInfinity)}) {

@@ -226,7 +226,7 @@ void expect_error(const BezierPath& path, ErrorCode code, std::optional<std::uin
   EXPECT_FALSE(track.error().message.empty());
 }
 
-TEST(BezierRefusal, AToleranceThatMakesNoSenseOrIsTooFine) {
+TEST(BezierRefusal, AnInvalidOrTooFineTolerance) {
   for (const double bad : {0.0, -1.0, kNan, kInfinity}) {
     expect_error(plain_path(), ErrorCode::kInvalidArgument, {}, bad);
   }

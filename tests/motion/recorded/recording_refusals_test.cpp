@@ -48,7 +48,7 @@ void expect_error(const Tracks& tracks, const ConflictOptions& options, ErrorCod
   }
 }
 
-TEST(RecordingRefusal, ThresholdsThatMakeNoSense) {
+TEST(RecordingRefusal, InvalidThresholds) {
   for (const double bad : {0.0, -1.0, kNan, kInfinity, 0x1p-101, 0x1.1p+100}) {
     SCOPED_TRACE(bad);
     ConflictOptions options;

@@ -191,7 +191,7 @@ TEST(RecordingScenesThemselves, HaveConflictsOfAllKinds) {
 }
 
 // Random places and times, over and over: the same answers, at the chosen step and at short ones.
-TEST(RecordingSearch, SaysWhatBruteForceSaysOfManySmallRecordings) {
+TEST(RecordingSearch, AgreesWithBruteForceOnManySmallRecordings) {
   test::SceneMaker make(5150);
   test::OwnResources own;
   for (int round = 0; round < test::rounds(1500); ++round) {
