@@ -11,10 +11,7 @@
 #include "io/table/coordinate_units.hpp"
 #include "io/tracks/track_layout.hpp"
 #include "io/tracks/track_velocity.hpp"
-#include "io/tracks/track_words.hpp"
 #include "io/units/iso_time.hpp"
-
-#include "io/table/column_choice.hpp"
 
 #include <algorithm>
 #include <array>
@@ -129,22 +126,19 @@ class JsonLines final : public LineReader {
 
   // The layout of all keys known so far. A former one stays where there is an error.
   std::optional<Error> choose(simdjson::dom::object object) {
-    ColumnsSeen seen;
-    seen.count = names_.size();
-    seen.names = names_;
     TableLayout table;
     table.delimiter = kBetween;
-    table.columns = seen.count;
+    table.columns = names_.size();
     table.names = names_;
     std::string record;
     for (const std::string& name : names_) {
       JsonElement value;
       const bool here = object.at_key(name).get(value) == simdjson::SUCCESS;
-      seen.contents.push_back(here ? content_of(value) : ColumnContent::kUnknown);
+      table.contents.push_back(here ? content_of(value) : ColumnContent::kUnknown);
       if (!record.empty() || &name != &names_.front()) record += kBetween;
       if (here) record += field_text(value);
     }
-    auto layout = choose_track_layout(std::move(table), record, seen, options_);
+    auto layout = choose_track_layout(std::move(table), record, options_);
     if (!layout) return of_keys(std::move(layout).error());
     if (auto problem = live_problem(*layout)) return problem;
     if (chosen_ && !goes_on(*layout)) return std::nullopt;
@@ -238,7 +232,7 @@ class JsonLines final : public LineReader {
     }
     double number = 0.0;
     if (value->get(number) == simdjson::SUCCESS) {
-      report.time_s = without_dust(number / units_per_second(time.unit));
+      report.time_s = without_dust(in_metric(number, time.unit));
       if (in_motion_domain(report.time_s)) return std::nullopt;
     }
     return json_number_problem(*value, name_of(time.column));

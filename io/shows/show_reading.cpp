@@ -72,7 +72,7 @@ class ShowReading {
     if (options.units.any()) {
       return invalid("the numbers of a Skybrush show have their units; leave --units out");
     }
-    if (options.time_unit != TimeUnit::kAuto) {
+    if (options.time_unit != Unit::kUnstated) {
       return invalid("the times of a Skybrush show are in seconds; leave --time-unit out");
     }
     return std::nullopt;
