@@ -41,7 +41,7 @@ ColumnContent content_of(JsonElement value) {
 std::string field_text(JsonElement value) {
   std::string_view text;
   if (value.is_number()) return "1";
-  if (value.get(text) != simdjson::SUCCESS) return value.is_null() ? "" : "?";
+  if (!value.get(text)) return value.is_null() ? "" : "?";
   std::string field(text.substr(0, 40));
   for (char& c : field) {
     if (c == '"' || static_cast<unsigned char>(c) < ' ') c = '?';
@@ -80,7 +80,7 @@ class JsonLines final : public LineReader {
 
  private:
   // Puts each value where it belongs; learns the keys that are new.
-  std::optional<Error> sort_values(simdjson::dom::object object) {
+  std::optional<Error> sort_values(JsonMap object) {
     for (int attempt = 0;; ++attempt) {
       values_ = {};
       bool new_keys = false;
@@ -115,7 +115,7 @@ class JsonLines final : public LineReader {
     }
   }
 
-  void learn(simdjson::dom::object object) {
+  void learn(JsonMap object) {
     for (const auto [key, value] : object) {
       if (names_.size() == kMostKeys) break;
       if (std::find(names_.begin(), names_.end(), key) != names_.end()) continue;
@@ -125,7 +125,7 @@ class JsonLines final : public LineReader {
   }
 
   // The layout of all keys known so far. A former one stays where there is an error.
-  std::optional<Error> choose(simdjson::dom::object object) {
+  std::optional<Error> choose(JsonMap object) {
     TableLayout table;
     table.delimiter = kBetween;
     table.columns = names_.size();
@@ -133,7 +133,7 @@ class JsonLines final : public LineReader {
     std::string record;
     for (const std::string& name : names_) {
       JsonElement value;
-      const bool here = object.at_key(name).get(value) == simdjson::SUCCESS;
+      const bool here = object.get(name, value);
       table.contents.push_back(here ? content_of(value) : ColumnContent::kUnknown);
       if (!record.empty() || &name != &names_.front()) record += kBetween;
       if (here) record += field_text(value);
@@ -219,7 +219,7 @@ class JsonLines final : public LineReader {
     if (!value || value->is_null()) return missing(time.column);
     if (time.iso) {
       std::string_view text;
-      if (value->get(text) != simdjson::SUCCESS) {
+      if (!value->get(text)) {
         return Error{ErrorCode::kNotANumber,
                      name_of(time.column) + " is " + std::string(json_kind(*value)) +
                          " where a date and time should be, as in the lines before; correct it",
@@ -231,7 +231,7 @@ class JsonLines final : public LineReader {
           ErrorCode::kNotANumber, excerpt(text) + " is not a time: " + std::string(problem), {}};
     }
     double number = 0.0;
-    if (value->get(number) == simdjson::SUCCESS) {
+    if (value->get(number)) {
       report.time_s = without_dust(in_metric(number, time.unit));
       if (in_motion_domain(report.time_s)) return std::nullopt;
     }
