@@ -16,8 +16,8 @@ constexpr std::string_view kKinds = "sphere, box, ground, cylinder or prism";
 
 // [x, y]
 Result<Corner> read_corner(JsonElement element, const std::string& path) {
-  simdjson::dom::array items;
-  const bool array = element.get(items) == simdjson::SUCCESS;
+  JsonArray items;
+  const bool array = element.get(items);
   if (!array || items.size() != 2) {
     return Error{ErrorCode::kColumnCount,
                  path + " is " + std::string(json_kind(element)) +
@@ -64,8 +64,8 @@ UprightPrism read_prism(JsonMembers& members) {
   UprightPrism prism;
   if (const auto outline = members.element("outline")) {
     const std::string path = members.path_of("outline");
-    simdjson::dom::array corners;
-    if (outline->get(corners) != simdjson::SUCCESS) {
+    JsonArray corners;
+    if (!outline->get(corners)) {
       members.fail({ErrorCode::kMalformedRecord,
                     path + " is " + std::string(json_kind(*outline)) +
                         " where a list of corners [x, y] should be; correct it",
@@ -94,7 +94,7 @@ Result<Obstacle> read_obstacle(JsonElement element, const std::string& path) {
   };
   const auto kind = json_member(element, "kind");
   std::string_view word;
-  if (!kind || kind->get(word) != simdjson::SUCCESS) {
+  if (!kind || !kind->get(word)) {
     const bool object = element.is_object();
     return Error{object ? ErrorCode::kMissingColumn : ErrorCode::kMalformedRecord,
                  path +
@@ -138,8 +138,8 @@ Result<std::vector<Obstacle>> read_obstacles(JsonElement root) {
   JsonMembers members(root, "this document", "a list of obstacles", {"obstacles"});
   const auto list = members.error() ? std::nullopt : members.element("obstacles");
   if (members.error()) return *members.error();
-  simdjson::dom::array items;
-  if (list->get(items) != simdjson::SUCCESS) {
+  JsonArray items;
+  if (!list->get(items)) {
     return Error{ErrorCode::kMalformedRecord,
                  "obstacles is " + std::string(json_kind(*list)) +
                      " where a list of them should be, in [ ]; correct it",

@@ -35,11 +35,11 @@ std::optional<Error> known_already(const std::string& id, const PlanLayout& layo
 void add(PlanRecord& record, const PlanLayout& layout, FlightPlans& plans) {
   plans.ids.push_back(layout.id ? std::move(record.id) : std::to_string(plans.ids.size()));
   plans.positions.push_back(record.position);
-  if (layout.velocity) plans.velocities.push_back(record.velocity);
-  if (layout.goal) plans.goals.push_back(record.goal);
-  if (layout.wish) plans.wishes.push_back(record.wish);
-  if (layout.max_speed) plans.max_speeds_mps.push_back(record.max_speed_mps);
-  if (layout.max_acceleration) {
+  if (layout.has(Role::kVelocityX)) plans.velocities.push_back(record.velocity);
+  if (layout.has(Role::kGoalX)) plans.goals.push_back(record.goal);
+  if (layout.has(Role::kWishX)) plans.wishes.push_back(record.wish);
+  if (layout.has(Role::kMaxSpeed)) plans.max_speeds_mps.push_back(record.max_speed_mps);
+  if (layout.has(Role::kMaxAcceleration)) {
     plans.max_accelerations_mps2.push_back(record.max_acceleration_mps2);
   }
 }

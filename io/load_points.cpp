@@ -16,7 +16,7 @@
 #include "io/problems/excerpt.hpp"
 #include "io/problems/text_check.hpp"
 #include "io/table/coordinate_units.hpp"
-#include "io/table/header_words.hpp"
+#include "io/table/position_columns.hpp"
 
 #include <cmath>
 #include <optional>
@@ -24,10 +24,6 @@
 
 namespace beespace::io {
 namespace {
-
-ColumnOptions of_columns(const LoadOptions& options) {
-  return {options.frame, options.columns, options.units, options.heights, options.skip_bad};
-}
 
 bool ends_with(std::string_view text, std::string_view end) {
   return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
@@ -143,7 +139,7 @@ std::optional<Error> load_table(LoadedPoints& loaded, RecordSource& source,
                                 const LoadOptions& options) {
   if (auto problem = text_problem(source.bytes.view, or_raw(options))) return problem;
   source.text = without_byte_order_mark(source.bytes.view);
-  auto layout = find_layout(source.text, of_columns(options));
+  auto layout = find_layout(source.text, options);
   if (!layout) return layout.error();
   source.table = std::move(layout).value();
   const auto& choice = source.table->choice;
@@ -223,10 +219,12 @@ std::optional<Error> load_array(LoadedPoints& loaded, RecordSource& source, Form
                  "latitude, height",
                  {}};
   }
-  ColumnsSeen seen;
-  seen.count = 3;
+  TableLayout table;
+  table.columns = 3;
   ColumnChoice choice;
-  if (auto error = settle_coordinate_units(seen, of_columns(options), choice)) return error;
+  if (auto error = settle_coordinate_units(position_columns(), table, options, choice)) {
+    return error;
+  }
   auto layout =
       format == Format::kNpy ? npy_layout(source.bytes.view) : raw_layout(source.bytes.view);
   if (!layout) return layout.error();

@@ -99,7 +99,9 @@ Answered measure(const std::string& path, double seconds) {
 }
 
 io::LoadedPoints load(const std::string& path) {
-  auto loaded = io::load_points(path, {.frame = io::Frame::kWgs84});
+  io::LoadOptions options;
+  options.frame = io::Frame::kWgs84;
+  auto loaded = io::load_points(path, options);
   if (!loaded) fail(to_string(loaded.error()));
   return std::move(loaded).value();
 }

@@ -5,8 +5,9 @@
 #include "io/load_recording.hpp"
 #include "io/points/record_reading.hpp"
 #include "io/problems/excerpt.hpp"
+#include "io/table/column_names.hpp"
 #include "io/table/fields.hpp"
-#include "io/tracks/track_words.hpp"
+#include "io/tracks/track_columns.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -19,11 +20,11 @@
 namespace beespace::cli {
 namespace {
 
-std::optional<std::size_t> find_column(const io::LoadedPoints& loaded, io::TrackRole role) {
+std::optional<std::size_t> find_column(const io::LoadedPoints& loaded, io::Role role) {
   io::FieldCursor cursor(io::header_line(loaded), io::delimiter(loaded));
   io::Field name;
   for (std::size_t column = 0; cursor.next(name); ++column) {
-    if (io::read_track_word(io::unquoted(name)).role == role) return column;
+    if (io::read_column_name(io::track_columns(), io::unquoted(name)).role == role) return column;
   }
   return std::nullopt;
 }
@@ -64,11 +65,11 @@ Error blamed_on(const std::string& path, std::string message) {
 }  // namespace
 
 std::optional<Error> recording_problem(const io::LoadedPoints& loaded, const std::string& path) {
-  const auto time = find_column(loaded, io::TrackRole::kTime);
+  const auto time = find_column(loaded, io::Role::kTime);
   if (!time) return std::nullopt;
   // "drone" names no column of ids to a snapshot.
   const bool own_ids = io::has_id_column(loaded);
-  const auto id = find_column(loaded, io::TrackRole::kId);
+  const auto id = find_column(loaded, io::Role::kId);
   if (!own_ids && !id) return std::nullopt;
   const char delimiter = io::delimiter(loaded);
   const auto field = [delimiter](const io::Record& record, std::size_t column) {
@@ -85,7 +86,7 @@ std::optional<Error> recording_problem(const io::LoadedPoints& loaded, const std
 }
 
 bool has_several_times(const io::LoadedPoints& loaded) {
-  const auto column = find_column(loaded, io::TrackRole::kTime);
+  const auto column = find_column(loaded, io::Role::kTime);
   if (!column) return false;
   std::vector<PointId> everybody(loaded.points.size());
   std::iota(everybody.begin(), everybody.end(), PointId{0});

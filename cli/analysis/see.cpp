@@ -10,8 +10,9 @@
 #include "io/load_points.hpp"
 #include "io/load_recording.hpp"
 #include "io/points/loaded_points.hpp"
+#include "io/table/column_names.hpp"
 #include "io/table/fields.hpp"
-#include "io/tracks/track_words.hpp"
+#include "io/tracks/track_columns.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -33,7 +34,8 @@ bool has_time_column(std::string_view header) {
     io::FieldCursor cursor(header, delimiter);
     io::Field name;
     while (cursor.next(name)) {
-      if (io::read_track_word(io::unquoted(name)).role == io::TrackRole::kTime) return true;
+      if (io::read_column_name(io::track_columns(), io::unquoted(name)).role == io::Role::kTime)
+        return true;
     }
   }
   return false;

@@ -77,7 +77,7 @@ Result<DetectRequest> request_of(const DetectOptions& options) {
   request.default_threshold = options.threshold.empty();
   request.vertical = *vertical;
   if (*vertical) request.search.vertical_m = (*vertical)->metric;
-  const auto units = io::read_unit_wishes(options.units);
+  const auto units = io::read_unit_overrides(options.units);
   if (!units) return detect_usage_error(units.error().message);
 
   if (!options.input.empty()) request.input = options.input;

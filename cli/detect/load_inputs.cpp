@@ -7,9 +7,10 @@
 #include "io/load_points.hpp"
 #include "io/points/loaded_points.hpp"
 #include "io/problems/excerpt.hpp"
-#include "io/table/column_wishes.hpp"
+#include "io/table/column_names.hpp"
+#include "io/table/column_overrides.hpp"
 #include "io/table/fields.hpp"
-#include "io/table/header_words.hpp"
+#include "io/table/position_columns.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -101,20 +102,22 @@ std::optional<Error> columns_problem(const Inputs& inputs, const io::LoadedPoint
   const auto ours = names_in(inputs.ours);
   const auto theirs = names_in(others);
   if (request.load.columns.empty() || ours.empty() || theirs.empty()) return std::nullopt;
-  const auto wishes = io::read_wishes(request.load.columns, request.load.frame);
-  if (!wishes) return wishes.error();
-  for (const io::Wish& wish : *wishes) {
+  const io::ColumnSchema& schema = io::position_columns();
+  const auto overrides =
+      io::read_column_overrides(schema, request.load.columns, request.load.frame);
+  if (!overrides) return overrides.error();
+  for (const io::ColumnOverride& wanted : *overrides) {
     std::size_t number = 0;
-    const char* const end = wish.column.data() + wish.column.size();
-    const auto read = std::from_chars(wish.column.data(), end, number);
+    const char* const end = wanted.column.data() + wanted.column.size();
+    const auto read = std::from_chars(wanted.column.data(), end, number);
     if (read.ec != std::errc() || read.ptr != end || number == 0) continue;
     if (number > ours.size() || number > theirs.size()) continue;
     if (ours[number - 1] == theirs[number - 1]) continue;
-    const io::Role role = io::read_header_word(ours[number - 1]).role;
-    const bool alike = role == io::read_header_word(theirs[number - 1]).role;
+    const io::Role role = io::read_column_name(schema, ours[number - 1]).role;
+    const bool alike = role == io::read_column_name(schema, theirs[number - 1]).role;
     if (alike && role != io::Role::kNone) continue;
     return detect_usage_error(
-        "--columns goes to both files, but column " + wish.column + " is " +
+        "--columns goes to both files, but column " + wanted.column + " is " +
         io::excerpt(ours[number - 1]) + " in " + source_of(request.input) + " and " +
         io::excerpt(theirs[number - 1]) + " in " + source_of(*request.others) +
         "; name the columns instead of numbering them, or leave --columns out");

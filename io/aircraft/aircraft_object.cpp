@@ -39,7 +39,7 @@ using Values = std::array<std::optional<JsonElement>, kKeys>;
 
 // One walk: such an object has dozens of other keys. `twice` becomes the first of ours that is
 // there twice.
-Values values_of(simdjson::dom::object object, std::string_view& twice) {
+Values values_of(JsonMap object, std::string_view& twice) {
   Values values;
   std::array<bool, kKeys> met = {};
   for (const auto [key, value] : object) {
@@ -100,14 +100,14 @@ class ObjectReading {
                    "correct it",
                    {}};
     }
-    if (hex->get(text) != simdjson::SUCCESS || text.empty()) {
+    if (!hex->get(text) || text.empty()) {
       return Error{ErrorCode::kMalformedRecord,
                    "'hex' is no address; give it as a text such as \"4b1814\"",
                    {}};
     }
     report_.id = normal_address(text);
     const auto& flight = at(Key::kFlight);
-    if (flight && flight->get(text) == simdjson::SUCCESS) report_.label = without_padding(text);
+    if (flight && flight->get(text)) report_.label = without_padding(text);
     return std::nullopt;
   }
 
@@ -132,7 +132,7 @@ class ObjectReading {
     if (auto error = number(Key::kAltGeom, report_.ellipsoid_height)) return error;
     const auto& baro = at(Key::kAltBaro);
     std::string_view text;
-    if (baro && baro->get(text) == simdjson::SUCCESS && text == "ground") {
+    if (baro && baro->get(text) && text == "ground") {
       report_.on_ground = true;
       return std::nullopt;
     }
@@ -145,7 +145,7 @@ class ObjectReading {
 
 }  // namespace
 
-bool is_aircraft_object(simdjson::dom::object object) {
+bool is_aircraft_object(JsonMap object) {
   bool hex = false;
   bool sure = false;
   for (const auto [key, value] : object) {
@@ -158,8 +158,7 @@ bool is_aircraft_object(simdjson::dom::object object) {
   return hex && sure;
 }
 
-std::optional<Error> read_aircraft_object(simdjson::dom::object object, double now_s,
-                                          AircraftReport& report) {
+std::optional<Error> read_aircraft_object(JsonMap object, double now_s, AircraftReport& report) {
   report = AircraftReport();
   std::string_view twice;
   const Values values = values_of(object, twice);

@@ -9,14 +9,13 @@
 namespace beespace::io {
 
 // Whether an object is one of these and not of anybody's own words.
-bool is_aircraft_object(simdjson::dom::object object);
+bool is_aircraft_object(JsonMap object);
 
 // `now_s` is when the file was written; not-a-number where the object says it itself. Heights come
 // in feet, speeds in knots, climbs in feet per minute, times in seconds before now. Errors without
 // place, and with the key at the front of the message: kMissingColumn (hex, now), kNotANumber,
 // kOutsideDomain, kMalformedRecord (a
 // key that is there twice).
-std::optional<Error> read_aircraft_object(simdjson::dom::object object, double now_s,
-                                          AircraftReport& report);
+std::optional<Error> read_aircraft_object(JsonMap object, double now_s, AircraftReport& report);
 
 }  // namespace beespace::io

@@ -17,10 +17,9 @@ namespace {
 constexpr double kAgeRounding_s = 0.25;
 
 bool has_member(JsonElement root, std::string_view key) {
-  simdjson::dom::object members;
+  JsonMap members;
   JsonElement found;
-  return root.get(members) == simdjson::SUCCESS &&
-         members.at_key(key).get(found) == simdjson::SUCCESS;
+  return root.get(members) && members.get(key, found);
 }
 
 AircraftChoice choice_of(const RecordingAssembly& assembly) {
@@ -28,11 +27,11 @@ AircraftChoice choice_of(const RecordingAssembly& assembly) {
 }
 
 // The list under `key`; nothing where it is null, as OpenSky has it when nobody flies.
-Result<std::optional<simdjson::dom::array>> list_of(JsonElement root, std::string_view key) {
+Result<std::optional<JsonArray>> list_of(JsonElement root, std::string_view key) {
   const auto member = json_member(root, key);
-  if (!member) return std::optional<simdjson::dom::array>();
-  simdjson::dom::array list;
-  if (member->get(list) == simdjson::SUCCESS) return std::optional(list);
+  if (!member) return std::optional<JsonArray>();
+  JsonArray list;
+  if (member->get(list)) return std::optional(list);
   return Error{ErrorCode::kMalformedRecord,
                excerpt(key) + " is " + std::string(json_kind(*member)) +
                    " where a list should be; correct it",
@@ -81,8 +80,8 @@ std::optional<Error> read_aircraft(JsonElement root, RecordingAssembly& assembly
   return read_list(root, "aircraft", assembly, gathering,
                    [now_s](JsonElement element, AircraftReport& report) -> std::optional<Error> {
                      report = AircraftReport();
-                     simdjson::dom::object object;
-                     if (element.get(object) == simdjson::SUCCESS) {
+                     JsonMap object;
+                     if (element.get(object)) {
                        return read_aircraft_object(object, now_s, report);
                      }
                      return Error{ErrorCode::kMalformedRecord,

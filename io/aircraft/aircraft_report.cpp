@@ -145,7 +145,7 @@ std::optional<Error> fixed_layout_problem(const RecordingOptions& options,
   if (options.units.any()) {
     return invalid("the numbers of " + what + " have their units; leave --units out");
   }
-  if (options.time_unit != TimeUnit::kAuto) {
+  if (options.time_unit != Unit::kUnstated) {
     return invalid("the times of " + what + " have their unit; leave --time-unit out");
   }
   return std::nullopt;

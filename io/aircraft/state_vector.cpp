@@ -29,8 +29,8 @@ constexpr std::size_t kPlaces = 14;  // as many as are needed; there may be more
 
 std::optional<Error> read_state_vector(JsonElement state, AircraftReport& report) {
   report = AircraftReport();
-  simdjson::dom::array items;
-  if (state.get(items) != simdjson::SUCCESS || items.size() < kPlaces) {
+  JsonArray items;
+  if (!state.get(items) || items.size() < kPlaces) {
     return Error{ErrorCode::kColumnCount,
                  "it is " + std::string(json_kind(state)) +
                      " where a state vector of 17 or 18 values should be; correct it",
@@ -42,14 +42,14 @@ std::optional<Error> read_state_vector(JsonElement state, AircraftReport& report
     if (place < kPlaces) values[place++] = item;
   }
   std::string_view text;
-  if (values[kAddress].get(text) != simdjson::SUCCESS || text.empty()) {
+  if (!values[kAddress].get(text) || text.empty()) {
     return Error{ErrorCode::kMalformedRecord,
                  "its first value is no address; give it as a text such as \"4b1814\"",
                  {}};
   }
   report.id = normal_address(text);
-  if (values[kCallsign].get(text) == simdjson::SUCCESS) report.label = without_padding(text);
-  if (bool on_ground = false; values[kOnGround].get(on_ground) == simdjson::SUCCESS) {
+  if (values[kCallsign].get(text)) report.label = without_padding(text);
+  if (bool on_ground = false; values[kOnGround].get(on_ground)) {
     report.on_ground = on_ground;
   }
   struct Wanted {

@@ -9,6 +9,15 @@ unsigned char byte_at(std::string_view text, std::size_t i) {
   return i < text.size() ? static_cast<unsigned char>(text[i]) : 0;
 }
 
+bool matches(std::string_view pattern, std::string_view word) {
+  if (pattern.empty()) return word.empty();
+  if (pattern.front() != '*') {
+    const bool alike = !word.empty() && (pattern.front() == '?' || pattern.front() == word.front());
+    return alike && matches(pattern.substr(1), word.substr(1));
+  }
+  return matches(pattern.substr(1), word) || (!word.empty() && matches(pattern, word.substr(1)));
+}
+
 }  // namespace
 
 std::size_t utf8_length(std::string_view text) {
@@ -61,6 +70,15 @@ std::string_view without_padding(std::string_view text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
   while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
   return text;
+}
+
+bool is_one_of(std::string_view words, std::string_view word) {
+  while (!words.empty()) {
+    const std::size_t blank = std::min(words.find(' '), words.size());
+    if (matches(words.substr(0, blank), word)) return true;
+    words.remove_prefix(std::min(blank + 1, words.size()));
+  }
+  return false;
 }
 
 bool is_blank_line(std::string_view line) {

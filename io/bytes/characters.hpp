@@ -20,6 +20,10 @@ inline bool is_blank(char c) {
 
 std::string_view without_padding(std::string_view text);
 
+// Whether the word is one of `words`, which have blanks between them. In these "*" stands for any
+// bytes, and "?" for one: "coord*".
+bool is_one_of(std::string_view words, std::string_view word);
+
 // Whether the line holds nothing but blanks.
 bool is_blank_line(std::string_view line);
 

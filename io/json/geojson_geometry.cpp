@@ -3,6 +3,7 @@
 #include "io/json/json_object.hpp"
 
 #include <cmath>
+#include <string_view>
 #include <vector>
 
 namespace beespace::io {
@@ -17,14 +18,19 @@ double within_half_turn(double longitude_deg) {
   return std::remainder(longitude_deg, kTurn_deg) + 0.0;
 }
 
-void append_position(std::string& out, const GeographicPosition& position) {
-  out += '[';
-  out += json_number(position.longitude_deg);
-  out += ", ";
-  out += json_number(position.latitude_deg);
-  out += ", ";
-  out += json_number(position.height_m);
-  out += ']';
+std::string coordinates(const GeographicPosition& position) {
+  JsonList list(JsonStyle::kSpaced);
+  list.add_number(position.longitude_deg);
+  list.add_number(position.latitude_deg);
+  list.add_number(position.height_m);
+  return list.text();
+}
+
+std::string geometry(std::string_view type, std::string_view coordinates) {
+  JsonObject object(JsonStyle::kSpaced);
+  object.add_text("type", type);
+  object.add_json("coordinates", coordinates);
+  return object.text();
 }
 
 GeographicPosition within_half_turn(GeographicPosition position) {
@@ -47,12 +53,11 @@ struct Line {
   GeographicPosition to;
 };
 
-void append_coordinates(std::string& out, const Line& line) {
-  out += '[';
-  append_position(out, line.from);
-  out += ", ";
-  append_position(out, line.to);
-  out += ']';
+std::string coordinates(const Line& line) {
+  JsonList list(JsonStyle::kSpaced);
+  list.add_json(coordinates(line.from));
+  list.add_json(coordinates(line.to));
+  return list.text();
 }
 
 // The same place, on the meridian of 180 degrees as one comes there from `side_deg`.
@@ -76,25 +81,19 @@ std::vector<Line> cut_at_half_turn(const Line& line) {
 }  // namespace
 
 void append_geojson_point(std::string& out, const GeographicPosition& position) {
-  out += R"({"type": "Point", "coordinates": )";
-  append_position(out, within_half_turn(position));
-  out += '}';
+  out += geometry("Point", coordinates(within_half_turn(position)));
 }
 
 void append_geojson_line(std::string& out, const GeographicPosition& from,
                          const GeographicPosition& to) {
   const auto parts = cut_at_half_turn({within_half_turn(from), within_half_turn(to)});
   if (parts.size() == 1) {
-    out += R"({"type": "LineString", "coordinates": )";
-    append_coordinates(out, parts.front());
-  } else {
-    out += R"({"type": "MultiLineString", "coordinates": [)";
-    append_coordinates(out, parts.front());
-    out += ", ";
-    append_coordinates(out, parts.back());
-    out += ']';
+    out += geometry("LineString", coordinates(parts.front()));
+    return;
   }
-  out += '}';
+  JsonList lines(JsonStyle::kSpaced);
+  for (const Line& part : parts) lines.add_json(coordinates(part));
+  out += geometry("MultiLineString", lines.text());
 }
 
 }  // namespace beespace::io

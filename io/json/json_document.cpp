@@ -8,54 +8,50 @@
 #include <utility>
 
 namespace beespace::io {
-namespace {
 
-Error syntax_error(std::string_view text, simdjson::error_code code, std::string source) {
-  Error error{ErrorCode::kCorrupt, {}, {std::move(source)}};
+Error json_syntax_error(std::string_view text, std::string_view problem,
+                        std::string_view if_cut_off) {
+  Error error{ErrorCode::kCorrupt, {}, {}};
   const JsonFault fault = find_json_fault(text);
   if (!fault.found) {
-    error.message =
-        "this JSON cannot be read: " + std::string(simdjson::error_message(code)) + "; correct it";
+    error.message = "this JSON cannot be read: " + std::string(problem) + "; correct it";
     return error;
   }
   error.place.line = fault.line;
   error.place.column = fault.column;
   if (fault.at_end) {
     error.code = ErrorCode::kTruncated;
-    error.message = "the JSON ends too early (" + fault.what +
-                    "); the file is incomplete, copy or download it again";
+    error.message = "the JSON ends too early (" + fault.what + "); " + std::string(if_cut_off);
   } else {
     error.message = "this is no JSON: " + fault.what + "; correct it";
   }
   return error;
 }
 
-}  // namespace
-
 Result<JsonDocument> JsonDocument::parse(std::string_view text, std::string source) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     return Error{ErrorCode::kNoPoints, "the input is empty", {std::move(source)}};
   }
   JsonDocument document;
-  document.parser_ = std::make_unique<simdjson::dom::parser>();
-  const simdjson::error_code code =
-      document.parser_->parse(text.data(), text.size(), true).get(document.root_);
-  if (code == simdjson::MEMALLOC) throw std::bad_alloc();
-  if (code != simdjson::SUCCESS) return syntax_error(text, code, std::move(source));
-  return document;
+  const std::string_view problem = document.parser_.parse(text, document.root_);
+  if (problem.empty()) return document;
+  Error error =
+      json_syntax_error(text, problem, "the file is incomplete, copy or download it again");
+  error.place.source = std::move(source);
+  return error;
 }
 
 std::optional<JsonElement> json_member(JsonElement object, std::string_view key) {
-  simdjson::dom::object members;
+  JsonMap members;
   JsonElement found;
-  if (object.get(members) != simdjson::SUCCESS) return std::nullopt;
-  if (members.at_key(key).get(found) != simdjson::SUCCESS || found.is_null()) return std::nullopt;
+  if (!object.get(members)) return std::nullopt;
+  if (!members.get(key, found) || found.is_null()) return std::nullopt;
   return found;
 }
 
 std::optional<Error> json_twice(JsonElement object, std::initializer_list<std::string_view> keys) {
-  simdjson::dom::object members;
-  if (object.get(members) != simdjson::SUCCESS) return std::nullopt;
+  JsonMap members;
+  if (!object.get(members)) return std::nullopt;
   for (const std::string_view key : keys) {
     std::size_t count = 0;
     for (const auto member : members) {
@@ -72,29 +68,30 @@ std::optional<Error> json_twice(JsonElement object, std::initializer_list<std::s
 }
 
 std::string_view json_kind(JsonElement element) {
-  switch (element.type()) {
-    case simdjson::dom::element_type::ARRAY:
+  switch (element.kind()) {
+    case JsonKind::kArray:
       return "an array";
-    case simdjson::dom::element_type::OBJECT:
+    case JsonKind::kObject:
       return "an object";
-    case simdjson::dom::element_type::STRING:
+    case JsonKind::kText:
       return "a string";
-    case simdjson::dom::element_type::BOOL:
+    case JsonKind::kFlag:
       return "true or false";
-    case simdjson::dom::element_type::NULL_VALUE:
+    case JsonKind::kNull:
       return "null";
-    default:
-      return "a number";
+    case JsonKind::kNumber:
+      break;
   }
+  return "a number";
 }
 
 bool read_json(JsonElement element, double& value) {
-  return element.get(value) == simdjson::SUCCESS && in_motion_domain(value);
+  return element.get(value) && in_motion_domain(value);
 }
 
 bool read_json(JsonElement element, Point& point) {
-  simdjson::dom::array items;
-  if (element.get(items) != simdjson::SUCCESS || items.size() != 3) return false;
+  JsonArray items;
+  if (!element.get(items) || items.size() != 3) return false;
   std::array<double, 3> values = {};
   std::size_t axis = 0;
   for (const JsonElement item : items) {
@@ -106,7 +103,7 @@ bool read_json(JsonElement element, Point& point) {
 
 Error json_number_problem(JsonElement element, const std::string& path) {
   double value = 0.0;
-  if (element.get(value) == simdjson::SUCCESS) {
+  if (element.get(value)) {
     return {ErrorCode::kOutsideDomain,
             path + " cannot be computed with exactly; use 0, or a size of " +
                 std::string(kMotionDomain),
@@ -118,8 +115,8 @@ Error json_number_problem(JsonElement element, const std::string& path) {
 }
 
 Error json_point_problem(JsonElement element, const std::string& path) {
-  simdjson::dom::array items;
-  const bool array = element.get(items) == simdjson::SUCCESS;
+  JsonArray items;
+  const bool array = element.get(items);
   if (!array || items.size() != 3) {
     return {ErrorCode::kColumnCount,
             path + " is " + std::string(json_kind(element)) +

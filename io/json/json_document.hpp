@@ -1,22 +1,17 @@
 // A JSON text, parsed, and what is wrong with its values in words.
 #pragma once
 
-#include "io/bytes/byte_source.hpp"
+#include "io/json/json_value.hpp"
 
 #include <beespace/point.hpp>
 #include <beespace/result.hpp>
 
-#include <simdjson.h>
-
 #include <initializer_list>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace beespace::io {
-
-using JsonElement = simdjson::dom::element;
 
 class JsonDocument {
  public:
@@ -28,9 +23,14 @@ class JsonDocument {
  private:
   JsonDocument() = default;
 
-  std::unique_ptr<simdjson::dom::parser> parser_;  // holds what root_ and its parts point to
+  JsonParser parser_;  // holds what root_ and its parts point to
   JsonElement root_;
 };
+
+// Why a text is no JSON, with line and column: kCorrupt; or kTruncated, where `if_cut_off` is the
+// advice. `problem` is what the parser says of it.
+Error json_syntax_error(std::string_view text, std::string_view problem,
+                        std::string_view if_cut_off);
 
 // Member `key` of an object; nothing where there is none, or it is null.
 std::optional<JsonElement> json_member(JsonElement object, std::string_view key);

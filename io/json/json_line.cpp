@@ -1,41 +1,21 @@
 #include "io/json/json_line.hpp"
 
-#include "io/json/json_fault.hpp"
 #include "io/problems/excerpt.hpp"
 
 #include <array>
 #include <bitset>
 #include <charconv>
 #include <cstdint>
-#include <new>
 #include <optional>
 
 namespace beespace::io {
 namespace {
 
-Error syntax_error(std::string_view line, simdjson::error_code code) {
-  const JsonFault fault = find_json_fault(line);
-  if (!fault.found) {
-    return {
-        ErrorCode::kCorrupt,
-        "this JSON cannot be read: " + std::string(simdjson::error_message(code)) + "; correct it",
-        {}};
-  }
-  Error error{fault.at_end ? ErrorCode::kTruncated : ErrorCode::kCorrupt,
-              fault.at_end ? "the JSON ends too early (" + fault.what +
-                                 "); each object must be whole in one line (a document of "
-                                 "many lines is for 'beespace replay')"
-                           : "this is no JSON: " + fault.what + "; correct it",
-              {}};
-  error.place.column = fault.column;
-  return error;
-}
-
 // Of a few keys most differ in what this adds up, so that few are compared.
-std::optional<std::string_view> repeated_key(simdjson::dom::object object) {
+std::optional<std::string_view> repeated_key(JsonMap object) {
   std::bitset<256> seen;
   for (auto at = object.begin(); at != object.end(); ++at) {
-    const std::string_view key = at.key();
+    const std::string_view key = (*at).key;
     std::size_t sum = key.size();
     for (const char c : key.substr(0, 16)) sum = 31 * sum + static_cast<unsigned char>(c);
     if (!seen.test(sum % seen.size())) {
@@ -43,7 +23,7 @@ std::optional<std::string_view> repeated_key(simdjson::dom::object object) {
       continue;
     }
     for (auto before = object.begin(); before != at; ++before) {
-      if (before.key() == key) return key;
+      if ((*before).key == key) return key;
     }
   }
   return std::nullopt;
@@ -51,16 +31,21 @@ std::optional<std::string_view> repeated_key(simdjson::dom::object object) {
 
 }  // namespace
 
-Result<simdjson::dom::object> JsonLine::parse(std::string_view line) {
+Result<JsonMap> JsonLine::parse(std::string_view line) {
   // The parser reads beyond the end; what lies there does not matter.
-  padded_.reserve(line.size() + simdjson::SIMDJSON_PADDING);
+  padded_.reserve(line.size() + JsonParser::kPadding);
   padded_.assign(line);
   JsonElement root;
-  const auto code = parser_.parse(padded_.data(), padded_.size(), false).get(root);
-  if (code == simdjson::MEMALLOC) throw std::bad_alloc();
-  if (code != simdjson::SUCCESS) return syntax_error(line, code);
-  simdjson::dom::object object;
-  if (root.get(object) == simdjson::SUCCESS) {
+  const std::string_view problem = parser_.parse_padded(padded_, root);
+  if (!problem.empty()) {
+    Error error = json_syntax_error(line, problem,
+                                    "each object must be whole in one line (a document of many "
+                                    "lines is for 'beespace replay')");
+    error.place.line.reset();
+    return error;
+  }
+  JsonMap object;
+  if (root.get(object)) {
     if (const auto key = repeated_key(object)) {
       return Error{ErrorCode::kMalformedRecord,
                    excerpt(*key) + " is there twice in this object; leave one out",
@@ -75,12 +60,12 @@ Result<simdjson::dom::object> JsonLine::parse(std::string_view line) {
 }
 
 bool JsonLine::read_text(JsonElement element, std::string_view& text) {
-  if (element.get(text) == simdjson::SUCCESS) return true;
+  if (element.get(text)) return true;
   std::array<char, 24> digits = {};
   char* end = nullptr;
-  if (std::int64_t number = 0; element.get(number) == simdjson::SUCCESS) {
+  if (std::int64_t number = 0; element.get(number)) {
     end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-  } else if (std::uint64_t large = 0; element.get(large) == simdjson::SUCCESS) {
+  } else if (std::uint64_t large = 0; element.get(large)) {
     end = std::to_chars(digits.data(), digits.data() + digits.size(), large).ptr;
   } else {
     return false;

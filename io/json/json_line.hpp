@@ -14,14 +14,14 @@ class JsonLine {
  public:
   // What it returns holds until the next call. Errors: kTruncated, kCorrupt, with a column counted
   // in bytes; kUnsupportedFormat where it is no object; kMalformedRecord where it has a key twice.
-  Result<simdjson::dom::object> parse(std::string_view line);
+  Result<JsonMap> parse(std::string_view line);
 
   // A text, or a whole number as one; false when it is neither. Holds until the next call of
   // either; at most one number of a line can be held.
   bool read_text(JsonElement element, std::string_view& text);
 
  private:
-  simdjson::dom::parser parser_;
+  JsonParser parser_;
   std::string padded_;
   std::string number_;
 };

@@ -14,8 +14,8 @@ JsonMembers::JsonMembers(JsonElement object, std::string path, std::string what,
 }
 
 void JsonMembers::check_names(const std::vector<std::string_view>& known) {
-  simdjson::dom::object members;
-  if (object_.get(members) != simdjson::SUCCESS) {
+  JsonMap members;
+  if (!object_.get(members)) {
     return fail({ErrorCode::kMalformedRecord,
                  path_ + " is " + std::string(json_kind(object_)) + " where " + what_ +
                      " should be, in { }; correct it",

@@ -31,9 +31,19 @@ void JsonObject::add_json(std::string_view name, std::string_view value) {
 }
 
 void JsonObject::begin(std::string_view name) {
-  if (text_.size() > 1) text_ += ',';
+  const bool spaced = style_ == JsonStyle::kSpaced;
+  if (text_.size() > 1) text_ += spaced ? ", " : ",";
   append_json_string(text_, name);
-  text_ += ':';
+  text_ += spaced ? ": " : ":";
+}
+
+void JsonList::add_number(double value) {
+  add_json(json_number(value));
+}
+
+void JsonList::add_json(std::string_view value) {
+  if (text_.size() > 1) text_ += style_ == JsonStyle::kSpaced ? ", " : ",";
+  text_ += value;
 }
 
 std::string json_number(double value) {

@@ -1,4 +1,4 @@
-// One JSON object, written member by member.
+// JSON objects and lists, written member by member.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,13 @@
 
 namespace beespace::io {
 
+// With a blank behind colons and commas, or without.
+enum class JsonStyle : std::uint8_t { kTight, kSpaced };
+
 class JsonObject {
  public:
+  explicit JsonObject(JsonStyle style = JsonStyle::kTight) : style_(style) {}
+
   void add_text(std::string_view name, std::string_view value);
   // null where it is not finite.
   void add_number(std::string_view name, double value);
@@ -22,7 +27,22 @@ class JsonObject {
  private:
   void begin(std::string_view name);
 
+  JsonStyle style_;
   std::string text_ = "{";
+};
+
+class JsonList {
+ public:
+  explicit JsonList(JsonStyle style = JsonStyle::kTight) : style_(style) {}
+
+  void add_number(double value);
+  void add_json(std::string_view value);
+
+  [[nodiscard]] std::string text() const { return text_ + ']'; }
+
+ private:
+  JsonStyle style_;
+  std::string text_ = "[";
 };
 
 // Like a member of that type, by itself.

@@ -11,10 +11,7 @@
 #include "io/table/coordinate_units.hpp"
 #include "io/tracks/track_layout.hpp"
 #include "io/tracks/track_velocity.hpp"
-#include "io/tracks/track_words.hpp"
 #include "io/units/iso_time.hpp"
-
-#include "io/table/column_choice.hpp"
 
 #include <algorithm>
 #include <array>
@@ -44,7 +41,7 @@ ColumnContent content_of(JsonElement value) {
 std::string field_text(JsonElement value) {
   std::string_view text;
   if (value.is_number()) return "1";
-  if (value.get(text) != simdjson::SUCCESS) return value.is_null() ? "" : "?";
+  if (!value.get(text)) return value.is_null() ? "" : "?";
   std::string field(text.substr(0, 40));
   for (char& c : field) {
     if (c == '"' || static_cast<unsigned char>(c) < ' ') c = '?';
@@ -83,7 +80,7 @@ class JsonLines final : public LineReader {
 
  private:
   // Puts each value where it belongs; learns the keys that are new.
-  std::optional<Error> sort_values(simdjson::dom::object object) {
+  std::optional<Error> sort_values(JsonMap object) {
     for (int attempt = 0;; ++attempt) {
       values_ = {};
       bool new_keys = false;
@@ -118,7 +115,7 @@ class JsonLines final : public LineReader {
     }
   }
 
-  void learn(simdjson::dom::object object) {
+  void learn(JsonMap object) {
     for (const auto [key, value] : object) {
       if (names_.size() == kMostKeys) break;
       if (std::find(names_.begin(), names_.end(), key) != names_.end()) continue;
@@ -128,23 +125,20 @@ class JsonLines final : public LineReader {
   }
 
   // The layout of all keys known so far. A former one stays where there is an error.
-  std::optional<Error> choose(simdjson::dom::object object) {
-    ColumnsSeen seen;
-    seen.count = names_.size();
-    seen.names = names_;
+  std::optional<Error> choose(JsonMap object) {
     TableLayout table;
     table.delimiter = kBetween;
-    table.columns = seen.count;
+    table.columns = names_.size();
     table.names = names_;
     std::string record;
     for (const std::string& name : names_) {
       JsonElement value;
-      const bool here = object.at_key(name).get(value) == simdjson::SUCCESS;
-      seen.contents.push_back(here ? content_of(value) : ColumnContent::kUnknown);
+      const bool here = object.get(name, value);
+      table.contents.push_back(here ? content_of(value) : ColumnContent::kUnknown);
       if (!record.empty() || &name != &names_.front()) record += kBetween;
       if (here) record += field_text(value);
     }
-    auto layout = choose_track_layout(std::move(table), record, seen, options_);
+    auto layout = choose_track_layout(std::move(table), record, options_);
     if (!layout) return of_keys(std::move(layout).error());
     if (auto problem = live_problem(*layout)) return problem;
     if (chosen_ && !goes_on(*layout)) return std::nullopt;
@@ -225,7 +219,7 @@ class JsonLines final : public LineReader {
     if (!value || value->is_null()) return missing(time.column);
     if (time.iso) {
       std::string_view text;
-      if (value->get(text) != simdjson::SUCCESS) {
+      if (!value->get(text)) {
         return Error{ErrorCode::kNotANumber,
                      name_of(time.column) + " is " + std::string(json_kind(*value)) +
                          " where a date and time should be, as in the lines before; correct it",
@@ -237,8 +231,8 @@ class JsonLines final : public LineReader {
           ErrorCode::kNotANumber, excerpt(text) + " is not a time: " + std::string(problem), {}};
     }
     double number = 0.0;
-    if (value->get(number) == simdjson::SUCCESS) {
-      report.time_s = without_dust(number / units_per_second(time.unit));
+    if (value->get(number)) {
+      report.time_s = without_dust(in_metric(number, time.unit));
       if (in_motion_domain(report.time_s)) return std::nullopt;
     }
     return json_number_problem(*value, name_of(time.column));

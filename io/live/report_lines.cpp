@@ -85,13 +85,13 @@ Result<std::optional<ReportLine>> ReportLines::leave(std::string_view line) {
   if (!leave_) leave_ = std::make_unique<JsonLine>();
   const auto object = leave_->parse(line);
   if (!object) return none;
-  std::string_view event;
-  if (object->at_key("event").get(event) != simdjson::SUCCESS || event != "leave") return none;
+  JsonElement event;
   JsonElement id;
+  std::string_view text;
+  if (!object->get("event", event) || !event.get(text) || text != "leave") return none;
   ReportLine report;
   report.leaves = true;
-  if (object->at_key("id").get(id) == simdjson::SUCCESS && leave_->read_text(id, report.id) &&
-      !report.id.empty()) {
+  if (object->get("id", id) && leave_->read_text(id, report.id) && !report.id.empty()) {
     return std::optional<ReportLine>(report);
   }
   return Error{ErrorCode::kMissingColumn,

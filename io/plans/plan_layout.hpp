@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/plans/flight_plans.hpp"
+#include "io/table/column_schema.hpp"
 #include "io/table/table_layout.hpp"
 
 #include <beespace/result.hpp>
@@ -21,19 +22,18 @@ struct NumberColumn {
   Unit unit = Unit::kUnstated;
 };
 
-using AxisColumns = std::array<NumberColumn, 3>;  // x, y, z
-
 struct PlanLayout {
   TableLayout table = {};  // but for its choice
   std::optional<std::size_t> id = {};
-  AxisColumns position = {};
-  std::optional<AxisColumns> velocity = {};
-  std::optional<AxisColumns> goal = {};
-  std::optional<AxisColumns> wish = {};
-  std::optional<NumberColumn> max_speed = {};
-  std::optional<NumberColumn> max_acceleration = {};
+  // By role. Of a position, a velocity, a goal and a wish all three are there, or none.
+  std::array<std::optional<NumberColumn>, kRoles> columns = {};
   std::vector<UnitTaken> units = {};
   std::vector<std::string> notes = {};
+
+  [[nodiscard]] const std::optional<NumberColumn>& of(Role role) const {
+    return columns[index_of(role)];
+  }
+  [[nodiscard]] bool has(Role role) const { return of(role).has_value(); }
 };
 
 // `text` has no byte-order mark. Errors: those of find_table(), kMissingColumn, kUnsupportedFormat

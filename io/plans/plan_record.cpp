@@ -3,6 +3,7 @@
 #include "io/bytes/characters.hpp"
 #include "io/bytes/number.hpp"
 #include "io/frames/track_domain.hpp"
+#include "io/plans/plan_columns.hpp"
 #include "io/problems/excerpt.hpp"
 #include "io/problems/skipped_records.hpp"
 #include "io/table/record_problems.hpp"
@@ -13,32 +14,13 @@
 namespace beespace::io {
 namespace {
 
-constexpr std::size_t kPosition = 0;
-constexpr std::size_t kVelocity = 3;
-constexpr std::size_t kGoal = 6;
-constexpr std::size_t kWish = 9;
-constexpr std::size_t kMaxSpeed = 12;
-constexpr std::size_t kMaxAcceleration = 13;
+bool is_limit(Role role) {
+  return role == Role::kMaxSpeed || role == Role::kMaxAcceleration;
+}
 
-constexpr std::array<std::string_view, 14> kNames = {"x",
-                                                     "y",
-                                                     "z",
-                                                     "vx",
-                                                     "vy",
-                                                     "vz",
-                                                     "goal_x",
-                                                     "goal_y",
-                                                     "goal_z",
-                                                     "want_vx",
-                                                     "want_vy",
-                                                     "want_vz",
-                                                     "the greatest speed",
-                                                     "the greatest acceleration"};
-
-std::string_view unit_of(std::size_t number) {
-  if (number == kMaxAcceleration) return " m/s^2";
-  const bool place = number < kVelocity || (number >= kGoal && number < kWish);
-  return place ? " m" : " m/s";
+std::string_view unit_of(Role role) {
+  if (role == Role::kMaxAcceleration) return " m/s^2";
+  return part_within(Role::kX, role) || part_within(Role::kGoalX, role) ? " m" : " m/s";
 }
 
 Error at_column(ErrorCode code, std::string message, std::size_t column) {
@@ -51,30 +33,18 @@ Error at_column(ErrorCode code, std::string message, std::size_t column) {
 
 PlanRecordReader::PlanRecordReader(const PlanLayout& layout)
     : layout_(layout), fields_(layout.table.columns) {
-  const auto want_all = [this](const AxisColumns& columns, std::size_t first) {
-    for (std::size_t axis = 0; axis < 3; ++axis) want(columns[axis], first + axis);
-  };
-  want_all(layout.position, kPosition);
-  if (layout.velocity) want_all(*layout.velocity, kVelocity);
-  if (layout.goal) want_all(*layout.goal, kGoal);
-  if (layout.wish) want_all(*layout.wish, kWish);
-  if (layout.max_speed) want(*layout.max_speed, kMaxSpeed);
-  if (layout.max_acceleration) want(*layout.max_acceleration, kMaxAcceleration);
+  for (const RoleFacts& facts : plan_columns().roles) {
+    if (layout.has(facts.role)) wanted_.push_back(facts.role);
+  }
   // What comes first in the line is blamed first.
-  std::sort(wanted_.begin(), wanted_.end(), [](const WantedColumn& a, const WantedColumn& b) {
-    return a.column.column < b.column.column;
-  });
+  std::sort(wanted_.begin(), wanted_.end(),
+            [&layout](Role a, Role b) { return layout.of(a)->column < layout.of(b)->column; });
 }
 
-void PlanRecordReader::want(const NumberColumn& column, std::size_t number) {
-  wanted_.push_back({column, number});
-}
-
-std::optional<Error> PlanRecordReader::read_number(const WantedColumn& wanted) {
-  const std::size_t column = wanted.column.column;
-  const std::size_t number = wanted.number;
-  const std::string name(kNames[number]);
-  const std::string unit(unit_of(number));
+std::optional<Error> PlanRecordReader::read_number(Role role) {
+  const auto [column, stated_unit] = *layout_.of(role);
+  const std::string name(plan_columns().name_of(role));
+  const std::string unit(unit_of(role));
   const std::string_view text = without_padding(fields_[column].text);
   double value = 0.0;
   const NumberKind kind = parse_number(text, value);
@@ -87,20 +57,20 @@ std::optional<Error> PlanRecordReader::read_number(const WantedColumn& wanted) {
     return without_advice(
         number_problem(kind, text, name, std::string(kMotionDomain) + unit, column));
   }
-  if (number >= kMaxSpeed && !(value > 0.0)) {
+  if (is_limit(role) && !(value > 0.0)) {
     return at_column(ErrorCode::kOutsideDomain,
                      excerpt(text) + " is not above zero (" + name + "); correct it", column);
   }
   // A limit that is too small is not none.
-  const bool is_limit = number >= kMaxSpeed;
-  if (!in_motion_domain(is_limit ? value : without_dust(value))) {
+  const bool limit = is_limit(role);
+  if (!in_motion_domain(limit ? value : without_dust(value))) {
     return at_column(ErrorCode::kOutsideDomain,
                      excerpt(text) + " cannot be computed with exactly (" + name +
                          "); use a size of " + std::string(kMotionDomain) + unit +
-                         (is_limit ? "" : ", or 0"),
+                         (limit ? "" : ", or 0"),
                      column);
   }
-  values_[number] = without_dust(in_metric(value, wanted.column.unit));
+  values_[index_of(role)] = without_dust(in_metric(value, stated_unit));
   return std::nullopt;
 }
 
@@ -120,22 +90,22 @@ std::optional<Error> PlanRecordReader::read(std::string_view line, PlanRecord& r
       return at_column(ErrorCode::kMalformedRecord, "the id is empty; fill it in", *layout_.id);
     }
   }
-  for (const WantedColumn& wanted : wanted_) {
-    if (auto problem = read_number(wanted)) return problem;
+  for (const Role role : wanted_) {
+    if (auto problem = read_number(role)) return problem;
   }
-  const auto three = [this](std::size_t first) {
-    return std::array<double, 3>{values_[first], values_[first + 1], values_[first + 2]};
+  const auto at = [this](Role first, std::size_t axis) {
+    return values_[index_of(part_of(first, axis))];
   };
-  const auto [x, y, z] = three(kPosition);
-  record.position = {x, y, z};
-  const auto [vx, vy, vz] = three(kVelocity);
-  record.velocity = {vx, vy, vz};
-  const auto [goal_x, goal_y, goal_z] = three(kGoal);
-  record.goal = {goal_x, goal_y, goal_z};
-  const auto [want_vx, want_vy, want_vz] = three(kWish);
-  record.wish = {want_vx, want_vy, want_vz};
-  record.max_speed_mps = values_[kMaxSpeed];
-  record.max_acceleration_mps2 = values_[kMaxAcceleration];
+  const auto point = [&at](Role first) { return Point{at(first, 0), at(first, 1), at(first, 2)}; };
+  const auto velocity = [&at](Role first) {
+    return Velocity{at(first, 0), at(first, 1), at(first, 2)};
+  };
+  record.position = point(Role::kX);
+  record.velocity = velocity(Role::kVelocityX);
+  record.goal = point(Role::kGoalX);
+  record.wish = velocity(Role::kWishX);
+  record.max_speed_mps = at(Role::kMaxSpeed, 0);
+  record.max_acceleration_mps2 = at(Role::kMaxAcceleration, 0);
   return std::nullopt;
 }
 

@@ -38,21 +38,12 @@ class PlanRecordReader {
   std::optional<Error> read(std::string_view line, PlanRecord& record);
 
  private:
-  // A column that holds a number, and which of kNumbers it is.
-  struct WantedColumn {
-    NumberColumn column;
-    std::size_t number;
-  };
-
-  static constexpr std::size_t kNumbers = 14;
-
-  void want(const NumberColumn& column, std::size_t number);
-  std::optional<Error> read_number(const WantedColumn& wanted);
+  std::optional<Error> read_number(Role role);
 
   const PlanLayout& layout_;
-  std::vector<WantedColumn> wanted_;  // by column
+  std::vector<Role> wanted_;  // in the order of their columns
   std::vector<Field> fields_;
-  std::array<double, kNumbers> values_ = {};
+  std::array<double, kRoles> values_ = {};
 };
 
 }  // namespace beespace::io

@@ -2,12 +2,10 @@
 #pragma once
 
 #include "io/bytes/progress.hpp"
-#include "io/frames/coordinate_frame.hpp"
-#include "io/units/heights.hpp"
-#include "io/units/unit_wishes.hpp"
+#include "io/table/column_options.hpp"
+#include "io/units/units.hpp"
 
 #include <cstdint>
-#include <string>
 
 namespace beespace::io {
 
@@ -18,25 +16,13 @@ enum class RecordingFormat : std::uint8_t {
   kSkybrushShow,  // .skyc, or the show in one JSON file
 };
 
-enum class TimeUnit : std::uint8_t {
-  kAuto,  // as the header says
-  kSeconds,
-  kMilliseconds,
-  kMicroseconds,
-  kNanoseconds,
-};
-
-struct RecordingOptions {
-  Frame frame = Frame::kAuto;
+// Columns may have a time and a velocity, too: "id=1,time=2,lon=3,lat=4,height=5,ve=6,vn=7,vu=8".
+struct RecordingOptions : ColumnOptions {
   RecordingFormat format = RecordingFormat::kAuto;
-  std::string columns = {};  // "id=1,time=2,lon=3,lat=4,height=5,ve=6,vn=7,vu=8"; empty: automatic
-  TimeUnit time_unit = TimeUnit::kAuto;
-  UnitWishes units = {};  // where the header names none
-  bool skip_bad = false;  // leave bad records out and list them, instead of failing
+  Unit time_unit = Unit::kUnstated;  // kUnstated: as the header says
   // Of shows, keep the time in which a drone stands on the ground; aircraft on the ground, too.
   bool grounded = false;
-  HeightSource heights = HeightSource::kAuto;  // of aircraft; other inputs have one kind of height
-  Progress* progress = nullptr;                // optional; must outlive the call
+  Progress* progress = nullptr;  // optional; must outlive the call
 };
 
 }  // namespace beespace::io

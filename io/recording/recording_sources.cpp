@@ -1,7 +1,6 @@
 #include "io/recording/recording_sources.hpp"
 
 #include "io/bytes/characters.hpp"
-#include "io/table/header_words.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -49,7 +49,7 @@ constexpr std::string_view kReference = "$ref";
 std::optional<std::string_view> reference_in(JsonElement element) {
   const auto member = json_member(element, kReference);
   std::string_view reference;
-  if (!member || member->get(reference) != simdjson::SUCCESS) return std::nullopt;
+  if (!member || !member->get(reference)) return std::nullopt;
   return reference;
 }
 
@@ -121,7 +121,7 @@ Result<ShowValue> ShowDocuments::follow(const ShowValue& from, std::string_view 
   }
   auto target = document(member);
   if (!target || pointer.empty()) return target;
-  if (target->element.at_pointer(pointer).get(target->element) != simdjson::SUCCESS) {
+  if (!target->element.follow(pointer, target->element)) {
     return problem(ErrorCode::kMissingColumn, "leads nowhere; export the show again");
   }
   return target;

@@ -37,7 +37,7 @@ class ShowReading {
     }
     if (const auto version = json_member(root.element, "version")) {
       double number = 0.0;
-      if (version->get(number) != simdjson::SUCCESS || number != 1.0) {
+      if (!version->get(number) || number != 1.0) {
         return show_error(ErrorCode::kUnsupportedFormat,
                           "the show is of another version; version 1 is read",
                           documents_.place_of(root));
@@ -72,7 +72,7 @@ class ShowReading {
     if (options.units.any()) {
       return invalid("the numbers of a Skybrush show have their units; leave --units out");
     }
-    if (options.time_unit != TimeUnit::kAuto) {
+    if (options.time_unit != Unit::kUnstated) {
       return invalid("the times of a Skybrush show are in seconds; leave --time-unit out");
     }
     return std::nullopt;
@@ -109,8 +109,8 @@ class ShowReading {
     if (!swarm.value()) return no_drones(root);
     auto drones = documents_.member(*swarm.value(), "drones");
     if (!drones) return drones.error();
-    simdjson::dom::array list;
-    if (!drones.value() || drones.value()->element.get(list) != simdjson::SUCCESS) {
+    JsonArray list;
+    if (!drones.value() || !drones.value()->element.get(list)) {
       return no_drones(*swarm.value());
     }
     // The list lies in a document that must stay, even when it is no longer needed for references.
@@ -193,7 +193,7 @@ class ShowReading {
   static std::string name_of(const ShowValue& settings, const std::string& otherwise) {
     std::string_view name;
     const auto member = json_member(settings.element, "name");
-    if (member && member->get(name) == simdjson::SUCCESS && !name.empty()) {
+    if (member && member->get(name) && !name.empty()) {
       return std::string(name);
     }
     return otherwise;

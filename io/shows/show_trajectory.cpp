@@ -22,8 +22,8 @@ struct Entry {
 };
 
 std::optional<Error> read_controls(JsonElement element, const std::string& path, Entry& entry) {
-  simdjson::dom::array controls;
-  if (element.get(controls) != simdjson::SUCCESS) {
+  JsonArray controls;
+  if (!element.get(controls)) {
     return malformed(ErrorCode::kMalformedRecord,
                      path + " is " + std::string(json_kind(element)) +
                          " where the control points should be; write [] for a straight line");
@@ -49,8 +49,8 @@ std::optional<Error> read_entry(JsonElement element, std::size_t index, Entry& e
   const auto path = [index](std::string_view part) {
     return "points[" + std::to_string(index) + "]" + std::string(part);
   };
-  simdjson::dom::array parts;
-  if (element.get(parts) != simdjson::SUCCESS || parts.size() < 2 || parts.size() > 3) {
+  JsonArray parts;
+  if (!element.get(parts) || parts.size() < 2 || parts.size() > 3) {
     return malformed(ErrorCode::kMalformedRecord,
                      path("") + " is no [time, [x, y, z], [control points]]; correct it");
   }
@@ -59,8 +59,8 @@ std::optional<Error> read_entry(JsonElement element, std::size_t index, Entry& e
     if (part == 0 && !read_json(item, entry.time_s)) return json_number_problem(item, path("[0]"));
     if (part == 1 && !read_json(item, entry.point)) return json_point_problem(item, path("[1]"));
     if (part == 2) {
-      simdjson::dom::array controls;
-      const bool none = item.get(controls) == simdjson::SUCCESS && controls.size() == 0;
+      JsonArray controls;
+      const bool none = item.get(controls) && controls.size() == 0;
       if (!none) {
         if (auto error = read_controls(item, path("[2]"), entry)) return error;
       }
@@ -71,8 +71,8 @@ std::optional<Error> read_entry(JsonElement element, std::size_t index, Entry& e
 }
 
 std::optional<Error> read_points(JsonElement points, BezierPath& path) {
-  simdjson::dom::array entries;
-  if (points.get(entries) != simdjson::SUCCESS) {
+  JsonArray entries;
+  if (!points.get(entries)) {
     return malformed(ErrorCode::kMalformedRecord, "points is " + std::string(json_kind(points)) +
                                                       " where an array should be; correct it");
   }
@@ -143,7 +143,7 @@ Result<Trajectory> read_trajectory(JsonElement trajectory) {
   }
   if (const auto version = json_member(trajectory, "version")) {
     double number = 0.0;
-    if (version->get(number) != simdjson::SUCCESS || number != 1.0) {
+    if (!version->get(number) || number != 1.0) {
       return malformed(ErrorCode::kUnsupportedFormat,
                        "the trajectory is of another version; version 1 is read");
     }

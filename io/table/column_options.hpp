@@ -3,7 +3,7 @@
 
 #include "io/frames/coordinate_frame.hpp"
 #include "io/units/heights.hpp"
-#include "io/units/unit_wishes.hpp"
+#include "io/units/unit_overrides.hpp"
 
 #include <string>
 
@@ -12,8 +12,8 @@ namespace beespace::io {
 struct ColumnOptions {
   Frame frame = Frame::kAuto;
   std::string columns = {};  // "lon=1,lat=2,height=3", by number (from 1) or name; empty: automatic
-  UnitWishes units = {};     // where the header names none
-  HeightSource heights = HeightSource::kAuto;  // of tables that have several
+  UnitOverrides units = {};  // where the header names none
+  HeightSource heights = HeightSource::kAuto;  // of tables, and of aircraft, that have several
   bool skip_bad = false;  // leave bad records out and list them, instead of failing at the first
 };
 

@@ -1,7 +1,7 @@
 #include "io/table/coordinate_units.hpp"
 
 #include "io/problems/excerpt.hpp"
-#include "io/table/header_words.hpp"
+#include "io/table/column_names.hpp"
 #include "io/table/table_sources.hpp"
 #include "io/table/unit_choice.hpp"
 
@@ -14,17 +14,24 @@
 namespace beespace::io {
 namespace {
 
+// What the column's name says of a coordinate, whatever the caller takes it for.
+ColumnMeaning stated(const ColumnSchema& schema, const TableLayout& table, std::size_t column) {
+  if (column >= table.names.size()) return {};
+  ColumnMeaning meaning = read_column_name(schema, table.names[column]);
+  return meaning.role <= Role::kZ ? std::move(meaning) : ColumnMeaning();
+}
+
 // Of what is named: a unit that is not read, or one of length where degrees are.
-std::optional<Error> unit_problem(const ColumnsSeen& seen, const ColumnChoice& choice,
-                                  bool geographic) {
-  for (std::size_t axis = 0; axis < choice.dimensions && !seen.names.empty(); ++axis) {
+std::optional<Error> unit_problem(const ColumnSchema& schema, const TableLayout& table,
+                                  const ColumnChoice& choice, bool geographic) {
+  for (std::size_t axis = 0; axis < choice.dimensions && !table.names.empty(); ++axis) {
     const std::size_t column = choice.axes[axis];
-    const HeaderWord word = read_header_word(seen.names[column]);
+    const ColumnMeaning word = stated(schema, table, column);
     std::string unit = word.foreign_unit;
     if (geographic && axis < 2 && word.unit != Unit::kUnstated) unit = symbol_of(word.unit);
     if (unit.empty()) continue;
     Error error{ErrorCode::kUnsupportedFormat,
-                "column " + excerpt(seen.names[column]) + " is in '" + unit +
+                "column " + excerpt(table.names[column]) + " is in '" + unit +
                     "', but longitudes and latitudes are read in degrees, and coordinates as "
                     "lengths; convert it first, or say --crs metres if these are lengths",
                 {}};
@@ -34,7 +41,7 @@ std::optional<Error> unit_problem(const ColumnsSeen& seen, const ColumnChoice& c
   return std::nullopt;
 }
 
-Error no_wish(std::string_view what, const std::string& why) {
+Error no_override(std::string_view what, const std::string& why) {
   return {ErrorCode::kInvalidArgument,
           "--units " + std::string(what) + "=... is given, but " + why + "; leave it out",
           {}};
@@ -58,35 +65,35 @@ std::vector<UnitTaken> put_together(const std::vector<UnitTaken>& taken) {
 }
 
 // Which unit each coordinate has.
-std::optional<Error> settle_units(const ColumnsSeen& seen, const ColumnOptions& options,
-                                  ColumnChoice& choice) {
-  const UnitWishes& wishes = options.units;
-  if (wishes.position != Unit::kUnstated && options.frame == Frame::kAuto &&
+std::optional<Error> settle_units(const ColumnSchema& schema, const TableLayout& table,
+                                  const ColumnOptions& options, ColumnChoice& choice) {
+  const UnitOverrides& overrides = options.units;
+  if (overrides.position != Unit::kUnstated && options.frame == Frame::kAuto &&
       choice.evidence == Frame::kAuto) {
     choice.evidence = Frame::kMetres;
     choice.reason = "--units gives positions a unit of length";
   }
   const Frame frame = options.frame != Frame::kAuto ? options.frame : choice.evidence;
   const bool geographic = frame == Frame::kWgs84;
-  if (auto problem = unit_problem(seen, choice, geographic)) return problem;
-  if (geographic && wishes.position != Unit::kUnstated) {
-    return no_wish("position", "positions are in degrees");
+  if (auto problem = unit_problem(schema, table, choice, geographic)) return problem;
+  if (geographic && overrides.position != Unit::kUnstated) {
+    return no_override("position", "positions are in degrees");
   }
-  if (choice.dimensions == 2 && wishes.height != Unit::kUnstated) {
-    return no_wish("height", "there is no height");
+  if (choice.dimensions == 2 && overrides.height != Unit::kUnstated) {
+    return no_override("height", "there is no height");
   }
   constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
-  UnitChoice chooser(seen.names, wishes);
+  UnitChoice chooser(table.names, overrides);
   std::vector<UnitTaken> taken;
   std::vector<ColumnUnit> units;
   for (std::size_t axis = geographic ? 2 : 0; axis < choice.dimensions; ++axis) {
     const std::size_t column = choice.axes[axis];
-    const bool named = column < seen.names.size();
-    const HeaderWord word = named ? read_header_word(seen.names[column]) : HeaderWord();
+    const bool named = column < table.names.size();
+    const ColumnMeaning word = stated(schema, table, column);
     // What is said of positions is not of a z that names its own unit.
     const bool height =
         axis == 2 && (geographic || word.role == Role::kHeight || word.unit != Unit::kUnstated ||
-                      wishes.height != Unit::kUnstated);
+                      overrides.height != Unit::kUnstated);
     const auto unit = chooser.choose(height ? UnitRole::kHeight : UnitRole::kPosition,
                                      geographic ? "heights" : kAxes[axis], column, word.unit);
     if (!unit) return unit.error();
@@ -95,16 +102,17 @@ std::optional<Error> settle_units(const ColumnsSeen& seen, const ColumnOptions& 
     taken.push_back(*unit);
     if (axis < 2) continue;
     choice.datum = word.datum;
-    const KnownColumn* const known =
-        chooser.source() != nullptr && named ? chooser.source()->find(seen.names[column]) : nullptr;
+    const KnownColumn* const known = chooser.source() != nullptr && named
+                                         ? chooser.source()->find(table.names[column])
+                                         : nullptr;
     if (known != nullptr) choice.datum = known->datum;
   }
   choice.units_taken = put_together(taken);
-  return half_stated(seen.names, units);
+  return half_stated(table.names, units);
 }
 
 // The caller wants heights of one kind, and these are of the other.
-std::optional<Error> datum_problem(const ColumnsSeen& seen, const ColumnOptions& options,
+std::optional<Error> datum_problem(const TableLayout& table, const ColumnOptions& options,
                                    const ColumnChoice& choice) {
   const bool pressure = choice.datum == HeightDatum::kPressure;
   const bool wrong =
@@ -113,7 +121,7 @@ std::optional<Error> datum_problem(const ColumnsSeen& seen, const ColumnOptions&
       (options.heights == HeightSource::kGeometric && pressure);
   if (!wrong || choice.dimensions < 3) return std::nullopt;
   return Error{ErrorCode::kInvalidArgument,
-               "the heights of column " + excerpt(seen.names[choice.axes[2]]) + " are " +
+               "the heights of column " + excerpt(table.names[choice.axes[2]]) + " are " +
                    (pressure ? "by pressure, but --heights geometric"
                              : "geometric, but --heights pressure") +
                    " is given; leave it out, or name another column with --columns",
@@ -122,10 +130,10 @@ std::optional<Error> datum_problem(const ColumnsSeen& seen, const ColumnOptions&
 
 }  // namespace
 
-std::optional<Error> settle_coordinate_units(const ColumnsSeen& seen, const ColumnOptions& options,
-                                             ColumnChoice& choice) {
-  if (auto problem = settle_units(seen, options, choice)) return problem;
-  return datum_problem(seen, options, choice);
+std::optional<Error> settle_coordinate_units(const ColumnSchema& schema, const TableLayout& table,
+                                             const ColumnOptions& options, ColumnChoice& choice) {
+  if (auto problem = settle_units(schema, table, options, choice)) return problem;
+  return datum_problem(table, options, choice);
 }
 
 Point in_metric(const Point& point, const ColumnChoice& choice) {

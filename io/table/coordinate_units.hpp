@@ -2,8 +2,8 @@
 // counted from.
 #pragma once
 
-#include "io/table/column_choice.hpp"
 #include "io/table/column_options.hpp"
+#include "io/table/column_schema.hpp"
 #include "io/table/table_layout.hpp"
 
 #include <beespace/point.hpp>
@@ -15,8 +15,8 @@ namespace beespace::io {
 
 // Fills in units, units_taken and datum. Errors: kInvalidArgument where a unit must be said (with
 // column), or where what is asked for does not fit; kUnsupportedFormat for a unit that is not read.
-std::optional<Error> settle_coordinate_units(const ColumnsSeen& seen, const ColumnOptions& options,
-                                             ColumnChoice& choice);
+std::optional<Error> settle_coordinate_units(const ColumnSchema& schema, const TableLayout& table,
+                                             const ColumnOptions& options, ColumnChoice& choice);
 
 // From the units of the table to metres.
 Point in_metric(const Point& point, const ColumnChoice& choice);

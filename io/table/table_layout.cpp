@@ -4,8 +4,9 @@
 #include "io/bytes/number.hpp"
 #include "io/problems/excerpt.hpp"
 #include "io/table/column_choice.hpp"
+#include "io/table/column_names.hpp"
 #include "io/table/fields.hpp"
-#include "io/table/header_words.hpp"
+#include "io/table/position_columns.hpp"
 #include "io/table/record_problems.hpp"
 
 #include <algorithm>
@@ -146,14 +147,14 @@ Result<LineFields> read_fields(std::string_view line, char delimiter) {
 }
 
 // What most of the lines from `first` on have in common: how many columns, and what they hold.
-ColumnsSeen look_at_records(const std::vector<std::string_view>& lines, std::size_t first,
-                            char delimiter) {
+std::vector<ColumnContent> look_at_records(const std::vector<std::string_view>& lines,
+                                           std::size_t first, char delimiter) {
   std::vector<LineFields> records;
   for (std::size_t i = first; i < lines.size(); ++i) {
     auto record = read_fields(lines[i], delimiter);
     if (record) records.push_back(std::move(record).value());
   }
-  ColumnsSeen seen;
+  std::size_t columns = 0;
   std::ptrdiff_t most = 0;
   for (const LineFields& record : records) {
     const std::size_t fields = record.fields.size();
@@ -162,20 +163,19 @@ ColumnsSeen look_at_records(const std::vector<std::string_view>& lines, std::siz
     });
     if (alike > most) {
       most = alike;
-      seen.count = fields;
+      columns = fields;
     }
   }
-  seen.contents.assign(seen.count, ColumnContent::kUnknown);
+  std::vector<ColumnContent> contents(columns, ColumnContent::kUnknown);
   for (const LineFields& record : records) {
-    if (record.fields.size() != seen.count) continue;
-    for (std::size_t i = 0; i < seen.count; ++i) {
-      if (seen.contents[i] != ColumnContent::kNumber &&
-          record.contents[i] != ColumnContent::kUnknown) {
-        seen.contents[i] = record.contents[i];
+    if (record.fields.size() != columns) continue;
+    for (std::size_t i = 0; i < columns; ++i) {
+      if (contents[i] != ColumnContent::kNumber && record.contents[i] != ColumnContent::kUnknown) {
+        contents[i] = record.contents[i];
       }
     }
   }
-  return seen;
+  return contents;
 }
 
 bool is_value_like(const std::string& field) {
@@ -190,7 +190,7 @@ bool is_value_like(const std::string& field) {
 std::optional<std::size_t> damaged_value(const LineFields& line) {
   for (const std::string& name : line.fields) {
     if (content_of_field(name) == ColumnContent::kUnknown) continue;
-    const HeaderWord word = read_header_word(name);
+    const ColumnMeaning word = read_column_name(position_columns(), name);
     if (word.role != Role::kNone || word.says_position) return std::nullopt;
   }
   const auto begin = line.fields.begin();
@@ -224,8 +224,7 @@ Error comment_error(std::string_view line) {
 
 // Takes the first line as the header, where it is one.
 std::optional<Error> read_header_line(const std::vector<std::string_view>& samples,
-                                      const Line& line, bool skip_bad, TableLayout& layout,
-                                      ColumnsSeen& seen) {
+                                      const Line& line, bool skip_bad, TableLayout& layout) {
   const std::string_view names = samples.front();
   const bool comment = names.data() != line.text.data();
   auto first = read_fields(names, layout.delimiter);
@@ -244,16 +243,15 @@ std::optional<Error> read_header_line(const std::vector<std::string_view>& sampl
     error.place.column = *damaged + 1;
     return error;
   }
-  const ColumnsSeen records = look_at_records(samples, 1, layout.delimiter);
+  std::vector<ColumnContent> contents = look_at_records(samples, 1, layout.delimiter);
   const std::size_t count = first->fields.size();
-  if (comment && records.count != 0 && records.count != count) return comment_error(line.text);
+  if (comment && !contents.empty() && contents.size() != count) return comment_error(line.text);
   layout.header = comment ? names : line.text;
-  layout.names = seen.names = std::move(first->fields);
+  layout.names = std::move(first->fields);
   layout.data_offset = line.next;
   layout.lines_before += 1;
-  seen.contents = records.contents;
-  seen.contents.resize(count, ColumnContent::kUnknown);
-  seen.count = count;
+  contents.resize(count, ColumnContent::kUnknown);
+  layout.contents = std::move(contents);
   return std::nullopt;
 }
 
@@ -265,7 +263,7 @@ std::optional<std::vector<std::string>> header_names(std::string_view line, char
   std::size_t positions = 0;
   for (std::string& name : fields->fields) {
     name = std::string(without_padding(name));
-    const HeaderWord word = read_header_word(name);
+    const ColumnMeaning word = read_column_name(position_columns(), name);
     const bool id = word.role == Role::kId;
     if (word.says_position || (word.role != Role::kNone && !id)) ++positions;
   }
@@ -308,11 +306,14 @@ Line line_at(std::string_view text, std::size_t offset, char line_end) {
   return {line, offset + length + 1};
 }
 
-std::uint64_t first_line(const TableLayout& layout) {
-  return layout.lines_before + (layout.header.empty() ? 1 : 0);
+Error at_first_line(Error error, const TableLayout& table) {
+  if (error.code != ErrorCode::kInvalidArgument || error.place.column) {
+    error.place.line = table.lines_before + (table.header.empty() ? 1 : 0);
+  }
+  return error;
 }
 
-Result<TableLayout> find_table(std::string_view text, bool skip_bad, ColumnsSeen& seen) {
+Result<TableLayout> find_table(std::string_view text, bool skip_bad) {
   TableLayout layout;
   layout.line_end = find_line_end(text);
   std::size_t offset = 0;
@@ -334,28 +335,20 @@ Result<TableLayout> find_table(std::string_view text, bool skip_bad, ColumnsSeen
   samples.front() = without_comment_sign(samples.front());
   layout.delimiter = find_delimiter(samples);
   layout.data_offset = offset;
-  seen = look_at_records(samples, 0, layout.delimiter);
-  if (auto error = read_header_line(samples, line, skip_bad, layout, seen)) {
+  layout.contents = look_at_records(samples, 0, layout.delimiter);
+  if (auto error = read_header_line(samples, line, skip_bad, layout)) {
     if (error->code != ErrorCode::kInvalidArgument) error->place.line = line_number;
     return *std::move(error);
   }
-  layout.columns = seen.count;
+  layout.columns = layout.contents.size();
   return layout;
 }
 
 Result<TableLayout> find_layout(std::string_view text, const ColumnOptions& options) {
-  ColumnsSeen seen;
-  auto layout = find_table(text, options.skip_bad, seen);
+  auto layout = find_table(text, options.skip_bad);
   if (!layout) return layout;
-  auto choice = choose_columns(seen, options);
-  if (!choice) {
-    Error error = choice.error();
-    // What is wrong with an option as such is no matter of a line.
-    if (error.code != ErrorCode::kInvalidArgument || error.place.column) {
-      error.place.line = first_line(*layout);
-    }
-    return error;
-  }
+  auto choice = choose_columns(*layout, options);
+  if (!choice) return at_first_line(std::move(choice).error(), *layout);
   layout->choice = std::move(choice).value();
   if (auto error = no_record_problem(text, *layout)) return *std::move(error);
   return layout;

@@ -39,14 +39,19 @@ struct ColumnChoice {
   [[nodiscard]] Unit height_unit() const { return dimensions == 3 ? units[2] : Unit::kMetre; }
 };
 
+// What the first records hold in a column. An empty field, or "N/A", is unknown: a number may
+// follow.
+enum class ColumnContent : std::uint8_t { kUnknown, kNumber, kText };
+
 struct TableLayout {
   char line_end = '\n';  // '\r' for files of the old Macintosh
   char delimiter = ',';
   std::string_view header = {};         // the header line, empty when there is none
   std::vector<std::string> names = {};  // of the columns, when there is a header
-  std::size_t columns = 0;              // in every record
-  std::size_t data_offset = 0;          // where the first line after the header begins
-  std::uint64_t lines_before = 0;       // how many lines lie before that place
+  std::vector<ColumnContent> contents = {};
+  std::size_t columns = 0;         // in every record
+  std::size_t data_offset = 0;     // where the first line after the header begins
+  std::uint64_t lines_before = 0;  // how many lines lie before that place
   ColumnChoice choice = {};
 };
 
@@ -54,16 +59,15 @@ struct TableLayout {
 // kInvalidArgument, kUnsupportedFormat; without place.source.
 Result<TableLayout> find_layout(std::string_view text, const ColumnOptions& options);
 
-// The same without the choice of columns: that is left to who knows what they mean, with what can
-// be seen of them in `seen`.
-struct ColumnsSeen;
-Result<TableLayout> find_table(std::string_view text, bool skip_bad, ColumnsSeen& seen);
+// The same without the choice of columns: that is left to who knows what they mean.
+Result<TableLayout> find_table(std::string_view text, bool skip_bad);
+
+// An error of the columns as such has the first line of the table; what is wrong with an option has
+// none.
+Error at_first_line(Error error, const TableLayout& table);
 
 // kNoPoints where nothing follows the header.
 std::optional<Error> no_record_problem(std::string_view text, const TableLayout& layout);
-
-// The line (1-based) that what is wrong with the columns as such is blamed on.
-std::uint64_t first_line(const TableLayout& layout);
 
 // The names of a line that can only be a header: words alone, two of which say a position. Nothing
 // for other lines.

@@ -2,8 +2,7 @@
 
 #include "io/bytes/characters.hpp"
 #include "io/problems/excerpt.hpp"
-#include "io/table/fields.hpp"
-#include "io/table/header_words.hpp"
+#include "io/table/column_names.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,121 +13,44 @@ namespace {
 // traffic: https://traffic-viz.github.io (columns of its Flight and Traffic tables).
 // OpenSky: the history tables state_vectors_data4, as its documentation lists them.
 const std::array<TableSource, 2>& known_sources() {
-  using Column = SourceColumn;
   static const std::array<TableSource, 2> sources = {
       TableSource{"traffic",
                   "velocity vertrate baroaltitude",
-                  {{"icao24", Column::kHeight},
-                   {"groundspeed", Column::kGroundSpeed, Unit::kKnot},
-                   {"track", Column::kTrack},
-                   {"vertical_rate", Column::kClimb, Unit::kFootPerMinute},
-                   {"altitude", Column::kHeight, Unit::kFoot, HeightDatum::kPressure},
-                   {"geoaltitude", Column::kHeight, Unit::kFoot, HeightDatum::kEllipsoid}}},
+                  {{"icao24"},
+                   {"groundspeed", Role::kGroundSpeed, Unit::kKnot},
+                   {"track", Role::kTrack},
+                   {"vertical_rate", Role::kClimb, Unit::kFootPerMinute},
+                   {"altitude", Role::kHeight, Unit::kFoot, HeightDatum::kPressure},
+                   {"geoaltitude", Role::kHeight, Unit::kFoot, HeightDatum::kEllipsoid}}},
       TableSource{"OpenSky",
                   "groundspeed vertical_rate altitude",
-                  {{"icao24", Column::kHeight},
-                   {"time", Column::kUnixSeconds, Unit::kUnstated, HeightDatum::kUnstated, false},
-                   {"velocity", Column::kGroundSpeed, Unit::kMetrePerSecond},
-                   {"heading", Column::kTrack},
-                   {"vertrate", Column::kClimb, Unit::kMetrePerSecond},
-                   {"baroaltitude", Column::kHeight, Unit::kMetre, HeightDatum::kPressure},
-                   {"geoaltitude", Column::kHeight, Unit::kMetre, HeightDatum::kEllipsoid}}}};
+                  {{"icao24"},
+                   {"time", Role::kTime, Unit::kSecond, HeightDatum::kUnstated, false},
+                   {"velocity", Role::kGroundSpeed, Unit::kMetrePerSecond},
+                   {"heading", Role::kTrack},
+                   {"vertrate", Role::kClimb, Unit::kMetrePerSecond},
+                   {"baroaltitude", Role::kHeight, Unit::kMetre, HeightDatum::kPressure},
+                   {"geoaltitude", Role::kHeight, Unit::kMetre, HeightDatum::kEllipsoid}}}};
   return sources;
 }
 
 // One word of a name is enough. Beside English these are French, German, Italian, Portuguese and
 // Spanish. A table of drones or birds may have one of them too: then it says its units.
-constexpr auto kAviationWords = std::to_array<std::string_view>({"icao",
-                                                                 "icao24",
-                                                                 "callsign",
-                                                                 "squawk",
-                                                                 "groundspeed",
-                                                                 "gs",
-                                                                 "hex",
-                                                                 "vertrate",
-                                                                 "verticalrate",
-                                                                 "baroaltitude",
-                                                                 "geoaltitude",
-                                                                 "onground",
-                                                                 "adsb",
-                                                                 "tas",
-                                                                 "ias",
-                                                                 "cas",
-                                                                 "roc",
-                                                                 "rocd",
-                                                                 "flightlevel",
-                                                                 "fl",
-                                                                 "kt",
-                                                                 "kts",
-                                                                 "knots",
-                                                                 "fpm",
-                                                                 "aircraft",
-                                                                 "mach",
-                                                                 "flight",
-                                                                 "flightid",
-                                                                 "flightnumber",
-                                                                 "flightno",
-                                                                 "flt",
-                                                                 "registration",
-                                                                 "tail",
-                                                                 "tailnumber",
-                                                                 "tailnum",
-                                                                 "nnumber",
-                                                                 "ident",
-                                                                 "plane",
-                                                                 "airplane",
-                                                                 "aeroplane",
-                                                                 "airline",
-                                                                 "modes",
-                                                                 "transponder",
-                                                                 "vuelo",
-                                                                 "aeronave",
-                                                                 "avion",
-                                                                 "indicativo",
-                                                                 "matricula",
-                                                                 "voo",
-                                                                 "aviao",
-                                                                 "immatriculation",
-                                                                 "indicatif",
-                                                                 "vol",
-                                                                 "kennzeichen",
-                                                                 "rufzeichen",
-                                                                 "flug",
-                                                                 "flugnummer",
-                                                                 "flugzeug",
-                                                                 "luftfahrzeug",
-                                                                 "volo",
-                                                                 "aeromobile",
-                                                                 "velivolo",
-                                                                 "nominativo",
-                                                                 "immatricolazione",
-                                                                 "matr\u00edcula",
-                                                                 "avi\u00f3n",
-                                                                 "avi\u00e3o",
-                                                                 "a\u00e9ronef",
-                                                                 "aeronef"});
+constexpr std::string_view kAviationWords =
+    "icao icao24 callsign squawk groundspeed gs hex vertrate verticalrate baroaltitude geoaltitude "
+    "onground adsb tas ias cas roc rocd flightlevel fl kt kts knots fpm aircraft mach flight "
+    "flightid flightnumber flightno flt registration tail tailnumber tailnum nnumber ident plane "
+    "airplane aeroplane airline modes transponder "
+    "vuelo aeronave avion avi\u00f3n indicativo matricula matr\u00edcula voo aviao avi\u00e3o "
+    "immatriculation indicatif vol aeronef a\u00e9ronef "
+    "kennzeichen rufzeichen flug flugnummer flugzeug luftfahrzeug "
+    "volo aeromobile velivolo nominativo immatricolazione";
 
 // Two, one behind the other.
-constexpr auto kAviationPairs =
-    std::to_array<std::array<std::string_view, 2>>({{"ground", "speed"},
-                                                    {"vertical", "rate"},
-                                                    {"vert", "rate"},
-                                                    {"vertical", "speed"},
-                                                    {"baro", "rate"},
-                                                    {"geom", "rate"},
-                                                    {"climb", "rate"},
-                                                    {"baro", "altitude"},
-                                                    {"baro", "alt"},
-                                                    {"alt", "baro"},
-                                                    {"alt", "geom"},
-                                                    {"geo", "altitude"},
-                                                    {"geom", "altitude"},
-                                                    {"pressure", "altitude"},
-                                                    {"on", "ground"},
-                                                    {"flight", "level"},
-                                                    {"call", "sign"},
-                                                    {"mode", "s"},
-                                                    {"n", "number"}});
+constexpr std::string_view kAviationPairs =
+    "ground-speed vertical-rate vert-rate vertical-speed baro-rate geom-rate climb-rate "
+    "baro-altitude baro-alt alt-baro alt-geom geo-altitude geom-altitude pressure-altitude "
+    "on-ground flight-level call-sign mode-s n-number";
 
 std::string plain_name(std::string_view name) {
   return lower_case(without_padding(name));
@@ -145,14 +67,7 @@ bool is_header_of(const TableSource& source, const std::vector<std::string>& nam
   };
   if (!std::all_of(source.columns.begin(), source.columns.end(), there)) return false;
   return std::none_of(names.begin(), names.end(), [&source](const std::string& name) {
-    const std::string plain = plain_name(name);
-    std::string_view rest = source.contrary;
-    while (!rest.empty()) {
-      const std::size_t blank = std::min(rest.find(' '), rest.size());
-      if (rest.substr(0, blank) == plain) return true;
-      rest.remove_prefix(std::min(blank + 1, rest.size()));
-    }
-    return false;
+    return is_one_of(source.contrary, plain_name(name));
   });
 }
 
@@ -162,9 +77,7 @@ const KnownColumn* TableSource::find(std::string_view column) const {
   const std::string plain = plain_name(column);
   const auto found =
       std::find_if(columns.begin(), columns.end(), [&plain](const KnownColumn& known) {
-        const bool says_more = known.unit != Unit::kUnstated ||
-                               known.holds == SourceColumn::kTrack ||
-                               known.holds == SourceColumn::kUnixSeconds;
+        const bool says_more = known.unit != Unit::kUnstated || known.role == Role::kTrack;
         return says_more && known.name == plain;
       });
   return found == columns.end() ? nullptr : &*found;
@@ -180,13 +93,8 @@ const TableSource* source_of(const std::vector<std::string>& names) {
 bool speaks_of_aviation(std::string_view name) {
   const std::vector<std::string> words = split_words(name);
   for (std::size_t i = 0; i < words.size(); ++i) {
-    if (std::find(kAviationWords.begin(), kAviationWords.end(), words[i]) != kAviationWords.end()) {
-      return true;
-    }
-    if (i + 1 == words.size()) break;
-    for (const auto& [first, second] : kAviationPairs) {
-      if (words[i] == first && words[i + 1] == second) return true;
-    }
+    if (is_one_of(kAviationWords, words[i])) return true;
+    if (i > 0 && is_one_of(kAviationPairs, words[i - 1] + "-" + words[i])) return true;
   }
   return false;
 }

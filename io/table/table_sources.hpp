@@ -2,31 +2,21 @@
 // says of units without naming them. Both are data (table_sources.cpp).
 #pragma once
 
+#include "io/table/column_schema.hpp"
 #include "io/units/heights.hpp"
-#include "io/units/unit_wishes.hpp"
 #include "io/units/units.hpp"
 
 #include <cstddef>
-#include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace beespace::io {
 
-// What a column of a known source holds beyond what its name says.
-enum class SourceColumn : std::uint8_t {
-  kHeight,
-  kGroundSpeed,
-  kTrack,  // the direction over ground, in degrees
-  kClimb,
-  kUnixSeconds,
-};
-
+// A column of a known source, and what it holds beyond what its name says.
 struct KnownColumn {
   std::string_view name;
-  SourceColumn holds;
+  Role role = Role::kNone;
   Unit unit = Unit::kUnstated;
   HeightDatum datum = HeightDatum::kUnstated;
   bool needed = true;  // for the source to be told

@@ -30,9 +30,9 @@ Unit ours(UnitRole role) {
 
 }  // namespace
 
-UnitChoice::UnitChoice(const std::vector<std::string>& names, const UnitWishes& wishes)
+UnitChoice::UnitChoice(const std::vector<std::string>& names, const UnitOverrides& overrides)
     : names_(names),
-      wishes_(wishes),
+      overrides_(overrides),
       source_(source_of(names)),
       aviation_(words_of_aviation(names)) {
 }
@@ -54,22 +54,22 @@ Error UnitChoice::unknown(UnitRole role, std::size_t column) const {
 Result<UnitTaken> UnitChoice::choose(UnitRole role, const std::string& of, std::size_t column,
                                      Unit stated) {
   const std::string name = column < names_.size() ? excerpt(names_[column]) : "";
-  Unit wish = wishes_.of(role);
+  Unit asked = overrides_.of(role);
   // What is said of all of a position holds for a height that says nothing of itself.
-  if (wish == Unit::kUnstated && role == UnitRole::kHeight && stated == Unit::kUnstated) {
-    wish = wishes_.position;
+  if (asked == Unit::kUnstated && role == UnitRole::kHeight && stated == Unit::kUnstated) {
+    asked = overrides_.position;
   }
   if (stated != Unit::kUnstated) {
-    if (wish != Unit::kUnstated && wish != stated) {
+    if (asked != Unit::kUnstated && asked != stated) {
       return at_column("column " + std::to_string(column + 1) + " " + name + " names its unit, " +
                            std::string(symbol_of(stated)) + ", but --units says " +
-                           std::string(symbol_of(wish)) + "; leave one of them out",
+                           std::string(symbol_of(asked)) + "; leave one of them out",
                        column);
     }
     return UnitTaken{of, stated, UnitEvidence::kNamed, "the header names it: " + name};
   }
-  if (wish != Unit::kUnstated)
-    return UnitTaken{of, wish, UnitEvidence::kAsked, "asked for with --units"};
+  if (asked != Unit::kUnstated)
+    return UnitTaken{of, asked, UnitEvidence::kAsked, "asked for with --units"};
   if (source_ != nullptr && !name.empty()) {
     const KnownColumn* const known = source_->find(names_[column]);
     if (known != nullptr && known->unit != Unit::kUnstated) {

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "io/table/table_sources.hpp"
+#include "io/units/unit_overrides.hpp"
 #include "io/units/unit_taken.hpp"
-#include "io/units/unit_wishes.hpp"
 #include "io/units/units.hpp"
 
 #include <beespace/result.hpp>
@@ -19,7 +19,7 @@ namespace beespace::io {
 class UnitChoice {
  public:
   // Both must outlive it. `names` are those of the columns, or none.
-  UnitChoice(const std::vector<std::string>& names, const UnitWishes& wishes);
+  UnitChoice(const std::vector<std::string>& names, const UnitOverrides& overrides);
 
   // The known source that the header is of, or null.
   [[nodiscard]] const TableSource* source() const { return source_; }
@@ -33,7 +33,7 @@ class UnitChoice {
   [[nodiscard]] Error unknown(UnitRole role, std::size_t column) const;
 
   const std::vector<std::string>& names_;
-  const UnitWishes& wishes_;
+  const UnitOverrides& overrides_;
   const TableSource* source_;
   std::string aviation_;  // the columns that speak of it
 };

@@ -4,18 +4,12 @@
 #include "io/points/record_reading.hpp"
 #include "io/problems/excerpt.hpp"
 #include "io/table/column_choice.hpp"
-#include "io/table/column_wishes.hpp"
 #include "io/table/fields.hpp"
-#include "io/table/header_words.hpp"
-#include "io/table/table_sources.hpp"
 #include "io/table/unit_choice.hpp"
+#include "io/tracks/track_columns.hpp"
 #include "io/tracks/track_velocity.hpp"
-#include "io/tracks/track_wishes.hpp"
-#include "io/tracks/track_words.hpp"
 #include "io/units/iso_time.hpp"
 
-#include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace beespace::io {
@@ -31,68 +25,18 @@ Error at_column(ErrorCode code, std::string message, std::size_t column) {
   return error;
 }
 
-std::string column_text(const ColumnsSeen& seen, std::size_t column) {
-  std::string text = "column " + std::to_string(column + 1);
-  if (column < seen.names.size()) text.append(" ").append(excerpt(seen.names[column]));
-  return text;
-}
-
-// What a known source has in a column.
-void take_known(const KnownColumn* known, TrackWord& word) {
-  if (known == nullptr) return;
-  switch (known->holds) {
-    case SourceColumn::kGroundSpeed:
-      word.role = TrackRole::kGroundSpeed;
-      break;
-    case SourceColumn::kTrack:
-      word.role = TrackRole::kTrack;
-      break;
-    case SourceColumn::kClimb:
-      word.role = TrackRole::kClimb;
-      break;
-    case SourceColumn::kUnixSeconds:
-      word.role = TrackRole::kTime;
-      word.unit = TimeUnit::kSeconds;
-      word.since_1970 = true;
-      break;
-    case SourceColumn::kHeight:
-      break;
-  }
-}
-
-// The header's words, but none for columns that the caller claims for something.
-std::vector<TrackWord> read_words(const ColumnsSeen& seen, const TrackWishes& wishes) {
-  std::vector<TrackWord> words;
-  for (const std::string& name : seen.names) words.push_back(read_track_word(name));
-  if (const TableSource* const source = source_of(seen.names)) {
-    for (std::size_t i = 0; i < words.size(); ++i)
-      take_known(source->find(seen.names[i]), words[i]);
-  }
-  const auto claim = [&words](const std::optional<std::size_t>& column) {
-    if (column && *column < words.size()) words[*column].role = TrackRole::kNone;
-  };
-  claim(wishes.id);
-  claim(wishes.time);
-  for (const auto& column : wishes.velocity) claim(column);
-  return words;
-}
-
 // ---- Whose record it is --------------------------------------------------------------------
 
-std::optional<std::size_t> choose_id(const ColumnsSeen& seen, const TrackWishes& wishes,
-                                     const std::vector<TrackWord>& words,
-                                     std::vector<std::string>& notes) {
-  if (wishes.id) return wishes.id;
-  std::vector<std::size_t> found;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (words[i].role == TrackRole::kId) found.push_back(i);
-  }
+std::optional<std::size_t> choose_id(const Header& header, std::vector<std::string>& notes) {
+  const std::vector<std::size_t>& found = header.columns(Role::kId);
+  if (header.override_of(Role::kId)) return header.override_of(Role::kId);
   if (found.empty()) return std::nullopt;
-  const std::size_t chosen = io::choose_id(seen, found);
+  const TableLayout& table = header.table();
+  const std::size_t chosen = io::choose_id(table, found);
   for (const std::size_t other : found) {
     if (other == chosen) continue;
-    notes.push_back("ids are read from " + column_text(seen, chosen) + ", not from " +
-                    column_text(seen, other) + "; --columns id=" + std::to_string(other + 1) +
+    notes.push_back("ids are read from " + column_text(table, chosen) + ", not from " +
+                    column_text(table, other) + "; --columns id=" + std::to_string(other + 1) +
                     " would change that");
   }
   return chosen;
@@ -114,23 +58,23 @@ bool holds_dates(std::string_view text, const TableLayout& table, std::size_t co
   return false;
 }
 
-Result<TimeChoice> choose_unit(TimeChoice time, const TrackWord& word, const ColumnsSeen& seen,
-                               const RecordingOptions& options) {
+Result<TimeChoice> choose_unit(TimeChoice time, const ColumnMeaning& meaning,
+                               const TableLayout& table, Unit asked) {
   if (time.iso) {
     time.since_1970 = true;
     return time;
   }
-  time.since_1970 = word.since_1970;
-  time.unit = options.time_unit != TimeUnit::kAuto ? options.time_unit : word.unit;
-  if (options.time_unit == TimeUnit::kAuto && !word.foreign_unit.empty()) {
+  time.since_1970 = meaning.since_1970;
+  time.unit = asked != Unit::kUnstated ? asked : if_unit_of(meaning.unit, Quantity::kTime);
+  if (asked == Unit::kUnstated && !meaning.foreign_unit.empty()) {
     return at_column(ErrorCode::kUnsupportedFormat,
-                     column_text(seen, time.column) + " is in '" + word.foreign_unit +
+                     column_text(table, time.column) + " is in '" + meaning.foreign_unit +
                          "'; convert it first: beespace reads s, ms, us, ns and dates of ISO 8601",
                      time.column);
   }
-  if (time.unit == TimeUnit::kAuto) {
+  if (time.unit == Unit::kUnstated) {
     return at_column(ErrorCode::kInvalidArgument,
-                     column_text(seen, time.column) +
+                     column_text(table, time.column) +
                          " holds the time, but in which unit? Say it with --time-unit s, ms, us "
                          "or ns, or in the header: time_s",
                      time.column);
@@ -138,89 +82,63 @@ Result<TimeChoice> choose_unit(TimeChoice time, const TrackWord& word, const Col
   return time;
 }
 
-Result<std::optional<TimeChoice>> choose_time(std::string_view text, const TableLayout& table,
-                                              const ColumnsSeen& seen, const TrackWishes& wishes,
-                                              const std::vector<TrackWord>& words,
-                                              const RecordingOptions& options) {
-  std::optional<std::size_t> column = wishes.time;
-  for (std::size_t i = 0; i < words.size() && !wishes.time; ++i) {
-    if (words[i].role != TrackRole::kTime) continue;
-    if (column) {
-      return missing("both " + column_text(seen, *column) + " and " + column_text(seen, i) +
-                     " look like the time; say which with --columns time=" +
-                     std::to_string(*column + 1) + " or time=" + std::to_string(i + 1));
-    }
-    column = i;
+Result<std::optional<TimeChoice>> choose_time(std::string_view text, const Header& header,
+                                              Unit asked) {
+  const TableLayout& table = header.table();
+  std::optional<std::size_t> column = header.override_of(Role::kTime);
+  const ColumnMeaning meaning = column ? header.stated(*column) : ColumnMeaning();
+  const std::vector<std::size_t>& found = header.columns(Role::kTime);
+  if (!column && found.size() > 1) {
+    return missing("both " + column_text(table, found[0]) + " and " + column_text(table, found[1]) +
+                   " look like the time; say which with --columns "
+                   "time=" +
+                   std::to_string(found[0] + 1) + " or time=" + std::to_string(found[1] + 1));
   }
-  if (!column) return std::optional<TimeChoice>();
-  TrackWord word;
-  if (*column < words.size()) {
-    word = wishes.time ? read_track_word(seen.names[*column]) : words[*column];
-  }
+  if (!column && found.empty()) return std::optional<TimeChoice>();
   TimeChoice time;
-  time.column = *column;
-  time.iso = holds_dates(text, table, *column);
-  auto chosen = choose_unit(time, word, seen, options);
+  time.column = column ? *column : found.front();
+  time.iso = holds_dates(text, table, time.column);
+  auto chosen = choose_unit(time, column ? meaning : header.meaning(time.column), table, asked);
   if (!chosen) return chosen.error();
   return std::optional<TimeChoice>(chosen.value());
 }
 
-std::string time_note(const ColumnsSeen& seen, const TimeChoice& time, bool asked) {
-  std::string text = "times are read from " + column_text(seen, time.column);
+std::string time_note(const TableLayout& table, const TimeChoice& time, bool asked) {
+  std::string text = "times are read from " + column_text(table, time.column);
   if (time.iso) return text + " as dates and times (ISO 8601)";
-  text += " in " + std::string(unit_name(time.unit));
+  text += " in " + std::string(symbol_of(time.unit));
   if (asked) text += ", as asked for";
   return text + (time.since_1970 ? ", since 1970" : "");
 }
 
 // ---- Position ------------------------------------------------------------------------------
 
-// Whether the header names a position at all: it is not taken from the order of the columns.
-bool names_position(const ColumnsSeen& seen) {
-  bool first = false;
-  bool second = false;
-  bool lon = false;
-  bool lat = false;
-  for (std::size_t i = 0; i < seen.names.size(); ++i) {
-    if (seen.taken[i]) continue;
-    const Role role = read_header_word(seen.names[i]).role;
-    first = first || role == Role::kX;
-    second = second || role == Role::kY;
-    lon = lon || role == Role::kLongitude;
-    lat = lat || role == Role::kLatitude;
-  }
-  return (first && second) || (lon && lat);
+// A position must have names: it is not taken from the order of the columns.
+std::optional<Error> nameless_position(const Header& header) {
+  const bool overridden = header.override_of(Role::kX) || header.override_of(Role::kLongitude);
+  const bool named = (header.has(Role::kX) && header.has(Role::kY)) ||
+                     (header.has(Role::kLongitude) && header.has(Role::kLatitude));
+  if (overridden || named) return std::nullopt;
+  const TableLayout& table = header.table();
+  return missing((table.names.empty()
+                      ? std::string("there is no header that tells the columns")
+                      : std::string("the header names no position (x and y, or longitude "
+                                    "and latitude)")) +
+                 (table.columns >= 5 ? "; say which is which, for example with --columns "
+                                       "id=1,time=2,x=3,y=4,z=5 ("
+                                     : "; needed are columns of numbers for the time, for x and y "
+                                       "or longitude and latitude, and perhaps for an id and the "
+                                       "height; name them in a header or with --columns (") +
+                 list_columns(table) + ")");
 }
 
-Result<ColumnChoice> choose_position(const ColumnsSeen& seen, const TrackWishes& wishes,
-                                     const RecordingOptions& options) {
-  if (wishes.position.empty() && !names_position(seen)) {
-    return missing((seen.names.empty()
-                        ? std::string("there is no header that tells the columns")
-                        : std::string("the header names no position (x and y, or longitude "
-                                      "and latitude)")) +
-                   (seen.count >= 5 ? "; say which is which, for example with --columns "
-                                      "id=1,time=2,x=3,y=4,z=5 ("
-                                    : "; needed are columns of numbers for the time, for x and y "
-                                      "or longitude and latitude, and perhaps for an id and the "
-                                      "height; name them in a header or with --columns (") +
-                   list_columns(seen) + ")");
-  }
-  ColumnOptions points;
-  points.frame = options.frame;
-  points.columns = wishes.position;
-  points.units = options.units;
-  points.heights = options.heights;
-  return choose_columns(seen, points);
-}
-
-std::string position_note(const ColumnsSeen& seen, const ColumnChoice& choice, Frame frame) {
+std::string position_note(const TableLayout& table, const ColumnChoice& choice, Frame frame) {
   const bool geographic = frame == Frame::kWgs84;
   std::string text = geographic ? "longitude, latitude" : "x, y";
   if (choice.dimensions == 3) text += geographic ? ", height" : ", z";
   text += " are read from";
   for (std::size_t axis = 0; axis < choice.dimensions; ++axis) {
-    text.append(axis == 0 ? " " : ", ").append(column_text(seen, choice.axes[axis]));
+    text.append(axis == 0 ? " " : ", ").append(column_text(table, choice.axes[axis]));
   }
   if (choice.dimensions == 3) return text;
   return text + (geographic ? "; there is no height: every height is taken as 0 m"
@@ -229,40 +147,26 @@ std::string position_note(const ColumnsSeen& seen, const ColumnChoice& choice, F
 
 // ---- All together --------------------------------------------------------------------------
 
-std::optional<Error> doubly_used(const TrackLayout& layout) {
-  std::vector<std::pair<std::size_t, std::string_view>> used;
+// The columns that are read for something else than the id.
+ColumnsByRole columns_read(const TrackLayout& layout) {
+  ColumnsByRole columns = {};
   const ColumnChoice& position = layout.table.choice;
   for (std::size_t i = 0; i < position.dimensions; ++i) {
-    used.emplace_back(position.axes[i], "position");
+    columns[index_of(part_of(Role::kX, i))] = position.axes[i];
   }
-  if (layout.time) used.emplace_back(layout.time->column, "time");
+  if (layout.time) columns[index_of(Role::kTime)] = layout.time->column;
   for (std::size_t i = 0; layout.velocity && i < layout.velocity->dimensions; ++i) {
-    used.emplace_back(layout.velocity->columns[i], "velocity");
+    columns[index_of(part_of(Role::kVelocityX, i))] = layout.velocity->columns[i];
   }
-  std::sort(used.begin(), used.end());
-  for (std::size_t i = 1; i < used.size(); ++i) {
-    if (used[i].first != used[i - 1].first) continue;
-    return Error{ErrorCode::kInvalidArgument,
-                 "--columns: column " + std::to_string(used[i].first + 1) + " cannot be both " +
-                     std::string(used[i - 1].second) + " and " + std::string(used[i].second),
-                 {}};
-  }
-  return std::nullopt;
+  return columns;
 }
 
 // A column that may hold the time is offered only if its name sounds like it.
-std::string no_time(const ColumnsSeen& seen, const std::vector<TrackWord>& words) {
-  constexpr std::string_view kStems[] = {"time", "date", "stamp", "clock", "epoch",
-                                         "zeit", "hora", "temps", "utc"};
+std::string no_time(const Header& header) {
   std::string which = "N";
-  for (std::size_t i = 0; i < seen.names.size() && which == "N"; ++i) {
-    const std::string name = lower_case(seen.names[i]);
-    const bool free =
-        words[i].role == TrackRole::kNone && (i >= seen.taken.size() || !seen.taken[i]);
-    const auto sounds = [&name](std::string_view stem) {
-      return name.find(stem) != std::string::npos;
-    };
-    if (free && std::any_of(std::begin(kStems), std::end(kStems), sounds)) {
+  for (std::size_t i = 0; i < header.size() && which == "N"; ++i) {
+    if (header.meaning(i).role < Role::kId &&
+        resembles(header.schema(), header.table().names[i], Role::kTime)) {
       which = std::to_string(i + 1);
     }
   }
@@ -270,17 +174,19 @@ std::string no_time(const ColumnsSeen& seen, const std::vector<TrackWord>& words
          "time=" +
          which +
          ", or those of the velocity, with which 'beespace predict' needs no time, with vx=N,vy=N; "
-         "where everybody is at one time, ask 'beespace detect' (" +
-         list_columns(seen) + ")";
+         "where all are at one time, ask 'beespace detect' (" +
+         list_columns(header.table()) + ")";
 }
 
 // t [ms], x, y, z, and perhaps red, green and blue.
-Result<TrackLayout> skybrush_layout(TrackLayout layout, const ColumnsSeen& seen,
-                                    const RecordingOptions& options) {
-  if (seen.count != 4 && seen.count != 7) {
+Result<TrackLayout> skybrush_layout(TableLayout table, const RecordingOptions& options) {
+  TrackLayout layout;
+  layout.table = std::move(table);
+  const std::size_t columns = layout.table.columns;
+  if (columns != 4 && columns != 7) {
     return missing(
         "a Skybrush CSV has the columns t [ms], x, y, z, and perhaps red, green, blue; " +
-        list_columns(seen));
+        list_columns(layout.table));
   }
   ColumnChoice& choice = layout.table.choice;
   choice.axes = {1, 2, 3};
@@ -299,31 +205,29 @@ Result<TrackLayout> skybrush_layout(TrackLayout layout, const ColumnsSeen& seen,
   layout.frame = frame.frame;
   layout.frame_reason = frame.reason;
   TimeChoice time;
-  time.unit = options.time_unit != TimeUnit::kAuto ? options.time_unit : TimeUnit::kMilliseconds;
+  time.unit = options.time_unit != Unit::kUnstated ? options.time_unit : Unit::kMillisecond;
   layout.time = time;
   layout.notes.push_back("without a header, this is taken for a Skybrush CSV: t in " +
-                         std::string(unit_name(time.unit)) + ", then x, y, z in metres" +
-                         (seen.count == 7 ? " and a colour" : ""));
+                         std::string(symbol_of(time.unit)) + ", then x, y, z in metres" +
+                         (columns == 7 ? " and a colour" : ""));
   return layout;
 }
 
-Result<TrackLayout> choose_all(TrackLayout layout, std::string_view text, ColumnsSeen& seen,
-                               const RecordingOptions& options) {
-  const auto wishes = read_track_wishes(options.columns, seen);
-  if (!wishes) return wishes.error();
-  const std::vector<TrackWord> words = read_words(seen, *wishes);
-  auto time = choose_time(text, layout.table, seen, *wishes, words, options);
+}  // namespace
+
+Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text,
+                                        const RecordingOptions& options) {
+  TrackLayout layout;
+  layout.table = std::move(table);
+  const auto overrides = find_overrides(track_columns(), options, layout.table);
+  if (!overrides) return overrides.error();
+  const Header header(track_columns(), options, layout.table, *overrides);
+  auto time = choose_time(text, header, options.time_unit);
   if (!time) return time.error();
   layout.time = time.value();
-  const auto id = choose_id(seen, *wishes, words, layout.notes);
-
-  seen.taken.assign(seen.count, false);
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    seen.taken[i] =
-        words[i].role != TrackRole::kNone || i == id || i == wishes->time ||
-        std::find(wishes->velocity.begin(), wishes->velocity.end(), i) != wishes->velocity.end();
-  }
-  auto position = choose_position(seen, *wishes, options);
+  const auto id = choose_id(header, layout.notes);
+  if (auto problem = nameless_position(header)) return *std::move(problem);
+  auto position = choose_position(header);
   if (!position) return position.error();
   layout.table.choice = std::move(position).value();
   ColumnChoice& choice = layout.table.choice;
@@ -332,48 +236,31 @@ Result<TrackLayout> choose_all(TrackLayout layout, std::string_view text, Column
   layout.frame = frame.frame;
   layout.frame_reason = frame.reason;
   layout.units = choice.units_taken;
-  UnitChoice units(seen.names, options.units);
-  auto velocity = choose_velocity({seen, *wishes, words, choice, layout.frame, units}, layout.notes,
-                                  layout.units);
+  UnitChoice units(layout.table.names, options.units);
+  auto velocity =
+      choose_velocity({header, choice, layout.frame, units}, layout.notes, layout.units);
   if (!velocity) return velocity.error();
   layout.velocity = *velocity;
-  if (!layout.time && !layout.velocity) {
-    return missing(no_time(seen, words));
-  }
-  if (auto error = doubly_used(layout)) return *std::move(error);
+  if (!layout.time && !layout.velocity) return missing(no_time(header));
+  if (auto error = doubly_used(track_columns(), columns_read(layout))) return *std::move(error);
   if (layout.time) {
-    layout.notes.push_back(time_note(seen, *layout.time, options.time_unit != TimeUnit::kAuto));
+    layout.notes.push_back(
+        time_note(layout.table, *layout.time, options.time_unit != Unit::kUnstated));
   }
-  layout.notes.push_back(position_note(seen, choice, layout.frame));
+  layout.notes.push_back(position_note(layout.table, choice, layout.frame));
   return layout;
-}
-
-}  // namespace
-
-Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text, ColumnsSeen& seen,
-                                        const RecordingOptions& options) {
-  TrackLayout layout;
-  layout.table = std::move(table);
-  return choose_all(std::move(layout), text, seen, options);
 }
 
 Result<TrackLayout> find_track_layout(std::string_view text, const RecordingOptions& options,
                                       bool bare_skybrush) {
-  ColumnsSeen seen;
-  auto table = find_table(text, options.skip_bad, seen);
+  auto table = find_table(text, options.skip_bad);
   if (!table) return table.error();
-  TrackLayout layout;
-  layout.table = std::move(table).value();
-  const std::uint64_t line = first_line(layout.table);
-  if (auto error = no_record_problem(text, layout.table)) return *std::move(error);
-  auto chosen = bare_skybrush && seen.names.empty() && options.columns.empty()
-                    ? skybrush_layout(std::move(layout), seen, options)
-                    : choose_all(std::move(layout), text, seen, options);
-  if (chosen) return chosen;
-  Error error = chosen.error();
-  // What is wrong with --columns as such is no matter of a line.
-  if (error.code != ErrorCode::kInvalidArgument || error.place.column) error.place.line = line;
-  return error;
+  if (auto error = no_record_problem(text, *table)) return *std::move(error);
+  auto chosen = bare_skybrush && table->names.empty() && options.columns.empty()
+                    ? skybrush_layout(*table, options)
+                    : choose_track_layout(*table, text, options);
+  if (!chosen) return at_first_line(std::move(chosen).error(), *table);
+  return chosen;
 }
 
 }  // namespace beespace::io

@@ -20,7 +20,7 @@ namespace beespace::io {
 
 struct TimeChoice {
   std::size_t column = 0;
-  TimeUnit unit = TimeUnit::kAuto;
+  Unit unit = Unit::kSecond;
   bool iso = false;  // dates and times, not numbers
   bool since_1970 = false;
 };
@@ -51,8 +51,8 @@ Result<TrackLayout> find_track_layout(std::string_view text, const RecordingOpti
                                       bool bare_skybrush);
 
 // The same for records whose columns are known already: `table` says how `text`, one or more of
-// them, is split, and `seen` what the columns are called and hold. Errors without line.
-Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text, ColumnsSeen& seen,
+// them, is split, and what the columns are called and hold. Errors without line.
+Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text,
                                         const RecordingOptions& options);
 
 }  // namespace beespace::io

@@ -10,7 +10,6 @@
 #include "io/table/fields.hpp"
 #include "io/table/record_problems.hpp"
 #include "io/tracks/track_velocity.hpp"
-#include "io/tracks/track_words.hpp"
 #include "io/units/iso_time.hpp"
 
 #include <cmath>
@@ -137,7 +136,7 @@ std::optional<Error> TrackRecordReader::read_time(TrackRecord& record) {
   if (kind != NumberKind::kNumber) {
     return number_problem(kind, text, "time", std::string(kMotionDomain) + " s", time.column);
   }
-  record.time_s = without_dust(value / units_per_second(time.unit));
+  record.time_s = without_dust(in_metric(value, time.unit));
   if (in_motion_domain(record.time_s)) return std::nullopt;
   return outside_domain(text, "time", " s", time.column);
 }

@@ -2,7 +2,6 @@
 
 #include "io/frames/track_domain.hpp"
 #include "io/problems/excerpt.hpp"
-#include "io/table/header_words.hpp"
 
 #include <beespace/geodesy.hpp>
 
@@ -14,19 +13,11 @@
 namespace beespace::io {
 namespace {
 
-constexpr std::size_t kAxes = 7;
-
-using Found = std::array<std::optional<std::size_t>, kAxes>;  // by VelocityAxis
-
-std::optional<std::size_t> at(const Found& found, VelocityAxis axis) {
-  return found[static_cast<std::size_t>(axis)];
-}
-
 // Whether x points east and y north.
 bool is_east_north(const VelocityQuestion& question) {
   const auto says = [&question](std::size_t column, std::string_view stem) {
-    if (column >= question.seen.names.size()) return false;
-    const auto words = split_words(question.seen.names[column]);
+    if (column >= question.header.table().names.size()) return false;
+    const auto words = split_words(question.header.table().names[column]);
     return std::any_of(words.begin(), words.end(), [stem](const std::string& word) {
       return word.substr(0, stem.size()) == stem || word == "enu";
     });
@@ -71,36 +62,39 @@ void note_choice(const VelocityQuestion& question, const VelocityChoice& choice,
 std::optional<VelocityChoice> choose_along_axes(const VelocityQuestion& question,
                                                 std::vector<std::string>& notes) {
   const bool geographic = question.frame == Frame::kWgs84;
-  Found found = {};
+  const Header& header = question.header;
+  const auto says_velocity = [&header](std::size_t column) {
+    const Role role = header.meaning(column).role;
+    return role >= Role::kVelocityX && role <= Role::kVelocityDown;
+  };
   bool any = false;
-  for (std::size_t i = 0; i < question.words.size(); ++i) {
-    const TrackWord& word = question.words[i];
-    if (word.role != TrackRole::kVelocity) continue;
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    if (!says_velocity(i)) continue;
     any = true;
-    auto& place = found[static_cast<std::size_t>(word.axis)];
-    if (!word.foreign_unit.empty()) {
-      notes.push_back(left_out("column " + excerpt(question.seen.names[i]) + " is in '" +
-                               word.foreign_unit + "', which is no unit of a speed"));
+    const ColumnMeaning& meaning = header.meaning(i);
+    if (!meaning.foreign_unit.empty()) {
+      notes.push_back(left_out("column " + excerpt(header.table().names[i]) + " is in '" +
+                               meaning.foreign_unit + "', which is no unit of a speed"));
       return std::nullopt;
     }
-    if (place) {
+    if (header.columns(meaning.role).front() != i) {
       notes.push_back(left_out("several columns hold the same part of it"));
       return std::nullopt;
     }
-    place = i;
   }
   if (!any) return std::nullopt;
-  const bool compass = at(found, VelocityAxis::kEast) && at(found, VelocityAxis::kNorth);
+  const bool compass = header.has(Role::kVelocityEast) && header.has(Role::kVelocityNorth);
   const bool east_north = geographic || (compass && is_east_north(question));
-  const auto first = at(found, east_north ? VelocityAxis::kEast : VelocityAxis::kX);
-  const auto second = at(found, east_north ? VelocityAxis::kNorth : VelocityAxis::kY);
+  const Role along = east_north ? Role::kVelocityEast : Role::kVelocityX;
+  const auto first = header.only(along);
+  const auto second = header.only(part_of(along, 1));
   if (!first || !second) {
     notes.push_back(left_out(east_north ? "beside such positions they must be named east and north"
                                         : "beside such positions they must be named vx and vy"));
     return std::nullopt;
   }
-  auto third = at(found, east_north ? VelocityAxis::kUp : VelocityAxis::kZ);
-  const auto down = at(found, VelocityAxis::kDown);
+  const auto third = header.only(part_of(along, 2));
+  const auto down = header.only(Role::kVelocityDown);
   const bool downwards = east_north && !third && down;
   VelocityChoice choice = chosen(*first, *second, downwards ? down : third);
   choice.down = downwards;
@@ -108,24 +102,14 @@ std::optional<VelocityChoice> choose_along_axes(const VelocityQuestion& question
   return choice;
 }
 
-// The only column of that role; nothing where there is none, or several.
-std::optional<std::size_t> only(const VelocityQuestion& question, TrackRole role) {
-  std::optional<std::size_t> found;
-  for (std::size_t i = 0; i < question.words.size(); ++i) {
-    if (question.words[i].role != role) continue;
-    if (found) return std::nullopt;
-    found = i;
-  }
-  return found;
-}
-
 std::optional<VelocityChoice> choose_over_ground(const VelocityQuestion& question,
                                                  std::vector<std::string>& notes) {
   if (question.frame != Frame::kWgs84) return std::nullopt;
-  const auto speed = only(question, TrackRole::kGroundSpeed);
-  const auto track = only(question, TrackRole::kTrack);
+  const Header& header = question.header;
+  const auto speed = header.only(Role::kGroundSpeed);
+  const auto track = header.only(Role::kTrack);
   if (!speed || !track) return std::nullopt;
-  VelocityChoice choice = chosen(*speed, *track, only(question, TrackRole::kClimb));
+  VelocityChoice choice = chosen(*speed, *track, header.only(Role::kClimb));
   choice.over_ground = true;
   note_choice(question, choice, true, notes);
   return choice;
@@ -133,9 +117,11 @@ std::optional<VelocityChoice> choose_over_ground(const VelocityQuestion& questio
 
 std::optional<VelocityChoice> choose_columns_of(const VelocityQuestion& question,
                                                 std::vector<std::string>& notes) {
-  const auto& wished = question.wishes.velocity;
-  if (wished[0] && wished[1]) {
-    const VelocityChoice choice = chosen(*wished[0], *wished[1], wished[2]);
+  const auto east = question.header.override_of(Role::kVelocityX);
+  const auto north = question.header.override_of(Role::kVelocityY);
+  if (east && north) {
+    const VelocityChoice choice =
+        chosen(*east, *north, question.header.override_of(Role::kVelocityZ));
     note_choice(question, choice, question.frame == Frame::kWgs84, notes);
     return choice;
   }
@@ -146,14 +132,13 @@ std::optional<VelocityChoice> choose_columns_of(const VelocityQuestion& question
 // Which units they have, and that they are all known.
 std::optional<Error> settle_units(const VelocityQuestion& question, VelocityChoice& choice,
                                   std::vector<UnitTaken>& taken) {
-  const std::vector<std::string>& names = question.seen.names;
+  const std::vector<std::string>& names = question.header.table().names;
   std::vector<ColumnUnit> units;
   std::vector<UnitTaken> found;
   for (std::size_t i = 0; i < choice.dimensions; ++i) {
     if (choice.over_ground && i == 1) continue;
     const std::size_t column = choice.columns[i];
-    const Unit unit =
-        column < names.size() ? read_track_word(names[column]).speed_unit : Unit::kUnstated;
+    const Unit unit = if_unit_of(question.header.stated(column).unit, Quantity::kSpeed);
     const bool climb = i == 2;
     auto one = question.units.choose(climb ? UnitRole::kClimb : UnitRole::kSpeed,
                                      climb ? "climb rates" : "speeds", column, unit);

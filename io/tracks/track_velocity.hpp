@@ -4,8 +4,6 @@
 #include "io/table/column_choice.hpp"
 #include "io/table/unit_choice.hpp"
 #include "io/tracks/track_layout.hpp"
-#include "io/tracks/track_wishes.hpp"
-#include "io/tracks/track_words.hpp"
 
 #include <beespace/mover.hpp>
 #include <beespace/result.hpp>
@@ -18,9 +16,7 @@
 namespace beespace::io {
 
 struct VelocityQuestion {
-  const ColumnsSeen& seen;
-  const TrackWishes& wishes;
-  const std::vector<TrackWord>& words;
+  const Header& header;
   const ColumnChoice& position;
   Frame frame;
   UnitChoice& units;

@@ -2,7 +2,6 @@
 
 #include "io/bytes/characters.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -44,22 +43,28 @@ constexpr std::array kUnits = {
     UnitFacts{Unit::kMilePerHour, Quantity::kSpeed, "mph", 1397, 3125, "mph mi/h"},
     UnitFacts{Unit::kFootPerSecond, Quantity::kSpeed, "ft/s", 381, 1250, "ft/s fps"},
     UnitFacts{Unit::kFootPerMinute, Quantity::kSpeed, "ft/min", 127, 25000, "ft/min fpm"},
+    UnitFacts{Unit::kSecond, Quantity::kTime, "seconds", 1, 1,
+              "s sec secs second seconds segundos sekunden secondes secondi"},
+    UnitFacts{Unit::kMillisecond, Quantity::kTime, "milliseconds", 1, 1000,
+              "ms msec msecs millis millisec millisecond milliseconds milisegundos millisekunden "
+              "millisecondes millisecondi"},
+    // The micro sign and the Greek letter.
+    UnitFacts{Unit::kMicrosecond, Quantity::kTime, "microseconds", 1, 1'000'000,
+              "us usec usecs micros microsec microsecond microseconds \u00B5s \u03BCs"},
+    UnitFacts{Unit::kNanosecond, Quantity::kTime, "nanoseconds", 1, 1'000'000'000,
+              "ns nsec nsecs nanos nanosec nanosecond nanoseconds"},
 };
 
-const UnitFacts* facts_of(Unit unit) {
-  const auto* const found = std::find_if(kUnits.begin(), kUnits.end(),
-                                         [unit](const UnitFacts& of) { return of.unit == unit; });
-  return found == kUnits.end() ? nullptr : found;
-}
-
-bool has_word(std::string_view words, std::string_view word) {
-  while (!words.empty()) {
-    const std::size_t blank = words.find(' ');
-    if (words.substr(0, blank) == word) return true;
-    if (blank == std::string_view::npos) break;
-    words.remove_prefix(blank + 1);
+constexpr bool in_order_of_units() {
+  for (std::size_t i = 0; i < kUnits.size(); ++i) {
+    if (static_cast<std::size_t>(kUnits[i].unit) != i + 1) return false;
   }
-  return false;
+  return true;
+}
+static_assert(in_order_of_units());
+
+const UnitFacts* facts_of(Unit unit) {
+  return unit == Unit::kUnstated ? nullptr : &kUnits[static_cast<std::size_t>(unit) - 1];
 }
 
 // value * factor / divisor, both whole and small: the nearest double, unless it is subnormal.
@@ -78,9 +83,9 @@ double times_ratio(double value, double factor, double divisor) {
 
 // "sec" as "s", and so on; empty for what is no time to divide by.
 std::string_view per_time(std::string_view word) {
-  if (has_word("s sec second seconds", word)) return "s";
-  if (has_word("min minute minutes", word)) return "min";
-  if (has_word("h hr hour hours", word)) return "h";
+  if (is_one_of("s sec second seconds", word)) return "s";
+  if (is_one_of("min minute minutes", word)) return "min";
+  if (is_one_of("h hr hour hours", word)) return "h";
   return {};
 }
 
@@ -89,6 +94,11 @@ std::string_view per_time(std::string_view word) {
 std::string_view symbol_of(Unit unit) {
   const UnitFacts* const facts = facts_of(unit);
   return facts == nullptr ? "an unknown unit" : facts->symbol;
+}
+
+Unit if_unit_of(Unit unit, Quantity quantity) {
+  const UnitFacts* const facts = facts_of(unit);
+  return facts != nullptr && facts->quantity == quantity ? unit : Unit::kUnstated;
 }
 
 double in_metric(double value, Unit unit) {
@@ -105,7 +115,7 @@ double from_metric(double value, Unit unit) {
 
 std::optional<Unit> unit_of_word(std::string_view word, Quantity quantity) {
   for (const UnitFacts& facts : kUnits) {
-    if (facts.quantity == quantity && has_word(facts.words, word)) return facts.unit;
+    if (facts.quantity == quantity && is_one_of(facts.words, word)) return facts.unit;
   }
   return std::nullopt;
 }

@@ -1,6 +1,7 @@
-// Units of lengths and speeds: the words that name them, and how many of ours they are.
+// Units of lengths, speeds and times: the words that name them, and how many of ours they are.
 //
-// Everything about a unit stands in one table (units.cpp). Ours are metres and metres per second.
+// Everything about a unit stands in one table (units.cpp). Ours are metres, metres per second and
+// seconds.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,7 @@
 
 namespace beespace::io {
 
-enum class Quantity : std::uint8_t { kLength, kSpeed };
+enum class Quantity : std::uint8_t { kLength, kSpeed, kTime };
 
 enum class Unit : std::uint8_t {
   kUnstated,
@@ -34,13 +35,21 @@ enum class Unit : std::uint8_t {
   kMilePerHour,
   kFootPerSecond,
   kFootPerMinute,
+  kSecond,
+  kMillisecond,
+  kMicrosecond,
+  kNanosecond,
 };
 
-// "ft", "km/h", ...
+// "ft", "km/h", "seconds", ...
 std::string_view symbol_of(Unit unit);
 
-// The same in metres, or metres per second: the nearest double to the product with the exact factor
-// by which the unit is defined (1 ft = 381/1250 m), so rounded once. Unstated units are ours.
+// The same unit if it is one of that quantity; otherwise kUnstated.
+Unit if_unit_of(Unit unit, Quantity quantity);
+
+// The same in metres, metres per second or seconds: the nearest double to the product with the
+// exact factor by which the unit is defined (1 ft = 381/1250 m), so rounded once. Unstated units
+// are ours.
 double in_metric(double value, Unit unit);
 // The other way round, in general rounded once as well.
 double from_metric(double value, Unit unit);

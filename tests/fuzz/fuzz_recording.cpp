@@ -35,7 +35,7 @@ RecordingOptions options_from(unsigned choice) {
       "", "", "", "id=1,time=2,x=3,y=4,z=5", "time=2", "lon=1,lat=2,height=3,ve=4,vn=5"};
   options.heights = static_cast<HeightSource>((choice / 9) % 3);
   options.columns = columns[(choice / 6) % 6];
-  options.time_unit = choice % 5 == 0 ? TimeUnit::kMilliseconds : TimeUnit::kAuto;
+  options.time_unit = choice % 5 == 0 ? Unit::kMillisecond : Unit::kUnstated;
   options.format = choice % 7 == 0 ? RecordingFormat::kSkybrushCsv : RecordingFormat::kAuto;
   if (choice % 11 == 3) options.units.height = Unit::kFoot;
   if (choice % 13 == 5) options.units.climb = Unit::kFootPerMinute;

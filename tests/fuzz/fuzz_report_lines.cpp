@@ -25,7 +25,7 @@ RecordingOptions options_from(unsigned choice) {
   options.grounded = choice % 2 == 1;
   const char* const columns[] = {"", "", "", "id=1,time=2,x=3,y=4,z=5", "time=2"};
   options.columns = columns[choice % 5];
-  options.time_unit = choice % 7 == 0 ? TimeUnit::kMilliseconds : TimeUnit::kAuto;
+  options.time_unit = choice % 7 == 0 ? Unit::kMillisecond : Unit::kUnstated;
   if (choice % 11 == 3) options.units.height = Unit::kFoot;
   if (choice % 13 == 5) options.units.climb = Unit::kFootPerMinute;
   return options;

@@ -225,9 +225,9 @@ TEST(AircraftJson, OptionsOfTablesDoNotGoWithIt) {
   options.frame = Frame::kMetres;
   expect_error(record(file_of(kFlying), options),
                {ErrorCode::kInvalidArgument, "bees.csv", "--crs metres"});
-  expect_error(record(file_of(kFlying), columns_are("id=1", TimeUnit::kAuto)),
+  expect_error(record(file_of(kFlying), columns_are("id=1", Unit::kUnstated)),
                {ErrorCode::kInvalidArgument, "bees.csv", "--columns"});
-  expect_error(record(file_of(kFlying), columns_are("", TimeUnit::kSeconds)),
+  expect_error(record(file_of(kFlying), columns_are("", Unit::kSecond)),
                {ErrorCode::kInvalidArgument, "bees.csv", "--time-unit"});
 }
 

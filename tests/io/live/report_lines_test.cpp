@@ -103,7 +103,7 @@ TEST(ReportLines, WhatTheHeaderLeavesOpenIsAnErrorOfItsLine) {
 TEST(ReportLines, TheCallerMayNameColumnsInsteadOfAHeader) {
   RecordingOptions options;
   options.columns = "id=1,time=2,x=3,y=4,z=5";
-  options.time_unit = TimeUnit::kMilliseconds;
+  options.time_unit = Unit::kMillisecond;
   ReportLines lines(options);
   EXPECT_EQ(report_of(lines.take("7,1500,1,2,3")).time_s, 1.5);
   EXPECT_EQ(report_of(lines.take("8,1600,1,2,3")).id, "8");

@@ -208,7 +208,7 @@ TEST(Telemetry, ALogWithoutPositionsIsAnError) {
   metres.frame = Frame::kMetres;
   expect_error(load(logged(kNoon, frame_v2(1, 33, somewhere())), metres),
                {ErrorCode::kNoPoints, "flight.tlog", "LOCAL_POSITION_NED (32); leave --crs out"});
-  expect_error(load(log, columns_are("id=1", TimeUnit::kAuto)),
+  expect_error(load(log, columns_are("id=1", Unit::kUnstated)),
                {ErrorCode::kInvalidArgument, "flight.tlog", "--columns"});
 }
 

@@ -1,21 +1,41 @@
-#include "io/plans/plan_words.hpp"
+#include "io/plans/plan_columns.hpp"
+#include "io/table/column_names.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace beespace::io {
 namespace {
 
+std::string role_text(Role role) {
+  constexpr std::pair<Role, std::string_view> kGroups[] = {{Role::kX, "position "},
+                                                           {Role::kVelocityX, "velocity "},
+                                                           {Role::kGoalX, "goal "},
+                                                           {Role::kWishX, "wish "}};
+  for (const auto& [first, what] : kGroups) {
+    if (const auto axis = part_within(first, role)) return std::string(what) + "xyz"[*axis];
+  }
+  switch (role) {
+    case Role::kId:
+      return "id";
+    case Role::kMaxSpeed:
+      return "max_speed";
+    case Role::kMaxAcceleration:
+      return "max_acceleration";
+    case Role::kLongitude:
+    case Role::kLatitude:
+      return "degrees";
+    default:
+      return role == Role::kNone ? "none" : "another";
+  }
+}
+
 std::string meaning(std::string_view name) {
-  constexpr std::string_view kRoles[] = {"none",   "id",   "position",  "velocity",
-                                         "goal",   "wish", "max_speed", "max_acceleration",
-                                         "degrees"};
-  const PlanWord word = read_plan_word(name);
-  std::string text(kRoles[static_cast<std::size_t>(word.role)]);
-  const bool along = word.role >= PlanRole::kPosition && word.role <= PlanRole::kWish;
-  if (along) text.append(" ").append(1, "xyz"[word.axis]);
+  const ColumnMeaning word = read_column_name(plan_columns(), name);
+  const std::string text = role_text(word.role);
   if (word.unit != Unit::kUnstated && word.unit != Unit::kMetre &&
       word.unit != Unit::kMetrePerSecond) {
     return text + " in " + std::string(symbol_of(word.unit));

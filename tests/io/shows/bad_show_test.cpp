@@ -189,7 +189,7 @@ TEST(BadShow, OptionsThatAreForTables) {
   degrees.frame = Frame::kWgs84;
   expect_error(load(show(drone(kTrajectory)), degrees),
                {ErrorCode::kInvalidArgument, "show.json", "in metres, but --crs wgs84 is given"});
-  expect_error(load(show(drone(kTrajectory)), columns_are("x=1,y=2", TimeUnit::kAuto)),
+  expect_error(load(show(drone(kTrajectory)), columns_are("x=1,y=2", Unit::kUnstated)),
                {ErrorCode::kInvalidArgument, "show.json", "--columns is for text tables"});
   expect_error(load(show(drone(kTrajectory)), columns_are("")),
                {ErrorCode::kInvalidArgument, "show.json", "leave --time-unit out"});

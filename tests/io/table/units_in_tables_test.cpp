@@ -24,13 +24,13 @@ Point at(double height_m) {
 
 LoadOptions with_units(std::string_view text) {
   LoadOptions options;
-  options.units = *read_unit_wishes(text);
+  options.units = *read_unit_overrides(text);
   return options;
 }
 
 RecordingOptions recording_units(std::string_view text) {
   RecordingOptions options;
-  options.units = *read_unit_wishes(text);
+  options.units = *read_unit_overrides(text);
   return options;
 }
 

@@ -20,7 +20,7 @@ inline Result<Recording> record(std::string_view text, const RecordingOptions& o
   return load_recording_from_memory(text, "bees.csv", options);
 }
 
-inline RecordingOptions columns_are(std::string columns, TimeUnit unit = TimeUnit::kSeconds) {
+inline RecordingOptions columns_are(std::string columns, Unit unit = Unit::kSecond) {
   RecordingOptions options;
   options.columns = std::move(columns);
   options.time_unit = unit;

@@ -50,7 +50,7 @@ TEST(TrackTable, EveryUnitOfTimeBecomesSeconds) {
 
 TEST(TrackTable, TheCallerMaySayTheUnit) {
   RecordingOptions options;
-  options.time_unit = TimeUnit::kMilliseconds;
+  options.time_unit = Unit::kMillisecond;
   const auto recording = recording_of(record("time,x,y,z\n1250,1,2,3\n", options));
   EXPECT_EQ(times_of(recording.bees[0]), Times{1.25});
   EXPECT_TRUE(has_note(recording, "in milliseconds, as asked for"));
@@ -133,7 +133,7 @@ TEST(TrackTable, TheCallerMaySayTheColumns) {
 TEST(TrackTable, TheCallerMaySaySomeColumnsAndTheHeaderTheRest) {
   RecordingOptions options;
   options.columns = "time=when_s,id=who";
-  options.time_unit = TimeUnit::kSeconds;
+  options.time_unit = Unit::kSecond;
   const auto recording = recording_of(record("who,when_s,x,y,z\na,7,1,2,3\n", options));
   EXPECT_EQ(ids_of(recording), Ids{"a"});
   EXPECT_EQ(recording.bees[0].fixes, (Fixes{{7, {1, 2, 3}}}));

@@ -1,6 +1,6 @@
 // Units: the words that name them, and conversions that round once.
 #include "io/units/units.hpp"
-#include "io/units/unit_wishes.hpp"
+#include "io/units/unit_overrides.hpp"
 
 #include <gtest/gtest.h>
 
@@ -103,13 +103,13 @@ TEST(Units, AreTakenFromTheEndOfAName) {
 }
 
 TEST(Units, MayBeGivenByRole) {
-  const auto wishes = read_unit_wishes("height=ft, speed=kt,climb=ft/min,position=km");
+  const auto wishes = read_unit_overrides("height=ft, speed=kt,climb=ft/min,position=km");
   ASSERT_TRUE(wishes.has_value());
   EXPECT_EQ(wishes->height, Unit::kFoot);
   EXPECT_EQ(wishes->speed, Unit::kKnot);
   EXPECT_EQ(wishes->climb, Unit::kFootPerMinute);
   EXPECT_EQ(wishes->position, Unit::kKilometre);
-  EXPECT_FALSE(read_unit_wishes("").value().any());
+  EXPECT_FALSE(read_unit_overrides("").value().any());
   for (const auto& [text, part] : {std::pair{"height", "'height' is not understood"},
                                    {"hight=ft", "'hight=ft' is not understood"},
                                    {"height=", "'height=' is not understood"},
@@ -117,7 +117,7 @@ TEST(Units, MayBeGivenByRole) {
                                    {"speed=ft", "'ft' is no unit of a speed; it is one of m/s"},
                                    {"height=ft,height=m", "height is given twice"},
                                    {"height=ft,", "a comma at the end"}}) {
-    const auto refused = read_unit_wishes(text);
+    const auto refused = read_unit_overrides(text);
     ASSERT_FALSE(refused.has_value()) << text;
     EXPECT_EQ(refused.error().code, ErrorCode::kInvalidArgument);
     EXPECT_NE(refused.error().message.find(part), std::string::npos) << refused.error().message;

@@ -23,7 +23,7 @@ std::string_view role_name(UnitRole role);
 Quantity quantity_of(UnitRole role);
 
 // kUnstated where nothing is said.
-struct UnitWishes {
+struct UnitOverrides {
   Unit position = Unit::kUnstated;
   Unit height = Unit::kUnstated;
   Unit speed = Unit::kUnstated;
@@ -34,6 +34,6 @@ struct UnitWishes {
 };
 
 // An empty text says nothing. Errors: kInvalidArgument.
-Result<UnitWishes> read_unit_wishes(std::string_view text);
+Result<UnitOverrides> read_unit_overrides(std::string_view text);
 
 }  // namespace beespace::io

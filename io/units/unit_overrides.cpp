@@ -1,4 +1,4 @@
-#include "io/units/unit_wishes.hpp"
+#include "io/units/unit_overrides.hpp"
 
 #include "io/bytes/characters.hpp"
 #include "io/problems/excerpt.hpp"
@@ -13,13 +13,14 @@ namespace {
 struct Slot {
   UnitRole role;
   std::string_view name;
-  Unit UnitWishes::*unit;
+  Unit UnitOverrides::*unit;
 };
 
-constexpr std::array<Slot, 4> kSlots = {{{UnitRole::kPosition, "position", &UnitWishes::position},
-                                         {UnitRole::kHeight, "height", &UnitWishes::height},
-                                         {UnitRole::kSpeed, "speed", &UnitWishes::speed},
-                                         {UnitRole::kClimb, "climb", &UnitWishes::climb}}};
+constexpr std::array<Slot, 4> kSlots = {
+    {{UnitRole::kPosition, "position", &UnitOverrides::position},
+     {UnitRole::kHeight, "height", &UnitOverrides::height},
+     {UnitRole::kSpeed, "speed", &UnitOverrides::speed},
+     {UnitRole::kClimb, "climb", &UnitOverrides::climb}}};
 
 Error invalid(std::string message) {
   return {ErrorCode::kInvalidArgument, "--units: " + std::move(message), {}};
@@ -46,19 +47,19 @@ Quantity quantity_of(UnitRole role) {
   return length ? Quantity::kLength : Quantity::kSpeed;
 }
 
-bool UnitWishes::any() const {
+bool UnitOverrides::any() const {
   for (const Slot& slot : kSlots) {
     if (this->*slot.unit != Unit::kUnstated) return true;
   }
   return false;
 }
 
-Unit UnitWishes::of(UnitRole role) const {
+Unit UnitOverrides::of(UnitRole role) const {
   return this->*slot_of(role).unit;
 }
 
-Result<UnitWishes> read_unit_wishes(std::string_view text) {
-  UnitWishes wishes;
+Result<UnitOverrides> read_unit_overrides(std::string_view text) {
+  UnitOverrides overrides;
   while (!text.empty()) {
     const std::size_t comma = text.find(',');
     const std::string_view item = text.substr(0, comma);
@@ -71,7 +72,7 @@ Result<UnitWishes> read_unit_wishes(std::string_view text) {
       if (role == known.name) slot = &known;
     }
     if (slot == nullptr || word.empty()) return not_understood(item);
-    Unit& unit = wishes.*slot->unit;
+    Unit& unit = overrides.*slot->unit;
     if (unit != Unit::kUnstated) return invalid(std::string(role) + " is given twice; keep one");
     const Quantity quantity = quantity_of(slot->role);
     const auto found = unit_of_text(word, quantity);
@@ -84,7 +85,7 @@ Result<UnitWishes> read_unit_wishes(std::string_view text) {
     text.remove_prefix(comma + 1);
     if (text.empty()) return invalid("a comma at the end; remove it");
   }
-  return wishes;
+  return overrides;
 }
 
 }  // namespace beespace::io

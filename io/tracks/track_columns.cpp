@@ -1,0 +1,124 @@
+#include "io/tracks/track_columns.hpp"
+
+#include "io/table/position_columns.hpp"
+
+#include <utility>
+
+namespace beespace::io {
+namespace {
+
+NamePattern time_names() {
+  NamePattern pattern;
+  pattern.role = Role::kTime;
+  pattern.words = {
+      {Says::kNoun | Says::kJoined, "time timestamp", Role::kTime, "English"},
+      {Says::kNoun, "t timestamps ts datetime stamp", Role::kTime, "English"},
+      {Says::kNoun, "zeit", Role::kTime, "German"},
+      {Says::kNoun, "tiempo", Role::kTime, "Spanish"},
+      {Says::kNoun, "temps", Role::kTime, "French"},
+      {Says::kNoun, "tempo", Role::kTime, "Italian, Portuguese"},
+      {Says::kForeign,
+       "min mins minute minutes h hr hour hours d day days tow ticks frames jd mjd"},
+      {Says::kSince1970, "unix posix epoch 1970"},
+      {Says::kBeside,
+       "since start elapsed utc iso iso8601 8601 rfc3339 boot begin sim simulation in of the from "
+       "flight mission sample"},
+  };
+  pattern.needed = Says::kNoun;
+  pattern.unit = UnitPlace::kAnywhere;
+  pattern.quantity = Quantity::kTime;
+  pattern.unit_alone = true;
+  return pattern;
+}
+
+// "groundspeed", "ground_speed_kt", "gs", "vertical_rate", "climb rate [ft/min]".
+NamePattern speeds_over_ground() {
+  NamePattern pattern;
+  pattern.words = {
+      {Says::kPart, "groundspeed ground-speed gs", Role::kGroundSpeed, "aviation"},
+      {Says::kPart, "speed-over-ground", Role::kGroundSpeed, "shipping"},
+      {Says::kPart,
+       "vertical-rate verticalrate vert-rate vertrate vertical-speed climb-rate climb "
+       "rate-of-climb roc rocd baro-rate geom-rate",
+       Role::kClimb, "aviation"},
+  };
+  pattern.whole = true;
+  pattern.unit = UnitPlace::kLast;
+  pattern.quantity = Quantity::kSpeed;
+  return pattern;
+}
+
+NamePattern directions_over_ground() {
+  NamePattern pattern;
+  pattern.words = {
+      {Says::kPart, "track track-deg track-degrees true-track track-angle", Role::kTrack,
+       "aviation"},
+      {Says::kPart, "course-over-ground cog", Role::kTrack, "shipping"},
+  };
+  pattern.whole = true;
+  return pattern;
+}
+
+ColumnSchema make_track_columns() {
+  const ColumnSchema& position = position_columns();
+  ColumnSchema schema = position;
+  schema.roles = {
+      {Role::kId, "id"},
+      {Role::kTime, "time", "*time* *date* *stamp* *clock* *epoch* *zeit* *hora* *temps* *utc*"},
+  };
+  for (const RoleFacts& facts : position.roles) {
+    if (facts.role != Role::kId) schema.roles.push_back(facts);
+  }
+  constexpr std::array<std::string_view, 6> kVelocities = {"vx", "vy", "vz", "ve", "vn", "vu"};
+  for (std::size_t i = 0; i < kVelocities.size(); ++i) {
+    schema.roles.push_back({part_of(Role::kVelocityX, i % 3), kVelocities[i]});
+  }
+  schema.groups.push_back(
+      {"velocity",
+       {Role::kVelocityX, Role::kVelocityY, Role::kVelocityZ},
+       Frame::kAuto,
+       "a velocity needs vx and vy (or ve and vn), and vz (vu) where bees climb"});
+  schema.names = {time_names(), velocity_names(), speeds_over_ground(), directions_over_ground()};
+  schema.names.insert(schema.names.end(), position.names.begin(), position.names.end());
+  return schema;
+}
+
+}  // namespace
+
+NamePattern velocity_names() {
+  constexpr unsigned kBoth = Says::kNoun | Says::kPart;
+  NamePattern pattern;
+  pattern.words = {
+      {Says::kPart, "x", Role::kVelocityX},
+      {Says::kPart, "y", Role::kVelocityY},
+      {Says::kPart, "z", Role::kVelocityZ},
+      {Says::kPart, "e east", Role::kVelocityEast},
+      {Says::kPart, "n north", Role::kVelocityNorth},
+      {Says::kPart, "u up", Role::kVelocityUp},
+      {Says::kPart, "d down", Role::kVelocityDown},
+      {kBoth, "vx", Role::kVelocityX},
+      {kBoth, "vy", Role::kVelocityY},
+      {kBoth, "vz", Role::kVelocityZ},
+      {kBoth, "ve", Role::kVelocityEast},
+      {kBoth, "vn", Role::kVelocityNorth},
+      {kBoth, "vu", Role::kVelocityUp},
+      {kBoth, "vd", Role::kVelocityDown},
+      {Says::kNoun, "v vel velocity speed", Role::kNone, "English"},
+      {Says::kNoun, "velocidad", Role::kNone, "Spanish"},
+      {Says::kNoun, "vitesse", Role::kNone, "French"},
+      {Says::kNoun, "geschwindigkeit", Role::kNone, "German"},
+      {Says::kNoun, "velocita", Role::kNone, "Italian"},
+      {Says::kForeign, "min h hr hour minute"},
+  };
+  pattern.needed = kBoth;
+  pattern.unit = UnitPlace::kLast;
+  pattern.quantity = Quantity::kSpeed;
+  return pattern;
+}
+
+const ColumnSchema& track_columns() {
+  static const ColumnSchema schema = make_track_columns();
+  return schema;
+}
+
+}  // namespace beespace::io
