@@ -104,6 +104,12 @@ BEESPACE_API Result<std::optional<ClosestPair>> find_closest_pair_between(const 
 /// @return As beespace::find_nearest.
 BEESPACE_API Result<std::vector<Nearest>> find_nearest(const PointsView& points);
 
+/// @brief As beespace::find_k_nearest, in quadratic time and more: each point sorts all others.
+/// @param points The positions in metres.
+/// @param k How many neighbours to find for each point.
+/// @return As beespace::find_k_nearest.
+BEESPACE_API Result<NearestRows> find_k_nearest(const PointsView& points, std::size_t k);
+
 /// @brief As beespace::find_nearest_within, in quadratic time.
 /// @param points The positions in metres.
 /// @param options The threshold; threads are ignored.

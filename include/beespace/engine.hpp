@@ -20,6 +20,7 @@
 #include <beespace/result.hpp>
 #include <beespace/search_options.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -140,6 +141,14 @@ class BEESPACE_API Engine {
   /// @return Success, or an error of beespace::find_nearest.
   Status find_nearest(const PointsView& points, std::vector<Nearest>& nearest,
                       unsigned threads = 1);
+  /// @brief As beespace::find_k_nearest.
+  /// @param points The positions in metres.
+  /// @param k How many neighbours to find for each point.
+  /// @param[out] nearest A row for each point; overwritten.
+  /// @param threads As SearchOptions::threads; ignored where the Engine was given a Crew.
+  /// @return Success, or an error of beespace::find_k_nearest.
+  Status find_k_nearest(const PointsView& points, std::size_t k, NearestRows& nearest,
+                        unsigned threads = 1);
   /// @brief As beespace::find_nearest_within.
   /// @param points The positions in metres.
   /// @param options The threshold and how to search.

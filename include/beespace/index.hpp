@@ -14,50 +14,13 @@
 #include <beespace/point.hpp>
 #include <beespace/points_view.hpp>
 #include <beespace/result.hpp>
-#include <beespace/row_iterator.hpp>
 #include <beespace/search_options.hpp>
 
 #include <cstddef>
 #include <memory>
-#include <span>
 #include <vector>
 
 namespace beespace {
-
-/// @brief Rows of equal length: row r belongs to query r, and begins with the nearest point.
-///
-/// Ownership: owns its memory.
-struct NearestRows {
-  /// @brief The length of each row: k, or the number of points where that is less; 0 when there is
-  /// no row, as in a default-constructed NearestRows. Rows of length 0 count as no rows.
-  std::size_t length = 0;
-  /// @brief The entries of all rows, one row after the other.
-  std::vector<Nearest> entries;
-
-  /// @brief Says how many rows there are.
-  /// @return The number of rows; 0 where rows have a length of 0.
-  [[nodiscard]] std::size_t size() const { return length == 0 ? 0 : entries.size() / length; }
-  /// @brief Says whether there is no row.
-  /// @return Whether size() is 0.
-  [[nodiscard]] bool empty() const { return size() == 0; }
-  /// @brief Gives one row.
-  /// @param row The index of the row; unchecked.
-  /// @return Its entries, in the memory of this.
-  [[nodiscard]] std::span<const Nearest> operator[](std::size_t row) const BEESPACE_LIFETIMEBOUND {
-    return std::span(entries).subspan(row * length, length);
-  }
-
-  /// @brief Begins a loop over the rows: `for (const auto row : rows)`.
-  /// @return An iterator to the first row; it and the rows must not outlive this.
-  [[nodiscard]] RowIterator<NearestRows> begin() const BEESPACE_LIFETIMEBOUND { return {*this, 0}; }
-  /// @brief Ends a loop over the rows.
-  /// @return An iterator behind the last row.
-  [[nodiscard]] RowIterator<NearestRows> end() const BEESPACE_LIFETIMEBOUND {
-    return {*this, size()};
-  }
-
-  friend bool operator==(const NearestRows&, const NearestRows&) = default;
-};
 
 /// @brief Points by id, for queries at any position; points can be inserted, moved and removed.
 ///

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <beespace/id_rows.hpp>
+#include <beespace/nearest.hpp>
 #include <beespace/result.hpp>
 
 #include <utility>
@@ -13,6 +14,10 @@ namespace beespace::core {
 template <class Entry>
 void empty(std::vector<Entry>& answer) {
   answer.clear();
+}
+inline void empty(NearestRows& answer) {
+  answer.length = 0;
+  answer.entries.clear();
 }
 inline void empty(IdRows& answer) {
   answer.offsets.clear();

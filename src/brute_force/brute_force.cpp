@@ -265,6 +265,27 @@ Result<std::vector<Nearest>> find_nearest(const PointsView& points) {
   return nearest_of(Pairing(points));
 }
 
+Result<NearestRows> find_k_nearest(const PointsView& points, std::size_t k) {
+  const Pairing pairing(points);
+  if (auto error = pairing.check()) return *std::move(error);
+  NearestRows rows;
+  if (points.size() < 2) return rows;
+  rows.length = std::min(k, points.size() - 1);
+  if (rows.length == 0) return rows;
+  std::vector<PointId> others(points.size() - 1);
+  for (PointId i = 0; i < pairing.size(); ++i) {
+    std::iota(others.begin(), others.begin() + i, PointId{0});
+    std::iota(others.begin() + i, others.end(), i + 1);
+    // Ids ascend, and the sort is stable: equally near ones stay in their order.
+    std::stable_sort(others.begin(), others.end(),
+                     [&](PointId a, PointId b) { return pairing.nearer(i, a, i, b); });
+    for (std::size_t n = 0; n < rows.length; ++n) {
+      rows.entries.push_back({others[n], pairing.distance_m(i, others[n])});
+    }
+  }
+  return rows;
+}
+
 Result<std::vector<Nearest>> find_nearest_within(const PointsView& points,
                                                  const SearchOptions& options) {
   return nearest_within_of(Pairing(points), options);

@@ -8,6 +8,7 @@
 #include "search/cylinder_search.hpp"
 #include "search/engine_state.hpp"
 #include "search/group_search.hpp"
+#include "search/k_nearest_search.hpp"
 #include "search/nearest_search.hpp"
 #include "search/pair_search.hpp"
 
@@ -198,6 +199,19 @@ Status Engine::find_nearest(const PointsView& points, std::vector<Nearest>& near
       search::find_nearest(domain, std::nullopt, with, state_->tuning, nearest);
       return kDone;
     });
+  });
+}
+
+Status Engine::find_k_nearest(const PointsView& points, std::size_t k, NearestRows& nearest,
+                              unsigned threads) {
+  return core::answered(nearest, [&]() -> Status {
+    const core::Resources with = state_->resources(threads, points.size());
+    if (auto error = core::check_size(points)) return *std::move(error);
+    const Result<core::Bounds> bounds = core::measure(points, with);
+    if (!bounds) return bounds.error();
+    search::find_k_nearest(points, *bounds, k, with, state_->tuning, state_->nearest_lists,
+                           nearest);
+    return kDone;
   });
 }
 

@@ -7,6 +7,7 @@
 #include "search/cylinder_search.hpp"
 #include "search/search_domain.hpp"
 #include "search/tuning_overrides.hpp"
+#include "tree/nearest_list.hpp"
 
 #include <beespace/engine.hpp>
 
@@ -69,7 +70,8 @@ class Engine::EngineState {
   }
 
   const search::TuningOverrides tuning = {};
-  std::vector<Nearest> nearest;  // of the closest pair between two swarms
+  std::vector<Nearest> nearest;                  // of the closest pair between two swarms
+  std::vector<core::NearestList> nearest_lists;  // of each worker
 
  private:
   Crew& crew(unsigned threads, std::size_t points) {

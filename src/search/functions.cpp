@@ -92,6 +92,12 @@ Result<std::vector<Nearest>> find_nearest(const PointsView& points, unsigned thr
       [&](Engine& engine, auto& answer) { return engine.find_nearest(points, answer, threads); });
 }
 
+Result<NearestRows> find_k_nearest(const PointsView& points, std::size_t k, unsigned threads) {
+  return answer_of<NearestRows>([&](Engine& engine, auto& answer) {
+    return engine.find_k_nearest(points, k, answer, threads);
+  });
+}
+
 Result<std::vector<Nearest>> find_nearest_within(const PointsView& points,
                                                  const SearchOptions& options) {
   return answer_of<std::vector<Nearest>>([&](Engine& engine, auto& answer) {

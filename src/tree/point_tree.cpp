@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 namespace beespace::core {
 
@@ -119,8 +118,8 @@ void set_children(TreeNode& node, const Bounds* children, std::size_t count) {
 
 class PointTree::Builder {
  public:
-  Builder(PointTree& tree, const PointsView& points, const PointId* ids, Crew& crew)
-      : tree_(tree), points_(points), ids_(ids), crew_(crew) {
+  Builder(PointTree& tree, const PointsView& points, const PointId* ids, const Resources& with)
+      : tree_(tree), points_(points), ids_(ids), with_(with), sorted_(&with.memory) {
     std::size_t count = groups_of(tree.size_);
     std::size_t all = 0;
     for (level_count_ = 0; level_count_ == 0 || count > 1; ++level_count_) {
@@ -130,10 +129,10 @@ class PointTree::Builder {
       all += count;
     }
     first_[level_count_] = all;
-    tree.nodes_ = Buffer<TreeNode>(*tree.memory_, all);
-    boxes_ = Buffer<Bounds>(*tree.memory_, all);
-    tree.leaves_ = Buffer<TreeLeaf>(*tree.memory_, leaf_count_);
-    tree.points_ = Buffer<Point>(*tree.memory_, tree.size_);
+    tree.nodes_ = Buffer<TreeNode>(with.memory, all);
+    boxes_ = Buffer<Bounds>(with.memory, all);
+    tree.leaves_ = Buffer<TreeLeaf>(with.memory, leaf_count_);
+    tree.points_ = Buffer<Point>(with.memory, tree.size_);
     for (unsigned level = 0; level < level_count_; ++level) {
       tree.view_.levels[level] = tree.nodes_.data() + first_[level];
     }
@@ -144,8 +143,8 @@ class PointTree::Builder {
 
   void build(const Bounds& bounds) {
     const Buffer<std::uint32_t> order =
-        point_tree_order(points_, bounds, {crew_, *tree_.memory_}, tree_.leaves_, tree_.points_);
-    crew_.split(first_[1], [&](std::size_t begin, std::size_t end, unsigned) {
+        point_tree_order(points_, bounds, with_, tree_.leaves_, tree_.points_);
+    with_.crew.split(first_[1], [&](std::size_t begin, std::size_t end, unsigned) {
       for (std::size_t node = begin; node < end; ++node) fill_bottom(node, order.data());
     });
     for (unsigned level = 1; level < level_count_; ++level) {
@@ -255,18 +254,23 @@ class PointTree::Builder {
   PointTree& tree_;
   const PointsView& points_;
   const PointId* ids_;
-  Crew& crew_;
+  const Resources& with_;
   unsigned level_count_ = 0;
   std::array<std::size_t, kMostLevels + 1> first_{};  // node of each level
   std::size_t leaf_count_ = 0;
   Buffer<Bounds> boxes_;  // of the nodes, exact
-  std::vector<PointId> sorted_;
+  Vector<PointId> sorted_;
 };
 
 PointTree::PointTree(const PointsView& points, const PointId* ids, const Bounds& bounds, Crew& crew)
     : size_(points.size()), memory_(std::make_unique<Memory>()) {
-  Builder(*this, points, ids, crew).build(bounds);
+  Builder(*this, points, ids, {crew, *memory_}).build(bounds);
   memory_->release();
+}
+
+PointTree::PointTree(const PointsView& points, const Bounds& bounds, const Resources& with)
+    : size_(points.size()) {
+  Builder(*this, points, nullptr, with).build(bounds);
 }
 
 void PointTree::discard(std::uint32_t slot) {

@@ -17,6 +17,7 @@
 
 #include "base/bounds.hpp"
 #include "base/buffer.hpp"
+#include "base/resources.hpp"
 
 #include <beespace/crew.hpp>
 #include <beespace/points_view.hpp>
@@ -65,6 +66,8 @@ class PointTree {
   // i, or i itself without `ids`. Expected cost: some 80 nanoseconds a point; no input is
   // quadratic. Memory: 42 bytes a point, and 4 more while it builds.
   PointTree(const PointsView& points, const PointId* ids, const Bounds& bounds, Crew& crew);
+  // The same in memory that must outlive the tree, for one that is built again and again.
+  PointTree(const PointsView& points, const Bounds& bounds, const Resources& with);
 
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] const TreeView& view() const { return view_; }
@@ -81,7 +84,7 @@ class PointTree {
   class Builder;
 
   std::size_t size_;
-  std::unique_ptr<Memory> memory_;  // before what it lends
+  std::unique_ptr<Memory> memory_;  // its own, if any; before what it lends
   Buffer<TreeNode> nodes_;
   Buffer<TreeLeaf> leaves_;
   Buffer<Point> points_;

@@ -72,6 +72,7 @@ struct Answers {
     rows.offsets.reserve(kMany);
     rows.ids.reserve(2 * kMany);
     nearest.reserve(kMany);
+    nearest_rows.entries.reserve(kMany);
     conflicts.reserve(kMany);
   }
 
@@ -79,6 +80,7 @@ struct Answers {
   std::vector<Pair> pairs;
   IdRows rows;
   std::vector<Nearest> nearest;
+  NearestRows nearest_rows;
   std::vector<Conflict> conflicts;
 };
 
@@ -131,6 +133,10 @@ std::vector<Method> methods() {
        [](Engine& e, F f, O o, A a) { return bool(e.find_conflict_groups(f.points, o, a.rows)); }},
       {"FindNearest", [](Engine& e, F f, O o,
                          A a) { return bool(e.find_nearest(f.points, a.nearest, o.threads)); }},
+      {"FindKNearest",
+       [](Engine& e, F f, O o, A a) {
+         return bool(e.find_k_nearest(f.points, 9, a.nearest_rows, o.threads));
+       }},
       {"FindNearestWithin",
        [](Engine& e, F f, O o, A a) {
          return bool(e.find_nearest_within(f.points, o, a.nearest));
