@@ -1,9 +1,9 @@
 #include "cli/input/moving_options.hpp"
 
-#include "cli/analysis/gaps.hpp"
 #include "cli/command_line/option_checks.hpp"
 #include "cli/command_line/option_values.hpp"
 #include "cli/console/terminal.hpp"
+#include "cli/input/max_gap_option.hpp"
 #include "io/bytes/number_text.hpp"
 
 #include <CLI/CLI.hpp>

@@ -1,5 +1,5 @@
-#include "cli/analysis/gaps.hpp"
 #include "cli/command_line/option_checks.hpp"
+#include "cli/input/max_gap_option.hpp"
 #include "cli/recorded/verify_command.hpp"
 
 #include <beespace/version.hpp>

@@ -38,7 +38,7 @@ constexpr const char* kDetails =
     "4 cannot open, read or write, 130 interrupted, 143 terminated, 141 closed pipe.";
 
 void add_file_options(CLI::App& command, ExportOptions& options) {
-  MovingOptions& moving = options.seen.moving;
+  MovingOptions& moving = options.scene.moving;
   command
       .add_option("-o,--output", moving.output,
                   "Where it goes, by its ending .kml, .czml,\n.geojson or .csv (default, or -: "
@@ -66,7 +66,7 @@ CLI::App* add_export_command(CLI::App& command, ExportOptions& options) {
   CLI::App* subcommand = command.add_subcommand("export", kDescription);
   subcommand->footer(kDetails);
   subcommand->set_version_flag("--version", std::string(version()), "Print the version and exit");
-  add_seen_options(*subcommand, options.seen);
+  add_scene_options(*subcommand, options.scene);
   add_file_options(*subcommand, options);
   refuse_pointless_values(*subcommand);
   return subcommand;

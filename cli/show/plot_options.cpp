@@ -33,7 +33,7 @@ constexpr const char* kDetails =
     "4 cannot open, read or write, 130 interrupted, 143 terminated, 141 closed pipe.";
 
 void add_picture_options(CLI::App& plot, PlotOptions& options) {
-  MovingOptions& moving = options.seen.moving;
+  MovingOptions& moving = options.scene.moving;
   plot.add_option("-o,--output", moving.output,
                   "Where the picture goes, by its ending .svg or .png\n(default, or -: standard "
                   "output, as SVG)")
@@ -60,7 +60,7 @@ CLI::App* add_plot_command(CLI::App& command, PlotOptions& options) {
   CLI::App* plot = command.add_subcommand("plot", kDescription);
   plot->footer(kDetails);
   plot->set_version_flag("--version", std::string(version()), "Print the version and exit");
-  add_seen_options(*plot, options.seen);
+  add_scene_options(*plot, options.scene);
   add_picture_options(*plot, options);
   refuse_pointless_values(*plot);
   return plot;

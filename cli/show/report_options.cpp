@@ -50,7 +50,7 @@ void add_page_options(CLI::App& report, MovingOptions& options) {
 }  // namespace
 
 void add_page_input_options(CLI::App& command, ReportOptions& options) {
-  add_seen_options(command, options.seen);
+  add_scene_options(command, options.scene);
   command
       .add_option("--compare", options.compare,
                   "Show this beside it: what came before on the left,\nthis on the right")
@@ -63,7 +63,7 @@ CLI::App* add_report_command(CLI::App& command, ReportOptions& options) {
   report->footer(kDetails);
   report->set_version_flag("--version", std::string(version()), "Print the version and exit");
   add_page_input_options(*report, options);
-  add_page_options(*report, options.seen.moving);
+  add_page_options(*report, options.scene.moving);
   refuse_pointless_values(*report);
   return report;
 }

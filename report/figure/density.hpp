@@ -2,7 +2,7 @@
 // other.
 #pragma once
 
-#include "report/figure/drawing.hpp"
+#include "report/drawing/drawing.hpp"
 
 #include <cstddef>
 #include <cstdint>
