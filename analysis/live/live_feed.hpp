@@ -102,7 +102,7 @@ class LiveFeed {
   // What was kept back, and the last look, at the time of the last report; what it ends is told.
   Status finish();
 
-  // Everybody at a time, by numbers: as Swarm::movers.
+  // All bees at a time, by numbers: as Swarm::movers.
   [[nodiscard]] std::vector<LiveMover> movers(double time_s) const { return swarm_.movers(time_s); }
   // Until the end, and from then on those of the end.
   [[nodiscard]] SwarmCounts counts() const { return ended_with_.value_or(swarm_.counts()); }

@@ -1,4 +1,4 @@
-// A recording as what everybody did at one time after the other: for checks that need to know all
+// A recording as what all bees did at one time after the other: for checks that need to know all
 // bees at the same times.
 #pragma once
 
@@ -25,7 +25,7 @@ struct MissingVelocity {
 };
 std::optional<MissingVelocity> missing_velocity(const io::Recording& recording);
 
-// Everybody at fix `fix`, in metres; unknown velocities are zero. Errors: those of the conversion.
+// All bees at fix `fix`, in metres; unknown velocities are zero. Errors: those of the conversion.
 Result<std::vector<Mover>> movers_at(const io::Recording& recording, std::size_t fix);
 
 }  // namespace beespace::analysis

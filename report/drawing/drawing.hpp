@@ -1,7 +1,7 @@
 // A picture as a list of shapes, before it is a file: drawn in their order, the later ones on top.
 //
 // Lengths are in units of the drawing, x to the right and y down, from the upper left corner. Plain
-// values: whoever draws adds them, and svg() and png() tell them in a format.
+// values: what draws adds them, and svg() and png() tell them in a format.
 #pragma once
 
 #include <cstddef>

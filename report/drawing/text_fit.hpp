@@ -1,5 +1,5 @@
-// How much room text takes: an upper bound for the fonts that figures are drawn in, as nobody knows
-// which one a reader has.
+// How much room text takes: an upper bound for the fonts that figures are drawn in, as it is
+// unknown which one a reader has.
 #pragma once
 
 #include <string>

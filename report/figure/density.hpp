@@ -1,4 +1,4 @@
-// How many are where: counts in square cells, for swarms of whom single marks would hide each
+// How many are where: counts in square cells, for swarms whose single marks would hide each
 // other.
 #pragma once
 
