@@ -47,7 +47,7 @@ struct Swarm {
   double threshold_m;
   std::vector<Point> points;
   std::vector<PointId> at_risk;   // by the library
-  std::uint64_t comparisons = 0;  // by whoever is checked first; the same for all
+  std::uint64_t comparisons = 0;  // of the first one checked; the same for all
 };
 
 // The scenes of the other benchmarks, equally dense at every size.
@@ -76,7 +76,7 @@ double cpu_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-// Adds the time since it was last asked.
+// Adds the time since the last call.
 class Stopwatch {
  public:
   void lap(double& seconds) {
@@ -128,7 +128,7 @@ void search(const Swarm& swarm, Memory& memory, Seconds& seconds, std::vector<Po
   watch.lap(seconds.answer);
 }
 
-// What `search` looks at.
+// The memory that `search` accesses.
 template <class Order, template <class> class Locator>
 Looks look(const Swarm& swarm, Memory& memory) {
   const Cells cells(swarm.points, swarm.threshold_m);
@@ -206,7 +206,7 @@ void report(benchmark::State& state, const Swarm& swarm, const Seconds& seconds)
   state.counters["answer"] = seconds.answer * ns_a_point;
 }
 
-// One swarm and memory that is kept, so that nobody pays for new pages.
+// One swarm and memory that is kept, so that no run pays for new pages.
 struct Bench {
   explicit Bench(Swarm&& made) : swarm(std::move(made)) {}
 

@@ -85,7 +85,7 @@ inline Grid gather(const std::vector<Point>& points, const Buffer<Record>& recor
   return grid;
 }
 
-// Ways to find the occupied cells ahead of a cell. `ahead` tells `visit` their points.
+// Ways to find the occupied cells ahead of a cell. `ahead` passes their points to `visit`.
 
 // A hash table of the occupied cells, the same for every order.
 template <class Order>
@@ -167,8 +167,8 @@ class ByKey {
   Buffer<std::uint32_t> firsts_;
 };
 
-// Lists made beforehand, by a hash table: what is left of the search is comparing, so that orders
-// differ by nothing but where the points are in memory.
+// Lists made beforehand, by a hash table: the search then only compares, so that orders differ only
+// by where the points are in memory.
 template <class Order>
 class ByList {
  public:
@@ -272,7 +272,7 @@ class Marks {
   Buffer<std::uint8_t> marks_;
 };
 
-// A cache that forgets what was longest unused in a set of `ways` lines.
+// A cache that evicts the least recently used line of a set of `ways` lines.
 class SimulatedCache {
  public:
   SimulatedCache(std::size_t sets, std::size_t ways) : ways_(ways), lines_(sets * ways, 0) {}
@@ -294,7 +294,7 @@ class SimulatedCache {
   std::uint64_t misses_ = 0;
 };
 
-// What a search looks at: 48 KiB in 12 ways, 2 MiB in 16, lines of 64 bytes.
+// The caches of a search: 48 KiB in 12 ways, 2 MiB in 16, lines of 64 bytes.
 struct Looks {
   std::uint64_t comparisons = 0;
   SimulatedCache l1{64, 12};

@@ -1,6 +1,6 @@
-// How fast the searches are where the points are meant to ruin them: everybody in one cell, on a
-// line, at one place, in a clump beside a far outlier, closer together than the threshold, in a
-// plane, on a lattice at the threshold itself.
+// How fast the searches are on adversarial inputs: all points in one cell, on a line, at one place,
+// in a clump beside a far outlier, closer together than the threshold, in a plane, on a lattice at
+// the threshold itself.
 //
 // Every figure is also given per point and, where pairs are the answer, per pair: these must not
 // grow with the number of points. Pairs are asked for in swarms small enough to write them down, of

@@ -2,9 +2,9 @@
 // of three leaf sizes), where its header was there to build with.
 //
 // `times_nanoflann` is nanoflann's time divided by ours, for the same places in the same run.
-// Places asked one by one come in random order. Places asked all at once are random for us, who
-// sort them, and sorted along a Morton curve beforehand for nanoflann, at no charge. Answers are
-// checked by brute force before anything is timed.
+// Places asked one by one come in random order. Places asked all at once are random for Index,
+// which sorts them, and sorted along a Morton curve beforehand for nanoflann, at no charge. Answers
+// are checked by brute force before anything is timed.
 #include <beespace/index.hpp>
 
 #include "scenes/random_stream.hpp"

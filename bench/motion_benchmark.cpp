@@ -88,7 +88,7 @@ void per_bee(benchmark::State& state, std::size_t bees, std::size_t found) {
   state.counters["found"] = static_cast<double>(found);
 }
 
-// As in a frame like those before: an Engine keeps its memory, and the answer's.
+// As in a later frame: an Engine keeps its memory, and the answer's.
 void snapshot_pairs(benchmark::State& state) {
   const auto places = places_of(flight(kMillion, with_two_neighbours()));
   beespace::Engine engine;

@@ -45,7 +45,7 @@ LoopOptions options_of(const Run& run) {
   return options;
 }
 
-// Of bees with other limits the verifier is told the widest.
+// Where bees have different limits, the verifier gets the widest.
 beespace::VerifyOptions limits_of(const Run& run, const ClosedLoop& loop) {
   return {.threshold_m = kThreshold_m,
           .obstacles = loop.obstacles(),
@@ -116,7 +116,7 @@ struct Sizes {
   std::size_t some;
   std::size_t sphere;
   std::size_t few;
-  std::size_t sphere_of_all;  // methods: some take long where everybody meets
+  std::size_t sphere_of_all;  // methods: some take long where all meet
 };
 
 void fly_all(const Sizes& sizes) {
@@ -141,7 +141,7 @@ void fly_all(const Sizes& sizes) {
        kAcceleration_mps2, 2});
 }
 
-// The same loop, with what is known from elsewhere.
+// The same loop with the known methods, for comparison.
 void compare_methods(const Sizes& sizes) {
   const struct {
     Method method;

@@ -42,7 +42,7 @@ class Box {
     }
   }
 
-  // Everybody's report of the step that begins at `time_s`.
+  // The reports of all bees for the step that begins at `time_s`.
   void report_to(beespace::Swarm& swarm, double time_s) const {
     for (PointId id = 0; id < movers_.size(); ++id) {
       const auto& [position, velocity] = movers_[id];

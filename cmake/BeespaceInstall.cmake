@@ -36,7 +36,7 @@ if(BUILD_SHARED_LIBS)
   set(pc_cflags "")
   set(pc_libs "")
 else()
-  # An archive does not know what it needs, so whoever links it has to.
+  # An archive does not know what it needs, so the program that links it must name it.
   set(pc_cflags " -DBEESPACE_STATIC")
   set(pc_libs " -pthread")
 endif()

@@ -1,6 +1,6 @@
+#include "scenes/jittered_grid.hpp"
 #include "scenes/missions.hpp"
 #include "scenes/random_stream.hpp"
-#include "scenes/stirred_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +40,7 @@ Mission funnel(std::size_t count, double spacing_m, double clear_m, std::uint64_
   while (kLayers * field.y * field.z < count) field.y = ++field.z;
   const double width_m = static_cast<double>(field.y) * spacing_m;
   Mission mission;
-  mission.starts = stirred_grid(count, field, {}, spacing_m, clear_m, random);
+  mission.starts = jittered_grid(count, field, {}, spacing_m, clear_m, random);
 
   const double crowd_m = std::min(spacing_m, kCrowd * clear_m);
   const auto across =

@@ -1,7 +1,7 @@
 #include "scenes/missions.hpp"
 
+#include "scenes/jittered_grid.hpp"
 #include "scenes/random_stream.hpp"
-#include "scenes/stirred_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace beespace::scenes {
 Mission random_swap(std::size_t count, double spacing_m, double clear_m, std::uint64_t seed) {
   RandomStream random(seed);
   Mission mission;
-  mission.starts = stirred_grid(count, cube_for(count), {}, spacing_m, clear_m, random);
+  mission.starts = jittered_grid(count, cube_for(count), {}, spacing_m, clear_m, random);
   for (const std::size_t other : shuffled(count, random)) {
     mission.goals.push_back(mission.starts[other]);
   }

@@ -29,7 +29,7 @@ double dot(const Point& a, const Point& b) {
 
 // Of length 1, in any of the directions at right angles to `axis`, which is not zero.
 Point random_normal(const Point& axis, RandomStream& random) {
-  // What is nearly along the axis leaves rounding errors and little else.
+  // A direction nearly along the axis leaves almost only rounding errors.
   constexpr double kLeast = 0x1p-4;
   const double axis_length = std::sqrt(dot(axis, axis));
   const Point unit{axis.x / axis_length, axis.y / axis_length, axis.z / axis_length};
@@ -43,7 +43,7 @@ Point random_normal(const Point& axis, RandomStream& random) {
   }
 }
 
-// What two are like at their closest, around which place and when.
+// The closest approach of two: their motion, the place and the time.
 struct Pass {
   Point place;
   Point aside;  // from the first to the second
@@ -68,8 +68,8 @@ void append(Encounters& scene, const Pass& pass, double closest_m) {
   scene.movers.push_back(mover_before(pass, 0.5, pass.second));
 }
 
-// Velocities of two that are not nearly the same: those of a pair that hardly moves apart would
-// leave the time of its closest approach to rounding errors.
+// Velocities of a pair that are clearly different: if the pair hardly moved apart, the time of its
+// closest approach would be left to rounding errors.
 void draw_velocities(Pass& pass, const Speeds& speeds, RandomStream& random) {
   const double least_mps = 0.25 * speeds.fastest_mps;
   while (true) {
@@ -139,9 +139,9 @@ Encounters head_on_pairs(std::size_t pairs, const Point& size, const Speeds& spe
 
 Encounters known_encounters(std::size_t pairs, const EncounterPlan& plan, std::uint64_t seed) {
   RandomStream random(seed);
-  // Until within_s nobody is farther from the middle of its cell than this, on any axis.
+  // Until within_s no mover is farther from the centre of its cell than this, on any axis.
   const double reach_m = plan.speeds.fastest_mps * plan.within_s + 0.5 * plan.farthest_m;
-  // A hair more than the reach, so that roundings do not eat up the room between cells.
+  // A little more than the reach, so that rounding does not use up the room between cells.
   const double cell_m = 2.125 * reach_m + 1.125 * plan.clear_m;
   std::size_t cells_in_a_row = 1;
   while (cells_in_a_row * cells_in_a_row * cells_in_a_row < pairs) ++cells_in_a_row;

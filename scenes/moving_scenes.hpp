@@ -1,7 +1,7 @@
 // Generated bees that fly: one set of moving scenes for the generate command, tests and benchmarks.
 //
 // The same arguments give the same doubles on every machine. Values are returned; nothing is kept.
-// Units: metres, seconds, metres per second. Everybody is shown at time 0, and flies on from there
+// Units: metres, seconds, metres per second. Each bee is given at time 0, and flies on from there
 // in a straight line; recorded_flights.hpp makes tracks of it. Cost: about 100 nanoseconds a bee.
 #pragma once
 
@@ -30,12 +30,12 @@ std::vector<Mover> random_flight(std::size_t count, const Point& size, const Spe
 std::vector<Mover> crossing_streams(std::size_t count, const Point& size, const Speeds& speeds,
                                     std::uint64_t seed);
 
-// Everybody on a sphere, flying through its centre, which is at (radius, radius, radius), to the
+// Bees on a sphere that fly through its centre, which is at (radius, radius, radius), to the
 // opposite point. With one speed for all, all are there at the same time.
 std::vector<Mover> sphere_swap(std::size_t count, double radius_m, const Speeds& speeds,
                                std::uint64_t seed);
 
-// When two are closest, and how close they are then.
+// The time and distance of the closest approach of two.
 struct Encounter {
   PointId first;
   PointId second;
@@ -43,7 +43,7 @@ struct Encounter {
   double closest_m;
 };
 
-// Movers, and what is true of them: movers 2i and 2i + 1 are those of encounters[i].
+// Movers and their encounters: encounters[i] is that of movers 2i and 2i + 1.
 struct Encounters {
   std::vector<Mover> movers;
   std::vector<Encounter> encounters;
@@ -51,7 +51,7 @@ struct Encounters {
 
 // Pairs that fly straight at each other, and pass each other at the distance `miss_m`: at a place
 // that is uniform in the box from the origin to `size`, and a time uniform in [0, within_s]. Pairs
-// know nothing of each other. The fastest speed is above zero.
+// are independent of each other. The fastest speed is above zero.
 Encounters head_on_pairs(std::size_t pairs, const Point& size, const Speeds& speeds, double miss_m,
                          double within_s, std::uint64_t seed);
 
@@ -62,10 +62,10 @@ struct EncounterPlan {
   double clear_m;     // all others are farther away than this, from 0 to within_s
 };
 
-// Encounters built backwards: chosen are when and how close a pair shall be at its closest, and how
-// both fly then; where they are at time 0 follows from that. Each pair has a cell of a cubic grid
-// to itself. What is said to be true is so but for the rounding of the positions, that is to a few
-// ulps of how far the grid reaches.
+// Encounters constructed from the closest approach: its time and distance and both velocities are
+// drawn, and the places at time 0 follow. Each pair has a cell of a cubic grid to itself. The
+// stated values are exact except for the rounding of the positions, a few ulps of the grid's
+// extent.
 Encounters known_encounters(std::size_t pairs, const EncounterPlan& plan, std::uint64_t seed);
 
 }  // namespace beespace::scenes

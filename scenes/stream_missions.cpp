@@ -1,7 +1,7 @@
-// Missions of bees who fly the same way: streams that cross, and one through a forest.
+// Missions of bees that fly the same way: streams that cross, and one through a forest.
+#include "scenes/jittered_grid.hpp"
 #include "scenes/missions.hpp"
 #include "scenes/random_stream.hpp"
-#include "scenes/stirred_grid.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -21,7 +21,7 @@ Mission crossing_streams(std::size_t count, double spacing_m, double clear_m, st
   const double way_m = static_cast<double>(4 * side) * spacing_m;
   Mission mission;
   const auto add = [&](std::size_t bees, const GridCell& first, const Point& way) {
-    for (const Point& p : stirred_grid(bees, cube, first, spacing_m, clear_m, random)) {
+    for (const Point& p : jittered_grid(bees, cube, first, spacing_m, clear_m, random)) {
       mission.starts.push_back(p);
       mission.goals.push_back({p.x + way.x, p.y + way.y, p.z + way.z});
     }
@@ -43,7 +43,7 @@ constexpr double kMoved = 0.5;
 constexpr std::int64_t kFirstRow = 3;
 constexpr std::int64_t kGround = -3;
 
-// Rows along y, one behind the other along x, in quincunx: nobody sees through.
+// Rows along y, one behind the other along x, in quincunx: no straight way leads through.
 std::vector<Obstacle> forest(std::int64_t rows, std::int64_t width, double spacing_m,
                              RandomStream& random) {
   std::vector<Obstacle> obstacles;
@@ -75,7 +75,7 @@ Mission pillars(std::size_t count, double spacing_m, double clear_m, std::uint64
   const std::int64_t rows = std::max<std::int64_t>(3, side / kPitch + 1);
   const double depth_m = static_cast<double>(rows * kPitch) * spacing_m;
   Mission mission;
-  mission.starts = stirred_grid(count, cube, {-side, 0, 0}, spacing_m, clear_m, random);
+  mission.starts = jittered_grid(count, cube, {-side, 0, 0}, spacing_m, clear_m, random);
   for (const std::size_t other : shuffled(count, random)) {
     const Point& p = mission.starts[other];
     mission.goals.push_back({depth_m - p.x, p.y, p.z});

@@ -1,6 +1,6 @@
-// The closed loop: bees fly a mission, step after step, as they are advised or as they like.
+// The closed loop: bees fly a mission step after step, as advised or at their preferred velocities.
 //
-// Everybody would like to fly straight to its goal, as fast as it can, and to stop there. Units:
+// Each bee prefers to fly straight to its goal, as fast as it can, and to stop there. Units:
 // metres, seconds.
 #pragma once
 
@@ -16,15 +16,15 @@
 
 namespace beespace::sim {
 
-// As advise() says, by its method; or everybody as it likes.
+// As advise() says, by its method; or at preferred velocities.
 enum class Method : std::uint8_t { kNone, kCertified, kOrca, kMvp };
 
 struct LoopOptions {
   Method method = Method::kCertified;
-  FlightLimits limits;  // of everybody, where the mission has none
+  FlightLimits limits;  // of all bees, where the mission has none
   // Its threshold and step are those of every method. The obstacles are those of the mission.
   AdviseOptions advice = {};
-  double arrived_m = 1.0;  // who is so near to its goal has arrived
+  double arrived_m = 1.0;  // a bee so near to its goal has arrived
 };
 
 // One bee's way so far.
@@ -33,12 +33,12 @@ struct Flight {
   double flown_m = 0.0;     // until it arrived, and the rest of the way straight
   std::optional<double> arrived_s = {};
   double stuck_s = 0.0;  // not there, and slower than a twentieth of its greatest speed
-  std::optional<double> stuck_since_s = {};  // who is so now
+  std::optional<double> stuck_since_s = {};  // of a bee that is stuck now
 };
 
 class ClosedLoop {
  public:
-  // Everybody stands at its start at time 0.
+  // All bees stand at their starts at time 0.
   ClosedLoop(scenes::Mission mission, const LoopOptions& options);
 
   // Flies on for a step. Errors: as ObstacleMap::of and Adviser::advise.

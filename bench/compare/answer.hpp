@@ -1,4 +1,4 @@
-// An answer to any of the questions, and how far it is from the reference answer.
+// An answer to any of the questions, and its difference from the reference answer.
 #pragma once
 
 #include "bench/compare/question.hpp"
@@ -14,7 +14,7 @@
 
 namespace beespace::compare {
 
-// The container of the question that was asked is filled, the others stay empty. Pairs have
+// The container of the given question is filled, the others stay empty. Pairs have
 // first < second, in any order; ids ascend; counts and nearest have an entry a point.
 struct Answer {
   std::vector<PointId> at_risk;

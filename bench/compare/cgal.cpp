@@ -73,7 +73,7 @@ class BallWithoutSelf : public Ball {
   [[nodiscard]] bool contains(const Entry& entry) const {
     return entry.second != self_ && Ball::contains(entry);
   }
-  // A box is never taken as a whole: it might hold nobody but the point itself.
+  // A box is never taken as a whole: it might contain only the point itself.
   [[nodiscard]] bool outer_range_contains(const Box& /*box*/) const { return false; }
 
  private:

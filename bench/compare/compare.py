@@ -52,7 +52,7 @@ class Comparison:
         self._rows_file.flush()
 
     def _ask_all(self, section, swarm, questions, contenders, **more):
-        """Asks everybody about one swarm; the first of them sets the reference answer."""
+        """Asks all contenders about one swarm; the first one sets the reference answer."""
         points = self._programs.make_points(swarm)
         rows = {}
         for question in questions:
@@ -83,7 +83,7 @@ class Comparison:
         print(self.wrong[-1], file=sys.stderr, flush=True)
 
     def check(self):
-        """Everybody against brute force, on a small swarm of each kind."""
+        """All contenders against brute force, on a small swarm of each kind."""
         for swarm in self._swarms():
             self._ask_all("check", swarm.scaled(CHECKED_POINTS), plan.QUESTIONS,
                           (plan.BRUTE_FORCE,) + plan.CONTENDERS)

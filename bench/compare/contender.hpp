@@ -1,4 +1,4 @@
-// One way to answer the questions: a library used as its competent user would use it.
+// One way to answer the questions: a library used as a competent user would use it.
 //
 // Each contender is a program of its own: one source file that defines make_contender(), linked
 // with contender_main.cpp, which reads the points, checks the answer, and does the timing.
@@ -19,7 +19,7 @@
 
 namespace beespace::compare {
 
-// What an answer that differs from the exact one means.
+// The meaning of a difference from the exact answer.
 enum class Arithmetic : std::uint8_t {
   kExact,        // decided as by real numbers
   kFloat64,      // rounded, but wrong only within an ulp of the threshold: must agree here
@@ -48,7 +48,7 @@ class Contender {
   // says otherwise). Only questions of description() are asked.
   virtual Answer answer(Question question, std::span<const Point> points, double threshold_m) = 0;
 
-  // Gets an answer back that is no longer needed, for those who use memory again. Not timed.
+  // Takes back an answer that is no longer needed, for contenders that reuse memory. Not timed.
   virtual void take_back(Answer /*answer*/) {}
 };
 

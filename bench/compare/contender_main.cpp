@@ -1,5 +1,5 @@
 // Runs one contender on one question about one file of points, in a process of its own, and prints
-// what came of it as a line of JSON.
+// the result as a line of JSON.
 //
 //   compare_NAME describe [VARIANT]
 //   compare_NAME ask QUESTION POINTS THRESHOLD_M REFERENCE [VARIANT]
@@ -39,8 +39,8 @@ void print_description(const Description& description) {
       questions.c_str());
 }
 
-// The first run warms up and is checked. Short ones are repeated oftener, since they vary more;
-// slow contenders are not made to repeat themselves.
+// The first run warms up and is checked. Short runs are repeated more often, since they vary more;
+// slow contenders are not repeated.
 int timed_runs(double first_run_ms) {
   if (first_run_ms < 10.0) return 31;
   if (first_run_ms < 100.0) return 9;
@@ -49,7 +49,7 @@ int timed_runs(double first_run_ms) {
   return first_run_ms < 8'000.0 ? 1 : 0;
 }
 
-// Whoever is too slow to be repeated gets passes of the read floor all the same.
+// A contender that is too slow to be repeated still gets passes of the read floor.
 constexpr std::size_t kLeastReadPasses = 3;
 
 struct Times {

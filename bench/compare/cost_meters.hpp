@@ -1,4 +1,4 @@
-// What a run costs: processor time, wall time, and the peak of resident memory.
+// The cost of a run: processor time, wall time, and the peak of resident memory.
 #pragma once
 
 #include <vector>
@@ -17,7 +17,7 @@ class Stopwatch {
   double wall_start_ms_;
 };
 
-// The middle one; of two in the middle the greater.
+// The median; of an even number the greater of the two in the middle.
 double median(std::vector<double> values);
 
 // The most resident memory that the process ever had, in megabytes (10^6 bytes; Linux only).

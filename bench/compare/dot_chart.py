@@ -1,4 +1,4 @@
-"""Rows of dots along one logarithmic axis as SVG: who needs how long, at a glance."""
+"""Rows of dots along one logarithmic axis as SVG: the time of each contender, at a glance."""
 
 from dataclasses import dataclass
 from xml.sax.saxutils import escape

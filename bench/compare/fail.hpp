@@ -1,4 +1,4 @@
-// How a program of the comparison gives up: a sentence on standard error, and exit status 1.
+// Ends a program of the comparison: a sentence on standard error, and exit status 1.
 #pragma once
 
 #include <cstdio>

@@ -32,9 +32,9 @@ class AnyOther final : public flann::ResultSet<double> {
 };
 
 template <class Visit>
-class Everybody final : public flann::ResultSet<double> {
+class VisitAll final : public flann::ResultSet<double> {
  public:
-  Everybody(double squared, Visit& visit) : squared_(squared), visit_(visit) {}
+  VisitAll(double squared, Visit& visit) : squared_(squared), visit_(visit) {}
   [[nodiscard]] bool full() const override { return true; }
   void addPoint(double squared, std::size_t id) override {
     if (squared < squared_) visit_(static_cast<PointId>(id));
@@ -76,7 +76,7 @@ class Queries {
   }
   template <class Visit>
   void visit_near(PointId self, Visit&& visit) const {
-    Everybody results(squared_, visit);
+    VisitAll results(squared_, visit);
     search(results, self);
   }
   [[nodiscard]] std::uint32_t count_others(PointId self) const {

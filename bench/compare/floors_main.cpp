@@ -1,4 +1,4 @@
-// What the machine needs at least for a file of points, and for writing an answer of so many pairs.
+// The machine's lower limits for a file of points, and for writing an answer of so many pairs.
 //
 //   compare_floors POINTS PAIRS
 #include "bench/compare/fail.hpp"

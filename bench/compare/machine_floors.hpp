@@ -1,4 +1,4 @@
-// What no search can go below: reading its input and writing its output, in the plainest way.
+// Lower limits of any search: reading its input and writing its output, in the simplest way.
 #pragma once
 
 #include <beespace/point.hpp>
@@ -10,11 +10,11 @@ namespace beespace::compare {
 
 // All of these are milliseconds of processor time.
 
-// One pass that reads everything: a scalar sum of all doubles, in order. What it costs depends on
-// where the points are: one that comes after a search finds them as the next search would.
+// One pass that reads everything: a scalar sum of all doubles, in order. Its cost depends on where
+// the points are: after a search it finds them as the next search would.
 double read_pass_ms(std::span<const Point> points);
 
-// The median of many such passes in a row: they find in the caches what those before them read.
+// The median of many such passes in a row: each finds in the caches what the one before it read.
 double warm_read_floor_ms(std::span<const Point> points);
 
 double copy_floor_ms(std::span<const Point> points);  // memcpy to memory that is there already

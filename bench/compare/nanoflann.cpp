@@ -36,7 +36,7 @@ class Cloud {
 using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud,
                                                  3, PointId>;
 
-// What nanoflann asks of a result set. addPoint() returns whether to go on.
+// The interface that nanoflann requires of a result set. addPoint() returns whether to go on.
 class OtherThanSelf {
  public:
   using DistanceType = double;
@@ -64,9 +64,9 @@ class AnyOther : public OtherThanSelf {
 };
 
 template <class Visit>
-class Everybody : public OtherThanSelf {
+class VisitAll : public OtherThanSelf {
  public:
-  Everybody(PointId self, double worst, Visit& visit) : OtherThanSelf(self, worst), visit_(visit) {}
+  VisitAll(PointId self, double worst, Visit& visit) : OtherThanSelf(self, worst), visit_(visit) {}
   bool addPoint(double /*squared*/, PointId id) {
     visit_(id);
     return true;
@@ -105,7 +105,7 @@ class Queries {
   }
   template <class Visit>
   void visit_near(PointId self, Visit&& visit) const {
-    Everybody results(self, squared_, visit);
+    VisitAll results(self, squared_, visit);
     search(results, self);
   }
   [[nodiscard]] std::uint32_t count_others(PointId self) const {
@@ -165,7 +165,7 @@ class Nanoflann final : public Contender {
     return answer_point_by_point(question, tree.vAcc, Queries(tree, points, threshold_m));
   }
 
-  // The answer about points in an order of their own, told in the caller's ids.
+  // The answer about points in an order of their own, converted to the caller's ids.
   static Answer with_ids(Answer answer, const std::vector<PointId>& order) {
     std::vector<char> marks(order.size());
     for (const PointId id : answer.at_risk) marks[order[id]] = 1;

@@ -1,5 +1,5 @@
 // One method on one text file, as the paper measures: the time to parse it and the time to find
-// who is at risk, over many repetitions, and the memory of the process.
+// which bees are at risk, over many repetitions, and the memory of the process.
 //
 //   compare_paper_table hash|kdtree|octree|beespace FILE SECONDS
 //
@@ -40,8 +40,8 @@ struct Answered {
   double find_mb = 0.0;
 };
 
-// Parses and finds once more, and notes what it cost. `ids` names those found, which is not timed:
-// the paper's program does not.
+// Parses and finds once more, and records the cost. `ids` names the found ones, which is not timed:
+// the paper's program does not do it.
 template <class Parse, class Find, class Ids>
 void repeat(Answered& result, Parse&& parse, Find&& find, Ids&& ids) {
   const bool first = result.parse_ms.empty();

@@ -1,4 +1,4 @@
-// The questions to any search structure of the Point Cloud Library: its trees share their calls.
+// The questions as calls of any search structure of the Point Cloud Library: its trees share them.
 #pragma once
 
 #include <beespace/nearest.hpp>

@@ -1,4 +1,4 @@
-"""What is compared: the swarms, the contenders, and who is asked what about which swarm."""
+"""What is compared: the swarms, the contenders, and which contender is asked what about which swarm."""
 
 import math
 from dataclasses import dataclass, replace

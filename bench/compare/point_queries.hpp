@@ -11,10 +11,11 @@
 
 namespace beespace::compare {
 
-// Asks `index` about each point of `order`, which names every point once. An index has
-//   bool has_other(PointId self)                     whether anybody else is closer than the
-//   threshold void visit_near(PointId self, Visit&& visit)     calls visit(id) for all who are
-//   (self may be one) std::uint32_t count_others(PointId self)         how many others they are
+// Queries `index` for each point of `order`, which names every point once. An index has
+//   bool has_other(PointId self)                    whether another point is within the threshold
+//   void visit_near(PointId self, Visit&& visit)    calls visit(id) for each such point (`self` may
+//                                                   be one of them)
+//   std::uint32_t count_others(PointId self)        how many others are within the threshold
 //   Nearest nearest_other(PointId self)
 template <class Index>
 Answer answer_point_by_point(Question question, const std::vector<PointId>& order, Index&& index) {

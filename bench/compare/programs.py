@@ -57,7 +57,7 @@ class Programs:
     def measure(self, contender, mode, question, points, swarm):
         """One contender on one question: its row, or a row that says how it failed.
 
-        `mode` is "keep" for whoever sets the reference answer, "ask" for all others.
+        `mode` is "keep" for the contender that sets the reference answer, "ask" for all others.
         """
         reference = self._workspace / f"{question}.reference"
         command = self._command(contender) + [

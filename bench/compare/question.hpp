@@ -1,4 +1,4 @@
-// The four questions that every contender of the comparison may be asked.
+// The four questions of the comparison.
 #pragma once
 
 #include <array>

@@ -7,9 +7,9 @@ import plan
 from results import Results, percent, rounded, thousands
 
 QUESTION_TITLES = {
-    "at_risk": "At risk: who has anybody within X?",
+    "at_risk": "At risk: which bees have another within X?",
     "pairs": "Pairs: which two are within X of each other?",
-    "nearest": "Nearest: who is each one's nearest other?",
+    "nearest": "Nearest: which other is nearest to each?",
     "counts": "Counts: how many are within X of each?",
 }
 
@@ -81,7 +81,7 @@ def rounded_ratio(above, below):
 
 
 def question_table(results, question):
-    swarms = [name for name in results.swarm_names() if results.anybody(name, question)]
+    swarms = [name for name in results.swarm_names() if results.was_asked(name, question)]
     rows = []
     for contender in plan.CONTENDERS:
         times = [results.shown_time(swarm, question, contender.key) for swarm in swarms]
@@ -145,7 +145,7 @@ def exactness_section(results):
     header = ("contender", "arithmetic", "swarm", "question", "right answer", "too many or wrong",
               "missed", "off by")
     text = table(header, rows) if rows else "None of them.\n"
-    return f"""## Who is not exact
+    return f"""## Methods that are not exact
 
 Every answer is compared with beespace's, and on small swarms with brute force in exact arithmetic,
 before anything is timed. Contenders in float64 must agree, or the comparison fails:
@@ -222,7 +222,7 @@ def paper_section(results):
 
 Files of longitude, latitude and height: the first two and the last in the region of the course
 files, the third in one 20 times as wide, deep and high. *Parse* reads the text and fills the data
-structure, *find* says who is at risk at 100 m; mean (least … most) in milliseconds of processor
+structure, *find* gives the bees at risk at 100 m; mean (least … most) in milliseconds of processor
 time, memory of the whole process in MiB after each. As published: on a 2 GHz AMD A10-9700. Each of
 our repetitions starts from nothing. The paper's method hands out whole cells, without naming the
 bees in them one by one; the others name them.
@@ -230,7 +230,7 @@ bees in them one by one; the others name them.
 {table(("bees", "method", "parse, ms", "find, ms", "both", "repetitions", "MiB parsed",
         "MiB found"), times)}
 The paper's method takes 111,111 m for a degree of longitude and of latitude, and decides by boxes.
-Precision is the share of those it names who are at risk, recall the share of those at risk whom it
+Precision is the share of the named bees that are at risk, recall the share of the bees at risk that it
 names: first on its own metres, so that only the method counts, then on the Earth (WGS84).
 
 {table(("bees", "method", "found", "right", "precision", "recall", "right on Earth", "precision",

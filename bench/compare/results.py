@@ -68,7 +68,7 @@ class Results:
         return next((row["name"] for row in self._rows if row.get("contender") == contender),
                     contender)
 
-    def anybody(self, swarm, question):
+    def was_asked(self, swarm, question):
         return any(key[:2] == (swarm, question) for key in self._asked)
 
     def points(self, swarm):

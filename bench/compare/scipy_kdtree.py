@@ -16,7 +16,7 @@ import scipy
 from scipy.spatial import cKDTree
 
 LEAF_SIZE = 16
-NOBODY = numpy.uint32(0xFFFFFFFF)
+NONE = numpy.uint32(0xFFFFFFFF)
 NEAREST = numpy.dtype([("id", "<u4"), ("unused", "<u4"), ("distance_m", "<f8")])
 MOST_PAIRS_KEPT = 60_000_000
 

@@ -24,8 +24,8 @@ std::uint64_t spread(std::uint64_t bits) {
   return (bits | (bits << 2u)) & 0x1249'2492'4924'9249u;
 }
 
-// Least significant digit first; 11 bits a digit, the lowest 20 bits of the key left unsorted:
-// nobody feels them.
+// Least significant digit first; 11 bits a digit. The lowest 20 bits of the key are left unsorted:
+// their effect is too small to measure.
 void sort_by_key(std::vector<Keyed>& entries) {
   constexpr unsigned kDigitBits = 11;
   constexpr unsigned kKeyBits = 63;

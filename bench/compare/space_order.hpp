@@ -1,5 +1,5 @@
-// The order in which a competent user asks: along a curve that fills space, so that one query finds
-// in cache what the query before it left there.
+// The query order of a competent user: along a space-filling curve, so that one query finds in
+// cache what the query before it left there.
 #pragma once
 
 #include <beespace/point.hpp>

@@ -55,7 +55,7 @@ class HashTable {
     visit_near(self, [&](PointId other) { count += other != self ? 1 : 0; });
     return count;
   }
-  // Not a question that a hash of fixed cells can answer; never asked.
+  // A hash of fixed cells cannot answer this question; it is never asked.
   [[nodiscard]] static Nearest nearest_other(PointId /*self*/) { return {}; }
 
  private:
@@ -89,7 +89,7 @@ class HashTable {
     return static_cast<std::uint32_t>(static_cast<std::uint64_t>(hash) % (starts_.size() - 1));
   }
 
-  // Calls visit(id) for all who are near, `self` too, until it returns false; whether it never did.
+  // Calls visit(id) for each near point, `self` too, until it returns false; whether it never did.
   template <class Visit>
   bool each_near(PointId self, Visit&& visit) const {
     const Point& at = points_[self];
@@ -115,7 +115,7 @@ class HashTable {
       const double x = entry.point.x - at.x;
       const double y = entry.point.y - at.y;
       const double z = entry.point.z - at.z;
-      // Two of the 27 cells may share a bucket: whoever is near counts in its own cell only.
+      // Two of the 27 cells may share a bucket: a near point counts in its own cell only.
       if (x * x + y * y + z * z < squared_ && cell_of(entry.point) == cell && !visit(entry.id)) {
         return false;
       }

@@ -36,7 +36,7 @@ class TextKeyHash {
   };
   using Bees = std::list<Bee>;
 
-  // The cells whose bees are taken, whole, as the program does it: nobody is named one by one.
+  // The cells whose bees are taken as a whole, as the program does it: no bee is named singly.
   [[nodiscard]] std::vector<const Bees*> find() const {
     std::vector<const Bees*> taken;
     for (const auto& [text, bees] : cells_) {
@@ -45,7 +45,7 @@ class TextKeyHash {
     return taken;
   }
 
-  // Who that is, in the order of the table.
+  // The ids of these bees, in the order of the table.
   static std::vector<PointId> ids(const std::vector<const Bees*>& taken) {
     std::vector<PointId> ids;
     for (const Bees* bees : taken) {

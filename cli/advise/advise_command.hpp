@@ -1,13 +1,10 @@
 // `beespace advise`: its options, and what it does with them.
 #pragma once
 
+#include "cli/command_line/command.hpp"
 #include "cli/console/exit_code.hpp"
 
 #include <string>
-
-namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
-class App;
-}
 
 namespace beespace::cli {
 
@@ -31,8 +28,8 @@ struct AdviseCommandOptions {
   bool quiet = false;
 };
 
-// Adds the subcommand to the command; `options` must outlive the parsing.
-CLI::App* add_advise_command(CLI::App& command, AdviseCommandOptions& options);
+// `options` must outlive it.
+Command advise_command(AdviseCommandOptions& options);
 
 ExitCode run_advise(const AdviseCommandOptions& options);
 

@@ -1,11 +1,4 @@
 #include "cli/advise/advise_command.hpp"
-#include "cli/command_line/option_checks.hpp"
-
-#include <beespace/version.hpp>
-
-#include <CLI/CLI.hpp>
-
-#include <string>
 
 namespace beespace::cli {
 namespace {
@@ -54,91 +47,54 @@ constexpr const char* kDetails =
     "143\n"
     "terminated, 141 closed pipe.";
 
-void add_flight_options(CLI::App& advise, AdviseCommandOptions& options) {
-  advise.add_option("--speed", options.speed, "The greatest, in m/s (default: 10)")
-      ->type_name("SPEED")
-      ->group("Flight");
-  advise
-      .add_option("--acceleration", options.acceleration,
-                  "The greatest, in m/s^2 (default: 5); none:\nvelocities change at once")
-      ->type_name("A|none")
-      ->group("Flight");
-  advise.add_option("--step", options.step, "How long until the next advice (default: 0.1)")
-      ->type_name("SECONDS")
-      ->group("Flight");
+void add_flight_options(Command& advise, AdviseCommandOptions& options) {
+  advise.group("Flight");
+  advise.option("--speed", "SPEED", options.speed, "The greatest, in m/s (default: 10)");
+  advise.option("--acceleration", "A|none", options.acceleration,
+                "The greatest, in m/s^2 (default: 5); none:\nvelocities change at once");
+  advise.option("--step", "SECONDS", options.step, "How long until the next advice (default: 0.1)");
 }
 
-void add_prevention_options(CLI::App& advise, AdviseCommandOptions& options) {
-  advise.add_option("--threshold", options.threshold, "Closer than this is too close (default: 5)")
-      ->type_name("LENGTH")
-      ->group("Separation");
-  advise
-      .add_option("--uncertainty", options.uncertainty,
-                  "How far from where it is said to be a bee may be\n(default: 0)")
-      ->type_name("LENGTH")
-      ->group("Separation");
-  advise
-      .add_option("--obstacles", options.obstacles, "What stands in the way; - for standard input")
-      ->type_name("FILE")
-      ->group("Separation");
-  advise
-      .add_option("--clearance", options.clearance,
-                  "Closer than this to an obstacle is too close\n(default: 1)")
-      ->type_name("LENGTH")
-      ->group("Separation");
-  advise
-      .add_option("--intruders", options.intruders,
-                  "Who flies there and does not do as advised; - for\nstandard input")
-      ->type_name("FILE")
-      ->group("Separation");
-  advise
-      .add_option("--intruder-horizon", options.intruder_horizon,
-                  "How long intruders are taken to fly straight on\n(default: 10)")
-      ->type_name("SECONDS")
-      ->group("Separation");
-  CLI::Option* method =
-      advise
-          .add_option("--method", options.method,
-                      "Who keeps them apart (default: certified); orca and\nmvp, to compare with, "
-                      "promise nothing")
-          ->type_name("certified|orca|mvp")
-          ->group("Separation");
-  allow_only(*method, {"certified", "orca", "mvp"});
-  advise.add_option("--threads", options.threads, "How many threads work (default: 0, all)")
-      ->type_name("N")
-      ->group("Separation");
+void add_prevention_options(Command& advise, AdviseCommandOptions& options) {
+  advise.group("Separation");
+  advise.option("--threshold", "LENGTH", options.threshold,
+                "Closer than this is too close (default: 5)");
+  advise.option("--uncertainty", "LENGTH", options.uncertainty,
+                "How far from where it is said to be a bee may be\n(default: 0)");
+  advise.option("--obstacles", "FILE", options.obstacles,
+                "What stands in the way; - for standard input");
+  advise.option("--clearance", "LENGTH", options.clearance,
+                "Closer than this to an obstacle is too close\n(default: 1)");
+  advise.option("--intruders", "FILE", options.intruders,
+                "Who flies there and does not do as advised; - for\nstandard input");
+  advise.option("--intruder-horizon", "SECONDS", options.intruder_horizon,
+                "How long intruders are taken to fly straight on\n(default: 10)");
+  advise.choice("--method", options.method, {"certified", "orca", "mvp"},
+                "Who keeps them apart (default: certified); orca and\nmvp, to compare with, "
+                "promise nothing");
+  advise.option("--threads", "N", options.threads, "How many threads work (default: 0, all)");
 }
 
-void add_output_options(CLI::App& advise, AdviseCommandOptions& options) {
-  advise
-      .add_option("-o,--output", options.output,
-                  "Where the answer goes, by its ending .csv or .json,\nperhaps with .gz, in this "
-                  "form (default: standard\noutput)")
-      ->type_name("FILE")
-      ->group("Output");
-  advise.add_flag("--json", options.json, "One JSON document with everything in it")
-      ->group("Output");
-  advise
-      .add_flag("--fail-on-risk", options.fail_on_risk,
-                "Exit with 1 when somebody is not certified, or a\nconflict with an intruder lies "
-                "ahead")
-      ->group("Output");
-  advise.add_flag("--quiet", options.quiet, "No summary and no progress, only errors")
-      ->group("Output");
+void add_output_options(Command& advise, AdviseCommandOptions& options) {
+  advise.group("Output");
+  advise.option("-o,--output", "FILE", options.output,
+                "Where the answer goes, by its ending .csv or .json,\nperhaps with .gz, in this "
+                "form (default: standard\noutput)");
+  advise.flag("--json", options.json, "One JSON document with everything in it");
+  advise.flag("--fail-on-risk", options.fail_on_risk,
+              "Exit with 1 when somebody is not certified, or a\nconflict with an intruder lies "
+              "ahead");
+  advise.flag("--quiet", options.quiet, "No summary and no progress, only errors");
 }
 
 }  // namespace
 
-CLI::App* add_advise_command(CLI::App& command, AdviseCommandOptions& options) {
-  CLI::App* advise = command.add_subcommand("advise", kDescription);
-  advise->footer(kDetails);
-  advise->set_version_flag("--version", std::string(version()), "Print the version and exit");
-  advise->add_option("FILE", options.input, "What to read (default, or -: standard input)")
-      ->type_name(" ");
-  add_flight_options(*advise, options);
-  add_prevention_options(*advise, options);
-  add_output_options(*advise, options);
-  refuse_pointless_values(*advise);
+Command advise_command(AdviseCommandOptions& options) {
+  Command advise("advise", kDescription, kDetails, [&options] { return run_advise(options); });
+  advise.argument("FILE", options.input, "What to read (default, or -: standard input)");
+  add_flight_options(advise, options);
+  add_prevention_options(advise, options);
+  add_output_options(advise, options);
   return advise;
 }
 

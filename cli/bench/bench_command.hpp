@@ -1,13 +1,10 @@
 // `beespace bench`: a quick look at how fast the searches are on this machine.
 #pragma once
 
+#include "cli/command_line/command.hpp"
 #include "cli/console/exit_code.hpp"
 
 #include <string>
-
-namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
-class App;
-}
 
 namespace beespace::cli {
 
@@ -19,8 +16,8 @@ struct BenchOptions {
   bool quiet = false;
 };
 
-// Adds the subcommand to the command; `options` must outlive the parsing.
-CLI::App* add_bench_command(CLI::App& command, BenchOptions& options);
+// `options` must outlive it.
+Command bench_command(BenchOptions& options);
 
 ExitCode run_bench(const BenchOptions& options);
 

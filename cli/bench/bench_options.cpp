@@ -1,11 +1,4 @@
 #include "cli/bench/bench_command.hpp"
-#include "cli/command_line/option_checks.hpp"
-
-#include <beespace/version.hpp>
-
-#include <CLI/CLI.hpp>
-
-#include <string>
 
 namespace beespace::cli {
 namespace {
@@ -24,19 +17,13 @@ constexpr const char* kDetails =
 
 }  // namespace
 
-CLI::App* add_bench_command(CLI::App& command, BenchOptions& options) {
-  CLI::App* bench = command.add_subcommand("bench", kDescription);
-  bench->footer(kDetails);
-  bench->set_version_flag("--version", std::string(version()), "Print the version and exit");
-  bench->add_option("--points", options.points, "How many bees a swarm has (default: 200000)")
-      ->type_name("N");
-  bench
-      ->add_option("--threads", options.threads,
-                   "How many threads work beside the run with one (default: 0, all)")
-      ->type_name("N");
-  bench->add_flag("--json", options.json, "One JSON document instead of a table");
-  bench->add_flag("--quiet", options.quiet, "No explanations, only figures and errors");
-  refuse_pointless_values(*bench);
+Command bench_command(BenchOptions& options) {
+  Command bench("bench", kDescription, kDetails, [&options] { return run_bench(options); });
+  bench.option("--points", "N", options.points, "How many bees a swarm has (default: 200000)");
+  bench.option("--threads", "N", options.threads,
+               "How many threads work beside the run with one (default: 0, all)");
+  bench.flag("--json", options.json, "One JSON document instead of a table");
+  bench.flag("--quiet", options.quiet, "No explanations, only figures and errors");
   return bench;
 }
 

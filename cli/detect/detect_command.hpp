@@ -1,13 +1,10 @@
 // `beespace detect`: its options, and what it does with them.
 #pragma once
 
+#include "cli/command_line/command.hpp"
 #include "cli/console/exit_code.hpp"
 
 #include <string>
-
-namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
-class App;
-}
 
 namespace beespace::cli {
 
@@ -37,8 +34,8 @@ struct DetectOptions {
   bool quiet = false;
 };
 
-// Adds the subcommand to the command; `options` must outlive the parsing.
-CLI::App* add_detect_command(CLI::App& command, DetectOptions& options);
+// `options` must outlive it.
+Command detect_command(DetectOptions& options);
 
 ExitCode run_detect(const DetectOptions& options);
 

@@ -1,11 +1,6 @@
-#include "cli/command_line/option_checks.hpp"
 #include "cli/detect/detect_command.hpp"
 #include "cli/detect/reports/report.hpp"
 #include "cli/input/moving_options.hpp"
-
-#include <beespace/version.hpp>
-
-#include <CLI/CLI.hpp>
 
 #include <string>
 #include <vector>
@@ -54,98 +49,60 @@ std::vector<std::string> report_names() {
   return names;
 }
 
-void add_input_options(CLI::App& detect, DetectOptions& options) {
-  detect.add_option("FILE", options.input, "What to read (default, or -: standard input)")
-      ->type_name(" ");
-  detect.add_option("--others", options.others, "Compare with these, not with each other")
-      ->type_name("FILE")
-      ->group("Input");
-  CLI::Option* frame =
-      detect.add_option("--crs", options.frame, "Whether the input is in degrees or metres")
-          ->type_name("auto|wgs84|metres")
-          ->group("Input");
-  allow_only(*frame, {"auto", "wgs84", "metres"});
-  detect.add_option("--columns", options.columns, "By number or name: id=1,lon=2,lat=3,height=4")
-      ->type_name("LIST")
-      ->group("Input");
+void add_input_options(Command& detect, DetectOptions& options) {
+  detect.argument("FILE", options.input, "What to read (default, or -: standard input)");
+  detect.group("Input");
+  detect.option("--others", "FILE", options.others, "Compare with these, not with each other");
+  detect.choice("--crs", options.frame, {"auto", "wgs84", "metres"},
+                "Whether the input is in degrees or metres");
+  detect.option("--columns", "LIST", options.columns,
+                "By number or name: id=1,lon=2,lat=3,height=4");
   add_units_options(detect, options.units, options.heights);
-  CLI::Option* format = detect.add_option("--format", options.format, "How the input is written")
-                            ->type_name("auto|text|npy|bin")
-                            ->group("Input");
-  allow_only(*format, {"auto", "text", "npy", "bin"});
-  detect.add_flag("--skip-bad", options.skip_bad, "Leave bad records out and list them")
-      ->group("Input");
-  detect.add_flag("--unique-ids", options.unique_ids, "Refuse inputs in which an id comes again")
-      ->group("Input");
+  detect.choice("--format", options.format, {"auto", "text", "npy", "bin"},
+                "How the input is written");
+  detect.flag("--skip-bad", options.skip_bad, "Leave bad records out and list them");
+  detect.flag("--unique-ids", options.unique_ids, "Refuse inputs in which an id comes again");
 }
 
-void add_search_options(CLI::App& detect, DetectOptions& options) {
-  CLI::Option* report =
-      detect.add_option("--report", options.report, "What to find, see below (default: at-risk)")
-          ->type_name("WHAT")
-          ->group("Search");
-  allow_only(*report, report_names());
-  detect
-      .add_option("--threshold", options.threshold, "Closer than this is too close (default: 100)")
-      ->type_name("LENGTH")
-      ->group("Search");
-  detect
-      .add_option("--vertical", options.vertical,
-                  "Too close only if closer than this in height too;\nthe threshold is then "
-                  "horizontal. The distance shown\nis still that in a straight line, and the "
-                  "nearest is\nthe nearest of those in the cylinder")
-      ->type_name("LENGTH")
-      ->group("Search");
-  detect
-      .add_flag("--inclusive", options.inclusive, "A distance of exactly the threshold counts too")
-      ->group("Search");
-  detect
-      .add_flag("--at-risk-only", options.at_risk_only,
-                "Only who is at risk (neighbors, counts, nearest)")
-      ->group("Search");
-  detect
-      .add_option("--max-results", options.max_results,
-                  "Fail beyond so many (pairs, neighbors; default: no limit)")
-      ->type_name("N")
-      ->group("Search");
-  detect.add_option("--threads", options.threads, "How many threads work (default: 0, all)")
-      ->type_name("N")
-      ->group("Search");
+void add_search_options(Command& detect, DetectOptions& options) {
+  detect.group("Search");
+  detect.choice("--report", options.report, report_names(),
+                "What to find, see below (default: at-risk)", "WHAT");
+  detect.option("--threshold", "LENGTH", options.threshold,
+                "Closer than this is too close (default: 100)");
+  detect.option("--vertical", "LENGTH", options.vertical,
+                "Too close only if closer than this in height too;\nthe threshold is then "
+                "horizontal. The distance shown\nis still that in a straight line, and the "
+                "nearest is\nthe nearest of those in the cylinder");
+  detect.flag("--inclusive", options.inclusive, "A distance of exactly the threshold counts too");
+  detect.flag("--at-risk-only", options.at_risk_only,
+              "Only who is at risk (neighbors, counts, nearest)");
+  detect.option("--max-results", "N", options.max_results,
+                "Fail beyond so many (pairs, neighbors; default: no limit)");
+  detect.option("--threads", "N", options.threads, "How many threads work (default: 0, all)");
 }
 
-void add_output_options(CLI::App& detect, DetectOptions& options) {
-  detect
-      .add_option("-o,--output", options.output,
-                  "Where the answer goes, by its ending .csv, .json or\n.geojson, perhaps with "
-                  ".gz, in this form (default:\nstandard output)")
-      ->type_name("FILE")
-      ->group("Output");
-  detect.add_flag("--csv", options.csv, "The bees' records as they stand, with columns added")
-      ->group("Output");
-  detect.add_flag("--json", options.json, "One JSON document with everything in it")
-      ->group("Output");
-  detect
-      .add_flag("--geojson", options.geojson,
-                "Points or lines for map tools (input in degrees only)")
-      ->group("Output");
-  detect
-      .add_flag("--fail-on-risk", options.fail_on_risk,
-                "Exit with 1 when somebody is at risk, or records were\nleft out")
-      ->group("Output");
-  detect.add_flag("--quiet", options.quiet, "No summary and no progress, only errors")
-      ->group("Output");
+void add_output_options(Command& detect, DetectOptions& options) {
+  detect.group("Output");
+  detect.option("-o,--output", "FILE", options.output,
+                "Where the answer goes, by its ending .csv, .json or\n.geojson, perhaps with "
+                ".gz, in this form (default:\nstandard output)");
+  detect.flag("--csv", options.csv, "The bees' records as they stand, with columns added");
+  detect.flag("--json", options.json, "One JSON document with everything in it");
+  detect.flag("--geojson", options.geojson,
+              "Points or lines for map tools (input in degrees only)");
+  detect.flag("--fail-on-risk", options.fail_on_risk,
+              "Exit with 1 when somebody is at risk, or records were\nleft out");
+  detect.flag("--quiet", options.quiet, "No summary and no progress, only errors");
 }
 
 }  // namespace
 
-CLI::App* add_detect_command(CLI::App& command, DetectOptions& options) {
-  CLI::App* detect = command.add_subcommand("detect", kDescription);
-  detect->footer(kDetails);
-  detect->set_version_flag("--version", std::string(version()), "Print the version and exit");
-  add_input_options(*detect, options);
-  add_search_options(*detect, options);
-  add_output_options(*detect, options);
-  refuse_pointless_values(*detect);
+Command detect_command(DetectOptions& options) {
+  Command detect("detect", kDescription, kDetails, [&options] { return run_detect(options); });
+  add_input_options(detect, options);
+  add_search_options(detect, options);
+  add_output_options(detect, options);
   return detect;
 }
 

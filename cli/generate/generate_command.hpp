@@ -1,13 +1,10 @@
 // `beespace generate`: its options, and what it does with them.
 #pragma once
 
+#include "cli/command_line/command.hpp"
 #include "cli/console/exit_code.hpp"
 
 #include <string>
-
-namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
-class App;
-}
 
 namespace beespace::cli {
 
@@ -26,10 +23,11 @@ struct GenerateOptions {
   std::string seed = "1";
   std::string output = "-";
   std::string format;  // empty: by the output's ending
+  bool quiet = false;  // there is nothing to silence
 };
 
-// Adds the subcommand to the command; `options` must outlive the parsing.
-CLI::App* add_generate_command(CLI::App& command, GenerateOptions& options);
+// `options` must outlive it.
+Command generate_command(GenerateOptions& options);
 
 ExitCode run_generate(const GenerateOptions& options);
 

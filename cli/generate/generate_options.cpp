@@ -1,11 +1,4 @@
-#include "cli/command_line/option_checks.hpp"
 #include "cli/generate/generate_command.hpp"
-
-#include <beespace/version.hpp>
-
-#include <CLI/CLI.hpp>
-
-#include <string>
 
 namespace beespace::cli {
 namespace {
@@ -38,89 +31,55 @@ constexpr const char* kDetails =
     "  beespace generate --scene flight --points 1000 | beespace predict --threshold 10\n"
     "  beespace generate --scene head-on --points 20 --duration 60 | beespace replay";
 
-void add_swarm_options(CLI::App& generate, GenerateOptions& options) {
-  generate.add_option("--points", options.points, "How many bees")
-      ->required()
-      ->type_name("N")
-      ->group("Swarm");
-  CLI::Option* scene =
-      generate
-          .add_option("--scene", options.scene, "How they are spread, and how they fly: see below")
-          ->type_name("SCENE")
-          ->group("Swarm");
-  allow_only(*scene, {"uniform", "clusters", "area", "flight", "head-on", "crossing", "sphere-swap",
-                      "encounters"});
-  generate
-      .add_option("--size", options.size,
+void add_swarm_options(Command& generate, GenerateOptions& options) {
+  generate.group("Swarm");
+  generate.option("--points", "N", options.points, "How many bees").required = true;
+  generate.choice(
+      "--scene", options.scene,
+      {"uniform", "clusters", "area", "flight", "head-on", "crossing", "sphere-swap", "encounters"},
+      "How they are spread, and how they fly: see below", "SCENE");
+  generate.option("--size", "SIDE|AxBxC", options.size,
                   "The box, or its side, or the diameter of the\nsphere, in metres (default: "
-                  "12800, or 1000 for\nbees that fly)")
-      ->type_name("SIDE|AxBxC")
-      ->group("Swarm");
-  generate.add_option("--clusters", options.clusters, "How many centres (default: 100)")
-      ->type_name("N")
-      ->group("Swarm");
-  generate
-      .add_option("--sigma", options.sigma, "How far from their centre bees are (default: 200)")
-      ->type_name("LENGTH")
-      ->group("Swarm");
-  generate.add_option("--area", options.area, "A part of the Earth: medellin")
-      ->type_name("NAME")
-      ->group("Swarm");
-  generate.add_option("--seed", options.seed, "Another number, another swarm (default: 1)")
-      ->type_name("N")
-      ->group("Swarm");
+                  "12800, or 1000 for\nbees that fly)");
+  generate.option("--clusters", "N", options.clusters, "How many centres (default: 100)");
+  generate.option("--sigma", "LENGTH", options.sigma,
+                  "How far from their centre bees are (default: 200)");
+  generate.option("--area", "NAME", options.area, "A part of the Earth: medellin");
+  generate.option("--seed", "N", options.seed, "Another number, another swarm (default: 1)");
 }
 
-void add_flight_options(CLI::App& generate, GenerateOptions& options) {
-  generate
-      .add_option("--speed", options.speed,
-                  "How fast bees fly, in metres per second\n(default: 5-20)")
-      ->type_name("SPEED|LOW-HIGH")
-      ->group("Flight");
-  generate
-      .add_option("--miss", options.miss,
+void add_flight_options(Command& generate, GenerateOptions& options) {
+  generate.group("Flight");
+  generate.option("--speed", "SPEED|LOW-HIGH", options.speed,
+                  "How fast bees fly, in metres per second\n(default: 5-20)");
+  generate.option("--miss", "LENGTH", options.miss,
                   "How far apart the pairs of head-on pass, and at\nmost those of encounters "
-                  "(default: 10)")
-      ->type_name("LENGTH")
-      ->group("Flight");
-  generate
-      .add_option("--duration", options.duration,
-                  "Write a recording that lasts so long\n(default: everybody at one instant)")
-      ->type_name("SECONDS")
-      ->group("Flight");
-  generate
-      .add_option("--interval", options.interval,
-                  "About how long from fix to fix of a bee (default: 1)")
-      ->type_name("SECONDS")
-      ->group("Flight");
+                  "(default: 10)");
+  generate.option("--duration", "SECONDS", options.duration,
+                  "Write a recording that lasts so long\n(default: everybody at one instant)");
+  generate.option("--interval", "SECONDS", options.interval,
+                  "About how long from fix to fix of a bee (default: 1)");
 }
 
-void add_output_options(CLI::App& generate, GenerateOptions& options) {
-  generate
-      .add_option("-o,--output", options.output, "Where the swarm goes (default: standard output)")
-      ->type_name("FILE")
-      ->group("Output");
-  CLI::Option* format =
-      generate.add_option("--format", options.format, "Where the ending does not say")
-          ->type_name("csv|tsv|npy|bin[.gz]")
-          ->group("Output");
-  allow_only(*format, {"csv", "tsv", "npy", "bin", "csv.gz", "tsv.gz", "npy.gz", "bin.gz"});
+void add_output_options(Command& generate, GenerateOptions& options) {
+  generate.group("Output");
+  generate.option("-o,--output", "FILE", options.output,
+                  "Where the swarm goes (default: standard output)");
+  generate.choice("--format", options.format,
+                  {"csv", "tsv", "npy", "bin", "csv.gz", "tsv.gz", "npy.gz", "bin.gz"},
+                  "Where the ending does not say", "csv|tsv|npy|bin[.gz]");
   // There is nothing to silence; scripts may say it to all subcommands alike.
-  generate.add_flag("--quiet")
-      ->description("Only errors; generate never says more")
-      ->group("Output");
+  generate.flag("--quiet", options.quiet, "Only errors; generate never says more");
 }
 
 }  // namespace
 
-CLI::App* add_generate_command(CLI::App& command, GenerateOptions& options) {
-  CLI::App* generate = command.add_subcommand("generate", kDescription);
-  generate->footer(kDetails);
-  generate->set_version_flag("--version", std::string(version()), "Print the version and exit");
-  add_swarm_options(*generate, options);
-  add_flight_options(*generate, options);
-  add_output_options(*generate, options);
-  refuse_pointless_values(*generate);
+Command generate_command(GenerateOptions& options) {
+  Command generate("generate", kDescription, kDetails,
+                   [&options] { return run_generate(options); });
+  add_swarm_options(generate, options);
+  add_flight_options(generate, options);
+  add_output_options(generate, options);
   return generate;
 }
 

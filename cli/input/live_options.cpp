@@ -2,29 +2,19 @@
 
 #include "cli/command_line/option_values.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <optional>
 #include <tuple>
 
 namespace beespace::cli {
 
-void add_live_options(CLI::App& command, LiveOptions& options, const char* group) {
-  command
-      .add_option("--horizon", options.horizon,
-                  "How far to look ahead (default: 10; 0: not at all)")
-      ->type_name("SECONDS")
-      ->group(group);
-  command
-      .add_option("--leave-factor", options.leave_factor,
-                  "Bees leave a conflict at the threshold times this\n(default: 1.1)")
-      ->type_name("FACTOR")
-      ->group(group);
-  command
-      .add_option("--look-every", options.look_every,
-                  "How often to look, by the reports' clock\n(default: 0.1)")
-      ->type_name("SECONDS")
-      ->group(group);
+void add_live_options(Command& command, LiveOptions& options, const char* group) {
+  command.group(group);
+  command.option("--horizon", "SECONDS", options.horizon,
+                 "How far to look ahead (default: 10; 0: not at all)");
+  command.option("--leave-factor", "FACTOR", options.leave_factor,
+                 "Bees leave a conflict at the threshold times this\n(default: 1.1)");
+  command.option("--look-every", "SECONDS", options.look_every,
+                 "How often to look, by the reports' clock\n(default: 0.1)");
 }
 
 Result<LiveRequest> live_request(const char* command, const LiveOptions& options) {

@@ -1,15 +1,13 @@
 // What the live swarm is told by `watch` and by `replay --report events`.
 #pragma once
 
+#include "cli/command_line/command.hpp"
+
 #include <beespace/result.hpp>
 #include <beespace/swarm.hpp>
 
 #include <algorithm>
 #include <string>
-
-namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
-class App;
-}
 
 namespace beespace::cli {
 
@@ -33,7 +31,7 @@ constexpr double default_max_skew_s(double max_age_s) {
   return std::min(2.0, 0.5 * max_age_s);
 }
 
-void add_live_options(CLI::App& command, LiveOptions& options, const char* group);
+void add_live_options(Command& command, LiveOptions& options, const char* group);
 
 Result<LiveRequest> live_request(const char* command, const LiveOptions& options);
 

@@ -1,14 +1,12 @@
 #include "cli/input/moving_options.hpp"
 
-#include "cli/command_line/option_checks.hpp"
 #include "cli/command_line/option_values.hpp"
 #include "cli/console/terminal.hpp"
-#include "cli/input/max_gap_option.hpp"
 #include "io/bytes/number_text.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace beespace::cli {
@@ -43,95 +41,78 @@ Result<io::RecordingOptions> recording_options(const char* command, const Readin
   return load;
 }
 
-void add_units_options(CLI::App& command, std::string& units, std::string& heights) {
-  command
-      .add_option("--units", units,
-                  "Where the header names none: height=ft,speed=kt,\nclimb=ft/min, position=m")
-      ->type_name("LIST")
-      ->group("Input");
-  CLI::Option* option =
-      command
-          .add_option("--heights", heights, "Of several heights, which to take (aircraft, tables)")
-          ->type_name("auto|geometric|pressure")
-          ->group("Input");
-  allow_only(*option, {"auto", "geometric", "pressure"});
+void add_units_options(Command& command, std::string& units, std::string& heights) {
+  command.group("Input");
+  command.option("--units", "LIST", units,
+                 "Where the header names none: height=ft,speed=kt,\nclimb=ft/min, position=m");
+  command.choice("--heights", heights, {"auto", "geometric", "pressure"},
+                 "Of several heights, which to take (aircraft, tables)");
 }
 
-void add_input_options(CLI::App& command, MovingOptions& options) {
-  CLI::Option* frame =
-      command.add_option("--crs", options.frame, "Whether positions are in degrees or metres")
-          ->type_name("auto|wgs84|metres")
-          ->group("Input");
-  allow_only(*frame, {"auto", "wgs84", "metres"});
-  command
-      .add_option("--columns", options.columns, "By number or name: id=1,time=2,x=3,y=4,z=5,vx=6")
-      ->type_name("LIST")
-      ->group("Input");
-  CLI::Option* unit =
-      command
-          .add_option("--time-unit", options.time_unit, "Of times, where the input does not say")
-          ->type_name("auto|s|ms|us|ns")
-          ->group("Input");
-  allow_only(*unit, {"auto", "s", "ms", "us", "ns"});
-  command
-      .add_flag("--grounded", options.grounded,
-                "Count those that stand on the ground as well (shows, aircraft)")
-      ->group("Input");
+void add_input_options(Command& command, MovingOptions& options) {
+  command.group("Input");
+  command.choice("--crs", options.frame, {"auto", "wgs84", "metres"},
+                 "Whether positions are in degrees or metres");
+  command.option("--columns", "LIST", options.columns,
+                 "By number or name: id=1,time=2,x=3,y=4,z=5,vx=6");
+  command.choice("--time-unit", options.time_unit, {"auto", "s", "ms", "us", "ns"},
+                 "Of times, where the input does not say");
+  command.flag("--grounded", options.grounded,
+               "Count those that stand on the ground as well (shows, aircraft)");
   add_units_options(command, options.units, options.heights);
-  command.add_flag("--skip-bad", options.skip_bad, "Leave bad records out and list them")
-      ->group("Input");
+  command.flag("--skip-bad", options.skip_bad, "Leave bad records out and list them");
 }
 
-void add_gap_options(CLI::App& command, std::string& max_gap, std::string& tolerance) {
+void add_max_gap_option(Command& command, std::string& max_gap, const char* group) {
+  command.group(group);
+  command.option("--max-gap", "SECONDS|never", max_gap,
+                 "Unknown between fixes farther apart in time\n(default: 5 times the typical "
+                 "interval)");
+}
+
+Result<std::optional<double>> read_max_gap(const char* command, const std::string& text) {
+  if (text.empty()) return std::optional<double>();
+  if (text == "never") return std::optional<double>(std::numeric_limits<double>::infinity());
+  const auto seconds = io::parse_number(text);
+  if (seconds && *seconds > 0.0 && std::isfinite(*seconds)) return std::optional<double>(*seconds);
+  return usage_error(command,
+                     "--max-gap '" + text + "' is not a number of seconds above 0, nor 'never'");
+}
+
+void add_gap_options(Command& command, std::string& max_gap, std::string& tolerance) {
   add_max_gap_option(command, max_gap, "Input");
-  command.add_option("--tolerance", tolerance, "How closely to follow curves (default: 0.001)")
-      ->type_name("LENGTH")
-      ->group("Input");
+  command.group("Input");
+  command.option("--tolerance", "LENGTH", tolerance,
+                 "How closely to follow curves (default: 0.001)");
 }
 
-void add_threshold_options(CLI::App& command, MovingOptions& options) {
-  command
-      .add_option("--threshold", options.threshold,
-                  "Closer than this is too close (default: what the\ninput declares, or 100)")
-      ->type_name("LENGTH")
-      ->group("Separation");
-  command.add_option("--vertical", options.vertical, kVerticalHelp)
-      ->type_name("LENGTH")
-      ->group("Separation");
-  command
-      .add_flag("--inclusive", options.inclusive, "A distance of exactly the threshold counts too")
-      ->group("Separation");
-  command.add_option("--threads", options.threads, "How many threads work (default: 0, all)")
-      ->type_name("N")
-      ->group("Separation");
+void add_threshold_options(Command& command, MovingOptions& options) {
+  command.group("Separation");
+  command.option("--threshold", "LENGTH", options.threshold,
+                 "Closer than this is too close (default: what the\ninput declares, or 100)");
+  command.option("--vertical", "LENGTH", options.vertical, kVerticalHelp);
+  command.flag("--inclusive", options.inclusive, "A distance of exactly the threshold counts too");
+  command.option("--threads", "N", options.threads, "How many threads work (default: 0, all)");
 }
 
-void add_separation_options(CLI::App& command, MovingOptions& options) {
+void add_separation_options(Command& command, MovingOptions& options) {
   add_threshold_options(command, options);
-  command
-      .add_option("--max-results", options.max_results,
-                  "Fail beyond so many conflicts (default: no limit)")
-      ->type_name("N")
-      ->group("Separation");
+  command.group("Separation");
+  command.option("--max-results", "N", options.max_results,
+                 "Fail beyond so many conflicts (default: no limit)");
 }
 
-void add_output_options(CLI::App& command, MovingOptions& options) {
-  command
-      .add_option("-o,--output", options.output,
-                  "Where the answer goes, by its ending .csv or .json,\nperhaps with .gz, in this "
-                  "form (default: standard\noutput)")
-      ->type_name("FILE")
-      ->group("Output");
-  command.add_flag("--csv", options.csv, "With a header, values between commas")->group("Output");
-  command.add_flag("--json", options.json, "One JSON document with everything in it")
-      ->group("Output");
-  command
-      .add_flag("--fail-on-risk", options.fail_on_risk,
-                "Exit with 1 when there is a conflict, or a gap or\nrecords that were left out may "
-                "hide one")
-      ->group("Output");
-  command.add_flag("--quiet", options.quiet, "No summary and no progress, only errors")
-      ->group("Output");
+void add_output_options(Command& command, MovingOptions& options) {
+  command.group("Output");
+  command.option("-o,--output", "FILE", options.output,
+                 "Where the answer goes, by its ending .csv or .json,\nperhaps with .gz, in this "
+                 "form (default: standard\noutput)");
+  command.flag("--csv", options.csv, "With a header, values between commas");
+  command.flag("--json", options.json, "One JSON document with everything in it");
+  command.flag("--fail-on-risk", options.fail_on_risk,
+               "Exit with 1 when there is a conflict, or a gap or\nrecords that were left out may "
+               "hide one");
+  command.flag("--quiet", options.quiet, "No summary and no progress, only errors");
 }
 
 Result<MovingRequest> moving_request(const char* command, const MovingOptions& options) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "analysis/scene/scene_request.hpp"
+#include "cli/command_line/command.hpp"
 #include "cli/output/output_form.hpp"
 #include "cli/output/rows.hpp"
 #include "io/recording/recording_options.hpp"
@@ -14,10 +15,6 @@
 #include <optional>
 #include <string>
 #include <vector>
-
-namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
-class App;
-}
 
 namespace beespace::cli {
 
@@ -79,15 +76,18 @@ struct ReadingOptions {
 // Errors: kInvalidArgument for units that are none.
 Result<io::RecordingOptions> recording_options(const char* command, const ReadingOptions& options);
 // --units and --heights.
-void add_units_options(CLI::App& command, std::string& units, std::string& heights);
+void add_units_options(Command& command, std::string& units, std::string& heights);
 
-void add_input_options(CLI::App& command, MovingOptions& options);
-// Of recordings.
-void add_gap_options(CLI::App& command, std::string& max_gap, std::string& tolerance);
-void add_threshold_options(CLI::App& command, MovingOptions& options);
+void add_input_options(Command& command, MovingOptions& options);
+// Of recordings. As typed it is nothing, "never" (infinite), or seconds above zero.
+void add_max_gap_option(Command& command, std::string& max_gap, const char* group);
+Result<std::optional<double>> read_max_gap(const char* command, const std::string& text);
+// That, and --tolerance.
+void add_gap_options(Command& command, std::string& max_gap, std::string& tolerance);
+void add_threshold_options(Command& command, MovingOptions& options);
 // The same, and how many conflicts there may be.
-void add_separation_options(CLI::App& command, MovingOptions& options);
-void add_output_options(CLI::App& command, MovingOptions& options);
+void add_separation_options(Command& command, MovingOptions& options);
+void add_output_options(Command& command, MovingOptions& options);
 
 Result<MovingRequest> moving_request(const char* command, const MovingOptions& options);
 

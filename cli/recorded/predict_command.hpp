@@ -1,6 +1,7 @@
 // `beespace predict`: its options, and what it does with them.
 #pragma once
 
+#include "cli/command_line/command.hpp"
 #include "cli/console/exit_code.hpp"
 #include "cli/input/moving_options.hpp"
 
@@ -15,8 +16,8 @@ struct PredictCommandOptions {
   std::string max_age = "30";
 };
 
-// Adds the subcommand to the command; `options` must outlive the parsing.
-CLI::App* add_predict_command(CLI::App& command, PredictCommandOptions& options);
+// `options` must outlive it.
+Command predict_command(PredictCommandOptions& options);
 
 ExitCode run_predict(const PredictCommandOptions& options);
 

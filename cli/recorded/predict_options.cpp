@@ -1,11 +1,4 @@
-#include "cli/command_line/option_checks.hpp"
 #include "cli/recorded/predict_command.hpp"
-
-#include <beespace/version.hpp>
-
-#include <CLI/CLI.hpp>
-
-#include <string>
 
 namespace beespace::cli {
 namespace {
@@ -39,25 +32,18 @@ constexpr const char* kDetails =
 
 }  // namespace
 
-CLI::App* add_predict_command(CLI::App& command, PredictCommandOptions& options) {
-  CLI::App* predict = command.add_subcommand("predict", kDescription);
-  predict->footer(kDetails);
-  predict->set_version_flag("--version", std::string(version()), "Print the version and exit");
-  predict->add_option("FILE", options.moving.inputs, "What to read (default, or -: standard input)")
-      ->type_name(" ")
-      ->expected(0, 1);
-  add_input_options(*predict, options.moving);
-  predict
-      ->add_option("--max-age", options.max_age,
-                   "Leave out who was not heard of for so long (default: 30)")
-      ->type_name("SECONDS")
-      ->group("Input");
-  add_separation_options(*predict, options.moving);
-  predict->add_option("--horizon", options.horizon, "How far to look ahead (default: 60)")
-      ->type_name("SECONDS")
-      ->group("Separation");
-  add_output_options(*predict, options.moving);
-  refuse_pointless_values(*predict);
+Command predict_command(PredictCommandOptions& options) {
+  Command predict("predict", kDescription, kDetails, [&options] { return run_predict(options); });
+  predict.arguments("FILE", options.moving.inputs, "What to read (default, or -: standard input)")
+      .takes = Option::Takes::kOne;
+  add_input_options(predict, options.moving);
+  predict.group("Input");
+  predict.option("--max-age", "SECONDS", options.max_age,
+                 "Leave out who was not heard of for so long (default: 30)");
+  add_separation_options(predict, options.moving);
+  predict.group("Separation");
+  predict.option("--horizon", "SECONDS", options.horizon, "How far to look ahead (default: 60)");
+  add_output_options(predict, options.moving);
   return predict;
 }
 

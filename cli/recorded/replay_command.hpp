@@ -1,6 +1,7 @@
 // `beespace replay`: its options, and what it does with them.
 #pragma once
 
+#include "cli/command_line/command.hpp"
 #include "cli/console/exit_code.hpp"
 #include "cli/input/live_options.hpp"
 #include "cli/input/moving_options.hpp"
@@ -19,8 +20,8 @@ struct ReplayOptions {
   LiveOptions live;
 };
 
-// Adds the subcommand to the command; `options` must outlive the parsing.
-CLI::App* add_replay_command(CLI::App& command, ReplayOptions& options);
+// `options` must outlive it.
+Command replay_command(ReplayOptions& options);
 
 ExitCode run_replay(const ReplayOptions& options);
 

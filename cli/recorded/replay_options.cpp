@@ -1,11 +1,4 @@
-#include "cli/command_line/option_checks.hpp"
 #include "cli/recorded/replay_command.hpp"
-
-#include <beespace/version.hpp>
-
-#include <CLI/CLI.hpp>
-
-#include <string>
 
 namespace beespace::cli {
 namespace {
@@ -60,28 +53,20 @@ constexpr const char* kDetails =
 
 }  // namespace
 
-CLI::App* add_replay_command(CLI::App& command, ReplayOptions& options) {
-  CLI::App* replay = command.add_subcommand("replay", kDescription);
-  replay->footer(kDetails);
-  replay->set_version_flag("--version", std::string(version()), "Print the version and exit");
-  replay
-      ->add_option("FILES", options.moving.inputs,
-                   "Files and folders to read (default, or -:\nstandard input)")
-      ->type_name(" ");
-  add_input_options(*replay, options.moving);
-  add_gap_options(*replay, options.max_gap, options.tolerance);
-  add_separation_options(*replay, options.moving);
-  CLI::Option* report =
-      replay->add_option("--report", options.report, "What to find, see below (default: conflicts)")
-          ->type_name("WHAT")
-          ->group("Separation");
-  allow_only(*report, {"conflicts", "bees", "separation", "events"});
-  replay->add_option("--every", options.every, "How often --report separation looks (default: 1)")
-      ->type_name("SECONDS")
-      ->group("Separation");
-  add_live_options(*replay, options.live, "Events");
-  add_output_options(*replay, options.moving);
-  refuse_pointless_values(*replay);
+Command replay_command(ReplayOptions& options) {
+  Command replay("replay", kDescription, kDetails, [&options] { return run_replay(options); });
+  replay.arguments("FILES", options.moving.inputs,
+                   "Files and folders to read (default, or -:\nstandard input)");
+  add_input_options(replay, options.moving);
+  add_gap_options(replay, options.max_gap, options.tolerance);
+  add_separation_options(replay, options.moving);
+  replay.group("Separation");
+  replay.choice("--report", options.report, {"conflicts", "bees", "separation", "events"},
+                "What to find, see below (default: conflicts)", "WHAT");
+  replay.option("--every", "SECONDS", options.every,
+                "How often --report separation looks (default: 1)");
+  add_live_options(replay, options.live, "Events");
+  add_output_options(replay, options.moving);
   return replay;
 }
 

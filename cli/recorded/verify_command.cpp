@@ -7,7 +7,6 @@
 #include "cli/console/progress_bar.hpp"
 #include "cli/console/stopwatch.hpp"
 #include "cli/console/terminal.hpp"
-#include "cli/input/max_gap_option.hpp"
 #include "cli/input/moving_output.hpp"
 #include "cli/input/obstacle_file.hpp"
 #include "cli/output/output_file.hpp"

@@ -1,6 +1,7 @@
 // `beespace verify`: its options, and what it does with them.
 #pragma once
 
+#include "cli/command_line/command.hpp"
 #include "cli/console/exit_code.hpp"
 #include "cli/input/moving_options.hpp"
 
@@ -19,8 +20,8 @@ struct VerifyCommandOptions {
   bool straight = false;
 };
 
-// Adds the subcommand to the command; `options` must outlive the parsing.
-CLI::App* add_verify_command(CLI::App& command, VerifyCommandOptions& options);
+// `options` must outlive it.
+Command verify_command(VerifyCommandOptions& options);
 
 ExitCode run_verify(const VerifyCommandOptions& options);
 

@@ -1,12 +1,4 @@
-#include "cli/command_line/option_checks.hpp"
-#include "cli/input/max_gap_option.hpp"
 #include "cli/recorded/verify_command.hpp"
-
-#include <beespace/version.hpp>
-
-#include <CLI/CLI.hpp>
-
-#include <string>
 
 namespace beespace::cli {
 namespace {
@@ -48,66 +40,42 @@ constexpr const char* kDetails =
     "at different times, 4 cannot open, read or write, 130 interrupted, 143 terminated, 141 closed "
     "pipe.";
 
-void add_check_options(CLI::App& verify, VerifyCommandOptions& options) {
-  verify
-      .add_option("--threshold", options.moving.threshold,
-                  "Closer than this is too close (default: what the\ninput declares, or 5)")
-      ->type_name("LENGTH")
-      ->group("Check");
-  verify.add_option("--max-speed", options.max_speed, "In m/s (default: not checked)")
-      ->type_name("SPEED")
-      ->group("Check");
-  verify
-      .add_option("--max-acceleration", options.max_acceleration,
-                  "In m/s^2 (default: not checked); needs velocities")
-      ->type_name("A")
-      ->group("Check");
-  verify
-      .add_option("--obstacles", options.obstacles,
-                  "What stands in the way: JSON, as of 'beespace\nsimulate'; of flights in metres")
-      ->type_name("FILE")
-      ->group("Check");
-  verify
-      .add_option("--clearance", options.clearance,
-                  "Closer than this to an obstacle is too close\n(default: 1)")
-      ->type_name("LENGTH")
-      ->group("Check");
+void add_check_options(Command& verify, VerifyCommandOptions& options) {
+  verify.group("Check");
+  verify.option("--threshold", "LENGTH", options.moving.threshold,
+                "Closer than this is too close (default: what the\ninput declares, or 5)");
+  verify.option("--max-speed", "SPEED", options.max_speed, "In m/s (default: not checked)");
+  verify.option("--max-acceleration", "A", options.max_acceleration,
+                "In m/s^2 (default: not checked); needs velocities");
+  verify.option("--obstacles", "FILE", options.obstacles,
+                "What stands in the way: JSON, as of 'beespace\nsimulate'; of flights in metres");
+  verify.option("--clearance", "LENGTH", options.clearance,
+                "Closer than this to an obstacle is too close\n(default: 1)");
   add_max_gap_option(verify, options.max_gap, "Check");
-  verify.add_flag("--straight", options.straight, "Straight lines, whatever the velocities")
-      ->group("Check");
-  verify.add_option("--threads", options.moving.threads, "How many threads work (default: 0, all)")
-      ->type_name("N")
-      ->group("Check");
+  verify.flag("--straight", options.straight, "Straight lines, whatever the velocities");
+  verify.option("--threads", "N", options.moving.threads,
+                "How many threads work (default: 0, all)");
 }
 
-void add_answer_options(CLI::App& verify, MovingOptions& options) {
-  verify
-      .add_option("-o,--output", options.output,
-                  "Where the answer goes, by its ending .csv or .json,\nperhaps with .gz, in this "
-                  "form (default: standard\noutput)")
-      ->type_name("FILE")
-      ->group("Output");
-  verify.add_flag("--csv", options.csv, "With a header, values between commas")->group("Output");
-  verify.add_flag("--json", options.json, "One JSON document with everything in it")
-      ->group("Output");
-  verify.add_flag("--quiet", options.quiet, "No summary and no progress, only errors")
-      ->group("Output");
+void add_answer_options(Command& verify, MovingOptions& options) {
+  verify.group("Output");
+  verify.option("-o,--output", "FILE", options.output,
+                "Where the answer goes, by its ending .csv or .json,\nperhaps with .gz, in this "
+                "form (default: standard\noutput)");
+  verify.flag("--csv", options.csv, "With a header, values between commas");
+  verify.flag("--json", options.json, "One JSON document with everything in it");
+  verify.flag("--quiet", options.quiet, "No summary and no progress, only errors");
 }
 
 }  // namespace
 
-CLI::App* add_verify_command(CLI::App& command, VerifyCommandOptions& options) {
-  CLI::App* verify = command.add_subcommand("verify", kDescription);
-  verify->footer(kDetails);
-  verify->set_version_flag("--version", std::string(version()), "Print the version and exit");
-  verify
-      ->add_option("FILES", options.moving.inputs,
-                   "Files and folders to read (default, or -:\nstandard input)")
-      ->type_name(" ");
-  add_input_options(*verify, options.moving);
-  add_check_options(*verify, options);
-  add_answer_options(*verify, options.moving);
-  refuse_pointless_values(*verify);
+Command verify_command(VerifyCommandOptions& options) {
+  Command verify("verify", kDescription, kDetails, [&options] { return run_verify(options); });
+  verify.arguments("FILES", options.moving.inputs,
+                   "Files and folders to read (default, or -:\nstandard input)");
+  add_input_options(verify, options.moving);
+  add_check_options(verify, options);
+  add_answer_options(verify, options.moving);
   return verify;
 }
 

@@ -1,6 +1,7 @@
 // `beespace export`: its options, and what it does with them.
 #pragma once
 
+#include "cli/command_line/command.hpp"
 #include "cli/console/exit_code.hpp"
 #include "cli/show/show_request.hpp"
 
@@ -14,8 +15,8 @@ struct ExportOptions {
   std::string format;
 };
 
-// Adds the subcommand to the command; `options` must outlive the parsing.
-CLI::App* add_export_command(CLI::App& command, ExportOptions& options);
+// `options` must outlive it.
+Command export_command(ExportOptions& options);
 
 ExitCode run_export(const ExportOptions& options);
 

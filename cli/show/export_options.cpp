@@ -1,11 +1,4 @@
-#include "cli/command_line/option_checks.hpp"
 #include "cli/show/export_command.hpp"
-
-#include <beespace/version.hpp>
-
-#include <CLI/CLI.hpp>
-
-#include <string>
 
 namespace beespace::cli {
 namespace {
@@ -37,38 +30,27 @@ constexpr const char* kDetails =
     "input,\n"
     "4 cannot open, read or write, 130 interrupted, 143 terminated, 141 closed pipe.";
 
-void add_file_options(CLI::App& command, ExportOptions& options) {
+void add_file_options(Command& command, ExportOptions& options) {
   MovingOptions& moving = options.scene.moving;
-  command
-      .add_option("-o,--output", moving.output,
-                  "Where it goes, by its ending .kml, .czml,\n.geojson or .csv (default, or -: "
-                  "standard output)")
-      ->type_name("FILE")
-      ->group("Output");
-  CLI::Option* format =
-      command.add_option("--format", options.format, "Where the ending does not say")
-          ->type_name("kml|czml|geojson|csv")
-          ->group("Output");
-  allow_only(*format, {"kml", "czml", "geojson", "csv"});
-  command.add_flag("--json", moving.json, "Say errors as JSON too")->group("Output");
-  command
-      .add_flag("--fail-on-risk", moving.fail_on_risk,
-                "Exit with 1 when somebody is at risk, or a gap or\nrecords that were left out may "
-                "hide it")
-      ->group("Output");
-  command.add_flag("--quiet", moving.quiet, "No summary and no progress, only errors")
-      ->group("Output");
+  command.group("Output");
+  command.option("-o,--output", "FILE", moving.output,
+                 "Where it goes, by its ending .kml, .czml,\n.geojson or .csv (default, or -: "
+                 "standard output)");
+  command.choice("--format", options.format, {"kml", "czml", "geojson", "csv"},
+                 "Where the ending does not say");
+  command.flag("--json", moving.json, "Say errors as JSON too");
+  command.flag("--fail-on-risk", moving.fail_on_risk,
+               "Exit with 1 when somebody is at risk, or a gap or\nrecords that were left out may "
+               "hide it");
+  command.flag("--quiet", moving.quiet, "No summary and no progress, only errors");
 }
 
 }  // namespace
 
-CLI::App* add_export_command(CLI::App& command, ExportOptions& options) {
-  CLI::App* subcommand = command.add_subcommand("export", kDescription);
-  subcommand->footer(kDetails);
-  subcommand->set_version_flag("--version", std::string(version()), "Print the version and exit");
-  add_scene_options(*subcommand, options.scene);
-  add_file_options(*subcommand, options);
-  refuse_pointless_values(*subcommand);
+Command export_command(ExportOptions& options) {
+  Command subcommand("export", kDescription, kDetails, [&options] { return run_export(options); });
+  add_scene_options(subcommand, options.scene);
+  add_file_options(subcommand, options);
   return subcommand;
 }
 

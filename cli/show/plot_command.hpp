@@ -1,6 +1,7 @@
 // `beespace plot`: its options, and what it does with them.
 #pragma once
 
+#include "cli/command_line/command.hpp"
 #include "cli/console/exit_code.hpp"
 #include "cli/show/show_request.hpp"
 
@@ -15,8 +16,8 @@ struct PlotOptions {
   std::string width = "1200";
 };
 
-// Adds the subcommand to the command; `options` must outlive the parsing.
-CLI::App* add_plot_command(CLI::App& command, PlotOptions& options);
+// `options` must outlive it.
+Command plot_command(PlotOptions& options);
 
 ExitCode run_plot(const PlotOptions& options);
 

@@ -1,11 +1,4 @@
-#include "cli/command_line/option_checks.hpp"
 #include "cli/show/plot_command.hpp"
-
-#include <beespace/version.hpp>
-
-#include <CLI/CLI.hpp>
-
-#include <string>
 
 namespace beespace::cli {
 namespace {
@@ -32,37 +25,28 @@ constexpr const char* kDetails =
     "input,\n"
     "4 cannot open, read or write, 130 interrupted, 143 terminated, 141 closed pipe.";
 
-void add_picture_options(CLI::App& plot, PlotOptions& options) {
+void add_picture_options(Command& plot, PlotOptions& options) {
   MovingOptions& moving = options.scene.moving;
-  plot.add_option("-o,--output", moving.output,
-                  "Where the picture goes, by its ending .svg or .png\n(default, or -: standard "
-                  "output, as SVG)")
-      ->type_name("FILE")
-      ->group("Output");
-  plot.add_option("--width", options.width, "So many pixels wide (default: 1200)")
-      ->type_name("PIXELS")
-      ->group("Output");
-  plot.add_option("--title", options.title, "What is above it (default: the name of the input)")
-      ->type_name("TEXT")
-      ->group("Output");
-  plot.add_flag("--json", moving.json, "Say errors as JSON too")->group("Output");
-  plot.add_flag("--fail-on-risk", moving.fail_on_risk,
-                "Exit with 1 when somebody is at risk, or a gap or\nrecords that were left out may "
-                "hide it")
-      ->group("Output");
-  plot.add_flag("--quiet", moving.quiet, "No summary and no progress, only errors")
-      ->group("Output");
+  plot.group("Output");
+  plot.option("-o,--output", "FILE", moving.output,
+              "Where the picture goes, by its ending .svg or .png\n(default, or -: standard "
+              "output, as SVG)");
+  plot.option("--width", "PIXELS", options.width, "So many pixels wide (default: 1200)");
+  plot.option("--title", "TEXT", options.title,
+              "What is above it (default: the name of the input)");
+  plot.flag("--json", moving.json, "Say errors as JSON too");
+  plot.flag("--fail-on-risk", moving.fail_on_risk,
+            "Exit with 1 when somebody is at risk, or a gap or\nrecords that were left out may "
+            "hide it");
+  plot.flag("--quiet", moving.quiet, "No summary and no progress, only errors");
 }
 
 }  // namespace
 
-CLI::App* add_plot_command(CLI::App& command, PlotOptions& options) {
-  CLI::App* plot = command.add_subcommand("plot", kDescription);
-  plot->footer(kDetails);
-  plot->set_version_flag("--version", std::string(version()), "Print the version and exit");
-  add_scene_options(*plot, options.scene);
-  add_picture_options(*plot, options);
-  refuse_pointless_values(*plot);
+Command plot_command(PlotOptions& options) {
+  Command plot("plot", kDescription, kDetails, [&options] { return run_plot(options); });
+  add_scene_options(plot, options.scene);
+  add_picture_options(plot, options);
   return plot;
 }
 

@@ -1,6 +1,7 @@
 // `beespace report`: its options, and what it does with them.
 #pragma once
 
+#include "cli/command_line/command.hpp"
 #include "cli/console/exit_code.hpp"
 #include "cli/show/show_request.hpp"
 
@@ -15,10 +16,10 @@ struct ReportOptions {
 };
 
 // What to read, what to compare it with, and what is too close: of `report` and `view`.
-void add_page_input_options(CLI::App& command, ReportOptions& options);
+void add_page_input_options(Command& command, ReportOptions& options);
 
-// Adds the subcommand to the command; `options` must outlive the parsing.
-CLI::App* add_report_command(CLI::App& command, ReportOptions& options);
+// `options` must outlive it.
+Command report_command(ReportOptions& options);
 
 ExitCode run_report(const ReportOptions& options);
 

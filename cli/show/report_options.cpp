@@ -1,11 +1,4 @@
-#include "cli/command_line/option_checks.hpp"
 #include "cli/show/report_command.hpp"
-
-#include <beespace/version.hpp>
-
-#include <CLI/CLI.hpp>
-
-#include <string>
 
 namespace beespace::cli {
 namespace {
@@ -31,40 +24,30 @@ constexpr const char* kDetails =
     "input,\n"
     "4 cannot open, read or write, 130 interrupted, 143 terminated, 141 closed pipe.";
 
-void add_page_options(CLI::App& report, MovingOptions& options) {
-  report
-      .add_option("-o,--output", options.output,
-                  "Where the page goes (default: standard output,\nwhich must not be a terminal)")
-      ->type_name("FILE")
-      ->group("Output");
-  report.add_flag("--json", options.json, "Say errors as JSON too")->group("Output");
-  report
-      .add_flag("--fail-on-risk", options.fail_on_risk,
-                "Exit with 1 when somebody is at risk, or a gap or\nrecords that were left out may "
-                "hide it")
-      ->group("Output");
-  report.add_flag("--quiet", options.quiet, "No summary and no progress, only errors")
-      ->group("Output");
+void add_page_options(Command& report, MovingOptions& options) {
+  report.group("Output");
+  report.option("-o,--output", "FILE", options.output,
+                "Where the page goes (default: standard output,\nwhich must not be a terminal)");
+  report.flag("--json", options.json, "Say errors as JSON too");
+  report.flag("--fail-on-risk", options.fail_on_risk,
+              "Exit with 1 when somebody is at risk, or a gap or\nrecords that were left out may "
+              "hide it");
+  report.flag("--quiet", options.quiet, "No summary and no progress, only errors");
 }
 
 }  // namespace
 
-void add_page_input_options(CLI::App& command, ReportOptions& options) {
+void add_page_input_options(Command& command, ReportOptions& options) {
   add_scene_options(command, options.scene);
-  command
-      .add_option("--compare", options.compare,
-                  "Show this beside it: what came before on the left,\nthis on the right")
-      ->type_name("FILE")
-      ->group("Input");
+  command.group("Input");
+  command.option("--compare", "FILE", options.compare,
+                 "Show this beside it: what came before on the left,\nthis on the right");
 }
 
-CLI::App* add_report_command(CLI::App& command, ReportOptions& options) {
-  CLI::App* report = command.add_subcommand("report", kDescription);
-  report->footer(kDetails);
-  report->set_version_flag("--version", std::string(version()), "Print the version and exit");
-  add_page_input_options(*report, options);
-  add_page_options(*report, options.scene.moving);
-  refuse_pointless_values(*report);
+Command report_command(ReportOptions& options) {
+  Command report("report", kDescription, kDetails, [&options] { return run_report(options); });
+  add_page_input_options(report, options);
+  add_page_options(report, options.scene.moving);
   return report;
 }
 

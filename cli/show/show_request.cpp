@@ -1,19 +1,14 @@
 #include "cli/show/show_request.hpp"
 
 #include "cli/command_line/option_values.hpp"
-#include "cli/input/max_gap_option.hpp"
-
-#include <CLI/CLI.hpp>
 
 #include <utility>
 
 namespace beespace::cli {
 
-void add_scene_options(CLI::App& command, SceneOptions& options) {
-  command
-      .add_option("FILES", options.moving.inputs,
-                  "Files and folders to read (default, or -:\nstandard input)")
-      ->type_name(" ");
+void add_scene_options(Command& command, SceneOptions& options) {
+  command.arguments("FILES", options.moving.inputs,
+                    "Files and folders to read (default, or -:\nstandard input)");
   add_input_options(command, options.moving);
   add_gap_options(command, options.max_gap, options.tolerance);
   add_threshold_options(command, options.moving);

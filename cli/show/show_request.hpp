@@ -2,16 +2,13 @@
 #pragma once
 
 #include "analysis/scene/scene_request.hpp"
+#include "cli/command_line/command.hpp"
 #include "cli/input/moving_options.hpp"
 
 #include <beespace/result.hpp>
 
 #include <string>
 #include <vector>
-
-namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
-class App;
-}
 
 namespace beespace::cli {
 
@@ -32,7 +29,7 @@ struct ShowRequest {
 };
 
 // FILES and what --help says of reading and of the separation.
-void add_scene_options(CLI::App& command, SceneOptions& options);
+void add_scene_options(Command& command, SceneOptions& options);
 
 Result<ShowRequest> show_request(const char* command, const SceneOptions& options);
 

@@ -1,6 +1,5 @@
 #include "cli/show/view_command.hpp"
 
-#include "cli/command_line/option_checks.hpp"
 #include "cli/command_line/option_values.hpp"
 #include "cli/console/failure.hpp"
 #include "cli/console/progress_bar.hpp"
@@ -11,10 +10,6 @@
 #include "cli/show/page_server.hpp"
 #include "cli/show/scene_summary.hpp"
 #include "io/bytes/number_text.hpp"
-
-#include <beespace/version.hpp>
-
-#include <CLI/CLI.hpp>
 
 #include <cstdint>
 #include <limits>
@@ -94,21 +89,15 @@ Result<ExitCode> view(const ViewOptions& options, const ShowRequest& request) {
 
 }  // namespace
 
-CLI::App* add_view_command(CLI::App& command, ViewOptions& options) {
-  CLI::App* view = command.add_subcommand("view", kDescription);
-  view->footer(kDetails);
-  view->set_version_flag("--version", std::string(version()), "Print the version and exit");
-  add_page_input_options(*view, options.report);
-  view->add_flag("--no-open", options.no_open, "Do not open a browser, only print the address")
-      ->group("Output");
-  view->add_option("--port", options.port, "Of 127.0.0.1, to serve at (default: 0, a free one)")
-      ->type_name("N")
-      ->group("Output");
+Command view_command(ViewOptions& options) {
+  Command view("view", kDescription, kDetails, [&options] { return run_view(options); });
+  add_page_input_options(view, options.report);
+  view.group("Output");
+  view.flag("--no-open", options.no_open, "Do not open a browser, only print the address");
+  view.option("--port", "N", options.port, "Of 127.0.0.1, to serve at (default: 0, a free one)");
   MovingOptions& moving = options.report.scene.moving;
-  view->add_flag("--json", moving.json, "Say errors as JSON too")->group("Output");
-  view->add_flag("--quiet", moving.quiet, "No summary and no progress, only the address and errors")
-      ->group("Output");
-  refuse_pointless_values(*view);
+  view.flag("--json", moving.json, "Say errors as JSON too");
+  view.flag("--quiet", moving.quiet, "No summary and no progress, only the address and errors");
   return view;
 }
 

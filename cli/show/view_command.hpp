@@ -1,6 +1,7 @@
 // `beespace view`: its options, and what it does with them.
 #pragma once
 
+#include "cli/command_line/command.hpp"
 #include "cli/console/exit_code.hpp"
 #include "cli/show/report_command.hpp"
 
@@ -15,8 +16,8 @@ struct ViewOptions {
   bool no_open = false;
 };
 
-// Adds the subcommand to the command; `options` must outlive the parsing.
-CLI::App* add_view_command(CLI::App& command, ViewOptions& options);
+// `options` must outlive it.
+Command view_command(ViewOptions& options);
 
 ExitCode run_view(const ViewOptions& options);
 

@@ -1,13 +1,10 @@
 // `beespace simulate`: its options, and what it does with them.
 #pragma once
 
+#include "cli/command_line/command.hpp"
 #include "cli/console/exit_code.hpp"
 
 #include <string>
-
-namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
-class App;
-}
 
 namespace beespace::cli {
 
@@ -32,8 +29,8 @@ struct SimulateOptions {
   bool quiet = false;
 };
 
-// Adds the subcommand to the command; `options` must outlive the parsing.
-CLI::App* add_simulate_command(CLI::App& command, SimulateOptions& options);
+// `options` must outlive it.
+Command simulate_command(SimulateOptions& options);
 
 ExitCode run_simulate(const SimulateOptions& options);
 

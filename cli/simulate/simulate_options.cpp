@@ -1,12 +1,5 @@
-#include "cli/command_line/option_checks.hpp"
 #include "cli/simulate/simulate_command.hpp"
 #include "cli/simulate/simulate_scenarios.hpp"
-
-#include <beespace/version.hpp>
-
-#include <CLI/CLI.hpp>
-
-#include <string>
 
 namespace beespace::cli {
 namespace {
@@ -63,97 +56,61 @@ constexpr const char* kDetails =
     "input,\n"
     "4 cannot open, read or write, 130 interrupted, 143 terminated, 141 closed pipe.";
 
-void add_flight_options(CLI::App& simulate, SimulateOptions& options) {
-  simulate.add_option("--bees", options.bees, "How many (default: 1000; head-on is always of two)")
-      ->type_name("N")
-      ->group("Scenario");
-  simulate
-      .add_option("--spacing", options.spacing,
+void add_flight_options(Command& simulate, SimulateOptions& options) {
+  simulate.group("Scenario");
+  simulate.option("--bees", "N", options.bees,
+                  "How many (default: 1000; head-on is always of two)");
+  simulate.option("--spacing", "LENGTH", options.spacing,
                   "About how far apart they begin (default: three\ntimes the threshold; of head-on "
-                  "20 times)")
-      ->type_name("LENGTH")
-      ->group("Scenario");
-  simulate.add_option("--seed", options.seed, "Another number, another swarm (default: 1)")
-      ->type_name("N")
-      ->group("Scenario");
-  simulate.add_option("--speed", options.speed, "The greatest, in m/s (default: 10)")
-      ->type_name("SPEED")
-      ->group("Flight");
-  simulate
-      .add_option("--acceleration", options.acceleration,
-                  "The greatest, in m/s^2 (default: 5); none:\nvelocities change at once")
-      ->type_name("A|none")
-      ->group("Flight");
-  simulate.add_option("--step", options.step, "How long a step is (default: 0.1)")
-      ->type_name("SECONDS")
-      ->group("Flight");
-  simulate.add_option("--steps", options.steps, "The most steps to fly (default: 1000)")
-      ->type_name("N")
-      ->group("Flight");
+                  "20 times)");
+  simulate.option("--seed", "N", options.seed, "Another number, another swarm (default: 1)");
+  simulate.group("Flight");
+  simulate.option("--speed", "SPEED", options.speed, "The greatest, in m/s (default: 10)");
+  simulate.option("--acceleration", "A|none", options.acceleration,
+                  "The greatest, in m/s^2 (default: 5); none:\nvelocities change at once");
+  simulate.option("--step", "SECONDS", options.step, "How long a step is (default: 0.1)");
+  simulate.option("--steps", "N", options.steps, "The most steps to fly (default: 1000)");
 }
 
-void add_prevention_options(CLI::App& simulate, SimulateOptions& options) {
-  simulate
-      .add_option("--threshold", options.threshold, "Closer than this is too close (default: 5)")
-      ->type_name("LENGTH")
-      ->group("Separation");
-  CLI::Option* method =
-      simulate
-          .add_option("--method", options.method,
-                      "Who keeps them apart (default: certified); with\nnone everybody flies as it "
-                      "likes; orca and mvp, to\ncompare with, promise nothing and know of no "
-                      "obstacles")
-          ->type_name("certified|orca|mvp|none")
-          ->group("Separation");
-  allow_only(*method, {"certified", "orca", "mvp", "none"});
-  simulate
-      .add_option("--obstacles", options.obstacles,
+void add_prevention_options(Command& simulate, SimulateOptions& options) {
+  simulate.group("Separation");
+  simulate.option("--threshold", "LENGTH", options.threshold,
+                  "Closer than this is too close (default: 5)");
+  simulate.choice("--method", options.method, {"certified", "orca", "mvp", "none"},
+                  "Who keeps them apart (default: certified); with\nnone everybody flies as it "
+                  "likes; orca and mvp, to\ncompare with, promise nothing and know of no "
+                  "obstacles");
+  simulate.option("--obstacles", "FILE", options.obstacles,
                   "What stands in the way, beside the scenario's own:\nJSON, see below; - for "
-                  "standard input")
-      ->type_name("FILE")
-      ->group("Separation");
-  simulate
-      .add_option("--clearance", options.clearance,
-                  "Closer than this to an obstacle is too close\n(default: 1)")
-      ->type_name("LENGTH")
-      ->group("Separation");
-  simulate.add_option("--threads", options.threads, "How many threads work (default: 0, all)")
-      ->type_name("N")
-      ->group("Separation");
+                  "standard input");
+  simulate.option("--clearance", "LENGTH", options.clearance,
+                  "Closer than this to an obstacle is too close\n(default: 1)");
+  simulate.option("--threads", "N", options.threads, "How many threads work (default: 0, all)");
 }
 
-void add_output_options(CLI::App& simulate, SimulateOptions& options) {
-  simulate
-      .add_option(
-          "-o,--output", options.output,
-          "Where the recording goes: .csv or .tsv, perhaps\nwith .gz; - for standard output")
-      ->type_name("FILE")
-      ->group("Output");
-  simulate.add_flag("--json", options.json, "The summary as JSON on standard output")
-      ->group("Output");
-  simulate
-      .add_flag("--fail-on-risk", options.fail_on_risk, "Exit with 1 when somebody came too close")
-      ->group("Output");
-  simulate.add_flag("--quiet", options.quiet, "No summary and no progress, only errors")
-      ->group("Output");
+void add_output_options(Command& simulate, SimulateOptions& options) {
+  simulate.group("Output");
+  simulate.option(
+      "-o,--output", "FILE", options.output,
+      "Where the recording goes: .csv or .tsv, perhaps\nwith .gz; - for standard output");
+  simulate.flag("--json", options.json, "The summary as JSON on standard output");
+  simulate.flag("--fail-on-risk", options.fail_on_risk, "Exit with 1 when somebody came too close");
+  simulate.flag("--quiet", options.quiet, "No summary and no progress, only errors");
 }
 
 }  // namespace
 
-CLI::App* add_simulate_command(CLI::App& command, SimulateOptions& options) {
-  CLI::App* simulate = command.add_subcommand("simulate", kDescription);
-  simulate->footer(kDetails);
-  simulate->set_version_flag("--version", std::string(version()), "Print the version and exit");
-  CLI::Option* scenario =
-      simulate->add_option("SCENARIO", options.scenario, "What to fly, or a file, see below")
-          ->required()
-          ->type_name(" ");
-  allow_only_or(*scenario, scenario_names(), names_a_file,
-                ", and no file (which would have a '.' or '/' in its name)");
-  add_flight_options(*simulate, options);
-  add_prevention_options(*simulate, options);
-  add_output_options(*simulate, options);
-  refuse_pointless_values(*simulate);
+Command simulate_command(SimulateOptions& options) {
+  Command simulate("simulate", kDescription, kDetails,
+                   [&options] { return run_simulate(options); });
+  Option& scenario =
+      simulate.argument("SCENARIO", options.scenario, "What to fly, or a file, see below");
+  scenario.required = true;
+  allow_only(scenario, scenario_names(), names_a_file,
+             ", and no file (which would have a '.' or '/' in its name)");
+  add_flight_options(simulate, options);
+  add_prevention_options(simulate, options);
+  add_output_options(simulate, options);
   return simulate;
 }
 

@@ -4,8 +4,6 @@
 #include "cli/command_line/option_values.hpp"
 #include "io/bytes/number_text.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <utility>
 
 namespace beespace::cli {
@@ -17,34 +15,21 @@ constexpr const char* kDefaultUncertainty = "0.1";
 
 }  // namespace
 
-void add_live_advice_options(CLI::App& command, LiveAdviceOptions& options, const char* group) {
-  command
-      .add_flag("--advise", options.wanted,
-                "Every --step, also tell who should not fly on as it\ndoes, and how instead")
-      ->group(group);
-  command
-      .add_option("--max-speed", options.max_speed,
-                  "No bee is ever faster, in m/s: then events say whom a\nsilent one may meet. In "
-                  "advice, the greatest\n(default: 30); who is faster already may stay so")
-      ->type_name("SPEED")
-      ->group(group);
-  command
-      .add_option(
-          "--max-acceleration", options.max_acceleration,
-          "In advice, the greatest, in m/s^2 (default: 5); none:\nvelocities change at once")
-      ->type_name("A|none")
-      ->group(group);
-  command
-      .add_option("--uncertainty", options.uncertainty,
-                  "In advice, how far from where it leads a bee may be\nand still be certified "
-                  "(default: 0.1)")
-      ->type_name("LENGTH")
-      ->group(group);
-  command
-      .add_option("--step", options.step,
-                  "In advice, how long until the next (default: that of\n--look-every)")
-      ->type_name("SECONDS")
-      ->group(group);
+void add_live_advice_options(Command& command, LiveAdviceOptions& options, const char* group) {
+  command.group(group);
+  command.flag("--advise", options.wanted,
+               "Every --step, also tell who should not fly on as it\ndoes, and how instead");
+  command.option("--max-speed", "SPEED", options.max_speed,
+                 "No bee is ever faster, in m/s: then events say whom a\nsilent one may meet. In "
+                 "advice, the greatest\n(default: 30); who is faster already may stay so");
+  command.option(
+      "--max-acceleration", "A|none", options.max_acceleration,
+      "In advice, the greatest, in m/s^2 (default: 5); none:\nvelocities change at once");
+  command.option("--uncertainty", "LENGTH", options.uncertainty,
+                 "In advice, how far from where it leads a bee may be\nand still be certified "
+                 "(default: 0.1)");
+  command.option("--step", "SECONDS", options.step,
+                 "In advice, how long until the next (default: that of\n--look-every)");
 }
 
 Result<std::optional<LiveAdviceRequest>> live_advice_request(const char* command,

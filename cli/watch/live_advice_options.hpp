@@ -1,16 +1,13 @@
 // What `watch` is told about advice.
 #pragma once
 
+#include "cli/command_line/command.hpp"
 #include "cli/watch/live_advice.hpp"
 
 #include <beespace/result.hpp>
 
 #include <optional>
 #include <string>
-
-namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
-class App;
-}
 
 namespace beespace::cli {
 
@@ -23,7 +20,7 @@ struct LiveAdviceOptions {
   std::string step;
 };
 
-void add_live_advice_options(CLI::App& command, LiveAdviceOptions& options, const char* group);
+void add_live_advice_options(Command& command, LiveAdviceOptions& options, const char* group);
 
 // How the swarm is looked at beside.
 struct LiveLooks {

@@ -1,15 +1,12 @@
 // `beespace watch`: its options, and what it does with them.
 #pragma once
 
+#include "cli/command_line/command.hpp"
 #include "cli/console/exit_code.hpp"
 #include "cli/input/live_options.hpp"
 #include "cli/watch/live_advice_options.hpp"
 
 #include <string>
-
-namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
-class App;
-}
 
 namespace beespace::cli {
 
@@ -37,8 +34,8 @@ struct WatchOptions {
   bool quiet = false;
 };
 
-// Adds the subcommand to the command; `options` must outlive the parsing.
-CLI::App* add_watch_command(CLI::App& command, WatchOptions& options);
+// `options` must outlive it.
+Command watch_command(WatchOptions& options);
 
 ExitCode run_watch(const WatchOptions& options);
 

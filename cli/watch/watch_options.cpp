@@ -1,12 +1,5 @@
-#include "cli/command_line/option_checks.hpp"
 #include "cli/input/moving_options.hpp"
 #include "cli/watch/watch_command.hpp"
-
-#include <beespace/version.hpp>
-
-#include <CLI/CLI.hpp>
-
-#include <string>
 
 namespace beespace::cli {
 namespace {
@@ -60,85 +53,49 @@ constexpr const char* kDetails =
     "closed\n"
     "pipe.";
 
-void add_input_options(CLI::App& watch, WatchOptions& options) {
-  watch.add_option("FILE", options.input, "What to read (default, or -: standard input)")
-      ->type_name(" ");
-  CLI::Option* frame =
-      watch.add_option("--crs", options.frame, "Whether positions are in degrees or metres")
-          ->type_name("auto|wgs84|metres")
-          ->group("Input");
-  allow_only(*frame, {"auto", "wgs84", "metres"});
-  watch.add_option("--columns", options.columns, "By number or name: id=1,time=2,x=3,y=4,z=5,vx=6")
-      ->type_name("LIST")
-      ->group("Input");
-  CLI::Option* unit =
-      watch.add_option("--time-unit", options.time_unit, "Of times, where the input does not say")
-          ->type_name("auto|s|ms|us|ns")
-          ->group("Input");
-  allow_only(*unit, {"auto", "s", "ms", "us", "ns"});
+void add_input_options(Command& watch, WatchOptions& options) {
+  watch.argument("FILE", options.input, "What to read (default, or -: standard input)");
+  watch.group("Input");
+  watch.choice("--crs", options.frame, {"auto", "wgs84", "metres"},
+               "Whether positions are in degrees or metres");
+  watch.option("--columns", "LIST", options.columns,
+               "By number or name: id=1,time=2,x=3,y=4,z=5,vx=6");
+  watch.choice("--time-unit", options.time_unit, {"auto", "s", "ms", "us", "ns"},
+               "Of times, where the input does not say");
   add_units_options(watch, options.units, options.heights);
-  watch
-      .add_option("--max-age", options.max_age,
-                  "Stale is who was not heard of for so long (default: 5)")
-      ->type_name("SECONDS")
-      ->group("Input");
-  CLI::Option* clock =
-      watch
-          .add_option("--clock", options.clock,
-                      "Whose clock tells when a report was: its own, or\nthat of this machine when "
-                      "it comes")
-          ->type_name("report|arrival")
-          ->group("Input");
-  allow_only(*clock, {"report", "arrival"});
-  watch
-      .add_option("--max-skew", options.max_skew,
-                  "Clocks that differ by more are not believed\n(default: 2, or half of --max-age "
-                  "if that is less)")
-      ->type_name("SECONDS")
-      ->group("Input");
-  watch
-      .add_option("--max-bees", options.max_bees,
-                  "So many bees are known at a time (default: 1000000)")
-      ->type_name("N")
-      ->group("Input");
-  watch.add_option("--speed", options.speed, "Read a recording as fast as it happened, times this")
-      ->type_name("FACTOR")
-      ->group("Input");
-  watch.add_option("--rate", options.rate, "Read so many reports a second at most")
-      ->type_name("N")
-      ->group("Input");
+  watch.option("--max-age", "SECONDS", options.max_age,
+               "Stale is who was not heard of for so long (default: 5)");
+  watch.choice("--clock", options.clock, {"report", "arrival"},
+               "Whose clock tells when a report was: its own, or\nthat of this machine when "
+               "it comes");
+  watch.option("--max-skew", "SECONDS", options.max_skew,
+               "Clocks that differ by more are not believed\n(default: 2, or half of --max-age "
+               "if that is less)");
+  watch.option("--max-bees", "N", options.max_bees,
+               "So many bees are known at a time (default: 1000000)");
+  watch.option("--speed", "FACTOR", options.speed,
+               "Read a recording as fast as it happened, times this");
+  watch.option("--rate", "N", options.rate, "Read so many reports a second at most");
 }
 
 }  // namespace
 
-CLI::App* add_watch_command(CLI::App& command, WatchOptions& options) {
-  CLI::App* watch = command.add_subcommand("watch", kDescription);
-  watch->footer(kDetails);
-  watch->set_version_flag("--version", std::string(version()), "Print the version and exit");
-  add_input_options(*watch, options);
-  watch
-      ->add_option("--threshold", options.threshold, "Closer than this is too close (default: 100)")
-      ->type_name("LENGTH")
-      ->group("Separation");
-  watch->add_option("--vertical", options.vertical, kVerticalHelp)
-      ->type_name("LENGTH")
-      ->group("Separation");
-  watch->add_option("--threads", options.threads, "How many threads work (default: 1; 0: all)")
-      ->type_name("N")
-      ->group("Separation");
-  add_live_options(*watch, options.live, "Separation");
-  watch
-      ->add_option("--max-pairs", options.max_pairs,
-                   "So many pairs are followed at a time, the closest\n(default: 500000)")
-      ->type_name("N")
-      ->group("Separation");
-  add_live_advice_options(*watch, options.advice, "Advice");
-  watch
-      ->add_flag("--fail-on-risk", options.fail_on_risk,
-                 "Exit with 1 when two have entered, or it is not known\nthat none has")
-      ->group("Output");
-  watch->add_flag("--quiet", options.quiet, "No summary, only errors")->group("Output");
-  refuse_pointless_values(*watch);
+Command watch_command(WatchOptions& options) {
+  Command watch("watch", kDescription, kDetails, [&options] { return run_watch(options); });
+  add_input_options(watch, options);
+  watch.group("Separation");
+  watch.option("--threshold", "LENGTH", options.threshold,
+               "Closer than this is too close (default: 100)");
+  watch.option("--vertical", "LENGTH", options.vertical, kVerticalHelp);
+  watch.option("--threads", "N", options.threads, "How many threads work (default: 1; 0: all)");
+  add_live_options(watch, options.live, "Separation");
+  watch.option("--max-pairs", "N", options.max_pairs,
+               "So many pairs are followed at a time, the closest\n(default: 500000)");
+  add_live_advice_options(watch, options.advice, "Advice");
+  watch.group("Output");
+  watch.flag("--fail-on-risk", options.fail_on_risk,
+             "Exit with 1 when two have entered, or it is not known\nthat none has");
+  watch.flag("--quiet", options.quiet, "No summary, only errors");
   return watch;
 }
 

@@ -31,22 +31,22 @@ using avoidance::AgentStates;
 using avoidance::ConstraintBuilder;
 using core::Vector3;
 
-// Bees that a worker takes at a time: some have many neighbours, and others nobody.
+// Bees that a worker takes at a time: some have many neighbours, others none.
 constexpr std::size_t kDealt = 512;
 
-// As it will be taken when it is handed in again.
+// The value as it will be read when it is passed in again.
 Velocity told(const Vector3& v) {
   return motion::flushed(Velocity{v.x, v.y, v.z});
 }
 
-// Whoever wants to fly and is told to stand waits.
+// An agent that wants to fly and is told to stand waits.
 bool waits(const AgentState& agent, const Vector3& wish, const Vector3& velocity) {
   constexpr double kStands = 0.05;  // of its greatest speed
   const double least = kStands * agent.max_speed;
   return length(velocity) < least && length(agent.velocity) < least && length(wish) > 4.0 * least;
 }
 
-// Of each bee and obstacle once, whatever pieces it has; ascending.
+// Lists each pair of bee and obstacle once, however many pieces the obstacle has; ascending.
 void keep_nearest_pieces(std::vector<NearObstacle>& all) {
   const auto place = [](const NearObstacle& near) {
     return std::tuple(near.bee, near.obstacle, near.gap_m);
@@ -81,14 +81,14 @@ class __attribute__((visibility("hidden"))) Adviser::State {
   }
 
  private:
-  // What one worker works with.
+  // The working memory of one thread.
   struct Desk {
     ConstraintBuilder::Findings findings;
     avoidance::VelocitySolver solver;
     avoidance::KnownMethod known;
   };
 
-  // All who are taken, under the numbers that they have here.
+  // Advises all valid bees, which are numbered without the others here.
   Status advise_all(const AdviseOptions& options, Advised& advised) {
     const std::span<const Velocity> wishes = intake_.wishes();
     const std::size_t bees = intake_.movers().size();
@@ -140,7 +140,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
 
   [[nodiscard]] Advice advise_one(PointId bee, const Vector3& wish,
                                   const ConstraintBuilder& constraint_builder, Desk& desk) const {
-    constexpr double kAside = 0.5;  // of its greatest speed: how fast somebody makes room
+    constexpr double kAside = 0.5;  // of its greatest speed: how fast an idle agent makes room
     const AgentState& agent = agents_[bee];
     ConstraintBuilder::Findings& findings = desk.findings;
     constraint_builder.look_at(bee, findings);
@@ -171,7 +171,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     return {told(velocity), as_wished ? AdviceKind::kAsWished : AdviceKind::kDeflected};
   }
 
-  // What all workers have found that is not certified.
+  // Collects all conflicts that the threads have found.
   void collect(const ConstraintBuilder& constraint_builder, const AdviseOptions& options,
                Advised& advised) const {
     const auto append = [](const auto& found, auto& all) {
@@ -199,7 +199,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     }
   }
 
-  // From where it is, as it is advised.
+  // Conflicts with intruders, from a bee's position and its advised velocity.
   [[nodiscard]] Mover as_advised(PointId bee, const Advised& advised) const {
     const Vector3& p = agents_[bee].position;
     return {{p.x, p.y, p.z}, advised.advice[bee].velocity};

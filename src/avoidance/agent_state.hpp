@@ -1,4 +1,4 @@
-// A bee at the beginning of a step.
+// One agent at the beginning of a step.
 #pragma once
 
 #include "avoidance/constraints/braking.hpp"
@@ -15,15 +15,15 @@ struct AgentState {
   [[nodiscard]] Segment stopping_segment() const {
     return {position, braking.stopping_segment(velocity)};
   }
-  // Where it comes to a stop if it has a velocity at the end of the step.
+  // Where it stops if it has this velocity at the end of the step.
   [[nodiscard]] Vector3 stop_after(const Vector3& next) const {
     return position + braking.drift(velocity) + braking.way_after(next);
   }
-  // How far from its way to a stop it may get in a step, and the stop after it.
+  // How far from the end of its stopping segment a step and the stop after it may take it.
   [[nodiscard]] double strays() const { return braking.strays(velocity, max_speed); }
 
-  // The nearest velocity within its limits: towards the wish, as far as the acceleration goes. Who
-  // is too fast slows down first.
+  // The nearest velocity within its limits: towards the wish, as far as the acceleration goes. An
+  // agent that is too fast brakes first.
   [[nodiscard]] Vector3 able(const Vector3& wish) const {
     const Vector3 slow = at_most(wish, max_speed);
     if (braking.at_once()) return slow;

@@ -7,18 +7,18 @@ namespace beespace::avoidance {
 
 namespace {
 
-// What rounding may take from a distance along the way: the distance is widened by it, and whoever
-// keeps it is certified while at least half of it is left.
+// What rounding may take from a distance along the stopping segment: the distance is widened by it,
+// and an agent that keeps it is certified while at least half of the margin is left.
 SeparationMargins keep(double asked_m) {
   return SeparationMargins{asked_m, asked_m, asked_m}.with(1e-7 * asked_m);
 }
 
-// And what may come of values that are too small for the motion domain and count as zero. Each
+// The allowance for values that are too small for the motion domain and count as zero. Each
 // coordinate changes by less than 2^-100, so a place and a velocity by less than 2^-99 (see
-// motion/flush.hpp). The place moves the stop by as much, the old velocity and the new one by up to
-// growth_along times as much each: no slope of the way to a stop is above that. So of two bees,
-// both at the beginning and at the end of a step, it is less than 2^-95 (1 + growth_along): half of
-// this is sixty times as much.
+// motion/flush.hpp). The place moves the stop by as much; the old and the new velocity move it by
+// up to growth_along times as much each, as no slope of the stopping segment is above that. So for
+// two bees, at both ends of a step, it is less than 2^-95 (1 + growth_along): half of this is sixty
+// times as much.
 double spare_for_flushed(const AgentState& agent) {
   const Braking& braking = agent.braking;
   return 0x1p-88 * (1.0 + (braking.at_once()

@@ -1,4 +1,4 @@
-// Everybody at the beginning of a step, and how far apart they are to be.
+// The states of all agents at the beginning of a step, and their separation margins.
 #pragma once
 
 #include "avoidance/agent_state.hpp"
@@ -16,19 +16,19 @@
 
 namespace beespace::avoidance {
 
-// A distance to keep.
+// A distance to keep, with its allowance for rounding.
 struct SeparationMargins {
   double asked_m = 0.0;
   double kept_m = 0.0;       // a little more, for rounding
-  double certified_m = 0.0;  // who is closer than this has lost what rounding was allowed
+  double certified_m = 0.0;  // closer than this, the allowance for rounding is used up
 
-  // The same with more for rounding.
+  // The same with a larger allowance.
   [[nodiscard]] SeparationMargins with(double spare_m) const {
     return {asked_m, kept_m + spare_m, certified_m + 0.5 * spare_m};
   }
 };
 
-// Of the distance to keep: who is no farther beyond it presses others.
+// As a share of the distance to keep: an agent at most so much farther away presses others.
 inline constexpr double kPresses = 0.6;
 
 class AgentStates {
@@ -39,16 +39,16 @@ class AgentStates {
 
   [[nodiscard]] std::size_t size() const { return agents_.size(); }
   [[nodiscard]] const AgentState& operator[](std::size_t bee) const { return agents_[bee]; }
-  // How a bee comes to a stop as it flies now.
+  // The stopping segment at the present velocity.
   [[nodiscard]] const Segment& stopping_segment(std::size_t bee) const {
     return ways_[bee].to_stop;
   }
-  // How far from there it may get in the step and the stop after it.
+  // How far from its end the step and the stop after it may take the agent.
   [[nodiscard]] double strays(std::size_t bee) const { return ways_[bee].strays_m; }
   [[nodiscard]] double fastest() const { return extremes_.speed_mps; }
 
-  // To be kept where coordinates are small; of two bees; of a bee and something near it whose
-  // coordinates or size may be as large.
+  // The distance to keep where coordinates are small; for two bees; for a bee and an object near it
+  // whose coordinates or size may be as large.
   [[nodiscard]] const SeparationMargins& apart() const { return apart_; }
   [[nodiscard]] SeparationMargins apart(PointId bee, PointId other) const {
     return apart_.with(std::max(ways_[bee].spare_m, ways_[other].spare_m));
@@ -56,18 +56,18 @@ class AgentStates {
   [[nodiscard]] SeparationMargins apart_from(double large_m, PointId bee) const {
     return apart_.with(ways_[bee].spare_m + spare_m(large_m));
   }
-  // From obstacles.
+  // The clearance of obstacles.
   [[nodiscard]] SeparationMargins clearance(PointId bee) const {
     return clearance_.with(ways_[bee].spare_m);
   }
 
-  // Everything that a bee may do in the step and the stop after it lies in a ball; and so does
-  // half of what it presses.
+  // A ball contains all places of the step and of the stop after it, and half of the distance
+  // within which the agent presses others.
   [[nodiscard]] PointsView middles() const { return std::span<const Point>(middles_); }
   [[nodiscard]] double reach(std::size_t bee) const { return ways_[bee].reach_m; }
   [[nodiscard]] double farthest_reach() const { return extremes_.reach_m; }
-  // Two whose middles are farther apart than this are nothing to each other, whatever both do: two
-  // who reach so far; these two.
+  // Two agents whose segments' midpoints are farther apart than this cannot interact, whatever both
+  // do: two that reach so far; these two.
   [[nodiscard]] double meet(double reach_m, double other_reach_m) const {
     return (apart_.kept_m + reach_m + other_reach_m) * (1.0 + 0x1p-40);
   }
@@ -76,7 +76,7 @@ class AgentStates {
     const double meet_m = meet(ways_[bee].reach_m, ways_[other].reach_m);
     return dot(between, between) <= meet_m * meet_m;
   }
-  // False where two ways to a stop are surely farther apart than this.
+  // False where two stopping segments are surely farther apart than this.
   [[nodiscard]] bool ways_may_be_within(PointId bee, PointId other, double apart_m) const {
     const Vector3 between = core::vector_of(middles_[bee]) - core::vector_of(middles_[other]);
     const double within_m = (apart_m + ways_[bee].half_m + ways_[other].half_m) * (1.0 + 0x1p-40);
@@ -91,11 +91,11 @@ class AgentStates {
     double reach_m;
     double spare_m;  // for the rounding of its coordinates; part of its reach
   };
-  // What is spared for the rounding of coordinates of this size. Of each bee its own: one that is
-  // astray at the end of the world must not widen what those keep who are nowhere near it.
+  // The allowance for the rounding of coordinates of this size. Each bee has its own: one that is
+  // far astray must not widen the margins of those that are nowhere near it.
   static double spare_m(double large_m) { return 0x1p-44 * large_m; }
 
-  // The largest of all.
+  // The greatest values of all agents.
   struct Extremes {
     double reach_m = 0.0;
     double speed_mps = 0.0;

@@ -30,7 +30,7 @@ void ConstraintBuilder::look_at(PointId bee, Findings& findings) const {
   look_at_unknown(bee, findings);
 }
 
-// Of the two, the one of the lower id is the first.
+// The one of the lower id is the first.
 SeparatingPlane ConstraintBuilder::plane_between(PointId bee, PointId other) const {
   const Segment& first = agents_.stopping_segment(std::min(bee, other));
   const Segment& second = agents_.stopping_segment(std::max(bee, other));
@@ -79,7 +79,8 @@ void ConstraintBuilder::look_at_obstacles(PointId bee, Findings& findings) const
   const double reach_m = (kept_m + agents_.reach(bee)) * (1.0 + 0x1p-40);
   const Vector3 middle = core::vector_of(agents_.middles()[bee]);
   const ObstacleMap::State& map = options_.obstacles->state();
-  // Pieces of what it lies in are no walls: it may have to get out through them.
+  // The pieces of an obstacle that contains the bee are no walls: it may have to get out through
+  // them.
   std::vector<std::size_t>& inside = findings.inside;
   inside.clear();
   map.visit_near(way.from, 0.0, [&](const obstacles::ConvexPiece& piece) {
@@ -129,9 +130,9 @@ void ConstraintBuilder::look_at_intruders(PointId bee, Findings& findings) const
   }
 }
 
-// Whatever a bee does that keeps to what it is told, it comes no closer to the middle of a ball
-// than its way to a stop is now, or than what the ball is at the horizon and the distance to keep.
-// As that grows from call to call, what is clear once for a time stays so (docs/prevention.md).
+// A bee that keeps its constraints comes no closer to the centre of a ball than its stopping
+// segment is now, or than the ball's radius at the horizon plus the distance to keep. As that grows
+// from call to call, a bee that was once clear for a time stays so (docs/prevention.md).
 void ConstraintBuilder::look_at_unknown(PointId bee, Findings& findings) const {
   const double horizon_s = options_.unknown_horizon_s;
   for (std::size_t k = 0; k < options_.unknown.size(); ++k) {
@@ -154,7 +155,7 @@ void ConstraintBuilder::keep_clear_of_ball(PointId bee, std::size_t unknown, dou
   const Segment middle{core::vector_of(ball.center), {}};
   const double apart_m = later_m + kept_m;
   const SeparatingPlane plane = separate(agents_.stopping_segment(bee), middle, apart_m);
-  // The middle does not move: all that is free is the bee's.
+  // The centre does not move: all of the free distance is the bee's.
   const HalfSpace side = plane.of_first(apart_m, -1.0);
   Constraints& constraints = findings.constraints;
   const bool clear = plane.gap >= later_m + certified_m;
@@ -183,23 +184,23 @@ bool ConstraintBuilder::is_kept_anyhow(PointId bee, const HalfSpace& side) const
   return side.inside_by(agents_.stopping_segment(bee).at(1.0)) >= agents_.strays(bee);
 }
 
-// Whoever is where it wants to be leaves most of what is free to who wants to fly: how much more
-// than half the first leaves to the second, of that half.
+// An agent at its goal leaves most of the free space to one that wants to fly: how much more than
+// half the first leaves to the second, as a share of that half.
 double ConstraintBuilder::leaves_to(PointId first, PointId second) const {
   constexpr double kLeft = 0.9;
   return kLeft * ((is_idle(first) ? 1.0 : 0.0) - (is_idle(second) ? 1.0 : 0.0));
 }
 
-// Whoever is where it wants to be makes room for those who are close and want through, or are too
-// close to somebody: how much another one presses a bee that lies from it in the direction `away`,
-// across a gap.
+// An agent at its goal makes room for agents that are close and want through, or are too close to
+// another one: how much `other` presses an agent that lies from it in the direction `away`, across
+// a gap.
 Vector3 ConstraintBuilder::pressure(PointId other, const Vector3& away, double gap_m,
                                     bool certified) const {
   const double kept_m = agents_.apart().kept_m;
   const double free = (gap_m - kept_m) / (kPresses * kept_m);
   if (free >= 1.0) return {};
   const bool wants_through = !is_idle(other) && dot(wish_of(wishes_, other), away) > 0.0;
-  // Those two who are too close get away from each other anyhow.
+  // A pair that is too close separates anyhow.
   const bool needs_room = too_close_[other] != 0 && certified;
   if (!wants_through && !needs_room) return {};
   return away * (1.0 - free);

@@ -1,5 +1,5 @@
-// Who makes a bee do what in a step: other bees, obstacles, intruders, and those of which little is
-// known.
+// Builds the constraints on one bee in a step, from other bees, obstacles, intruders, and bees of
+// which only a ball is known.
 #pragma once
 
 #include "avoidance/agent_states.hpp"
@@ -19,20 +19,20 @@ namespace beespace::avoidance {
 
 class ConstraintBuilder {
  public:
-  // `near` has whoever may meet a bee; `too_close`, what is_too_close() says of each, before any is
-  // looked at. All of these outlive this.
+  // `near` has all bees that may meet each other; `too_close` has the result of is_too_close() for
+  // each pair before any constraints are built. All of these outlive this object.
   ConstraintBuilder(const AgentStates& agents, const Vicinity& near,
                     std::span<const char> too_close, std::span<const Velocity> wishes,
                     const AdviseOptions& options)
       : agents_(agents), near_(near), too_close_(too_close), wishes_(wishes), options_(options) {}
 
-  // Whether a bee has come too close to another one, or will as it brakes.
+  // Whether a bee is too close to another one, or will be when it brakes.
   [[nodiscard]] bool is_too_close(PointId bee) const;
 
-  // What is found of one bee after the other.
+  // The results, for one bee after the other.
   struct Findings {
     Constraints constraints;  // of the last one
-    Vector3 pressed;          // where others want it, who is idle
+    Vector3 pressed;          // where others press it, if it is idle
     bool certified;           // of other bees and obstacles
     double clear_of_unknown_s;
     std::vector<std::size_t> inside;  // obstacles that it lies in, ascending
@@ -42,7 +42,7 @@ class ConstraintBuilder {
   };
   void look_at(PointId bee, Findings& findings) const;
 
-  // Whether a bee is where it wants to be.
+  // Whether a bee is at its goal.
   [[nodiscard]] bool is_idle(PointId bee) const;
   // Whether an intruder that flies straight on may come too close to a bee within the horizon.
   [[nodiscard]] bool may_come_close(PointId bee, const Mover& intruder) const;

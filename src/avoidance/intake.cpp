@@ -14,7 +14,7 @@ namespace beespace::avoidance {
 
 namespace {
 
-// What nearly all are; why the others are not is found out then.
+// The check for the usual case; the reason is found later where it fails.
 bool is_usable(double x, double y, double z) {
   return std::abs(x) <= kLargestInMotion && std::abs(y) <= kLargestInMotion &&
          std::abs(z) <= kLargestInMotion;
@@ -165,7 +165,7 @@ void Intake::number_as_given(Advised& advised) const {
   }
   advised.advice.resize(bees_);
   if (!given_bees_.any_left_out()) return;
-  // From the last to the first, so that none is overwritten that is still to be moved.
+  // From the last to the first, so that no element is overwritten before it is moved.
   for (std::size_t taken = movers_.size(); taken-- > 0;) {
     const std::size_t given = given_bees_[taken];
     if (given != taken) advised.advice[given] = std::exchange(advised.advice[taken], {});

@@ -1,8 +1,8 @@
-// What can be used of what was given; and what cannot, and why.
+// Checks the input: what is valid, and what is not, and why.
 //
-// One bad number never stops the advice: who cannot be used is left out and named, and the others
-// are numbered anew without it. Values that are too small for the motion domain become zero here
-// (motion/flush.hpp); SeparationMargins in agents.hpp allows for it.
+// One bad number never stops the advice: an invalid bee is left out and named, and the others are
+// numbered anew without it. Values that are too small for the motion domain become zero here
+// (motion/flush.hpp); SeparationMargins in agent_states.hpp allows for it.
 #pragma once
 
 #include <beespace/advise.hpp>
@@ -14,15 +14,15 @@
 
 namespace beespace::avoidance {
 
-// Under which numbers things were given of which some were left out.
+// The original numbers of a list from which some were left out.
 class GivenNumbers {
  public:
   void clear() { numbers_.clear(), left_out_ = false; }
-  // The next one is taken, and was given under this number.
+  // Takes the next one, whose original number is this.
   void take(std::size_t given) {
     if (left_out_) numbers_.push_back(given);
   }
-  // One is left out, after so many that were taken.
+  // Leaves one out, after so many that were taken.
   void leave_out(std::size_t taken) {
     if (left_out_) return;
     left_out_ = true;
@@ -40,22 +40,22 @@ class GivenNumbers {
 
 class Intake {
  public:
-  // What check() of validate.hpp lets pass. Sets `refused`.
+  // What check() of validate.hpp accepts. Sets `refused`.
   void take(const MoversView& movers, std::span<const Velocity> preferred,
             std::span<const FlightLimits> limits, const AdviseOptions& options,
             std::vector<Refused>& refused);
 
   [[nodiscard]] std::span<const Mover> movers() const { return movers_; }
   [[nodiscard]] std::span<const Velocity> wishes() const { return wishes_; }
-  // One for each or one for all.
+  // One set of limits for each bee, or one for all.
   [[nodiscard]] std::span<const FlightLimits> limits() const { return limits_; }
   [[nodiscard]] const AdviseOptions& options() const { return options_; }
 
-  // Whether somebody may be anywhere: a bee that is in no ball, or whose ball is none.
+  // Whether a bee may be anywhere: one that is in no ball, or whose ball is invalid.
   [[nodiscard]] bool bee_anywhere() const { return bee_anywhere_; }
   [[nodiscard]] bool intruder_anywhere() const { return intruder_anywhere_; }
 
-  // From the numbers here to those that were given, in all of an answer.
+  // Replaces the numbers used here by the original ones, in all of an answer.
   void number_as_given(Advised& advised) const;
 
  private:
@@ -69,7 +69,7 @@ class Intake {
   std::vector<FlightLimits> limits_;
   std::vector<Mover> intruders_;
   std::vector<UnknownBee> unknown_;
-  AdviseOptions options_;  // as given, but for who cannot be used
+  AdviseOptions options_;  // as given, without invalid entries
 
   GivenNumbers given_bees_;
   GivenNumbers given_intruders_;

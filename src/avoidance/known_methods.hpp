@@ -1,4 +1,4 @@
-// Methods that are well known, to compare with: what they tell one bee.
+// Known methods of the literature, for comparison: the velocity that they give to one bee.
 #pragma once
 
 #include "avoidance/agent_states.hpp"
@@ -11,18 +11,18 @@
 
 namespace beespace::avoidance {
 
-// How far ahead they look: as long as it takes to come to a stop.
+// Their look-ahead time: as long as it takes to stop.
 double looks_ahead_s(const AgentStates& agents, double step_s);
 
 class KnownMethod {
  public:
-  // Half-spaces of velocities, half of each change for either of two; the nearest to the wish in
-  // them.
+  // ORCA: half-spaces of velocities, with half of each change for either bee; the velocity in them
+  // that is nearest to the wish.
   Vector3 orca(const AgentStates& agents, PointId bee, const Vicinity& near, const Vector3& wish,
                double horizon_s, double step_s);
-  // For each conflict that lies ahead, sideways by what is missing when the two are closest; the
-  // sum of these. Hoekstra, van Gent, Ruigrok: Designing for safety: the free flight air traffic
-  // management concept (2002).
+  // MVP: for each conflict ahead, sideways by the distance that is missing at the closest approach;
+  // the sum of these. Hoekstra, van Gent, Ruigrok: Designing for safety: the free flight air
+  // traffic management concept (2002).
   static Vector3 mvp(const AgentStates& agents, PointId bee, const Vicinity& near,
                      const Vector3& wish, double horizon_s, double step_s);
 

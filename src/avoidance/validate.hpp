@@ -1,4 +1,4 @@
-// Whether a question about what bees shall do makes sense.
+// Checks the input of advise() as a whole.
 #pragma once
 
 #include <beespace/advise.hpp>
@@ -12,7 +12,7 @@ namespace beespace::avoidance {
 
 std::optional<Error> check_step(double step_s);
 std::optional<Error> check_limits(const FlightLimits& limits);
-// Of the question as a whole; what is wrong with one bee alone is found by Intake.
+// Errors of the call as a whole; Intake finds what is wrong with one bee alone.
 std::optional<Error> check(const MoversView& movers, std::span<const Velocity> preferred,
                            std::span<const FlightLimits> limits, const AdviseOptions& options);
 

@@ -9,15 +9,16 @@ namespace beespace::avoidance {
 
 namespace {
 
-// The way in the step lies between the start, half the old velocity on, and the stop after the new
-// one: within the half-spaces if the stop is, as the first two lie on the old way to a stop.
+// The path in the step lies between the start, the point half the old velocity on, and the stop
+// after the new one. It is within the half-spaces if the stop is, as the first two lie on the old
+// stopping segment.
 bool keeps_to(const AgentState& agent, const Vector3& velocity, const Constraints& constraints) {
   const Vector3 stop = agent.stop_after(velocity);
   return std::all_of(constraints.hard.begin(), constraints.hard.end(),
                      [&](const HalfSpace& side) { return side.inside_by(stop) >= 0.0; });
 }
 
-// And whether it does what is asked for beyond that.
+// Whether the velocity meets the requests, too.
 bool does_all(const AgentState& agent, const Vector3& velocity, const Constraints& constraints) {
   const Vector3 stop = agent.stop_after(velocity);
   return std::all_of(constraints.separation_requests.begin(), constraints.separation_requests.end(),
@@ -32,14 +33,14 @@ double sum_of(const Vector3& a) {
   return std::abs(a.x) + std::abs(a.y) + std::abs(a.z);
 }
 
-// By how much what the program finds may be outside of a half-space: for its own rounding, and for
-// that of the stop and of how far inside it is.
+// How far outside of a half-space the program's result may be: for its own rounding, and for that
+// of the stop and of its distance to the plane.
 double rounding_of(const AgentState& agent, const Vector3& from, double most_change) {
   return 0x1p-50 * (sum_of(agent.position) + sum_of(agent.stop_after(from))) +
          0x1p-38 * most_change * agent.braking.growth_along(length(from) + most_change);
 }
 
-// A wish, turned to the right as seen from above: by the angle of this sine.
+// The wish, turned to the right as seen from above, by the angle of this sine.
 Vector3 turned_right(const Vector3& wish, double sine) {
   const double speed = length(wish);
   return wish * std::sqrt(1.0 - sine * sine) + right_of(wish) * (speed * sine);
@@ -58,8 +59,8 @@ VelocitySolver::Solved VelocitySolver::solve(const AgentState& agent, const Vect
   const Vector3 from = braking.at_once() ? Vector3{} : agent.velocity;
   const Ball changes{{}, braking.at_once() ? agent.max_speed : braking.change()};
   const auto nearest = [&](const Vector3& velocity) {
-    // Who slides along a plane must not be told to stand because a rounding puts it outside; where
-    // there is no room for that, the plane itself will have to do.
+    // An agent that slides along a plane must not be told to stand because rounding puts it
+    // outside. Where there is no room for that, the plane itself has to do.
     for (const double within : {rounding_of(agent, from, changes.radius), 0.0}) {
       put_in_changes(agent, from, constraints, changes.radius, within);
       const auto found = program_.nearest(velocity - from, firm_, requests_, changes);
@@ -68,14 +69,14 @@ VelocitySolver::Solved VelocitySolver::solve(const AgentState& agent, const Vect
     return velocity;
   };
   Vector3 best = nearest(proposed);
-  // Whoever gets too little of its way by going straight turns right, the more the less it gets: so
-  // that two who meet pass each other, and many who meet go round.
+  // An agent that makes too little progress straight on turns right, the more the less it makes. So
+  // two that meet pass each other, and many that meet go round.
   constexpr double kEnough = 0.6;
   const double progress = std::max(0.0, dot(best, wish) / dot(wish, wish));
   if (progress < kEnough) {
     best = nearest(agent.able(turned_right(wish, 1.0 - progress / kEnough)));
   }
-  // What is left of the curve that was taken for straight: a little towards braking.
+  // Corrects the linearised curve: a little towards braking.
   for (const double share : {1.0, 0.999, 0.99, 0.9, 0.7, 0.4, 0.15, 0.05}) {
     const Vector3 velocity = brake + (best - brake) * share;
     if (keeps_to(agent, velocity, constraints)) return {velocity, AdviceKind::kDeflected};
@@ -83,8 +84,8 @@ VelocitySolver::Solved VelocitySolver::solve(const AgentState& agent, const Vect
   return {brake, AdviceKind::kBraking};
 }
 
-// The half-spaces, so far within, as they look to small changes of the velocity: a change across it
-// and one along it move the stop by different lengths.
+// The half-spaces, shrunk by `within`, for small changes of the velocity: a change across it and
+// one along it move the stop by different lengths.
 void VelocitySolver::put_in_changes(const AgentState& agent, const Vector3& from,
                                     const Constraints& constraints, double most_change,
                                     double within) {
@@ -108,7 +109,7 @@ void VelocitySolver::put_in_changes(const AgentState& agent, const Vector3& from
   }
   for (const HalfSpace& side : constraints.intruder_requests) {
     const HalfSpace change{side.normal, -side.inside_by(from)};
-    // All changes there are lie in it once it has given up as much.
+    // All possible changes satisfy it once it has been relaxed by as much.
     requests_.push_back({change, std::max(0.0, change.offset + most_change)});
   }
 }

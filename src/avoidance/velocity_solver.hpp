@@ -1,7 +1,7 @@
-// What becomes of a wish: the nearest velocity that is certified.
+// The nearest certified velocity to a wish.
 //
-// Any wish will do, a good one or a bad one; whatever comes out keeps to the half-spaces, except
-// that the bee brakes as hard as it can where nothing better is found. Braking keeps to them too.
+// Any wish is allowed. The result lies in the half-spaces, except that the bee brakes as hard as it
+// can where nothing better is found. Braking satisfies the half-spaces too.
 #pragma once
 
 #include "avoidance/agent_state.hpp"

@@ -23,7 +23,7 @@ std::optional<Error> check_place(const Point& place, const char* name) {
 
 }  // namespace
 
-// Slowly enough to stop at the goal with half of its acceleration.
+// Slowly enough to stop at the goal with half of the acceleration.
 Result<Velocity> velocity_to_goal(const Point& position, const Point& goal,
                                   const FlightLimits& limits, double step_s) {
   if (auto error = check_place(position, "the bee's ")) return *std::move(error);
@@ -36,8 +36,8 @@ Result<Velocity> velocity_to_goal(const Point& position, const Point& goal,
   if (!(left_m > kThere_m)) return Velocity{};
   double speed = std::min(limits.max_speed_mps, left_m / step_s);
   if (std::isfinite(limits.max_acceleration_mps2)) {
-    // Of what is left a third a step at most: a velocity is flown half a step late on average, and
-    // from more than that comes flying past the goal and back.
+    // At most a third of the remaining distance in a step: a velocity is flown half a step late on
+    // average, and more than that makes a bee overshoot the goal and return.
     speed = std::min(
         {speed, std::sqrt(limits.max_acceleration_mps2 * left_m), left_m / (3.0 * step_s)});
   }

@@ -28,7 +28,7 @@ Status Vicinity::find_within(const PointsView& places, double within_m, unsigned
   return engine_.find_neighbors(places, {.threshold_m = within_m, .threads = threads}, rows_);
 }
 
-// Up to which reach bees have rows: all, unless it costs less to compare a few with everybody.
+// Up to which reach bees have rows: all, unless it costs less to compare a few with all others.
 double Vicinity::reach_in_rows(const AgentStates& agents) {
   const auto levels = motion::size_levels(agents.size(), agents.farthest_reach(), memory_,
                                           [&](std::size_t bee) { return agents.reach(bee); });

@@ -1,7 +1,7 @@
-// Who may matter to whom in a step.
+// Which agents may interact in a step.
 //
-// Rows of neighbours as far as nearly everybody reaches; the few who reach much farther, as one
-// that is far too fast does, are compared with everybody.
+// Rows of neighbours, as far as nearly all agents reach. The few that reach much farther, such as
+// one that is far too fast, are compared with all others.
 #pragma once
 
 #include "avoidance/agent_states.hpp"
@@ -20,11 +20,11 @@ class Vicinity {
  public:
   // Errors: as Engine::find_neighbors.
   Status find(const AgentStates& agents, unsigned threads);
-  // Simply whoever is so near.
+  // All agents within this distance.
   Status find_within(const PointsView& places, double within_m, unsigned threads);
 
-  // Calls visit(other) for all who may matter to a bee, and for some who do not, once each, until
-  // it says false.
+  // Calls visit(other) for each agent that may matter to a bee, and for some that do not, once
+  // each, until it returns false.
   template <class Visit>
   void visit(PointId bee, Visit&& visit) const {
     if (reaches_far(bee)) {

@@ -1,5 +1,5 @@
-// What a question leaves in the caller's container when it fails: nothing, so that no answer of an
-// earlier call is taken for one of this.
+// Clears the caller's container when a search fails, so that an answer of an earlier call is not
+// taken for one of this call.
 #pragma once
 
 #include <beespace/id_rows.hpp>

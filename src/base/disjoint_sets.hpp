@@ -1,8 +1,8 @@
-// Which of many things belong together, while pairs of them turn up in any order on any thread.
+// Disjoint sets: groups of elements, joined pair by pair in any order on any thread.
 //
-// A forest in one array: every thing points to one with a lower or the same number, the root of its
-// set to itself. Links are made by compare-and-swap from higher to lower roots, so the sets, though
-// not the trees, are the same for every order (Anderson and Woll, 1991).
+// A forest in one array: every element points to one with a lower or the same number, the root of
+// its set to itself. Links are made by compare-and-swap from higher to lower roots, so the sets,
+// though not the trees, are the same for every order (Anderson and Woll, 1991).
 #pragma once
 
 #include "base/buffer.hpp"
@@ -20,7 +20,7 @@ class DisjointSets {
     for (std::uint32_t i = 0; i < size; ++i) parent_[i] = i;
   }
 
-  // The root, the lowest thing of its set once no more are joined; halves the way to it.
+  // The root: the lowest element of its set once no more are joined. Halves the path to it.
   std::uint32_t root(std::uint32_t thing) {
     for (;;) {
       const std::uint32_t parent = load(thing);

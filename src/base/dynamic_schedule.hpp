@@ -1,4 +1,4 @@
-// Work of uneven weight, dealt out to a crew as it comes to it.
+// A dynamic schedule: work of uneven weight, distributed to the threads as they become free.
 #pragma once
 
 #include <beespace/crew.hpp>
@@ -9,8 +9,8 @@
 
 namespace beespace::cpu {
 
-// Calls task(begin, end, worker) for stretches of `count` things, at most `dealt` at a time:
-// whoever is done takes the next one. Which worker has which is different from run to run.
+// Calls task(begin, end, worker) for stretches of `count` things, at most `dealt` at a time. A
+// worker that is done takes the next stretch, so the distribution differs from run to run.
 template <class Task>
 void schedule(Crew& crew, std::size_t count, std::size_t dealt, Task&& task) {
   std::atomic<std::size_t> next = 0;

@@ -78,7 +78,8 @@ void Memory::release() {
   free_kept();
 }
 
-// A block of the very size: so a frame finds again what one like it took, whatever came between.
+// A block of exactly this size: so a frame gets the blocks of a similar frame before, whatever came
+// between.
 std::size_t Memory::find_kept(std::size_t bytes) const {
   const auto found = std::find_if(kept_.begin(), kept_.end(),
                                   [bytes](const Block& kept) { return kept.bytes == bytes; });

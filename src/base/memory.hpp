@@ -1,7 +1,7 @@
-// Working memory that is kept: what a search gives back is there for the next one.
+// Working memory that is kept: blocks that a search gives back are reused by the next one.
 //
-// During its first call it keeps only what the same call can use again: a search that is made once
-// should not hold the memory of all its steps at a time.
+// During its first call it keeps only blocks that the same call can reuse: a single search should
+// not hold the memory of all its steps at once.
 //
 // A memory resource for Buffer and the std::pmr containers. Thread-safe. Large blocks are aligned
 // to huge pages and ask for them: 512 times fewer page faults when the memory is new, and scattered
@@ -17,7 +17,7 @@
 
 namespace beespace::core {
 
-// Asks for huge pages where the system has them. Advice: nothing depends on it.
+// Requests huge pages where the system has them: a hint, on which no result depends.
 void advise_huge_pages(void* data, std::size_t bytes);
 
 // A block of uninitialised memory from the system, and back to it.
@@ -31,16 +31,16 @@ class Memory final : public std::pmr::memory_resource {
   Memory& operator=(const Memory&) = delete;
   ~Memory() override;
 
-  // The memory that a worker of a crew takes from: one of its own, so that what it finds there does
-  // not depend on what the others take meanwhile. Worker 0, the caller, takes from this one.
+  // The memory resource of one thread of a crew: its own, so that its blocks do not depend on what
+  // other threads allocate meanwhile. Worker 0, the caller, uses this one.
   Memory& of(unsigned worker);
 
-  // To be called at the start of each search. Also gives blocks that no search of some time has
-  // used back to the system, so that a swarm that grows from frame to frame does not leave a trail
-  // of them.
+  // Must be called at the start of each search. Also returns blocks that recent searches have not
+  // used to the system, so that a swarm that grows from frame to frame does not keep all smaller
+  // blocks.
   void start_call();
 
-  // Gives all blocks that nobody uses back to the system.
+  // Gives all unused blocks back to the system.
   void release();
 
  private:
@@ -61,7 +61,7 @@ class Memory final : public std::pmr::memory_resource {
 
   std::mutex mutex_;
   std::uint64_t calls_ = 0;
-  std::vector<Block> kept_;  // nobody's, for whoever asks next
+  std::vector<Block> kept_;  // unused, for the next allocation
   std::vector<Block> lent_;
   std::vector<std::unique_ptr<Memory>> of_workers_;
 };

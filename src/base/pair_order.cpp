@@ -13,11 +13,11 @@ constexpr unsigned kMostBucketBits = 12;  // open write streams that the L2 cach
 constexpr unsigned kPairsABucketBits = 8;
 constexpr std::size_t kFew = 24;  // below this, a comparison sort is the fastest
 
-// And so it is where a bucket has this many times more ids than pairs: to count by id would take
-// more time, and memory, than there are pairs.
+// The same where a bucket has this many times more ids than pairs: counting by id would take more
+// time and memory than sorting the pairs.
 constexpr std::size_t kSparse = 8;
 
-// With this many pairs an id, rows are too long to be sorted by comparisons.
+// With this many pairs an id, rows are too long for comparison sorts.
 constexpr std::size_t kLong = 32;
 
 constexpr unsigned kDigitBits = 10;

@@ -1,4 +1,4 @@
-// Pairs as they are found, and how they come into order.
+// Found pairs, and how they are sorted.
 #pragma once
 
 #include "base/buffer.hpp"
@@ -43,14 +43,14 @@ class FoundPairs {
   Vector<Chunk> chunks_;
 };
 
-// Of all workers.
+// The pairs of all workers.
 inline std::uint64_t size_of(const Vector<FoundPairs>& found) {
   std::uint64_t size = 0;
   for (const FoundPairs& part : found) size += part.size();
   return size;
 }
 
-// How a found pair (a, b) is written down.
+// The order of the ids in a written pair.
 enum class Direction : std::uint8_t {
   kAsFound,    // (a, b)
   kAscending,  // (lower, higher)

@@ -1,5 +1,5 @@
-// A block of points on its way through a loop: coordinates in one short array an axis, which the
-// compiler can vectorise over, whatever layout the caller has.
+// A block of points in a loop: coordinates in one short array an axis, which the compiler can
+// vectorise over, for any layout of the caller.
 #pragma once
 
 #include <beespace/points_view.hpp>
@@ -31,8 +31,7 @@ struct Interleaved {
   std::array<std::size_t, 3> place;  // which of the three is on axis 0, 1 and 2
 };
 
-// Asks for the `count` points behind those before they are worked on; asking beyond the end does no
-// harm.
+// Prefetches the `count` points behind those; a prefetch beyond the end is harmless.
 inline void prefetch_behind(const double* xyz, std::size_t count) {
   const auto* const first = reinterpret_cast<const std::byte*>(xyz);
   const std::size_t bytes = count * sizeof(Point);
@@ -94,7 +93,7 @@ class PointBlock {
   [[nodiscard]] const double* axis(std::size_t axis) const { return values_[axis].data(); }
 
  private:
-  // Asks for the next block while this one is worked on; asking beyond the end does no harm.
+  // Prefetches the next block while this one is processed; a prefetch beyond the end is harmless.
   static void prefetch(const std::byte* from, std::ptrdiff_t stride, std::size_t count) {
     constexpr std::size_t kPointsALine = 64 / sizeof(Point);
     for (std::size_t i = count; i < 2 * count; i += kPointsALine) {

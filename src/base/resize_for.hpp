@@ -1,4 +1,4 @@
-// A vector of answers that is about to be written throughout.
+// Resizes a vector of answers whose elements will all be written.
 #pragma once
 
 #include "base/memory.hpp"
@@ -8,7 +8,7 @@
 
 namespace beespace::core {
 
-// Like resize, but forgets what was there if it must grow, and asks for huge pages then.
+// Like resize, but drops the old contents if it must grow, and requests huge pages then.
 template <class T>
 void resize_for(std::vector<T>& vector, std::size_t size) {
   if (vector.capacity() < size) {

@@ -1,4 +1,4 @@
-// What a search works with: hands and memory. Both are lent by whoever calls.
+// What a search works with: threads and memory. The caller lends both.
 #pragma once
 
 #include "base/memory.hpp"

@@ -1,5 +1,5 @@
-// Rows of neighbours as they are found, and how they come into order. For crowds, where rows are
-// long: nothing but the ids is kept, and each row is sorted by itself.
+// Found rows of neighbours, and how they are sorted. For crowds, where rows are long: only the ids
+// are kept, and each row is sorted separately.
 #pragma once
 
 #include "base/buffer.hpp"

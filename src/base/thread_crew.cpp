@@ -47,7 +47,7 @@ class ThreadCrew::Threads {
       try {
         threads_.emplace_back([this, worker] { work(worker); });
       } catch (const std::exception&) {  // no thread to be had, or no memory for one
-        break;                           // fewer hands, the same answer
+        break;                           // fewer threads, the same answer
       }
     }
   }
@@ -66,8 +66,8 @@ class ThreadCrew::Threads {
   [[nodiscard]] unsigned size() const { return static_cast<unsigned>(threads_.size()) + 1; }
 
   void run(const Crew::Task& task) {
-    // While the threads are busy, also with a task that this call is part of: all parts, one by
-    // one.
+    // While the threads are busy, also with a task that this call is part of: runs all parts, one
+    // by one.
     if (threads_.empty() || at_work_.exchange(true)) {
       for (unsigned worker = 0; worker < size(); ++worker) task(worker);
       return;
@@ -93,7 +93,7 @@ class ThreadCrew::Threads {
     done_.wait(lock, [this] { return busy_ == 0; });
   }
 
-  // A search is a row of short tasks: who sleeps after each wakes up late for the next.
+  // A search is a row of short tasks: a thread that sleeps after each wakes up late for the next.
   template <class Condition>
   static bool comes_soon(const Condition& condition) {
     constexpr auto kSoon = std::chrono::microseconds(50);

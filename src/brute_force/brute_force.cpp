@@ -60,7 +60,7 @@ class Pairing {
     });
   }
 
-  // Both sets as a search with a vertical threshold sees them.
+  // Both sets in the form for a vertical threshold.
   struct Uprights {
     core::UprightPoints points;
     core::UprightPoints others;
@@ -251,7 +251,7 @@ Result<IdRows> find_conflict_groups(const PointsView& points, const SearchOption
 Result<std::optional<ClosestPair>> find_closest_pair(const PointsView& points) {
   const Pairing pairing(points);
   if (auto error = pairing.check()) return *std::move(error);
-  return closest_of(pairing);  // ascending order meets (i, j) before (j, i)
+  return closest_of(pairing);  // ascending order: (i, j) comes before (j, i)
 }
 
 Result<std::optional<ClosestPair>> find_closest_pair_between(const PointsView& points,

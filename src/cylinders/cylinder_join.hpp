@@ -1,7 +1,7 @@
-// Who is in whose cylinder, of the places of one tree or of two: pairs of boxes are settled as a
-// whole where they can be, and looked into where they cannot.
+// The pairs of places that are in each other's cylinders, of one tree or of two: pairs of boxes are
+// settled as a whole where possible, and looked into where not.
 //
-// A Task says what becomes of it. It is called with
+// A Task says what becomes of the pairs. It is called with
 //
 //   settled(a, b)     whether nothing about the places of two nodes matters any more
 //   near_itself(a)    all places of a node are near each other

@@ -32,7 +32,7 @@ struct Extent {
   [[nodiscard]] bool is_one_place() const { return low == high; }
 };
 
-// How a box is cut: in which cell of each axis a place lies, and the key that these make up.
+// How a box is cut: the cell of a place on each axis, and the key that these make up.
 class Cells {
  public:
   // `tables` is working memory.
@@ -141,7 +141,7 @@ class Orderer {
     begins_.resize(base);
   }
 
-  // Deals ids out by their keys; begins[k] is where those of key k begin.
+  // Distributes ids by their keys (a counting sort); begins[k] is where those of key k begin.
   static void deal(const std::uint32_t* ids, const std::uint32_t* keys, std::size_t count,
                    std::size_t cells, std::uint32_t* to, std::uint32_t* begins) {
     std::fill_n(begins, cells + 1, 0U);

@@ -1,7 +1,7 @@
-// In which order places stand in a CylinderTree: neighbours together.
+// The order of places in a CylinderTree: neighbours together.
 //
-// Nothing but speed depends on it. So it may count widths in thresholds, horizontal or vertical as
-// the axis is, and may round: no decision is made here.
+// Only speed depends on it. So it may count widths in thresholds, horizontal or vertical by the
+// axis, and may round: no decision is made here.
 #pragma once
 
 #include "base/buffer.hpp"
@@ -21,11 +21,11 @@ struct CylinderSize {
 };
 
 // Entry s is the index of the point that belongs into slot s. The box of the points is cut into
-// cells, half by half, always across the axis that is widest in thresholds; whoever shares a cell
-// with more than `few` others is ordered in the same way in the box of that cell, unless all are at
-// one place. Each time at least the widest axis is cut, and the doubles have so many binary orders
-// only: no input is quadratic. Expected cost: some 20 nanoseconds a point. The order does not
-// depend on the number of workers.
+// cells, half by half, always across the axis that is widest in thresholds. Points that share a
+// cell with more than `few` others are ordered in the same way in the box of that cell, unless all
+// are at one place. Each time at least the widest axis is cut, and doubles have a limited number of
+// binary orders: no input is quadratic. Expected cost: some 20 nanoseconds a point. The order does
+// not depend on the number of workers.
 Buffer<std::uint32_t> cylinder_order(const UprightPoints& points, const CylinderSize& size,
                                      std::size_t few, const Resources& with);
 

@@ -25,7 +25,7 @@ struct PairsKept {
   [[nodiscard]] bool enough() const { return total.load(std::memory_order_relaxed) > most; }
 };
 
-// Keeps those of one worker, as found; stops soon after there are too many.
+// Keeps the pairs of one worker, as found; stops soon after there are too many.
 class KeepPairs {
  public:
   KeepPairs(PairsKept& all, core::FoundPairs& found) : all_(all), found_(found) {}
@@ -46,14 +46,14 @@ class KeepPairs {
   core::FoundPairs::Chunk* chunk_ = nullptr;
 };
 
-// Whom all workers show pairs to, one at a time.
+// The visitor that all workers show pairs to, one at a time.
 struct Audience {
   const PairVisitor& visit;
   std::mutex mutex = {};
   std::atomic<bool> gone = false;
 };
 
-// Shows those of one worker by the batch, lower id first.
+// Shows the pairs of one worker in batches, lower id first.
 class ShowPairs {
  public:
   explicit ShowPairs(Audience& audience) : audience_(audience) {}
@@ -81,7 +81,7 @@ class ShowPairs {
   std::size_t size_ = 0;
 };
 
-// Pairs of slots of rows, for one of the two.
+// Pairs of slots of rows, for either use.
 template <class Sink>
 class RowPairs {
  public:
@@ -97,8 +97,8 @@ class RowPairs {
   Sink sink_;
 };
 
-// Pairs of slots of trees: a task of cylinders/cylinder_join.hpp. Takes nodes that are near as a
-// whole apart.
+// Pairs of slots of trees: a task of cylinders/cylinder_join.hpp. Splits nodes that are near as a
+// whole.
 template <class Sink>
 class TreePairs {
  public:

@@ -74,7 +74,7 @@ class CylinderRows::Builder {
     return is_crowded(cell_of);
   }
 
-  // In the order of their coordinates along each row. Whoever is in an earlier cell comes first.
+  // In the order of their coordinates along each row. Points of earlier cells come first.
   void sort_and_fill() {
     with_.crew.split(rows_.rows_, [&](std::size_t first, std::size_t last, unsigned) {
       for (std::size_t row = first; row < last; ++row) {
@@ -130,9 +130,9 @@ class CylinderRows::Builder {
     rows_.begins_ = Buffer<std::uint32_t>(with_.memory, rows_.rows_ + 1);
   }
 
-  // The pairs that meet are at most some 14 times the sum of the squares of the numbers of places
-  // in cells: of a cell, the one ahead, and three each in four rows behind, by the inequality of
-  // means.
+  // The number of compared pairs is at most about 14 times the sum of the squares of the cells'
+  // numbers of places: of a cell, the one ahead, and three each in four rows behind, by the
+  // inequality of means.
   [[nodiscard]] bool is_crowded(const Buffer<std::uint32_t>& cell_of) const {
     std::uint64_t squares = 0;
     for (std::size_t row = 0; row < rows_.rows_; ++row) {

@@ -1,6 +1,6 @@
-// Places in rows of cells, for searches with a vertical threshold in swarms that are no crowd: a
+// Places in rows of cells, for searches with a vertical threshold in swarms that are not crowded: a
 // row is as high and as wide as the thresholds, and sorted along the third axis, so that each place
-// meets those in its window of its own row and of the four rows behind it.
+// is compared with those in its window of its own row and of the four rows behind it.
 //
 // No pair is lost: a cell's number is the floor of q = (c - low) / w, each operation rounded, which
 // is monotone in the coordinate c. There are at most 2^20 cells along an axis, so q is at most 2^20
@@ -8,7 +8,7 @@
 // whatever the magnitude of c). Cells are w >= X (1 + 2^-20) wide, rounded by no more than 2^-52:
 // so two places whose coordinates are at most X apart have q at most 1 - 2^-21 + 2 * 2^-31 < 1
 // apart, and are in the same cell or in one beside it. The window ends where a rounded difference
-// is above X, which it is of real differences above X only. Who meets is decided as in
+// is above X, which it is of real differences above X only. Pairs are decided as in
 // cylinders/cylinder_tree.hpp.
 #pragma once
 
@@ -28,12 +28,12 @@ namespace beespace::core {
 
 class CylinderRows {
  public:
-  // Of at least one place. Where so many places are in the same cells that a tree is faster, the
-  // rows are left unfinished unless they are `wanted`. Working memory: 60 bytes a place.
+  // For at least one place. Where so many places share cells that a tree is faster, the rows are
+  // left unfinished unless they are `wanted`. Working memory: 60 bytes a place.
   CylinderRows(const UprightPoints& points, const CylinderSize& size, bool wanted,
                const Resources& with);
 
-  // Otherwise nothing may be asked.
+  // If false, no other member may be called.
   [[nodiscard]] bool finished() const { return finished_; }
 
   [[nodiscard]] std::size_t size() const { return size_; }
@@ -45,7 +45,7 @@ class CylinderRows {
   void for_each_near(const CylinderTests& tests, Crew& crew, const TaskOf& task_of) const;
 
  private:
-  // In the order of the cells: along the row, across it, what is left, and the height.
+  // In the order of the cells: along the row, across it, the remaining axis, and the height.
   struct Place {
     double along;
     double across;
@@ -112,7 +112,7 @@ void CylinderRows::look_at_row(std::size_t row, const CylinderTests& tests, Task
   }
 }
 
-// Place i and those from `begin` on that its window reaches.
+// Place i and the places from `begin` on within its window.
 template <class Task>
 void CylinderRows::look(std::size_t i, std::size_t begin, std::size_t end,
                         const CylinderTests& tests, Task& task) const {
@@ -125,7 +125,7 @@ void CylinderRows::look(std::size_t i, std::size_t begin, std::size_t end,
     const double across = there.across - here.across;
     const double rest = there.rest - here.rest;
     const double squared = along * along + across * across + rest * rest;
-    // One branch: which of the two it is cannot be foretold.
+    // One branch: which of the two it is cannot be predicted.
     const int may_be_near =
         int{up <= tests.boxes.upright()} & int{squared <= tests.boxes.surely_far()};
     if (may_be_near == 0) continue;

@@ -1,5 +1,5 @@
-// What becomes of places that are in each other's cylinders: the tasks of
-// cylinders/cylinder_join.hpp, and of cylinders/cylinder_rows.hpp.
+// The uses of places that are in each other's cylinders: the tasks of cylinders/cylinder_join.hpp,
+// and of cylinders/cylinder_rows.hpp.
 #pragma once
 
 #include "base/disjoint_sets.hpp"
@@ -13,7 +13,7 @@
 
 namespace beespace::search {
 
-// One byte for each of many things; any worker may set them.
+// Flags, one byte each; any worker may set them.
 class Flags {
  public:
   Flags(core::Memory& memory, std::size_t size) : flags_(memory, size) {
@@ -70,7 +70,7 @@ void for_each_upward(const core::CylinderTree& tree, const Settle& settle) {
   }
 }
 
-// Who is near anybody. Nodes of which all are need no more looking at.
+// Marks the places that are near another one. Nodes whose places are all marked need no more work.
 class Marks {
  public:
   // Of two trees, those of the first are marked.
@@ -130,7 +130,8 @@ class Marks {
   Flags all_;
 };
 
-// How many are near each. What is near all of a node is counted once, and added up in the end.
+// Counts the near places of each. Places near all of a node are counted once, and added up in the
+// end.
 class Counts {
  public:
   Counts(const core::CylinderTree& first, const core::CylinderTree& second, bool one_worker,
@@ -160,7 +161,7 @@ class Counts {
   }
   static void looked_into(core::CylinderNode) {}
 
-  // Then counts of slots are whole.
+  // After that the counts of slots are complete.
   void add_up() {
     for (unsigned level = first_.top(); level > 0; --level) {
       for (std::size_t node = 0; node < first_.nodes(level); ++node) {
@@ -190,8 +191,8 @@ class Counts {
   core::Buffer<std::uint32_t> of_nodes_;
 };
 
-// Who belongs together. Nodes that are known to be of one group each are looked into until they
-// are known to be of the same.
+// The groups. Nodes that are known to be of one group each are looked into until they are known to
+// be of the same.
 class Groups {
  public:
   Groups(const core::CylinderTree& tree, core::Memory& memory)
@@ -246,7 +247,7 @@ class Groups {
     if (one_[number(node)]) return;
     const std::size_t end = tree_.end_slot(node.level, node.node);
     for (std::size_t slot = first(node) + 1; slot < end; ++slot) near(first(node), slot);
-    // Only then: another worker that sees a flag relies on it.
+    // Only now: another worker that sees a flag relies on it.
     for_each_below(tree_, node, [&](core::CylinderNode below) { one_.set(number(below)); });
   }
 

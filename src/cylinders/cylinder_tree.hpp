@@ -83,7 +83,7 @@ class CylinderTree {
     return end < nodes(level - 1) ? end : nodes(level - 1);
   }
 
-  // Which of the points is in a slot, and its place.
+  // The index of the point in a slot, and its place.
   [[nodiscard]] std::uint32_t index(std::size_t slot) const { return order_[slot]; }
   [[nodiscard]] Upright place(std::size_t slot) const {
     const UprightLeaf& of = leaves_[slot / kFanOut];
@@ -106,7 +106,7 @@ class CylinderTree {
   Buffer<UprightBox> boxes_;
 };
 
-// What boxes and places tell: surely in the cylinder, surely not, or to be decided exactly.
+// The verdicts on boxes and places: surely in the cylinder, surely not, or to be decided exactly.
 class CylinderBoxTest {
  public:
   explicit CylinderBoxTest(const CylinderSize& size)

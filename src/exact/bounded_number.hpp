@@ -1,4 +1,4 @@
-// A double and how wrong it may be: what was rounded on the way is added up beside the value.
+// A double with a bound of its error, which is propagated beside the value.
 #pragma once
 
 #include <cmath>
@@ -44,7 +44,7 @@ class BoundedNumber {
   BoundedNumber(double value, double error) : value_(value), error_(error) {}
 
   static constexpr double kRounding = 0x1p-53;
-  // More than a product loses when it, or the error of it, becomes too small for a double.
+  // An upper limit of what a product loses when it, or its error, becomes too small for a double.
   static constexpr double kUnderflow = 0x1p-1020;
   static constexpr double kSlack = 1.0 + 0x1p-40;
 

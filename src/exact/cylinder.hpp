@@ -1,4 +1,4 @@
-// "Too close" in a cylinder: horizontally and in height, each on its own, decided exactly.
+// "Too close" in a cylinder: horizontally and in height, separately, decided exactly.
 #pragma once
 
 #include "exact/exact_distance.hpp"
@@ -12,8 +12,8 @@
 
 namespace beespace::core {
 
-// A place as searches with a vertical threshold see it. The height comes first; the horizontal
-// distance is that of the three others. Where the height is z, the last of them is 0.
+// A place for searches with a vertical threshold. The height comes first; the horizontal distance
+// is that of the three others. Where the height is z, the last of them is 0.
 struct Upright {
   static constexpr std::size_t kAxes = 4;
 
@@ -59,8 +59,8 @@ class CylinderTest {
   ProximityTest upright_;
 };
 
-// The straight line between two places, of their horizontal positions and their heights. Of heights
-// apart one counts `height_unit_m` metres.
+// The straight line between two places, from their horizontal positions and heights. One unit of
+// separate heights is `height_unit_m` metres.
 class StraightLine {
  public:
   explicit StraightLine(double height_unit_m) : unit_(height_unit_m) {}

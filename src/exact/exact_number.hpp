@@ -1,5 +1,5 @@
-// Numbers without rounding: integers of any size times a power of two, which sums, differences and
-// products of doubles are. Slow, and asked only where doubles leave a sign open.
+// Numbers without rounding: integers of any size times a power of two, which include all sums,
+// differences and products of doubles. Slow, and used only where doubles leave a sign open.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Whether a search may start: the options make sense and every point lies in the domain.
+// Checks the input of a search: the options are valid and every point lies in the domain.
 #pragma once
 
 #include <beespace/points_view.hpp>
@@ -24,13 +24,13 @@ std::optional<Error> check_vertical(const SearchOptions& options, std::size_t po
                                     std::size_t others);
 std::optional<Error> check_no_vertical(const SearchOptions& options);
 std::optional<Error> check_size(std::size_t size);
-// That its arrays fit together, and their size: before anything of it is read.
+// Checks that its arrays fit together, and their size: before any element is read.
 std::optional<Error> check_size(const PointsView& points);
 
 // The coordinate domain of point.hpp.
 bool in_domain(double coordinate);
 
-// What errors about one of two sets name in place.source.
+// The names in place.source of errors about one of two sets.
 inline constexpr const char* kPointsName = "points";
 inline constexpr const char* kOthersName = "others";
 

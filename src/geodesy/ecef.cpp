@@ -13,7 +13,7 @@ namespace {
 
 using geodesy::EcefBlock;
 
-// As short as it can be and still the same double; "nan" and "inf" as they are.
+// The shortest text of the same double; "nan" and "inf" as they are.
 std::string number(double value) {
   std::array<char, 32> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
@@ -25,7 +25,7 @@ bool is_finite(const GeographicPosition& position) {
          std::isfinite(position.height_m);
 }
 
-// What is wrong with a position that is not valid.
+// The error of an invalid position.
 Error explain(const GeographicPosition& position) {
   if (!is_finite(position)) {
     return {ErrorCode::kNotFinite,
@@ -59,7 +59,7 @@ GeographicPosition position_at(const EcefBlock& block, std::size_t i) {
   return {block.longitude_deg[i], block.latitude_deg[i], block.height_m[i]};
 }
 
-// Positions first ... first + count - 1 into the block; what is left of it gets a harmless one.
+// Copies positions first ... first + count - 1 into the block, and fills the rest with a valid one.
 void fill(EcefBlock& block, const PointsView& positions, std::size_t first, std::size_t count) {
   constexpr auto kPacked = static_cast<std::ptrdiff_t>(sizeof(Point));
   const auto& axes = positions.axes();

@@ -54,7 +54,7 @@ void find_buckets(const PositionBlock& at, std::size_t count, const CellOrder& o
   }
 }
 
-constexpr std::size_t kRemembered = 4096;  // digits are worked out once, for buckets up to this
+constexpr std::size_t kRemembered = 4096;  // digits are computed once, for buckets up to this
 
 // One stable counting pass; digit_of(record) is below 1 << digit_bits, and put(place, record) takes
 // the result.

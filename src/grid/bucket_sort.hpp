@@ -22,7 +22,7 @@ struct Buckets {
 Buckets scatter_into_buckets(const Selection& selected, const Lattice& lattice,
                              const CellOrder& order, const Resources& with);
 
-// Where sorted points go: one array a property.
+// The arrays of sorted points: one a property.
 struct SortedArrays {
   std::int32_t* x;
   std::int32_t* y;

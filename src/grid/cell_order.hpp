@@ -1,10 +1,10 @@
-// The order of points in a grid, and what a row of it is.
+// The order of points in a grid, and its rows.
 //
 // Space is cut into long square bars along x, called rows: `1 << row_shift` cells wide in y and z.
 // Points stand in the order of their rows, within a row in the order of slices along x, a quarter
 // of a cell thin, and within a slice in any order.
 //
-//   z  +-------+-------+     Whoever is within the reach of p is in its own row, or, where p's cell
+//   z  +-------+-------+     Points within the reach of p are in its own row, or, where p's cell
 //      | .   . |   .   |     is at the edge of its row, in the row beyond that edge; and there at
 //      |     p |.  .   |     most a cell away along x. Wide rows suit thin swarms: most points need
 //      +-------+-------+     to look at their own row only.

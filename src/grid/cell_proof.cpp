@@ -47,7 +47,7 @@ std::uint64_t number_densely(const PointsView& points, const Lattice& lattice,
   return layer * lattice.cells(2);
 }
 
-// Open addressing; a slot holds a point of its cell, whose cell is worked out again to compare: a
+// Open addressing; a slot holds a point of its cell, whose cell is computed again to compare: a
 // hash collision must not prove anything.
 std::uint64_t number_by_hashing(const PointsView& points, const Lattice& lattice, Memory& memory,
                                 Buffer<std::uint32_t>& cell) {
@@ -142,9 +142,9 @@ class AloneNearby {
   Vector<Entry> entries_;
 };
 
-// Decides the few points that are alone in their cells: every point is held against those nearby.
-// Most find company among the first points that come; the lists are made anew for the others, so
-// that the bulk of the points has nobody to be held against.
+// Decides the few points that are alone in their cells: every point is compared with those nearby.
+// Most find a neighbour among the first points that come; the lists are made anew for the others,
+// so that most points have none to be compared with.
 void settle_alone(const PointsView& points, const ProximityTest& closer,
                   const Buffer<std::uint32_t>& cell, const Lattice& lattice, std::size_t cells,
                   Vector<PointId> alone, const Resources& with, Buffer<std::uint8_t>& at_risk) {
@@ -156,7 +156,7 @@ void settle_alone(const PointsView& points, const ProximityTest& closer,
     with.crew.split(count, [&](std::size_t begin, std::size_t end, unsigned) {
       for (std::size_t i = done + begin; i < done + end; ++i) {
         nearby.for_each(cell[i], [&](PointId id) {
-          // Several workers may find company for the same point; all of them write the same.
+          // Several workers may find a neighbour of the same point; all of them write the same.
           const std::atomic_ref<std::uint8_t> found(at_risk[id]);
           if (found.load(std::memory_order_relaxed) != 0 || id == i) return;
           if (closer(points[i], points[id])) found.store(1, std::memory_order_relaxed);
@@ -168,7 +168,7 @@ void settle_alone(const PointsView& points, const ProximityTest& closer,
   }
 }
 
-// Marks the points with company in their cell; returns those alone.
+// Marks the points that share their cell; returns those that are alone.
 Vector<PointId> read_off(const Buffer<std::uint32_t>& cell, const Vector<std::uint8_t>& counts,
                          std::size_t size, const Resources& with, Buffer<std::uint8_t>& at_risk) {
   PerWorker<PointId> alone(with);

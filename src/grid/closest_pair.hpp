@@ -1,12 +1,12 @@
 // The two closest points of all.
 //
 //   an eighth of the points, in short runs  --(same again)-->  their closest pair: a bound
-//   all points  --occupancy_filter: who may have company within the bound?-->  few
+//   all points  --occupancy filter: a neighbour within the bound?-->  few
 //   those few, sorted into a grid as fine as the bound  -->  the closest pair, exactly
 //
-// Source: the occupancy_filter of S. Khuller and Y. Matias, A simple randomized occupancy_filter
-// algorithm for the closest-pair problem, 1995; the bound from a sample is M. O. Rabin's, 1976.
-// Expected cost and memory are proportional to the number of points, for any points.
+// Source: the sieve of S. Khuller and Y. Matias, A simple randomized sieve algorithm for the
+// closest-pair problem, 1995; the bound from a sample is M. O. Rabin's, 1976. Expected cost and
+// memory are proportional to the number of points, for any points.
 #pragma once
 
 #include "base/bounds.hpp"

@@ -1,4 +1,4 @@
-// The different places at which points are, where many of them share one.
+// The distinct places of points, where many of them share one.
 #pragma once
 
 #include "base/buffer.hpp"

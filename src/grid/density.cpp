@@ -80,8 +80,8 @@ double DensitySample::side_for(double wanted, const Bounds& bounds) const {
     if (axes == 0) break;
     side = std::exp((log_volume + std::log(wanted / all)) / axes);
   }
-  // Of the widest extent: below it, only duplicates meet, even in a clump with an outlier. And
-  // cells of the whole coordinate domain must be numbers.
+  // As a share of the widest extent: below it, only duplicates share cells, even in a clump with an
+  // outlier. And cell numbers must be valid in the whole coordinate domain.
   constexpr double kSmallest = 0x1p-200;
   const double smallest = std::max(widest * kSmallest, 0x1p-500);
   side = std::clamp(side, smallest, widest);

@@ -1,5 +1,5 @@
-// How crowded is it, seen from a random point? Estimated from a sample, in a fraction of a
-// millisecond, and right for clustered points too, where an average over space says nothing.
+// The density around a random point. Estimated from a sample, in a fraction of a millisecond, and
+// right for clustered points too, where an average over space is meaningless.
 #pragma once
 
 #include "base/bounds.hpp"
@@ -18,13 +18,13 @@ class DensitySample {
   DensitySample(const PointsView& points, Memory& memory);
 
   // The expected number of other points in a point's own cell, for cubic cells of side `cell_m`:
-  // the share of pairs of the sample that share a cell, times the number of points. Sees a tenth of
-  // a mate among a million points as plain zero.
+  // the share of pairs of the sample that share a cell, times the number of points. A tenth of a
+  // neighbour among a million points is estimated as zero.
   [[nodiscard]] double expected_neighbors(double cell_m) const;
 
-  // A cell side with about `wanted` expected_neighbors, found from the average over the box
-  // downward: at most some 200 looks, one for an even swarm. Duplicates share cells of any size and
-  // do not count.
+  // A cell side with about `wanted` expected neighbours, found from the average over the box
+  // downward: at most some 200 evaluations, one for an even swarm. Duplicates share cells of any
+  // size and do not count.
   [[nodiscard]] double side_for(double wanted, const Bounds& bounds) const;
 
  private:

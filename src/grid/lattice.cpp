@@ -106,7 +106,7 @@ double Lattice::fold(std::span<const PointsView> sets, std::size_t axis, double 
   return longest;
 }
 
-// A stretch takes three cells however short it is; with larger cells, narrower gaps are cells too.
+// A stretch takes at least three cells; with larger cells, narrower gaps are cells too.
 void Lattice::join_stretches(Axis& axis, double gap) {
   if (!axis.folded()) return;
   std::size_t last = 0;

@@ -52,12 +52,12 @@ class Lattice {
   void positions(std::size_t axis, const double* values, std::size_t count,
                  std::int32_t* positions) const;
 
-  // Those of points that lie one behind the other, of whose three coordinates place[axis] is on
-  // `axis`. Not on a folded lattice.
+  // The positions of points that are consecutive in memory, of whose three coordinates place[axis]
+  // is on `axis`. Not on a folded lattice.
   void positions(const double* xyz, const std::array<std::size_t, 3>& place, std::size_t count,
                  const std::array<std::int32_t*, 3>& positions) const;
 
-  // Whether an axis is.
+  // Whether an axis is folded.
   [[nodiscard]] bool folded() const {
     return axes_[0].folded() || axes_[1].folded() || axes_[2].folded();
   }

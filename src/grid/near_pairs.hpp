@@ -1,7 +1,7 @@
-// The search in plain words: every pair of points that may be within the reach, once.
+// The search in its simplest form: every pair of points that may be within the reach, once.
 //
-// The fast kernels of src/cpu do the same with many pairs an instruction; this is the version to
-// read, and the one for searches that need each pair.
+// The fast kernels of src/kernels do the same with many pairs an instruction; this is the version
+// to read, and the one for searches that need each pair.
 #pragma once
 
 #include "grid/sorted_grid.hpp"
@@ -13,7 +13,7 @@
 
 namespace beespace::core {
 
-// Squared distances in units of a grid, between which rounding may have decided.
+// Squared distances in units of a grid, between which rounding may matter.
 //
 // Positions are cut to whole units, so the difference of two is wrong by less than 1 unit on an
 // axis and a distance by less than 1.75; 2 units leave room for the relative errors, at most 2^-21

@@ -35,7 +35,7 @@ void for_each_cell(const Selection& selected, const Lattice& lattice, std::size_
 
 Vector<PointId> surroundings(const Selection& asked, const Selection& others,
                              const Lattice& lattice, const Resources& with) {
-  // A bit for each of the 27 cells around a point asked for, one in sixteen bits set at most.
+  // A bit for each of the 27 cells around a query point, one in sixteen bits set at most.
   const std::uint64_t bits = std::bit_ceil(asked.size() * 27 * 16 + 64);
   Vector<std::uint64_t> near(bits / 64, &with.memory);
   for_each_cell(asked, lattice, 0, asked.size(),

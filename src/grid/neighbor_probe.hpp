@@ -1,8 +1,8 @@
-// For a few points among many: does any other point lie within the threshold of this one?
+// Queries for a few points among many: is any other point within the threshold of this one?
 //
-// Cost: for each point asked for, nine short runs of the grid, left at the first hit. In a crowd
-// that cell_proof has been through, at most 343 points of any 3 x 3 x 3 cells are asked for (each
-// has its own smaller cell), so the whole stays proportional to the number of points.
+// Cost: for each query point, nine short runs of the grid, left at the first hit. In a crowd that
+// cell_proof has processed, at most 343 points of any 3 x 3 x 3 cells are query points (each has
+// its own smaller cell), so the whole stays proportional to the number of points.
 #pragma once
 
 #include "base/bounds.hpp"

@@ -1,6 +1,6 @@
-// All neighbours of some points, on every side: for searches that ask for a few points at a time.
-// Those who ask and those around them may be in two grids of one lattice and row shift.
-// (near_pairs.hpp is for all points, and looks at each pair once.)
+// All neighbours of some query points, on every side: for searches with few queries at a time. The
+// queries and their neighbours may be in two grids of one lattice and row shift. (near_pairs.hpp is
+// for all points, and compares each pair once.)
 #pragma once
 
 #include "grid/near_pairs.hpp"
@@ -17,7 +17,7 @@ class NeighbourRows {
   NeighbourRows(const SortedGrid& asked, const SortedGrid& others, std::int32_t reach_cells = 1)
       : asked_(asked), grid_(others), reach_cells_(reach_cells) {}
 
-  // Finds the rows around `row` of those who ask; rows must come in ascending order.
+  // Finds the rows around row `row` of the queries; rows must come in ascending order.
   void select(std::size_t row) {
     const std::uint64_t number = asked_.row_number[row];
     count_ = 0;

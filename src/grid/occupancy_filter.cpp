@@ -17,9 +17,9 @@ namespace {
 
 constexpr std::uint64_t kSlotsAPoint = 16;
 
-// Which cells hold points, by their hashes: a set that may say yes too often, never no. Works on
-// blocks of points in short loops without branches, so that many table look-ups are under way at
-// once.
+// The set of cells that hold points, by their hashes: membership may be wrong where it says yes,
+// never where it says no. Works on blocks of points in short loops without branches, so that many
+// table look-ups are under way at once.
 class OccupiedCells {
  public:
   OccupiedCells(const Lattice& lattice, double bound, std::size_t size, Memory& memory)
@@ -31,8 +31,7 @@ class OccupiedCells {
     std::fill_n(words_.data(), mask_ / kSlotsAWord + 1, std::uint64_t{0});
   }
 
-  // With few units a cell, a point may be near both faces of it: the occupancy_filter cannot tell
-  // then.
+  // With few units a cell, a point may be near both faces of it: the filter cannot decide then.
   [[nodiscard]] bool is_useful() const { return 2 * reach_ < 1 << fraction_bits_; }
 
   // Safe to call from several threads at once: which bits are set does not depend on the order.
@@ -95,7 +94,7 @@ class OccupiedCells {
     };
     return cell_sum(cell(0), cell(1), cell(2));
   }
-  // One bit an axis for the faces within the bound, and what it takes to hash across them.
+  // One bit an axis for the faces within the bound, and the terms to hash across them.
   [[nodiscard]] unsigned near_faces(const PositionBlock& positions, std::size_t i,
                                     std::array<std::uint64_t, 3>& step) const {
     unsigned faces = 0;

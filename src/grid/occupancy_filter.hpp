@@ -1,4 +1,4 @@
-// Leaves out, at the cost of a few table look-ups a point, whoever surely has no company.
+// Leaves out points that surely have no neighbour, at the cost of a few table look-ups a point.
 #pragma once
 
 #include "base/resources.hpp"

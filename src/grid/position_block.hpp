@@ -1,5 +1,5 @@
-// A block of points on its way through a loop: positions in a lattice, in one short array an axis,
-// which the compiler can vectorise over.
+// A block of positions in a loop: coordinates in a lattice, in one short array an axis, which the
+// compiler can vectorise over.
 #pragma once
 
 #include "base/point_block.hpp"

@@ -1,5 +1,5 @@
-// Where a few are much larger than all others: a grid that suits them would suit nobody else, so
-// they are better compared with everybody one by one. Which sizes could be drawn a line at?
+// Where a few objects are much larger than all others, a grid that suits them would suit no others,
+// so they are better compared with all others one by one. Which sizes could be the limit?
 #pragma once
 
 #include "base/resources.hpp"
@@ -15,8 +15,8 @@ struct SizeLevel {
   std::size_t beyond;  // how many are larger
 };
 
-// What one ball costs, in nanoseconds, of those that are met within the reach in a grid, and those
-// beyond it. Measured.
+// The cost of one ball, in nanoseconds, from the balls within the reach in a grid, and those beyond
+// it. Measured.
 inline double comparing_cost(const core::DensitySample& sample, double reach_m,
                              std::size_t beyond) {
   constexpr double kComparing = 0.25;
@@ -26,9 +26,9 @@ inline double comparing_cost(const core::DensitySample& sample, double reach_m,
          kComparingBeyond * static_cast<double>(beyond);
 }
 
-// The largest size first, beyond which is nobody; where it is much larger than nearly all, some
-// smaller ones. `size_of` tells that of each of `count`. Cost: a look at a thousand, and a few
-// looks at all where there are such.
+// The greatest size first, beyond which there is none; where it is much greater than nearly all,
+// some smaller ones. `size_of` gives the size of each of `count` objects. Cost: a look at a
+// thousand, and a few looks at all where there are such sizes.
 template <class SizeOf>
 core::Vector<SizeLevel> size_levels(std::size_t count, double largest, core::Memory& memory,
                                     const SizeOf& size_of) {

@@ -44,7 +44,7 @@ void join_rows(SortedGrid& grid, const PerWorker<RowStart>& parts) {
   grid.row_begin.push_back(static_cast<std::uint32_t>(grid.size));
 }
 
-// Asks for a bucket, and for where it goes, while the one before it is sorted.
+// Prefetches a bucket, and its destination, while the one before it is sorted.
 void prefetch(const Buckets& buckets, std::size_t bucket, const SortedArrays& to) {
   constexpr std::uint32_t kMost = 1024;
   constexpr std::uint32_t kRecordsALine = 64 / sizeof(CellRecord);

@@ -1,4 +1,4 @@
-// Points that come, go and move, kept in trees.
+// Points that are inserted, removed and moved, kept in trees.
 //
 // A stack of trees, each at most an eighth of the one below, and a few recent points on top:
 //
@@ -49,7 +49,7 @@ class ChangingPoints {
   void rebuild(Crew& crew);
 
  private:
-  // Where a point is: in the tree of this number, among the recent, or nowhere any more.
+  // The place of a point: in the tree of this number, among the recent points, or none.
   using Level = std::uint8_t;
   static constexpr Level kRecent = 254;
   static constexpr Level kGone = 255;

@@ -1,4 +1,4 @@
-// What an Index consists of, and how one place is looked up in it.
+// The levels of an Index, and a query in them.
 #pragma once
 
 #include "index/changing_points.hpp"
@@ -33,7 +33,7 @@ class IndexLevels {
 
 std::optional<Error> check_radius(double radius_m);
 
-// The answers for many places, all of the domain and in this box.
+// The answers to many queries, all in the domain and in this box.
 Result<IdRows> find_around_all(const IndexLevels& levels, const PointsView& places,
                                const core::Bounds& bounds, const SearchOptions& options,
                                Crew& crew);

@@ -1,4 +1,4 @@
-// Many places at once: looked up in an order that suits the caches, in chunks, by whoever is free.
+// Many queries at once: in an order that suits the caches, in chunks, which free threads take.
 #include "exact/validate.hpp"
 #include "index/index_levels.hpp"
 #include "index/place_order.hpp"
@@ -14,7 +14,7 @@ namespace beespace::search {
 
 namespace {
 
-// Neighbouring places that one worker looks up.
+// Neighbouring queries that one worker answers.
 constexpr std::size_t kChunk = 512;
 
 // Calls work(chunk, begin, end, worker) for all chunks of [0, count).
@@ -54,7 +54,7 @@ class AroundAll {
   }
 
  private:
-  // What one worker found, chunk after chunk.
+  // The results of one worker, chunk after chunk.
   struct Found {
     std::vector<PointId> ids;
     std::vector<PointId> row;
@@ -99,7 +99,7 @@ class AroundAll {
   Crew& crew_;
   std::vector<Found> found_;  // by worker
   std::vector<Chunk> chunks_;
-  std::vector<std::uint32_t> sizes_;  // of the rows, in the order of looking
+  std::vector<std::uint32_t> sizes_;  // of the rows, in the order of the search
   std::atomic<std::uint64_t> total_{0};
 };
 
@@ -125,8 +125,8 @@ NearestRows find_nearest_of_all(const IndexLevels& levels, const PointsView& pla
     double reach_m = std::numeric_limits<double>::infinity();
     for (std::size_t i = begin; i < end; ++i) {
       const Point& place = ordered.places[i];
-      // As many as are around the place before, are no farther from here than from there and the
-      // way between the two. Distances and sums are off by a few 2^-53.
+      // As many points as around the place before lie within their distance plus the distance of
+      // the two places. Distances and sums are off by a few 2^-53.
       if (i > begin) reach_m += distance(place, ordered.places[i - 1]);
       list.start(place, k, reach_m * (1.0 + 0x1p-48));
       levels.find_nearest(place, list);

@@ -1,5 +1,5 @@
-// In which order many places are looked up: neighbours after each other, so that each finds in the
-// caches what the one before needed.
+// The order in which many queries are answered: neighbours after each other, so that the caches
+// hold what the query before needed.
 #pragma once
 
 #include "base/bounds.hpp"

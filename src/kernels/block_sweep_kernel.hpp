@@ -1,14 +1,14 @@
-// The sweep of a swarm by itself: a lane for every point that asks.
+// The sweep of a swarm by itself: a lane for every query point.
 //
 // Included by the sweep_<instruction set>.cpp files only, through sweep_kernel.hpp; the rules of
-// sweep_lanes.hpp hold. Where everybody asks, neighbours in the order ask for nearly the same
-// others. So a block of points asks together, and the others pass by:
+// sweep_lanes.hpp hold. Where all points are queries, neighbours in the order are compared with
+// nearly the same others. So a block of points queries together, and the others pass by:
 //
 //   in their own row    lane by lane: the points one place further on, then two, and so on, until
-//                       these are beyond the reach of every lane. Or, where every point asks for
-//                       itself, one by one.
-//   across a seam       one by one: the points of the row beyond who lie beside the seam, past
-//                       those who lie beside it on this side. Both are packed together first, so
+//                       these are beyond the reach of every lane. Or, where every point searches
+//                       for itself, one by one.
+//   across a seam       one by one: the points of the row beyond that lie beside the seam, past
+//                       those that lie beside it on this side. Both are packed together first, so
 //                       that no lane idles for the many in the middle of a wide row.
 //
 // Comparing does not branch on whether a pair is near.
@@ -77,7 +77,7 @@ class BlockSweep {
 
   static unsigned everybody(std::uint32_t count) { return (1U << count) - 1U; }
 
-  // Who asks and who is met is told by asked(lane) and met(lane).
+  // asked(lane) and met(lane) give the two points.
   template <class Asked, class Met>
   [[gnu::noinline]] void decide_unsure(typename Lanes::Seen& seen, const Asked& asked,
                                        const Met& met) const {
@@ -133,7 +133,7 @@ class BlockSweep {
       task_.start(i);
       for (std::uint32_t j = i + 1; j < end; ++j) {
         auto seen = lanes.look(at.x + j, at.y + j, at.z + j, least(count, end - j));
-        if (seen.before == 0) break;  // nobody reaches so far
+        if (seen.before == 0) break;  // no lane reaches so far
         if (seen.within != seen.near) [[unlikely]] {
           decide_unsure(
               seen, [i](unsigned lane) { return i + lane; },

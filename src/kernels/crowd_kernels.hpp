@@ -24,16 +24,16 @@ struct CrowdNode {
   std::uint32_t size;
 };
 
-// Where counts go. Lanes are added up when a node has been compared with all others.
+// The arrays of counts. Lanes are added up when a node has been compared with all others.
 struct CrowdSums {
-  std::uint32_t* of_asked;         // [slot of the asking node][lane]
-  std::uint32_t* of_asked_leaves;  // [leaf of the asking node][lane]: for all its points
+  std::uint32_t* of_asked;         // [slot of the query node][lane]
+  std::uint32_t* of_asked_leaves;  // [leaf of the query node][lane]: for all its points
   std::uint32_t* of_others;        // by slot of the other node
   std::uint32_t* of_other_leaves;  // by leaf of it
 };
 
 struct CrowdUnsure {
-  // Whether both are to note the other, or the asking one only.
+  // Whether both count the other, or only the query point does.
   void (*decide)(void* context, std::uint32_t asked, std::uint32_t other, bool both);
   void* context;
 };
@@ -43,9 +43,9 @@ using CountCrowds = void (*)(const CrowdNode& asked, const CrowdNode& others, co
 
 // `weighted` says whether nodes have weights.
 struct CrowdKernels {
-  CountCrowds count[2];         // [weighted]: both note the other
+  CountCrowds count[2];         // [weighted]: both count the other
   CountCrowds count_asked[2];   // [weighted]
-  CountCrowds count_within[2];  // [weighted]: of a node with itself; everybody is its own neighbour
+  CountCrowds count_within[2];  // [weighted]: of a node with itself; a point is its own neighbour
 };
 
 const CrowdKernels& crowd_kernels(InstructionSet set);

@@ -1,7 +1,8 @@
-// The sweep between two sets: one asking point in all lanes, past the others around it.
+// The sweep between two sets: one query point in all lanes, past the others around it.
 //
 // Included by the sweep_<instruction set>.cpp files only, through sweep_kernel.hpp; the rules of
-// sweep_lanes.hpp hold. Right where few ask among many, and where who has an answer leaves early.
+// sweep_lanes.hpp hold. Right where few query points meet many others, and where a query that has
+// its answer ends early.
 #pragma once
 
 #include "kernels/sweep_lanes.hpp"
@@ -11,8 +12,8 @@
 namespace beespace::cpu {
 namespace {
 
-// What becomes of near pairs is up to a sink: start(sweep, i) says whether point i is still worth
-// comparing, take(seen, from) whether to go on with a row, finish(i) whether to go on at all.
+// A sink takes the near pairs: start(sweep, i) says whether point i is still worth comparing,
+// take(seen, from) whether to go on with a row, finish(i) whether to go on at all.
 
 template <class Lanes>
 class MarkAsked {

@@ -35,13 +35,13 @@ struct Range {
 // beyond.
 enum Side : unsigned { kLowY = 1, kHighY = 2, kLowZ = 4, kHighZ = 8 };
 
-// A row to look into: by those points that lie beside all these sides of their own row.
+// A target row: for points that lie beside all these sides of their own row.
 struct Target {
   Range points;
   unsigned sides;
 };
 
-// Whether a pair is near, and worth a note.
+// Whether a pair is near, and needed.
 struct Unsure {
   bool (*decide)(void* context, std::uint32_t asked, std::uint32_t other);
   void* context;
@@ -53,12 +53,12 @@ struct Sweep {
   unsigned fraction_bits;
   unsigned row_shift;
   unsigned slice_bits;
-  std::int32_t reach_cells;  // how far one looks on an axis: a cell, or up to the width of a row
+  std::int32_t reach_cells;  // the reach on an axis: a cell, or up to the width of a row
   Limits limits;
 
   bool same_set;  // whether equal ids among asked points and others mean the same point
 
-  Range points;  // the points that ask: all or some of a row
+  Range points;  // the query points: all or some of a row
   Range own;     // all points of that row, where a set is swept by itself
   Target targets[9];
   unsigned target_count;
@@ -66,11 +66,11 @@ struct Sweep {
   Unsure unsure;
 };
 
-// What becomes of near pairs. Between two sets the asking point takes note. Where a set is swept by
-// itself, `targets` are the rows of higher numbers, a pair is met once, and both points take note;
-// but counts and nearest ones are taken within a row by everybody for itself. Arrays are indexed by
-// sorted points, less first_asked or first_other; where a set is swept by itself they are the same
-// arrays, and can be read and written kPadding beyond.
+// What becomes of near pairs. Between two sets the query point records them. Where a set is swept
+// by itself, `targets` are the rows of higher numbers, a pair is compared once, and both points
+// record it; but counts and nearest ones are taken within a row for each point separately. Arrays
+// are indexed by sorted points, less first_asked or first_other; where a set is swept by itself
+// they are the same arrays, and can be read and written kPadding beyond.
 
 struct Marks {
   std::uint8_t* asked;  // nonzero: has a near one
@@ -99,28 +99,28 @@ struct PairSink {
   void* context;
 };
 
-// The near ones of each point that asks, one row behind the other. `make_room` as in PairSink.
+// The near points of each query point, one row behind the other. `make_room` as in PairSink.
 struct RowSink {
   PointId* ids;
   std::uint32_t size;
   std::uint32_t capacity;
   std::uint32_t* lengths;  // by sorted point
-  bool above_only;         // leave out ids below that of the point that asks
+  bool above_only;         // leave out ids below that of the query point
   bool (*make_room)(void* context);
   void* context;
 };
 
-// Pairs of sorted places whose balls meet: squared distances in units at most the square of both
-// radii together. The limits of the sweep are not asked.
+// Pairs of sorted places whose balls meet: squared distances in units at most the square of the sum
+// of both radii. The limits of the sweep are not used.
 struct MeetingSink {
   const float* radius;  // in units, by sorted point; readable for kPadding elements behind the last
   PairSink& places;
 };
 
-// The nearest two of all that were looked at, near or not: squared distances in units, and who the
-// nearest is, as a sorted point. Nobody is its own nearest.
+// The nearest two of all that were compared, near or not: squared distances in units, and the
+// nearest one as a sorted point. No point is its own nearest.
 struct NearestTable {
-  float* best;  // infinite: nobody
+  float* best;  // infinite: none
   float* second;
   std::uint32_t* who;
   std::uint32_t first_asked;
@@ -132,16 +132,15 @@ inline constexpr InstructionSet kInstructionSets[] = {
     InstructionSet::kBaseline, InstructionSet::kAvx2, InstructionSet::kAvx512};
 
 struct Kernels {
-  // The first of each two is for a set by itself, the other for points that ask for others; that a
-  // point is among the others itself makes no difference to it, except as the sweep's same_set
-  // says.
+  // The first of each two is for a set by itself, the other for query points against others. A
+  // query point may be among the others itself; that matters only by the sweep's same_set.
   void (*mark)(const Sweep& sweep, const Marks& marks);
   void (*mark_asked)(const Sweep& sweep, const Marks& marks);  // leaves a point once it is marked
   void (*count)(const Sweep& sweep, const Counts& counts);
   void (*count_asked)(const Sweep& sweep, const Counts& counts);
   bool (*collect)(const Sweep& sweep, PairSink& pairs);  // false when make_room said stop
   bool (*collect_asked)(const Sweep& sweep, PairSink& pairs);
-  bool (*collect_rows)(const Sweep& sweep, RowSink& rows);  // of points that ask for others only
+  bool (*collect_rows)(const Sweep& sweep, RowSink& rows);  // for query points against others only
   bool (*collect_meeting)(const Sweep& sweep, const MeetingSink& meeting);  // of a set by itself
   void (*nearest)(const Sweep& sweep, const NearestTable& nearest);  // all rows around are targets
   void (*nearest_asked)(const Sweep& sweep, const NearestTable& nearest);

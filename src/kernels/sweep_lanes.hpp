@@ -1,4 +1,4 @@
-// What the sweep kernels have in common: the lanes they are written over, and how far one looks.
+// The common part of the sweep kernels: the lanes that they are written over, and the reach.
 //
 // Included by the sweep_<instruction set>.cpp files only, through sweep_kernel.hpp. Those files are
 // compiled for processors that the rest of the library must not require, so nothing here may be
@@ -45,9 +45,8 @@ namespace {
 
 constexpr float kInfinity = __builtin_inff();  // NOLINT(misc-definitions-in-headers)
 
-// How far one looks, in units. Whoever is within the reach is at most so far away along x, give or
-// take a unit of rounding; windows begin and end with whole slices, whose points stand in any
-// order.
+// The reach, in units. A point within it is at most so far away along x, give or take a unit of
+// rounding; windows begin and end with whole slices, whose points stand in any order.
 struct Reach {
   explicit Reach(const Sweep& sweep)
       : units(sweep.reach_cells << sweep.fraction_bits), slice(-(1 << sweep.slice_bits)) {}

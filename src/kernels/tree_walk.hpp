@@ -1,4 +1,4 @@
-// Walks through a PointTree: who is around a place, and who is nearest to it.
+// Walks through a PointTree: the points around a place, and the nearest ones.
 //
 // One walk an instruction set, all compiled from tree_walk_kernel.hpp. Floats decide what they can
 // surely decide, the given doubles the rest, so all walks give the same points.
@@ -12,7 +12,7 @@
 
 namespace beespace::cpu {
 
-// Where a walk puts the ids that it finds, in no particular order.
+// The ids that a walk finds, in no particular order.
 struct IdSink {
   PointId* next;
   PointId* end;
@@ -33,11 +33,11 @@ struct Ball {
 struct TreeWalks {
   // Adds the ids of all points in the ball.
   void (*collect)(const core::TreeView& tree, const Ball& ball, IdSink& sink);
-  // Offers all points to the list that it may still take.
+  // Offers the list all points that it may still take.
   void (*find_nearest)(const core::TreeView& tree, const Point& place, core::NearestList& list);
 };
 
-// The walks of an available instruction set. AVX-512 has none of its own: looking at 16 boxes or
+// The walks of an available instruction set. AVX-512 has none of its own: comparing 16 boxes or
 // points at once instead of twice 8 was measured to be no faster, as memory sets the pace.
 TreeWalks tree_walks(InstructionSet set);
 

@@ -86,7 +86,7 @@ struct LocalPlace {
         y(local(place.y, node.origin[1], node.scale)),
         z(local(place.z, node.origin[2], node.scale)) {}
 
-  // Squares of how far the boxes of the node's children are.
+  // Squared distances of the boxes of the node's children.
   [[gnu::always_inline]] Lanes gaps(const TreeNode& node) const {
     const Lanes gap_x = gap(node.low[0], node.high[0], x);
     const Lanes gap_y = gap(node.low[1], node.high[1], y);
@@ -193,8 +193,8 @@ template <class Lanes>
   return dx * dx + dy * dy + dz * dz;
 }
 
-// An upper limit of squares beyond which nobody is among the `count` nearest, given the squares of
-// the points in a leaf. With s = kSlack, and k the count-th smallest of them, it is above
+// An upper limit of squares beyond which no point is among the `count` nearest, given the squares
+// of the points in a leaf. With s = kSlack, and k the count-th smallest of them, it is above
 // ((sqrt(k) + s) (1 + s) + s)^2 (1 + s)^2, which is the upper limit of the distance that surely
 // holds as many.
 template <class Lanes>
@@ -255,7 +255,7 @@ struct Visit {
     return far_limit_of_square(list.largest_squared * squared_scale);
   }
 
-  // Asks for the leaves that will probably be looked at: those within reach if that is known.
+  // Prefetches the leaves that will probably be needed: those within reach if that is known.
   [[gnu::always_inline]] void prefetch_leaves(const TreeView& tree,
                                               const core::NearestList& list) const {
     const float reach = far_squared(list);

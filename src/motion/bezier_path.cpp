@@ -29,9 +29,9 @@ struct Curve {
   double begins_s = 0.0;
   double ends_s = 0.0;
 
-  // How far it is at most from the straight line between its ends, at any time. The difference of
-  // the two vanishes at both ends, and its second derivative is the curve's, at most
-  // d (d - 1) max |P[k] - 2 P[k + 1] + P[k + 2]|; so it is at most an eighth of that.
+  // The greatest distance of the curve from the straight line between its ends, at any time. Their
+  // difference vanishes at both ends, and its second derivative is the curve's, at most d (d - 1)
+  // max |P[k] - 2 P[k + 1] + P[k + 2]|; so it is at most an eighth of that.
   [[nodiscard]] double bow_m() const {
     double most = 0.0;
     for (unsigned k = 0; k + 2 <= degree; ++k) {
@@ -46,7 +46,7 @@ struct Curve {
     return degree * (degree - 1) / 8.0 * most;
   }
 
-  // How far a fix may be from the curve: its position is rounded, and so is its time.
+  // How far a fix may be from the curve: its position and its time are rounded.
   [[nodiscard]] double blur_m() const {
     double largest = 0.0;
     double steepest = 0.0;
@@ -114,7 +114,7 @@ std::optional<Error> flatten(const Curve& curve, std::size_t index, double toler
   const double bow_m = curve.bow_m();
   if (bow_m > 0.0) {
     const double blur_m = curve.blur_m();
-    const double share_m = 0.9 * tolerance_m;  // the rest is for what is rounded
+    const double share_m = 0.9 * tolerance_m;  // the rest is for rounding
     const double wanted = std::ceil(std::sqrt(bow_m / share_m));
     if (!(wanted <= kMostFixesAPiece) || blur_m > 0.05 * tolerance_m) {
       return error_at(ErrorCode::kInvalidArgument, index,

@@ -1,7 +1,7 @@
 // Two bees in relative motion: are they in conflict at some instant?
 //
-// Written once for two kinds of numbers: a BoundedNumber knows a sign nearly always, and fast; an
-// ExactNumber knows it always. Only signs are asked for, nothing is divided, no root is taken.
+// Written once for two kinds of numbers: a BoundedNumber nearly always gives a sign, and fast; an
+// ExactNumber always does. Only signs are computed: no division, no root.
 #pragma once
 
 #include "exact/bounded_number.hpp"
@@ -35,7 +35,7 @@ struct Ratio {
   Number denominator;
 };
 
-// Somebody is at r + w t, seen from somebody else, for t from 0 to `duration`.
+// One mover is at r + w t relative to the other, for t from 0 to `duration`.
 template <class Number>
 struct Passage {
   Vector3<Number> r;
@@ -44,7 +44,7 @@ struct Passage {
   Ratio<Number> duration;
 };
 
-// The same for what counts in height. Then r and w are horizontal.
+// The relative motion in height, where that counts. Then r and w are horizontal.
 template <class Number>
 struct HeightPassage {
   Number z;
@@ -60,7 +60,7 @@ class Sign {
   [[nodiscard]] bool negative() const { return *sign_ < 0; }
   [[nodiscard]] bool positive() const { return *sign_ > 0; }
   [[nodiscard]] bool zero() const { return *sign_ == 0; }
-  // Below the threshold; or at it, where that counts.
+  // Below the threshold; or at it, if the query is inclusive.
   [[nodiscard]] bool below(bool inclusive) const { return inclusive ? *sign_ <= 0 : *sign_ < 0; }
 
  private:
@@ -103,12 +103,12 @@ std::optional<bool> comes_close(const Passage<Number>& p, bool inclusive) {
   return then.below(inclusive);
 }
 
-// The same while |z + climb t| < threshold in height as well: looks for the time in which that is
-// so, a stretch of [0, duration] with rational ends, and asks the above about it.
+// The same while |z + climb t| < threshold in height as well: finds the time in which that holds, a
+// stretch of [0, duration] with rational ends, and decides the above for it.
 //
-// Heights are close in an open interval of time, but a closed one may be asked about: whoever is
-// close at an end of it is close shortly before or after as well, as long as it has a length, which
-// it has unless the duration is 0.
+// Heights are close in an open interval of time, but the query may be about a closed one: a pair
+// that is close at an end of it is close shortly before or after as well, as long as it has a
+// length, which it has unless the duration is 0.
 template <class Number>
 std::optional<bool> comes_close(Passage<Number> p, HeightPassage<Number> h, bool inclusive) {
   const Sign climbing = h.climb.sign();
@@ -117,7 +117,7 @@ std::optional<bool> comes_close(Passage<Number> p, HeightPassage<Number> h, bool
     h.z = -h.z;
     h.climb = -h.climb;
   }
-  // How far it has to climb until it leaves, and until it enters.
+  // The climb until it leaves the height, and until it enters.
   const Number until_leaving = h.threshold - h.z;
   const Number until_entering = -h.threshold - h.z;
   const Sign left = (-until_leaving).sign();
@@ -140,7 +140,7 @@ std::optional<bool> comes_close(Passage<Number> p, HeightPassage<Number> h, bool
     p.duration = end;
     return comes_close(p, inclusive);
   }
-  // From where it enters on; lengths and times are multiplied by the climb.
+  // From the time of entering on; lengths and times are multiplied by the climb.
   for (std::size_t axis = 0; axis < 3; ++axis) {
     p.r[axis] = p.r[axis] * h.climb + p.w[axis] * until_entering;
     p.w[axis] = p.w[axis] * h.climb;
@@ -151,7 +151,7 @@ std::optional<bool> comes_close(Passage<Number> p, HeightPassage<Number> h, bool
   return comes_close(p, inclusive);
 }
 
-// Either of the above, as the separation says, for motion on four axes. Lengths are those of the
+// Either of the above, by the separation, for motion on four axes. Lengths are those of the
 // separation times `scale`.
 template <class Number>
 std::optional<bool> comes_close(const std::array<Number, 4>& r, const std::array<Number, 4>& w,

@@ -1,8 +1,8 @@
-// Values that are too small for exact comparison become zero where they enter: those of a magnitude
-// below kSmallestInMotion, 2^-100 (see mover.hpp). NaN and what is too large stay as they are, for
-// the checks of validate.hpp.
+// Values that are too small for exact comparison become zero at the input: those of a magnitude
+// below kSmallestInMotion, 2^-100 (see mover.hpp). NaN and values that are too large stay as they
+// are, for the checks of validate.hpp.
 //
-// What that can change. A coordinate moves by less than 2^-100 m, so a position, the root of three
+// The effect is bounded. A coordinate moves by less than 2^-100 m, so a position, the root of three
 // squares, by less than 2^-99 m; a velocity by less than 2^-99 m/s. A bee that flies on for T
 // seconds is then off by less than (1 + T) 2^-99 m, and the distance of two by less than (1 + T)
 // 2^-98 m (two differences, each below that of one bee): with T up to 10^9 s less than 3.2e-21 m,

@@ -1,5 +1,5 @@
-// Copies of movers and tracks with values that are too small for exact comparison flushed to zero
-// (see flush.hpp): for the few that have some, as nothing else needs a copy.
+// Copies of movers and tracks in which values too small for exact comparison are flushed to zero
+// (see flush.hpp). Only inputs with such values need a copy.
 #pragma once
 
 #include "motion/flush.hpp"
@@ -44,8 +44,8 @@ inline std::vector<Track> flushed(std::span<const Track> tracks) {
   return copies;
 }
 
-// Asks, and where a value lies outside the motion domain, asks again about a flushed copy: it may
-// have been too small only. What is too large is refused then.
+// Runs the query, and where a value lies outside the motion domain, runs it again on a flushed
+// copy: the value may only have been too small. Values that are too large are refused then.
 template <class Ask>
 auto with_small_values_flushed(const MoversView& movers, Ask&& ask) {
   auto answer = ask(movers);

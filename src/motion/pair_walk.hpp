@@ -46,7 +46,7 @@ struct WalkState {
   std::size_t second_piece = 0;
   double walked_until = -std::numeric_limits<double>::infinity();  // the end of the one before
   std::optional<Stretch> open = {};                                // in conflict at that instant
-  // Windows that end until then have been walked by somebody else.
+  // Windows that end until then have been walked in another step.
   double walked_before = -std::numeric_limits<double>::infinity();
 };
 
@@ -56,7 +56,7 @@ class PairWalk {
   using State = WalkState;
 
   // Live, the first fix of a run is an instant by itself before it is the beginning of a piece, so
-  // that what is told does not depend on when the second one came.
+  // that events do not depend on when the second one came.
   PairWalk(const Run& first, const Run& second, const WalkSeparation& separation, bool live = false)
       : first_(first),
         second_(second),

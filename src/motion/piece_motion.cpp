@@ -53,7 +53,7 @@ bool in_conflict(const Piece& first, const Piece& second, const TimeSpan& window
 }
 
 RelativeMotion<4> relative_motion(const Piece& first, const Piece& second, double time_s) {
-  // What has been moved of the piece so far, as a share, and the time it takes as a whole.
+  // The part of the piece that has been flown, as a share, and the time of the whole piece.
   const auto share = [time_s](const Piece& piece) {
     return piece.instant() ? 0.0 : (time_s - piece.from.time_s) / piece.lasts_s();
   };
@@ -69,7 +69,7 @@ RelativeMotion<4> relative_motion(const Piece& first, const Piece& second, doubl
   for (std::size_t axis = 0; axis < 4; ++axis) {
     const double move_first = p1[axis] - p0[axis];
     const double move_second = q1[axis] - q0[axis];
-    // The starts first: they are where large numbers cancel.
+    // The starts first: large numbers cancel there.
     motion.r[axis] =
         (q0[axis] - p0[axis]) + (move_second * share_second - move_first * share_first);
     motion.w[axis] = move_second / lasts_second - move_first / lasts_first;

@@ -45,7 +45,7 @@ Nearness closest_within(const RelativeMotion<Axes>& motion, const TimeSpan& span
   return {time, std::sqrt(dot(at, at))};
 }
 
-// Roots of a t^2 + 2 b t + c, in the form in which nothing of the same size is subtracted.
+// Roots of a t^2 + 2 b t + c, in the form without cancellation.
 template <std::size_t Axes>
 TimeSpan time_closer(const RelativeMotion<Axes>& motion, double threshold, double duration) {
   const auto& [r, w] = motion;

@@ -1,5 +1,5 @@
-// One bee as seen from another while both move in straight lines: where, when and how close, in
-// doubles. For reports only: whether there is a conflict at all is decided in encounter.hpp.
+// The motion of one bee relative to another while both move in straight lines: where, when and how
+// close, in doubles. For reports only: encounter.hpp decides whether there is a conflict.
 #pragma once
 
 #include <beespace/closest_approach.hpp>
@@ -9,8 +9,8 @@
 
 namespace beespace::motion {
 
-// At r + w t. Positions are subtracted before anything else is done, so that nothing cancels later
-// that the distance of the two from the origin has blurred.
+// Position r + w t. Positions are subtracted first, so that the distance of the two from the origin
+// does not blur later differences.
 template <std::size_t Axes>
 struct RelativeMotion {
   std::array<double, Axes> r{};
@@ -26,8 +26,8 @@ struct Nearness {
 template <std::size_t Axes>
 Nearness closest_within(const RelativeMotion<Axes>& motion, const TimeSpan& span);
 
-// While they are closer than the threshold within [0, duration], if they are. Where rounding says
-// that they never are, the instant at which they nearly are.
+// While they are closer than the threshold within [0, duration]. If rounding yields that they never
+// are, the instant at which they nearly are.
 template <std::size_t Axes>
 TimeSpan time_closer(const RelativeMotion<Axes>& motion, double threshold, double duration);
 

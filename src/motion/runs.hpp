@@ -10,7 +10,7 @@
 
 namespace beespace::motion {
 
-// Fixes of a track, one behind the other; a single one is there for an instant.
+// Fixes of a track in sequence; a single one exists for an instant.
 struct Run {
   PointId track = 0;
   double tolerance_m = 0.0;
@@ -22,12 +22,12 @@ struct Run {
   [[nodiscard]] double ends_s() const { return fixes.back().time_s; }
   // A single fix is a piece.
   [[nodiscard]] std::size_t pieces() const { return fixes.size() > 1 ? fixes.size() - 1 : 1; }
-  // A single fix that may yet become the beginning of a piece: until then it is known to be there
-  // at that instant.
+  // A single fix that may still become the beginning of a piece: until then it exists at that
+  // instant.
   [[nodiscard]] bool waits() const { return fixes.size() == 1 && !complete; }
 };
 
-// From one fix to the next; a single fix is a piece that stands for an instant.
+// From one fix to the next; a single fix is a piece that lasts an instant.
 struct Piece {
   const Fix& from;
   const Fix& to;
@@ -49,7 +49,7 @@ struct Runs {
   std::vector<Gap> gaps;
 };
 
-// Cuts tracks where two fixes are more than max_gap_s apart.
+// Cuts tracks where consecutive fixes are more than max_gap_s apart.
 Runs cut_at_gaps(std::span<const Track> tracks, double max_gap_s);
 
 }  // namespace beespace::motion

@@ -33,9 +33,9 @@ TimeSpan conflict_span(const RelativeMotion<4>& motion, const Separation& separa
   const double begins = std::max(near.begins_s, in_height.begins_s);
   const double ends = std::min(near.ends_s, in_height.ends_s);
   if (begins <= ends) return {begins, ends};
-  // An instant that rounding has torn in two. Where the level is only just grazed, a last bit of
-  // the threshold is half the digits of the time; where heights hardly change, of theirs. So it is
-  // the one at which the two are less too far apart.
+  // Rounding has split an instant. Where the horizontal threshold is only just grazed, a last bit
+  // of it is half the digits of the time; where heights hardly change, a last bit of the height
+  // threshold is. So it is the one at which the two exceed the threshold least.
   const auto excess = [&](double time) {
     const double apart = closest_within(level, {time, time}).distance_m;
     const double height = std::abs(motion.r[up] + motion.w[up] * time);
@@ -72,15 +72,15 @@ RelativeMotion<4> in_metres(RelativeMotion<4> motion, const Separation& separati
 namespace {
 
 ConflictReport report_of(const TimeSpan& span, const Nearness& nearest) {
-  // The closest instant is one of conflict, whatever rounding has made of the ends.
+  // The closest instant is one of conflict, whatever the rounding of the ends.
   return {{std::min(span.begins_s, nearest.time_s), std::max(span.ends_s, nearest.time_s)},
           nearest.time_s,
           nearest.distance_m};
 }
 
-// Whether spheres are in conflict, by how close they come in doubles; nothing where that is too
-// near the threshold to say. What was rounded is less than 2^-46 of how far apart they begin and of
-// how far they move.
+// Whether spheres are in conflict, by their closest distance in doubles; nothing where that is too
+// near the threshold. The rounding error is less than 2^-46 of their distance at the beginning and
+// of how far they move.
 std::optional<bool> surely(const RelativeMotion<4>& motion, const Nearness& nearest,
                            double threshold_m, double horizon_s) {
   const auto length = [](const Axes4& v) {

@@ -1,4 +1,4 @@
-// How close is too close, and what it says of two bees that move in straight lines: the exact
+// The separation to keep, and its result for two bees that move in straight lines: the exact
 // decision, and the times and distances of the report.
 #pragma once
 
@@ -14,8 +14,8 @@
 
 namespace beespace::motion {
 
-// Where a bee is and how fast it goes, on x, y, z, and on a fourth axis where heights are kept
-// apart from positions (see MoversView); 0 there otherwise.
+// Position and velocity of a bee on x, y, z, and on a fourth axis where heights are kept apart from
+// positions (see MoversView); 0 there otherwise.
 using Axes4 = std::array<double, 4>;
 
 struct State {
@@ -39,13 +39,13 @@ struct Separation {
   double threshold_m;
   std::optional<double> vertical_m = {};
   bool inclusive = false;
-  bool heights_apart = false;  // what counts in height is on the fourth axis, not on the third
-  // The fourth axis and vertical_m count in units of so many metres: for what is told.
+  bool heights_apart = false;  // heights are on the fourth axis, not on the third
+  // The fourth axis and vertical_m count in units of so many metres: for reported distances.
   double height_unit_m = 1.0;
 
   [[nodiscard]] std::size_t vertical_axis() const { return heights_apart ? 3 : 2; }
-  // Whoever is farther apart is not in conflict: cylinders lie in spheres. Where heights are apart,
-  // of positions.
+  // Pairs that are farther apart are not in conflict: cylinders lie in spheres. Where heights are
+  // apart, of positions.
   [[nodiscard]] double reach_m() const {
     return heights_apart ? threshold_m : std::hypot(threshold_m, vertical_m.value_or(0.0));
   }
@@ -63,10 +63,10 @@ bool in_conflict(const State& a, const State& b, const Separation& separation, d
 
 RelativeMotion<4> relative_motion(const State& a, const State& b);
 
-// The same with heights that are apart in metres too, rounded: for distances.
+// The same with heights converted to metres, rounded: for distances.
 RelativeMotion<4> in_metres(RelativeMotion<4> motion, const Separation& separation);
 
-// Of two who are in conflict: from when to when, and closest in between.
+// A conflict of two: from when to when, and the closest approach in between.
 struct ConflictReport {
   TimeSpan span;
   double closest_s;
@@ -75,7 +75,7 @@ struct ConflictReport {
 ConflictReport report_conflict(const RelativeMotion<4>& motion, const Separation& separation,
                                double horizon_s);
 
-// Both at once: nothing where they are not in conflict. Faster than one after the other.
+// Both at once: nothing if they are not in conflict. Faster than one after the other.
 std::optional<ConflictReport> conflict_of(const State& a, const State& b,
                                           const Separation& separation, double horizon_s);
 

@@ -1,4 +1,4 @@
-// Whether a question about moving bees makes sense, and lies in the motion domain of mover.hpp.
+// Checks the input of queries about moving bees against the motion domain of mover.hpp.
 #pragma once
 
 #include <beespace/closest_approach.hpp>
@@ -15,17 +15,17 @@ namespace beespace::motion {
 bool in_motion_domain(double value);
 
 std::optional<Error> check_separation(double threshold_m, const std::optional<double>& vertical_m);
-// Heights apart from positions are there for a vertical threshold.
+// Checks that heights apart from positions exist for a vertical threshold.
 std::optional<Error> check_heights(bool given, const std::optional<double>& vertical_m);
 std::optional<Error> check_height_unit(double height_unit_m);
 std::optional<Error> check_options(const PredictOptions& options);
 std::optional<Error> check_options(const ConflictOptions& options);
 
-// `record` says whose position or time it is.
+// `record` is the mover whose position or time is checked.
 std::optional<Error> check_position(const Point& position, std::size_t record);
 std::optional<Error> check_height(double height_m, double climb_mps, std::size_t record);
 std::optional<Error> check_mover(const Mover& mover, std::size_t record);
-// That there is as much of everything, and how many there are: before anything of it is read.
+// Checks that all arrays are equally long, and their length: before any element is read.
 std::optional<Error> check_size(const MoversView& movers);
 std::optional<Error> check_tracks(std::span<const Track> tracks);
 std::optional<Error> check_movers(const MoversView& movers);

@@ -14,7 +14,7 @@ namespace beespace::search {
 
 namespace {
 
-// Above this many expected_neighbors in a point's proof cell, proofs settle nearly everybody.
+// Above this many expected_neighbors in a point's proof cell, proofs settle nearly all points.
 constexpr double kCrowded = 2.0;
 
 // The measured cost of looking around a point, as a multiple of what one cell mate adds to the

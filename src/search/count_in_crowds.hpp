@@ -11,8 +11,8 @@
 
 namespace beespace::search {
 
-// Writes the count of every point of a domain in which nobody is missing: neither points nor
-// others.
+// Writes the count of every point of a domain that is complete: neither points nor others are
+// missing.
 void count_in_crowds(const SearchDomain& domain, const SearchOptions& options,
                      const core::Resources& with, const TuningOverrides& tuning,
                      std::uint32_t* counts);

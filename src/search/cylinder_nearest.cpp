@@ -1,5 +1,5 @@
 // The nearest by the straight line among those in the cylinder: for each place a walk through the
-// tree that leaves out what is outside, or farther than who was found.
+// tree that leaves out what is outside, or farther than the nearest found so far.
 #include "search/cylinder_search.hpp"
 
 #include "base/resize_for.hpp"
@@ -43,19 +43,19 @@ class NearestWalk {
         line_(options.height_unit_m),
         unit_(options.height_unit_m) {}
 
-  // Of all but `myself`, which is no index where others are asked.
+  // The nearest of all but `myself`, which is no valid index between two sets.
   Nearest operator()(const core::Upright& place, PointId myself, std::size_t near_leaf) {
     place_ = place;
     myself_ = myself;
     id_ = Nearest::kNobody;
     least_ = std::numeric_limits<double>::infinity();
-    look_into(near_leaf);  // somebody to begin with, mostly
+    look_into(near_leaf);  // mostly finds a first candidate
     descend(tree_.top(), 0, near_leaf);
     if (id_ == Nearest::kNobody) return {};
     return {id_, line_.length(place_, best_)};
   }
 
-  // Where the last one that was found is.
+  // The leaf of the last point found.
   [[nodiscard]] std::size_t last_leaf() const { return last_leaf_; }
 
  private:
@@ -87,7 +87,7 @@ class NearestWalk {
       squared += gap * gap;
     }
     if (squared * (1.0 - 0x1p-48) > least_) return false;
-    // At one place with this: only a lower id is better.
+    // At the same place only a lower id is better.
     return least_ > 0.0 || lowest_[tree_.number(level, node)] < id_;
   }
 

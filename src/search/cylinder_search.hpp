@@ -1,6 +1,6 @@
-// The searches with a vertical threshold, of one swarm or between two: rows of cells, or trees of
-// boxes where they are crowded or two. Heights and horizontal distances are compared each on their
-// own; cylinders/cylinder_rows.hpp and cylinders/cylinder_tree.hpp say why no pair can be lost.
+// The searches with a vertical threshold, in one swarm or between two: rows of cells, or trees of
+// boxes for crowds and for two swarms. Heights and horizontal distances are compared separately;
+// cylinders/cylinder_rows.hpp and cylinders/cylinder_tree.hpp say why no pair can be lost.
 #pragma once
 
 #include "base/pair_order.hpp"
@@ -24,8 +24,8 @@ namespace beespace::search {
 
 class CylinderSearch {
  public:
-  // Options have a vertical threshold, have been checked as all sets have (exact/validate.hpp), and
-  // must outlive the search, as `with` must. Without `others` the points are compared with each
+  // Options have a vertical threshold, have been checked with all sets (exact/validate.hpp), and
+  // must outlive the search, as must `with`. Without `others` the points are compared with each
   // other.
   CylinderSearch(const PointsView& points, const PointsView* others, const SearchOptions& options,
                  const core::Resources& with, const TuningOverrides& tuning);
@@ -42,8 +42,8 @@ class CylinderSearch {
   Result<bool> visit_pairs(const PairVisitor& visit) const;
 
  private:
-  // The trees of the points and of those that they are compared with; nothing where there is no
-  // pair to be found.
+  // The trees of the points and of those that they are compared with; nothing if there can be no
+  // pair.
   struct Trees {
     core::CylinderTree points;
     std::optional<core::CylinderTree> others;
@@ -56,7 +56,7 @@ class CylinderSearch {
   [[nodiscard]] bool is_empty() const;
   template <class Near>
   void for_each_near(const core::CylinderRows& rows, const Near& near) const;
-  // Looks at all pairs, each once, with a task for each worker.
+  // Compares all pairs, each once, with a task for each worker.
   template <class TaskOf, class Between>
   void join(const Trees& trees, const TaskOf& task_of, const Between& between) const;
   // The pairs of each worker; more than `most`, and not all, where there are more.

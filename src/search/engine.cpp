@@ -1,4 +1,4 @@
-// What an Engine finds in snapshots.
+// The queries of an Engine on snapshots.
 #include <beespace/engine.hpp>
 
 #include "base/answered.hpp"

@@ -1,4 +1,4 @@
-// What an Engine keeps between calls: memory and hands, and how a search is given them.
+// The state that an Engine keeps between calls, threads and memory, and how searches get them.
 #pragma once
 
 #include "base/crew_size.hpp"
@@ -21,7 +21,7 @@ class Engine::EngineState {
  public:
   explicit EngineState(Crew* lent) : lent_(lent) {}
 
-  // Hands and memory for a search of so many points.
+  // Threads and memory for a search of so many points.
   core::Resources resources(unsigned threads, std::size_t points) {
     memory_.start_call();
     return {crew(threads, points), memory_};

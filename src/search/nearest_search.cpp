@@ -17,7 +17,7 @@ namespace beespace::search {
 
 namespace {
 
-// So few are faster compared with everybody than looked for in grids of their own.
+// So few are faster compared with all points than looked for in grids of their own.
 constexpr std::size_t kFew = 16;
 
 class NearestSearch {
@@ -56,20 +56,20 @@ class NearestSearch {
       all_open = false;
       if (radius == farthest_ || open_.empty()) return;
       if (open_.size() <= kFew) return compare_with_everybody();
-      // The few who are left in open country may take longer steps.
+      // The few that are left in open country may take longer steps.
       const double step = open_.size() * 32 < size ? 4.0 : 2.0;
       radius = std::min(step * radius, farthest_);
     }
   }
 
  private:
-  // Of the cube that holds a dozen: within this radius everybody of an even swarm expects three
-  // others, and one in 25 finds nobody. Measured, between 0.40 and 0.54.
+  // Of the cube that holds a dozen: within this radius each point of an even swarm expects three
+  // others, and one in 25 finds none. Measured, between 0.40 and 0.54.
   static constexpr double kFirstRadius = 0.40;
   static constexpr double kTwinCells = 0x1p-40;
 
   // Points at one place are each other's nearest, however many there are. Only the first of each
-  // place takes part in what follows: the others could be nearest to nobody else.
+  // place takes part in what follows: the others could be nearest to no other point.
   void settle_duplicates() {
     const PointsView& points = domain_.points();
     const std::size_t slots = std::bit_ceil(points.size() * 2);
@@ -97,13 +97,13 @@ class NearestSearch {
     }
   }
 
-  // Points in a grid that later rounds may look into again, as far as its rows are wide.
+  // A grid of points that later rounds may search again, as far as its rows are wide.
   struct Around {
     Around(core::Lattice&& of, double reach, core::SortedGrid&& sorted)
         : lattice(std::move(of)), radius(reach), grid(std::move(sorted)) {}
 
-    // How many of its cells the radius is; none if that is more than a row, or if what is more than
-    // a cell away may be farther than it looks.
+    // The radius in cells of this grid; none if that is more than a row, or if points more than a
+    // cell away may be beyond the kernel's reach.
     [[nodiscard]] std::optional<std::int32_t> cells(double wanted) const {
       constexpr unsigned kMostUnitsBits = 28;  // positions are below 2^30
       const unsigned most =
@@ -120,7 +120,7 @@ class NearestSearch {
     core::SortedGrid grid;
   };
 
-  // Writes to ids_ the nearest of those whom every open point sees within the radius, and maybe
+  // Writes to ids_ the nearest of those that every open point sees within the radius, and maybe
   // beyond.
   void look_within(double radius, bool all_open) {
     core::Selection asking{domain_.points()};
@@ -168,8 +168,8 @@ class NearestSearch {
                      with_, ids_.data());
   }
 
-  // Whoever has found somebody within the radius has found the nearest; at the last radius, whoever
-  // has found nobody within the threshold has nobody. The others stay open.
+  // A point that has found one within the radius has found the nearest. At the last radius, a point
+  // that has found none within the threshold has none. The others stay open.
   void settle(double radius, bool all_open) {
     const bool last = radius == farthest_;
     const core::ProximityTest closer(radius, last && within_->inclusive);
@@ -248,9 +248,9 @@ class NearestSearch {
   double farthest_;
   std::vector<Nearest>& nearest_;
   core::Buffer<PointId> ids_;
-  core::Vector<PointId> candidates_;  // empty: everybody
+  core::Vector<PointId> candidates_;  // empty: all
   std::optional<Around> around_;
-  core::Vector<PointId> open_;  // who has not found the nearest yet, once not all are
+  core::Vector<PointId> open_;  // those without their nearest yet, once not all are
 };
 
 }  // namespace

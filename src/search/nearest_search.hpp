@@ -1,7 +1,7 @@
 // The search behind find_nearest and its relatives, with its tuning open to tests and benchmarks.
 //
-// Everybody is looked at within a radius in which most find somebody; then, again and again, those
-// who have not found their nearest within a larger one.
+// All points are searched around within a radius in which most find another; then, again and again,
+// those that have not found their nearest, within a larger one.
 #pragma once
 
 #include "base/resources.hpp"
@@ -23,7 +23,7 @@ void find_nearest(const SearchDomain& domain, const std::optional<SearchOptions>
                   std::vector<Nearest>& nearest);
 
 // The closest of all pairs of one of the domain's points and one of its others.
-// `nearest` is room to work in.
+// `nearest` is working memory.
 std::optional<ClosestPair> find_closest_between(const SearchDomain& domain,
                                                 const core::Resources& with,
                                                 const TuningOverrides& tuning,

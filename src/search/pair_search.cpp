@@ -32,7 +32,7 @@ core::Vector<core::FoundPairs> collect(const SearchDomain& domain, const SearchO
   return cpu::collect_pairs(grids.question(), with, most);
 }
 
-// The rows of a domain: where each begins by the id of its point, and how they come there.
+// The rows of a domain: where each begins by the id of its point, and how they are written.
 class LongRows {
  public:
   LongRows(const SearchDomain& domain, const SearchOptions& options, cpu::Which which,

@@ -1,4 +1,4 @@
-// The grids of a domain for one threshold, ready to be asked.
+// The grids of a domain for one threshold, ready for queries.
 #pragma once
 
 #include "base/resources.hpp"

@@ -9,7 +9,7 @@ namespace beespace::search {
 namespace {
 
 // About as many are worth having ahead of a point in its row: with fewer, more points lie beside
-// seams; with more, more are met who are not near. Between 10 and 18 it makes little difference.
+// seams; with more, more far points are compared. Between 10 and 18 it makes little difference.
 constexpr double kExpectedNeighbors = 12.0;
 
 using Order = std::array<std::size_t, 3>;

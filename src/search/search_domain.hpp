@@ -1,5 +1,5 @@
-// The points of one search, looked at once: checked, measured, turned so that rows run along the
-// longest axis, and sampled for how crowded they are.
+// The points of one search, after one pass over them: checked, measured, turned so that rows run
+// along the longest axis, and sampled for their density.
 #pragma once
 
 #include "base/bounds.hpp"
@@ -18,11 +18,11 @@ namespace beespace::search {
 
 class SearchDomain {
  public:
-  // Of one swarm, or of two whose points share a domain. Errors: as find_at_risk(_between).
+  // For one swarm, or for two in a common domain. Errors: as find_at_risk(_between).
   static Result<SearchDomain> of(const PointsView& points, const core::Resources& with);
   static Result<SearchDomain> of(const PointsView& points, const PointsView& others,
                                  const core::Resources& with);
-  // Of points that have been measured.
+  // For points that have been measured.
   static SearchDomain of(const PointsView& points, const core::Bounds& bounds,
                          const core::Resources& with) {
     return SearchDomain({points, {}}, 1, bounds, with);
@@ -30,10 +30,10 @@ class SearchDomain {
 
   [[nodiscard]] const PointsView& points() const { return sets_[0]; }
   [[nodiscard]] const PointsView& others() const { return sets_[set_count_ - 1]; }
-  // The same as the caller gave them, with x first.
+  // The same in the caller's axes, with x first.
   [[nodiscard]] const PointsView& original_points() const { return originals_[0]; }
   [[nodiscard]] const PointsView& original_others() const { return originals_[set_count_ - 1]; }
-  // Which of the caller's axes each of the domain's is.
+  // The caller's axis of each of the domain's axes.
   [[nodiscard]] const std::array<std::size_t, 3>& order() const { return order_; }
   [[nodiscard]] bool has_others() const { return set_count_ == 2; }
   [[nodiscard]] std::span<const PointsView> sets() const { return {sets_.data(), set_count_}; }
@@ -45,8 +45,8 @@ class SearchDomain {
   // The expected number of others in a cube of side `side_m` around a point's own place.
   [[nodiscard]] double expected_neighbors(double side_m) const;
 
-  // How wide rows should be, as a power of two, for searches up to `reach`: so wide that few points
-  // lie beside a seam, and no wider.
+  // The width of rows, as a power of two, for searches up to `reach`: so wide that few points lie
+  // beside a seam, and no wider.
   [[nodiscard]] unsigned row_shift(const core::Lattice& lattice, double reach) const;
 
  private:

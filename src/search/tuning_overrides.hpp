@@ -1,4 +1,4 @@
-// What is chosen from the data unless a test or a benchmark forces it.
+// Chosen from the data unless a test or a benchmark forces it.
 #pragma once
 
 #include "grid/cell_proof.hpp"

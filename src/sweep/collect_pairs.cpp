@@ -8,7 +8,7 @@ namespace beespace::cpu {
 
 namespace {
 
-// Runs the collecting kernel over the sorted points [begin, end). `sink` tells where pairs go.
+// Runs the collecting kernel over the sorted points [begin, end). `sink` takes the pairs.
 void collect(const SweepQuery& question, std::uint32_t begin, std::uint32_t end, PairSink& sink) {
   const Kernels& kernels = question.kernels;
   const auto kernel = question.by_itself() ? kernels.collect : kernels.collect_asked;

@@ -1,4 +1,4 @@
-// Finds near pairs by asking whole grids, shared by a crew.
+// Finds near pairs by sweeping whole grids with all threads.
 #pragma once
 
 #include "base/pair_order.hpp"

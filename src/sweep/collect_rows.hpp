@@ -1,5 +1,5 @@
-// Finds the near ones of every point, row by row, shared by a crew: for crowds, where it costs less
-// to meet every pair from both sides than to bring pairs into order.
+// Finds the near points of every point, row by row, with all threads: for crowds, where it is
+// cheaper to compare every pair from both sides than to sort pairs.
 #pragma once
 
 #include "base/resources.hpp"

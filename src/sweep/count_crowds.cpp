@@ -61,7 +61,7 @@ class Weights {
   Numbers of_nodes_;
 };
 
-// What one worker counted: for each point, for all points of a leaf, and for all of a node.
+// The counts of one worker: for each point, for all points of a leaf, and for all of a node.
 struct Tally {
   Tally(const CrowdTree& tree, core::Memory& memory)
       : of_slots(zeros(padded_leaves(tree) * kCrowdLanes, memory)),
@@ -91,8 +91,8 @@ class Counter {
         of_slot_lanes_(memory, std::size_t{kNodePoints} * kCrowdLanes),
         of_leaf_lanes_(memory, std::size_t{kCrowdLanes} * kCrowdLanes) {}
 
-  // Counts whom the points of a node are near to; of a set with itself, among themselves and
-  // the points behind them, for both.
+  // Counts the points that the points of a node are near to; of a set with itself, among themselves
+  // and the points behind them, for both.
   void count(std::size_t node) {
     node_ = node;
     std::fill_n(of_slot_lanes_.data(), kNodePoints * kCrowdLanes, 0U);
@@ -122,7 +122,7 @@ class Counter {
 
   void walk(unsigned level, std::size_t node) {
     const bool holds_own = both_ && node <= node_ >> (4 * level);
-    if (holds_own && node < node_ >> (4 * level)) return;  // met from there
+    if (holds_own && node < node_ >> (4 * level)) return;  // compared from there
     const bool own = holds_own && level == 0;
     if (own || !holds_own) {
       switch (boxes_(asked_.box(0, node_), others_.box(level, node))) {
@@ -190,7 +190,7 @@ class Counter {
   const CrowdKernels& kernels_;
   unsigned weighted_;
   Tally& tally_;
-  Numbers of_slot_lanes_;  // of the asking node
+  Numbers of_slot_lanes_;  // of the query node
   Numbers of_leaf_lanes_;
   std::size_t node_ = 0;
 };

@@ -28,7 +28,7 @@ struct CrowdQuery {
 };
 
 // Writes to counts[index] how many of the others are near, for every index of the asked tree's
-// points; of a set with itself, everybody counts as near to itself.
+// points; of a set with itself, each point counts as near to itself.
 //
 // Cost: proportional to the pairs of leaves that are near in part. Working memory: 5 bytes a point;
 // of a set with itself, for every worker.

@@ -1,4 +1,4 @@
-// Joins near points into groups by asking a whole grid, shared by a crew.
+// Joins near points into groups by sweeping a whole grid with all threads.
 #pragma once
 
 #include "base/disjoint_sets.hpp"

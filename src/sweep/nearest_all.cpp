@@ -15,7 +15,7 @@ namespace {
 constexpr float kFar = std::numeric_limits<float>::infinity();
 
 // Distances in units are wrong by less than 2 (see SquaredLimits): beyond this squared distance
-// nobody can be nearer than somebody at `squared`.
+// none can be nearer than a point at `squared`.
 float not_surely_farther(float squared) {
   const float units = std::sqrt(squared) + 4.0F;
   return units * units * (1.0F + 0x1p-18F);
@@ -39,7 +39,7 @@ class NearestAll {
 
   // Asks for the sorted points [begin, end).
   void ask(std::uint32_t begin, std::uint32_t end) {
-    // The kernel has no limits: everybody it sees counts, and surely so.
+    // The kernel has no limits: each point that it compares counts, and surely so.
     SweepQuery everything = question_;
     everything.limits = {kFar, kFar};
     const auto nobody = [this](Range points) {
@@ -48,7 +48,7 @@ class NearestAll {
     std::uint32_t next = begin;
     RowSweeps rows(everything, {nullptr, nullptr}, RowSweeps::Around::kAllRows);
     rows.for_each(begin, end, [&](const Sweep& row) {
-      nobody({next, row.points.begin});  // of rows with nobody around
+      nobody({next, row.points.begin});  // of rows without neighbours
       next = row.points.end;
       ask_row(row);
       return true;
@@ -85,7 +85,7 @@ class NearestAll {
 
   PointId& result_of(std::uint32_t i) { return nearest_[question_.asked.grid.id[i]]; }
 
-  // Among all who may be as near as `farthest`.
+  // Among all that may be as near as `farthest`.
   PointId exactly(std::uint32_t i, float farthest) {
     const core::SortedGrid& grid = question_.asked.grid;
     while (row_ == kNoRow || grid.row_begin[row_ + 1] <= i) {

@@ -1,4 +1,4 @@
-// Finds nearest others by asking whole grids, shared by a crew.
+// Finds nearest others by sweeping whole grids with all threads.
 #pragma once
 
 #include "base/buffer.hpp"
@@ -10,8 +10,8 @@
 namespace beespace::cpu {
 
 // Writes to nearest[id] of every asked point the id of its nearest other among those that the
-// grids' lattice lets it see: all within the lattice's reach, and some beyond. Exactly, ties to the
-// lowest id; Nearest::kNobody where it sees nobody. No working memory.
+// grids' lattice lets it compare with: all within the lattice's reach, and some beyond. Exactly,
+// ties to the lowest id; Nearest::kNobody where there is none. No working memory.
 void nearest_all(const SweepQuery& question, const core::Resources& with, PointId* nearest);
 
 }  // namespace beespace::cpu

@@ -1,4 +1,4 @@
-// Which rows a row is swept against: hands the kernels their work, row by row.
+// The rows that each row is swept against: gives the kernels their work, row by row.
 #pragma once
 
 #include "exact/exact_distance.hpp"
@@ -21,8 +21,9 @@ struct Swarm {
   [[nodiscard]] Point point(std::uint32_t sorted) const { return points[grid.id[sorted]]; }
 };
 
-// What is to be found out: who of `asked` is within the test's threshold of whom of `others`. Both
-// grids are of one lattice and one row shift. The same swarm twice: who of it is near to whom.
+// The query: which points of `asked` are within the test's threshold of which of `others`. Both
+// grids are of one lattice and one row shift. The same swarm twice: which of its points are near
+// each other.
 struct SweepQuery {
   Swarm asked;
   Swarm others;
@@ -30,7 +31,7 @@ struct SweepQuery {
   Limits limits;
   const Kernels& kernels;
   bool same_set;  // also when the grids are two, of some points of a set and of others of it
-  std::int32_t reach_cells = 1;  // how far one looks, at most the width of a row
+  std::int32_t reach_cells = 1;  // the reach, at most the width of a row
 
   [[nodiscard]] bool by_itself() const { return &asked.grid == &others.grid; }
   [[nodiscard]] bool decide(std::uint32_t i, std::uint32_t j) const {
@@ -38,7 +39,7 @@ struct SweepQuery {
   }
 };
 
-// Unsure pairs are decided by the question, which must outlive this.
+// The query decides unsure pairs; it must outlive this object.
 inline Unsure decided_by(const SweepQuery& question) {
   const auto decide = [](void* asking, std::uint32_t i, std::uint32_t j) {
     return static_cast<const SweepQuery*>(asking)->decide(i, j);
@@ -48,8 +49,8 @@ inline Unsure decided_by(const SweepQuery& question) {
 
 class RowSweeps {
  public:
-  // Which rows a swarm by itself looks into: its own and the later ones around it, its own and all
-  // around it, or all nine alike, as between two swarms.
+  // The rows that a swarm by itself is swept against: its own and the later ones around it, its own
+  // and all around it, or all nine alike, as between two swarms.
   enum class Around { kLaterRows, kAllRows, kOwnRowToo };
 
   RowSweeps(const SweepQuery& question, const Unsure& unsure, Around around = Around::kLaterRows)
@@ -71,7 +72,7 @@ class RowSweeps {
                0,
                unsure} {}
 
-  // Calls visit(sweep) with sweeps that together ask for the sorted points [begin, end).
+  // Calls visit(sweep) with sweeps that together have the sorted points [begin, end) as queries.
   template <class Visit>
   void for_each(std::uint32_t begin, std::uint32_t end, Visit&& visit) {
     cursors_ = {};
@@ -86,7 +87,7 @@ class RowSweeps {
     }
   }
 
-  // Where the others begin and end whom the sorted points [begin, end) may look at.
+  // Where the others begin and end that the sorted points [begin, end) may look at.
   [[nodiscard]] Range reach(std::uint32_t begin, std::uint32_t end) const {
     if (begin == end) return {0, 0};
     const std::uint64_t step = others_.rows_a_layer + 1;

@@ -6,9 +6,9 @@ namespace beespace::cpu {
 
 namespace {
 
-// What one worker notes down, about the points it asks for and about the others that these reach,
-// which another worker may be noting something about at the same time. Swept by itself, a swarm's
-// asked points and others are the same, and so are the notes.
+// The results of one worker, for its query points and for the others that these reach, for which
+// another worker may have results at the same time. Where a swarm is swept by itself, queries and
+// others are the same points, and so are the results.
 template <class Note>
 struct Notes {
   Notes(const SweepQuery& asking, Range points, Range reach_of_points, core::Memory& memory)
@@ -49,9 +49,9 @@ void sweep_parts(const SweepQuery& question, const core::Resources& with, Parts<
       });
 }
 
-// Calls first(id, note) once for every point, then add(id, note) for whatever else is noted about
-// it: parts reach into each other, so what they noted beyond their own points comes afterwards, one
-// part after another.
+// Calls first(id, note) once for every point, then add(id, note) for each other result about it:
+// parts reach into each other, so results beyond their own points are added afterwards, one part
+// after another.
 template <class Note, class First, class Add>
 void read_notes(const SweepQuery& question, const core::Resources& with, Parts<Note>& parts,
                 const First& first, const Add& add) {

@@ -1,4 +1,4 @@
-// Asks a question of whole grids: runs the kernels over all rows, shared by a crew.
+// Answers a query on whole grids: runs the kernels over all rows, with all threads.
 #pragma once
 
 #include "base/resources.hpp"

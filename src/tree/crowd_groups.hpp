@@ -1,4 +1,4 @@
-// Who belongs together in a crowd, without looking at every pair of it.
+// The groups in a crowd, without comparing every pair of it.
 #pragma once
 
 #include "base/disjoint_sets.hpp"

@@ -21,7 +21,7 @@ void NearestList::start(const Point& place, std::size_t count, double reach_with
   is_full = false;
   found_.clear();
   found_.reserve(std::min(most, kMostSorted));
-  // Whoever is within reach has a squared_distance of at most its square, 5 u more for that and one
+  // A point within reach has a squared_distance of at most its square, 5 u more for that and one
   // for each of these products.
   largest_squared = reach_within_m * reach_within_m * kMore;
 }
@@ -34,8 +34,8 @@ bool NearestList::is_before(const Candidate& a, const Candidate& b) const {
   return order != 0 ? order < 0 : a.id < b.id;
 }
 
-// Everybody as near as the last one has a true square of at most 5 u more than the last one's
-// rounded square, and a rounded one of at most 10 u more.
+// Points as near as the last one have a true square of at most 5 u more than the last one's rounded
+// square, and a rounded one of at most 10 u more.
 void NearestList::limit() {
   largest_squared = last().squared * kMore;
 }

@@ -27,10 +27,10 @@ class NearestList {
   // Writes what was found, the nearest first, and returns how many. The list is empty after that.
   std::size_t write(Nearest* nearest);
 
-  // Nobody farther away can be taken any more.
+  // No point farther away can be taken any more.
   [[nodiscard]] double reach_m() const;
 
-  // For the walks, which call no inline functions: nobody whose distance, exact or rounded, has a
+  // For the walks, which call no inline functions: no point whose distance, exact or rounded, has a
   // larger square can be taken any more.
   double largest_squared = 0.0;
   std::size_t most = 0;

@@ -142,7 +142,7 @@ class Intervals {
     for (std::size_t i = part.begin; i < part.end; ++i) ++sizes_[of(part.from[i])];
   }
 
-  // Deals the travellers out into stacks: one for what lies between two cuts, one for each interval
+  // Distributes the travellers to stacks: one for what lies between two cuts, one for each interval
   // in which a cut falls. False, with nothing done, when such an interval holds too many. `borders`
   // becomes the intervals of the cuts, and the last one.
   bool deal(const Part& part, const Cuts& cuts, std::array<std::size_t, kFanOut + 1>& borders) {

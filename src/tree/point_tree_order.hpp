@@ -18,9 +18,9 @@ namespace beespace::core {
 //
 // Every node's points are cut into slabs of equal numbers along the widest axis, these again, until
 // each child has its share. A cut counts how many points lie in each of up to 4096 intervals along
-// the axis and then deals the points out: two passes, no comparison. The points of the interval in
-// which a cut falls come to either side of it, which is nearly as good as the median, unless many
-// of them lie in it (a crowd and somebody far away): then they are cut at their exact doubles.
+// the axis and then distributes the points: two passes, no comparison. The points of the interval
+// in which a cut falls come to either side of it, which is nearly as good as the median, unless
+// many of them lie in it (a crowd and a point far away): then they are cut at their exact doubles.
 Buffer<std::uint32_t> point_tree_order(const PointsView& points, const Bounds& bounds,
                                        const Resources& with, Buffer<TreeLeaf>& leaves,
                                        Buffer<Point>& slots);

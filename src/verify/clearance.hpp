@@ -14,8 +14,8 @@
 
 namespace beespace::verify {
 
-// Who is too close to what. A curve is as close as its chord, but for its bulge; of halves the
-// bulge is a quarter, so a few halvings settle nearly everything.
+// Finds which movers are too close to which obstacles. A curve is as close as its chord, but for
+// its bulge; of halves the bulge is a quarter, so a few halvings settle nearly everything.
 class ClearanceCheck {
  public:
   ClearanceCheck(const ObstacleMap& obstacles, double clearance_m)

@@ -206,8 +206,8 @@ class __attribute__((visibility("hidden"))) Verifier::State {
   }
 
   void check_limits(double begin_s, double lasts_s, double rounded_m, double rounded_s) {
-    // What is computed from differences of positions and times is as wrong as these are: those who
-    // wrote them down have rounded both.
+    // What is computed from differences of positions and times is as wrong as these are: both were
+    // rounded when they were written.
     const double by_time = std::min(1.0, 2.0 * rounded_s / lasts_s);
     for (PointId bee = 0; bee < curves_.size(); ++bee) {
       const auto& c = curves_[bee].control;
@@ -247,7 +247,7 @@ class __attribute__((visibility("hidden"))) Verifier::State {
   std::optional<double> time_s_;
   std::vector<Mover> before_;
   std::vector<Mover> now_;
-  std::vector<Curve> curves_;  // of everybody, in this step
+  std::vector<Curve> curves_;  // of all, in this step
   std::vector<Mover> chords_;
   Engine engine_;
   std::vector<Pair> pairs_;

@@ -1,4 +1,4 @@
-// Whatever everybody wishes, nobody comes closer than the threshold to anybody.
+// No two bees come closer than the threshold, whatever velocities they prefer.
 #include "tests/avoidance/flock.hpp"
 #include "tests/support/rounds.hpp"
 
@@ -21,7 +21,7 @@ using Wishes = std::vector<Velocity>;
 
 struct Adversary {
   const char* name;
-  // The wishes of everybody for the next step.
+  // The preferred velocities of all bees for the next step.
   std::function<Wishes(const Flock&, RandomStream&)> wishes;
 };
 
@@ -99,7 +99,7 @@ Wishes all_stand(const Flock& flock, RandomStream& /*random*/) {
   return Wishes(flock.size());
 }
 
-// As now, and each a little in another direction: ways that are all but parallel.
+// The current velocities, each turned a little: stopping segments that are almost parallel.
 Wishes all_the_same_way(const Flock& flock, RandomStream& random) {
   Wishes wishes;
   for (std::size_t bee = 0; bee < flock.size(); ++bee) {
@@ -109,7 +109,7 @@ Wishes all_the_same_way(const Flock& flock, RandomStream& random) {
   return wishes;
 }
 
-Wishes everyone_otherwise(const Flock& flock, RandomStream& random) {
+Wishes mixed(const Flock& flock, RandomStream& random) {
   Wishes wishes = at_random(flock, random);
   const Wishes middle = all_to_the_middle(flock, random);
   const Wishes neighbor = each_at_its_neighbor(flock, random);
@@ -127,11 +127,11 @@ const Adversary kAdversaries[] = {{"Random", at_random},
                                   {"AtTheFirst", all_at_the_first},
                                   {"Zero", all_stand},
                                   {"TheSameWay", all_the_same_way},
-                                  {"Mixed", everyone_otherwise}};
+                                  {"Mixed", mixed}};
 
 class AnyWish : public testing::TestWithParam<Adversary> {};
 
-// The closest that any two came, in thresholds.
+// The closest distance between any two bees, in thresholds.
 double fly(Flock& flock, const Adversary& adversary, int steps, std::uint64_t seed) {
   RandomStream random(seed);
   Adviser adviser;
@@ -160,7 +160,8 @@ TEST_P(AnyWish, LosesNoSeparationAndBreaksNoLimit) {
     closest = std::min(closest, fly(flock, GetParam(), 300, seed));
     if (HasFailure()) return;
   }
-  // They were in each other's way; in so few starts as sanitizers have time for, not always.
+  // The bees were in each other's way. Sanitizers have time for so few starts that this may not
+  // hold.
   if (!test::kSanitized && std::string(GetParam().name) != "Zero") {
     EXPECT_LT(closest, 1.01);
   }
@@ -169,7 +170,7 @@ TEST_P(AnyWish, LosesNoSeparationAndBreaksNoLimit) {
 INSTANTIATE_TEST_SUITE_P(Adversary, AnyWish, testing::ValuesIn(kAdversaries),
                          [](const auto& adversary) { return std::string(adversary.param.name); });
 
-// Uncertainty widens the threshold by twice as much.
+// Uncertainty widens the threshold by twice its value.
 TEST(AnyWish, KeepsTheUncertaintyApartAsWell) {
   for (int start = 0; start < (test::kSanitized ? 1 : 4); ++start) {
     const auto seed = static_cast<std::uint64_t>(2000 + start);
@@ -183,9 +184,9 @@ TEST(AnyWish, KeepsTheUncertaintyApartAsWell) {
   }
 }
 
-// Two who fly side by side at the threshold, on long ways to a stop that cross over one another at
-// a tiny angle, and press towards each other: which of all directions parts their ways best is hard
-// to tell, and whatever is lost by another one is lost from the threshold.
+// Two bees fly side by side at the threshold, on long stopping segments that cross over one another
+// at a tiny angle, and press towards each other. Which direction separates their segments best is
+// hard to compute, and any error in it reduces the separation.
 Flock two_side_by_side(RandomStream& random, double tilt) {
   Flock flock;
   const double threshold_m = test::log_uniform(random, 0.05, 5.0);
@@ -204,7 +205,7 @@ Flock two_side_by_side(RandomStream& random, double tilt) {
   return flock;
 }
 
-TEST(AnyWish, WaysThatAreAllButParallelStayApart) {
+TEST(AnyWish, NearlyParallelStoppingSegmentsStayApart) {
   RandomStream random(1);
   for (int start = 0; start < test::rounds(1'500); ++start) {
     SCOPED_TRACE(start);
@@ -215,7 +216,7 @@ TEST(AnyWish, WaysThatAreAllButParallelStayApart) {
     const double press = v * (start % 3 == 0 ? 1e-5 : start % 3 == 1 ? 0.3 : 1.0);
     Adviser adviser;
     Advised advised;
-    // The ways are farther apart than the threshold and what rounding is allowed.
+    // The segments are farther apart than the threshold plus the allowance for rounding.
     if (flock.least_ways_apart() < threshold_m * (1.0L + 1.05e-7L)) continue;
     for (int step = 0; step < 60; ++step) {
       SCOPED_TRACE(step);

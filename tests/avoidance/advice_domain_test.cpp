@@ -1,4 +1,4 @@
-// At the ends of the motion domain advise() answers too.
+// advise() answers at the limits of the motion domain too.
 #include <beespace/advise.hpp>
 
 #include <gtest/gtest.h>
@@ -45,8 +45,8 @@ void expect_flyable(const Ends& ends, const AdviseOptions& options) {
   }
 }
 
-// At the ends of what is allowed there is an answer, and it is one that can be flown.
-TEST(AdviceDomain, ItsEndsAreInsideIt) {
+// At the limits of the domain there is an answer, and a bee can fly it.
+TEST(AdviceDomain, ItsLimitsAreInsideIt) {
   for (const Ends& ends : all_ends()) {
     AdviseOptions options;
     options.threshold_m = ends.size;

@@ -1,4 +1,4 @@
-// What advise() refuses: with which code, at which place, in which words.
+// What advise() refuses: the error's code, place and sentence.
 #include <beespace/advise.hpp>
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-// Of both ways to ask; the Adviser has answered before, and answers after.
+// Both functions refuse: advise() and an Adviser, which has answered before and answers after.
 void expect_refused(const Question& question, ErrorCode code, std::optional<std::uint64_t> record,
                     const std::string& words) {
   const auto check = [&](const Error& error) {
@@ -53,7 +53,7 @@ void expect_refused(const Question& question, ErrorCode code, std::optional<std:
   const Status again = adviser.advise(movers, preferred, limits, options, advised);
   ASSERT_FALSE(again);
   check(again.error());
-  // No certificate outlives it.
+  // No certificate is left of an earlier answer.
   EXPECT_TRUE(advised.advice.empty());
   EXPECT_TRUE(advised.too_close.empty() && advised.refused.empty());
   ASSERT_TRUE(adviser.advise(good.movers, good.preferred, good.limits, good.options, advised));
@@ -64,7 +64,7 @@ void expect_refused(const Question& question, const std::string& words) {
   expect_refused(question, ErrorCode::kInvalidArgument, std::nullopt, words);
 }
 
-TEST(AdviceRefusal, AThresholdThatMakesNoSense) {
+TEST(AdviceRefusal, AnInvalidThreshold) {
   for (const double bad : {0.0, -1.0, kNan, kInfinity, -kInfinity, 0x1p-101, 0x1p+101}) {
     SCOPED_TRACE(bad);
     Question question;
@@ -73,7 +73,7 @@ TEST(AdviceRefusal, AThresholdThatMakesNoSense) {
   }
 }
 
-TEST(AdviceRefusal, AStepOrAnUncertaintyThatMakesNoSense) {
+TEST(AdviceRefusal, AnInvalidStepOrUncertainty) {
   for (const double bad : {0.0, -1.0, kNan, kInfinity, -kInfinity, 0x1p-101, 0x1p+101}) {
     SCOPED_TRACE(bad);
     Question question;
@@ -86,8 +86,8 @@ TEST(AdviceRefusal, AStepOrAnUncertaintyThatMakesNoSense) {
   }
 }
 
-// Whether or not there are obstacles, intruders and unknown bees.
-TEST(AdviceRefusal, AClearanceOrAHorizonThatMakesNoSense) {
+// With and without obstacles, intruders and unknown bees.
+TEST(AdviceRefusal, AnInvalidClearanceOrHorizon) {
   const ObstacleMap map;
   for (const double bad : {0.0, -1.0, kNan, kInfinity, -kInfinity, 0x1p-101, 0x1p+101}) {
     SCOPED_TRACE(bad);
@@ -95,7 +95,7 @@ TEST(AdviceRefusal, AClearanceOrAHorizonThatMakesNoSense) {
       Question question;
       question.options.obstacles = obstacles;
       question.options.clearance_m = bad;
-      if (std::isnan(bad)) {  // which is as if it were not given: it need not be without obstacles
+      if (std::isnan(bad)) {  // not given: without obstacles it need not be
         if (obstacles != nullptr) expect_refused(question, "the clearance from them is not given");
       } else {
         expect_refused(question, "the clearance is ");
@@ -119,8 +119,9 @@ TEST(AdviceRefusal, IntrudersWithHeightsApartFromPositions) {
   expect_refused(question, "heights");
 }
 
-// That are given once for all. (Of limits for each, who has bad ones is named: see bad_bee_test.)
-TEST(AdviceRefusal, LimitsThatMakeNoSense) {
+// One set of limits for all bees. (Where each bee has its own, the bee with bad ones is named: see
+// bad_bee_test.)
+TEST(AdviceRefusal, InvalidLimits) {
   for (const double bad : {-1.0, kNan, kInfinity, -kInfinity, 0x1p-101, 0x1p+101}) {
     SCOPED_TRACE(bad);
     Question question;
@@ -135,7 +136,7 @@ TEST(AdviceRefusal, LimitsThatMakeNoSense) {
   }
 }
 
-TEST(AdviceRefusal, AMethodThatIsNone) {
+TEST(AdviceRefusal, AnInvalidMethod) {
   for (const int number : {3, 4, 77, 255}) {
     Question question;
     question.options.method = static_cast<AdviseMethod>(number);
@@ -143,7 +144,7 @@ TEST(AdviceRefusal, AMethodThatIsNone) {
   }
 }
 
-TEST(AdviceRefusal, AnUnknownBeeThatIsNoneOfTheMovers) {
+TEST(AdviceRefusal, AnUnknownBeeThatIsNotAmongTheMovers) {
   for (const PointId bee : {PointId{kBees}, PointId{0xFFFFFFFF}}) {
     const std::vector<UnknownBee> unknown = {{{}, 1.0, 1.0, PointId{0}}, {{}, 1.0, 1.0, bee}};
     Question question;
@@ -152,7 +153,7 @@ TEST(AdviceRefusal, AnUnknownBeeThatIsNoneOfTheMovers) {
   }
 }
 
-// Nothing is dropped without a word.
+// Data that does not fit together is refused, not dropped silently.
 TEST(AdviceRefusal, ViewsWhoseArraysDoNotFitTogether) {
   const std::vector<Point> places(kBees, Point{});
   const std::vector<Point> fewer(kBees - 1);
@@ -208,7 +209,7 @@ TEST(AdviceRefusal, HeightsApartFromPositions) {
   EXPECT_TRUE(contains(refused.error().message, "heights")) << refused.error().message;
 }
 
-// More movers than ids: the view constraints them, and its size is looked at before they are.
+// More movers than ids: the view constrains them, and its size is checked before they are.
 TEST(AdviceRefusal, MoreMoversThanIds) {
   const double x = 0.0;
   const PointsView many = PointsView::strided(&x, &x, &x, kMaxPoints + 1, 0);

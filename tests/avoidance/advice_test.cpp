@@ -1,4 +1,4 @@
-// What advice promises besides separation: kinds, limits, wishes, and the same answer again.
+// What advice promises besides separation: kinds, limits, preferred velocities, reproducibility.
 #include "tests/avoidance/flock.hpp"
 #include "tests/support/rounds.hpp"
 
@@ -35,7 +35,7 @@ void expect_same(const Advised& a, const Advised& b) {
   EXPECT_EQ(a.too_close, b.too_close);
 }
 
-// So many that more than one thread is worth while, dense, some of them too close.
+// Enough bees for several threads, dense, some of them too close.
 Flock crowd(std::size_t size, std::uint64_t seed) {
   RandomStream random(seed);
   Flock flock;
@@ -49,12 +49,12 @@ Flock crowd(std::size_t size, std::uint64_t seed) {
   return flock;
 }
 
-TEST(Advice, OfNobodyAndOfOne) {
-  const auto nobody = advise({}, {}, std::vector<FlightLimits>(1), {.threshold_m = 5.0});
-  ASSERT_TRUE(nobody);
-  EXPECT_TRUE(nobody->advice.empty());
-  EXPECT_TRUE(nobody->too_close.empty());
-  EXPECT_TRUE(advise({}, {}, {}, {.threshold_m = 5.0}));  // limits of each: none
+TEST(Advice, OfNoneAndOfOne) {
+  const auto of_none = advise({}, {}, std::vector<FlightLimits>(1), {.threshold_m = 5.0});
+  ASSERT_TRUE(of_none);
+  EXPECT_TRUE(of_none->advice.empty());
+  EXPECT_TRUE(of_none->too_close.empty());
+  EXPECT_TRUE(advise({}, {}, {}, {.threshold_m = 5.0}));  // individual limits, of no bees
   Flock flock;
   flock.movers = {{{1, 2, 3}, {}}};
   flock.limits = {{10.0, test::kNoLimit}};
@@ -62,8 +62,8 @@ TEST(Advice, OfNobodyAndOfOne) {
   EXPECT_EQ(advised_of(flock, {{4, 5, 6}}).advice, (std::vector<Advice>{as_wished}));
 }
 
-// Of velocities that it can reach, the one that is nearest to its wish, shortened to its greatest
-// speed where it is above that.
+// The reachable velocity that is nearest to the preferred one, after this is shortened to the
+// greatest speed.
 Velocity reachable(const Mover& mover, const Velocity& wish, const FlightLimits& limits,
                    double step_s) {
   const double speed = test::length_of(wish);
@@ -77,7 +77,7 @@ Velocity reachable(const Mover& mover, const Velocity& wish, const FlightLimits&
   return {v.x + (slow.x - v.x) * share, v.y + (slow.y - v.y) * share, v.z + (slow.z - v.z) * share};
 }
 
-TEST(Advice, WhoIsAloneGetsWhatIsNearestToItsWish) {
+TEST(Advice, ABeeThatIsAloneGetsTheNearestToItsWish) {
   RandomStream random(1);
   Flock flock;
   for (int bee = 0; bee < test::rounds(2'000); ++bee) {
@@ -105,7 +105,7 @@ TEST(Advice, WhoIsAloneGetsWhatIsNearestToItsWish) {
   }
 }
 
-// Those who get what they wish are those whose wish is in nobody's way; others are turned aside.
+// A bee gets its preferred velocity where that hinders no other bee; the others get another one.
 TEST(Advice, TheKindSaysWhetherTheWishIsGranted) {
   std::size_t wished = 0;
   std::size_t deflected = 0;
@@ -126,31 +126,31 @@ TEST(Advice, TheKindSaysWhetherTheWishIsGranted) {
   EXPECT_GT(deflected, 10U);
 }
 
-// Two face to face, on their marks: each may go half of what is between them beyond the threshold.
-TEST(Advice, TwoFaceToFaceShareWhatIsBetweenThem) {
+// Two bees face each other at rest. Each may use half of the distance beyond the threshold.
+TEST(Advice, TwoFaceToFaceShareTheDistanceBetweenThem) {
   Flock flock;
   flock.options.threshold_m = 5.0;
   flock.options.step_s = 1.0;
   flock.limits.assign(2, {10.0, test::kNoLimit});
   flock.movers = {{{0, 0, 0}, {}}, {{7, 0, 0}, {}}};
-  // Each wants less than its half: nobody is in the way.
+  // Each prefers less than its half: neither hinders the other.
   Advised advised = advised_of(flock, {{0.99, 0, 0}, {-0.99, 0, 0}});
   EXPECT_EQ(advised.advice[0], test::certified({0.99, 0, 0}));
   EXPECT_EQ(advised.advice[1], test::certified({-0.99, 0, 0}));
-  // More: neither gets beyond it, and both go on.
+  // More: neither flies beyond its half, and both fly on.
   advised = advised_of(flock, {{1.01, 0, 0}, {-1.6, 0, 0}});
   for (const std::size_t bee : {std::size_t{0}, std::size_t{1}}) {
     EXPECT_EQ(advised.advice[bee].kind, AdviceKind::kDeflected);
     EXPECT_LE(std::abs(advised.advice[bee].velocity.x), 1.0);
     EXPECT_GT(std::abs(advised.advice[bee].velocity.x), 0.99);
   }
-  // Much more: who gets too little of it turns right, within its own half.
+  // Much more: a bee that gets too little of it turns right, within its own half.
   advised = advised_of(flock, {{10, 0, 0}, {-10, 0, 0}});
   EXPECT_LE(advised.advice[0].velocity.x, 1.0);
   EXPECT_LT(advised.advice[0].velocity.y, -1.0);
   EXPECT_GE(advised.advice[1].velocity.x, -1.0);
   EXPECT_GT(advised.advice[1].velocity.y, 1.0);
-  // Away from each other, as fast as they like.
+  // Away from each other, at any speed.
   advised = advised_of(flock, {{-10, 0, 0}, {10, 0, 0}});
   EXPECT_EQ(advised.advice[0].kind, AdviceKind::kAsWished);
   EXPECT_EQ(advised.advice[1].kind, AdviceKind::kAsWished);
@@ -175,7 +175,7 @@ TEST(Advice, IsTheSameWithEveryNumberOfThreads) {
   }
 }
 
-// Large and small flocks by turns, refusals in between, with one Adviser and one Advised.
+// Large and small flocks in turn, with refusals in between; one Adviser and one Advised.
 TEST(Advice, DependsNotOnEarlierCalls) {
   Adviser adviser;
   Advised advised;
@@ -203,9 +203,9 @@ TEST(Advice, OneSetOfLimitsIsThatOfAll) {
   expect_same(advised_of(flock, wishes), of_each);
 }
 
-// Other ids: those who get what they wish are the same, and so is, but for rounding, what the
-// others get. (Where ways are parallel, or several velocities are as good, the lower id decides;
-// nothing of that is in random flocks.)
+// With other ids the same bees get their preferred velocities, and the others get the same advice
+// except for rounding. (Where segments are parallel, or several velocities are equally good, the
+// lower id decides; random flocks have no such case.)
 TEST(Advice, DependsOnIdsOnlyWhereNothingElseDecides) {
   for (std::uint64_t seed = 50; seed < 62; ++seed) {
     SCOPED_TRACE(seed);
@@ -222,7 +222,7 @@ TEST(Advice, DependsOnIdsOnlyWhereNothingElseDecides) {
       const Advice& b = other.advice[flock.size() - 1 - bee];
       ASSERT_EQ(a.kind == AdviceKind::kAsWished, b.kind == AdviceKind::kAsWished);
       ASSERT_EQ(a.certified, b.certified);
-      // A rounding decides whether the last tries get through: a thousandth of the change.
+      // Rounding decides whether the last attempts succeed: a thousandth of the change.
       ASSERT_LE(test::length_of_change(a.velocity, b.velocity),
                 2e-3 * flock.limits[bee].max_speed_mps)
           << "bee " << bee;
@@ -230,7 +230,7 @@ TEST(Advice, DependsOnIdsOnlyWhereNothingElseDecides) {
   }
 }
 
-TEST(Advice, WhoIsTooFastSlowsDownAsHardAsItCan) {
+TEST(Advice, ABeeThatIsTooFastBrakesAsHardAsItCan) {
   Flock flock;
   flock.movers = {{{0, 0, 0}, {12, 0, 0}}};
   flock.limits = {{10.0, 5.0}};
@@ -239,7 +239,7 @@ TEST(Advice, WhoIsTooFastSlowsDownAsHardAsItCan) {
   EXPECT_TRUE(advised.advice[0].certified);
 }
 
-// Who cannot fly stands; a wish for standing is granted among neighbours that leave it room.
+// A bee that cannot fly stands. A bee that prefers to stand may, if its neighbours leave it room.
 TEST(Advice, StandingIsAsWished) {
   Flock flock;
   flock.movers = {{{0, 0, 0}, {}}, {{5.1, 0, 0}, {}}, {{0, 5.1, 0}, {}}};
@@ -253,7 +253,7 @@ TEST(Advice, StandingIsAsWished) {
   }
 }
 
-// Where neighbours are is not copied to where bees are: views with any layout will do.
+// Positions of neighbours are not copied to where the bees' are: views of any layout work.
 TEST(Advice, OfSeparateArraysIsThatOfMovers) {
   const Flock flock = crowd(200, 70);
   std::vector<double> numbers[6];

@@ -1,5 +1,5 @@
-// One bad bee never stops the advice: it is named, it gets none, and nobody is certified against it
-// until it is said where it is at most.
+// One bee with invalid values never stops the advice. It is named and gets none, and no other bee
+// is certified until a ball that contains it is given.
 #include "tests/avoidance/flock.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ struct Question {
     EXPECT_TRUE(advised);
     return advised ? *advised : Advised{};
   }
-  // The same without a bee.
+  // The same question without a bee.
   [[nodiscard]] Question without(std::size_t bee) const {
     Question rest = *this;
     const auto at = static_cast<std::ptrdiff_t>(bee);
@@ -44,7 +44,7 @@ struct Question {
   }
 };
 
-// That the others are advised as if the bee were not there, but for what they are clear of.
+// The others get the advice that they get without the bee, except for what they are clear of.
 void expect_others_advised(const Advised& advised, const Question& question, std::size_t bee,
                            bool clear) {
   const Advised rest = question.without(bee).ask();
@@ -102,7 +102,7 @@ TEST(BadBee, IsNamedAndTheOthersAreAdvised) {
   }
 }
 
-TEST(BadBee, ALimitOfAccelerationThatIsNone) {
+TEST(BadBee, AnInvalidLimitOfAcceleration) {
   for (const double bad : {0.0, -1.0, kNan, 1e-320}) {
     Question question;
     question.limits[1].max_acceleration_mps2 = bad;
@@ -112,7 +112,7 @@ TEST(BadBee, ALimitOfAccelerationThatIsNone) {
   }
 }
 
-// With a ball that says where it is at most, the others are certified; nothing more is wrong.
+// If a ball that contains it is given, the others are certified, and nothing else is wrong.
 TEST(BadBee, ThatIsKnownToBeInABallLeavesTheOthersCertified) {
   for (const std::size_t bee : {std::size_t{0}, std::size_t{2}, kBees - 1}) {
     Question question;
@@ -131,8 +131,8 @@ TEST(BadBee, ThatIsKnownToBeInABallLeavesTheOthersCertified) {
   }
 }
 
-// A ball that is none tells nothing.
-TEST(BadBee, ABallThatIsNoneIsNamed) {
+// An invalid ball carries no information.
+TEST(BadBee, AnInvalidBallIsNamed) {
   for (const double bad : kBadValues) {
     for (const int field : {0, 1, 2}) {
       UnknownBee ball{{1e4, 0, 0}, 1.0, 1.0, PointId{3}};
@@ -151,7 +151,7 @@ TEST(BadBee, ABallThatIsNoneIsNamed) {
   }
 }
 
-TEST(BadBee, AWishThatIsNoneCountsAsStanding) {
+TEST(BadBee, AnInvalidWishCountsAsStanding) {
   for (const double bad : kBadValues) {
     Question question;
     question.preferred[2].y = bad;
@@ -164,7 +164,7 @@ TEST(BadBee, AWishThatIsNoneCountsAsStanding) {
   }
 }
 
-TEST(BadBee, AnIntruderThatIsNoneLeavesNobodyClear) {
+TEST(BadBee, AnInvalidIntruderLeavesNoBeeClear) {
   for (const double bad : kBadValues) {
     for (const bool is_velocity : {false, true}) {
       std::vector<Mover> intruders(3, Mover{{1e4, 0, 0}, {0, 1, 0}});
@@ -188,7 +188,7 @@ TEST(BadBee, AnIntruderThatIsNoneLeavesNobodyClear) {
   }
 }
 
-// Whom others are named by, where some are left out.
+// The numbers of the others stay those of the input, where some bees are left out.
 TEST(BadBee, TheOthersKeepTheirNumbers) {
   Question question;
   question.movers[0].velocity.z = kNan;
@@ -205,8 +205,8 @@ TEST(BadBee, TheOthersKeepTheirNumbers) {
   EXPECT_FALSE(advised.advice[3].keeps_apart);
 }
 
-// One at the end of the world, as far as numbers go, is no trouble to those who are together.
-TEST(BadBee, OneThatIsAstrayWidensNothing) {
+// A bee at the limit of the domain does not affect the bees that are together.
+TEST(BadBee, AFarAwayBeeWidensNothing) {
   for (const double far : {1e12, 1e20, kLargestInMotion}) {
     Question question;
     question.movers[4].position = {far, -far, far};

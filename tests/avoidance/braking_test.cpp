@@ -30,7 +30,7 @@ struct Case {
   AgentState agent;
 };
 
-// From much slower to much faster than what a step of braking takes away.
+// Speeds from far below to far above what a step of braking removes.
 Case random_case(RandomStream& random) {
   const double step_s = std::exp(random.uniform(-5.0, 0.0));
   const double change = std::exp(random.uniform(-5.0, 3.0));
@@ -41,7 +41,7 @@ Case random_case(RandomStream& random) {
   return {limits, step_s, agent};
 }
 
-TEST(Braking, TheWayToAStopIsThatOfTheFormula) {
+TEST(Braking, TheStoppingDistanceIsThatOfTheFormula) {
   const Braking braking({20.0, 2.0}, 0.5);
   EXPECT_EQ(braking.stopping_segment({8.0, 0.0, 0.0}), (Vector3{16.0 + 2.0, 0.0, 0.0}));
   EXPECT_EQ(braking.stopping_segment({0.0, 0.0, -8.0}), (Vector3{0.0, 0.0, -18.0}));
@@ -61,8 +61,8 @@ TEST(Braking, WithoutALimitABeeStopsWhereItIs) {
   EXPECT_EQ(braking.way_after({8.0, 0.0, 0.0}), (Vector3{4.0, 0.0, 0.0}));
 }
 
-// In steps, as it flies: it stops within the way to a stop, and not much before.
-TEST(Braking, ComesToAStopWithinTheWayToAStop) {
+// Flown in steps, a bee stops within its stopping segment, and near the end of it.
+TEST(Braking, StopsWithinItsStoppingSegment) {
   RandomStream random(1);
   for (int round = 0; round < test::rounds(5'000); ++round) {
     const auto [limits, step_s, agent] = random_case(random);
@@ -76,14 +76,14 @@ TEST(Braking, ComesToAStopWithinTheWayToAStop) {
       v = next;
     }
     ASSERT_LE(flown, way * (1.0 + 1e-12)) << "round " << round;
-    // Of the last step, which is not used up.
+    // The unused part of the last step.
     const double spare = 0.5 * step_s * (length(agent.velocity) + agent.braking.change());
     ASSERT_GE(flown, way - spare * (1.0 + 1e-12)) << "round " << round;
   }
 }
 
-// After a step of braking the way to a stop lies in the one before, and is shorter.
-TEST(Braking, AfterAStepOfBrakingTheStopLiesInTheOldWay) {
+// After a step of braking the stopping segment lies in the previous one, and is shorter.
+TEST(Braking, AfterAStepOfBrakingTheSegmentLiesInTheOldOne) {
   RandomStream random(2);
   for (int round = 0; round < test::rounds(50'000); ++round) {
     const auto [limits, step_s, agent] = random_case(random);
@@ -94,7 +94,7 @@ TEST(Braking, AfterAStepOfBrakingTheStopLiesInTheOldWay) {
     const Vector3 stop = agent.stop_after(braked);
     ASSERT_LE(static_cast<double>(old.distance_to(long_of(stop))), rounding) << "round " << round;
     ASSERT_LE(length(agent.braking.stopping_segment(braked)), length(old_way.way) * (1.0 + 1e-15));
-    // Where it is a step later, and half a step's drift on.
+    // The position a step later, plus half a step's drift.
     const Vector3 middle = agent.position + agent.velocity * (0.5 * step_s);
     const Vector3 later = middle + braked * (0.5 * step_s);
     ASSERT_LE(static_cast<double>(old.distance_to(long_of(middle))), rounding);
@@ -102,8 +102,8 @@ TEST(Braking, AfterAStepOfBrakingTheStopLiesInTheOldWay) {
   }
 }
 
-// What stop_after says is where the next step's way to a stop ends, whatever the new velocity.
-TEST(Braking, TheStopAfterAStepIsTheEndOfTheNextWayToAStop) {
+// stop_after() is where the stopping segment of the next step ends, for any new velocity.
+TEST(Braking, TheStopAfterAStepIsTheEndOfTheNextSegment) {
   RandomStream random(3);
   for (int round = 0; round < test::rounds(20'000); ++round) {
     const auto [limits, step_s, agent] = random_case(random);
@@ -118,7 +118,7 @@ TEST(Braking, TheStopAfterAStepIsTheEndOfTheNextWayToAStop) {
   }
 }
 
-// No step that the limits allow gets it farther from where it would stop.
+// No step within the limits moves the stopping point farther than this.
 TEST(Braking, StraysIsAsFarAsAStopMayMove) {
   RandomStream random(4);
   for (int round = 0; round < test::rounds(50'000); ++round) {
@@ -131,7 +131,7 @@ TEST(Braking, StraysIsAsFarAsAStopMayMove) {
   }
 }
 
-// growth_along and growth_across are what way_after grows by.
+// growth_along and growth_across are the slopes of way_after.
 TEST(Braking, GrowthIsTheSlopeOfTheWayAfterAStep) {
   RandomStream random(5);
   for (int round = 0; round < test::rounds(5'000); ++round) {
@@ -153,7 +153,7 @@ TEST(Braking, GrowthIsTheSlopeOfTheWayAfterAStep) {
   }
 }
 
-TEST(AgentState, IsAbleToGetAsNearToItsWishAsItsLimitsAllow) {
+TEST(AgentState, ReachesTheNearestToItsWishThatItsLimitsAllow) {
   const AgentState agent{{}, {3, 0, 0}, Braking({5.0, 2.0}, 0.5), 5.0};
   EXPECT_EQ(agent.able({3.5, 0.5, 0}), (Vector3{3.5, 0.5, 0}));
   EXPECT_EQ(agent.able({5, 0, 0}), (Vector3{4, 0, 0}));

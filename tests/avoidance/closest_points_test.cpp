@@ -29,7 +29,7 @@ double size_of(const Segment& first, const Segment& second) {
   return length(first.from) + length(second.from) + length(first.way) + length(second.way);
 }
 
-// Both lie on their segments, and are `tolerance` farther apart than need be, at most.
+// Both points lie on their segments, and their distance exceeds the least by at most `tolerance`.
 void expect_closest(const Segment& first, const Segment& second, double tolerance) {
   const ClosestPoints found = closest_points(first, second);
   const double rounding = 1e-14 * size_of(first, second);
@@ -80,8 +80,8 @@ TEST(ClosestPoints, OfRandomSegmentsOfAllLengths) {
   }
 }
 
-// Those that cross, within a few roundings: between them is next to nothing.
-TEST(ClosestPoints, OfWaysThatMeet) {
+// Segments that cross, to within a few roundings: their distance is almost zero.
+TEST(ClosestPoints, OfSegmentsThatMeet) {
   RandomStream random(2);
   for (int round = 0; round < test::rounds(50'000); ++round) {
     const Vector3 meet = direction(random) * random.uniform(0.0, 2.0);
@@ -96,8 +96,8 @@ TEST(ClosestPoints, OfWaysThatMeet) {
   }
 }
 
-// The worst that can happen, at any angle: each crosses over the other, near or far.
-TEST(ClosestPoints, OfParallelWays) {
+// The worst case at any angle: each segment crosses over the other, near or far.
+TEST(ClosestPoints, OfParallelSegments) {
   RandomStream random(4);
   for (int round = 0; round < test::rounds(50'000); ++round) {
     const Vector3 way = direction(random) * std::exp(random.uniform(-10.0, 5.0));

@@ -1,4 +1,4 @@
-// Bees that are advised again and again, with everything checked that advice promises.
+// A flock that is advised step after step, with all checks of what advice promises.
 #pragma once
 
 #include "scenes/random_stream.hpp"
@@ -46,7 +46,7 @@ struct Flock {
   [[nodiscard]] bool at_once(std::size_t bee) const {
     return std::isinf(limits[bee].max_acceleration_mps2);
   }
-  // From where a bee is to where it stops at the latest, by the formula of docs/prevention.md.
+  // From a bee's position to its latest stopping point, by the formula of docs/prevention.md.
   [[nodiscard]] LongSegment stopping_segment(std::size_t bee) const {
     const auto& [p, v] = movers[bee];
     if (at_once(bee)) return {long_of(p), {}};
@@ -68,7 +68,7 @@ struct Flock {
   }
 };
 
-// Where a bee is after a step, as the header says it flies.
+// A bee's position after a step, flown as the header says.
 inline Mover flown(const Mover& mover, const Velocity& next, bool at_once, double step_s) {
   const auto& [p, v] = mover;
   const Velocity mean =
@@ -76,10 +76,10 @@ inline Mover flown(const Mover& mover, const Velocity& next, bool at_once, doubl
   return {{p.x + mean.x * step_s, p.y + mean.y * step_s, p.z + mean.z * step_s}, next};
 }
 
-// What counting as zero what is too small may change of a velocity, with room to spare.
+// An upper limit of what flushing small values to zero may change of a velocity.
 inline constexpr double kFlushed_mps = 4.0 * kSmallestInMotion;
 
-// Whether nobody who may not be too fast is, and nobody turns harder than it can.
+// No bee is faster or turns harder than its limits allow.
 inline void expect_within_limits(const Flock& flock, const std::vector<Advice>& advice) {
   constexpr double kRounded = 1.0 + 1e-12;
   for (std::size_t bee = 0; bee < flock.size(); ++bee) {
@@ -98,8 +98,8 @@ inline void expect_within_limits(const Flock& flock, const std::vector<Advice>& 
   }
 }
 
-// One step of everybody, told to a Verifier of its own: bees without a limit of acceleration fly
-// straight, which is the curve with the same velocity at both ends.
+// The verdict of an independent Verifier on one step of all bees. A bee without a limit of
+// acceleration flies straight: a curve with the same velocity at both ends.
 inline Verdict verdict_of_step(const Flock& flock, const std::vector<Mover>& after) {
   VerifyOptions options;
   options.threshold_m = flock.options.threshold_m;
@@ -126,7 +126,7 @@ inline Verdict verdict_of_step(const Flock& flock, const std::vector<Mover>& aft
   return verifier.verdict();
 }
 
-// Lets the flock fly a step as it is advised. The verdict has no breaches of limits.
+// Flies a step as advised. No limit is broken.
 inline Verdict fly_a_step(Flock& flock, Adviser& adviser, const std::vector<Velocity>& wishes,
                           Advised& advised) {
   const Status status = adviser.advise(flock.movers, wishes, flock.limits, flock.options, advised);
@@ -149,7 +149,7 @@ inline std::vector<Pair> pairs_of(const std::vector<TooClose>& too_close) {
   return pairs;
 }
 
-// Advice to one whom nothing troubles.
+// Advice to a bee without any conflict.
 inline Advice certified(const Velocity& velocity, AdviceKind kind = AdviceKind::kAsWished) {
   Advice advice{velocity, kind, true, true, true};
   advice.clear_of_unknown_s = kNoLimit;
@@ -157,7 +157,7 @@ inline Advice certified(const Velocity& velocity, AdviceKind kind = AdviceKind::
   return advice;
 }
 
-// As far as those go who are advised, and obstacles.
+// Concerns the bees that are advised, and obstacles; no intruders.
 inline bool all_keep_apart(const Advised& advised) {
   return advised.too_close.empty() && advised.near_obstacle.empty() &&
          std::all_of(advised.advice.begin(), advised.advice.end(),
@@ -180,8 +180,8 @@ inline Velocity random_velocity(scenes::RandomStream& random, double most) {
   return {x * speed, y * speed, z * speed};
 }
 
-// A bee more, at a random place in a cube where its way to a stop is `spacing_m` from that of all
-// others, with a velocity if there is one.
+// Adds a bee at a random place in a cube where its stopping segment is `spacing_m` from those of
+// all others; with a velocity if there is one for which that holds.
 inline bool add_bee(Flock& flock, const FlightLimits& limits, double side_m, double spacing_m,
                     const Point& offset, scenes::RandomStream& random) {
   const auto at = [&](double middle) { return middle + random.uniform(-0.5, 0.5) * side_m; };
@@ -208,8 +208,8 @@ inline bool add_bee(Flock& flock, const FlightLimits& limits, double side_m, dou
   return true;
 }
 
-// A random flock that keeps the invariant. Lengths are of the order of the threshold, so that
-// everybody is in everybody's way.
+// A random flock that keeps the invariant. Lengths are of the order of the threshold, so that all
+// bees hinder each other.
 inline Flock random_flock(std::size_t most, std::uint64_t seed) {
   scenes::RandomStream random(seed);
   Flock flock;

@@ -1,4 +1,4 @@
-// Bees that are too close and want nothing: they get apart, as fast as they can.
+// Bees that are too close and prefer to stand separate as fast as they can.
 #include "tests/avoidance/flock.hpp"
 #include "tests/support/rounds.hpp"
 
@@ -14,8 +14,8 @@ namespace {
 using scenes::RandomStream;
 using test::Flock;
 
-// How many steps until all are certified; -1 if not in `most`. Meanwhile no ways come closer to
-// each other than they were, or the threshold.
+// The number of steps until all are certified; -1 if that takes more than `most`. Meanwhile no two
+// stopping segments come closer than they were, or than the threshold.
 int steps_to_part(Flock& flock, int most) {
   const std::vector<Velocity> idle(flock.size());
   const auto threshold_m = static_cast<long double>(flock.options.threshold_m);
@@ -37,7 +37,7 @@ int steps_to_part(Flock& flock, int most) {
   return -1;
 }
 
-// Each flies half of what is missing, from a standstill to a stop.
+// Each flies half of the missing distance, from rest to rest.
 double seconds_apart(const FlightLimits& limits, double missing_m) {
   const double each_m = 0.5 * missing_m;
   const double a = limits.max_acceleration_mps2;
@@ -67,13 +67,13 @@ TEST(GettingAway, TwoPartInAboutTheTimeThatItTakes) {
     const double step_s = flock.options.step_s;
     const int steps = steps_to_part(flock, 40 + static_cast<int>(3.0 * takes_s / step_s));
     ASSERT_GE(steps, 1) << far_m / threshold_m << " thresholds apart, in " << takes_s << " s";
-    // The last nanometre is taken by halves.
+    // Each step takes half of the last nanometre.
     slowest = std::max(slowest, (steps - 30) * step_s / takes_s);
   }
   EXPECT_LT(slowest, 2.0);
 }
 
-// `count` of them in a ball that has room for few.
+// `count` bees in a ball that has room for few.
 Flock crowd_of(std::size_t count, double acceleration, RandomStream& random) {
   Flock flock;
   flock.options.threshold_m = 5.0;
@@ -96,8 +96,8 @@ TEST(GettingAway, ManyPart) {
   }
 }
 
-// On one line, in one plane, at one place: nothing but who they are tells them where to go.
-TEST(GettingAway, OfOneLineAndOfOnePlaceTheyPart) {
+// On one line, in one plane, at one place: only their ids tell them where to go.
+TEST(GettingAway, BeesOnOneLineOrAtOnePlaceSeparate) {
   for (const double acceleration : {test::kNoLimit, 4.0}) {
     for (const double spacing_m : {0.0, 1.0, 4.9}) {
       for (const std::size_t count :
@@ -118,7 +118,7 @@ TEST(GettingAway, OfOneLineAndOfOnePlaceTheyPart) {
   }
 }
 
-// While two are too close, others around them keep what they have.
+// While two bees are too close, the bees around them keep their separation.
 TEST(GettingAway, OthersAreNotPushed) {
   Flock flock;
   flock.options.threshold_m = 5.0;
@@ -137,7 +137,7 @@ TEST(GettingAway, OthersAreNotPushed) {
   ADD_FAILURE() << "they did not part";
 }
 
-// When two straight flights are the threshold apart at last; infinite if not ever.
+// When two straight flights reach the threshold; infinite if never.
 double clear_s(const Mover& a, const Mover& b, double threshold_m) {
   const test::LongVector p = test::long_of(b.position) - test::long_of(a.position);
   const test::LongVector v = test::long_of(b.velocity) - test::long_of(a.velocity);
@@ -151,7 +151,7 @@ double clear_s(const Mover& a, const Mover& b, double threshold_m) {
   return std::max(0.0, static_cast<double>((-pv + std::sqrt(squared)) / vv));
 }
 
-TEST(GettingAway, WhenTheyAreApartAndHowCloseTheirWaysAreIsSaid) {
+TEST(GettingAway, TheTimeToClearAndTheGapAreReported) {
   RandomStream random(3);
   int later = 0;
   int at_once = 0;
@@ -190,9 +190,9 @@ TEST(GettingAway, WhenTheyAreApartAndHowCloseTheirWaysAreIsSaid) {
   EXPECT_GT(at_once, test::rounds(3'000) / 60);
 }
 
-// The simplest: 2 m apart, told to take half of the missing 3 m each; 1.5 m in a step of a second
-// is what they fly.
-TEST(GettingAway, ByTheBook) {
+// The simplest case: 2 m apart, asked to take half of the missing 3 m each. They fly 1.5 m in a
+// step of a second.
+TEST(GettingAway, TwoBeesAsComputedByHand) {
   Flock flock;
   flock.options.step_s = 1.0;
   flock.limits.assign(2, {10.0, test::kNoLimit});
@@ -206,12 +206,12 @@ TEST(GettingAway, ByTheBook) {
   EXPECT_NEAR(advised->advice[0].velocity.y, -1.5, 1e-5);
   EXPECT_NEAR(advised->advice[1].velocity.y, 1.5, 1e-5);
   EXPECT_EQ(advised->advice[0].kind, AdviceKind::kDeflected);
-  // As fast as they can is not as fast.
+  // They are as fast as they can be, which is not enough.
   flock.limits.assign(2, {0.5, test::kNoLimit});
   advised = advise(flock.movers, idle, flock.limits, flock.options);
   ASSERT_TRUE(advised);
   EXPECT_NEAR(advised->too_close[0].clear_s, 3.0, 0.02);
-  // Who cannot fly stays.
+  // A bee that cannot fly stays.
   flock.limits.assign(2, {0.0, 3.0});
   advised = advise(flock.movers, idle, flock.limits, flock.options);
   ASSERT_TRUE(advised);

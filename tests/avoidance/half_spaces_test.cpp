@@ -1,4 +1,4 @@
-// The convex program against one that tries every set of half-spaces that may bind.
+// The convex program, compared with one that tries every set of half-spaces that may bind.
 #include "avoidance/constraints/half_spaces.hpp"
 
 #include "scenes/random_stream.hpp"
@@ -26,8 +26,8 @@ struct Program {
   Ball ball;
 };
 
-// The nearest place on the planes of up to three half-spaces, in or on the ball; with `slack`, all
-// of them and the ball are so much larger (or smaller, below zero).
+// The nearest point on the planes of up to three half-spaces, in or on the ball. `slack` enlarges
+// all of them and the ball (below zero: shrinks).
 class EveryActiveSet {
  public:
   EveryActiveSet(const Program& program, double slack)
@@ -139,9 +139,9 @@ struct Tally {
   int none = 0;
 };
 
-// An answer is `outside` of a half-space at most; there is none only where the place has less room
-// around it than `tolerance`. Whether an answer is the optimum is known where no planes are nearly
-// parallel: lines and corners of such are not tried.
+// An answer is at most `outside` of any half-space. It is missing only where the feasible set has
+// less room than `tolerance`. The optimum is known where no planes are nearly parallel: lines and
+// corners of such planes are not tried.
 void check(const Program& program, double tolerance, double outside, Tally& tally) {
   const auto found = nearest_place(program.wish, program.half_spaces, program.ball);
   const EveryActiveSet relaxed(program, tolerance);
@@ -190,7 +190,7 @@ TEST(NearestPlace, OfManyHalfSpaces) {
   EXPECT_GT(tally.found, 0);
 }
 
-// Planes that are the same, against each other, or turned a little: as neighbours in rows give.
+// Planes that are equal, opposed, or turned a little, as neighbours in rows cause.
 TEST(NearestPlace, OfNearlyParallelPlanes) {
   RandomStream random(13);
   Tally tally;
@@ -206,8 +206,8 @@ TEST(NearestPlace, OfNearlyParallelPlanes) {
       program.half_spaces.push_back(
           {n, random.index(3) == 0 ? dot(n, like.normal) * like.offset : at});
     }
-    // Planes that count as parallel meet at an angle of 1e-9; where the line in which two planes
-    // meet at such an angle lies is known as badly as a rounding over that angle.
+    // Planes count as parallel up to an angle of 1e-9. The line in which two planes meet at such an
+    // angle is known to a rounding divided by the angle.
     ASSERT_NO_FATAL_FAILURE(check(program, 1e-6, 1e-6, tally)) << "round " << round;
   }
   EXPECT_GT(tally.found, 0);
@@ -232,12 +232,12 @@ TEST(NearestPlace, OnAPlaneALineAndACorner) {
   EXPECT_EQ(nearest_place({0, 0, 0}, std::vector{x, y, z}, ball), (Vector3{0, 0, 0}));
 }
 
-TEST(NearestPlace, IsSaidNotToBeWhereThereIsNone) {
+TEST(NearestPlace, IsReportedMissingWhereThereIsNone) {
   const Ball ball{{0, 0, 0}, 1.0};
   EXPECT_FALSE(nearest_place({0, 0, 0}, std::vector<HalfSpace>{{{1, 0, 0}, 1.5}}, ball));
   EXPECT_FALSE(nearest_place({0, 0, 0},
                              std::vector<HalfSpace>{{{1, 0, 0}, 0.5}, {{-1, 0, 0}, -0.25}}, ball));
-  // Each two have places in common.
+  // Each two have points in common.
   const double s = std::sqrt(0.75);
   EXPECT_FALSE(nearest_place(
       {0, 0, 0},
@@ -245,7 +245,7 @@ TEST(NearestPlace, IsSaidNotToBeWhereThereIsNone) {
       ball));
 }
 
-// The order of half-spaces is by id: whatever it is, the answer is the same but for rounding.
+// Half-spaces are ordered by id. In any order the answer is the same except for rounding.
 TEST(NearestPlace, IsTheSameInEveryOrder) {
   RandomStream random(14);
   for (int round = 0; round < test::rounds(2'000); ++round) {

@@ -1,4 +1,4 @@
-// Bees that begin in an obstacle, or too close to one: that is said, and they get out.
+// Bees that begin in an obstacle, or too close to one, are named, and they get out.
 #include "tests/avoidance/obstacle_course.hpp"
 #include "tests/support/rounds.hpp"
 
@@ -14,14 +14,14 @@ namespace {
 using scenes::RandomStream;
 using test::Course;
 
-// As long as it may take: out of what it lies in, straight on, from a standstill to a stop.
+// The time limit: straight out of the obstacle, from rest to rest.
 double seconds_out(const FlightLimits& limits, double way_m) {
   const double a = limits.max_acceleration_mps2;
   return 2.0 * way_m / limits.max_speed_mps +
          (std::isinf(a) ? 0.0 : limits.max_speed_mps / a + 3.0 * std::sqrt(way_m / a));
 }
 
-// How many steps until everybody is certified; -1 if not in `most`.
+// The number of steps until all are certified; -1 if that takes more than `most`.
 int steps_to_clear(Course& course, const Velocity& wish, int most) {
   Adviser adviser;
   Advised advised;
@@ -72,7 +72,7 @@ Obstacle random_convex(RandomStream& random, double scale_m) {
   }
 }
 
-TEST(InsideObstacles, WhoIsTooCloseIsNamedAndGetsOutAsFastAsItCan) {
+TEST(InsideObstacles, ABeeTooCloseIsNamedAndGetsOutAsFastAsItCan) {
   RandomStream random(1);
   int inside = 0;
   for (int round = 0; round < test::rounds(2'000); ++round) {
@@ -103,8 +103,8 @@ TEST(InsideObstacles, WhoIsTooCloseIsNamedAndGetsOutAsFastAsItCan) {
   EXPECT_GT(inside, test::rounds(2'000) / 6);
 }
 
-// In the very middle, on the surface, on an edge, on a corner: any way out is as good.
-TEST(InsideObstacles, WhereAllWaysOutAreAlikeOneIsTaken) {
+// At the centre, on the surface, on an edge, on a corner: all ways out are equally good.
+TEST(InsideObstacles, OneOfEquallyGoodWaysOutIsTaken) {
   const std::vector<Obstacle> obstacles = {
       Sphere{{0, 0, 0}, 3.0},
       Sphere{{0, 0, 0}, 0.0},
@@ -141,10 +141,10 @@ TEST(InsideObstacles, WhereAllWaysOutAreAlikeOneIsTaken) {
   }
 }
 
-// Outlines that are cut into pieces: wherever it stands, in whatever piece, near whatever cut. (Of
-// outlines at random some have notches that are too narrow for the clearance.)
-// So near to the surface that doubles do not tell on which side of it: straight out all the same.
-TEST(InsideObstacles, OnTheSurfaceIsNoPlaceToBeStuckAt) {
+// Outlines that are cut into pieces: the bee stands anywhere, in any piece, near any cut. (Some
+// random outlines have notches that are too narrow for the clearance.)
+// So near to the surface that doubles do not tell on which side of it: the bee still flies out.
+TEST(InsideObstacles, ABeeOnTheSurfaceGetsOut) {
   RandomStream random(11);
   int inside = 0;
   for (int round = 0; round < test::rounds(2'000); ++round) {
@@ -168,7 +168,7 @@ TEST(InsideObstacles, OnTheSurfaceIsNoPlaceToBeStuckAt) {
   EXPECT_GT(inside, test::rounds(2'000) / 10);
 }
 
-TEST(InsideObstacles, OfOutlinesThatAreNotConvexTheyGetOutToo) {
+TEST(InsideObstacles, TheyGetOutOfOutlinesThatAreNotConvex) {
   const test::Corners outlines[] = {test::letter_l(), test::letter_u(), test::star(),
                                     test::spiral(), test::comb()};
   RandomStream random(2);

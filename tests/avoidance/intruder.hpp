@@ -1,4 +1,4 @@
-// Who flies straight on, whatever anybody does.
+// Intruders that fly straight on, whatever the bees do.
 #pragma once
 
 #include <beespace/mover.hpp>

@@ -1,5 +1,4 @@
-// Those who do not take part: everybody gives way to them, and keeps apart from each other
-// meanwhile.
+// Intruders do not take part: all bees give way to them, and keep apart from each other.
 #include "tests/avoidance/flock.hpp"
 #include "tests/avoidance/intruder.hpp"
 #include "tests/support/rounds.hpp"
@@ -22,7 +21,7 @@ double closest_in_step(Mover from, const Mover& to, const Mover& intruder, bool 
                        double step_s) {
   if (at_once) from.velocity = to.velocity;
   const Mover later{test::moved(intruder.position, intruder.velocity, step_s), intruder.velocity};
-  // The closest of a smooth distance, so a few samples are enough to begin with.
+  // The minimum of a smooth distance, so a few samples find its neighbourhood.
   const auto distance = [&](long double u) {
     const auto a = test::place_at(from, to, step_s, u);
     const auto b = test::place_at(intruder, later, step_s, u);
@@ -31,8 +30,8 @@ double closest_in_step(Mover from, const Mover& to, const Mover& intruder, bool 
   return static_cast<double>(test::least_of(distance, 4));
 }
 
-// One bee, with the same wish all the time, and intruders that fly straight on; how close any of
-// them comes.
+// One bee with a constant preferred velocity, and intruders that fly straight on: the closest
+// distance to any of them.
 double closest_of_all(Flock& flock, const Velocity& wish, std::vector<Mover> intruders, int steps) {
   Adviser adviser;
   Advised advised;
@@ -50,7 +49,7 @@ double closest_of_all(Flock& flock, const Velocity& wish, std::vector<Mover> int
   return closest_m;
 }
 
-// Where it is `before_s` seconds before it would meet the bee, which flies straight.
+// The intruder's position `before_s` seconds before it would meet the bee, which flies straight.
 Mover on_course(const Mover& bee, const Velocity& velocity, double before_s) {
   return {test::moved(test::moved(bee.position, bee.velocity, before_s), velocity, -before_s),
           velocity};
@@ -74,7 +73,7 @@ std::vector<Velocity> directions(RandomStream& random) {
   return all;
 }
 
-// What a bee is told is a velocity; until it flies with that it is a little off.
+// Advice is a velocity. Until the bee flies with it, it is a little off.
 TEST(Intruders, ABeeThatHasTimeIsMissed) {
   RandomStream random(1);
   int met = 0;
@@ -89,7 +88,7 @@ TEST(Intruders, ABeeThatHasTimeIsMissed) {
                        << direction.z);
           Flock flock = one_bee(acceleration, bee);
           const Mover intruder = on_course(flock.movers[0], test::scaled(direction, speed), 12.0);
-          // Who flies as it does stays where it is.
+          // An intruder with the bee's velocity stays where it is, seen from the bee.
           if (test::distance_of(intruder.position, flock.movers[0].position) < 20.0) continue;
           ++met;
           ASSERT_GE(closest_of_all(flock, bee, {intruder}, 180), least_m);
@@ -100,9 +99,8 @@ TEST(Intruders, ABeeThatHasTimeIsMissed) {
   EXPECT_GT(met, 100);
 }
 
-// However short the step, and however much faster than the bee the intruder is: it does what it
-// can.
-TEST(Intruders, WhoHasNoTimeDoesWhatItCan) {
+// For any step, and any speed of the intruder above the bee's, the bee gets as far away as it can.
+TEST(Intruders, ABeeWithoutTimeDoesWhatItCan) {
   for (const double step_s : {0.001, 0.01, 0.1}) {
     for (const double speed : {10.0, 300.0}) {
       for (const double aside_m : {0.5, 3.0}) {
@@ -116,7 +114,7 @@ TEST(Intruders, WhoHasNoTimeDoesWhatItCan) {
             advise(flock.movers, std::vector<Velocity>(1), flock.limits, flock.options);
         ASSERT_TRUE(advised);
         EXPECT_EQ(advised->advice[0].kind, AdviceKind::kDeflected);
-        // Away from where it passes, as hard as it can.
+        // Away from where the intruder passes, as hard as the bee can.
         const Velocity& v = advised->advice[0].velocity;
         EXPECT_GT(test::length_of(v), 0.95 * 2.0 * step_s);
         EXPECT_LT(v.y, -0.5 * 2.0 * step_s);
@@ -126,8 +124,8 @@ TEST(Intruders, WhoHasNoTimeDoesWhatItCan) {
   }
 }
 
-// One that is too close already, and one in the same place.
-TEST(Intruders, WhoIsTooCloseGetsAway) {
+// One intruder is too close already, one is at the same place.
+TEST(Intruders, ABeeThatIsTooCloseGetsAway) {
   for (const double acceleration : {test::kNoLimit, 5.0}) {
     for (const double far_m : {0.0, 1e-9, 2.0, 5.0}) {
       SCOPED_TRACE(testing::Message() << acceleration << ", " << far_m);
@@ -139,8 +137,8 @@ TEST(Intruders, WhoIsTooCloseGetsAway) {
   }
 }
 
-// Away from two at once: between the ways away from each.
-TEST(Intruders, WhoCannotDoAllThatIsAskedForDoesWhatItCan) {
+// Away from two at once: between the two directions.
+TEST(Intruders, RequestsThatCannotAllBeMetAreMetInPart) {
   for (const double acceleration : {test::kNoLimit, 5.0}) {
     Flock flock = one_bee(acceleration, {});
     const Point& at = flock.movers[0].position;
@@ -157,7 +155,7 @@ TEST(Intruders, WhoCannotDoAllThatIsAskedForDoesWhatItCan) {
   }
 }
 
-// Several at about the same time. Nobody can promise anything; but for what it is worth.
+// Several intruders at about the same time. No method can promise anything here; this is measured.
 TEST(Intruders, SeveralAreNearlyAlwaysMissed) {
   RandomStream random(2);
   int met = 0;

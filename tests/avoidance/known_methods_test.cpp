@@ -1,4 +1,4 @@
-// The methods to compare with: they keep limits, certify nobody, and do what they are known for.
+// The methods to compare with keep limits, certify no bee, and do what they are known for.
 #include "tests/avoidance/flock.hpp"
 #include "tests/support/rounds.hpp"
 
@@ -38,7 +38,7 @@ TEST_P(KnownMethod, KeepsLimitsAndPromisesNothing) {
     SCOPED_TRACE("start " + std::to_string(seed));
     Flock flock = test::random_flock(24, seed);
     flock.options.method = GetParam();
-    // Some in each other's way, two at one place.
+    // Some bees are in conflict, two at one place.
     flock.movers[1].position = flock.movers[0].position;
     RandomStream random(seed);
     Adviser adviser;
@@ -51,7 +51,7 @@ TEST_P(KnownMethod, KeepsLimitsAndPromisesNothing) {
       flock.options.threads = 1 + static_cast<unsigned>(step % 4);
       const auto alone = advise(flock.movers, wishes, flock.limits, flock.options);
       ASSERT_TRUE(alone);
-      // Limits are checked on the way.
+      // fly_a_step() checks the limits.
       test::fly_a_step(flock, adviser, wishes, advised);
       EXPECT_EQ(advised.advice, alone->advice);
       ASSERT_NO_FATAL_FAILURE(expect_no_promises(advised));
@@ -80,7 +80,7 @@ TEST_P(KnownMethod, ThreadsDoNotChangeTheAnswer) {
   }
 }
 
-TEST_P(KnownMethod, WhoIsAloneGetsItsWish) {
+TEST_P(KnownMethod, ABeeThatIsAloneGetsItsWish) {
   Flock flock;
   flock.options.method = GetParam();
   flock.limits.assign(2, {10.0, test::kNoLimit});
@@ -92,7 +92,7 @@ TEST_P(KnownMethod, WhoIsAloneGetsItsWish) {
   EXPECT_EQ(advised->advice[1], (Advice{{0, 4, 0}, AdviceKind::kAsWished, false}));
 }
 
-// Of bees that swap places, each flying straight at its goal: how close any two come. All arrive.
+// Bees swap places, each flying straight at its goal: the closest distance of any two. All arrive.
 double closest_in_swap(Flock flock, AdviseMethod method, int steps) {
   flock.options.method = method;
   std::vector<Point> goals;
@@ -118,7 +118,7 @@ double closest_in_swap(Flock flock, AdviseMethod method, int steps) {
   return closest_m;
 }
 
-// Not quite on a ring, or some would wait for each other for ever.
+// Not exactly on a ring: there some would wait for each other for ever.
 Flock ring(std::size_t count, double radius_m, double acceleration) {
   RandomStream random(4);
   Flock flock;
@@ -146,7 +146,8 @@ TEST_P(KnownMethod, ASmallSwapLosesLittle) {
   }
 }
 
-// Straight at each other: each is told to go to its right, as much as is missing when they meet.
+// Two bees fly straight at each other. Each is told to turn right, by as much as is missing when
+// they meet.
 TEST_P(KnownMethod, HeadOnEachGoesSideways) {
   Flock flock;
   flock.options.method = GetParam();
@@ -162,17 +163,17 @@ TEST_P(KnownMethod, HeadOnEachGoesSideways) {
   EXPECT_NEAR(first.y, -second.y, 1e-9);
   EXPECT_GT(first.x, 6.0);
   if (GetParam() == AdviseMethod::kMvp) {
-    // They meet in 1.25 s, 5 m are missing.
+    // They meet in 1.25 s; 5 m are missing.
     EXPECT_NEAR(first.y, -4.0, 1e-5);
     EXPECT_NEAR(first.x, 8.0, 1e-12);
   } else {
-    // Out of a cone of a sine of 5 / 20, from its axis at 16 m/s: 4 m/s, half of it each.
+    // Out of a cone of a sine of 5 / 20, from its axis at 16 m/s: 4 m/s, of which each takes half.
     EXPECT_NEAR(first.x, 8.0 - 2.0 * 0.25, 1e-5);
     EXPECT_NEAR(first.y, -2.0 * std::sqrt(1.0 - 0.25 * 0.25), 1e-5);
   }
 }
 
-// Who would have to fly faster than it can turns as far as that goes.
+// A bee that would have to exceed its greatest speed turns as far as it can.
 TEST(KnownMethods, OrcaStaysWithinWhatABeeCanFly) {
   Flock flock;
   flock.options.method = AdviseMethod::kOrca;
@@ -185,8 +186,7 @@ TEST(KnownMethods, OrcaStaysWithinWhatABeeCanFly) {
   EXPECT_NEAR(test::length_of(advised->advice[0].velocity), 8.0, 0.1);
 }
 
-// Obstacles and intruders are none of their business; conflicts with intruders are told all the
-// same.
+// These methods ignore obstacles and intruders. Conflicts with intruders are reported all the same.
 TEST_P(KnownMethod, KnowsNothingOfObstaclesAndIntruders) {
   Flock flock;
   flock.options.method = GetParam();

@@ -1,6 +1,6 @@
-// What the promise asks of the states that are handed in (docs/prevention.md, condition 4): with
-// states a step old it does not hold, however much is added for how far a bee flies in a step; of
-// states that are brought forward by what was advised it holds, however the bees stray around them.
+// What the promise requires of the given states (docs/prevention.md, condition 4). With states that
+// are a step old it does not hold, however much is added for the distance flown in a step. With
+// states that are predicted from the previous advice it holds, even if the bees deviate from them.
 #include "scenes/random_velocity.hpp"
 #include "tests/avoidance/flock.hpp"
 #include "tests/support/rounds.hpp"
@@ -25,7 +25,7 @@ struct Swap {
   std::vector<Point> goals;
 };
 
-// Bees all around a ball, each of which would like to be where another one is.
+// Bees on a ball, each of which prefers the place of another one.
 Swap swap_of(std::size_t bees, std::uint64_t seed) {
   RandomStream random(seed);
   Swap swap;
@@ -62,7 +62,7 @@ struct Flown {
   bool all_certified = true;
 };
 
-// Advice that is made from the states of a step before, and flown now, as far as a bee can.
+// Advice from the states of the previous step, flown now, as far as a bee can.
 Flown fly_by_old_states(Swap swap, int steps) {
   std::vector<Mover> old = swap.flock.movers;
   Verifier verifier({.threshold_m = kThreshold_m});
@@ -75,13 +75,14 @@ Flown fly_by_old_states(Swap swap, int steps) {
     EXPECT_TRUE(status);
     old = swap.flock.movers;
     for (std::size_t bee = 0; bee < old.size(); ++bee) {
-      const Velocity& told = advised.advice[bee].velocity;
+      const Velocity& advised_velocity = advised.advice[bee].velocity;
       const Velocity& v = old[bee].velocity;
       const double most = swap.flock.limits[bee].max_acceleration_mps2 * kStep_s;
-      const double change = test::length_of_change(v, told);
+      const double change = test::length_of_change(v, advised_velocity);
       const double share = change > most ? most / change : 1.0;
-      const Velocity next{v.x + (told.x - v.x) * share, v.y + (told.y - v.y) * share,
-                          v.z + (told.z - v.z) * share};
+      const Velocity next{v.x + (advised_velocity.x - v.x) * share,
+                          v.y + (advised_velocity.y - v.y) * share,
+                          v.z + (advised_velocity.z - v.z) * share};
       swap.flock.movers[bee] = test::flown(old[bee], next, false, kStep_s);
     }
     EXPECT_TRUE(verifier.add(step * kStep_s, swap.flock.movers));
@@ -89,7 +90,7 @@ Flown fly_by_old_states(Swap swap, int steps) {
   return {verifier.verdict().losses, true};
 }
 
-// Advice from nominal states; each bee is up to the spare away from them, anew in each step.
+// Advice from nominal states. In each step each bee is up to the spare away from its own.
 Flown fly_by_nominal_states(Swap swap, int steps, std::uint64_t seed) {
   RandomStream random(seed);
   const auto strayed = [&](const std::vector<Mover>& nominal) {
@@ -116,12 +117,12 @@ Flown fly_by_nominal_states(Swap swap, int steps, std::uint64_t seed) {
   return flown;
 }
 
-TEST(LateStates, SpeedTimesDelayDoesNotMakeUpForThem) {
+TEST(LateStates, AMarginOfSpeedTimesDelayIsNotEnough) {
   const Flown flown = fly_by_old_states(swap_of(60, 4711), test::kSanitized ? 60 : 300);
   EXPECT_GT(flown.losses, 0U);
 }
 
-TEST(LateStates, BroughtForwardByWhatWasAdvisedTheyKeepThePromise) {
+TEST(LateStates, PredictedFromThePreviousAdviceTheyKeepThePromise) {
   for (const std::uint64_t seed : {4711U, 4712U, 4713U}) {
     const Flown flown = fly_by_nominal_states(swap_of(60, seed), test::kSanitized ? 60 : 300, seed);
     EXPECT_TRUE(flown.all_certified);

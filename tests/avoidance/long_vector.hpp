@@ -1,4 +1,4 @@
-// Arithmetic of vectors with more digits than the library has: for those that are the right answer.
+// Vector arithmetic in long doubles, for reference answers.
 #pragma once
 
 #include <beespace/mover.hpp>
@@ -34,7 +34,7 @@ inline long double length(const LongVector& a) {
   return std::sqrt(dot(a, a));
 }
 
-// Points, velocities, and whatever else has an x, a y and a z.
+// Points, velocities, and other types with x, y and z.
 template <class Vector>
 LongVector long_of(const Vector& v) {
   return {v.x, v.y, v.z};
@@ -53,8 +53,8 @@ struct LongSegment {
   }
 };
 
-// Of two segments the closest points are an end of one and a point of the other, or both inside,
-// where what lies between is at right angles to both.
+// The closest points of two segments are an end of one and a point of the other, or both inside;
+// then their difference is at right angles to both.
 inline long double distance_between(const LongSegment& a, const LongSegment& b) {
   long double least = std::min({b.distance_to(a.from), b.distance_to(a.from + a.way),
                                 a.distance_to(b.from), a.distance_to(b.from + b.way)});

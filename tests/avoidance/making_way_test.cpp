@@ -1,4 +1,5 @@
-// Who is where it wants to be makes way for those who want through; who cannot get through waits.
+// A bee that is at its goal makes way for the bees that want through. A bee that cannot get through
+// waits.
 #include "tests/avoidance/obstacle_course.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +11,7 @@ namespace {
 
 using test::Flock;
 
-// 7 m apart, 5 of them asked for; the second wants nothing, or next to nothing.
+// 7 m apart, with a threshold of 5 m; the second bee prefers to stand, or almost.
 Flock two_in_a_line() {
   Flock flock;
   flock.options.threshold_m = 5.0;
@@ -20,12 +21,12 @@ Flock two_in_a_line() {
   return flock;
 }
 
-TEST(MakingWay, WhoIsIdleLeavesMostOfWhatIsFree) {
+TEST(MakingWay, AnIdleBeeLeavesMostOfTheFreeSpace) {
   const Flock flock = two_in_a_line();
   const std::vector<Velocity> wishes = {{3.1, 0, 0}, {}};
   const auto advised = advise(flock.movers, wishes, flock.limits, flock.options);
   ASSERT_TRUE(advised);
-  // Of the 2 m that are free all but a twentieth.
+  // All but a twentieth of the 2 m that are free.
   EXPECT_EQ(advised->advice[0].kind, AdviceKind::kDeflected);
   EXPECT_NEAR(advised->advice[0].velocity.x, 1.9, 1e-5);
   EXPECT_NEAR(advised->advice[0].velocity.y, 0.0, 1e-9);
@@ -36,7 +37,7 @@ TEST(MakingWay, WhoIsIdleLeavesMostOfWhatIsFree) {
   EXPECT_NEAR(other->advice[1].velocity.x, -1.9, 1e-5);
 }
 
-TEST(MakingWay, WhoIsIdleGoesAsideForWhoWantsThrough) {
+TEST(MakingWay, AnIdleBeeStepsAsideForOneThatWantsThrough) {
   const Flock flock = two_in_a_line();
   const std::vector<Velocity> wishes = {{3.1, 0, 0}, {}};
   const auto advised = advise(flock.movers, wishes, flock.limits, flock.options);
@@ -45,7 +46,7 @@ TEST(MakingWay, WhoIsIdleGoesAsideForWhoWantsThrough) {
   EXPECT_EQ(advised->advice[1].kind, AdviceKind::kDeflected);
   EXPECT_NEAR(advised->advice[1].velocity.x, 10.0 * 0.5 / 3.0, 1e-5);
   EXPECT_TRUE(test::all_certified(*advised));
-  // Nobody is pressed by who wants something else, or nothing, or is far away.
+  // A bee does not press others if it wants something else, wants nothing, or is far away.
   for (const Velocity& wish : {Velocity{-3, 0, 0}, Velocity{0, 0, 0}, Velocity{2, 0, 0}}) {
     const auto left =
         advise(flock.movers, std::vector<Velocity>{wish, {}}, flock.limits, flock.options);
@@ -60,7 +61,7 @@ TEST(MakingWay, WhoIsIdleGoesAsideForWhoWantsThrough) {
 }
 
 // Walled in on all sides, with hardly more room than the clearance.
-TEST(MakingWay, WhoCannotGetOutWaits) {
+TEST(MakingWay, ABeeThatCannotGetOutWaits) {
   test::Course course;
   const double far_m = 1.0 + 1e-6;
   course.map = test::map_of({Box{{far_m, -9, -9}, {9, 9, 9}}, Box{{-9, -9, -9}, {-far_m, 9, 9}},
@@ -70,7 +71,7 @@ TEST(MakingWay, WhoCannotGetOutWaits) {
   course.flock.movers = {{{0, 0, 0}, {}}};
   for (const double acceleration : {test::kNoLimit, 5.0}) {
     course.flock.limits = {{10.0, acceleration}};
-    const auto told = [&](const Velocity& wish) {
+    const auto kind_of = [&](const Velocity& wish) {
       const auto advised = advise(course.flock.movers, std::vector<Velocity>{wish},
                                   course.flock.limits, course.flock.options);
       EXPECT_TRUE(advised);
@@ -78,11 +79,11 @@ TEST(MakingWay, WhoCannotGetOutWaits) {
       EXPECT_LT(test::length_of(advised->advice[0].velocity), 1e-4);
       return advised->advice[0].kind;
     };
-    EXPECT_EQ(told({8, 0, 0}), AdviceKind::kWaiting);
-    EXPECT_EQ(told({2, -3, 4}), AdviceKind::kWaiting);
-    EXPECT_EQ(told({0, 0, 0}), AdviceKind::kAsWished);
-    // Who would hardly fly anyhow waits for nobody.
-    EXPECT_NE(told({0, 1, 0}), AdviceKind::kWaiting);
+    EXPECT_EQ(kind_of({8, 0, 0}), AdviceKind::kWaiting);
+    EXPECT_EQ(kind_of({2, -3, 4}), AdviceKind::kWaiting);
+    EXPECT_EQ(kind_of({0, 0, 0}), AdviceKind::kAsWished);
+    // A bee that would hardly move anyway does not wait.
+    EXPECT_NE(kind_of({0, 1, 0}), AdviceKind::kWaiting);
   }
 }
 

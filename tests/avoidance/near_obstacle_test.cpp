@@ -1,4 +1,4 @@
-// Who is too close to an obstacle is named, in order, and nobody else is the worse for it.
+// Bees that are too close to an obstacle are named, in order, and other bees are not affected.
 #include "tests/avoidance/obstacle_course.hpp"
 #include "tests/support/rounds.hpp"
 
@@ -15,7 +15,8 @@ namespace {
 using scenes::RandomStream;
 using test::Course;
 
-// Too fast to stop in front of a wall, and around it others who are not: those keep what they keep.
+// One bee is too fast to stop in front of a wall; those around it are not, and keep their
+// clearance.
 TEST(NearObstacle, OthersKeepTheirClearance) {
   RandomStream random(3);
   int named = 0;
@@ -25,7 +26,7 @@ TEST(NearObstacle, OthersKeepTheirClearance) {
     Course course;
     test::make_course(course, 16, seed);
     if (course.flock.size() < 4) continue;
-    // The first is somewhere, as fast as it can be.
+    // The first bee is anywhere, at its greatest speed.
     Mover& first = course.flock.movers[0];
     const auto obstacles = course.map.obstacles();
     first.position = test::place_near(obstacles[0], course.flock.options.threshold_m, random);
@@ -51,8 +52,8 @@ TEST(NearObstacle, OthersKeepTheirClearance) {
   EXPECT_GT(named, test::kSanitized ? 0 : 40);
 }
 
-// Whoever flies through an obstacle is named, wherever its way begins and ends.
-TEST(NearObstacle, AWayThatGoesThroughIsNamed) {
+// A bee that flies through an obstacle is named, wherever its stopping segment begins and ends.
+TEST(NearObstacle, ASegmentThroughAnObstacleIsNamed) {
   Course course;
   course.map = test::map_of({Box{{0, -50, -50}, {1, 50, 50}}, Sphere{{0, 0, 200}, 1.0}});
   course.flock.options.clearance_m = 1.0;
@@ -63,7 +64,7 @@ TEST(NearObstacle, AWayThatGoesThroughIsNamed) {
     const auto advised = advise(course.flock.movers, std::vector<Velocity>{{50, 0, 0}},
                                 course.flock.limits, course.flock.options);
     ASSERT_TRUE(advised);
-    // It needs 252.5 m.
+    // The bee needs 252.5 m.
     const bool is_late = x > -253.5 && x < 2.0;
     EXPECT_EQ(advised->near_obstacle.size(), is_late ? 1U : 0U);
     EXPECT_EQ(advised->advice[0].certified, !is_late);
@@ -71,7 +72,7 @@ TEST(NearObstacle, AWayThatGoesThroughIsNamed) {
   }
 }
 
-// To rounding; what may be wrong with a position widens it, once.
+// Exact to rounding. Uncertainty of positions widens the clearance, once.
 TEST(NearObstacle, TheClearanceIsTheLimit) {
   Course course;
   course.map = test::map_of({Ground{10.0}});
@@ -91,7 +92,7 @@ TEST(NearObstacle, TheClearanceIsTheLimit) {
   EXPECT_FALSE(is_certified(2.249999));
 }
 
-// As few as one, as many as all; ascending by bee and obstacle, each once.
+// One, some, or all of the bees; ascending by bee and obstacle, each once.
 TEST(NearObstacle, AllAreNamedOnceInOrder) {
   Course course;
   // A letter U of several pieces, a ball in its bay, the ground.

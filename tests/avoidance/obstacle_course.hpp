@@ -1,5 +1,5 @@
-// Flocks among obstacles, and how far from these everybody is: sampled, in long doubles, by means
-// that the library does not have.
+// Flocks among obstacles, and the clearance of each bee: sampled, in long doubles, with code that
+// the library does not have.
 #pragma once
 
 #include "tests/avoidance/flock.hpp"
@@ -27,7 +27,7 @@ inline ObstacleMap map_of(std::vector<Obstacle> obstacles) {
   return map ? *map : ObstacleMap();
 }
 
-// The flock's options look at the map, so a course stays where it is.
+// The flock's options refer to the map, so a course is not moved.
 struct Course {
   Flock flock;
   ObstacleMap map;
@@ -45,8 +45,7 @@ inline double clearance_at(const ObstacleMap& map, const Point& place) {
   return static_cast<double>(least);
 }
 
-// Along a segment: no place of it is closer than this, and one is closer than a twentieth of its
-// length more.
+// A lower limit of the distance along a segment, exceeded by at most a twentieth of its length.
 inline double clearance_along(const ObstacleMap& map, const LongSegment& way) {
   constexpr int kPieces = 16;
   double least = std::numeric_limits<double>::infinity();
@@ -58,7 +57,7 @@ inline double clearance_along(const ObstacleMap& map, const LongSegment& way) {
   return least - 0.5 / kPieces * static_cast<double>(length(way.way));
 }
 
-// At samples of the step that a bee flies.
+// Sampled along the step that a bee flies.
 inline double clearance_in_step(const ObstacleMap& map, Mover from, const Mover& to, bool at_once,
                                 double step_s, int samples) {
   if (at_once) from.velocity = to.velocity;
@@ -73,7 +72,8 @@ inline double clearance_in_step(const ObstacleMap& map, Mover from, const Mover&
   return least;
 }
 
-// Whoever does not keep the clearance as it flies stands; whoever does not even then is gone.
+// A bee that does not keep the clearance as it flies stands; one that does not even then is
+// removed.
 inline void leave_the_clear_ones(Course& course) {
   Flock& flock = course.flock;
   const double enough_m = flock.options.clearance_m * 1.0001;
@@ -91,7 +91,7 @@ inline void leave_the_clear_ones(Course& course) {
   flock.limits = limits;
 }
 
-// A place near the obstacle, so far from its surface at most, inside or out.
+// A place at most so far from the obstacle's surface, inside or outside.
 inline Point place_near(const Obstacle& obstacle, double far_m, scenes::RandomStream& random) {
   const Point start = test::random_place(random, 20.0 * far_m);
   const auto surface = nearest_surface(obstacle, start);
@@ -102,8 +102,8 @@ inline Point place_near(const Obstacle& obstacle, double far_m, scenes::RandomSt
   return {p.x + by * x, p.y + by * y, p.z + by * z};
 }
 
-// A random flock among obstacles of all kinds, about as large as the bees' distances; it keeps the
-// threshold and the clearance.
+// A random flock among obstacles of all kinds, whose size is of the order of the bees' distances.
+// It keeps the threshold and the clearance.
 inline void make_course(Course& course, std::size_t most, std::uint64_t seed) {
   course.flock = random_flock(most, seed);
   Flock& flock = course.flock;

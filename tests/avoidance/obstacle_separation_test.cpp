@@ -1,4 +1,4 @@
-// Planes between ways and obstacles: on the right side of both, and as far apart as these are.
+// Planes between stopping segments and obstacles: on the right side of both, with the full gap.
 #include "avoidance/constraints/obstacle_separation.hpp"
 
 #include "scenes/random_stream.hpp"
@@ -40,7 +40,7 @@ std::vector<ConvexPiece> pieces_of(const Obstacle& obstacle) {
   return pieces;
 }
 
-// Convex, of some metres, not far from the middle.
+// A convex obstacle of some metres, near the origin.
 Obstacle random_convex(RandomStream& random, const Vector3& middle) {
   const std::size_t kind = random.index(test::kKinds);
   if (kind != 4) return test::random_obstacle(random, kind, 1.0, point_of(middle));
@@ -49,7 +49,7 @@ Obstacle random_convex(RandomStream& random, const Vector3& middle) {
                       {middle.z - 2.0, random.index(2) == 0 ? test::kEndless : middle.z + 2.0}};
 }
 
-// Convex along the way, so thirds find it.
+// The distance is convex along the segment, so ternary search finds the least.
 Real distance_of(const Segment& way, const Obstacle& obstacle) {
   const auto at = [&](Real share) {
     const test::LongVector place = test::long_of(way.from) + test::long_of(way.way) * share;
@@ -60,8 +60,8 @@ Real distance_of(const Segment& way, const Obstacle& obstacle) {
   return test::least_of(at, 1);
 }
 
-// Whatever the way: it and all of the piece lie on their own sides.
-TEST(ObstacleSeparation, ThePlaneLiesBetweenTheWayAndThePiece) {
+// For any segment: it and all of the piece lie on their own sides.
+TEST(ObstacleSeparation, ThePlaneLiesBetweenTheSegmentAndThePiece) {
   RandomStream random(1);
   int crossing = 0;
   for (int round = 0; round < test::rounds(20'000); ++round) {
@@ -86,9 +86,9 @@ TEST(ObstacleSeparation, ThePlaneLiesBetweenTheWayAndThePiece) {
   EXPECT_GT(crossing, test::rounds(20'000) / 10);
 }
 
-// What is lost of it is lost from the clearance: half of 2^-44 of the coordinates, and of 1e-7 of
-// the clearance, may be. Ways up to thousands of times as long as the clearance.
-TEST(ObstacleSeparation, TheGapIsTheDistanceOfAWayThatIsClear) {
+// Any error of the gap reduces the clearance. Allowed are half of 2^-44 of the coordinates and of
+// 1e-7 of the clearance. Segments are up to thousands of times as long as the clearance.
+TEST(ObstacleSeparation, TheGapIsTheDistanceOfASegmentThatIsClear) {
   RandomStream random(2);
   int clear = 0;
   for (int round = 0; round < test::rounds(20'000); ++round) {
@@ -97,7 +97,7 @@ TEST(ObstacleSeparation, TheGapIsTheDistanceOfAWayThatIsClear) {
     const Vector3 middle = direction(random) * far_m;
     const Obstacle obstacle = random_convex(random, middle);
     const ConvexPiece piece = pieces_of(obstacle)[0];
-    // Past a place that is near to its surface.
+    // The segment passes a point near the obstacle's surface.
     const Vector3 start = middle + core::vector_of(test::random_place(random, 20.0));
     const obstacles::Facing facing = piece.facing(start);
     const double off_m = log_uniform(random, 0.02, 5.0);
@@ -118,7 +118,7 @@ TEST(ObstacleSeparation, TheGapIsTheDistanceOfAWayThatIsClear) {
   EXPECT_GT(clear, test::rounds(20'000) / 4);
 }
 
-// From inside: to where the whole obstacle ends, whatever piece of it.
+// From inside, the plane touches the whole obstacle, not only the piece.
 TEST(ObstacleSeparation, FromInsideItIsStraightOut) {
   RandomStream random(3);
   int inside = 0;

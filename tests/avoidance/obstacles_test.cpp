@@ -1,4 +1,4 @@
-// Whatever everybody wishes, nobody comes closer than the clearance to an obstacle.
+// No bee comes closer to an obstacle than the clearance, whatever velocities the bees prefer.
 #include "tests/avoidance/obstacle_course.hpp"
 #include "tests/support/rounds.hpp"
 
@@ -40,7 +40,7 @@ Velocity at_the_obstacle(const Course& course, std::size_t bee, RandomStream& /*
   return nearest ? test::towards(at, nearest->surface.point, speed) : Velocity{};
 }
 
-// As fast as it can straight at one of them, whatever is between.
+// Straight at one of the obstacles at full speed, whatever is between.
 Velocity at_some_obstacle(const Course& course, std::size_t bee, RandomStream& /*random*/) {
   const auto obstacles = course.map.obstacles();
   const Point& at = course.flock.movers[bee].position;
@@ -56,7 +56,7 @@ Velocity at_the_neighbor(const Course& course, std::size_t bee, RandomStream& /*
                        flock.limits[bee].max_speed_mps);
 }
 
-// Along the wall, and a little into it: on a way to a stop that is all but parallel to it.
+// Along the wall, and a little into it: the stopping segment is almost parallel to it.
 Velocity along_the_wall(const Course& course, std::size_t bee, RandomStream& random) {
   const Velocity into = at_the_obstacle(course, bee, random);
   const double speed = course.flock.limits[bee].max_speed_mps;
@@ -94,7 +94,7 @@ const Adversary kAdversaries[] = {{"Random", at_random},
 
 class AmongObstacles : public testing::TestWithParam<Adversary> {};
 
-// Flies a step; the closest that anybody came to an obstacle, at samples of it.
+// Flies a step; the closest distance of any bee to an obstacle, at samples.
 double fly_a_step(Course& course, Adviser& adviser, const Adversary& adversary,
                   RandomStream& random) {
   Flock& flock = course.flock;
@@ -121,7 +121,7 @@ double fly_a_step(Course& course, Adviser& adviser, const Adversary& adversary,
   return closest_m;
 }
 
-TEST_P(AmongObstacles, NobodyLosesTheClearanceNorTheThreshold) {
+TEST_P(AmongObstacles, ClearanceAndThresholdAreKept) {
   int starts = 0;
   int pressed = 0;
   for (int start = 0; start < (test::kSanitized ? 2 : 24); ++start) {
@@ -141,7 +141,7 @@ TEST_P(AmongObstacles, NobodyLosesTheClearanceNorTheThreshold) {
     }
     pressed += closest_m < 1.01 * course.flock.options.clearance_m ? 1 : 0;
   }
-  // They were in the way.
+  // The obstacles were in the way.
   EXPECT_GE(starts, test::kSanitized ? 1 : 20);
   EXPECT_GE(pressed, starts / 2);
 }

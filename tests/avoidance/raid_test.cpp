@@ -1,5 +1,5 @@
-// Swarms with hostile intruders among them: everybody keeps apart from each other meanwhile, and
-// who is in danger is said.
+// Swarms with hostile intruders among them: the bees keep apart from each other, and those in
+// danger are named.
 #include "tests/avoidance/intruder.hpp"
 #include "tests/avoidance/obstacle_course.hpp"
 #include "tests/support/rounds.hpp"
@@ -19,7 +19,7 @@ namespace {
 using scenes::RandomStream;
 using test::Flock;
 
-// What brute force says of everybody, in order.
+// What brute force finds, in order.
 std::vector<IntruderConflict> conflicts_of(const Flock& flock, const Advised& advised,
                                            const std::vector<Mover>& intruders) {
   PredictOptions options;
@@ -43,7 +43,7 @@ struct Raid {
   double closest_m = test::kNoLimit;
 };
 
-// Each flies at the bee that it has chosen, as if to ram it.
+// Each intruder flies at the bee that it has chosen, to ram it.
 void chase(std::vector<Mover>& intruders, const Flock& flock, double speed) {
   for (std::size_t k = 0; k < intruders.size(); ++k) {
     const Point& target = flock.movers[(7 * k) % flock.size()].position;
@@ -95,7 +95,7 @@ Raid raid(test::Course& course, int steps, std::uint64_t seed) {
   return found;
 }
 
-TEST(Raid, ASwarmThatIsRaidedKeepsTogetherApart) {
+TEST(Raid, ASwarmThatIsRaidedKeepsItsSeparation) {
   Raid all;
   int starts = 0;
   for (int start = 0; start < (test::kSanitized ? 2 : 16); ++start) {

@@ -1,4 +1,5 @@
-// Requests that cannot all be met give up the same share, and the least: against trying all shares.
+// Requests that cannot all be met are relaxed by the same share, and the least: compared with
+// trying all shares.
 #include "avoidance/constraints/relaxed_qp.hpp"
 
 #include "scenes/random_stream.hpp"
@@ -31,7 +32,7 @@ struct Program {
     RelaxedQp program;
     return program.nearest(wish, firm, requests, ball);
   }
-  // What all but no place of the ball has is not asked for.
+  // The half-space at this share; never beyond 0.999 of the ball's radius.
   [[nodiscard]] HalfSpace asked(const Request& request, double share) const {
     const double most = dot(request.side.normal, ball.center) + 0.999 * ball.radius;
     const double least = request.side.offset - request.yields;
@@ -43,7 +44,7 @@ struct Program {
     for (const Request& request : requests) all.push_back(asked(request, share));
     return nearest_place(wish, all, ball);
   }
-  // How much of what it may give up somebody gives up at a place, at most.
+  // The greatest share that any request is relaxed by at a point.
   [[nodiscard]] double share_at(const Vector3& place) const {
     double most = 0.0;
     for (const Request& request : requests) {
@@ -61,7 +62,7 @@ Program random_program(RandomStream& random) {
   Program program;
   program.ball = {direction(random) * random.uniform(0.0, 3.0), random.uniform(0.1, 2.0)};
   program.wish = program.ball.center + direction(random) * random.uniform(0.0, 4.0);
-  // Some place is in all of the firm ones.
+  // Some point satisfies all hard constraints.
   const Vector3 place = program.ball.center + direction(random) * (0.9 * program.ball.radius);
   const auto side = [&](double from, double to) {
     const Vector3 n = direction(random);
@@ -70,7 +71,7 @@ Program random_program(RandomStream& random) {
   for (std::size_t k = random.index(4); k > 0; --k) program.firm.push_back(side(-1.0, -0.01));
   for (std::size_t k = random.index(5); k > 0; --k) {
     const HalfSpace asked = side(-0.5, random.index(4) == 0 ? 200.0 : 1.5);
-    // Given up so far that the place has it.
+    // Relaxed until the point satisfies it.
     const double yields = std::max(0.0, -asked.inside_by(place)) + random.uniform(0.01, 1.0);
     program.requests.push_back({asked, yields});
   }
@@ -106,7 +107,7 @@ TEST(RelaxedQp, GivesUpTheLeastShareThatWillDo) {
   EXPECT_GT(met, test::rounds(20'000) / 5);
 }
 
-// The share by brute force: all of 500, each decided by the convex program.
+// The least share by brute force: all of 500, each decided by the convex program.
 TEST(RelaxedQp, IsAsTryingAllShares) {
   RandomStream random(2);
   int shared = 0;
@@ -124,32 +125,32 @@ TEST(RelaxedQp, IsAsTryingAllShares) {
   EXPECT_GT(shared, test::rounds(600) / 20);
 }
 
-TEST(RelaxedQp, ByTheBook) {
+TEST(RelaxedQp, SimpleCases) {
   RelaxedQp program;
   const Ball ball{{0, 0, 0}, 1.0};
-  // No requests: the nearest place.
+  // No requests: the nearest point.
   EXPECT_EQ(program.nearest({0.5, 0, 0}, {}, {}, ball), (Vector3{0.5, 0, 0}));
-  // One that is met.
+  // One request, which is met.
   const std::vector<Request> one = {{{{1, 0, 0}, 0.75}, 10.0}};
   EXPECT_EQ(program.nearest({0.5, 0, 0}, {}, one, ball), (Vector3{0.75, 0, 0}));
-  // Two that are opposed meet in the middle of what they may give up.
+  // Two opposed requests are relaxed equally.
   const std::vector<Request> two = {{{{1, 0, 0}, 0.75}, 1.5}, {{{-1, 0, 0}, 0.75}, 1.5}};
   const auto middle = program.nearest({0, 0.5, 0}, {}, two, ball);
   ASSERT_TRUE(middle.has_value());
   EXPECT_NEAR(middle->x, 0.0, 2.0 / 500.0);
   EXPECT_NEAR(middle->y, 0.5, 1e-9);
-  // Far beyond what can be done: all that can be.
+  // Requests far beyond the ball: met as far as possible.
   const std::vector<Request> far = {{{{1, 0, 0}, 1e6}, 1e6 + 1.0}};
   const auto most = program.nearest({0, 0, 0}, {}, far, ball);
   ASSERT_TRUE(most.has_value());
   EXPECT_NEAR(most->x, 0.999, 1e-9);
-  // What is firm is not given up; where it cannot be had, nothing is.
+  // Hard constraints are not relaxed; where they cannot be met, there is no answer.
   const std::vector<HalfSpace> firm = {{{-1, 0, 0}, 0.25}};
   const auto kept = program.nearest({0, 0, 0}, firm, far, ball);
   ASSERT_TRUE(kept.has_value());
   EXPECT_LE(kept->x, -0.25 + 1e-9);
   EXPECT_FALSE(program.nearest({0, 0, 0}, std::vector<HalfSpace>{{{1, 0, 0}, 1.5}}, one, ball));
-  // Or where a request yields too little.
+  // Or where a request may be relaxed too little.
   const std::vector<Request> proud = {{{{1, 0, 0}, 0.75}, 0.25}, {{{-1, 0, 0}, 0.75}, 0.25}};
   EXPECT_FALSE(program.nearest({0, 0, 0}, {}, proud, ball));
 }

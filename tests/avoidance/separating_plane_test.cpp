@@ -44,12 +44,12 @@ void expect_parted(const Segment& first, const Segment& second, double apart_m, 
     ASSERT_GE(of_first.inside_by(first.at(share)), -rounding);
     ASSERT_GE(of_second.inside_by(second.at(share)), -rounding);
   }
-  // Whatever is in one half-space is so far from whatever is in the other.
+  // The two half-spaces are the gap apart.
   ASSERT_EQ(of_first.normal, -of_second.normal);
   ASSERT_NEAR(of_first.offset + of_second.offset, std::min(apart_m, plane.gap), rounding);
 }
 
-TEST(SeparatingPlane, EachWayLiesInItsOwnHalfSpaceAndTheGapIsNotAboveTheDistance) {
+TEST(SeparatingPlane, EachSegmentLiesInItsHalfSpaceAndTheGapIsNotAboveTheDistance) {
   RandomStream random(1);
   for (int round = 0; round < test::rounds(100'000); ++round) {
     const Segment first = random_way(random);
@@ -60,7 +60,7 @@ TEST(SeparatingPlane, EachWayLiesInItsOwnHalfSpaceAndTheGapIsNotAboveTheDistance
   }
 }
 
-TEST(SeparatingPlane, TheGapIsTheDistanceOfWaysThatAreApart) {
+TEST(SeparatingPlane, TheGapIsTheDistanceOfSegmentsThatAreApart) {
   RandomStream random(2);
   int apart = 0;
   for (int round = 0; round < test::rounds(100'000); ++round) {
@@ -74,9 +74,9 @@ TEST(SeparatingPlane, TheGapIsTheDistanceOfWaysThatAreApart) {
   EXPECT_GT(apart, test::rounds(100'000) / 2);
 }
 
-// The same of ways that are all but parallel and cross over one another: long ways of bees who fly
-// side by side. What is lost here is lost from the threshold, which is widened by 1e-7 of it.
-TEST(SeparatingPlane, TheGapIsTheDistanceOfNearlyParallelWays) {
+// The same for segments that are almost parallel and cross over one another: long stopping segments
+// of bees that fly side by side. Any error reduces the threshold, which is widened by 1e-7 for it.
+TEST(SeparatingPlane, TheGapIsTheDistanceOfNearlyParallelSegments) {
   RandomStream random(3);
   for (int round = 0; round < test::rounds(100'000); ++round) {
     const double angle = std::exp(random.uniform(std::log(1e-12), std::log(1e-2)));
@@ -94,10 +94,10 @@ TEST(SeparatingPlane, TheGapIsTheDistanceOfNearlyParallelWays) {
   }
 }
 
-// However long they are: less is lost than half of what is added for the rounding of coordinates,
-// which is 2^-44 of the farthest, and so of the way at least. (Of ways that are parallel to less
-// than a hundred-millionth, long doubles do not tell the distance.)
-TEST(SeparatingPlane, TheGapOfVeryLongWaysIsRightToTheirRounding) {
+// However long the segments are, the error is less than half of the allowance for the rounding of
+// coordinates, which is 2^-44 of the farthest and so of the segment at least. (Of segments that are
+// parallel to within 1e-8, long doubles do not give the distance.)
+TEST(SeparatingPlane, TheGapOfVeryLongSegmentsIsRightToTheirRounding) {
   RandomStream random(5);
   for (int round = 0; round < test::rounds(100'000); ++round) {
     const double angle = std::exp(random.uniform(std::log(1e-8), std::log(1e-2)));
@@ -115,7 +115,7 @@ TEST(SeparatingPlane, TheGapOfVeryLongWaysIsRightToTheirRounding) {
   }
 }
 
-TEST(SeparatingPlane, OfWaysThatMeetIsAtRightAnglesToBoth) {
+TEST(SeparatingPlane, OfSegmentsThatMeetIsAtRightAnglesToBoth) {
   const Segment first{{-1, 0, 0}, {2, 0, 0}};
   const Segment second{{0, -1, 0}, {0, 2, 0}};
   const SeparatingPlane plane = separate(first, second);
@@ -125,8 +125,9 @@ TEST(SeparatingPlane, OfWaysThatMeetIsAtRightAnglesToBoth) {
   expect_parted(first, second, 1.0, 0.0);
 }
 
-// Bees on one line, at one place, standing or not: there is a normal, and all are in their own.
-TEST(SeparatingPlane, OfWaysThatOverlap) {
+// Bees on one line, at one place, standing or not: there is a normal, and each is in its own
+// half-space.
+TEST(SeparatingPlane, OfSegmentsThatOverlap) {
   const std::vector<Segment> ways = {{{0, 0, 0}, {0, 0, 0}}, {{0, 0, 0}, {2, 0, 0}},
                                      {{1, 0, 0}, {2, 0, 0}}, {{3, 0, 0}, {-3, 0, 0}},
                                      {{1, 0, 0}, {0, 0, 0}}, {{0, 0, 0}, {0, 0, 2}}};
@@ -139,7 +140,7 @@ TEST(SeparatingPlane, OfWaysThatOverlap) {
   }
 }
 
-// Whatever a solver gives keeps to the half-spaces, or is braking.
+// Any velocity that a solver gives lies in the half-spaces, or brakes.
 TEST(VelocitySolver, WhateverIsProposedKeepsToTheHalfSpacesOrBrakes) {
   RandomStream random(4);
   VelocitySolver solver;
@@ -151,7 +152,7 @@ TEST(VelocitySolver, WhateverIsProposedKeepsToTheHalfSpacesOrBrakes) {
                            direction(random) * random.uniform(0.0, limits.max_speed_mps),
                            Braking(limits, step_s),
                            limits.max_speed_mps};
-    // Half-spaces that hold the way to a stop.
+    // Half-spaces that contain the stopping segment.
     std::vector<HalfSpace> hard;
     const Segment way = agent.stopping_segment();
     for (std::size_t i = random.index(8); i > 0; --i) {
@@ -175,7 +176,7 @@ TEST(VelocitySolver, WhateverIsProposedKeepsToTheHalfSpacesOrBrakes) {
   EXPECT_GT(deflected, test::rounds(50'000) / 20);
 }
 
-// A wall ahead: the bee gets as near to its wish as the wall allows, not less.
+// A wall ahead: the bee gets as near to its preferred velocity as the wall allows.
 TEST(VelocitySolver, GoesAlongAWall) {
   const AgentState agent{
       {}, {}, Braking({10.0, std::numeric_limits<double>::infinity()}, 0.1), 10.0};

@@ -1,5 +1,5 @@
-// Values too small for the motion domain count as zero: nobody is refused for them, and nobody
-// comes too close because of them.
+// Values too small for the motion domain count as zero: they are not refused, and no bees come too
+// close because of them.
 #include "tests/avoidance/flock.hpp"
 #include "tests/support/rounds.hpp"
 
@@ -42,7 +42,7 @@ TEST(TinyValues, AreTakenAsZeroWhereverTheyAre) {
 }
 
 // A velocity that loses a tenth of itself in each step is below the domain after 66 seconds.
-TEST(TinyValues, AVelocityThatDecaysStopsNobody) {
+TEST(TinyValues, ADecayingVelocityIsNotRefused) {
   for (const bool at_once : {false, true}) {
     Flock flock;
     flock.options.threshold_m = 5.0;
@@ -63,7 +63,7 @@ TEST(TinyValues, AVelocityThatDecaysStopsNobody) {
   }
 }
 
-// What a hostile bee may wish for: something, nothing, less and less, or next to nothing.
+// What a hostile bee may prefer: a velocity, none, a decaying one, or almost none.
 Velocity hostile_wish(RandomStream& random, const Flock& flock, std::size_t bee) {
   const Mover& mover = flock.movers[bee];
   const double tiny = kTiny[random.index(6)];
@@ -81,8 +81,8 @@ Velocity hostile_wish(RandomStream& random, const Flock& flock, std::size_t bee)
   }
 }
 
-// All of them around the origin, into which most would like to fly, where coordinates are next to
-// nothing; of usual thresholds and of such that are next to nothing themselves.
+// All bees are around the origin, which most prefer to fly into, where coordinates are almost zero;
+// thresholds are usual ones, or almost zero themselves.
 TEST(TinyValues, HostileFlightsAroundTheOriginLoseNothing) {
   int flown = 0;
   for (int start = 0; start < (test::kSanitized ? 4 : 60); ++start) {
@@ -91,7 +91,7 @@ TEST(TinyValues, HostileFlightsAroundTheOriginLoseNothing) {
     RandomStream random(seed);
     Flock flock = test::random_flock(12, seed);
     if (flock.size() < 3) continue;
-    // To where the smallest values matter, for some.
+    // Some begin where the smallest values matter.
     const double scale = start % 3 == 0 ? 0x1p-60 : start % 3 == 1 ? 0x1p-86 : 1.0;
     const Point middle = flock.movers[0].position;
     flock.options.threshold_m *= scale;
@@ -111,7 +111,7 @@ TEST(TinyValues, HostileFlightsAroundTheOriginLoseNothing) {
       }
       const Verdict verdict = test::fly_a_step(flock, adviser, wishes, advised);
       ASSERT_TRUE(advised.refused.empty());
-      // Those who are certified in a step lose nothing in it.
+      // Bees that are certified in a step keep their separation in it.
       for (const Loss& loss : verdict.first_losses) {
         ASSERT_FALSE(advised.advice[loss.pair.first].certified) << "step " << step;
         ASSERT_FALSE(advised.advice[loss.pair.second].certified) << "step " << step;

@@ -1,4 +1,5 @@
-// Bees for whom it is too late: who they are is said, it gets no worse, and nobody else suffers.
+// Bees that are too close already are named, their distance does not shrink, and no other bee is
+// affected.
 #include "tests/avoidance/flock.hpp"
 #include "tests/support/rounds.hpp"
 
@@ -16,7 +17,7 @@ namespace {
 using scenes::RandomStream;
 using test::Flock;
 
-// The pairs whose ways to a stop are closer than the threshold, and how close they are.
+// The pairs whose stopping segments are closer than the threshold, and how close they are.
 std::map<Pair, double> pairs_too_close(const Flock& flock) {
   std::map<Pair, double> pairs;
   for (PointId i = 0; i < flock.size(); ++i) {
@@ -62,7 +63,7 @@ void expect_named(const Flock& flock, const Advised& advised,
   }
 }
 
-// Nobody is closer than its way to a stop was, and only those who were too close are.
+// No pair is closer than its stopping segments were, and only pairs that were too close are.
 void expect_no_worse(const Verdict& verdict, const std::map<Pair, double>& too_close,
                      double tolerance_m) {
   for (const Loss& loss : verdict.first_losses) {
@@ -73,7 +74,7 @@ void expect_no_worse(const Verdict& verdict, const std::map<Pair, double>& too_c
   }
 }
 
-TEST(TooClose, IsSaidGetsNoWorseAndNobodyElseSuffers) {
+TEST(TooClose, IsNamedGetsNoWorseAndOthersAreNotAffected) {
   int seen = 0;
   for (int start = 0; start < (test::kSanitized ? 4 : 30); ++start) {
     const auto seed = static_cast<std::uint64_t>(3000 + start);
@@ -108,7 +109,7 @@ TEST(TooClose, IsSaidGetsNoWorseAndNobodyElseSuffers) {
   EXPECT_GT(seen, test::kSanitized ? 2 : 20);
 }
 
-TEST(TooClose, WhoWishesToPartDoesAndIsCertifiedAgain) {
+TEST(TooClose, BeesThatPreferToSeparateDoAndAreCertifiedAgain) {
   for (const double acceleration : {test::kNoLimit, 2.0}) {
     SCOPED_TRACE(acceleration);
     Flock flock;
@@ -147,8 +148,9 @@ TEST(TooClose, TheThresholdIsTheLimit) {
   EXPECT_FALSE(are_certified(5.499999));
 }
 
-// The same place, one line, one behind the other: nothing is undefined, and each is told something.
-TEST(TooClose, BeesAtOnePlaceAreToldSomethingFinite) {
+// At one place, on one line, one behind the other: nothing is undefined, and each gets finite
+// advice.
+TEST(TooClose, BeesAtOnePlaceGetFiniteAdvice) {
   for (const double acceleration : {test::kNoLimit, 2.0}) {
     Flock flock;
     flock.limits.assign(6, {10.0, acceleration});

@@ -1,5 +1,5 @@
-// Bees of which only a ball is known: that hover, that may fly, that chase; and how long those who
-// do as advised are clear of them.
+// Bees of which only a ball is known: they hover, may fly, or chase. How long bees that do as
+// advised are clear of them.
 #include "tests/avoidance/flock.hpp"
 #include "tests/support/rounds.hpp"
 
@@ -28,7 +28,7 @@ Advised ask(const Flock& flock, const std::vector<Velocity>& wishes) {
   return advised ? *advised : Advised{};
 }
 
-TEST(Unknown, OneThatHoversIsGoneRoundForEver) {
+TEST(Unknown, OneThatHoversIsAvoidedForEver) {
   Flock flock = two_in_a_line();
   const std::vector<UnknownBee> unknown = {{{40, 0.5, 0}, 3.0, 0.0, {}}};
   flock.options.unknown = unknown;
@@ -62,7 +62,7 @@ TEST(Unknown, OneThatMayFlyIsClearForAsLongAsItTakesToGetThere) {
   Flock flock = two_in_a_line();
   flock.movers[0].velocity = {};
   flock.options.unknown_horizon_s = 4.0;
-  // Its ball is 55 m from the first bee: 5 m are to be kept, and 25 s it takes to fly the rest.
+  // Its ball is 55 m from the first bee: 5 m are the threshold, and 25 s it takes to fly the rest.
   std::vector<UnknownBee> unknown = {{{60, 0, 0}, 5.0, 2.0, {}}};
   flock.options.unknown = unknown;
   Advised advised = ask(flock, {{}, {}});
@@ -77,7 +77,7 @@ TEST(Unknown, OneThatMayFlyIsClearForAsLongAsItTakesToGetThere) {
   EXPECT_TRUE(advised.advice[0].keeps_apart);
   EXPECT_NEAR(advised.advice[0].clear_of_unknown_s, 25.0, 1e-6);
   EXPECT_LT(advised.advice[0].clear_of_unknown_s, 25.0);
-  EXPECT_LT(advised.advice[0].velocity.x, 0.0);  // it gets away
+  EXPECT_LT(advised.advice[0].velocity.x, 0.0);  // away from the ball
   EXPECT_EQ(advised.advice[0].kind, AdviceKind::kDeflected);
   EXPECT_TRUE(advised.advice[1].certified);
   ASSERT_EQ(advised.near_unknown.size(), 1U);
@@ -94,7 +94,7 @@ TEST(Unknown, OneThatMayFlyIsClearForAsLongAsItTakesToGetThere) {
   }
 }
 
-TEST(Unknown, SeveralCountByTheOneThatIsThereFirst) {
+TEST(Unknown, OfSeveralTheFirstToArriveCounts) {
   Flock flock = two_in_a_line();
   flock.movers[0].velocity = {};
   flock.options.unknown_horizon_s = 30.0;
@@ -108,7 +108,7 @@ TEST(Unknown, SeveralCountByTheOneThatIsThereFirst) {
   EXPECT_EQ(advised.near_unknown[1].unknown, 2U);
 }
 
-// A ball where all are is of no use to anybody; nobody's advice is lost by it.
+// A ball that contains all bees helps no bee, and no bee loses its advice because of it.
 TEST(Unknown, AnyBallHasAnAnswer) {
   for (const double radius_m : {0.0, 1.0, 1e9, kLargestInMotion}) {
     for (const double growth : {0.0, kSmallestInMotion, 1.0, kLargestInMotion}) {
@@ -135,7 +135,7 @@ TEST(Unknown, AnyBallHasAnAnswer) {
   }
 }
 
-// Where a bee is in a step.
+// A bee's position within a step.
 long double from_middle(const Mover& before, const Velocity& next, bool at_once, double step_s,
                         double share, const Point& middle) {
   const auto at = [&](double p, double v, double w, double m) {
@@ -153,9 +153,10 @@ long double from_middle(const Mover& before, const Velocity& next, bool at_once,
   return std::sqrt(x * x + y * y + z * z);
 }
 
-// In hostile flights: whoever was once told that it is clear for so long is so, whatever it wishes,
-// and whatever it is told later, or told no more so that it brakes; and nobody loses anybody else.
-TEST(Unknown, WhatWasPromisedHoldsUntilItEnds) {
+// In hostile flights: a bee that was once told that it is clear for some time is clear for that
+// time, whatever it prefers and is told later, also if it gets no more advice and brakes. No two
+// bees lose separation.
+TEST(Unknown, APromiseHoldsUntilItEnds) {
   std::uint64_t checked = 0;
   std::uint64_t finite = 0;
   for (int start = 0; start < (test::kSanitized ? 3 : 50); ++start) {
@@ -180,7 +181,7 @@ TEST(Unknown, WhatWasPromisedHoldsUntilItEnds) {
     }
     flock.options.unknown_horizon_s = step_s * random.uniform(1.0, 60.0);
     const std::size_t bees = flock.size();
-    // Of each bee and ball: until when it is clear.
+    // For each bee and ball: until when the bee is clear.
     std::vector<double> until_s(bees * unknown.size(), 0.0);
     const std::vector<UnknownBee> at_first = unknown;
     Adviser adviser;

@@ -1,4 +1,5 @@
-// The way out of a velocity obstacle leads to its edge, and none is shorter: against sampling.
+// The least change of velocity out of a velocity obstacle leads to its edge: compared with
+// sampling.
 #include "avoidance/constraints/velocity_obstacle.hpp"
 
 #include "scenes/random_stream.hpp"
@@ -23,7 +24,7 @@ Vector3 direction(RandomStream& random) {
   return core::vector_of(scenes::random_direction(random));
 }
 
-// How close the two come within the time, if they go on so.
+// The closest distance of the two within the time, at constant velocities.
 long double closest(const VelocityObstacle& obstacle, const LongVector& velocity, double within_s) {
   const LongVector way = velocity * static_cast<long double>(within_s);
   return test::LongSegment{{}, way}.distance_to(long_of(obstacle.place));
@@ -53,7 +54,7 @@ void expect_on_the_edge(const VelocityObstacle& obstacle, Seen& seen) {
   const auto apart = static_cast<long double>(obstacle.apart);
   const LongVector edge = v + n * static_cast<long double>(change);
   ASSERT_NEAR(static_cast<double>(closest(obstacle, edge, obstacle.horizon_s) / apart), 1.0, 1e-6);
-  // In front of it too close, behind it not.
+  // In front of the other it is too close, behind it not.
   const long double size = test::length(v) + apart / static_cast<long double>(obstacle.horizon_s);
   ASSERT_LT(closest(obstacle, edge - n * (1e-4L * size), obstacle.horizon_s), apart);
   ASSERT_GT(closest(obstacle, edge + n * (1e-4L * size), obstacle.horizon_s), apart);
@@ -74,7 +75,7 @@ TEST(VelocityObstacle, TheWayOutLeadsToTheEdge) {
   EXPECT_GT(seen.outside, test::rounds(100'000) / 5);
 }
 
-// Whatever changes the velocity by less leaves it inside; who is outside stays there.
+// Any smaller change leaves the velocity inside; a velocity outside stays there.
 TEST(VelocityObstacle, NoWayOutIsShorter) {
   RandomStream random(2);
   for (int round = 0; round < test::rounds(2'000); ++round) {
@@ -95,14 +96,14 @@ TEST(VelocityObstacle, NoWayOutIsShorter) {
   }
 }
 
-// All of the velocities beyond the plane are outside.
+// All velocities beyond the plane are outside.
 TEST(VelocityObstacle, NothingBeyondTheEdgeIsTooClose) {
   RandomStream random(3);
   int beyond = 0;
   for (int round = 0; round < test::rounds(5'000); ++round) {
     const VelocityObstacle obstacle = random_obstacle(random);
     const Vector3 own = direction(random) * 3.0;
-    // What else may be flown is as good, if it is longer.
+    // Any other velocity that may be flown is as good, if it is longer.
     for (const double most : {1e-9, 1e9}) {
       const VelocityObstacle::WayOut out = obstacle.way_out_within(own, most);
       ASSERT_GE(out.change, obstacle.way_out().change - 1e-9 * length(obstacle.velocity));
@@ -120,8 +121,8 @@ TEST(VelocityObstacle, NothingBeyondTheEdgeIsTooClose) {
   EXPECT_GT(beyond, test::rounds(5'000));
 }
 
-// A bee at its greatest speed cannot cross in front any faster: it goes another way, and gets out.
-TEST(VelocityObstacle, WhoCannotFlyFasterGoesAnotherWay) {
+// A bee at its greatest speed cannot cross in front any faster: it turns, and gets out.
+TEST(VelocityObstacle, ABeeThatCannotFlyFasterTurns) {
   RandomStream random(4);
   int others = 0;
   for (int round = 0; round < test::rounds(20'000); ++round) {
@@ -141,8 +142,8 @@ TEST(VelocityObstacle, WhoCannotFlyFasterGoesAnotherWay) {
   EXPECT_GE(others, test::rounds(20'000) / 1000);
 }
 
-// Who is too close already is out of it after a step.
-TEST(VelocityObstacle, WhoIsTooCloseGetsOutInAStep) {
+// A bee that is too close already is out of it after a step.
+TEST(VelocityObstacle, ABeeThatIsTooCloseGetsOutInAStep) {
   RandomStream random(5);
   for (int round = 0; round < test::rounds(20'000); ++round) {
     VelocityObstacle obstacle = random_obstacle(random);
@@ -166,7 +167,7 @@ TEST(VelocityObstacle, HeadOnTurnsRight) {
   EXPECT_NEAR(out.change, 10.0 * 5.0 / 100.0, 1e-12);
   const VelocityObstacle above{{0, 0, 100}, {0, 0, 10}, 5.0, 20.0, 0.1};
   EXPECT_GT(above.way_out().normal.x, 0.99);
-  // Half of it each.
+  // Each takes half of it.
   EXPECT_NEAR(half_space_of(out, {7, 0, 0}, 0.5).offset, dot(out.normal, {7, 0, 0}) + 0.25, 1e-12);
 }
 

@@ -1,4 +1,4 @@
-// Who flies as velocity_to_goal says gets to its goal, and stops there.
+// A bee that flies as velocity_to_goal() says arrives at its goal, and stops there.
 #include "scenes/random_stream.hpp"
 #include "scenes/random_velocity.hpp"
 #include "tests/avoidance/flock.hpp"
@@ -21,7 +21,7 @@ struct Trip {
   bool arrived = false;
 };
 
-// One bee, alone, advised all the way.
+// One bee without neighbours, advised until it arrives.
 Trip fly(const Point& start, const Point& goal, const FlightLimits& limits, double step_s,
          int most) {
   test::Flock flock;
@@ -81,7 +81,7 @@ TEST(VelocityToGoal, IsZeroAtTheGoalAndPointsThere) {
   EXPECT_EQ(*velocity_to_goal({0, 0, 0}, {0, 1000, 0}, limits, 0.1), (Velocity{0, 10, 0}));
   EXPECT_EQ(*velocity_to_goal({0, 0, 0}, {-1000, 0, 0}, {7.0, test::kNoLimit}, 0.1),
             (Velocity{-7, 0, 0}));
-  // At once: there in a step.
+  // Without a limit of acceleration: there in a step.
   EXPECT_EQ(*velocity_to_goal({0, 0, 0}, {0.25, 0, 0}, {7.0, test::kNoLimit}, 0.5),
             (Velocity{0.5, 0, 0}));
   EXPECT_EQ(*velocity_to_goal({0, 0, 0}, {9, 0, 0}, {0.0, 5.0}, 0.1), Velocity{});

@@ -1,4 +1,5 @@
-// Whoever may matter to whom is looked at: those too who reach much farther than all others.
+// The vicinity has all neighbours that may matter, also those that reach much farther than all
+// others.
 #include "tests/avoidance/flock.hpp"
 #include "tests/support/rounds.hpp"
 
@@ -13,7 +14,7 @@ namespace {
 using scenes::RandomStream;
 using test::Flock;
 
-// A cube of bees who hover or fly slowly, closely enough that some are too close.
+// A cube of bees that hover or fly slowly, so dense that some are too close.
 Flock slow_crowd(std::size_t bees, std::uint64_t seed) {
   RandomStream random(seed);
   Flock flock;
@@ -27,7 +28,7 @@ Flock slow_crowd(std::size_t bees, std::uint64_t seed) {
   return flock;
 }
 
-// Those that every pair of ways says are too close, but for what is too close to tell.
+// The pairs whose stopping segments are too close by brute force, except for borderline ones.
 std::vector<Pair> pairs_by_brute_force(const Flock& flock) {
   std::vector<Pair> pairs;
   for (PointId i = 0; i < flock.size(); ++i) {
@@ -38,7 +39,7 @@ std::vector<Pair> pairs_by_brute_force(const Flock& flock) {
   return pairs;
 }
 
-TEST(Vicinity, AFewWhoAreMuchFasterAreComparedWithEverybody) {
+TEST(Vicinity, AFewMuchFasterBeesAreComparedWithAllOthers) {
   std::size_t pairs_of_the_fast = 0;
   for (std::uint64_t seed = 1; seed <= (test::kSanitized ? 2U : 8U); ++seed) {
     Flock flock = slow_crowd(test::kSanitized ? 150 : 400, seed);
@@ -63,8 +64,8 @@ TEST(Vicinity, AFewWhoAreMuchFasterAreComparedWithEverybody) {
   EXPECT_GT(pairs_of_the_fast, test::kSanitized ? 4U : 40U);
 }
 
-// It changes nothing for those who have nothing to do with it.
-TEST(Vicinity, OneWhoIsFarAwayChangesNoAdvice) {
+// A far bee changes nothing for the bees that it cannot meet.
+TEST(Vicinity, ABeeThatIsFarAwayChangesNoAdvice) {
   Flock flock = slow_crowd(300, 3);
   RandomStream random(4);
   std::vector<Velocity> wishes;
@@ -81,7 +82,7 @@ TEST(Vicinity, OneWhoIsFarAwayChangesNoAdvice) {
   for (std::size_t bee = 1; bee < flock.size(); ++bee) {
     const Velocity& a = slow->advice[bee].velocity;
     const Velocity& b = fast->advice[bee].velocity;
-    // Rounding is allowed for by the farthest of all.
+    // The allowance for rounding depends on the farthest bee.
     ASSERT_LE(test::length_of_change(a, b), 1e-5) << "bee " << bee;
     deflected += slow->advice[bee].kind == AdviceKind::kDeflected ? 1U : 0U;
   }

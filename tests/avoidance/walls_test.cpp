@@ -21,7 +21,7 @@ struct Flown {
   std::uint64_t clearance_losses = 0;
 };
 
-// Everybody wishes the same each step.
+// All bees prefer the same velocity in each step.
 Flown fly(Course& course, const std::function<Velocity(const Mover&)>& wish, int steps) {
   test::Flock& flock = course.flock;
   Adviser adviser;
@@ -50,8 +50,8 @@ void expect_clear(const Flown& flown, double clearance_m) {
 
 struct Wall {
   const char* name;
-  // Its face is the plane that contains `at`, at right angles to the level direction (0.8, -0.6);
-  // or the ground, and (0, 0, 1).
+  // The face is the plane through `at`, at right angles to the level direction (0.8, -0.6); or the
+  // ground, with the normal (0, 0, 1).
   std::function<Obstacle(const Point& at)> of;
   Velocity out;
   Velocity along;
@@ -105,8 +105,9 @@ void PrintTo(const Wall& wall, std::ostream* out) {  // NOLINT(*-identifier-nami
 
 class AlongAWall : public testing::TestWithParam<Wall> {};
 
-// From the clearance and what rounding is allowed, straight along and a little into the wall: it
-// gets on as if there were no wall. Ways to a stop of metres and of kilometres, near and far.
+// From the clearance plus the allowance for rounding, straight along the wall and a little into it:
+// the bee makes progress as if there were no wall. Stopping distances of metres and of kilometres,
+// near and far.
 TEST_P(AlongAWall, AtTheClearanceGetsOn) {
   const auto& [name, of, out, along] = GetParam();
   for (const double far_m : {0.0, 1e6, 5e6}) {
@@ -133,7 +134,7 @@ TEST_P(AlongAWall, AtTheClearanceGetsOn) {
           expect_clear(fly(
                            course, [&](const Mover&) { return wish; }, 30),
                        clearance_m);
-          // 3 s: a tenth is what wishes into the wall may cost.
+          // 3 s: preferred velocities into the wall may cost a tenth.
           EXPECT_GT(test::distance_of(course.flock.movers[0].position, from), 0.9 * 3.0 * v);
           if (HasFailure()) return;
         }
@@ -145,8 +146,8 @@ TEST_P(AlongAWall, AtTheClearanceGetsOn) {
 INSTANTIATE_TEST_SUITE_P(Wall, AlongAWall, testing::ValuesIn(kWalls),
                          [](const auto& wall) { return std::string(wall.param.name); });
 
-// Into the corner of an L from all sides; who gets nowhere there turns, and presses on.
-TEST(Walls, TheCornerOfAnLIsKeptClearOf) {
+// Into the corner of an L from all sides. A bee that makes no progress there turns, and presses on.
+TEST(Walls, TheCornerOfAnLIsAvoided) {
   int cornered = 0;
   for (const double acceleration : {test::kNoLimit, 4.0}) {
     for (const double clearance_m : {0.3, 2.0}) {
@@ -168,8 +169,8 @@ TEST(Walls, TheCornerOfAnLIsKeptClearOf) {
   EXPECT_GT(cornered, 0);
 }
 
-// Walls and plates of 10 cm, flown at with a hundred metres a step.
-TEST(Walls, NobodyFliesThroughAThinOneInAStep) {
+// Walls and plates 10 cm thick, approached at a hundred metres a step.
+TEST(Walls, NoBeeFliesThroughAThinOneInAStep) {
   const UprightPrism bent{{{0, -9e3}, {0.1, -9e3}, {0.1, 0}, {0.2, 9e3}, {0.1, 9e3}, {0, 0}}, {}};
   const Box plate{{-9e3, -9e3, 0}, {9e3, 9e3, 0}};
   const UprightCylinder mast{0, 0, 0.0, {}};
@@ -203,8 +204,8 @@ TEST(Walls, NobodyFliesThroughAThinOneInAStep) {
   EXPECT_GT(stopped, test::rounds(300) / 3);
 }
 
-// The clearance from a planet is kept as well as that from a box.
-TEST(Walls, LargeOnesAreKeptClearOfToo) {
+// The clearance of a planet is kept as well as that of a box.
+TEST(Walls, LargeOnesAreAvoidedToo) {
   for (const double radius_m : {1e3, 6.4e6}) {
     for (const double clearance_m : {0.01, 1.0}) {
       SCOPED_TRACE(testing::Message() << radius_m << ", " << clearance_m);

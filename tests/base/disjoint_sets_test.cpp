@@ -18,7 +18,7 @@ namespace {
 
 using Joins = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-// The lowest thing of everybody's set, by passing the lower one on until nothing changes.
+// The lowest element of each element's set, by passing the lower one on until nothing changes.
 std::vector<std::uint32_t> lowest_by_passing_on(std::uint32_t size, const Joins& joins) {
   std::vector<std::uint32_t> lowest(size);
   std::iota(lowest.begin(), lowest.end(), 0U);

@@ -84,7 +84,8 @@ TEST(PointsView, IsEmptyByDefaultAndForNoPoints) {
   EXPECT_EQ(find_at_risk(PointsView(), {1.0}).value().size(), 0U);
 }
 
-// What does not fit together is never read beyond its end, and an error of every question.
+// Arrays that do not fit together are never read beyond their ends, and are an error of every
+// query.
 TEST(PointsView, RemembersThatItsArraysDoNotFitTogether) {
   const std::vector<double> xyz = {1, 2, 3, 4, 5};
   const std::vector<double> x = {1, 2, 3};

@@ -1,4 +1,4 @@
-// Memory that is kept, in a program that counts what is asked of the system.
+// Memory that is kept, in a program that counts requests to the system.
 #include "base/memory.hpp"
 
 #include "base/buffer.hpp"
@@ -19,7 +19,7 @@ namespace {
 using test::allocations;
 using test::blocks_held;
 
-// Asks for blocks of these sizes one after another, writes all of each, and gives them back.
+// Requests blocks of these sizes one after another, writes all of each, and gives them back.
 void use(Memory& memory, const std::vector<std::size_t>& sizes) {
   std::vector<void*> blocks;
   for (const std::size_t bytes : sizes) {
@@ -77,7 +77,7 @@ TEST(Memory, KeepsFewBlocksAsSizesGrow) {
   EXPECT_LE(blocks_held() - held, 60U);
 }
 
-// Each worker's requests come in the worker's own order, whatever the others ask for meanwhile.
+// Each worker's requests come in the worker's own order, whatever others request meanwhile.
 TEST(Memory, OfAWorkerIsItsOwn) {
   Memory memory;
   EXPECT_EQ(&memory.of(0), &memory);
@@ -120,7 +120,7 @@ TEST(Memory, MoreThanThereIsIsAnExceptionAndTheRestLivesOn) {
   EXPECT_EQ(new_blocks_of(memory, kOddSizes), 0U);
 }
 
-TEST(Memory, GivesBackAllThatNobodyUses) {
+TEST(Memory, GivesBackAllThatIsUnused) {
   const std::uint64_t before = blocks_held();
   {
     Memory memory;

@@ -7,7 +7,7 @@ set -euo pipefail
 source "$1"
 wrong=0
 
-# bash itself has this only while somebody presses Tab.
+# bash itself has this only while Tab is pressed.
 # shellcheck disable=SC2317
 compopt() { :; }
 

@@ -1,6 +1,6 @@
 #include "tests/closed_loop/closed_loop.hpp"
 
-#include "tests/closed_loop/told.hpp"
+#include "tests/closed_loop/looks.hpp"
 #include "tests/closed_loop/true_bee.hpp"
 #include "tests/closed_loop/watch_process.hpp"
 
@@ -82,7 +82,7 @@ class Loop {
 
  private:
   void fly(int step) {
-    // What was told in the step before takes effect.
+    // The advice of the step before takes effect.
     before_ = std::exchange(certified_, {});
     if (next_) {
       certified_ = certified_in(*next_);
@@ -96,16 +96,16 @@ class Loop {
       certified_ = before_;
     }
     for (TrueBee& bee : bees_) {
-      std::optional<Vector> told;
+      std::optional<Vector> advised;
       if (next_) {
         const auto named = next_->bees.find(bee.id());
-        if (named != next_->bees.end()) told = named->second.velocity;
+        if (named != next_->bees.end()) advised = named->second.velocity;
       }
-      bee.fly(step, next_.has_value() || !bee.named, told);
+      bee.fly(step, next_.has_value() || !bee.named, advised);
     }
   }
 
-  // What must hold of whom is certified in the look of a step.
+  // What must hold of bees that are certified in a round of advice.
   void check_conditions(int step, const TrueBee& bee) {
     if (certified_.count(bee.id()) == 0) return;
     constexpr double kOldest = 2.05;
@@ -132,9 +132,9 @@ class Loop {
   }
 
   // Whether each pair of bees that were both certified for this step kept its distance in it, if
-  // both have flown as told since watch had heard of them.
+  // both have flown as advised since watch heard them first.
   void judge(int step) {
-    // Reports that are wrong by so much bear out what is wrong by as much more.
+    // Reports with an error of this size confirm paths with a larger error.
     constexpr double kSteps = 4;
     const Faults& faults = plan_.faults;
     const double least =
@@ -144,7 +144,7 @@ class Loop {
         const auto apart = static_cast<double>(closest(bees_[i].stretch(), bees_[j].stretch()));
         outcome_.closest_m = std::min(outcome_.closest_m, apart);
         if (apart < plan_.threshold_m) ++outcome_.losses;
-        // From one that is stale the other keeps its distance whatever that one does.
+        // The other bee keeps its distance from a stale one, whatever that one does.
         const bool i_is = promised(i);
         const bool j_is = promised(j);
         if (!(i_is && (j_is || stale(j))) && !(j_is && stale(i))) continue;
@@ -164,7 +164,7 @@ class Loop {
     if (certified_.count(bees_[i].id()) == 0) return false;
     const double since_s = heard_at_look_[i];
     if (since_s < 0) return false;
-    return bees_[i].as_told_since(static_cast<int>(std::floor(since_s / plan_.step_s + 1e-6)));
+    return bees_[i].as_advised_since(static_cast<int>(std::floor(since_s / plan_.step_s + 1e-6)));
   }
 
   bool stale(std::size_t i) const {
@@ -216,7 +216,7 @@ class Loop {
     return plan_.velocities ? "id,time_s,x,y,z,vx,vy,vz\n" : "id,time_s,x,y,z\n";
   }
 
-  // What is no report. Another header would end it.
+  // Lines that are no reports. Another header would end the input.
   std::string garbage() {
     const char* const lines[] = {"\n",
                                  "b0,nan,1,2,3,4,5,6\n",
@@ -236,7 +236,7 @@ class Loop {
     const double wanted_s = plan_.epoch_s + (step + 1) * plan_.step_s;
     const int patience_ms = step < kFirstSteps ? kFirstPatience_ms : kPatience_ms;
     std::string line;
-    // Told too late to be flown: nothing is expected of it.
+    // Too late to be flown: no promise follows from it.
     const double late_s = wanted_s - 0.1 * plan_.step_s;
     while (said_.empty() || said_.front().effective_s < late_s) {
       if (!said_.empty()) {

@@ -11,7 +11,7 @@
 
 namespace beespace::closed_loop {
 
-// What was flown, and whether what was said about it was true.
+// The flight, and whether the promises about it were kept.
 struct Outcome {
   std::uint64_t looks = 0;
   std::uint64_t looks_missing = 0;               // that were due, and did not come
@@ -23,7 +23,7 @@ struct Outcome {
   std::uint64_t stale_pairs = 0;  // the same, one of which was stale
   std::uint64_t losses = 0;       // pairs closer than the threshold in a step, promised or not
   double closest_m = 1e300;       // of all
-  double closest_certified_m = 1e300;  // of those whose distance was promised
+  double closest_certified_m = 1e300;  // of pairs with a promised distance
   // Promises that were broken, each in a sentence; and what else must not be.
   std::vector<std::string> broken;
   int watch_status = 0;

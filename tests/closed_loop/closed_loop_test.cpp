@@ -1,5 +1,5 @@
-// Bees that fly as `beespace watch --advise` tells them keep their distance, and where they may not
-// nothing is called certified.
+// Bees that fly as `beespace watch --advise` advises keep their distance, and where they may not,
+// no bee is certified.
 #include "tests/closed_loop/closed_loop.hpp"
 
 #include "tests/cli/run/temporary_folder.hpp"

@@ -1,4 +1,4 @@
-// Who flies in a closed loop, how it is told of, and what goes wrong.
+// The bees of a closed loop, how they are reported, and what goes wrong.
 #pragma once
 
 #include "tests/closed_loop/flown.hpp"
@@ -20,8 +20,7 @@ struct Faults {
   double lost = 0;      // of a report
   double late = 0;      // of a report: by some steps
   double repeated = 0;  // of a report
-  double missed =
-      0;  // of a bee and a step: it does not hear what it is told, and flies straight on
+  double missed = 0;  // of a bee and a step: it does not receive its advice, and flies straight on
   double own_will = 0;    // of a bee and a step: for some steps it flies as it likes
   double weak = 0;        // of a bee and a step: for some steps it has half its acceleration
   double silent = 0;      // of a bee and a step: for some steps no report comes
@@ -40,7 +39,7 @@ struct FlightPlan {
   double uncertainty_m = 0.1;
   double max_speed_mps = 10;
   double max_acceleration_mps2 = 5;  // infinite: a bee flies with its new velocity at once
-  double max_age_s = 5;              // who is silent for longer may be anywhere
+  double max_age_s = 5;              // a bee that is silent for longer may be anywhere
   double epoch_s = 0;                // what clocks show as the flight begins
   double reports_per_s = 10;
   double phase_s = 0;       // of the first report of all

@@ -1,8 +1,8 @@
-// How bees really fly, and how close two of them come: written for these tests alone, in long
-// doubles, so that it shares no mistake with what it judges.
+// The true flight of bees, and the closest distance of two: written for these tests alone, in long
+// doubles, so that it shares no mistake with the tested code.
 //
-// In a step a bee changes its velocity evenly, from the one that it has to the one that it aims at,
-// as near to that as its acceleration lets it.
+// In a step a bee changes its velocity evenly, from its present one to its target, as near to that
+// as its acceleration allows.
 #pragma once
 
 #include <array>

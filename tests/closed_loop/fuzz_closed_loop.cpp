@@ -104,6 +104,6 @@ int main(int count, char** words) {
       static_cast<unsigned long long>(totals.pairs),
       static_cast<unsigned long long>(totals.stale_pairs), totals.closest_m,
       static_cast<unsigned long long>(totals.losses), held ? "" : ", but for the above");
-  // Of flights in which nothing was promised nothing has been learnt.
+  // Flights without any promise test nothing.
   return held && totals.pairs > 0 ? 0 : 1;
 }

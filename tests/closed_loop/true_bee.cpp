@@ -21,14 +21,14 @@ bool TrueBee::lasts(int& until, int step, double probability, std::size_t most) 
   return step <= until;
 }
 
-void TrueBee::fly(int step, bool has_look, const std::optional<Vector>& told) {
+void TrueBee::fly(int step, bool has_look, const std::optional<Vector>& advised) {
   const Vector position = this->position();
   const Vector velocity = this->velocity();
-  Vector aim = !has_look ? Vector{} : told.value_or(velocity);
+  Vector aim = !has_look ? Vector{} : advised.value_or(velocity);
   double acceleration = plan_.max_acceleration_mps2;
   const Faults& faults = plan_.faults;
   if (random_.happens(faults.missed)) {
-    if (told || !has_look) otherwise_ = step;
+    if (advised || !has_look) otherwise_ = step;
     aim = velocity;
   }
   const bool willed = step <= own_will_until_;
@@ -76,7 +76,7 @@ std::vector<TrueBee::Line> TrueBee::reports(int step) {
   for (;; ++next_report_) {
     double due_s = phase_s_ + next_report_ / plan_.reports_per_s;
     if (due_s >= ends_s - 1e-9) break;
-    // As the clock shows it, in microseconds; and not so late that it counts as of the next step.
+    // By the bee's clock, in microseconds; and not so late that it counts for the next step.
     due_s = std::clamp(due_s + random_.between(-faults.jitter_s, faults.jitter_s), begins_s,
                        ends_s - 0.02 * plan_.step_s);
     due_s = std::nearbyint(due_s * 1e6) / 1e6;

@@ -3,8 +3,8 @@
 
 #include "tests/closed_loop/flight_plan.hpp"
 #include "tests/closed_loop/flown.hpp"
+#include "tests/closed_loop/looks.hpp"
 #include "tests/closed_loop/random.hpp"
-#include "tests/closed_loop/told.hpp"
 
 #include <limits>
 #include <optional>
@@ -17,8 +17,8 @@ class TrueBee {
  public:
   TrueBee(std::string id, const Start& start, const FlightPlan& plan, std::uint64_t seed);
 
-  // Flies step `step`. Without a look it brakes; told nothing it flies straight on.
-  void fly(int step, bool has_look, const std::optional<Vector>& told);
+  // Flies step `step`. Without a look it brakes; without advice for it, it flies straight on.
+  void fly(int step, bool has_look, const std::optional<Vector>& advised);
 
   // The lines of its reports in the step, each with the time at which it is made; those that are
   // late come with a later step.
@@ -33,8 +33,8 @@ class TrueBee {
   [[nodiscard]] const Stretch& stretch() const { return stretch_; }
   [[nodiscard]] Vector position() const { return stretch_.position_at(stretch_.lasts_s); }
   [[nodiscard]] Vector velocity() const { return stretch_.velocity_at(stretch_.lasts_s); }
-  // Whether it has flown as told in all steps from one on, up to the last.
-  [[nodiscard]] bool as_told_since(int step) const { return otherwise_ < step; }
+  // Whether it has flown as advised in all steps from one on, up to the last.
+  [[nodiscard]] bool as_advised_since(int step) const { return otherwise_ < step; }
 
   double heard_s = -std::numeric_limits<double>::infinity();  // made: the latest that was sent
   double heard_before_s = heard_s;                            // the same, as the step began
@@ -51,7 +51,7 @@ class TrueBee {
   Stretch stretch_;
   double phase_s_ = 0;
   int next_report_ = 0;
-  int otherwise_ = -1;  // the last step that it flew otherwise than told
+  int otherwise_ = -1;  // the last step that it flew otherwise than advised
   int own_will_until_ = -1;
   int weak_until_ = -1;
   int silent_until_ = -1;

@@ -22,8 +22,8 @@ class WatchProcess {
   // The next line of standard output, without its end; false where none comes in time, or any more.
   bool next_line(std::string& line, int patience_ms);
 
-  // Closes its input and waits for its end. Returns its exit status, or -1 where a signal ended it,
-  // which it is after a minute. What it still says can be read afterwards.
+  // Closes its input and waits for its end. Returns its exit status, or -1 if a signal ended it,
+  // which is sent after a minute. The rest of its output can be read afterwards.
   int finish();
 
   [[nodiscard]] const std::string& errors() const { return errors_; }

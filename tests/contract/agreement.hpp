@@ -14,7 +14,7 @@ namespace beespace::test {
 // The digests of what brute force answers to all inquiries; worked out once.
 const std::vector<std::uint64_t>& expected_digests();
 
-// Asks `variant` everything that it is for, and compares; shows the first few differences.
+// Runs all queries that `variant` supports, and compares; prints the first few differences.
 void expect_brute_force_of(const Variant& variant);
 
 // "9 words instead of 8; the first difference is word 3: 17 instead of 18".

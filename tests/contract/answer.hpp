@@ -48,7 +48,7 @@ inline Answer flat(const std::optional<ClosestPair>& pair) {
   return {pair->first, pair->second, std::bit_cast<std::uint64_t>(pair->distance_m)};
 }
 
-// What went wrong, and where; not in which words.
+// The error's code and place, but not its sentence.
 inline Answer flat(const Error& error) {
   Answer answer = {~std::uint64_t{0}, static_cast<std::uint64_t>(error.code),
                    error.place.record.value_or(~std::uint64_t{0})};

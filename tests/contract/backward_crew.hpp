@@ -1,5 +1,5 @@
-// Several workers on one thread, the last one first: a pool in which nobody works at the same time,
-// and in which nothing may depend on who is done before whom.
+// Several workers on one thread, the last one first: a pool without concurrency, in which no answer
+// may depend on the order in which workers finish.
 #pragma once
 
 #include <beespace/crew.hpp>

@@ -303,7 +303,7 @@ TEST(CylinderContract, InColumnsAndDiscs) {
   EXPECT_GT(check_all_forms(disc, "disc"), 1'000U);
 }
 
-TEST(CylinderContract, OfNobodyAndOfOne) {
+TEST(CylinderContract, OfNoneAndOfOne) {
   for (std::size_t size = 0; size < 3; ++size) {
     CylinderScene scene;
     scene.points.assign(size, Point{1, 2, 3});
@@ -324,8 +324,8 @@ struct Corner {
   double vertical;
 };
 
-// Two who are one ulp inside the threshold horizontally and just below the vertical one in height:
-// the corner of the cylinder, which a rounded, stretched height misses.
+// Two points that are one ulp inside the threshold horizontally and just below the vertical one in
+// height: the corner of the cylinder, which a rounded, stretched height misses.
 class CornerEncounters : public testing::TestWithParam<Corner> {};
 
 // The last height above `from` that is closer to it than `vertical`, exactly.
@@ -373,9 +373,9 @@ INSTANTIATE_TEST_SUITE_P(Heights, CornerEncounters,
                                          Corner{6.37e6, 1e-3}),
                          [](const auto& instance) { return std::to_string(instance.index); });
 
-// Two who are just within a threshold along one axis, the first just below where cells of about
-// that width may end: whatever their width is, nobody is two cells away. Cells are the widest along
-// the first axis, then the second, so others there make the pair's axis the one that is meant.
+// Two points are just within a threshold along one axis, the first just below where cells of about
+// that width may end: for any width of cells, they are at most one cell apart. Cells are the widest
+// along the first axis, then the second, so other points there make the pair's axis the tested one.
 TEST(CylinderContract, AtTheBordersOfCells) {
   constexpr double kThreshold = 1.7;
   constexpr double kVertical = 0.3;
@@ -412,7 +412,7 @@ TEST(CylinderContract, AtTheBordersOfCells) {
   }
 }
 
-// What was once missed, or refused.
+// Cases that were once missed, or refused.
 TEST(CylinderContract, NamedCases) {
   CylinderScene high;
   high.points = {{0, 0, 1e15 + 0.5}, {142.79199471803761, 0, 1e15 + 1.875}};
@@ -426,7 +426,7 @@ TEST(CylinderContract, NamedCases) {
   tiny.vertical_m = 0x1p-399;
   EXPECT_EQ(check(tiny, false, "tiny"), 1U);
 
-  // No error about a coordinate that nobody gave.
+  // No error about a coordinate that is not in the input.
   CylinderScene far_apart;
   far_apart.points = {{0, 0, 0}, {0, 0, 0x1p+399}};
   far_apart.threshold_m = 0x1p+20;
@@ -440,7 +440,8 @@ TEST(CylinderContract, NamedCases) {
   EXPECT_EQ(check(extremes, true, "extremes"), 0U);
 }
 
-// The straight line decides who is nearest, not the horizontal distance, and feet become metres.
+// The straight line decides which point is nearest, not the horizontal distance, and feet become
+// metres.
 TEST(CylinderContract, TheNearestIsNearestByTheStraightLine) {
   CylinderScene scene;
   scene.points = {{0, 0, 0}, {1, 0, 9}, {5, 0, 1}, {0, 0, 11}};
@@ -448,7 +449,7 @@ TEST(CylinderContract, TheNearestIsNearestByTheStraightLine) {
   scene.vertical_m = 10.0;
   const auto nearest = find_nearest_within(scene.points, scene.options(false));
   ASSERT_TRUE(nearest);
-  EXPECT_EQ((*nearest)[0].id, 2U) << "not 1, who is nearer horizontally";
+  EXPECT_EQ((*nearest)[0].id, 2U) << "not 1, which is nearer horizontally";
   CylinderScene feet = apart(scene, 0.3048);
   feet.points = {{0, 0, 0}, {0, 0, 1}, {0, 0, 5}, {0, 0, 0}};
   const auto in_feet = find_nearest_within(feet.points, feet.options(false));

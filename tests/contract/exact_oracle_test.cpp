@@ -1,5 +1,5 @@
-// Brute force, which all else is measured by, against arithmetic that cannot round; and the oracle
-// itself against what a pencil says.
+// Brute force, the reference for all else, against arithmetic without rounding; and the oracle
+// itself against results by hand.
 #include "tests/support/exact_oracle.hpp"
 #include "tests/contract/agreement.hpp"
 #include "tests/contract/golden_digest.hpp"

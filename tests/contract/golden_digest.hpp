@@ -1,7 +1,7 @@
 // One number for all scenes, and one for all answers about them: the same for every variant,
 // compiler, optimisation level, instruction set and machine.
 //
-// Whoever changes a scene or an inquiry changes both, and copies them from the failing test. If the
+// A change of a scene or an inquiry changes both; copy them then from the failing test. If the
 // second changes alone, either an inquiry has changed or an answer has.
 #pragma once
 

@@ -17,7 +17,7 @@ namespace beespace::test {
 
 namespace {
 
-// Brute force has its price: larger scenes are asked about at fewer radii.
+// Brute force is expensive: larger scenes are tested at fewer radii.
 constexpr std::size_t kSmallScene = 420;
 
 // Two points of a scene, and how far apart they are, roughly.

@@ -1,4 +1,4 @@
-// Everything that the contract asks: each question, about each scene, at each radius.
+// All inquiries of the contract: each query, on each scene, at each radius.
 #pragma once
 
 #include "tests/support/scene_maker.hpp"
@@ -34,7 +34,7 @@ enum class Question : std::uint8_t {
 
 const char* name_of(Question question);
 
-// The sets that questions are asked about: a scene, or two sets made of one.
+// The sets that queries are about: a scene, or two sets made of one.
 struct Subject {
   std::string name;
   std::vector<Point> points;

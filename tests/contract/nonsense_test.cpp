@@ -22,7 +22,7 @@ constexpr double kValues[] = {kNan, kInfinity, -kInfinity, -1.0, 0.0, 1e-320, 0x
 
 struct Field {
   const char* name;
-  // Of each of the values, E for an error, a dot for an answer.
+  // For each of the values, E for an error, a dot for an answer.
   const char* expected;
   std::function<std::optional<Error>(double value)> ask;
 };
@@ -72,7 +72,7 @@ std::optional<Error> record(const ConflictOptions& options, double tolerance_m =
   return found;
 }
 
-// An answer has no NaN, and what cannot be used certifies nobody.
+// An answer has no NaN, and unusable input leaves no bee certified.
 std::optional<Error> advised(const AdviseOptions& options, std::vector<Mover> movers = kMovers,
                              std::vector<Velocity> wishes = std::vector<Velocity>(3),
                              std::vector<FlightLimits> limits = {FlightLimits{10.0, 5.0}}) {
@@ -197,7 +197,7 @@ const std::vector<Field>& fields() {
        [](double v) {
          return advised_with([v](auto& options) { options.unknown_horizon_s = v; });
        }},
-      // What is too small counts as zero, of numbers that are measured or computed.
+      // Values that are too small count as zero, for measured or computed numbers.
       {"UnknownBee::center", "EEE....E",
        [](double v) {
          const std::vector<UnknownBee> unknown = {{{v, 1e3, 0}, 1.0, 1.0, {}}};
@@ -370,7 +370,7 @@ TEST(Nonsense, BringsAnErrorOrTheAnswerThatIsDocumented) {
   }
 }
 
-// What an Engine found before is no answer to a question that fails.
+// An earlier answer of an Engine does not remain after a query that fails.
 TEST(Nonsense, LeavesNoEarlierAnswerBehind) {
   Engine engine;
   std::vector<PointId> ids;

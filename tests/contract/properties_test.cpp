@@ -1,4 +1,4 @@
-// What must hold whatever the right answer is.
+// Properties that hold for any right answer.
 #include "tests/support/search_scenes.hpp"
 
 #include <beespace/beespace.hpp>
@@ -132,7 +132,7 @@ TEST_F(Properties, TheQuestionsAgreeWithEachOther) {
   });
 }
 
-// Every group holds together, no pair leads out of one, and nobody at risk is left out.
+// Every group is connected, no pair leads out of one, and no point at risk is missing.
 TEST_F(Properties, GroupsAreTheComponentsOfThePairs) {
   on_every_scene([](const SearchScene& scene) {
     const Pairs pairs = *find_pairs(scene.points, options_of(scene));
@@ -196,7 +196,7 @@ TEST_F(Properties, TheClosestPairIsThatOfTheNearestOfAll) {
   });
 }
 
-// A set against itself has the pairs of the set twice, and everybody with themselves.
+// A set against itself has the pairs of the set twice, and each point with itself.
 TEST_F(Properties, ASetAgainstItselfIsTheSetAndItsOwnReflection) {
   on_every_scene([](const SearchScene& scene) {
     const IdRows alone = *find_neighbors(scene.points, options_of(scene));
@@ -225,7 +225,7 @@ TEST_F(Properties, PairDistancesAreThoseOfThePoints) {
   });
 }
 
-TEST_F(Properties, AVisitEndsWhenTheVisitorSaysSo) {
+TEST_F(Properties, AVisitEndsWhenTheVisitorReturnsFalse) {
   on_every_scene([](const SearchScene& scene) {
     const std::size_t all = find_pairs(scene.points, options_of(scene)).value().size();
     std::size_t calls = 0;

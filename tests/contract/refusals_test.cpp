@@ -1,4 +1,4 @@
-// What every question refuses, in every variant, and where it says the trouble lies.
+// What every query refuses, in every variant, and the place that the error names.
 #include "tests/contract/backward_crew.hpp"
 #include "tests/contract/variants.hpp"
 
@@ -78,13 +78,13 @@ class Refusals : public testing::TestWithParam<Variant> {
   }
 };
 
-TEST_P(Refusals, WhatIsNotFiniteIsSaidWithItsPlace) {
+TEST_P(Refusals, WhatIsNotFiniteIsReportedWithItsPlace) {
   for (const double value : {kNan, kInfinity, -kInfinity}) {
     expect_refusal(value, ErrorCode::kNotFinite);
   }
 }
 
-TEST_P(Refusals, SubnormalsAndAllBelowAndAboveTheDomainAreSaidWithTheirPlace) {
+TEST_P(Refusals, SubnormalsAndAllBelowAndAboveTheDomainAreReportedWithTheirPlace) {
   for (const double value :
        {std::numeric_limits<double>::denorm_min(), -std::numeric_limits<double>::min(),
         std::nextafter(kSmallestCoordinate_m, 0.0),
@@ -109,7 +109,7 @@ TEST_P(Refusals, TheEndsOfTheDomainAreInsideIt) {
   }
 }
 
-TEST_P(Refusals, AThresholdThatMakesNoSense) {
+TEST_P(Refusals, AnInvalidThreshold) {
   for (const double threshold : {0.0, -1.0, kNan, kInfinity, std::nextafter(0x1p-400, 0.0),
                                  std::nextafter(0x1p+400, kInfinity)}) {
     const Subject one{"", plain_points(), {}, false, {}};

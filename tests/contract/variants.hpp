@@ -49,11 +49,11 @@ std::vector<Variant> forced_kernels();
 std::vector<Variant> forced_crowds();
 std::vector<Variant> forced_methods();
 
-// All that are held against brute force on every inquiry. Several workers are here one thread: real
-// threads would spend their time waking each other up; they meet on large swarms, and many callers
-// at once on a sample of the inquiries.
+// All variants that are compared with brute force on every inquiry. Here several workers run on one
+// thread: real threads would spend their time waking each other up; they are tested on large
+// swarms, and concurrent callers on a sample of the inquiries.
 std::vector<Variant> contract_variants();
-// Those whose threads share the work of a large swarm.
+// The variants whose threads share the work of a large swarm.
 std::vector<Variant> variants_with_threads();
 
 }  // namespace beespace::test

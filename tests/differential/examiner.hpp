@@ -1,5 +1,5 @@
-// What the fuzzer is made of: examiners, each of which makes scenes of one kind, asks the library
-// about them in every way, and holds the answers against an oracle.
+// The parts of the fuzzer: examiners, each of which makes scenes of one kind, runs all variants of
+// the library on them, and compares the answers with an oracle.
 #pragma once
 
 #include "tests/differential/random.hpp"
@@ -34,15 +34,15 @@ struct Examiner {
   std::function<std::optional<std::string>(Random&, Tally&)> examine;
 };
 
-// Of one moment, with a vertical threshold or without.
+// For snapshots, with or without a vertical threshold.
 Examiner snapshot_examiner(const std::string& name, bool upright);
-// Of an Index that changes.
+// For an Index that changes.
 Examiner index_examiner();
-// Of movers until a horizon.
+// For movers until a horizon.
 Examiner prediction_examiner();
-// Of tracks.
+// For tracks.
 Examiner recording_examiner();
-// Of reports that come one by one.
+// For reports that come one by one.
 Examiner swarm_examiner();
 
 std::vector<Examiner> all_examiners();

@@ -1,4 +1,4 @@
-// An Index through insertions, moves and removals, asked about places, against the definition.
+// An Index under insertions, moves and removals, compared with the definition.
 #include "tests/differential/described.hpp"
 #include "tests/differential/examiner.hpp"
 #include "tests/differential/snapshot_scenes.hpp"

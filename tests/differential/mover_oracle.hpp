@@ -25,7 +25,7 @@ bool in_conflict(const Flight& a, const Flight& b, const PredictOptions& options
 std::vector<Pair> pairs_in_conflict(const std::vector<Flight>& flights,
                                     const PredictOptions& options, bool apart);
 
-// What is wrong with the times and distances of a conflict, or nothing. By the promise of
+// The error in the times and distances of a conflict, or nothing. By the promise of
 // tests/motion/recorded/reported_times_test.cpp: positions at the reported instants are wrong by no
 // more than 2^-48 of how far apart the two begin and of the thresholds.
 std::string fault_of(const Conflict& conflict, const Flight& a, const Flight& b,

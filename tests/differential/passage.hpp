@@ -1,9 +1,9 @@
 // Two that move in straight lines, in whole numbers: are they in conflict at some instant?
 //
-// No polynomial, no discriminant: the instant that matters is worked out as a fraction, put in, and
-// the distance that results is compared. It is the one at which the two are closest on the level,
-// within the time in which they are close in height: squared distances are convex in time, so where
-// that instant is not close enough, none is.
+// No polynomial, no discriminant: the decisive instant is computed as a fraction, substituted, and
+// the resulting distance is compared. It is the instant of the least horizontal distance within the
+// time in which heights are close: squared distances are convex in time, so if that instant is not
+// close enough, none is.
 #pragma once
 
 #include "tests/differential/whole_numbers.hpp"

@@ -152,10 +152,10 @@ std::string shown(const std::vector<Pair>& pairs) {
   for (const Pair& p : pairs) {
     text.append(" ").append(std::to_string(p.first)).append("-").append(std::to_string(p.second));
   }
-  return text.empty() ? " nobody" : text;
+  return text.empty() ? " none" : text;
 }
 
-// What is wrong with a way's answers about a scene; nothing where all is right.
+// The error in a variant's answers about a scene; empty if there is none.
 std::string fault_of(const Way& way, const PredictionScene& scene) {
   const Movers movers(scene.flights, scene.apart);
   const std::vector<Pair> expected = pairs_in_conflict(scene.flights, scene.options, scene.apart);

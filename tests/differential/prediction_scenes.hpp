@@ -1,4 +1,4 @@
-// Movers that are made to be told wrongly.
+// Movers that are constructed to provoke wrong answers.
 #pragma once
 
 #include "tests/differential/mover_oracle.hpp"

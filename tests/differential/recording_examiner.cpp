@@ -113,7 +113,7 @@ std::string shown(const Conflict& c) {
   return text;
 }
 
-// What is wrong with a way's answer; nothing where all is right.
+// The error in a variant's answer; empty if there is none.
 std::string fault_of(const Way& way, const RecordingScene& scene) {
   const auto& tracks = scene.tracks;
   const auto found = way.search(tracks, scene.options);

@@ -199,7 +199,7 @@ std::string PairOracle::fault_of(const Conflict& c, const Stretch& s) const {
   const double apart = distance_at(time_of(c.closest_s));
   // Roots of what nearly cancels, for heights apart, are judged as lengths as well.
   if (!apart_ && std::abs(apart - c.closest_m) > slack_m_) return "not so close";
-  // What lies deep in the conflict lies in its time, and is no closer.
+  // An instant deep in the conflict lies in its time, and is no closer.
   const Fraction begins = time_of(c.begins_s);
   const Fraction ends = time_of(c.ends_s);
   for (std::size_t cut = s.first_cut; cut < s.last_cut; ++cut) {

@@ -30,11 +30,11 @@ class PairOracle {
 
   [[nodiscard]] std::vector<Stretch> stretches() const;
 
-  // What is wrong with a conflict that is said to be this stretch, or nothing. Reported distances
-  // are right to within some roundings of coordinates, thresholds and times.
+  // The error in a conflict that is reported for this stretch, or nothing. Reported distances are
+  // right to within some roundings of coordinates, thresholds and times.
   [[nodiscard]] std::string fault_of(const Conflict& conflict, const Stretch& stretch) const;
 
-  // The same of an instant at which they are said to be so far apart, and near enough.
+  // The same for an instant at which they are reported to be so far apart, and near enough.
   [[nodiscard]] std::string fault_at(double time_s, double distance_m) const;
 
   [[nodiscard]] double cut_s(std::size_t cut) const { return cuts_[cut]; }

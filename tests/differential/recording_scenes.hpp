@@ -1,4 +1,4 @@
-// Recordings that are made to be told wrongly.
+// Recordings that are constructed to provoke wrong answers.
 #pragma once
 
 #include "tests/differential/random.hpp"

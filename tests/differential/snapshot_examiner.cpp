@@ -1,4 +1,4 @@
-// Every question about one moment, asked in every way, against the oracle.
+// Every query on a snapshot, by every variant, against the oracle.
 #include "tests/contract/variants.hpp"
 #include "tests/differential/cylinder_variants.hpp"
 #include "tests/differential/described.hpp"
@@ -29,7 +29,7 @@ bool is_apart(const SnapshotScene& scene) {
   return !scene.heights.empty() || !scene.other_heights.empty();
 }
 
-// A question as it is asked: the parts of the scene that it needs, in one place.
+// A query, with the parts of the scene that it needs.
 class Asked {
  public:
   Asked(const SnapshotScene& scene, Question question, const SearchOptions& options)
@@ -175,7 +175,7 @@ class SnapshotExaminer {
     return some;
   }
 
-  // Those of the contract are handed their grids, which know spheres only.
+  // The forced variants of the contract get their grids from outside, which know only spheres.
   static bool is_forced(const Variant& variant) {
     return variant.name.rfind("Functions", 0) != 0 && variant.name.rfind("Engine", 0) != 0;
   }

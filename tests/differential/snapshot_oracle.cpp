@@ -102,7 +102,7 @@ const SnapshotOracle::Rows& SnapshotOracle::rows() {
   rows_.emplace(ours_.size());
   for (std::size_t i = 0; i < ours_.size(); ++i) {
     const Place& p = ours_[i];
-    // Those farther away along x than the threshold are farther away.
+    // Points farther away along x than the threshold are farther away.
     const auto first =
         std::lower_bound(by_x_.begin(), by_x_.end(), Whole(p.x - threshold_),
                          [&](PointId j, const Whole& x) { return others()[j].x < x; });
@@ -160,9 +160,9 @@ Answer SnapshotOracle::groups() {
   return flat_rows(groups);
 }
 
-// The distance that is reported: as nearest.hpp says, the root of the sum of the squares, each step
-// rounded to the nearest double.
-Nearest SnapshotOracle::told(std::size_t i, std::optional<PointId> j) const {
+// The reported distance: by nearest.hpp the root of the sum of the squares, each step rounded to
+// the nearest double.
+Nearest SnapshotOracle::reported(std::size_t i, std::optional<PointId> j) const {
   if (!j) return {};
   const Point& p = subject_.points[i];
   const Point& q = other_points()[*j];
@@ -201,7 +201,7 @@ std::optional<PointId> SnapshotOracle::nearest_to(std::size_t i) const {
 
 Answer SnapshotOracle::nearest() {
   std::vector<Nearest> all;
-  for (std::size_t i = 0; i < ours_.size(); ++i) all.push_back(told(i, nearest_to(i)));
+  for (std::size_t i = 0; i < ours_.size(); ++i) all.push_back(reported(i, nearest_to(i)));
   return test::flat(all);
 }
 
@@ -217,7 +217,7 @@ Answer SnapshotOracle::nearest_within() {
       best = j;
       least = far;
     }
-    all.push_back(told(i, best));
+    all.push_back(reported(i, best));
   }
   return test::flat(all);
 }
@@ -238,7 +238,7 @@ Answer SnapshotOracle::closest_pair() {
     }
   }
   if (!closest) return {};
-  const Nearest one = told(closest->first, closest->second);
+  const Nearest one = reported(closest->first, closest->second);
   return test::flat(std::optional<ClosestPair>({closest->first, closest->second, one.distance_m}));
 }
 

@@ -45,7 +45,7 @@ class SnapshotOracle {
   [[nodiscard]] const std::vector<Place>& others() const;
   [[nodiscard]] const std::vector<Point>& other_points() const;
   const Rows& rows();
-  [[nodiscard]] Nearest told(std::size_t i, std::optional<PointId> j) const;
+  [[nodiscard]] Nearest reported(std::size_t i, std::optional<PointId> j) const;
 
   [[nodiscard]] Answer ids_at_risk();
   [[nodiscard]] std::vector<Pair> all_pairs();

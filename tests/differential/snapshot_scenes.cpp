@@ -96,7 +96,7 @@ class SnapshotMaker {
     }
   }
 
-  // Of a step that goes into the threshold some whole times, or nearly.
+  // With a step that divides the threshold into a whole number, or nearly.
   void lattice() {
     const int side = std::max(2, static_cast<int>(std::cbrt(static_cast<double>(count_)) + 1.0));
     const double step = 1.0 / random_.whole(1, 3);

@@ -1,4 +1,4 @@
-// Moments of a swarm that are made to be told wrongly.
+// Snapshots that are constructed to provoke wrong answers.
 #pragma once
 
 #include "tests/contract/inquiry.hpp"
@@ -17,7 +17,7 @@ struct SnapshotScene {
   std::vector<SearchOptions> options;  // to ask with; heights are not yet among them
 };
 
-// To be asked about with a vertical threshold, or without.
+// For queries with or without a vertical threshold.
 SnapshotScene random_snapshot(Random& random, bool upright);
 
 }  // namespace beespace::differential

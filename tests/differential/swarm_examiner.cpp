@@ -1,6 +1,6 @@
-// Recordings told to a Swarm report by report, and asked about at odd times: its events against the
-// oracle for recordings. A pair enters at the threshold and leaves at the wider one: so each
-// stretch of conflict by the wider one in which they come closer than the threshold is one
+// Recordings reported to a Swarm one fix after the other, with calls at random times: its events
+// against the oracle for recordings. A pair enters at the threshold and leaves at the wider one: so
+// each stretch of conflict by the wider one in which they come closer than the threshold is one
 // encounter.
 #include "tests/differential/described.hpp"
 #include "tests/differential/examiner.hpp"
@@ -23,7 +23,7 @@ namespace {
 
 using Events = std::vector<SwarmEvent>;
 
-struct Told {
+struct ReportedRecording {
   RecordingScene scene;
   double leave_factor = 1.0;
   double max_age_s = 1.0;
@@ -60,10 +60,10 @@ struct Told {
   }
 };
 
-Result<Events> events_of(const Told& told) {
+Result<Events> events_of(const ReportedRecording& reported) {
   std::vector<Report> reports;
-  for (PointId id = 0; id < told.scene.tracks.size(); ++id) {
-    const Track& track = told.scene.tracks[id];
+  for (PointId id = 0; id < reported.scene.tracks.size(); ++id) {
+    const Track& track = reported.scene.tracks[id];
     for (std::size_t i = 0; i < track.fixes.size(); ++i) {
       Report report{id, track.fixes[i].time_s, track.fixes[i].position};
       if (!track.heights_m.empty()) report.height_m = track.heights_m[i];
@@ -73,8 +73,8 @@ Result<Events> events_of(const Told& told) {
   std::stable_sort(reports.begin(), reports.end(),
                    [](const Report& a, const Report& b) { return a.time_s < b.time_s; });
   if (reports.empty()) return Events{};
-  Swarm swarm(told.swarm_options());
-  Random asks(told.asks_seed, 0);
+  Swarm swarm(reported.swarm_options());
+  Random asks(reported.asks_seed, 0);
   Events events;
   const auto take = [&](const Result<Events>& more) -> std::optional<Error> {
     if (!more) return more.error();
@@ -89,20 +89,21 @@ Result<Events> events_of(const Told& told) {
     if (!all_of_this_time || !asks.coin()) continue;
     if (auto error = take(swarm.advance(reports[i].time_s))) return *error;
   }
-  if (auto error = take(swarm.finish(told.ends_s()))) return *error;
+  if (auto error = take(swarm.finish(reported.ends_s()))) return *error;
   return events;
 }
 
-bool falls_silent(const Track& track, double time_s, const Told& told) {
+bool falls_silent(const Track& track, double time_s, const ReportedRecording& reported) {
   for (std::size_t i = 0; i < track.fixes.size(); ++i) {
     if (track.fixes[i].time_s != time_s) continue;
     const bool last = i + 1 == track.fixes.size();
-    return (last ? told.ends_s() : track.fixes[i + 1].time_s) - time_s > told.max_age_s;
+    return (last ? reported.ends_s() : track.fixes[i + 1].time_s) - time_s > reported.max_age_s;
   }
   return false;
 }
 
-std::string fault_of_pair(const Told& told, PointId i, PointId j, const Events& events) {
+std::string fault_of_pair(const ReportedRecording& reported, PointId i, PointId j,
+                          const Events& events) {
   Events entered;
   Events over;
   for (const SwarmEvent& event : events) {
@@ -116,10 +117,10 @@ std::string fault_of_pair(const Told& told, PointId i, PointId j, const Events& 
   const auto earlier = [](const SwarmEvent& a, const SwarmEvent& b) { return a.time_s < b.time_s; };
   std::stable_sort(entered.begin(), entered.end(), earlier);
   std::stable_sort(over.begin(), over.end(), earlier);
-  const Track& first = told.scene.tracks[i];
-  const Track& second = told.scene.tracks[j];
-  const ConflictOptions enter = told.limits(1.0);
-  const ConflictOptions leave = told.limits(told.leave_factor);
+  const Track& first = reported.scene.tracks[i];
+  const Track& second = reported.scene.tracks[j];
+  const ConflictOptions enter = reported.limits(1.0);
+  const ConflictOptions leave = reported.limits(reported.leave_factor);
   const PairOracle inner(first, second, enter);
   const PairOracle outer(first, second, leave);
   const std::vector<Stretch> inside = inner.stretches();
@@ -141,7 +142,7 @@ std::string fault_of_pair(const Told& told, PointId i, PointId j, const Events& 
     EventKind kind = EventKind::kLeft;
     if (stretch.cut_off) {
       const double at = outer.cut_s(stretch.last_cut);
-      const bool silent = falls_silent(first, at, told) || falls_silent(second, at, told);
+      const bool silent = falls_silent(first, at, reported) || falls_silent(second, at, reported);
       kind = silent ? EventKind::kLost : EventKind::kEnded;
       if (out.time_s != at) return "it does not end at the last report";
     }
@@ -152,12 +153,12 @@ std::string fault_of_pair(const Told& told, PointId i, PointId j, const Events& 
   return "";
 }
 
-std::string fault_of(const Told& told) {
-  const auto events = events_of(told);
+std::string fault_of(const ReportedRecording& reported) {
+  const auto events = events_of(reported);
   if (!events) return to_string(events.error());
-  for (PointId i = 0; i < told.scene.tracks.size(); ++i) {
-    for (PointId j = i + 1; j < told.scene.tracks.size(); ++j) {
-      const std::string fault = fault_of_pair(told, i, j, *events);
+  for (PointId i = 0; i < reported.scene.tracks.size(); ++i) {
+    for (PointId j = i + 1; j < reported.scene.tracks.size(); ++j) {
+      const std::string fault = fault_of_pair(reported, i, j, *events);
       if (fault.empty()) continue;
       return std::to_string(i) + "-" + std::to_string(j) + ": " + fault;
     }
@@ -165,15 +166,15 @@ std::string fault_of(const Told& told) {
   return "";
 }
 
-std::string text_of(const Told& told) {
+std::string text_of(const ReportedRecording& reported) {
   char text[200];
   std::snprintf(
       text, sizeof text,
       "leaves at %a times the threshold, stale after %a s, finished after %a s, asks %llu\n",
-      told.leave_factor, told.max_age_s, told.waits_s,
-      static_cast<unsigned long long>(told.asks_seed));
-  std::string all = text + differential::text_of(told.scene);
-  const auto events = events_of(told);
+      reported.leave_factor, reported.max_age_s, reported.waits_s,
+      static_cast<unsigned long long>(reported.asks_seed));
+  std::string all = text + differential::text_of(reported.scene);
+  const auto events = events_of(reported);
   if (!events) return all;
   for (const SwarmEvent& e : *events) {
     std::snprintf(text, sizeof text, "  event %d of %u-%u at %a s, %a m\n",
@@ -195,24 +196,24 @@ double some_time_between_fixes(const RecordingScene& scene, Random& random) {
 
 std::optional<std::string> examine(Random& random, Tally& tally) {
   tally.scene();
-  Told told{random_recording(random)};
+  ReportedRecording reported{random_recording(random)};
   // Between two times from fix to fix: it is not the question here how differences round.
-  told.max_age_s = some_time_between_fixes(told.scene, random) * random.between(1.01, 1.9);
-  if (random.coin()) told.max_age_s *= 1e6;
-  told.max_age_s = std::clamp(told.max_age_s, kSmallestInMotion, kLargestInMotion);
-  told.leave_factor = random.coin() ? 1.1 : 1.0 + random.whole(0, 2) * 0.5;
-  told.waits_s = told.max_age_s * (random.coin() ? 0.25 : 2.5);
-  told.asks_seed = random.next();
-  told.threads = random.once_in(8) ? 3 : 1;
-  if (told.scene.tracks.empty() || !(told.ends_s() > -1e300)) return std::nullopt;
-  tally.answer(told.scene.options.vertical_m ? "events, vertical" : "events");
-  if (fault_of(told).empty()) return std::nullopt;
-  told.scene.tracks = shrunk(told.scene.tracks, [&](const std::vector<Track>& tracks) {
-    Told less = told;
+  reported.max_age_s = some_time_between_fixes(reported.scene, random) * random.between(1.01, 1.9);
+  if (random.coin()) reported.max_age_s *= 1e6;
+  reported.max_age_s = std::clamp(reported.max_age_s, kSmallestInMotion, kLargestInMotion);
+  reported.leave_factor = random.coin() ? 1.1 : 1.0 + random.whole(0, 2) * 0.5;
+  reported.waits_s = reported.max_age_s * (random.coin() ? 0.25 : 2.5);
+  reported.asks_seed = random.next();
+  reported.threads = random.once_in(8) ? 3 : 1;
+  if (reported.scene.tracks.empty() || !(reported.ends_s() > -1e300)) return std::nullopt;
+  tally.answer(reported.scene.options.vertical_m ? "events, vertical" : "events");
+  if (fault_of(reported).empty()) return std::nullopt;
+  reported.scene.tracks = shrunk(reported.scene.tracks, [&](const std::vector<Track>& tracks) {
+    ReportedRecording less = reported;
     less.scene.tracks = tracks;
     return !fault_of(less).empty();
   });
-  return "Swarm, " + text_of(told) + "  " + fault_of(told) + "\n";
+  return "Swarm, " + text_of(reported) + "  " + fault_of(reported) + "\n";
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ struct Tally {
   int unknown = 0;
 };
 
-// What a number is compared with: doubles on either side of the truth, from the nearest ones to
+// The doubles that a number is compared with: on either side of the truth, from the nearest ones to
 // some 2^20 ulps away. If the truth were outside of the bounds, one of those between would show it.
 void expect_true_comparisons(const BoundedNumber& number, const Fraction& truly, int seed,
                              Tally& tally) {
@@ -78,18 +78,18 @@ TEST(BoundedNumber, KnowsSignsThatRoundingLeavesNoDoubtAbout) {
   EXPECT_EQ((-tenth).sign(), -1);
 }
 
-TEST(BoundedNumber, SaysNothingAfterAnOverflow) {
+TEST(BoundedNumber, HasNoSignAfterAnOverflow) {
   const BoundedNumber huge(0x1p+600);
   const BoundedNumber square = huge * huge;
   EXPECT_EQ(square.sign(), std::nullopt);
   EXPECT_EQ((-square).sign(), std::nullopt);
   EXPECT_EQ((square - square).sign(), std::nullopt);
-  // Nothing times whatever it is.
+  // Zero times anything.
   EXPECT_EQ((square * BoundedNumber(0.0)).sign(), 0);
   EXPECT_EQ((BoundedNumber(1.0) + square).sign(), std::nullopt);
 }
 
-TEST(BoundedNumber, SaysNothingOfWhatIsTooSmallForADouble) {
+TEST(BoundedNumber, HasNoSignWhereTooSmallForADouble) {
   const BoundedNumber tiny(0x1p-600);
   EXPECT_EQ((tiny * tiny).sign(), std::nullopt);
   EXPECT_EQ((tiny * tiny * BoundedNumber(0x1p+900)).sign(), std::nullopt);

@@ -15,8 +15,8 @@ namespace {
 
 using test::Fraction;
 
-// All that a number says of itself is its sign. So what it should be is taken off it, 53 bits at a
-// time, the highest first, and the sign of the rest must be right until nothing is left.
+// A number only shows its sign. So the expected value is subtracted, 53 bits at a time, the highest
+// first, and the sign of the rest must be right until nothing is left.
 void expect_equal(ExactNumber number, Fraction truly, int seed) {
   for (int parts = 0; parts < 1000; ++parts) {
     ASSERT_EQ(*number.sign(), truly.sign()) << "formula " << seed << " less " << parts << " parts";

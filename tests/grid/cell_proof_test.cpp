@@ -47,7 +47,7 @@ TEST_P(CellProofs, ProveOnlyWhatIsTrueAndNameTheUndecided) {
   }
 }
 
-TEST(Surroundings, HoldEverybodyNearThoseAskedFor) {
+TEST(Surroundings, HoldAllPointsNearTheQueriedOnes) {
   test::OwnResources own(2);
   for (const test::SearchScene& scene : test::search_scenes()) {
     SCOPED_TRACE(scene.name);

@@ -1,4 +1,4 @@
-// The occupancy_filter may keep too many, never drop one that has company within the bound.
+// The filter may keep too many points, but never drops one that has a neighbour within the bound.
 #include "grid/occupancy_filter.hpp"
 
 #include "base/bounds.hpp"
@@ -47,7 +47,7 @@ TEST(OccupancyFilter, KeepsEveryPairWithinTheBound) {
   }
 }
 
-TEST(OccupancyFilter, DropsMostOfThoseWithoutCompany) {
+TEST(OccupancyFilter, DropsMostPointsWithoutNeighbours) {
   test::SceneMaker make(1);
   const std::vector<Point> points = make.box(20'000, {0, 0, 0}, {10'000, 10'000, 10'000});
   test::OwnResources own;
@@ -56,7 +56,7 @@ TEST(OccupancyFilter, DropsMostOfThoseWithoutCompany) {
   EXPECT_LT(occupancy_filter(view, lattice, 1.0, own.with).size(), points.size() / 4);
 }
 
-TEST(OccupancyFilter, KeepsEverybodyWhereItCannotTell) {
+TEST(OccupancyFilter, KeepsAllPointsWhereItCannotTell) {
   const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {1e9, 0, 0}};
   test::OwnResources own;
   const PointsView view(points);

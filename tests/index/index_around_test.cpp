@@ -1,4 +1,4 @@
-// Who is around a place: equal to comparing every distance exactly.
+// The points around a place: equal to comparing every distance exactly.
 #include "tests/index/index_scenes.hpp"
 #include "tests/index/plain_index.hpp"
 
@@ -51,7 +51,7 @@ TEST(IndexAround, IsExactAtTheDistanceOfAPointAndOneUlpBesideIt) {
   }
 }
 
-TEST(IndexAround, ARadiusOfZeroFindsWhoIsAtTheVeryPlace) {
+TEST(IndexAround, ARadiusOfZeroFindsPointsAtTheVeryPlace) {
   const Index index =
       test::built({{1, 2, 3}, {0, 0, -0.0}, {1, 2, 3}, {1, 2, std::nextafter(3, 4)}});
   EXPECT_EQ(*index.find_around({1, 2, 3}, 0.0, true), (std::vector<PointId>{0, 2}));
@@ -59,13 +59,13 @@ TEST(IndexAround, ARadiusOfZeroFindsWhoIsAtTheVeryPlace) {
   EXPECT_TRUE(index.find_around({1, 2, 3}, 0.0).value().empty());
 }
 
-TEST(IndexAround, TheLargestRadiusHoldsEverybodyNear) {
+TEST(IndexAround, TheLargestRadiusHoldsAllNearPoints) {
   const std::vector<Point> points = test::SceneMaker(1).box(1000, {0, 0, 0}, {1e6, 1e6, 1e6});
   EXPECT_EQ(test::built(points).find_around({5e5, 5e5, 5e5}, kLargestCoordinate_m).value().size(),
             1000U);
 }
 
-TEST(IndexAround, AnEmptyIndexFindsNobody) {
+TEST(IndexAround, AnEmptyIndexFindsNone) {
   EXPECT_TRUE(Index().find_around({1, 2, 3}, 1e9, true).value().empty());
   EXPECT_TRUE(test::built({}).find_around({1, 2, 3}, 1e9, true).value().empty());
 }
@@ -130,8 +130,8 @@ TEST(IndexAround, AllocatesNothingWhereTheCallersVectorHasRoom) {
   }
 }
 
-// A clump and somebody so far away that no float sees both.
-TEST(IndexAround, AnOutlierDoesNotMakeEverybodyElseOnePlace) {
+// A clump and a point so far away that floats do not resolve both.
+TEST(IndexAround, AnOutlierDoesNotMergeAllOthers) {
   std::vector<Point> points = test::SceneMaker(4).box(20'000, {0, 0, 0}, {50, 50, 50});
   points[77] = {1e15, -1e15, 1e15};
   points[78] = {-1e100, 1e100, 0};

@@ -7,7 +7,7 @@
 namespace beespace {
 namespace {
 
-// An Index and the plain list, changed and asked together.
+// An Index and the reference list, changed and queried together.
 class Twins {
  public:
   Twins(std::uint32_t seed, const std::vector<Point>& points)
@@ -19,14 +19,14 @@ class Twins {
   }
   void move() {
     if (plain_.points().empty()) return;
-    const PointId id = anybody();
+    const PointId id = any_id();
     const Point point = somewhere();
     ASSERT_TRUE(index_.move(id, point).has_value());
     plain_.move(id, point);
   }
   void remove() {
     if (plain_.points().empty()) return;
-    const PointId id = anybody();
+    const PointId id = any_id();
     ASSERT_TRUE(index_.remove(id).has_value());
     plain_.remove(id);
     ASSERT_FALSE(index_.contains(id));
@@ -43,7 +43,7 @@ class Twins {
       ASSERT_EQ(*index_.k_nearest(place, k), plain_.k_nearest(place, k));
     }
     if (plain_.points().empty()) return;
-    const PointId id = anybody();
+    const PointId id = any_id();
     ASSERT_TRUE(index_.contains(id));
     ASSERT_EQ(*index_.point(id), plain_.points().at(id));
   }
@@ -58,7 +58,7 @@ class Twins {
     if (below(3) == 0) return make_.box(1, {0, 0, 0}, {20, 20, 20})[0];
     return {double(below(12)), double(below(12)), double(below(3))};
   }
-  PointId anybody() {
+  PointId any_id() {
     auto entry = plain_.points().lower_bound(below(plain_.points().rbegin()->first + 1));
     return entry->first;
   }

@@ -1,4 +1,4 @@
-// What an Index cannot answer, it says.
+// The errors of an Index.
 #include "tests/index/index_scenes.hpp"
 
 #include <gtest/gtest.h>

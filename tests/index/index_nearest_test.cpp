@@ -1,4 +1,4 @@
-// The k nearest: equal to sorting everybody by exact distance, ties by the lowest id.
+// The k nearest: equal to sorting all points by exact distance, ties by the lowest id.
 #include "tests/index/index_scenes.hpp"
 #include "tests/index/plain_index.hpp"
 
@@ -47,7 +47,7 @@ TEST(IndexNearest, MoreThanThereAreGivesAll) {
   EXPECT_EQ(*index.k_nearest({1, 2, 3}, 1'000'000'000'000), *index.k_nearest({1, 2, 3}, 100));
 }
 
-TEST(IndexNearest, NoneAreAskedForOrThere) {
+TEST(IndexNearest, OfNoneOrOfAnEmptyIndex) {
   EXPECT_TRUE(test::built({{1, 2, 3}}).k_nearest({1, 2, 3}, 0).value().empty());
   EXPECT_TRUE(Index().k_nearest({1, 2, 3}, 5).value().empty());
   EXPECT_EQ(Index().k_nearest(std::vector<Point>{{1, 2, 3}}, 5).value().size(), 0U);
@@ -85,7 +85,7 @@ TEST(IndexNearest, ManyThreadsGiveWhatOneGivesForManyPlaces) {
   }
 }
 
-// If all who are as near were looked at, this would take hours.
+// If all equally near points were visited, this would take hours.
 TEST(IndexNearest, ManyAtOnePlaceStayCheap) {
   constexpr std::size_t kHalf = 50'000;
   std::vector<Point> points = test::SceneMaker(9).box(2 * kHalf, {0, 0, 0}, {1000, 1000, 1000});

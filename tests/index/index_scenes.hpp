@@ -1,4 +1,4 @@
-// Where an index is asked: at its points, between them, beside them, and from far away.
+// The queries of an index: at its points, between them, beside them, and from far away.
 #pragma once
 
 #include "tests/support/search_scenes.hpp"

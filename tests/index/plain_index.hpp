@@ -1,5 +1,4 @@
-// What an Index promises, done the plain way: every point is looked at, every distance compared
-// exactly.
+// The reference for an Index: every point is visited, every distance compared exactly.
 #pragma once
 
 #include "exact/exact_distance.hpp"

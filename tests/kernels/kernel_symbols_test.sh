@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
-# The kernels are compiled for processors that the rest of the library must not require. An inline
-# function of theirs that the linker may choose for everybody (a weak symbol) would crash older
-# processors; each kernel's object file must define its entry and nothing else that is shared.
-# usage: kernel_symbols_test.sh ARCHIVE
+# The kernels are compiled for processors that the rest of the library must not require. If the
+# linker chose an inline function of theirs for all callers (a weak symbol), older processors would
+# crash. Each kernel's object file must define its entry and nothing else that is shared.
 set -euo pipefail
 
 symbols=$(nm -C --defined-only "$1" 2>/dev/null)

@@ -24,7 +24,7 @@ using PlacePairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;  // ask
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-// What is decided about pairs that a kernel is unsure of.
+// A fixed verdict on pairs that a kernel is unsure of.
 bool decided_near(std::uint32_t i, std::uint32_t j) {
   return (i + j) % 3 == 0;
 }
@@ -61,8 +61,8 @@ class EveryKernel : public testing::TestWithParam<InstructionSet> {
     }
   }
 
-  // Distances up to the reach: whoever is farther need not be met. Where a unit is finer than a
-  // float tells, no distance comes near a limit.
+  // Distances up to the reach: the kernel may ignore points that are farther. Where a unit is finer
+  // than a float resolves, no distance comes near a limit.
   static Limits limits_of(const SweepShape& shape) {
     const double share = shape.fraction_bits > 10 ? 0.97 : 1.0;
     return {static_cast<float>(0.3 * shape.squared_reach()),
@@ -154,7 +154,7 @@ TEST_P(EveryKernel, MarksBothOfEveryNearPair) {
   EXPECT_GT(unsure, 10'000U);
 }
 
-TEST_P(EveryKernel, MarksThoseWhoAskAndLeavesThemOnceMarked) {
+TEST_P(EveryKernel, MarksTheQueriesAndSkipsThemOnceMarked) {
   for_each_scene(false, [&](const SweepScene& scene) {
     const Limits limits = limits_of(scene.shape);
     const Found expected = expected_of(scene, limits);
@@ -179,7 +179,7 @@ TEST_P(EveryKernel, MarksThoseWhoAskAndLeavesThemOnceMarked) {
   });
 }
 
-TEST_P(EveryKernel, CountsForBothAndInItsRowForThoseWhoAsk) {
+TEST_P(EveryKernel, CountsForBothAndInItsRowForTheQueries) {
   for_each_scene(true, [&](const SweepScene& scene) {
     const Limits limits = limits_of(scene.shape);
     const Found expected = expected_of(scene, limits, true);
@@ -198,7 +198,7 @@ TEST_P(EveryKernel, CountsForBothAndInItsRowForThoseWhoAsk) {
   });
 }
 
-TEST_P(EveryKernel, CountsForThoseWhoAsk) {
+TEST_P(EveryKernel, CountsForTheQueries) {
   for_each_scene(false, [&](const SweepScene& scene) {
     const Limits limits = limits_of(scene.shape);
     const Found expected = expected_of(scene, limits);
@@ -399,7 +399,7 @@ class Balls {
 
   [[nodiscard]] const float* data() const { return radius_.data(); }
 
-  // Who meets: `near` surely, `unsure` within a few roundings of the edge.
+  // The pairs that meet: `near` surely, `unsure` within a few roundings of the limit.
   [[nodiscard]] Found meeting(const SweepScene& scene) const {
     Found found;
     scene.for_each_pair([&](std::uint32_t i, std::uint32_t j, double squared) {
@@ -422,7 +422,7 @@ class Balls {
   double band_;
 };
 
-// By their places, whatever is decided about distances.
+// By their places, whatever the verdict on distances.
 TEST_P(EveryKernel, CollectsEveryPairOfBallsThatMeetOnceInBuffersOfAnySize) {
   std::size_t near = 0;
   std::size_t unsure = 0;
@@ -465,7 +465,7 @@ TEST_P(EveryKernel, StopsCollectingBallsThatMeetWhenThereIsNoMoreRoom) {
     const Sweep sweep = scene.sweep(limits_of(scene.shape), open.unsure());
     Collected all(100'000, std::numeric_limits<std::size_t>::max());
     ASSERT_TRUE(kernels().collect_meeting(sweep, {balls.data(), all.sink}));
-    const PlacePairs everybody = all.take_all();
+    const PlacePairs all_pairs = all.take_all();
     for (const std::size_t rounds : {1U, 3U}) {
       Collected collected(20, rounds);
       const bool went_on = kernels().collect_meeting(sweep, {balls.data(), collected.sink});
@@ -473,15 +473,16 @@ TEST_P(EveryKernel, StopsCollectingBallsThatMeetWhenThereIsNoMoreRoom) {
       ASSERT_LE(collected.calls, rounds);
       ASSERT_TRUE(collected.kept_inside());
       const PlacePairs some = collected.take_all();
-      ASSERT_TRUE(std::includes(everybody.begin(), everybody.end(), some.begin(), some.end()));
-      ASSERT_TRUE(!went_on || some == everybody);
+      ASSERT_TRUE(std::includes(all_pairs.begin(), all_pairs.end(), some.begin(), some.end()));
+      ASSERT_TRUE(!went_on || some == all_pairs);
       stopped += went_on ? 0U : 1U;
     }
   });
   EXPECT_GT(stopped, 100U);
 }
 
-// The nearest two of everybody, and what is known of them: all within the reach, and some beyond.
+// The nearest two of each point, and which distances are known: all within the reach, and some
+// beyond.
 struct NearestTwo {
   double best = std::numeric_limits<double>::infinity();
   double second = std::numeric_limits<double>::infinity();

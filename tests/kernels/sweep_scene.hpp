@@ -1,5 +1,5 @@
-// Rows of points as sorted grids have them, and the pairs that a sweep over them is asked about: to
-// be compared by plain double arithmetic, without windows, sides or lanes.
+// Rows of points as in sorted grids, and the pairs that a sweep over them must compare: by plain
+// double arithmetic, without windows, sides or lanes.
 #pragma once
 
 #include "grid/sorted_grid.hpp"
@@ -62,8 +62,9 @@ inline double squared_between(const PlacedPoints& a, std::uint32_t i, const Plac
   return sum;
 }
 
-// One row that asks, and rows around it. By itself, the row and the rows of later numbers are
-// looked at, or all rows; between two sets, all rows around, the same one included.
+// One row of query points, and rows around it. By itself, the row is swept against itself and the
+// rows of later numbers, or against all rows; between two sets, against all rows around, the same
+// one included.
 class SweepScene {
  public:
   explicit SweepScene(const SweepShape& of) : shape(of) {}
@@ -116,8 +117,8 @@ class SweepScene {
     return sweep;
   }
 
-  // Calls visit(asked, other, squared distance) for all that the sweep is asked about, pairs of the
-  // own row once.
+  // Calls visit(asked, other, squared distance) for all pairs that the sweep must compare, pairs of
+  // the own row once.
   template <class Visit>
   void for_each_pair(Visit&& visit) const {
     for (std::uint32_t i = points.begin; i < points.end; ++i) {
@@ -125,7 +126,7 @@ class SweepScene {
     }
     for_each_pair_across(visit);
   }
-  // The same, pairs of the own row for each of the two that asks.
+  // The same, with pairs of the own row once for each of the two.
   template <class Visit>
   void for_each_pair_of_asked(Visit&& visit) const {
     for (std::uint32_t i = points.begin; i < points.end; ++i) {
@@ -150,7 +151,7 @@ class SweepScene {
   }
 
   SweepShape shape;
-  cpu::Range points{0, 0};  // who asks: all of the row, or a part of it
+  cpu::Range points{0, 0};  // the queries: all of the row, or a part of it
   cpu::Range own{0, 0};     // the row, by itself
   bool same_set = true;
 

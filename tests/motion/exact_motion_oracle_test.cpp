@@ -1,4 +1,4 @@
-// The oracle itself against what a pencil says, and against a look at many instants.
+// The oracle itself: against results by hand, and against many sampled instants.
 #include "tests/support/exact_motion_oracle.hpp"
 #include "tests/support/encounter_maker.hpp"
 #include "tests/support/rounds.hpp"
@@ -26,7 +26,7 @@ TEST(ExactMotionOracle, DoublesBecomeFractionsWithoutLoss) {
   EXPECT_EQ(wide(Fraction(1) / 3) * 3, Wide(1));
 }
 
-TEST(ExactMotionOracle, WhoGrazesIsInConflictOnlyInclusively) {
+TEST(ExactMotionOracle, AGrazeIsAConflictOnlyInclusively) {
   const Mover passing{{-8, 5, 0}, {2, 0, 0}};
   const auto witness = [&](double threshold, bool inclusive) {
     return ExactEncounter(kStill, passing, options_of(threshold, 10, {}, inclusive)).witness();
@@ -37,7 +37,7 @@ TEST(ExactMotionOracle, WhoGrazesIsInConflictOnlyInclusively) {
   EXPECT_FALSE(witness(std::nextafter(5.0, 4.0), true));
 }
 
-TEST(ExactMotionOracle, ACylinderAsksForBothAtTheSameTime) {
+TEST(ExactMotionOracle, ACylinderRequiresBothAtTheSameTime) {
   // Falls through heights 2 to -2 from 1 s to 5 s, and is within 3 m from 6 s on.
   const Mover falling{{9, 0, 3}, {-1, 0, -1}};
   EXPECT_FALSE(ExactEncounter(kStill, falling, options_of(3, 60, 2.0)).in_conflict());

@@ -1,6 +1,6 @@
-// Two meet in the corner of their cylinder, one ulp inside the threshold on the level and just
-// below the vertical one in height, where the doubles of heights are far apart: at rest, in
-// passing, in recordings and live. Whatever is rounded on the way must not lose them.
+// Two movers meet in the corner of their cylinder, one ulp inside the horizontal threshold and just
+// below the vertical one, where neighbouring doubles of heights are far apart: at rest, in passing,
+// in recordings and live. Rounding must not lose them.
 #include "tests/support/rounds.hpp"
 #include "tests/support/scene_maker.hpp"
 
@@ -31,7 +31,7 @@ struct Setting {
   }
 };
 
-// Where a flight of `lasts` seconds meets somebody who stands at `other` in passing.
+// The flight of `lasts` seconds that passes a mover that stands at `other`.
 struct Meeting {
   Point other;
   Point from;
@@ -95,7 +95,7 @@ TEST_P(GreatHeights, ArePredicted) {
   }
 }
 
-// Exactly at the thresholds they are not, unless that counts.
+// Exactly at the thresholds they are not in conflict, unless the options are inclusive.
 TEST_P(GreatHeights, AtTheThresholdItselfAreNone) {
   for (int round = 0; round < test::rounds(500); ++round) {
     Meeting m = corner(round % 2 == 0);

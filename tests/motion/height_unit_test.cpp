@@ -1,5 +1,5 @@
 // Heights apart from positions may be in feet: they are compared with a vertical threshold in feet
-// as they are, and distances are told in metres all the same.
+// as they are, and distances are reported in metres all the same.
 #include <beespace/find_conflicts.hpp>
 #include <beespace/predict_conflicts.hpp>
 #include <beespace/swarm.hpp>
@@ -93,7 +93,7 @@ TEST(HeightUnit, AThousandFeetApartAreNotCloserThanThatOnAnyFlightLevel) {
   }
 }
 
-TEST(HeightUnit, DistancesAreToldInMetres) {
+TEST(HeightUnit, DistancesAreReportedInMetres) {
   const double apart_ft = 900.0;
   const double expected_m = std::hypot(kGround_m, apart_ft * kFoot_m);
   const auto in_recording = recorded(35000.0, apart_ft, false);

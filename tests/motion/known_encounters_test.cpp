@@ -1,5 +1,5 @@
-// Encounters built backwards, from when and how close two shall be at their closest: so what is
-// true of them is known beforehand. And the edges: now, never, the horizon, no horizon at all.
+// Encounters that are constructed from the time and distance of the closest approach, so the right
+// answer is known. And the limits: now, never, the horizon, no horizon at all.
 #include <beespace/brute_force.hpp>
 #include <beespace/closest_approach.hpp>
 
@@ -98,7 +98,7 @@ TEST(KnownEncounter, AlreadyTooCloseBeginsNowAndEndsWhenTheyAreClear) {
   EXPECT_EQ(nearer.conflict, (TimeSpan{0, 7}));
 }
 
-TEST(KnownEncounter, WhoMovesApartIsClosestNow) {
+TEST(KnownEncounter, MoversThatSeparateAreClosestNow) {
   const auto found = approach_of(kStill, {{6, 0, 0}, {0.5, 3, 0}}, options_of(5, 60));
   EXPECT_EQ(found.closest_s, 0.0);
   EXPECT_EQ(found.closest_m, 6.0);
@@ -185,7 +185,7 @@ TEST(KnownEncounter, OfACylinderLastsWhileBothAreBelow) {
   EXPECT_TRUE(approach_of(kStill, apart, just).conflict.has_value());
 }
 
-// A prediction says when they are closest while they are in conflict, an approach when ever.
+// A prediction gives the closest approach during the conflict; an approach gives that of all times.
 TEST(KnownEncounter, OfACylinderIsClosestWithinTheConflictInAPrediction) {
   // Closest at 20 s, 30 m apart, 1 m beside it; at the same height until 10 s.
   const std::vector<Mover> movers = {kStill, {{1, 0, -40}, {0, 0, 2}}};

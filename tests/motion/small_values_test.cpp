@@ -1,5 +1,5 @@
-// Values that are too small for exact comparison are zero wherever they enter; what is too large or
-// no number is refused as before, and names its bee.
+// Values that are too small for exact comparison count as zero in every function. What is too large
+// or not a number is refused, and the bee is named.
 #include <beespace/brute_force.hpp>
 #include <beespace/closest_approach.hpp>
 #include <beespace/find_conflicts.hpp>
@@ -17,8 +17,7 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-// What came out of advice that had been followed, the largest of those that are too small, and the
-// smallest there is.
+// A value that came out of advice, the largest value that is too small, and the smallest double.
 std::vector<double> too_small() {
   const double denormal = std::numeric_limits<double>::denorm_min();
   return {-9e-32, std::nextafter(kSmallestInMotion, 0.0), -denormal, denormal, 1e-200};

@@ -73,7 +73,7 @@ PredictOptions options_of(const Vector& row) {
   return options;
 }
 
-TEST(ClosestApproachVectors, AreWhatClosestApproachSays) {
+TEST(ClosestApproachVectors, AreTheResultsOfClosestApproach) {
   std::size_t conflicts = 0;
   const std::vector<Vector> rows = vectors();
   ASSERT_GE(rows.size(), 280U);
@@ -97,8 +97,8 @@ TEST(ClosestApproachVectors, AreWhatClosestApproachSays) {
   EXPECT_GT(rows.size() - conflicts, 100U);
 }
 
-// Two who do not know each other, in Python and here, say the same.
-TEST(ClosestApproachVectors, AreWhatTheOracleSays) {
+// The oracles in Python and here share no code and agree.
+TEST(ClosestApproachVectors, AreTheResultsOfTheOracle) {
   for (const Vector& row : vectors()) {
     SCOPED_TRACE(row.at("name"));
     const test::ExactEncounter truly(mover(row, "1"), mover(row, "2"), options_of(row));

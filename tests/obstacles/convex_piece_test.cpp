@@ -1,4 +1,5 @@
-// What the certificate needs of a piece: the nearest place of it, and how far it reaches.
+// The interface of a piece that the certificate uses: its nearest point, and its extent along a
+// direction.
 //
 // A place q of a convex set is the nearest to p if and only if the set reaches no farther towards p
 // than q does, so that the two prove each other.
@@ -147,7 +148,7 @@ void expect_nearest(const ConvexPiece& piece, const Vector3& place, double round
   const double apart = length(between);
   if (!(apart > 0.0)) return;
   ASSERT_NEAR(length(between * (1.0 / apart) - facing.normal), 0.0, rounding / apart);
-  // Nothing of the piece is beyond the nearest place, and the nearest place is of the piece.
+  // No point of the piece is beyond the nearest one, which belongs to the piece.
   ASSERT_LE(dot(between, between) - dot(between, place) + piece.support(between),
             rounding * (1.0 + apart));
   ASSERT_NEAR(length(piece.nearest_to(nearest) - nearest), 0.0, rounding);

@@ -88,7 +88,7 @@ TEST(Crossing, OfRandomTours) {
   EXPECT_GT(crossed, test::rounds(200'000) / 4);
 }
 
-TEST(Crossing, TellsCornersOnOneLine) {
+TEST(Crossing, DetectsCornersOnOneLine) {
   EXPECT_TRUE(all_on_one_line(Corners{{0, 0}, {1, 3}, {2, 6}, {-1, -3}}));
   EXPECT_FALSE(all_on_one_line(Corners{{0, 0}, {1, 3}, {2, 6}, {-1, -3.0000000000000004}}));
 }

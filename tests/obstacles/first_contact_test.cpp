@@ -52,7 +52,7 @@ void expect_clear(const Flight& flight, double end, double rounding) {
   }
 }
 
-// Of the whole flight, by looking closer where it is least, over and over.
+// Over the whole flight, by repeated refinement around the minimum.
 double least_clearance(const Flight& flight) {
   double begin = 0.0;
   double end = flight.horizon;
@@ -155,7 +155,7 @@ TEST(FirstContact, OfSpheresIsTheRoot) {
     const Real c = real(p.x) * real(p.x) + real(p.y) * real(p.y) + 0.25L - reach * reach;
     const Real squared = b * b - a * c;
     const auto found = contact(sphere, ball, radius, 100.0);
-    if (std::abs(squared) < 1e-3L) continue;  // grazing: the time is anybody's guess
+    if (std::abs(squared) < 1e-3L) continue;  // grazing: the time is ill-conditioned
     ASSERT_EQ(found.has_value(), squared > 0.0L) << "round " << round;
     if (!found) continue;
     ++touched;
@@ -177,7 +177,7 @@ TEST(FirstContact, ComesWithinTheHorizon) {
   EXPECT_EQ(contact(wall, ball, 10.0, 0.0), 0.0);  // touches as it stands
 }
 
-TEST(FirstContact, OfWhoStandsStillOrFliesAway) {
+TEST(FirstContact, OfMoversThatStandOrFlyAway) {
   const Box wall{{0, -5, -5}, {1, 5, 5}};
   EXPECT_FALSE(contact(wall, {{-10, 0, 0}, {0, 0, 0}}, 9.9, 1e30));
   EXPECT_FALSE(contact(wall, {{-10, 0, 0}, {-1, 0, 0}}, 9.9, 1e30));

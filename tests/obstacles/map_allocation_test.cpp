@@ -1,4 +1,4 @@
-// Looking around in a map asks for no memory.
+// Queries of a map allocate no memory.
 #include "obstacles/obstacle_map.hpp"
 
 #include "tests/obstacles/random_obstacles.hpp"

@@ -1,4 +1,4 @@
-// What a ball touches first of a whole map, against a loop over all that is in it.
+// The first contact of a ball with a whole map, compared with a loop over all obstacles.
 #include "tests/obstacles/random_obstacles.hpp"
 #include "tests/support/rounds.hpp"
 

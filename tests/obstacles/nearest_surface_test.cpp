@@ -110,7 +110,7 @@ TEST(NearestSurface, FarFromTheOriginAndClose) {
   }
 }
 
-TEST(NearestSurface, DependsNotOnHowTheOutlineIsTold) {
+TEST(NearestSurface, DoesNotDependOnTheOrderOfTheOutline) {
   RandomStream random(3);
   for (int round = 0; round < test::rounds(5'000); ++round) {
     const test::Corners corners = test::random_outline(random);

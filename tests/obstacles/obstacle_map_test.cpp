@@ -140,7 +140,7 @@ TEST(ObstacleMap, OfNothing) {
   EXPECT_FALSE(map_of({}).nearest({0, 0, 0}));
 }
 
-TEST(ObstacleMap, FindsNothingNearAPlaceThatIsNone) {
+TEST(ObstacleMap, FindsNothingNearAnInvalidPlace) {
   const ObstacleMap map = map_of({Ground{0}});
   for (const double none : {kEndless, -kEndless, std::numeric_limits<double>::quiet_NaN(), 1e300}) {
     EXPECT_FALSE(map.nearest({none, 0, 0}));

@@ -60,8 +60,8 @@ inline bool lies_between(const Corner& a, const Corner& b, const Corner& p) {
          p.y <= std::max(a.y, b.y);
 }
 
-// Whether two edges have a place in common; in plain doubles, so right of small whole numbers, and
-// of others where it is not close.
+// Whether two edges meet; in plain doubles, so exact for small whole numbers, and for others except
+// in borderline cases.
 inline bool edges_meet(const Corner& a, const Corner& b, const Corner& c, const Corner& d) {
   const int sides[] = {side(a, b, c), side(a, b, d), side(c, d, a), side(c, d, b)};
   if (sides[0] == 0 && lies_between(a, b, c)) return true;

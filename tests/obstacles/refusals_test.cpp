@@ -1,5 +1,5 @@
-// What is no obstacle, and what makes no question: with which code, in which words, and which of
-// many it is.
+// Invalid obstacles and queries: the error's code and sentence, and which of many obstacles it
+// names.
 #include "tests/obstacles/outlines.hpp"
 
 #include <beespace/obstacle.hpp>
@@ -27,7 +27,7 @@ void expect_error(const Error& error, ErrorCode code, const std::string& words) 
   EXPECT_NE(error.message.find(words), std::string::npos) << error.message;
 }
 
-// By whoever is asked; a map says which it is.
+// By each function that takes an obstacle; a map says which obstacle it is.
 void expect_refused(const Obstacle& obstacle, ErrorCode code, const std::string& words) {
   const auto nearest = nearest_surface(obstacle, {});
   ASSERT_FALSE(nearest) << words;

@@ -1,6 +1,6 @@
-// How far a place is from an obstacle, by other means than the library's: the surface is taken to
-// faces, and the nearest face is looked for, in long doubles. Whether a place lies inside is told
-// from how often the outline winds around it.
+// The distance of a point from an obstacle, computed independently of the library: the surface
+// becomes faces, and the nearest face is found, in long doubles. Whether a point lies inside
+// follows from the winding number of the outline.
 #pragma once
 
 #include <beespace/obstacle.hpp>

@@ -31,7 +31,7 @@ double distance(const ConvexPiece& piece, const Vector3& place) {
   return length(place - piece.nearest_to(place));
 }
 
-TEST(VisitNear, LeavesOutNobodyWhoIsNear) {
+TEST(VisitNear, LeavesOutNoneThatIsNear) {
   RandomStream random(1);
   int visited = 0;
   int left_out = 0;
@@ -94,7 +94,7 @@ TEST(VisitNear, OfAMapBuiltAgainComesInTheSameOrder) {
   }
 }
 
-// Of a city of ten thousand towers a bee sees a few, whatever stands in the whole of it.
+// In a city of ten thousand towers a query visits only the few that are near.
 TEST(VisitNear, VisitsFewOfMany) {
   RandomStream random(5);
   std::vector<Obstacle> obstacles;

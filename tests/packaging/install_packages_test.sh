@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Proves what scripts/install-packages does on each kind of machine, with stand-ins for the
-# system's commands: what is installed, who one is, whether there is sudo.
+# system's commands: what is installed, which user runs it, whether there is sudo.
 #
 #   install_packages_test.sh SOURCE_FOLDER
 set -euo pipefail

@@ -52,7 +52,7 @@ for subcommand in detect predict replay watch advise simulate verify report view
 done
 
 # The words that a help text lists under a heading, each at the beginning of a line. (Read to the
-# end: the command says so when nobody listens any more.)
+# end: the command reports a closed pipe.)
 words_in_help() {
   "$command" "$1" --help | awk -v heading="^$2" '$0 ~ heading {inside = 1; next}
     NF == 0 {inside = 0} inside && /^  [a-z]/ {print $1}'

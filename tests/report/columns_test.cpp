@@ -1,4 +1,4 @@
-// What is put into columns comes out again, number for number.
+// Encoded columns are decoded to the same numbers.
 #include "report/columns.hpp"
 
 #include "report/base64.hpp"
@@ -142,7 +142,7 @@ TEST(Columns, WhatIsNotUtf8BecomesTheReplacementCharacter) {
                                                     unknown + unknown + unknown + "z", "ok"}));
 }
 
-TEST(Columns, WhatNumbersMeanIsSaidExactly) {
+TEST(Columns, TheMeaningOfNumbersIsExact) {
   const std::vector<std::uint16_t> narrow = {0, 1, 65'535};
   const std::vector<std::uint32_t> wide = {0, 1, 4'294'967'295};
   for (const Meaning meaning : {Meaning{0.1, 0.0}, Meaning{1.0, -1e-300}, Meaning{0.0, 5.0},
@@ -178,7 +178,7 @@ TEST(Columns, RegularNumbersCostNextToNothing) {
 }
 
 // RFC 4648, section 10.
-TEST(Base64, SaysWhatTheStandardSays) {
+TEST(Base64, AgreesWithTheStandard) {
   EXPECT_EQ(base64(""), "");
   EXPECT_EQ(base64("f"), "Zg==");
   EXPECT_EQ(base64("fo"), "Zm8=");

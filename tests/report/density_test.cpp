@@ -12,7 +12,7 @@ std::uint32_t total(const Density& density) {
   return std::accumulate(density.counts().begin(), density.counts().end(), std::uint32_t{0});
 }
 
-TEST(Density, CountsEverybodyOnceInTheRightCell) {
+TEST(Density, CountsEachBeeOnceInTheRightCell) {
   Density density({100.0, 50.0}, 30.0, 20.0, 10.0);
   ASSERT_EQ(density.columns(), 3u);
   ASSERT_EQ(density.counts().size(), 6u);

@@ -147,7 +147,7 @@ TEST(Figure, FromAboveAMetreIsAsLongOnBothAxes) {
   }
 }
 
-TEST(Figure, SomebodyBelowTheThresholdIsInADarkBarAndTheThresholdIsAnEdge) {
+TEST(Figure, DistancesBelowTheThresholdAreInADarkBarAndTheThresholdIsAnEdge) {
   const auto histogram = nearest_histogram(three_bees());
   ASSERT_TRUE(histogram.has_value());
   EXPECT_EQ(std::accumulate(histogram->counts.begin(), histogram->counts.end(), std::uint64_t{0}),
@@ -161,8 +161,8 @@ TEST(Figure, SomebodyBelowTheThresholdIsInADarkBarAndTheThresholdIsAnEdge) {
             histogram->edges_m.end());
 }
 
-// With heights compared apart somebody may be near and not at risk.
-TEST(Figure, BarsAreDarkByWhoIsAtRisk) {
+// With heights compared apart, a near bee need not be at risk.
+TEST(Figure, BarsAreDarkByTheBeesAtRisk) {
   SnapshotFacts facts = three_bees();
   facts.swarm.vertical_m = 5.0;
   facts.positions.push_back({30, 0, 40});
@@ -225,9 +225,9 @@ TEST(Figure, SwarmsWithoutAnyExtentCanBeDrawn) {
   facts.positions = {{-1e120, 0, 0}, {1e120, 0, 0}};
   facts.nearest = {{1, 2e120}, {0, 2e120}};
   expect_inside(figure_of(facts));
-  RecordingFacts nobody;
-  nobody.swarm.threshold_m = 5.0;
-  expect_inside(figure_of(nobody));
+  RecordingFacts empty;
+  empty.swarm.threshold_m = 5.0;
+  expect_inside(figure_of(empty));
 }
 
 TEST(Figure, OfARecordingPartsInConflictAreFat) {
@@ -252,7 +252,7 @@ TEST(Figure, OfARecordingPartsInConflictAreFat) {
   expect_inside(drawing);
 }
 
-TEST(Figure, AConflictThatIsOnlyPossibleIsSaidToBe) {
+TEST(Figure, APossibleConflictIsMarkedAsSuch) {
   RecordingFacts facts = two_tracks();
   EXPECT_FALSE(says(figure_of(facts), "possible"));
   facts.conflicts.front().certain = false;
@@ -271,13 +271,13 @@ TEST(Figure, ListsNothingAtTheThresholdThatIsBelowIt) {
   EXPECT_TRUE(says(drawing, "closest: 99.99996 m"));
 }
 
-TEST(Figure, TheHeadingOfTheListSaysOfHowManyItIs) {
+TEST(Figure, TheHeadingOfTheListGivesTheTotal) {
   SnapshotFacts facts = three_bees();
   EXPECT_TRUE(says(figure_of(facts), "Closest pairs"));
   EXPECT_FALSE(says(figure_of(facts), "Closest pairs: "));
   facts.pair_count = 1'503;
   EXPECT_TRUE(says(figure_of(facts), "Closest pairs: 1 of 1,503"));
-  // Of more than there is room for, those that are there are counted.
+  // Where not all pairs fit, the shown ones are counted.
   facts.pairs.assign(100, {0, 1});
   facts.distances_m.assign(100, 50.0);
   facts.pair_count = 100;

@@ -46,7 +46,7 @@ std::vector<Point> places_at(const std::vector<std::pair<double, double>>& degre
   return ecef;
 }
 
-// There is an origin, from which everybody is found again.
+// There is an origin, and all positions can be converted back.
 void expect_places(const std::vector<Point>& ecef) {
   const LocalPlaces local = around_middle(ecef);
   ASSERT_TRUE(to_ecef(local.origin).has_value())

@@ -81,7 +81,7 @@ TEST(MapTracks, PreferThoseInConflictAndSayWhatIsLeftOut) {
   EXPECT_TRUE(map_tracks(facts, 10, 1'000).notes.empty());
 }
 
-TEST(MapTracks, MarksBeyondTheMostAreLeftOutAloud) {
+TEST(MapTracks, MarksBeyondTheMostAreLeftOutAndThatIsReported) {
   std::vector<std::string> notes;
   EXPECT_EQ(marks_shown(20'000, "pairs", notes), 20'000u);
   EXPECT_TRUE(notes.empty());

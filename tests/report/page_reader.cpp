@@ -81,7 +81,7 @@ std::vector<std::uint64_t> from_planes(const std::string& bytes, std::size_t siz
   return numbers;
 }
 
-// Running sums, modulo 2^bits, of what was told in zigzag.
+// Running sums, modulo 2^bits, of zigzag-coded numbers.
 void add_up(std::vector<std::uint64_t>& numbers, std::uint64_t most) {
   std::uint64_t sum = 0;
   for (std::uint64_t& number : numbers) {
@@ -132,8 +132,9 @@ std::vector<std::string> texts_of(Json array) {
 std::vector<double> Column::values() const {
   std::vector<double> meant;
   for (const std::uint64_t number : numbers) {
-    const double told = type == "f64" ? std::bit_cast<double>(number) : static_cast<double>(number);
-    meant.push_back(offset.value_or(0.0) + scale.value_or(1.0) * told);
+    const double stored =
+        type == "f64" ? std::bit_cast<double>(number) : static_cast<double>(number);
+    meant.push_back(offset.value_or(0.0) + scale.value_or(1.0) * stored);
   }
   return meant;
 }

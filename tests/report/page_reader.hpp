@@ -14,7 +14,7 @@ namespace beespace::report_test {
 
 using Json = simdjson::dom::element;
 
-// A JSON text, parsed; what is asked of it and is not there throws.
+// A JSON text, parsed; a request for a missing member throws.
 class ParsedJson {
  public:
   explicit ParsedJson(std::string_view text) : root_(parser_.parse(text.data(), text.size())) {}

@@ -17,7 +17,7 @@ using report_test::ParsedJson;
 using report_test::parts_of;
 using report_test::text_of;
 
-// What may be replaced by regular expressions and the like is in it too.
+// It also contains characters that regular expressions and the like might replace.
 constexpr std::string_view kBefore =
     "<!doctype html>\n<p>$& \\1 %s</p>\n<script>const a = '<b>';</script>\n";
 constexpr std::string_view kAfter = "\n<script>start();</script>\n</html>\n";

@@ -1,4 +1,4 @@
-// Positions in few bits: how far off they may be is never more than is said.
+// Positions in few bits: the error is never larger than stated.
 #include "report/quantised.hpp"
 
 #include "tests/support/rounds.hpp"
@@ -17,8 +17,8 @@ namespace {
 using test::rounds;
 using test::SceneMaker;
 
-// Where position i is told to be.
-Point told(const Quantised& all, std::size_t i) {
+// The decoded position i.
+Point decoded(const Quantised& all, std::size_t i) {
   const auto along = [&](std::size_t axis) {
     return all.low_m[axis] + all.step_m[axis] * double{static_cast<double>(all.codes[axis][i])};
   };
@@ -37,8 +37,8 @@ double largest_coordinate(const std::vector<Point>& points) {
   return largest;
 }
 
-// The error is an upper bound, it is no more than the steps explain, and the ends are told exactly
-// but for rounding.
+// The error is an upper bound, at most what the steps explain, and the ends are exact except for
+// rounding.
 void expect_good(const std::vector<Point>& points, unsigned bits) {
   const Quantised all = quantised(points, bits);
   const double rounding_m =
@@ -48,7 +48,7 @@ void expect_good(const std::vector<Point>& points, unsigned bits) {
   double farthest_m = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (std::size_t axis = 0; axis < 3; ++axis) ASSERT_LE(all.codes[axis][i], most);
-    farthest_m = std::max(farthest_m, far_from(points[i], told(all, i)));
+    farthest_m = std::max(farthest_m, far_from(points[i], decoded(all, i)));
   }
   EXPECT_LE(farthest_m, all.error_m * (1.0 + 1e-14)) << bits << " bits";
   const double half_a_step_m = 0.5 * std::hypot(all.step_m[0], all.step_m[1], all.step_m[2]);
@@ -104,7 +104,7 @@ TEST(Quantised, OnePointIsWhereItIs) {
   for (const unsigned bits : {1u, 15u, 16u}) {
     const std::vector<Point> one = {{0.1, -7e8, 1e-300}};
     const Quantised all = quantised(one, bits);
-    EXPECT_EQ(told(all, 0), one.front());
+    EXPECT_EQ(decoded(all, 0), one.front());
     EXPECT_EQ(all.error_m, 0.0);
   }
 }
@@ -112,11 +112,11 @@ TEST(Quantised, OnePointIsWhereItIs) {
 TEST(Quantised, ThoseAtOnePlaceAreWhereTheyAre) {
   const std::vector<Point> points(100, Point{0.1, -0.2, 1e9});
   const Quantised all = quantised(points, 16);
-  for (std::size_t i = 0; i < points.size(); ++i) EXPECT_EQ(told(all, i), points[i]);
+  for (std::size_t i = 0; i < points.size(); ++i) EXPECT_EQ(decoded(all, i), points[i]);
   EXPECT_EQ(all.error_m, 0.0);
 }
 
-TEST(Quantised, NobodyIsNowhere) {
+TEST(Quantised, NoPositionsAreNothing) {
   const Quantised all = quantised({}, 16);
   EXPECT_TRUE(all.codes[0].empty() && all.codes[1].empty() && all.codes[2].empty());
   EXPECT_EQ(all.error_m, 0.0);

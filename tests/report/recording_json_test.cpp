@@ -1,4 +1,4 @@
-// What a page says of a recording is what is known of it; spans of time are never too short.
+// The data of a page agree with the facts of a recording; spans of time are never too short.
 #include "report/recording_json.hpp"
 
 #include "tests/report/page_reader.hpp"
@@ -59,7 +59,7 @@ struct Read {
   ParsedJson json;
 };
 
-// What rounds where times are subtracted and scaled.
+// The rounding error of subtracted and scaled times.
 double rounding_s(const Read& read, double lasts_s) {
   return 1e-15 * lasts_s + 4e-16 * std::abs(read.begins_s());
 }
@@ -76,7 +76,7 @@ void expect_times(const Read& read, const std::vector<Track>& tracks, double err
   }
 }
 
-// At the same times, the drawn and the true place of everybody.
+// At the same times, the drawn and the true positions of all bees.
 void expect_places(const Read& read, const std::vector<Track>& tracks) {
   const double error_m = double(read["position_error_m"]);
   const auto shown = read.tracks();
@@ -114,7 +114,7 @@ RecordingFacts flights(SceneMaker& make, double begins_s, double every_s, double
   return facts;
 }
 
-TEST(RecordingJson, RegularTimesAreToldAsMilliseconds) {
+TEST(RecordingJson, RegularTimesAreWrittenAsMilliseconds) {
   SceneMaker make(1);
   for (int round = 0; round < rounds(60); ++round) {
     for (const double begins_s : {0.0, -20.0, 1.7e9}) {
@@ -127,7 +127,7 @@ TEST(RecordingJson, RegularTimesAreToldAsMilliseconds) {
   }
 }
 
-TEST(RecordingJson, MicrosecondsAreToldAsSuch) {
+TEST(RecordingJson, MicrosecondsAreWrittenAsSuch) {
   RecordingFacts facts;
   facts.tracks = {{{{0.000'001, {0, 0, 0}}, {1.234'567, {9, 0, 0}}, {4'000.000'002, {0, 0, 0}}}}};
   const Read read(facts);
@@ -161,7 +161,7 @@ void expect_irregular(double closest_s, double begins_s, SceneMaker& make) {
   }
 }
 
-TEST(RecordingJson, IrregularTimesAreToldFinelyEnough) {
+TEST(RecordingJson, IrregularTimesAreWrittenFinelyEnough) {
   SceneMaker make(2);
   for (int round = 0; round < rounds(60); ++round) {
     for (const double begins_s : {0.0, -1e4, 1.7e9}) {
@@ -170,11 +170,11 @@ TEST(RecordingJson, IrregularTimesAreToldFinelyEnough) {
   }
 }
 
-TEST(RecordingJson, FastBeesAndCoarseTicksAreInTheErrorThatIsSaid) {
+TEST(RecordingJson, FastBeesAndCoarseTicksAreInTheStatedError) {
   SceneMaker make(3);
   for (int round = 0; round < rounds(40); ++round) {
     RecordingFacts facts = flights(make, 0.0, 0.0, 300.0);
-    // Somebody else is heard of again years later: ticks are then of some hundredths of a second.
+    // Another bee is heard again years later: ticks are then some hundredths of a second.
     facts.tracks.push_back({{{0.0, {0, 0, 0}}, {2e8 + make.between(0.0, 1.0), {0, 0, 0}}}});
     const Read read(facts);
     EXPECT_GT(read.tick_s(), 0.04);
@@ -182,7 +182,7 @@ TEST(RecordingJson, FastBeesAndCoarseTicksAreInTheErrorThatIsSaid) {
   }
 }
 
-TEST(RecordingJson, WithTimesToldExactlyTheErrorIsThatOfThePositionsOnly) {
+TEST(RecordingJson, WithExactTimesTheErrorIsThatOfThePositionsOnly) {
   RecordingFacts facts;
   facts.tracks = {{{{0.0, {0, 0, 0}}, {1.0, {1e6, 0, 0}}, {1.5, {2e6, 0, 0}}}}};
   const double half_a_step_m = 0.5 * 2e6 / 65'535.0;
@@ -206,7 +206,7 @@ TEST(RecordingJson, TheTimeIsThatOfAllFixes) {
   EXPECT_FALSE(bool(Read(facts)["time"]["since_1970"]));
 }
 
-TEST(RecordingJson, GapsAreToldByTheFixBeforeThem) {
+TEST(RecordingJson, GapsAreWrittenAsTheFixBeforeThem) {
   RecordingFacts facts;
   facts.tracks = {{{{0, {}}, {1, {}}, {50, {}}}}, {{{0, {}}, {60, {}}}}};
   facts.gaps = {{0, 1.0, 50.0}, {1, 0.0, 60.0}};
@@ -214,7 +214,7 @@ TEST(RecordingJson, GapsAreToldByTheFixBeforeThem) {
   EXPECT_EQ(read.numbers(read["absent_after"]), (std::vector<std::uint64_t>{1, 3}));
 }
 
-// A recording from `begins_s` on with somebody in conflict now and then.
+// A recording from `begins_s` on with conflicts now and then.
 RecordingFacts with_conflicts(SceneMaker& make, double begins_s, bool regular) {
   RecordingFacts facts = flights(make, begins_s, regular ? 0.5 : 0.0, 5.0);
   const double lasts_s = regular ? 100.0 : 100.0 + make.between(0.0, 1.0);
@@ -230,7 +230,7 @@ RecordingFacts with_conflicts(SceneMaker& make, double begins_s, bool regular) {
   return facts;
 }
 
-// The span told holds the true one, and little more.
+// The written span contains the true one, and little more.
 void expect_span(const Read& read, double begins_s, double ends_s, const TimeSpan& span) {
   const double from_s = span.begins_s - read.begins_s();
   const double to_s = span.ends_s - read.begins_s();
@@ -242,14 +242,14 @@ void expect_span(const Read& read, double begins_s, double ends_s, const TimeSpa
 }
 
 void expect_conflicts(const Read& read, const std::vector<Conflict>& conflicts) {
-  const Json told = read["conflicts"];
-  const auto firsts = read.numbers(told["first"]);
-  const auto seconds = read.numbers(told["second"]);
-  const auto begins_s = read.values(told["begins_s"]);
-  const auto closest_s = read.values(told["closest_s"]);
-  const auto ends_s = read.values(told["ends_s"]);
-  const auto distances_m = read.values(told["distance_m"]);
-  const auto certain = read.numbers(told["certain"]);
+  const Json columns = read["conflicts"];
+  const auto firsts = read.numbers(columns["first"]);
+  const auto seconds = read.numbers(columns["second"]);
+  const auto begins_s = read.values(columns["begins_s"]);
+  const auto closest_s = read.values(columns["closest_s"]);
+  const auto ends_s = read.values(columns["ends_s"]);
+  const auto distances_m = read.values(columns["distance_m"]);
+  const auto certain = read.numbers(columns["certain"]);
   for (const std::size_t size : {firsts.size(), seconds.size(), begins_s.size(), closest_s.size(),
                                  ends_s.size(), distances_m.size(), certain.size()}) {
     ASSERT_EQ(size, conflicts.size());
@@ -266,10 +266,10 @@ void expect_conflicts(const Read& read, const std::vector<Conflict>& conflicts) 
 }
 
 void expect_at_risk(const Read& read, const std::vector<AtRisk>& at_risk) {
-  const Json told = read["at_risk"];
-  const auto bees = read.numbers(told["bee"]);
-  const auto begins_s = read.values(told["begins_s"]);
-  const auto ends_s = read.values(told["ends_s"]);
+  const Json columns = read["at_risk"];
+  const auto bees = read.numbers(columns["bee"]);
+  const auto begins_s = read.values(columns["begins_s"]);
+  const auto ends_s = read.values(columns["ends_s"]);
   ASSERT_EQ(bees.size(), at_risk.size());
   ASSERT_EQ(begins_s.size(), at_risk.size());
   ASSERT_EQ(ends_s.size(), at_risk.size());
@@ -279,7 +279,7 @@ void expect_at_risk(const Read& read, const std::vector<AtRisk>& at_risk) {
   }
 }
 
-TEST(RecordingJson, ConflictsAreToldAndTheirTimesOutward) {
+TEST(RecordingJson, ConflictsAreWrittenWithTimesRoundedOutward) {
   SceneMaker make(4);
   for (int round = 0; round < rounds(40); ++round) {
     for (const double begins_s : {0.0, -1e3, 1.7e9}) {
@@ -323,7 +323,7 @@ TEST(RecordingJson, TheRiskIsThatOfAll) {
   EXPECT_EQ(double(risk["closest"]["time_s"]), 4.0);
 }
 
-TEST(RecordingJson, TheSeparationIsToldExactly) {
+TEST(RecordingJson, TheSeparationIsWrittenExactly) {
   RecordingFacts facts;
   facts.tracks = {{{{100, {}}, {110, {}}}}};
   facts.separation = {{100, {0, 1, 0.1}}, {104.25, {2, 3, 0.0}}, {110, {0, 3, 1e9}}};
@@ -334,7 +334,7 @@ TEST(RecordingJson, TheSeparationIsToldExactly) {
   EXPECT_EQ(read.numbers(read["separation"]["second"]), (std::vector<std::uint64_t>{1, 3, 3}));
 }
 
-TEST(RecordingJson, NobodyAndNothingAreToldToo) {
+TEST(RecordingJson, NoBeesAndNoConflictsAreWrittenToo) {
   std::vector<RecordingFacts> all(4);
   all[1].tracks = {{}, {}};
   all[2].tracks = {{{{1.7e9, {1, 2, 3}}}}};                   // for an instant
@@ -352,8 +352,8 @@ TEST(RecordingJson, NobodyAndNothingAreToldToo) {
   }
 }
 
-// The page says of which time it speaks.
-TEST(RecordingJson, WhoIsUnknownForHowLongIsSaidWhereItIsSo) {
+// The page names the time that it is about.
+TEST(RecordingJson, UnknownTimesOfEachBeeAreWrittenWhereThereAreAny) {
   RecordingFacts facts;
   facts.tracks = {{{{0.0, {0.0, 0.0, 0.0}}, {9.0, {1.0, 0.0, 0.0}}}}};
   const Read all_known(facts);

@@ -1,4 +1,4 @@
-// Fixes left out of a page: where a bee is shown is never farther off than is said.
+// Fixes left out of a page: the shown position of a bee is within the stated error.
 #include "report/shown_fixes.hpp"
 
 #include "tests/support/rounds.hpp"
@@ -34,7 +34,7 @@ ShownFixes shown_of(const Tracks& tracks, double max_gap_s, std::size_t most) {
   return shown_fixes(tracks, gaps_of(tracks, max_gap_s), most);
 }
 
-// What a page draws of one bee.
+// The part of a page about one bee.
 struct ShownBee {
   Track track;
   std::vector<bool> absent_after;  // of each fix
@@ -120,7 +120,7 @@ void expect_shown_well(const Tracks& tracks, double max_gap_s, std::size_t most)
   EXPECT_NEAR(shown.error_m, bend_m + tolerance_m, 1e-9) << "more than need be";
 }
 
-TEST(ShownFixes, WhatIsLeftOutIsNeverFartherOffThanIsSaid) {
+TEST(ShownFixes, LeftOutFixesAreWithinTheStatedError) {
   SceneMaker make(3);
   for (int round = 0; round < rounds(200); ++round) {
     Tracks tracks;
@@ -206,7 +206,7 @@ TEST(ShownFixes, TheErrorIsThatOfTheWorstBeeAndItsTolerance) {
   EXPECT_EQ(shown_of(tracks, kNever, 5).error_m, 3.25);
 }
 
-TEST(ShownFixes, NobodyIsNothing) {
+TEST(ShownFixes, OfNoBeesAreNone) {
   const ShownFixes none = shown_of({}, kNever, 10);
   EXPECT_EQ(none.every, 1u);
   EXPECT_TRUE(none.counts.empty() && none.times_s.empty() && none.absent_after.empty());

@@ -1,4 +1,4 @@
-// What a page says of a snapshot is what is known of it.
+// The data of a page agree with the facts of a snapshot.
 #include "report/snapshot_json.hpp"
 
 #include "tests/report/page_reader.hpp"
@@ -41,7 +41,7 @@ struct Read {
   ParsedJson json;
 };
 
-// Bees all about, of whom nothing is known but where they are.
+// Bees all about; only their positions are known.
 SnapshotFacts somewhere(std::size_t count) {
   SceneMaker make(5);
   SnapshotFacts facts;
@@ -70,7 +70,7 @@ void expect_positions(const Read& read, const std::vector<Point>& positions) {
   EXPECT_GE(worst_m, 0.1 * error_m);
 }
 
-TEST(SnapshotJson, SaysWhatTheSwarmIs) {
+TEST(SnapshotJson, DescribesTheSwarm) {
   SnapshotFacts facts = somewhere(3);
   facts.swarm = {.title = "a.csv",
                  .source = "text",
@@ -98,7 +98,7 @@ TEST(SnapshotJson, SaysWhatTheSwarmIs) {
   EXPECT_EQ(read.numbers(read["names"]["bees"]), (std::vector<std::uint64_t>{0, 2}));
 }
 
-TEST(SnapshotJson, SaysNothingOfWhatIsNotThere) {
+TEST(SnapshotJson, OmitsWhatIsAbsent) {
   const Read read(somewhere(2));
   EXPECT_EQ(report_test::texts_of(read["axes"]), (std::vector<std::string>{"x", "y", "z"}));
   for (const char* key : {"origin", "vertical_m", "names"}) {
@@ -115,7 +115,7 @@ TEST(SnapshotJson, NamesOfAllNeedNoNumbers) {
   EXPECT_FALSE(has(Read(facts)["names"], "bees"));
 }
 
-TEST(SnapshotJson, WhoIsAtRiskIsABitOfEach) {
+TEST(SnapshotJson, AtRiskIsABitOfEachBee) {
   SceneMaker make(6);
   for (std::size_t count = 0; count < 60; ++count) {
     SnapshotFacts facts = somewhere(count);
@@ -146,9 +146,9 @@ void expect_nearest(const SnapshotFacts& facts) {
     const double true_m = facts.nearest[i].distance_m;
     ASSERT_EQ(codes[i] == 0, true_m == 0.0);
     if (codes[i] == 0) continue;
-    const double told_m = least_m * std::pow(ratio, static_cast<double>(codes[i]) - 1.0);
-    ASSERT_LE(told_m, true_m * half);
-    ASSERT_GE(told_m, true_m / half);
+    const double decoded_m = least_m * std::pow(ratio, static_cast<double>(codes[i]) - 1.0);
+    ASSERT_LE(decoded_m, true_m * half);
+    ASSERT_GE(decoded_m, true_m / half);
   }
 }
 
@@ -171,7 +171,7 @@ TEST(SnapshotJson, TheNearestAreExactOverManyPowersOfTen) {
   }
 }
 
-TEST(SnapshotJson, TheNearestAreToldInStepsThatOneCannotSee) {
+TEST(SnapshotJson, NearestDistancesAreWrittenInInvisiblySmallSteps) {
   const Read read(with_nearest({1e-6, 1e6, 1.0}));
   EXPECT_LT(double(read["nearest"]["ratio"]), 1.0005);
   EXPECT_EQ(read.numbers(read["nearest"]["code"]), (std::vector<std::uint64_t>{1, 65'535, 32'768}));
@@ -184,7 +184,7 @@ TEST(SnapshotJson, TheNearestMayAllBeEquallyFar) {
   expect_nearest(with_nearest({0x1p-400, 0x1p+401}));
 }
 
-TEST(SnapshotJson, ASingleBeeHasNobodyNear) {
+TEST(SnapshotJson, ASingleBeeHasNoneNear) {
   SnapshotFacts facts = somewhere(1);
   facts.nearest = {Nearest{}};
   const Read read(facts);
@@ -193,7 +193,7 @@ TEST(SnapshotJson, ASingleBeeHasNobodyNear) {
   EXPECT_EQ(position_error(read, facts.positions), 0.0);
 }
 
-TEST(SnapshotJson, ThereMayBeNobody) {
+TEST(SnapshotJson, ThereMayBeNoBees) {
   const Read read(SnapshotFacts{});
   EXPECT_EQ(std::uint64_t(read["count"]), 0u);
   EXPECT_FALSE(has(read.json.root(), "nearest"));
@@ -246,27 +246,27 @@ void expect_pairs(const SnapshotFacts& facts, const char* type, double error_m) 
   EXPECT_TRUE(std::is_sorted(distances_m.begin(), distances_m.end()));
 }
 
-TEST(SnapshotJson, FewPairsAreToldExactly) {
+TEST(SnapshotJson, FewPairsAreWrittenExactly) {
   expect_pairs(with_pairs(0, 0, 0), "f64", 0.0);
   expect_pairs(with_pairs(1, 0.1, 0.1), "f64", 0.0);
   expect_pairs(with_pairs(10'000, 1e-9, 123.456), "f64", 0.0);
 }
 
-TEST(SnapshotJson, DistancesOfManyPairsAreToldInSmallSteps) {
+TEST(SnapshotJson, DistancesOfManyPairsAreWrittenInSmallSteps) {
   const double half_a_step = 0.5 / 16'777'215.0;
   expect_pairs(with_pairs(10'001, 0.0, 123.456), "u32", 123.456 * half_a_step * (1.0 + 1e-6));
   expect_pairs(with_pairs(10'001, 5.0, 5.0), "u32", 1e-14);
   expect_pairs(with_pairs(10'001, 0.0, 0.0), "u32", 0.0);
 }
 
-TEST(SnapshotJson, PositionsAreWithinTheErrorThatIsSaid) {
+TEST(SnapshotJson, PositionsAreWithinTheStatedError) {
   for (const std::size_t count : {2u, 1'000u}) {
     const SnapshotFacts facts = somewhere(count);
     expect_positions(Read(facts), facts.positions);
   }
 }
 
-TEST(SnapshotJson, OfVeryManyAFewBitsLessAreToldAndThatIsSaid) {
+TEST(SnapshotJson, OfVeryManyAFewBitsLessAreWrittenAndThatIsStated) {
   constexpr std::size_t kMany = 250'000;
   const SnapshotFacts enough = somewhere(kMany);
   const SnapshotFacts more = somewhere(kMany + 1);

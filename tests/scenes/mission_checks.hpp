@@ -1,5 +1,4 @@
-// What tests of missions ask of them: how far apart places are, and all of their bits in one
-// number.
+// Checks of missions: the distances of places, and a digest of all their bits.
 #pragma once
 
 #include "scenes/missions.hpp"

@@ -27,7 +27,7 @@ TEST(Missions, StartsAndGoalsAreClearOfEachOther) {
   }
 }
 
-TEST(Missions, InARandomSwapEverybodyTakesSomebodysPlace) {
+TEST(Missions, ARandomSwapIsAPermutationOfPlaces) {
   const Mission mission = random_swap(500, 15.0, 5.0, 7);
   EXPECT_EQ(sorted(mission.goals), sorted(mission.starts));
   std::size_t stay = 0;
@@ -64,7 +64,7 @@ TEST(Missions, TheSameSeedGivesTheSameAndAnotherAnother) {
   }
 }
 
-// Of the sphere not: sines and cosines of standard libraries differ in their last bits.
+// Not for the sphere: sines and cosines of standard libraries differ in their last bits.
 TEST(Missions, TheOthersHaveTheseBitsOnEveryMachine) {
   EXPECT_EQ(fingerprint(random_swap(500, 15.0, 5.0, 1)), 14'404'843'168'588'355'565u);
   EXPECT_EQ(fingerprint(crossing_streams(500, 15.0, 5.0, 1)), 1'220'574'774'855'663'755u);

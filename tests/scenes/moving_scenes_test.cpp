@@ -55,7 +55,7 @@ void expect_in_box(const std::vector<Mover>& movers, const Point& size) {
   }
 }
 
-// What the scene says is what closest_approach finds, but for rounding.
+// The stated encounters are those that closest_approach finds, except for rounding.
 void expect_true(const Encounters& scene, double within_s, double rounding) {
   ASSERT_EQ(scene.movers.size(), 2 * scene.encounters.size());
   for (std::size_t i = 0; i < scene.encounters.size(); ++i) {
@@ -146,7 +146,7 @@ TEST(MovingScenes, StreamsCrossAtRightAnglesInTheSameBox) {
   }
 }
 
-TEST(MovingScenes, OnTheSphereEverybodyFliesThroughTheCentreToTheOppositePoint) {
+TEST(MovingScenes, OnTheSphereAllFlyThroughTheCentreToTheOppositePoint) {
   constexpr double kRadius = 250.0;
   const auto movers = sphere_swap(kMany, kRadius, kSpeeds, 5);
   ASSERT_EQ(movers.size(), kMany);
@@ -203,7 +203,7 @@ TEST(MovingScenes, KnownEncountersAreAsTheyWereChosen) {
   EXPECT_NEAR(distances / kMany, 0.5 * kPlan.farthest_m, 0.5);
 }
 
-// With a threshold as large as the room between the pairs, nobody is in conflict but the pairs.
+// With a threshold as large as the room between the pairs, only the pairs are in conflict.
 TEST(MovingScenes, KnownEncountersAreTheOnlyOnes) {
   for (const std::size_t pairs : {1u, 8u, 9u, 3'000u}) {
     const Encounters scene = known_encounters(pairs, kPlan, 10);
@@ -221,7 +221,7 @@ TEST(MovingScenes, KnownEncountersAreTheOnlyOnes) {
   }
 }
 
-TEST(MovingScenes, NobodyIsAnEmptyScene) {
+TEST(MovingScenes, NoBeesAreAnEmptyScene) {
   EXPECT_TRUE(random_flight(0, kBox, kSpeeds, 1).empty());
   EXPECT_TRUE(crossing_streams(0, kBox, kSpeeds, 1).empty());
   EXPECT_TRUE(sphere_swap(0, 1.0, kSpeeds, 1).empty());

@@ -160,7 +160,7 @@ TEST(RecordedFlights, TurnsKeepTheSpeedsAndChangeTheWayAtEveryFix) {
   }
 }
 
-TEST(RecordedFlights, NobodyIsAnEmptyRecording) {
+TEST(RecordedFlights, NoBeesAreAnEmptyRecording) {
   EXPECT_TRUE(fly(std::vector<Mover>{}, kTimes).empty());
   EXPECT_TRUE(random_turns(0, kBox, kSpeeds, kTimes, 1).empty());
 }

@@ -89,7 +89,7 @@ TEST(Funnel, InTheColumnTheyAreCloserTogetherButNotTooClose) {
   }
 }
 
-TEST(Funnel, WhoIsNearestFliesInTheFarthest) {
+TEST(Funnel, TheNearestBeesFlyInTheFarthest) {
   const Mission mission = funnel(333, 15.0, 5.0, 7);
   const Extent field = extent_of(mission.starts);
   const Extent column = extent_of(mission.goals);
@@ -99,7 +99,7 @@ TEST(Funnel, WhoIsNearestFliesInTheFarthest) {
   for (std::size_t i = 0; i < 333; ++i) order[i] = i;
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return mission.goals[a].x > mission.goals[b].x; });
-  // From slice to slice of the column nobody is nearer than those before; the mouth is not exactly
+  // From slice to slice of the column, no bee is nearer than those before. The mouth is not exactly
   // where the mission has it.
   double farthest_m = 0.0;
   for (const std::size_t i : order) {
@@ -119,7 +119,7 @@ double distance_to(const Obstacle& obstacle, const Point& p) {
   return p.z - std::get<Ground>(obstacle).height_m;
 }
 
-TEST(Pillars, NobodyStartsOrStopsNearAnObstacle) {
+TEST(Pillars, NoBeeStartsOrStopsNearAnObstacle) {
   for (const std::size_t count : {std::size_t{1}, std::size_t{30}, std::size_t{700}}) {
     for (const double spacing_m : {5.0, 15.0}) {
       const Mission mission = pillars(count, spacing_m, 5.0, 7);
@@ -184,7 +184,7 @@ TEST(Pillars, TheForestStandsBetweenStartsAndGoals) {
   EXPECT_GT(blocked, 350u);  // most must go around something
 }
 
-TEST(Pillars, EverybodyFliesToSomebodysPlaceOnTheOtherSide) {
+TEST(Pillars, GoalsAreAPermutationOfPlacesOnTheOtherSide) {
   const Mission mission = pillars(100, 15.0, 5.0, 7);
   const double depth_m = extent_of(mission.starts).low.x + extent_of(mission.goals).high.x;
   std::vector<Point> mirrored;

@@ -1,4 +1,4 @@
-// What a user may rely on, case by case.
+// The guarantees for points at risk, case by case.
 #include "tests/support/search_scenes.hpp"
 
 #include <beespace/at_risk.hpp>
@@ -29,7 +29,7 @@ TEST(AtRisk, NeighbourTwoLayersAwayIsFound) {
   EXPECT_EQ(*find_at_risk(points, {100.0}), (Ids{0, 1}));
 }
 
-TEST(AtRisk, OutlierTenToTheTwelveThresholdsAwayHidesNobody) {
+TEST(AtRisk, OutlierTenToTheTwelveThresholdsAwayHidesNoPoint) {
   const double x = 100.0;
   const std::vector<Point> points = {
       {0, 0, 0}, {0.999 * x, 0, 0}, {5 * x, 0, 0}, {6.001 * x, 0, 0}, {1e12 * x, 1e12 * x, 0}};

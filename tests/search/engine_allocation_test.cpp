@@ -25,7 +25,7 @@ struct Frames {
   double threshold_m;
   std::vector<Point> velocities = {};
 
-  // The next frame: everybody a little elsewhere.
+  // The next frame: all points have moved a little.
   void move(test::SceneMaker& make) {
     for (std::vector<Point>* set : {&points, &others}) {
       for (Point& p : *set) {
@@ -162,7 +162,7 @@ std::vector<Method> methods() {
 
 class EngineAllocates : public testing::TestWithParam<Method> {
  protected:
-  // What a call on this frame takes from the system.
+  // The memory that a call on this frame takes from the system.
   static std::uint64_t taken(Engine& engine, const Frames& frame, unsigned threads) {
     static Answers answers;
     const SearchOptions options{frame.threshold_m, false, threads};
@@ -185,7 +185,7 @@ TEST_P(EngineAllocates, NothingForTheSameFrameAgain) {
   }
 }
 
-// Frames that it has seen, in whatever order they come again.
+// Frames of sizes that it has seen before, in any order.
 TEST_P(EngineAllocates, NothingForFramesThatItHasSeen) {
   for (Frames& frame : swarms()) {
     for (const unsigned threads : {1U, 2U}) {
@@ -206,7 +206,7 @@ TEST_P(EngineAllocates, NothingForFramesThatItHasSeen) {
   }
 }
 
-// Everybody moves, and here and there a frame takes a little more than all before it.
+// All points move, and now and then a frame takes a little more than all before it.
 TEST_P(EngineAllocates, LittleForNewFramesThatAreMuchTheSame) {
   for (Frames& frame : swarms()) {
     for (const unsigned threads : {1U, 2U}) {

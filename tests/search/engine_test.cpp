@@ -1,4 +1,4 @@
-// An Engine and its crew: whatever was asked before, and whoever else asks, the answers are those
+// An Engine and its crew: earlier and concurrent calls do not change the answers, which are those
 // of the functions of the same name.
 #include <beespace/engine.hpp>
 
@@ -33,7 +33,7 @@ Swarm swarm_of(std::size_t size, double threshold, std::uint32_t seed = 1) {
   return {make.box(size, {0, 0, 0}, high), make.box(size / 2, {0, 0, 0}, high), {threshold}};
 }
 
-// An Engine with the containers that it writes into, held against a new one for each question.
+// An Engine with reused containers, compared with a new Engine for each query.
 class Asking {
  public:
   Asking() = default;
@@ -100,7 +100,7 @@ TEST(Engine, MovesWithAllItHas) {
   }
 }
 
-// A pool that starts a thread for every part, as no pool should, and counts how often it was asked.
+// A pool that starts a thread for every part, as no pool should, and counts its calls.
 class ThreadAPart final : public Crew {
  public:
   [[nodiscard]] unsigned size() const override { return 3; }
@@ -243,8 +243,8 @@ TEST(VisitPairs, ShowsEveryPairOnceInBoundedBatches) {
   }
 }
 
-// In a crowd one point has more near ones than a batch has room for: whoever ends the visit at any
-// batch sees nothing after it, and nothing is written where no room is left.
+// In a crowd one point has more neighbours than a batch has room for. A visitor that stops at any
+// batch gets none after it, and nothing is written where no room is left.
 TEST(VisitPairs, EndsAtAnyBatchInACrowdToo) {
   const std::vector<Point> crowd = test::SceneMaker(3).box(20'000, {0, 0, 0}, {120, 120, 120});
   for (const unsigned threads : {1U, 2U}) {

@@ -77,7 +77,7 @@ TEST(ForgottenThreshold, IsRefusedInAdviceAndVerification) {
   expect_refused(Verifier(VerifyOptions{}).add(0.0, kMovers));
 }
 
-// That from obstacles too, where there are any.
+// The clearance of obstacles is required too, if there are any.
 TEST(ForgottenThreshold, OfObstaclesIsRefused) {
   const ObstacleMap map;
   const auto advised = advise(kMovers, std::vector<Velocity>(2), std::vector<FlightLimits>(1),

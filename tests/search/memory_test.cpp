@@ -78,7 +78,7 @@ std::vector<Scene> hostile_scenes() {
           {"a clump and an outlier", clump_and_outlier(), 30.0}};
 }
 
-// Runs ask(options), which returns how many results it got, and says how much memory that took.
+// Runs ask(options), which returns the number of results, and returns the memory that it took.
 struct Measured {
   double bytes = 0.0;
   double results = 0.0;

@@ -1,6 +1,6 @@
-// Nearest ones are looked for in rounds of growing radius, the later ones in the grid of the first
-// where that is possible. Swarms with gaps of all widths, of which most points need later rounds:
-// equal to brute force whatever is folded and however wide rows are.
+// Nearest points are found in rounds of growing radius, the later ones in the grid of the first
+// where that is possible. Swarms with gaps of all widths, in which most points need later rounds:
+// equal to brute force for any folding and any width of rows.
 #include "search/nearest_search.hpp"
 #include "search/search_domain.hpp"
 
@@ -93,7 +93,7 @@ TEST(NearestRounds, FindTheNearestAcrossGapsOfAllWidths) {
   }
 }
 
-// So few are left that only those around them are looked at.
+// So few are left that only the points around them are visited.
 TEST(NearestRounds, FindTheNearestOfAFewInOpenCountry) {
   for (int seed = 0; seed < test::rounds(30) && !HasFatalFailure(); ++seed) {
     SCOPED_TRACE(seed);

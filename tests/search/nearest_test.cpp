@@ -72,7 +72,8 @@ TEST(ClosestPair, MinusZeroIsZeroAmongManyToo) {
   EXPECT_EQ(pair.second, 1U);
 }
 
-// A clump beside open country, and half of everybody at one place: nothing quadratic may hide.
+// A clump beside open country, and half of the points at one place, where a quadratic cost would
+// show.
 // Brute force needs 10^10 comparisons here, the search must stay within the test's time.
 TEST(Nearest, ClumpsAndDuplicatesStayCheap) {
   constexpr std::size_t kHalf = 50'000;
@@ -114,7 +115,7 @@ TEST(Nearest, EqualsBruteForceOnEveryScene) {
   }
 }
 
-TEST(Nearest, NobodyWithinTheThresholdIsSaid) {
+TEST(Nearest, NoneWithinTheThresholdIsReported) {
   const std::vector<Nearest> nearest =
       *find_nearest_within(std::vector<Point>{{0, 0, 0}, {10, 0, 0}}, {10.0});
   EXPECT_EQ(nearest[0].id, Nearest::kNobody);

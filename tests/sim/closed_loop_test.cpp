@@ -1,4 +1,4 @@
-// The closed loop: everybody arrives, nobody loses separation; and without advice they do.
+// The closed loop: all agents arrive and none loses separation; without advice they do lose it.
 #include "sim/closed_loop.hpp"
 
 #include "tests/support/rounds.hpp"
@@ -90,7 +90,7 @@ TEST_P(Acceleration, ASphereSwapArrives) {
   EXPECT_EQ(careless.verdict.breaches, 0U);
 }
 
-TEST_P(Acceleration, TwoWhoFlyStraightAtEachOtherBothArrive) {
+TEST_P(Acceleration, TwoAgentsHeadOnBothArrive) {
   for (const double distance_m : {20.0, 60.0, 61.7, 200.0}) {
     const scenes::Mission mission = scenes::head_on(distance_m);
     expect_all_arrive(fly(mission, options_of(Method::kCertified, GetParam()), 1000));
@@ -98,8 +98,8 @@ TEST_P(Acceleration, TwoWhoFlyStraightAtEachOtherBothArrive) {
   }
 }
 
-// Who has arrived may stay for ever.
-TEST_P(Acceleration, WhoHasArrivedGoesOnStanding) {
+// An agent that has arrived may stay for ever.
+TEST_P(Acceleration, AnAgentThatHasArrivedGoesOnStanding) {
   const LoopOptions options = options_of(Method::kCertified, GetParam());
   ClosedLoop loop(scenes::head_on(30.0), options);
   for (int step = 0; step < 2'000; ++step) {
@@ -112,7 +112,7 @@ TEST_P(Acceleration, WhoHasArrivedGoesOnStanding) {
   EXPECT_NEAR(loop.time_s(), 200.0, 1e-9);
 }
 
-TEST(ClosedLoop, TellsOfAFlightWhatItWas) {
+TEST(ClosedLoop, RecordsTheFlightOfEachAgent) {
   const LoopOptions options = options_of(Method::kCertified, kInfinity);
   // One with 40 m to go, and one that is there.
   ClosedLoop loop({{{0, 0, 0}, {0, 100, 0}}, {{40, 0, 0}, {0.5, 100, 0}}}, options);
@@ -128,7 +128,7 @@ TEST(ClosedLoop, TellsOfAFlightWhatItWas) {
   EXPECT_GT(loop.advising_s(), 0.0);
 }
 
-TEST(ClosedLoop, SaysWhatAdviseRefuses) {
+TEST(ClosedLoop, ReturnsTheErrorsOfAdvise) {
   LoopOptions options = options_of(Method::kCertified, kInfinity);
   options.advice.threshold_m = -1.0;
   ClosedLoop loop(scenes::head_on(30.0), options);

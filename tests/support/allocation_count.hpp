@@ -1,12 +1,12 @@
-// Programs that link allocation_count.cpp have operator new and delete of their own, in all their
-// forms, which count: on all threads, whoever calls.
+// Programs that link allocation_count.cpp replace operator new and delete, in all their forms, with
+// ones that count the calls of all threads.
 #pragma once
 
 #include <cstdint>
 
 namespace beespace::test {
 
-// How often memory was asked for since the program began.
+// The number of allocations since the program began.
 std::uint64_t allocations();
 
 // How many of these have not been given back.

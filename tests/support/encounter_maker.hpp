@@ -59,7 +59,7 @@ class EncounterMaker {
  public:
   explicit EncounterMaker(std::uint32_t seed) : make_(seed) {}
 
-  // Small integers: whoever grazes, touches at the horizon or starts at the threshold does so
+  // Small integers, so that pairs that graze, touch at the horizon or start at the threshold do so
   // exactly. Equal places, equal velocities, standing still and no horizon are among them.
   Encounter on_lattice() {
     Encounter e;

@@ -66,7 +66,7 @@ class ExactCylinders {
     return level < reach * reach && up < most;
   }
 
-  // Row i: who is in the cylinder of point i.
+  // Row i: the points in the cylinder of point i.
   [[nodiscard]] std::vector<std::vector<PointId>> rows(bool inclusive) const {
     std::vector<std::vector<PointId>> rows(ours_.size());
     for (std::size_t i = 0; i < ours_.size(); ++i) {

@@ -1,9 +1,9 @@
-// Two movers, from the definition and in fractions of any size: an oracle that shares no code with
-// the library, and no formula either.
+// Two movers, from the definition and in fractions of any size: an oracle that shares no code and
+// no formula with the library.
 //
 // "In conflict" is answered with a witness: an instant of [0, horizon] at which the two are too
-// close, which anybody can check by putting it in. "Not in conflict" rests on the squared distance
-// being convex in time: where it is not too small at its least, it is nowhere.
+// close, which can be checked by substitution. "Not in conflict" rests on the squared distance
+// being convex in time: if its minimum is not too small, no value is.
 #pragma once
 
 #include <beespace/closest_approach.hpp>

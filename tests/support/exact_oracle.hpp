@@ -143,7 +143,7 @@ class ExactDistances {
   std::vector<ExactInteger> squared_;
 };
 
-// Who is too close to each: the definition itself. Everything else about a threshold follows.
+// The points that are too close to each: the definition itself. All else about a threshold follows.
 class ExactNeighbors {
  public:
   ExactNeighbors(const ExactDistances& distances, const SearchOptions& options)

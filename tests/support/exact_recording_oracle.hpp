@@ -75,7 +75,7 @@ class ExactRecording {
   }
 
  private:
-  // What of an open interval between two cuts belongs to the conflict.
+  // The part of an open interval between two cuts that belongs to the conflict.
   struct Part {
     ExactStretch stretch;
     bool from_the_start;  // whatever small beginning of the interval does

@@ -1,4 +1,4 @@
-// The moving swarms that predictions are held against brute force on: small, nasty, and named.
+// The moving swarms on which predictions are compared with brute force: small, hard, and named.
 #pragma once
 
 #include "tests/support/lattice_scenes.hpp"
@@ -31,7 +31,7 @@ struct MoverScene {
   double vertical_m = 0.0;  // where cylinders are asked for
   double horizon_s = 0.0;
 
-  // Heights apart from positions: those of whoever comes next.
+  // Heights apart from positions, in the order of the movers.
   std::vector<double> heights_m = {};
   std::vector<double> climbs_mps = {};
 
@@ -55,7 +55,7 @@ struct MoverScene {
   }
 };
 
-// Calls ask(shape, inclusive) for all that a scene is asked about.
+// Calls ask(shape, inclusive) for all queries about a scene.
 template <class Ask>
 void for_each_question(Ask&& ask) {
   for (const Shape shape : {Shape::kSphere, Shape::kCylinder, Shape::kHeightsApart}) {
@@ -235,7 +235,7 @@ inline std::vector<MoverScene> mover_scenes() {
     scenes.push_back(std::move(scene));
   };
   const Mover one{{1, 2, 3}, {4, 5, 6}};
-  add("Nobody", {}, 1, 1, 10);
+  add("Empty", {}, 1, 1, 10);
   add("OneAlone", {one}, 1, 1, 10);
   add("TwoAtTheSamePlace", {one, {{1, 2, 3}, {0, 0, 0}}}, 1e-3, 1e-3, 10);
   // Found in the step that ends when they pass, and in the next one again.

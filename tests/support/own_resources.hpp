@@ -1,4 +1,4 @@
-// Hands and memory for what a test calls in the library's rooms.
+// Threads and memory for internal functions that tests call.
 #pragma once
 
 #include "base/memory.hpp"

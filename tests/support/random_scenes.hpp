@@ -1,4 +1,4 @@
-// Small scenes of every shape, each from its number: what nobody thought of.
+// Small random scenes of every shape, each from its number: cases that no author thought of.
 #pragma once
 
 #include "tests/support/scene_maker.hpp"

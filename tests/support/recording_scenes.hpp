@@ -1,4 +1,5 @@
-// The recordings that the search for conflicts is held against brute force on: small, nasty, named.
+// The recordings on which the search for conflicts is compared with brute force: small, hard,
+// named.
 #pragma once
 
 #include "scenes/recorded_flights.hpp"
@@ -64,7 +65,7 @@ struct RecordingScene {
   }
 };
 
-// Without each fix by chance, but for those who have two only.
+// Drops fixes at random, except where a track has only two.
 inline Tracks thinned(Tracks tracks, SceneMaker& make, std::size_t one_of) {
   for (Track& track : tracks) {
     std::vector<Fix> kept;
@@ -76,7 +77,7 @@ inline Tracks thinned(Tracks tracks, SceneMaker& make, std::size_t one_of) {
   return tracks;
 }
 
-// Of each track a part: from one of its fixes to another, or to the same, or nothing at all.
+// A part of each track: from one of its fixes to another, or to the same, or nothing at all.
 inline Tracks coming_and_going(Tracks tracks, SceneMaker& make) {
   for (Track& track : tracks) {
     std::size_t begin = make.below(track.fixes.size() + 1);
@@ -143,7 +144,7 @@ inline Tracks long_pieces_among_short(SceneMaker& make, const scenes::FixTimes& 
   return tracks;
 }
 
-// One of them is said to have been ten thousand kilometres away for one fix.
+// One of them has a fix that is ten thousand kilometres away.
 inline Tracks with_a_glitch(Tracks tracks) {
   Track& track = tracks[tracks.size() / 2];
   track.fixes[track.fixes.size() / 2].position = {1e7, -3e6, 5e5};
@@ -158,7 +159,7 @@ inline Tracks with_tolerances(Tracks tracks) {
   return tracks;
 }
 
-// Everybody where nobody moves, at times that overlap or not.
+// All bees hover at one place, at times that overlap or not.
 inline Tracks hovering_at_one_place(SceneMaker& make) {
   Tracks tracks(25);
   for (Track& track : tracks) {
@@ -198,7 +199,7 @@ inline std::vector<RecordingScene> flown_scenes(SceneMaker& make) {
           {"HugeOffsets", with_offset, 9, 6},
           {"Glitch", with_a_glitch(turning_tracks(8)), 9, 6},
           {"LongPiecesAmongShort", long_pieces_among_short(make, {12.0, 1.0}), 8, 5},
-          {"NobodyForALongTime", two_groups_a_day_apart(), 9, 6},
+          {"EmptyForALongTime", two_groups_a_day_apart(), 9, 6},
           {"Tolerances", with_tolerances(turning_tracks(11)), 7, 5},
           {"TolerancesOfWhoComesAndGoes", few, 14, 12, 2.5}};
 }
@@ -206,7 +207,7 @@ inline std::vector<RecordingScene> flown_scenes(SceneMaker& make) {
 inline std::vector<RecordingScene> tied_scenes(SceneMaker& make) {
   const Track hovering{{{0.0, {1, 2, 3}}, {9.0, {1, 2, 3}}}};
   const Tracks far = moved(lattice_tracks(make, 50, 1.0, 0.5), {1e9, -1e9, 1e9}, 1.6e9);
-  return {{"Nobody", {}, 1, 1},
+  return {{"Empty", {}, 1, 1},
           {"OnlyEmptyTracks", Tracks(5), 1, 1},
           {"OneAlone", {hovering}, 1, 1},
           {"TwoAtTheSamePlace", {hovering, {}, hovering}, 1e-3, 1e-3},

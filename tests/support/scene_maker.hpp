@@ -1,4 +1,4 @@
-// What a scene is, and the random numbers that scenes are made of.
+// A scene, and the random numbers that scenes are made of.
 //
 // Every compiler, optimisation level and machine makes the same scenes, bit for bit: no library
 // distribution, no sine, only arithmetic that IEEE 754 rounds in one way.

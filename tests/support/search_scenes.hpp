@@ -1,4 +1,4 @@
-// The scenes that every search is held against brute force on: small, nasty, and named.
+// The scenes on which every search is compared with brute force: small, hard, and named.
 #pragma once
 
 #include "tests/support/crowd_scenes.hpp"

@@ -1,4 +1,4 @@
-// A recording told to a swarm, report by report; and what find_conflicts says of the same.
+// A recording reported to a swarm, fix after fix; and the conflicts that find_conflicts finds.
 #pragma once
 
 #include "tests/support/recording_scenes.hpp"
@@ -67,7 +67,7 @@ inline void take_all(Swarm& swarm, double now_s, Events& events) {
   events.insert(events.end(), more->begin(), more->end());
 }
 
-// All events, sorted: the swarm is asked as often as `every_s`, and at last when all are stale.
+// All events, sorted: the swarm is called every `every_s`, and at last when all are stale.
 inline Events replay(const std::vector<Delivery>& deliveries, const SwarmOptions& options,
                      double every_s) {
   Swarm swarm(options);
@@ -85,7 +85,7 @@ inline Events replay(const std::vector<Delivery>& deliveries, const SwarmOptions
   return events;
 }
 
-// Those that are told from reports alone.
+// The events that follow from reports alone.
 inline Events happened(const Events& events) {
   Events some;
   for (const SwarmEvent& event : events) {

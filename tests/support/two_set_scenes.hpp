@@ -14,14 +14,14 @@ enum class Split : std::uint8_t {
   kNone,  // one set, among itself
   kEvenAndOdd,
   kHalves,
-  kAgainstNobody,
-  kNobodyAgainstAll,
+  kAgainstEmpty,
+  kEmptyAgainstAll,
   kOneAgainstAll,
   kAgainstItself,
 };
 
 inline constexpr std::array kSplits = {Split::kEvenAndOdd,    Split::kHalves,
-                                       Split::kAgainstNobody, Split::kNobodyAgainstAll,
+                                       Split::kAgainstEmpty,  Split::kEmptyAgainstAll,
                                        Split::kOneAgainstAll, Split::kAgainstItself};
 
 inline const char* name_of(Split split) {
@@ -32,10 +32,10 @@ inline const char* name_of(Split split) {
       return "even against odd";
     case Split::kHalves:
       return "first half against second";
-    case Split::kAgainstNobody:
-      return "all against nobody";
-    case Split::kNobodyAgainstAll:
-      return "nobody against all";
+    case Split::kAgainstEmpty:
+      return "all against an empty set";
+    case Split::kEmptyAgainstAll:
+      return "an empty set against all";
     case Split::kOneAgainstAll:
       return "one against all";
     case Split::kAgainstItself:
@@ -51,8 +51,8 @@ struct TwoSets {
 
 inline TwoSets split(const std::vector<Point>& all, Split how) {
   TwoSets sets;
-  const bool ours = how == Split::kAgainstNobody || how == Split::kAgainstItself;
-  const bool theirs = how == Split::kNobodyAgainstAll || how == Split::kOneAgainstAll ||
+  const bool ours = how == Split::kAgainstEmpty || how == Split::kAgainstItself;
+  const bool theirs = how == Split::kEmptyAgainstAll || how == Split::kOneAgainstAll ||
                       how == Split::kAgainstItself;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const bool even = i % 2 == 0;

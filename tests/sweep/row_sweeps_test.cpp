@@ -1,5 +1,5 @@
-// Rows, targets and sides, without a kernel: what the sweeps ask for, each by the rules of
-// sweep.hpp, is every pair within the reach, as often as it should be.
+// Rows, targets and sides, without a kernel: the pairs that sweeps compare, by the rules of
+// sweep.hpp, are all pairs within the reach, as often as required.
 #include "sweep/row_sweeps.hpp"
 
 #include "tests/support/own_resources.hpp"
@@ -20,8 +20,8 @@ using IdPairs = std::map<std::pair<PointId, PointId>, int>;  // how often each w
 
 using Around = RowSweeps::Around;
 
-// Calls visit(asked, other) for all that a sweep asks for. Pairs of a row are met once, or by both
-// points where all rows around are asked for.
+// Calls visit(asked, other) for all pairs that a sweep compares. Pairs of a row are compared once,
+// or from both points where all rows around are targets.
 template <class Visit>
 void for_each_asked(const Sweep& sweep, Around around, Visit&& visit) {
   const std::int32_t last = (1 << sweep.row_shift) - 1;
@@ -60,7 +60,7 @@ void expect_true_sides(const Sweep& sweep) {
 
 class Sweeps : public testing::TestWithParam<unsigned> {
  protected:
-  // All pairs that all workers together ask for.
+  // All pairs that all workers together compare.
   IdPairs asked_for(const Swarm& asked, const Swarm& others, Around around) {
     const SweepQuery question{asked, others, closer_, {1.0F, 1.0F}, kernels_, false};
     IdPairs found;
@@ -196,7 +196,7 @@ TEST_P(Sweeps, BetweenTwoSwarmsAskForEveryPairOnce) {
   EXPECT_GT(close, 1000U);
 }
 
-TEST_P(Sweeps, EndWhenTheirVisitorSaysSo) {
+TEST_P(Sweeps, EndWhenTheirVisitorReturnsFalse) {
   const std::vector<Point> points = test::SceneMaker(1).box(300, {0, 0, 0}, {5, 5, 5});
   const PointsView view(points);
   const core::Lattice lattice({&view, 1}, *core::measure(view, own_.with), 1.0, own_.memory);

@@ -37,7 +37,7 @@ std::vector<Case> cases() {
   return all;
 }
 
-// Hands and memory that are used again and again, as an Engine does.
+// Threads and memory that are reused, as an Engine does.
 class Searches {
  public:
   explicit Searches(const Case& chosen) : crew_(chosen.threads) {
@@ -175,7 +175,7 @@ TEST(CrowdSearches, AreNotQuadraticInDuplicates) {
   }
 }
 
-// Every one of a crowd is near to every other, whatever lies far away.
+// All points of a crowd are near each other, whatever lies far away.
 TEST(CrowdSearches, AreNotQuadraticInAClump) {
   test::SceneMaker make(9);
   std::vector<Point> points = make.box(150'000, {0, 0, 0}, {0.5, 0.5, 0.5});

@@ -1,4 +1,4 @@
-// The list keeps the exact nearest, in whatever order it sees them.
+// The list keeps the exact nearest points, whatever the order in which it gets them.
 #include "tree/nearest_list.hpp"
 
 #include "exact/exact_distance.hpp"
@@ -55,7 +55,7 @@ TEST(NearestList, ManyAreKeptAsExactlyAsFew) {
   }
 }
 
-TEST(NearestList, LimitsNeverLeaveOutWhoIsAsNear) {
+TEST(NearestList, LimitsNeverLeaveOutEquallyNearPoints) {
   NearestList list;
   const Point point{3, 4, 0};
   list.start({}, 1, std::numeric_limits<double>::infinity());

@@ -1,4 +1,4 @@
-// What the Verifier says of obstacles, against sampling.
+// The Verifier's findings about obstacles, compared with sampling.
 #include "scenes/random_stream.hpp"
 #include "scenes/random_velocity.hpp"
 #include "tests/obstacles/random_obstacles.hpp"
@@ -115,7 +115,7 @@ TEST_P(AtTheClearance, AMillionthLessIsLostAndAMillionthMoreIsNot) {
 }
 
 // Many obstacles, many bees: the losses are those that sampling sees, and their figures.
-TEST(Clearance, OfManyIsAsSamplingSays) {
+TEST(Clearance, OfManyAgreesWithSampling) {
   RandomStream random(2);
   std::uint64_t seen = 0;
   for (int round = 0; round < test::rounds(60); ++round) {
@@ -150,9 +150,9 @@ TEST(Clearance, OfManyIsAsSamplingSays) {
         each.push_back(closest(obstacle, from[bee], to[bee], step_s, 150));
         least = std::min(least, each.back());
       }
-      const bool told = next < verdict.first_clearance_losses.size() &&
-                        verdict.first_clearance_losses[next].bee == bee;
-      if (!told) {
+      const bool reported = next < verdict.first_clearance_losses.size() &&
+                            verdict.first_clearance_losses[next].bee == bee;
+      if (!reported) {
         ASSERT_GE(least, 0.4L * (1.0L - 1e-9L)) << "missed: bee " << bee;
         continue;
       }
@@ -162,7 +162,7 @@ TEST(Clearance, OfManyIsAsSamplingSays) {
       EXPECT_EQ(loss.begins_s, 0.0);
       EXPECT_EQ(loss.ends_s, step_s);
       EXPECT_LE(each[loss.obstacle], 0.4L * (1.0L + 1e-8L)) << "bee " << bee;
-      // What was seen, at a 64th of the curve each.
+      // The sampled distances, at a 64th of the curve each.
       EXPECT_GE(test::real(loss.closest_m), least - 1e-9L);
       EXPECT_LE(test::real(loss.closest_m), least + 0.7L);
     }

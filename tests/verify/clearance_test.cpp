@@ -1,4 +1,4 @@
-// What the Verifier says of obstacles, by the book.
+// The Verifier's findings about obstacles, for cases computed by hand.
 #include "tests/verify/clearance_verdict.hpp"
 
 #include <gtest/gtest.h>
@@ -8,8 +8,9 @@
 namespace beespace {
 namespace {
 
-// Past one after the other, in one step: the first is told, whatever the way bends.
-TEST(Clearance, TheFirstOfSeveralIsTold) {
+// Past one obstacle after the other, in one step: the first is reported, whichever way the path
+// bends.
+TEST(Clearance, TheFirstOfSeveralIsReported) {
   const ObstacleMap map = test::map_of({Sphere{{300, 0, 0}, 5.0}, Sphere{{-300, 0, 0}, 5.0},
                                         Sphere{{0, 0, 0}, 5.0}, Sphere{{400, 400, 0}, 50.0}});
   VerifyOptions options = test::options_of(map, 1.0);
@@ -89,7 +90,8 @@ TEST(Clearance, InsideFromTheStartIsLostInEachStep) {
   }
 }
 
-// What moves by less than the motion domain has, or across half of it, is looked at all the same.
+// Moves smaller than the motion domain's least value, or across half of the domain, are checked
+// too.
 TEST(Clearance, TheSmallestAndTheLargestWaysAreLookedAt) {
   const ObstacleMap map = test::map_of({Sphere{{0, 0, 0}, 10.0}});
   const VerifyOptions options = test::options_of(map, 1.0);

@@ -1,4 +1,4 @@
-// What a Verifier says of flights among obstacles.
+// The Verifier's verdict on flights among obstacles.
 #pragma once
 
 #include <beespace/verify.hpp>

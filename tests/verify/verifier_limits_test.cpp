@@ -88,7 +88,7 @@ TEST(VerifierLimits, SayNoMoreThanThePeakInsideAStep) {
   EXPECT_NEAR(verdict.hardest_mps2, 12.0, 1e-6);
 }
 
-// A velocity that is not that of the positions shows as an acceleration that nobody has.
+// A velocity that does not fit the positions shows as an acceleration that was not flown.
 TEST(VerifierLimits, VelocitiesThatDoNotFitThePositionsAreABreach) {
   const double step_s = 0.1;
   const Flight honest = even({5, 0, 0}, {1, 0, 0}, step_s);

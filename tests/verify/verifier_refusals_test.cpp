@@ -1,4 +1,4 @@
-// What a Verifier refuses; and that it goes on from where it was.
+// What a Verifier refuses; and that it continues from its last valid state.
 #include <beespace/verify.hpp>
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ void expect_refused(const Status& status, ErrorCode code,
   EXPECT_FALSE(status.error().message.empty());
 }
 
-TEST(VerifierRefusal, AThresholdThatMakesNoSense) {
+TEST(VerifierRefusal, AnInvalidThreshold) {
   for (const double bad : {0.0, -1.0, kNan, kInfinity, 0x1p-101, 0x1p+101}) {
     SCOPED_TRACE(bad);
     VerifyOptions options;
@@ -53,7 +53,7 @@ TEST(VerifierRefusal, LimitsBelowZero) {
 }
 
 // Whether or not there are obstacles; but where there are none it need not be given.
-TEST(VerifierRefusal, AClearanceThatMakesNoSense) {
+TEST(VerifierRefusal, AnInvalidClearance) {
   const ObstacleMap map;
   for (const double bad : {0.0, -1.0, kNan, kInfinity, -kInfinity, 0x1p+101}) {
     SCOPED_TRACE(bad);
@@ -137,7 +137,7 @@ TEST(VerifierRefusal, NumbersOutsideTheDomain) {
   }
 }
 
-// What is too small for the domain is looked at as it is.
+// Values too small for the domain are checked as they are.
 TEST(VerifierRefusal, TinyNumbersAreNone) {
   for (const double tiny : {0x1p-101, -9e-32, 1e-320}) {
     Verifier verifier({.threshold_m = 5.0});
@@ -149,7 +149,7 @@ TEST(VerifierRefusal, TinyNumbersAreNone) {
     EXPECT_TRUE(verifier.verdict().holds());
     EXPECT_FALSE(verifier.verdict().closest_m);
   }
-  // Nor is a loss between two who are tiny distances apart.
+  // Nor is a loss between two that are tiny distances apart.
   Verifier verifier({.threshold_m = 0x1p-100});
   const std::vector<Mover> close = {{{0x1p-103, 0, 0}, {}}, {{0, 0x1p-102, 0}, {}}};
   EXPECT_TRUE(verifier.add(0.0, close));
@@ -168,7 +168,7 @@ TEST(VerifierRefusal, StepsThatLastNextToNothing) {
   }
 }
 
-// Straight flights have no velocities that anybody looks at.
+// Velocities of straight flights are not used.
 TEST(VerifierRefusal, VelocitiesOfStraightFlightsAreNotLookedAt) {
   VerifyOptions options{.threshold_m = 5.0};
   options.straight = true;
@@ -179,8 +179,8 @@ TEST(VerifierRefusal, VelocitiesOfStraightFlightsAreNotLookedAt) {
   EXPECT_TRUE(verifier.add(1.0, movers));
 }
 
-// What is given lies in the domain; that what is computed from it does not, is nobody's fault.
-TEST(VerifierRefusal, ALittleMoveInALongTimeIsNone) {
+// The input lies in the domain; if results computed from it do not, the input is not at fault.
+TEST(VerifierRefusal, ALittleMoveInALongTimeCountsAsNone) {
   Verifier verifier({.threshold_m = 5.0});
   ASSERT_TRUE(verifier.add(0.0, std::vector<Mover>{{{0, 0, 0}, {}}}));
   const Status slow = verifier.add(1e6, std::vector<Mover>{{{1e-29, 0, 0}, {}}});

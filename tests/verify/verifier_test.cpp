@@ -1,4 +1,4 @@
-// The Verifier against sampling: what it says of separation.
+// The Verifier's findings about separation, compared with sampling.
 #include "scenes/random_stream.hpp"
 #include "scenes/random_velocity.hpp"
 #include "tests/support/rounds.hpp"
@@ -107,7 +107,7 @@ void expect_as_sampled(const std::vector<Mover>& from, const std::vector<Mover>&
 
 class AnyMotion : public testing::TestWithParam<bool> {};
 
-TEST_P(AnyMotion, IsJudgedAsSamplingSays) {
+TEST_P(AnyMotion, IsJudgedAsBySampling) {
   RandomStream random(1);
   std::uint64_t losses = 0;
   for (int round = 0; round < test::rounds(160); ++round) {
@@ -184,7 +184,7 @@ TEST(Verifier, FarAwayTheClosestIsNeverMoreThanItWas) {
   RandomStream random(5);
   VerifyOptions options;
   options.threshold_m = 0.01;
-  int told = 0;
+  int reported = 0;
   for (int round = 0; round < test::rounds(1'000); ++round) {
     const double step_s = random.uniform(0.1, 1.0);
     const auto from = random_movers(2, 0.02, 0.02, {1e6, -1e6, 3e5}, random);
@@ -194,16 +194,16 @@ TEST(Verifier, FarAwayTheClosestIsNeverMoreThanItWas) {
     if (!verdict.closest_m) {
       continue;
     }
-    ++told;
+    ++reported;
     const double truth = test::oracle_closest({from[0], from[1]}, {to[0], to[1]}, step_s);
     ASSERT_LE(*verdict.closest_m, truth + 1e-12) << "round " << round;
     ASSERT_GE(*verdict.closest_m, truth - 1e-6 * options.threshold_m) << "round " << round;
   }
-  EXPECT_GT(told, test::rounds(1'000) / 4);
+  EXPECT_GT(reported, test::rounds(1'000) / 4);
 }
 
 // At both fixes far apart, in between not: one flies past the other in a step.
-TEST(Verifier, SeesWhoPassesBetweenTwoFixes) {
+TEST(Verifier, FindsLossesBetweenTwoFixes) {
   VerifyOptions options;
   options.threshold_m = kThreshold;
   const std::vector<Mover> from = {{{-1000, 0, 0}, {2000, 0, 0}}, {{0, 3, 0}, {0, 0, 0}}};
@@ -220,7 +220,7 @@ TEST(Verifier, SeesWhoPassesBetweenTwoFixes) {
 }
 
 // Only the bend brings them together; the straight ways are far apart.
-TEST(Verifier, SeesWhoMeetsOnTheBend) {
+TEST(Verifier, FindsLossesOnTheBend) {
   const double step_s = 2.0;
   // Up and back again with an acceleration of 20: 10 m at the middle of the step.
   const std::vector<Mover> from = {{{0, 0, 0}, {0, 20, 0}}, {{0, 14, 0}, {}}};
@@ -234,7 +234,7 @@ TEST(Verifier, SeesWhoMeetsOnTheBend) {
   EXPECT_EQ(verdict_of({from, to}, step_s, options).losses, 0U);
 }
 
-// Exactly the threshold apart is no loss; a loss that is told of it would be within the tolerance.
+// Exactly the threshold apart is no loss; a reported loss would be within the tolerance.
 TEST(Verifier, ExactlyTheThresholdIsDecidedWithinTheTolerance) {
   VerifyOptions options;
   options.threshold_m = kThreshold;
@@ -263,7 +263,7 @@ TEST(Verifier, ExactlyTheThresholdIsDecidedWithinTheTolerance) {
   }
 }
 
-TEST(Verifier, OfNobodyAndOfOne) {
+TEST(Verifier, OfNoneAndOfOne) {
   VerifyOptions options{.threshold_m = kThreshold};
   options.max_speed_mps = 10.0;
   for (const std::size_t size : {std::size_t{0}, std::size_t{1}}) {
@@ -279,8 +279,8 @@ TEST(Verifier, OfNobodyAndOfOne) {
   EXPECT_EQ(Verifier(options).verdict().steps, 0U);
 }
 
-// A pair is counted anew in each step; the closest is told with its pair and step.
-TEST(Verifier, CountsLossesAStepAndTellsTheClosest) {
+// A pair is counted anew in each step; the closest is reported with its pair and step.
+TEST(Verifier, CountsLossesAStepAndReportsTheClosest) {
   const auto at = [](double second_x, double third_x) {
     return std::vector<Mover>{{{0, 0, 0}, {}}, {{second_x, 0, 0}, {}}, {{third_x, 0, 0}, {}}};
   };
@@ -304,7 +304,7 @@ TEST(Verifier, CountsLossesAStepAndTellsTheClosest) {
   EXPECT_EQ(verdict.closest_step_s, 1.0);
 }
 
-TEST(Verifier, TheClosestIsToldBelowTwiceTheThresholdOnly) {
+TEST(Verifier, TheClosestIsReportedBelowTwiceTheThresholdOnly) {
   const auto apart = [](double far) {
     const std::vector<Mover> movers = {{{0, 0, 0}, {}}, {{far, 0, 0}, {}}};
     VerifyOptions options;

@@ -48,7 +48,7 @@ page long-recording "$data/long.csv" --threshold 5
 # In a line that was turned and turned back: as wide as a rounding error.
 printf 'x,y,z\n0,10,0.3\n10,9.999999999999998,0.30000000000000004\n' > "$data/line.csv"
 page line "$data/line.csv" --threshold 5
-# Next to nobody, nothing or no time.
+# One bee, no extent, or no time.
 printf 'id,x,y,z\nalone,1,2,3\n' > "$data/one.csv"
 page one-bee "$data/one.csv" --threshold 5
 printf 'id,x,y,z\na,3,3,3\nb,3,3,3\nc,3,3,3\n' > "$data/same.csv"

@@ -96,7 +96,7 @@ def _cells():
     margin = 0.12  # drawn much larger than it is
     reach = side * (1.0 - margin)
     picture.text(left, 30, "Adjacent cells are enough", "ink", None, "strong")
-    picture.lines(left, 48, ["Who is closer than X is in one of 9 cells (in space 27)."])
+    picture.lines(left, 48, ["All points closer than X are in one of 9 cells (in space 27)."])
     picture.box(left, top, 3 * side, 3 * side, "coolwash")
     _grid(picture, left, top, side, 3, 3)
     x, y = left + 1.02 * side, top + 1.97 * side

@@ -5,18 +5,18 @@ import math
 from canvas import Picture, Plot
 from points import clustered
 
-CROWDED = 2.0  # mates a proof cell, as in at_risk_search.cpp
+CROWDED = 2.0  # expected neighbours in a proof cell, as in at_risk_search.cpp
 LEAF = 16
 
 
-def mates_of(neighbours):
+def expected_neighbors(neighbours):
     """Others in a cell of diagonal X, with `neighbours` in a ball of radius X."""
     return neighbours * (1.0 / math.sqrt(27.0)) / (4.0 / 3.0 * math.pi)
 
 
 def settled(neighbours):
-    """The share of the points of an even swarm that have company in their cell."""
-    return 1.0 - math.exp(-mates_of(neighbours))
+    """The share of the points of an even swarm that have a neighbour in their cell."""
+    return 1.0 - math.exp(-expected_neighbors(neighbours))
 
 
 def _proof():
@@ -50,7 +50,7 @@ def _proof():
         for at in here:
             picture.dot(left + at[0], top + at[1], 2.8, "hot" if len(here) > 1 else "ink")
     picture.lines(left, top + rows * side + 24,
-                  ["Someone alone is held against those within two cells (blue)."])
+                  ["A lone point is compared with those within two cells (blue)."])
 
     picture.text(432, 30, "How many it settles in an even swarm", "ink", None, "strong")
     plot = Plot(picture, 476, 90, 340, 210, (1, 1000), (0, 1), x_log=True)
@@ -58,11 +58,11 @@ def _proof():
               [(k / 4, f"{25 * k} %") for k in range(5)], "neighbours within X on average",
               "settled by cells")
     plot.curve([(10 ** (k / 40), settled(10 ** (k / 40))) for k in range(121)], "hot", 2.4)
-    at = CROWDED / mates_of(1.0)
+    at = CROWDED / expected_neighbors(1.0)
     x, y = plot.x_at(at), plot.y_at(settled(at))
     picture.line(x, plot.top, x, plot.top + plot.height, "cool", 1.3, dashed=True)
     picture.dot(x, y, 4.5, "cool")
-    picture.lines(x + 10, y + 92, [f"from {CROWDED:g} mates a cell on", f"({at:.0f} neighbours) "
+    picture.lines(x + 10, y + 92, [f"from {CROWDED:g} others a cell on", f"({at:.0f} neighbours) "
                                    "proofs", "are tried first"], "cool")
     return picture
 
@@ -110,10 +110,10 @@ def _boxes():
     picture.box(left + x0, top + y0, x1 - x0, y1 - y0, None, "cool", 0, 2.5)
     picture.circle(left + (x0 + x1) / 2, top + (y0 + y1) / 2, threshold, "cool", None, 1.4,
                    dashed=True)
-    picture.text(left, 30, "A leaf of sixteen points asks the leaves around it", "ink", None,
+    picture.text(left, 30, "A leaf of sixteen points and the leaves around it", "ink", None,
                  "strong")
-    picture.lines(left, 48, [f"{len(points):,} points in {len(leaves)} leaves; blue: who asks, and "
-                             "a circle of radius X around its middle."])
+    picture.lines(left, 48, [f"{len(points):,} points in {len(leaves)} leaves; blue: the query leaf, "
+                             "and a circle of radius X around its middle."])
     total = len(points)
     texts = (("goodwash", "all near", "counted at once, for all sixteen"),
              ("hotwash", "open", "compared, sixteen at a time"),

@@ -1,18 +1,18 @@
-"""Nearest others: a radius that grows for those who have found nobody."""
+"""Nearest others: a radius that grows for points that have found none."""
 
 import math
 
 from canvas import Picture, Plot
 from points import clustered, nearest_of
 
-FIRST_RADIUS = 0.40  # of a cube with a dozen mates, as in nearest_search.cpp
-MATES = 12.0
+FIRST_RADIUS = 0.40  # of a cube with a dozen others, as in nearest_search.cpp
+OTHERS = 12.0
 TINTS = ("good", "cool", "odd", "hot", "ink")
 
 
 def open_after(radius_ratio):
-    """The share of an even swarm that has nobody within so many first radii."""
-    in_ball = MATES * 4.0 / 3.0 * math.pi * (FIRST_RADIUS * radius_ratio) ** 3
+    """The share of an even swarm that has none within so many first radii."""
+    in_ball = OTHERS * 4.0 / 3.0 * math.pi * (FIRST_RADIUS * radius_ratio) ** 3
     return math.exp(-in_ball)
 
 
@@ -48,7 +48,7 @@ def _rounds():
     plot = Plot(picture, 600, 84, 220, 236, (0, 1.2), (0, 1))
     plot.axes([(k / 5, f"{k / 5:g}") for k in range(0, 7, 2)],
               [(k / 4, f"{25 * k} %") for k in range(5)], "radius, in first radii",
-              "have found nobody")
+              "have found none")
     plot.curve([(k / 50, open_after(k / 50)) for k in range(61)], "cool", 2.4)
     x, y = plot.x_at(1.0), plot.y_at(open_after(1.0))
     picture.dot(x, y, 4.5, "good")

@@ -39,13 +39,13 @@ def most_ahead(section, blocks=400):
 
 
 def own_row(width, neighbours):
-    """Comparisons a point: a block's steps, the last of which reaches nobody."""
+    """Comparisons a point: a block's steps, the last of which reaches no point."""
     return (most_ahead(points_a_cell(neighbours) * width ** 2) + 1.0) / LANES
 
 
 def across_seams(width, neighbours):
     """Comparisons a point. Of the later rows, two are beyond an edge that 1/w of the points lie
-    beside, two beyond a corner, 1/w^2. A block of those meets who lies beside its own length, and
+    beside, two beyond a corner, 1/w^2. A block of those meets the points beside its own length, and
     beside what it reaches at both ends."""
     section = points_a_cell(neighbours) * width ** 2
     return sum(2.0 * share * (LANES - 1 + AROUND * share * section) / LANES
@@ -81,7 +81,7 @@ def _sections():
         side = 30
         name = "Rows one cell wide" if width == 1 else f"Rows {width} cells wide"
         picture.text(left, 30, name, "ink", None, "strong")
-        picture.lines(left, 48, ["Colour: in how many rows, with its own, somebody near may be."])
+        picture.lines(left, 48, ["Colour: in how many rows, with its own, neighbours may be."])
         for column in range(cells):
             for row in range(cells):
                 both = 1

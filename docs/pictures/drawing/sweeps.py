@@ -1,4 +1,4 @@
-"""Who is compared with whom: blocks in their own row and across a seam, and one point at a time."""
+"""Which points are compared: blocks in their own row and across a seam, and one point at a time."""
 
 import itertools
 import math
@@ -40,7 +40,7 @@ def _slices(picture, left, top, length, height, cell):
 
 
 def _block_row(cell, length, height):
-    """A row whose first block takes six steps, the last of which reaches nobody."""
+    """A row whose first block takes six steps, the last of which reaches no point."""
     for seed in itertools.count():
         row = Row([(x, y + 8) for x, y in scattered(seed, 29, length, height - 12, 17)], cell)
         most = max(row.ahead(k) for k in range(LANES))
@@ -124,7 +124,7 @@ def _seam_rows(cell, length, width):
 
 
 def _unpacked(mine, theirs):
-    """Comparisons, were everybody in the first row held against everybody in the other."""
+    """Comparisons, if all of the first row were compared with all of the other."""
     total = 0
     for first in range(0, len(mine.points), LANES):
         last = min(first + LANES, len(mine.points)) - 1
@@ -139,9 +139,9 @@ def _seam():
     left, top = 40, 66
     mine, beside, theirs, met, window = _seam_rows(cell, length, width)
     picture = Picture(860, 486, "A block across a seam")
-    picture.text(22, 30, "Across a seam: only those who lie beside it", "ink", None, "strong")
+    picture.text(22, 30, "Across a seam: only points beside it", "ink", None, "strong")
     picture.lines(22, 48, [f"Two rows {width} cells wide, seen from their sides. The upper one "
-                           "asks; lines join those who are near each other across the seam."])
+                           "has the query points; lines join near points across the seam."])
     seam = top + height
     picture.box(left, top, length, 2 * height, "wash")
     picture.box(left, seam - cell, length, cell, "hotwash")
@@ -196,7 +196,7 @@ def _seam():
     picture.text(first - 12, y + 18, "one by one", "cool", "end", "small")
     picture.lines(first, y + line + 20, [
         "Numbers: places in the order of each row.",
-        f"These are {len(met)} comparisons of sixteen lanes; with everybody in both rows, "
+        f"These are {len(met)} comparisons of sixteen lanes; with all of both rows, "
         f"unpacked, there would be {_unpacked(mine, theirs)}."])
     return picture
 

@@ -44,7 +44,7 @@ def _threads():
     picture.box(left, y, width, 26, "wash", "ink", 0, 1)
     picture.text(left + width / 2, y + 17, "marks: or · counts: sum · groups: union · pairs: sort",
                  "ink", "middle", "small")
-    picture.text(22, 372, "None of these depends on who came first or how the points were shared.",
+    picture.text(22, 372, "None of these depends on which came first or how the points were shared.",
                  "soft", None, "small")
     return picture
 

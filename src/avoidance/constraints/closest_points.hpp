@@ -1,4 +1,4 @@
-// Where two straight ways are closest to each other.
+// The closest points of two segments.
 #pragma once
 
 #include "base/vector3.hpp"
@@ -9,7 +9,7 @@ namespace beespace::avoidance {
 
 using core::Vector3;
 
-// From `from` along `way`.
+// The segment from `from` to `from` + `way`.
 struct Segment {
   Vector3 from;
   Vector3 way;
@@ -30,7 +30,7 @@ struct ClosestPoints {
 
 namespace detail {
 
-// Of ways that are all but parallel: an end of one of them is as good as any place.
+// For segments that are almost parallel, an end of one of them is as good as any point.
 inline ClosestPoints closest_of_ends(const Segment& first, const Segment& second) {
   ClosestPoints best{first.closest_to(second.from), second.from};
   const auto improve = [&](const Vector3& a, const Vector3& b) {
@@ -45,13 +45,13 @@ inline ClosestPoints closest_of_ends(const Segment& first, const Segment& second
 
 }  // namespace detail
 
-// A point of each, as near to each other as any two; of ways that are all but parallel, nearly so.
-// Both lie on their ways to within a few roundings.
+// A point of each, at their least distance; for segments that are almost parallel, nearly so. Both
+// lie on their segments to within a few roundings.
 inline ClosestPoints closest_points(const Segment& first, const Segment& second) {
   const double a = dot(first.way, first.way);
   const double e = dot(second.way, second.way);
   const double b = dot(first.way, second.way);
-  // Below this the place on a line is wrong by more than being parallel is.
+  // Below this the point on a line has a larger error than the one from treating both as parallel.
   constexpr double kParallel = 1e-10;
   const double parallel = a * e - b * b;
   if (!(parallel > kParallel * a * e)) return detail::closest_of_ends(first, second);

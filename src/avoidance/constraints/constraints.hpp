@@ -1,4 +1,4 @@
-// What the others make one bee do in a step.
+// The constraints on one bee in a step.
 #pragma once
 
 #include "avoidance/constraints/half_spaces.hpp"
@@ -9,15 +9,15 @@
 namespace beespace::avoidance {
 
 struct Constraints {
-  // Of where it would stop after the step; its way to a stop lies in them.
+  // Hard constraints on its stop after the step; its stopping segment satisfies them.
   std::vector<HalfSpace> hard;
-  // The same, farther in, as far as that goes: who is too close gets away.
+  // The same, farther in, as far as possible: an agent that is too close gets away.
   struct Farther {
     std::size_t of;  // hard
     double by;
   };
   std::vector<Farther> separation_requests;
-  // Of its velocity, as far as that goes.
+  // Requests about its velocity, met as far as possible.
   std::vector<HalfSpace> intruder_requests;
 
   void clear() {

@@ -8,19 +8,19 @@ namespace beespace::avoidance {
 
 namespace {
 
-// Of the ball: what rounding may do to a place in it.
+// As a share of the ball's radius: the rounding error of a point in it.
 constexpr double kRounding = 1e-12;
 
 // Below this, two planes count as parallel.
 constexpr double kParallel = 1e-9;
-// And so much outside one that is parallel is in it.
+// Up to this distance outside of it, a point counts as inside a parallel half-space.
 constexpr double kNearlyIn = 4.0 * kParallel;
 
 Vector3 into(const Ball& ball, const Vector3& wish) {
   return ball.center + at_most(wish - ball.center, ball.radius);
 }
 
-// Of the line where two planes meet: the nearest place within the ball and the other half-spaces.
+// On the line where two planes meet: the nearest point within the ball and the other half-spaces.
 std::optional<Vector3> on_line(const Vector3& wish, const Vector3& point, const Vector3& way,
                                std::span<const HalfSpace> others, const Ball& ball) {
   const Vector3 from_center = point - ball.center;
@@ -45,7 +45,7 @@ std::optional<Vector3> on_line(const Vector3& wish, const Vector3& point, const 
   return point + way * std::clamp(dot(wish - point, way), low, high);
 }
 
-// Of the plane of a half-space: the nearest place within the ball and the other half-spaces.
+// On the plane of a half-space: the nearest point within the ball and the other half-spaces.
 std::optional<Vector3> on_plane(const Vector3& wish, const HalfSpace& plane,
                                 std::span<const HalfSpace> others, const Ball& ball) {
   const double height = -plane.inside_by(ball.center);
@@ -63,7 +63,7 @@ std::optional<Vector3> on_plane(const Vector3& wish, const HalfSpace& plane,
       if (other.inside_by(best) >= -kNearlyIn * ball.radius) continue;
       return std::nullopt;
     }
-    // From the center of the disc to the line, which lies in both planes.
+    // From the centre of the disc to the line, which lies in both planes.
     const Vector3 unit = across * (1.0 / sine);
     const Vector3 point = disc.center - unit * (other.inside_by(disc.center) / sine);
     const auto found = on_line(wish, point, cross(plane.normal, unit), others.first(k), ball);

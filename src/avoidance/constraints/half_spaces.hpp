@@ -1,10 +1,9 @@
-// The place that is nearest to a wish, among those that all of some half-spaces and a ball have in
-// common.
+// The point that is nearest to a preferred one within the intersection of half-spaces and a ball.
 //
-// A convex program in three unknowns, solved one half-space after the other: where the best place
-// so far is outside the next, the best one lies on its plane; there the same is asked in two
-// unknowns, and on a line in one. Expected to be linear in the number of half-spaces if they come
-// in no particular order.
+// A convex program in three unknowns, solved one half-space after the other: where the best point
+// so far is outside the next half-space, the best one lies on its plane. There the same problem has
+// two unknowns, and on a line one. Expected to be linear in the number of half-spaces if they come
+// in random order.
 #pragma once
 
 #include "base/vector3.hpp"
@@ -29,7 +28,7 @@ struct Ball {
   double radius = 0.0;
 };
 
-// Nothing where they have no place in common, or none that rounding leaves.
+// Nothing where the intersection is empty, or lost in rounding.
 std::optional<Vector3> nearest_place(const Vector3& wish, std::span<const HalfSpace> half_spaces,
                                      const Ball& ball);
 

@@ -1,5 +1,5 @@
-// The promise that a bee keeps to an obstacle: a half-space with all of a convex piece of it on the
-// other side, that its way in the next step and its stop after it must lie in.
+// The constraint of an obstacle on a bee: a half-space with all of a convex piece on the other
+// side, which must contain the bee's path in the next step and its stop after it.
 #pragma once
 
 #include "avoidance/constraints/closest_points.hpp"
@@ -12,7 +12,7 @@
 
 namespace beespace::avoidance {
 
-// As SeparatingPlane, of a way to a stop and what does not move.
+// As SeparatingPlane, between a stopping segment and a piece that does not move.
 struct ObstacleSeparation {
   Vector3 normal;  // towards the way
   double gap;      // between what the two reach along it
@@ -23,8 +23,8 @@ struct ObstacleSeparation {
   }
 };
 
-// Where a way is closest to a convex piece: the distance along the way is convex, so its slope
-// changes sign once.
+// The point of a segment that is closest to a convex piece: the distance along the segment is
+// convex, so its slope changes sign once.
 inline Vector3 closest_on_way(const Segment& way, const obstacles::ConvexPiece& piece) {
   const auto slope = [&](double share) {
     const obstacles::Facing facing = piece.facing(way.at(share));
@@ -42,15 +42,15 @@ inline Vector3 closest_on_way(const Segment& way, const obstacles::ConvexPiece& 
   return way.at(0.5 * (low + high));
 }
 
-// Of a way that begins in an obstacle: straight out to where its surface is nearest.
+// For a segment that begins in an obstacle: straight out to its nearest surface.
 inline ObstacleSeparation part_inside(const Segment& way, const obstacles::Facing& out) {
   const Vector3& normal = out.normal;
   const double edge = dot(normal, core::vector_of(out.surface.point));
   return {normal, std::min(dot(normal, way.from), dot(normal, way.at(1.0))) - edge, edge};
 }
 
-// The widest gap between a way and a convex piece of an obstacle, or one that is wide enough. Any
-// normal is right, as in SeparatingPlane.
+// The widest gap between a segment and a convex piece of an obstacle, or one that is wide enough.
+// Any normal is valid, as in SeparatingPlane.
 class ObstacleSeparationSearch {
  public:
   ObstacleSeparationSearch(const Segment& way, const obstacles::ConvexPiece& piece)
@@ -60,7 +60,7 @@ class ObstacleSeparationSearch {
     const obstacles::Facing closest = piece_.facing(closest_on_way(way_, piece_));
     consider(closest.normal);
     if (best_.gap >= enough) return best_;
-    // Who flies into the piece is turned back where it gets in.
+    // A segment that enters the piece is turned back where it enters.
     if (closest.surface.distance_m > 0.0) consider_across(closest.normal);
     return best_;
   }
@@ -76,9 +76,9 @@ class ObstacleSeparationSearch {
     best_ = {normal, gap, edge};
   }
 
-  // Of a long way and a long edge, a normal that is a little tilted loses much. What is widest is
-  // at right angles to the way, and to the edge where it is closest to one: upright, or level and
-  // at right angles to what is straight out there.
+  // With a long segment and a long edge, a normal that is tilted a little loses much. The widest
+  // gap is at right angles to the segment, and to the edge where it is closest to one: upright, or
+  // level and at right angles to the direction straight out.
   void consider_across(const Vector3& out) {
     const double squared = dot(way_.way, way_.way);
     if (!(squared > 0.0)) return;

@@ -23,8 +23,8 @@ std::optional<Vector3> RelaxedQp::nearest(const Vector3& wish, std::span<const H
   return best;
 }
 
-// What is asked for beyond the ball is given up before anything is shared: however much it is, what
-// lies within the ball is decided as finely.
+// The part of a request that lies beyond the ball is dropped before the rest is relaxed. So the
+// share is as fine within the ball, however large the request is.
 void RelaxedQp::ask_for_what_there_is(std::span<const Request> requests, const Ball& ball) {
   constexpr double kReached = 0.999;  // of the ball: the rest is little, and hard to meet exactly
   requests_.clear();

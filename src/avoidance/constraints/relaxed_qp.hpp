@@ -1,5 +1,5 @@
-// The place that is nearest to a wish within some half-spaces, and within as much of others as
-// there is room for.
+// The point that is nearest to a preferred one within hard half-spaces, and within requested ones
+// as far as possible: a relaxed quadratic program.
 #pragma once
 
 #include "avoidance/constraints/half_spaces.hpp"
@@ -10,7 +10,7 @@
 
 namespace beespace::avoidance {
 
-// Asked for, and given up by so much at most.
+// A requested half-space, which may be relaxed by so much at most.
 struct Request {
   HalfSpace side;
   double yields = 0.0;
@@ -18,9 +18,9 @@ struct Request {
 
 class RelaxedQp {
  public:
-  // Where not all requests can be met, each gives up what no place of the ball has (or all but
-  // none), and the same share of what it may then, no more of it than must be (to a
-  // five-hundredth). Nothing where they cannot be met at all.
+  // Where not all requests can be met, each drops the part that no point of the ball satisfies (or
+  // almost none). Then all are relaxed by the same share of the rest, the least that suffices (to a
+  // five-hundredth). Nothing where they cannot be met even then.
   std::optional<Vector3> nearest(const Vector3& wish, std::span<const HalfSpace> firm,
                                  std::span<const Request> requests, const Ball& ball);
 

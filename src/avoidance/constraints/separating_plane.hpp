@@ -1,9 +1,9 @@
-// The promise that each bee keeps to each other: half-spaces that its way in the next step and its
-// stop after it must lie in.
+// The constraint of two bees on each other: half-spaces that must contain their paths in the next
+// step and their stops after it.
 //
-// Both ways to a stop, as they are now, lie on either side of a gap; each keeps to its own side,
-// and half of the threshold away from the middle. Whatever both do within their half-spaces, they
-// stay the threshold apart, or as far as they are where that is less. The proof is in
+// The present stopping segments lie on either side of a gap. Each bee keeps to its own side, half
+// of the threshold away from the middle. Whatever both do within their half-spaces, they stay the
+// threshold apart, or their present distance where that is less. The proof is in
 // docs/prevention.md.
 #pragma once
 
@@ -16,14 +16,15 @@
 
 namespace beespace::avoidance {
 
-// Of two ways to a stop.
+// The gap between two stopping segments.
 struct SeparatingPlane {
   Vector3 normal;  // from the second towards the first
   double gap;      // between what the two reach along it; below zero where they overlap
   double middle;   // of the gap, along the normal
 
-  // What the first keeps to, and the second, to stay so far apart; or as far as they are. What is
-  // free between them is halved; with `lean` 1 it is all of the second, with -1 all of the first.
+  // The half-spaces of the first and the second that keep them so far apart, or at their present
+  // distance. The free distance between them is halved; with `lean` 1 all of it is the second's,
+  // with -1 all of it is the first's.
   [[nodiscard]] HalfSpace of_first(double apart, double lean) const {
     return {normal, middle + 0.5 * (std::min(apart, gap) + lean * free(apart))};
   }
@@ -33,9 +34,9 @@ struct SeparatingPlane {
   [[nodiscard]] double free(double apart) const { return std::max(0.0, gap - apart); }
 };
 
-// The widest gap, or one that is wide enough. Any normal is right: the gap is what both reach along
-// it, whatever was rounded on the way there, and never wider than they are apart. The first of the
-// two is the one of the lower id, so that both are told the same.
+// The widest gap, or one that is wide enough. Any normal is valid: the gap is computed from the
+// extents of both along it, whatever was rounded before, and is never wider than their distance.
+// The first of the two is that of the lower id, so that both get the same plane.
 class SeparatingPlaneSearch {
  public:
   SeparatingPlaneSearch(const Segment& first, const Segment& second)
@@ -44,8 +45,8 @@ class SeparatingPlaneSearch {
   SeparatingPlane operator()(double enough) {
     consider(closest_points(first_, second_).between());
     if (found_ && best_.gap >= enough) return best_;
-    // Of ways that are long and all but parallel a normal that is a little tilted loses much. What
-    // is widest is at right angles to both, or from an end of one to the other.
+    // With segments that are long and almost parallel, a normal that is tilted a little loses much.
+    // The widest gap is at right angles to both, or from an end of one to the other.
     const Vector3 normal = across_both(cross(first_.way, second_.way));
     consider(normal);
     consider(-normal);
@@ -53,7 +54,7 @@ class SeparatingPlaneSearch {
       consider_both(first_.at(end) - second_.closest_to(first_.at(end)), second_.way);
       consider_both(first_.closest_to(second_.at(end)) - second_.at(end), first_.way);
     }
-    // Those who fly straight at each other, and can stop no more, part to their right.
+    // Two that fly straight at each other, and can stop no more, turn to their right.
     if (!(found_ && best_.gap > 0.0)) {
       for (const Vector3& way : {first_.way, second_.way}) {
         if (!(dot(way, way) > 0.0)) continue;
@@ -61,7 +62,7 @@ class SeparatingPlaneSearch {
         consider(-right_of(way));
       }
     }
-    // Bees at one place part anyhow.
+    // Bees at one place separate in any direction.
     if (!found_) consider(first_.from - second_.from);
     if (!found_) consider({1.0, 0.0, 0.0});
     return best_;
@@ -79,8 +80,8 @@ class SeparatingPlaneSearch {
     best_ = {normal, low - high, 0.5 * (low + high)};
   }
 
-  // At right angles to both ways, however nearly parallel they are: to one, and to what is left of
-  // the other beside it; twice, as the first time rounds.
+  // At right angles to both segments, however nearly parallel they are: to one, and to the
+  // component of the other across it; twice, as the first time rounds.
   [[nodiscard]] Vector3 across_both(Vector3 normal) const {
     const Vector3 along = unit(first_.way);
     Vector3 beside = second_.way;
@@ -98,7 +99,8 @@ class SeparatingPlaneSearch {
     return long_m > 0.0 ? a * (1.0 / long_m) : Vector3{};
   }
 
-  // As it is, and at right angles to a way; twice, as the first time rounds.
+  // Considers `between`, and its component at right angles to a segment; twice, as the first time
+  // rounds.
   void consider_both(const Vector3& between, const Vector3& way) {
     consider(between);
     const double squared = dot(way, way);

@@ -1,5 +1,6 @@
-// Velocities with which a bee comes too close to another one, if both fly straight on: a cone, cut
-// off at the horizon. The way out of it is the shortest change of the velocity between the two.
+// A velocity obstacle: the velocities with which a bee comes too close to another one if both fly
+// straight on. It is a cone, cut off at the horizon. The way out is the smallest change of the
+// relative velocity that leaves it.
 //
 // van den Berg, Guy, Lin, Manocha: Reciprocal n-body collision avoidance (2011), in space.
 #pragma once
@@ -16,7 +17,7 @@ struct VelocityObstacle {
   Vector3 velocity;  // of the bee, seen from the other one
   double apart;      // to be kept
   double horizon_s;
-  double step_s;  // who is too close already shall be out of it by then
+  double step_s;  // an agent that is too close already shall be out of it by then
 
   struct WayOut {
     Vector3 normal;
@@ -32,17 +33,17 @@ struct VelocityObstacle {
     if (behind < 0.0 && behind * behind > sine * sine * dot(from_cut, from_cut)) {
       return out_of_ball(horizon_s);
     }
-    // Out of the cone, away from its axis; who is on it turns right.
+    // Out of the cone, away from its axis; a velocity on the axis turns right.
     const Vector3 across = velocity - axis * dot(velocity, axis);
     const double off = length(across);
     return out_of_cone(axis, off > 1e-9 * length(velocity) ? across * (1.0 / off) : right_of(axis));
   }
 
-  // The same for who cannot fly faster than this: where that is not fast enough, another way out of
-  // the cone may be. Whoever has the velocity `own` crosses in front of the other one, or above it,
-  // below it, behind it.
+  // The same with a greatest speed: where it is too low, another way out of the cone may do. An
+  // agent with the velocity `own` then crosses in front of the other one, above it, below it, or
+  // behind it.
   [[nodiscard]] WayOut way_out_within(const Vector3& own, double max_speed) const {
-    constexpr double kEase = 0.9;  // who can but just, gets there too late
+    constexpr double kEase = 0.9;  // an agent that barely can gets there too late
     const WayOut shortest = way_out();
     const auto is_able = [&](const WayOut& way) {
       return dot(way.normal, own) + way.change <= kEase * max_speed;
@@ -66,9 +67,9 @@ struct VelocityObstacle {
     return best;
   }
 
-  // Of one who is too close: straight away from it, fast enough to be out of it after a step. That
-  // is where the way out of the cone leads, the nearer the two are; out of the ball for the step
-  // there are ways through its middle.
+  // For two that are too close: straight away from each other, fast enough to be apart after a
+  // step. The nearer the two are, the more the cone's way out agrees with it; ways out of the ball
+  // of the step may lead through its centre.
   [[nodiscard]] WayOut away() const {
     const double distance = length(place);
     const Vector3 axis = distance > 0.0 ? place * (1.0 / distance) : Vector3{-1.0, 0.0, 0.0};
@@ -77,7 +78,7 @@ struct VelocityObstacle {
   [[nodiscard]] bool is_too_close() const { return length(place) <= apart; }
 
  private:
-  // Through the side of the cone that lies in a direction at right angles to its axis.
+  // Through the side of the cone in a direction at right angles to its axis.
   [[nodiscard]] WayOut out_of_cone(const Vector3& axis, const Vector3& outward) const {
     const double sine = apart / length(place);
     const double cosine = std::sqrt(1.0 - sine * sine);
@@ -96,7 +97,7 @@ struct VelocityObstacle {
   }
 };
 
-// What a bee's velocity keeps to that takes a share of the change on itself.
+// The half-space of velocities for a bee that takes a share of the change on itself.
 inline HalfSpace half_space_of(const VelocityObstacle::WayOut& out, const Vector3& velocity,
                                double share) {
   return {out.normal, dot(out.normal, velocity) + share * out.change};

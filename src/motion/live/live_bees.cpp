@@ -9,9 +9,9 @@ namespace beespace::motion {
 
 namespace {
 
-// What comes out of reports may be smaller or larger than any of them: it is brought back into the
-// motion domain, at the cost of less than a millionth of a nanometre, or of being so far away that
-// nobody is near.
+// Values computed from reports may be smaller or larger than any of them. They are brought back
+// into the motion domain, at the cost of less than a millionth of a nanometre, or of being so far
+// away that no bee is near.
 double told(double value) {
   const double magnitude = std::abs(value);
   if (magnitude < kSmallestInMotion) return 0.0;
@@ -70,8 +70,8 @@ void LiveBees::begin_run(KnownBee& bee, const Report& report) {
   add(run, report);
 }
 
-// What a report is that is no later than the last one of its bee. It is compared with the last two,
-// which are always known.
+// What becomes of a report that is no later than the last one of its bee. It is compared with the
+// last two, which are always known.
 std::optional<LiveBees::Taken> LiveBees::before_last(const KnownBee& bee,
                                                      const Report& report) const {
   const Fix fix{report.time_s, report.position};
@@ -149,7 +149,7 @@ void LiveBees::remove(PointId bee) {
   known_.erase(known);
 }
 
-// It is stale then, unless it is removed.
+// The bee is stale then, unless it is removed.
 void LiveBees::complete(KnownBee& bee, RunEnd end) {
   LiveRun& run = runs_[bee.run];
   run.complete = true;
@@ -213,7 +213,7 @@ void LiveBees::forget(std::vector<std::uint32_t>& dropped) {
       continue;
     }
     run.searched_until_s = run.last_s();
-    // The last two stay, for the velocity.
+    // The last two are kept, for the velocity.
     while (dropped[place] + 2 < run.fixes.size() && run.fixes[dropped[place] + 1].time_s < from_s) {
       ++dropped[place];
     }
@@ -224,7 +224,7 @@ void LiveBees::forget(std::vector<std::uint32_t>& dropped) {
   give_back();
 }
 
-// The memory of bees that are gone, once they were most.
+// Frees the memory of removed bees, once they are the majority.
 void LiveBees::give_back() {
   constexpr std::size_t kFew = 64;
   while (!runs_.empty() && runs_.back().fixes.empty()) runs_.pop_back();

@@ -1,4 +1,4 @@
-// The bees of a live swarm: what has been heard of each, as far back as it matters.
+// The bees of a live swarm: the reports of each, as far back as they matter.
 #pragma once
 
 #include "motion/runs.hpp"
@@ -14,15 +14,15 @@
 
 namespace beespace::motion {
 
-// Why nothing will be added to a run.
+// The reason why a run is complete.
 enum class RunEnd : std::uint8_t { kSilent, kRemoved, kFinished };
 
-// Reports of one bee without a gap. When it comes back after one, another run begins.
+// Reports of one bee without a gap. When it is heard again after a gap, another run begins.
 struct LiveRun {
   static constexpr double kNever = -std::numeric_limits<double>::infinity();
 
   PointId bee = 0;
-  bool complete = true;  // nothing will be added
+  bool complete = true;  // no report will be added
   bool done = false;     // it is complete, and the next search is the last one that needs it
   RunEnd end = RunEnd::kSilent;
   std::vector<Fix> fixes = {};            // empty: the place is free
@@ -34,7 +34,8 @@ struct LiveRun {
 
   [[nodiscard]] double last_s() const { return fixes.back().time_s; }
   [[nodiscard]] bool moves() const { return velocity.has_value() || fixes.size() > 1; }
-  // Now, flying on from the last report; nothing where it was heard of once and without a velocity.
+  // The present state, extrapolated from the last report; nothing after one report without a
+  // velocity.
   struct Now {
     Mover mover;
     double height_m;
@@ -43,29 +44,29 @@ struct LiveRun {
   [[nodiscard]] std::optional<Now> at(double now_s) const;
 };
 
-// What is known of a bee until it is removed.
+// The state of a bee, until it is removed.
 struct KnownBee {
   static constexpr std::uint32_t kStale = std::numeric_limits<std::uint32_t>::max();
 
   std::uint32_t run = kStale;  // the place of the run under way
-  Fix last = {};               // where it was last heard of, if it has no run
+  Fix last = {};               // its last report, if it has no run
   double height_m = 0.0;
   double unknown_s = 0.0;  // silences that are over
   bool waiting = false;    // without a run and not stale: times have begun anew
-  bool lost = false;       // stale from its last report on, however old that is
-  bool untold = false;     // and nothing has been said of that
-  bool once = true;        // heard of once only
+  bool lost = false;       // stale from its last report on, at any age
+  bool untold = false;     // and not yet reported as such
+  bool once = true;        // heard only once
 
   [[nodiscard]] bool has_run() const { return run != kStale; }
   [[nodiscard]] bool stale() const { return run == kStale && !waiting; }
 };
 
-// That a bee has been heard of again after a silence.
+// A bee has been heard again after a silence.
 struct Return {
   PointId bee;
   double since_s;
   double heard_s;
-  bool said_stale;  // while it lasted
+  bool said_stale;  // reported as stale meanwhile
   Fix last;         // before it
   double height_m;
   bool lost;
@@ -75,23 +76,24 @@ class LiveBees {
  public:
   explicit LiveBees(bool heights_apart) : heights_apart_(heights_apart) {}
 
-  // Returns what became of the report, whose values are flushed; kFull where it is of a bee beyond
+  // Returns what became of the report, whose values are flushed; kFull if it is of a new bee beyond
   // `max_bees`.
   enum class Taken : std::uint8_t { kYes, kRepeated, kLate, kContrary, kFull };
   Taken take(const Report& report, double max_age_s,
              std::size_t max_bees = std::numeric_limits<std::size_t>::max());
 
-  // A bee that is there no longer; nothing where it is not known.
+  // Removes a bee; nothing happens if it is unknown.
   void remove(PointId bee);
-  // What comes next of a bee does not go on from what came before: it is stale until then.
+  // Breaks the run of a bee: it is stale until its next report.
   void lose(PointId bee);
-  // Completes all that have not been heard of for more than max_age_s; calls stale(bee, last heard
-  // of). By the difference of the two times, as take() does between two reports.
+  // Completes the runs of all bees that have not been heard for more than max_age_s; calls
+  // stale(bee, last heard). Compares the difference of the two times, as take() does between two
+  // reports.
   template <class Stale>
   void complete_stale(double now_s, double max_age_s, Stale&& stale);
-  // Completes all: nothing more will be heard; or times begin anew, and all are waited for.
+  // Completes all runs: the input has ended, or times begin anew, and all bees are waited for.
   void complete_all(bool anew);
-  // After that and a search: times are later by so much. Where bees were last heard of stays known.
+  // After that and a search, shifts all times by so much. The last known positions are kept.
   void begin_anew(double later_s);
 
   // Runs by their place, which stays as long as the run does.
@@ -99,21 +101,21 @@ class LiveBees {
   [[nodiscard]] const std::unordered_map<PointId, KnownBee>& known() const { return known_; }
   [[nodiscard]] std::size_t under_way() const { return known_.size() - stale_; }
   [[nodiscard]] std::size_t heard_once() const { return once_; }
-  // Stale, and not heard of since.
+  // Stale, and not heard since.
   [[nodiscard]] std::size_t stale() const { return stale_; }
-  // Grows with each bee that comes, goes, falls silent or is heard of again; above zero.
+  // Grows with each bee that comes, goes, falls silent or is heard again; above zero.
   [[nodiscard]] std::uint64_t changes() const { return changes_; }
-  // For how long bees were unknown that have been heard of again, removed ones included.
+  // How long bees were unknown that have been heard again, removed ones included.
   [[nodiscard]] double unknown_s() const { return unknown_s_; }
   // Returns since the last call.
   [[nodiscard]] std::vector<Return> take_returns() { return std::exchange(returns_, {}); }
 
-  // Before a search: says which complete runs are done. One is kept until all others have been
-  // heard of as late as it was, but for no longer than it takes them to be stale.
+  // Before a search: marks the complete runs that are done. A run is kept until all others have
+  // been heard as late as it was, but for no longer than they take to become stale.
   void settle(double now_s, double max_age_s);
 
   // After a search: forgets runs that are done, and fixes before those that the next search needs.
-  // Sets dropped[place] to how many fixes of a run are gone.
+  // Sets dropped[place] to the number of fixes dropped from a run.
   void forget(std::vector<std::uint32_t>& dropped);
 
  private:
@@ -131,7 +133,7 @@ class LiveBees {
   std::size_t stale_ = 0;
   std::size_t waiting_ = 0;
   std::size_t once_ = 0;
-  std::vector<PointId> lost_;  // and not told
+  std::vector<PointId> lost_;  // and not reported
   std::uint64_t changes_ = 1;
   double unknown_s_ = 0.0;
   std::vector<Return> returns_;

@@ -1,4 +1,4 @@
-// What is said of a pair of live bees, and what has been said already.
+// The events of a pair of live bees, and which of them have been reported already.
 #pragma once
 
 #include "motion/pair_walk.hpp"
@@ -10,18 +10,18 @@
 
 namespace beespace::motion {
 
-// Turns what a walk finds into events, each said once a stretch; the closest again only when the
-// two have come clearly closer than at the one that was said.
+// Turns the results of a walk into events, each reported once a stretch; the closest approach again
+// only when the two have come clearly closer than reported.
 class PairTeller {
  public:
-  // What has been said of the stretch under way.
+  // The reported events of the current stretch.
   struct Said {
     bool entered = false;
     double closest_m = std::numeric_limits<double>::infinity();
   };
 
-  // `cut_off` is what a stretch is told to have come to that ends with what is known: kLeft where
-  // one of the two was removed, kLost where it is silent, kEnded where nothing more comes.
+  // `cut_off` is the event that ends a stretch which ends with what is known: kLeft where one of
+  // the two was removed, kLost where it is silent, kEnded where nothing more comes.
   PairTeller(PointId a, PointId b, double margin_m, EventKind cut_off, Said& said,
              std::vector<SwarmEvent>& events)
       : first_(std::min(a, b)),
@@ -40,7 +40,7 @@ class PairTeller {
   void ended(const PairWalk::Stretch& stretch) {
     if (stretch.conflict.certain) {
       tell_entered(stretch);
-      // Of two that are cut off while they come closer, the closest has not passed.
+      // If a pair is cut off while it comes closer, the closest approach has not passed.
       stretch.cut_off ? tell_closest_if_passed(stretch) : tell_closest(stretch);
       tell(stretch.cut_off ? cut_off_ : EventKind::kLeft, stretch.conflict.ends_s, stretch.end_m,
            stretch);
@@ -54,7 +54,7 @@ class PairTeller {
     said_.entered = true;
     tell(EventKind::kEntered, stretch.certain_s, stretch.certain_m, stretch);
   }
-  // How far apart they must be again before the closest counts as passed.
+  // How far apart they must be again before the closest approach counts as passed.
   void tell_closest_if_passed(const PairWalk::Stretch& stretch) {
     if (stretch.end_m >= stretch.conflict.closest_m + margin_m_) tell_closest(stretch);
   }

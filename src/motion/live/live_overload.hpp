@@ -1,4 +1,4 @@
-// What a bound has made a live swarm leave out.
+// What a live swarm left out because of a bound.
 #pragma once
 
 #include <beespace/swarm.hpp>
@@ -10,7 +10,7 @@
 
 namespace beespace::motion {
 
-// Pairs that were left out because there were too many of a sort.
+// Pairs that were left out because there were too many of a kind.
 struct LeftOut {
   std::uint64_t count = 0;  // at least; not known where it is 0
   double from_m = std::numeric_limits<double>::infinity();
@@ -27,14 +27,14 @@ struct LeftOut {
   }
 };
 
-// Within which share of a separation there are few enough pairs: 1 as long as that can be, or the
-// last one and others by powers of 4.
+// The share of a separation within which there are few enough pairs: 1 as long as possible, else
+// the last one or others by powers of 4.
 class Share {
  public:
   [[nodiscard]] double value() const { return value_; }
 
-  // Calls few(share) until it has said yes to one share and no to the next larger one, or yes to 1;
-  // the last yes is the value. Returns whether there is one.
+  // Calls few(share) until it is true for one share and false for the next larger one, or true for
+  // 1; the last true one is the value. Returns whether there is one.
   template <class Few>
   bool choose(Few&& few) {
     constexpr double kLeast = 0x1p-20;

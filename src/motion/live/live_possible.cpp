@@ -10,19 +10,19 @@ namespace beespace::motion {
 
 namespace {
 
-// More than anything that is rounded here.
+// An upper limit of the rounding errors here.
 constexpr double kUpward = 1.0 + 0x1p-40;
 
 double age_s(const Fix& last, double now_s) {
   return std::abs(now_s - last.time_s);
 }
 
-// By how much the distance of two must be bridged before they are in conflict, in one direction;
-// and whether both balls bridge it.
+// The distance that both balls must bridge before the two are in conflict, in one direction; and
+// whether they do.
 struct Bridge {
   double distance;
   double threshold;
-  double largest;  // what was subtracted
+  double largest;  // magnitude of the terms
 
   [[nodiscard]] double gap() const { return distance - threshold; }
   [[nodiscard]] bool closed(double grown) const {
@@ -36,7 +36,7 @@ double largest_of(const Point& p) {
 
 }  // namespace
 
-// Of each bee that is known: where it was when the last call was made, and from then on.
+// For each known bee: its position at the last call, and later ones.
 void LivePossible::note_places(const LiveBees& bees, const std::vector<Return>& returns) {
   places_.clear();
   heard_.clear();
@@ -57,7 +57,7 @@ void LivePossible::note_places(const LiveBees& bees, const std::vector<Return>& 
     if (!bees.known().contains(back.bee)) continue;
     places_.push_back({back.bee, back.last, back.height_m, back.lost ? 0.0 : max_age_s_});
   }
-  // What is known of a place twice is known best where it is known to be lost.
+  // If a place is known twice, the one that is known to be lost is the better one.
   std::sort(places_.begin(), places_.end(), [](const Place& a, const Place& b) {
     return std::tie(a.bee, a.at.time_s, a.silent_after_s) <
            std::tie(b.bee, b.at.time_s, b.silent_after_s);
@@ -73,8 +73,7 @@ void LivePossible::note_places(const LiveBees& bees, const std::vector<Return>& 
   }
 }
 
-// New silences are begun, and those that end are known for the last time; of who was removed
-// nothing is.
+// Begins new silences, and ends others with what is known last; nothing is known of removed bees.
 void LivePossible::follow(const LiveBees& bees, const std::vector<Return>& returns) {
   auto before = std::exchange(silent_, {});
   for (const Return& back : returns) {
@@ -100,7 +99,7 @@ void LivePossible::follow(const LiveBees& bees, const std::vector<Return>& retur
   }
 }
 
-// Whether it is possible then, by where both were last heard of.
+// Whether a conflict is possible then, by the last reports of both.
 std::optional<SwarmEvent> LivePossible::possible(const Place& silent, const Place& other,
                                                  double at_s) const {
   const Point& p = silent.at.position;
@@ -144,8 +143,8 @@ std::optional<SwarmEvent> LivePossible::possible(const Place& silent, const Plac
                     silent_since_s};
 }
 
-// Whether it has been `said` of the two, and still holds. At each time the lower one of two that
-// are silent tells.
+// Whether a conflict has been reported as possible for the two, and still is. If two are silent,
+// the lower one reports at each time.
 bool LivePossible::judge(std::size_t index, const Heard& other, bool said, double now_s,
                          std::vector<Found>& found) const {
   const Silent& silent = silent_[index];
@@ -155,7 +154,7 @@ bool LivePossible::judge(std::size_t index, const Heard& other, bool said, doubl
     const Place& at = places_[i];
     if (i > other.begin &&
         at.at.time_s - places_[i - 1].at.time_s > places_[i - 1].silent_after_s) {
-      // It has been heard of again: what was said of it is over.
+      // It has been heard again: what was reported of it is over.
       again = true;
       said = false;
       if (!found.empty() && found.back().silent == index && found.back().other == other.bee) {
@@ -214,7 +213,7 @@ LeftOut LivePossible::tell(const LiveBees& bees, const std::vector<Return>& retu
     return std::tie(a.event.distance_m, a.event.first, a.event.second, a.event.time_s) <
            std::tie(b.event.distance_m, b.event.first, b.event.second, b.event.time_s);
   };
-  // No more than the closest of what there is room for at most, and as many again.
+  // No more than the closest for which there is room, and as many again.
   const auto cut = [&](std::vector<Found>& found, std::size_t most, LeftOut& left) {
     if (found.size() <= most) return;
     const auto end = found.begin() + static_cast<std::ptrdiff_t>(most);

@@ -1,9 +1,9 @@
-// What silent bees may be in conflict with: each bee is somewhere in a ball around where it was
-// last heard of, which grows with the greatest speed of any until it is heard of again.
+// Possible conflicts of silent bees: each bee is in a ball around its last known position, which
+// grows with the greatest speed of all until it is heard again.
 //
 // The other bee is in a ball around its last report, too. Two balls are largest just before one of
-// the two is heard of again. So that is when they are judged, whenever this is asked: silences that
-// are over by then, too.
+// the two is heard again. So they are compared at that time, whenever this is called, also for
+// silences that are over by then.
 #pragma once
 
 #include "base/resources.hpp"
@@ -31,12 +31,12 @@ class LivePossible {
         max_age_s_(max_age_s),
         max_pairs_(max_pairs) {}
 
-  // Tells the pairs of which one is silent, or was in one of the silences that have ended since the
-  // last call, and that have become possible: each once, until one of the two is heard of again
-  // after a silence.
+  // Reports the pairs that have become possible and of which one bee is silent, or was in one of
+  // the silences that have ended since the last call: each pair once, until one of the two is heard
+  // again after a silence.
   LeftOut tell(const LiveBees& bees, const std::vector<Return>& returns, double now_s,
                const core::Resources& with, std::vector<SwarmEvent>& events);
-  // What has been said of a bee that has been removed.
+  // Forgets what was reported of a removed bee.
   void forget(PointId bee);
   void forget_all() {
     silent_.clear();
@@ -44,7 +44,7 @@ class LivePossible {
   }
 
  private:
-  // Where a bee was heard of; it is silent when it is not heard of again for longer.
+  // A report of a bee; the bee is silent if the next report comes later than the greatest age.
   struct Place {
     PointId bee;
     Fix at;
@@ -57,12 +57,12 @@ class LivePossible {
     std::size_t begin;
     std::size_t end;
   };
-  // A silence, and with whom a conflict has been said to be possible in it: ascending.
+  // A silence, and the bees with which a conflict has been reported as possible in it: ascending.
   struct Silent {
     Place last;
     double ends_s = std::numeric_limits<double>::infinity();
     std::vector<PointId> said = {};
-    std::size_t unsaid = 0;  // others, at the last look around
+    std::size_t unsaid = 0;  // others, at the last search
     std::uint64_t all_said_at =
         0;  // of LiveBees::changes(): nothing is left to say until it changes
 
@@ -72,7 +72,7 @@ class LivePossible {
     SwarmEvent event;
     std::size_t silent;  // of silent_
     PointId other;
-    bool goes_on;  // neither has been heard of since
+    bool goes_on;  // neither has been heard since
   };
 
   void note_places(const LiveBees& bees, const std::vector<Return>& returns);

@@ -12,7 +12,7 @@ namespace beespace::motion {
 
 namespace {
 
-// Whether `pair` is among `pairs`, both of which ascend: `at` goes along.
+// Whether `pair` is among `pairs`; both ascend, and `at` advances.
 bool among(const std::vector<Pair>& pairs, std::vector<Pair>::const_iterator& at,
            const Pair& pair) {
   while (at != pairs.end() && *at < pair) ++at;
@@ -42,8 +42,8 @@ LivePredictions::Ahead LivePredictions::ahead(const LiveBees& bees, double now_s
   return ahead;
 }
 
-// By the leave separation, ascending. Of too many, those that come closest: by a separation of
-// which there are few enough; none where there is none.
+// By the leave separation, ascending. Of too many, those that come closest: by a separation with
+// few enough pairs; none if there is no such separation.
 Result<std::vector<Pair>> LivePredictions::pairs_of(const MoversView& movers,
                                                     const core::Resources& with,
                                                     LeftOut& left_out) {

@@ -1,4 +1,5 @@
-// What lies ahead of live bees, from their last reports: which pairs, and which of them to tell.
+// Predicted conflicts of live bees, from their last reports: the pairs, and which of them to
+// report.
 #pragma once
 
 #include "base/resources.hpp"
@@ -23,8 +24,8 @@ class LivePredictions {
                   std::size_t max_pairs)
       : enter_(enter), leave_(leave), horizon_s_(horizon_s), max_pairs_(max_pairs) {}
 
-  // Tells the pairs that have become predicted and are not among the `entered` (ids, ascending). Of
-  // a bee that is stale, or was heard of once and without a velocity, nothing is predicted. Returns
+  // Reports the pairs that have become predicted and are not among the `entered` (ids, ascending).
+  // Nothing is predicted for a bee that is stale, or was heard once and without a velocity. Returns
   // what there were too many of.
   Result<LeftOut> predict(const LiveBees& bees, const std::vector<Pair>& entered, double now_s,
                           const core::Resources& with, std::vector<SwarmEvent>& events);
@@ -52,7 +53,7 @@ class LivePredictions {
   double horizon_s_;
   std::size_t max_pairs_;
   Share share_;                  // of the separation, within which pairs are predicted
-  std::vector<Pair> predicted_;  // ids; said, and still in danger; ascending
+  std::vector<Pair> predicted_;  // ids; reported, and still in danger; ascending
   std::size_t open_ = 0;         // of them: not among the entered
 };
 

@@ -25,16 +25,16 @@ double farthest_coordinate(const std::vector<Run>& runs, const std::vector<Activ
   return farthest_m;
 }
 
-// The piece on which a run is then, or its first one.
+// The piece of a run at that time, or its first one.
 std::size_t piece_at(const Run& run, double time_s) {
   std::size_t piece = 0;
   while (piece + 1 < run.pieces() && piece_of(run, piece).to.time_s < time_s) ++piece;
   return piece;
 }
 
-// The time of which something new is known. What is known of a pair ends where the first of the two
-// was last heard of. So it begins where a bee that has been heard of since was last searched, and
-// ends with the last report but one of another bee. It ends before it begins where there is none.
+// The time span with new information. A pair is known until the first of the two was last heard. So
+// the span begins where a bee that has been heard since was last searched, and ends with the last
+// report but one of another bee. It is empty where there is none.
 TimeSpan new_time(const std::vector<LiveRun>& runs) {
   TimeSpan time{std::numeric_limits<double>::infinity(), LiveRun::kNever};
   double last_s = LiveRun::kNever;
@@ -49,7 +49,7 @@ TimeSpan new_time(const std::vector<LiveRun>& runs) {
   return time;
 }
 
-// What becomes of a pair where what is known of it ends.
+// The event of a pair at the end of what is known.
 EventKind cut_off(const LiveRun& a, const LiveRun& b) {
   const auto either = [&](RunEnd end) {
     return (a.complete && a.end == end) || (b.complete && b.end == end);
@@ -87,8 +87,8 @@ LeftOut LiveWalks::search(LiveBees& bees, const core::Resources& with,
   return left_out;
 }
 
-// Pairs of places, the lower first, ascending, that may be in conflict in the time of which
-// something new is known.
+// Pairs of places, the lower first, ascending, that may be in conflict in the time span with new
+// information.
 std::vector<Pair> LiveWalks::fresh_pairs(Places& places, const core::Resources& with,
                                          LeftOut& left_out) {
   std::vector<Pair> fresh;
@@ -114,7 +114,7 @@ std::vector<Pair> LiveWalks::fresh_pairs(Places& places, const core::Resources& 
   return fresh;
 }
 
-// Of too many, those that pass most closely: by a separation of which there are few enough.
+// Of too many, those that pass most closely: by a separation with few enough pairs.
 core::Vector<core::FoundPairs> LiveWalks::candidates(const MovingBalls& balls, const Step& step,
                                                      const core::Resources& with,
                                                      LeftOut& left_out) {
@@ -132,7 +132,7 @@ core::Vector<core::FoundPairs> LiveWalks::candidates(const MovingBalls& balls, c
     if (share_.value() < 1.0) left_out.add(0, share_.value() * separation_.inner.threshold_m);
     return *std::move(found);
   }
-  // All of them at one place: any of them, but the same ones whatever the number of threads.
+  // All of them are at one place: any of them, but the same ones for any number of threads.
   left_out.add(0, 0.0);
   Crew alone;
   return find_passing(balls, tried, {alone, with.memory}, search::TuningOverrides{});

@@ -1,5 +1,4 @@
-// What has happened between live bees: walks along the reports that have come since the last
-// search.
+// Past encounters of live bees: walks along the reports that have come since the last search.
 #pragma once
 
 #include "base/resources.hpp"
@@ -20,7 +19,7 @@
 
 namespace beespace::motion {
 
-// Two runs by their places, the lower first; what has been walked and said of them.
+// Two runs by their places, the lower first, with the walked time and the reported events.
 struct LivePair {
   std::uint32_t first;
   std::uint32_t second;
@@ -30,18 +29,18 @@ struct LivePair {
   [[nodiscard]] auto places() const { return std::tie(first, second); }
 };
 
-// Walked pairs that are in conflict, or of which there is something to tell, no more than the
-// closest `most` of them, and what there is to tell.
+// Walked pairs that are in conflict, or have events, at most the closest `most` of them, and their
+// events.
 class WalkedPairs {
  public:
   explicit WalkedPairs(std::size_t most) : most_(most) {}
 
   // `told` is how many of the last events are of this pair, whose bees are the lower and the higher
-  // of `bees`; `had_entered`, before this search.
+  // of `bees`; `had_entered` is its state before this search.
   void add(const LivePair& pair, const Pair& bees, std::size_t told, double distance_m,
            bool had_entered);
   void append(WalkedPairs&& other);
-  // Leaves out all but the closest. Pairs that had entered before are lost then.
+  // Keeps only the closest pairs. Those that had entered before are lost then.
   void cut();
 
   std::vector<SwarmEvent> events;  // in the order of the pairs
@@ -59,7 +58,7 @@ class WalkedPairs {
     bool had_entered;
     double distance_m;
 
-    // Those that had entered are given up only for pairs that are clearly closer.
+    // Pairs that had entered are given up only for clearly closer ones.
     [[nodiscard]] double key() const { return had_entered ? 0.75 * distance_m : distance_m; }
   };
   void give_up(const Walked& walked);
@@ -75,7 +74,7 @@ class LiveWalks {
             std::size_t max_pairs = std::numeric_limits<std::uint32_t>::max())
       : separation_(separation), margin_m_(margin_m), max_pairs_(max_pairs) {}
 
-  // Searches what is new, tells what has happened, and lets the bees forget what is done with.
+  // Searches the new time span, reports events, and lets the bees forget what is no longer needed.
   // Returns what there were too many of.
   LeftOut search(LiveBees& bees, const core::Resources& with, std::vector<SwarmEvent>& events);
 
@@ -83,7 +82,7 @@ class LiveWalks {
   [[nodiscard]] const std::vector<Pair>& entered() const { return entered_; }
 
  private:
-  // Runs by their places, and the pieces on which to begin.
+  // Runs by their places, and the pieces at which to begin.
   struct Places {
     const std::vector<LiveRun>& live;
     std::vector<Run> runs = {};

@@ -20,7 +20,7 @@ void WalkedPairs::append(WalkedPairs&& other) {
 }
 
 // A pair that had entered is lost where it is last known; what has just become known of others is
-// not told at all.
+// not reported at all.
 void WalkedPairs::give_up(const Walked& walked) {
   if (walked.told == 0 && !walked.pair.said.entered) return;  // by the outer separation only
   left_out.add(1, walked.distance_m);
@@ -32,7 +32,7 @@ void WalkedPairs::give_up(const Walked& walked) {
 
 void WalkedPairs::cut() {
   if (pairs_.size() <= most_) return;
-  // What has ended is told in any case where its beginning was: it needs no room from now on.
+  // What has ended is reported in any case where its beginning was: it needs no room from now on.
   const auto stays = [](const Walked& walked) {
     return !walked.pair.state.open && walked.had_entered;
   };

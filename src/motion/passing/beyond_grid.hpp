@@ -1,5 +1,5 @@
 // Balls that reach much farther than nearly all others: they are left out of the grid, and compared
-// with everybody one by one, where that costs less than a grid that suits them.
+// with all others one by one, where that costs less than a grid that suits them.
 #pragma once
 
 #include "base/bounds.hpp"
@@ -29,16 +29,16 @@ class Total {
 };
 
 // The reach up to which balls come into the grid: all, unless that costs more than to compare a few
-// with everybody.
+// with all others.
 double reach_in_grid(const MovingBalls& balls, const Step& step, const core::Resources& with);
 
-// Those who reach beyond the grid, and those in it by themselves.
+// The balls that reach beyond the grid, and those in it, separately.
 class Divided {
  public:
   Divided(const MovingBalls& balls, const Step& step, double reach_m, const core::Resources& with);
 
   [[nodiscard]] const MovingBalls& grid() const { return grid_; }
-  // Who they are among all.
+  // Their ids.
   [[nodiscard]] const PointId* in_grid() const { return in_grid_.data(); }
   [[nodiscard]] std::span<const PointId> beyond() const { return beyond_; }
 

@@ -1,7 +1,7 @@
 // A closer look at the moves of two balls: do they pass closely within the step?
 //
-// In floats, and so with a margin: who is surely near, who surely far, and who must be decided by
-// somebody else.
+// In floats, and so with a margin: which are surely near, which surely far, and which must be
+// decided by others.
 #pragma once
 
 #include "motion/passing/passing_search.hpp"

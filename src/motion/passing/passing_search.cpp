@@ -48,7 +48,7 @@ class SortedBalls {
   }
 
   [[nodiscard]] const BallInGrid* balls() const { return balls_.data(); }
-  // How far each gets from the middle of its step, with its radius and half of the clearance.
+  // How far each gets from the midpoint of its step, with its radius and half of the clearance.
   [[nodiscard]] const float* reach() const { return reach_.data(); }
 
  private:
@@ -64,7 +64,7 @@ class SortedBalls {
 };
 
 // What one worker finds. The kernel writes down sorted places; whenever it has written some, they
-// are looked at, and the ids of those who pass take their place.
+// are checked, and replaced by the ids of those that pass.
 class Passes {
  public:
   Passes(core::FoundPairs& found, const PassCheck& check, const DecidePass& decide, Total& total)
@@ -82,7 +82,7 @@ class Passes {
   }
 
  private:
-  // At a time: so few are still in the nearest cache.
+  // So few at a time are still in the nearest cache.
   static constexpr std::uint32_t kLookAt = 1024;
   static constexpr std::uint32_t kAhead = 16;
 
@@ -107,7 +107,7 @@ class Passes {
   }
 
   void keep_those_who_pass() {
-    // The last look is at some more than there are: any place will do.
+    // The last group may be longer than the list: any place will do.
     for (std::uint32_t k = 0; k < PassCheck::kAtOnce; ++k) {
       sink_.first[sink_.size + k] = sink_.second[sink_.size + k] = 0;
     }
@@ -120,7 +120,7 @@ class Passes {
         check_.prefetch(sink_.second[ahead]);
       }
       const PassCheck::Known known = check_({sink_.first + k, sink_.second + k});
-      // Who passes is as good as random: nothing to branch on.
+      // Which of them pass is as good as random: nothing to branch on.
       unsigned keep = known.possible & ~known.known_before;
       if (asks) keep = decided(keep, keep & ~known.near, k);
       if (sink_.size - k < PassCheck::kAtOnce) keep &= (1U << (sink_.size - k)) - 1U;
@@ -136,7 +136,7 @@ class Passes {
     kept_ = kept;
   }
 
-  // Those to keep, less the unsure ones about whom the answer is no.
+  // Those to keep, less the unsure ones that do not pass.
   unsigned decided(unsigned keep, unsigned unsure, std::uint32_t k) const {
     for (; unsure != 0; unsure &= unsure - 1) {
       const auto lane = static_cast<unsigned>(__builtin_ctz(unsure));
@@ -156,7 +156,7 @@ class Passes {
   cpu::PairSink sink_{};
 };
 
-// Pairs of balls in a grid; `ids` says who they are, or is null where they are numbered as such.
+// Pairs of balls in a grid; `ids` has their ids, or is null where they are numbered as such.
 void search_grid(const MovingBalls& balls, const PointId* ids, const Step& step,
                  const core::Resources& with, const search::TuningOverrides& tuning,
                  const DecidePass& decide, Total& total, core::Vector<core::FoundPairs>& found) {
@@ -166,7 +166,7 @@ void search_grid(const MovingBalls& balls, const PointId* ids, const Step& step,
   const double reach_m = (step.clearance_m + 2.0 * balls.reach_m) * kUpward;
   const search::QueryGrids grids(domain, {.threshold_m = reach_m}, with, tuning);
   cpu::SweepQuery question = grids.question();
-  question.limits = {-1.0F, -1.0F};  // it is the radii that say who meets
+  question.limits = {-1.0F, -1.0F};  // the radii decide which meet
   const core::SortedGrid& grid = question.asked.grid;
   const SortedBalls sorted(balls, ids, step, domain, grid, with);
   const PassCheck check(grid, sorted.balls(), step);

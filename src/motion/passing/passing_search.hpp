@@ -1,8 +1,9 @@
-// Who may pass whom closely within a step of time: few more than those who do, and nobody missed.
+// Which movers may pass each other closely within a step of time: few more than those that do, and
+// none missed.
 //
-// Everybody is a ball that moves in a straight line through the step. The search is that for
-// snapshots (see search/), of where they are in the middle of the step: whose balls around all of
-// their step meet. A closer look at the moves of those few follows (pass_check.hpp).
+// Each is a ball that moves in a straight line through the step. The search is that for snapshots
+// (see search/), of the midpoints of the step: it finds pairs whose balls around all of the step
+// meet. A closer look at the moves of those few follows (pass_check.hpp).
 #pragma once
 
 #include "base/bounds.hpp"
@@ -19,8 +20,8 @@
 
 namespace beespace::motion {
 
-// How a ball moves: metres per second, and what is to be kept clear around it besides the
-// clearance. As floats, which are as good as positions in a grid are.
+// The move of a ball: metres per second, and its radius, which adds to the clearance. In floats,
+// which are as accurate as positions in a grid.
 struct Move {
   float x;
   float y;
@@ -29,7 +30,7 @@ struct Move {
 };
 
 struct MovingBalls {
-  PointsView middles;           // where they are in the middle of the step
+  PointsView middles;           // at the midpoint of the step
   core::Bounds bounds;          // of the middles
   std::span<const Move> moves;  // only differences of velocities matter
   double reach_m;               // how far any ball gets at most from its middle within the step
@@ -37,21 +38,21 @@ struct MovingBalls {
 
 struct Step {
   double half_s;       // half of its duration
-  double clearance_m;  // who surely stays farther apart, less their radii, is left out
-  // Middles that come closer than this pass, whatever their radii; below zero: nobody surely does.
+  double clearance_m;  // pairs that surely stay farther apart, less their radii, are left out
+  // Centres that come closer than this pass, whatever their radii; below zero: none surely does.
   double surely_m = -1.0;
-  // Whether to leave out those who are surely closer than that when the step begins: the step
+  // Whether to leave out pairs that are surely closer than that when the step begins: the step
   // before has found them.
   bool follows_another = false;
-  // Once more than so many have been found the search ends, and says no more than that.
+  // The search ends once more than so many have been found, with no exact number.
   std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
 };
 
-// Whether two pass who may: by their ids.
+// Whether two pass that may: by their ids.
 using DecidePass = std::function<bool(PointId, PointId)>;
 
-// Pairs of ids of each worker, each pair once, in no useful order: those who surely pass and those
-// who may, as far as `decide` says yes to them; all of them where there is none.
+// Pairs of ids of each worker, each pair once, in no useful order: those that surely pass, and of
+// those that may the ones that `decide` accepts; all of them where there is none.
 core::Vector<core::FoundPairs> find_passing(const MovingBalls& balls, const Step& step,
                                             const core::Resources& with,
                                             const search::TuningOverrides& tuning,

@@ -21,7 +21,7 @@ double distance_between(const Point& p, const Point& q) {
   return std::sqrt(x * x + y * y + z * z);
 }
 
-// Calls visit(time, position) where the run enters and leaves the time, and at its fixes in
+// Calls visit(time, position) where the run enters and leaves the time span, and at its fixes in
 // between: it is farthest from a straight line at one of them.
 template <class Visit>
 void for_each_corner(const Run& run, std::size_t piece, const TimeSpan& time, Visit&& visit) {
@@ -74,22 +74,22 @@ double StepBalls::enclose(const Run& run, std::size_t piece, const TimeSpan& tim
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   });
-  // Who is not there all the time, or is faster than a float can say, stands still in the middle of
-  // where it is.
+  // A mover that is not there all the time, or is faster than a float can hold, stands still at the
+  // midpoint of where it is.
   constexpr double kFastest = 0x1p+100;
   const double lasts = time.ends_s - time.begins_s;
   const bool all_the_time = lasts > 0.0 && run.begins_s() <= time.begins_s &&
                             run.ends_s() >= time.ends_s &&
                             distance_between(entered, left) / lasts < kFastest;
   const Point middle = all_the_time ? between(entered, left, 0.5) : between(low, high, 0.5);
-  Point velocity;  // as the floats say that it is
+  Point velocity;  // as rounded to floats
   if (all_the_time) {
     velocity = {static_cast<float>((left.x - entered.x) / lasts),
                 static_cast<float>((left.y - entered.y) / lasts),
                 static_cast<float>((left.z - entered.z) / lasts)};
   }
-  // Where times are large and the step is short, its middle is half a last bit of the time beside
-  // where it is taken for: less than this, and with it how far the line is moved.
+  // Where times are large and the step is short, its midpoint is rounded by up to half a last bit
+  // of the time: less than this, which also bounds how far the line is moved.
   const double time_blur = 0x1p-52 * std::max(std::abs(time.begins_s), std::abs(time.ends_s));
   const double speed = distance_between({}, velocity);
   double radius = 0.0;

@@ -1,5 +1,5 @@
 // Runs as balls for one step of time: each moves in a straight line through the step, and its
-// radius covers how far the run leaves that line.
+// radius covers the run's deviation from that line.
 #pragma once
 
 #include "base/resources.hpp"
@@ -14,19 +14,19 @@
 
 namespace beespace::motion {
 
-// A run that is there, and the piece on which it is.
+// An active run, and its current piece.
 struct ActiveRun {
   std::uint32_t run;
   std::size_t piece;
 };
 
-// Where the run is at an instant of one of its pieces; rounded.
+// The position of the run at an instant of one of its pieces; rounded.
 Point position_on(const Piece& piece, double time_s);
 
 class StepBalls {
  public:
-  // For a time in which all of the active runs are, at least for an instant. Their pieces end at or
-  // after its beginning.
+  // For a time span in which all of the active runs exist, at least for an instant. Their pieces
+  // end at or after its beginning.
   StepBalls(const std::vector<Run>& runs, const std::vector<ActiveRun>& active,
             const TimeSpan& time, const core::Resources& with);
 
@@ -37,7 +37,7 @@ class StepBalls {
     return std::span<const Point>(middles_.data(), size_);
   }
 
-  // Returns how far it gets from its middle.
+  // Returns how far it gets from its midpoint.
   double enclose(const Run& run, std::size_t piece, const TimeSpan& time, std::size_t ball);
 
   std::size_t size_;

@@ -17,7 +17,7 @@ namespace beespace {
 
 namespace {
 
-// All but the movers themselves.
+// Checks all of the input except the movers' values.
 std::optional<Error> check(const MoversView& movers, const PredictOptions& options) {
   if (auto error = motion::check_options(options)) return error;
   if (auto error = motion::check_heights(movers.has_heights(), options.vertical_m)) return error;

@@ -27,7 +27,7 @@ bool same_pair(const Conflict& a, const Conflict& b) {
   return a.first == b.first && a.second == b.second;
 }
 
-// Judges whom the steps have found, into a list.
+// Judges the pairs that the steps have found, into a list.
 class Judge {
  public:
   Judge(const MoversView& movers, const Separation& separation, double horizon_s,
@@ -38,8 +38,8 @@ class Judge {
         with_(with),
         found_(found) {}
 
-  // In ascending order, so that the first of each two is read one after the other, and what is
-  // found need not be sorted.
+  // In ascending order, so that the first of each pair is read in sequence, and the results need
+  // not be sorted.
   void add(const core::Vector<core::FoundPairs>& candidates) {
     const std::size_t size = core::size_of(candidates);
     core::Buffer<Pair> pairs(with_.memory, size);
@@ -71,7 +71,7 @@ class Judge {
     close_gaps(before, size, ends);
   }
 
-  // Sorts what several steps have found, and drops whom more than one has.
+  // Sorts what several steps have found, and drops repeated pairs.
   void settle() {
     const auto not_below = [](const Conflict& a, const Conflict& b) { return !by_pair(a, b); };
     if (std::adjacent_find(found_.begin(), found_.end(), not_below) == found_.end()) return;
@@ -80,7 +80,7 @@ class Judge {
   }
 
  private:
-  // Puts what workers have found, each at the beginning of its share, one behind the other.
+  // Joins the results of all threads, each at the beginning of its share, one behind the other.
   void close_gaps(std::size_t before, std::size_t size, const core::Vector<std::size_t>& ends) {
     auto to = found_.begin() + static_cast<std::ptrdiff_t>(before);
     for (unsigned worker = 0; worker < ends.size(); ++worker) {
@@ -108,7 +108,7 @@ class Judge {
 
 constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
 
-// The steps have looked at positions and velocities on their way.
+// The steps have checked positions and velocities on their way.
 std::optional<Error> check(const MoversView& movers, const PredictionSteps& steps) {
   if (steps.in_domain() && !movers.has_heights()) return std::nullopt;
   return check_movers(movers);
@@ -138,7 +138,7 @@ Status predict_pairs(const MoversView& movers, const PredictOptions& options,
   steps.for_each(decide, options.max_results, [&](auto&& step) {
     ++found_in;
     for (core::FoundPairs& part : step) found.push_back(std::move(part));
-    // Few are found twice, so this is seldom asked and more seldom true.
+    // Few are found twice, so this rarely runs and is more rarely true.
     fits = core::size_of(found) <= options.max_results || settle();
     return fits;
   });
@@ -150,7 +150,7 @@ Status predict(const MoversView& movers, const PredictOptions& options, const co
                std::vector<Conflict>& conflicts, const PredictionTuning& tuning) {
   conflicts.clear();
   if (options.max_results < kUnlimited) {
-    // Candidates may be many more than conflicts; who they are takes less memory, and is exact.
+    // Candidates may be many more than conflicts; their ids take less memory, and are exact.
     std::vector<Pair> pairs;
     if (Status few = predict_pairs(movers, options, with, pairs, tuning); !few) return few;
   }

@@ -1,5 +1,5 @@
 // The searches behind predict_conflicts and predict_pairs: steps of time to the horizon, candidates
-// of each step, and an exact decision about each of those that are not clear.
+// of each step, and an exact decision on each candidate that floats leave open.
 #pragma once
 
 #include "base/resources.hpp"
@@ -16,7 +16,7 @@
 
 namespace beespace::motion {
 
-// What is chosen from the data unless a test or a benchmark forces it.
+// Chosen from the data unless a test or a benchmark forces it.
 struct PredictionTuning {
   search::TuningOverrides search = {};
   std::optional<double> step_s = {};

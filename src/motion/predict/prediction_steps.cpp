@@ -58,7 +58,7 @@ class Box {
   Doubles high_z_ = -low_xy_;
 };
 
-// Of all parts' boxes; all zero for none.
+// The union of all parts' boxes; all zero for none.
 template <class Parts, class BoxOf>
 core::Bounds bounds_of(const Parts& parts, const BoxOf& box_of) {
   if (parts.empty()) return {};
@@ -69,7 +69,7 @@ core::Bounds bounds_of(const Parts& parts, const BoxOf& box_of) {
   return bounds;
 }
 
-// What is to be known of all movers.
+// Statistics of all movers.
 class MoverExtremes {
  public:
   void add(const Point& p, const Point& v, const Velocity& relative) {
@@ -125,8 +125,8 @@ PointsView PredictionSteps::middles() const {
   return std::span<const Point>(middles_.data(), movers_.size());
 }
 
-// Any drift will do, but the better ones make everybody slower: the median of some, which a few
-// that are very fast do not move.
+// Any drift will do, but a bad one makes all movers faster: the median of some, which a few that
+// are very fast do not move.
 void PredictionSteps::choose_drift() {
   constexpr std::size_t kSome = 1024;
   const std::size_t stride = movers_.size() / kSome + 1;
@@ -144,7 +144,7 @@ void PredictionSteps::choose_drift() {
   drift_ = {median_of(&Point::x), median_of(&Point::y), median_of(&Point::z)};
 }
 
-// Most questions are about one step: its middles are noted on the way.
+// Most queries take one step: its midpoints are stored on the way.
 void PredictionSteps::look_at_movers() {
   struct Part {
     MoverExtremes extremes;
@@ -203,10 +203,9 @@ double PredictionSteps::step_end(double begin) {
   return last ? options_.horizon_s : end;
 }
 
-// The step whose cost is least for the time that it covers: short ones look around often, long
-// ones look at many.
+// The step with the least cost per time: short steps sort often, long ones compare many pairs.
 double PredictionSteps::cheapest_step(double begin, double left) {
-  // Where they were in the middle of the step before is near enough.
+  // The midpoints of the step before are near enough.
   const PointsView places = begin == 0.0 ? movers_.positions() : middles();
   const core::DensitySample sample(places, with_.memory);
   const double clearance_m = separation_.reach_m();
@@ -238,7 +237,7 @@ core::Vector<core::FoundPairs> PredictionSteps::passing(double begin, double end
   const double drift = length(drift_.x, drift_.y, drift_.z);
   const double blur_m = 0x1p-47 * (farthest_m_ + options_.horizon_s * (fastest_ + drift));
   Step step{half * (1.0 + 0x1p-50), separation_.reach_m() + blur_m};
-  // Spheres are all that the step's search knows.
+  // The step's search knows only spheres.
   if (!separation_.vertical_m) step.surely_m = separation_.threshold_m - blur_m;
   step.follows_another = begin > 0.0;
   step.most = most;

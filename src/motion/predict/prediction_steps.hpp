@@ -1,4 +1,4 @@
-// The way of all movers to the horizon, in steps of time: who may pass whom closely in each.
+// The paths of all movers to the horizon, in steps of time: which may pass each other in each.
 #pragma once
 
 #include "base/pair_order.hpp"
@@ -17,17 +17,19 @@ namespace beespace::motion {
 
 class PredictionSteps {
  public:
-  // Options are valid. All must outlive this.
+  // Options are valid. All must outlive this object.
   PredictionSteps(const MoversView& movers, const PredictOptions& options,
                   const core::Resources& with, const PredictionTuning& tuning);
 
   [[nodiscard]] const Separation& separation() const { return separation_; }
 
-  // Whether all positions and velocities lie in the motion domain; or nothing must be asked.
+  // Whether all positions and velocities lie in the motion domain; if not, for_each() must not be
+  // called.
   [[nodiscard]] bool in_domain() const { return in_domain_; }
 
-  // Calls visit(found) after each step, with whom find_passing found in it and no step before:
-  // hardly anybody twice, and of a step little more than `most`. As long as visit returns true.
+  // Calls visit(found) after each step, with the pairs that find_passing found in it and in no step
+  // before: hardly any pair twice, and in a step little more than `most`. As long as visit returns
+  // true.
   template <class Visit>
   void for_each(const DecidePass& decide, std::uint64_t most, Visit&& visit) {
     double begin = 0.0;
@@ -53,7 +55,7 @@ class PredictionSteps {
   Separation separation_;
   const core::Resources& with_;
   const PredictionTuning& tuning_;
-  Velocity drift_;           // moving along with it, nearly everybody is slower
+  Velocity drift_;           // relative to it, nearly all movers are slower
   double fastest_ = 0.0;     // relative to it
   double farthest_m_ = 0.0;  // largest coordinate
   bool in_domain_ = true;
@@ -61,7 +63,7 @@ class PredictionSteps {
   double middles_time_ = 0.0;
   core::Bounds bounds_;
   core::Buffer<Move> moves_;
-  core::Vector<SizeLevel> speeds_;  // at which a line could be drawn between slow and fast ones
+  core::Vector<SizeLevel> speeds_;  // possible limits between slow and fast ones
 };
 
 }  // namespace beespace::motion

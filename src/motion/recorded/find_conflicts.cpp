@@ -34,7 +34,7 @@ std::optional<Error> check(std::span<const Track> tracks, const ConflictOptions&
   return motion::check_tracks(tracks);
 }
 
-// Of the box that everybody stays in.
+// The diagonal of the box that contains all tracks.
 double diagonal_of(std::span<const Track> tracks) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   std::array<double, 3> low{kNone, kNone, kNone};
@@ -52,15 +52,15 @@ double diagonal_of(std::span<const Track> tracks) {
   return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
 }
 
-// How far apart the closest two are at some instants: the closest encounter is no farther. Nothing
-// where no two are there then.
+// The distance of the closest two at some instants: an upper limit of the closest encounter.
+// Nothing if no two exist then.
 std::optional<double> closest_at_some_instants(std::span<const Track> tracks, double max_gap_s) {
   if (tracks.empty()) return std::nullopt;
   constexpr std::size_t kInstants = 5;
   std::optional<double> closest_m;
   std::vector<Point> places;
   for (std::size_t k = 0; k < kInstants; ++k) {
-    // In the middle of what somebody's track says.
+    // The midpoint of a track.
     const Track& some = tracks[k * tracks.size() / kInstants];
     if (some.fixes.empty()) continue;
     const double time_s = some.fixes[some.fixes.size() / 2].time_s;
@@ -76,7 +76,7 @@ std::optional<double> closest_at_some_instants(std::span<const Track> tracks, do
   return closest_m;
 }
 
-// The options are valid, but for a threshold that may lie beyond the motion domain.
+// The options are valid, but the threshold may lie beyond the motion domain.
 Result<RecordedConflicts> search_tracks(std::span<const Track> tracks,
                                         const ConflictOptions& options) {
   motion::Runs cut = motion::cut_at_gaps(tracks, options.max_gap_s);
@@ -111,8 +111,8 @@ Result<std::optional<Conflict>> closest_encounter(std::span<const Track> tracks,
   options.inclusive = true;
   options.threshold_m = 1.0;  // any, for the check
   if (auto error = check(tracks, options)) return *std::move(error);
-  // From what some two come within to what is wider than the swarm, which may be wider than any
-  // threshold that is taken from others.
+  // From a distance that some pair comes within to one that exceeds the swarm's width, which may
+  // exceed any threshold that is valid as input.
   const double widest = std::max(1.01 * diagonal_of(tracks), 0x1p-90);
   const auto some_m = closest_at_some_instants(tracks, max_gap_s);
   const double first = some_m ? *some_m * (1.0 + 0x1p-40) : widest * 0x1p-12;
@@ -125,7 +125,7 @@ Result<std::optional<Conflict>> closest_encounter(std::span<const Track> tracks,
       if (!closest || conflict.closest_m < closest->closest_m) closest = conflict;
     }
     if (closest) closest->begins_s = closest->ends_s = closest->closest_s;
-    // Tolerances find pairs beyond the threshold, of which another may be closer.
+    // Tolerances also find pairs beyond the threshold; then another pair may be closer.
     const bool sure = closest && closest->closest_m <= options.threshold_m;
     if (sure || threshold >= widest) return closest;
   }

@@ -82,7 +82,7 @@ class RecordingSearch {
   }
 
  private:
-  // Those who are there at some time from `begin` to `end`, and on which piece first.
+  // The bees that are there at some time from `begin` to `end`, and the first piece of each.
   void enter(double begin, double end) {
     std::erase_if(active_, [&](const ActiveRun& a) { return runs_[a.run].ends_s() < begin; });
     for (; next_ < by_begin_.size() && runs_[by_begin_[next_]].begins_s() <= end; ++next_) {
@@ -95,7 +95,7 @@ class RecordingSearch {
   }
 
   double step_end(double begin) {
-    // Nobody there: until somebody comes.
+    // None is there: until one comes.
     const double next = next_ < by_begin_.size() ? runs_[by_begin_[next_]].begins_s() : last_s_;
     const double left = last_s_ - begin;
     if (active_.empty()) return next;
@@ -104,8 +104,7 @@ class RecordingSearch {
     return end > begin && step < left ? std::min(end, last_s_) : last_s_;
   }
 
-  // The step whose cost is least for the time that it covers: short ones look around often, long
-  // ones look at many.
+  // The step with the least cost per time: short steps sort often, long ones compare many pairs.
   double cheapest_step(double begin, double left) {
     core::Buffer<Point> places(with_.memory, active_.size());
     std::vector<double> speeds;
@@ -118,7 +117,7 @@ class RecordingSearch {
       speeds.push_back(speed_on(piece));
       lasts_s += piece.lasts_s();
     }
-    // Over many pieces, balls that enclose them all say little.
+    // Balls that enclose many pieces decide little.
     constexpr double kPieces = 4.0;
     const double mean_s = lasts_s / static_cast<double>(speeds.size());
     if (mean_s > 0.0) left = std::min(left, kPieces * mean_s);
@@ -126,8 +125,8 @@ class RecordingSearch {
     std::nth_element(speeds.begin(), most, speeds.end());
     const core::DensitySample sample(std::span<const Point>(places.data(), active_.size()),
                                      with_.memory);
-    // Measured, in nanoseconds: of a step, of enclosing and sorting a bee, and of comparing it with
-    // one other.
+    // Measured, in nanoseconds: the cost of a step, of enclosing and sorting a bee, and of
+    // comparing it with one other.
     constexpr double kStep = 30'000.0;
     constexpr double kSorting = 150.0;
     constexpr double kComparing = 0.25;
@@ -209,7 +208,7 @@ class RecordingSearch {
     for (const std::vector<Conflict>& part : ended) {
       found_.insert(found_.end(), part.begin(), part.end());
     }
-    // Whoever has been walked beyond the step must not be walked there again.
+    // A pair that has been walked beyond the step must not be walked there again.
     std::erase_if(pairs, [&](const PairState& pair) {
       return !pair.state.open && pair.state.walked_until < time.ends_s;
     });

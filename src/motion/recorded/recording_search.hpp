@@ -15,7 +15,7 @@
 
 namespace beespace::motion {
 
-// What is chosen from the data unless a test or a benchmark forces it.
+// Chosen from the data unless a test or a benchmark forces it.
 struct RecordingTuning {
   search::TuningOverrides search = {};
   std::optional<double> step_s = {};

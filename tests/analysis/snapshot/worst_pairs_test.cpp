@@ -30,7 +30,7 @@ WorstPairs found(const Points& places, const Points& points, const SearchOptions
   return worst ? *std::move(worst) : WorstPairs{};
 }
 
-// What brute force says.
+// The answer by brute force.
 WorstPairs expected(const Points& places, const Points& points, const SearchOptions& options) {
   const auto pairs = brute_force::find_pairs(places, options);
   EXPECT_TRUE(pairs.has_value());
@@ -203,7 +203,7 @@ TEST(WorstPairs, WithAVerticalThresholdAreThoseOfBruteForce) {
 }
 
 // As of geographic positions: on the ground, with heights beside them, and in space.
-TEST(WorstPairs, MayBeAskedOfOtherPlacesThanTheirDistancesAreTakenOf) {
+TEST(WorstPairs, MayUseOtherPlacesThanTheirDistances) {
   SceneMaker make(5);
   for (const double size_m : {3.0, 30.0}) {
     const Points points = make.ragged_box(1'200, {0, 0, 0}, {size_m, size_m, size_m});
@@ -223,7 +223,7 @@ TEST(WorstPairs, MayBeAskedOfOtherPlacesThanTheirDistancesAreTakenOf) {
   }
 }
 
-TEST(WorstPairs, OfNobodyThereAreNone) {
+TEST(WorstPairs, OfFewerThanTwoThereAreNone) {
   for (const std::size_t count : {0u, 1u}) {
     const Points points(count);
     const WorstPairs worst = found(points, points, {.threshold_m = 1.0});

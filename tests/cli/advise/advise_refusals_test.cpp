@@ -1,4 +1,4 @@
-// What `beespace advise` refuses, and how it ends where it cannot go on.
+// What `beespace advise` refuses, and how it ends then.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kOne = "id,x,y,z,goal_x,goal_y,goal_z\na,0,0,0,9,0,0\n";
 
-TEST(AdviseRefuses, NumbersThatMakeNoSense) {
+TEST(AdviseRefuses, InvalidNumbers) {
   for (const std::string bad : {"0", "-5", "nan", "inf", "fast"}) {
     const std::string text = " '" + bad + "' is not a number of ";
     expect_usage_error({"advise", "--speed=" + bad},
@@ -103,7 +103,7 @@ TEST(AdviseRefuses, AThresholdOutsideTheDomainOfWhatMoves) {
   }
 }
 
-// A header alone says that there is nobody; an empty file is no table.
+// A header alone is a table without bees; an empty file is no table.
 TEST(AdviseTakes, ATableOfNoIntruders) {
   const TemporaryFolder folder;
   const Finished finished =
@@ -117,10 +117,10 @@ TEST(AdviseTakes, ATableOfNoIntruders) {
 TEST(AdviseRefuses, FilesThatCannotBeRead) {
   constexpr int kSystem = 4;
   const TemporaryFolder folder;
-  const std::string nowhere = folder.path("nobody.csv");
-  expect_failure({"advise", nowhere}, {}, kSystem, "nobody.csv");
-  expect_failure({"advise", "--obstacles", nowhere}, kOne, kSystem, "nobody.csv");
-  expect_failure({"advise", "--intruders", nowhere}, kOne, kSystem, "nobody.csv");
+  const std::string nowhere = folder.path("missing.csv");
+  expect_failure({"advise", nowhere}, {}, kSystem, "missing.csv");
+  expect_failure({"advise", "--obstacles", nowhere}, kOne, kSystem, "missing.csv");
+  expect_failure({"advise", "--intruders", nowhere}, kOne, kSystem, "missing.csv");
 }
 
 TEST(AdviseRefuses, InJsonToo) {
@@ -142,7 +142,7 @@ TEST(AdviseEnds, WithAFileThatIsThereWholeOrNotAtAll) {
   expect_failure({"advise", "--output", "/dev/full"}, kOne, 4, "the disk is full");
 }
 
-TEST(AdviseEnds, QuietlyWhenNobodyReads) {
+TEST(AdviseEnds, QuietlyWhenTheReaderIsGone) {
   Surroundings closed;
   closed.output = Surroundings::Output::kClosedPipe;
   for (const Arguments& more : {Arguments{}, Arguments{"--json"}}) {
@@ -152,7 +152,7 @@ TEST(AdviseEnds, QuietlyWhenNobodyReads) {
   }
 }
 
-TEST(AdviseEnds, AtOnceWhereNobodyTypes) {
+TEST(AdviseEnds, AtOnceWhereATerminalHasNoInput) {
   if (!has_terminals()) GTEST_SKIP() << "this system has no pseudo-terminals";
   Surroundings surroundings;
   surroundings.input_on_terminal = true;
@@ -162,7 +162,7 @@ TEST(AdviseEnds, AtOnceWhereNobodyTypes) {
   expect_parts(finished.err, {"say which file to read, or pipe the swarm in"});
 }
 
-TEST(AdviseEnds, WithRedWhereSomebodyIsNotCertified) {
+TEST(AdviseEnds, WithRedWhereABeeIsNotCertified) {
   if (!has_terminals()) GTEST_SKIP() << "this system has no pseudo-terminals";
   const TemporaryFolder folder;
   const std::string file =

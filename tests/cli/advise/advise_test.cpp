@@ -11,7 +11,7 @@
 namespace beespace::cli_test {
 namespace {
 
-// Two who would meet, one who is far from all, and one who would like to stay.
+// Two bees on a collision course, one that is far from all, and one that prefers to stay.
 constexpr std::string_view kSwarm =
     "id,x,y,z,vx,vy,vz,goal_x,goal_y,goal_z\n"
     "west,0,0,50,8,0,0,200,0,50\n"
@@ -29,7 +29,7 @@ Finished advised(const Arguments& more, std::string_view input = kSwarm) {
   return run(Arguments{"advise"} + more, input);
 }
 
-TEST(Advise, TellsEverybodyAVelocity) {
+TEST(Advise, GivesEachBeeAVelocity) {
   const Finished finished = advised({"--fail-on-risk"});
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
   const TextRows rows = rows_of(finished.out, ',');
@@ -53,7 +53,7 @@ TEST(Advise, TellsEverybodyAVelocity) {
   EXPECT_EQ(finished.err.find("too close "), std::string::npos);
 }
 
-TEST(Advise, UnitsAreSaidAndNotMixedSilently) {
+TEST(Advise, UnitsAreReportedAndNotMixedSilently) {
   const TemporaryFolder folder;
   const std::string intruders = folder.file("others.csv", "x_ft,y_ft,z_ft\n1000,0,0\n");
   const Finished finished = advised({"--intruders", intruders});
@@ -115,7 +115,7 @@ TEST(Advise, LimitsOfTheFileCountInsteadOfTheOptions) {
   expect_failure({"advise", "--acceleration", "5"}, own, 2, "--acceleration does not apply");
 }
 
-TEST(Advise, WhoIsTooCloseAlreadyIsToldToPartAndListed) {
+TEST(Advise, BeesThatAreTooCloseAreToldToSeparateAndListed) {
   const Finished finished = advised({}, kTooClose);
   EXPECT_EQ(finished.exit_code, 0);
   const TextRows rows = rows_of(finished.out, ',');
@@ -132,7 +132,7 @@ TEST(Advise, WhoIsTooCloseAlreadyIsToldToPartAndListed) {
                           R"({"first": "a", "second": "b", "gap_m": 2, "clear_s": )"});
 }
 
-TEST(Advise, OnlyTheFirstPairsAreSaid) {
+TEST(Advise, OnlyTheFirstPairsAreListed) {
   std::string crowd = "x,y,z,want_vx,want_vy,want_vz\n";
   for (int bee = 0; bee < 10; ++bee) crowd += std::to_string(bee) + ",0,0,0,0,0\n";
   const Finished finished = advised({"--threshold", "1.5"}, crowd);
@@ -163,7 +163,7 @@ TEST(Advise, ObstaclesAreKeptClearOf) {
                       R"({"bee": "a", "obstacle": 1, "gap_m": 1.5)"});
 }
 
-TEST(Advise, EverybodyGivesWayToIntruders) {
+TEST(Advise, AllGiveWayToIntruders) {
   const TemporaryFolder folder;
   const std::string birds =
       folder.file("birds.csv", "id,x,y,z,vx,vy,vz\nhawk,0,40,0,0,-10,0\nowl,0,-999,0,0,0,0\n");

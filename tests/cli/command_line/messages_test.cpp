@@ -55,7 +55,7 @@ TEST_F(Messages, Utf16WithoutAMarkIsKnown) {
               "this is UTF-16 text without a mark that says so; save it as UTF-8 (iconv -f "
               "UTF-16LE -t UTF-8 FILE)");
   expect_said(kAllThatRead, "big.csv", utf16(kTable, true), "iconv -f UTF-16BE -t UTF-8 FILE");
-  // Of one NUL nothing follows.
+  // A single NUL proves nothing.
   expect_said({"detect"}, "one.csv", "x,y,z\n0,0,\0000\n"sv, "byte 10 is NUL");
 }
 
@@ -78,7 +78,7 @@ TEST_F(Messages, NoColumnIsOfferedAsAHeightThatDoesNotSoundLikeOne) {
               "--columns lon=2,lat=1,height=3");
 }
 
-TEST_F(Messages, ATableWithoutTimesIsToldWhatItMayLack) {
+TEST_F(Messages, TheErrorOfATableWithoutTimesNamesWhatMayBeMissing) {
   constexpr std::string_view kTable = "id,x_m,y_m,z_m,vertical_rate\na,0,0,0,1\nb,1,0,0,1\n";
   for (const char* command : {"predict", "replay"}) {
     const Finished finished = run({command}, kTable);
@@ -92,7 +92,7 @@ TEST_F(Messages, ATableWithoutTimesIsToldWhatItMayLack) {
             std::string::npos);
 }
 
-TEST_F(Messages, JsonIsSaidToBeForTheCommandThatReadsIt) {
+TEST_F(Messages, TheErrorForJsonNamesTheCommandThatReadsIt) {
   const std::vector<std::string> readers = {"detect", "predict", "replay", "advise"};
   expect_said(readers, "city.json",
               R"({"obstacles": [{"kind": "sphere", "center": [0, 0, 50], "radius_m": 10}]})",
@@ -134,13 +134,13 @@ TEST_F(Messages, PackedDataIsKnownLive) {
   expect_parts(finished.err, {"gzip-compressed", "zcat FILE |"});
 }
 
-TEST_F(Messages, FoldersAndFilesThatAreNotThereAreSaidAlike) {
+TEST_F(Messages, MissingFoldersAndFilesHaveTheSameError) {
   expect_failure({"watch", folder_.path("no.csv")}, {}, 4,
                  "there is no such file; check the name and the folder");
   expect_failure({"watch", folder_.path("")}, {}, 4, "this is a directory; name a file in it");
 }
 
-TEST_F(Messages, AnOutputIsNotSaidToLackAFolderThatIsThere) {
+TEST_F(Messages, AnExistingFolderIsNotReportedAsMissing) {
   const Finished finished = run({"detect", "-o", "/proc/beespace"}, "id,x,y,z\na,0,0,0\nb,1,0,0\n");
   EXPECT_EQ(finished.exit_code, 4);
   EXPECT_EQ(finished.err.find("create it first"), std::string::npos) << finished.err;

@@ -1,4 +1,4 @@
-// Command lines that make no sense, and those that ask for help.
+// Invalid command lines, and those that ask for help.
 #include <gtest/gtest.h>
 
 #include <beespace/version.hpp>
@@ -30,7 +30,7 @@ TEST(Usage, ThresholdsThatAreNotAboveZeroAndFiniteAreRefused) {
                            " m; give a finite distance above zero, in metres, for example "
                            "--threshold 100\n");
   }
-  // The ends of the domain are said to those alone who are beyond them.
+  // Only values beyond the limits of the domain get a message about them.
   for (const std::string bad : {"1e300", "1e-200"}) {
     expect_usage_error({"detect", "--threshold", bad},
                        "the threshold is " + bad + " m; give one from 3.9e-121 m to 2.6e+120 m");
@@ -96,7 +96,7 @@ TEST(Usage, AnEmptyValueIsNoValue) {
   }
 }
 
-TEST(Usage, AnUnknownReportIsToldWhichThereAre) {
+TEST(Usage, TheErrorOfAnUnknownReportListsAll) {
   expect_usage_error(
       {"detect", "--report", "neighbours"},
       "--report: 'neighbours' is none of at-risk, pairs, neighbors, counts, nearest, "
@@ -190,7 +190,7 @@ TEST(Usage, GenerateChecksItsNumbers) {
                      "cube");
 }
 
-TEST(Usage, TheFormatIsToldByTheEndingOrRefused) {
+TEST(Usage, TheFormatFollowsFromTheEndingOrIsRefused) {
   const TemporaryFolder folder;
   expect_usage_error({"generate", "--points", "5", "--output", folder.path("bees.xls")},
                      "does not tell the format");

@@ -75,7 +75,7 @@ TEST(Interruption, AFileLongerThanAllowedIsAnErrorThatLeavesNothing) {
   EXPECT_TRUE(folder.names().empty());
 }
 
-TEST(Interruption, DetectEndsQuietlyWhenNobodyReads) {
+TEST(Interruption, DetectEndsQuietlyWhenTheReaderIsGone) {
   Running running({"detect"}, closed_pipe());
   running.send(kTwo);
   running.close_input();
@@ -84,7 +84,7 @@ TEST(Interruption, DetectEndsQuietlyWhenNobodyReads) {
   EXPECT_EQ(finished.err, "");
 }
 
-TEST(Interruption, EveryFormOfTheAnswerEndsQuietlyWhenNobodyReads) {
+TEST(Interruption, EveryFormOfTheAnswerEndsQuietlyWhenTheReaderIsGone) {
   for (const char* report : {"at-risk", "pairs", "neighbors", "groups"}) {
     for (const char* form : {"--csv", "--json", "--quiet"}) {
       Running running({"detect", "--report", report, form}, closed_pipe());
@@ -97,7 +97,7 @@ TEST(Interruption, EveryFormOfTheAnswerEndsQuietlyWhenNobodyReads) {
   }
 }
 
-TEST(Interruption, GenerateHelpAndBenchEndQuietlyWhenNobodyReads) {
+TEST(Interruption, GenerateHelpAndBenchEndQuietlyWhenTheReaderIsGone) {
   for (const Arguments& arguments :
        {Arguments{"generate", "--points", "200000"}, Arguments{"detect", "--help"},
         Arguments{"bench", "--points", "1000", "--quiet"}}) {

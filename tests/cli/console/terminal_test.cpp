@@ -36,7 +36,7 @@ TEST_F(Terminal, NoColorIsRespected) {
   EXPECT_EQ(finished.err.find('\x1b'), std::string::npos) << finished.err;
 }
 
-TEST_F(Terminal, NobodyIsLeftWaitingForInputThatNobodyTypes) {
+TEST_F(Terminal, ACommandDoesNotWaitForInputFromATerminal) {
   Surroundings surroundings;
   surroundings.input_on_terminal = true;
   Running running({"detect"}, surroundings);

@@ -105,14 +105,14 @@ TEST(Answers, JsonWithNearestHasAnObjectForEachBee) {
       << finished.out;
 }
 
-TEST(Answers, JsonOfNobodyIsStillADocument) {
+TEST(Answers, JsonOfNoneIsStillADocument) {
   const Finished finished = run({"detect", "--json"}, "x,y,z\n1,2,3\n");
   EXPECT_TRUE(is_json(finished.out)) << finished.out;
   EXPECT_NE(finished.out.find(R"("closest_pair": null)"), std::string::npos);
   EXPECT_NE(finished.out.find(R"("at_risk": [])"), std::string::npos);
 }
 
-TEST(Answers, TheRowStandsForAnEmptyIdAndThatIsSaid) {
+TEST(Answers, TheRowReplacesAnEmptyIdAndThatIsReported) {
   constexpr std::string_view kInput = "id,x,y,z\nmaya,0,0,0\n,1,0,0\n\" \",2,0,0\n";
   const Finished finished = run({"detect", "--report", "nearest", "--at-risk-only"}, kInput);
   EXPECT_EQ(below_header(finished.out), "maya\t1\t1\n1\tmaya\t1\n2\t1\t1\n");
@@ -222,14 +222,14 @@ TEST(Answers, QuietSaysNothing) {
   EXPECT_EQ(finished.err, "");
 }
 
-TEST(Answers, FailOnRiskExitsWithOneOnlyWhenSomebodyIsAtRisk) {
+TEST(Answers, FailOnRiskExitsWithOneOnlyWhenABeeIsAtRisk) {
   EXPECT_EQ(run({"detect", "--fail-on-risk"}, kMetres).exit_code, 1);
   EXPECT_EQ(run({"detect", "--fail-on-risk", "--threshold", "60"}, kMetres).exit_code, 0);
   EXPECT_EQ(run({"detect"}, kMetres).exit_code, 0);
 }
 
 // The check that the help and the manual show: only 1 is danger, and nothing is printed.
-TEST(Answers, TheExampleOfACheckInAScriptTellsDangerFromAFailure) {
+TEST(Answers, TheExampleOfACheckInAScriptDistinguishesDangerFromAFailure) {
   const Arguments check = {"detect",         "-",        "--crs",    "metres", "--quiet",
                            "--fail-on-risk", "--output", "/dev/null"};
   const Finished danger = run(check, kMetres);
@@ -237,7 +237,7 @@ TEST(Answers, TheExampleOfACheckInAScriptTellsDangerFromAFailure) {
   EXPECT_EQ(danger.out + danger.err, "");
   EXPECT_EQ(run(check, "x,y,z\n0,0,0\n").exit_code, 0);
   Arguments missing = check;
-  missing[1] = "/nobody.csv";
+  missing[1] = "/missing.csv";
   EXPECT_EQ(run(missing).exit_code, 4);
   const std::string help = run({"detect", "--help"}).out;
   EXPECT_NE(help.find("--fail-on-risk --output /dev/null\n  [ $? -eq 1 ] && echo danger\n"),

@@ -1,4 +1,4 @@
-// Input that makes no sense: what is said, how the command ends, and that nothing is left behind.
+// Invalid input: the message, the exit code, and that no files are left behind.
 #include <gtest/gtest.h>
 
 #include <sys/stat.h>
@@ -50,7 +50,7 @@ class BadInput : public testing::Test {
 };
 
 TEST_F(BadInput, MissingFile) {
-  expect_refused_path(folder_.path("nobody.csv"), "nobody.csv: there is no such file", kSystem);
+  expect_refused_path(folder_.path("missing.csv"), "missing.csv: there is no such file", kSystem);
 }
 
 TEST_F(BadInput, Directory) {
@@ -58,7 +58,7 @@ TEST_F(BadInput, Directory) {
 }
 
 TEST_F(BadInput, UnreadableFile) {
-  // Root may read everything; and who is not root must get into the folder that root made.
+  // Root may read everything; another user must be able to enter the folder that root made.
   surroundings_.unprivileged = true;
   ASSERT_EQ(chmod(folder_.path(".").c_str(), 0777), 0);
   const std::string path = folder_.file("secret.csv", kGood);
@@ -149,7 +149,7 @@ TEST_F(BadInput, WithJsonTheErrorIsADocumentToo) {
 
 TEST_F(BadInput, ErrorsCannotSteerTheTerminal) {
   const Finished finished = run({"detect",
-                                 "/nobody\x1b[2J\r\xC2\x9B"
+                                 "/missing\x1b[2J\r\xC2\x9B"
                                  "2J"});
   EXPECT_EQ(finished.err.find_first_of("\x1b\r"), std::string::npos);
   EXPECT_EQ(finished.err.find("\xC2\x9B"), std::string::npos);

@@ -1,4 +1,4 @@
-// What the command says of the example swarm, compared line by line with brute force.
+// The command's answers for the example swarm, compared line by line with brute force.
 #include <gtest/gtest.h>
 
 #include <beespace/beespace.hpp>
@@ -135,7 +135,7 @@ std::string closest_line(const std::optional<ClosestPair>& pair) {
   return pair ? pair_line(pair->first, pair->second, pair->distance_m) : std::string();
 }
 
-TEST_P(BruteForce, SaysTheSameOfOneSwarm) {
+TEST_P(BruteForce, AgreesForOneSwarm) {
   EXPECT_EQ(said("at-risk"), id_lines(*brute_force::find_at_risk(points_, options_)));
   EXPECT_EQ(below_header(said("pairs")),
             pair_lines(*brute_force::find_pairs(points_, options_), points_, points_));
@@ -150,7 +150,7 @@ TEST_P(BruteForce, SaysTheSameOfOneSwarm) {
             closest_line(*brute_force::find_closest_pair(points_)));
 }
 
-TEST_P(BruteForce, SaysTheSameOfTwoSwarms) {
+TEST_P(BruteForce, AgreesForTwoSwarms) {
   EXPECT_EQ(said_between("at-risk"),
             id_lines(*brute_force::find_at_risk_between(ours_, others_, options_)));
   EXPECT_EQ(below_header(said_between("pairs")),

@@ -125,7 +125,7 @@ TEST_F(Others, GeoJsonDrawsLinesBetweenTheTwo) {
   EXPECT_NE(finished.out.find(R"("first": 0, "second": 1, )"), std::string::npos) << finished.out;
 }
 
-TEST_F(Others, TheSummaryTellsThemApart) {
+TEST_F(Others, TheSummaryDistinguishesThem) {
   const Finished finished = report("at-risk");
   for (const char* part : {"\n  others     ", "\n  points     3\n", "\n  points     2\n",
                            "at risk    2 (66.7 %)", "closest    maya and their wasp, 50.000 m"}) {
@@ -145,7 +145,7 @@ TEST_F(Others, EitherMayComeFromStandardInput) {
 }
 
 TEST_F(Others, FilesThatCannotBeReadAreNamed) {
-  expect_refused(folder_.path("nobody.csv"), 4, "nobody.csv: there is no such file");
+  expect_refused(folder_.path("missing.csv"), 4, "missing.csv: there is no such file");
   expect_refused(folder_.file("empty.csv", ""), 3, "empty.csv: the input is empty");
   expect_refused(folder_.file("header.csv", "x,y,z\n"), 3, "no record after it");
   expect_refused(folder_.file("bad.csv", "x,y,z\n1,2,oops\n"), 3, "bad.csv:2:3: 'oops'");

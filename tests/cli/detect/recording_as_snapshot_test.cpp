@@ -51,7 +51,7 @@ TEST(RecordingAsSnapshot, ASnapshotMayHaveATimeColumn) {
   expect_answer("time_s,x,y,z\n0,0,0,0\n1,50,0,0\n", "0\n1\n");
 }
 
-TEST(RecordingAsSnapshot, IdsMayRepeatWhereNoTimeTellsThemApart) {
+TEST(RecordingAsSnapshot, IdsMayRepeatWithoutATime) {
   expect_answer("id,x,y,z\na,0,0,0\na,50,0,0\n", "a\na\n");
   expect_answer("id,time_s,x,y,z\na,1,0,0,0\na,1.0,50,0,0\n", "a\na\n");
   expect_answer("id,time_s,x,y,z\n,0,0,0,0\n,1,50,0,0\na,,9,0,0\na,7,9,0,0\n", "0\n1\na\na\n");

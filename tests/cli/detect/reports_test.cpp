@@ -99,7 +99,7 @@ TEST(Reports, NearestIsUnboundedUnlessOnlyThoseAtRiskAreAskedFor) {
   expect_geojson("nearest", R"("properties": {"id": 2, "nearest": 0, "distance_m": )");
 }
 
-TEST(Reports, ABeeThatIsAloneHasNobodyNearest) {
+TEST(Reports, ABeeThatIsAloneHasNoNearest) {
   constexpr std::string_view kAlone = "x,y,z\n1,2,3\n";
   EXPECT_EQ(below_header(report("nearest", kAlone).out), "0\t\t\n");
   EXPECT_EQ(report("nearest", kAlone, {"--csv"}).out, "x,y,z,row,nearest,distance_m\n1,2,3,0,,\n");

@@ -37,7 +37,7 @@ TextRows conflicts_of(const Arguments& question, const std::string& input) {
   return rows_of(found.out);
 }
 
-// Pairs 0 and 1, 2 and 3, and so on, and nobody else.
+// Pairs 0 and 1, 2 and 3, and so on, and no others.
 void expect_the_pairs(const TextRows& conflicts, std::size_t pairs) {
   ASSERT_EQ(conflicts.size(), pairs);
   for (std::size_t i = 0; i < pairs; ++i) {
@@ -93,7 +93,7 @@ TEST_P(GenerateMovingScene, IsARecordingThatReplayAndPredictRead) {
   EXPECT_NE(ahead.err.find("now        12.50 s"), std::string::npos) << ahead.err;
 }
 
-// Everybody flies straight on, so that the recording holds what was to be predicted.
+// All bees fly straight on, so the recording has the conflicts that were predicted.
 TEST_P(GenerateMovingScene, HasTheConflictsInItsRecordingThatItsSnapshotPredicts) {
   const Arguments narrow = {"--speed", "10-20"};
   const auto predicted =
@@ -214,7 +214,7 @@ TEST(GenerateMoving, OptionsThatTheSceneWouldIgnoreAreRefused) {
   expect_refused({"--scene", "sphere-swap", "--size", "1x2x3"}, "give --size its diameter");
 }
 
-TEST(GenerateMoving, ValuesThatMakeNoSenseAreRefused) {
+TEST(GenerateMoving, InvalidValuesAreRefused) {
   for (const char* speed :
        {"0", "-5", "5-", "-", "20-5", "5-20-30", "fast", "nan", "1-inf", "1e7"}) {
     expect_refused({"--scene", "flight", std::string("--speed=") + speed}, "--speed '");

@@ -1,4 +1,4 @@
-// Records that were there and were left out: an all-clear is never said of what was not seen.
+// Records that were left out: there is no all-clear for what was not read.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -42,7 +42,7 @@ class LeftOutRecords : public testing::Test {
   }
 };
 
-TEST_F(LeftOutRecords, ReplaySaysWhoIsKnownNowhere) {
+TEST_F(LeftOutRecords, ReplaySaysWhichBeesAreKnownNowhere) {
   const Finished finished = run(ask("replay", {"--vertical", "1000ft", "--fail-on-risk"}));
   EXPECT_EQ(finished.exit_code, 1);
   expect_parts(finished.err,
@@ -73,7 +73,7 @@ TEST_F(LeftOutRecords, VerifyDoesNotHold) {
                 "2 records were left out"});
 }
 
-TEST_F(LeftOutRecords, PredictSaysNoneOfThoseThatAreKnown) {
+TEST_F(LeftOutRecords, PredictSaysNoneOfTheKnownBees) {
   const Arguments question = {"predict", first_, "--threshold", "5NM", "--fail-on-risk"};
   const Finished finished = run(question);
   EXPECT_EQ(finished.exit_code, 1);

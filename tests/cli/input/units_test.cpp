@@ -98,7 +98,7 @@ TEST(Units, TheSummaryAndTheDocumentSayWhichUnitWasTakenAndWhy) {
   expect_parts(watched.err, {"heights in ft: the header names it: 'alt_ft'"});
 }
 
-// What is suggested is the same threshold in the unit of the heights.
+// The suggestion is the same threshold in the unit of the heights.
 TEST(Units, TheSuggestedThresholdIsTheOneThatWasGiven) {
   const std::string levels = "id,lat,lon,altitude [FL]\na,48,2,310\nb,48,2,320\n";
   expect_parts(run({"detect", "--threshold", "5NM", "--vertical", "1000ft"}, levels).err,
@@ -151,7 +151,7 @@ TEST(Units, AThousandFeetAreExactWhenPredictedReplayedAndWatched) {
   closer[3] = "1000.5ft";
   const std::string events = run(watch + closer, recorded).out;
   EXPECT_GE(lines_of(events), kLevels);
-  // Apart by 304.8 m: told in metres.
+  // 304.8 m apart: reported in metres.
   expect_parts(events, {R"("distance_m": 304.8)"});
   expect_parts(run(Arguments{"replay", "-", "--csv"} + closer, recorded).out, {",304.8"});
 }
@@ -193,7 +193,7 @@ TEST(Ids, AreKeptWhereColumnsAreNamed) {
   EXPECT_EQ(run({"detect", "--columns", "x=2,y=3,z=4"}, text).out, "k\nl\n");
   EXPECT_EQ(run({"detect", "--columns", "x=2,y=3,z=4,id=4"}, text).out, "0\n0\n");
   EXPECT_EQ(run({"detect", "--columns", "x=1,y=2,z=3"}, "1,0,0,0\n").exit_code, 0);
-  // What is called an id may be named a coordinate.
+  // A column that looks like an id may be named as a coordinate.
   EXPECT_EQ(run({"detect", "--columns", "x=1,y=2"}, "id,y\n0,0\n1,1\n").out, "0\n1\n");
   EXPECT_EQ(run({"detect"}, "drone,x,y,z\nk,0,0,0\nl,3,0,0\nm,99999,0,0\n").out, "k\nl\n");
 }

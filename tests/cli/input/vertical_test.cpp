@@ -22,7 +22,7 @@ Finished asked(const Arguments& more, std::string_view input = kFour) {
   return run(Arguments{"detect"} + more, input);
 }
 
-TEST(Vertical, OnlyWhoIsCloseOnTheGroundAndInHeightIsAtRisk) {
+TEST(Vertical, OnlyBeesCloseOnTheGroundAndInHeightAreAtRisk) {
   EXPECT_EQ(asked({"--threshold", "5", "--vertical", "4"}).out, "a\nb\nc\n");
   EXPECT_EQ(asked({"--threshold", "5", "--vertical", "3"}).out, "a\nb\n");
   EXPECT_EQ(asked({"--threshold", "4", "--vertical", "4"}).out, "b\nc\n");
@@ -44,7 +44,7 @@ TEST(Vertical, EveryReportThatTakesItAgrees) {
             "a\t2\tb\tc\nb\t2\ta\tc\nc\t2\ta\tb\nd\t0\n");
   EXPECT_EQ(below_header(asked(question + Arguments{"counts"}).out), "a\t2\nb\t2\nc\t2\nd\t0\n");
   EXPECT_EQ(below_header(asked(question + Arguments{"groups"}).out), "0\t3\ta\tb\tc\n");
-  // d is 9 m from a, and nobody is in its cylinder.
+  // d is 9 m from a, and its cylinder is empty.
   EXPECT_EQ(below_header(asked(question + Arguments{"nearest"}).out),
             "a\tb\t4\nb\tc\t3\nc\tb\t3\nd\t\t\n");
   EXPECT_EQ(below_header(asked(question + Arguments{"nearest", "--at-risk-only"}).out),
@@ -96,7 +96,7 @@ bool near(const Bee& a, const Bee& b, int threshold, int vertical, bool inclusiv
   return square < threshold * threshold && rise < vertical;
 }
 
-TEST(Vertical, AgreesWithComparingEverybodyWithEverybody) {
+TEST(Vertical, AgreesWithComparingAllPairs) {
   const auto bees = some_bees();
   std::string table = "x,y,z\n";
   for (const Bee& bee : bees) {

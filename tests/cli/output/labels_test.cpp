@@ -91,7 +91,7 @@ TEST(Labels, StandAtTheEndOfTheEventsOfWatchAsOfReplay) {
     EXPECT_TRUE(line.ends_with(R"(, "first_label": "SWR12AB"})")) << line;
   }
   EXPECT_EQ(watched.out, ask("replay", {"--report", "events"}).out);
-  // Of whoever is silent there is one.
+  // A silent bee has one, too.
   const std::string silent = heard() +
                              "MSG,3,1,1,A1B2C3,1,2024/05/01,12:00:30.000,2024/05/01,"
                              "12:00:30.000,,10000,,,47.26,8.5,,,0,0,0,0\n";

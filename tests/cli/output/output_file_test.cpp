@@ -18,7 +18,7 @@ constexpr std::string_view kBees = "id,x,y,z\na,0,0,0\nb,3,0,0\n";
 
 class OutputFile : public testing::Test {
  protected:
-  // It is said, and nothing has been touched.
+  // The error is reported, and no file has been touched.
   void expect_refused(const Arguments& arguments, const std::string& message,
                       std::string_view input = {}) {
     const std::vector<std::string> before = folder_.names();

@@ -1,4 +1,4 @@
-// The ending of the output's name says the form of the answer, in every subcommand alike.
+// The ending of the output's name decides the form of the answer, in every subcommand alike.
 #include <gtest/gtest.h>
 #include <zlib.h>
 
@@ -36,7 +36,7 @@ std::string unpacked(const std::string& path) {
 
 class OutputForm : public testing::Test {
  protected:
-  // What stands in a file of this name afterwards.
+  // The content of a file of this name afterwards.
   std::string written(const Arguments& arguments, const std::string& name) {
     const Finished finished = run(arguments + Arguments{"--quiet", "-o", folder_.path(name)});
     EXPECT_EQ(finished.exit_code, 0) << name << ": " << finished.err;
@@ -51,12 +51,12 @@ class OutputForm : public testing::Test {
     const std::string in_file = written(arguments, name);
     const std::string printed = run(arguments + options + Arguments{"--quiet"}).out;
     EXPECT_NE(printed, "");
-    // Of JSON the times that the work took differ.
+    // In JSON only the measured times differ.
     EXPECT_EQ(in_file.substr(0, in_file.find("\"timings\"")),
               printed.substr(0, printed.find("\"timings\"")));
   }
 
-  // With --json the error is said on standard output too.
+  // With --json the error is written to standard output too.
   static void expect_json_refused(const Arguments& arguments, const std::string& message) {
     const Finished finished = run(arguments);
     EXPECT_EQ(finished.exit_code, 2);

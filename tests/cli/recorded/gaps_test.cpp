@@ -1,4 +1,4 @@
-// A gap is unknown, neither a straight line nor absence: what recordings are said to be then.
+// A gap is unknown, neither a straight line nor absence: the answers about such recordings.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -52,7 +52,7 @@ TEST_F(Gaps, NoStraightLineJoinsFixesThatAreHoursApart) {
                {"no conflict in the known time; 1 bee unknown for 2 h in all",
                 "5 s, 5 times the typical interval of 1 s (--max-gap)", "a from 10.00 s for 2 h"});
   EXPECT_EQ(finished.err.find("keeps its distance"), std::string::npos) << finished.err;
-  // The line is there for those who ask for it.
+  // The straight line is used where it is asked for.
   const Finished joined = run({"replay", file_, "--threshold", "5", "--max-gap", "never"});
   EXPECT_EQ(lines_of(joined.out).size(), 2u) << joined.out;
   expect_parts(joined.err, {"does not keep its distance: 1 conflict of 1 pair"});
@@ -68,7 +68,7 @@ TEST_F(Gaps, WithoutGapsItKeepsItsDistance) {
 }
 
 // Absence before the first fix and after the last one is no knowledge either.
-TEST_F(Gaps, WhoIsKnownForAPartOnlyIsSaid) {
+TEST_F(Gaps, BeesThatAreKnownForAPartOnlyAreNamed) {
   const std::string input =
       kHeader + standing("a", 0, 0, 60) + standing("b", 100, 0, 60) + standing("late", 200, 30, 60);
   const Finished finished = ask({"replay", "--threshold", "5"}, input);
@@ -120,7 +120,7 @@ TEST_F(Gaps, TheDefaultComesFromTheDataAndIsRobust) {
   EXPECT_EQ(max_gap(fast + standing("a", 0, 0, 60) + standing("b", 50, 0, 60)), "5");
 }
 
-// Rows of one bee or one moment say of how much they know nothing.
+// Rows of one bee or one instant say how much of their time is unknown.
 TEST_F(Gaps, BeesAndMomentsSayWhatIsUnknown) {
   const Arguments question = {"replay", file_, "--threshold", "5", "--quiet", "--report"};
   expect_rows(rows_of(run(question + Arguments{"bees"}).out),
@@ -147,7 +147,7 @@ TEST_F(Gaps, VerifyDoesNotCertifyWhatItDidNotSee) {
   }
 }
 
-// What a straight line across a gap would break is no finding; what was flown beside it is.
+// A breach that only a straight line across a gap has is no finding; breaches outside of gaps are.
 TEST_F(Gaps, VerifyFindsNothingInAGapAndAllBesideIt) {
   std::string input = kHeader;
   for (int t = 0; t <= 60; ++t) {
@@ -164,7 +164,7 @@ TEST_F(Gaps, VerifyFindsNothingInAGapAndAllBesideIt) {
 }
 
 // Status 0 would be an all-clear.
-TEST_F(Gaps, AGapIsARiskToThoseWhoAskForTheStatus) {
+TEST_F(Gaps, AGapIsARiskWhereTheStatusIsAskedFor) {
   for (const Arguments& command :
        {Arguments{"replay", file_}, Arguments{"export", file_, "--format", "csv"},
         Arguments{"plot", file_, "-o", folder_.path("x.svg")}}) {

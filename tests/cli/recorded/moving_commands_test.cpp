@@ -57,7 +57,7 @@ class MovingCommands : public testing::TestWithParam<const char*> {
   TemporaryFolder folder_;
 };
 
-TEST_P(MovingCommands, FailOnRiskTellsConflictsByTheExitStatus) {
+TEST_P(MovingCommands, FailOnRiskReportsConflictsByTheExitStatus) {
   EXPECT_EQ(ask({"--fail-on-risk"}).exit_code, 1);
   EXPECT_EQ(ask({"--fail-on-risk", "--json", "--quiet"}).exit_code, 1);
   EXPECT_EQ(ask({}).exit_code, 0);
@@ -82,7 +82,7 @@ TEST_P(MovingCommands, TheSameConflictsComeInEveryForm) {
                           R"(, "ends_s": )" + rows[0][5] + "}"});
 }
 
-TEST_P(MovingCommands, NobodyInConflictIsAnEmptyAnswerInEveryForm) {
+TEST_P(MovingCommands, NoConflictIsAnEmptyAnswerInEveryForm) {
   EXPECT_EQ(below_header(ask({}, kFarApart).out), "");
   EXPECT_EQ(ask({"--csv"}, kFarApart).out, "first,second,begins_s,closest_s,closest_m,ends_s\n");
   const std::string json = ask({"--json"}, kFarApart).out;
@@ -107,7 +107,7 @@ TEST_P(MovingCommands, IdsCannotBreakTheFormOrSteerTheTerminal) {
   expect_parts(json.out, {R"("first": "a,\"1\"")"});
 }
 
-TEST_P(MovingCommands, NumbersThatMakeNoSenseAreRefused) {
+TEST_P(MovingCommands, InvalidNumbersAreRefused) {
   for (const std::string bad : {"0", "-5", "nan", "inf", "abc", "5 m/s"}) {
     expect_refused({"--threshold=" + bad}, "the threshold");
   }
@@ -124,7 +124,7 @@ TEST_P(MovingCommands, NumbersThatMakeNoSenseAreRefused) {
   }
 }
 
-TEST_P(MovingCommands, WordsAndOptionsThatMakeNoSenseAreRefused) {
+TEST_P(MovingCommands, InvalidWordsAndOptionsAreRefused) {
   const Finished both = ask({"--csv", "--json"});
   EXPECT_EQ(both.exit_code, 2);
   EXPECT_TRUE(is_json(both.out)) << both.out;
@@ -171,7 +171,7 @@ TEST_P(MovingCommands, SkippedRecordsAreListedAndTheRestIsSearched) {
                {R"("skipped": 1)"});
 }
 
-TEST_P(MovingCommands, RecordsThatGoBackInTimeAreBroughtIntoOrderAndSaid) {
+TEST_P(MovingCommands, RecordsThatGoBackInTimeAreSortedAndReported) {
   const Finished finished = ask({"--threshold", "5"},
                                 "id,time_s,x,y,z,vx,vy,vz\n"
                                 "a,10,10,0,0,1,0,0\nb,10,13,0,0,1,0,0\n"
@@ -180,7 +180,7 @@ TEST_P(MovingCommands, RecordsThatGoBackInTimeAreBroughtIntoOrderAndSaid) {
   expect_parts(finished.err, {"2 records go back in time"});
 }
 
-TEST_P(MovingCommands, TimesWithoutAUnitAreRefusedUntilItIsSaid) {
+TEST_P(MovingCommands, TimesWithoutAUnitAreRefusedUntilItIsGiven) {
   std::string text(kMeeting);
   text.replace(text.find("time_s"), 6, "time");
   expect_failure({GetParam()}, text, 2, "--time-unit s, ms, us or ns");
@@ -197,8 +197,8 @@ TEST_P(MovingCommands, ColumnsMayBeGivenByNumber) {
 
 TEST_P(MovingCommands, FilesAndFoldersThatCannotBeReadAreNamed) {
   const std::string command = GetParam();
-  expect_failure({command, folder_.path("nobody.csv")}, {}, kSystem,
-                 "nobody.csv: there is no such file");
+  expect_failure({command, folder_.path("missing.csv")}, {}, kSystem,
+                 "missing.csv: there is no such file");
   expect_failure({command, folder_.path(".")}, {}, kBadInput,
                  "there is no .csv, .tsv or .txt file in this folder");
   Surroundings unprivileged;
@@ -237,7 +237,7 @@ TEST_P(MovingCommands, TheOutputFileHoldsTheAnswerAndIsLeftAloneByErrors) {
   EXPECT_EQ(folder_.names(), std::vector<std::string>{"answer"});
 }
 
-TEST_P(MovingCommands, EveryFormEndsQuietlyWhenNobodyReads) {
+TEST_P(MovingCommands, EveryFormEndsQuietlyWhenTheReaderIsGone) {
   Surroundings closed;
   closed.output = Surroundings::Output::kClosedPipe;
   for (const Arguments& form : {Arguments{}, Arguments{"--csv"}, Arguments{"--json"}}) {
@@ -286,7 +286,7 @@ TEST_P(MovingCommands, TerminalsSeeColourUnlessNoColorIsSet) {
   EXPECT_EQ(plain.err.find('\x1b'), std::string::npos) << plain.err;
 }
 
-TEST_P(MovingCommands, NobodyIsLeftWaitingForInputThatNobodyTypes) {
+TEST_P(MovingCommands, ACommandDoesNotWaitForInputFromATerminal) {
   if (!has_terminals()) GTEST_SKIP() << "this system has no pseudo-terminals";
   Surroundings surroundings;
   surroundings.input_on_terminal = true;

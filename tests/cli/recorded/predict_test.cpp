@@ -1,4 +1,4 @@
-// `beespace predict`: who is about to come too close, on swarms whose future is worked out by hand.
+// `beespace predict`: future conflicts, on swarms whose future is computed by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ namespace beespace::cli_test {
 namespace {
 
 // After t seconds a and b are 100 - 2 t apart along x, and 3 along y: 5 m after 48 s, 3 m after 50
-// s, 5 m after 52 s. Nobody comes near c.
+// s, 5 m after 52 s. None comes near c.
 constexpr std::string_view kHeadOn =
     "id,x,y,z,vx,vy,vz\n"
     "a,0,0,0,1,0,0\n"
@@ -34,7 +34,7 @@ TextRows predicted(const Arguments& more, std::string_view input = kHeadOn) {
   return rows_of(finished.out);
 }
 
-TEST(Predict, TellsWhenAConflictBeginsIsClosestAndEnds) {
+TEST(Predict, GivesBeginClosestAndEndOfAConflict) {
   expect_rows(predicted({}), {{"a", "b", "48", "50", "3", "52"}});
 }
 
@@ -65,7 +65,7 @@ TEST(Predict, AVerticalThresholdHoldsAtTheSameTimeAsTheHorizontalOne) {
               {{"a", "b", std::to_string(50.0 - u), "50", "3", std::to_string(50.0 + u)}});
 }
 
-TEST(Predict, WhoIsHeardOfBeforeTheLastReportIsBroughtForward) {
+TEST(Predict, OlderReportsAreExtrapolatedToTheLastOne) {
   // 10 s later a is at 10, b 90 m away: 5 m after 43 more seconds.
   constexpr std::string_view input =
       "id,time_s,x,y,z,vx,vy,vz\n"
@@ -79,7 +79,7 @@ TEST(Predict, WhoIsHeardOfBeforeTheLastReportIsBroughtForward) {
        "soonest    a and b, in 43.00 s\n", "closest    a and b, 3.000 m apart at 55.00 s"});
 }
 
-TEST(Predict, WhoWasNotHeardOfForLongIsLeftOutAndSaid) {
+TEST(Predict, BeesNotHeardForLongAreLeftOutAndNamed) {
   constexpr std::string_view input =
       "id,time_s,x,y,z,vx,vy,vz\n"
       "a,0,0,0,0,1,0,0\n"
@@ -103,7 +103,7 @@ TEST(Predict, WithoutVelocitiesItIsThatOfTheLastTwoReports) {
   expect_parts(finished.err, {"2 without a velocity: it is that of the last two fixes"});
 }
 
-TEST(Predict, WhoHasNeitherAVelocityNorTwoReportsIsCheckedForNowAndCounted) {
+TEST(Predict, ABeeWithNeitherVelocityNorTwoReportsIsCheckedForNowAndCounted) {
   const Finished finished =
       run({"predict", "--threshold", "5"},
           "id,time_s,x,y,z\na,0,0,0,0\na,1,1,0,0\nb,1,2,2,2\nc,0,9,0,0\nc,1,9,0,0\n");
@@ -115,7 +115,7 @@ TEST(Predict, WhoHasNeitherAVelocityNorTwoReportsIsCheckedForNowAndCounted) {
               {{"a", "b", "1", "1", "3", "1"}, {"a", "c", "4", "9", "0", "14"}});
 }
 
-TEST(Predict, WhereNobodyHasAVelocityThatIsAnError) {
+TEST(Predict, WithoutAnyVelocityThereIsAnError) {
   expect_failure({"predict"}, "id,time_s,x,y,z\na,1,1,0,0\nb,1,2,2,2\n", 3,
                  "bee 'b': there is no velocity, and only one fix to tell it from");
   expect_failure({"predict"}, "id,x,y,z\na,0,0,0\nb,1,1,1\n", 3,
@@ -141,7 +141,7 @@ TEST(Predict, TheSummarySaysWhatWasAskedAndFound) {
                {"threshold  3 m or closer\n"});
 }
 
-TEST(Predict, JsonSaysTheQuestionAndTheAnswer) {
+TEST(Predict, JsonHasTheQueryAndTheAnswer) {
   const std::string json =
       run({"predict", "--threshold", "5", "--vertical", "2", "--horizon", "70", "--json"}, kSinking)
           .out;
@@ -230,7 +230,7 @@ TEST(Predict, TheHelpSaysWhatTimesAndDistancesMean) {
   expect_parts(run({"detect", "--help"}).out, {"in a straight line"});
 }
 
-TEST(Predict, WhoStandsOnTheGroundCountsWhenAskedFor) {
+TEST(Predict, BeesOnTheGroundCountWhenAskedFor) {
   const std::string landed =
       R"({"now": 1000000.5, "messages": 7, "aircraft": [
         {"hex":"a","alt_baro":"ground","alt_geom":0,"gs":9,"track":0,"geom_rate":0,"lat":1,"lon":2,"seen_pos":0},
@@ -239,14 +239,15 @@ TEST(Predict, WhoStandsOnTheGroundCountsWhenAskedFor) {
   EXPECT_EQ(rows_of(run({"predict", "--grounded"}, landed).out).size(), 1u);
 }
 
-TEST(Predict, NumbersThatMakeNoSenseAreRefused) {
+TEST(Predict, InvalidNumbersAreRefused) {
   for (const std::string option : {"--horizon", "--max-age"}) {
     for (const std::string bad : {"-1", "nan", "inf", "soon", "5s"}) {
       expect_usage_error({"predict", option + "=" + bad},
                          option + " '" + bad + "' is not a number of seconds from 0 on");
     }
   }
-  expect_usage_error({"predict", "a.csv", "b.csv"}, "FILE is given 2 times");
+  expect_usage_error({"predict", "a.csv", "b.csv"},
+                     "'b.csv' is one argument too many for 'beespace predict'");
   expect_usage_error({"predict", "--report", "bees"}, "'--report' is no option");
   expect_usage_error({"predict", "--speed", "2"}, "'--speed' is no option");
 }

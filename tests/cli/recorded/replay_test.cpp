@@ -1,4 +1,4 @@
-// `beespace replay`: who came too close, on recordings whose encounters are worked out by hand.
+// `beespace replay`: conflicts, on recordings whose encounters are computed by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -93,7 +93,7 @@ TEST(Replay, TheSeparationIsThatOfTheClosestTwoEverySoOften) {
             "time_s,distance_m,first,second,unknown\n0,5,a,b,0\n");
 }
 
-TEST(Replay, WhereNobodyIsThereTogetherTheSeparationIsEmpty) {
+TEST(Replay, WithoutCommonTimesTheSeparationIsEmpty) {
   constexpr std::string_view input =
       "id,time_s,x,y,z\na,0,0,0,0\na,1,0,0,0\nb,2,9,0,0\nb,3,9,0,0\n";
   EXPECT_EQ(below_header(run({"replay", "--report", "separation", "--quiet"}, input).out),
@@ -105,7 +105,7 @@ TEST(Replay, WhereNobodyIsThereTogetherTheSeparationIsEmpty) {
                {"verdict    nothing to compare: no two bees are there at the same time\n"});
 }
 
-TEST(Replay, BeesWithOneFixAreSaidToBeThereForAnInstant) {
+TEST(Replay, BeesWithOneFixExistForAnInstant) {
   const Finished finished =
       run({"replay"}, "id,time_s,x,y,z\na,0,0,0,0\nb,1,0,0,0\nc,0,9,0,0\nc,2,9,0,0\n");
   expect_parts(finished.err, {"2 bees have one fix only, and so are known for an instant; "});
@@ -118,7 +118,7 @@ TEST(Replay, MomentsOfTheSeparationAreBounded) {
   expect_parts(finished.err, {"--every 1e-09 is more than 10,000,000 rows"});
 }
 
-TEST(Replay, InAGapABeeIsUnknownAndThatIsSaid) {
+TEST(Replay, InAGapABeeIsUnknownAndThatIsReported) {
   constexpr std::string_view input =
       "id,time_s,x,y,z\n"
       "a,0,0,0,0\na,1,10,0,0\na,9,90,0,0\na,10,100,0,0\n"
@@ -140,7 +140,7 @@ TEST(Replay, AVerticalThresholdHoldsAtTheSameTimeAsTheHorizontalOne) {
   expect_rows(replayed({"--vertical", "0.4"}), {{"a", "b", "4.8", "5", "3", "5.2"}});
 }
 
-TEST(Replay, TheSummarySaysWhoWhenAndHowClose) {
+TEST(Replay, TheSummaryNamesTheClosestPairItsTimeAndDistance) {
   const Finished finished = run({"replay", "--threshold", "5"}, kPassing);
   expect_parts(finished.err,
                {"input      standard input (", "frame      metres: the header names x, y and z",
@@ -242,7 +242,7 @@ TEST(Replay, OptionsThatTheReportWouldIgnoreAreRefused) {
                      "--inclusive does not apply to --report events");
 }
 
-TEST(Replay, NumbersAndWordsThatMakeNoSenseAreRefused) {
+TEST(Replay, InvalidNumbersAndWordsAreRefused) {
   for (const auto& [option, report] :
        {std::pair<std::string, std::string>{"--max-gap", "bees"},
         std::pair<std::string, std::string>{"--every", "separation"},

@@ -90,7 +90,7 @@ TEST_F(ShowReplay, EventsOfAShowAreThoseOfItsPlan) {
             "\"distance_m\": 3, \"closest_s\": 0}\n"
             "{\"event\": \"ended\", \"time_s\": 14, \"first\": \"left\", \"second\": \"right\", "
             "\"distance_m\": 3, \"closest_s\": 0}\n");
-  EXPECT_EQ(replay(declaring("2.5"), {"--report", "events"}).out, "") << "somebody went stale";
+  EXPECT_EQ(replay(declaring("2.5"), {"--report", "events"}).out, "") << "a bee went stale";
 }
 
 // One flies a parabola with its apex (0, 5) at 5 s; the other one stands 3 m from there.
@@ -115,7 +115,7 @@ TEST_F(CurvedShow, AConflictBeyondTheToleranceIsCertain) {
   expect_parts(finished.err, {"does not keep its distance"});
 }
 
-TEST_F(CurvedShow, OneWithinTheToleranceIsPossibleAndSaidSo) {
+TEST_F(CurvedShow, OneWithinTheToleranceIsReportedAsPossible) {
   const Finished finished = ask("3", {"--csv"});
   const auto rows = rows_of(finished.out, ',');
   ASSERT_EQ(rows.size(), 2u);

@@ -1,4 +1,4 @@
-// `beespace verify --obstacles`: who flies too close to what stands in the way.
+// `beespace verify --obstacles`: bees that fly too close to obstacles.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -35,7 +35,7 @@ class VerifyObstacles : public testing::Test {
   std::string file_ = folder_.file("city.json", kObstacles);
 };
 
-TEST_F(VerifyObstacles, WhoFliesThroughAWallBetweenFixesIsFound) {
+TEST_F(VerifyObstacles, AFlightThroughAWallBetweenFixesIsFound) {
   const Finished finished = check({});
   EXPECT_EQ(finished.exit_code, 1);
   const TextRows rows = rows_of(finished.out);
@@ -65,7 +65,7 @@ TEST_F(VerifyObstacles, TheDocumentSaysSo) {
                               "\"clearance_loss_count\": 1,", "\"finding\": \"clearance\""});
 }
 
-TEST_F(VerifyObstacles, WhatMakesNoSenseIsRefused) {
+TEST_F(VerifyObstacles, InvalidOptionsAreRefused) {
   expect_usage_error({"verify", "--clearance", "2"}, "--clearance is of obstacles");
   expect_usage_error({"verify", "--obstacles", file_, "--clearance", "0"},
                      "--clearance '0' is not a number of metres above 0");

@@ -1,4 +1,4 @@
-// `beespace verify`: recordings whose distances, speeds and accelerations are worked out by hand.
+// `beespace verify`: recordings whose distances, speeds and accelerations are computed by hand.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -49,7 +49,7 @@ TEST(Verify, APassBetweenFixesIsFound) {
        "breaches   none\n", "verdict    does not keep its distance\n", "time       read "});
 }
 
-TEST(Verify, WhoKeepsItsDistanceHolds) {
+TEST(Verify, ARecordingWithSeparationHolds) {
   const Finished finished = run({"verify", "--threshold", "3.99", "--max-speed", "20"}, kPassing);
   EXPECT_EQ(finished.exit_code, 0) << finished.out;
   EXPECT_EQ(below_header(finished.out), "");
@@ -58,7 +58,7 @@ TEST(Verify, WhoKeepsItsDistanceHolds) {
                {"closest    nobody came closer than 2 m to anybody\n"});
 }
 
-TEST(Verify, WhoIsTooFastIsFound) {
+TEST(Verify, ABeeThatIsTooFastIsFound) {
   const Finished finished =
       run({"verify", "--threshold", "1", "--max-speed", "19.9", "--threads", "1"}, kPassing);
   EXPECT_EQ(finished.exit_code, 1);
@@ -82,7 +82,7 @@ TEST(Verify, VelocitiesBendTheWayBetweenFixes) {
   expect_parts(straight.err, {"motion     straight lines from fix to fix (--straight)\n"});
 }
 
-TEST(Verify, WhoAcceleratesTooHardIsFound) {
+TEST(Verify, ABeeThatAcceleratesTooHardIsFound) {
   const Arguments question = {"verify", "--max-speed", "6", "--max-acceleration"};
   EXPECT_EQ(run(question + Arguments{"3"}, kSpeedingUp).exit_code, 0);
   const Finished finished = run(question + Arguments{"2.9"}, kSpeedingUp);
@@ -205,7 +205,7 @@ TEST(Verify, DegreesBecomeMetres) {
   EXPECT_EQ(run({"verify", "--threshold", "11.12"}, text).exit_code, 0);
 }
 
-TEST(Verify, NumbersThatMakeNoSenseAreRefused) {
+TEST(Verify, InvalidNumbersAreRefused) {
   for (const std::string bad : {"-1", "nan", "inf", "fast"}) {
     expect_usage_error({"verify", "--max-speed=" + bad},
                        "--max-speed '" + bad + "' is not a number of metres per second from 0 on");
@@ -219,7 +219,7 @@ TEST(Verify, NumbersThatMakeNoSenseAreRefused) {
   expect_usage_error({"verify", "--vertical", "5"}, "'--vertical' is no option");
 }
 
-TEST(Verify, AnAnswerThatCannotBeWrittenIsSaid) {
+TEST(Verify, AnAnswerThatCannotBeWrittenIsAnError) {
   EXPECT_EQ(run({"verify", "--output", "/dev/full"}, kPassing).exit_code, 4);
   Surroundings closed;
   closed.output = Surroundings::Output::kClosedPipe;

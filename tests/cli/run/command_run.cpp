@@ -52,9 +52,9 @@ constexpr int kCannotStart = 127;
 
 // From here on the permissions of files count, as they do not for root.
 void give_up_privileges() {
-  constexpr unsigned kNobody = 65'534;
+  constexpr unsigned kUnprivileged = 65'534;
   if (geteuid() != 0) return;
-  if (setgroups(0, nullptr) != 0 || setgid(kNobody) != 0 || setuid(kNobody) != 0) {
+  if (setgroups(0, nullptr) != 0 || setgid(kUnprivileged) != 0 || setuid(kUnprivileged) != 0) {
     _exit(kCannotStart);
   }
 }

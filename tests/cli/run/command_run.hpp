@@ -1,4 +1,4 @@
-// Starting the built command as a shell would, and seeing what it says.
+// Starts the built command as a shell would, and returns its output.
 #pragma once
 
 #include <sys/types.h>
@@ -27,7 +27,7 @@ Finished run_on_terminal(const Arguments& arguments, const std::string& no_colou
 struct Surroundings {
   enum class Output { kCollected, kFile, kClosedPipe };
 
-  Output output = Output::kCollected;  // kClosedPipe: a pipe that nobody reads
+  Output output = Output::kCollected;  // kClosedPipe: a pipe without a reader
   std::string file = {};               // where standard output goes with kFile
   bool input_on_terminal = false;
   bool error_on_terminal = false;
@@ -40,7 +40,7 @@ struct Surroundings {
 Finished run(const Arguments& arguments, std::string_view input = {},
              const Surroundings& surroundings = {});
 
-// A command that is still running. Its standard input stays open until asked.
+// A command that is still running. Its standard input stays open until close_input().
 class Running {
  public:
   explicit Running(const Arguments& arguments, const Surroundings& surroundings = {});

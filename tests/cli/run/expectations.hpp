@@ -1,4 +1,4 @@
-// What tests of several subcommands expect of a run, and its answer taken apart.
+// Expectations about a run that several subcommands share, and its parsed answer.
 #pragma once
 
 #include <initializer_list>
@@ -25,7 +25,7 @@ void expect_rows(const TextRows& rows, const TextRows& expected);
 // Each of the parts is in the text.
 void expect_parts(const std::string& text, std::initializer_list<std::string_view> parts);
 
-// It ends with this status, says this as an error, and answers nothing.
+// It ends with this status, writes this error, and no answer.
 void expect_failure(const Arguments& arguments, std::string_view input, int exit_code,
                     const std::string& message, const Surroundings& surroundings = {});
 

@@ -8,7 +8,7 @@
 namespace beespace::cli_test {
 namespace {
 
-// Recursive descent; every function takes its part from the front, or says no.
+// Recursive descent; every function consumes its part from the front, or returns false.
 class Parser {
  public:
   explicit Parser(std::string_view text) : rest_(text) {}

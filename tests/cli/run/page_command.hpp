@@ -1,4 +1,4 @@
-// What tests of the commands that make pages share: whether this build can, and a page taken apart.
+// Shared by tests of the commands that make pages: whether this build can, and a parsed page.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ class Page {
 
   [[nodiscard]] std::vector<double> values(report_test::Json column) const;
   [[nodiscard]] std::vector<std::uint64_t> numbers(report_test::Json column) const;
-  // What the bees are called: their numbers, where they have no names.
+  // The names of the bees: their numbers, where they have no names.
   [[nodiscard]] std::vector<std::string> names() const;
 
   report_test::PageParts parts;

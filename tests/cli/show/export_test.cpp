@@ -102,7 +102,7 @@ TEST_F(Export, CsvHasOneRowAPairOrAConflict) {
   expect_parts(conflicts[1][0], {"a,'=1+1,17145648", ",yes,", ",2024-05-01T12:00:30Z,"});
 }
 
-TEST_F(Export, OfNobodyAtRiskFilesAreEmptyButWhole) {
+TEST_F(Export, WithoutBeesAtRiskFilesAreEmptyButWhole) {
   EXPECT_TRUE(is_xml(exported(bees_, "kml", {"--threshold", "1"})));
   EXPECT_TRUE(is_json(exported(bees_, "czml", {"--threshold", "1"})));
   EXPECT_EQ(exported(bees_, "geojson", {"--threshold", "1"}),
@@ -166,7 +166,7 @@ std::string crowd(bool flying) {
   return text;
 }
 
-TEST_F(Export, PairsThatAreLeftOutAreSaidToBe) {
+TEST_F(Export, PairsThatAreLeftOutAreReported) {
   const std::string bees = folder_.file("crowd.csv", crowd(false));
   const std::string flown = folder_.file("flown.csv", crowd(true));
   const std::string pairs = "of 204,480 pairs, the closest 10,000 are ";

@@ -1,4 +1,4 @@
-// How long the server of `beespace view` waits for whom.
+// How long the server of `beespace view` waits for each kind of client.
 #include "cli/show/page_server.hpp"
 
 #include <gtest/gtest.h>
@@ -66,7 +66,7 @@ TEST_F(Served, ASlowReaderGetsAllThoughItAskedLate) {
   EXPECT_GT(read_to_end(), kPageBytes);
 }
 
-TEST_F(Served, WhoSaysNothingIsNotWaitedForForEver) {
+TEST_F(Served, ASilentClientIsNotWaitedForForEver) {
   const auto begun = steady_clock::now();
   EXPECT_EQ(read_to_end(), 0u);
   EXPECT_LT(steady_clock::now() - begun, std::chrono::seconds(5));

@@ -24,7 +24,7 @@ constexpr std::string_view kFlown = "id,time_s,x,y,z\na,0,0,0,0\na,9,0,0,0\nb,0,
 
 class ReportRefusals : public PageCommand {};
 
-TEST_F(ReportRefusals, BadInputIsSaidWithItsLineAndLeavesNothing) {
+TEST_F(ReportRefusals, BadInputIsReportedWithItsLineAndLeavesNoFile) {
   const std::string bad = folder_.file("bad.csv", "x,y,z\n0,0,0\n1,zero,0\n");
   expect_failure({"report", bad, "-o", folder_.path("page.html")}, {}, kBadInput, "bad.csv:3");
   EXPECT_EQ(folder_.names(), std::vector<std::string>{"bad.csv"});
@@ -69,7 +69,7 @@ TEST_F(ReportRefusals, AFullDiskIsAnError) {
   expect_failure({"report", "-o", "/dev/full"}, kTwo, kSystem, "the disk is full");
 }
 
-TEST_F(ReportRefusals, WhenNobodyReadsItEndsQuietly) {
+TEST_F(ReportRefusals, WhenTheReaderIsGoneItEndsQuietly) {
   Surroundings surroundings;
   surroundings.output = Surroundings::Output::kClosedPipe;
   const Finished finished = run({"report"}, kTwo, surroundings);
@@ -77,7 +77,7 @@ TEST_F(ReportRefusals, WhenNobodyReadsItEndsQuietly) {
   EXPECT_EQ(finished.err, "");
 }
 
-TEST_F(ReportRefusals, SomebodyAtRiskFailsOnlyWhenAsked) {
+TEST_F(ReportRefusals, ABeeAtRiskFailsOnlyWhenAsked) {
   const std::string apart = folder_.file("apart.csv", "x,y,z\n0,0,0\n900,0,0\n");
   const std::string close = folder_.file("close.csv", kTwo);
   const std::string flown = folder_.file("flown.csv", kFlown);
@@ -124,7 +124,7 @@ double seconds_in(const std::string& text, const std::string& label) {
 TEST_F(ReportRefusals, TheTimeOfReadingIsNotThatOfFinding) {
   Running running({"report", "-o", folder_.path("page.html")});
   running.send(kTwo);
-  std::this_thread::sleep_for(std::chrono::milliseconds(400));  // somebody else is slow
+  std::this_thread::sleep_for(std::chrono::milliseconds(400));  // the other writer is slow
   running.close_input();
   const std::string said = running.finish().err;
   EXPECT_GE(seconds_in(said, "time       read "), 0.3) << said;
@@ -216,7 +216,7 @@ TEST_F(ReportRefusals, ErrorsAreJsonWhenAskedFor) {
   expect_parts(finished.out, {"\"error\"", "<stdin>"});
 }
 
-TEST_F(ReportRefusals, OptionsThatMakeNoSenseAreRefused) {
+TEST_F(ReportRefusals, InvalidOptionsAreRefused) {
   expect_usage_error({"report", "--threshold", "0"}, "threshold");
   expect_usage_error({"report", "--port", "1"}, "'--port' is no option");
 }

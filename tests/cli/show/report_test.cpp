@@ -1,4 +1,4 @@
-// `beespace report`: what its pages say is what `detect` and `replay` say of the same input.
+// `beespace report`: its pages agree with the answers of `detect` and `replay` for the same input.
 #include <gtest/gtest.h>
 
 #include <fcntl.h>
@@ -36,7 +36,7 @@ std::string flights() {
       .out;
 }
 
-// What a command answers as JSON.
+// The answer of a command as JSON.
 ParsedJson answer(const Arguments& arguments, std::string_view input) {
   const Finished finished = run(arguments + Arguments{"--json"}, input);
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
@@ -53,7 +53,7 @@ std::vector<std::string> at_risk_in(const Page& page) {
   return at_risk;
 }
 
-// Of pairs, how far apart they are.
+// The distances of the pairs.
 using Apart = std::map<std::pair<std::string, std::string>, double>;
 
 Apart pairs_in(const Page& page) {
@@ -107,7 +107,7 @@ void expect_as_detect(const Arguments& how, const std::string& input) {
   expect_parts(run(Arguments{"report"} + how, input).err, {"at risk    " + said});
 }
 
-TEST_F(Report, OfASnapshotItSaysWhatDetectSays) {
+TEST_F(Report, OfASnapshotItAgreesWithDetect) {
   const std::string input = swarm_of("800", "60");
   expect_as_detect({"--threshold", "3"}, input);
   expect_as_detect({"--threshold", "3", "--vertical", "0.5", "--inclusive"}, input);
@@ -168,7 +168,7 @@ TEST_F(Report, APipeWithANameIsReadOnce) {
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
     std::thread writer([&] { folder_.file("pipe.csv", input); });
     const Finished finished = run({"report", pipe});
-    const int other_end = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);  // if nobody has read it
+    const int other_end = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);  // if it was not read
     writer.join();
     close(other_end);
     expect_alike(Page(finished.out), reported({}, input));
@@ -176,7 +176,7 @@ TEST_F(Report, APipeWithANameIsReadOnce) {
   }
 }
 
-// Of a recording, what `replay` finds.
+// For a recording, the answer of `replay`.
 void expect_as_replay(const Arguments& how, const std::string& input) {
   const Page page = reported(how, input);
   EXPECT_EQ(text_of(page.swarm()["kind"]), "recording");
@@ -214,7 +214,7 @@ double seconds_at_risk(const std::string& bees) {
   return sum_s;
 }
 
-TEST_F(Report, OfARecordingItSaysWhatReplaySays) {
+TEST_F(Report, OfARecordingItAgreesWithReplay) {
   const std::string input = flights();
   const Arguments how = {"--threshold", "11"};
   expect_as_replay(how, input);
@@ -233,7 +233,7 @@ TEST_F(Report, OfARecordingItSaysWhatReplaySays) {
   EXPECT_TRUE(std::is_sorted(times_s.begin(), times_s.end()));
 }
 
-TEST_F(Report, OfARecordingItSaysAtAGlanceWhatReplaySays) {
+TEST_F(Report, TheSummaryOfARecordingAgreesWithReplay) {
   const std::string input = flights();
   const std::string seen = run({"report", "--threshold", "11"}, input).err;
   const std::string replayed = run({"replay", "--threshold", "11"}, input).err;
@@ -277,7 +277,7 @@ TEST_F(Report, StretchesOfABeeThatTouchAreOne) {
   EXPECT_EQ(std::uint64_t(page.risk()["bees"]), 3u);
 }
 
-TEST_F(Report, GapsAreToldAndSaidAloud) {
+TEST_F(Report, GapsAreWrittenAndReported) {
   constexpr std::string_view input =
       "id,time_s,x,y,z\na,0,0,0,0\na,1,1,0,0\na,60,9,0,0\nb,0,0,50,0\nb,60,0,50,0\n";
   const Page joined = reported({"--max-gap", "never"}, input);

@@ -22,14 +22,14 @@ std::string summary(const Arguments& arguments, std::string_view input) {
 
 const Arguments kTable = {"export", "--format", "csv"};
 
-TEST(SeenTimes, WhoIsThereAtAnotherTimeMeetsNobody) {
+TEST(SeenTimes, ABeeAtAnotherTimeMeetsNone) {
   expect_parts(summary(kTable, kApartInTime),
                {"bees       3\n", "at risk    none in the known time; ",
                 "each bee is there for a moment only"});
   EXPECT_EQ(lines_of(run(kTable, kApartInTime).out).size(), 1u);  // no conflict below the header
 }
 
-TEST(SeenTimes, WhoIsThereAtTheSameTimeIsInASnapshot) {
+TEST(SeenTimes, BeesAtTheSameTimeAreASnapshot) {
   const std::string said = summary(kTable, kAtOnce);
   expect_parts(said, {"at risk    3 of 3: 3 pairs in 1 group\n"});
   EXPECT_EQ(said.find("moment"), std::string::npos);
@@ -46,7 +46,7 @@ TEST(SeenTimes, ATimeOfWhichTheUnitIsNotKnownIsNotPassedOver) {
   expect_failure(kTable, apart, 2, message);
   expect_parts(summary(kTable + Arguments{"--time-unit", "s"}, apart),
                {"at risk    none in the known time; "});
-  // Where there is one time only, its unit is nobody's concern.
+  // With one time only, its unit does not matter.
   expect_parts(summary(kTable, "id,t,x,y,z\na,1,0,0,0\nb,1,1,0,0\n"), {"at risk    2 of 2"});
 }
 

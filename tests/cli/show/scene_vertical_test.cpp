@@ -1,5 +1,5 @@
-// With --vertical who is closest in a straight line may keep apart in height: pages, pictures and
-// map files, and the summary of `detect`, name those who are in conflict.
+// With --vertical the closest pair in a straight line may keep apart in height: pages, pictures and
+// map files, and the summary of `detect`, name the pairs in conflict.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -23,7 +23,7 @@ constexpr std::string_view kFlown =
 constexpr std::string_view kOverTheEarth =
     "id,longitude,latitude,height\na,0,0,100\nabove,0.00003,0,110\nc,0.0002,0,100\n";
 const Arguments kCylinder = {"--threshold", "25", "--vertical", "5"};
-const Arguments kFlatCylinder = {"--threshold", "19", "--vertical", "5"};  // nobody is in conflict
+const Arguments kFlatCylinder = {"--threshold", "19", "--vertical", "5"};  // no conflict
 
 std::string made(const Arguments& command, std::string_view input) {
   const Finished finished = run(command + Arguments{"--quiet"}, input);
@@ -31,7 +31,7 @@ std::string made(const Arguments& command, std::string_view input) {
   return finished.out;
 }
 
-TEST(SeenVertical, MapFilesNameWhoIsInConflict) {
+TEST(SeenVertical, MapFilesNameThePairsInConflict) {
   for (const std::string format : {"kml", "czml"}) {
     const std::string map =
         made(Arguments{"export", "--format", format} + kCylinder, kOverTheEarth);
@@ -55,7 +55,7 @@ TEST(SeenVertical, PicturesRingTheClosestInConflict) {
   }
 }
 
-TEST(SeenVertical, WhereNobodyIsInConflictTheClosestAreSaidNotToBe) {
+TEST(SeenVertical, WithoutConflictsTheClosestAreReportedToKeepApart) {
   for (const std::string_view input : {kBees, kFlown}) {
     expect_parts(made(Arguments{"plot"} + kFlatCylinder, input),
                  {"closest, not too close: 10.4 m", "a \u2013 above", ", not too close</text>"});

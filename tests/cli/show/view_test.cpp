@@ -122,7 +122,7 @@ class View : public PageCommand {
     return line + " HTTP/1.1\r\nHost: " + host() + "\r\n" + more + "\r\n";
   }
 
-  // What is said to this on a connection of its own.
+  // The response to this request on a connection of its own.
   [[nodiscard]] Reply asked(const std::string& text, bool only_head = false) const {
     const Socket socket;
     EXPECT_TRUE(socket.connect_to(port_));
@@ -205,7 +205,7 @@ TEST_F(View, AConnectionMayAskAgain) {
   EXPECT_TRUE(rest.ends_with(whole));
 }
 
-TEST_F(View, ManyAreServedAtOnceAndIdleOnesAreInNobodysWay) {
+TEST_F(View, ManyAreServedAtOnceAndIdleOnesDoNotBlock) {
   std::vector<std::unique_ptr<Socket>> idle;
   for (int i = 0; i < 20; ++i) {
     idle.push_back(std::make_unique<Socket>());
@@ -242,7 +242,7 @@ TEST_F(View, NonsenseDoesNotEndIt) {
   expect_page();
 }
 
-TEST_F(View, WhatIsNoRequestIsToldSo) {
+TEST_F(View, AnInvalidRequestGetsAnError) {
   EXPECT_EQ(asked("nonsense\r\n\r\n").status, 400);
   EXPECT_EQ(asked(request("GET /", "Content-Length: -1\r\n")).status, 400);
   EXPECT_EQ(asked(request("POST /", "Content-Length: 99999999999\r\n")).status, 413);
@@ -264,7 +264,7 @@ TEST_F(View, CtrlCEndsIt) {
                               "Open this address in a browser on this machine; Ctrl-C ends it.\n"});
 }
 
-TEST_F(View, APortThatIsTakenIsSaid) {
+TEST_F(View, APortThatIsTakenIsReported) {
   expect_failure({"view", folder_.path("bees.csv"), "--no-open", "--port", std::to_string(port_)},
                  {}, 4, "cannot serve a page on 127.0.0.1, port " + std::to_string(port_) + ": ");
 }
@@ -336,7 +336,7 @@ TEST_F(ViewOnDesktop, ABrowserThatStaysIsNotWaitedFor) {
   EXPECT_EQ(kill(browser, SIGTERM), 0) << "the browser outlives the command";
 }
 
-TEST_F(ViewOnDesktop, ABrowserThatCannotBeOpenedIsSaid) {
+TEST_F(ViewOnDesktop, ABrowserThatCannotBeOpenedIsReported) {
   opens_with("exit 3\n");
   EXPECT_EQ(told(*view()), "Open this address in a browser on this machine; Ctrl-C ends it.");
   opens_with("kill -9 $$\n");
@@ -368,7 +368,7 @@ TEST_F(ViewOnce, WhatIsNoPortIsRefused) {
   }
 }
 
-TEST_F(ViewOnce, ItsHelpSaysWhoElseCanRead) {
+TEST_F(ViewOnce, ItsHelpSaysWhichOthersCanRead) {
   expect_parts(run({"view", "--help"}).out, {"who find the port can read the page"});
 }
 

@@ -73,7 +73,7 @@ TEST(SimulateMission, EachBeeFliesAsItCan) {
   EXPECT_EQ(harder.exit_code, 2);
 }
 
-TEST(SimulateMission, VelocitiesOfTheFileAreNotUsedAndThatIsSaid) {
+TEST(SimulateMission, VelocitiesOfTheFileAreNotUsedAndThatIsReported) {
   const Finished finished = run({"simulate", "-"},
                                 "id,x,y,z,goal_x,goal_y,goal_z,vx,vy,vz,colour\n"
                                 "a,0,0,0,10,0,0,1,0,0,red\n");
@@ -82,7 +82,7 @@ TEST(SimulateMission, VelocitiesOfTheFileAreNotUsedAndThatIsSaid) {
                               "note       the velocities of the file are not used"});
 }
 
-TEST(SimulateMission, WhatIsWrongWithTheFileIsSaidWithItsPlace) {
+TEST(SimulateMission, ErrorsInTheFileAreReportedWithTheirPlace) {
   const TemporaryFolder folder;
   expect_failure({"simulate", folder.path("nowhere.csv")}, {}, 4, "there is no such file");
   expect_failure({"simulate", "-"}, "x,y,z\n1,2,3\n", 3, "<stdin>:1: the header names no goals");
@@ -134,7 +134,7 @@ TEST(SimulateMission, BeesBeginAndStopClearOfObstacles) {
                  "x,y,z,goal_x,goal_y,goal_z\n0,0,0,30,0,0\n", 3, "wants to stop inside");
 }
 
-TEST(SimulateMission, WhatIsWrongWithObstaclesIsSaid) {
+TEST(SimulateMission, ErrorsInObstaclesAreReported) {
   const TemporaryFolder folder;
   const std::string mission = folder.file("mission.csv", kMission);
   const Arguments question = {"simulate", mission, "--obstacles", "-"};
@@ -241,7 +241,7 @@ TEST(DensitySweep, IsADocumentOfRuns) {
                 R"("spacing_m": 10,)", R"("spacing_m": 8.75,)", R"("spacing_m": 7.5,)"});
 }
 
-TEST(DensitySweep, WithoutPreventionSomebodyIsLost) {
+TEST(DensitySweep, WithoutPreventionSeparationIsLost) {
   const Finished finished =
       run({"simulate", "density-sweep", "--bees", "60", "--method", "none", "--fail-on-risk"});
   EXPECT_EQ(finished.exit_code, 1) << finished.err;

@@ -1,4 +1,4 @@
-// `beespace simulate`: what is flown, what is said of it, and that the recording says the same.
+// `beespace simulate`: the flight, its summary, and that the recording agrees with it.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -52,8 +52,8 @@ TEST(Simulate, WithoutPreventionTheyDoNot) {
   EXPECT_EQ(run(question).exit_code, 0);
 }
 
-// Two who fly straight at each other, and give way by as much to either side: to none.
-TEST(Simulate, WhoIsStuckAtTheEndIsNamed) {
+// Two bees fly straight at each other, and are hindered equally on both sides: neither turns.
+TEST(Simulate, BeesThatAreStuckAtTheEndAreNamed) {
   const Finished finished =
       run({"simulate", "head-on", "--method", "orca", "--steps", "300", "--json"});
   EXPECT_EQ(finished.exit_code, 0);
@@ -98,7 +98,7 @@ TEST(Simulate, ItEndsAfterTheMostSteps) {
   expect_parts(finished.err, {"flown      7 steps of 0.5 s (3.50 s), the most (--steps)\n"});
 }
 
-TEST(Simulate, OneBeeHasNobodyToAvoid) {
+TEST(Simulate, OneBeeHasNoneToAvoid) {
   const Finished finished = run({"simulate", "random-swap", "--bees", "1"});
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
   expect_parts(finished.err,
@@ -107,7 +107,7 @@ TEST(Simulate, OneBeeHasNobodyToAvoid) {
                 "path ratio none: nobody has flown and arrived\n"});
 }
 
-TEST(Simulate, TheRecordingIsATableOfEverybodyStepByStep) {
+TEST(Simulate, TheRecordingIsATableOfAllBeesStepByStep) {
   const TemporaryFolder folder;
   const std::string file = folder.path("pair.csv");
   ASSERT_EQ(run({"simulate", "head-on", "--steps", "2", "--output", file}).exit_code, 0);
@@ -147,7 +147,7 @@ TEST(Simulate, TheSameSeedIsTheSameFlightWithAnyNumberOfThreads) {
 
 class SimulatedRecording : public testing::TestWithParam<const char*> {};
 
-// The checks of a recording say what was said while it was flown.
+// The checks of a recording find what was found during the flight.
 TEST_P(SimulatedRecording, IsWhatVerifyAndReplayRead) {
   const TemporaryFolder folder;
   const std::string file = folder.path(GetParam());
@@ -199,7 +199,7 @@ TEST(Simulate, VelocitiesThatJumpAreCheckedAsStraightLines) {
                {"motion     straight lines from fix to fix: there are no velocities\n"});
 }
 
-TEST(Simulate, NumbersThatMakeNoSenseAreRefused) {
+TEST(Simulate, InvalidNumbersAreRefused) {
   for (const char* bad : {"0", "-1", "1.5", "many", "99999999999"}) {
     expect_usage_error({"simulate", "random-swap", "--bees", bad},
                        "--bees '" + std::string(bad) + "' is not a whole number from 1 to");
@@ -250,7 +250,7 @@ TEST(Simulate, StandardOutputHasRoomForOneOfTheTwo) {
   expect_parts(finished.err, {"--json and --output - would both write to standard output"});
 }
 
-TEST(Simulate, TheFormatIsToldByTheEndingOrRefused) {
+TEST(Simulate, TheFormatFollowsFromTheEndingOrIsRefused) {
   const TemporaryFolder folder;
   expect_usage_error({"simulate", "head-on", "--output", folder.path("a.npy")},
                      "npy and bin hold positions only");
@@ -272,7 +272,7 @@ TEST(Simulate, AFailedRunLeavesNothing) {
   EXPECT_TRUE(folder.names().empty());
 }
 
-TEST(Simulate, ItEndsQuietlyWhenNobodyReads) {
+TEST(Simulate, ItEndsQuietlyWhenTheReaderIsGone) {
   Surroundings closed;
   closed.output = Surroundings::Output::kClosedPipe;
   for (const Arguments& more : {Arguments{"--output", "-"}, Arguments{"--json"}}) {

@@ -1,4 +1,4 @@
-// `beespace watch --advise`: who is told to fly otherwise, when, and how.
+// `beespace watch --advise`: which bees are told to change course, when, and how.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -40,7 +40,7 @@ double number_in(const std::string& line, const std::string& name) {
   return at == std::string::npos ? 0.0 : std::stod(line.substr(at + name.size() + 4));
 }
 
-// The lines of bees, and those that end a look.
+// The lines of bees, and the lines that end a round of advice.
 struct Told {
   std::vector<std::string> bees;
   std::vector<std::string> ends;
@@ -55,11 +55,11 @@ Told told(const Finished& finished) {
   return told;
 }
 
-TEST(WatchAdvice, IsToldToThoseWhoShouldNotFlyOn) {
+TEST(WatchAdvice, IsGivenToBeesThatShouldNotFlyOn) {
   const Finished finished = watched({"--advise"}, head_on());
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
   const Told all = told(finished);
-  // The look of time 0 is late: nobody knows before that all have reported.
+  // The round of time 0 is late: only later have all reported.
   ASSERT_EQ(all.ends.size(), 27u);
   for (std::size_t i = 0; i < all.ends.size(); ++i) {
     EXPECT_DOUBLE_EQ(number_in(all.ends[i], "time_s"), static_cast<double>(i + 1) / 10);
@@ -80,15 +80,15 @@ TEST(WatchAdvice, IsToldToThoseWhoShouldNotFlyOn) {
   expect_parts(finished.err, {"advice     " + std::to_string(all.bees.size())});
 }
 
-TEST(WatchAdvice, SaysThatABeeDidNotFlyAsItWasTold) {
+TEST(WatchAdvice, ReportsABeeThatDidNotFlyAsAdvised) {
   const Told all = told(watched({"--advise"}, head_on()));
-  // They are told when they are to brake, and fly on.
+  // They are told when to brake, and fly on.
   ASSERT_FALSE(all.bees.empty());
   expect_parts(all.bees.back(), {R"("id": "b")", R"("certified": false, "because": ")"});
   EXPECT_NE(all.ends.back().find(R"("not_as_advised": )"), std::string::npos) << all.ends.back();
 }
 
-TEST(WatchAdvice, CertifiesNobodyWithoutVelocitiesOrAfterLongSilence) {
+TEST(WatchAdvice, CertifiesNoBeeWithoutVelocitiesOrAfterLongSilence) {
   std::string table = "id,time_s,x,y,z\n";
   for (const char* time : {"0", "0.1", "0.2", "0.3"}) {
     table += std::string("a,") + time + ",0,0,0\nb," + time + ",50,0,0\n";
@@ -116,7 +116,7 @@ TEST(WatchAdvice, NeverForgetsABeeThatIsSilent) {
     if (tenths <= 3) table += "b," + time + ",60,0,0,0,0,0\n";
   }
   const Told all = told(watched({"--advise", "--max-age", "2", "--max-speed", "10"}, table));
-  // Told nothing to fly by; a makes way for it as soon as it may come close, and not before.
+  // The silent b gets no advice; a makes way for it as soon as it may come close, and not before.
   bool gives_way = false;
   for (const std::string& line : all.bees) {
     const bool is_a = line.find(R"("id": "a")") != std::string::npos;
@@ -149,7 +149,7 @@ TEST(WatchAdvice, IsAboutTheTimeAtWhichItIsFlown) {
   EXPECT_LT(first_s, (60.0 - 5.2 - 2 * 6.8) / 16.0);
 }
 
-TEST(WatchAdvice, IsNotToldUnlessItIsWished) {
+TEST(WatchAdvice, IsNotGivenUnlessAskedFor) {
   const Finished finished = watched({}, head_on());
   EXPECT_EQ(finished.out, "");
   EXPECT_EQ(finished.err.find("advice"), std::string::npos) << finished.err;
@@ -186,11 +186,11 @@ TEST(WatchAdvice, IsAboutTheLimitsThatAreGiven) {
     EXPECT_GT(in_longer, 1.0) << option;
     EXPECT_LT(in_longer, 2.001) << option;
   }
-  // Whoever can stop at once need not yet.
+  // A bee that can stop at once need not brake yet.
   EXPECT_EQ(change({"--max-acceleration", "none"}), 0.0);
 }
 
-TEST(WatchAdvice, SaysWhoIsNotCertified) {
+TEST(WatchAdvice, NamesBeesThatAreNotCertified) {
   const Finished finished =
       watched({"--advise"}, "id,time_s,x,y,z,vx,vy,vz\na,0,0,0,0,0,0,0\nb,0,2,0,0,0,0,0\n");
   const auto lines = told(finished).bees;
@@ -233,7 +233,7 @@ TEST(WatchAdvice, NamesFlightsAsEventsDo) {
   expect_parts(lines[1], {R"("id": "d4e5f6")", R"("certified": false, "because": "heard_once"})"});
 }
 
-TEST(WatchAdvice, OptionsThatMakeNoSenseAreRefused) {
+TEST(WatchAdvice, InvalidOptionsAreRefused) {
   expect_usage_error({"watch", "--max-speed", "0"}, "--max-speed '0'");
   expect_usage_error({"watch", "--max-acceleration", "9"}, "--max-acceleration is of advice");
   expect_usage_error({"watch", "--uncertainty", "9"}, "--uncertainty is of advice");
@@ -248,7 +248,7 @@ TEST(WatchAdvice, OptionsThatMakeNoSenseAreRefused) {
   }
 }
 
-TEST(WatchAdvice, EndsQuietlyWhenNobodyReads) {
+TEST(WatchAdvice, EndsQuietlyWhenTheReaderIsGone) {
   Surroundings closed;
   closed.output = Surroundings::Output::kClosedPipe;
   const Finished finished =

@@ -37,7 +37,7 @@ std::string flock(double lasts_s, const Ahead& ahead, bool with_c = true) {
   return text.str();
 }
 
-// As of a file, so that how fast the machine is does not matter.
+// As from a file, so that the speed of the machine does not matter.
 Finished watched(const std::string& table, const Arguments& more = {}) {
   const TemporaryFolder folder;
   return run(Arguments{"watch", "--threshold", "5", folder.file("bees.csv", table)} + more);
@@ -173,7 +173,7 @@ TEST(WatchClocks, OfManyBeesCostNoMoreWithOneThatIsOff) {
   EXPECT_LT(seconds(wrong.str()), 3.0 * right_s + 1.0);
 }
 
-// What comes when, whatever it says.
+// By the time of arrival, whatever time a report states.
 TEST(WatchClocks, OfArrivalAreThoseOfThisMachine) {
   Running running({"watch", "--threshold", "5", "--clock", "arrival", "--horizon", "0"});
   const auto now_s = [] {

@@ -110,7 +110,7 @@ TEST(WatchEvents, AVerticalThresholdIsComparedApart) {
   EXPECT_EQ(lines_of(watched({"--vertical", "4.5"}, high).out).size(), 4u);
 }
 
-TEST(WatchEvents, WhoIsSilentForLongIsStaleAndLost) {
+TEST(WatchEvents, ABeeThatIsSilentForLongIsStaleAndLost) {
   const Finished finished = watched({"--max-age", "3", "--horizon", "0"},
                                     "id,time_s,x,y,z\n"
                                     "a,0,0,0,0\nb,0,3,0,0\na,1,0,0,0\nb,1,3,0,0\n"
@@ -140,7 +140,7 @@ class WatchOfARecording : public testing::TestWithParam<const char*> {
   }
 };
 
-TEST_P(WatchOfARecording, SaysWhatReplaySaysHoweverOftenItLooks) {
+TEST_P(WatchOfARecording, AgreesWithReplayHoweverOftenItLooks) {
   const std::string table = recording();
   for (const char* every : {"0.03", "0.1", "0.7", "5", "1000"}) {
     const Arguments live = {"--threshold", "15", "--look-every", every};
@@ -156,7 +156,7 @@ TEST_P(WatchOfARecording, SaysWhatReplaySaysHoweverOftenItLooks) {
   }
 }
 
-TEST_P(WatchOfARecording, SaysTheSameOfAVerticalThresholdAndOtherHorizons) {
+TEST_P(WatchOfARecording, AgreesForAVerticalThresholdAndOtherHorizons) {
   const std::string table = recording({"--seed", "3"});
   for (const Arguments& live :
        {Arguments{"--vertical", "10"}, Arguments{"--horizon", "2", "--leave-factor", "1"},
@@ -168,8 +168,8 @@ TEST_P(WatchOfARecording, SaysTheSameOfAVerticalThresholdAndOtherHorizons) {
   }
 }
 
-// What has happened is known from the reports alone; only predictions depend on the looks.
-TEST_P(WatchOfARecording, TellsTheSamePastHoweverOftenItLooks) {
+// Past events follow from the reports alone; only predictions depend on the looks.
+TEST_P(WatchOfARecording, ReportsTheSamePastHoweverOftenItLooks) {
   const std::string table = recording();
   std::vector<std::string> first;
   for (const char* every : {"0.05", "3", "1000"}) {

@@ -21,9 +21,9 @@ std::string tenths(int count) {
   return text.str();
 }
 
-// At each tenth of a second two bees are heard of 1 m apart, which have entered, and two that will
-// come too close later. Of a look what has happened is told first, so what is predicted comes
-// between it only if each tenth has a look of its own that sees all reports of its time.
+// At each tenth of a second two bees are heard 1 m apart, which have entered, and two that will
+// come too close later. A look writes past events first, so a predicted event comes between them
+// only if each tenth has a look of its own that uses all reports of its time.
 TEST(WatchLooks, NoneIsSkippedAndEachSeesTheReportsOfItsOwnTime) {
   constexpr int kLooks = 1'000;
   std::ostringstream table;

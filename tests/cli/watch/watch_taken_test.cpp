@@ -1,5 +1,5 @@
-// What `beespace watch` has heard and not taken into account: "no conflict" is then about the rest
-// only, which the verdict says, and with --fail-on-risk the exit status.
+// Input of `beespace watch` that is left out: "no conflict" is then about the rest only, which the
+// verdict says, and with --fail-on-risk the exit status.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -56,7 +56,7 @@ TEST(WatchTaken, OptionsThatNothingCanBeComputedWithAreRefusedAtOnce) {
   }
 }
 
-TEST(WatchTaken, AnAircraftThatNeverSaysWhereItIsIsKnownNowhere) {
+TEST(WatchTaken, AnAircraftWithoutPositionsIsKnownNowhere) {
   const auto readsb = [](const char* hex, int now, const char* rest) {
     return R"({"now": )" + std::to_string(now) + R"(, "hex": ")" + hex +
            R"(", "seen_pos": 0, "lat": 33, "lon": )" + rest + "}\n";
@@ -73,7 +73,7 @@ TEST(WatchTaken, AnAircraftThatNeverSaysWhereItIsIsKnownNowhere) {
   EXPECT_EQ(finished.exit_code, kRisk);
   expect_parts(finished.err,
                {"verdict    no conflict among what was taken; 1 bee is known nowhere\n"});
-  // Once it says so it is known.
+  // It is known once it has reported.
   finished = run(watch, lines + readsb("bbbbbb", 1003, R"(-115.0, "alt_geom": 3000)") +
                             readsb("bbbbbb", 1004, R"(-115.0, "alt_geom": 3000)"));
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
@@ -124,7 +124,7 @@ TEST(WatchTaken, WhatCameTooLateIsUnknown) {
                               "1 report came too late\n"});
 }
 
-TEST(WatchTaken, ABeeAtTwoPlacesAtOneTimeIsSaid) {
+TEST(WatchTaken, ABeeAtTwoPlacesAtOneTimeIsReported) {
   for (const std::string contrary : {"b,1,0,0,0\n", "b,0,0,0,0\n"}) {
     const Finished finished = watched(apart_with(contrary));
     EXPECT_EQ(finished.exit_code, kRisk);
@@ -142,7 +142,7 @@ TEST(WatchTaken, ABeeAtTwoPlacesAtOneTimeIsSaid) {
   expect_parts(high.err, {"contrary   1 left out\n"});
 }
 
-TEST(WatchTaken, WhoWasHeardOfOnceIsUnknown) {
+TEST(WatchTaken, ABeeHeardOnceIsUnknown) {
   const Finished finished = watched("a,0,0,0,0\nb,0.5,1,0,0\n");
   EXPECT_EQ(finished.exit_code, kRisk);
   expect_parts(finished.err, {"verdict    no conflict; 2 bees were heard of once only\n"});
@@ -223,7 +223,7 @@ TEST(WatchTaken, ASilentBeeStaysUnknownWhenAllClocksBeginAnew) {
                               R"({"event": "stale", "time_s": 102, "id": "w"})", R"("id": "v"})"});
   expect_parts(finished.err, {"bees       2 heard of, 2 stale\n", "unknown    2 bees for ", "w 5",
                               "2 bees were unknown for a time", "all clocks began anew"});
-  // With how fast it may be it is said whom it may meet, and when it is heard of that is said.
+  // With a greatest speed, possible conflicts and the next report are events.
   const Finished fast = watched(text.str() + "w,31,0,2000,0\n", {"--max-speed", "100"});
   expect_parts(fast.out, {"\"possible\"", R"("event": "heard", "time_s": 31)"});
 }
@@ -240,13 +240,13 @@ TEST(WatchTaken, AnotherHeaderIsNoRecord) {
       expect_parts(finished.err, {"another header, "});
     }
   }
-  // Where the columns are told.
+  // With given columns.
   expect_failure({"watch", "--columns", "id=1,time=2,x=3,y=4,z=5", "--time-unit", "s"},
                  "a,0,0,0,0\nb,0,1,0,0\nid,time_s,x_ft,y_ft,z_ft\nb,1,30,0,0\n", kBadInput,
                  "<stdin>:3: another header, ");
 }
 
-TEST(WatchTaken, AKeyThatIsThereTwiceIsSaid) {
+TEST(WatchTaken, ADuplicateKeyIsReported) {
   const Finished finished = run({"watch", "--fail-on-risk", "--threshold", "5"},
                                 "{\"id\": \"a\", \"time_s\": 0, \"x\": 0, \"y\": 0}\n"
                                 "{\"id\": \"a\", \"time_s\": 1, \"x\": 0, \"y\": 0, \"x\": 9}\n"
@@ -258,8 +258,8 @@ TEST(WatchTaken, AKeyThatIsThereTwiceIsSaid) {
                  kBadInput, "'id' is there twice");
 }
 
-// What may have happened between two looks is the same however often they are.
-TEST(WatchTaken, APossibleConflictBetweenTwoLooksIsSaid) {
+// Possible events between two looks are the same, however often looks are taken.
+TEST(WatchTaken, APossibleConflictBetweenTwoLooksIsReported) {
   const std::string table =
       "a,0.01,0,0,0\nb,0.01,1000,0,0\na,5.05,0,0,0\nb,5.05,1000,0,0\na,5.5,0,0,0\nb,5.5,1000,0,0\n";
   const std::string others =

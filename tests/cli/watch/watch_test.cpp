@@ -51,7 +51,7 @@ const std::string kAInJson = "{\"id\": \"a\", \"time_s\": 0, \"x\": 0, \"y\": 0,
 // With its keys in another order.
 const std::string kBInJson = "{\"x\": 1, \"y\": 0, \"z\": 0, \"id\": \"b\", \"time_s\": 0}\n";
 
-TEST(Watch, TablesAndJsonLinesAreReadAndSaid) {
+TEST(Watch, TablesAndJsonLinesAreReadAndReported) {
   const Finished table = watched(std::string(kTogether));
   EXPECT_EQ(table.exit_code, 0);
   EXPECT_EQ(table.out, kEnteredAndEnded);
@@ -91,7 +91,7 @@ TEST(Watch, IdsCannotBreakALineOfJson) {
   expect_parts(lines[0], {R"("first": "a\"\\")", R"("second": "b\tc")"});
 }
 
-TEST(Watch, BadLinesAreSaidAndCountedAndTheRestSurvives) {
+TEST(Watch, BadLinesAreReportedAndCountedAndTheRestSurvives) {
   const Finished finished = watched(
       "id,time_s,x,y,z\na,0,0,0,0\na,1,nan,0,0\nrubbish\n,,,,\nb,soon,1,0,0\nb,0,1,0,0\n" + kAgain);
   EXPECT_EQ(finished.exit_code, 0);
@@ -103,7 +103,7 @@ TEST(Watch, BadLinesAreSaidAndCountedAndTheRestSurvives) {
   EXPECT_EQ(watched("id,time_s,x,y,z\na,0,0,0,0\nrubbish\nb,0,1,0,0\n", {"--quiet"}).err, "");
 }
 
-TEST(Watch, BadLinesOfJsonAreSaidAndCountedAndTheRestSurvives) {
+TEST(Watch, BadLinesOfJsonAreReportedAndCountedAndTheRestSurvives) {
   const Finished finished =
       watched(kAInJson + "{\"id\": \"b\"}\n{\n[1, 2]\n{}\n" +
               "{\"id\": \"b\", \"time_s\": \"soon\", \"x\": 1, \"y\": 0, \"z\": 0}\n" + kBInJson +
@@ -115,7 +115,7 @@ TEST(Watch, BadLinesOfJsonAreSaidAndCountedAndTheRestSurvives) {
                               "left out: <stdin>:6:", "reports    4\n", "bad lines  5 left out\n"});
 }
 
-TEST(Watch, OnlyTheFirstBadLinesAreSaidOneByOne) {
+TEST(Watch, OnlyTheFirstBadLinesAreReportedOneByOne) {
   std::string many(kTogether);
   for (int i = 0; i < 50; ++i) many += "rubbish\n";
   const Finished finished = watched(many);
@@ -138,7 +138,7 @@ TEST(Watch, ALineOfMegabytesIsOneBadLine) {
 }
 
 TEST(Watch, LateAndRepeatedReportsAreCountedAndLeftOut) {
-  // a is said to be at b after it was already heard of later, and twice at the same place.
+  // A report puts a at b after later ones were heard, and others come twice at the same place.
   const Finished finished =
       watched("id,time_s,x,y,z\na,5,0,0,0\nb,5,500,0,0\na,4,500,0,0\na,5,0,0,0\nb,6,500,0,0\n");
   EXPECT_EQ(finished.exit_code, 0);
@@ -240,14 +240,14 @@ TEST(Watch, ABeeThatLeavesIsThereNoLonger) {
   EXPECT_EQ(left.exit_code, 0) << left.err;
   EXPECT_EQ(left.out.find("stale"), std::string::npos) << left.out;
   expect_parts(left.err, {"bees       1 heard of, 0 stale\n"});
-  // Of bees that are not known it says nothing; who leaves must be said.
+  // Lines about unknown bees are ignored; a bee that leaves must be reported.
   const Finished bad =
       watched(both + "{\"event\": \"leave\", \"id\": \"z\"}\n{\"event\": \"leave\"}\n");
   EXPECT_EQ(bad.exit_code, 0);
   expect_parts(bad.err, {"this does not say who leaves; give an id", "bad lines  1 left out\n"});
 }
 
-TEST(Watch, InputWithoutAReportIsAnErrorThatIsSaidEvenWhenQuiet) {
+TEST(Watch, InputWithoutAReportIsAnErrorEvenWhenQuiet) {
   for (const std::string input : {"", "\n\n", "id,time_s,x,y,z\n"}) {
     expect_failure({"watch", "--quiet"}, input, kBadInput, "there is no report in the input");
   }
@@ -257,8 +257,8 @@ TEST(Watch, InputWithoutAReportIsAnErrorThatIsSaidEvenWhenQuiet) {
 
 TEST(Watch, FilesThatCannotBeReadAreNamed) {
   const TemporaryFolder folder;
-  expect_failure({"watch", folder.path("nobody.csv")}, {}, kSystem,
-                 "nobody.csv: there is no such file");
+  expect_failure({"watch", folder.path("missing.csv")}, {}, kSystem,
+                 "missing.csv: there is no such file");
   expect_failure({"watch", folder.path("")}, {}, kSystem,
                  folder.path("") + ": this is a directory; name a file in it");
   Surroundings unprivileged;
@@ -277,7 +277,7 @@ TEST(Watch, FilesAreReadAsStandardInputIs) {
   EXPECT_EQ(run({"watch", "-", "--horizon", "0"}, kTogether).out, kEnteredAndEnded);
 }
 
-TEST(Watch, NumbersAndOptionsThatMakeNoSenseAreRefused) {
+TEST(Watch, InvalidNumbersAndOptionsAreRefused) {
   for (const std::string option : {"--max-age", "--look-every"}) {
     for (const std::string bad : {"0", "-1", "nan", "inf", "soon"}) {
       expect_usage_error({"watch", option + "=" + bad},
@@ -311,7 +311,7 @@ TEST(Watch, NumbersAndOptionsThatMakeNoSenseAreRefused) {
   expect_usage_error({"watch", "--columns", ""}, "--columns: the value is empty");
 }
 
-TEST(Watch, FailOnRiskTellsWhetherSomebodyHasEntered) {
+TEST(Watch, FailOnRiskReportsWhetherABeeHasEntered) {
   EXPECT_EQ(watched(std::string(kTogether), {"--fail-on-risk"}).exit_code, 1);
   EXPECT_EQ(watched(std::string(kTogether)).exit_code, 0);
   EXPECT_EQ(watched(std::string(kTogether), {"--fail-on-risk", "--threshold", "0.5"}).exit_code, 0);
@@ -362,7 +362,7 @@ TEST_F(WatchLive, EventsAreWrittenWhileTheInputIsStillOpen) {
   EXPECT_EQ(running.finish().exit_code, 0);
 }
 
-TEST_F(WatchLive, WhoFallsSilentGrowsStaleThoughNothingElseComes) {
+TEST_F(WatchLive, ASilentBeeGrowsStaleWithoutFurtherInput) {
   Running running({"watch", "--max-age", "0.5"}, to_file_);
   running.send(kTogether);
   EXPECT_TRUE(wait_for(R"({"event": "stale", "time_s": 1, "id": "b"})")) << folder_.read("events");
@@ -386,7 +386,7 @@ TEST_F(WatchLive, SignalsEndItWithTheLookThatIsDueAndTheSummary) {
 }
 
 TEST_F(WatchLive, ASecondSignalEndsItAtOnce) {
-  // It waits for a second for the one who does not read.
+  // It waits a second for the reader that does not read.
   Running running({"watch", "--horizon", "0", "--speed", "1"}, to_file_);
   running.send("id,time_s,x,y,z\na,0,0,0,0\nrubbish\n");
   expect_parts(running.read_error_line(), {"left out: <stdin>:3"});
@@ -447,8 +447,8 @@ TEST_F(WatchLive, CtrlCBeforeTheFirstReportIsNoError) {
   EXPECT_EQ(finished.err.find("error"), std::string::npos) << finished.err;
 }
 
-TEST(Watch, CtrlCEndsAWriteThatWaitsForWhoReads) {
-  // Everybody enters with everybody: more than a pipe holds that nobody reads until the end.
+TEST(Watch, CtrlCEndsAWriteThatWaitsForTheReader) {
+  // All pairs enter: more than a pipe holds, and the test reads it only at the end.
   std::string reports = "id,time_s,x,y,z\n";
   for (const char* time : {"0", "1", "2"}) {
     for (int bee = 0; bee < 60; ++bee) {
@@ -464,7 +464,7 @@ TEST(Watch, CtrlCEndsAWriteThatWaitsForWhoReads) {
   expect_parts(finished.err, {"threshold  100 m (closer than)\n"});
 }
 
-TEST(Watch, EndsQuietlyWhenNobodyReadsThoughTheInputGoesOn) {
+TEST(Watch, EndsQuietlyWhenTheReaderIsGoneThoughTheInputGoesOn) {
   Surroundings closed;
   closed.output = Surroundings::Output::kClosedPipe;
   Running running({"watch"}, closed);
@@ -493,7 +493,7 @@ TEST(Watch, TerminalsSeeColourUnlessNoColorIsSet) {
   EXPECT_EQ(plain.err.find('\x1b'), std::string::npos) << plain.err;
 }
 
-TEST(Watch, NobodyIsLeftWaitingForInputThatNobodyTypes) {
+TEST(Watch, ACommandDoesNotWaitForInputFromATerminal) {
   if (!has_terminals()) GTEST_SKIP() << "this system has no pseudo-terminals";
   Surroundings surroundings;
   surroundings.input_on_terminal = true;

@@ -1,5 +1,5 @@
-// What `beespace watch` does not know: bees that were heard of once, have fallen silent or were too
-// many. It says so, and ends with 0 only where no conflict follows from what is known.
+// Unknown bees of `beespace watch`: those heard once, silent or too many. It names them, and ends
+// with 0 only where no conflict follows from what is known.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -71,7 +71,7 @@ TEST(WatchUnknown, WhereABeeIsUnknownItIsNotKnownThatThereWasNoConflict) {
   for (const std::string& line : lines_of(fast.out)) EXPECT_TRUE(is_json(line)) << line;
 }
 
-TEST(WatchUnknown, BeesBeyondTheBoundAreLeftOutAndSaid) {
+TEST(WatchUnknown, BeesBeyondTheBoundAreLeftOutAndReported) {
   std::ostringstream text;
   for (int t = 0; t < 30; ++t) {
     for (const char* bee : {"a", "b", "c", "d"}) {
@@ -122,7 +122,7 @@ TEST(WatchUnknown, ManyBeesAtOnePlaceAreBounded) {
   expect_parts(finished.err, {"overloaded: not all was watched"});
 }
 
-TEST(WatchUnknown, BoundsThatMakeNoSenseAreRefused) {
+TEST(WatchUnknown, InvalidBoundsAreRefused) {
   for (const std::string option : {"--max-bees", "--max-pairs"}) {
     for (const std::string bad : {"0", "-1", "many", "1.5", "5000000000"}) {
       expect_usage_error({"watch", option + "=" + bad},

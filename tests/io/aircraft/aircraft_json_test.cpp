@@ -105,7 +105,7 @@ TEST(AircraftJson, VelocitiesSmallerThanAnyMotionAreNone) {
   EXPECT_EQ(recording.bees[0].velocities[0].x, 0.0);
 }
 
-TEST(AircraftJson, WhoStandsOnTheGroundIsLeftOutUnlessAskedFor) {
+TEST(AircraftJson, AircraftOnTheGroundAreLeftOutUnlessAskedFor) {
   const std::string text =
       file_of(R"({"hex":"a","lat":1,"lon":2,"alt_geom":3,"seen_pos":0},)"
               R"({"hex":"b","lat":1,"lon":2,"alt_geom":4,"alt_baro":"ground","seen_pos":0})");

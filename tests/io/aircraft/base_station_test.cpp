@@ -57,7 +57,7 @@ TEST(BaseStation, VelocitiesAreJoinedByAddressWhileTheyAreFresh) {
   EXPECT_TRUE(std::isnan(recording.bees[1].velocities[1].x));
 }
 
-TEST(BaseStation, WhoStandsOnTheGroundIsLeftOutUnlessAskedFor) {
+TEST(BaseStation, AircraftOnTheGroundAreLeftOutUnlessAskedFor) {
   const std::string text = airborne("A", "12:00:00.000") +
                            message('2', "B", "12:00:00.000", ",0,5,90,47,8,,,0,0,0,-1") +
                            message('3', "C", "12:00:00.000", ",1300,,,47,8,,,0,0,0,-1");
@@ -69,7 +69,7 @@ TEST(BaseStation, WhoStandsOnTheGroundIsLeftOutUnlessAskedFor) {
   EXPECT_EQ(ids_of(recording_of(record(text, grounded))), (Ids{"a", "b", "c"}));
 }
 
-TEST(BaseStation, WhatSaysTooLittleIsLeftOut) {
+TEST(BaseStation, IncompleteRecordsAreLeftOut) {
   const auto recording = recording_of(record(
       airborne("A", "12:00:00.000") + message('3', "A", "12:00:01.000", ",10000,,,,,,,,,,0") +
       message('3', "A", "12:00:02.000", ",,,,47,8,,,0,0,0,0") +

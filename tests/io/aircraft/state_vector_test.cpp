@@ -60,7 +60,7 @@ TEST(StateVectors, NullsAreUnknown) {
   EXPECT_TRUE(has_note(recording, "1 record without the time of the position is left out"));
 }
 
-TEST(StateVectors, WhoStandsOnTheGroundIsLeftOutUnlessAskedFor) {
+TEST(StateVectors, AircraftOnTheGroundAreLeftOutUnlessAskedFor) {
   const std::string standing =
       R"(["b","","X",1714564800,1714564801,8.5,47.25,400,true,0,0,0,null,450,null,false,0,1])";
   const std::string text = file_of(std::string(kFlying) + "," + standing);
@@ -105,7 +105,7 @@ TEST(StateVectors, WhatIsWrongIsBlamedOnTheRecord) {
   }
 }
 
-TEST(StateVectors, AListOfNobodyIsNoRecording) {
+TEST(StateVectors, AnEmptyListIsNoRecording) {
   expect_error(record(R"({"time":1,"states":null})"),
                {ErrorCode::kNoPoints, "bees.csv", "no bee is left"});
   expect_error(record(R"({"time":1,"states":"none"})"),

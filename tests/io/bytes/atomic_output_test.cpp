@@ -138,7 +138,7 @@ TEST(AtomicOutput, AWriteProtectedFileIsNotReplaced) {
   EXPECT_EQ(output.error().code, ErrorCode::kWriteFailed);
 }
 
-TEST(AtomicOutput, AClosedPipeIsToldFromOtherFailures) {
+TEST(AtomicOutput, AClosedPipeIsDistinguishedFromOtherFailures) {
   const TemporaryFolder folder;
   const std::string pipe = folder.file("pipe");
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
@@ -147,7 +147,7 @@ TEST(AtomicOutput, AClosedPipeIsToldFromOtherFailures) {
   std::thread reader([&pipe] { ::close(::open(pipe.c_str(), O_RDONLY)); });
   output = opened(pipe);
   reader.join();
-  output->write("nobody reads this");
+  output->write("this is not read");
   const Status status = output->commit();
   std::signal(SIGPIPE, before);
   ASSERT_FALSE(status.has_value());

@@ -53,13 +53,13 @@ TEST(ParseNumber, RefusesWhatIsNoNumber) {
   }
 }
 
-TEST(ParseNumber, TellsNotFiniteFromNoNumber) {
+TEST(ParseNumber, DistinguishesNotFiniteFromNoNumber) {
   for (const char* text : {"nan", "NaN", "-nan", "inf", "-inf", "+Inf", "Infinity", "-INFINITY"}) {
     EXPECT_EQ(kind(text), NumberKind::kNotFinite) << text;
   }
 }
 
-TEST(ParseNumber, TellsTooLargeAndTooSmall) {
+TEST(ParseNumber, ReportsTooLargeAndTooSmall) {
   EXPECT_EQ(kind("1e999"), NumberKind::kTooLarge);
   EXPECT_EQ(kind("-1e309"), NumberKind::kTooLarge);
   EXPECT_EQ(kind("1.7976931348623159e308"), NumberKind::kTooLarge);

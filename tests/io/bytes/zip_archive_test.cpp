@@ -43,7 +43,7 @@ TEST(ZipArchive, FilesAreNamedAndRead) {
   EXPECT_EQ(archive->place_of("one"), "a.zip!one");
 }
 
-TEST(ZipArchive, IsToldByItsFirstBytes) {
+TEST(ZipArchive, IsRecognisedByItsFirstBytes) {
   EXPECT_TRUE(is_zip(zipped({{"one", "1"}})));
   EXPECT_FALSE(is_zip("PK"));
   EXPECT_FALSE(is_zip("id,time\n"));

@@ -17,7 +17,7 @@ std::string fault_in(std::string_view text) {
          (fault.at_end ? " (end)" : "");
 }
 
-TEST(JsonFault, ThereIsNoneInJson) {
+TEST(JsonFault, ValidJsonHasNone) {
   for (const std::string_view text :
        {"{}", "[]", "1", "-0.5e+3", "\"a\\\"b\"", "true", "null", " [1, [2, {\"a\": {}}], []] \n",
         "{\"a\": [1, 2], \"b\": {\"c\": false}}"}) {
@@ -50,7 +50,7 @@ TEST(JsonFault, DepthCostsNoStack) {
   EXPECT_EQ(fault_in(std::string(1'000'000, '[')), "1:1000001: a value is expected (end)");
 }
 
-TEST(JsonDocument, SaysWhatIsWrongAndWhere) {
+TEST(JsonDocument, ReportsTheErrorAndItsPlace) {
   const auto problem = [](std::string_view text) {
     const auto parsed = JsonDocument::parse(text, "a.json");
     return parsed ? "none" : to_string(parsed.error());

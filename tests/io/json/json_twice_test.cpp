@@ -23,7 +23,7 @@ TEST(JsonTwice, OfAircraftItIsABadRecord) {
   const Recording skipped = recording_of(record(look(R"(, "lat": 3)"), skipping_bad()));
   EXPECT_EQ(ids_of(skipped), std::vector<std::string>{"b"});
   EXPECT_EQ(skipped.missing.nowhere_ids, std::vector<std::string>{"a"});
-  // What is not read may be there as often as it likes.
+  // A key that is not read may occur several times.
   EXPECT_TRUE(record(look(R"(, "rssi": 1, "rssi": 2)")).has_value());
   expect_error(record(R"({"now": 1, "now": 2, "aircraft": []})"),
                {ErrorCode::kMalformedRecord, "bees.csv", "'now' is there twice"});

@@ -35,7 +35,7 @@ TEST(FirstLines, ValuesWithoutNumbersAreNoHeader) {
   }
 }
 
-TEST(FirstLines, AHeaderThatSaysNothingIsToldOf) {
+TEST(FirstLines, AnUnhelpfulHeaderIsReported) {
   const auto loaded = load_text("\na,b,c\n1,2,3\n", in_metres());
   ASSERT_EQ(points_of(loaded).size(), 1u);
   ASSERT_EQ(loaded.value().notes.size(), 1u);

@@ -1,4 +1,4 @@
-// Short ways to say what must come out of live input.
+// Short functions to state the expected reports of live input.
 #pragma once
 
 #include "io/live/report_lines.hpp"

@@ -1,4 +1,4 @@
-// MAVLink frames and logs, written as the protocol says, by code of their own.
+// MAVLink frames and logs, written by the protocol's description with independent code.
 #pragma once
 
 #include <bit>

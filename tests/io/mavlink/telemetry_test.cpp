@@ -79,7 +79,7 @@ TEST(Telemetry, OtherMessagesArePassedOver) {
   EXPECT_FALSE(has_note(recording, "passed over"));
 }
 
-TEST(Telemetry, DamageIsPassedOverAndSaidAloud) {
+TEST(Telemetry, DamageIsSkippedAndReported) {
   std::string damaged = logged(kNoon + 1'000'000, frame_v2(1, 33, somewhere()));
   damaged[30] = static_cast<char>(damaged[30] ^ 1);
   const auto recording =
@@ -130,7 +130,7 @@ TEST(Telemetry, GlobalPositionsAreTakenBeforeLocalOnes) {
   EXPECT_EQ(ids_of(recording_of(load(log, metres))), (Ids{"1", "2"}));
 }
 
-TEST(Telemetry, WhoKnowsNoPositionYetIsLeftOut) {
+TEST(Telemetry, AVehicleWithoutAPositionYetIsLeftOut) {
   const auto recording =
       recording_of(load(logged(kNoon, frame_v2(1, 33, global_payload(0, 0, 0, 0, 0, 0))) +
                         logged(kNoon + 1, frame_v2(1, 33, somewhere()))));

@@ -150,7 +150,7 @@ TEST(BadPlans, RecordsThatAreDamaged) {
                {ErrorCode::kMalformedRecord, "bees.csv:3:1", "the id is empty; fill it in"});
 }
 
-TEST(BadPlans, NobodyIsThereTwice) {
+TEST(BadPlans, NoBeeIsThereTwice) {
   expect_error(with_row("\na,0,1,2,3,4,5,6,7,8,9,10"),
                {ErrorCode::kMalformedRecord, "bees.csv:4:1",
                 "the bee 'a' is on line 2 already; give each an id of its own"});

@@ -55,11 +55,11 @@ TEST(PlanWords, WhatItCanDo) {
                                       "max_accel [m/s^2]", "max acc (m/s²)"});
 }
 
-TEST(PlanWords, WhoItIs) {
+TEST(PlanWords, TheId) {
   expect_meaning("id", {"id", "ID", "bee_id", "name", "drone", "bee"});
 }
 
-TEST(PlanWords, UnitsThatAreNotReadAreSaid) {
+TEST(PlanWords, UnitsThatAreNotReadAreReported) {
   expect_meaning("position x in ft", {"x [ft]"});
   expect_meaning("goal y in km", {"goal_y_km"});
   expect_meaning("velocity x in kt", {"vx_kt"});

@@ -46,7 +46,7 @@ TEST(FlightPlansOf, StartsAndGoals) {
   EXPECT_EQ(plans.notes, std::vector<std::string>());
 }
 
-TEST(FlightPlansOf, ThoseOfWhomNothingIsNeededButWhereTheyAre) {
+TEST(FlightPlansOf, PlansWithPositionsOnly) {
   EXPECT_EQ(plans_of("x,y,z\n1,2,3\n", PlanNeed::kNothing).positions, (Points{{1, 2, 3}}));
   const FlightPlans plans = plans_of("x,y,z,vx,vy,vz\n1,2,3,4,5,6\n", PlanNeed::kNothing);
   EXPECT_EQ(plans.velocities, (Velocities{{4, 5, 6}}));
@@ -125,7 +125,7 @@ TEST(FlightPlansOf, IdsAreAnyText) {
   EXPECT_EQ(plans_of("name,x,y,z,goal_x,goal_y,goal_z\nmaya,1,2,3,4,5,6\n").ids, Ids{"maya"});
 }
 
-TEST(FlightPlansOf, WhatIsNotReadIsSaid) {
+TEST(FlightPlansOf, UnreadColumnsAreReported) {
   const FlightPlans plans =
       plans_of("id,x,y,z,goal_x,goal_y,goal_z,battery,ve\na,1,2,3,4,5,6,full,7\n");
   EXPECT_EQ(plans.notes, std::vector<std::string>{"not read: column 8 'battery', column 9 've'"});

@@ -162,7 +162,7 @@ TEST(BadText, MetresOutsideTheCoordinateDomain) {
                {ErrorCode::kOutsideDomain, "bees.csv:2:3", "3.9e-121 m to 2.6e+120 m"});
 }
 
-TEST(BadText, ColumnsThatCannotBeTold) {
+TEST(BadText, ColumnsThatCannotBeRecognised) {
   expect_error(load_text("1,2,3,4\n"),
                {ErrorCode::kMissingColumn, "bees.csv:1", "--columns lon=1,lat=2,height=3"});
   expect_error(load_text("1\n2\n"),
@@ -186,7 +186,7 @@ TEST(BadText, UnitsThatAreNotReadAreRefused) {
   EXPECT_TRUE(load_text("lat,lon,alt_ft,alt_m\n1,2,3,4\n").has_value());
 }
 
-TEST(BadText, WishesThatMakeNoSense) {
+TEST(BadText, InvalidColumnOptions) {
   const auto invalid = [](const std::string& columns, std::string_view message) {
     expect_error(load_text("a,b,c\n1,2,3\n", with_columns(columns)),
                  {ErrorCode::kInvalidArgument, "bees.csv", message});

@@ -1,4 +1,4 @@
-// Short ways to load what a test writes down, and to say what must come out.
+// Short functions to load a test's text, and to state the expected points.
 #pragma once
 
 #include "io/frames/coordinate_frame.hpp"

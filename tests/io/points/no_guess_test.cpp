@@ -1,4 +1,4 @@
-// Where a reader could guess wrongly, it must ask instead; and what is clear must go on working.
+// Where a reader might guess wrongly, it must refuse; input that is clear must be accepted.
 #include "tests/io/points/loading.hpp"
 
 #include <gtest/gtest.h>

@@ -44,7 +44,7 @@ TEST(TextTable, CourseHeaderIsKnownInOtherLanguagesAndWithTwoColumns) {
   }
 }
 
-TEST(TextTable, TwoMetreColumnsLieAtHeightZeroAndItIsSaid) {
+TEST(TextTable, TwoMetreColumnsLieAtHeightZeroAndThatIsReported) {
   const auto loaded = load_text("x,y\n1,2\n3,4\n");
   EXPECT_EQ(points_of(loaded), (std::vector<Point>{{1, 2, 0}, {3, 4, 0}}));
   ASSERT_EQ(loaded.value().notes.size(), 1u);

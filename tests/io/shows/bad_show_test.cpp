@@ -31,7 +31,7 @@ Result<Recording> zip_with(const std::string& reference, const Members& more = {
   return load_recording_from_memory(zipped(members), "show.skyc");
 }
 
-TEST(BadShow, JsonThatIsNoneOrNoShow) {
+TEST(BadShow, InvalidJsonOrNoShow) {
   expect_error(load("{\"swarm\": {\"drones\": [NaN]}}"),
                {ErrorCode::kCorrupt, "show.json:1:23", "this is no JSON: a value is expected"});
   expect_error(load("{\"swarm\": {\"drones\": ["),
@@ -52,7 +52,7 @@ TEST(BadShow, NoDrones) {
   expect_error(load("{\"swarm\": {\"drones\": 3}}"), {ErrorCode::kNoPoints, "show.json", "no dr"});
 }
 
-TEST(BadShow, NobodyFlies) {
+TEST(BadShow, WithoutDrones) {
   expect_error(with_points("[[0, [0, 0, 0]], [9, [0, 0, 0]]]"),
                {ErrorCode::kNoPoints, "show.json", "no drone of this show leaves the ground"});
 }
@@ -121,12 +121,12 @@ TEST(BadShow, TimesThatDoNotAscend) {
                {ErrorCode::kNotANumber, "show.json", "takeoffTime is a string where a number"});
 }
 
-TEST(BadShow, AHomeThatIsNone) {
+TEST(BadShow, AnInvalidHome) {
   expect_error(load(show(drone(kTrajectory, R"(, "home": [1, 2])"))),
                {ErrorCode::kColumnCount, "show.json", "drone 'a': home is an array of 2 values"});
 }
 
-TEST(BadShow, ADeclaredThresholdThatIsNone) {
+TEST(BadShow, AnInvalidDeclaredThreshold) {
   const auto declared = [](const std::string& distance) {
     return load(show(drone(kTrajectory), R"({"validation": {"minDistance": )" + distance + "}}"));
   };
@@ -148,7 +148,7 @@ TEST(BadShow, ReferencesThatLeadOut) {
                 "leads to another file; name the .skyc archive"});
 }
 
-TEST(BadShow, ReferencesThatLeadNowhere) {
+TEST(BadShow, DanglingReferences) {
   expect_error(zip_with("./a.json#"),
                {ErrorCode::kMissingColumn, "show.skyc!show.json",
                 "the reference './a.json#' leads to a file that is not in the archive"});

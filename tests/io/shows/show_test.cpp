@@ -89,7 +89,7 @@ TEST(Show, ReferencesLeadThroughTheArchive) {
   EXPECT_EQ(recording.declared_threshold_m, 3.0);
 }
 
-TEST(Show, TheTimeOnTheGroundIsLeftOutAndThatIsSaid) {
+TEST(Show, TheTimeOnTheGroundIsLeftOutAndThatIsReported) {
   const BezierPath path = path_of(kTrajectory, false);
   EXPECT_EQ(path.begins_s, 1.0);
   EXPECT_EQ(path.begin, (Point{1, 2, 0}));
@@ -156,7 +156,7 @@ TEST(Show, DronesGetNamesThatTellThemApart) {
   EXPECT_TRUE(has_note(recording, "2 bees have the name of another one"));
 }
 
-TEST(Show, IsToldByItsContent) {
+TEST(Show, IsRecognisedByItsContent) {
   const TemporaryFolder folder;
   const std::string json = show(drone("a", kTrajectory));
   const auto named_csv = folder.write("show.csv", "\xEF\xBB\xBF\n " + json);

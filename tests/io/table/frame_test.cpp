@@ -51,7 +51,7 @@ TEST(Frame, RefusesWhatFitsBoth) {
                {ErrorCode::kUnknownFrame, "bees.csv", "--crs"});
   expect_error(load_text("-75.5,6.3\n-75.6,6.4\n"),
                {ErrorCode::kUnknownFrame, "bees.csv", "--crs"});
-  // Words that say nothing of the frame.
+  // Words that do not tell the frame.
   expect_error(load_text("a,b,c\n1,2,3\n4,5,6\n"), {ErrorCode::kUnknownFrame, "bees.csv", "--crs"});
   expect_error(load_text("agent_x,agent_y,agent_z\n1,2,3\n"),
                {ErrorCode::kUnknownFrame, "bees.csv", "--crs"});

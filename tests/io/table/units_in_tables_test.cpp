@@ -63,7 +63,7 @@ TEST(UnitsInTables, AHeightBesideWordsOfAviationMustSayItsUnit) {
                {ErrorCode::kInvalidArgument, "bees.csv:1:4", "but in which unit?"});
 }
 
-TEST(UnitsInTables, TheHeaderOrTheCallerSaysIt) {
+TEST(UnitsInTables, TheHeaderOrTheCallerGivesThem) {
   const std::string before = "icao24,lat,lon,";
   const std::string row = "\na,48,2,35000\n";
   for (const char* height : {"altitude_ft", "altitude [ft]", "Altitude (feet)", "alt_ft",
@@ -95,7 +95,7 @@ TEST(UnitsInTables, TheHeaderOrTheCallerSaysIt) {
                {ErrorCode::kInvalidArgument, "bees.csv", "positions are in degrees"});
 }
 
-TEST(UnitsInTables, WithoutWordsOfAviationHeightsAreMetresAndThatIsSaid) {
+TEST(UnitsInTables, WithoutWordsOfAviationHeightsAreMetresAndThatIsReported) {
   const auto loaded = load_text("lat,lon,alt\n48,2,350\n");
   EXPECT_EQ(points_of(loaded), std::vector<Point>{at(350.0)});
   ASSERT_EQ(loaded->units.size(), 1U);
@@ -115,7 +115,7 @@ constexpr std::string_view kOpenSky =
     "time,icao24,lat,lon,velocity,heading,vertrate,callsign,onground,baroaltitude,geoaltitude\n"
     "1714564800,a,48,2,180,90,3,AFR1,False,10000,10668\n";
 
-TEST(UnitsInTables, KnownSourcesAreToldByTheirWholeHeader) {
+TEST(UnitsInTables, KnownSourcesAreRecognisedByTheirWholeHeader) {
   const auto traffic = load_text(kTraffic);
   EXPECT_EQ(points_of(traffic), std::vector<Point>{at(k35000Feet_m)});
   EXPECT_EQ(traffic->units.at(0).unit, Unit::kFoot);
@@ -188,7 +188,7 @@ TEST(UnitsInTables, HeightsByPressureAndBySatellitesAreNeverMixed) {
   EXPECT_EQ(loaded->heights, HeightDatum::kPressure);
   expect_error(load_text("lat,lon,geoaltitude_m\n48,2,3\n", pressure),
                {ErrorCode::kInvalidArgument, "bees.csv", "--heights pressure"});
-  // One who lacks the height of that kind is no record, whatever else it has.
+  // A record without a height of that kind is left out, whatever else it has.
   std::string without(kTraffic);
   without += "2024-05-01 12:00:00Z,b,AFR2,48,2,34000,,360,90,600,False\n";
   EXPECT_FALSE(load_text(without).has_value());
@@ -288,7 +288,7 @@ TEST(UnitsInTables, LinesThatComeOneByOneAreReadAlike) {
       k35000Feet_m);
 }
 
-// What was taken for metres becomes doubtful; heights of another kind do not come between.
+// Values that were taken for metres become doubtful; heights of another kind do not matter.
 TEST(UnitsInTables, KeysThatComeLaterChangeNoUnitInSilence) {
   ReportLines lines;
   EXPECT_TRUE(says_something(

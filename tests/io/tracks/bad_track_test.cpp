@@ -35,7 +35,7 @@ TEST(BadTrack, MissingColumnsAreNamedWithThoseThatAreThere) {
                {ErrorCode::kMissingColumn, "bees.csv:1", "there is neither a time nor a velocity"});
 }
 
-TEST(BadTrack, WithoutAHeaderTheColumnsMustBeSaid) {
+TEST(BadTrack, WithoutAHeaderTheColumnsMustBeGiven) {
   expect_error(record("a,0,1,2,3\n"),
                {ErrorCode::kMissingColumn, "bees.csv:1",
                 "there is no header that tells the columns; say which is which"});
@@ -54,13 +54,13 @@ TEST(BadTrack, TheUnitOfTimeIsNotGuessed) {
                {ErrorCode::kUnsupportedFormat, "bees.csv:1:2", "is in 'min'; convert it first"});
 }
 
-TEST(BadTrack, SeveralTimesMustBeToldApart) {
+TEST(BadTrack, SeveralTimesMustBeDistinguished) {
   expect_error(
       record("id,time_s,timestamp_us,x,y,z\na,0,0,1,2,3\n"),
       {ErrorCode::kMissingColumn, "bees.csv:1", "say which with --columns time=2 or time=3"});
 }
 
-TEST(BadTrack, WishesThatMakeNoSense) {
+TEST(BadTrack, InvalidColumnOptions) {
   const auto wish = [](const std::string& columns) {
     return record("id,time_s,x,y,z,vx\na,0,1,2,3,4\n", columns_are(columns));
   };

@@ -147,7 +147,7 @@ TEST(RecordingFiles, SkybrushTablesWithAHeaderAreReadByIt) {
   EXPECT_EQ(times_of(recording.bees[1]), Times{1.5});
 }
 
-TEST(RecordingFiles, SkybrushTablesWithoutAHeaderAreSaidAloud) {
+TEST(RecordingFiles, SkybrushTablesWithoutAHeaderAreReported) {
   const std::string zip = zipped({{"1.csv", "0,1,2,3,255,0,0\n500,1,2,4,255,0,0\n"}});
   const auto recording = recording_of(load_recording_from_memory(zip, "show.zip"));
   EXPECT_EQ(recording.bees[0].fixes, (Fixes{{0, {1, 2, 3}}, {0.5, {1, 2, 4}}}));
@@ -160,7 +160,7 @@ TEST(RecordingFiles, SkybrushTablesWithoutAHeaderAreSaidAloud) {
                {ErrorCode::kMissingColumn, "show.zip!1.csv:1", "there is no header"});
 }
 
-TEST(RecordingFiles, SkybrushTablesOutsideOfAZipMustBeSaid) {
+TEST(RecordingFiles, SkybrushTablesOutsideOfAZipMustBeNamed) {
   const TemporaryFolder folder;
   const std::string table = folder.write("1.csv", "0,1,2,3\n500,1,2,4\n");
   expect_error(load_recording({folder.file("")}),

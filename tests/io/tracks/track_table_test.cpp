@@ -106,7 +106,7 @@ TEST(TrackTable, WithoutIdsTheFileIsTheBee) {
   EXPECT_TRUE(has_note(recording, "there is no id: each file is taken for one bee"));
 }
 
-TEST(TrackTable, OfSeveralIdsTheOneThatStandsAloneIsTakenAndThatIsSaid) {
+TEST(TrackTable, OfSeveralIdsTheWholeWordIsTakenAndThatIsReported) {
   const auto recording = recording_of(
       record("frame_id,time_s,id,callsign,x_m,y_m,z_m\n1,0,a,FOO,1,2,3\n2,0,b,BAR,4,5,6\n"));
   EXPECT_EQ(ids_of(recording), (Ids{"a", "b"}));
@@ -173,7 +173,7 @@ TEST(TrackTable, VelocitiesBesideDegreesAreEastNorthAndUp) {
   EXPECT_TRUE(has_note(down, "velocities east, north, down"));
 }
 
-TEST(TrackTable, VelocitiesThatMayMeanAnythingAreLeftOutAndThatIsSaid) {
+TEST(TrackTable, VelocitiesThatMayMeanAnythingAreLeftOutAndThatIsReported) {
   const auto axes = recording_of(record("id,time_s,lon,lat,alt,vx,vy,vz\na,0,1,2,3,4,5,6\n"));
   EXPECT_TRUE(axes.bees[0].velocities.empty());
   EXPECT_TRUE(has_note(axes,
@@ -184,7 +184,7 @@ TEST(TrackTable, VelocitiesThatMayMeanAnythingAreLeftOutAndThatIsSaid) {
   EXPECT_TRUE(has_note(lengths, "'vx_km' is in 'km', which is no unit of a speed"));
 }
 
-TEST(TrackTable, WhetherBeesClimbIsUnknownWhereItIsNotSaid) {
+TEST(TrackTable, ClimbRatesAreUnknownWhereTheyAreNotGiven) {
   const auto solid = recording_of(record("id,time_s,x,y,z,vx,vy\na,0,1,2,3,4,5\n"));
   EXPECT_TRUE(std::isnan(solid.bees[0].velocities[0].z));
   EXPECT_TRUE(has_note(solid, "how fast bees climb is not known"));

@@ -83,7 +83,7 @@ TEST(IsoTime, OtherFormsAreRefusedAndTheRightOneIsShown) {
   EXPECT_NE(problem_of("2024-05-01").find("a day without a time"), std::string::npos);
 }
 
-TEST(IsoTime, IsToldFromNumbersByItsYear) {
+TEST(IsoTime, IsDistinguishedFromNumbersByItsYear) {
   EXPECT_TRUE(looks_like_iso_time("2024-05-01T12:00:00Z"));
   EXPECT_TRUE(looks_like_iso_time("2024-"));
   EXPECT_FALSE(looks_like_iso_time("20240501"));

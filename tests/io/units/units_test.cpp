@@ -102,7 +102,7 @@ TEST(Units, AreTakenFromTheEndOfAName) {
   EXPECT_EQ(taken({"v", "x"}), std::nullopt);
 }
 
-TEST(Units, MayBeSaidByRole) {
+TEST(Units, MayBeGivenByRole) {
   const auto wishes = read_unit_wishes("height=ft, speed=kt,climb=ft/min,position=km");
   ASSERT_TRUE(wishes.has_value());
   EXPECT_EQ(wishes->height, Unit::kFoot);

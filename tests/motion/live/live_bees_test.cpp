@@ -1,4 +1,4 @@
-// What a swarm remembers: no more than it needs, however long it is told.
+// What a swarm keeps: no more than it needs, however many reports it gets.
 #include "motion/live/live_bees.hpp"
 
 #include "motion/live/live_walks.hpp"
@@ -25,8 +25,8 @@ std::size_t most_fixes(const LiveBees& bees) {
   return most;
 }
 
-// 20 bees, 1000 reports each; one of them is heard of every eighth time only.
-TEST(LiveBees, KeepNoMoreThanSinceTheOneHeardOfLongestAgo) {
+// 20 bees, 1000 reports each; one of them is heard only every eighth time.
+TEST(LiveBees, KeepNoMoreThanSinceTheOldestLastReport) {
   const auto tracks = scenes::random_turns(20, {100, 100, 30}, {3, 12}, {1000.0, 1.0, true}, 3);
   test::OwnResources own;
   LiveBees bees(false);
@@ -48,8 +48,8 @@ TEST(LiveBees, KeepNoMoreThanSinceTheOneHeardOfLongestAgo) {
   EXPECT_GT(events.size(), reports / 5);
 }
 
-// Every few seconds a bee is gone for good, and another comes.
-TEST(LiveBees, GiveTheirPlacesToThoseWhoComeLater) {
+// Every few seconds one bee disappears for ever, and another one appears.
+TEST(LiveBees, GiveTheirPlacesToLaterBees) {
   test::OwnResources own;
   LiveBees bees(true);
   const WalkSeparation separation{closer_than(22.0), closer_than(20.0), false};

@@ -1,4 +1,4 @@
-// A live swarm that has more bees or pairs than it may keep says so, and keeps the closest.
+// A live swarm with more bees or pairs than its bounds reports that, and keeps the closest pairs.
 #include "tests/support/conflict_printer.hpp"
 #include "tests/support/rounds.hpp"
 #include "tests/support/swarm_replay.hpp"
@@ -55,7 +55,7 @@ TEST(SwarmBounds, OfBeesRefuseTheNextOneAndSaySo) {
   EXPECT_TRUE(swarm.update({7, 20.0, {50, 0, 0}}).has_value());
 }
 
-// Bees on a line, each a little farther from the next: of the pairs within 20 m the closest count.
+// Bees on a line, with growing distances: of the pairs within 20 m the closest are kept.
 TEST(SwarmBounds, OfPairsKeepTheClosest) {
   for (const unsigned threads : {1U, 3U}) {
     SwarmOptions options{.threshold_m = 20.0};
@@ -86,7 +86,7 @@ TEST(SwarmBounds, OfPairsKeepTheClosest) {
   }
 }
 
-// Pairs that are followed make room for one that is clearly closer: they are lost, not forgotten.
+// A followed pair makes room for one that is clearly closer: it is reported as lost, not forgotten.
 TEST(SwarmBounds, OfPairsMakeRoomForCloserOnes) {
   SwarmOptions options{.threshold_m = 20.0};
   options.max_pairs = 1;
@@ -113,7 +113,7 @@ TEST(SwarmBounds, OfPairsMakeRoomForCloserOnes) {
   EXPECT_FALSE(overloads(events, SwarmBound::kPairs).empty());
 }
 
-// Each entered has one end, whatever is left out; and what is followed is true.
+// Each entered has one end, whatever is dropped, and the followed pairs are true.
 TEST(SwarmBounds, LeaveEachEncounterOneEnd) {
   const auto tracks = scenes::random_turns(40, {60, 60, 20}, {3, 12}, {12.0, 1.0, false}, 4);
   SwarmOptions options{.threshold_m = 12.0};
@@ -145,7 +145,7 @@ TEST(SwarmBounds, LeaveEachEncounterOneEnd) {
   EXPECT_GT(test::of_kind(events, EventKind::kEntered).size(), 50U);
 }
 
-// Thousands at one place: it is said, with the memory of the bound.
+// Thousands of bees at one place: that is reported, within the memory of the bound.
 TEST(SwarmBounds, HoldWhereAllAreAtOnePlace) {
   SwarmOptions options{.threshold_m = 20.0};
   options.max_pairs = 1000;
@@ -161,7 +161,7 @@ TEST(SwarmBounds, HoldWhereAllAreAtOnePlace) {
   EXPECT_EQ(test::of_kind(events, EventKind::kEntered).size(), 1000U);
   EXPECT_EQ(overloads(events, SwarmBound::kPairs).size(), 3U);
   EXPECT_EQ(overloads(events, SwarmBound::kPredicted).size(), 2U);
-  // They disperse, and all is told again.
+  // They disperse, and all events are reported again.
   for (const double time_s : {3.0, 4.0, 5.0}) {
     events.clear();
     for (PointId id = 0; id < bees; ++id) {
@@ -172,7 +172,7 @@ TEST(SwarmBounds, HoldWhereAllAreAtOnePlace) {
   EXPECT_TRUE(test::of_kind(events, EventKind::kOverloaded).empty());
 }
 
-// What is possible is bounded alike, and the closest come first.
+// Possible conflicts are bounded too, and the closest come first.
 TEST(SwarmBounds, OfPossibleConflictsKeepTheClosest) {
   SwarmOptions options{.threshold_m = 1.0};
   options.max_speed_mps = 10.0;

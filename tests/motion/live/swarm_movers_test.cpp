@@ -74,7 +74,7 @@ TEST(SwarmMovers, ThatAreStaleAreNeverForgotten) {
   EXPECT_EQ(swarm.movers(1e6), Movers());
 }
 
-TEST(SwarmMovers, AreNowhereAtNoTime) {
+TEST(SwarmMovers, DoNotExistAtAnInvalidTime) {
   const Swarm swarm = swarm_of({{1, 0.0, {0, 0, 0}, Velocity{1, 0, 0}}});
   EXPECT_EQ(swarm.movers(std::numeric_limits<double>::quiet_NaN()), Movers());
   EXPECT_EQ(swarm.movers(std::numeric_limits<double>::infinity()), Movers());

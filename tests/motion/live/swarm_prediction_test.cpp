@@ -32,54 +32,56 @@ Report head_on(PointId id, double time_s, bool says_velocity) {
   return report;
 }
 
-struct Told {
+struct TimedEvent {
   double now_s;
   SwarmEvent event;
 };
 
-std::vector<Told> told_of_head_on(const SwarmOptions& options, bool says_velocity, double until_s) {
+std::vector<TimedEvent> events_of_head_on(const SwarmOptions& options, bool says_velocity,
+                                          double until_s) {
   Swarm swarm(options);
-  std::vector<Told> told;
+  std::vector<TimedEvent> timed;
   for (double now = 0.0; now <= until_s; now += 0.5) {
     for (const PointId id : {1U, 2U}) {
       EXPECT_TRUE(swarm.update(head_on(id, now, says_velocity)).has_value());
     }
     Events events;
     test::take_all(swarm, now, events);
-    for (const SwarmEvent& event : events) told.push_back({now, event});
+    for (const SwarmEvent& event : events) timed.push_back({now, event});
   }
-  return told;
+  return timed;
 }
 
-TEST(SwarmPrediction, OfAHeadOnPairIsSaidOnceAndComesTrue) {
+TEST(SwarmPrediction, OfAHeadOnPairComesOnceAndIsTrue) {
   const double begins_s = 20.0 - std::sqrt(400.0 - 9.0) / 10.0;
   for (const bool says_velocity : {false, true}) {
-    const std::vector<Told> told = told_of_head_on(looking_ahead(10.0), says_velocity, 40.0);
-    ASSERT_EQ(told.size(), 4U);  // predicted, entered, closest passed, left
-    EXPECT_EQ(told[0].event.kind, EventKind::kPredicted);
-    EXPECT_EQ(told[0].now_s, std::ceil(2.0 * (begins_s - 10.0)) / 2.0) << "as soon as it can be";
-    EXPECT_NEAR(told[0].event.time_s, begins_s, 1e-9);
+    const std::vector<TimedEvent> timed =
+        events_of_head_on(looking_ahead(10.0), says_velocity, 40.0);
+    ASSERT_EQ(timed.size(), 4U);  // predicted, entered, closest passed, left
+    EXPECT_EQ(timed[0].event.kind, EventKind::kPredicted);
+    EXPECT_EQ(timed[0].now_s, std::ceil(2.0 * (begins_s - 10.0)) / 2.0) << "as soon as it can be";
+    EXPECT_NEAR(timed[0].event.time_s, begins_s, 1e-9);
     // Of the closest, what lies before the horizon.
-    const double closest_s = told[0].now_s + 10.0;
-    EXPECT_NEAR(told[0].event.closest_s, closest_s, 1e-9);
-    EXPECT_NEAR(told[0].event.distance_m, std::hypot(3.0, 200.0 - 10.0 * closest_s), 1e-9);
-    EXPECT_EQ(told[0].event.first, 1U);
-    EXPECT_EQ(told[0].event.second, 2U);
-    EXPECT_EQ(told[1].event.kind, EventKind::kEntered);
-    EXPECT_NEAR(told[1].event.time_s, begins_s, 1e-9);
-    EXPECT_EQ(told[2].event.kind, EventKind::kClosestPassed);
-    EXPECT_NEAR(told[2].event.time_s, 20.0, 1e-9);
-    EXPECT_EQ(told[3].event.kind, EventKind::kLeft);
+    const double closest_s = timed[0].now_s + 10.0;
+    EXPECT_NEAR(timed[0].event.closest_s, closest_s, 1e-9);
+    EXPECT_NEAR(timed[0].event.distance_m, std::hypot(3.0, 200.0 - 10.0 * closest_s), 1e-9);
+    EXPECT_EQ(timed[0].event.first, 1U);
+    EXPECT_EQ(timed[0].event.second, 2U);
+    EXPECT_EQ(timed[1].event.kind, EventKind::kEntered);
+    EXPECT_NEAR(timed[1].event.time_s, begins_s, 1e-9);
+    EXPECT_EQ(timed[2].event.kind, EventKind::kClosestPassed);
+    EXPECT_NEAR(timed[2].event.time_s, 20.0, 1e-9);
+    EXPECT_EQ(timed[3].event.kind, EventKind::kLeft);
   }
 }
 
 TEST(SwarmPrediction, WithoutAHorizonThereIsNone) {
-  for (const Told& told : told_of_head_on(looking_ahead(0.0), true, 40.0)) {
-    EXPECT_NE(told.event.kind, EventKind::kPredicted);
+  for (const TimedEvent& one : events_of_head_on(looking_ahead(0.0), true, 40.0)) {
+    EXPECT_NE(one.event.kind, EventKind::kPredicted);
   }
 }
 
-TEST(SwarmPrediction, OfWhoHasBeenHeardOfOnceWithoutAVelocityIsNotTried) {
+TEST(SwarmPrediction, IsNotMadeFromOneReportWithoutAVelocity) {
   Swarm swarm(looking_ahead(10.0));
   ASSERT_TRUE(swarm.update({1, 0.0, {0, 0, 0}}).has_value());
   ASSERT_TRUE(swarm.update({2, 0.0, {60, 0, 0}, Velocity{-5, 0, 0}}).has_value());
@@ -92,7 +94,7 @@ TEST(SwarmPrediction, OfWhoHasBeenHeardOfOnceWithoutAVelocityIsNotTried) {
   EXPECT_NEAR(events[0].distance_m, 7.5, 1e-9) << "where the horizon ends";
 }
 
-// From a report a while ago it flies on.
+// The position is extrapolated from an older report.
 TEST(SwarmPrediction, IsMadeFromWhereBeesAreByNow) {
   Swarm swarm(looking_ahead(10.0));
   for (const PointId id : {1U, 2U}) {
@@ -127,7 +129,7 @@ TEST(SwarmPrediction, ComesAgainOnlyAfterThePairWasOutOfDanger) {
   EXPECT_GE(predicted_at[1], 14.0);
 }
 
-// Velocities that waver between danger and just none do not make it come again and again.
+// Velocities that waver around danger do not repeat the prediction.
 TEST(SwarmPrediction, DoesNotFlap) {
   Swarm swarm(looking_ahead(10.0));
   std::size_t predicted = 0;
@@ -143,7 +145,7 @@ TEST(SwarmPrediction, DoesNotFlap) {
   EXPECT_EQ(predicted, 1U);
 }
 
-// Of many at once, what predict_conflicts says of the same.
+// Of many bees: what predict_conflicts() finds for the same states.
 TEST(SwarmPrediction, OfManyIsThatOfPredictConflicts) {
   test::SceneMaker make(808);
   std::size_t predicted = 0;

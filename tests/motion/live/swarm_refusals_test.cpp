@@ -29,7 +29,7 @@ void expect_unusable(const SwarmOptions& options, ErrorCode code) {
   EXPECT_EQ(swarm.counts().taken, 0U);
 }
 
-TEST(SwarmRefusal, OptionsThatMakeNoSense) {
+TEST(SwarmRefusal, InvalidOptions) {
   for (const double bad : {0.0, -1.0, kNan, kInfinity, 0x1.1p+100, 0x1p-101}) {
     SwarmOptions options;
     options.threshold_m = bad;

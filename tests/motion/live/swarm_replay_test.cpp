@@ -1,5 +1,5 @@
-// Recordings told to a swarm: its events are the conflicts that find_conflicts finds in them,
-// however often it is asked, in whatever order bees are heard, and with any number of threads.
+// Recordings reported to a swarm: its events are the conflicts that find_conflicts finds, however
+// often events are asked for, in any order of the bees, and with any number of threads.
 #include "tests/support/swarm_replay.hpp"
 #include "tests/support/conflict_printer.hpp"
 #include "tests/support/rounds.hpp"
@@ -32,8 +32,8 @@ std::vector<Replayed> replays() {
   test::SceneMaker make(1848);
   for (const test::RecordingScene& scene : test::recording_scenes()) {
     const std::string& name = scene.name;
-    // Swarms know of no tolerances; between groups a day apart nobody is there.
-    if (name.find("Tolerances") != std::string::npos || name == "Nobody") continue;
+    // Swarms have no tolerances. An empty recording has no events.
+    if (name.find("Tolerances") != std::string::npos || name == "Empty") continue;
     if (name == "LatticeOfHugeLengths" || name == "LatticeOfTinyLengths") continue;
     for (const Shape shape : {Shape::kSphere, Shape::kCylinder, Shape::kHeightsApart}) {
       SwarmOptions options;
@@ -155,20 +155,20 @@ void expect_encounters(const Events& events, const test::Tracks& tracks,
   EXPECT_EQ(test::of_kind(events, EventKind::kLost).size(), silent);
 }
 
-TEST(SwarmReplay, TellsTheConflictsOfTheRecording) {
-  std::size_t told = 0;
+TEST(SwarmReplay, ReportsTheConflictsOfTheRecording) {
+  std::size_t event_count = 0;
   for (const Replayed& replayed : replays()) {
     SCOPED_TRACE(replayed.name + ", leaving at " + std::to_string(replayed.options.leave_factor));
     const Events events =
         test::happened(test::replay(test::deliveries_of(replayed.tracks), replayed.options, 0.7));
     expect_encounters(events, replayed.tracks, replayed.options);
-    told += events.size();
+    event_count += events.size();
     if (testing::Test::HasFailure()) return;
   }
-  EXPECT_GT(told, 3000U);
+  EXPECT_GT(event_count, 3000U);
 }
 
-TEST(SwarmReplay, TellsTheSameHoweverOftenItIsAsked) {
+TEST(SwarmReplay, ReportsTheSameHoweverOftenItIsCalled) {
   for (const Replayed& replayed : replays()) {
     SCOPED_TRACE(replayed.name);
     const auto deliveries = test::deliveries_of(replayed.tracks);
@@ -183,7 +183,7 @@ TEST(SwarmReplay, TellsTheSameHoweverOftenItIsAsked) {
   }
 }
 
-TEST(SwarmReplay, TellsTheSameWithAnyNumberOfThreads) {
+TEST(SwarmReplay, ReportsTheSameWithAnyNumberOfThreads) {
   const auto tracks = scenes::random_turns(60, {100, 100, 30}, {3, 12}, {12.0, 1.0, false}, 99);
   SwarmOptions options;
   options.threshold_m = 12.0;
@@ -198,7 +198,7 @@ TEST(SwarmReplay, TellsTheSameWithAnyNumberOfThreads) {
 }
 
 // Every bee's messages take their own time, up to four seconds.
-TEST(SwarmReplay, TellsTheSameWhateverOrderBeesAreHeardIn) {
+TEST(SwarmReplay, ReportsTheSameInAnyOrderOfBees) {
   for (int round = 0; round < test::rounds(40); ++round) {
     SCOPED_TRACE(round);
     test::SceneMaker make(static_cast<std::uint32_t>(round));
@@ -217,7 +217,7 @@ TEST(SwarmReplay, TellsTheSameWhateverOrderBeesAreHeardIn) {
   }
 }
 
-// Of one bee again and again: what was said before, and what was said just now.
+// Reports of one bee, repeated: older ones and the latest one.
 TEST(SwarmReplay, IsNotMisledByLateAndRepeatedReports) {
   test::SceneMaker make(404);
   const auto tracks = scenes::random_turns(20, {80, 80, 20}, {3, 12}, {15.0, 1.0, false}, 5);
@@ -262,8 +262,8 @@ TEST(SwarmReplay, IsNotMisledByLateAndRepeatedReports) {
   EXPECT_GT(test::happened(events).size(), 20U);
 }
 
-// Reports of a new bee may be older than all that others are remembered by: nothing is told twice.
-TEST(SwarmReplay, TellsNothingTwiceWhenSomebodyIsHeardOfLate) {
+// Reports of a new bee may be older than all that is kept of the others: no event comes twice.
+TEST(SwarmReplay, ReportsNothingTwiceWhenABeeIsHeardLate) {
   const auto tracks = scenes::random_turns(20, {80, 80, 20}, {3, 12}, {15.0, 1.0, false}, 6);
   SwarmOptions options;
   options.threshold_m = 12.0;

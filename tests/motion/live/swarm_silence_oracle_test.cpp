@@ -1,7 +1,7 @@
-// Random swarms with silences, against what follows from the definition alone: between two reports
-// no more than max_age_s apart a bee flies straight, at a single one it is there for an instant,
-// and all other times are unknown. The oracle shares no code with the library: for each pair and
-// each two pieces it solves the quadratic in long double.
+// Random swarms with silences, compared with the definition: between two reports at most max_age_s
+// apart a bee flies straight, at a single report it is there for an instant, and all other times
+// are unknown. The oracle shares no code with the library: for each pair of bees and of pieces it
+// solves the quadratic in long double.
 #include "tests/support/rounds.hpp"
 #include "tests/support/scene_maker.hpp"
 #include "tests/support/swarm_replay.hpp"
@@ -219,9 +219,9 @@ std::vector<std::vector<Report>> reports_of(test::SceneMaker& make, bool ties) {
   return bees;
 }
 
-TEST(SwarmSilenceOracle, SaysTheSameOfRandomSwarms) {
+TEST(SwarmSilenceOracle, AgreesOnRandomSwarms) {
   test::SceneMaker make(2024);
-  std::size_t told = 0;
+  std::size_t event_count = 0;
   std::size_t lost = 0;
   for (int round = 0; round < test::rounds(1500); ++round) {
     SCOPED_TRACE(round);
@@ -276,10 +276,10 @@ TEST(SwarmSilenceOracle, SaysTheSameOfRandomSwarms) {
       if (now_s - bee.back().time_s > kMaxAge_s) unknown_s += now_s;
     }
     EXPECT_NEAR(silent_s, unknown_s, 1e-6);
-    told += should.size();
+    event_count += should.size();
     if (testing::Test::HasFailure()) return;
   }
-  EXPECT_GT(told, static_cast<std::size_t>(test::rounds(10'000)));
+  EXPECT_GT(event_count, static_cast<std::size_t>(test::rounds(10'000)));
   EXPECT_GT(lost, static_cast<std::size_t>(test::rounds(500)));
 }
 

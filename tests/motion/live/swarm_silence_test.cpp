@@ -1,5 +1,5 @@
-// Silence is not absence: what a live swarm says of bees that fall silent, at every phase of an
-// encounter, and when they are heard of again.
+// Silence is not absence: the events of bees that fall silent, in every phase of an encounter, and
+// when they are heard again.
 #include "tests/support/conflict_printer.hpp"
 #include "tests/support/swarm_replay.hpp"
 
@@ -37,8 +37,8 @@ std::size_t count(const Events& events, EventKind kind) {
 
 // Bee 1 hovers. Bee 2 comes from 60 m at 5 m/s, passes at 12 s and flies away; it is not heard of
 // after `silent_s`, nor until `returns_s`. Looks every half second, to 30 s.
-Events told_of_a_pass(double silent_s, double returns_s = 1e9,
-                      SwarmOptions options = options_with()) {
+Events events_of_a_pass(double silent_s, double returns_s = 1e9,
+                        SwarmOptions options = options_with()) {
   Swarm swarm(options);
   Events events;
   for (int half = 0; half <= 60; ++half) {
@@ -50,11 +50,11 @@ Events told_of_a_pass(double silent_s, double returns_s = 1e9,
   return events;
 }
 
-// Whatever phase it is in: entered at 8 s, closest at 12 s, left at 16.4 s.
-TEST(SwarmSilence, IsToldForWhatItIsInEveryPhaseOfAnEncounter) {
+// For each phase: entered at 8 s, closest at 12 s, left at 16.4 s.
+TEST(SwarmSilence, IsReportedAsSuchInEveryPhaseOfAnEncounter) {
   for (double silent_s = 0.0; silent_s <= 20.0; silent_s += 0.5) {
     SCOPED_TRACE(silent_s);
-    const Events events = told_of_a_pass(silent_s);
+    const Events events = events_of_a_pass(silent_s);
     const bool entered = silent_s > 8.0;
     const bool left = silent_s >= 16.5;
     EXPECT_EQ(count(events, EventKind::kStale), 1U);
@@ -71,8 +71,8 @@ TEST(SwarmSilence, IsToldForWhatItIsInEveryPhaseOfAnEncounter) {
   }
 }
 
-// Of two that close in head on one falls silent at 20 m.
-TEST(SwarmSilence, OfOneThatComesHeadOnIsNoAllClear) {
+// Two bees close in head on; one falls silent at 20 m.
+TEST(SwarmSilence, OfABeeThatComesHeadOnIsNoAllClear) {
   SwarmOptions options{.threshold_m = 25.0};
   options.max_speed_mps = 12.0;
   Swarm swarm(options);
@@ -98,7 +98,7 @@ TEST(SwarmSilence, OfOneThatComesHeadOnIsNoAllClear) {
 
 TEST(SwarmSilence, EndsWithWhatIsThereThen) {
   // It returns at 10 m, on the other side: inside.
-  const Events inside = told_of_a_pass(10.0, 14.0);
+  const Events inside = events_of_a_pass(10.0, 14.0);
   ASSERT_EQ(count(inside, EventKind::kHeard), 1U);
   const SwarmEvent heard = test::of_kind(inside, EventKind::kHeard)[0];
   EXPECT_EQ(heard.time_s, 14.0);
@@ -112,16 +112,16 @@ TEST(SwarmSilence, EndsWithWhatIsThereThen) {
   EXPECT_EQ(count(inside, EventKind::kLost), 1U);
   EXPECT_EQ(count(inside, EventKind::kLeft), 1U);
   // And outside.
-  const Events outside = told_of_a_pass(10.0, 20.0);
+  const Events outside = events_of_a_pass(10.0, 20.0);
   EXPECT_EQ(count(outside, EventKind::kHeard), 1U);
   EXPECT_EQ(count(outside, EventKind::kEntered), 1U);
   EXPECT_EQ(count(outside, EventKind::kLost), 1U);
   EXPECT_EQ(count(outside, EventKind::kLeft), 0U);
-  EXPECT_EQ(count(outside, EventKind::kClosestPassed), 0U) << "nobody saw it";
+  EXPECT_EQ(count(outside, EventKind::kClosestPassed), 0U) << "it was not observed";
 }
 
-// Nobody looked while it was silent: the same is told.
-TEST(SwarmSilence, IsToldHoweverSeldomItIsLookedFor) {
+// The events are the same if none were asked for during the silence.
+TEST(SwarmSilence, IsReportedHoweverSeldomEventsAreAskedFor) {
   for (const double every_s : {0.5, 3.0, 100.0}) {
     Swarm swarm(options_with());
     Events events;
@@ -157,8 +157,8 @@ TEST(SwarmSilence, OfBothIsOneLoss) {
   EXPECT_EQ(events.size(), 4U);
 }
 
-// A bee that is removed in the middle of a conflict has left, though what the other did up to then
-// is heard of only afterwards.
+// A bee that is removed during a conflict has left, even if the other one's reports up to then come
+// only afterwards.
 TEST(SwarmRemoval, TakesNothingBackThatHappenedBefore) {
   Swarm swarm(options_with());
   Events events;
@@ -177,7 +177,7 @@ TEST(SwarmRemoval, TakesNothingBackThatHappenedBefore) {
   EXPECT_EQ(events.size(), 2U);
 }
 
-TEST(SwarmRemoval, OfALostBeeSaysNothingMore) {
+TEST(SwarmRemoval, OfALostBeeReportsNothingMore) {
   Swarm swarm(options_with());
   Events events;
   hear(swarm, 1, 0.0, 0.0);
@@ -216,7 +216,7 @@ TEST(SwarmOfOneReport, IsInConflictAtThatInstant) {
   EXPECT_EQ(beside[0].time_s, 1.0);
 }
 
-TEST(SwarmFinish, TellsWhatIsKnownAndForgetsAll) {
+TEST(SwarmFinish, ReportsWhatIsKnownAndForgetsAll) {
   Swarm swarm(options_with());
   hear(swarm, 1, 5.0, 0.0);
   hear(swarm, 2, 5.0, 3.0);
@@ -255,7 +255,8 @@ TEST(SwarmSilences, AreCountedUntilNow) {
   EXPECT_EQ(swarm.silences(5.0), (std::vector<Silence>{{2, 5.0, 0.0}}));
 }
 
-// 100 m apart, 10 m/s at most, 20 m: 80 m to bridge by both, from where each was last heard of.
+// 100 m apart, at most 10 m/s each, a threshold of 20 m: both together bridge 80 m from their last
+// positions.
 TEST(SwarmPossible, ComesWhenTheBallsReachEachOther) {
   for (const bool both : {false, true}) {
     SwarmOptions options = options_with();
@@ -263,17 +264,17 @@ TEST(SwarmPossible, ComesWhenTheBallsReachEachOther) {
     Swarm swarm(options);
     hear(swarm, 1, 0.0, 0.0);
     Events events;
-    double told_s = -1.0;
+    double reported_s = -1.0;
     for (double time_s = 0.0; time_s <= 12.0; time_s += 0.25) {
       if (time_s == 0.0 || !both) hear(swarm, 2, time_s, 100.0);
       const std::size_t before = count(events, EventKind::kPossible);
       test::take_all(swarm, time_s, events);
-      if (count(events, EventKind::kPossible) > before) told_s = time_s;
+      if (count(events, EventKind::kPossible) > before) reported_s = time_s;
     }
     const Events possible = test::of_kind(events, EventKind::kPossible);
     ASSERT_EQ(possible.size(), 1U) << "once a silence";
-    // Of one, just before the other one was heard of at its place again.
-    EXPECT_EQ(told_s, both ? 4.0 : 7.75);
+    // One bee alone, just before the other is heard again at its place.
+    EXPECT_EQ(reported_s, both ? 4.0 : 7.75);
     EXPECT_NEAR(possible[0].time_s, both ? 4.0 : 7.75, 1e-9);
     EXPECT_EQ(possible[0].first, 1U);
     EXPECT_EQ(possible[0].second, 2U);
@@ -324,7 +325,7 @@ TEST(SwarmPossible, IsOfCylindersToo) {
   }
 }
 
-// Nothing leads from what came before to what comes next, however soon that is.
+// Positions before and after a loss are not connected, however soon the bee is heard again.
 TEST(SwarmSilence, OfABeeThatIsLostBeginsWithItsLastReport) {
   SwarmOptions options = options_with();
   Swarm swarm(options);
@@ -343,7 +344,7 @@ TEST(SwarmSilence, OfABeeThatIsLostBeginsWithItsLastReport) {
   EXPECT_EQ(swarm.silences(1.0), (std::vector<Silence>{{1, 1.0, {}}}));
   swarm.lose(1);
   test::take_all(swarm, 1.0, events);
-  EXPECT_EQ(count(events, EventKind::kStale), 2U) << "and is told while it lasts";
+  EXPECT_EQ(count(events, EventKind::kStale), 2U) << "and is reported while it lasts";
   EXPECT_EQ(swarm.counts().stale, 1U);
 }
 
@@ -376,8 +377,8 @@ TEST(SwarmSilence, LastsWhenTimesBeginAnew) {
   EXPECT_EQ(swarm.counts().stale, 0U);
 }
 
-// Both fall silent and are heard of again before, or between, looks.
-TEST(SwarmPossible, IsTheSameHoweverOftenItIsLookedAt) {
+// Both fall silent and are heard again before, or between, two calls.
+TEST(SwarmPossible, IsTheSameHoweverOftenEventsAreAskedFor) {
   test::SceneMaker make(78);
   for (int round = 0; round < 40; ++round) {
     std::vector<Report> reports;
@@ -393,7 +394,7 @@ TEST(SwarmPossible, IsTheSameHoweverOftenItIsLookedAt) {
     }
     std::sort(reports.begin(), reports.end(),
               [](const Report& a, const Report& b) { return a.time_s < b.time_s; });
-    std::vector<Events> told;
+    std::vector<Events> runs;
     for (const double every_s : {0.01, 0.5, 7.0, 100.0}) {
       SwarmOptions options = options_with();
       options.max_speed_mps = 10.0;
@@ -409,15 +410,15 @@ TEST(SwarmPossible, IsTheSameHoweverOftenItIsLookedAt) {
       std::sort(possible.begin(), possible.end(), [](const SwarmEvent& a, const SwarmEvent& b) {
         return std::tie(a.time_s, a.first, a.second) < std::tie(b.time_s, b.first, b.second);
       });
-      told.push_back(possible);
+      runs.push_back(possible);
     }
-    EXPECT_GT(told[0].size(), 5U);
-    for (const Events& other : told) EXPECT_EQ(other, told[0]) << "round " << round;
+    EXPECT_GT(runs[0].size(), 5U);
+    for (const Events& other : runs) EXPECT_EQ(other, runs[0]) << "round " << round;
   }
 }
 
-// Nothing that is possible is missed: bees that fly as fast as they may, in any direction, some of
-// them silent for a while.
+// No possible conflict is missed: bees fly as fast as they may, in any direction, some of them
+// silent for a while.
 TEST(SwarmPossible, MissesNothingThatHappensUnseen) {
   test::SceneMaker make(77);
   std::size_t unseen = 0;

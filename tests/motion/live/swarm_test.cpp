@@ -1,4 +1,4 @@
-// What a live swarm promises, one thing at a time: on encounters that anybody can follow.
+// What a live swarm promises, case by case, on encounters that are easy to check by hand.
 #include "tests/support/conflict_printer.hpp"
 #include "tests/support/swarm_replay.hpp"
 
@@ -39,8 +39,9 @@ std::size_t count(const Events& events, EventKind kind) {
   return test::of_kind(events, kind).size();
 }
 
-// Bee 3 hovers, bee 8 is at these distances from it, a second each; all events until then.
-Events told_of_distances(Swarm& swarm, const std::vector<double>& distances_m, double begin_s = 0) {
+// Bee 3 hovers; bee 8 is at these distances from it, a second each. All events until then.
+Events events_of_distances(Swarm& swarm, const std::vector<double>& distances_m,
+                           double begin_s = 0) {
   Events events;
   for (std::size_t i = 0; i < distances_m.size(); ++i) {
     const double time = begin_s + static_cast<double>(i);
@@ -53,7 +54,7 @@ Events told_of_distances(Swarm& swarm, const std::vector<double>& distances_m, d
 
 TEST(SwarmEvents, OfAPassAreEnteredClosestPassedAndLeft) {
   Swarm swarm(plain_options());
-  const Events events = told_of_distances(swarm, {30, 10, 5, 10, 24, 30});
+  const Events events = events_of_distances(swarm, {30, 10, 5, 10, 24, 30});
   const Events expected = {{EventKind::kEntered, 0.5, 3, 8, 20, 1},
                            {EventKind::kClosestPassed, 2, 3, 8, 5, 2},
                            {EventKind::kLeft, 4.0 - 2.0 / 14.0, 3, 8, 22, 2}};
@@ -68,22 +69,22 @@ TEST(SwarmEvents, OfAPassAreEnteredClosestPassedAndLeft) {
   }
 }
 
-// A velocity that comes out of two reports may be smaller than any that may be given.
-TEST(SwarmEvents, AreToldWhoeverHardlyMoves) {
+// The velocity between two reports may be smaller than any that is valid as input.
+TEST(SwarmEvents, AreReportedOfBeesThatHardlyMove) {
   SwarmOptions options = plain_options();
   options.horizon_s = 10.0;
   Swarm swarm(options);
   hear(swarm, {77, 0.0, {6.123233995736766e-17, 900, 0}});
   hear(swarm, {77, 1.0, {std::nextafter(6.123233995736766e-17, 1.0), 900, 0}});
-  const Events events = told_of_distances(swarm, {30, 10, 5, 10, 24, 30}, 0.5);
+  const Events events = events_of_distances(swarm, {30, 10, 5, 10, 24, 30}, 0.5);
   for (const EventKind kind : {EventKind::kEntered, EventKind::kClosestPassed, EventKind::kLeft}) {
     EXPECT_EQ(count(events, kind), 1U) << static_cast<int>(kind);
   }
 }
 
-TEST(SwarmEvents, AreToldAsSoonAsBothHaveBeenHeardOfAgain) {
+TEST(SwarmEvents, AreReportedAsSoonAsBothAreHeardAgain) {
   Swarm swarm(plain_options());
-  EXPECT_TRUE(told_of_distances(swarm, {30, 25}).empty());
+  EXPECT_TRUE(events_of_distances(swarm, {30, 25}).empty());
   hear(swarm, {8, 2.0, {10, 0, 0}});
   EXPECT_TRUE(advanced(swarm, 2.5).empty()) << "where the other was at 2 s is not known";
   hear(swarm, {3, 3.0, {0, 0, 0}});
@@ -94,36 +95,36 @@ TEST(SwarmEvents, AreToldAsSoonAsBothHaveBeenHeardOfAgain) {
 TEST(SwarmEvents, DoNotFlapBetweenTheThresholds) {
   const std::vector<double> distances = {30, 19, 21, 19, 21.9, 18, 21, 19, 23, 19, 21, 40};
   Swarm calm(plain_options());
-  const Events events = told_of_distances(calm, distances);
+  const Events events = events_of_distances(calm, distances);
   EXPECT_EQ(count(events, EventKind::kEntered), 2U);
   EXPECT_EQ(count(events, EventKind::kLeft), 2U);
   EXPECT_EQ(count(events, EventKind::kClosestPassed), 2U);
   SwarmOptions nervous_options = plain_options();
   nervous_options.leave_factor = 1.0;
   Swarm nervous(nervous_options);
-  const Events more = told_of_distances(nervous, distances);
+  const Events more = events_of_distances(nervous, distances);
   EXPECT_EQ(count(more, EventKind::kEntered), 5U);
   EXPECT_EQ(count(more, EventKind::kLeft), 5U);
 }
 
-TEST(SwarmEvents, OfWhoComesNoCloserThanTheThresholdAreNone) {
+TEST(SwarmEvents, DoNotComeWithoutCrossingTheThreshold) {
   Swarm swarm(plain_options());
-  EXPECT_TRUE(told_of_distances(swarm, {30, 21, 20, 21, 30}).empty());
+  EXPECT_TRUE(events_of_distances(swarm, {30, 21, 20, 21, 30}).empty());
 }
 
-// Closest, and then clearly closer still; what is hardly closer is not said.
-TEST(SwarmEvents, TellTheClosestAgainOnlyWhenItIsClearlyCloser) {
+// The closest distance is reported again only when it is clearly less than before.
+TEST(SwarmEvents, ReportTheClosestAgainOnlyWhenItIsClearlyCloser) {
   Swarm swarm(plain_options());
-  const Events closest = test::of_kind(told_of_distances(swarm, {30, 15, 18, 14.5, 18, 8, 18, 30}),
-                                       EventKind::kClosestPassed);
+  const Events closest = test::of_kind(
+      events_of_distances(swarm, {30, 15, 18, 14.5, 18, 8, 18, 30}), EventKind::kClosestPassed);
   ASSERT_EQ(closest.size(), 2U);
   EXPECT_NEAR(closest[0].distance_m, 15.0, 1e-12);
   EXPECT_NEAR(closest[1].distance_m, 8.0, 1e-12);
 }
 
-TEST(SwarmEvents, OfHoveringBeesAreToldOnce) {
+TEST(SwarmEvents, OfHoveringBeesAreReportedOnce) {
   Swarm swarm(plain_options());
-  const Events events = told_of_distances(swarm, std::vector<double>(50, 7.0));
+  const Events events = events_of_distances(swarm, std::vector<double>(50, 7.0));
   ASSERT_EQ(events.size(), 1U);
   EXPECT_EQ(events[0].kind, EventKind::kEntered);
   EXPECT_EQ(events[0].time_s, 0.0);
@@ -132,7 +133,7 @@ TEST(SwarmEvents, OfHoveringBeesAreToldOnce) {
 
 TEST(SwarmRemoval, EndsAnEncounter) {
   Swarm swarm(plain_options());
-  EXPECT_EQ(count(told_of_distances(swarm, {30, 10, 9}), EventKind::kEntered), 1U);
+  EXPECT_EQ(count(events_of_distances(swarm, {30, 10, 9}), EventKind::kEntered), 1U);
   swarm.remove(8);
   swarm.remove(8);
   swarm.remove(77);  // never heard of
@@ -147,19 +148,19 @@ TEST(SwarmRemoval, EndsAnEncounter) {
 
 TEST(SwarmRemoval, LetsABeeComeBackAsANewOne) {
   Swarm swarm(plain_options());
-  told_of_distances(swarm, {30, 10, 9});
+  events_of_distances(swarm, {30, 10, 9});
   swarm.remove(8);
   advanced(swarm, 2.5);
-  // From where it was removed to where it comes back it does not pass anybody.
-  const Events events = told_of_distances(swarm, {10, 10, 40}, 3.0);
+  // Between its removal and its return it does not pass any bee.
+  const Events events = events_of_distances(swarm, {10, 10, 40}, 3.0);
   const Events entered = test::of_kind(events, EventKind::kEntered);
   ASSERT_EQ(entered.size(), 1U);
   EXPECT_EQ(entered[0].time_s, 3.0);
 }
 
-TEST(SwarmStaleness, EndsEncountersAndIsToldOnce) {
+TEST(SwarmStaleness, EndsEncountersAndIsReportedOnce) {
   Swarm swarm(plain_options());  // 5 s
-  told_of_distances(swarm, {30, 10, 9});
+  events_of_distances(swarm, {30, 10, 9});
   for (int i = 3; i <= 7; ++i) {
     hear(swarm, {3, 1.0 * i, {0, 0, 0}});
     EXPECT_TRUE(advanced(swarm, i).empty()) << "heard of " << i - 2 << " s ago";
@@ -184,17 +185,17 @@ TEST(SwarmStaleness, EndsEncountersAndIsToldOnce) {
 
 TEST(SwarmStaleness, LetsABeeComeBackAndEnterAnew) {
   Swarm swarm(plain_options());
-  told_of_distances(swarm, {30, 10, 9});
+  events_of_distances(swarm, {30, 10, 9});
   for (int i = 3; i <= 9; ++i) {
     hear(swarm, {3, 1.0 * i, {0, 0, 0}});
     advanced(swarm, i);
   }
-  const Events events = told_of_distances(swarm, {10, 9, 30}, 10.0);
+  const Events events = events_of_distances(swarm, {10, 9, 30}, 10.0);
   EXPECT_EQ(swarm.counts().stale, 0U);
   EXPECT_EQ(swarm.counts().bees, 2U);
   const Events entered = test::of_kind(events, EventKind::kEntered);
   ASSERT_EQ(entered.size(), 1U);
-  EXPECT_EQ(entered[0].time_s, 10.0) << "nobody knows where it was before";
+  EXPECT_EQ(entered[0].time_s, 10.0) << "its place before that is unknown";
 }
 
 TEST(SwarmStaleness, IsNotEndedByWhatWasHeardBefore) {
@@ -237,7 +238,7 @@ TEST(SwarmHeights, AreComparedWithTheHeightWhetherApartOrNot) {
   }
 }
 
-// It climbs, at first by what it says, then by what is seen of it.
+// It climbs, first by its reported rate, then by the rate between reports.
 TEST(SwarmHeights, ThatChangeArePredicted) {
   for (const bool says_so : {false, true}) {
     SwarmOptions options = plain_options();
@@ -258,8 +259,8 @@ TEST(SwarmHeights, ThatChangeArePredicted) {
   }
 }
 
-// In seconds since 1970 doubles are 2.4e-7 apart: an age is the difference of two of them, and not
-// compared with a time that has been rounded.
+// In seconds since 1970 doubles are 2.4e-7 apart. An age is the difference of two such times, and
+// is not compared with a rounded time.
 TEST(SwarmEvents, AnAgeIsTheDifferenceOfTwoTimes) {
   constexpr double kTick = 0x1p-22;
   SwarmOptions options = plain_options();
@@ -274,9 +275,9 @@ TEST(SwarmEvents, AnAgeIsTheDifferenceOfTwoTimes) {
 
 TEST(SwarmMove, TakesAllThatIsKnownAlong) {
   Swarm swarm(plain_options());
-  told_of_distances(swarm, {30, 10});
+  events_of_distances(swarm, {30, 10});
   Swarm other(std::move(swarm));
-  EXPECT_EQ(count(told_of_distances(other, {9, 30}, 2.0), EventKind::kLeft), 1U);
+  EXPECT_EQ(count(events_of_distances(other, {9, 30}, 2.0), EventKind::kLeft), 1U);
   Swarm third(plain_options());
   third = std::move(other);
   EXPECT_EQ(third.counts().taken, 8U);

@@ -1,5 +1,6 @@
-// A closer look at moves, four pairs at a time, against doubles: who is said to be near is, who is
-// said to be far is, by enough for what has been rounded before; and nearly everybody is told.
+// The pass check, on four pairs at a time, compared with doubles: pairs that it calls near are
+// near; pairs that it calls far are far, by more than earlier rounding; and it decides almost all
+// pairs.
 #include "motion/passing/pass_check.hpp"
 
 #include "tests/support/rounds.hpp"
@@ -49,7 +50,7 @@ struct Relative {
   [[nodiscard]] double before() const { return length(along(middle, move, -1.0)); }
 };
 
-// What is asked about, in units.
+// The query, in units.
 struct Question {
   unsigned fraction_bits;
   double clearance;
@@ -57,10 +58,10 @@ struct Question {
   bool follows_another;
 
   [[nodiscard]] double cell() const { return std::ldexp(1.0, static_cast<int>(fraction_bits)); }
-  // What positions and moves were wrong by when they came into the grid: to be kept from whoever
-  // is told to be near or far.
+  // The error of positions and moves when they entered the grid. Pairs that are called near or far
+  // are so by more than this.
   [[nodiscard]] double rounded_before() const { return std::sqrt(3.0) + 0x1p-19 * cell(); }
-  // Closer than this to the edge, nothing needs to be told.
+  // Closer than this to the limit, the check may leave a pair open.
   [[nodiscard]] double margin() const { return 3.01 + 0x1p-16 * cell(); }
 
   friend std::ostream& operator<<(std::ostream& out, const Question& q) {
@@ -69,7 +70,7 @@ struct Question {
   }
 };
 
-// How many were told, and of how many one could have told.
+// How many pairs were decided, and of how many that was possible.
 struct Tally {
   std::size_t near = 0;
   std::size_t far = 0;
@@ -177,7 +178,7 @@ class Maker {
     return {way[0] / norm, way[1] / norm, way[2] / norm};
   }
 
-  // Their distance at the time that is theirs: anything, or about what one asks for.
+  // Their distance at the chosen time: random, or about the queried one.
   double miss(double radii, double most) {
     const double about = 4.0 * question_.margin();
     switch (make_.below(4)) {
@@ -246,7 +247,7 @@ class Maker {
   test::SceneMaker make_;
 };
 
-TEST(PassCheck, TellsWhoIsNearAndWhoIsFarByEnoughForWhatWasRounded) {
+TEST(PassCheck, TellsNearFromFarByMoreThanRounding) {
   std::uint32_t seed = 0;
   Tally all;
   for (const unsigned fraction_bits : {4U, 10U, 22U}) {
@@ -267,7 +268,7 @@ TEST(PassCheck, TellsWhoIsNearAndWhoIsFarByEnoughForWhatWasRounded) {
           all.far += checked.tally.far;
           all.before += checked.tally.before;
           all.open += checked.tally.open;
-          // Where a few units are little, and there is nobody between surely near and surely far.
+          // Where a few units are little, and no pair is between surely near and surely far.
           if (clearance < 50.0 || of_clearance < 1.0) continue;
           EXPECT_GT(checked.tally.near + checked.tally.far, checked.tally.open / 2);
         }
@@ -279,8 +280,9 @@ TEST(PassCheck, TellsWhoIsNearAndWhoIsFarByEnoughForWhatWasRounded) {
   EXPECT_GT(all.before, static_cast<std::size_t>(test::rounds(3'000)));
 }
 
-// Below zero, or within the margin of it, nobody is surely near: not even who is at one place.
-TEST(PassCheck, NobodyIsSurelyNearWhereNobodyCanBe) {
+// With a limit below zero, or within the margin of it, no pair is surely near, not even at one
+// place.
+TEST(PassCheck, NoPairIsSurelyNearWhereNoneCanBe) {
   for (const unsigned fraction_bits : {4U, 10U, 22U}) {
     for (const double surely : {-1.0, -0.37, -1e6, 0.0, 1.0, 2.9}) {
       const Question question{fraction_bits, 5.0, surely, true};
@@ -294,7 +296,7 @@ TEST(PassCheck, NobodyIsSurelyNearWhereNobodyCanBe) {
   }
 }
 
-// Each of the four is told of by a bit of its own.
+// Each of the four pairs has a bit of its own.
 TEST(PassCheck, EachOfFourHasItsOwnBit) {
   core::Memory memory;
   core::SortedGrid grid(memory);

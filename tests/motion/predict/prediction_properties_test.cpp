@@ -1,4 +1,4 @@
-// What must hold of predictions whatever the right answer is.
+// Properties of predictions that hold for any input.
 #include "tests/motion/recorded/conflict_lists.hpp"
 #include "tests/support/mover_scenes.hpp"
 #include "tests/support/rounds.hpp"
@@ -33,7 +33,7 @@ bool ascending(const Conflicts& conflicts) {
 
 using test::Shape;
 
-// Calls check(scene, options, shape) for every scene and all that is asked about it.
+// Calls check(scene, options, shape) for every scene and all options.
 template <class Check>
 void on_every_question(Check&& check) {
   for (const MoverScene& scene : test::mover_scenes()) {
@@ -45,7 +45,7 @@ void on_every_question(Check&& check) {
   }
 }
 
-// The roles of the two may be swapped: not even a last bit of a time depends on them.
+// The two movers may be swapped: not even the last bit of a time changes.
 TEST(PredictionProperties, RenamingTheMoversRenamesTheAnswer) {
   on_every_question([](const MoverScene& scene, const PredictOptions& options, Shape shape) {
     test::SceneMaker make(3);
@@ -150,7 +150,7 @@ TEST(PredictionProperties, AnswersGrowWithEveryLimit) {
   });
 }
 
-// On a lattice, where velocities add up exactly, nobody can tell who moves.
+// On a lattice velocities add up exactly, so a common velocity changes nothing.
 TEST(PredictionProperties, ACommonVelocityChangesNothing) {
   test::SceneMaker make(9);
   for (int round = 0; round < test::rounds(60); ++round) {
@@ -197,8 +197,8 @@ TEST(PredictionProperties, EveryLayoutIsTheSame) {
   expect_same(*predict_conflicts(view, options), expected);
 }
 
-// Relative to each other, a formation stands still: a search that covered the way of each would
-// look at everybody from everybody.
+// Relative to each other, a formation stands still. A search that covered the path of each bee
+// would compare all bees with all others.
 TEST(PredictionProperties, AFormationCostsAboutWhatASwarmAtRestDoes) {
   test::SceneMaker make(13);
   const std::size_t size = test::kSanitized ? 15'000 : 60'000;

@@ -1,5 +1,5 @@
 // The search of predictions: for every instruction set, number of threads and length of step, bit
-// for bit what brute force says, which says what fractions say.
+// for bit the brute force's answer, which is checked in fractions.
 #include "motion/predict/prediction.hpp"
 
 #include "base/pair_order.hpp"
@@ -140,7 +140,7 @@ TEST_P(Scene, IsPredictedAsByBruteForceInEveryWay) {
 TEST_P(Scene, IsJudgedByBruteForceAsByFractions) {
   const test::MoverScene& scene = GetParam();
   const std::vector<Mover>& movers = scene.movers;
-  // Not all are asked about: of those who are said to keep apart, and of a crowd's conflicts, some.
+  // Fractions check only samples: of the pairs without conflict, and of the conflicts of a crowd.
   const std::size_t stride = test::kSanitized ? 101 : 17;
   test::for_each_question([&](Shape shape, bool inclusive) {
     const PredictOptions options = scene.options(shape, inclusive);
@@ -167,8 +167,8 @@ TEST_P(Scene, IsJudgedByBruteForceAsByFractions) {
   });
 }
 
-// One more conflict than allowed is an error in every way, as many as allowed are none: however
-// often steps find the same two.
+// One conflict more than allowed is an error for every variant; as many as allowed are none,
+// however often steps find the same pair.
 TEST_P(Scene, HasItsResultsCountedInEveryWay) {
   EveryWay ways;
   for (const Shape shape : {Shape::kSphere, Shape::kCylinder, Shape::kHeightsApart}) {
@@ -221,8 +221,8 @@ TEST(ManyPairs, ArePredictedAsByBruteForceInEveryWay) {
   }
 }
 
-// Head-on, and at the threshold when the horizon or a step ends: in the middle of it as far apart
-// as can be. Along a line so long that a unit of the grid is no small part of a reach.
+// Head-on pairs that are at the threshold at the horizon or at the end of a step, and farthest
+// apart in its middle; along a line so long that a unit of the grid is a large part of the reach.
 TEST(HeadOnPairs, AreFoundAtTheVeryEndOfTheReach) {
   constexpr double kSpeed = 8.0;
   for (const double length : {1e4, 1e6, 3e7}) {
@@ -250,7 +250,7 @@ TEST(HeadOnPairs, AreFoundAtTheVeryEndOfTheReach) {
   }
 }
 
-// Whoever looks at it: the fastest is in the share of the first of all workers, or of the last.
+// The fastest mover is in the share of the first worker, or of the last.
 TEST(OneFastMover, IsPredictedAsByBruteForceWhereverItIs) {
   test::SceneMaker make(80);
   test::MoverScene scene{"", test::flying(make, 60, {900, 20, 20}, 0.0), 15, 10, 2};
@@ -270,8 +270,8 @@ TEST(OneFastMover, IsPredictedAsByBruteForceWhereverItIs) {
   }
 }
 
-// So much faster than all others that a grid that suits them would hold everybody in a few cells:
-// they are compared with everybody instead, and with each other.
+// A few movers are so fast that a grid for them would have all others in a few cells. They are
+// compared with all others one by one instead, and with each other.
 TEST(SomeFastMovers, ArePredictedAsByBruteForce) {
   test::SceneMaker make(81);
   const std::size_t size = test::kSanitized ? 300 : 1500;
@@ -315,7 +315,7 @@ TEST(FineLattice, IsPredictedAsByBruteForceFarAwayOnAnyAxis) {
   }
 }
 
-// The comparisons above would be worth little if hardly anybody met, or if everybody did.
+// The comparisons above mean little if hardly any movers meet, or if all of them do.
 TEST(MoverScenes, HaveConflictsAndPairsWithoutAndManyAtTheEdge) {
   if (test::kSanitized) GTEST_SKIP() << "scenes are cut short here";
   std::size_t at_the_edge = 0;

@@ -1,5 +1,5 @@
-// What closest_approach and those who predict refuse: with which code, at which place, in which
-// words; and that the ends of the domain are inside it.
+// What closest_approach and the predictions refuse: the error's code, place and sentence; and that
+// the limits of the domain are inside it.
 #include "tests/motion/recorded/conflict_lists.hpp"
 #include "tests/support/rounds.hpp"
 #include "tests/support/scene_maker.hpp"
@@ -57,7 +57,7 @@ Refusal error_of(const Answer& answer) {
   return answer.has_value() ? Refusal() : Refusal(answer.error());
 }
 
-// Of all who predict, which are the same; an Engine has answered before.
+// The error of all predictions, which is the same; an Engine has answered before.
 std::vector<Refusal> prediction_refusals(const MoversView& movers, const PredictOptions& options) {
   static Engine engine;
   static std::vector<Conflict> conflicts;
@@ -101,7 +101,7 @@ void expect_option_error(const PredictOptions& options, ErrorCode code, const st
   });
 }
 
-TEST(MotionRefusal, AThresholdThatMakesNoSense) {
+TEST(MotionRefusal, AnInvalidThreshold) {
   for (const double bad :
        {0.0, -1.0, kNan, kInfinity, -kInfinity, std::nextafter(kSmallestInMotion, 0.0),
         std::nextafter(kLargestInMotion, kInfinity)}) {
@@ -115,7 +115,7 @@ TEST(MotionRefusal, AThresholdThatMakesNoSense) {
   }
 }
 
-TEST(MotionRefusal, AHorizonThatMakesNoSense) {
+TEST(MotionRefusal, AnInvalidHorizon) {
   for (const double bad :
        {-1.0, -0x1p-100, kNan, kInfinity, -kInfinity, std::nextafter(kSmallestInMotion, 0.0),
         std::nextafter(kLargestInMotion, kInfinity)}) {
@@ -146,17 +146,17 @@ void expect_refused(double bad, ErrorCode code) {
   }
 }
 
-TEST(MotionRefusal, WhatIsNotFiniteIsSaidWithItsPlace) {
+TEST(MotionRefusal, WhatIsNotFiniteIsReportedWithItsPlace) {
   for (const double bad : kNotFiniteValues) expect_refused(bad, ErrorCode::kNotFinite);
 }
 
-TEST(MotionRefusal, WhatLiesOutsideTheMotionDomainIsSaidWithItsPlace) {
+TEST(MotionRefusal, WhatLiesOutsideTheMotionDomainIsReportedWithItsPlace) {
   for (const double bad : kOutsideValues) expect_refused(bad, ErrorCode::kOutsideDomain);
 }
 
-// Movers are looked at by all workers, before anything is asked about them: none of what is wrong
-// in the share of anybody is missed, and what comes first is said.
-TEST(MotionRefusal, WhatIsWrongIsSeenByWhoeverLooks) {
+// Workers share the check of movers before the search. No invalid mover is missed in any share, and
+// the first one is reported.
+TEST(MotionRefusal, WhatIsWrongIsFoundInEveryWorkersShare) {
   const std::size_t size = test::kSanitized ? 17'000 : 40'000;  // enough to be shared
   std::vector<Mover> movers = plain_movers(size);
   for (Mover& mover : movers) mover.position.x *= 1e6;
@@ -195,8 +195,8 @@ TEST(MotionRefusal, WhatIsWrongIsSeenByWhoeverLooks) {
   EXPECT_TRUE(engine.predict_pairs(movers, options, pairs)) << "nothing is wrong any more";
 }
 
-// Of several things that are wrong, options come first, then the first mover, then its position.
-TEST(MotionRefusal, TheFirstThingThatIsWrongIsSaid) {
+// Of several errors, options come first, then the first mover, then its position.
+TEST(MotionRefusal, TheFirstErrorIsReported) {
   std::vector<Mover> movers = plain_movers(2);
   movers[0].velocity.y = kNan;
   movers[1].position.x = kInfinity;
@@ -237,7 +237,7 @@ TEST(MotionRefusal, TheEndsOfTheDomainAreInsideIt) {
 }
 
 TEST(MotionRefusal, OneResultMoreThanAllowed) {
-  PredictOptions options{.threshold_m = 100.0};  // 100 m: everybody with everybody
+  PredictOptions options{.threshold_m = 100.0};  // 100 m: all pairs
   const std::vector<Mover> movers = plain_movers(30);
   options.max_results = 30 * 29 / 2;
   EXPECT_EQ(predict_conflicts(movers, options).value().size(), options.max_results);
@@ -296,7 +296,7 @@ TEST(MotionRefusal, HeightsAndClimbRatesOutsideTheDomain) {
   }
 }
 
-// More movers than ids: the view claims them, and its size is looked at before they are.
+// More movers than ids: the view is that large, and its size is checked before its elements.
 TEST(MotionRefusal, MoreMoversThanIds) {
   const Mover one;
   const double& x = one.position.x;

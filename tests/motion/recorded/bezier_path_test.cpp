@@ -1,5 +1,5 @@
-// Curves as tracks: nowhere farther from the curve than said, with no more fixes than it takes, and
-// no violation of the curves missed by it.
+// Curves as tracks: within the stated tolerance of the curve, with no more fixes than needed, and
+// without missing a violation of the curves.
 #include "tests/support/conflict_printer.hpp"
 #include "tests/support/rounds.hpp"
 #include "tests/support/scene_maker.hpp"
@@ -41,7 +41,7 @@ std::vector<Place> controls_of(const BezierPath& path, std::size_t piece) {
   return points;
 }
 
-// By the sum of Bernstein polynomials, in more digits than the library has.
+// The sum of Bernstein polynomials, in long doubles.
 Place curve_at(const BezierPath& path, double time_s) {
   std::size_t piece = 0;
   while (piece + 1 < path.pieces.size() && path.pieces[piece].ends_s < time_s) ++piece;
@@ -158,7 +158,7 @@ TEST(BezierTrack, BeginsAndEndsItsPiecesWhereTheyDo) {
   }
 }
 
-// What the curves do at many instants, against what their tracks say.
+// Positions on the curves at many instants, compared with their tracks.
 TEST(BezierConflicts, MissNoViolationAndAreCertainOfNoneThatIsNotThere) {
   test::SceneMaker make(40320);
   constexpr double kThreshold = 12.0;
@@ -226,7 +226,7 @@ void expect_error(const BezierPath& path, ErrorCode code, std::optional<std::uin
   EXPECT_FALSE(track.error().message.empty());
 }
 
-TEST(BezierRefusal, AToleranceThatMakesNoSenseOrIsTooFine) {
+TEST(BezierRefusal, AnInvalidOrTooFineTolerance) {
   for (const double bad : {0.0, -1.0, kNan, kInfinity}) {
     expect_error(plain_path(), ErrorCode::kInvalidArgument, {}, bad);
   }

@@ -1,4 +1,4 @@
-// The closest that any two of a recording ever come, held against fractions and brute force.
+// The closest encounter of a recording, compared with fractions and brute force.
 #include "tests/support/conflict_printer.hpp"
 #include "tests/support/exact_recording_oracle.hpp"
 #include "tests/support/recording_scenes.hpp"
@@ -19,8 +19,8 @@ namespace {
 
 using test::Tracks;
 
-// Of whole numbers of metres below a hundred: everybody is in conflict all the time.
-ConflictOptions everybody(double max_gap_s) {
+// Coordinates are whole metres below a hundred: all pairs are in conflict all the time.
+ConflictOptions all_in_conflict(double max_gap_s) {
   ConflictOptions options;
   options.threshold_m = 1000.0;
   options.inclusive = true;
@@ -30,12 +30,12 @@ ConflictOptions everybody(double max_gap_s) {
 
 TEST(ClosestEncounter, OfWholeNumbersIsTheClosestByFractions) {
   test::SceneMaker make(8086);
-  std::size_t nobody = 0;
+  std::size_t none_together = 0;
   for (int round = 0; round < test::rounds(200); ++round) {
     SCOPED_TRACE(round);
     const Tracks tracks = test::lattice_tracks(make, 1 + make.below(7), 1.0, 1.0);
     const double max_gap_s = round % 3 == 0 ? 2.0 : std::numeric_limits<double>::infinity();
-    const ConflictOptions all = everybody(max_gap_s);
+    const ConflictOptions all = all_in_conflict(max_gap_s);
     std::optional<test::Wide> least;
     for (std::size_t i = 0; i < tracks.size(); ++i) {
       for (std::size_t j = i + 1; j < tracks.size(); ++j) {
@@ -48,7 +48,7 @@ TEST(ClosestEncounter, OfWholeNumbersIsTheClosestByFractions) {
     ASSERT_TRUE(found.has_value()) << found.error().message;
     ASSERT_EQ(found->has_value(), least.has_value());
     if (!least) {
-      ++nobody;
+      ++none_together;
       continue;
     }
     const Conflict& closest = **found;
@@ -61,13 +61,13 @@ TEST(ClosestEncounter, OfWholeNumbersIsTheClosestByFractions) {
     ASSERT_TRUE(then.has_value());
     EXPECT_NEAR(std::sqrt(then->convert_to<double>()), closest.closest_m, 1e-6);
   }
-  EXPECT_GT(nobody, static_cast<std::size_t>(test::rounds(20)));
+  EXPECT_GT(none_together, static_cast<std::size_t>(test::rounds(20)));
 }
 
 TEST(ClosestEncounter, OfEveryRecordingIsTheLeastOfBruteForce) {
   for (const test::RecordingScene& scene : test::recording_scenes()) {
     SCOPED_TRACE(scene.name);
-    ConflictOptions all = everybody(scene.max_gap_s);
+    ConflictOptions all = all_in_conflict(scene.max_gap_s);
     all.threshold_m = kLargestInMotion;
     const auto conflicts = brute_force::find_conflicts(scene.tracks, all).value().conflicts;
     for (const unsigned threads : {1U, 3U}) {
@@ -82,7 +82,7 @@ TEST(ClosestEncounter, OfEveryRecordingIsTheLeastOfBruteForce) {
   }
 }
 
-TEST(ClosestEncounter, OfNobodyAndOfOneAloneIsNothing) {
+TEST(ClosestEncounter, OfNoneAndOfOneIsNothing) {
   const Track hovering{{{0.0, {1, 2, 3}}, {9.0, {1, 2, 3}}}};
   for (const Tracks& tracks : {Tracks{}, Tracks{{}, {}}, Tracks{hovering}}) {
     const auto found = find_closest_encounter(tracks);
@@ -99,7 +99,7 @@ TEST(ClosestEncounter, OfTwoAtOnePlaceIsThere) {
   EXPECT_EQ((*found)->closest_m, 0.0);
 }
 
-// Who may have been closer by a tolerance is found first, and is not the closest.
+// A pair that tolerances may bring closer is found first, and is not the closest.
 TEST(ClosestEncounter, IsTheClosestPathsWhateverTheirTolerances) {
   const auto at = [](double x, double tolerance_m) {
     return Track{{{0.0, {x, 0, 0}}}, {}, tolerance_m};

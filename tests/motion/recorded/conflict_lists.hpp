@@ -1,4 +1,4 @@
-// Lists of conflicts, compared so that a failure can be read.
+// Compares lists of conflicts, with readable failures.
 #pragma once
 
 #include <beespace/conflict.hpp>
@@ -24,7 +24,7 @@ inline std::string shown(const Conflict& c) {
   return text.str();
 }
 
-// Bit for bit; says the first difference only.
+// Bit for bit; reports the first difference only.
 inline void expect_same(const Conflicts& found, const Conflicts& expected) {
   for (std::size_t k = 0; k < found.size() && k < expected.size(); ++k) {
     ASSERT_TRUE(found[k] == expected[k])

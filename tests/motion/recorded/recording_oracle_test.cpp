@@ -1,5 +1,5 @@
-// What find_conflicts says of two tracks, held against the definition in fractions; and recordings
-// whose conflicts anybody can tell by looking.
+// find_conflicts on two tracks, compared with the definition in fractions; and recordings whose
+// conflicts are obvious.
 #include "tests/support/conflict_printer.hpp"
 #include "tests/support/exact_recording_oracle.hpp"
 #include "tests/support/recording_scenes.hpp"
@@ -120,7 +120,7 @@ TEST(RecordedConflicts, AreAsLongAsTolerancesLeaveOpenAndCertainWhereTheyDoNot) 
   EXPECT_GT(possible, static_cast<std::size_t>(test::rounds(300)));
 }
 
-// What brute force says is not its own invention either where many are in one recording.
+// Brute force is checked by fractions where one recording has many tracks, too.
 TEST(RecordedConflicts, OfALatticeAreThoseOfEachPairByFractions) {
   for (const test::RecordingScene& scene : test::recording_scenes()) {
     if (scene.name != "Lattice" && scene.name != "LatticeWithGaps") continue;
@@ -199,7 +199,7 @@ TEST(RecordedConflicts, AConflictOverManyFixesIsOneStretch) {
             (std::vector<Conflict>{{0, 1, 32.5, 37.5, 42.5, 0, true}}));
 }
 
-TEST(RecordedConflicts, WhoAreAtOnePlaceAllTheTimeAreInConflictAllTheTimeTheyShare) {
+TEST(RecordedConflicts, BeesAtOnePlaceAreInConflictAllTheTimeTheyShare) {
   const Tracks tracks = {{{{0, {1, 2, 3}}, {4, {1, 2, 3}}, {9, {1, 2, 3}}}},
                          {{{2, {1, 2, 3}}, {3, {1, 2, 3}}, {12, {1, 2, 3}}}},
                          {{{9, {1, 2, 3}}}}};
@@ -208,7 +208,7 @@ TEST(RecordedConflicts, WhoAreAtOnePlaceAllTheTimeAreInConflictAllTheTimeTheySha
   EXPECT_EQ(conflicts_of(tracks, closer_than(1, false)), all);
 }
 
-TEST(RecordedConflicts, GapsAreNamedAndNobodyIsInConflictDuringOne) {
+TEST(RecordedConflicts, GapsAreNamedAndHaveNoConflicts) {
   const Tracks tracks = {{{{0, {0, 0, 0}}, {4, {0, 0, 0}}, {9, {0, 0, 0}}, {11, {0, 0, 0}}}},
                          {{{1, {1, 0, 0}}, {3, {1, 0, 0}}, {5, {1, 0, 0}}, {10, {1, 0, 0}}}},
                          {}};

@@ -1,4 +1,4 @@
-// What must hold of the conflicts of any recording, whatever the numbers in it.
+// Properties of the conflicts of a recording that hold for any input.
 #include "tests/support/conflict_printer.hpp"
 #include "tests/support/recording_scenes.hpp"
 #include "tests/support/rounds.hpp"
@@ -39,8 +39,8 @@ ConflictOptions closer_than(double threshold_m) {
   return options;
 }
 
-// Whoever is seen too close at some instant is in a conflict that is reported, and in no other.
-TEST(RecordingProperties, WhoIsSeenTooCloseIsInAReportedConflict) {
+// A pair that is too close at a sampled instant is in a reported conflict, and in no other.
+TEST(RecordingProperties, APairThatIsTooCloseIsInAReportedConflict) {
   test::SceneMaker make(161803);
   std::size_t seen = 0;
   for (int round = 0; round < test::rounds(40); ++round) {
@@ -71,8 +71,8 @@ TEST(RecordingProperties, WhoIsSeenTooCloseIsInAReportedConflict) {
   EXPECT_GT(seen, static_cast<std::size_t>(test::rounds(2000)));
 }
 
-// A stretch is as long as the two are too close, and no longer: all the way through.
-TEST(RecordingProperties, AllThroughAReportedConflictTheTwoAreTooClose) {
+// Throughout a reported conflict the two are too close, and no longer.
+TEST(RecordingProperties, ThroughoutAReportedConflictTheTwoAreTooClose) {
   test::SceneMaker make(141421);
   std::size_t sampled = 0;
   for (const test::RecordingScene& scene : test::recording_scenes()) {
@@ -114,7 +114,7 @@ TEST(RecordingProperties, TheOrderOfTracksChangesNothingButTheirNumbers) {
   test::SceneMaker make(57721);
   for (const test::RecordingScene& scene : test::recording_scenes()) {
     SCOPED_TRACE(scene.name);
-    std::vector<PointId> number(scene.tracks.size());  // of who was at this place before
+    std::vector<PointId> number(scene.tracks.size());  // the track that was at this place before
     std::iota(number.begin(), number.end(), 0U);
     for (std::size_t left = number.size(); left > 1; --left) {
       std::swap(number[left - 1], number[make.below(left)]);

@@ -1,5 +1,5 @@
-// What find_conflicts refuses: with which code, at which place, in which words; and where a track
-// says that a bee is.
+// What find_conflicts refuses: the error's code, place and sentence; and the position of a bee by
+// its track.
 #include <beespace/brute_force.hpp>
 #include <beespace/find_conflicts.hpp>
 
@@ -48,7 +48,7 @@ void expect_error(const Tracks& tracks, const ConflictOptions& options, ErrorCod
   }
 }
 
-TEST(RecordingRefusal, ThresholdsThatMakeNoSense) {
+TEST(RecordingRefusal, InvalidThresholds) {
   for (const double bad : {0.0, -1.0, kNan, kInfinity, 0x1p-101, 0x1.1p+100}) {
     SCOPED_TRACE(bad);
     ConflictOptions options;
@@ -164,7 +164,7 @@ TEST(PositionAt, AFixIsThatFixAndInBetweenIsTheStraightLine) {
   EXPECT_EQ(position_at(track, 6.0), (Point{5, 8, -1}));
 }
 
-TEST(PositionAt, NobodyIsAnywhereBeforeTheFirstFixOrAfterTheLast) {
+TEST(PositionAt, ThereIsNoneBeforeTheFirstFixOrAfterTheLast) {
   const Track track{{{1.0, {1, 2, 3}}, {2.0, {5, 0, 3}}}};
   EXPECT_FALSE(position_at(track, std::nextafter(1.0, 0.0)).has_value());
   EXPECT_FALSE(position_at(track, std::nextafter(2.0, 3.0)).has_value());
@@ -177,7 +177,7 @@ TEST(PositionAt, NobodyIsAnywhereBeforeTheFirstFixOrAfterTheLast) {
   EXPECT_FALSE(position_at(instant, 1.5).has_value());
 }
 
-TEST(PositionAt, NobodyIsAnywhereInAGapButAtItsEnds) {
+TEST(PositionAt, ThereIsNoneInAGapExceptAtItsEnds) {
   const Track track{{{1.0, {1, 2, 3}}, {2.0, {5, 0, 3}}, {6.0, {5, 8, -1}}}};
   EXPECT_TRUE(position_at(track, 3.0, 4.0).has_value()) << "as long as allowed";
   const double less = std::nextafter(4.0, 0.0);

@@ -1,5 +1,5 @@
 // The search through recordings: for every instruction set, number of threads and length of step,
-// bit for bit what brute force says.
+// bit for bit the brute force's answer.
 #include "motion/recorded/recording_search.hpp"
 
 #include "tests/support/conflict_printer.hpp"
@@ -129,7 +129,7 @@ TEST_P(RecordingScenes, AreSearchedAsByBruteForceInEveryWay) {
   });
 }
 
-// One more conflict than allowed is an error in every way, as many as allowed are none.
+// One conflict more than allowed is an error for every variant; as many as allowed are none.
 TEST_P(RecordingScenes, HaveTheirResultsCountedInEveryWay) {
   ConflictOptions options = GetParam().options(Shape::kSphere, true);
   const test::Tracks& tracks = GetParam().tracks;
@@ -158,7 +158,7 @@ TEST_P(RecordingScenes, HaveTheirResultsCountedInEveryWay) {
 INSTANTIATE_TEST_SUITE_P(Searched, RecordingScenes, testing::ValuesIn(test::recording_scenes()),
                          [](const auto& instance) { return instance.param.name; });
 
-// The comparisons above would be worth little if hardly anybody met, or if everybody did.
+// The comparisons above mean little if hardly any bees meet, or if all of them do.
 TEST(RecordingScenesThemselves, HaveConflictsOfAllKinds) {
   std::size_t at_the_edge = 0;
   std::size_t again = 0;  // of a pair that has been in conflict before
@@ -191,7 +191,7 @@ TEST(RecordingScenesThemselves, HaveConflictsOfAllKinds) {
 }
 
 // Random places and times, over and over: the same answers, at the chosen step and at short ones.
-TEST(RecordingSearch, SaysWhatBruteForceSaysOfManySmallRecordings) {
+TEST(RecordingSearch, AgreesWithBruteForceOnManySmallRecordings) {
   test::SceneMaker make(5150);
   test::OwnResources own;
   for (int round = 0; round < test::rounds(1500); ++round) {
@@ -219,8 +219,9 @@ TEST(RecordingSearch, SaysWhatBruteForceSaysOfManySmallRecordings) {
   }
 }
 
-// As brute force says by cylinders: their corners are farther away than threshold and tolerance.
-TEST(RecordingSearch, FindsWhomTolerancesBringTogetherAtTheCornerOfACylinder) {
+// The same as brute force on cylinders, whose corners are farther away than threshold and
+// tolerance.
+TEST(RecordingSearch, FindsPairsThatTolerancesBringTogetherAtTheCornerOfACylinder) {
   test::Tracks tracks;
   for (const double at : {0.0, 13.8}) {
     tracks.push_back({{{0.0, {at, 0.0, at}}, {1.0, {at, 0.0, at}}}, {}, 2.0});

@@ -1,12 +1,12 @@
-// The times and distances that are reported, against fractions.
+// Reported times and distances, compared with fractions.
 //
-// With u = 2^-53: the components of r and w are differences of doubles, so each is wrong by u of
-// itself, and all that is computed of them by a handful of u of the lengths that went in: |r|, the
-// threshold, and |w| times the time, which is no more than |r| until the two are closest and about
-// |r| + X until they are apart. So distances are right to within 2^-48 of |r| + X: 32 u, of which
-// less than 5 have been seen. Begin and end are judged by the distance at the reported instant: it
-// is the threshold to within that. (The instants themselves cannot be that good: to whoever only
-// just grazes, a last bit of the threshold is half the digits of the time.)
+// With u = 2^-53: the components of r and w are differences of doubles, so each has a relative
+// error of u. All that is computed from them has an error of a few u of its terms: |r|, the
+// threshold, and |w| times the time, which is at most |r| until the two are closest and about |r| +
+// X until they are apart. So distances are right to within 2^-48 of |r| + X: 32 u, of which less
+// than 5 have been seen. Begin and end are judged by the distance at the reported instant: it
+// equals the threshold to within that. (The instants themselves are less accurate: where a pair
+// only grazes, a last bit of the threshold is half the digits of the time.)
 #include "tests/support/encounter_maker.hpp"
 #include "tests/support/exact_motion_oracle.hpp"
 #include "tests/support/rounds.hpp"
@@ -201,8 +201,8 @@ TEST_F(ReportedTimes, AreTrueWhereTheyCircleAtTheThreshold) {
   EXPECT_GT(conflicts_, rounds(900));
 }
 
-// On the level grazed, where a last bit of the threshold is half the digits of the time, just as
-// the height is left: an instant at which both are so, not one that is 1e-8 m too high.
+// The horizontal threshold is grazed, where a last bit of it is half the digits of the time, just
+// when the height is left. The reported instant satisfies both, not one that is 1e-8 m too high.
 TEST_F(ReportedTimes, AreTrueWhereAGrazedCylinderIsLeftInHeight) {
   Encounter e{{{-0x1.02a632b4365fcp+3, -0x1.b018c301843c4p+3, -0x1.5d07b0478f8b7p+4},
                {-0x1.b0ce1e0d6941cp-11, 0x1.eace1a5a1d8a8p-10, -0x1.720c370722492p-11}},
@@ -217,7 +217,7 @@ TEST_F(ReportedTimes, AreTrueWhereAGrazedCylinderIsLeftInHeight) {
   EXPECT_EQ(conflicts_, 1);
 }
 
-// The other way round: heights hardly change, and the level is grazed at one instant.
+// The reverse: heights hardly change, and the horizontal threshold is grazed at one instant.
 TEST_F(ReportedTimes, AreTrueWhereHeightsHardlyChange) {
   Encounter e{{{0, 0, 0}, {}}, {{-8, 5, 0x1.fffffffffffffp+1}, {1, 0, 0x1p-52}}, {}};
   e.options.threshold_m = 5.0;

@@ -1,5 +1,5 @@
 // Columns: lists of numbers or texts, each kept compressed in an element of its own.
-// The format is told in docs/page-format.md.
+// The format is described in docs/page-format.md.
 import { inflate } from './inflate';
 
 export type Unsigned = Uint8Array | Uint16Array | Uint32Array;

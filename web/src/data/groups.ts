@@ -15,7 +15,7 @@ export interface Groups {
   of: Int32Array;
 }
 
-/** Exact: which bee stands for a group does not matter, only who hangs together. */
+/** Exact: which bee stands for a group does not matter, only which are connected. */
 export function findGroups(
   count: number,
   first: Uint32Array,

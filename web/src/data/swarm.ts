@@ -18,7 +18,7 @@ export interface Company {
   neighbours: Neighbours;
 }
 
-/** Reads the names and finds who belongs to whom. */
+/** Reads the names and finds the groups. */
 export async function completeSwarm(swarm: Swarm): Promise<Company> {
   swarm.names = await readNames(swarm.head);
   const { first, second, distance_m } = pairsOf(swarm);
@@ -28,7 +28,7 @@ export async function completeSwarm(swarm: Swarm): Promise<Company> {
   };
 }
 
-/** Who is too close to whom at any time, the closest first. */
+/** The pairs that are too close at any time, the closest first. */
 export function pairsOf(swarm: Swarm): { first: Uint32Array; second: Uint32Array; distance_m: Float64Array } {
   return swarm.kind === 'snapshot' ? swarm.pairs : swarm.conflicts;
 }

@@ -1,4 +1,4 @@
-// Whom to show: all, only those at risk, only one conflict group.
+// Which bees to show: all, only those at risk, only one conflict group.
 import type { Choices } from '../state/choices';
 import { element } from '../text/element';
 import { formatBelow, formatCount } from '../text/numbers';

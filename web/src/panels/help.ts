@@ -13,7 +13,7 @@ const kKeys: [string, string][] = [
   ['o', 'only those at risk, or all'],
   ['g', 'only the group of the selected bee, or all'],
   ['d', 'dark or light'],
-  ['Escape', 'nobody selected, all groups'],
+  ['Escape', 'no bee selected, all groups'],
   ['?', 'this help'],
 ];
 

@@ -13,7 +13,7 @@ const kBins = 60;
 
 export interface Bins {
   counts: number[];
-  /** Of these, who is at risk. */
+  /** Of these, the ones at risk. */
   atRisk: number[];
 }
 

@@ -1,4 +1,4 @@
-// Who is too close to whom: pairs of a snapshot, conflicts of a recording.
+// The bees that are too close to each other: pairs of a snapshot, conflicts of a recording.
 import { pairsOf } from '../data/swarm';
 import type { Choices } from '../state/choices';
 import { element, panel } from '../text/element';

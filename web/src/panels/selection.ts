@@ -1,4 +1,4 @@
-// The selected bee: its numbers, and who is too close to it.
+// The selected bee: its numbers, and the bees that are too close to it.
 import { geographicOf } from '../data/earth';
 import { positionOf } from '../data/positions';
 import { counterpart, pairsOf } from '../data/swarm';
@@ -148,7 +148,7 @@ function neighbourlessText(shown: Shown, bee: number): string {
   if (swarm.kind === 'snapshot' && swarm.isAtRisk(bee)) return 'Its pairs are among those left out of this page.';
   if (swarm.kind === 'snapshot') {
     const whole = swarm.head.risk.unknown === undefined;
-    return whole ? 'Nobody is too close to it.' : 'None of those that are known is too close to it.';
+    return whole ? 'No bee is too close to it.' : 'None of those that are known is too close to it.';
   }
   const { head } = swarm;
   const unknown = head.kind === 'recording' && head.risk.unknown !== undefined;

@@ -1,4 +1,4 @@
-// How it stands: who is at risk, how many, how close. Two swarms stand beside each other.
+// The summary: which bees are at risk, how many, how close. Two swarms stand beside each other.
 import type { RecordingRisk, SnapshotRisk } from '../data/page';
 import { pairsOf } from '../data/swarm';
 import { element, button, panel } from '../text/element';

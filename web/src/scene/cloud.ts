@@ -1,5 +1,5 @@
-// The swarm itself: everybody as points, those at risk once more on top, lines between the too close.
-// The three share their positions on the graphics card and differ in whom they draw.
+// The swarm itself: all bees as points, those at risk once more on top, lines between pairs that are too close.
+// The three share their positions on the graphics card and differ in which bees they draw.
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Group, LineSegments, Points } from 'three';
 import type { RawShaderMaterial } from 'three';
 import type { Nearest } from '../data/nearest';
@@ -56,7 +56,7 @@ export class Cloud {
     this.#drawCrowd(placement);
     this.#draw(this.#risk.geometry, placement.atRisk, 0);
     this.#draw(this.#lines.geometry, placement.lines, 0);
-    // Where very many lie over one another, how many is seen too, and who is behind them.
+    // Where very many lie over one another, their number is visible too, and the bees behind them.
     this.#risk.material.uniforms.opacity.value = Math.min(1, Math.sqrt(20000 / placement.atRisk.length));
   }
 

@@ -1,5 +1,5 @@
 // How near the nearest other bee is while bees move, from the positions as they are shown. Only for
-// colour: who is too close to whom is in the data, decided on the exact positions.
+// colour: which are too close is in the data, decided on the exact positions.
 import { Nearest } from '../data/nearest';
 import type { Triple } from '../data/positions';
 

@@ -1,5 +1,5 @@
 // Colours of the scene. The ramp is viridis, which colour-blind people can read, cut where it would
-// vanish against the ground; who is at risk differs by shape, size and lightness too.
+// vanish against the ground; bees at risk differ by shape, size and lightness too.
 import type { Theme } from '../state/theme';
 
 export type Rgb = [number, number, number];

@@ -1,4 +1,4 @@
-// Who is drawn where, right now: what the views draw, after the reader's filter.
+// Which bees are drawn where, right now: what the views draw, after the reader's filter.
 import { conflictsAt, type Recording } from '../data/recording';
 import type { Numbers } from '../data/column';
 import { Crowding } from './crowding';
@@ -14,7 +14,7 @@ export interface Placement {
   step: Triple;
   /** Bees that are there and shown; null: all. */
   shown: Uint32Array | null;
-  /** Of these, who is at risk. */
+  /** Of these, the ones at risk. */
   atRisk: Uint32Array;
   /** Bees to draw a line between, two by two. */
   lines: Uint32Array;
@@ -89,7 +89,7 @@ export class RecordingPlacer {
     return present.subarray(0, there);
   }
 
-  /** Of those who are there, whom the reader wants to see; the others count as not there. */
+  /** Of the bees that are there, those that the reader wants to see; the others count as not there. */
   #chosen(present: Uint32Array, company: Company | null, { group, atRiskOnly }: Wanted): Uint32Array {
     const some =
       company && group !== null ? membersOf(company, group) : atRiskOnly ? beesAtRisk(this.swarm) : null;

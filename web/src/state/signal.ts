@@ -1,4 +1,4 @@
-// A value, and who wants to know when it changes.
+// A value, and the callbacks for its changes.
 
 export class Signal<T> {
   #value: T;

@@ -51,7 +51,7 @@ export function linkTimes(swarms: Swarm[]): LinkedTimes {
   };
 }
 
-/** A page opens at the worst moment of the first recording that has one: in one glance, who, where and when. */
+/** A page opens at the worst moment of the first recording that has one: at one glance, which bees, where and when. */
 export function showWorstMoment(swarms: Swarm[], times: LinkedTimes): void {
   const worst = swarms.filter(isRecording).find(({ conflicts }) => conflicts.closest_s.length > 0);
   if (worst) times.clock.showPoster(times.clockTime({ swarm: worst }, worst.conflicts.closest_s[0]));

@@ -1,4 +1,4 @@
-// How far apart the closest two are, moment by moment, and below when somebody is in conflict.
+// How far apart the closest two are, moment by moment, and below it when any bee is in conflict.
 // The plot is the time line too: it says where one is, and takes one elsewhere.
 import type { Recording } from '../data/recording';
 import type { Shown } from '../panels/shown';

@@ -39,7 +39,7 @@ function statement(shown: Shown & { swarm: Recording }, within_s: number, inConf
   const closest = exact >= 0 && (sample < 0 || conflicts.distance_m[exact] <= separation.distance_m[sample]);
   const [of, place] = closest ? [conflicts, exact] : [separation, sample];
   if (place < 0) return start + risk;
-  // Between two samples the earlier one is told, with its time; of those who have gone since, nothing.
+  // Between two samples the earlier one is shown, with its time; nothing of bees that have gone since.
   const since_s = closest ? 0 : within_s - separation.time_s[sample];
   const bees = [of.first[place], of.second[place]];
   if (since_s < -kMoment_s || !bees.every((bee) => shown.swarm.fixes.isThere(bee, within_s))) return start + risk;

@@ -1,4 +1,4 @@
-// Swarms with next to nobody in them still make a page.
+// Swarms with hardly a bee in them still make a page.
 import assert from 'node:assert/strict';
 import { pageTest } from './opened_page';
 

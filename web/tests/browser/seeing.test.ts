@@ -1,4 +1,4 @@
-// What is seen: those at risk in red where they are, and nothing red where nobody is at risk.
+// What is seen: those at risk in red where they are, and nothing red where none is at risk.
 import assert from 'node:assert/strict';
 import { headOf, pageTest, projected, settled } from './opened_page';
 import { canvasClip, redPixels } from './pixels';
@@ -17,7 +17,7 @@ for (const name of ['snapshot', 'cylinder', 'hundred-thousand', 'million']) {
   });
 }
 
-pageTest('shows nothing red where nobody is at risk', 'calm', {}, async ({ page }) => {
+pageTest('shows nothing red where no bee is at risk', 'calm', {}, async ({ page }) => {
   await settled(page);
   assert.equal(await redPixels(page, await canvasClip(page)), 0);
 });

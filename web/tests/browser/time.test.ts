@@ -78,7 +78,7 @@ pageTest('it plays, steps, goes to conflicts and shows trails', 'recording', {},
   assert.ok(await page.locator('#trails').isChecked());
 });
 
-pageTest('at its end everybody is where the last fix was', 'end', {}, async ({ page }) => {
+pageTest('at its end all bees are where their last fixes were', 'end', {}, async ({ page }) => {
   await page.keyboard.press('End');
   for (let bee = 0; bee < 4; ++bee) assert.ok(await projected(page, bee), `bee ${bee} is gone`);
 });
@@ -97,7 +97,7 @@ pageTest('keys go through all conflicts of a pair', 'again', {}, async ({ page }
   assert.equal(await page.locator('.pairs tbody tr[aria-current]').getAttribute('data-place'), String(count - 2));
 });
 
-pageTest('says nothing of two who are away', 'again', {}, async ({ page }) => {
+pageTest('says nothing of two bees that are away', 'again', {}, async ({ page }) => {
   const box = await page.locator('.plot svg').first().boundingBox();
   assert.ok(box);
   // From 40 to 60 of 120 s a and b are away; the plot has margins of 52 and 12 pixels.
@@ -107,7 +107,7 @@ pageTest('says nothing of two who are away', 'again', {}, async ({ page }) => {
   assert.match(says, /^0 in conflict/);
 });
 
-pageTest('says who is closest, also where others are chosen', 'again', {}, async ({ page }) => {
+pageTest('names the closest, also where others are chosen', 'again', {}, async ({ page }) => {
   // In its closest moment, with 4 m, a and b are 3 m apart.
   await page.locator('.pairs tbody tr').filter({ hasText: 'c' }).click();
   assert.match((await page.locator('.time-says').innerText()).replaceAll('\u202f', ' '), /closest two 3\.00 m/);

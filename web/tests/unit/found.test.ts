@@ -60,7 +60,7 @@ test('nearest distances and their codes', () => {
   assert.equal(quantileCode(nearest.countCodes(), 1), 101);
 });
 
-test('a histogram counts everybody once', () => {
+test('a histogram counts each bee once', () => {
   // At 0, 1, 8, 16 and 2^99 m.
   const nearest = new Nearest(Uint16Array.of(0, 1, 4, 5, 100), 1, 2);
   const { counts, atRisk } = binDistances(nearest, (bee) => bee === 1, [1, 100], 2);

@@ -53,7 +53,7 @@ test('the sample of a moment is the one before it', () => {
   assert.equal(sampleAt(new Float64Array(0), 1), -1);
 });
 
-test('columns of the time line count who is in conflict', () => {
+test('columns of the time line count the bees in conflict', () => {
   assert.deepEqual(conflictColumns(Float64Array.of(0, 5), Float64Array.of(5.5, 10), 0, 10, 5), [1, 1, 2, 1, 1]);
   assert.deepEqual(conflictColumns(Float64Array.of(0), Float64Array.of(1), 8, 10, 5), [0, 0, 0, 0, 1]);
 });

@@ -1,4 +1,4 @@
-#include "tests/closed_loop/told.hpp"
+#include "tests/closed_loop/looks.hpp"
 
 #include <cstdlib>
 #include <utility>
@@ -35,14 +35,14 @@ std::optional<std::string> text_in(const std::string& line, const std::string& n
 std::optional<Look> Looks::take(const std::string& line) {
   const auto event = text_in(line, "event");
   if (event == "advice") {
-    Told told;
+    BeeAdvice advised;
     const auto x = number_in(line, "vx");
     const auto y = number_in(line, "vy");
     const auto z = number_in(line, "vz");
-    if (x && y && z) told.velocity = Vector{*x, *y, *z};
-    told.certified = line.find("\"certified\": true") != std::string::npos;
-    told.because = text_in(line, "because").value_or("");
-    open_.bees[text_in(line, "id").value_or("")] = told;
+    if (x && y && z) advised.velocity = Vector{*x, *y, *z};
+    advised.certified = line.find("\"certified\": true") != std::string::npos;
+    advised.because = text_in(line, "because").value_or("");
+    open_.bees[text_in(line, "id").value_or("")] = advised;
     return std::nullopt;
   }
   if (event != "advised") return std::nullopt;

@@ -1,4 +1,4 @@
-// What `watch --advise` has told in a look.
+// The output of `watch --advise`, one round of advice (look) after the other.
 #pragma once
 
 #include "tests/closed_loop/flown.hpp"
@@ -9,19 +9,19 @@
 
 namespace beespace::closed_loop {
 
-// What one bee is told.
-struct Told {
-  std::optional<Vector> velocity;  // none: nothing to fly by
+// The advice for one bee.
+struct BeeAdvice {
+  std::optional<Vector> velocity;  // none: no velocity advised
   bool certified = false;
   std::string because;
 };
 
-// All that is said of one look.
+// One round of advice.
 struct Look {
   double time_s = 0;
   double effective_s = 0;
-  std::map<std::string, Told> bees;  // those that are named
-  std::string closing;               // the line that ends it
+  std::map<std::string, BeeAdvice> bees;  // those that are named
+  std::string closing;                    // the line that ends it
 };
 
 // Puts the lines of looks together.

@@ -1,4 +1,4 @@
-#include "scenes/stirred_grid.hpp"
+#include "scenes/jittered_grid.hpp"
 
 #include <numeric>
 #include <utility>
@@ -11,8 +11,8 @@ GridShape cube_for(std::size_t count) {
   return {side, side, side};
 }
 
-std::vector<Point> stirred_grid(std::size_t count, const GridShape& shape, const GridCell& first,
-                                double spacing_m, double clear_m, RandomStream& random) {
+std::vector<Point> jittered_grid(std::size_t count, const GridShape& shape, const GridCell& first,
+                                 double spacing_m, double clear_m, RandomStream& random) {
   // A little less than half, for rounding.
   const double stir_m = 0.5 * (spacing_m - clear_m) * (1.0 - 0x1p-20);
   const auto at = [&](std::int64_t begin, std::size_t cell) {
