@@ -1,5 +1,5 @@
 // What pages, pictures and map files show of a swarm: what the engine found, and positions in a
-// frame to look at. Plain values, put together by whoever asked the engine.
+// frame to look at. Plain values, put together by what asked the engine.
 #pragma once
 
 #include <beespace/conflict.hpp>
@@ -20,7 +20,7 @@ namespace beespace::report {
 // What bees are called: their numbers, where there are no texts.
 struct Names {
   std::vector<std::string> texts = {};
-  std::vector<PointId> bees = {};  // whose these are, ascending; empty: everybody's
+  std::vector<PointId> bees = {};  // whose these are, ascending; empty: all bees'
 
   [[nodiscard]] std::string of(PointId bee) const;
 };
@@ -45,9 +45,9 @@ struct SnapshotFacts {
   std::uint64_t pair_count = 0;   // of all
   std::uint64_t group_count = 0;  // of all
   std::uint64_t largest_group = 0;
-  // Of each of those at risk: the closest of whom it is in conflict with.
+  // Of each of those at risk: the closest of those it is in conflict with.
   std::vector<Nearest> closest_in_conflict = {};
-  // Of those in conflict; where nobody is, of all.
+  // Of those in conflict; where none is, of all.
   std::optional<ClosestPair> closest = {};
   // The closest first; all, or as many as can be shown.
   std::vector<Pair> pairs = {};
@@ -55,7 +55,7 @@ struct SnapshotFacts {
   std::string unknown = {};              // how many are left out; empty: none
 };
 
-// When a bee is in conflict with somebody.
+// When a bee is in conflict with another.
 struct AtRisk {
   PointId bee = 0;
   TimeSpan span;

@@ -14,7 +14,7 @@ constexpr double kFlattening = 1.0 / 298.257223563;
 constexpr double kPole_m = kEquator_m * (1.0 - kFlattening);
 constexpr double kOfEquator = kFlattening * (2.0 - kFlattening);
 constexpr double kOfPole = kOfEquator / (1.0 - kOfEquator);
-// Deeper than this nobody is, but the middle of those who are far from each other may be.
+// No bee is deeper than this, but the middle of those that are far from each other may be.
 constexpr double kDeep_m = kPole_m - 100'000.0;
 
 struct Direction {

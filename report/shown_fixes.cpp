@@ -6,7 +6,7 @@
 namespace beespace::report {
 namespace {
 
-// How far a fix lies from where somebody is at its time who flies straight from one to another.
+// How far a fix lies from where a bee is at its time that flies straight from one to another.
 double off_the_line(const Fix& from, const Fix& to, const Fix& fix) {
   const double share = (fix.time_s - from.time_s) / (to.time_s - from.time_s);
   const Point& p = from.position;

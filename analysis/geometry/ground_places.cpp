@@ -14,9 +14,9 @@ GroundPlaces ground_places(const io::LoadedPoints& loaded,
   const bool geographic = loaded.frame == io::Frame::kWgs84;
   places.vertical_m = as_stated ? vertical->value : vertical->metric;
   if (!as_stated && !geographic) return places;
-  std::vector<PointId> everybody(loaded.points.size());
-  std::iota(everybody.begin(), everybody.end(), PointId{0});
-  io::for_each_record(loaded, everybody, [&](const io::Record& record) {
+  std::vector<PointId> all(loaded.points.size());
+  std::iota(all.begin(), all.end(), PointId{0});
+  io::for_each_record(loaded, all, [&](const io::Record& record) {
     places.heights_m.push_back(as_stated ? record.height : record.geographic.height_m);
     if (!geographic) {
       const Point& point = loaded.points[record.point];

@@ -13,7 +13,8 @@ constexpr double kPause_s = 1.0;
 constexpr double kNamedAgain_s = 10.0;
 // How often it must be found right again.
 constexpr std::uint32_t kTimesRight = 3;
-// A report may be late, and several bees may have one at once: behind is whom so many in a row say.
+// A report may be late, and several bees may have one at once: a bee is behind when so many in a
+// row say so.
 constexpr std::uint32_t kTimesBehind = 3;
 // Bees that have not been heard of for so many max_age_s have no vote.
 constexpr double kPeriodInAges = 4.0;

@@ -17,8 +17,8 @@
 //
 // Where more than half of the bees that were heard of lately are ahead, or behind three times in a
 // row (once they are late, as it happens to several at once), it is the time of the swarm that is
-// wrong, and it becomes theirs; so do the clocks of bees that nobody contradicts
-// while their own go on for `max_age_s`. Of two bees that contradict each other nobody can tell
+// wrong, and it becomes theirs; so do the clocks of bees that no other contradicts
+// while their own go on for `max_age_s`. Of two bees that contradict each other it cannot be told
 // which is right: the one that came later is named.
 //
 // Reports in the order of their times are never contradicted, and all come out as they are and in

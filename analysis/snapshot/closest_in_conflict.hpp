@@ -1,4 +1,4 @@
-// Whom each bee at risk is closest to among those it is in conflict with. With a vertical threshold
+// The closest to each bee at risk of those that it is in conflict with. With a vertical threshold
 // that need not be its nearest: who is close in a straight line may keep apart in height.
 #pragma once
 

@@ -1,7 +1,7 @@
 #include "cli/console/failure.hpp"
 
+#include "cli/console/error_json.hpp"
 #include "cli/console/terminal.hpp"
-#include "cli/detect/answer_output.hpp"
 #include "io/bytes/atomic_output.hpp"
 
 namespace beespace::cli {

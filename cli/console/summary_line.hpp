@@ -1,7 +1,6 @@
 // The lines of a summary, alike for all subcommands.
 #pragma once
 
-#include "io/points/repeated_ids.hpp"
 #include "io/units/heights.hpp"
 #include "io/units/stated_length.hpp"
 #include "io/units/unit_taken.hpp"
@@ -16,19 +15,8 @@ namespace beespace::cli {
 // "  label      text".
 void append_summary_line(std::string& out, std::string_view label, std::string_view text);
 
-// "heights in ft: the header names it: 'alt_ft'".
-std::string text_of(const io::UnitTaken& taken);
-
-// "3 records have the id of another one before: the first is 'a', of data rows 0 and 5".
-std::string text_of(const io::RepeatedIds& repeated);
-
 // Which units were taken and why, a line each.
 void append_units(std::string& out, const std::vector<io::UnitTaken>& units);
-
-// Both of these among the notes of a page or a picture.
-void note_units(const std::vector<io::UnitTaken>& units,
-                const std::optional<io::StatedLength>& vertical, io::Unit height_unit,
-                std::vector<std::string>& notes);
 
 // What heights are counted from; empty where that is not said.
 std::string_view datum_text(io::HeightDatum datum);

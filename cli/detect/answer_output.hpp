@@ -32,7 +32,4 @@ void write_json(const Answer& answer, io::AtomicOutput& output);
 // input, which must be geographic. Longitudes beyond half a turn are written within it.
 void write_geojson(const Answer& answer, io::AtomicOutput& output);
 
-// {"error": {...}}: what --json says instead of an answer.
-std::string error_as_json(const Error& error);
-
 }  // namespace beespace::cli

@@ -1,3 +1,4 @@
+#include "cli/console/error_json.hpp"
 #include "cli/console/summary_line.hpp"
 #include "cli/detect/answer_output.hpp"
 #include "cli/detect/json_cell.hpp"
@@ -28,30 +29,12 @@ void append_list(std::string& out, const std::vector<std::string>& texts) {
   out += ']';
 }
 
-void append_optional(std::string& out, std::string_view key,
-                     const std::optional<std::uint64_t>& value) {
-  out += ", \"";
-  out += key;
-  out += "\": " + (value ? std::to_string(*value) : std::string("null"));
-}
-
-// What an error says and where it lies, as the members of an object.
-void append_members(std::string& out, const Error& error) {
-  out += "\"code\": " + io::json_string(to_string(error.code));
-  out += ", \"message\": " + io::json_string(error.message);
-  out += ", \"file\": " +
-         (error.place.source.empty() ? std::string("null") : io::json_string(error.place.source));
-  append_optional(out, "line", error.place.line);
-  append_optional(out, "column", error.place.column);
-  append_optional(out, "record", error.place.record);
-}
-
 void append_skipped(std::string& out, const std::vector<Error>& skipped) {
   if (skipped.empty()) return;
   out += ",\n    \"first_skipped\": [";
   for (std::size_t i = 0; i < skipped.size(); ++i) {
     out += i > 0 ? ",\n      {" : "\n      {";
-    append_members(out, skipped[i]);
+    append_error_members(out, skipped[i]);
     out += '}';
   }
   out += "\n    ]";
@@ -192,12 +175,6 @@ void write_json(const Answer& answer, io::AtomicOutput& output) {
     write_table(answer, out);
   }
   out.text += "\n}\n";
-}
-
-std::string error_as_json(const Error& error) {
-  std::string out = "{\"error\": {";
-  append_members(out, error);
-  return out + "}}\n";
 }
 
 }  // namespace beespace::cli

@@ -1,6 +1,7 @@
 #include "cli/detect/load_inputs.hpp"
 
-#include "cli/analysis/recording_check.hpp"
+#include "analysis/snapshot/recording_check.hpp"
+#include "analysis/text/unit_notes.hpp"
 #include "cli/console/summary_line.hpp"
 #include "cli/detect/detect_request.hpp"
 #include "io/bytes/number_text.hpp"
@@ -36,8 +37,8 @@ std::string taken_for(const io::LoadedPoints& loaded, const std::string& path) {
 
 Result<io::LoadedPoints> load_snapshot(const std::string& path, const io::LoadOptions& options) {
   auto loaded = io::load_points(path, options);
-  if (!loaded) return or_recording(std::move(loaded).error(), path, options);
-  if (auto problem = recording_problem(*loaded, path)) return *std::move(problem);
+  if (!loaded) return analysis::or_recording(std::move(loaded).error(), path, options);
+  if (auto problem = analysis::recording_problem(*loaded, path)) return *std::move(problem);
   return loaded;
 }
 
@@ -52,9 +53,10 @@ Result<io::RepeatedIds> repeated_ids(const io::LoadedPoints& loaded, const std::
                                      bool unique) {
   io::RepeatedIds repeated = io::find_repeated_ids(loaded);
   if (!unique || repeated.count == 0) return repeated;
-  Error error{ErrorCode::kMalformedRecord,
-              text_of(repeated) + "; give each bee an id of its own, or leave --unique-ids out",
-              {}};
+  Error error{
+      ErrorCode::kMalformedRecord,
+      analysis::text_of(repeated) + "; give each bee an id of its own, or leave --unique-ids out",
+      {}};
   error.place.source = path == "-" ? "<stdin>" : path;
   error.place.record = repeated.second_row;
   return error;

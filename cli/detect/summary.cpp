@@ -1,6 +1,7 @@
 #include "cli/detect/summary.hpp"
 
 #include "analysis/snapshot/shown_ids.hpp"
+#include "analysis/text/unit_notes.hpp"
 #include "cli/console/summary_line.hpp"
 #include "cli/console/terminal.hpp"
 #include "io/bytes/number_text.hpp"
@@ -88,7 +89,7 @@ void append_input(std::string& out, std::string_view label, const io::LoadedPoin
   for (const std::string& note : loaded.notes) append_summary_line(out, "note", printable(note));
   if (loaded.skipped_count > 0) append_skipped(out, loaded);
   append_summary_line(out, "points", io::grouped(loaded.points.size()));
-  if (repeated.count > 0) append_summary_line(out, "repeated", red(text_of(repeated)));
+  if (repeated.count > 0) append_summary_line(out, "repeated", red(analysis::text_of(repeated)));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // goes.
 #pragma once
 
+#include "analysis/scene/scene_request.hpp"
 #include "cli/command_line/command.hpp"
 #include "cli/output/output_form.hpp"
 #include "cli/output/rows.hpp"
@@ -39,8 +40,7 @@ struct MovingOptions {
   bool quiet = false;
 };
 
-// Where neither --threshold nor the input says what is too close.
-inline constexpr double kDefaultThreshold_m = 100.0;
+using analysis::kDefaultThreshold_m;
 
 // Checked: a request that makes sense.
 struct MovingRequest {

@@ -1,5 +1,7 @@
 #include "cli/input/moving_output.hpp"
 
+#include "analysis/text/bee_name.hpp"
+#include "analysis/text/moment_text.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/output/block_writer.hpp"
 #include "cli/output/json_units.hpp"
@@ -7,12 +9,6 @@
 #include "io/json/json_text.hpp"
 
 #include <beespace/version.hpp>
-
-#include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <cstdio>
-#include <optional>
 
 namespace beespace::cli {
 namespace {
@@ -24,13 +20,9 @@ std::string inputs_of(const MovingRequest& request) {
   return printable(text);
 }
 
-std::string counted(std::uint64_t count, const char* one, const char* several) {
-  return io::grouped(count) + " " + (count == 1 ? one : several);
-}
-
 void append_skipped(std::string& out, const io::Recording& recording) {
   append_summary_line(out, "skipped",
-                      counted(recording.skipped_count, "bad record", "bad records"));
+                      io::counted(recording.skipped_count, "bad record", "bad records"));
   for (const Error& error : recording.skipped) {
     append_summary_line(out, "", printable(to_string(error)));
   }
@@ -39,23 +31,6 @@ void append_skipped(std::string& out, const io::Recording& recording) {
         out, "",
         "and " + io::grouped(recording.skipped_count - recording.skipped.size()) + " more");
   }
-}
-
-std::string date_and_time(double since_1970_s) {
-  using std::chrono::floor;
-  // Rounded first, so that 59.9996 s become the next minute.
-  const double rounded_s = std::round(since_1970_s * 1e3) / 1e3;
-  const double whole = std::floor(rounded_s);
-  const std::chrono::sys_seconds seconds{std::chrono::seconds(static_cast<std::int64_t>(whole))};
-  const auto day = floor<std::chrono::days>(seconds);
-  const std::chrono::year_month_day date{day};
-  const std::chrono::hh_mm_ss time{seconds - day};
-  char text[40];
-  std::snprintf(text, sizeof text, "%04d-%02u-%02uT%02d:%02d:%06.3fZ", int{date.year()},
-                unsigned{date.month()}, unsigned{date.day()},
-                static_cast<int>(time.hours().count()), static_cast<int>(time.minutes().count()),
-                static_cast<double>(time.seconds().count()) + (rounded_s - whole));
-  return text;
 }
 
 }  // namespace
@@ -91,30 +66,14 @@ std::string separation_summary(const MovingRequest& request, double threshold_m,
   return request.threshold_m ? text : text + kDefaultThresholdWords;
 }
 
-std::string moment(double time_s, const io::Recording& recording) {
-  // Within a few thousand years; and not what is no time at all.
-  constexpr double kFarthest_s = 1e11;
-  if (recording.since_1970 && std::abs(time_s) < kFarthest_s) return date_and_time(time_s);
-  return io::grouped(time_s, 2) + " s";
-}
-
-BeeName name_of(PointId bee, const io::Recording& recording) {
-  return {recording.bees[bee].id, recording.bees[bee].label};
-}
-
-bool has_labels(const io::Recording& recording) {
-  return std::any_of(recording.bees.begin(), recording.bees.end(),
-                     [](const io::RecordedBee& bee) { return !bee.label.empty(); });
-}
-
 std::string pair_text(const Conflict& conflict, const io::Recording& recording) {
-  return printable(text_of(name_of(conflict.first, recording))) + " and " +
-         printable(text_of(name_of(conflict.second, recording)));
+  return printable(text_of(analysis::name_of(conflict.first, recording))) + " and " +
+         printable(text_of(analysis::name_of(conflict.second, recording)));
 }
 
 std::string encounter_text(const Conflict& conflict, const io::Recording& recording) {
   return pair_text(conflict, recording) + ", " + io::length(conflict.closest_m) + " apart at " +
-         moment(conflict.closest_s, recording);
+         analysis::moment_text(conflict.closest_s, recording);
 }
 
 Rows conflict_rows(const std::vector<Conflict>& conflicts, const io::Recording& recording,
@@ -126,12 +85,13 @@ Rows conflict_rows(const std::vector<Conflict>& conflicts, const io::Recording& 
              {"closest_m"},
              {"ends_s"}},
             {},
-            has_labels(recording)};
+            analysis::has_labels(recording)};
   if (with_certain) rows.columns.push_back({"certain"});
   rows.rows.reserve(conflicts.size());
   for (const Conflict& c : conflicts) {
-    rows.rows.push_back({name_of(c.first, recording), name_of(c.second, recording), c.begins_s,
-                         c.closest_s, c.closest_m, c.ends_s});
+    rows.rows.push_back({analysis::name_of(c.first, recording),
+                         analysis::name_of(c.second, recording), c.begins_s, c.closest_s,
+                         c.closest_m, c.ends_s});
     if (with_certain) rows.rows.back().emplace_back(c.certain);
   }
   return rows;

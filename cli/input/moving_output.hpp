@@ -26,13 +26,6 @@ std::string input_summary(const io::Recording& recording, const MovingRequest& r
 // "5 m (closer than), as the show declares".
 std::string separation_summary(const MovingRequest& request, double threshold_m, bool declared);
 
-// "12.5 s", or the date and time where seconds count from 1970.
-std::string moment(double time_s, const io::Recording& recording);
-
-// What a bee of the answer is called; and whether any of them has a label.
-BeeName name_of(PointId bee, const io::Recording& recording);
-bool has_labels(const io::Recording& recording);
-
 // "drone_01 and drone_02"; "drone_01 and drone_02, 4.31 m apart at 63.2 s".
 std::string pair_text(const Conflict& conflict, const io::Recording& recording);
 std::string encounter_text(const Conflict& conflict, const io::Recording& recording);

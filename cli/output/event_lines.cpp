@@ -50,14 +50,14 @@ const char* name_of(SwarmBound bound) {
 namespace {
 
 // Behind all else, and only where there is one.
-void append_label(std::string& line, const char* key, const BeeName& name) {
+void append_label(std::string& line, const char* key, const analysis::BeeName& name) {
   if (name.label.empty()) return;
   line += std::string(", \"") + key + "\": " + io::json_string(name.label);
 }
 
 }  // namespace
 
-std::string event_line(const SwarmEvent& event, const LiveFeed& feed) {
+std::string event_line(const SwarmEvent& event, const analysis::LiveFeed& feed) {
   std::string line = "{\"event\": \"";
   line += name_of(event.kind);
   line += "\", \"time_s\": " + io::exact(event.time_s);
@@ -86,16 +86,16 @@ std::string event_line(const SwarmEvent& event, const LiveFeed& feed) {
   return line + "}\n";
 }
 
-std::string clock_line(const ClockNote& note, const LiveFeed& feed) {
+std::string clock_line(const analysis::ClockNote& note, const analysis::LiveFeed& feed) {
   std::string line = "{\"event\": ";
-  line += note.kind == ClockNote::Kind::kAnew ? "\"clocks_anew\"" : "\"clock\"";
+  line += note.kind == analysis::ClockNote::Kind::kAnew ? "\"clocks_anew\"" : "\"clock\"";
   line += ", \"time_s\": " + io::exact(note.time_s);
-  if (note.kind == ClockNote::Kind::kAnew) {
+  if (note.kind == analysis::ClockNote::Kind::kAnew) {
     return line + ", \"before_s\": " + io::exact(note.before_s) + "}\n";
   }
   line += ", \"id\": " + io::json_string(feed.name(note.bee).id);
   line += ", \"ahead_s\": " + io::exact(note.ahead_s);
-  line += note.kind == ClockNote::Kind::kOff ? ", \"right\": false" : ", \"right\": true";
+  line += note.kind == analysis::ClockNote::Kind::kOff ? ", \"right\": false" : ", \"right\": true";
   append_label(line, "label", feed.name(note.bee));
   return line + "}\n";
 }

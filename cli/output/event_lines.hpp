@@ -1,7 +1,7 @@
 // The lines of JSON that `watch` writes of what happens.
 #pragma once
 
-#include "cli/analysis/live_feed.hpp"
+#include "analysis/live/live_feed.hpp"
 
 #include <beespace/swarm.hpp>
 
@@ -10,8 +10,8 @@
 namespace beespace::cli {
 
 // A line of JSON, with its end.
-std::string event_line(const SwarmEvent& event, const LiveFeed& feed);
-std::string clock_line(const ClockNote& note, const LiveFeed& feed);
+std::string event_line(const SwarmEvent& event, const analysis::LiveFeed& feed);
+std::string clock_line(const analysis::ClockNote& note, const analysis::LiveFeed& feed);
 
 // "predicted", "entered", "closest_passed", "left", "stale", ...
 const char* name_of(EventKind kind);

@@ -20,7 +20,7 @@ void append_header(std::string& out, const Rows& rows, char delimiter) {
 
 std::string text_of(const Value& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
-  if (const auto* bee = std::get_if<BeeName>(&value)) return bee->id;
+  if (const auto* bee = std::get_if<analysis::BeeName>(&value)) return bee->id;
   if (const auto* number = std::get_if<double>(&value)) {
     return std::isfinite(*number) ? io::exact(*number) : std::string();
   }
@@ -30,12 +30,12 @@ std::string text_of(const Value& value) {
 }
 
 std::string text_for_people(const Value& value) {
-  const auto* bee = std::get_if<BeeName>(&value);
+  const auto* bee = std::get_if<analysis::BeeName>(&value);
   return bee != nullptr ? text_of(*bee) : text_of(value);
 }
 
 Value label_of(const Value& value) {
-  const auto* bee = std::get_if<BeeName>(&value);
+  const auto* bee = std::get_if<analysis::BeeName>(&value);
   return bee != nullptr && !bee->label.empty() ? Value(bee->label) : Value();
 }
 
@@ -48,10 +48,6 @@ std::string on_one_line(std::string text) {
 }
 
 }  // namespace
-
-std::string text_of(const BeeName& name) {
-  return name.label.empty() ? name.id : name.id + " (" + name.label + ")";
-}
 
 void set_labels_apart(Rows& rows) {
   if (!rows.labelled) return;
@@ -95,7 +91,7 @@ void write_rows_as_csv(const Rows& rows, io::AtomicOutput& output) {
 void append_json_value(std::string& out, const Value& value) {
   if (const auto* text = std::get_if<std::string>(&value)) {
     io::append_json_string(out, *text);
-  } else if (const auto* bee = std::get_if<BeeName>(&value)) {
+  } else if (const auto* bee = std::get_if<analysis::BeeName>(&value)) {
     io::append_json_string(out, bee->id);
   } else if (const auto* yes = std::get_if<bool>(&value)) {
     out += *yes ? "true" : "false";

@@ -2,6 +2,7 @@
 // alike.
 #pragma once
 
+#include "analysis/text/bee_name.hpp"
 #include "io/bytes/atomic_output.hpp"
 
 #include <cstdint>
@@ -11,16 +12,9 @@
 
 namespace beespace::cli {
 
-// A bee's id, and what it is called beside it, as a flight is; or nothing.
-struct BeeName {
-  std::string id;
-  std::string label;
-};
-// "a1b2c3 (UAL123)".
-std::string text_of(const BeeName& name);
-
 // Nothing, a text, a bee, a number, a count, or yes and no.
-using Value = std::variant<std::monostate, std::string, BeeName, double, std::uint64_t, bool>;
+using Value =
+    std::variant<std::monostate, std::string, analysis::BeeName, double, std::uint64_t, bool>;
 
 struct RowColumn {
   const char* name;

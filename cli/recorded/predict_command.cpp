@@ -1,13 +1,16 @@
 #include "cli/recorded/predict_command.hpp"
 
-#include "analysis/recorded/moving_input.hpp"
-#include "cli/analysis/coverage.hpp"
+#include "analysis/geometry/geometry.hpp"
+#include "analysis/recorded/coverage.hpp"
+#include "analysis/recorded/last_snapshot.hpp"
+#include "analysis/text/moment_text.hpp"
 #include "cli/command_line/option_values.hpp"
 #include "cli/console/failure.hpp"
 #include "cli/console/progress_bar.hpp"
 #include "cli/console/stopwatch.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/input/moving_output.hpp"
+#include "cli/output/coverage_output.hpp"
 #include "cli/output/output_file.hpp"
 #include "io/bytes/number_text.hpp"
 #include "io/load_recording.hpp"
@@ -100,7 +103,7 @@ std::string unknown_text(const Outlook& outlook) {
   if (const std::uint64_t count = outlook.snapshot.stale; count > 0) {
     append(io::grouped(count) + (count == 1 ? " bee is" : " bees are") + " left out");
   }
-  append(missing_text(outlook.recording.missing));
+  append(analysis::missing_text(outlook.recording.missing));
   return text;
 }
 
@@ -124,7 +127,7 @@ std::string summary(const Outlook& outlook, const PredictRequest& request, doubl
   const analysis::Snapshot& snapshot = outlook.snapshot;
   std::string out = input_summary(outlook.recording, request.moving);
   append_summary_line(out, "bees", io::grouped(snapshot.movers.size()));
-  append_summary_line(out, "now", moment(snapshot.time_s, outlook.recording));
+  append_summary_line(out, "now", analysis::moment_text(snapshot.time_s, outlook.recording));
   if (snapshot.brought_forward > 0) {
     append_summary_line(out, "note",
                         io::grouped(snapshot.brought_forward) + " last heard of before now " +

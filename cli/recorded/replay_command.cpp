@@ -1,16 +1,20 @@
 #include "cli/recorded/replay_command.hpp"
 
-#include "analysis/recorded/moving_input.hpp"
-#include "cli/analysis/coverage.hpp"
-#include "cli/analysis/replay_findings.hpp"
+#include "analysis/geometry/geometry.hpp"
+#include "analysis/recorded/coverage.hpp"
+#include "analysis/recorded/findings.hpp"
+#include "analysis/recorded/tracks.hpp"
+#include "analysis/text/bee_name.hpp"
 #include "cli/command_line/option_values.hpp"
 #include "cli/console/failure.hpp"
 #include "cli/console/progress_bar.hpp"
 #include "cli/console/stopwatch.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/input/moving_output.hpp"
+#include "cli/output/coverage_output.hpp"
 #include "cli/output/output_file.hpp"
 #include "cli/recorded/replay_events.hpp"
+#include "cli/recorded/replay_rows.hpp"
 #include "cli/recorded/replay_summary.hpp"
 #include "io/bytes/atomic_output.hpp"
 #include "io/bytes/number_text.hpp"
@@ -90,16 +94,16 @@ bool is_plan(const io::Recording& recording) {
 
 // `watch` cannot know what is typical of reports to come: for what it would have said its own
 // default is taken.
-MaxGap max_gap_for(const ReplayRequest& request, const io::Recording& recording) {
+analysis::MaxGap max_gap_for(const ReplayRequest& request, const io::Recording& recording) {
   if (request.report != "events" || request.max_gap_s || is_plan(recording)) {
-    return max_gap_of(recording, request.max_gap_s);
+    return analysis::max_gap_of(recording, request.max_gap_s);
   }
   return {kDefaultMaxAge_s, std::nullopt, true};
 }
 
 // Events are lines of JSON, as `watch` prints them, unless another form is wished for.
-Status write_events(const ReplayRequest& request, const Findings& findings, double threshold_m,
-                    const std::string& head, io::AtomicOutput& output) {
+Status write_events(const ReplayRequest& request, const analysis::Findings& findings,
+                    double threshold_m, const std::string& head, io::AtomicOutput& output) {
   // A show is a plan: what lies ahead need not be guessed.
   const bool plan = is_plan(findings.recording);
   const double max_age_s = std::min(findings.coverage.max_gap.seconds, kLargestInMotion);
@@ -126,10 +130,11 @@ Status write_events(const ReplayRequest& request, const Findings& findings, doub
   return std::monostate{};
 }
 
-Rows rows_of(const ReplayRequest& request, const Findings& findings) {
+Rows rows_of(const ReplayRequest& request, const analysis::Findings& findings) {
   if (request.report == "bees") return bee_rows(findings);
   if (request.report == "separation") {
-    return separation_rows(separation_over_time(findings, request.every_s), findings.recording);
+    return separation_rows(analysis::separation_over_time(findings, request.every_s),
+                           findings.recording);
   }
   const bool curved = std::any_of(findings.tracks.begin(), findings.tracks.end(),
                                   [](const Track& track) { return track.tolerance_m > 0.0; });
@@ -138,19 +143,19 @@ Rows rows_of(const ReplayRequest& request, const Findings& findings) {
 
 Rows closest_row(const Conflict& closest, const io::Recording& recording) {
   Rows rows{{{"first", "first_label"}, {"second", "second_label"}, {"time_s"}, {"distance_m"}},
-            {{name_of(closest.first, recording), name_of(closest.second, recording),
-              closest.closest_s, closest.closest_m}},
-            has_labels(recording)};
+            {{analysis::name_of(closest.first, recording),
+              analysis::name_of(closest.second, recording), closest.closest_s, closest.closest_m}},
+            analysis::has_labels(recording)};
   set_labels_apart(rows);
   return rows;
 }
 
-std::string json_head_of(const ReplayRequest& request, const Findings& findings,
+std::string json_head_of(const ReplayRequest& request, const analysis::Findings& findings,
                          double threshold_m) {
   std::string head = json_head(findings.recording, request.moving, threshold_m);
   const auto& conflicts = findings.recorded.conflicts;
   head += ",\n  \"conflict_count\": " + std::to_string(conflicts.size());
-  head += ",\n  \"pair_count\": " + std::to_string(pairs_in_conflict(conflicts).size());
+  head += ",\n  \"pair_count\": " + std::to_string(analysis::pairs_in_conflict(conflicts).size());
   head += ",\n  \"gap_count\": " + std::to_string(findings.recorded.gaps.size());
   head += ",\n  \"known\": " + coverage_json(findings.coverage, findings.recording);
   head += ",\n  \"closest\": ";
@@ -178,8 +183,8 @@ Result<std::optional<Conflict>> closest_of(const RecordedConflicts& recorded,
 }
 
 // Whether some two are there at the same time.
-bool anybody_meets(const std::optional<Conflict>& closest, const std::vector<Track>& tracks,
-                   double max_gap_s, const ReplayRequest& request) {
+bool has_encounters(const std::optional<Conflict>& closest, const std::vector<Track>& tracks,
+                    double max_gap_s, const ReplayRequest& request) {
   if (closest || !request.moving.vertical_m) return closest.has_value();
   const auto any = find_closest_encounter(tracks, max_gap_s, request.moving.threads);
   return any && any->has_value();
@@ -188,7 +193,7 @@ bool anybody_meets(const std::optional<Conflict>& closest, const std::vector<Tra
 // Rows of --report separation are kept until all are there.
 Status check_every(const ReplayRequest& request, const std::vector<Track>& tracks) {
   constexpr double kMostRows = 10'000'000;
-  const auto time = time_of(tracks);
+  const auto time = analysis::time_of(tracks);
   if (request.report != "separation" || !time) return std::monostate{};
   if ((time->ends_s - time->begins_s) / request.every_s <= kMostRows) return std::monostate{};
   return usage_error(kName, "--every " + io::exact(request.every_s) + " is more than " +
@@ -215,7 +220,7 @@ Result<ExitCode> replay(const ReplayRequest& request) {
   progress.enter_stage("searching");
   const double threshold_m =
       moving.threshold_m.value_or(recording->declared_threshold_m.value_or(kDefaultThreshold_m));
-  const MaxGap max_gap = max_gap_for(request, *recording);
+  const analysis::MaxGap max_gap = max_gap_for(request, *recording);
   const auto recorded =
       find_conflicts(*tracks, {.threshold_m = threshold_m,
                                .vertical_m = vertical_in(geometry, moving.vertical),
@@ -233,14 +238,14 @@ Result<ExitCode> replay(const ReplayRequest& request) {
   const auto in_space =
       apart ? tracks_of(*recording, analysis::Geometry::kSpace, request.tolerance_m) : tracks;
   if (!in_space) return in_space.error();
-  const Coverage coverage = coverage_of(*recording, recorded->gaps, max_gap);
-  const Findings findings{*recording,
-                          *tracks,
-                          *in_space,
-                          *recorded,
-                          *closest,
-                          coverage,
-                          anybody_meets(*closest, *in_space, max_gap.seconds, request)};
+  const analysis::Coverage coverage = analysis::coverage_of(*recording, recorded->gaps, max_gap);
+  const analysis::Findings findings{*recording,
+                                    *tracks,
+                                    *in_space,
+                                    *recorded,
+                                    *closest,
+                                    coverage,
+                                    has_encounters(*closest, *in_space, max_gap.seconds, request)};
   progress.enter_stage("writing");
   const std::string head =
       moving.form.form == Form::kJson ? json_head_of(request, findings, threshold_m) : "";

@@ -1,5 +1,6 @@
 #include "cli/recorded/replay_events.hpp"
 
+#include "analysis/text/bee_name.hpp"
 #include "cli/input/moving_output.hpp"
 #include "cli/output/event_lines.hpp"
 
@@ -14,7 +15,7 @@ struct RecordedFix {
   std::uint32_t fix;
 };
 
-std::vector<Value> row_of(const SwarmEvent& event, const LiveFeed& feed) {
+std::vector<Value> row_of(const SwarmEvent& event, const analysis::LiveFeed& feed) {
   if (event.kind == EventKind::kStale || event.kind == EventKind::kHeard) {
     return {event.time_s, std::string(name_of(event.kind)), feed.name(event.first), {}, {}, {}};
   }
@@ -30,7 +31,7 @@ std::vector<Value> row_of(const SwarmEvent& event, const LiveFeed& feed) {
 
 Result<RecordedEvents> events_of(const io::Recording& recording, const std::vector<Track>& tracks,
                                  analysis::Geometry geometry, const SwarmOptions& options,
-                                 const LiveTimes& times) {
+                                 const analysis::LiveTimes& times) {
   std::vector<RecordedFix> fixes;
   for (PointId bee = 0; bee < tracks.size(); ++bee) {
     for (std::uint32_t i = 0; i < tracks[bee].fixes.size(); ++i) {
@@ -43,9 +44,9 @@ Result<RecordedEvents> events_of(const io::Recording& recording, const std::vect
   recorded.rows.columns = {
       {"time_s"},     {"event"},    {"first", "first_label"}, {"second", "second_label"},
       {"distance_m"}, {"closest_s"}};
-  recorded.rows.labelled = has_labels(recording);
-  const LiveFeed* seen = nullptr;
-  LiveFeed feed(options, times, [&](const std::vector<SwarmEvent>& events) {
+  recorded.rows.labelled = analysis::has_labels(recording);
+  const analysis::LiveFeed* seen = nullptr;
+  analysis::LiveFeed feed(options, times, [&](const std::vector<SwarmEvent>& events) {
     for (const SwarmEvent& event : events) {
       recorded.lines += event_line(event, *seen);
       recorded.rows.rows.push_back(row_of(event, *seen));

@@ -1,8 +1,8 @@
 // A recording as `watch` would have seen it: fix after fix in the order of time.
 #pragma once
 
-#include "analysis/recorded/moving_input.hpp"
-#include "cli/analysis/live_feed.hpp"
+#include "analysis/geometry/geometry.hpp"
+#include "analysis/live/live_feed.hpp"
 #include "cli/output/rows.hpp"
 #include "io/recording/recording.hpp"
 
@@ -23,6 +23,6 @@ struct RecordedEvents {
 // The tracks are those of that geometry.
 Result<RecordedEvents> events_of(const io::Recording& recording, const std::vector<Track>& tracks,
                                  analysis::Geometry geometry, const SwarmOptions& options,
-                                 const LiveTimes& times);
+                                 const analysis::LiveTimes& times);
 
 }  // namespace beespace::cli

@@ -1,7 +1,9 @@
 #include "cli/recorded/replay_summary.hpp"
 
+#include "analysis/text/moment_text.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/input/moving_output.hpp"
+#include "cli/output/coverage_output.hpp"
 #include "io/bytes/number_text.hpp"
 
 #include <algorithm>
@@ -16,12 +18,15 @@ std::string plural(std::uint64_t count, const char* one, const char* several) {
   return io::grouped(count) + " " + (count == 1 ? one : several);
 }
 
-std::string verdict(const Findings& findings, const std::vector<PairInConflict>& pairs) {
-  if (!findings.anybody_meets)
+std::string verdict(const analysis::Findings& findings,
+                    const std::vector<analysis::PairInConflict>& pairs) {
+  if (!findings.has_encounters)
     return red("nothing to compare") + ": no two bees are there at the same time" +
-           (findings.coverage.may_hide_conflicts() ? "; " + unknown_text(findings.coverage) : "");
+           (findings.coverage.may_hide_conflicts()
+                ? "; " + analysis::unknown_text(findings.coverage)
+                : "");
   if (pairs.empty() && !findings.coverage.complete()) {
-    return bold("no conflict in the known time") + "; " + unknown_text(findings.coverage);
+    return bold("no conflict in the known time") + "; " + analysis::unknown_text(findings.coverage);
   }
   if (pairs.empty()) return bold("keeps its distance");
   const auto& conflicts = findings.recorded.conflicts;
@@ -30,14 +35,14 @@ std::string verdict(const Findings& findings, const std::vector<PairInConflict>&
   return red(certain ? "does not keep its distance" : "may not keep its distance") + ": " +
          plural(conflicts.size(), "conflict", "conflicts") + " of " +
          plural(pairs.size(), "pair", "pairs") +
-         (findings.coverage.complete() ? "" : "; " + unknown_text(findings.coverage));
+         (findings.coverage.complete() ? "" : "; " + analysis::unknown_text(findings.coverage));
 }
 
-void append_worst(std::string& out, const Findings& findings,
-                  const std::vector<PairInConflict>& pairs) {
+void append_worst(std::string& out, const analysis::Findings& findings,
+                  const std::vector<analysis::PairInConflict>& pairs) {
   constexpr std::size_t kMost = 5;
   for (std::size_t i = 0; i < std::min(kMost, pairs.size()); ++i) {
-    const PairInConflict& pair = pairs[i];
+    const analysis::PairInConflict& pair = pairs[i];
     std::string text = encounter_text(pair.closest, findings.recording);
     text += "; in conflict for " + io::grouped(pair.time_s, 2) + " s";
     if (pair.conflicts > 1) text += " in " + io::grouped(pair.conflicts) + " conflicts";
@@ -50,14 +55,14 @@ void append_worst(std::string& out, const Findings& findings,
 
 // The least separation over time as a row of bars, of which the highest stands for twice the
 // threshold and more.
-std::string bars_over_time(const Findings& findings, double threshold_m) {
+std::string bars_over_time(const analysis::Findings& findings, double threshold_m) {
   constexpr std::size_t kBars = 60;
   constexpr std::array<std::string_view, 8> kHeights = {"▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
-  const auto time = time_of(findings.tracks);
+  const auto time = analysis::time_of(findings.tracks);
   if (!time || !(time->ends_s > time->begins_s)) return {};
   // What is between two moments is not seen here; where there was a conflict it is marked anyway.
   const double each = (time->ends_s - time->begins_s) / kBars;
-  const auto moments = separation_over_time(findings, each);
+  const auto moments = analysis::separation_over_time(findings, each);
   std::array<bool, kBars> conflict{};
   const auto bar_at = [&](double at) {
     const double place = std::clamp((at - time->begins_s) / each, 0.0, kBars - 1.0);
@@ -81,15 +86,15 @@ std::string bars_over_time(const Findings& findings, double threshold_m) {
 
 }  // namespace
 
-std::string replay_summary(const Findings& findings, const MovingRequest& request,
+std::string replay_summary(const analysis::Findings& findings, const MovingRequest& request,
                            const ReplayFigures& figures) {
   const io::Recording& recording = findings.recording;
   std::string out = input_summary(recording, request);
   append_summary_line(out, "bees", io::grouped(findings.tracks.size()));
-  if (const auto time = time_of(findings.tracks)) {
+  if (const auto time = analysis::time_of(findings.tracks)) {
     append_summary_line(out, "from",
-                        moment(time->begins_s, recording) + " to " +
-                            moment(time->ends_s, recording) + " (" +
+                        analysis::moment_text(time->begins_s, recording) + " to " +
+                            analysis::moment_text(time->ends_s, recording) + " (" +
                             io::grouped(time->ends_s - time->begins_s, 2) + " s)");
   }
   append_coverage(out, findings.coverage, recording);
@@ -104,14 +109,14 @@ std::string replay_summary(const Findings& findings, const MovingRequest& reques
                             "brings everybody to one time");
   }
   append_summary_line(out, "threshold", separation_summary(request, figures.threshold_m, declared));
-  const auto pairs = pairs_in_conflict(findings.recorded.conflicts);
+  const auto pairs = analysis::pairs_in_conflict(findings.recorded.conflicts);
   append_summary_line(out, "verdict", verdict(findings, pairs));
   if (findings.closest) {
     append_summary_line(out, "closest", encounter_text(*findings.closest, recording));
   }
   append_worst(out, findings, pairs);
   const std::string bars =
-      findings.anybody_meets ? bars_over_time(findings, figures.threshold_m) : std::string();
+      findings.has_encounters ? bars_over_time(findings, figures.threshold_m) : std::string();
   if (!bars.empty()) {
     append_summary_line(out, "over time", bars);
     append_summary_line(out, "",

@@ -1,7 +1,7 @@
 // A recording at a glance: does it keep its distance, and if not, who does not, and when?
 #pragma once
 
-#include "cli/analysis/replay_findings.hpp"
+#include "analysis/recorded/findings.hpp"
 #include "cli/input/moving_options.hpp"
 
 #include <string>
@@ -14,7 +14,7 @@ struct ReplayFigures {
   double search_s;
 };
 
-std::string replay_summary(const Findings& findings, const MovingRequest& request,
+std::string replay_summary(const analysis::Findings& findings, const MovingRequest& request,
                            const ReplayFigures& figures);
 
 }  // namespace beespace::cli

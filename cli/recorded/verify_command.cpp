@@ -1,6 +1,7 @@
 #include "cli/recorded/verify_command.hpp"
 
-#include "cli/analysis/common_times.hpp"
+#include "analysis/recorded/common_times.hpp"
+#include "analysis/recorded/gaps.hpp"
 #include "cli/command_line/option_values.hpp"
 #include "cli/console/failure.hpp"
 #include "cli/console/progress_bar.hpp"
@@ -72,7 +73,7 @@ Result<VerifyRequest> request_of(const VerifyCommandOptions& options) {
 Result<std::string> settle_motion(const io::Recording& recording, bool accelerations,
                                   VerifyOptions& check) {
   if (check.straight) return std::string("straight lines from fix to fix (--straight)");
-  const auto missing = missing_velocity(recording);
+  const auto missing = analysis::missing_velocity(recording);
   if (!missing) {
     return std::string("curves from fix to fix, with the velocities at both: evenly accelerated");
   }
@@ -120,7 +121,7 @@ Result<ExitCode> verify(const VerifyRequest& request) {
   const auto recording = io::load_recording(moving.inputs, load);
   if (!recording) return recording.error();
   if (Status good = check_frame(*recording, request.obstacles); !good) return good.error();
-  const auto times_s = common_times(*recording);
+  const auto times_s = analysis::common_times(*recording);
   if (!times_s) return times_s.error();
   VerifyOptions check = request.check;
   const bool accelerations =
@@ -133,11 +134,11 @@ Result<ExitCode> verify(const VerifyRequest& request) {
   const double read_s = watch.lap();
 
   progress.enter_stage("checking");
-  const MaxGap max_gap = max_gap_of(*recording, request.max_gap_s);
+  const analysis::MaxGap max_gap = analysis::max_gap_of(*recording, request.max_gap_s);
   const auto verdict = verify_steps(*recording, *times_s, check, max_gap.seconds, progress);
   if (!verdict) return verdict.error();
-  const Coverage coverage =
-      coverage_of(*recording, gaps_of_all(*recording, *times_s, max_gap.seconds), max_gap);
+  const analysis::Coverage coverage = analysis::coverage_of(
+      *recording, gaps_of_all(*recording, *times_s, max_gap.seconds), max_gap);
   const Verification verification{*recording, *times_s, check,  *verdict,
                                   coverage,   *motion,  read_s, watch.lap()};
   const std::string head =

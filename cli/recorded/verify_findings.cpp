@@ -1,8 +1,11 @@
 #include "cli/recorded/verify_findings.hpp"
 
+#include "analysis/text/bee_name.hpp"
+#include "analysis/text/moment_text.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/input/moving_output.hpp"
 #include "cli/input/obstacle_file.hpp"
+#include "cli/output/coverage_output.hpp"
 #include "io/bytes/number_text.hpp"
 
 #include <algorithm>
@@ -36,11 +39,11 @@ std::string closest_text(const Verification& verification) {
            " m to anybody";
   }
   const auto shown = [&](PointId bee) {
-    return printable(text_of(name_of(bee, verification.recording)));
+    return printable(text_of(analysis::name_of(bee, verification.recording)));
   };
   return shown(verdict.closest_pair->first) + " and " + shown(verdict.closest_pair->second) + ", " +
          io::length(*verdict.closest_m) + " apart in the step from " +
-         moment(verdict.closest_step_s, verification.recording);
+         analysis::moment_text(verdict.closest_step_s, verification.recording);
 }
 
 std::string found_text(std::uint64_t count, const char* one, const char* several) {
@@ -53,9 +56,10 @@ std::string found_text(std::uint64_t count, const char* one, const char* several
   return text;
 }
 
-std::string verdict_text(const Verdict& verdict, const Coverage& coverage) {
+std::string verdict_text(const Verdict& verdict, const analysis::Coverage& coverage) {
   if (verdict.holds() && coverage.may_hide_conflicts()) {
-    return red("not seen as a whole") + ": holds in the known time; " + unknown_text(coverage);
+    return red("not seen as a whole") + ": holds in the known time; " +
+           analysis::unknown_text(coverage);
   }
   if (verdict.holds()) return bold("holds");
   std::string text;
@@ -66,7 +70,7 @@ std::string verdict_text(const Verdict& verdict, const Coverage& coverage) {
   if (verdict.losses > 0) append("does not keep its distance");
   if (verdict.clearance_losses > 0) append("does not keep clear of obstacles");
   if (verdict.breaches > 0) append("breaks the limits");
-  return red(text) + (coverage.may_hide_conflicts() ? "; " + unknown_text(coverage) : "");
+  return red(text) + (coverage.may_hide_conflicts() ? "; " + analysis::unknown_text(coverage) : "");
 }
 
 std::string obstacles_text(const VerifyOptions& options) {
@@ -86,22 +90,23 @@ Rows finding_rows(const Verification& verification) {
              {"ends_s"},
              {"value"}},
             {},
-            has_labels(recording)};
+            analysis::has_labels(recording)};
   for (const Loss& loss : verification.verdict.first_losses) {
-    rows.rows.push_back({std::string("loss"), name_of(loss.pair.first, recording),
-                         name_of(loss.pair.second, recording), loss.begins_s, loss.ends_s,
+    rows.rows.push_back({std::string("loss"), analysis::name_of(loss.pair.first, recording),
+                         analysis::name_of(loss.pair.second, recording), loss.begins_s, loss.ends_s,
                          loss.closest_m});
   }
   for (const ClearanceLoss& loss : verification.verdict.first_clearance_losses) {
     const Obstacle& obstacle = verification.options.obstacles->obstacles()[loss.obstacle];
-    rows.rows.push_back({std::string("clearance"), name_of(loss.bee, recording),
+    rows.rows.push_back({std::string("clearance"), analysis::name_of(loss.bee, recording),
                          shown_obstacle(loss.obstacle, obstacle), loss.begins_s, loss.ends_s,
                          loss.closest_m});
   }
   for (const Breach& breach : verification.verdict.first_breaches) {
     const auto ends = std::upper_bound(times_s.begin(), times_s.end(), breach.begins_s);
-    rows.rows.push_back({std::string(word_for(breach.kind)), name_of(breach.bee, recording),
-                         std::monostate{}, breach.begins_s, *ends, breach.value});
+    rows.rows.push_back({std::string(word_for(breach.kind)),
+                         analysis::name_of(breach.bee, recording), std::monostate{},
+                         breach.begins_s, *ends, breach.value});
   }
   return rows;
 }
@@ -132,10 +137,10 @@ std::string verify_json_head(const Verification& verification, const MovingReque
   if (verdict.closest_m) {
     Rows closest{
         {{"first", "first_label"}, {"second", "second_label"}, {"step_begins_s"}, {"distance_m"}},
-        {{name_of(verdict.closest_pair->first, verification.recording),
-          name_of(verdict.closest_pair->second, verification.recording), verdict.closest_step_s,
-          *verdict.closest_m}},
-        has_labels(verification.recording)};
+        {{analysis::name_of(verdict.closest_pair->first, verification.recording),
+          analysis::name_of(verdict.closest_pair->second, verification.recording),
+          verdict.closest_step_s, *verdict.closest_m}},
+        analysis::has_labels(verification.recording)};
     set_labels_apart(closest);
     append_json_row(head, closest.columns, closest.rows.front());
   } else {
@@ -152,8 +157,8 @@ std::string verify_summary(const Verification& verification, const MovingRequest
   std::string out = input_summary(recording, request);
   append_summary_line(out, "bees", io::grouped(recording.bees.size()));
   append_summary_line(out, "from",
-                      moment(times_s.front(), recording) + " to " +
-                          moment(times_s.back(), recording) + " (" +
+                      analysis::moment_text(times_s.front(), recording) + " to " +
+                          analysis::moment_text(times_s.back(), recording) + " (" +
                           io::grouped(times_s.back() - times_s.front(), 2) + " s)");
   append_coverage(out, verification.coverage, recording);
   append_summary_line(out, "motion", verification.motion);

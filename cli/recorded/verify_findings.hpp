@@ -1,7 +1,7 @@
 // What `beespace verify` found, as rows and as the lines of a summary.
 #pragma once
 
-#include "cli/analysis/coverage.hpp"
+#include "analysis/recorded/coverage.hpp"
 #include "cli/input/moving_options.hpp"
 #include "cli/output/rows.hpp"
 #include "io/recording/recording.hpp"
@@ -18,7 +18,7 @@ struct Verification {
   const std::vector<double>& times_s;
   const VerifyOptions& options;
   const Verdict& verdict;  // of the known steps
-  const Coverage& coverage;
+  const analysis::Coverage& coverage;
   std::string motion;  // how bees fly from fix to fix, and why
   double read_s = 0.0;
   double check_s = 0.0;

@@ -1,4 +1,3 @@
-#include "cli/analysis/gaps.hpp"
 #include "cli/recorded/verify_command.hpp"
 
 namespace beespace::cli {

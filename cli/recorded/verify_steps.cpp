@@ -1,6 +1,6 @@
 #include "cli/recorded/verify_steps.hpp"
 
-#include "cli/analysis/common_times.hpp"
+#include "analysis/recorded/common_times.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -67,7 +67,7 @@ Result<Verdict> verify_steps(const io::Recording& recording, const std::vector<d
       add(all, verifier->verdict());
       verifier.emplace(options);
     }
-    const auto movers = movers_at(recording, fix);
+    const auto movers = analysis::movers_at(recording, fix);
     if (!movers) return movers.error();
     const Status good = verifier->add(times_s[fix], *movers);
     if (!good) return of_bee(good.error(), recording);

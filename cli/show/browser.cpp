@@ -15,7 +15,7 @@ namespace beespace::cli {
 namespace {
 
 bool is_set(const char* name) {
-  const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): nobody sets any
+  const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): no thread sets any
   return value != nullptr && *value != '\0';
 }
 

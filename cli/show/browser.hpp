@@ -1,4 +1,4 @@
-// The browser of whoever sits here.
+// The browser of the user who sits here.
 #pragma once
 
 #include <functional>

@@ -1,6 +1,5 @@
 #include "cli/show/export_command.hpp"
 
-#include "cli/analysis/see.hpp"
 #include "cli/command_line/option_values.hpp"
 #include "cli/console/failure.hpp"
 #include "cli/console/progress_bar.hpp"
@@ -9,7 +8,8 @@
 #include "cli/console/terminal.hpp"
 #include "cli/output/output_file.hpp"
 #include "cli/output/output_form.hpp"
-#include "cli/show/seen_summary.hpp"
+#include "cli/show/scene_loading.hpp"
+#include "cli/show/scene_summary.hpp"
 #include "io/bytes/atomic_output.hpp"
 #include "report/map/czml.hpp"
 #include "report/map/geojson.hpp"
@@ -31,7 +31,7 @@ bool is_format(const std::string& ending) {
 }
 
 Result<std::string> format_of(const ExportOptions& options) {
-  const std::string& output = options.seen.moving.output;
+  const std::string& output = options.scene.moving.output;
   const FileEnding of = output == "-" ? FileEnding{} : file_ending(output);
   if (!options.format.empty()) {
     if (!is_format(of.ending) || of.ending == options.format) return options.format;
@@ -47,8 +47,8 @@ Result<std::string> format_of(const ExportOptions& options) {
                                 written_elsewhere(kName, of.ending));
 }
 
-Status check_fit(const Seen& seen, const std::string& format) {
-  const report::SwarmFacts& swarm = swarm_of(seen);
+Status check_fit(const analysis::Scene& scene, const std::string& format) {
+  const report::SwarmFacts& swarm = analysis::swarm_of(scene);
   if (swarm.origin || format == "csv") return std::monostate{};
   return usage_error(kName, format + " is for the Earth and needs longitudes and latitudes, but '" +
                                 printable(swarm.title) +
@@ -69,42 +69,42 @@ std::vector<std::string> write(const Facts& facts, const std::string& format,
   return {};
 }
 
-Result<ExitCode> export_to(const SeenRequest& request, const std::string& format) {
-  const MovingRequest& moving = request.moving;
-  auto output =
-      open_output(kName, moving.output, moving.inputs,
-                  file_ending(moving.output).compressed ? io::Packing::kGzip : io::Packing::kPlain);
+Result<ExitCode> export_to(const ShowRequest& request, const std::string& format) {
+  auto output = open_output(
+      kName, request.output, request.inputs,
+      file_ending(request.output).compressed ? io::Packing::kGzip : io::Packing::kPlain);
   if (!output) return std::move(output).error();
-  ProgressBar progress(!moving.quiet);
-  SeenTimings timings;
-  const auto seen = see(moving.inputs, request, progress, timings);
-  if (!seen) return seen.error();
-  if (Status fit = check_fit(*seen, format); !fit) return fit.error();
+  ProgressBar progress(!request.quiet);
+  SceneTimings timings;
+  const auto scene = load_scene(request.inputs, request.scene, progress, timings);
+  if (!scene) return scene.error();
+  if (Status fit = check_fit(*scene, format); !fit) return fit.error();
   Stopwatch watch;
 
   progress.enter_stage("writing");
   const auto notes =
-      std::visit([&](const auto& facts) { return write(facts, format, *output); }, *seen);
+      std::visit([&](const auto& facts) { return write(facts, format, *output); }, *scene);
   const Status written = output->commit();
   if (!written && output->pipe_closed()) return ExitCode::kPipeClosed;
   if (!written) return written.error();
   timings.write_s = watch.lap();
   progress.finish();
-  if (!moving.quiet) {
+  if (!request.quiet) {
     std::string text;
-    append_seen(text, *seen);
+    append_scene(text, *scene);
     for (const std::string& note : notes) append_summary_line(text, "note", printable(note));
-    append_written(text, moving.output, timings);
+    append_written(text, request.output, timings);
     say(text);
   }
-  return is_risky(*seen) && moving.fail_on_risk ? ExitCode::kRiskFound : ExitCode::kFine;
+  return analysis::is_risky(*scene) && request.fail_on_risk ? ExitCode::kRiskFound
+                                                            : ExitCode::kFine;
 }
 
 }  // namespace
 
 ExitCode run_export(const ExportOptions& options) {
-  const bool json = options.seen.moving.json;
-  const auto request = seen_request(kName, options.seen);
+  const bool json = options.scene.moving.json;
+  const auto request = show_request(kName, options.scene);
   if (!request) return fail(request.error(), json);
   const auto format = format_of(options);
   if (!format) return fail(format.error(), json);

@@ -31,7 +31,7 @@ constexpr const char* kDetails =
     "4 cannot open, read or write, 130 interrupted, 143 terminated, 141 closed pipe.";
 
 void add_file_options(Command& command, ExportOptions& options) {
-  MovingOptions& moving = options.seen.moving;
+  MovingOptions& moving = options.scene.moving;
   command.group("Output");
   command.option("-o,--output", "FILE", moving.output,
                  "Where it goes, by its ending .kml, .czml,\n.geojson or .csv (default, or -: "
@@ -49,7 +49,7 @@ void add_file_options(Command& command, ExportOptions& options) {
 
 Command export_command(ExportOptions& options) {
   Command subcommand("export", kDescription, kDetails, [&options] { return run_export(options); });
-  add_seen_options(subcommand, options.seen);
+  add_scene_options(subcommand, options.scene);
   add_file_options(subcommand, options);
   return subcommand;
 }

@@ -1,6 +1,5 @@
 #include "cli/show/plot_command.hpp"
 
-#include "cli/analysis/see.hpp"
 #include "cli/command_line/option_values.hpp"
 #include "cli/console/failure.hpp"
 #include "cli/console/progress_bar.hpp"
@@ -10,11 +9,12 @@
 #include "cli/console/terminal.hpp"
 #include "cli/output/output_file.hpp"
 #include "cli/output/output_form.hpp"
-#include "cli/show/seen_summary.hpp"
+#include "cli/show/scene_loading.hpp"
+#include "cli/show/scene_summary.hpp"
 #include "io/bytes/number_text.hpp"
+#include "report/drawing/png.hpp"
+#include "report/drawing/svg.hpp"
 #include "report/figure/figure.hpp"
-#include "report/figure/png.hpp"
-#include "report/figure/svg.hpp"
 
 #include <cstdint>
 #include <string>
@@ -27,7 +27,7 @@ namespace {
 constexpr const char* kName = "plot";
 
 struct PlotRequest {
-  SeenRequest seen;
+  ShowRequest show;
   std::string title;
   unsigned width = 0;
   bool png = false;
@@ -61,19 +61,20 @@ Result<bool> read_png(const std::string& output) {
 }
 
 Result<PlotRequest> plot_request(const PlotOptions& options) {
-  auto seen = seen_request(kName, options.seen);
-  if (!seen) return std::move(seen).error();
+  auto show = show_request(kName, options.scene);
+  if (!show) return std::move(show).error();
   const auto width = read_width(options.width);
   if (!width) return width.error();
-  const auto png = read_png(seen->moving.output);
+  const auto png = read_png(show->output);
   if (!png) return png.error();
-  return PlotRequest{*std::move(seen), options.title, *width, *png};
+  return PlotRequest{*std::move(show), options.title, *width, *png};
 }
 
 // The bytes of the picture; what must be said of it goes to `note`.
-Result<std::string> picture_of(const Seen& seen, const PlotRequest& request, std::string& note) {
+Result<std::string> picture_of(const analysis::Scene& scene, const PlotRequest& request,
+                               std::string& note) {
   const report::Drawing drawing =
-      std::visit([](const auto& facts) { return report::figure_of(facts); }, seen);
+      std::visit([](const auto& facts) { return report::figure_of(facts); }, scene);
   if (!request.png) return report::svg(drawing, request.width);
   auto png = report::png(drawing, request.width);
   if (!png) {
@@ -89,20 +90,19 @@ Result<std::string> picture_of(const Seen& seen, const PlotRequest& request, std
 }
 
 Result<ExitCode> plot(const PlotRequest& request) {
-  const MovingRequest& moving = request.seen.moving;
-  auto output = open_output(kName, moving.output, moving.inputs);
+  const ShowRequest& show = request.show;
+  auto output = open_output(kName, show.output, show.inputs);
   if (!output) return std::move(output).error();
-  ProgressBar progress(!moving.quiet);
-  SeenTimings timings;
-  auto seen = see(moving.inputs, request.seen, progress, timings);
-  if (!seen) return std::move(seen).error();
+  ProgressBar progress(!show.quiet);
+  SceneTimings timings;
+  auto scene = load_scene(show.inputs, show.scene, progress, timings);
+  if (!scene) return std::move(scene).error();
   Stopwatch watch;
 
   progress.enter_stage("drawing");
-  Seen titled = *std::move(seen);
-  if (!request.title.empty()) set_title(titled, request.title);
+  if (!request.title.empty()) analysis::set_title(*scene, request.title);
   std::string note;
-  const auto picture = picture_of(titled, request, note);
+  const auto picture = picture_of(*scene, request, note);
   if (!picture) return picture.error();
   output->write(*picture);
   const Status written = output->commit();
@@ -110,20 +110,20 @@ Result<ExitCode> plot(const PlotRequest& request) {
   if (!written) return written.error();
   timings.write_s = watch.lap();
   progress.finish();
-  if (!moving.quiet) {
+  if (!show.quiet) {
     std::string text;
-    append_seen(text, titled);
+    append_scene(text, *scene);
     if (!note.empty()) append_summary_line(text, "note", printable(note));
-    append_written(text, moving.output, timings);
+    append_written(text, show.output, timings);
     say(text);
   }
-  return is_risky(titled) && moving.fail_on_risk ? ExitCode::kRiskFound : ExitCode::kFine;
+  return analysis::is_risky(*scene) && show.fail_on_risk ? ExitCode::kRiskFound : ExitCode::kFine;
 }
 
 }  // namespace
 
 ExitCode run_plot(const PlotOptions& options) {
-  const bool json = options.seen.moving.json;
+  const bool json = options.scene.moving.json;
   const auto request = plot_request(options);
   if (!request) return fail(request.error(), json);
   const auto code = plot(*request);

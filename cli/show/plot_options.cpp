@@ -26,7 +26,7 @@ constexpr const char* kDetails =
     "4 cannot open, read or write, 130 interrupted, 143 terminated, 141 closed pipe.";
 
 void add_picture_options(Command& plot, PlotOptions& options) {
-  MovingOptions& moving = options.seen.moving;
+  MovingOptions& moving = options.scene.moving;
   plot.group("Output");
   plot.option("-o,--output", "FILE", moving.output,
               "Where the picture goes, by its ending .svg or .png\n(default, or -: standard "
@@ -45,7 +45,7 @@ void add_picture_options(Command& plot, PlotOptions& options) {
 
 Command plot_command(PlotOptions& options) {
   Command plot("plot", kDescription, kDetails, [&options] { return run_plot(options); });
-  add_seen_options(plot, options.seen);
+  add_scene_options(plot, options.scene);
   add_picture_options(plot, options);
   return plot;
 }

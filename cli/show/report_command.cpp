@@ -1,6 +1,5 @@
 #include "cli/show/report_command.hpp"
 
-#include "cli/analysis/page_of.hpp"
 #include "cli/command_line/option_values.hpp"
 #include "cli/console/failure.hpp"
 #include "cli/console/progress_bar.hpp"
@@ -8,7 +7,8 @@
 #include "cli/console/terminal.hpp"
 #include "cli/output/output_file.hpp"
 #include "cli/output/output_form.hpp"
-#include "cli/show/seen_summary.hpp"
+#include "cli/show/page_loading.hpp"
+#include "cli/show/scene_summary.hpp"
 
 #include <algorithm>
 #include <string>
@@ -45,43 +45,42 @@ Status check_ending(const std::string& output) {
   return std::monostate{};
 }
 
-Result<ExitCode> report_on(const ReportOptions& options, const SeenRequest& request) {
-  const MovingRequest& moving = request.moving;
-  if (moving.output == "-" && output_is_terminal()) {
+Result<ExitCode> report_on(const ReportOptions& options, const ShowRequest& request) {
+  if (request.output == "-" && output_is_terminal()) {
     return usage_error(kName, "a page is nothing for a terminal; give it a name: -o report.html");
   }
-  std::vector<std::string> inputs = moving.inputs;
+  std::vector<std::string> inputs = request.inputs;
   inputs.push_back(options.compare);
-  auto output = open_output(kName, moving.output, inputs);
+  auto output = open_output(kName, request.output, inputs);
   if (!output) return std::move(output).error();
-  if (Status html = check_ending(moving.output); !html) return std::move(html).error();
-  ProgressBar progress(!moving.quiet);
-  const auto page = page_of(kName, request, options.compare, progress);
-  if (!page) return page.error();
+  if (Status html = check_ending(request.output); !html) return std::move(html).error();
+  ProgressBar progress(!request.quiet);
+  const auto loaded = load_page(kName, request, options.compare, progress);
+  if (!loaded) return loaded.error();
   Stopwatch watch;
-  write_page(*page, [&](std::string_view text) { output->write(text); });
+  analysis::write_page(loaded->page, [&](std::string_view text) { output->write(text); });
   const Status written = output->commit();
   if (!written && output->pipe_closed()) return ExitCode::kPipeClosed;
   if (!written) return written.error();
   const double written_s = watch.lap();
   progress.finish();
-  if (!moving.quiet) {
+  if (!request.quiet) {
     std::string text;
-    for (const Seen& seen : page->seen) append_seen(text, seen);
-    SeenTimings timings = page->timings;
+    for (const analysis::Scene& scene : loaded->scenes) append_scene(text, scene);
+    SceneTimings timings = loaded->timings;
     timings.write_s += written_s;
-    append_written(text, moving.output, timings);
+    append_written(text, request.output, timings);
     say(text);
   }
-  const bool risk = std::any_of(page->seen.begin(), page->seen.end(), is_risky);
-  return risk && moving.fail_on_risk ? ExitCode::kRiskFound : ExitCode::kFine;
+  const bool risk = std::any_of(loaded->scenes.begin(), loaded->scenes.end(), analysis::is_risky);
+  return risk && request.fail_on_risk ? ExitCode::kRiskFound : ExitCode::kFine;
 }
 
 }  // namespace
 
 ExitCode run_report(const ReportOptions& options) {
-  const bool json = options.seen.moving.json;
-  const auto request = seen_request(kName, options.seen);
+  const bool json = options.scene.moving.json;
+  const auto request = show_request(kName, options.scene);
   if (!request) return fail(request.error(), json);
   const auto code = report_on(options, *request);
   return code ? *code : fail(code.error(), json);

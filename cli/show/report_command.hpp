@@ -3,7 +3,7 @@
 
 #include "cli/command_line/command.hpp"
 #include "cli/console/exit_code.hpp"
-#include "cli/show/seen_request.hpp"
+#include "cli/show/show_request.hpp"
 
 #include <string>
 
@@ -11,7 +11,7 @@ namespace beespace::cli {
 
 // As typed, before it is checked.
 struct ReportOptions {
-  SeenOptions seen;
+  SceneOptions scene;
   std::string compare;
 };
 

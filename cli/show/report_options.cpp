@@ -38,7 +38,7 @@ void add_page_options(Command& report, MovingOptions& options) {
 }  // namespace
 
 void add_page_input_options(Command& command, ReportOptions& options) {
-  add_seen_options(command, options.seen);
+  add_scene_options(command, options.scene);
   command.group("Input");
   command.option("--compare", "FILE", options.compare,
                  "Show this beside it: what came before on the left,\nthis on the right");
@@ -47,7 +47,7 @@ void add_page_input_options(Command& command, ReportOptions& options) {
 Command report_command(ReportOptions& options) {
   Command report("report", kDescription, kDetails, [&options] { return run_report(options); });
   add_page_input_options(report, options);
-  add_page_options(report, options.seen.moving);
+  add_page_options(report, options.scene.moving);
   return report;
 }
 

@@ -1,14 +1,14 @@
 #include "cli/show/view_command.hpp"
 
-#include "cli/analysis/page_of.hpp"
 #include "cli/command_line/option_values.hpp"
 #include "cli/console/failure.hpp"
 #include "cli/console/progress_bar.hpp"
 #include "cli/console/standard_output.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/show/browser.hpp"
+#include "cli/show/page_loading.hpp"
 #include "cli/show/page_server.hpp"
-#include "cli/show/seen_summary.hpp"
+#include "cli/show/scene_summary.hpp"
 #include "io/bytes/number_text.hpp"
 
 #include <cstdint>
@@ -49,22 +49,22 @@ Result<std::uint16_t> port_of(const std::string& text) {
 
 // The whole page, and nothing of what it was made from: that is as large again, and the page is
 // served for long.
-Result<std::string> page_for(const ViewOptions& options, const SeenRequest& request) {
-  ProgressBar progress(!request.moving.quiet);
-  auto made = page_of(kName, request, options.report.compare, progress);
-  if (!made) return std::move(made).error();
+Result<std::string> page_for(const ViewOptions& options, const ShowRequest& request) {
+  ProgressBar progress(!request.quiet);
+  const auto loaded = load_page(kName, request, options.report.compare, progress);
+  if (!loaded) return loaded.error();
   std::string page;
-  write_page(*made, [&](std::string_view text) { page += text; });
+  analysis::write_page(loaded->page, [&](std::string_view text) { page += text; });
   progress.finish();
-  if (!request.moving.quiet) {
+  if (!request.quiet) {
     std::string text;
-    for (const Seen& seen : made->seen) append_seen(text, seen);
+    for (const analysis::Scene& scene : loaded->scenes) append_scene(text, scene);
     say(text);
   }
   return page;
 }
 
-Result<ExitCode> view(const ViewOptions& options, const SeenRequest& request) {
+Result<ExitCode> view(const ViewOptions& options, const ShowRequest& request) {
   const auto port = port_of(options.port);
   if (!port) return port.error();
   auto server = PageServer::open(*port);
@@ -73,7 +73,7 @@ Result<ExitCode> view(const ViewOptions& options, const SeenRequest& request) {
   if (!page) return page.error();
   const std::string address = server->address();
   if (const ExitCode printed = print(address + "\n"); printed != ExitCode::kFine) return printed;
-  const auto tell = [quiet = request.moving.quiet](bool opened) {
+  const auto tell = [quiet = request.quiet](bool opened) {
     if (quiet) return;
     say(opened ? "Opened in the browser; Ctrl-C ends it.\n"
                : "Open this address in a browser on this machine; Ctrl-C ends it.\n");
@@ -95,15 +95,15 @@ Command view_command(ViewOptions& options) {
   view.group("Output");
   view.flag("--no-open", options.no_open, "Do not open a browser, only print the address");
   view.option("--port", "N", options.port, "Of 127.0.0.1, to serve at (default: 0, a free one)");
-  MovingOptions& moving = options.report.seen.moving;
+  MovingOptions& moving = options.report.scene.moving;
   view.flag("--json", moving.json, "Say errors as JSON too");
   view.flag("--quiet", moving.quiet, "No summary and no progress, only the address and errors");
   return view;
 }
 
 ExitCode run_view(const ViewOptions& options) {
-  const bool json = options.report.seen.moving.json;
-  const auto request = seen_request(kName, options.report.seen);
+  const bool json = options.report.scene.moving.json;
+  const auto request = show_request(kName, options.report.scene);
   if (!request) return fail(request.error(), json);
   const auto code = view(options, *request);
   return code ? *code : fail(code.error(), json);

@@ -1,5 +1,6 @@
 #include "cli/simulate/simulate_mission.hpp"
 
+#include "analysis/text/unit_notes.hpp"
 #include "cli/console/summary_line.hpp"
 #include "cli/input/obstacle_file.hpp"
 #include "cli/simulate/simulate_scenarios.hpp"
@@ -49,7 +50,7 @@ Result<MissionToFly> mission_of_file(const SimulateRequest& request) {
   if (plans->has_ids) flown.names.ids = std::move(plans->ids);
   flown.notes = std::move(plans->notes);
   for (const io::UnitTaken& taken : plans->units) {
-    if (taken.evidence == io::UnitEvidence::kNamed) flown.notes.push_back(text_of(taken));
+    if (taken.evidence == io::UnitEvidence::kNamed) flown.notes.push_back(analysis::text_of(taken));
   }
   if (!plans->velocities.empty()) {
     flown.notes.emplace_back("the velocities of the file are not used: everybody begins at rest");

@@ -53,7 +53,7 @@ const char* name_of(Doubt doubt) {
   return "unknown";
 }
 
-void append_advice_line(std::string& out, const AdviceTimes& times, const BeeName& name,
+void append_advice_line(std::string& out, const AdviceTimes& times, const analysis::BeeName& name,
                         const Mover& mover, const Advice& advice, Doubt doubt, io::Frame frame) {
   const Velocity& v = advice.velocity;
   out += "{\"event\": \"advice\"";

@@ -37,7 +37,7 @@ struct AdviceTimes {
 };
 
 // Of kNone there is nothing to fly by.
-void append_advice_line(std::string& out, const AdviceTimes& times, const BeeName& name,
+void append_advice_line(std::string& out, const AdviceTimes& times, const analysis::BeeName& name,
                         const Mover& mover, const Advice& advice, Doubt doubt, io::Frame frame);
 
 // Of a look, the last line: how many bees it was about, how many lines it has told, and how many

@@ -51,7 +51,7 @@ struct LiveAdviceRequest {
 class LiveAdvice {
  public:
   // What the bees are called; and where the lines of a look go.
-  using Name = std::function<const BeeName&(PointId id)>;
+  using Name = std::function<const analysis::BeeName&(PointId id)>;
   using Tell = std::function<void(const std::string& lines)>;
   LiveAdvice(const LiveAdviceRequest& request, io::Frame frame, Name name, Tell tell);
 

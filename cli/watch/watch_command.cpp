@@ -1,7 +1,7 @@
 #include "cli/watch/watch_command.hpp"
 
-#include "analysis/recorded/moving_input.hpp"
-#include "cli/analysis/live_feed.hpp"
+#include "analysis/geometry/geometry.hpp"
+#include "analysis/live/live_feed.hpp"
 #include "cli/console/failure.hpp"
 #include "cli/console/signals.hpp"
 #include "cli/console/standard_output.hpp"
@@ -130,7 +130,7 @@ class Watch {
     options.height_unit_m = height_unit_m(geometry_, height_unit);
     feed_.emplace(options, request_.times,
                   [this](const std::vector<SwarmEvent>& events) { tell(events); });
-    feed_->after_each_note([this](const ClockNote& note) { tell(note); });
+    feed_->after_each_note([this](const analysis::ClockNote& note) { tell(note); });
     feed_->after_each_contrary([this](const Report& report) { note_contrary(report); });
     if (!request_.advice) return;
     begin_advice();
@@ -143,7 +143,8 @@ class Watch {
 
   void begin_advice() {
     advice_.emplace(
-        *request_.advice, frame_, [this](PointId id) -> const BeeName& { return feed_->name(id); },
+        *request_.advice, frame_,
+        [this](PointId id) -> const analysis::BeeName& { return feed_->name(id); },
         [this](const std::string& lines) {
           if (write_error_ == 0) write_error_ = write_out(lines);
         });
@@ -283,12 +284,12 @@ class Watch {
     }
   }
 
-  void tell(const ClockNote& note) {
+  void tell(const analysis::ClockNote& note) {
     tally_.count(note);
-    if (advice_ && note.kind == ClockNote::Kind::kAnew) {
+    if (advice_ && note.kind == analysis::ClockNote::Kind::kAnew) {
       advice_->start_anew(note.time_s);
     } else if (advice_) {
-      advice_->note_clock(note.bee, note.kind == ClockNote::Kind::kOff);
+      advice_->note_clock(note.bee, note.kind == analysis::ClockNote::Kind::kOff);
     }
     if (write_error_ == 0) write_error_ = write_out(clock_line(note, *feed_));
   }
@@ -351,7 +352,7 @@ class Watch {
   io::Frame frame_ = io::Frame::kMetres;  // once there is a feed
   io::Unit height_unit_ = io::Unit::kMetre;
   analysis::Geometry geometry_ = analysis::Geometry::kSpace;
-  std::optional<LiveFeed> feed_;
+  std::optional<analysis::LiveFeed> feed_;
   std::optional<LiveAdvice> advice_;
   WatchTally tally_;
   std::vector<Error> not_understood_;  // before the first that was

@@ -1,7 +1,7 @@
 // What `beespace watch` is asked for, once its options are known to make sense.
 #pragma once
 
-#include "cli/analysis/live_feed.hpp"
+#include "analysis/live/live_feed.hpp"
 #include "cli/watch/live_advice.hpp"
 #include "cli/watch/watch_command.hpp"
 #include "io/recording/recording_options.hpp"
@@ -20,7 +20,7 @@ struct WatchRequest {
   io::RecordingOptions lines;
   SwarmOptions swarm;
   std::optional<io::StatedLength> vertical;  // that of `swarm`, as typed
-  LiveTimes times = {};
+  analysis::LiveTimes times = {};
   bool by_arrival = false;                  // the time of a report is when it came
   std::optional<double> speed;              // times that of the clock of the reports
   std::optional<double> rate;               // reports a second

@@ -29,7 +29,7 @@ double unknown_s(const std::vector<Silence>& silences) {
 }
 
 // What has been heard and is not in the answer.
-std::vector<std::string> untaken(const LiveFeed& feed, const LeftOutOfWatch& left_out) {
+std::vector<std::string> untaken(const analysis::LiveFeed& feed, const LeftOutOfWatch& left_out) {
   std::vector<std::string> texts;
   const auto add = [&](std::uint64_t count, const char* one, const char* many) {
     if (count > 0) texts.push_back(several(count, one, many));
@@ -44,7 +44,7 @@ std::vector<std::string> untaken(const LiveFeed& feed, const LeftOutOfWatch& lef
 }
 
 // What is known, but not well enough.
-std::vector<std::string> doubtful(const LiveFeed& feed) {
+std::vector<std::string> doubtful(const analysis::LiveFeed& feed) {
   std::vector<std::string> texts;
   const auto add = [&](std::uint64_t count, const char* one, const char* many) {
     if (count > 0) texts.push_back(several(count, one, many));
@@ -59,14 +59,14 @@ std::vector<std::string> doubtful(const LiveFeed& feed) {
 
 }  // namespace
 
-bool WatchTally::risk(const LiveFeed& feed, const LeftOutOfWatch& left_out) const {
+bool WatchTally::risk(const analysis::LiveFeed& feed, const LeftOutOfWatch& left_out) const {
   if (!untaken(feed, left_out).empty() || !doubtful(feed).empty()) return true;
   return told(EventKind::kEntered) > 0 || told(EventKind::kLost) > 0 ||
          told(EventKind::kPossible) > 0 || told(EventKind::kOverloaded) > 0 ||
          (told(EventKind::kStale) > 0 && !speed_stated_);
 }
 
-void WatchTally::append_clocks(std::string& out, const LiveFeed& feed) const {
+void WatchTally::append_clocks(std::string& out, const analysis::LiveFeed& feed) const {
   const analysis::BeeClocks& clocks = feed.clocks();
   if (clocks.named() > 0) {
     const std::string whose = clocks.named() == 1 ? " bee's is off" : " bees' are off";
@@ -86,7 +86,7 @@ void WatchTally::append_clocks(std::string& out, const LiveFeed& feed) const {
   append_summary_line(out, "clocks", text);
 }
 
-void WatchTally::append_unknown(std::string& out, const LiveFeed& feed) const {
+void WatchTally::append_unknown(std::string& out, const analysis::LiveFeed& feed) const {
   constexpr std::size_t kMostNamed = 5;
   std::vector<Silence> longest = feed.silences();
   if (longest.empty()) return;
@@ -107,7 +107,7 @@ void WatchTally::append_unknown(std::string& out, const LiveFeed& feed) const {
   append_summary_line(out, "unknown", text);
 }
 
-void WatchTally::append_events(std::string& out, const LiveFeed& feed,
+void WatchTally::append_events(std::string& out, const analysis::LiveFeed& feed,
                                const LeftOutOfWatch& left_out) const {
   for (const EventKind kind : {EventKind::kPredicted, EventKind::kEntered, EventKind::kLeft}) {
     append_summary_line(out, name_of(kind), io::grouped(told(kind)));
@@ -119,7 +119,8 @@ void WatchTally::append_events(std::string& out, const LiveFeed& feed,
   append_summary_line(out, "verdict", verdict(feed, left_out));
 }
 
-std::string WatchTally::verdict(const LiveFeed& feed, const LeftOutOfWatch& left_out) const {
+std::string WatchTally::verdict(const analysis::LiveFeed& feed,
+                                const LeftOutOfWatch& left_out) const {
   std::string text;
   if (told(EventKind::kEntered) > 0) {
     text = red(several(told(EventKind::kEntered), "conflict", "conflicts"));

@@ -1,7 +1,7 @@
 // What `watch` has told, counted; and what that comes to in the end.
 #pragma once
 
-#include "cli/analysis/live_feed.hpp"
+#include "analysis/live/live_feed.hpp"
 
 #include <beespace/swarm.hpp>
 
@@ -26,8 +26,8 @@ class WatchTally {
   explicit WatchTally(bool speed_stated) : speed_stated_(speed_stated) {}
 
   void count(const SwarmEvent& event) { ++told_[static_cast<std::size_t>(event.kind)]; }
-  void count(const ClockNote& note) {
-    if (note.kind == ClockNote::Kind::kOff) last_off_ = note;
+  void count(const analysis::ClockNote& note) {
+    if (note.kind == analysis::ClockNote::Kind::kOff) last_off_ = note;
   }
   [[nodiscard]] std::uint64_t told(EventKind kind) const {
     return told_[static_cast<std::size_t>(kind)];
@@ -36,20 +36,22 @@ class WatchTally {
   // Whether it does not follow from what is known that no two have come too close: two have, or
   // may have or are about to, or it is not known where bees were, or not all that was heard could
   // be taken into account.
-  [[nodiscard]] bool risk(const LiveFeed& feed, const LeftOutOfWatch& left_out) const;
+  [[nodiscard]] bool risk(const analysis::LiveFeed& feed, const LeftOutOfWatch& left_out) const;
 
   // Lines of the summary, once the input has ended: of clocks, of who was unknown for how long; and
   // of events, with the verdict.
-  void append_clocks(std::string& out, const LiveFeed& feed) const;
-  void append_unknown(std::string& out, const LiveFeed& feed) const;
-  void append_events(std::string& out, const LiveFeed& feed, const LeftOutOfWatch& left_out) const;
+  void append_clocks(std::string& out, const analysis::LiveFeed& feed) const;
+  void append_unknown(std::string& out, const analysis::LiveFeed& feed) const;
+  void append_events(std::string& out, const analysis::LiveFeed& feed,
+                     const LeftOutOfWatch& left_out) const;
 
  private:
-  [[nodiscard]] std::string verdict(const LiveFeed& feed, const LeftOutOfWatch& left_out) const;
+  [[nodiscard]] std::string verdict(const analysis::LiveFeed& feed,
+                                    const LeftOutOfWatch& left_out) const;
 
   bool speed_stated_;
   std::array<std::uint64_t, kEventKinds> told_{};
-  std::optional<ClockNote> last_off_;
+  std::optional<analysis::ClockNote> last_off_;
 };
 
 }  // namespace beespace::cli

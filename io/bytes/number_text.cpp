@@ -54,6 +54,10 @@ std::string grouped(std::uint64_t value) {
   return group_digits(std::to_string(value));
 }
 
+std::string counted(std::uint64_t count, std::string_view one, std::string_view several) {
+  return grouped(count).append(" ").append(count == 1 ? one : several);
+}
+
 std::string grouped(double value, int decimals) {
   return group_digits(fixed(value, decimals));
 }

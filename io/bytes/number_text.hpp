@@ -16,6 +16,9 @@ std::string exact(double value);
 // "1,234,567".
 std::string grouped(std::uint64_t value);
 
+// "1 bee", "1,234 bees".
+std::string counted(std::uint64_t count, std::string_view one, std::string_view several);
+
 // A fixed number of decimals, the integer part grouped: "12,345.68".
 std::string grouped(double value, int decimals);
 

@@ -1,8 +1,8 @@
-// How many are where: counts in square cells, for swarms of whom single marks would hide each
+// How many are where: counts in square cells, for swarms whose single marks would hide each
 // other.
 #pragma once
 
-#include "report/figure/drawing.hpp"
+#include "report/drawing/drawing.hpp"
 
 #include <cstddef>
 #include <cstdint>

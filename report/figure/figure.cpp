@@ -1,13 +1,13 @@
 #include "report/figure/figure.hpp"
 
 #include "report/figure/nearest_histogram.hpp"
-#include "report/figure/number_label.hpp"
 #include "report/figure/recording_view.hpp"
 #include "report/figure/separation_chart.hpp"
 #include "report/figure/sheet.hpp"
 #include "report/figure/snapshot_view.hpp"
 #include "report/figure/style.hpp"
 #include "report/figure/view.hpp"
+#include "report/number_label.hpp"
 
 #include <algorithm>
 #include <cstddef>

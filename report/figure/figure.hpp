@@ -5,8 +5,8 @@
 // that does not.
 #pragma once
 
+#include "report/drawing/drawing.hpp"
 #include "report/facts.hpp"
-#include "report/figure/drawing.hpp"
 
 namespace beespace::report {
 

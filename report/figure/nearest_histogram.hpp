@@ -18,7 +18,7 @@ struct Histogram {
   std::uint64_t below = 0;             // of logarithmic ones: at no distance, or nearly; in bin 0
 };
 
-// Nothing where nobody has a neighbour.
+// Nothing where no bee has a neighbour.
 std::optional<Histogram> nearest_histogram(const SnapshotFacts& facts);
 
 // The part of each bar that is at risk is dark, at its foot.

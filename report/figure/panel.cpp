@@ -1,7 +1,7 @@
 #include "report/figure/panel.hpp"
 
+#include "report/drawing/text_fit.hpp"
 #include "report/figure/style.hpp"
-#include "report/figure/text_fit.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // A rectangle with axes, in which something is plotted.
 #pragma once
 
-#include "report/figure/drawing.hpp"
+#include "report/drawing/drawing.hpp"
 #include "report/figure/scale.hpp"
 
 #include <cstddef>

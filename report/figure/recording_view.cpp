@@ -1,8 +1,8 @@
 #include "report/figure/recording_view.hpp"
 
 #include "report/figure/density.hpp"
-#include "report/figure/number_label.hpp"
 #include "report/figure/style.hpp"
+#include "report/number_label.hpp"
 #include "report/shown_fixes.hpp"
 
 #include <algorithm>

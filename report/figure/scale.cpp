@@ -1,6 +1,6 @@
 #include "report/figure/scale.hpp"
 
-#include "report/figure/number_label.hpp"
+#include "report/number_label.hpp"
 
 #include <algorithm>
 #include <array>

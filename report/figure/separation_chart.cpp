@@ -1,8 +1,8 @@
 #include "report/figure/separation_chart.hpp"
 
-#include "report/figure/number_label.hpp"
 #include "report/figure/sheet.hpp"
 #include "report/figure/style.hpp"
+#include "report/number_label.hpp"
 
 #include <algorithm>
 #include <cmath>

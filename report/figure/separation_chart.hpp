@@ -8,7 +8,7 @@
 
 namespace beespace::report {
 
-// When anybody is in conflict, stretches that touch put together; ascending.
+// When any bee is in conflict, stretches that touch put together; ascending.
 std::vector<TimeSpan> times_in_conflict(const std::vector<AtRisk>& at_risk);
 
 void draw_separation(const RecordingFacts& facts, const Box& box, Drawing& drawing);

@@ -1,8 +1,8 @@
 #include "report/figure/sheet.hpp"
 
-#include "report/figure/number_label.hpp"
+#include "report/drawing/text_fit.hpp"
 #include "report/figure/style.hpp"
-#include "report/figure/text_fit.hpp"
+#include "report/number_label.hpp"
 #include "report/xml_text.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // What is around the panels of a figure: title, key, a list, notes.
 #pragma once
 
+#include "report/drawing/drawing.hpp"
 #include "report/facts.hpp"
-#include "report/figure/drawing.hpp"
 #include "report/figure/panel.hpp"
 
 #include <cstdint>

@@ -1,8 +1,8 @@
 #include "report/figure/snapshot_view.hpp"
 
 #include "report/figure/density.hpp"
-#include "report/figure/number_label.hpp"
 #include "report/figure/style.hpp"
+#include "report/number_label.hpp"
 #include "report/xml_text.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 // those of Okabe and Ito, Color universal design, 2008.
 #pragma once
 
-#include "report/figure/drawing.hpp"
+#include "report/drawing/drawing.hpp"
 
 #include <vector>
 

@@ -2,11 +2,11 @@
 
 #include "io/json/json_object.hpp"
 #include "io/json/json_text.hpp"
-#include "report/figure/number_label.hpp"
 #include "report/map/map_places.hpp"
 #include "report/map/map_time.hpp"
 #include "report/map/map_tracks.hpp"
 #include "report/map/map_words.hpp"
+#include "report/number_label.hpp"
 
 #include <algorithm>
 #include <cstddef>

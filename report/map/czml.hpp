@@ -1,4 +1,4 @@
-// Who is too close to whom as CZML 1.0, for Cesium.
+// Which bees are too close as CZML 1.0, for Cesium.
 #pragma once
 
 #include "report/facts.hpp"

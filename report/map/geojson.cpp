@@ -3,9 +3,9 @@
 #include "io/json/geojson_geometry.hpp"
 #include "io/json/json_object.hpp"
 #include "io/json/json_text.hpp"
-#include "report/figure/number_label.hpp"
 #include "report/map/map_places.hpp"
 #include "report/map/map_words.hpp"
+#include "report/number_label.hpp"
 
 #include <cmath>
 #include <cstddef>

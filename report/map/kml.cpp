@@ -1,10 +1,10 @@
 #include "report/map/kml.hpp"
 
-#include "report/figure/number_label.hpp"
 #include "report/map/map_places.hpp"
 #include "report/map/map_time.hpp"
 #include "report/map/map_tracks.hpp"
 #include "report/map/map_words.hpp"
+#include "report/number_label.hpp"
 #include "report/xml_text.hpp"
 
 #include <cstddef>

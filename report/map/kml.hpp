@@ -1,4 +1,4 @@
-// Who is too close to whom as KML 2.2, for globes.
+// Which bees are too close as KML 2.2, for globes.
 #pragma once
 
 #include "report/facts.hpp"

@@ -1,7 +1,7 @@
 // Times as globes want them: dates, also of recordings that have none.
 #pragma once
 
-#include "report/figure/number_label.hpp"
+#include "report/number_label.hpp"
 
 #include <algorithm>
 #include <string>

@@ -1,6 +1,6 @@
 #include "report/map/map_tracks.hpp"
 
-#include "report/figure/number_label.hpp"
+#include "report/number_label.hpp"
 #include "report/shown_fixes.hpp"
 
 #include <algorithm>

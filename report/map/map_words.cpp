@@ -1,7 +1,7 @@
 #include "report/map/map_words.hpp"
 
-#include "report/figure/number_label.hpp"
 #include "report/map/map_time.hpp"
+#include "report/number_label.hpp"
 #include "report/xml_text.hpp"
 
 #include <cstdint>

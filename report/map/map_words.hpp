@@ -11,7 +11,7 @@ namespace beespace::report {
 // "maya – willi": plain text.
 std::string pair_name(const Names& names, PointId first, PointId second);
 
-// "57.3 m from maya": HTML; nothing where there is nobody else.
+// "57.3 m from maya": HTML; nothing where there is no other.
 std::string nearest_words(const Nearest& nearest, const SwarmFacts& swarm);
 
 // "57.3 m apart at 2024-05-01T12:00:30Z; possible, not certain".

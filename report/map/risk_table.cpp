@@ -2,8 +2,8 @@
 
 #include "io/json/json_object.hpp"
 #include "io/table/csv_field.hpp"
-#include "report/figure/number_label.hpp"
 #include "report/map/map_places.hpp"
+#include "report/number_label.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-// Who is too close to whom as a table for spreadsheets (CSV, RFC 4180).
+// Which bees are too close as a table for spreadsheets (CSV, RFC 4180).
 #pragma once
 
 #include "report/facts.hpp"

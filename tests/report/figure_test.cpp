@@ -1,11 +1,11 @@
 // Whole figures, as shapes: what is marked, where, and that it stays small.
 #include "report/figure/figure.hpp"
 
+#include "report/drawing/png.hpp"
+#include "report/drawing/svg.hpp"
 #include "report/figure/nearest_histogram.hpp"
-#include "report/figure/png.hpp"
 #include "report/figure/separation_chart.hpp"
 #include "report/figure/style.hpp"
-#include "report/figure/svg.hpp"
 #include "report/figure/view.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Numbers as figures and map files show them.
-#include "report/figure/number_label.hpp"
+#include "report/number_label.hpp"
 
 #include <gtest/gtest.h>
 

@@ -41,7 +41,9 @@ passes src/kernels/a.cpp '#include "exact/a.hpp"' '#include <immintrin.h>'
 passes src/motion/live/a.cpp '#include "motion/passing/a.hpp"'
 passes io/a.cpp '#include "io/bytes/a.hpp"' '#include <zlib.h>'
 passes io/bytes/a.cpp '#include <sys/mman.h>'
-passes cli/watch/a.cpp '#include "io/live/a.hpp"' '#include "scenes/b.hpp"' '#include <CLI/CLI.hpp>'
+passes analysis/scene/a.cpp '#include "analysis/recorded/a.hpp"' '#include "report/facts.hpp"'
+passes cli/command_line/a.cpp '#include "cli/console/a.hpp"' '#include <CLI/CLI.hpp>'
+passes cli/watch/a.cpp '#include "io/live/a.hpp"' '#include "analysis/live/b.hpp"'
 passes tests/grid/a.cpp '#include "grid/a.hpp"' '#include <gtest/gtest.h>'
 
 refuses 'include/beespace/a.hpp:2: include/beespace may not know src/grid' \
@@ -56,6 +58,12 @@ refuses 'src/geodesy may not know src/exact' src/geodesy/a.cpp '#include "exact/
 refuses 'src/brute_force may not know src/grid' src/brute_force/a.cpp '#include "grid/a.hpp"'
 refuses 'src/kernels may not know src/search' src/kernels/a.cpp '#include "search/a.hpp"'
 refuses 'src/motion may not know src/motion/live' src/motion/a.cpp '#include "motion/live/a.hpp"'
+refuses 'analysis/recorded may not know cli/console' \
+  analysis/recorded/a.cpp '#include "cli/console/terminal.hpp"'
+refuses 'cli/detect may not know cli/watch' cli/detect/a.cpp '#include "cli/watch/a.hpp"'
+refuses 'cli/watch may not know libraries' cli/watch/a.cpp '#include <CLI/CLI.hpp>'
+refuses 'cli/console may not know cli/detect' cli/console/a.cpp '#include "cli/detect/a.hpp"'
+refuses 'report may not know report/figure' report/a.cpp '#include "report/figure/figure.hpp"'
 refuses 'cli may not know src/exact' cli/a.cpp '#include "exact/exact_distance.hpp"'
 refuses 'cli may not know src/exact' cli/a.cpp '#include "src/exact/exact_distance.hpp"'
 refuses 'io/table may not know io/points' io/table/a.cpp '#include "io/points/a.hpp"'

@@ -17,6 +17,12 @@ TEST(NumberText, ExactNumbersReadBackAsTheSameDouble) {
   EXPECT_EQ(exact(100.0), "100");
 }
 
+TEST(NumberText, OneIsCountedUnlikeSeveral) {
+  EXPECT_EQ(counted(1, "bee", "bees"), "1 bee");
+  EXPECT_EQ(counted(0, "bee", "bees"), "0 bees");
+  EXPECT_EQ(counted(1'234, "bee", "bees"), "1,234 bees");
+}
+
 TEST(NumberText, ThousandsAreGrouped) {
   EXPECT_EQ(grouped(std::uint64_t{0}), "0");
   EXPECT_EQ(grouped(std::uint64_t{999}), "999");

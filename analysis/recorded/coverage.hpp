@@ -1,0 +1,64 @@
+// Of how much of a recording it is known where its bees were: what an all-clear is about.
+//
+// Records that were left out since their place, height or time is missing or bad may be of bees
+// that are not known at all (see io::MissingRecords).
+//
+// A bee is unknown in its gaps (see gaps.hpp), before its first fix and after its last one, from
+// the beginning of the whole recording to its end. A drone of a show is where the plan says, and
+// otherwise on the ground.
+#pragma once
+
+#include "analysis/recorded/gaps.hpp"
+#include "io/recording/recording.hpp"
+
+#include <beespace/find_conflicts.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace beespace::analysis {
+
+inline double length_of(const Gap& gap) {
+  return gap.ends_s - gap.begins_s;
+}
+
+struct Coverage {
+  MaxGap max_gap;
+  std::uint64_t gaps = 0;
+  std::size_t bees_with_gaps = 0;
+  double in_gaps_s = 0.0;    // summed over the bees
+  std::vector<Gap> longest;  // of the gaps, at most kMostNamed
+  std::size_t bees_partly =
+      0;                   // whose first fix is later, or whose last is earlier, than of others
+  double outside_s = 0.0;  // before the first and after the last fix, summed over the bees
+  io::MissingRecords missing;
+
+  static constexpr std::size_t kMostNamed = 3;
+
+  // Whether it is known all the time where all bees were.
+  [[nodiscard]] bool complete() const { return !may_hide_conflicts() && bees_partly == 0; }
+  // Whether a bee was there, but it is not known where.
+  [[nodiscard]] bool may_hide_conflicts() const { return gaps > 0 || missing.count > 0; }
+};
+
+// `gaps` are those that max_gap makes: in ascending order of (track, begins_s).
+Coverage coverage_of(const io::Recording& recording, const std::vector<Gap>& gaps,
+                     const MaxGap& max_gap);
+
+// For how long it is unknown of each bee where it was, in gaps and before its first fix and after
+// its last one. `gaps` as above.
+std::vector<double> unknown_times_s(const io::Recording& recording, const std::vector<Gap>& gaps);
+
+// "12 bees unknown for 3 h 20 min in all, 5 known for a part of the time only"; nothing where it is
+// complete.
+std::string unknown_text(const Coverage& coverage);
+
+// "1 bee is known nowhere, 6 records were left out"; nothing where none is missing.
+std::string missing_text(const io::MissingRecords& missing);
+
+// "a1b2c3 (UAL123) from 12.50 s for 3 min 20 s".
+std::string gap_text(const Gap& gap, const io::Recording& recording);
+
+}  // namespace beespace::analysis

@@ -1,0 +1,107 @@
+#include "analysis/recorded/findings.hpp"
+
+#include <beespace/engine.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace beespace::analysis {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// How long some of the stretches last together, where they overlap counted once.
+double length_of_union(std::vector<TimeSpan>& spans) {
+  std::sort(spans.begin(), spans.end(),
+            [](const TimeSpan& a, const TimeSpan& b) { return a.begins_s < b.begins_s; });
+  double total = 0.0;
+  double covered_until = -kInfinity;
+  for (const TimeSpan& span : spans) {
+    const double from = std::max(span.begins_s, covered_until);
+    if (span.ends_s > from) total += span.ends_s - from;
+    covered_until = std::max(covered_until, span.ends_s);
+  }
+  return total;
+}
+
+}  // namespace
+
+std::optional<TimeSpan> time_of(const std::vector<Track>& tracks) {
+  TimeSpan time{kInfinity, -kInfinity};
+  for (const Track& track : tracks) {
+    if (track.fixes.empty()) continue;
+    time.begins_s = std::min(time.begins_s, track.fixes.front().time_s);
+    time.ends_s = std::max(time.ends_s, track.fixes.back().time_s);
+  }
+  if (time.begins_s > time.ends_s) return std::nullopt;
+  return time;
+}
+
+std::vector<PairInConflict> pairs_in_conflict(const std::vector<Conflict>& conflicts) {
+  std::vector<PairInConflict> pairs;
+  for (const Conflict& conflict : conflicts) {  // those of a pair stand together
+    const bool same = !pairs.empty() && pairs.back().closest.first == conflict.first &&
+                      pairs.back().closest.second == conflict.second;
+    if (!same) pairs.push_back({conflict, 0, 0.0});
+    PairInConflict& pair = pairs.back();
+    if (conflict.closest_m < pair.closest.closest_m) pair.closest = conflict;
+    ++pair.conflicts;
+    pair.time_s += conflict.ends_s - conflict.begins_s;
+  }
+  std::stable_sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) {
+    return a.closest.closest_m < b.closest.closest_m;
+  });
+  return pairs;
+}
+
+std::vector<BeeInConflict> bees_in_conflict(std::size_t bees,
+                                            const std::vector<Conflict>& conflicts) {
+  std::vector<BeeInConflict> found(bees);
+  std::vector<std::vector<TimeSpan>> spans(bees);
+  for (const Conflict& conflict : conflicts) {
+    for (const PointId bee : {conflict.first, conflict.second}) {
+      spans[bee].push_back({conflict.begins_s, conflict.ends_s});
+      const Conflict*& closest = found[bee].closest;
+      if (closest == nullptr || conflict.closest_m < closest->closest_m) closest = &conflict;
+    }
+  }
+  for (std::size_t bee = 0; bee < bees; ++bee) {
+    found[bee].conflicts = spans[bee].size();
+    found[bee].time_s = length_of_union(spans[bee]);
+  }
+  return found;
+}
+
+std::vector<Moment> separation_over_time(const Findings& findings, double every_s) {
+  std::vector<Moment> moments;
+  const auto time = time_of(findings.tracks);
+  if (!time) return moments;
+  Engine engine;
+  std::vector<Point> places;
+  std::vector<PointId> bees;
+  const double lasts = time->ends_s - time->begins_s;
+  for (std::uint64_t i = 0; static_cast<double>(i) * every_s <= lasts; ++i) {
+    const double now = time->begins_s + static_cast<double>(i) * every_s;
+    places.clear();
+    bees.clear();
+    std::uint64_t unknown = 0;
+    for (PointId bee = 0; bee < findings.tracks.size(); ++bee) {
+      const auto place =
+          position_at(findings.in_space[bee], now, findings.coverage.max_gap.seconds);
+      // A drone of a show that does not fly stands.
+      if (!place && !findings.recording.bees[bee].path) ++unknown;
+      if (!place) continue;
+      places.push_back(*place);
+      bees.push_back(bee);
+    }
+    moments.push_back({now, kInfinity, 0, 0, unknown});
+    const auto pair = engine.find_closest_pair(places);
+    if (!pair || !*pair) continue;
+    moments.back() = {now, (*pair)->distance_m, bees[(*pair)->first], bees[(*pair)->second],
+                      unknown};
+  }
+  return moments;
+}
+
+}  // namespace beespace::analysis

@@ -1,0 +1,60 @@
+// What was found in a recording, put together: whole tracks, their conflicts, and what follows
+// from these for pairs, bees and moments.
+#pragma once
+
+#include "analysis/recorded/coverage.hpp"
+#include "io/recording/recording.hpp"
+
+#include <beespace/find_conflicts.hpp>
+#include <beespace/track.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace beespace::analysis {
+
+struct Findings {
+  const io::Recording& recording;
+  const std::vector<Track>& tracks;
+  const std::vector<Track>& in_space;  // the same; differs where heights are apart from positions
+  const RecordedConflicts& recorded;
+  const std::optional<Conflict>& closest;  // of all encounters, conflict or not
+  const Coverage& coverage;
+  bool has_encounters;  // two bees are there at the same time
+};
+
+// When the first bee appears and the last one vanishes; nothing where there is none.
+std::optional<TimeSpan> time_of(const std::vector<Track>& tracks);
+
+// The pairs in conflict, the closest first: each with all its conflicts together.
+struct PairInConflict {
+  Conflict closest;
+  std::size_t conflicts = 0;
+  double time_s = 0.0;
+};
+std::vector<PairInConflict> pairs_in_conflict(const std::vector<Conflict>& conflicts);
+
+// What a bee was in: its conflicts, how long it was in conflict (with however many at a time), and
+// the one in which it came closest to another bee.
+struct BeeInConflict {
+  std::size_t conflicts = 0;
+  double time_s = 0.0;
+  const Conflict* closest = nullptr;  // one of those given; none: it is in no conflict
+};
+// One for each of `bees`, in their order. `conflicts` must outlive the answer.
+std::vector<BeeInConflict> bees_in_conflict(std::size_t bees,
+                                            const std::vector<Conflict>& conflicts);
+
+// How far apart the closest two are of those that are known, at one moment after the other.
+struct Moment {
+  double time_s;
+  double distance_m;  // infinite where there are fewer than two
+  PointId first;
+  PointId second;
+  std::uint64_t unknown;  // bees
+};
+std::vector<Moment> separation_over_time(const Findings& findings, double every_s);
+
+}  // namespace beespace::analysis

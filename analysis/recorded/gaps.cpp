@@ -1,0 +1,69 @@
+#include "analysis/recorded/gaps.hpp"
+
+#include "io/bytes/number_text.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace beespace::analysis {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+// Of an even number the lower one of the two in the middle. Reorders the numbers, of which there
+// are some.
+double lower_median(std::vector<double>& numbers) {
+  const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>((numbers.size() - 1) / 2);
+  std::nth_element(numbers.begin(), middle, numbers.end());
+  return *middle;
+}
+
+std::optional<double> typical_interval(const io::Recording& recording) {
+  std::vector<double> of_bees;
+  std::vector<double> of_bees_that_can_tell;
+  std::vector<double> intervals;
+  for (const io::RecordedBee& bee : recording.bees) {
+    if (bee.fixes.size() < 2) continue;
+    intervals.clear();
+    for (std::size_t i = 1; i < bee.fixes.size(); ++i) {
+      intervals.push_back(bee.fixes[i].time_s - bee.fixes[i - 1].time_s);
+    }
+    of_bees.push_back(lower_median(intervals));
+    if (bee.fixes.size() >= kFixesToTell) of_bees_that_can_tell.push_back(of_bees.back());
+  }
+  if (!of_bees_that_can_tell.empty()) return lower_median(of_bees_that_can_tell);
+  if (of_bees.empty()) return std::nullopt;
+  return lower_median(of_bees);
+}
+
+double with_three_digits(double value) {
+  char text[40];
+  const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, 2);
+  double rounded = value;
+  std::from_chars(text, end.ptr, rounded);
+  return rounded;
+}
+
+}  // namespace
+
+MaxGap max_gap_of(const io::Recording& recording, const std::optional<double>& asked) {
+  if (asked) return {*asked, std::nullopt, true};
+  const auto typical_s = typical_interval(recording);
+  if (!typical_s) return {kNever, std::nullopt};
+  return {with_three_digits(kGapFactor * *typical_s), with_three_digits(*typical_s)};
+}
+
+std::string max_gap_text(const MaxGap& max_gap) {
+  if (!std::isfinite(max_gap.seconds)) return max_gap.asked ? "never (--max-gap)" : "never";
+  std::string text = io::exact(max_gap.seconds) + " s";
+  if (max_gap.typical_s) {
+    text += ", " + io::exact(kGapFactor) + " times the typical interval of " +
+            io::exact(*max_gap.typical_s) + " s";
+  }
+  return text + " (--max-gap)";
+}
+
+}  // namespace beespace::analysis

@@ -1,0 +1,34 @@
+// Where two fixes of a bee are too far apart in time for a straight line between them: where
+// it was is unknown. One rule for everything that reads a recording.
+//
+// Unless it is said with --max-gap, the data says how far that is: kGapFactor times its typical
+// interval. That is the median of the bees' median intervals; bees of fewer than kFixesToTell fixes
+// have no say where others have more, so that two fixes hours apart do not make hours usual. Of an
+// even number it is the lower one of the two in the middle: a shorter gap leaves more unknown, a
+// longer one may take for known what is not. A show is a plan, and has no gaps.
+#pragma once
+
+#include "io/recording/recording.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace beespace::analysis {
+
+inline constexpr double kGapFactor = 5.0;
+inline constexpr std::size_t kFixesToTell = 4;
+
+struct MaxGap {
+  double seconds;                   // infinite: never
+  std::optional<double> typical_s;  // where it comes from the data
+  bool asked = false;               // by --max-gap
+};
+
+// Of seconds that come from the data three digits count, so that --max-gap can say the same.
+MaxGap max_gap_of(const io::Recording& recording, const std::optional<double>& asked);
+
+// "5 s, 5 times the typical interval of 1 s (--max-gap)".
+std::string max_gap_text(const MaxGap& max_gap);
+
+}  // namespace beespace::analysis

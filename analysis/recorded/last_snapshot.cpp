@@ -1,0 +1,161 @@
+#include "analysis/recorded/last_snapshot.hpp"
+
+#include "analysis/recorded/tracks.hpp"
+#include "io/bytes/number_text.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace beespace::analysis {
+namespace {
+
+// Where a bee was last heard of, and how fast it went.
+struct LastState {
+  Mover mover;
+  double height_m = 0.0;
+  double climb_mps = 0.0;
+  bool estimated = false;  // the velocity is that of the last two fixes
+};
+
+// Of a velocity that is known.
+Result<LastState> given_state(const Fix& fix, const Velocity& v, io::Frame frame, Geometry geometry,
+                              const StatedHeight& stated) {
+  const auto at = in_metres(fix.position, v, frame, geometry, stated);
+  if (!at) return at.error();
+  return LastState{{at->position, *at->velocity}, at->height_m, at->climb_mps};
+}
+
+Result<LastState> last_state(const io::Recording& recording, const io::RecordedBee& bee,
+                             Geometry geometry, double max_age_s) {
+  const io::Frame frame = recording.frame;
+  const Fix& last = bee.fixes.back();
+  const std::size_t index = bee.fixes.size() - 1;
+  if (!bee.velocities.empty() && is_known(bee.velocities.back())) {
+    return given_state(last, bee.velocities.back(), frame, geometry,
+                       stated_height(recording, bee, index));
+  }
+  if (bee.fixes.size() < 2) {
+    return Error{ErrorCode::kMissingColumn,
+                 "there is no velocity, and only one fix to tell it from; give velocities (columns "
+                 "vx, vy, vz; or ve, vn, vu beside degrees)",
+                 {}};
+  }
+  const double lasts = last.time_s - bee.fixes[bee.fixes.size() - 2].time_s;
+  if (lasts > max_age_s) {
+    return Error{ErrorCode::kMissingColumn,
+                 "there is no velocity, and its last two fixes are " + io::exact(lasts) +
+                     " s apart, too far to tell it from; give velocities (columns vx, vy, vz; or "
+                     "ve, vn, vu beside degrees), or raise --max-age",
+                 {}};
+  }
+  const auto before = in_metres(bee.fixes[index - 1].position, std::nullopt, frame, geometry,
+                                stated_height(recording, bee, index - 1));
+  if (!before) return before.error();
+  const auto now =
+      in_metres(last.position, std::nullopt, frame, geometry, stated_height(recording, bee, index));
+  if (!now) return now.error();
+  const Point& p = before->position;
+  const Point& q = now->position;
+  return LastState{
+      {q,
+       {flushed((q.x - p.x) / lasts), flushed((q.y - p.y) / lasts), flushed((q.z - p.z) / lasts)}},
+      now->height_m,
+      flushed((now->height_m - before->height_m) / lasts),
+      true};
+}
+
+void bring_forward(LastState& state, double by_s) {
+  Point& p = state.mover.position;
+  const Velocity& v = state.mover.velocity;
+  p = {flushed(p.x + v.x * by_s), flushed(p.y + v.y * by_s), flushed(p.z + v.z * by_s)};
+  state.height_m = flushed(state.height_m + state.climb_mps * by_s);
+}
+
+// Of the last fix of all. Error: where the input says nothing of the present.
+Result<double> last_time(const io::Recording& recording) {
+  double time_s = -std::numeric_limits<double>::infinity();
+  for (const io::RecordedBee& bee : recording.bees) {
+    if (bee.path) {
+      return of_bee({ErrorCode::kUnsupportedFormat,
+                     "this is a show, which says where drones go; ask 'beespace replay' about it",
+                     {}},
+                    bee);
+    }
+    if (!bee.fixes.empty()) time_s = std::max(time_s, bee.fixes.back().time_s);
+  }
+  return time_s;
+}
+
+}  // namespace
+
+MoversView Snapshot::view() const {
+  if (heights_m.empty()) return movers;
+  const MoversView positions(movers);
+  return {positions.positions(), positions.velocities(), heights_m, climbs_mps};
+}
+
+Snapshot Snapshot::present() const {
+  Snapshot all;
+  all.time_s = time_s;
+  all.movers = movers;
+  all.heights_m = heights_m;
+  all.climbs_mps = climbs_mps;
+  all.bees = bees;
+  for (const Placed& placed : unmoving) {
+    all.movers.push_back({placed.position, {}});
+    all.bees.push_back(placed.bee);
+    if (heights_m.empty()) continue;
+    all.heights_m.push_back(placed.height_m);
+    all.climbs_mps.push_back(0.0);
+  }
+  return all;
+}
+
+Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, double max_age_s,
+                             Wanted wanted) {
+  const auto now = last_time(recording);
+  if (!now) return now.error();
+  Snapshot snapshot;
+  snapshot.time_s = *now;
+  std::optional<Error> no_velocity;
+  for (std::size_t i = 0; i < recording.bees.size(); ++i) {
+    const io::RecordedBee& bee = recording.bees[i];
+    if (bee.fixes.empty()) continue;
+    const double age = *now - bee.fixes.back().time_s;
+    if (age > max_age_s) {
+      ++snapshot.stale;
+      continue;
+    }
+    auto state = wanted == Wanted::kPlaces && age == 0.0
+                     ? given_state(bee.fixes.back(), Velocity{}, recording.frame, geometry,
+                                   stated_height(recording, bee, bee.fixes.size() - 1))
+                     : last_state(recording, bee, geometry, max_age_s);
+    if (!state && state.error().code == ErrorCode::kMissingColumn) {
+      const std::size_t last = bee.fixes.size() - 1;
+      const auto at = in_metres(bee.fixes[last].position, std::nullopt, recording.frame, geometry,
+                                stated_height(recording, bee, last));
+      if (!at) return of_bee(at.error(), bee);
+      snapshot.unmoving.push_back({static_cast<std::uint32_t>(i), at->position, at->height_m});
+      no_velocity = of_bee(std::move(state).error(), bee);
+      continue;
+    }
+    if (!state) return of_bee(std::move(state).error(), bee);
+    if (age > 0.0) {
+      bring_forward(*state, age);
+      ++snapshot.brought_forward;
+      snapshot.oldest_s = std::max(snapshot.oldest_s, age);
+    }
+    if (state->estimated) ++snapshot.estimated;
+    snapshot.movers.push_back(state->mover);
+    snapshot.bees.push_back(static_cast<std::uint32_t>(i));
+    if (geometry == Geometry::kSpace) continue;
+    snapshot.heights_m.push_back(state->height_m);
+    snapshot.climbs_mps.push_back(state->climb_mps);
+  }
+  if (snapshot.movers.empty() && no_velocity) return *std::move(no_velocity);
+  return snapshot;
+}
+
+}  // namespace beespace::analysis

@@ -1,0 +1,50 @@
+// The last instant of a recording: movers at the present moment of a look at aircraft.
+#pragma once
+
+#include "analysis/geometry/geometry.hpp"
+#include "io/recording/recording.hpp"
+
+#include <beespace/mover.hpp>
+#include <beespace/result.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace beespace::analysis {
+
+// All bees at one instant, the last that the recording knows of. A bee that was last heard of
+// before is brought there in a straight line; or left out when that is more than max_age_s ago.
+struct Snapshot {
+  std::vector<Mover> movers;
+  std::vector<double> heights_m;  // empty, or of each mover, kept apart from its position: in the
+                                  // unit that the geometry compares, as climb rates are
+  std::vector<double> climbs_mps;
+  std::vector<std::uint32_t> bees;  // whose each mover is: ascending places in the recording
+  double time_s = 0.0;
+  std::uint64_t brought_forward = 0;
+  double oldest_s = 0.0;    // of those: how far
+  std::uint64_t stale = 0;  // left out
+  // Of these neither a velocity nor two fixes, max_age_s apart at most, tell how fast they go: they
+  // are no movers, and known only where they were last heard of.
+  struct Placed {
+    std::uint32_t bee = 0;
+    Point position = {};
+    double height_m = 0.0;  // apart, as above
+  };
+  std::vector<Placed> unmoving;
+  std::uint64_t estimated = 0;  // velocities that come from the last two fixes
+
+  [[nodiscard]] MoversView view() const;
+  // The movers, and behind them the unmoving ones where they were last heard of: the present moment
+  // as far as it is known, of which a search must not look ahead.
+  [[nodiscard]] Snapshot present() const;
+};
+
+// Whether velocities matter of bees that need not be brought there.
+enum class Wanted : std::uint8_t { kMotion, kPlaces };
+
+// Errors: kMissingColumn where no bee has a velocity that is wanted, or two fixes to tell it from.
+Result<Snapshot> snapshot_of(const io::Recording& recording, Geometry geometry, double max_age_s,
+                             Wanted wanted);
+
+}  // namespace beespace::analysis

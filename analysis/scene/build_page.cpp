@@ -1,0 +1,63 @@
+#include "analysis/scene/build_page.hpp"
+
+#include "report/recording_json.hpp"
+#include "report/snapshot_json.hpp"
+
+#include <utility>
+#include <variant>
+
+namespace beespace::analysis {
+namespace {
+
+Error refused(std::string message) {
+  return {ErrorCode::kInvalidArgument, std::move(message), {}};
+}
+
+std::string json_of(const Scene& scene, report::Columns& columns) {
+  if (const auto* snapshot = std::get_if<report::SnapshotFacts>(&scene)) {
+    return report::snapshot_json(*snapshot, columns);
+  }
+  return report::recording_json(std::get<report::RecordingFacts>(scene), columns);
+}
+
+// Two that are compared are two of a kind, in the same frame.
+Status check_alike(const Scene& one, const Scene& other) {
+  const report::SwarmFacts& first = swarm_of(one);
+  const report::SwarmFacts& second = swarm_of(other);
+  const auto differ = [&](const std::string& what) {
+    return refused("'" + first.title + "' and '" + second.title + "' cannot be compared: one is " +
+                   what);
+  };
+  if (one.index() != other.index()) return differ("a snapshot, the other a recording");
+  if (first.origin.has_value() != second.origin.has_value()) {
+    return differ("in degrees, the other in metres");
+  }
+  return std::monostate{};
+}
+
+}  // namespace
+
+Status check_has_page() {
+  if (!report::page_template().empty()) return std::monostate{};
+  return refused(
+      "this build has no page in it; build beespace with Node.js and npm, and without "
+      "-DBEESPACE_WEB=OFF");
+}
+
+Result<Page> build_page(const std::vector<Scene>& scenes) {
+  if (Status has = check_has_page(); !has) return std::move(has).error();
+  if (scenes.empty() || scenes.size() > 2)
+    return refused("a page shows one scene, or compares two");
+  if (scenes.size() == 2) {
+    if (Status alike = check_alike(scenes[0], scenes[1]); !alike) return std::move(alike).error();
+  }
+  Page page;
+  for (const Scene& scene : scenes) page.swarms.push_back(json_of(scene, page.columns));
+  return page;
+}
+
+void write_page(const Page& page, const report::PageSink& sink) {
+  report::write_page(report::page_template(), page.swarms, page.columns, sink);
+}
+
+}  // namespace beespace::analysis

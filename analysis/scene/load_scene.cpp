@@ -1,0 +1,219 @@
+#include "analysis/scene/load_scene.hpp"
+
+#include "analysis/scene/recording_facts.hpp"
+#include "analysis/scene/snapshot_facts.hpp"
+#include "analysis/snapshot/recording_check.hpp"
+#include "io/bytes/byte_source.hpp"
+#include "io/load_points.hpp"
+#include "io/load_recording.hpp"
+#include "io/points/loaded_points.hpp"
+#include "io/table/column_names.hpp"
+#include "io/table/fields.hpp"
+#include "io/tracks/track_columns.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace beespace::analysis {
+namespace {
+
+using Loaded = std::variant<io::LoadedPoints, io::Recording>;
+
+bool has_time_column(std::string_view header) {
+  constexpr std::size_t kLongest = 10'000;
+  if (header.size() > kLongest) return false;
+  for (const char delimiter : {',', ';', '\t'}) {
+    io::FieldCursor cursor(header, delimiter);
+    io::Field name;
+    while (cursor.next(name)) {
+      if (io::read_column_name(io::track_columns(), io::unquoted(name)).role == io::Role::kTime)
+        return true;
+    }
+  }
+  return false;
+}
+
+// Whether it is standard input, a pipe, or the like.
+bool can_be_read_once(const std::string& path) {
+  std::error_code unknown;
+  return path == "-" || std::filesystem::is_other(path, unknown);
+}
+
+// Where the bytes come from: files by their names; what can be read once, kept.
+class Inputs {
+ public:
+  static Result<Inputs> open(const std::vector<std::string>& paths, io::Progress* progress) {
+    Inputs inputs;
+    inputs.paths_ = paths;
+    if (paths.size() != 1 || !can_be_read_once(paths.front())) return inputs;
+    auto bytes = io::open_bytes(paths.front(), progress);
+    if (!bytes) return std::move(bytes).error();
+    inputs.kept_ = *std::move(bytes);
+    return inputs;
+  }
+
+  [[nodiscard]] bool may_be_a_snapshot() const {
+    std::error_code unknown;
+    return paths_.size() == 1 && !std::filesystem::is_directory(paths_.front(), unknown);
+  }
+  // Whether the first line of a table names a time: then it is most likely a recording, and need
+  // not be read twice.
+  [[nodiscard]] bool names_a_time() const {
+    const auto bytes = kept_ ? Result<io::Bytes>(*kept_) : io::open_bytes(first(), nullptr);
+    return bytes && has_time_column(bytes->view.substr(0, bytes->view.find('\n')));
+  }
+  [[nodiscard]] const std::string& first() const { return paths_.front(); }
+
+  [[nodiscard]] Result<io::LoadedPoints> load_points(const io::LoadOptions& options) const {
+    return kept_ ? io::load_points_from_memory(kept_->view, io::source_name(first()), options)
+                 : io::load_points(paths_.front(), options);
+  }
+  [[nodiscard]] Result<io::Recording> load_recording(const io::RecordingOptions& options) const {
+    return kept_ ? io::load_recording_from_memory(kept_->view, io::source_name(first()), options)
+                 : io::load_recording(paths_, options);
+  }
+
+ private:
+  std::vector<std::string> paths_;
+  std::optional<io::Bytes> kept_;
+};
+
+io::LoadOptions options_for_points(const SceneRequest& request, io::Progress* progress) {
+  io::LoadOptions options;
+  options.frame = request.load.frame;
+  options.columns = request.load.columns;
+  options.units = request.load.units;
+  options.heights = request.load.heights;
+  options.skip_bad = request.load.skip_bad;
+  options.threads = request.threads;
+  options.progress = progress;
+  return options;
+}
+
+// Of what can be read neither way: what is wrong with the way that fits better. Of what is no text
+// the reader of snapshots knows more.
+Error better_of(Error as_snapshot, Error as_recording) {
+  const bool is_other = as_snapshot.code == ErrorCode::kUnsupportedFormat &&
+                        !as_recording.message.starts_with("this is no text");
+  return is_other ? std::move(as_recording) : std::move(as_snapshot);
+}
+
+// Of several files of which one is a snapshot: that is no recording for the lack of a column, but
+// meant as something else.
+Error or_snapshots(Error error, const SceneRequest& request, io::Progress* progress) {
+  const std::string path = error.place.source;
+  if (error.code != ErrorCode::kMissingColumn) return error;
+  const auto points = io::load_points(path, options_for_points(request, progress));
+  if (!points || has_time_column(io::header_line(*points))) return error;
+  Error explained{ErrorCode::kMissingColumn,
+                  "there are no times in this snapshot, and several files are read as one "
+                  "recording; name one file, or set two beside each other: beespace report FILE "
+                  "--compare FILE",
+                  {}};
+  explained.place.source = path;
+  return explained;
+}
+
+bool is_at_one_time(const io::Recording& recording) {
+  std::optional<double> time_s;
+  return std::all_of(recording.bees.begin(), recording.bees.end(), [&](const io::RecordedBee& bee) {
+    return !bee.path && std::all_of(bee.fixes.begin(), bee.fixes.end(), [&](const Fix& fix) {
+      if (!time_s) time_s = fix.time_s;
+      return fix.time_s == *time_s;
+    });
+  });
+}
+
+// Whether all bees are at one time, or it is a look at aircraft, each last heard of at a time of
+// its own. A table with several times is no such look: it says where all were when.
+bool is_a_snapshot(const io::Recording& recording) {
+  if (recording.format_description.starts_with("text") && !is_at_one_time(recording)) return false;
+  return std::all_of(recording.bees.begin(), recording.bees.end(),
+                     [](const io::RecordedBee& bee) { return !bee.path && bee.fixes.size() <= 1; });
+}
+
+Result<Loaded> load(const Inputs& inputs, const SceneRequest& request, io::Progress* progress) {
+  io::RecordingOptions options = request.load;
+  options.progress = progress;
+  if (inputs.may_be_a_snapshot() && inputs.names_a_time()) {
+    auto recording = inputs.load_recording(options);
+    if (recording && !is_at_one_time(*recording)) return Loaded(*std::move(recording));
+  }
+  std::optional<Error> no_snapshot;
+  if (inputs.may_be_a_snapshot()) {
+    auto points = inputs.load_points(options_for_points(request, progress));
+    if (points && !has_several_times(*points)) return Loaded(*std::move(points));
+    if (!points && !is_about_data(points.error().code)) {
+      return std::move(points).error();
+    }
+    if (!points) no_snapshot = std::move(points).error();
+  }
+  auto recording = inputs.load_recording(options);
+  if (recording) return Loaded(*std::move(recording));
+  if (!inputs.may_be_a_snapshot()) {
+    return or_snapshots(std::move(recording).error(), request, progress);
+  }
+  if (!no_snapshot) return std::move(recording).error();
+  return better_of(*std::move(no_snapshot), std::move(recording).error());
+}
+
+std::string title_of(const std::vector<std::string>& inputs) {
+  if (inputs.size() == 1 && inputs.front() == "-") return "standard input";
+  std::filesystem::path path(inputs.front());
+  if (!path.has_filename()) path = path.parent_path();  // of a folder, "flight/"
+  std::string title = path.filename().string();
+  if (inputs.size() > 1) title += " and " + std::to_string(inputs.size() - 1) + " more";
+  return title;
+}
+
+template <class Facts>
+Result<Scene> scene_from(Result<Facts> facts) {
+  if (!facts) return std::move(facts).error();
+  return Scene(*std::move(facts));
+}
+
+Result<Scene> scene_of(const Loaded& loaded, const std::string& title,
+                       const SceneRequest& request) {
+  if (const auto* points = std::get_if<io::LoadedPoints>(&loaded)) {
+    return scene_from(snapshot_facts(*points, title, request));
+  }
+  const auto& recording = std::get<io::Recording>(loaded);
+  return is_a_snapshot(recording) ? scene_from(snapshot_facts(recording, title, request))
+                                  : scene_from(recording_facts(recording, title, request));
+}
+
+}  // namespace
+
+Result<Scene> load_scene(const std::vector<std::string>& inputs, const SceneRequest& request,
+                         const SceneProgress& progress) {
+  const auto enter = [&progress](SceneStage stage) {
+    if (progress.entered) progress.entered(stage);
+  };
+  enter(SceneStage::kReading);
+  const auto opened = Inputs::open(inputs, progress.reading);
+  if (!opened) return opened.error();
+  const auto loaded = load(*opened, request, progress.reading);
+  if (!loaded) return loaded.error();
+  enter(SceneStage::kSearching);
+  return scene_of(*loaded, title_of(inputs), request);
+}
+
+Result<std::vector<Scene>> load_scenes(const std::vector<std::vector<std::string>>& inputs,
+                                       const SceneRequest& request, const SceneProgress& progress) {
+  std::vector<Scene> scenes;
+  SceneRequest like_the_first = request;
+  for (const auto& files : inputs) {
+    auto scene = load_scene(files, like_the_first, progress);
+    if (!scene) return std::move(scene).error();
+    like_the_first.origin = swarm_of(*scene).origin;
+    scenes.push_back(*std::move(scene));
+  }
+  return scenes;
+}
+
+}  // namespace beespace::analysis

@@ -1,0 +1,211 @@
+#include "analysis/scene/recording_facts.hpp"
+
+#include "analysis/recorded/coverage.hpp"
+#include "analysis/recorded/findings.hpp"
+#include "analysis/recorded/tracks.hpp"
+#include "analysis/snapshot/worst_pairs.hpp"
+#include "analysis/text/bee_name.hpp"
+#include "analysis/text/unit_notes.hpp"
+#include "io/bytes/number_text.hpp"
+#include "report/local_axes.hpp"
+
+#include <beespace/find_conflicts.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace beespace::analysis {
+namespace {
+
+report::Names names_of(const io::Recording& recording) {
+  report::Names names;
+  for (const io::RecordedBee& bee : recording.bees) {
+    names.texts.push_back(text_of({bee.id, bee.label}));
+  }
+  return names;
+}
+
+// When each bee is in conflict with another, stretches that touch put together.
+std::vector<report::AtRisk> at_risk_in(const std::vector<Conflict>& conflicts) {
+  std::vector<report::AtRisk> all;
+  for (const Conflict& conflict : conflicts) {
+    for (const PointId bee : {conflict.first, conflict.second}) {
+      all.push_back({bee, {conflict.begins_s, conflict.ends_s}});
+    }
+  }
+  std::sort(all.begin(), all.end(), [](const report::AtRisk& a, const report::AtRisk& b) {
+    return a.bee != b.bee ? a.bee < b.bee : a.span.begins_s < b.span.begins_s;
+  });
+  std::vector<report::AtRisk> merged;
+  for (const report::AtRisk& next : all) {
+    if (!merged.empty() && merged.back().bee == next.bee &&
+        next.span.begins_s <= merged.back().span.ends_s) {
+      double& ends_s = merged.back().span.ends_s;
+      ends_s = std::max(ends_s, next.span.ends_s);
+    } else {
+      merged.push_back(next);
+    }
+  }
+  return merged;
+}
+
+// Whether each bee has one fix, at a time of its own.
+bool are_all_there_for_a_moment(const std::vector<Track>& tracks) {
+  const auto time = time_of(tracks);
+  return time && time->begins_s < time->ends_s &&
+         std::all_of(tracks.begin(), tracks.end(),
+                     [](const Track& track) { return track.fixes.size() <= 1; });
+}
+
+void take_conflicts(std::vector<Conflict> conflicts, report::RecordingFacts& facts) {
+  facts.conflict_count = conflicts.size();
+  facts.possible_count = static_cast<std::uint64_t>(
+      std::count_if(conflicts.begin(), conflicts.end(),
+                    [](const Conflict& conflict) { return !conflict.certain; }));
+  facts.pair_count = pairs_in_conflict(conflicts).size();
+  facts.at_risk = at_risk_in(conflicts);
+  std::stable_sort(conflicts.begin(), conflicts.end(),
+                   [](const Conflict& a, const Conflict& b) { return a.closest_m < b.closest_m; });
+  if (conflicts.size() > kAllPairs) {
+    conflicts.resize(kWorstPairs);
+    facts.swarm.notes.push_back(
+        "of " + io::grouped(facts.conflict_count) + " conflicts, the closest " +
+        io::grouped(conflicts.size()) +
+        " are kept; how many there are, and who is at risk when, is of all");
+  }
+  facts.conflicts = std::move(conflicts);
+}
+
+// At some hundred moments, and where the closest encounter was. Those in conflict need not be the
+// closest two of their moment where heights are compared apart.
+std::vector<report::Separation> separation_of(const Findings& findings, bool vertical) {
+  constexpr double kMoments = 600.0;
+  std::vector<report::Separation> separation;
+  const auto time = time_of(findings.tracks);
+  if (!time) return separation;
+  const double lasts_s = time->ends_s - time->begins_s;
+  const double every_s = lasts_s > 0.0 ? lasts_s / kMoments : 1.0;
+  for (const Moment& moment : separation_over_time(findings, every_s)) {
+    if (!std::isfinite(moment.distance_m)) continue;
+    const auto [first, second] = std::minmax(moment.first, moment.second);
+    separation.push_back({moment.time_s, {first, second, moment.distance_m}});
+  }
+  if (findings.closest && (!vertical || findings.recorded.conflicts.empty())) {
+    const Conflict& closest = *findings.closest;
+    const auto after = std::upper_bound(
+        separation.begin(), separation.end(), closest.closest_s,
+        [](double time_s, const report::Separation& at) { return time_s < at.time_s; });
+    separation.insert(after,
+                      {closest.closest_s, {closest.first, closest.second, closest.closest_m}});
+  }
+  return separation;
+}
+
+// The closest of the conflicts; of all encounters where there is none.
+Result<std::optional<Conflict>> closest_of(const RecordedConflicts& recorded,
+                                           const std::vector<Track>& in_space, double max_gap_s,
+                                           const SceneRequest& request) {
+  const auto& conflicts = recorded.conflicts;
+  if (conflicts.empty()) {
+    return find_closest_encounter(in_space, max_gap_s, request.threads);
+  }
+  return std::optional(*std::min_element(
+      conflicts.begin(), conflicts.end(),
+      [](const Conflict& a, const Conflict& b) { return a.closest_m < b.closest_m; }));
+}
+
+std::vector<Track> to_look_at(std::vector<Track> tracks, io::Frame frame,
+                              report::SwarmFacts& swarm) {
+  if (frame != io::Frame::kWgs84) {
+    swarm.origin.reset();
+    return tracks;
+  }
+  std::vector<Point> places;
+  for (const Track& track : tracks) {
+    for (const Fix& fix : track.fixes) places.push_back(fix.position);
+  }
+  const report::LocalPlaces local = report::around_middle(places, swarm.origin);
+  swarm.origin = local.origin;
+  auto next = local.places.begin();
+  for (Track& track : tracks) {
+    for (Fix& fix : track.fixes) fix.position = *next++;
+  }
+  return tracks;
+}
+
+}  // namespace
+
+Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
+                                               const std::string& title,
+                                               const SceneRequest& request) {
+  const Geometry geometry = geometry_for(recording, request.vertical);
+  auto in_space = tracks_of(recording, Geometry::kSpace, request.tolerance_m);
+  if (!in_space) return std::move(in_space).error();
+  std::vector<Track> on_ground;
+  if (heights_apart(geometry)) {
+    auto found = tracks_of(recording, geometry, request.tolerance_m);
+    if (!found) return std::move(found).error();
+    on_ground = *std::move(found);
+  }
+  const std::vector<Track>& tracks = heights_apart(geometry) ? on_ground : *in_space;
+
+  report::RecordingFacts facts;
+  report::SwarmFacts& swarm = facts.swarm;
+  swarm.title = title;
+  swarm.origin = request.origin;
+  swarm.source = recording.format_description;
+  swarm.threshold_m =
+      request.threshold_m.value_or(recording.declared_threshold_m.value_or(kDefaultThreshold_m));
+  swarm.vertical_m = request.vertical_m();
+  swarm.inclusive = request.inclusive;
+  swarm.names = names_of(recording);
+  note_units(recording.units, request.vertical, recording.height_unit, swarm.notes);
+  swarm.notes.insert(swarm.notes.end(), recording.notes.begin(), recording.notes.end());
+  if (recording.skipped_count > 0) {
+    swarm.notes.push_back("bad records left out: " + io::grouped(recording.skipped_count));
+  }
+  facts.since_1970 = recording.since_1970;
+  if (are_all_there_for_a_moment(*in_space)) {
+    swarm.notes.emplace_back(
+        "each bee is there for a moment only, as it has one fix; to compare them as if they were "
+        "there at once, leave the time out");
+  }
+
+  const MaxGap max_gap = max_gap_of(recording, request.max_gap_s);
+  auto recorded =
+      find_conflicts(tracks, {.threshold_m = swarm.threshold_m,
+                              .vertical_m = vertical_in(geometry, request.vertical),
+                              .inclusive = request.inclusive,
+                              .max_gap_s = max_gap.seconds,
+                              .threads = request.threads,
+                              .height_unit_m = height_unit_m(geometry, recording.height_unit)});
+  if (!recorded) return std::move(recorded).error();
+  const auto closest = closest_of(*recorded, *in_space, max_gap.seconds, request);
+  if (!closest) return closest.error();
+  facts.closest = *closest;
+  facts.gaps = recorded->gaps;
+  const Coverage coverage = coverage_of(recording, facts.gaps, max_gap);
+  facts.separation = separation_of(
+      {recording, tracks, *in_space, *recorded, *closest, coverage, closest->has_value()},
+      request.vertical.has_value());
+  facts.unknown = unknown_text(coverage);
+  facts.hidden = coverage.may_hide_conflicts();
+  if (!coverage.complete()) {
+    swarm.notes.push_back("what is said of conflicts is of the known time: " + facts.unknown);
+  }
+  if (!facts.gaps.empty()) {
+    swarm.notes.push_back(
+        "bees are unknown between two fixes that are farther apart in time than " +
+        max_gap_text(max_gap) +
+        "; the longest such gap: " + gap_text(coverage.longest.front(), recording));
+  }
+  take_conflicts(std::move(recorded->conflicts), facts);
+  facts.tracks = to_look_at(*std::move(in_space), recording.frame, swarm);
+  return facts;
+}
+
+}  // namespace beespace::analysis

@@ -1,0 +1,33 @@
+// What pages, pictures and map files are asked for: the separation that counts, and how to read.
+#pragma once
+
+#include "io/recording/recording_options.hpp"
+#include "io/units/stated_length.hpp"
+
+#include <beespace/geodesy.hpp>
+
+#include <optional>
+
+namespace beespace::analysis {
+
+// Where neither the caller nor the input says what is too close.
+inline constexpr double kDefaultThreshold_m = 100.0;
+
+struct SceneRequest {
+  io::RecordingOptions load = {};
+  std::optional<double> threshold_m = {};  // absent: what the input declares, or the default
+  // In the unit in which it is stated, so that heights in that unit can be compared as they stand.
+  std::optional<io::StatedLength> vertical = {};
+  bool inclusive = false;
+  std::optional<double> max_gap_s = {};  // absent: from the data
+  double tolerance_m = 0.001;            // of curves that become straight lines
+  unsigned threads = 0;                  // 0: all
+  // Where east, north and up of geographic positions are 0; otherwise below the middle of all.
+  std::optional<GeographicPosition> origin = {};
+
+  [[nodiscard]] std::optional<double> vertical_m() const {
+    return vertical ? std::optional(vertical->metric) : std::nullopt;
+  }
+};
+
+}  // namespace beespace::analysis

@@ -1,0 +1,236 @@
+#include "analysis/scene/snapshot_facts.hpp"
+
+#include "analysis/geometry/ground_places.hpp"
+#include "analysis/recorded/coverage.hpp"
+#include "analysis/recorded/last_snapshot.hpp"
+#include "analysis/snapshot/closest_in_conflict.hpp"
+#include "analysis/snapshot/shown_ids.hpp"
+#include "analysis/snapshot/worst_pairs.hpp"
+#include "analysis/text/bee_name.hpp"
+#include "analysis/text/unit_notes.hpp"
+#include "io/bytes/number_text.hpp"
+#include "report/local_axes.hpp"
+
+#include <beespace/engine.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace beespace::analysis {
+namespace {
+
+// A bee that was last heard of longer ago than that before the others is not shown: as `predict`
+// has it.
+constexpr double kMaxAge_s = 30.0;
+
+// Of more bees only those have their own ids whose pairs are shown.
+constexpr std::size_t kMostNames = 200'000;
+
+report::Names names_of(const io::LoadedPoints& loaded, const std::vector<Pair>& pairs) {
+  report::Names names;
+  std::vector<PointId> bees(loaded.points.size());
+  std::iota(bees.begin(), bees.end(), PointId{0});
+  const bool all = bees.size() <= kMostNames;
+  if (!all) {
+    bees.clear();
+    for (const Pair& pair : pairs) bees.insert(bees.end(), {pair.first, pair.second});
+    std::sort(bees.begin(), bees.end());
+    bees.erase(std::unique(bees.begin(), bees.end()), bees.end());
+  }
+  const ShownIds ids(loaded, bees);
+  if (ids.are_point_numbers()) return names;
+  for (const PointId bee : bees) names.texts.push_back(ids.text(bee));
+  if (!all) names.bees = std::move(bees);
+  return names;
+}
+
+// Of what is read from either kind of input, and what it is called.
+report::SnapshotFacts begun(const std::string& title, const SceneRequest& request) {
+  report::SnapshotFacts facts;
+  facts.swarm.title = title;
+  facts.swarm.origin = request.origin;
+  facts.swarm.threshold_m = request.threshold_m.value_or(kDefaultThreshold_m);
+  facts.swarm.vertical_m = request.vertical_m();
+  facts.swarm.inclusive = request.inclusive;
+  return facts;
+}
+
+// In a sphere the bee nearest to one at risk is in conflict with it.
+Status find_closest_in_conflict(Engine& engine, const std::vector<Point>& places,
+                                const std::vector<Point>& points, const SearchOptions& options,
+                                report::SnapshotFacts& facts) {
+  if (!options.vertical_m) {
+    for (const PointId bee : facts.at_risk) {
+      facts.closest_in_conflict.push_back(facts.nearest[bee]);
+    }
+    return std::monostate{};
+  }
+  auto closest = closest_in_conflict(engine, places, points, options, facts.at_risk);
+  if (!closest) return std::move(closest).error();
+  facts.closest_in_conflict = *std::move(closest);
+  return std::monostate{};
+}
+
+Status find_closest_pair(Engine& engine, const std::vector<Point>& points, unsigned threads,
+                         report::SnapshotFacts& facts) {
+  if (facts.swarm.vertical_m && !facts.pairs.empty()) {
+    const Pair& pair = facts.pairs.front();
+    facts.closest = ClosestPair{pair.first, pair.second, facts.distances_m.front()};
+    return std::monostate{};
+  }
+  auto closest = engine.find_closest_pair(points, threads);
+  if (!closest) return std::move(closest).error();
+  facts.closest = *closest;
+  return std::monostate{};
+}
+
+// Asks the engine.
+Status search(const std::vector<Point>& points, const GroundPlaces& apart, unsigned threads,
+              report::SnapshotFacts& facts) {
+  SearchOptions options;
+  options.threshold_m = facts.swarm.threshold_m;
+  options.vertical_m = apart.vertical_m;
+  options.inclusive = facts.swarm.inclusive;
+  options.threads = threads;
+  options.heights_m = apart.heights_m;
+  const std::vector<Point>& places = apart.ground.empty() ? points : apart.ground;
+  Engine engine;
+  Status found = engine.find_at_risk(places, options, facts.at_risk);
+  IdRows groups;
+  if (found) found = engine.find_conflict_groups(places, options, groups);
+  if (found) found = engine.find_nearest(points, facts.nearest, threads);
+  if (found) found = find_closest_in_conflict(engine, places, points, options, facts);
+  if (!found) return found;
+  facts.group_count = groups.size();
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    facts.largest_group = std::max<std::uint64_t>(facts.largest_group, groups[i].size());
+  }
+  auto worst = worst_pairs(engine, places, points, options);
+  if (!worst) return std::move(worst).error();
+  facts.pair_count = worst->count;
+  facts.pairs = std::move(worst->pairs);
+  facts.distances_m = std::move(worst->distances_m);
+  if (facts.pairs.size() < facts.pair_count) {
+    facts.swarm.notes.push_back("of " + io::grouped(facts.pair_count) + " pairs, the closest " +
+                                io::grouped(facts.pairs.size()) + " are kept");
+  }
+  return find_closest_pair(engine, points, threads, facts);
+}
+
+void place(const std::vector<Point>& points, io::Frame frame, report::SnapshotFacts& facts) {
+  if (frame != io::Frame::kWgs84) {
+    facts.swarm.origin.reset();
+    facts.positions = points;
+    return;
+  }
+  report::LocalPlaces local = report::around_middle(points, facts.swarm.origin);
+  facts.swarm.origin = local.origin;
+  facts.positions = std::move(local.places);
+}
+
+void note_skipped(std::uint64_t count, std::vector<std::string>& notes) {
+  if (count > 0) notes.push_back("bad records left out: " + io::grouped(count));
+}
+
+// What the search did not see.
+std::string unknown_text(const Snapshot& snapshot, const io::Recording& recording) {
+  std::string text;
+  if (const std::uint64_t unseen = snapshot.stale + snapshot.unmoving.size(); unseen > 0) {
+    text = io::grouped(unseen) + (unseen == 1 ? " bee is" : " bees are") + " left out";
+  }
+  const std::string missing = missing_text(recording.missing);
+  if (!text.empty() && !missing.empty()) text += ", ";
+  return text + missing;
+}
+
+void note_unknown(const std::string& unknown, std::vector<std::string>& notes) {
+  if (!unknown.empty()) notes.push_back("what is said is of those that are known: " + unknown);
+}
+
+// What `predict` says of bees that are not where they were last seen.
+void note_ages(const Snapshot& snapshot, std::vector<std::string>& notes) {
+  if (snapshot.brought_forward > 0) {
+    notes.push_back(io::grouped(snapshot.brought_forward) +
+                    " last heard of before the time shown were brought forward, by up to " +
+                    io::grouped(snapshot.oldest_s, 2) + " s");
+  }
+  if (snapshot.stale > 0) {
+    notes.push_back(io::grouped(snapshot.stale) + " left out: not heard of for " +
+                    io::exact(kMaxAge_s) + " s");
+  }
+  if (!snapshot.unmoving.empty()) {
+    notes.push_back(io::grouped(snapshot.unmoving.size()) +
+                    " left out: neither a velocity nor two fixes tell how fast they go");
+  }
+}
+
+}  // namespace
+
+Result<report::SnapshotFacts> snapshot_facts(const io::LoadedPoints& loaded,
+                                             const std::string& title,
+                                             const SceneRequest& request) {
+  report::SnapshotFacts facts = begun(title, request);
+  report::SwarmFacts& swarm = facts.swarm;
+  swarm.source = loaded.format_description;
+  note_units(loaded.units, request.vertical, loaded.height_unit, swarm.notes);
+  swarm.notes.insert(swarm.notes.end(), loaded.notes.begin(), loaded.notes.end());
+  if (const io::RepeatedIds repeated = io::find_repeated_ids(loaded); repeated.count > 0) {
+    swarm.notes.push_back(text_of(repeated));
+  }
+  note_skipped(loaded.skipped_count, swarm.notes);
+  io::MissingRecords missing;
+  missing.count = loaded.skipped_count;
+  facts.unknown = missing_text(missing);
+  note_unknown(facts.unknown, swarm.notes);
+  const GroundPlaces apart = ground_places(loaded, request.vertical, loaded.height_unit);
+  const Status found = search(loaded.points, apart, request.threads, facts);
+  if (!found) return found.error();
+  swarm.names = names_of(loaded, facts.pairs);
+  if (!swarm.names.bees.empty()) {
+    swarm.notes.emplace_back(
+        "only bees whose pairs are shown have their own ids; of the others, the number of the "
+        "data row is shown");
+  }
+  place(loaded.points, loaded.frame, facts);
+  return facts;
+}
+
+Result<report::SnapshotFacts> snapshot_facts(const io::Recording& recording,
+                                             const std::string& title,
+                                             const SceneRequest& request) {
+  report::SnapshotFacts facts = begun(title, request);
+  report::SwarmFacts& swarm = facts.swarm;
+  swarm.source = recording.format_description;
+  note_units(recording.units, request.vertical, recording.height_unit, swarm.notes);
+  swarm.notes.insert(swarm.notes.end(), recording.notes.begin(), recording.notes.end());
+  note_skipped(recording.skipped_count, swarm.notes);
+  const auto snapshot = snapshot_of(recording, Geometry::kSpace, kMaxAge_s, Wanted::kPlaces);
+  if (!snapshot) return snapshot.error();
+  note_ages(*snapshot, swarm.notes);
+  facts.unknown = unknown_text(*snapshot, recording);
+  note_unknown(facts.unknown, swarm.notes);
+  std::vector<Point> points;
+  for (const Mover& mover : snapshot->movers) points.push_back(mover.position);
+  GroundPlaces apart;
+  const Geometry geometry = geometry_for(recording, request.vertical);
+  apart.vertical_m = vertical_in(geometry, request.vertical);
+  if (heights_apart(geometry)) {
+    auto on_ground = snapshot_of(recording, geometry, kMaxAge_s, Wanted::kPlaces);
+    if (!on_ground) return on_ground.error();
+    for (const Mover& mover : on_ground->movers) apart.ground.push_back(mover.position);
+    apart.heights_m = std::move(on_ground->heights_m);
+  }
+  const Status found = search(points, apart, request.threads, facts);
+  if (!found) return found.error();
+  for (const std::uint32_t bee : snapshot->bees) {
+    swarm.names.texts.push_back(text_of(name_of(bee, recording)));
+  }
+  place(points, recording.frame, facts);
+  return facts;
+}
+
+}  // namespace beespace::analysis

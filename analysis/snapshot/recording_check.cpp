@@ -1,0 +1,143 @@
+#include "analysis/snapshot/recording_check.hpp"
+
+#include "io/bytes/number_text.hpp"
+#include "io/load_recording.hpp"
+#include "io/points/record_reading.hpp"
+#include "io/problems/excerpt.hpp"
+#include "io/table/column_names.hpp"
+#include "io/table/fields.hpp"
+#include "io/tracks/track_columns.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <numeric>
+#include <system_error>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace beespace::analysis {
+namespace {
+
+std::optional<std::size_t> find_column(const io::LoadedPoints& loaded, io::Role role) {
+  io::FieldCursor cursor(io::header_line(loaded), io::delimiter(loaded));
+  io::Field name;
+  for (std::size_t column = 0; cursor.next(name); ++column) {
+    if (io::read_column_name(io::track_columns(), io::unquoted(name)).role == role) return column;
+  }
+  return std::nullopt;
+}
+
+bool is_same_time(const std::string& a, const std::string& b) {
+  if (a == b) return true;
+  const auto first = io::parse_number(a);
+  return first && first == io::parse_number(b);  // "1" and "1.0"
+}
+
+// Takes records, and keeps the first that has a bee at a second time.
+class SecondTimes {
+ public:
+  explicit SecondTimes(std::size_t bees) { first_times_.reserve(bees); }
+
+  void add(const std::string& id, const std::string& time) {
+    if (problem_ || id.empty() || time.empty()) return;
+    const auto& [known, is_new] = first_times_.try_emplace(id, time);
+    if (is_new || is_same_time(known->second, time)) return;
+    problem_ = "this is a recording: bee " + io::excerpt(id) + " is in it at more than one time (" +
+               io::excerpt(known->second) + " and " + io::excerpt(time) +
+               "); ask 'beespace replay' about it, or leave one time in it";
+  }
+
+  [[nodiscard]] const std::optional<std::string>& problem() const { return problem_; }
+
+ private:
+  std::unordered_map<std::string, std::string> first_times_;
+  std::optional<std::string> problem_;
+};
+
+Error blamed_on(const std::string& path, std::string message) {
+  Error error{ErrorCode::kUnsupportedFormat, std::move(message), {}};
+  error.place.source = path == "-" ? "<stdin>" : path;
+  return error;
+}
+
+}  // namespace
+
+bool is_about_data(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::kInvalidThreshold:
+    case ErrorCode::kInvalidArgument:
+    case ErrorCode::kCannotOpen:
+    case ErrorCode::kReadFailed:
+    case ErrorCode::kWriteFailed:
+      return false;
+    default:
+      return true;
+  }
+}
+
+std::optional<Error> recording_problem(const io::LoadedPoints& loaded, const std::string& path) {
+  const auto time = find_column(loaded, io::Role::kTime);
+  if (!time) return std::nullopt;
+  // "drone" names no column of ids to a snapshot.
+  const bool own_ids = io::has_id_column(loaded);
+  const auto id = find_column(loaded, io::Role::kId);
+  if (!own_ids && !id) return std::nullopt;
+  const char delimiter = io::delimiter(loaded);
+  const auto field = [delimiter](const io::Record& record, std::size_t column) {
+    return io::unquoted(io::field_at(record.text, delimiter, column));
+  };
+  std::vector<PointId> all(loaded.points.size());
+  std::iota(all.begin(), all.end(), PointId{0});
+  SecondTimes times(all.size());
+  io::for_each_record(loaded, all, [&](const io::Record& record) {
+    times.add(own_ids ? std::string(record.id) : field(record, *id), field(record, *time));
+  });
+  if (!times.problem()) return std::nullopt;
+  return blamed_on(path, *times.problem());
+}
+
+bool has_several_times(const io::LoadedPoints& loaded) {
+  const auto column = find_column(loaded, io::Role::kTime);
+  if (!column) return false;
+  std::vector<PointId> all(loaded.points.size());
+  std::iota(all.begin(), all.end(), PointId{0});
+  std::string first;
+  bool several = false;
+  io::for_each_record(loaded, all, [&](const io::Record& record) {
+    const std::string time(io::unquoted(io::field_at(record.text, io::delimiter(loaded), *column)));
+    if (several || time.empty()) return;
+    if (first.empty()) first = time;
+    several = !is_same_time(first, time);
+  });
+  return several;
+}
+
+Error or_recording(Error error, const std::string& path, const io::LoadOptions& options) {
+  const bool asked = options.format != io::Format::kAuto || !options.columns.empty();
+  const bool bad_input = is_about_data(error.code);
+  // What is no file, as a pipe, is read up.
+  std::error_code unknown;
+  const bool file = path != "-" && std::filesystem::is_regular_file(path, unknown);
+  if (asked || !bad_input || !file) return error;
+  const auto recording = io::load_recording({path});
+  if (!recording) {
+    // It is known for what it is to be, but damaged: that says more than that it is no table.
+    const ErrorCode code = recording.error().code;
+    const bool damaged = code == ErrorCode::kTruncated || code == ErrorCode::kCorrupt ||
+                         code == ErrorCode::kMalformedRecord;
+    if (error.code != ErrorCode::kUnsupportedFormat || !damaged) return error;
+    Error known = recording.error();
+    known.message += "; a whole one is for 'beespace replay'";
+    return known;
+  }
+  // Of a table the reader of snapshots knows better what is wrong; a zip of tables it does not
+  // know.
+  const bool table = recording->format_description.starts_with("text");
+  if (table && error.code != ErrorCode::kUnsupportedFormat) return error;
+  return blamed_on(path,
+                   "this is a recording of bees that move (" + recording->format_description +
+                       "), not a table or an array of places; ask 'beespace replay' about it");
+}
+
+}  // namespace beespace::analysis

@@ -1,0 +1,63 @@
+#include "cli/recorded/replay_rows.hpp"
+
+#include "analysis/text/bee_name.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace beespace::cli {
+
+Rows bee_rows(const analysis::Findings& findings) {
+  const auto& recording = findings.recording;
+  Rows rows{{{"id", "label"},
+             {"conflicts"},
+             {"in_conflict_s"},
+             {"closest_m"},
+             {"closest_s"},
+             {"closest_id", "closest_label"},
+             {"unknown_s"}},
+            {},
+            analysis::has_labels(recording)};
+  const auto bees = analysis::bees_in_conflict(findings.tracks.size(), findings.recorded.conflicts);
+  const auto unknown_s = analysis::unknown_times_s(recording, findings.recorded.gaps);
+  for (PointId bee = 0; bee < bees.size(); ++bee) {
+    const analysis::BeeInConflict& of = bees[bee];
+    std::vector<Value> row{analysis::name_of(bee, recording), std::uint64_t{of.conflicts},
+                           of.time_s};
+    if (of.closest != nullptr) {
+      const PointId other = of.closest->first == bee ? of.closest->second : of.closest->first;
+      row.insert(row.end(), {of.closest->closest_m, of.closest->closest_s,
+                             analysis::name_of(other, recording)});
+    } else {
+      row.resize(rows.columns.size() - 1);
+    }
+    row.emplace_back(unknown_s[bee]);
+    rows.rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+Rows separation_rows(const std::vector<analysis::Moment>& moments, const io::Recording& recording) {
+  Rows rows{{{"time_s"},
+             {"distance_m"},
+             {"first", "first_label"},
+             {"second", "second_label"},
+             {"unknown"}},
+            {},
+            analysis::has_labels(recording)};
+  for (const analysis::Moment& moment : moments) {
+    std::vector<Value> row{moment.time_s};
+    if (std::isfinite(moment.distance_m)) {
+      row.insert(row.end(), {moment.distance_m, analysis::name_of(moment.first, recording),
+                             analysis::name_of(moment.second, recording)});
+    } else {
+      row.resize(rows.columns.size() - 1);
+    }
+    row.emplace_back(moment.unknown);
+    rows.rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace beespace::cli

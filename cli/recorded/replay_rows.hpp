@@ -1,0 +1,18 @@
+// What was found in a recording as rows of `replay`: bee by bee, or moment by moment.
+#pragma once
+
+#include "analysis/recorded/findings.hpp"
+#include "cli/output/rows.hpp"
+#include "io/recording/recording.hpp"
+
+#include <vector>
+
+namespace beespace::cli {
+
+// A row a bee: its id, its conflicts, how long it was in conflict (with however many at a time),
+// how close it came to another one in a conflict, and to which; and how long it is unknown.
+Rows bee_rows(const analysis::Findings& findings);
+
+Rows separation_rows(const std::vector<analysis::Moment>& moments, const io::Recording& recording);
+
+}  // namespace beespace::cli

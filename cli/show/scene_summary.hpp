@@ -1,0 +1,16 @@
+// A scene at a glance, for those who wait for a page or a picture of it.
+#pragma once
+
+#include "analysis/scene/scene.hpp"
+#include "cli/show/scene_loading.hpp"
+
+#include <string>
+
+namespace beespace::cli {
+
+void append_scene(std::string& out, const analysis::Scene& scene);
+
+// Where it went, and how long it took.
+void append_written(std::string& out, const std::string& output, const SceneTimings& timings);
+
+}  // namespace beespace::cli

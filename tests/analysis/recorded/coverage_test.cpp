@@ -1,0 +1,88 @@
+// How far apart two fixes may be, and of how much time it is known where the bees were.
+#include "analysis/recorded/coverage.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace beespace::analysis {
+namespace {
+
+io::RecordedBee bee_at(const std::string& id, const std::vector<double>& times_s) {
+  io::RecordedBee bee;
+  bee.id = id;
+  for (const double time_s : times_s) bee.fixes.push_back({time_s, {0.0, 0.0, 0.0}});
+  return bee;
+}
+
+TEST(MaxGap, IsFiveTimesTheTypicalInterval) {
+  io::Recording recording;
+  recording.bees = {bee_at("a", {0, 1, 2, 3, 60}), bee_at("b", {0, 1, 2, 3})};
+  const MaxGap max_gap = max_gap_of(recording, {});
+  EXPECT_EQ(max_gap.seconds, 5.0);
+  EXPECT_EQ(max_gap_text(max_gap), "5 s, 5 times the typical interval of 1 s (--max-gap)");
+}
+
+TEST(MaxGap, IsWhatIsAskedFor) {
+  io::Recording recording;
+  recording.bees = {bee_at("a", {0, 1, 2, 3})};
+  EXPECT_EQ(max_gap_of(recording, 7.5).seconds, 7.5);
+}
+
+TEST(MaxGap, OfFewFixesIsThatOfTheBeesWithMore) {
+  io::Recording recording;
+  recording.bees = {bee_at("a", {0, 3600}), bee_at("b", {0, 7200}), bee_at("c", {0, 1, 2, 3})};
+  EXPECT_EQ(max_gap_of(recording, {}).seconds, 5.0);
+}
+
+TEST(MaxGap, IsNeverWhereNoBeeHasTwoFixes) {
+  io::Recording recording;
+  recording.bees = {bee_at("a", {0}), bee_at("b", {1})};
+  const MaxGap max_gap = max_gap_of(recording, {});
+  EXPECT_TRUE(std::isinf(max_gap.seconds));
+  EXPECT_EQ(max_gap_text(max_gap), "never");
+}
+
+TEST(Coverage, CountsGapsAndTheTimeBeforeTheFirstAndAfterTheLastFix) {
+  io::Recording recording;
+  recording.bees = {bee_at("a", {0, 1, 50, 51}), bee_at("b", {10, 20})};
+  const std::vector<Gap> gaps = {{0, 1.0, 50.0}};
+  const Coverage coverage = coverage_of(recording, gaps, {5.0, 1.0});
+  EXPECT_EQ(coverage.gaps, 1U);
+  EXPECT_EQ(coverage.bees_with_gaps, 1U);
+  EXPECT_EQ(coverage.in_gaps_s, 49.0);
+  EXPECT_EQ(coverage.bees_partly, 1U);
+  EXPECT_EQ(coverage.outside_s, 41.0);
+  EXPECT_TRUE(coverage.may_hide_conflicts());
+  EXPECT_FALSE(coverage.complete());
+  EXPECT_EQ(unknown_times_s(recording, gaps), (std::vector<double>{49.0, 41.0}));
+  EXPECT_EQ(unknown_text(coverage),
+            "1 bee unknown for 49 s in all, 1 bee known for a part of the recording only");
+  EXPECT_EQ(gap_text(gaps.front(), recording), "a from 1.00 s for 49 s");
+}
+
+TEST(Coverage, NamesTheLongestGapsFirst) {
+  io::Recording recording;
+  recording.bees = {bee_at("a", {0, 10, 30, 60, 100})};
+  const std::vector<Gap> gaps = {
+      {0, 0.0, 10.0}, {0, 10.0, 30.0}, {0, 30.0, 60.0}, {0, 60.0, 100.0}};
+  const Coverage coverage = coverage_of(recording, gaps, {5.0, 1.0});
+  ASSERT_EQ(coverage.longest.size(), Coverage::kMostNamed);
+  EXPECT_EQ(length_of(coverage.longest.front()), 40.0);
+  EXPECT_EQ(length_of(coverage.longest.back()), 20.0);
+}
+
+TEST(Coverage, OfRecordsThatWereLeftOutIsNotComplete) {
+  io::Recording recording;
+  recording.bees = {bee_at("a", {0, 1})};
+  recording.missing.count = 6;
+  recording.missing.nowhere = 1;
+  const Coverage coverage = coverage_of(recording, {}, {5.0, 1.0});
+  EXPECT_FALSE(coverage.complete());
+  EXPECT_EQ(unknown_text(coverage), "1 bee is known nowhere, 6 records were left out");
+}
+
+}  // namespace
+}  // namespace beespace::analysis
