@@ -2,7 +2,6 @@
 
 #include "cli/analysis/see.hpp"
 #include "cli/command_line/option_values.hpp"
-#include "cli/console/failure.hpp"
 #include "cli/console/progress_bar.hpp"
 #include "cli/console/stopwatch.hpp"
 #include "cli/console/summary_line.hpp"
@@ -30,12 +29,12 @@ bool is_format(const std::string& ending) {
   return ending == "kml" || ending == "czml" || ending == "geojson" || ending == "csv";
 }
 
-Result<std::string> format_of(const ExportOptions& options) {
-  const std::string& output = options.seen.moving.output;
+Result<std::string> format_of(const ExportRequest& request) {
+  const std::string& output = request.seen.moving.output;
   const FileEnding of = output == "-" ? FileEnding{} : file_ending(output);
-  if (!options.format.empty()) {
-    if (!is_format(of.ending) || of.ending == options.format) return options.format;
-    return usage_error(kName, "--format " + options.format + " contradicts the ending of '" +
+  if (!request.format.empty()) {
+    if (!is_format(of.ending) || of.ending == request.format) return request.format;
+    return usage_error(kName, "--format " + request.format + " contradicts the ending of '" +
                                   printable(output) + "'; correct one of them");
   }
   if (output == "-") {
@@ -102,14 +101,9 @@ Result<ExitCode> export_to(const SeenRequest& request, const std::string& format
 
 }  // namespace
 
-ExitCode run_export(const ExportOptions& options) {
-  const bool json = options.seen.moving.json;
-  const auto request = seen_request(kName, options.seen);
-  if (!request) return fail(request.error(), json);
-  const auto format = format_of(options);
-  if (!format) return fail(format.error(), json);
-  const auto code = export_to(*request, *format);
-  return code ? *code : fail(code.error(), json);
+Result<ExitCode> run_export(const ExportRequest& request) {
+  return format_of(request).and_then(
+      [&](const std::string& format) { return export_to(request.seen, format); });
 }
 
 }  // namespace beespace::cli

@@ -1,9 +1,7 @@
 #include "cli/show/plot_command.hpp"
 
-#include "cli/analysis/number_text.hpp"
 #include "cli/analysis/see.hpp"
 #include "cli/command_line/option_values.hpp"
-#include "cli/console/failure.hpp"
 #include "cli/console/progress_bar.hpp"
 #include "cli/console/standard_output.hpp"
 #include "cli/console/stopwatch.hpp"
@@ -16,7 +14,6 @@
 #include "report/figure/png.hpp"
 #include "report/figure/svg.hpp"
 
-#include <cstdint>
 #include <string>
 #include <utility>
 #include <variant>
@@ -25,24 +22,6 @@ namespace beespace::cli {
 namespace {
 
 constexpr const char* kName = "plot";
-
-struct PlotRequest {
-  SeenRequest seen;
-  std::string title;
-  unsigned width = 0;
-  bool png = false;
-};
-
-Result<unsigned> read_width(const std::string& text) {
-  constexpr std::uint64_t kLeast = 200;
-  constexpr std::uint64_t kMost = 10'000;
-  const auto width = parse_whole(text);
-  if (!width || *width < kLeast || *width > kMost) {
-    return usage_error(
-        kName, "--width must be a whole number of pixels from 200 to 10000, not '" + text + "'");
-  }
-  return static_cast<unsigned>(*width);
-}
 
 Result<bool> read_png(const std::string& output) {
   if (output == "-") {
@@ -60,22 +39,13 @@ Result<bool> read_png(const std::string& output) {
   return usage_error(kName, lacking + "; or give a name that ends in .svg");
 }
 
-Result<PlotRequest> plot_request(const PlotOptions& options) {
-  auto seen = seen_request(kName, options.seen);
-  if (!seen) return std::move(seen).error();
-  const auto width = read_width(options.width);
-  if (!width) return width.error();
-  const auto png = read_png(seen->moving.output);
-  if (!png) return png.error();
-  return PlotRequest{*std::move(seen), options.title, *width, *png};
-}
-
 // The bytes of the picture; what must be said of it goes to `note`.
-Result<std::string> picture_of(const Seen& seen, const PlotRequest& request, std::string& note) {
+Result<std::string> picture_of(const Seen& seen, unsigned width, bool png_asked,
+                               std::string& note) {
   const report::Drawing drawing =
       std::visit([](const auto& facts) { return report::figure_of(facts); }, seen);
-  if (!request.png) return report::svg(drawing, request.width);
-  auto png = report::png(drawing, request.width);
+  if (!png_asked) return report::svg(drawing, width);
+  auto png = report::png(drawing, width);
   if (!png) {
     return Error{ErrorCode::kWriteFailed,
                  "there is no memory for a picture of that size; choose a smaller --width"};
@@ -88,8 +58,12 @@ Result<std::string> picture_of(const Seen& seen, const PlotRequest& request, std
   return std::move(png->bytes);
 }
 
-Result<ExitCode> plot(const PlotRequest& request) {
+}  // namespace
+
+Result<ExitCode> run_plot(const PlotRequest& request) {
   const MovingRequest& moving = request.seen.moving;
+  const auto png = read_png(moving.output);
+  if (!png) return png.error();
   auto output = open_output(kName, moving.output, moving.inputs);
   if (!output) return std::move(output).error();
   ProgressBar progress(!moving.quiet);
@@ -102,7 +76,7 @@ Result<ExitCode> plot(const PlotRequest& request) {
   Seen titled = *std::move(seen);
   if (!request.title.empty()) set_title(titled, request.title);
   std::string note;
-  const auto picture = picture_of(titled, request, note);
+  const auto picture = picture_of(titled, request.width, *png, note);
   if (!picture) return picture.error();
   output->write(*picture);
   const Status written = output->commit();
@@ -118,16 +92,6 @@ Result<ExitCode> plot(const PlotRequest& request) {
     say(text);
   }
   return is_risky(titled) && moving.fail_on_risk ? ExitCode::kRiskFound : ExitCode::kFine;
-}
-
-}  // namespace
-
-ExitCode run_plot(const PlotOptions& options) {
-  const bool json = options.seen.moving.json;
-  const auto request = plot_request(options);
-  if (!request) return fail(request.error(), json);
-  const auto code = plot(*request);
-  return code ? *code : fail(code.error(), json);
 }
 
 }  // namespace beespace::cli

@@ -2,7 +2,6 @@
 
 #include "cli/analysis/page_of.hpp"
 #include "cli/command_line/option_values.hpp"
-#include "cli/console/failure.hpp"
 #include "cli/console/progress_bar.hpp"
 #include "cli/console/stopwatch.hpp"
 #include "cli/console/terminal.hpp"
@@ -45,18 +44,20 @@ Status check_ending(const std::string& output) {
   return std::monostate{};
 }
 
-Result<ExitCode> report_on(const ReportOptions& options, const SeenRequest& request) {
-  const MovingRequest& moving = request.moving;
+}  // namespace
+
+Result<ExitCode> run_report(const ReportRequest& request) {
+  const MovingRequest& moving = request.seen.moving;
   if (moving.output == "-" && output_is_terminal()) {
     return usage_error(kName, "a page is nothing for a terminal; give it a name: -o report.html");
   }
   std::vector<std::string> inputs = moving.inputs;
-  inputs.push_back(options.compare);
+  inputs.push_back(request.compare);
   auto output = open_output(kName, moving.output, inputs);
   if (!output) return std::move(output).error();
   if (Status html = check_ending(moving.output); !html) return std::move(html).error();
   ProgressBar progress(!moving.quiet);
-  const auto page = page_of(kName, request, options.compare, progress);
+  const auto page = page_of(kName, request.seen, request.compare, progress);
   if (!page) return page.error();
   Stopwatch watch;
   write_page(*page, [&](std::string_view text) { output->write(text); });
@@ -75,16 +76,6 @@ Result<ExitCode> report_on(const ReportOptions& options, const SeenRequest& requ
   }
   const bool risk = std::any_of(page->seen.begin(), page->seen.end(), is_risky);
   return risk && moving.fail_on_risk ? ExitCode::kRiskFound : ExitCode::kFine;
-}
-
-}  // namespace
-
-ExitCode run_report(const ReportOptions& options) {
-  const bool json = options.seen.moving.json;
-  const auto request = seen_request(kName, options.seen);
-  if (!request) return fail(request.error(), json);
-  const auto code = report_on(options, *request);
-  return code ? *code : fail(code.error(), json);
 }
 
 }  // namespace beespace::cli

@@ -1,23 +1,13 @@
 // What pages, pictures and map files are asked for: the separation that counts, and how to read.
 #pragma once
 
-#include "cli/command_line/command.hpp"
 #include "cli/input/moving_options.hpp"
 
 #include <beespace/geodesy.hpp>
-#include <beespace/result.hpp>
 
 #include <optional>
-#include <string>
 
 namespace beespace::cli {
-
-// As typed, before it is checked.
-struct SeenOptions {
-  MovingOptions moving;  // but --max-results and --csv
-  std::string max_gap;
-  std::string tolerance = "0.001";
-};
 
 struct SeenRequest {
   MovingRequest moving;
@@ -28,8 +18,9 @@ struct SeenRequest {
 };
 
 // FILES and what --help says of reading and of the separation.
-void add_seen_options(Command& command, SeenOptions& options);
-
-Result<SeenRequest> seen_request(const char* command, const SeenOptions& options);
+void add_seen_options(Command& command, SeenRequest& request);
+// --json of what has no answer in it.
+void add_error_json_option(Command& command, MovingRequest& moving);
+void add_seen_risk_option(Command& command, MovingRequest& moving);
 
 }  // namespace beespace::cli

@@ -1,9 +1,6 @@
-#include "cli/watch/watch_command.hpp"
-
 #include "cli/analysis/live_feed.hpp"
 #include "cli/analysis/moving_input.hpp"
 #include "cli/analysis/number_text.hpp"
-#include "cli/console/failure.hpp"
 #include "cli/console/signals.hpp"
 #include "cli/console/standard_output.hpp"
 #include "cli/console/terminal.hpp"
@@ -370,11 +367,8 @@ class Watch {
 
 }  // namespace
 
-ExitCode run_watch(const WatchOptions& options) {
-  const auto request = watch_request(options);
-  if (!request) return fail(request.error(), false);
-  const auto code = Watch(*request).run();
-  return code ? *code : fail(code.error(), false);
+Result<ExitCode> run_watch(const WatchRequest& request) {
+  return Watch(request).run();
 }
 
 }  // namespace beespace::cli
