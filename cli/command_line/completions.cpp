@@ -235,12 +235,38 @@ std::string fish_completions(const Commands& commands) {
          names_of(commands) + "'\n";
 }
 
+// "detect --crs", a tab, and how the manual's entry begins: .BI \-\-crs " auto" | wgs84 | metres.
+std::string manual_heads(const Commands& commands) {
+  std::string text;
+  for (const Command& command : commands) {
+    for (const Option& option : command.options()) {
+      if (option.is_argument()) continue;
+      const std::string name = option.name();
+      const std::string shown = replaced(name, "-", "\\-");
+      const std::string letter = replaced(short_name(option), "-", "\\-");
+      const std::string value = replaced(replaced(option.value, "-", "\\-"), "|", " | ");
+      const std::size_t end = value.find(' ');
+      text += cat({command.name(), " ", name, "\t"});
+      if (option.takes == Option::Takes::kNone) {
+        text += cat({".B ", shown, "\n"});
+      } else if (!letter.empty()) {
+        text += cat({".BR ", letter, " \", \" ", shown, " \" \\fI", value, "\\fR\"\n"});
+      } else {
+        const std::string rest = end == std::string::npos ? "" : value.substr(end);
+        text += cat({".BI ", shown, " \" ", value.substr(0, end), "\"", rest, "\n"});
+      }
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 std::optional<std::string> completions_for(std::string_view shell, const Commands& commands) {
   if (shell == "bash") return bash_completions(commands);
   if (shell == "zsh") return zsh_completions(commands);
   if (shell == "fish") return fish_completions(commands);
+  if (shell == "man") return manual_heads(commands);
   return std::nullopt;
 }
 

@@ -10,7 +10,8 @@
 
 namespace beespace::cli {
 
-// The file that the shell reads: of "bash", "zsh" or "fish"; nothing for other words.
+// The file that the shell reads: of "bash", "zsh" or "fish"; of "man" how the manual's entries
+// begin, one a line behind subcommand and option. Nothing for other words.
 std::optional<std::string> completions_for(std::string_view shell,
                                            const std::vector<Command>& commands);
 
