@@ -2,9 +2,11 @@
 
 #include "cli/advise/advise_command.hpp"
 #include "cli/bench/bench_command.hpp"
+#include "cli/command_line/completions.hpp"
 #include "cli/command_line/parser.hpp"
 #include "cli/console/exit_code.hpp"
 #include "cli/console/signals.hpp"
+#include "cli/console/standard_output.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/detect/detect_command.hpp"
 #include "cli/generate/generate_command.hpp"
@@ -20,7 +22,7 @@
 
 #include <exception>
 #include <new>
-#include <string>
+#include <string_view>
 
 namespace beespace::cli {
 namespace {
@@ -49,27 +51,17 @@ constexpr const char* kExamples =
 
 ExitCode run(int argc, char** argv) {
   handle_signals();
-  DetectOptions detect;
-  PredictCommandOptions predict;
-  ReplayOptions replay;
-  WatchOptions watch;
-  AdviseCommandOptions advise;
-  SimulateOptions simulate;
-  VerifyCommandOptions verify;
-  ReportOptions report;
-  ViewOptions view;
-  PlotOptions plot;
-  ExportOptions exported;
-  GenerateOptions generate;
-  BenchOptions bench;
   Program beespace{
       "beespace",
       kDescription,
       kExamples,
-      {detect_command(detect), predict_command(predict), replay_command(replay),
-       watch_command(watch), advise_command(advise), simulate_command(simulate),
-       verify_command(verify), report_command(report), view_command(view), plot_command(plot),
-       export_command(exported), generate_command(generate), bench_command(bench)}};
+      {detect_command(), predict_command(), replay_command(), watch_command(), advise_command(),
+       simulate_command(), verify_command(), report_command(), view_command(), plot_command(),
+       export_command(), generate_command(), bench_command()}};
+  // For scripts/write-completions; no help names it.
+  if (argc == 3 && std::string_view(argv[1]) == "--write-completions") {
+    if (const auto text = completions_for(argv[2], beespace.commands)) return print(*text);
+  }
   return run_command_line(beespace, argc, argv);
 }
 

@@ -1,5 +1,6 @@
 # shellcheck shell=bash
 # Completion of the beespace command for bash.
+# Written by scripts/write-completions from what --help says.
 
 # Offers what compgen finds for the arguments.
 _beespace_offer() {
@@ -11,7 +12,7 @@ _beespace_offer() {
 
 _beespace() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
-  local subcommand=${COMP_WORDS[1]:-}
+  local subcommand=${COMP_WORDS[1]:-} options='' values='' files=''
   COMPREPLY=()
 
   # bash splits --crs=wgs84 at the "=" into three words.
@@ -22,126 +23,158 @@ _beespace() {
   fi
 
   if [ "$COMP_CWORD" -eq 1 ]; then
-    _beespace_offer -W 'detect predict replay watch advise simulate verify report view plot
-      export generate bench help --help --version' -- "$current"
+    _beespace_offer -W 'detect predict replay watch advise simulate verify report view plot export generate bench help --help --version' -- "$current"
     return
   fi
 
-  local words=''
-  case $subcommand:$previous in
-    help:help) words='detect predict replay watch advise simulate verify report view plot export generate
-      bench' ;;
-    detect:--report) words='at-risk pairs neighbors counts nearest groups closest-pair' ;;
-    replay:--report) words='conflicts bees separation events' ;;
-    *:--crs) words='auto wgs84 metres' ;;
-    *:--time-unit) words='auto s ms us ns' ;;
-    watch:--clock) words='report arrival' ;;
-    *:--heights) words='auto geometric pressure' ;;
-    advise:--method) words='certified orca mvp' ;;
-    simulate:--method) words='certified orca mvp none' ;;
-    advise:--acceleration | simulate:--acceleration | watch:--max-acceleration) words='none' ;;
-    detect:--format) words='auto text npy bin' ;;
-    export:--format) words='kml czml geojson csv' ;;
-    generate:--scene) words='uniform clusters area flight head-on crossing sphere-swap encounters' ;;
-    generate:--area) words='medellin' ;;
-    generate:--format) words='csv tsv npy bin csv.gz tsv.gz npy.gz bin.gz' ;;
-    *:--output | *:-o | *:--compare | *:--others | *:--obstacles | *:--intruders)
-      compopt -o filenames
-      _beespace_offer -f -- "$current"
-      return
-      ;;
-    *:--threshold | *:--columns | *:--units | *:--threads | *:--max-results | *:--points) return ;;
-    *:--vertical | *:--horizon | *:--max-age | *:--every | *:--max-gap | *:--tolerance) return ;;
-    *:--leave-factor | *:--look-every | *:--rate | *:--max-skew | *:--max-bees | *:--max-pairs) return ;;
-    *:--size | *:--clusters | *:--sigma | *:--seed) return ;;
-    *:--speed | *:--miss | *:--duration | *:--interval) return ;;
-    *:--bees | *:--spacing | *:--step | *:--steps | *:--clearance) return ;;
-    *:--uncertainty | *:--intruder-horizon) return ;;
-    *:--max-speed | *:--max-acceleration | *:--port | *:--width | *:--title) return ;;
-    *)
-      case $subcommand in
-        detect)
-          words='--report --others --threshold --vertical --inclusive --at-risk-only --max-results
-            --threads --crs --columns --units --heights --format --skip-bad --unique-ids --output --csv --json --geojson
-            --fail-on-risk --quiet --help --version'
-          ;;
-        predict)
-          words='--threshold --vertical --inclusive --horizon --max-results --threads --crs --columns --units
-            --time-unit --heights --max-age --grounded --skip-bad --output --csv --json --fail-on-risk --quiet
-            --help --version'
-          ;;
-        replay)
-          words='--report --every --threshold --vertical --inclusive --max-results --threads --crs
-            --columns --units --time-unit --heights --max-gap --tolerance --grounded --skip-bad --horizon
-            --leave-factor --look-every --output --csv --json --fail-on-risk --quiet --help
-            --version'
-          ;;
-        watch)
-          words='--threshold --vertical --horizon --leave-factor --look-every --advise --max-speed
-            --max-acceleration --uncertainty --step --max-bees --max-pairs --max-age --clock --max-skew
-            --speed --rate --threads --crs --columns --units --time-unit --heights --fail-on-risk --quiet
-            --help --version'
-          ;;
-        advise)
-          words='--speed --acceleration --step --threshold --uncertainty --obstacles --clearance
-            --intruders --intruder-horizon --method --threads --output --json --fail-on-risk --quiet
-            --help --version'
-          ;;
-        simulate)
-          words='--bees --spacing --seed --speed --acceleration --step --steps --threshold --method
-            --obstacles --clearance --threads --output --json --fail-on-risk --quiet --help --version'
-          ;;
-        verify)
-          words='--threshold --max-speed --max-acceleration --obstacles --clearance --max-gap --straight --threads
-            --crs --columns --units --time-unit --heights --grounded --skip-bad --output --csv --json --quiet
-            --help --version'
-          ;;
-        report)
-          words='--threshold --vertical --inclusive --threads --crs --columns --units --time-unit
-            --heights --grounded --skip-bad --max-gap --tolerance --compare --output --json
-            --fail-on-risk --quiet --help --version'
-          ;;
-        view)
-          words='--threshold --vertical --inclusive --threads --crs --columns --units --time-unit
-            --heights --grounded --skip-bad --max-gap --tolerance --compare --no-open --port
-            --json --quiet --help --version'
-          ;;
-        plot)
-          words='--threshold --vertical --inclusive --threads --crs --columns --units --time-unit
-            --heights --grounded --skip-bad --max-gap --tolerance --width --title --output
-            --json --fail-on-risk --quiet --help --version'
-          ;;
-        export)
-          words='--threshold --vertical --inclusive --threads --crs --columns --units --time-unit
-            --heights --grounded --skip-bad --max-gap --tolerance --format --output --json
-            --fail-on-risk --quiet --help --version'
-          ;;
-        generate)
-          words='--scene --area --points --size --clusters --sigma --speed --miss --duration
-            --interval --seed --format --output --quiet --help --version'
-          ;;
-        bench) words='--points --threads --json --quiet --help --version' ;;
-      esac
-      case $subcommand:$current in
-        *:-*) ;;
-        simulate:*)
-          # A scenario, or else a file of starts and goals.
-          words='random-swap sphere-swap crossing-streams funnel pillars head-on density-sweep'
-          if ! compgen -W "$words" -- "$current" > /dev/null; then
-            compopt -o filenames
-            _beespace_offer -f -- "$current"
-            return
-          fi
-          ;;
-        detect:* | predict:* | replay:* | watch:* | advise:* | verify:* | report:* | view:* | \
-          plot:* | export:*)
-          compopt -o filenames
-          _beespace_offer -f -- "$current"
-          return
-          ;;
+  case $subcommand in
+    detect)
+      case $previous in
+        --crs) values='auto wgs84 metres' ;;
+        --heights) values='auto geometric pressure' ;;
+        --format) values='auto text npy bin' ;;
+        --report) values='at-risk pairs neighbors counts nearest groups closest-pair' ;;
+        --others | -o | --output) files=yes ;;
+        --columns | --units | --threshold | --vertical | --max-results | --threads) return ;;
+        *) options='--others --crs --columns --units --heights --format --skip-bad --unique-ids --report --threshold --vertical --inclusive --at-risk-only --max-results --threads --output --csv --json --geojson --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
+    predict)
+      case $previous in
+        --crs) values='auto wgs84 metres' ;;
+        --time-unit) values='auto s ms us ns' ;;
+        --heights) values='auto geometric pressure' ;;
+        -o | --output) files=yes ;;
+        --columns | --units | --max-age | --threshold | --vertical | --threads | --max-results | --horizon) return ;;
+        *) options='--crs --columns --time-unit --grounded --units --heights --skip-bad --max-age --threshold --vertical --inclusive --threads --max-results --horizon --output --csv --json --fail-on-risk --quiet --help --version' files=yes ;;
+      esac
+      ;;
+    replay)
+      case $previous in
+        --crs) values='auto wgs84 metres' ;;
+        --time-unit) values='auto s ms us ns' ;;
+        --heights) values='auto geometric pressure' ;;
+        --max-gap) values='never' ;;
+        --report) values='conflicts bees separation events' ;;
+        -o | --output) files=yes ;;
+        --columns | --units | --tolerance | --threshold | --vertical | --threads | --max-results | --every | --horizon | --leave-factor | --look-every) return ;;
+        *) options='--crs --columns --time-unit --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --inclusive --threads --max-results --report --every --horizon --leave-factor --look-every --output --csv --json --fail-on-risk --quiet --help --version' files=yes ;;
+      esac
+      ;;
+    watch)
+      case $previous in
+        --crs) values='auto wgs84 metres' ;;
+        --time-unit) values='auto s ms us ns' ;;
+        --heights) values='auto geometric pressure' ;;
+        --clock) values='report arrival' ;;
+        --max-acceleration) values='none' ;;
+        --columns | --units | --max-age | --max-skew | --max-bees | --speed | --rate | --threshold | --vertical | --threads | --horizon | --leave-factor | --look-every | --max-pairs | --max-speed | --uncertainty | --step) return ;;
+        *) options='--crs --columns --time-unit --units --heights --max-age --clock --max-skew --max-bees --speed --rate --threshold --vertical --threads --horizon --leave-factor --look-every --max-pairs --advise --max-speed --max-acceleration --uncertainty --step --fail-on-risk --quiet --help --version' files=yes ;;
+      esac
+      ;;
+    advise)
+      case $previous in
+        --acceleration) values='none' ;;
+        --method) values='certified orca mvp' ;;
+        --obstacles | --intruders | -o | --output) files=yes ;;
+        --speed | --step | --threshold | --uncertainty | --clearance | --intruder-horizon | --threads) return ;;
+        *) options='--speed --acceleration --step --threshold --uncertainty --obstacles --clearance --intruders --intruder-horizon --method --threads --output --json --fail-on-risk --quiet --help --version' files=yes ;;
+      esac
+      ;;
+    simulate)
+      case $previous in
+        --acceleration) values='none' ;;
+        --method) values='certified orca mvp none' ;;
+        --obstacles | -o | --output) files=yes ;;
+        --bees | --spacing | --seed | --speed | --step | --steps | --threshold | --clearance | --threads) return ;;
+        *) options='--bees --spacing --seed --speed --acceleration --step --steps --threshold --method --obstacles --clearance --threads --output --json --fail-on-risk --quiet --help --version' values='random-swap sphere-swap crossing-streams funnel pillars head-on density-sweep' files=yes ;;
+      esac
+      ;;
+    verify)
+      case $previous in
+        --crs) values='auto wgs84 metres' ;;
+        --time-unit) values='auto s ms us ns' ;;
+        --heights) values='auto geometric pressure' ;;
+        --max-gap) values='never' ;;
+        --obstacles | -o | --output) files=yes ;;
+        --columns | --units | --threshold | --max-speed | --max-acceleration | --clearance | --threads) return ;;
+        *) options='--crs --columns --time-unit --grounded --units --heights --skip-bad --threshold --max-speed --max-acceleration --obstacles --clearance --max-gap --straight --threads --output --csv --json --quiet --help --version' files=yes ;;
+      esac
+      ;;
+    report)
+      case $previous in
+        --crs) values='auto wgs84 metres' ;;
+        --time-unit) values='auto s ms us ns' ;;
+        --heights) values='auto geometric pressure' ;;
+        --max-gap) values='never' ;;
+        --compare | -o | --output) files=yes ;;
+        --columns | --units | --tolerance | --threshold | --vertical | --threads) return ;;
+        *) options='--crs --columns --time-unit --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --inclusive --threads --compare --output --json --fail-on-risk --quiet --help --version' files=yes ;;
+      esac
+      ;;
+    view)
+      case $previous in
+        --crs) values='auto wgs84 metres' ;;
+        --time-unit) values='auto s ms us ns' ;;
+        --heights) values='auto geometric pressure' ;;
+        --max-gap) values='never' ;;
+        --compare) files=yes ;;
+        --columns | --units | --tolerance | --threshold | --vertical | --threads | --port) return ;;
+        *) options='--crs --columns --time-unit --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --inclusive --threads --compare --no-open --port --json --quiet --help --version' files=yes ;;
+      esac
+      ;;
+    plot)
+      case $previous in
+        --crs) values='auto wgs84 metres' ;;
+        --time-unit) values='auto s ms us ns' ;;
+        --heights) values='auto geometric pressure' ;;
+        --max-gap) values='never' ;;
+        -o | --output) files=yes ;;
+        --columns | --units | --tolerance | --threshold | --vertical | --threads | --width | --title) return ;;
+        *) options='--crs --columns --time-unit --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --inclusive --threads --output --width --title --json --fail-on-risk --quiet --help --version' files=yes ;;
+      esac
+      ;;
+    export)
+      case $previous in
+        --crs) values='auto wgs84 metres' ;;
+        --time-unit) values='auto s ms us ns' ;;
+        --heights) values='auto geometric pressure' ;;
+        --max-gap) values='never' ;;
+        --format) values='kml czml geojson csv' ;;
+        -o | --output) files=yes ;;
+        --columns | --units | --tolerance | --threshold | --vertical | --threads) return ;;
+        *) options='--crs --columns --time-unit --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --inclusive --threads --output --format --json --fail-on-risk --quiet --help --version' files=yes ;;
+      esac
+      ;;
+    generate)
+      case $previous in
+        --scene) values='uniform clusters area flight head-on crossing sphere-swap encounters' ;;
+        --area) values='medellin' ;;
+        --format) values='csv tsv npy bin csv.gz tsv.gz npy.gz bin.gz' ;;
+        -o | --output) files=yes ;;
+        --points | --size | --clusters | --sigma | --seed | --speed | --miss | --duration | --interval) return ;;
+        *) options='--points --scene --size --clusters --sigma --area --seed --speed --miss --duration --interval --output --format --quiet --help --version' ;;
+      esac
+      ;;
+    bench)
+      case $previous in
+        --points | --threads) return ;;
+        *) options='--points --threads --json --quiet --help --version' ;;
+      esac
+      ;;
+    help) values='detect predict replay watch advise simulate verify report view plot export generate bench' ;;
   esac
-  _beespace_offer -W "$words" -- "$current"
+
+  case $current in
+    -*) [ -z "$options" ] || values=$options files='' ;;
+  esac
+  [ -n "$values$files" ] || values=$options
+  # Words before files, where both may stand.
+  if [ -z "$files" ] || { [ -n "$values" ] && compgen -W "$values" -- "$current" > /dev/null; }; then
+    _beespace_offer -W "$values" -- "$current"
+  else
+    compopt -o filenames
+    _beespace_offer -f -- "$current"
+  fi
 }
 complete -F _beespace beespace

@@ -1,10 +1,7 @@
-#include "cli/advise/advise_command.hpp"
-
 #include "cli/advise/advise_input.hpp"
 #include "cli/advise/advise_output.hpp"
 #include "cli/advise/advise_request.hpp"
 #include "cli/advise/advise_summary.hpp"
-#include "cli/console/failure.hpp"
 #include "cli/console/progress_bar.hpp"
 #include "cli/console/stopwatch.hpp"
 #include "cli/console/terminal.hpp"
@@ -20,7 +17,9 @@ bool is_risky(const Advised& advised) {
   return !advised.refused.empty() || count_uncertified(advised) > 0;
 }
 
-Result<ExitCode> give_advice(const AdviseRequest& request) {
+}  // namespace
+
+Result<ExitCode> run_advise(const AdviseRequest& request) {
   auto output =
       open_output("advise", request.output, {request.input, request.obstacles, request.intruders},
                   request.form.packing);
@@ -47,15 +46,6 @@ Result<ExitCode> give_advice(const AdviseRequest& request) {
   progress.finish();
   if (!request.quiet) say(advise_summary(counsel, times));
   return request.fail_on_risk && is_risky(*advised) ? ExitCode::kRiskFound : ExitCode::kFine;
-}
-
-}  // namespace
-
-ExitCode run_advise(const AdviseCommandOptions& options) {
-  const auto request = advise_request(options);
-  if (!request) return fail(request.error(), options.json);
-  const auto code = give_advice(*request);
-  return code ? *code : fail(code.error(), options.json);
 }
 
 }  // namespace beespace::cli

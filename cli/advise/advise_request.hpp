@@ -1,7 +1,7 @@
-// What `beespace advise` is asked for, once its options are known to make sense.
+// What `beespace advise` is asked for.
 #pragma once
 
-#include "cli/advise/advise_command.hpp"
+#include "cli/console/exit_code.hpp"
 #include "cli/output/output_form.hpp"
 
 #include <beespace/advise.hpp>
@@ -15,18 +15,19 @@ struct AdviseRequest {
   std::string input;      // a file, or "-"
   std::string obstacles;  // the same, or empty: none
   std::string intruders;
-  AdviseOptions advice;  // but for obstacles and intruders
-  FlightLimits limits;   // of who has none of its own
+  // But for obstacles and intruders.
+  AdviseOptions advice{.threshold_m = 5.0, .clearance_m = 1.0, .threads = 0};
+  FlightLimits limits{10.0, 5.0};  // of each that has none of its own
   bool speed_given = false;
   bool acceleration_given = false;
-  std::string output;
+  std::string output = "-";
+  bool json = false;
   OutputForm form;
   bool fail_on_risk = false;
   bool quiet = false;
 };
 
-// Errors: kInvalidThreshold, kInvalidArgument.
-Result<AdviseRequest> advise_request(const AdviseCommandOptions& options);
+Result<ExitCode> run_advise(const AdviseRequest& request);
 
 // kInvalidArgument, with the way to the help of advise.
 Error advise_error(std::string message);

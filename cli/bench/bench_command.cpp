@@ -11,26 +11,8 @@
 
 #include <beespace/crew.hpp>
 
-#include <cstdint>
-
 namespace beespace::cli {
 namespace {
-
-constexpr std::uint64_t kLeastPoints = 1'000;
-constexpr std::uint64_t kMostPoints = 100'000'000;
-constexpr std::uint64_t kMostThreads = 1'024;
-
-Error usage_error(std::string message) {
-  return {ErrorCode::kInvalidArgument, std::move(message) + " (see 'beespace bench --help')", {}};
-}
-
-Result<std::uint64_t> read_whole(const std::string& text, const std::string& option,
-                                 std::uint64_t least, std::uint64_t most) {
-  const auto count = io::parse_whole(text);
-  if (count && *count >= least && *count <= most) return *count;
-  return usage_error(option + " '" + text + "' is not a whole number from " + io::grouped(least) +
-                     " to " + io::grouped(most));
-}
 
 // All answers about the scene, by one engine.
 Status ask_everything(Engine& engine, const BenchScene& scene, const std::vector<Point>& points,
@@ -94,20 +76,18 @@ Result<BenchSceneResult> measure(Engines& engines, const BenchScene& scene, std:
   return result;
 }
 
-Result<ExitCode> bench(const BenchOptions& options) {
-  const auto points = read_whole(options.points, "--points", kLeastPoints, kMostPoints);
-  if (!points) return points.error();
-  const auto threads = read_whole(options.threads, "--threads", 0, kMostThreads);
-  if (!threads) return threads.error();
-  Engines engines(static_cast<unsigned>(*threads));
-  const BenchRun run{*points, engines.crew.size()};
+}  // namespace
 
-  const bool is_table = !options.json;
+Result<ExitCode> run_bench(const BenchRequest& request) {
+  Engines engines(static_cast<unsigned>(request.threads));
+  const BenchRun run{request.points, engines.crew.size()};
+
+  const bool is_table = !request.json;
   ExitCode written = is_table ? print(bench_head(run)) : ExitCode::kFine;
   std::vector<BenchSceneResult> results;
   for (const BenchScene& scene : bench_scenes()) {
     if (written != ExitCode::kFine) return written;
-    ProgressBar progress(!options.quiet);
+    ProgressBar progress(!request.quiet);
     progress.enter_stage(scene.name);
     auto result = measure(engines, scene, run.points);
     progress.finish();
@@ -115,18 +95,9 @@ Result<ExitCode> bench(const BenchOptions& options) {
     if (is_table) written = print(bench_rows(run, *result));
     results.push_back(*std::move(result));
   }
-  if (options.json) written = print(bench_json(run, results));
-  if (written == ExitCode::kFine && is_table && !options.quiet) say(bench_foot());
+  if (request.json) written = print(bench_json(run, results));
+  if (written == ExitCode::kFine && is_table && !request.quiet) say(bench_foot());
   return written;
-}
-
-}  // namespace
-
-ExitCode run_bench(const BenchOptions& options) {
-  const auto code = bench(options);
-  if (code) return *code;
-  say_error(printable(to_string(code.error())));
-  return exit_code_for(code.error().code);
 }
 
 }  // namespace beespace::cli

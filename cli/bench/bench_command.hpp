@@ -2,23 +2,20 @@
 #pragma once
 
 #include "cli/command_line/command.hpp"
-#include "cli/console/exit_code.hpp"
 
-#include <string>
+#include <cstdint>
 
 namespace beespace::cli {
 
-// As typed, before it is checked.
-struct BenchOptions {
-  std::string points = "200000";
-  std::string threads = "0";
+struct BenchRequest {
+  std::uint64_t points = 200'000;
+  std::uint64_t threads = 0;  // all
   bool json = false;
   bool quiet = false;
 };
 
-// `options` must outlive it.
-Command bench_command(BenchOptions& options);
+Command bench_command();
 
-ExitCode run_bench(const BenchOptions& options);
+Result<ExitCode> run_bench(const BenchRequest& request);
 
 }  // namespace beespace::cli

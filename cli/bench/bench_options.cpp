@@ -1,4 +1,7 @@
 #include "cli/bench/bench_command.hpp"
+#include "cli/command_line/option_values.hpp"
+
+#include <memory>
 
 namespace beespace::cli {
 namespace {
@@ -17,13 +20,16 @@ constexpr const char* kDetails =
 
 }  // namespace
 
-Command bench_command(BenchOptions& options) {
-  Command bench("bench", kDescription, kDetails, [&options] { return run_bench(options); });
-  bench.option("--points", "N", options.points, "How many bees a swarm has (default: 200000)");
-  bench.option("--threads", "N", options.threads,
+Command bench_command() {
+  const auto request = std::make_shared<BenchRequest>();
+  Command bench("bench", kDescription, kDetails,
+                [request](const Command&) { return run_bench(*request); });
+  bench.option("--points", "N", request->points, whole(1'000, 100'000'000),
+               "How many bees a swarm has (default: 200000)");
+  bench.option("--threads", "N", request->threads, whole(0, 1'024),
                "How many threads work beside the run with one (default: 0, all)");
-  bench.flag("--json", options.json, "One JSON document instead of a table");
-  bench.flag("--quiet", options.quiet, "No explanations, only figures and errors");
+  bench.flag("--json", request->json, "One JSON document instead of a table");
+  bench.flag("--quiet", request->quiet, "No explanations, only figures and errors");
   return bench;
 }
 

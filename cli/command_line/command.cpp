@@ -47,6 +47,7 @@ Option& Command::add_value(std::string_view names, std::string_view value, std::
                                                 .store = std::move(store),
                                                 .words = std::move(words)});
   if (option.is_argument()) option.group.clear();
+  option.files = value == "FILE" || names.starts_with("FILE");
   return option;
 }
 
@@ -107,13 +108,20 @@ Result<ExitCode> Command::run() const {
       if (Status stored = option.store({name_, name, text}); !stored) return stored.error();
     }
   }
-  return run_();
+  return run_(*this);
 }
 
 bool Command::is_given(std::string_view name) const {
   return std::any_of(options_.begin(), options_.end(), [name](const Option& option) {
     return option.given && option.name() == name;
   });
+}
+
+std::string Command::typed(std::string_view name) const {
+  for (const Option& option : options_) {
+    if (option.given && option.name() == name && !option.typed.empty()) return option.typed.front();
+  }
+  return {};
 }
 
 void allow_only(Option& option, std::vector<std::string> words,

@@ -37,11 +37,11 @@ struct Option {
   std::function<std::string(const std::string&)> problem = {};
   std::function<Status(const Typed&)> store = {};  // reads a value; of flags: is called once
   std::vector<std::string> words = {};             // that it takes, perhaps beside others
+  bool files = false;                              // names of files may be given
   bool given = false;                              // set by the parser, as is this:
   std::vector<std::string> typed = {};
 
   [[nodiscard]] bool is_argument() const { return !names.starts_with('-'); }
-  [[nodiscard]] bool is_file() const { return value == "FILE" || names.starts_with("FILE"); }
   // "--output" of "-o,--output".
   [[nodiscard]] std::string name() const { return names.substr(names.find(',') + 1); }
 };
@@ -55,7 +55,7 @@ struct Word {
 
 class Command {
  public:
-  using Run = std::function<Result<ExitCode>()>;
+  using Run = std::function<Result<ExitCode>(const Command&)>;
 
   // `run` is called once all values are read. What values are read into must live as long.
   Command(std::string name, std::string summary, std::string details, Run run);
@@ -110,8 +110,10 @@ class Command {
   // Reads all that was typed, in the order of the options, then runs.
   [[nodiscard]] Result<ExitCode> run() const;
 
-  // Of an option without a value.
+  // Whether an option, by its long name, stands on the command line.
   [[nodiscard]] bool is_given(std::string_view option) const;
+  // Its value as typed; empty where it is not given.
+  [[nodiscard]] std::string typed(std::string_view option) const;
 
  private:
   using Store = std::function<Status(const Typed&)>;

@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace beespace::cli {
@@ -20,6 +21,11 @@ Error usage_error(std::string_view command, std::string message) {
 
 namespace {
 
+// "--step 'abc' is not ...".
+Error wrong(const Typed& typed, const std::string& what) {
+  return usage_error(typed.command, std::string(typed.option) + " '" + typed.text + "' " + what);
+}
+
 struct Domain {
   double least_m;
   double most_m;
@@ -27,7 +33,7 @@ struct Domain {
 };
 
 Result<double> read_threshold_in(const std::string& text, const Domain& domain) {
-  const auto stated = parse_stated(text, io::Quantity::kLength);
+  const auto stated = io::parse_stated(text, io::Quantity::kLength);
   if (!stated) {
     return Error{ErrorCode::kInvalidThreshold,
                  "the threshold '" + text +
@@ -36,82 +42,129 @@ Result<double> read_threshold_in(const std::string& text, const Domain& domain) 
                      io::list_units(io::Quantity::kLength) + ")",
                  {}};
   }
-  const std::optional<double> value = stated->metric;
-  if (*value >= domain.least_m && *value <= domain.most_m) return *value;
+  const double value = stated->metric;
+  if (value >= domain.least_m && value <= domain.most_m) return value;
   // The ends of the domain matter to those alone who are beyond them.
-  const bool finite = std::isfinite(*value);
+  const bool finite = std::isfinite(value);
   std::string remedy = "give a finite distance above zero, in metres, for example --threshold 100";
-  if (finite && *value > 0.0) remedy = std::string("give one from ") + domain.words;
+  if (finite && value > 0.0) remedy = std::string("give one from ") + domain.words;
   const bool has_unit = finite && std::isalpha(static_cast<unsigned char>(text.back())) != 0;
   return Error{ErrorCode::kInvalidThreshold,
                "the threshold is " + text + (has_unit ? "; " : " m; ") + remedy,
                {}};
 }
 
+Result<double> in_motion_domain(const Typed& typed, double value) {
+  const double size = std::abs(value);
+  if (value == 0.0 || (size >= kSmallestInMotion && size <= kLargestInMotion)) return value;
+  return wrong(typed, "cannot be computed with; use a size from 7.9e-31 to 1.3e+30");
+}
+
+Result<double> read_within(const Typed& typed, const char* unit, double least, double most) {
+  const auto value = io::parse_amount(typed.text, unit);
+  if (value && *value >= least && *value <= most) return *value;
+  return wrong(typed, std::string("is not a number of ") + unit + " from " +
+                          io::grouped(least, least > 0.0 ? 6 : 0) + " to " + io::grouped(most, 0));
+}
+
+Result<std::uint64_t> read_whole(const Typed& typed, std::uint64_t least, std::uint64_t most,
+                                 const std::string& limits) {
+  const auto count = io::parse_whole(typed.text);
+  if (count && *count >= least && *count <= most) return *count;
+  return wrong(typed, "is not a whole number from " + limits);
+}
+
 }  // namespace
 
-Result<double> read_threshold(const std::string& text) {
+Result<double> read_threshold(const Typed& typed) {
   return read_threshold_in(
-      text, {kSmallestCoordinate_m, kLargestCoordinate_m, "3.9e-121 m to 2.6e+120 m"});
+      typed.text, {kSmallestCoordinate_m, kLargestCoordinate_m, "3.9e-121 m to 2.6e+120 m"});
 }
 
-Result<double> read_threshold_in_motion(const std::string& text) {
-  return read_threshold_in(text, {kSmallestInMotion, kLargestInMotion, "7.9e-31 m to 1.3e+30 m"});
+Result<double> read_threshold_in_motion(const Typed& typed) {
+  return read_threshold_in(typed.text,
+                           {kSmallestInMotion, kLargestInMotion, "7.9e-31 m to 1.3e+30 m"});
 }
 
-Result<unsigned> read_threads(std::string_view command, const std::string& text) {
+Result<io::StatedLength> read_vertical(const Typed& typed) {
+  return amount("metres", kAboveZero)(typed).transform(
+      [&](double) { return *io::parse_stated(typed.text, io::Quantity::kLength); });
+}
+
+Result<io::StatedLength> read_vertical_in_motion(const Typed& typed) {
+  const auto stated = read_vertical(typed);
+  if (!stated) return stated;
+  // It may be compared as typed, or in metres.
+  return in_motion_domain(typed, stated->metric)
+      .and_then([&](double) { return in_motion_domain(typed, stated->value); })
+      .transform([&](double) { return *stated; });
+}
+
+ReadNumber amount(const char* unit, Least least) {
+  return [unit, least](const Typed& typed) -> Result<double> {
+    const auto value = io::parse_amount(typed.text, unit);
+    const bool enough = value && (least.itself ? *value >= least.value : *value > least.value);
+    if (enough && std::isfinite(*value)) return *value;
+    return wrong(typed, std::string("is not a number of ") + unit +
+                            (least.itself ? " from " : " above ") + io::exact(least.value) +
+                            (least.itself ? " on" : ""));
+  };
+}
+
+ReadNumber amount_in_motion(const char* unit, Least least) {
+  return [read = amount(unit, least)](const Typed& typed) {
+    return read(typed).and_then([&](double value) { return in_motion_domain(typed, value); });
+  };
+}
+
+Result<double> read_speed(const Typed& typed) {
+  return read_within(typed, "metres per second", 1e-6, 1e6);
+}
+
+Result<double> read_acceleration(const Typed& typed) {
+  if (typed.text == "none") return std::numeric_limits<double>::infinity();
+  return read_within(typed, "metres per second squared", 1e-6, 1e9);
+}
+
+Result<double> read_span(const Typed& typed) {
+  return read_within(typed, "seconds", 1e-6, 1e6);
+}
+
+ReadNumber length_from(double least_m) {
+  return [least_m](const Typed& typed) { return read_within(typed, "metres", least_m, 1e9); };
+}
+
+Result<double> read_max_gap(const Typed& typed) {
+  if (typed.text == "never") return std::numeric_limits<double>::infinity();
+  const auto seconds = io::parse_number(typed.text);
+  if (seconds && *seconds > 0.0 && std::isfinite(*seconds)) return *seconds;
+  return wrong(typed, "is not a number of seconds above 0, nor 'never'");
+}
+
+ReadCount whole(std::uint64_t least, std::uint64_t most) {
+  return [least, most](const Typed& typed) {
+    return read_whole(typed, least, most, io::grouped(least) + " to " + io::grouped(most));
+  };
+}
+
+ReadCount whole_without_commas(std::uint64_t least, std::uint64_t most) {
+  return [least, most](const Typed& typed) {
+    return read_whole(typed, least, most, std::to_string(least) + " to " + std::to_string(most));
+  };
+}
+
+Result<unsigned> read_threads(const Typed& typed) {
   constexpr unsigned kMost = std::numeric_limits<unsigned>::max();
-  const auto count = io::parse_whole(text);
-  if (count && *count <= kMost) return static_cast<unsigned>(*count);
-  return usage_error(command, "--threads '" + text + "' is not a whole number from 0 (all) to " +
-                                  io::grouped(std::uint64_t{kMost}));
+  return read_whole(typed, 0, kMost, "0 (all) to " + io::grouped(std::uint64_t{kMost}))
+      .transform([](std::uint64_t count) { return static_cast<unsigned>(count); });
 }
 
-Result<std::uint64_t> read_max_results(std::string_view command, const std::string& text) {
-  constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
-  if (text.empty()) return kMost;
-  const auto count = io::parse_whole(text);
-  if (count && *count >= 1) return *count;
-  return usage_error(command, "--max-results '" + text + "' is not a whole number from 1 to " +
-                                  std::to_string(kMost));
+Result<std::uint64_t> read_max_results(const Typed& typed) {
+  return whole_without_commas(1, std::numeric_limits<std::uint64_t>::max())(typed);
 }
 
-Result<std::optional<io::StatedLength>> read_vertical(std::string_view command,
-                                                      const std::string& text) {
-  const auto metres = read_optional_amount(command, "--vertical", text, "metres", {0.0, false});
-  if (!metres) return metres.error();
-  if (!*metres) return std::optional<io::StatedLength>();
-  return parse_stated(text, io::Quantity::kLength);
-}
-
-Result<double> read_amount(std::string_view command, const std::string& option,
-                           const std::string& text, const char* unit, Least least) {
-  const auto value = io::parse_amount(text, unit);
-  const bool enough = value && (least.itself ? *value >= least.value : *value > least.value);
-  if (enough && std::isfinite(*value)) return *value;
-  return usage_error(command, option + " '" + text + "' is not a number of " + unit +
-                                  (least.itself ? " from " : " above ") + io::exact(least.value) +
-                                  (least.itself ? " on" : ""));
-}
-
-Result<std::optional<double>> read_optional_amount(std::string_view command,
-                                                   const std::string& option,
-                                                   const std::string& text, const char* unit,
-                                                   Least least) {
-  if (text.empty()) return std::optional<double>();
-  const auto value = read_amount(command, option, text, unit, least);
-  if (!value) return value.error();
-  return std::optional<double>(*value);
-}
-
-Status in_motion_domain(std::string_view command, const std::string& option,
-                        const std::string& text, double value) {
-  const double size = std::abs(value);
-  if (value == 0.0 || (size >= kSmallestInMotion && size <= kLargestInMotion)) {
-    return std::monostate{};
-  }
-  return usage_error(command, option + " '" + text +
-                                  "' cannot be computed with; use a size from 7.9e-31 to 1.3e+30");
+Result<std::uint64_t> read_seed(const Typed& typed) {
+  return whole_without_commas(0, std::numeric_limits<std::uint64_t>::max())(typed);
 }
 
 }  // namespace beespace::cli

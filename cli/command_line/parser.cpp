@@ -156,7 +156,7 @@ Command help_command(const std::vector<Command>& commands, std::string& topic) {
   std::vector<std::string> names;
   for (const Command& command : commands) names.push_back(command.name());
   Command help("help", "Print this help, or that of a subcommand", "",
-               [] { return ExitCode::kFine; });
+               [](const Command&) { return ExitCode::kFine; });
   allow_only(help.argument("COMMAND", topic, "Whose help to print"), std::move(names));
   return help;
 }

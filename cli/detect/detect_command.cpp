@@ -1,12 +1,9 @@
-#include "cli/detect/detect_command.hpp"
-
-#include "cli/console/failure.hpp"
 #include "cli/console/progress_bar.hpp"
 #include "cli/console/stopwatch.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/detect/answer_output.hpp"
-#include "cli/detect/detect_request.hpp"
 #include "cli/detect/detect_search.hpp"
+#include "cli/detect/detection.hpp"
 #include "cli/detect/load_inputs.hpp"
 #include "cli/detect/summary.hpp"
 #include "cli/output/output_file.hpp"
@@ -46,8 +43,9 @@ void write_answer(const Answer& answer, io::AtomicOutput& output) {
   }
 }
 
-// The whole run; the exit code, or what went wrong.
-Result<ExitCode> detect(const DetectRequest& request) {
+}  // namespace
+
+Result<ExitCode> run_detect(const DetectRequest& request) {
   // Opened first, so that a folder that is not there is known before a long read.
   auto output = open_output("detect", request.output, {request.input, request.others.value_or("")},
                             request.form.packing);
@@ -79,15 +77,6 @@ Result<ExitCode> detect(const DetectRequest& request) {
   const bool risky = !detection->at_risk.empty() || inputs->skipped() > 0;
   const bool risk = request.fail_on_risk && risky;
   return risk ? ExitCode::kRiskFound : ExitCode::kFine;
-}
-
-}  // namespace
-
-ExitCode run_detect(const DetectOptions& options) {
-  const auto request = request_of(options);
-  if (!request) return fail(request.error(), options.json);
-  const auto code = detect(*request);
-  return code ? *code : fail(code.error(), options.json);
 }
 
 }  // namespace beespace::cli

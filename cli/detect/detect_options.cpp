@@ -1,12 +1,17 @@
+#include "cli/command_line/option_values.hpp"
+#include "cli/console/terminal.hpp"
 #include "cli/detect/detect_command.hpp"
-#include "cli/detect/reports/report.hpp"
+#include "cli/detect/detection.hpp"
 #include "cli/input/moving_options.hpp"
 
-#include <string>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace beespace::cli {
 namespace {
+
+constexpr double kDefaultThreshold_m = 100.0;  // the paper's
 
 constexpr const char* kDescription = "Tell which bees are too close to another one";
 
@@ -43,66 +48,114 @@ constexpr const char* kDetails =
     "or more than --max-results, 4 cannot open, read or write, 130 interrupted, 143 terminated,\n"
     "141 closed pipe.";
 
-std::vector<std::string> report_names() {
-  std::vector<std::string> names;
-  for (const Report& report : reports()) names.emplace_back(report.name);
-  return names;
+Error wrong(std::string message) {
+  return usage_error("detect", std::move(message));
 }
 
-void add_input_options(Command& detect, DetectOptions& options) {
-  detect.argument("FILE", options.input, "What to read (default, or -: standard input)");
+void add_input_options(Command& detect, DetectRequest& request) {
+  detect.argument("FILE", request.input, "What to read (default, or -: standard input)");
   detect.group("Input");
-  detect.option("--others", "FILE", options.others, "Compare with these, not with each other");
-  detect.choice("--crs", options.frame, {"auto", "wgs84", "metres"},
-                "Whether the input is in degrees or metres");
-  detect.option("--columns", "LIST", options.columns,
+  detect.option("--others", "FILE", request.others, take_text,
+                "Compare with these, not with each other");
+  add_frame_option(detect, request.load.frame, "Whether the input is in degrees or metres");
+  detect.option("--columns", "LIST", request.load.columns,
                 "By number or name: id=1,lon=2,lat=3,height=4");
-  add_units_options(detect, options.units, options.heights);
-  detect.choice("--format", options.format, {"auto", "text", "npy", "bin"},
+  add_units_options(detect, request.load.units, request.load.heights);
+  detect.choice("--format", request.load.format,
+                {{"auto", io::Format::kAuto},
+                 {"text", io::Format::kText},
+                 {"npy", io::Format::kNpy},
+                 {"bin", io::Format::kRawFloat64}},
                 "How the input is written");
-  detect.flag("--skip-bad", options.skip_bad, "Leave bad records out and list them");
-  detect.flag("--unique-ids", options.unique_ids, "Refuse inputs in which an id comes again");
+  detect.flag("--skip-bad", request.load.skip_bad, "Leave bad records out and list them");
+  detect.flag("--unique-ids", request.unique_ids, "Refuse inputs in which an id comes again");
 }
 
-void add_search_options(Command& detect, DetectOptions& options) {
+void add_search_options(Command& detect, DetectRequest& request) {
+  std::vector<Word<const Report*>> words;
+  for (const Report& report : reports()) words.push_back({report.name, &report});
   detect.group("Search");
-  detect.choice("--report", options.report, report_names(),
-                "What to find, see below (default: at-risk)", "WHAT");
-  detect.option("--threshold", "LENGTH", options.threshold,
+  detect.choice("--report", request.report, words, "What to find, see below (default: at-risk)",
+                "WHAT");
+  detect.option("--threshold", "LENGTH", request.threshold_m, read_threshold,
                 "Closer than this is too close (default: 100)");
-  detect.option("--vertical", "LENGTH", options.vertical,
+  detect.option("--vertical", "LENGTH", request.vertical, read_vertical,
                 "Too close only if closer than this in height too;\nthe threshold is then "
                 "horizontal. The distance shown\nis still that in a straight line, and the "
                 "nearest is\nthe nearest of those in the cylinder");
-  detect.flag("--inclusive", options.inclusive, "A distance of exactly the threshold counts too");
-  detect.flag("--at-risk-only", options.at_risk_only,
+  detect.flag("--inclusive", request.search.inclusive,
+              "A distance of exactly the threshold counts too");
+  detect.flag("--at-risk-only", request.at_risk_only,
               "Only who is at risk (neighbors, counts, nearest)");
-  detect.option("--max-results", "N", options.max_results,
+  detect.option("--max-results", "N", request.max_results, read_max_results,
                 "Fail beyond so many (pairs, neighbors; default: no limit)");
-  detect.option("--threads", "N", options.threads, "How many threads work (default: 0, all)");
+  detect.option("--threads", "N", request.search.threads, read_threads,
+                "How many threads work (default: 0, all)");
 }
 
-void add_output_options(Command& detect, DetectOptions& options) {
+void add_output_options(Command& detect, DetectRequest& request) {
   detect.group("Output");
-  detect.option("-o,--output", "FILE", options.output,
+  detect.option("-o,--output", "FILE", request.output,
                 "Where the answer goes, by its ending .csv, .json or\n.geojson, perhaps with "
                 ".gz, in this form (default:\nstandard output)");
-  detect.flag("--csv", options.csv, "The bees' records as they stand, with columns added");
-  detect.flag("--json", options.json, "One JSON document with everything in it");
-  detect.flag("--geojson", options.geojson,
+  detect.flag("--csv", request.csv, "The bees' records as they stand, with columns added");
+  detect.flag("--json", request.json, "One JSON document with everything in it");
+  detect.flag("--geojson", request.geojson,
               "Points or lines for map tools (input in degrees only)");
-  detect.flag("--fail-on-risk", options.fail_on_risk,
+  detect.flag("--fail-on-risk", request.fail_on_risk,
               "Exit with 1 when somebody is at risk, or records were\nleft out");
-  detect.flag("--quiet", options.quiet, "No summary and no progress, only errors");
+  detect.flag("--quiet", request.quiet, "No summary and no progress, only errors");
+}
+
+// An option that the report would ignore is a misunderstanding.
+Status check_fit(const DetectRequest& request) {
+  const Report& report = *request.report;
+  const struct {
+    const char* option;
+    bool fits;
+  } table[] = {{"--others", !request.others || report.takes_others},
+               {"--max-results", !request.max_results || report.has_limit},
+               {"--vertical", !request.vertical || report.takes_vertical},
+               {"--at-risk-only", !request.at_risk_only || report.lists_everybody}};
+  for (const auto& [option, fits] : table) {
+    if (!fits) return wrong(std::string(option) + " does not apply to --report " + report.name);
+  }
+  return std::monostate{};
+}
+
+// What no option says alone, once all are read.
+Status settle(DetectRequest& request) {
+  if (request.input.empty() && (input_is_terminal() || request.others == "-")) {
+    return wrong("say which file to read, or pipe the input in");
+  }
+  if (request.input == "-" && request.others == "-") {
+    return wrong("standard input can be read once; name a file for one of the two");
+  }
+  if (request.input.empty()) request.input += '-';
+  const auto form =
+      output_form("detect", {request.output, request.csv, request.json, request.geojson},
+                  {{Form::kText, Form::kCsv, Form::kJson, Form::kGeoJson}});
+  if (!form) return form.error();
+  request.form = *form;
+  SearchOptions& search = request.search;
+  search.threshold_m = request.threshold_m.value_or(kDefaultThreshold_m);
+  search.max_results = request.max_results.value_or(search.max_results);
+  if (request.vertical) search.vertical_m = request.vertical->metric;
+  request.load.threads = search.threads;
+  request.load.format_can_be_said = true;
+  return check_fit(request);
 }
 
 }  // namespace
 
-Command detect_command(DetectOptions& options) {
-  Command detect("detect", kDescription, kDetails, [&options] { return run_detect(options); });
-  add_input_options(detect, options);
-  add_search_options(detect, options);
-  add_output_options(detect, options);
+Command detect_command() {
+  const auto request = std::make_shared<DetectRequest>();
+  Command detect("detect", kDescription, kDetails, [request](const Command&) {
+    return settle(*request).and_then([&] { return run_detect(*request); });
+  });
+  add_input_options(detect, *request);
+  add_search_options(detect, *request);
+  add_output_options(detect, *request);
   return detect;
 }
 

@@ -81,13 +81,6 @@ Result<Closest> closest_pair_between(Engine& engine, const std::vector<Point>& p
   return Closest({static_cast<PointId>(best - nearest.begin()), best->id, best->distance_m});
 }
 
-Status find_at_risk(Engine& engine, const std::vector<Point>& points,
-                    const std::vector<Point>* others, const SearchOptions& options,
-                    std::vector<PointId>& at_risk) {
-  if (others == nullptr) return engine.find_at_risk(points, options, at_risk);
-  return engine.find_at_risk_between(points, *others, options, at_risk);
-}
-
 // The library speaks to those who call it; here --max-results is what they can turn.
 Error in_words_of_the_command(Error error, const DetectRequest& request) {
   if (error.code != ErrorCode::kTooManyResults) return error;
@@ -98,12 +91,34 @@ Error in_words_of_the_command(Error error, const DetectRequest& request) {
   return error;
 }
 
+// The closest pair that is told: of all; with a vertical threshold, where some are at risk, of
+// those in conflict.
+Result<Closest> told_pair(const Question& question, const Inputs& inputs,
+                          const DetectRequest& request, const std::vector<PointId>& at_risk) {
+  auto closest = closest_pair(question.engine, inputs, at_risk, request.search);
+  if (!closest || !request.vertical || at_risk.empty()) return closest;
+  if (question.others != nullptr) {
+    closest =
+        closest_pair_between(question.engine, question.points, *question.others, question.search);
+    if (!closest) return closest;
+    // What is shown is the distance in space, as elsewhere.
+    ClosestPair& pair = **closest;
+    pair.distance_m = distance(inputs.ours.points[pair.first], inputs.others->points[pair.second]);
+    return closest;
+  }
+  const auto conflict =
+      is_in_conflict(question.engine, question.points, question.search, **closest);
+  if (!conflict) return conflict.error();
+  if (*conflict) return closest;
+  return closest_pair_in_conflict(question.engine, question.points, inputs.ours.points,
+                                  question.search, at_risk);
+}
+
 }  // namespace
 
 Result<Detection> search(const Inputs& inputs, const DetectRequest& request) {
   Engine engine;
   Detection detection;
-  const bool vertical = request.vertical.has_value();
   const io::Unit height_unit = inputs.height_unit();
   const analysis::GroundPlaces places =
       analysis::ground_places(inputs.ours, request.vertical, height_unit);
@@ -119,34 +134,33 @@ Result<Detection> search(const Inputs& inputs, const DetectRequest& request) {
       !inputs.others
           ? nullptr
           : (other_places.ground.empty() ? &inputs.others->points : &other_places.ground);
-  const Status at_risk = find_at_risk(engine, points, others, options, detection.at_risk);
-  if (!at_risk) return at_risk.error();
-  if (!request.quiet || request.form.form == Form::kJson || request.report->needs_closest) {
-    auto closest = closest_pair(engine, inputs, detection.at_risk, request.search);
+  const Question question{engine, points, others, options, request.at_risk_only};
+  const bool is_closest_pair = request.report->find == nullptr;
+  std::optional<std::vector<PointId>> at_risk;
+  if (!is_closest_pair) {
+    auto found = request.report->find(question);
+    if (!found) return in_words_of_the_command(std::move(found).error(), request);
+    detection.table = std::move(found->table);
+    at_risk = std::move(found->at_risk);
+  }
+  const bool is_told = !request.quiet || request.form.form == Form::kJson;
+  // Who is at risk follows from most answers.
+  if (at_risk) {
+    detection.at_risk = *std::move(at_risk);
+  } else if (is_told || request.fail_on_risk) {
+    if (Status found = find_at_risk(question, detection.at_risk); !found) return found.error();
+  }
+  if (is_told || is_closest_pair) {
+    auto closest = told_pair(question, inputs, request, detection.at_risk);
     if (!closest) return std::move(closest).error();
-    if (vertical && others != nullptr && !detection.at_risk.empty()) {
-      closest = closest_pair_between(engine, points, *others, options);
-      if (!closest) return std::move(closest).error();
-      // What is shown is the distance in space, as elsewhere.
-      ClosestPair& pair = **closest;
-      pair.distance_m =
-          distance(inputs.ours.points[pair.first], inputs.others->points[pair.second]);
-    } else if (vertical && !detection.at_risk.empty()) {
-      const auto conflict = is_in_conflict(engine, points, options, **closest);
-      if (!conflict) return conflict.error();
-      if (!*conflict) {
-        closest = closest_pair_in_conflict(engine, points, inputs.ours.points, options,
-                                           detection.at_risk);
-        if (!closest) return std::move(closest).error();
-      }
-    }
     detection.closest = *closest;
   }
-  const Question question{
-      engine, points, others, options, request.at_risk_only, detection.at_risk, detection.closest};
-  auto table = request.report->find(question);
-  if (!table) return in_words_of_the_command(std::move(table).error(), request);
-  detection.table = *std::move(table);
+  if (is_closest_pair) {
+    PairTable pair;
+    if (detection.closest)
+      pair.pairs.push_back({detection.closest->first, detection.closest->second});
+    detection.table = Table{std::move(pair)};
+  }
   return detection;
 }
 

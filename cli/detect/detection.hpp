@@ -1,6 +1,7 @@
 // One run of `beespace detect`: what was asked, what was read, what was found.
 #pragma once
 
+#include "cli/console/exit_code.hpp"
 #include "cli/detect/reports/report.hpp"
 #include "cli/output/output_form.hpp"
 #include "cli/output/table.hpp"
@@ -20,21 +21,30 @@
 
 namespace beespace::cli {
 
+// What is asked for: each value as its option says it, then what follows from them.
 struct DetectRequest {
-  std::string input = "-";
+  std::string input;
   std::optional<std::string> others;
   std::string output = "-";
   io::LoadOptions load;  // of both inputs
-  SearchOptions search;
-  bool default_threshold = false;            // nobody gave one
-  std::optional<io::StatedLength> vertical;  // that of `search`, as typed
+  const Report* report = &reports().front();
+  std::optional<double> threshold_m;         // absent: the default
+  std::optional<io::StatedLength> vertical;  // as typed
+  std::optional<std::uint64_t> max_results;  // absent: no limit
   bool unique_ids = false;
-  const Report* report = nullptr;
-  OutputForm form;
   bool at_risk_only = false;
+  bool csv = false;
+  bool json = false;
+  bool geojson = false;
   bool fail_on_risk = false;
   bool quiet = false;
+
+  SearchOptions search{.threads = 0};
+  OutputForm form;
 };
+
+// The exit code, or what went wrong.
+Result<ExitCode> run_detect(const DetectRequest& request);
 
 struct Inputs {
   io::LoadedPoints ours;
@@ -64,8 +74,8 @@ struct Timings {
 };
 
 struct Detection {
-  std::vector<PointId> at_risk;
-  std::optional<ClosestPair> closest;  // only when somebody will see it
+  std::vector<PointId> at_risk;        // only where it is told, or the exit code depends on it
+  std::optional<ClosestPair> closest;  // only where it is told
   Table table;
   Timings timings;
 

@@ -2,8 +2,8 @@
 
 #include "analysis/snapshot/recording_check.hpp"
 #include "analysis/text/unit_notes.hpp"
+#include "cli/command_line/option_values.hpp"
 #include "cli/console/summary_line.hpp"
-#include "cli/detect/detect_request.hpp"
 #include "io/bytes/number_text.hpp"
 #include "io/load_points.hpp"
 #include "io/points/loaded_points.hpp"
@@ -68,10 +68,10 @@ std::optional<Error> datum_problem(const io::LoadedPoints& ours, const io::Loade
   if (ours.heights == others.heights || ours.heights == none || others.heights == none) {
     return std::nullopt;
   }
-  return detect_usage_error("the heights of the two swarms cannot be compared: ours are " +
-                            std::string(datum_text(ours.heights)) + ", theirs " +
-                            std::string(datum_text(others.heights)) +
-                            "; take the same of both with --heights or --columns");
+  return usage_error("detect", "the heights of the two swarms cannot be compared: ours are " +
+                                   std::string(datum_text(ours.heights)) + ", theirs " +
+                                   std::string(datum_text(others.heights)) +
+                                   "; take the same of both with --heights or --columns");
 }
 
 // Of 0 m for whatever has no height nothing follows beside heights that are known.
@@ -81,10 +81,11 @@ std::optional<Error> height_problem(const Inputs& inputs, const io::LoadedPoints
   const std::string& without = has_heights(others) ? request.input : *request.others;
   const std::string& with = has_heights(others) ? *request.others : request.input;
   const bool degrees = others.frame == io::Frame::kWgs84;
-  return detect_usage_error(
+  return usage_error(
+      "detect",
       "the two swarms cannot be compared: " + source_of(without) + " has no " +
-      (degrees ? "height" : "z") + " column, and " + source_of(with) +
-      " has one; add it to the first, or take it from the second to compare both at 0 m");
+          (degrees ? "height" : "z") + " column, and " + source_of(with) +
+          " has one; add it to the first, or take it from the second to compare both at 0 m");
 }
 
 // The columns of a header by their numbers.
@@ -118,11 +119,11 @@ std::optional<Error> columns_problem(const Inputs& inputs, const io::LoadedPoint
     const io::Role role = io::read_column_name(schema, ours[number - 1]).role;
     const bool alike = role == io::read_column_name(schema, theirs[number - 1]).role;
     if (alike && role != io::Role::kNone) continue;
-    return detect_usage_error(
-        "--columns goes to both files, but column " + wanted.column + " is " +
-        io::excerpt(ours[number - 1]) + " in " + source_of(request.input) + " and " +
-        io::excerpt(theirs[number - 1]) + " in " + source_of(*request.others) +
-        "; name the columns instead of numbering them, or leave --columns out");
+    return usage_error(
+        "detect", "--columns goes to both files, but column " + wanted.column + " is " +
+                      io::excerpt(ours[number - 1]) + " in " + source_of(request.input) + " and " +
+                      io::excerpt(theirs[number - 1]) + " in " + source_of(*request.others) +
+                      "; name the columns instead of numbering them, or leave --columns out");
   }
   return std::nullopt;
 }
@@ -135,9 +136,9 @@ Result<Inputs> load_inputs(const DetectRequest& request, ProgressBar& progress) 
   auto ours = load_snapshot(request.input, options);
   if (!ours) return std::move(ours).error();
   if (request.form.form == Form::kGeoJson && ours->frame != io::Frame::kWgs84) {
-    return detect_usage_error(
-        "--geojson needs longitude and latitude, but the input was taken for metres: " +
-        ours->frame_reason);
+    return usage_error(
+        "detect", "--geojson needs longitude and latitude, but the input was taken for metres: " +
+                      ours->frame_reason);
   }
   auto our_repeated = repeated_ids(*ours, request.input, request.unique_ids);
   if (!our_repeated) return std::move(our_repeated).error();
@@ -147,10 +148,10 @@ Result<Inputs> load_inputs(const DetectRequest& request, ProgressBar& progress) 
   auto others = load_snapshot(*request.others, options);
   if (!others) return std::move(others).error();
   if (others->frame != inputs.ours.frame) {
-    return detect_usage_error(
-        "the two swarms are not in the same frame: " + taken_for(inputs.ours, request.input) +
-        ", and " + taken_for(*others, *request.others) +
-        "; convert one, or say with --crs what both are");
+    return usage_error("detect", "the two swarms are not in the same frame: " +
+                                     taken_for(inputs.ours, request.input) + ", and " +
+                                     taken_for(*others, *request.others) +
+                                     "; convert one, or say with --crs what both are");
   }
   if (auto problem = columns_problem(inputs, *others, request)) return *std::move(problem);
   if (auto problem = height_problem(inputs, *others, request)) return *std::move(problem);

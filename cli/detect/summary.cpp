@@ -104,7 +104,7 @@ std::string summary(const Inputs& inputs, const Detection& detection,
   append_summary_line(out, "threshold",
                       separation_text(request.search.threshold_m, request.search.vertical_m,
                                       request.search.inclusive) +
-                          (request.default_threshold ? kDefaultThresholdWords : ""));
+                          (!request.threshold_m ? kDefaultThresholdWords : ""));
   append_vertical(out, request.vertical, inputs.height_unit());
   append_summary_line(out, "at risk", at_risk_line(inputs, detection));
   if (!detection.table.finding.empty()) {

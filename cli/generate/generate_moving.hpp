@@ -2,14 +2,12 @@
 #pragma once
 
 #include "cli/generate/generate_command.hpp"
-#include "cli/output/swarm_output.hpp"
 #include "io/bytes/atomic_output.hpp"
 #include "scenes/recorded_flights.hpp"
 
 #include <beespace/mover.hpp>
 #include <beespace/result.hpp>
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -27,8 +25,7 @@ struct MovingSwarm {
 };
 
 // Errors: kInvalidArgument.
-Result<MovingSwarm> make_moving_swarm(const GenerateOptions& options, const std::string& scene,
-                                      std::size_t count, std::uint64_t seed);
+Result<MovingSwarm> make_moving_swarm(const GenerateRequest& request);
 
 // Whether the format holds more than positions. Error: kInvalidArgument.
 Status check_moving_format(SwarmFormat format, const std::string& scene);

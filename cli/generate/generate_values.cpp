@@ -46,45 +46,33 @@ std::size_t find_hyphen(std::string_view text) {
   return text.size();
 }
 
+// "--sigma 'abc' is not ...".
+Error wrong(const Typed& typed, const std::string& what) {
+  return generate_error(std::string(typed.option) + " '" + typed.text + "' " + what);
+}
+
 }  // namespace
 
 Error generate_error(std::string message) {
   return usage_error("generate", std::move(message));
 }
 
-Result<std::uint64_t> read_count(const std::string& text, const std::string& option,
-                                 std::uint64_t most) {
-  const auto count = io::parse_whole(text);
-  if (count && *count >= 1 && *count <= most) return *count;
-  return generate_error(option + " '" + text + "' is not a whole number from 1 to " +
-                        io::grouped(most));
+Result<double> read_length(const Typed& typed) {
+  if (const auto value = metres_within(typed.text, kSmallestSize_m, kLargestSize_m)) return *value;
+  return wrong(typed, std::string("is not a length in metres") + kSizes);
 }
 
-Result<std::uint64_t> read_seed(const std::string& text) {
-  const auto seed = io::parse_whole(text);
-  if (seed) return *seed;
-  return generate_error("--seed '" + text + "' is not a whole number from 0 to " +
-                        std::to_string(std::numeric_limits<std::uint64_t>::max()));
+Result<double> read_distance(const Typed& typed) {
+  if (const auto value = io::parse_number(typed.text); value && *value == 0.0) return 0.0;
+  if (const auto value = metres_within(typed.text, kSmallestSize_m, kLargestSize_m)) return *value;
+  return wrong(typed, "is not a distance in metres (0, or 0.000001 to 1e15)");
 }
 
-Result<double> read_length(const std::string& text, const std::string& option) {
-  if (const auto value = metres_within(text, kSmallestSize_m, kLargestSize_m)) return *value;
-  return generate_error(option + " '" + text + "' is not a length in metres" + kSizes);
-}
-
-Result<double> read_distance(const std::string& text, const std::string& option) {
-  if (const auto value = io::parse_number(text); value && *value == 0.0) return 0.0;
-  if (const auto value = metres_within(text, kSmallestSize_m, kLargestSize_m)) return *value;
-  return generate_error(option + " '" + text + "' is not a distance in metres (0, or 0.000001 to " +
-                        "1e15)");
-}
-
-Result<Point> read_size(const std::string& text, double default_side_m) {
-  if (text.empty()) return Point{default_side_m, default_side_m, default_side_m};
-  const Error error = generate_error("--size '" + text + "' is not a length in metres" + kSizes +
-                                     ", nor three as in 3300x2300x480");
+Result<Point> read_size(const Typed& typed) {
+  const Error error = wrong(
+      typed, std::string("is not a length in metres") + kSizes + ", nor three as in 3300x2300x480");
   std::vector<double> sides;
-  std::string_view rest = text;
+  std::string_view rest = typed.text;
   while (true) {
     const std::size_t end = std::min(rest.find('x'), rest.size());
     const auto side = metres_within(rest.substr(0, end), kSmallestSize_m, kLargestSize_m);
@@ -98,21 +86,21 @@ Result<Point> read_size(const std::string& text, double default_side_m) {
   return Point{sides[0], sides[1], sides[2]};
 }
 
-Result<scenes::Speeds> read_speeds(const std::string& text) {
-  const std::string_view whole = text;
+Result<scenes::Speeds> read_speeds(const Typed& typed) {
+  const std::string_view whole = typed.text;
   const std::size_t hyphen = find_hyphen(whole);
   const std::string_view high = hyphen == whole.size() ? whole : whole.substr(hyphen + 1);
   const auto slowest = number_within(whole.substr(0, hyphen), kSmallestSpeed, kLargestSpeed);
   const auto fastest = number_within(high, kSmallestSpeed, kLargestSpeed);
   if (slowest && fastest && *slowest <= *fastest) return scenes::Speeds{*slowest, *fastest};
-  return generate_error("--speed '" + text +
-                        "' is not a speed in metres per second (0.000001 to 1e6), nor two as in "
-                        "5-20, the slowest first");
+  return wrong(typed,
+               "is not a speed in metres per second (0.000001 to 1e6), nor two as in "
+               "5-20, the slowest first");
 }
 
-Result<double> read_seconds(const std::string& text, const std::string& option) {
-  if (const auto value = number_within(text, kShortest_s, kLongest_s)) return *value;
-  return generate_error(option + " '" + text + "' is not a number of seconds (0.000001 to 1e9)");
+Result<double> read_seconds(const Typed& typed) {
+  if (const auto value = number_within(typed.text, kShortest_s, kLongest_s)) return *value;
+  return wrong(typed, "is not a number of seconds (0.000001 to 1e9)");
 }
 
 }  // namespace beespace::cli

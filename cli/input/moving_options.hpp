@@ -3,7 +3,6 @@
 #pragma once
 
 #include "analysis/scene/scene_request.hpp"
-#include "cli/command_line/command.hpp"
 #include "cli/output/output_form.hpp"
 #include "cli/output/rows.hpp"
 #include "io/recording/recording_options.hpp"
@@ -12,49 +11,31 @@
 #include <beespace/result.hpp>
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace beespace::cli {
 
-// As typed, before it is checked.
-struct MovingOptions {
-  std::vector<std::string> inputs;
-  std::string frame = "auto";
-  std::string columns;
-  std::string time_unit = "auto";
-  std::string units;
-  std::string heights = "auto";
-  std::string threshold;  // empty: what the input declares, or 100
-  std::string vertical;
-  std::string max_results;
-  std::string threads = "0";
-  std::string output = "-";
-  bool inclusive = false;
-  bool grounded = false;
-  bool skip_bad = false;
-  bool csv = false;
-  bool json = false;
-  bool fail_on_risk = false;
-  bool quiet = false;
-};
+class Command;
 
 using analysis::kDefaultThreshold_m;
 
-// Checked: a request that makes sense.
 struct MovingRequest {
-  const char* command;
-  std::vector<std::string> inputs;
-  io::RecordingOptions load;
-  std::optional<double> threshold_m;  // absent: what the input declares, or the default
-  std::optional<double> vertical_m;
-  std::optional<io::StatedLength> vertical;  // the same, as typed
+  const char* command = "";
+  std::vector<std::string> inputs = {};
+  io::RecordingOptions load = {};
+  std::optional<double> threshold_m = {};  // absent: what the input declares, or the default
+  std::optional<double> vertical_m = {};
+  std::optional<io::StatedLength> vertical = {};  // the same, as typed
   bool inclusive = false;
-  std::uint64_t max_results = 0;
+  std::uint64_t max_results = std::numeric_limits<std::uint64_t>::max();
   unsigned threads = 0;
-  std::string output;
-  OutputForm form;
+  std::string output = "-";
+  bool csv = false;
+  bool json = false;
+  OutputForm form = {};  // that these three ask for
   bool fail_on_risk = false;
   bool quiet = false;
 };
@@ -65,36 +46,29 @@ inline constexpr const char* kVerticalHelp =
     "the threshold is then horizontal. Of degrees, the\n"
     "distance shown is then hypot(ground, height)";
 
-// How to read, as `predict`, `replay` and `watch` are told alike.
-struct ReadingOptions {
-  const std::string& frame;
-  const std::string& time_unit;
-  const std::string& columns;
-  const std::string& heights;
-  const std::string& units;
-};
-// Errors: kInvalidArgument for units that are none.
-Result<io::RecordingOptions> recording_options(const char* command, const ReadingOptions& options);
-// --units and --heights.
-void add_units_options(Command& command, std::string& units, std::string& heights);
+// How to read: --crs, --time-unit, --units and --heights.
+void add_frame_option(Command& command, io::Frame& frame, const char* help);
+void add_time_unit_option(Command& command, io::Unit& unit);
+void add_units_options(Command& command, io::UnitOverrides& units, io::HeightSource& heights);
 
-void add_input_options(Command& command, MovingOptions& options);
-// Of recordings. As typed it is nothing, "never" (infinite), or seconds above zero.
-void add_max_gap_option(Command& command, std::string& max_gap, const char* group);
-Result<std::optional<double>> read_max_gap(const char* command, const std::string& text);
-// That, and --tolerance.
-void add_gap_options(Command& command, std::string& max_gap, std::string& tolerance);
-void add_threshold_options(Command& command, MovingOptions& options);
+void add_input_options(Command& command, MovingRequest& request);
+// Of recordings: --max-gap; and that with --tolerance.
+void add_max_gap_option(Command& command, std::optional<double>& max_gap_s);
+void add_gap_options(Command& command, std::optional<double>& max_gap_s, double& tolerance_m);
+void add_threshold_options(Command& command, MovingRequest& request);
 // The same, and how many conflicts there may be.
-void add_separation_options(Command& command, MovingOptions& options);
-void add_output_options(Command& command, MovingOptions& options);
+void add_separation_options(Command& command, MovingRequest& request);
+// Where the answer goes, and in which form.
+void add_form_options(Command& command, MovingRequest& request);
+void add_risk_option(Command& command, MovingRequest& request);
+void add_quiet_option(Command& command, bool& quiet);
 
-Result<MovingRequest> moving_request(const char* command, const MovingOptions& options);
-
+// What no option says alone, once all are read. Errors: kInvalidArgument.
+Status settle(MovingRequest& request, const char* command);
 // The same of a command that answers in text, CSV or JSON. `text_endings`: how the names of files
 // end that hold its plain text.
-Result<MovingRequest> answering_request(const char* command, const MovingOptions& options,
-                                        const std::vector<std::string>& text_endings = {"tsv"});
+Status settle_answer(MovingRequest& request, const char* command,
+                     const std::vector<std::string>& text_endings = {"tsv"});
 
 // The library speaks to those who call it; here --max-results is what they can turn.
 Error in_words_of_the_command(Error error, const MovingRequest& request);

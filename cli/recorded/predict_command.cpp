@@ -4,8 +4,6 @@
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/last_snapshot.hpp"
 #include "analysis/text/moment_text.hpp"
-#include "cli/command_line/option_values.hpp"
-#include "cli/console/failure.hpp"
 #include "cli/console/progress_bar.hpp"
 #include "cli/console/stopwatch.hpp"
 #include "cli/console/terminal.hpp"
@@ -24,22 +22,6 @@ namespace beespace::cli {
 namespace {
 
 constexpr const char* kName = "predict";
-
-struct PredictRequest {
-  MovingRequest moving;
-  double horizon_s = 60.0;
-  double max_age_s = 30.0;
-};
-
-Result<PredictRequest> request_of(const PredictCommandOptions& options) {
-  auto moving = answering_request(kName, options.moving);
-  if (!moving) return std::move(moving).error();
-  const auto horizon = read_amount(kName, "--horizon", options.horizon, "seconds", {0.0, true});
-  if (!horizon) return horizon.error();
-  const auto max_age = read_amount(kName, "--max-age", options.max_age, "seconds", {0.0, true});
-  if (!max_age) return max_age.error();
-  return PredictRequest{*std::move(moving), *horizon, *max_age};
-}
 
 // Those of the horizon, and of the bees that are known for the present moment only those of now:
 // between movers and snapshot.present().
@@ -175,7 +157,9 @@ std::string summary(const Outlook& outlook, const PredictRequest& request, doubl
   return out;
 }
 
-Result<ExitCode> predict(const PredictRequest& request) {
+}  // namespace
+
+Result<ExitCode> run_predict(const PredictRequest& request) {
   const MovingRequest& moving = request.moving;
   auto output = open_output(kName, moving.output, moving.inputs, moving.form.packing);
   if (!output) return std::move(output).error();
@@ -225,16 +209,6 @@ Result<ExitCode> predict(const PredictRequest& request) {
   }
   const bool risky = !conflicts->empty() || !outlook.complete();
   return moving.fail_on_risk && risky ? ExitCode::kRiskFound : ExitCode::kFine;
-}
-
-}  // namespace
-
-ExitCode run_predict(const PredictCommandOptions& options) {
-  const bool json = options.moving.json;
-  const auto request = request_of(options);
-  if (!request) return fail(request.error(), json);
-  const auto code = predict(*request);
-  return code ? *code : fail(code.error(), json);
 }
 
 }  // namespace beespace::cli

@@ -1,24 +1,19 @@
-// `beespace predict`: its options, and what it does with them.
+// `beespace predict`.
 #pragma once
 
 #include "cli/command_line/command.hpp"
-#include "cli/console/exit_code.hpp"
 #include "cli/input/moving_options.hpp"
-
-#include <string>
 
 namespace beespace::cli {
 
-// As typed, before it is checked.
-struct PredictCommandOptions {
-  MovingOptions moving;
-  std::string horizon = "60";
-  std::string max_age = "30";
+struct PredictRequest {
+  MovingRequest moving;
+  double horizon_s = 60.0;
+  double max_age_s = 30.0;
 };
 
-// `options` must outlive it.
-Command predict_command(PredictCommandOptions& options);
+Command predict_command();
 
-ExitCode run_predict(const PredictCommandOptions& options);
+Result<ExitCode> run_predict(const PredictRequest& request);
 
 }  // namespace beespace::cli

@@ -1,4 +1,7 @@
+#include "cli/command_line/option_values.hpp"
 #include "cli/recorded/predict_command.hpp"
+
+#include <memory>
 
 namespace beespace::cli {
 namespace {
@@ -32,18 +35,25 @@ constexpr const char* kDetails =
 
 }  // namespace
 
-Command predict_command(PredictCommandOptions& options) {
-  Command predict("predict", kDescription, kDetails, [&options] { return run_predict(options); });
-  predict.arguments("FILE", options.moving.inputs, "What to read (default, or -: standard input)")
-      .takes = Option::Takes::kOne;
-  add_input_options(predict, options.moving);
-  predict.group("Input");
-  predict.option("--max-age", "SECONDS", options.max_age,
+Command predict_command() {
+  const auto request = std::make_shared<PredictRequest>();
+  MovingRequest& moving = request->moving;
+  Command predict("predict", kDescription, kDetails, [request](const Command&) {
+    return settle_answer(request->moving, "predict").and_then([&] {
+      return run_predict(*request);
+    });
+  });
+  predict.arguments("FILE", moving.inputs, "What to read (default, or -: standard input)").takes =
+      Option::Takes::kOne;
+  add_input_options(predict, moving);
+  predict.option("--max-age", "SECONDS", request->max_age_s, amount("seconds", kFromZero),
                  "Leave out who was not heard of for so long (default: 30)");
-  add_separation_options(predict, options.moving);
-  predict.group("Separation");
-  predict.option("--horizon", "SECONDS", options.horizon, "How far to look ahead (default: 60)");
-  add_output_options(predict, options.moving);
+  add_separation_options(predict, moving);
+  predict.option("--horizon", "SECONDS", request->horizon_s, amount("seconds", kFromZero),
+                 "How far to look ahead (default: 60)");
+  add_form_options(predict, moving);
+  add_risk_option(predict, moving);
+  add_quiet_option(predict, moving.quiet);
   return predict;
 }
 

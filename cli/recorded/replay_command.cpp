@@ -6,7 +6,6 @@
 #include "analysis/recorded/tracks.hpp"
 #include "analysis/text/bee_name.hpp"
 #include "cli/command_line/option_values.hpp"
-#include "cli/console/failure.hpp"
 #include "cli/console/progress_bar.hpp"
 #include "cli/console/stopwatch.hpp"
 #include "cli/console/terminal.hpp"
@@ -30,61 +29,6 @@ namespace beespace::cli {
 namespace {
 
 constexpr const char* kName = "replay";
-
-struct ReplayRequest {
-  MovingRequest moving;
-  std::string report;
-  std::optional<double> max_gap_s;  // absent: from the data
-  double tolerance_m;
-  double every_s;
-  LiveRequest live;
-};
-
-// An option that the report would ignore is a misunderstanding.
-Status check_fit(const ReplayOptions& options) {
-  const struct {
-    const char* name;
-    const std::string& given;
-    const char* report;
-  } table[] = {
-      {"--every", options.every, "separation"},
-      {"--horizon", options.live.horizon, "events"},
-      {"--leave-factor", options.live.leave_factor, "events"},
-      {"--look-every", options.live.look_every, "events"},
-  };
-  for (const auto& option : table) {
-    if (option.given.empty() || option.report == options.report) continue;
-    return usage_error(kName, std::string(option.name) + " does not apply to --report " +
-                                  options.report + "; leave it out, or say --report " +
-                                  option.report);
-  }
-  if (options.moving.inclusive && options.report == "events") {
-    return usage_error(kName,
-                       "--inclusive does not apply to --report events, in which exactly the "
-                       "threshold is never too close; leave it out");
-  }
-  return std::monostate{};
-}
-
-Result<ReplayRequest> request_of(const ReplayOptions& options) {
-  if (const Status fit = check_fit(options); !fit) return fit.error();
-  const bool events = options.report == "events";  // lines of JSON
-  auto moving = answering_request(
-      kName, options.moving,
-      events ? std::vector<std::string>{"jsonl", "ndjson"} : std::vector<std::string>{"tsv"});
-  if (!moving) return std::move(moving).error();
-  const auto max_gap = read_max_gap(kName, options.max_gap);
-  if (!max_gap) return max_gap.error();
-  const auto tolerance =
-      read_amount(kName, "--tolerance", options.tolerance, "metres", {0.0, false});
-  if (!tolerance) return tolerance.error();
-  const auto every = read_optional_amount(kName, "--every", options.every, "seconds", {0.0, false});
-  if (!every) return every.error();
-  const auto live = live_request(kName, options.live);
-  if (!live) return live.error();
-  return ReplayRequest{*std::move(moving), options.report,       *max_gap,
-                       *tolerance,         every->value_or(1.0), *live};
-}
 
 // A show: nobody is out of sight in it.
 bool is_plan(const io::Recording& recording) {
@@ -201,7 +145,9 @@ Status check_every(const ReplayRequest& request, const std::vector<Track>& track
                                 " rows for this recording; look less often");
 }
 
-Result<ExitCode> replay(const ReplayRequest& request) {
+}  // namespace
+
+Result<ExitCode> run_replay(const ReplayRequest& request) {
   const MovingRequest& moving = request.moving;
   auto output = open_output(kName, moving.output, moving.inputs, moving.form.packing);
   if (!output) return std::move(output).error();
@@ -265,16 +211,6 @@ Result<ExitCode> replay(const ReplayRequest& request) {
   const bool risky = !recorded->conflicts.empty() || coverage.may_hide_conflicts();
   const bool risk = moving.fail_on_risk && risky;
   return risk ? ExitCode::kRiskFound : ExitCode::kFine;
-}
-
-}  // namespace
-
-ExitCode run_replay(const ReplayOptions& options) {
-  const bool json = options.moving.json;
-  const auto request = request_of(options);
-  if (!request) return fail(request.error(), json);
-  const auto code = replay(*request);
-  return code ? *code : fail(code.error(), json);
 }
 
 }  // namespace beespace::cli

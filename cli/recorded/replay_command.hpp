@@ -1,28 +1,26 @@
-// `beespace replay`: its options, and what it does with them.
+// `beespace replay`.
 #pragma once
 
 #include "cli/command_line/command.hpp"
-#include "cli/console/exit_code.hpp"
 #include "cli/input/live_options.hpp"
 #include "cli/input/moving_options.hpp"
 
+#include <optional>
 #include <string>
 
 namespace beespace::cli {
 
-// As typed, before it is checked.
-struct ReplayOptions {
-  MovingOptions moving;
+struct ReplayRequest {
+  MovingRequest moving;
   std::string report = "conflicts";
-  std::string max_gap;
-  std::string tolerance = "0.001";
-  std::string every;
-  LiveOptions live;
+  std::optional<double> max_gap_s;  // absent: from the data
+  double tolerance_m = 0.001;
+  double every_s = 1.0;
+  LiveRequest live;
 };
 
-// `options` must outlive it.
-Command replay_command(ReplayOptions& options);
+Command replay_command();
 
-ExitCode run_replay(const ReplayOptions& options);
+Result<ExitCode> run_replay(const ReplayRequest& request);
 
 }  // namespace beespace::cli

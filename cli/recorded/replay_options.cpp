@@ -1,4 +1,7 @@
+#include "cli/command_line/option_values.hpp"
 #include "cli/recorded/replay_command.hpp"
+
+#include <memory>
 
 namespace beespace::cli {
 namespace {
@@ -51,22 +54,58 @@ constexpr const char* kDetails =
     "interrupted,\n"
     "143 terminated, 141 closed pipe.";
 
+// An option that the report would ignore is a misunderstanding.
+Status check_fit(const Command& command, const ReplayRequest& request) {
+  const struct {
+    const char* option;
+    const char* report;
+  } table[] = {{"--every", "separation"},
+               {"--horizon", "events"},
+               {"--leave-factor", "events"},
+               {"--look-every", "events"}};
+  for (const auto& [option, report] : table) {
+    if (report == request.report || !command.is_given(option)) continue;
+    return usage_error("replay", std::string(option) + " does not apply to --report " +
+                                     request.report + "; leave it out, or say --report " + report);
+  }
+  if (request.moving.inclusive && request.report == "events") {
+    return usage_error("replay",
+                       "--inclusive does not apply to --report events, in which exactly the "
+                       "threshold is never too close; leave it out");
+  }
+  return std::monostate{};
+}
+
+Status settle(const Command& command, ReplayRequest& request) {
+  if (Status fit = check_fit(command, request); !fit) return fit;
+  // Events are lines of JSON.
+  if (request.report == "events")
+    return settle_answer(request.moving, "replay", {"jsonl", "ndjson"});
+  return settle_answer(request.moving, "replay");
+}
+
 }  // namespace
 
-Command replay_command(ReplayOptions& options) {
-  Command replay("replay", kDescription, kDetails, [&options] { return run_replay(options); });
-  replay.arguments("FILES", options.moving.inputs,
+Command replay_command() {
+  const auto request = std::make_shared<ReplayRequest>();
+  MovingRequest& moving = request->moving;
+  Command replay("replay", kDescription, kDetails, [request](const Command& command) {
+    return settle(command, *request).and_then([&] { return run_replay(*request); });
+  });
+  replay.arguments("FILES", moving.inputs,
                    "Files and folders to read (default, or -:\nstandard input)");
-  add_input_options(replay, options.moving);
-  add_gap_options(replay, options.max_gap, options.tolerance);
-  add_separation_options(replay, options.moving);
-  replay.group("Separation");
-  replay.choice("--report", options.report, {"conflicts", "bees", "separation", "events"},
+  add_input_options(replay, moving);
+  add_gap_options(replay, request->max_gap_s, request->tolerance_m);
+  add_separation_options(replay, moving);
+  replay.choice("--report", request->report, {"conflicts", "bees", "separation", "events"},
                 "What to find, see below (default: conflicts)", "WHAT");
-  replay.option("--every", "SECONDS", options.every,
+  replay.option("--every", "SECONDS", request->every_s, amount("seconds", kAboveZero),
                 "How often --report separation looks (default: 1)");
-  add_live_options(replay, options.live, "Events");
-  add_output_options(replay, options.moving);
+  replay.group("Events");
+  add_live_options(replay, request->live);
+  add_form_options(replay, moving);
+  add_risk_option(replay, moving);
+  add_quiet_option(replay, moving.quiet);
   return replay;
 }
 

@@ -2,8 +2,6 @@
 
 #include "analysis/recorded/common_times.hpp"
 #include "analysis/recorded/gaps.hpp"
-#include "cli/command_line/option_values.hpp"
-#include "cli/console/failure.hpp"
 #include "cli/console/progress_bar.hpp"
 #include "cli/console/stopwatch.hpp"
 #include "cli/console/terminal.hpp"
@@ -28,46 +26,6 @@ namespace {
 constexpr const char* kName = "verify";
 // Where neither an option nor the input says what is too close.
 constexpr double kDefaultVerified_m = 5.0;
-constexpr double kDefaultClearance_m = 1.0;
-
-struct VerifyRequest {
-  MovingRequest moving;
-  VerifyOptions check;              // the threshold and the obstacles are not there yet
-  std::string obstacles;            // a file; empty for none
-  std::optional<double> max_gap_s;  // absent: from the data
-};
-
-Result<VerifyRequest> request_of(const VerifyCommandOptions& options) {
-  auto moving = answering_request(kName, options.moving);
-  if (!moving) return std::move(moving).error();
-  if (options.straight && !options.max_acceleration.empty()) {
-    return usage_error(kName,
-                       "--max-acceleration needs the velocities, and --straight ignores them; "
-                       "leave one out");
-  }
-  VerifyOptions check;
-  const auto speed = read_optional_amount(kName, "--max-speed", options.max_speed,
-                                          "metres per second", {0.0, true});
-  if (!speed) return speed.error();
-  check.max_speed_mps = speed->value_or(check.max_speed_mps);
-  const auto acceleration =
-      read_optional_amount(kName, "--max-acceleration", options.max_acceleration,
-                           "metres per second squared", {0.0, true});
-  if (!acceleration) return acceleration.error();
-  check.max_acceleration_mps2 = acceleration->value_or(check.max_acceleration_mps2);
-  const auto clearance =
-      read_optional_amount(kName, "--clearance", options.clearance, "metres", {0.0, false});
-  if (!clearance) return clearance.error();
-  if (*clearance && options.obstacles.empty()) {
-    return usage_error(kName, "--clearance is of obstacles, and there are none; add --obstacles");
-  }
-  check.clearance_m = clearance->value_or(kDefaultClearance_m);
-  check.straight = options.straight;
-  check.threads = moving->threads;
-  const auto max_gap = read_max_gap(kName, options.max_gap);
-  if (!max_gap) return max_gap.error();
-  return VerifyRequest{*std::move(moving), check, options.obstacles, *max_gap};
-}
 
 // How bees fly from fix to fix, in words; sets `check.straight` where there is no other way.
 Result<std::string> settle_motion(const io::Recording& recording, bool accelerations,
@@ -105,7 +63,9 @@ Status check_frame(const io::Recording& recording, const std::string& obstacles)
                {}};
 }
 
-Result<ExitCode> verify(const VerifyRequest& request) {
+}  // namespace
+
+Result<ExitCode> run_verify(const VerifyRequest& request) {
   const MovingRequest& moving = request.moving;
   std::vector<std::string> inputs = moving.inputs;
   inputs.push_back(request.obstacles);
@@ -150,16 +110,6 @@ Result<ExitCode> verify(const VerifyRequest& request) {
   progress.finish();
   if (!moving.quiet) say(verify_summary(verification, moving));
   return verification.holds() ? ExitCode::kFine : ExitCode::kRiskFound;
-}
-
-}  // namespace
-
-ExitCode run_verify(const VerifyCommandOptions& options) {
-  const bool json = options.moving.json;
-  const auto request = request_of(options);
-  if (!request) return fail(request.error(), json);
-  const auto code = verify(*request);
-  return code ? *code : fail(code.error(), json);
 }
 
 }  // namespace beespace::cli

@@ -1,28 +1,25 @@
-// `beespace verify`: its options, and what it does with them.
+// `beespace verify`.
 #pragma once
 
 #include "cli/command_line/command.hpp"
-#include "cli/console/exit_code.hpp"
 #include "cli/input/moving_options.hpp"
 
+#include <beespace/verify.hpp>
+
+#include <optional>
 #include <string>
 
 namespace beespace::cli {
 
-// As typed, before it is checked.
-struct VerifyCommandOptions {
-  MovingOptions moving;
-  std::string max_speed;
-  std::string max_acceleration;
-  std::string obstacles;
-  std::string clearance;
-  std::string max_gap;
-  bool straight = false;
+struct VerifyRequest {
+  MovingRequest moving;
+  VerifyOptions check{.clearance_m = 1.0};  // the threshold and the obstacles are not there yet
+  std::string obstacles;                    // a file; empty for none
+  std::optional<double> max_gap_s;          // absent: from the data
 };
 
-// `options` must outlive it.
-Command verify_command(VerifyCommandOptions& options);
+Command verify_command();
 
-ExitCode run_verify(const VerifyCommandOptions& options);
+Result<ExitCode> run_verify(const VerifyRequest& request);
 
 }  // namespace beespace::cli

@@ -1,4 +1,7 @@
+#include "cli/command_line/option_values.hpp"
 #include "cli/recorded/verify_command.hpp"
+
+#include <memory>
 
 namespace beespace::cli {
 namespace {
@@ -40,42 +43,54 @@ constexpr const char* kDetails =
     "at different times, 4 cannot open, read or write, 130 interrupted, 143 terminated, 141 closed "
     "pipe.";
 
-void add_check_options(Command& verify, VerifyCommandOptions& options) {
+void add_check_options(Command& verify, VerifyRequest& request) {
   verify.group("Check");
-  verify.option("--threshold", "LENGTH", options.moving.threshold,
+  verify.option("--threshold", "LENGTH", request.moving.threshold_m, read_threshold_in_motion,
                 "Closer than this is too close (default: what the\ninput declares, or 5)");
-  verify.option("--max-speed", "SPEED", options.max_speed, "In m/s (default: not checked)");
-  verify.option("--max-acceleration", "A", options.max_acceleration,
+  verify.option("--max-speed", "SPEED", request.check.max_speed_mps,
+                amount("metres per second", kFromZero), "In m/s (default: not checked)");
+  verify.option("--max-acceleration", "A", request.check.max_acceleration_mps2,
+                amount("metres per second squared", kFromZero),
                 "In m/s^2 (default: not checked); needs velocities");
-  verify.option("--obstacles", "FILE", options.obstacles,
+  verify.option("--obstacles", "FILE", request.obstacles,
                 "What stands in the way: JSON, as of 'beespace\nsimulate'; of flights in metres");
-  verify.option("--clearance", "LENGTH", options.clearance,
+  verify.option("--clearance", "LENGTH", request.check.clearance_m, amount("metres", kAboveZero),
                 "Closer than this to an obstacle is too close\n(default: 1)");
-  add_max_gap_option(verify, options.max_gap, "Check");
-  verify.flag("--straight", options.straight, "Straight lines, whatever the velocities");
-  verify.option("--threads", "N", options.moving.threads,
+  add_max_gap_option(verify, request.max_gap_s);
+  verify.flag("--straight", request.check.straight, "Straight lines, whatever the velocities");
+  verify.option("--threads", "N", request.moving.threads, read_threads,
                 "How many threads work (default: 0, all)");
 }
 
-void add_answer_options(Command& verify, MovingOptions& options) {
-  verify.group("Output");
-  verify.option("-o,--output", "FILE", options.output,
-                "Where the answer goes, by its ending .csv or .json,\nperhaps with .gz, in this "
-                "form (default: standard\noutput)");
-  verify.flag("--csv", options.csv, "With a header, values between commas");
-  verify.flag("--json", options.json, "One JSON document with everything in it");
-  verify.flag("--quiet", options.quiet, "No summary and no progress, only errors");
+Status settle(const Command& command, VerifyRequest& request) {
+  if (Status settled = settle_answer(request.moving, "verify"); !settled) return settled;
+  request.check.threads = request.moving.threads;
+  if (request.check.straight && command.is_given("--max-acceleration")) {
+    return usage_error("verify",
+                       "--max-acceleration needs the velocities, and --straight ignores them; "
+                       "leave one out");
+  }
+  if (command.is_given("--clearance") && request.obstacles.empty()) {
+    return usage_error("verify",
+                       "--clearance is of obstacles, and there are none; add --obstacles");
+  }
+  return std::monostate{};
 }
 
 }  // namespace
 
-Command verify_command(VerifyCommandOptions& options) {
-  Command verify("verify", kDescription, kDetails, [&options] { return run_verify(options); });
-  verify.arguments("FILES", options.moving.inputs,
+Command verify_command() {
+  const auto request = std::make_shared<VerifyRequest>();
+  MovingRequest& moving = request->moving;
+  Command verify("verify", kDescription, kDetails, [request](const Command& command) {
+    return settle(command, *request).and_then([&] { return run_verify(*request); });
+  });
+  verify.arguments("FILES", moving.inputs,
                    "Files and folders to read (default, or -:\nstandard input)");
-  add_input_options(verify, options.moving);
-  add_check_options(verify, options);
-  add_answer_options(verify, options.moving);
+  add_input_options(verify, moving);
+  add_check_options(verify, *request);
+  add_form_options(verify, moving);
+  add_quiet_option(verify, moving.quiet);
   return verify;
 }
 

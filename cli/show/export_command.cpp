@@ -1,7 +1,6 @@
 #include "cli/show/export_command.hpp"
 
 #include "cli/command_line/option_values.hpp"
-#include "cli/console/failure.hpp"
 #include "cli/console/progress_bar.hpp"
 #include "cli/console/stopwatch.hpp"
 #include "cli/console/summary_line.hpp"
@@ -30,12 +29,12 @@ bool is_format(const std::string& ending) {
   return ending == "kml" || ending == "czml" || ending == "geojson" || ending == "csv";
 }
 
-Result<std::string> format_of(const ExportOptions& options) {
-  const std::string& output = options.scene.moving.output;
+Result<std::string> format_of(const ExportRequest& request) {
+  const std::string& output = request.show.moving.output;
   const FileEnding of = output == "-" ? FileEnding{} : file_ending(output);
-  if (!options.format.empty()) {
-    if (!is_format(of.ending) || of.ending == options.format) return options.format;
-    return usage_error(kName, "--format " + options.format + " contradicts the ending of '" +
+  if (!request.format.empty()) {
+    if (!is_format(of.ending) || of.ending == request.format) return request.format;
+    return usage_error(kName, "--format " + request.format + " contradicts the ending of '" +
                                   printable(output) + "'; correct one of them");
   }
   if (output == "-") {
@@ -70,13 +69,14 @@ std::vector<std::string> write(const Facts& facts, const std::string& format,
 }
 
 Result<ExitCode> export_to(const ShowRequest& request, const std::string& format) {
-  auto output = open_output(
-      kName, request.output, request.inputs,
-      file_ending(request.output).compressed ? io::Packing::kGzip : io::Packing::kPlain);
+  const MovingRequest& moving = request.moving;
+  auto output =
+      open_output(kName, moving.output, moving.inputs,
+                  file_ending(moving.output).compressed ? io::Packing::kGzip : io::Packing::kPlain);
   if (!output) return std::move(output).error();
-  ProgressBar progress(!request.quiet);
+  ProgressBar progress(!moving.quiet);
   SceneTimings timings;
-  const auto scene = load_scene(request.inputs, request.scene, progress, timings);
+  const auto scene = load_scene(moving.inputs, scene_request(request), progress, timings);
   if (!scene) return scene.error();
   if (Status fit = check_fit(*scene, format); !fit) return fit.error();
   Stopwatch watch;
@@ -89,27 +89,21 @@ Result<ExitCode> export_to(const ShowRequest& request, const std::string& format
   if (!written) return written.error();
   timings.write_s = watch.lap();
   progress.finish();
-  if (!request.quiet) {
+  if (!moving.quiet) {
     std::string text;
     append_scene(text, *scene);
     for (const std::string& note : notes) append_summary_line(text, "note", printable(note));
-    append_written(text, request.output, timings);
+    append_written(text, moving.output, timings);
     say(text);
   }
-  return analysis::is_risky(*scene) && request.fail_on_risk ? ExitCode::kRiskFound
-                                                            : ExitCode::kFine;
+  return analysis::is_risky(*scene) && moving.fail_on_risk ? ExitCode::kRiskFound : ExitCode::kFine;
 }
 
 }  // namespace
 
-ExitCode run_export(const ExportOptions& options) {
-  const bool json = options.scene.moving.json;
-  const auto request = show_request(kName, options.scene);
-  if (!request) return fail(request.error(), json);
-  const auto format = format_of(options);
-  if (!format) return fail(format.error(), json);
-  const auto code = export_to(*request, *format);
-  return code ? *code : fail(code.error(), json);
+Result<ExitCode> run_export(const ExportRequest& request) {
+  return format_of(request).and_then(
+      [&](const std::string& format) { return export_to(request.show, format); });
 }
 
 }  // namespace beespace::cli

@@ -1,23 +1,20 @@
-// `beespace export`: its options, and what it does with them.
+// `beespace export`.
 #pragma once
 
 #include "cli/command_line/command.hpp"
-#include "cli/console/exit_code.hpp"
 #include "cli/show/show_request.hpp"
 
 #include <string>
 
 namespace beespace::cli {
 
-// As typed, before it is checked.
-struct ExportOptions {
-  SceneOptions scene;
-  std::string format;
+struct ExportRequest {
+  ShowRequest show;
+  std::string format;  // empty: by the ending of the output
 };
 
-// `options` must outlive it.
-Command export_command(ExportOptions& options);
+Command export_command();
 
-ExitCode run_export(const ExportOptions& options);
+Result<ExitCode> run_export(const ExportRequest& request);
 
 }  // namespace beespace::cli

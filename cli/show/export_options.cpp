@@ -1,5 +1,7 @@
 #include "cli/show/export_command.hpp"
 
+#include <memory>
+
 namespace beespace::cli {
 namespace {
 
@@ -30,28 +32,29 @@ constexpr const char* kDetails =
     "input,\n"
     "4 cannot open, read or write, 130 interrupted, 143 terminated, 141 closed pipe.";
 
-void add_file_options(Command& command, ExportOptions& options) {
-  MovingOptions& moving = options.scene.moving;
+void add_file_options(Command& command, ExportRequest& request) {
+  MovingRequest& moving = request.show.moving;
   command.group("Output");
   command.option("-o,--output", "FILE", moving.output,
                  "Where it goes, by its ending .kml, .czml,\n.geojson or .csv (default, or -: "
                  "standard output)");
-  command.choice("--format", options.format, {"kml", "czml", "geojson", "csv"},
+  command.choice("--format", request.format, {"kml", "czml", "geojson", "csv"},
                  "Where the ending does not say");
-  command.flag("--json", moving.json, "Say errors as JSON too");
-  command.flag("--fail-on-risk", moving.fail_on_risk,
-               "Exit with 1 when somebody is at risk, or a gap or\nrecords that were left out may "
-               "hide it");
-  command.flag("--quiet", moving.quiet, "No summary and no progress, only errors");
+  add_error_json_option(command, moving);
+  add_scene_risk_option(command, moving);
+  add_quiet_option(command, moving.quiet);
 }
 
 }  // namespace
 
-Command export_command(ExportOptions& options) {
-  Command subcommand("export", kDescription, kDetails, [&options] { return run_export(options); });
-  add_scene_options(subcommand, options.scene);
-  add_file_options(subcommand, options);
-  return subcommand;
+Command export_command() {
+  const auto request = std::make_shared<ExportRequest>();
+  Command command("export", kDescription, kDetails, [request](const Command&) {
+    return settle(request->show.moving, "export").and_then([&] { return run_export(*request); });
+  });
+  add_scene_options(command, request->show);
+  add_file_options(command, *request);
+  return command;
 }
 
 }  // namespace beespace::cli

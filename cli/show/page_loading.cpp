@@ -13,14 +13,14 @@ Result<LoadedPage> load_page(const char* command, const ShowRequest& request,
   if (const Status has = analysis::check_has_page(); !has) {
     return usage_error(command, has.error().message);
   }
-  const auto& inputs = request.inputs;
+  const auto& inputs = request.moving.inputs;
   if (compare == "-" && std::count(inputs.begin(), inputs.end(), "-") > 0) {
     return usage_error(command, "standard input can be read once");
   }
   std::vector<std::vector<std::string>> all{inputs};
   if (!compare.empty()) all.push_back({compare});
   LoadedPage loaded;
-  auto scenes = load_scenes(all, request.scene, progress, loaded.timings);
+  auto scenes = load_scenes(all, scene_request(request), progress, loaded.timings);
   if (!scenes) return std::move(scenes).error();
   loaded.scenes = *std::move(scenes);
   progress.enter_stage("writing");

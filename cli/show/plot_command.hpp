@@ -1,24 +1,21 @@
-// `beespace plot`: its options, and what it does with them.
+// `beespace plot`.
 #pragma once
 
 #include "cli/command_line/command.hpp"
-#include "cli/console/exit_code.hpp"
 #include "cli/show/show_request.hpp"
 
 #include <string>
 
 namespace beespace::cli {
 
-// As typed, before it is checked.
-struct PlotOptions {
-  SceneOptions scene;
-  std::string title;
-  std::string width = "1200";
+struct PlotRequest {
+  ShowRequest show;
+  std::string title;  // empty: the name of the input
+  unsigned width = 1200;
 };
 
-// `options` must outlive it.
-Command plot_command(PlotOptions& options);
+Command plot_command();
 
-ExitCode run_plot(const PlotOptions& options);
+Result<ExitCode> run_plot(const PlotRequest& request);
 
 }  // namespace beespace::cli

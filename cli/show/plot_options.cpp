@@ -1,4 +1,9 @@
+#include "cli/command_line/option_values.hpp"
 #include "cli/show/plot_command.hpp"
+
+#include "io/bytes/number_text.hpp"
+
+#include <memory>
 
 namespace beespace::cli {
 namespace {
@@ -25,28 +30,40 @@ constexpr const char* kDetails =
     "input,\n"
     "4 cannot open, read or write, 130 interrupted, 143 terminated, 141 closed pipe.";
 
-void add_picture_options(Command& plot, PlotOptions& options) {
-  MovingOptions& moving = options.scene.moving;
+Result<unsigned> read_width(const Typed& typed) {
+  constexpr std::uint64_t kLeast = 200;
+  constexpr std::uint64_t kMost = 10'000;
+  const auto width = io::parse_whole(typed.text);
+  if (width && *width >= kLeast && *width <= kMost) return static_cast<unsigned>(*width);
+  return usage_error(
+      typed.command,
+      "--width must be a whole number of pixels from 200 to 10000, not '" + typed.text + "'");
+}
+
+void add_picture_options(Command& plot, PlotRequest& request) {
+  MovingRequest& moving = request.show.moving;
   plot.group("Output");
   plot.option("-o,--output", "FILE", moving.output,
               "Where the picture goes, by its ending .svg or .png\n(default, or -: standard "
               "output, as SVG)");
-  plot.option("--width", "PIXELS", options.width, "So many pixels wide (default: 1200)");
-  plot.option("--title", "TEXT", options.title,
+  plot.option("--width", "PIXELS", request.width, read_width,
+              "So many pixels wide (default: 1200)");
+  plot.option("--title", "TEXT", request.title,
               "What is above it (default: the name of the input)");
-  plot.flag("--json", moving.json, "Say errors as JSON too");
-  plot.flag("--fail-on-risk", moving.fail_on_risk,
-            "Exit with 1 when somebody is at risk, or a gap or\nrecords that were left out may "
-            "hide it");
-  plot.flag("--quiet", moving.quiet, "No summary and no progress, only errors");
+  add_error_json_option(plot, moving);
+  add_scene_risk_option(plot, moving);
+  add_quiet_option(plot, moving.quiet);
 }
 
 }  // namespace
 
-Command plot_command(PlotOptions& options) {
-  Command plot("plot", kDescription, kDetails, [&options] { return run_plot(options); });
-  add_scene_options(plot, options.scene);
-  add_picture_options(plot, options);
+Command plot_command() {
+  const auto request = std::make_shared<PlotRequest>();
+  Command plot("plot", kDescription, kDetails, [request](const Command&) {
+    return settle(request->show.moving, "plot").and_then([&] { return run_plot(*request); });
+  });
+  add_scene_options(plot, request->show);
+  add_picture_options(plot, *request);
   return plot;
 }
 

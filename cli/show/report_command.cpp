@@ -1,7 +1,6 @@
 #include "cli/show/report_command.hpp"
 
 #include "cli/command_line/option_values.hpp"
-#include "cli/console/failure.hpp"
 #include "cli/console/progress_bar.hpp"
 #include "cli/console/stopwatch.hpp"
 #include "cli/console/terminal.hpp"
@@ -45,17 +44,20 @@ Status check_ending(const std::string& output) {
   return std::monostate{};
 }
 
-Result<ExitCode> report_on(const ReportOptions& options, const ShowRequest& request) {
-  if (request.output == "-" && output_is_terminal()) {
+}  // namespace
+
+Result<ExitCode> run_report(const ReportRequest& request) {
+  const MovingRequest& moving = request.show.moving;
+  if (moving.output == "-" && output_is_terminal()) {
     return usage_error(kName, "a page is nothing for a terminal; give it a name: -o report.html");
   }
-  std::vector<std::string> inputs = request.inputs;
-  inputs.push_back(options.compare);
-  auto output = open_output(kName, request.output, inputs);
+  std::vector<std::string> inputs = moving.inputs;
+  inputs.push_back(request.compare);
+  auto output = open_output(kName, moving.output, inputs);
   if (!output) return std::move(output).error();
-  if (Status html = check_ending(request.output); !html) return std::move(html).error();
-  ProgressBar progress(!request.quiet);
-  const auto loaded = load_page(kName, request, options.compare, progress);
+  if (Status html = check_ending(moving.output); !html) return std::move(html).error();
+  ProgressBar progress(!moving.quiet);
+  const auto loaded = load_page(kName, request.show, request.compare, progress);
   if (!loaded) return loaded.error();
   Stopwatch watch;
   analysis::write_page(loaded->page, [&](std::string_view text) { output->write(text); });
@@ -64,26 +66,16 @@ Result<ExitCode> report_on(const ReportOptions& options, const ShowRequest& requ
   if (!written) return written.error();
   const double written_s = watch.lap();
   progress.finish();
-  if (!request.quiet) {
+  if (!moving.quiet) {
     std::string text;
     for (const analysis::Scene& scene : loaded->scenes) append_scene(text, scene);
     SceneTimings timings = loaded->timings;
     timings.write_s += written_s;
-    append_written(text, request.output, timings);
+    append_written(text, moving.output, timings);
     say(text);
   }
   const bool risk = std::any_of(loaded->scenes.begin(), loaded->scenes.end(), analysis::is_risky);
-  return risk && request.fail_on_risk ? ExitCode::kRiskFound : ExitCode::kFine;
-}
-
-}  // namespace
-
-ExitCode run_report(const ReportOptions& options) {
-  const bool json = options.scene.moving.json;
-  const auto request = show_request(kName, options.scene);
-  if (!request) return fail(request.error(), json);
-  const auto code = report_on(options, *request);
-  return code ? *code : fail(code.error(), json);
+  return risk && moving.fail_on_risk ? ExitCode::kRiskFound : ExitCode::kFine;
 }
 
 }  // namespace beespace::cli

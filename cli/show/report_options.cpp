@@ -1,5 +1,7 @@
 #include "cli/show/report_command.hpp"
 
+#include <memory>
+
 namespace beespace::cli {
 namespace {
 
@@ -24,30 +26,31 @@ constexpr const char* kDetails =
     "input,\n"
     "4 cannot open, read or write, 130 interrupted, 143 terminated, 141 closed pipe.";
 
-void add_page_options(Command& report, MovingOptions& options) {
+void add_page_options(Command& report, MovingRequest& moving) {
   report.group("Output");
-  report.option("-o,--output", "FILE", options.output,
+  report.option("-o,--output", "FILE", moving.output,
                 "Where the page goes (default: standard output,\nwhich must not be a terminal)");
-  report.flag("--json", options.json, "Say errors as JSON too");
-  report.flag("--fail-on-risk", options.fail_on_risk,
-              "Exit with 1 when somebody is at risk, or a gap or\nrecords that were left out may "
-              "hide it");
-  report.flag("--quiet", options.quiet, "No summary and no progress, only errors");
+  add_error_json_option(report, moving);
+  add_scene_risk_option(report, moving);
+  add_quiet_option(report, moving.quiet);
 }
 
 }  // namespace
 
-void add_page_input_options(Command& command, ReportOptions& options) {
-  add_scene_options(command, options.scene);
+void add_page_input_options(Command& command, ReportRequest& request) {
+  add_scene_options(command, request.show);
   command.group("Input");
-  command.option("--compare", "FILE", options.compare,
+  command.option("--compare", "FILE", request.compare,
                  "Show this beside it: what came before on the left,\nthis on the right");
 }
 
-Command report_command(ReportOptions& options) {
-  Command report("report", kDescription, kDetails, [&options] { return run_report(options); });
-  add_page_input_options(report, options);
-  add_page_options(report, options.scene.moving);
+Command report_command() {
+  const auto request = std::make_shared<ReportRequest>();
+  Command report("report", kDescription, kDetails, [request](const Command&) {
+    return settle(request->show.moving, "report").and_then([&] { return run_report(*request); });
+  });
+  add_page_input_options(report, *request);
+  add_page_options(report, request->show.moving);
   return report;
 }
 

@@ -2,35 +2,25 @@
 #pragma once
 
 #include "analysis/scene/scene_request.hpp"
-#include "cli/command_line/command.hpp"
 #include "cli/input/moving_options.hpp"
 
-#include <beespace/result.hpp>
-
-#include <string>
-#include <vector>
+#include <optional>
 
 namespace beespace::cli {
 
-// As typed, before it is checked.
-struct SceneOptions {
-  MovingOptions moving;  // but --max-results and --csv
-  std::string max_gap;
-  std::string tolerance = "0.001";
+struct ShowRequest {
+  MovingRequest moving;
+  std::optional<double> max_gap_s = {};  // absent: from the data
+  double tolerance_m = 0.001;
 };
 
-// Checked: what is shown, and where it goes.
-struct ShowRequest {
-  std::vector<std::string> inputs;
-  analysis::SceneRequest scene;
-  std::string output;
-  bool fail_on_risk = false;
-  bool quiet = false;
-};
+// What it says of the scene itself.
+analysis::SceneRequest scene_request(const ShowRequest& request);
 
 // FILES and what --help says of reading and of the separation.
-void add_scene_options(Command& command, SceneOptions& options);
-
-Result<ShowRequest> show_request(const char* command, const SceneOptions& options);
+void add_scene_options(Command& command, ShowRequest& request);
+// --json of what has no answer in it.
+void add_error_json_option(Command& command, MovingRequest& moving);
+void add_scene_risk_option(Command& command, MovingRequest& moving);
 
 }  // namespace beespace::cli

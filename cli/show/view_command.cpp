@@ -1,18 +1,19 @@
 #include "cli/show/view_command.hpp"
 
 #include "cli/command_line/option_values.hpp"
-#include "cli/console/failure.hpp"
 #include "cli/console/progress_bar.hpp"
 #include "cli/console/standard_output.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/show/browser.hpp"
 #include "cli/show/page_loading.hpp"
 #include "cli/show/page_server.hpp"
+#include "cli/show/report_command.hpp"
 #include "cli/show/scene_summary.hpp"
 #include "io/bytes/number_text.hpp"
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -39,24 +40,31 @@ constexpr const char* kDetails =
     "143\n"
     "terminated, 141 closed pipe.";
 
-Result<std::uint16_t> port_of(const std::string& text) {
-  const auto port = io::parse_whole(text);
+Result<std::uint16_t> read_port(const Typed& typed) {
+  const auto port = io::parse_whole(typed.text);
   if (port && *port <= std::numeric_limits<std::uint16_t>::max()) {
     return static_cast<std::uint16_t>(*port);
   }
-  return usage_error(kName, "--port is '" + text + "'; give a number up to 65535, or 0 for any");
+  return usage_error(typed.command,
+                     "--port is '" + typed.text + "'; give a number up to 65535, or 0 for any");
 }
+
+struct ViewRequest {
+  ReportRequest page;
+  std::uint16_t port = 0;  // a free one
+  bool no_open = false;
+};
 
 // The whole page, and nothing of what it was made from: that is as large again, and the page is
 // served for long.
-Result<std::string> page_for(const ViewOptions& options, const ShowRequest& request) {
-  ProgressBar progress(!request.quiet);
-  const auto loaded = load_page(kName, request, options.report.compare, progress);
+Result<std::string> page_for(const ReportRequest& request) {
+  ProgressBar progress(!request.show.moving.quiet);
+  const auto loaded = load_page(kName, request.show, request.compare, progress);
   if (!loaded) return loaded.error();
   std::string page;
   analysis::write_page(loaded->page, [&](std::string_view text) { page += text; });
   progress.finish();
-  if (!request.quiet) {
+  if (!request.show.moving.quiet) {
     std::string text;
     for (const analysis::Scene& scene : loaded->scenes) append_scene(text, scene);
     say(text);
@@ -64,21 +72,19 @@ Result<std::string> page_for(const ViewOptions& options, const ShowRequest& requ
   return page;
 }
 
-Result<ExitCode> view(const ViewOptions& options, const ShowRequest& request) {
-  const auto port = port_of(options.port);
-  if (!port) return port.error();
-  auto server = PageServer::open(*port);
+Result<ExitCode> run_view(const ViewRequest& request) {
+  auto server = PageServer::open(request.port);
   if (!server) return std::move(server).error();
-  const auto page = page_for(options, request);
+  const auto page = page_for(request.page);
   if (!page) return page.error();
   const std::string address = server->address();
   if (const ExitCode printed = print(address + "\n"); printed != ExitCode::kFine) return printed;
-  const auto tell = [quiet = request.quiet](bool opened) {
+  const auto tell = [quiet = request.page.show.moving.quiet](bool opened) {
     if (quiet) return;
     say(opened ? "Opened in the browser; Ctrl-C ends it.\n"
                : "Open this address in a browser on this machine; Ctrl-C ends it.\n");
   };
-  if (options.no_open) {
+  if (request.no_open) {
     tell(false);
   } else {
     open_in_browser(address, tell);
@@ -89,24 +95,20 @@ Result<ExitCode> view(const ViewOptions& options, const ShowRequest& request) {
 
 }  // namespace
 
-Command view_command(ViewOptions& options) {
-  Command view("view", kDescription, kDetails, [&options] { return run_view(options); });
-  add_page_input_options(view, options.report);
+Command view_command() {
+  const auto request = std::make_shared<ViewRequest>();
+  MovingRequest& moving = request->page.show.moving;
+  Command view(kName, kDescription, kDetails, [request](const Command&) {
+    return settle(request->page.show.moving, kName).and_then([&] { return run_view(*request); });
+  });
+  add_page_input_options(view, request->page);
   view.group("Output");
-  view.flag("--no-open", options.no_open, "Do not open a browser, only print the address");
-  view.option("--port", "N", options.port, "Of 127.0.0.1, to serve at (default: 0, a free one)");
-  MovingOptions& moving = options.report.scene.moving;
-  view.flag("--json", moving.json, "Say errors as JSON too");
+  view.flag("--no-open", request->no_open, "Do not open a browser, only print the address");
+  view.option("--port", "N", request->port, read_port,
+              "Of 127.0.0.1, to serve at (default: 0, a free one)");
+  add_error_json_option(view, moving);
   view.flag("--quiet", moving.quiet, "No summary and no progress, only the address and errors");
   return view;
-}
-
-ExitCode run_view(const ViewOptions& options) {
-  const bool json = options.report.scene.moving.json;
-  const auto request = show_request(kName, options.report.scene);
-  if (!request) return fail(request.error(), json);
-  const auto code = view(options, *request);
-  return code ? *code : fail(code.error(), json);
 }
 
 }  // namespace beespace::cli

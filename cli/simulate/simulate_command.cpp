@@ -1,6 +1,3 @@
-#include "cli/simulate/simulate_command.hpp"
-
-#include "cli/console/failure.hpp"
 #include "cli/console/progress_bar.hpp"
 #include "cli/console/standard_output.hpp"
 #include "cli/console/terminal.hpp"
@@ -75,11 +72,8 @@ Result<ExitCode> sweep(const SimulateRequest& request) {
 
 }  // namespace
 
-ExitCode run_simulate(const SimulateOptions& options) {
-  const auto request = simulate_request(options);
-  if (!request) return fail(request.error(), options.json);
-  const auto code = request->scenario == kDensitySweep ? sweep(*request) : simulate(*request);
-  return code ? *code : fail(code.error(), options.json);
+Result<ExitCode> run_simulate(const SimulateRequest& request) {
+  return request.scenario == kDensitySweep ? sweep(request) : simulate(request);
 }
 
 }  // namespace beespace::cli

@@ -1,8 +1,21 @@
+#include "cli/command_line/option_values.hpp"
+#include "cli/input/moving_options.hpp"
+#include "cli/output/output_form.hpp"
 #include "cli/simulate/simulate_command.hpp"
+#include "cli/simulate/simulate_request.hpp"
 #include "cli/simulate/simulate_scenarios.hpp"
+#include "io/bytes/number_text.hpp"
+
+#include <beespace/point.hpp>
+
+#include <initializer_list>
+#include <memory>
+#include <utility>
 
 namespace beespace::cli {
 namespace {
+
+constexpr const char* kName = "simulate";
 
 constexpr const char* kDescription =
     "Fly a swarm that keeps its distance, step by step, and check what it flew";
@@ -56,61 +69,152 @@ constexpr const char* kDetails =
     "input,\n"
     "4 cannot open, read or write, 130 interrupted, 143 terminated, 141 closed pipe.";
 
-void add_flight_options(Command& simulate, SimulateOptions& options) {
+void add_flight_options(Command& simulate, SimulateRequest& request) {
+  FlightLimits& limits = request.loop.limits;
   simulate.group("Scenario");
-  simulate.option("--bees", "N", options.bees,
+  simulate.option("--bees", "N", request.bees, whole(1, kMaxPoints),
                   "How many (default: 1000; head-on is always of two)");
-  simulate.option("--spacing", "LENGTH", options.spacing,
+  simulate.option("--spacing", "LENGTH", request.spacing_m, length_from(kLeastLength_m),
                   "About how far apart they begin (default: three\ntimes the threshold; of head-on "
                   "20 times)");
-  simulate.option("--seed", "N", options.seed, "Another number, another swarm (default: 1)");
+  simulate.option("--seed", "N", request.seed, read_seed,
+                  "Another number, another swarm (default: 1)");
   simulate.group("Flight");
-  simulate.option("--speed", "SPEED", options.speed, "The greatest, in m/s (default: 10)");
-  simulate.option("--acceleration", "A|none", options.acceleration,
+  simulate.option("--speed", "SPEED", limits.max_speed_mps, read_speed,
+                  "The greatest, in m/s (default: 10)");
+  simulate.option("--acceleration", "A|none", limits.max_acceleration_mps2, read_acceleration,
                   "The greatest, in m/s^2 (default: 5); none:\nvelocities change at once");
-  simulate.option("--step", "SECONDS", options.step, "How long a step is (default: 0.1)");
-  simulate.option("--steps", "N", options.steps, "The most steps to fly (default: 1000)");
+  simulate.option("--step", "SECONDS", request.loop.advice.step_s, read_span,
+                  "How long a step is (default: 0.1)");
+  simulate.option("--steps", "N", request.most_steps, whole(1, 1'000'000'000),
+                  "The most steps to fly (default: 1000)");
 }
 
-void add_prevention_options(Command& simulate, SimulateOptions& options) {
+void add_prevention_options(Command& simulate, SimulateRequest& request) {
+  AdviseOptions& advice = request.loop.advice;
   simulate.group("Separation");
-  simulate.option("--threshold", "LENGTH", options.threshold,
+  simulate.option("--threshold", "LENGTH", advice.threshold_m, read_threshold_in_motion,
                   "Closer than this is too close (default: 5)");
-  simulate.choice("--method", options.method, {"certified", "orca", "mvp", "none"},
+  simulate.choice("--method", request.loop.method,
+                  {{"certified", sim::Method::kCertified},
+                   {"orca", sim::Method::kOrca},
+                   {"mvp", sim::Method::kMvp},
+                   {"none", sim::Method::kNone}},
                   "Who keeps them apart (default: certified); with\nnone everybody flies as it "
                   "likes; orca and mvp, to\ncompare with, promise nothing and know of no "
                   "obstacles");
-  simulate.option("--obstacles", "FILE", options.obstacles,
+  simulate.option("--obstacles", "FILE", request.obstacles,
                   "What stands in the way, beside the scenario's own:\nJSON, see below; - for "
                   "standard input");
-  simulate.option("--clearance", "LENGTH", options.clearance,
+  simulate.option("--clearance", "LENGTH", advice.clearance_m, length_from(kLeastLength_m),
                   "Closer than this to an obstacle is too close\n(default: 1)");
-  simulate.option("--threads", "N", options.threads, "How many threads work (default: 0, all)");
+  simulate.option("--threads", "N", advice.threads, read_threads,
+                  "How many threads work (default: 0, all)");
 }
 
-void add_output_options(Command& simulate, SimulateOptions& options) {
+void add_output_options(Command& simulate, SimulateRequest& request) {
   simulate.group("Output");
-  simulate.option(
-      "-o,--output", "FILE", options.output,
-      "Where the recording goes: .csv or .tsv, perhaps\nwith .gz; - for standard output");
-  simulate.flag("--json", options.json, "The summary as JSON on standard output");
-  simulate.flag("--fail-on-risk", options.fail_on_risk, "Exit with 1 when somebody came too close");
-  simulate.flag("--quiet", options.quiet, "No summary and no progress, only errors");
+  simulate.option("-o,--output", "FILE", request.output,
+                  "Where the recording goes: .csv or .tsv, perhaps\nwith .gz; - for standard "
+                  "output");
+  simulate.flag("--json", request.json, "The summary as JSON on standard output");
+  simulate.flag("--fail-on-risk", request.fail_on_risk, "Exit with 1 when somebody came too close");
+  add_quiet_option(simulate, request.quiet);
+}
+
+// An option that would be ignored is a misunderstanding.
+Status check_fit(const Command& command, const SimulateRequest& request) {
+  if (request.json && request.output == "-") {
+    return simulate_error("--json and --output - would both write to standard output");
+  }
+  if (request.scenario == "-" && request.obstacles == "-") {
+    return simulate_error("the mission and --obstacles cannot both be standard input");
+  }
+  if (command.is_given("--clearance") && request.obstacles.empty() &&
+      request.scenario != kPillars) {
+    return simulate_error("--clearance is of obstacles, and there are none; add --obstacles");
+  }
+  const auto none_of = [&](std::initializer_list<const char*> options,
+                           const char* because) -> Status {
+    for (const char* option : options) {
+      if (!command.is_given(option)) continue;
+      return simulate_error(std::string(option) + " does not apply to " + because +
+                            "; leave it out");
+    }
+    return std::monostate{};
+  };
+  if (request.from_file) {
+    return none_of({"--bees", "--spacing", "--seed"}, "a file, which tells who begins where");
+  }
+  if (request.scenario == kHeadOn) {
+    return none_of({"--bees"}, "head-on, which is of two").and_then([&] {
+      return none_of({"--seed"}, "head-on, which is always the same");
+    });
+  }
+  if (request.scenario == kDensitySweep) {
+    return none_of({"--spacing", "--output"}, "density-sweep, which flies several missions");
+  }
+  return std::monostate{};
+}
+
+// Text, by the ending; a name without one, as that of a device or a pipe, is as good as any.
+Result<SwarmFormat> format_of(const std::string& name) {
+  if (name.empty() || name == "-") return SwarmFormat{};
+  using Kind = SwarmFormat::Kind;
+  if (const auto format = swarm_format(name)) {
+    if (format->kind == Kind::kCsv || format->kind == Kind::kTsv) return *format;
+    return simulate_error("npy and bin hold positions only; let '" + name +
+                          "' end in .csv or .tsv, perhaps with .gz");
+  }
+  const FileEnding of = file_ending(name);
+  if (of.ending.empty()) return SwarmFormat{SwarmFormat::Kind::kCsv, of.compressed};
+  return simulate_error("the ending of '" + name +
+                        "' tells no format of a recording; let it end in .csv or .tsv, perhaps "
+                        "with .gz" +
+                        written_elsewhere(kName, of.ending));
+}
+
+Status settle(const Command& command, SimulateRequest& request) {
+  request.from_file = names_a_file(request.scenario);
+  if (Status fit = check_fit(command, request); !fit) return fit;
+  const bool head_on = request.scenario == kHeadOn;
+  const double threshold_m = request.loop.advice.threshold_m;
+  if (head_on) request.bees = 2;
+  request.speed_given = command.is_given("--speed");
+  request.acceleration_given = command.is_given("--acceleration");
+  request.loop.arrived_m = 0.5 * threshold_m;
+  if (!command.is_given("--spacing")) {
+    request.spacing_m = (head_on ? 20.0 : 3.0) * threshold_m;
+  } else if (request.spacing_m < threshold_m * kRoom) {
+    return simulate_error(std::string("--spacing ").append(command.typed("--spacing")) +
+                          " is not above the threshold of " + io::exact(threshold_m) +
+                          " m; bees would begin too close to each other");
+  }
+  return format_of(request.output).transform([&](const SwarmFormat& format) {
+    request.format = format;
+  });
 }
 
 }  // namespace
 
-Command simulate_command(SimulateOptions& options) {
-  Command simulate("simulate", kDescription, kDetails,
-                   [&options] { return run_simulate(options); });
+Error simulate_error(std::string message) {
+  return usage_error(kName, std::move(message));
+}
+
+Command simulate_command() {
+  const auto request = std::make_shared<SimulateRequest>();
+  Command simulate(kName, kDescription, kDetails, [request](const Command& command) {
+    return settle(command, *request).and_then([&] { return run_simulate(*request); });
+  });
   Option& scenario =
-      simulate.argument("SCENARIO", options.scenario, "What to fly, or a file, see below");
+      simulate.argument("SCENARIO", request->scenario, "What to fly, or a file, see below");
   scenario.required = true;
+  scenario.files = true;
   allow_only(scenario, scenario_names(), names_a_file,
              ", and no file (which would have a '.' or '/' in its name)");
-  add_flight_options(simulate, options);
-  add_prevention_options(simulate, options);
-  add_output_options(simulate, options);
+  add_flight_options(simulate, *request);
+  add_prevention_options(simulate, *request);
+  add_output_options(simulate, *request);
   return simulate;
 }
 

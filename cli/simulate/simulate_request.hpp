@@ -1,8 +1,8 @@
-// What `beespace simulate` is asked for, once its options are known to make sense.
+// What `beespace simulate` is asked for.
 #pragma once
 
+#include "cli/console/exit_code.hpp"
 #include "cli/output/swarm_output.hpp"
-#include "cli/simulate/simulate_command.hpp"
 #include "sim/closed_loop.hpp"
 
 #include <beespace/result.hpp>
@@ -15,15 +15,17 @@ namespace beespace::cli {
 
 struct SimulateRequest {
   std::string scenario;
-  bool from_file = false;  // the scenario is a file of starts and goals, or "-"
-  std::size_t bees = 0;    // of a file not known yet
+  bool from_file = false;   // the scenario is a file of starts and goals, or "-"
+  std::size_t bees = 1000;  // of a file not known yet
   double spacing_m = 0.0;
   std::uint64_t seed = 1;
-  sim::LoopOptions loop;  // the limits are those of who has none of its own
+  // The limits are those of each bee that has none of its own.
+  sim::LoopOptions loop{.limits = {10.0, 5.0},
+                        .advice = {.threshold_m = 5.0, .clearance_m = 1.0, .threads = 0}};
   bool speed_given = false;
   bool acceleration_given = false;
   std::string obstacles;  // a file, or "-"; empty: none but the scenario's
-  std::uint64_t most_steps = 0;
+  std::uint64_t most_steps = 1000;
   std::string output;  // empty: the recording is not written
   SwarmFormat format;
   bool json = false;
@@ -34,8 +36,7 @@ struct SimulateRequest {
 // Rounding may take a little from a distance: who begins at exactly the threshold would lose it.
 inline constexpr double kRoom = 1.0 + 1e-6;
 
-// Errors: kInvalidThreshold, kInvalidArgument.
-Result<SimulateRequest> simulate_request(const SimulateOptions& options);
+Result<ExitCode> run_simulate(const SimulateRequest& request);
 
 // kInvalidArgument, with the way to the help of simulate.
 Error simulate_error(std::string message);

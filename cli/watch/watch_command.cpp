@@ -1,8 +1,5 @@
-#include "cli/watch/watch_command.hpp"
-
 #include "analysis/geometry/geometry.hpp"
 #include "analysis/live/live_feed.hpp"
-#include "cli/console/failure.hpp"
 #include "cli/console/signals.hpp"
 #include "cli/console/standard_output.hpp"
 #include "cli/console/terminal.hpp"
@@ -373,11 +370,8 @@ class Watch {
 
 }  // namespace
 
-ExitCode run_watch(const WatchOptions& options) {
-  const auto request = watch_request(options);
-  if (!request) return fail(request.error(), false);
-  const auto code = Watch(*request).run();
-  return code ? *code : fail(code.error(), false);
+Result<ExitCode> run_watch(const WatchRequest& request) {
+  return Watch(request).run();
 }
 
 }  // namespace beespace::cli

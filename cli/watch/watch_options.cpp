@@ -1,8 +1,19 @@
+#include "cli/command_line/option_values.hpp"
+#include "cli/console/terminal.hpp"
+#include "cli/input/live_options.hpp"
 #include "cli/input/moving_options.hpp"
 #include "cli/watch/watch_command.hpp"
+#include "cli/watch/watch_request.hpp"
+
+#include <beespace/mover.hpp>
+
+#include <memory>
+#include <vector>
 
 namespace beespace::cli {
 namespace {
+
+constexpr const char* kName = "watch";
 
 constexpr const char* kDescription = "Watch a swarm live: reports in, events out as they happen";
 
@@ -53,49 +64,153 @@ constexpr const char* kDetails =
     "closed\n"
     "pipe.";
 
-void add_input_options(Command& watch, WatchOptions& options) {
-  watch.argument("FILE", options.input, "What to read (default, or -: standard input)");
+// What is asked for, and what is settled once all of it is read.
+struct Asked {
+  WatchRequest request;
+  LiveRequest live;
+  std::optional<double> max_skew_s;
+  bool advise = false;
+  LiveAdviceRequest advice{.options = {.uncertainty_m = 0.1}, .limits = {30.0, 5.0}};
+  std::optional<double> step_s;
+};
+
+void add_input_options(Command& watch, Asked& asked) {
+  WatchRequest& request = asked.request;
+  watch.argument("FILE", request.input, "What to read (default, or -: standard input)");
   watch.group("Input");
-  watch.choice("--crs", options.frame, {"auto", "wgs84", "metres"},
-               "Whether positions are in degrees or metres");
-  watch.option("--columns", "LIST", options.columns,
+  add_frame_option(watch, request.lines.frame, "Whether positions are in degrees or metres");
+  watch.option("--columns", "LIST", request.lines.columns,
                "By number or name: id=1,time=2,x=3,y=4,z=5,vx=6");
-  watch.choice("--time-unit", options.time_unit, {"auto", "s", "ms", "us", "ns"},
-               "Of times, where the input does not say");
-  add_units_options(watch, options.units, options.heights);
-  watch.option("--max-age", "SECONDS", options.max_age,
+  add_time_unit_option(watch, request.lines.time_unit);
+  add_units_options(watch, request.lines.units, request.lines.heights);
+  watch.option("--max-age", "SECONDS", request.swarm.max_age_s,
+               amount_in_motion("seconds", kAboveZero),
                "Stale is who was not heard of for so long (default: 5)");
-  watch.choice("--clock", options.clock, {"report", "arrival"},
-               "Whose clock tells when a report was: its own, or\nthat of this machine when "
-               "it comes");
-  watch.option("--max-skew", "SECONDS", options.max_skew,
+  watch.choice("--clock", request.by_arrival, {{"report", false}, {"arrival", true}},
+               "Whose clock tells when a report was: its own, or\nthat of this machine when it "
+               "comes");
+  watch.option("--max-skew", "SECONDS", asked.max_skew_s, amount("seconds", kAboveZero),
                "Clocks that differ by more are not believed\n(default: 2, or half of --max-age "
                "if that is less)");
-  watch.option("--max-bees", "N", options.max_bees,
+  constexpr std::uint64_t kMost = 4'000'000'000;
+  watch.option("--max-bees", "N", request.swarm.max_bees, whole_without_commas(1, kMost),
                "So many bees are known at a time (default: 1000000)");
-  watch.option("--speed", "FACTOR", options.speed,
+  watch.option("--speed", "FACTOR", request.speed, amount("times", kAboveZero),
                "Read a recording as fast as it happened, times this");
-  watch.option("--rate", "N", options.rate, "Read so many reports a second at most");
+  watch.option("--rate", "N", request.rate, amount("reports a second", kAboveZero),
+               "Read so many reports a second at most");
+  watch.group("Separation");
+  watch.option("--threshold", "LENGTH", request.swarm.threshold_m, read_threshold_in_motion,
+               "Closer than this is too close (default: 100)");
+  watch.option("--vertical", "LENGTH", request.vertical, read_vertical_in_motion, kVerticalHelp);
+  watch.option("--threads", "N", request.swarm.threads, read_threads,
+               "How many threads work (default: 1; 0: all)");
+  add_live_options(watch, asked.live);
+  watch.option("--max-pairs", "N", request.swarm.max_pairs, whole_without_commas(1, kMost),
+               "So many pairs are followed at a time, the closest\n(default: 500000)");
+}
+
+void add_advice_options(Command& watch, Asked& asked) {
+  watch.group("Advice");
+  watch.flag("--advise", asked.advise,
+             "Every --step, also tell who should not fly on as it\ndoes, and how instead");
+  watch.option("--max-speed", "SPEED", asked.request.swarm.max_speed_mps, read_speed,
+               "No bee is ever faster, in m/s: then events say whom a\nsilent one may meet. In "
+               "advice, the greatest\n(default: 30); who is faster already may stay so");
+  watch.option("--max-acceleration", "A|none", asked.advice.limits.max_acceleration_mps2,
+               read_acceleration,
+               "In advice, the greatest, in m/s^2 (default: 5); none:\nvelocities change at once");
+  watch.option("--uncertainty", "LENGTH", asked.advice.options.uncertainty_m, length_from(0.0),
+               "In advice, how far from where it leads a bee may be\nand still be certified "
+               "(default: 0.1)");
+  watch.option("--step", "SECONDS", asked.step_s, read_span,
+               "In advice, how long until the next (default: that of\n--look-every)");
+}
+
+// Advice that is wanted, or what makes no sense without advice, or with it.
+Status settle_advice(const Command& command, Asked& asked) {
+  if (!asked.advise) {
+    for (const char* option : {"--max-acceleration", "--uncertainty", "--step"}) {
+      if (!command.is_given(option)) continue;
+      return usage_error(kName, std::string(option) + " is of advice; add --advise");
+    }
+    return std::monostate{};
+  }
+  WatchRequest& request = asked.request;
+  if (request.vertical) {
+    return usage_error(kName,
+                       "--advise knows distances in space only; leave --vertical out, or watch "
+                       "twice");
+  }
+  const double look_every_s = asked.live.look_every_s;
+  if (!asked.step_s && !(look_every_s >= 1e-6 && look_every_s <= 1e6)) {
+    return usage_error(kName, "--look-every is no step of advice; say --step");
+  }
+  LiveAdviceRequest& advice = request.advice.emplace(asked.advice);
+  FlightLimits& limits = advice.limits;
+  limits.max_speed_mps = request.swarm.max_speed_mps.value_or(limits.max_speed_mps);
+  advice.max_age_s = request.swarm.max_age_s;
+  advice.options.threshold_m = request.swarm.threshold_m;
+  advice.options.threads = request.swarm.threads;
+  advice.options.step_s = asked.step_s.value_or(look_every_s);
+  // In this time all come to a stop, whatever they are told.
+  advice.options.unknown_horizon_s =
+      advice.options.step_s + limits.max_speed_mps / limits.max_acceleration_mps2;
+  return std::monostate{};
+}
+
+// So that no report is refused for the options. A vertical threshold may be compared as typed, or
+// in metres.
+Status check_leaving(const Command& command, const WatchRequest& request) {
+  std::vector<double> thresholds = {request.swarm.threshold_m};
+  if (request.vertical) {
+    thresholds.insert(thresholds.end(), {request.vertical->metric, request.vertical->value});
+  }
+  for (const double threshold : thresholds) {
+    if (threshold * request.swarm.leave_factor <= kLargestInMotion) continue;
+    return usage_error(kName,
+                       std::string("--leave-factor '").append(command.typed("--leave-factor")) +
+                           "' times the threshold cannot be computed with; give less");
+  }
+  return std::monostate{};
+}
+
+Status settle(const Command& command, Asked& asked) {
+  WatchRequest& request = asked.request;
+  if (request.input.empty() && input_is_terminal()) {
+    return usage_error(kName, "say which file to read, or pipe the reports in");
+  }
+  if (request.speed && request.rate) {
+    return usage_error(kName, "--speed and --rate exclude each other");
+  }
+  if (request.by_arrival && (request.speed || request.rate)) {
+    return usage_error(kName, "--clock arrival is for reports that come as things happen; leave " +
+                                  std::string(request.speed ? "--speed" : "--rate") + " out");
+  }
+  if (request.input.empty()) request.input += '-';
+  SwarmOptions& swarm = request.swarm;
+  if (request.vertical) swarm.vertical_m = request.vertical->metric;
+  swarm.leave_factor = asked.live.leave_factor;
+  swarm.horizon_s = asked.live.horizon_s;
+  request.times = {asked.live.look_every_s,
+                   asked.max_skew_s.value_or(default_max_skew_s(swarm.max_age_s))};
+  return settle_advice(command, asked).and_then([&] { return check_leaving(command, request); });
 }
 
 }  // namespace
 
-Command watch_command(WatchOptions& options) {
-  Command watch("watch", kDescription, kDetails, [&options] { return run_watch(options); });
-  add_input_options(watch, options);
-  watch.group("Separation");
-  watch.option("--threshold", "LENGTH", options.threshold,
-               "Closer than this is too close (default: 100)");
-  watch.option("--vertical", "LENGTH", options.vertical, kVerticalHelp);
-  watch.option("--threads", "N", options.threads, "How many threads work (default: 1; 0: all)");
-  add_live_options(watch, options.live, "Separation");
-  watch.option("--max-pairs", "N", options.max_pairs,
-               "So many pairs are followed at a time, the closest\n(default: 500000)");
-  add_live_advice_options(watch, options.advice, "Advice");
+Command watch_command() {
+  const auto asked = std::make_shared<Asked>();
+  WatchRequest& request = asked->request;
+  Command watch(kName, kDescription, kDetails, [asked](const Command& command) {
+    return settle(command, *asked).and_then([&] { return run_watch(asked->request); });
+  });
+  add_input_options(watch, *asked);
+  add_advice_options(watch, *asked);
   watch.group("Output");
-  watch.flag("--fail-on-risk", options.fail_on_risk,
+  watch.flag("--fail-on-risk", request.fail_on_risk,
              "Exit with 1 when two have entered, or it is not known\nthat none has");
-  watch.flag("--quiet", options.quiet, "No summary, only errors");
+  watch.flag("--quiet", request.quiet, "No summary, only errors");
   return watch;
 }
 

@@ -1,9 +1,9 @@
-// What `beespace watch` is asked for, once its options are known to make sense.
+// What `beespace watch` is asked for.
 #pragma once
 
 #include "analysis/live/live_feed.hpp"
+#include "cli/console/exit_code.hpp"
 #include "cli/watch/live_advice.hpp"
-#include "cli/watch/watch_command.hpp"
 #include "io/recording/recording_options.hpp"
 #include "io/units/stated_length.hpp"
 
@@ -18,7 +18,7 @@ namespace beespace::cli {
 struct WatchRequest {
   std::string input;
   io::RecordingOptions lines;
-  SwarmOptions swarm;
+  SwarmOptions swarm{.threshold_m = 100.0};
   std::optional<io::StatedLength> vertical;  // that of `swarm`, as typed
   analysis::LiveTimes times = {};
   bool by_arrival = false;                  // the time of a report is when it came
@@ -29,7 +29,6 @@ struct WatchRequest {
   bool quiet = false;
 };
 
-// Errors: kInvalidThreshold, kInvalidArgument.
-Result<WatchRequest> watch_request(const WatchOptions& options);
+Result<ExitCode> run_watch(const WatchRequest& request);
 
 }  // namespace beespace::cli

@@ -1,9 +1,21 @@
 #include "cli/detect/reports/report.hpp"
 
+#include <utility>
+
 namespace beespace::cli {
 
-Result<Table> report_at_risk(const Question& question) {
-  return Table{BeeTable{question.at_risk, {}}};
+Status find_at_risk(const Question& question, std::vector<PointId>& at_risk) {
+  if (question.others == nullptr) {
+    return question.engine.find_at_risk(question.points, question.search, at_risk);
+  }
+  return question.engine.find_at_risk_between(question.points, *question.others, question.search,
+                                              at_risk);
+}
+
+Result<ReportFound> report_at_risk(const Question& question) {
+  std::vector<PointId> at_risk;
+  if (Status found = find_at_risk(question, at_risk); !found) return std::move(found).error();
+  return ReportFound{Table{BeeTable{at_risk, {}}}, at_risk};
 }
 
 }  // namespace beespace::cli

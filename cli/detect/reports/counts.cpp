@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <memory>
 #include <numeric>
+#include <utility>
 
 namespace beespace::cli {
 
-Result<Table> report_counts(const Question& question) {
+Result<ReportFound> report_counts(const Question& question) {
   const auto counts = std::make_shared<std::vector<std::uint32_t>>();
   const Status found =
       question.others == nullptr
@@ -19,8 +20,12 @@ Result<Table> report_counts(const Question& question) {
   const std::uint64_t most =
       counts->empty() ? 0 : *std::max_element(counts->begin(), counts->end());
   const auto count = [counts](PointId bee) -> Cell { return std::uint64_t{(*counts)[bee]}; };
-  return Table{BeeTable{question.listed_bees(), {{"neighbor_count", false, count}}},
-               neighbor_finding(sum, counts->size(), most)};
+  std::vector<PointId> at_risk =
+      bees_that(counts->size(), [&](std::size_t bee) { return (*counts)[bee] > 0; });
+  return ReportFound{
+      Table{BeeTable{question.listed_bees(at_risk), {{"neighbor_count", false, count}}},
+            neighbor_finding(sum, counts->size(), most)},
+      std::move(at_risk)};
 }
 
 }  // namespace beespace::cli

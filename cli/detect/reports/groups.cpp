@@ -34,7 +34,7 @@ std::string finding(const IdRows& groups) {
 
 }  // namespace
 
-Result<Table> report_groups(const Question& question) {
+Result<ReportFound> report_groups(const Question& question) {
   GroupTable table;
   const Status found =
       question.engine.find_conflict_groups(question.points, question.search, table.groups);
@@ -43,9 +43,11 @@ Result<Table> report_groups(const Question& question) {
       std::make_shared<std::vector<Membership>>(memberships(table.groups, question.points.size()));
   const auto group = [of](PointId bee) -> Cell { return std::uint64_t{(*of)[bee].group}; };
   const auto size = [of](PointId bee) -> Cell { return std::uint64_t{(*of)[bee].size}; };
-  table.members = {question.at_risk, {{"group", false, group}, {"group_size", false, size}}};
+  std::vector<PointId> at_risk =
+      bees_that(of->size(), [&](std::size_t bee) { return (*of)[bee].size > 0; });
+  table.members = {at_risk, {{"group", false, group}, {"group_size", false, size}}};
   std::string said = finding(table.groups);
-  return Table{std::move(table), std::move(said)};
+  return ReportFound{Table{std::move(table), std::move(said)}, std::move(at_risk)};
 }
 
 }  // namespace beespace::cli

@@ -4,17 +4,23 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <optional>
+#include <utility>
 
 namespace beespace::cli {
 namespace {
 
 using NearestList = std::vector<Nearest>;
 
+// Whether the nearest are those too close only: with a vertical threshold, those in the cylinder.
+bool is_within(const Question& question) {
+  return question.at_risk_only || question.search.vertical_m;
+}
+
 Status find(const Question& question, NearestList& nearest) {
   Engine& engine = question.engine;
   const SearchOptions& search = question.search;
-  // With a vertical threshold the nearest are those in the cylinder.
-  const bool within = question.at_risk_only || search.vertical_m;
+  const bool within = is_within(question);
   if (question.others == nullptr) {
     return within ? engine.find_nearest_within(question.points, search, nearest)
                   : engine.find_nearest(question.points, nearest, search.threads);
@@ -47,7 +53,7 @@ std::string finding(const NearestList& nearest) {
 
 }  // namespace
 
-Result<Table> report_nearest(const Question& question) {
+Result<ReportFound> report_nearest(const Question& question) {
   const auto nearest = std::make_shared<NearestList>();
   const Status found = find(question, *nearest);
   if (!found) return found.error();
@@ -55,9 +61,16 @@ Result<Table> report_nearest(const Question& question) {
   const auto how_far = [nearest](PointId bee) -> Cell {
     return DistanceCell{(*nearest)[bee].distance_m};
   };
-  return Table{
-      BeeTable{question.listed_bees(), {{"nearest", true, who}, {"distance_m", false, how_far}}},
-      finding(*nearest)};
+  std::optional<std::vector<PointId>> at_risk;
+  if (is_within(question)) {
+    at_risk = bees_that(nearest->size(),
+                        [&](std::size_t bee) { return (*nearest)[bee].id != Nearest::kNobody; });
+  }
+  std::vector<PointId> listed = question.listed_bees(at_risk.value_or(std::vector<PointId>()));
+  return ReportFound{
+      Table{BeeTable{std::move(listed), {{"nearest", true, who}, {"distance_m", false, how_far}}},
+            finding(*nearest)},
+      std::move(at_risk)};
 }
 
 }  // namespace beespace::cli

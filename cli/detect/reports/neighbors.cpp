@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 namespace beespace::cli {
 
-Result<Table> report_neighbors(const Question& question) {
+Result<ReportFound> report_neighbors(const Question& question) {
   const auto rows = std::make_shared<IdRows>();
   const Status found = question.others == nullptr
                            ? question.engine.find_neighbors(question.points, question.search, *rows)
@@ -19,9 +20,13 @@ Result<Table> report_neighbors(const Question& question) {
   }
   const auto count = [rows](PointId bee) -> Cell { return std::uint64_t{(*rows)[bee].size()}; };
   const auto neighbors = [rows](PointId bee) -> Cell { return (*rows)[bee]; };
-  return Table{BeeTable{question.listed_bees(),
-                        {{"neighbor_count", false, count}, {"neighbors", true, neighbors}}},
-               neighbor_finding(rows->ids.size(), rows->size(), most)};
+  std::vector<PointId> at_risk =
+      bees_that(rows->size(), [&](std::size_t bee) { return !(*rows)[bee].empty(); });
+  return ReportFound{
+      Table{BeeTable{question.listed_bees(at_risk),
+                     {{"neighbor_count", false, count}, {"neighbors", true, neighbors}}},
+            neighbor_finding(rows->ids.size(), rows->size(), most)},
+      std::move(at_risk)};
 }
 
 }  // namespace beespace::cli

@@ -6,7 +6,7 @@
 
 namespace beespace::cli {
 
-std::vector<PointId> Question::listed_bees() const {
+std::vector<PointId> Question::listed_bees(const std::vector<PointId>& at_risk) const {
   if (at_risk_only) return at_risk;
   std::vector<PointId> everybody(points.size());
   std::iota(everybody.begin(), everybody.end(), PointId{0});
@@ -15,14 +15,13 @@ std::vector<PointId> Question::listed_bees() const {
 
 std::span<const Report> reports() {
   static constexpr std::array kReports = {
-      Report{"at-risk", "at_risk", "", true, false, false, false, true, report_at_risk},
-      Report{"pairs", "pairs", "pairs", true, true, false, false, true, report_pairs},
-      Report{"neighbors", "neighbors", "neighbours", true, true, true, false, true,
-             report_neighbors},
-      Report{"counts", "counts", "neighbours", true, false, true, false, true, report_counts},
-      Report{"nearest", "nearest", "nearest", true, false, true, false, true, report_nearest},
-      Report{"groups", "groups", "groups", false, false, false, false, true, report_groups},
-      Report{"closest-pair", "", "", true, false, false, true, false, report_closest_pair},
+      Report{"at-risk", "at_risk", "", true, false, false, true, report_at_risk},
+      Report{"pairs", "pairs", "pairs", true, true, false, true, report_pairs},
+      Report{"neighbors", "neighbors", "neighbours", true, true, true, true, report_neighbors},
+      Report{"counts", "counts", "neighbours", true, false, true, true, report_counts},
+      Report{"nearest", "nearest", "nearest", true, false, true, true, report_nearest},
+      Report{"groups", "groups", "groups", false, false, false, true, report_groups},
+      Report{"closest-pair", "", "", true, false, false, false, nullptr},
   };
   return kReports;
 }
