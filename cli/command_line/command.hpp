@@ -86,6 +86,7 @@ class Command {
                  const std::vector<Word<std::type_identity_t<T>>>& words, std::string_view help,
                  std::string_view value = {}) {
     std::vector<std::string> known;
+    known.reserve(words.size());
     for (const auto& word : words) known.emplace_back(word.word);
     return add_choice(names, value, help, std::move(known),
                       [&into, words](const Typed& typed) -> Status {
@@ -110,10 +111,10 @@ class Command {
   // Reads all that was typed, in the order of the options, then runs.
   [[nodiscard]] Result<ExitCode> run() const;
 
-  // Whether an option, by its long name, stands on the command line.
-  [[nodiscard]] bool is_given(std::string_view option) const;
+  // Whether the option of this long name stands on the command line.
+  [[nodiscard]] bool is_given(std::string_view name) const;
   // Its value as typed; empty where it is not given.
-  [[nodiscard]] std::string typed(std::string_view option) const;
+  [[nodiscard]] std::string typed(std::string_view name) const;
 
  private:
   using Store = std::function<Status(const Typed&)>;

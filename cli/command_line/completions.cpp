@@ -33,6 +33,7 @@ std::string replaced(std::string text, std::string_view old, std::string_view by
 
 std::string names_of(const Commands& commands) {
   std::vector<std::string> names;
+  names.reserve(commands.size());
   for (const Command& command : commands) names.push_back(command.name());
   return joined(names, " ");
 }

@@ -92,7 +92,7 @@ Result<io::StatedLength> read_vertical(const Typed& typed) {
 }
 
 Result<io::StatedLength> read_vertical_in_motion(const Typed& typed) {
-  const auto stated = read_vertical(typed);
+  auto stated = read_vertical(typed);
   if (!stated) return stated;
   // It may be compared as typed, or in metres.
   return in_motion_domain(typed, stated->metric)

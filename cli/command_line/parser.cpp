@@ -37,8 +37,10 @@ const CLI::App& used_command(const CLI::App& command) {
 }
 
 std::vector<std::string> subcommands_of(const CLI::App& command) {
+  const auto subcommands = command.get_subcommands({});
   std::vector<std::string> names;
-  for (const CLI::App* sub : command.get_subcommands({})) names.push_back(sub->get_name());
+  names.reserve(subcommands.size());
+  for (const CLI::App* sub : subcommands) names.push_back(sub->get_name());
   return names;
 }
 
@@ -154,6 +156,7 @@ CLI::App* add_command(CLI::App& app, Command& command) {
 // "beespace help detect", for those who do not try --help first.
 Command help_command(const std::vector<Command>& commands, std::string& topic) {
   std::vector<std::string> names;
+  names.reserve(commands.size());
   for (const Command& command : commands) names.push_back(command.name());
   Command help("help", "Print this help, or that of a subcommand", "",
                [](const Command&) { return ExitCode::kFine; });
@@ -170,6 +173,7 @@ ExitCode run_command_line(Program& program, int argc, char** argv) {
   app.footer(program.examples);
   app.get_formatter()->column_width(kColumnOfHelp);
   std::vector<CLI::App*> added;
+  added.reserve(program.commands.size());
   for (Command& command : program.commands) added.push_back(add_command(app, command));
   std::string topic;
   Command help = help_command(program.commands, topic);

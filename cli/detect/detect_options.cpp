@@ -73,6 +73,7 @@ void add_input_options(Command& detect, DetectRequest& request) {
 
 void add_search_options(Command& detect, DetectRequest& request) {
   std::vector<Word<const Report*>> words;
+  words.reserve(reports().size());
   for (const Report& report : reports()) words.push_back({report.name, &report});
   detect.group("Search");
   detect.choice("--report", request.report, words, "What to find, see below (default: at-risk)",
