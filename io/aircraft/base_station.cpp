@@ -40,12 +40,6 @@ constexpr char kSurfacePosition = '2';
 constexpr char kAirbornePosition = '3';
 constexpr char kVelocity = '4';
 
-Error at_column(ErrorCode code, std::string message, std::size_t column) {
-  Error error{code, std::move(message), {}};
-  error.place.column = column + 1;
-  return error;
-}
-
 // How many fields there are; those that fit are put down.
 std::size_t split(std::string_view line, Fields& fields) {
   std::size_t count = 0;

@@ -112,6 +112,8 @@ class JsonParser {
   static constexpr std::size_t kPadding = 64;
 
   JsonParser();
+  JsonParser(const JsonParser&) = delete;
+  JsonParser& operator=(const JsonParser&) = delete;
   JsonParser(JsonParser&&) noexcept;
   JsonParser& operator=(JsonParser&&) noexcept;
   ~JsonParser();

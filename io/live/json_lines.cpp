@@ -25,13 +25,6 @@ namespace {
 constexpr std::size_t kMostKeys = 64;
 constexpr char kBetween = '\x1F';  // in the record that the layout is chosen from
 
-constexpr std::size_t kId = 0;
-constexpr std::size_t kTime = 1;
-constexpr std::size_t kPosition = 2;
-constexpr std::size_t kVelocity = 5;
-constexpr std::size_t kSlots = 8;
-constexpr std::uint8_t kNothing = 255;
-
 ColumnContent content_of(JsonElement value) {
   if (value.is_null()) return ColumnContent::kUnknown;
   return value.is_number() ? ColumnContent::kNumber : ColumnContent::kText;
@@ -96,7 +89,7 @@ class JsonLines final : public LineReader {
           continue;
         }
         expected = column + 1;
-        if (const std::uint8_t slot = slots_[column]; slot != kNothing) values_[slot] = value;
+        values_[slots_[column]] = value;
       }
       if (!new_keys || attempt > 0) return std::nullopt;
       learn(object);
@@ -120,7 +113,7 @@ class JsonLines final : public LineReader {
       if (names_.size() == kMostKeys) break;
       if (std::find(names_.begin(), names_.end(), key) != names_.end()) continue;
       names_.emplace_back(key);
-      slots_.push_back(kNothing);
+      slots_.push_back(TrackSlot::kNothing);
     }
   }
 
@@ -144,7 +137,7 @@ class JsonLines final : public LineReader {
     if (chosen_ && !goes_on(*layout)) return std::nullopt;
     layout_ = std::move(layout).value();
     chosen_ = true;
-    fill_slots();
+    slots_ = slots_of(layout_);
     return std::nullopt;
   }
 
@@ -165,22 +158,6 @@ class JsonLines final : public LineReader {
                            "the keys of this object (as the header of a table) say too little: ");
     }
     return error;
-  }
-
-  void fill_slots() {
-    std::fill(slots_.begin(), slots_.end(), kNothing);
-    const auto fill = [this](std::size_t column, std::size_t slot) {
-      slots_[column] = static_cast<std::uint8_t>(slot);
-    };
-    if (layout_.velocity) {
-      for (std::size_t i = 0; i < layout_.velocity->dimensions; ++i) {
-        fill(layout_.velocity->columns[i], kVelocity + i);
-      }
-    }
-    const ColumnChoice& choice = layout_.table.choice;
-    for (std::size_t i = 0; i < choice.dimensions; ++i) fill(choice.axes[i], kPosition + i);
-    fill(layout_.time->column, kTime);
-    fill(*choice.id, kId);
   }
 
   [[nodiscard]] std::string name_of(std::size_t column) const { return excerpt(names_[column]); }
@@ -205,7 +182,7 @@ class JsonLines final : public LineReader {
 
   std::optional<Error> read_id(ReportLine& report) {
     const std::size_t column = *layout_.table.choice.id;
-    const auto& value = values_[kId];
+    const auto& value = values_[TrackSlot::kId];
     if (!value || value->is_null()) return missing(column);
     if (line_.read_text(*value, report.id) && !report.id.empty()) return std::nullopt;
     return Error{ErrorCode::kMalformedRecord,
@@ -215,7 +192,7 @@ class JsonLines final : public LineReader {
 
   std::optional<Error> read_time(ReportLine& report) {
     const TimeChoice& time = *layout_.time;
-    const auto& value = values_[kTime];
+    const auto& value = values_[TrackSlot::kTime];
     if (!value || value->is_null()) return missing(time.column);
     if (time.iso) {
       std::string_view text;
@@ -242,7 +219,7 @@ class JsonLines final : public LineReader {
     const ColumnChoice& choice = layout_.table.choice;
     std::array<double, 3> position = {};
     for (std::size_t axis = 0; axis < choice.dimensions; ++axis) {
-      const auto& value = values_[kPosition + axis];
+      const auto& value = values_[TrackSlot::kPosition + axis];
       if (!value) return missing(choice.axes[axis]);
       if (!read_json(*value, position[axis])) {
         return json_number_problem(*value, name_of(choice.axes[axis]));
@@ -261,7 +238,7 @@ class JsonLines final : public LineReader {
     std::array<double, 3> velocity = {kUnknown, kUnknown,
                                       layout_.table.choice.dimensions == 2 ? 0.0 : kUnknown};
     for (std::size_t i = 0; i < choice.dimensions; ++i) {
-      const auto& value = values_[kVelocity + i];
+      const auto& value = values_[TrackSlot::kVelocity + i];
       if (!value || value->is_null()) continue;
       if (!read_json(*value, velocity[i])) {
         return json_number_problem(*value, name_of(choice.columns[i]));
@@ -279,7 +256,7 @@ class JsonLines final : public LineReader {
   TrackLayout layout_;
   bool chosen_ = false;
   std::optional<Error> unit_problem_;  // that a later key has brought
-  std::array<std::optional<JsonElement>, kSlots> values_ = {};
+  std::array<std::optional<JsonElement>, TrackSlot::kNothing + 1> values_ = {};
 };
 
 }  // namespace

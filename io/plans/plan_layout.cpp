@@ -4,6 +4,7 @@
 #include "io/plans/plan_columns.hpp"
 #include "io/problems/excerpt.hpp"
 #include "io/table/column_choice.hpp"
+#include "io/table/record_problems.hpp"
 #include "io/table/unit_choice.hpp"
 
 #include <algorithm>
@@ -24,20 +25,17 @@ std::optional<Error> take(const Header& header, Role role, PlanLayout& layout) {
   if (found.empty()) return std::nullopt;
   const std::string name = column_text(layout.table, found[0]);
   const ColumnMeaning& meaning = header.meaning(found[0]);
-  Error error;
   if (!meaning.foreign_unit.empty()) {
-    error = {ErrorCode::kUnsupportedFormat,
-             name + " is in '" + meaning.foreign_unit +
-                 "'; convert it first: beespace reads lengths, speeds and m/s^2",
-             {}};
-    error.place.column = found[0] + 1;
-    return error;
+    return at_column(ErrorCode::kUnsupportedFormat,
+                     name + " is in '" + meaning.foreign_unit +
+                         "'; convert it first: beespace reads lengths, speeds and m/s^2",
+                     found[0]);
   }
   if (found.size() > 1) {
-    error = missing("both " + name + " and " + column_text(layout.table, found[1]) +
-                    " look like the same; keep one, or rename the other");
-    error.place.column = found[1] + 1;
-    return error;
+    return at_column(ErrorCode::kMissingColumn,
+                     "both " + name + " and " + column_text(layout.table, found[1]) +
+                         " look like the same; keep one, or rename the other",
+                     found[1]);
   }
   layout.columns[index_of(role)] = NumberColumn{found[0], meaning.unit};
   return std::nullopt;

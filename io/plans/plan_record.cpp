@@ -23,12 +23,6 @@ std::string_view unit_of(Role role) {
   return part_within(Role::kX, role) || part_within(Role::kGoalX, role) ? " m" : " m/s";
 }
 
-Error at_column(ErrorCode code, std::string message, std::size_t column) {
-  Error error{code, std::move(message), {}};
-  error.place.column = column + 1;
-  return error;
-}
-
 }  // namespace
 
 PlanRecordReader::PlanRecordReader(const PlanLayout& layout)

@@ -106,11 +106,13 @@ Result<std::optional<std::size_t>> only_column(const ColumnOverride& wanted,
   for (std::size_t i = 0; i < table.names.size(); ++i) {
     if (!same(table.names[i])) continue;
     if (found) {
-      const std::string role(wanted.name);
-      return missing("columns " + std::to_string(*found + 1) + " and " + std::to_string(i + 1) +
-                     " are both named " + excerpt(wanted.column) + "; give the number: " + role +
-                     "=" + std::to_string(*found + 1) + " or " + role + "=" +
-                     std::to_string(i + 1));
+      const auto choice = [&wanted](std::size_t column) {
+        return std::string(wanted.name).append("=").append(std::to_string(column + 1));
+      };
+      std::string text = "columns " + std::to_string(*found + 1);
+      text.append(" and ").append(std::to_string(i + 1)).append(" are both named ");
+      text.append(excerpt(wanted.column)).append("; give the number: ");
+      return missing(text.append(choice(*found)).append(" or ").append(choice(i)));
     }
     found = i;
   }

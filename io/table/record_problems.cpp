@@ -10,12 +10,6 @@
 namespace beespace::io {
 namespace {
 
-Error at_column(ErrorCode code, std::string message, std::size_t column) {
-  Error error{code, std::move(message), {}};
-  error.place.column = column + 1;
-  return error;
-}
-
 Error count_error(std::size_t count, const TableLayout& layout, std::string_view line) {
   return {ErrorCode::kColumnCount,
           std::to_string(count) + (count == 1 ? " column" : " columns") + " where the " +
@@ -26,6 +20,12 @@ Error count_error(std::size_t count, const TableLayout& layout, std::string_view
 }
 
 }  // namespace
+
+Error at_column(ErrorCode code, std::string message, std::size_t column) {
+  Error error{code, std::move(message), {}};
+  error.place.column = column + 1;
+  return error;
+}
 
 Error long_line(std::string_view line) {
   return {ErrorCode::kMalformedRecord,

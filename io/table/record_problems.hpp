@@ -14,6 +14,8 @@
 
 namespace beespace::io {
 
+Error at_column(ErrorCode code, std::string message, std::size_t column);
+
 // kMalformedRecord: beyond the limit of fields.hpp.
 Error long_line(std::string_view line);
 

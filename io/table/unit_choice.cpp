@@ -1,18 +1,13 @@
 #include "io/table/unit_choice.hpp"
 
 #include "io/problems/excerpt.hpp"
+#include "io/table/record_problems.hpp"
 
 #include <algorithm>
 #include <utility>
 
 namespace beespace::io {
 namespace {
-
-Error at_column(std::string message, std::size_t column) {
-  Error error{ErrorCode::kInvalidArgument, std::move(message), {}};
-  error.place.column = column + 1;
-  return error;
-}
 
 bool is_metric(Unit unit) {
   return unit == Unit::kMetre || unit == Unit::kMetrePerSecond;
@@ -42,7 +37,8 @@ Error UnitChoice::unknown(UnitRole role, std::size_t column) const {
   const std::string word(role_name(role));
   const std::string unit(symbol_of(usual(role)));
   const std::string metric(symbol_of(ours(role)));
-  return at_column("column " + std::to_string(column + 1) + " " + excerpt(name) + " holds the " +
+  return at_column(ErrorCode::kInvalidArgument,
+                   "column " + std::to_string(column + 1) + " " + excerpt(name) + " holds the " +
                        word + ", but in which unit? The header speaks of aviation (" + aviation_ +
                        "), where it may be " + unit + " or " + metric +
                        "; say it in the header, as in " + excerpt(name + " [" + unit + "]") +
@@ -61,7 +57,8 @@ Result<UnitTaken> UnitChoice::choose(UnitRole role, const std::string& of, std::
   }
   if (stated != Unit::kUnstated) {
     if (asked != Unit::kUnstated && asked != stated) {
-      return at_column("column " + std::to_string(column + 1) + " " + name + " names its unit, " +
+      return at_column(ErrorCode::kInvalidArgument,
+                       "column " + std::to_string(column + 1) + " " + name + " names its unit, " +
                            std::string(symbol_of(stated)) + ", but --units says " +
                            std::string(symbol_of(asked)) + "; leave one of them out",
                        column);
@@ -96,6 +93,7 @@ std::optional<Error> half_stated(const std::vector<std::string>& names,
   });
   if (foreign == units.end() || silent == units.end()) return std::nullopt;
   return at_column(
+      ErrorCode::kInvalidArgument,
       "column " + excerpt(names[foreign->column]) + " is in " +
           std::string(symbol_of(foreign->unit)) + ", but " + excerpt(names[silent->column]) +
           " beside it names no unit; name it in the header too, as in " +

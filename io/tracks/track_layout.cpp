@@ -5,6 +5,7 @@
 #include "io/problems/excerpt.hpp"
 #include "io/table/column_choice.hpp"
 #include "io/table/fields.hpp"
+#include "io/table/record_problems.hpp"
 #include "io/table/unit_choice.hpp"
 #include "io/tracks/track_columns.hpp"
 #include "io/tracks/track_velocity.hpp"
@@ -17,12 +18,6 @@ namespace {
 
 Error missing(std::string message) {
   return {ErrorCode::kMissingColumn, std::move(message), {}};
-}
-
-Error at_column(ErrorCode code, std::string message, std::size_t column) {
-  Error error{code, std::move(message), {}};
-  error.place.column = column + 1;
-  return error;
 }
 
 // ---- Whose record it is --------------------------------------------------------------------
@@ -214,6 +209,23 @@ Result<TrackLayout> skybrush_layout(TableLayout table, const RecordingOptions& o
 }
 
 }  // namespace
+
+std::vector<std::uint8_t> slots_of(const TrackLayout& layout) {
+  std::vector<std::uint8_t> slots(layout.table.columns, TrackSlot::kNothing);
+  const auto fill = [&slots](std::size_t column, std::size_t slot) {
+    if (column < slots.size()) slots[column] = static_cast<std::uint8_t>(slot);
+  };
+  const ColumnChoice& choice = layout.table.choice;
+  for (std::size_t i = 0; layout.velocity && i < layout.velocity->dimensions; ++i) {
+    fill(layout.velocity->columns[i], TrackSlot::kVelocity + i);
+  }
+  for (std::size_t i = 0; i < choice.dimensions; ++i) {
+    fill(choice.axes[i], TrackSlot::kPosition + i);
+  }
+  if (layout.time) fill(layout.time->column, TrackSlot::kTime);
+  if (choice.id) fill(*choice.id, TrackSlot::kId);
+  return slots;
+}
 
 Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text,
                                         const RecordingOptions& options) {

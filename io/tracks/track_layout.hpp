@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -43,6 +44,19 @@ struct TrackLayout {
   std::vector<UnitTaken> units = {};  // of positions and velocities
   std::vector<std::string> notes = {};
 };
+
+// The values of a report, in the order in which they are read.
+struct TrackSlot {
+  static constexpr std::size_t kId = 0;
+  static constexpr std::size_t kTime = 1;
+  static constexpr std::size_t kPosition = 2;  // three of them
+  static constexpr std::size_t kVelocity = 5;  // three of them
+  static constexpr std::size_t kNothing = 8;   // where columns go that are not asked for
+};
+
+// By column: which slot it fills. An id may be read from a column that is something else too, but
+// not the other way round.
+std::vector<std::uint8_t> slots_of(const TrackLayout& layout);
 
 // `text` has no byte-order mark. `bare_skybrush`: a table without a header is a Skybrush CSV.
 // Errors: those of find_layout(), kInvalidArgument where a unit of time must be said,

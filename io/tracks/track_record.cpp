@@ -20,12 +20,6 @@
 namespace beespace::io {
 namespace {
 
-constexpr std::size_t kId = 0;
-constexpr std::size_t kTime = 1;
-constexpr std::size_t kPosition = 2;
-constexpr std::size_t kVelocity = 5;
-constexpr std::size_t kNothing = 8;  // where columns go that nobody asks for
-
 Point free_of_dust(const Point& point) {
   return {without_dust(point.x), without_dust(point.y), without_dust(point.z)};
 }
@@ -59,12 +53,6 @@ NumberKind read_number(std::string_view text, double& value) {
   return parse_number(text, value);
 }
 
-Error at_column(ErrorCode code, std::string message, std::size_t column) {
-  Error error{code, std::move(message), {}};
-  error.place.column = column + 1;
-  return error;
-}
-
 Error outside_domain(std::string_view text, std::string_view name, std::string_view unit,
                      std::size_t column) {
   return at_column(ErrorCode::kOutsideDomain,
@@ -82,26 +70,13 @@ std::string_view coordinate_name(const TrackLayout& layout, std::size_t axis) {
 }  // namespace
 
 TrackRecordReader::TrackRecordReader(const TrackLayout& layout)
-    : layout_(layout), slots_(layout.table.columns, kNothing) {
-  const auto fill = [this](std::size_t column, std::size_t slot) {
-    if (column < slots_.size()) slots_[column] = static_cast<std::uint8_t>(slot);
-  };
-  const ColumnChoice& choice = layout.table.choice;
-  // An id may be read from a column that is something else too, but not the other way round.
-  if (layout.velocity) {
-    for (std::size_t i = 0; i < layout.velocity->dimensions; ++i) {
-      fill(layout.velocity->columns[i], kVelocity + i);
-    }
-  }
-  for (std::size_t i = 0; i < choice.dimensions; ++i) fill(choice.axes[i], kPosition + i);
-  if (layout.time) fill(layout.time->column, kTime);
-  if (choice.id) fill(*choice.id, kId);
+    : layout_(layout), slots_(slots_of(layout)) {
 }
 
 std::optional<Error> TrackRecordReader::read_id(TrackRecord& record) {
   const ColumnChoice& choice = layout_.table.choice;
   if (!choice.id) return std::nullopt;
-  const Field& field = fields_[kId];
+  const Field& field = fields_[TrackSlot::kId];
   if (field.text.empty()) {
     return at_column(ErrorCode::kMalformedRecord,
                      "the id is empty; fill it in" + std::string(kOrLeaveOut), *choice.id);
@@ -117,7 +92,7 @@ std::optional<Error> TrackRecordReader::read_id(TrackRecord& record) {
 std::optional<Error> TrackRecordReader::read_time(TrackRecord& record) {
   if (!layout_.time) return std::nullopt;
   const TimeChoice& time = *layout_.time;
-  const std::string_view text = without_padding(fields_[kTime].text);
+  const std::string_view text = without_padding(fields_[TrackSlot::kTime].text);
   if (time.iso) {
     const std::string_view problem = parse_iso_time(text, record.time_s);
     if (problem.empty()) return std::nullopt;
@@ -145,7 +120,7 @@ std::optional<Error> TrackRecordReader::read_position(TrackRecord& record) {
   const ColumnChoice& choice = layout_.table.choice;
   std::array<double, 3> values = {};
   for (std::size_t axis = 0; axis < choice.dimensions; ++axis) {
-    const std::string_view text = without_padding(fields_[kPosition + axis].text);
+    const std::string_view text = without_padding(fields_[TrackSlot::kPosition + axis].text);
     const NumberKind kind = read_number(text, values[axis]);
     if (kind != NumberKind::kNumber) {
       return number_problem(kind, text, coordinate_name(layout_, axis),
@@ -165,7 +140,7 @@ std::optional<Error> TrackRecordReader::read_position(TrackRecord& record) {
          {std::pair{0, metric.x}, std::pair{1, metric.y}, std::pair{2, metric.z}}) {
       if (in_motion_domain(value)) continue;
       const auto place = static_cast<std::size_t>(axis);
-      return outside_domain(without_padding(fields_[kPosition + place].text),
+      return outside_domain(without_padding(fields_[TrackSlot::kPosition + place].text),
                             coordinate_name(layout_, place), " m", choice.axes[place]);
     }
   }
@@ -173,9 +148,10 @@ std::optional<Error> TrackRecordReader::read_position(TrackRecord& record) {
   const auto problem =
       find_out_of_range(std::span<const Point>(&record.position, 1), 0, Frame::kWgs84);
   if (!problem) return std::nullopt;
-  Error error = range_error(*problem, record.position,
-                            std::string(without_padding(fields_[kPosition + problem->axis].text)),
-                            symbol_of(choice.units[problem->axis]));
+  Error error =
+      range_error(*problem, record.position,
+                  std::string(without_padding(fields_[TrackSlot::kPosition + problem->axis].text)),
+                  symbol_of(choice.units[problem->axis]));
   error.place.column = choice.axes[problem->axis] + 1;
   return error;
 }
@@ -187,7 +163,7 @@ std::optional<Error> TrackRecordReader::read_velocity(TrackRecord& record) {
   // Bees that have no height do not climb; of others it is not known.
   std::array<double, 3> values = {0.0, 0.0, layout_.table.choice.dimensions == 2 ? 0.0 : kUnknown};
   for (std::size_t i = 0; i < velocity.dimensions; ++i) {
-    const std::string_view text = without_padding(fields_[kVelocity + i].text);
+    const std::string_view text = without_padding(fields_[TrackSlot::kVelocity + i].text);
     const NumberKind kind = text.empty() ? NumberKind::kNotFinite : read_number(text, values[i]);
     values[i] = without_dust(values[i]);
     if (kind == NumberKind::kNotFinite) {
@@ -202,7 +178,7 @@ std::optional<Error> TrackRecordReader::read_velocity(TrackRecord& record) {
   record.velocity = in_metric(values, velocity);
   for (const double value : {record.velocity.x, record.velocity.y, record.velocity.z}) {
     if (std::isnan(value) || in_motion_domain(value)) continue;
-    return outside_domain(without_padding(fields_[kVelocity].text), "velocity", " m/s",
+    return outside_domain(without_padding(fields_[TrackSlot::kVelocity].text), "velocity", " m/s",
                           velocity.columns[0]);
   }
   return std::nullopt;

@@ -41,11 +41,9 @@ class TrackRecordReader {
   std::optional<Error> read_position(TrackRecord& record);
   std::optional<Error> read_velocity(TrackRecord& record);
 
-  static constexpr std::size_t kSlots = 8;  // id, time, three of position, three of velocity
-
   const TrackLayout& layout_;
   std::vector<std::uint8_t> slots_;  // by column: which slot it fills
-  std::array<Field, kSlots + 1> fields_ = {};
+  std::array<Field, TrackSlot::kNothing + 1> fields_ = {};
   std::string unquoted_id_;
 };
 
