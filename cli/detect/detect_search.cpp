@@ -15,23 +15,23 @@ namespace {
 using Closest = std::optional<ClosestPair>;
 
 // With a vertical threshold: who is closest of all may keep apart in height. Mostly it does not.
-Result<bool> is_in_conflict(Engine& engine, const std::vector<Point>& places, SearchOptions options,
+Result<bool> is_in_conflict(Engine& engine, const PointsView& places, const SearchOptions& options,
                             const ClosestPair& pair) {
   const std::vector<Point> both{places[pair.first], places[pair.second]};
   std::vector<double> heights_m;
-  if (!options.heights_m.empty()) {
-    heights_m = {options.heights_m[pair.first], options.heights_m[pair.second]};
+  if (places.has_heights()) {
+    heights_m = {places.heights_m()[pair.first], places.heights_m()[pair.second]};
   }
-  options.heights_m = heights_m;
   std::vector<PointId> at_risk;
-  if (Status found = engine.find_at_risk(both, options, at_risk); !found) {
+  const PointsView of_both = PointsView(both).with_heights(heights_m);
+  if (Status found = engine.find_at_risk(of_both, options, at_risk); !found) {
     return std::move(found).error();
   }
   return !at_risk.empty();
 }
 
 // Looks at every pair.
-Result<Closest> closest_pair_in_conflict(Engine& engine, const std::vector<Point>& places,
+Result<Closest> closest_pair_in_conflict(Engine& engine, const PointsView& places,
                                          const std::vector<Point>& points,
                                          const SearchOptions& options,
                                          const std::vector<PointId>& at_risk) {
@@ -68,9 +68,8 @@ Result<Closest> closest_pair(Engine& engine, const Inputs& inputs,
 }
 
 // Of a bee and another of the others: both in the cylinder, and by its straight line.
-Result<Closest> closest_pair_between(Engine& engine, const std::vector<Point>& points,
-                                     const std::vector<Point>& others,
-                                     const SearchOptions& options) {
+Result<Closest> closest_pair_between(Engine& engine, const PointsView& points,
+                                     const PointsView& others, const SearchOptions& options) {
   std::vector<Nearest> nearest;
   if (Status found = engine.find_nearest_within_between(points, others, options, nearest); !found) {
     return std::move(found).error();
@@ -81,9 +80,8 @@ Result<Closest> closest_pair_between(Engine& engine, const std::vector<Point>& p
   return Closest({static_cast<PointId>(best - nearest.begin()), best->id, best->distance_m});
 }
 
-Status find_at_risk(Engine& engine, const std::vector<Point>& points,
-                    const std::vector<Point>* others, const SearchOptions& options,
-                    std::vector<PointId>& at_risk) {
+Status find_at_risk(Engine& engine, const PointsView& points, const PointsView* others,
+                    const SearchOptions& options, std::vector<PointId>& at_risk) {
   if (others == nullptr) return engine.find_at_risk(points, options, at_risk);
   return engine.find_at_risk_between(points, *others, options, at_risk);
 }
@@ -108,19 +106,17 @@ Result<Detection> search(const Inputs& inputs, const DetectRequest& request) {
   const GroundPlaces places = ground_places(inputs.ours, request.vertical, height_unit);
   const GroundPlaces other_places =
       inputs.others ? ground_places(*inputs.others, request.vertical, height_unit) : GroundPlaces();
-  SearchOptions options = request.search;
-  options.vertical_m = places.vertical_m;
-  options.heights_m = places.heights_m;
-  options.other_heights_m = other_places.heights_m;
-  const std::vector<Point>& points = places.ground.empty() ? inputs.ours.points : places.ground;
-  const std::vector<Point>* const others =
-      !inputs.others
-          ? nullptr
-          : (other_places.ground.empty() ? &inputs.others->points : &other_places.ground);
+  PairOptions limited = request.search;
+  limited.vertical_m = places.vertical_m;
+  const SearchOptions options = limited.without_limit();
+  const PointsView points = places.view(inputs.ours.points);
+  PointsView of_others;
+  if (inputs.others) of_others = other_places.view(inputs.others->points);
+  const PointsView* const others = inputs.others ? &of_others : nullptr;
   const Status at_risk = find_at_risk(engine, points, others, options, detection.at_risk);
   if (!at_risk) return at_risk.error();
   if (!request.quiet || request.form.form == Form::kJson || request.report->needs_closest) {
-    auto closest = closest_pair(engine, inputs, detection.at_risk, request.search);
+    auto closest = closest_pair(engine, inputs, detection.at_risk, options);
     if (!closest) return std::move(closest).error();
     if (vertical && others != nullptr && !detection.at_risk.empty()) {
       closest = closest_pair_between(engine, points, *others, options);
@@ -141,7 +137,7 @@ Result<Detection> search(const Inputs& inputs, const DetectRequest& request) {
     detection.closest = *closest;
   }
   const Question question{
-      engine, points, others, options, request.at_risk_only, detection.at_risk, detection.closest};
+      engine, points, others, limited, request.at_risk_only, detection.at_risk, detection.closest};
   auto table = request.report->find(question);
   if (!table) return in_words_of_the_command(std::move(table).error(), request);
   detection.table = *std::move(table);

@@ -25,7 +25,7 @@ struct DetectRequest {
   std::optional<std::string> others;
   std::string output = "-";
   io::LoadOptions load;  // of both inputs
-  SearchOptions search;
+  PairOptions search;
   bool default_threshold = false;        // nobody gave one
   std::optional<StatedLength> vertical;  // that of `search`, as typed
   bool unique_ids = false;

@@ -13,7 +13,7 @@ namespace beespace::search {
 
 // Writes the count of every point of a domain in which nobody is missing: neither points nor
 // others.
-void count_in_crowds(const SearchDomain& domain, const SearchOptions& options,
+void count_in_crowds(const SearchDomain& domain, const PairOptions& options,
                      const core::Resources& with, const TuningOverrides& tuning,
                      std::uint32_t* counts);
 

@@ -36,7 +36,7 @@ core::Buffer<PointId> lowest_ids(const core::CylinderTree& tree, core::Memory& m
 class NearestWalk {
  public:
   NearestWalk(const core::CylinderTree& tree, const core::Buffer<PointId>& lowest,
-              const core::CylinderTests& tests, const SearchOptions& options)
+              const core::CylinderTests& tests, const PairOptions& options)
       : tree_(tree),
         lowest_(lowest),
         tests_(tests),

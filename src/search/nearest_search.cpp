@@ -22,7 +22,7 @@ constexpr std::size_t kFew = 16;
 
 class NearestSearch {
  public:
-  NearestSearch(const SearchDomain& domain, const std::optional<SearchOptions>& within,
+  NearestSearch(const SearchDomain& domain, const std::optional<PairOptions>& within,
                 const core::Resources& with, const TuningOverrides& tuning,
                 std::vector<Nearest>& nearest)
       : domain_(domain),
@@ -244,7 +244,7 @@ class NearestSearch {
   const SearchDomain& domain_;
   const core::Resources& with_;
   const TuningOverrides& tuning_;
-  const std::optional<SearchOptions>& within_;
+  const std::optional<PairOptions>& within_;
   double farthest_;
   std::vector<Nearest>& nearest_;
   core::Buffer<PointId> ids_;
@@ -255,7 +255,7 @@ class NearestSearch {
 
 }  // namespace
 
-void find_nearest(const SearchDomain& domain, const std::optional<SearchOptions>& within,
+void find_nearest(const SearchDomain& domain, const std::optional<PairOptions>& within,
                   const core::Resources& with, const TuningOverrides& tuning,
                   std::vector<Nearest>& nearest) {
   NearestSearch(domain, within, with, tuning, nearest).run();

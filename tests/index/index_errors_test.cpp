@@ -49,7 +49,7 @@ TEST(IndexErrors, PlacesOutsideTheDomainAreRefusedAndNamedAmongMany) {
 TEST(IndexErrors, MoreResultsThanAllowedAreRefused) {
   const Index index = test::built(std::vector<Point>(10, Point{1, 2, 3}));
   const std::vector<Point> places(3, Point{1, 2, 3});
-  SearchOptions options{1.0};
+  AroundOptions options{1.0};
   options.max_results = 30;
   EXPECT_TRUE(index.find_around(places, options).has_value());
   options.max_results = 29;

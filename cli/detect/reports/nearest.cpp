@@ -12,7 +12,7 @@ using NearestList = std::vector<Nearest>;
 
 Status find(const Question& question, NearestList& nearest) {
   Engine& engine = question.engine;
-  const SearchOptions& search = question.search;
+  const SearchOptions search = question.search.without_limit();
   // With a vertical threshold the nearest are those in the cylinder.
   const bool within = question.at_risk_only || search.vertical_m;
   if (question.others == nullptr) {
