@@ -1,6 +1,6 @@
 # The everyday commands. Each works on a brand-new Debian 12 or Ubuntu 24.04 machine.
 .DEFAULT_GOAL := help
-.PHONY: help demo test bench bench-prevention compare docs format lint clean install
+.PHONY: help demo test bench bench-prevention compare docs format lint clean install install-lib
 
 PREFIX ?= /usr/local
 
@@ -14,6 +14,7 @@ help: ## this list
 	@echo "make format   format the sources with clang-format 14"
 	@echo "make lint     format, include and header checks, clang-tidy"
 	@echo "make install  install under PREFIX ($(PREFIX)); DESTDIR is honoured"
+	@echo "make install-lib  the library alone, static and shared, without the command's packages"
 	@echo "make clean    remove what was built"
 	@echo "After make demo or make test the command is build/release/beespace."
 
@@ -57,6 +58,10 @@ install:
 	@scripts/install-packages build
 	@scripts/build-command
 	@cmake --install build/release --prefix "$(PREFIX)"
+
+install-lib:
+	@scripts/install-packages library
+	@scripts/install-library "$(PREFIX)"
 
 clean:
 	rm -rf build demo

@@ -37,7 +37,7 @@ constexpr const char* kExamples =
     "  beespace predict swarm.csv --threshold 5      who is about to come too close to whom\n"
     "  beespace replay show.skyc                     whether a drone show keeps its distance\n"
     "  tail -f swarm.csv | beespace watch            the same live\n"
-    "  beespace advise swarm.csv                     how everybody should fly to keep apart\n"
+    "  beespace advise swarm.csv                     how all bees should fly to keep apart\n"
     "  beespace simulate random-swap                 a swarm that is kept apart, step by step\n"
     "  beespace verify flight.csv --threshold 5      whether a flight kept its distance\n"
     "  beespace report bees.csv -o report.html       a page that shows it\n"

@@ -3,8 +3,16 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
+# A static library and a shared one may stand side by side in one prefix: what differs between them
+# is in files of their own names.
+if(BUILD_SHARED_LIBS)
+  set(kind shared)
+else()
+  set(kind static)
+endif()
+
 install(TARGETS beespace
-  EXPORT beespaceTargets
+  EXPORT beespace-${kind}
   LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/beespace"
@@ -12,7 +20,7 @@ install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/beespace"
   FILES_MATCHING PATTERN "*.hpp")
 install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 
-# find_package(beespace)
+# find_package(beespace), or find_package(beespace COMPONENTS static)
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/beespace")
 configure_package_config_file(
   "${PROJECT_SOURCE_DIR}/cmake/beespaceConfig.cmake.in"
@@ -22,7 +30,8 @@ configure_package_config_file(
 # While the version is 0.x, a new minor version may break its users.
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/beespaceConfigVersion.cmake"
   COMPATIBILITY SameMinorVersion)
-install(EXPORT beespaceTargets NAMESPACE beespace:: DESTINATION "${package_dir}")
+install(EXPORT beespace-${kind} NAMESPACE beespace:: DESTINATION "${package_dir}"
+  FILE beespace-${kind}.cmake)
 install(FILES
   "${PROJECT_BINARY_DIR}/beespaceConfig.cmake"
   "${PROJECT_BINARY_DIR}/beespaceConfigVersion.cmake"
@@ -34,15 +43,19 @@ file(RELATIVE_PATH pc_to_prefix "${pc_dir}" "${CMAKE_INSTALL_PREFIX}")
 string(REGEX REPLACE "/$" "" pc_to_prefix "${pc_to_prefix}")
 if(BUILD_SHARED_LIBS)
   set(pc_cflags "")
-  set(pc_libs "")
+  set(pc_libs "-L\${libdir} -lbeespace")
 else()
-  # An archive does not know what it needs, so the program that links it must name it.
+  # An archive does not know what it needs, so the program that links it must name it. By its path:
+  # -lbeespace would take a shared library beside it.
   set(pc_cflags " -DBEESPACE_STATIC")
-  set(pc_libs " -pthread")
+  set(pc_libs "\${libdir}/${CMAKE_STATIC_LIBRARY_PREFIX}beespace${CMAKE_STATIC_LIBRARY_SUFFIX} -pthread")
 endif()
-configure_file("${PROJECT_SOURCE_DIR}/cmake/beespace.pc.in" "${PROJECT_BINARY_DIR}/beespace.pc" @ONLY)
-install(FILES "${PROJECT_BINARY_DIR}/beespace.pc"
-  DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
+# "beespace" is the kind that was installed last.
+foreach(name IN ITEMS beespace beespace-${kind})
+  configure_file("${PROJECT_SOURCE_DIR}/cmake/beespace.pc.in" "${PROJECT_BINARY_DIR}/${name}.pc" @ONLY)
+  install(FILES "${PROJECT_BINARY_DIR}/${name}.pc"
+    DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
+endforeach()
 
 if(TARGET beespace_cli)
   install(TARGETS beespace_cli RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")

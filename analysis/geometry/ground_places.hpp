@@ -6,6 +6,7 @@
 #include "io/units/stated_length.hpp"
 
 #include <beespace/point.hpp>
+#include <beespace/points_view.hpp>
 
 #include <optional>
 #include <vector>
@@ -17,6 +18,11 @@ struct GroundPlaces {
   std::vector<Point> ground = {};
   std::vector<double> heights_m = {};  // in the unit of `vertical_m`
   std::optional<double> vertical_m = {};
+
+  // What searches are asked about: these, or the points themselves. Refers to both.
+  [[nodiscard]] PointsView view(const std::vector<Point>& points) const {
+    return PointsView(ground.empty() ? points : ground).with_heights(heights_m);
+  }
 };
 
 // `height_unit` is that of all that is compared. A threshold in the unit of the heights is compared

@@ -60,7 +60,7 @@ report::SnapshotFacts begun(const std::string& title, const SceneRequest& reques
 }
 
 // In a sphere the bee nearest to one at risk is in conflict with it.
-Status find_closest_in_conflict(Engine& engine, const std::vector<Point>& places,
+Status find_closest_in_conflict(Engine& engine, const PointsView& places,
                                 const std::vector<Point>& points, const SearchOptions& options,
                                 report::SnapshotFacts& facts) {
   if (!options.vertical_m) {
@@ -96,8 +96,7 @@ Status search(const std::vector<Point>& points, const GroundPlaces& apart, unsig
   options.vertical_m = apart.vertical_m;
   options.inclusive = facts.swarm.inclusive;
   options.threads = threads;
-  options.heights_m = apart.heights_m;
-  const std::vector<Point>& places = apart.ground.empty() ? points : apart.ground;
+  const PointsView places = apart.view(points);
   Engine engine;
   Status found = engine.find_at_risk(places, options, facts.at_risk);
   IdRows groups;

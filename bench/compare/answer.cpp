@@ -81,7 +81,7 @@ Difference difference_of_counts(const std::vector<std::uint32_t>& found,
 
 bool is_nearest(std::span<const Point> points, std::size_t self, const Nearest& found,
                 const Nearest& expected) {
-  if (found.id == Nearest::kNobody || expected.id == Nearest::kNobody) {
+  if (found.id == Nearest::kNone || expected.id == Nearest::kNone) {
     return found.id == expected.id;
   }
   if (found.id >= points.size() || found.id == self) return false;
@@ -125,7 +125,7 @@ std::uint64_t size_of(const Answer& answer, Question question) {
     case Question::kNearest:
       return static_cast<std::uint64_t>(
           std::count_if(answer.nearest.begin(), answer.nearest.end(),
-                        [](const Nearest& one) { return one.id != Nearest::kNobody; }));
+                        [](const Nearest& one) { return one.id != Nearest::kNone; }));
     case Question::kCounts:
       break;
   }

@@ -60,7 +60,7 @@ class NearestOther final : public flann::ResultSet<double> {
 
  private:
   PointId self_;
-  PointId id_ = Nearest::kNobody;
+  PointId id_ = Nearest::kNone;
   double worst_ = std::numeric_limits<double>::infinity();
 };
 

@@ -89,7 +89,7 @@ class NearestOther : public OtherThanSelf {
   [[nodiscard]] Nearest nearest() const { return {id_, std::sqrt(worst_)}; }
 
  private:
-  PointId id_ = Nearest::kNobody;
+  PointId id_ = Nearest::kNone;
 };
 
 // The tree offers only points whose squared distance is below worstDist().
@@ -177,7 +177,7 @@ class Nanoflann final : public Contender {
     std::vector<Nearest> nearest(answer.nearest.size());
     for (std::size_t i = 0; i < nearest.size(); ++i) {
       const Nearest& found = answer.nearest[i];
-      const PointId id = found.id == Nearest::kNobody ? found.id : order[found.id];
+      const PointId id = found.id == Nearest::kNone ? found.id : order[found.id];
       nearest[order[i]] = {id, found.distance_m};
     }
     std::vector<std::uint32_t> counts(answer.counts.size());

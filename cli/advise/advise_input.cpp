@@ -10,7 +10,7 @@
 namespace beespace::cli {
 namespace {
 
-// Without velocities everybody stands.
+// Without velocities all bees stand.
 std::vector<Mover> movers_of(const io::FlightPlans& plans) {
   std::vector<Mover> movers(plans.positions.size());
   for (std::size_t i = 0; i < movers.size(); ++i) {
@@ -61,7 +61,7 @@ Status load_bees(const AdviseRequest& request, Situation& situation) {
       situation.preferred.push_back(*wish);
     }
   }
-  if (plans->velocities.empty()) situation.notes.emplace_back("no velocities: everybody stands");
+  if (plans->velocities.empty()) situation.notes.emplace_back("no velocities: all bees stand");
   if (plans->has_ids) situation.names.ids = std::move(plans->ids);
   return std::monostate{};
 }

@@ -18,7 +18,7 @@ constexpr const char* kDescription =
 constexpr const char* kDetails =
     "Reads where bees are and what they want: a table with the columns x, y, z (metres, z up), vx, "
     "vy,\n"
-    "vz (without these everybody stands) and goal_x, goal_y, goal_z or want_vx, want_vy, want_vz "
+    "vz (without these all bees stand) and goal_x, goal_y, goal_z or want_vx, want_vy, want_vz "
     "(of\n"
     "both the wanted velocity counts, not the goal); perhaps id, max_speed_mps and\n"
     "max_acceleration_mps2, which count instead of --speed and --acceleration. Writes a line for "
@@ -26,7 +26,7 @@ constexpr const char* kDetails =
     "bee: id, vx, vy, vz, advice, certified. The velocity is the one nearest to its wish with "
     "which "
     "it\n"
-    "can still brake clear of everybody else and of obstacles, if all do as advised; it is to be "
+    "can still brake clear of all others and of obstacles, if all do as advised; it is to be "
     "had at\n"
     "the end of the step (with --acceleration none: from its start). Who is too close already is "
     "not\n"
@@ -40,7 +40,7 @@ constexpr const char* kDetails =
     "\n"
     "Obstacles are a JSON document, as 'beespace simulate --help' shows it. Intruders are a table "
     "of x,\n"
-    "y, z, vx, vy, vz: they do not do as advised, so everybody gives way to them as well as it "
+    "y, z, vx, vy, vz: they do not do as advised, so all bees give way to them as well as it "
     "can, "
     "and\n"
     "nothing is promised.\n"
@@ -50,7 +50,7 @@ constexpr const char* kDetails =
     "  beespace advise swarm.csv --obstacles city.json --clearance 2 --output advice.json\n"
     "  beespace advise swarm.csv --intruders birds.csv --intruder-horizon 20 --fail-on-risk\n"
     "\n"
-    "Exit status: 0 fine, 1 somebody is not certified or a conflict with an intruder lies ahead "
+    "Exit status: 0 fine, 1 a bee is not certified or a conflict with an intruder lies ahead "
     "(with\n"
     "--fail-on-risk), 2 wrong usage, 3 bad input, 4 cannot open, read or write, 130 interrupted, "
     "143\n"
@@ -98,7 +98,7 @@ void add_output_options(Command& advise, AdviseRequest& request) {
                 "form (default: standard\noutput)");
   advise.flag("--json", request.json, "One JSON document with everything in it");
   advise.flag("--fail-on-risk", request.fail_on_risk,
-              "Exit with 1 when somebody is not certified, or a\nconflict with an intruder lies "
+              "Exit with 1 when a bee is not certified, or a\nconflict with an intruder lies "
               "ahead");
   add_quiet_option(advise, request.quiet);
 }
@@ -128,7 +128,7 @@ Status check_fit(const Command& command, const AdviseRequest& request) {
   }
   if (request.fail_on_risk) {
     return advise_error(method +
-                        " certifies nobody, so --fail-on-risk would always fail; leave it out");
+                        " certifies no bee, so --fail-on-risk would always fail; leave it out");
   }
   return std::monostate{};
 }

@@ -84,7 +84,7 @@ void append_advice(std::string& out, const Counsel& counsel) {
 void append_uncertain(std::string& out, const Counsel& counsel) {
   std::string text = bold("none");
   if (counsel.request.advice.method != AdviseMethod::kCertified) {
-    text = "everybody: this method certifies nobody";
+    text = "all: this method certifies no bee";
   } else if (const std::uint64_t bees = count_uncertified(counsel.advised); bees > 0) {
     text = red(times(bees, "bee", "bees")) + " not certified";
   }

@@ -1,4 +1,4 @@
-// What somebody may have meant who mistyped a word.
+// Which word a mistyped one may have been meant to be.
 #pragma once
 
 #include <optional>

@@ -12,7 +12,7 @@ ExitCode fail(const Error& error, bool json) {
     auto output = io::AtomicOutput::open("-");
     if (output) {
       output->write(error_as_json(error));
-      // That nobody reads it is not worse than what went wrong already.
+      // That it is not read is not worse than what went wrong already.
       static_cast<void>(output->commit());
     }
   }

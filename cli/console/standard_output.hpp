@@ -8,7 +8,8 @@
 
 namespace beespace::cli {
 
-// Whole, or what to end with: kPipeClosed when nobody reads, kSystem after saying so otherwise.
+// Whole, or what to end with: kPipeClosed when the reader is gone, kSystem after saying so
+// otherwise.
 ExitCode print(const std::string& text);
 
 // For those who go on: 0, or the errno of what went wrong. A signal that has been let wait ends

@@ -29,7 +29,7 @@ void append_vertical(std::string& out, const std::optional<io::StatedLength>& ve
 std::string separation_text(double threshold_m, const std::optional<double>& vertical_m,
                             bool inclusive);
 
-// Behind it, where nobody gave the threshold.
+// Behind it, where the threshold was not given.
 inline constexpr const char* kDefaultThresholdWords = ", the default (--threshold)";
 
 }  // namespace beespace::cli

@@ -20,7 +20,7 @@ std::string red(std::string_view text);
 // The text without the control characters by which a file could play tricks on a terminal.
 std::string printable(std::string_view text);
 
-// To standard error, whole; a closed standard error is nobody's problem.
+// To standard error, whole; a closed standard error is no problem.
 void say(std::string_view text);
 
 // "beespace: error: ...".

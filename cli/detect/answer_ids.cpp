@@ -12,7 +12,7 @@ class Mentioned {
   explicit Mentioned(std::size_t points) : is_in_(points, 0) {}
 
   void add(PointId point) {
-    if (point != Nearest::kNobody) is_in_[point] = 1;
+    if (point != Nearest::kNone) is_in_[point] = 1;
   }
 
   void add(const Cell& cell) {
@@ -39,7 +39,7 @@ bool names_bees(const BeeTable& table) {
                      [](const Column& column) { return column.names_bees; });
 }
 
-// Among ourselves, whom a value names is at risk, or everybody is listed: nobody is missing.
+// Among ourselves, a bee that a value names is at risk, or all are listed: none is missing.
 std::vector<PointId> our_points(const Inputs& inputs, const Table& table, Form form) {
   const bool ids_stand_in_records = form == Form::kCsv;
   if (const auto* bees = std::get_if<BeeTable>(&table.rows)) {

@@ -31,7 +31,7 @@ std::string text_of(const Cell& cell, const analysis::ShownIds& ids, char delimi
     return std::isfinite(far->distance_m) ? io::exact(far->distance_m) : std::string();
   }
   if (const auto* bee = std::get_if<BeeCell>(&cell)) {
-    return bee->id == Nearest::kNobody ? std::string() : ids.text(bee->id);
+    return bee->id == Nearest::kNone ? std::string() : ids.text(bee->id);
   }
   return listed(std::get<std::span<const PointId>>(cell), ids, delimiter);
 }

@@ -26,7 +26,7 @@ constexpr const char* kDetails =
     "Reports, and what their lines say:\n"
     "  at-risk       who is closer than the threshold to another bee: id\n"
     "  pairs         who is too close to whom: id, id, distance\n"
-    "  neighbors     everybody who is too close to each bee: id, how many, their ids\n"
+    "  neighbors     all that are too close to each bee: id, how many, their ids\n"
     "  counts        how many are too close to each bee: id, how many\n"
     "  nearest       each bee's nearest other bee, however far: id, its id, distance\n"
     "  groups        who must be brought apart together: number, size, ids\n"
@@ -43,7 +43,7 @@ constexpr const char* kDetails =
     "  beespace detect swarm.npy --crs metres --quiet --fail-on-risk --output /dev/null\n"
     "  [ $? -eq 1 ] && echo danger\n"
     "\n"
-    "Exit status: 0 fine, 1 somebody is at risk (with --fail-on-risk), 2 wrong usage, 3 bad "
+    "Exit status: 0 fine, 1 a bee is at risk (with --fail-on-risk), 2 wrong usage, 3 bad "
     "input\n"
     "or more than --max-results, 4 cannot open, read or write, 130 interrupted, 143 terminated,\n"
     "141 closed pipe.";
@@ -104,7 +104,7 @@ void add_output_options(Command& detect, DetectRequest& request) {
   detect.flag("--geojson", request.geojson,
               "Points or lines for map tools (input in degrees only)");
   detect.flag("--fail-on-risk", request.fail_on_risk,
-              "Exit with 1 when somebody is at risk, or records were\nleft out");
+              "Exit with 1 when a bee is at risk, or records were\nleft out");
   detect.flag("--quiet", request.quiet, "No summary and no progress, only errors");
 }
 
@@ -138,7 +138,7 @@ Status settle(DetectRequest& request) {
                   {{Form::kText, Form::kCsv, Form::kJson, Form::kGeoJson}});
   if (!form) return form.error();
   request.form = *form;
-  SearchOptions& search = request.search;
+  PairOptions& search = request.search;
   search.threshold_m = request.threshold_m.value_or(kDefaultThreshold_m);
   search.max_results = request.max_results.value_or(search.max_results);
   if (request.vertical) search.vertical_m = request.vertical->metric;

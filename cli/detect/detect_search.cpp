@@ -15,23 +15,23 @@ namespace {
 using Closest = std::optional<ClosestPair>;
 
 // With a vertical threshold: who is closest of all may keep apart in height. Mostly it does not.
-Result<bool> is_in_conflict(Engine& engine, const std::vector<Point>& places, SearchOptions options,
+Result<bool> is_in_conflict(Engine& engine, const PointsView& places, const SearchOptions& options,
                             const ClosestPair& pair) {
   const std::vector<Point> both{places[pair.first], places[pair.second]};
   std::vector<double> heights_m;
-  if (!options.heights_m.empty()) {
-    heights_m = {options.heights_m[pair.first], options.heights_m[pair.second]};
+  if (places.has_heights()) {
+    heights_m = {places.heights_m()[pair.first], places.heights_m()[pair.second]};
   }
-  options.heights_m = heights_m;
   std::vector<PointId> at_risk;
-  if (Status found = engine.find_at_risk(both, options, at_risk); !found) {
+  const PointsView of_both = PointsView(both).with_heights(heights_m);
+  if (Status found = engine.find_at_risk(of_both, options, at_risk); !found) {
     return std::move(found).error();
   }
   return !at_risk.empty();
 }
 
 // Looks at every pair.
-Result<Closest> closest_pair_in_conflict(Engine& engine, const std::vector<Point>& places,
+Result<Closest> closest_pair_in_conflict(Engine& engine, const PointsView& places,
                                          const std::vector<Point>& points,
                                          const SearchOptions& options,
                                          const std::vector<PointId>& at_risk) {
@@ -44,7 +44,7 @@ Result<Closest> closest_pair_in_conflict(Engine& engine, const std::vector<Point
       {at_risk[static_cast<std::size_t>(best - closest->begin())], best->id, best->distance_m});
 }
 
-// The closest pair of all. When somebody is at risk, both of the pair are (with others: the first
+// The closest pair of all. When bees are at risk, both of the pair are (with others: the first
 // is), so that it is enough to look among these; their order is that of all, so that ties are
 // decided alike.
 Result<Closest> closest_pair(Engine& engine, const Inputs& inputs,
@@ -68,9 +68,8 @@ Result<Closest> closest_pair(Engine& engine, const Inputs& inputs,
 }
 
 // Of a bee and another of the others: both in the cylinder, and by its straight line.
-Result<Closest> closest_pair_between(Engine& engine, const std::vector<Point>& points,
-                                     const std::vector<Point>& others,
-                                     const SearchOptions& options) {
+Result<Closest> closest_pair_between(Engine& engine, const PointsView& points,
+                                     const PointsView& others, const SearchOptions& options) {
   std::vector<Nearest> nearest;
   if (Status found = engine.find_nearest_within_between(points, others, options, nearest); !found) {
     return std::move(found).error();
@@ -95,23 +94,22 @@ Error in_words_of_the_command(Error error, const DetectRequest& request) {
 // those in conflict.
 Result<Closest> told_pair(const Question& question, const Inputs& inputs,
                           const DetectRequest& request, const std::vector<PointId>& at_risk) {
-  auto closest = closest_pair(question.engine, inputs, at_risk, request.search);
+  const SearchOptions search = question.search.without_limit();
+  auto closest = closest_pair(question.engine, inputs, at_risk, search);
   if (!closest || !request.vertical || at_risk.empty()) return closest;
   if (question.others != nullptr) {
-    closest =
-        closest_pair_between(question.engine, question.points, *question.others, question.search);
+    closest = closest_pair_between(question.engine, question.points, *question.others, search);
     if (!closest) return closest;
     // What is shown is the distance in space, as elsewhere.
     ClosestPair& pair = **closest;
     pair.distance_m = distance(inputs.ours.points[pair.first], inputs.others->points[pair.second]);
     return closest;
   }
-  const auto conflict =
-      is_in_conflict(question.engine, question.points, question.search, **closest);
+  const auto conflict = is_in_conflict(question.engine, question.points, search, **closest);
   if (!conflict) return conflict.error();
   if (*conflict) return closest;
-  return closest_pair_in_conflict(question.engine, question.points, inputs.ours.points,
-                                  question.search, at_risk);
+  return closest_pair_in_conflict(question.engine, question.points, inputs.ours.points, search,
+                                  at_risk);
 }
 
 }  // namespace
@@ -125,15 +123,12 @@ Result<Detection> search(const Inputs& inputs, const DetectRequest& request) {
   const analysis::GroundPlaces other_places =
       inputs.others ? analysis::ground_places(*inputs.others, request.vertical, height_unit)
                     : analysis::GroundPlaces();
-  SearchOptions options = request.search;
+  PairOptions options = request.search;
   options.vertical_m = places.vertical_m;
-  options.heights_m = places.heights_m;
-  options.other_heights_m = other_places.heights_m;
-  const std::vector<Point>& points = places.ground.empty() ? inputs.ours.points : places.ground;
-  const std::vector<Point>* const others =
-      !inputs.others
-          ? nullptr
-          : (other_places.ground.empty() ? &inputs.others->points : &other_places.ground);
+  const PointsView points = places.view(inputs.ours.points);
+  PointsView of_others;
+  if (inputs.others) of_others = other_places.view(inputs.others->points);
+  const PointsView* const others = inputs.others ? &of_others : nullptr;
   const Question question{engine, points, others, options, request.at_risk_only};
   const bool is_closest_pair = request.report->find == nullptr;
   std::optional<std::vector<PointId>> at_risk;

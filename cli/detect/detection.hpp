@@ -39,7 +39,7 @@ struct DetectRequest {
   bool fail_on_risk = false;
   bool quiet = false;
 
-  SearchOptions search{.threads = 0};
+  PairOptions search{.threads = 0};
   OutputForm form;
 };
 

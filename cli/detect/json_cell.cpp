@@ -12,7 +12,7 @@ void append_cell(std::string& out, const Cell& cell, const analysis::ShownIds& i
     io::append_exact(out, *number);
   } else if (const auto* bees = std::get_if<std::span<const PointId>>(&cell)) {
     append_json_ids(out, *bees, ids);
-  } else if (const auto* bee = std::get_if<BeeCell>(&cell); bee && bee->id != Nearest::kNobody) {
+  } else if (const auto* bee = std::get_if<BeeCell>(&cell); bee && bee->id != Nearest::kNone) {
     ids.append_json(out, bee->id);
   } else if (const auto* far = std::get_if<DistanceCell>(&cell);
              far && std::isfinite(far->distance_m)) {

@@ -9,7 +9,7 @@
 
 namespace beespace::cli {
 
-// ", "name": value" for each column; null where there is nobody.
+// ", "name": value" for each column; null where there is none.
 void append_json_members(std::string& out, const std::vector<Column>& columns, PointId bee,
                          const analysis::ShownIds& ids);
 

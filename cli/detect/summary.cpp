@@ -39,7 +39,7 @@ std::string at_risk_line(const Inputs& inputs, const Detection& detection) {
     return bold("none of those that are known") + "; " + io::grouped(skipped) +
            (skipped == 1 ? " record was left out" : " records were left out");
   }
-  if (detection.at_risk.empty()) return bold("nobody");
+  if (detection.at_risk.empty()) return bold("none");
   const std::string text =
       io::grouped(detection.at_risk.size()) + " (" + io::percentage(detection.share(loaded)) + ")";
   return red(text);

@@ -40,7 +40,7 @@ void append_cell(std::string& out, const Cell& cell, const analysis::ShownIds& i
   }
   out += '\t';
   if (const auto* number = std::get_if<std::uint64_t>(&cell)) io::append_exact(out, *number);
-  if (const auto* bee = std::get_if<BeeCell>(&cell); bee && bee->id != Nearest::kNobody) {
+  if (const auto* bee = std::get_if<BeeCell>(&cell); bee && bee->id != Nearest::kNone) {
     ids.append(out, bee->id);
   }
   if (const auto* far = std::get_if<DistanceCell>(&cell); far && std::isfinite(far->distance_m)) {

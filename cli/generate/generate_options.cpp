@@ -28,7 +28,7 @@ constexpr const char* kDetails =
     "  flight       from anywhere in a box, straight on in any direction\n"
     "  head-on      pairs that fly at each other, within 60 s or the duration\n"
     "  crossing     two streams through a box at right angles\n"
-    "  sphere-swap  everybody through the centre of a sphere to its other side\n"
+    "  sphere-swap  all bees through the centre of a sphere to its other side\n"
     "  encounters   pairs, each far from all others, that pass within 60 s or the duration\n"
     "With velocities at one instant; or with --duration as a recording, fix by fix.\n"
     "\n"
@@ -70,7 +70,7 @@ void add_flight_options(Command& generate, GenerateRequest& request) {
                   "How far apart the pairs of head-on pass, and at\nmost those of encounters "
                   "(default: 10)");
   generate.option("--duration", "SECONDS", request.duration_s, read_seconds,
-                  "Write a recording that lasts so long\n(default: everybody at one instant)");
+                  "Write a recording that lasts so long\n(default: all bees at one instant)");
   generate.option("--interval", "SECONDS", request.interval_s, read_seconds,
                   "About how long from fix to fix of a bee (default: 1)");
 }

@@ -50,7 +50,7 @@ Status write_movers(const std::vector<Mover>& movers, SwarmFormat format, io::At
 Status write_flights(const std::vector<Mover>& movers, const scenes::FixTimes& times,
                      std::uint64_t seed, SwarmFormat format, io::AtomicOutput& output);
 
-// A recording that is written while it happens, everybody at one time after the other, with all
+// A recording that is written while it happens, all bees at one time after the other, with all
 // digits: time_s, id, x, y, z, and velocities where they are wished for. The format is kCsv or
 // kTsv.
 class FlightWriter {

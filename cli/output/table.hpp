@@ -18,12 +18,12 @@
 
 namespace beespace::cli {
 
-// Another bee, or one of the others; Nearest::kNobody where there is none.
+// Another bee, or one of the others; Nearest::kNone where there is none.
 struct BeeCell {
-  PointId id = Nearest::kNobody;
+  PointId id = Nearest::kNone;
 };
 
-// Metres; infinite where there is nobody.
+// Metres; infinite where there is none.
 struct DistanceCell {
   double distance_m = 0.0;
 };

@@ -13,7 +13,7 @@ constexpr const char* kDetails =
     "vz\n"
     "(metres, metres per second) or lon, lat, height, ve, vn, vu (degrees; east, north, up), and "
     "id\n"
-    "and time where there are such. Everybody flies on in a straight line. Writes a line for each\n"
+    "and time where there are such. All bees fly on in straight lines. Writes a line for each\n"
     "pair in conflict: id, id, when it begins, when it is closest, how close in metres, when it "
     "ends.\n"
     "These times lie between now and the horizon: a conflict that goes on now begins now, and one "

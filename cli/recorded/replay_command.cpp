@@ -30,7 +30,7 @@ namespace {
 
 constexpr const char* kName = "replay";
 
-// A show: nobody is out of sight in it.
+// A show: no drone is out of sight in it.
 bool is_plan(const io::Recording& recording) {
   return std::any_of(recording.bees.begin(), recording.bees.end(),
                      [](const io::RecordedBee& bee) { return bee.path.has_value(); });

@@ -106,7 +106,7 @@ std::string replay_summary(const analysis::Findings& findings, const MovingReque
     append_summary_line(out, "note",
                         plural(static_cast<std::size_t>(instants), "bee has", "bees have") +
                             " one fix only, and so are known for an instant; 'beespace predict' "
-                            "brings everybody to one time");
+                            "brings all bees to one time");
   }
   append_summary_line(out, "threshold", separation_summary(request, figures.threshold_m, declared));
   const auto pairs = analysis::pairs_in_conflict(findings.recorded.conflicts);

@@ -35,8 +35,7 @@ std::string limits_text(const VerifyOptions& options) {
 std::string closest_text(const Verification& verification) {
   const Verdict& verdict = verification.verdict;
   if (!verdict.closest_m) {
-    return "nobody came closer than " + io::exact(2.0 * verification.options.threshold_m) +
-           " m to anybody";
+    return "no two came closer than " + io::exact(2.0 * verification.options.threshold_m) + " m";
   }
   const auto shown = [&](PointId bee) {
     return printable(text_of(analysis::name_of(bee, verification.recording)));

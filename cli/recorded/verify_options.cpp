@@ -7,7 +7,7 @@ namespace beespace::cli {
 namespace {
 
 constexpr const char* kDescription =
-    "Check that a flight kept its distance, and that everybody flew as it can";
+    "Check that a flight kept its distance, and that each bee flew as it can";
 
 constexpr const char* kDetails =
     "Reads recordings as 'beespace replay' does, of bees that all have fixes at the same times "

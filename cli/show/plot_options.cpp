@@ -12,7 +12,7 @@ constexpr const char* kDescription = "Draw a picture of who is too close, where 
 
 constexpr const char* kDetails =
     "Reads what 'beespace report' reads. Draws, in one picture for papers and slides, the swarm\n"
-    "from above and from the side with those at risk, and how far everybody's nearest other bee\n"
+    "from above and from the side with those at risk, and how far each bee's nearest other bee\n"
     "is; of recordings the paths with their parts in conflict, and how far apart the closest two\n"
     "are over time. Who is at risk is marked by shape, size and lightness as well as by colour.\n"
     "More than 4,000 bees are drawn as shades: the picture then says so, and stays small.\n"
@@ -26,7 +26,7 @@ constexpr const char* kDetails =
     "  beespace plot show.skyc -o show.svg --title 'Opening night'\n"
     "  beespace generate --points 200 --area medellin | beespace plot > bees.svg\n"
     "\n"
-    "Exit status: 0 fine, 1 somebody is at risk (with --fail-on-risk), 2 wrong usage, 3 bad "
+    "Exit status: 0 fine, 1 a bee is at risk (with --fail-on-risk), 2 wrong usage, 3 bad "
     "input,\n"
     "4 cannot open, read or write, 130 interrupted, 143 terminated, 141 closed pipe.";
 

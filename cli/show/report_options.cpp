@@ -22,7 +22,7 @@ constexpr const char* kDetails =
     "  beespace report show.skyc -o show.html\n"
     "  beespace report before.csv --compare after.csv --threshold 5 -o both.html\n"
     "\n"
-    "Exit status: 0 fine, 1 somebody is at risk (with --fail-on-risk), 2 wrong usage, 3 bad "
+    "Exit status: 0 fine, 1 a bee is at risk (with --fail-on-risk), 2 wrong usage, 3 bad "
     "input,\n"
     "4 cannot open, read or write, 130 interrupted, 143 terminated, 141 closed pipe.";
 

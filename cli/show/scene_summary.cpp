@@ -15,7 +15,7 @@ std::string risk_of(const report::SnapshotFacts& facts) {
   if (facts.at_risk.empty() && !facts.unknown.empty()) {
     return bold("none of those that are known") + "; " + facts.unknown;
   }
-  if (facts.at_risk.empty()) return bold("nobody");
+  if (facts.at_risk.empty()) return bold("none");
   return red(io::grouped(facts.at_risk.size()) + " of " + io::grouped(facts.positions.size())) +
          ": " + io::counted(facts.pair_count, "pair", "pairs") + " in " +
          io::counted(facts.group_count, "group", "groups");
@@ -25,7 +25,7 @@ std::string risk_of(const report::RecordingFacts& facts) {
   if (facts.conflict_count == 0 && !facts.unknown.empty()) {
     return bold("none in the known time") + "; " + facts.unknown;
   }
-  if (facts.conflict_count == 0) return bold("nobody");
+  if (facts.conflict_count == 0) return bold("none");
   return red(io::counted(facts.conflict_count, "conflict", "conflicts")) + " of " +
          io::counted(facts.pair_count, "pair", "pairs");
 }

@@ -30,7 +30,7 @@ void add_error_json_option(Command& command, MovingRequest& moving) {
 
 void add_scene_risk_option(Command& command, MovingRequest& moving) {
   command.flag("--fail-on-risk", moving.fail_on_risk,
-               "Exit with 1 when somebody is at risk, or a gap or\nrecords that were left out may "
+               "Exit with 1 when a bee is at risk, or a gap or\nrecords that were left out may "
                "hide it");
 }
 

@@ -53,7 +53,7 @@ Result<MissionToFly> mission_of_file(const SimulateRequest& request) {
     if (taken.evidence == io::UnitEvidence::kNamed) flown.notes.push_back(analysis::text_of(taken));
   }
   if (!plans->velocities.empty()) {
-    flown.notes.emplace_back("the velocities of the file are not used: everybody begins at rest");
+    flown.notes.emplace_back("the velocities of the file are not used: all bees begin at rest");
   }
   return flown;
 }
@@ -116,7 +116,7 @@ Status check_clear(const SimulateRequest& request, const FlightNames& names, con
   return std::monostate{};
 }
 
-// Everybody begins and stops clear of everybody else and of obstacles.
+// Each bee begins and stops clear of all others and of obstacles.
 Status check_places(const SimulateRequest& request, const MissionToFly& flown) {
   const auto map = ObstacleMap::of(flown.mission.obstacles);
   if (!map) return map.error();

@@ -21,9 +21,9 @@ constexpr const char* kDescription =
     "Fly a swarm that keeps its distance, step by step, and check what it flew";
 
 constexpr const char* kDetails =
-    "Everybody would like to fly straight to its goal, as fast as it can, and to stop there. In "
+    "Each bee would like to fly straight to its goal, as fast as it can, and to stop there. In "
     "every\n"
-    "step each is told a velocity with which nobody comes too close to anybody, nor to an "
+    "step each is told a velocity with which no bee comes too close to another, nor to an "
     "obstacle: the\n"
     "one that is closest to its wish. All that is flown is checked by the checker of 'beespace "
     "verify',\n"
@@ -38,7 +38,7 @@ constexpr const char* kDetails =
     "\n"
     "Scenarios:\n"
     "  random-swap       a cube of bees who change places at random\n"
-    "  sphere-swap       everybody on a sphere, through its middle to the opposite point\n"
+    "  sphere-swap       all bees on a sphere, through its middle to the opposite point\n"
     "  crossing-streams  two cubes of bees who fly through each other at right angles\n"
     "  funnel            a wide field of bees who all fly into a narrow column\n"
     "  pillars           a cube of bees who fly through a forest of pillars\n"
@@ -65,7 +65,7 @@ constexpr const char* kDetails =
     "  beespace simulate head-on --output - | beespace replay --threshold 5\n"
     "  beespace simulate random-swap --json --quiet --fail-on-risk\n"
     "\n"
-    "Exit status: 0 fine, 1 somebody came too close (with --fail-on-risk), 2 wrong usage, 3 bad "
+    "Exit status: 0 fine, 1 a bee came too close (with --fail-on-risk), 2 wrong usage, 3 bad "
     "input,\n"
     "4 cannot open, read or write, 130 interrupted, 143 terminated, 141 closed pipe.";
 
@@ -100,7 +100,7 @@ void add_prevention_options(Command& simulate, SimulateRequest& request) {
                    {"orca", sim::Method::kOrca},
                    {"mvp", sim::Method::kMvp},
                    {"none", sim::Method::kNone}},
-                  "Who keeps them apart (default: certified); with\nnone everybody flies as it "
+                  "Who keeps them apart (default: certified); with\nnone each bee flies as it "
                   "likes; orca and mvp, to\ncompare with, promise nothing and know of no "
                   "obstacles");
   simulate.option("--obstacles", "FILE", request.obstacles,
@@ -118,7 +118,7 @@ void add_output_options(Command& simulate, SimulateRequest& request) {
                   "Where the recording goes: .csv or .tsv, perhaps\nwith .gz; - for standard "
                   "output");
   simulate.flag("--json", request.json, "The summary as JSON on standard output");
-  simulate.flag("--fail-on-risk", request.fail_on_risk, "Exit with 1 when somebody came too close");
+  simulate.flag("--fail-on-risk", request.fail_on_risk, "Exit with 1 when a bee came too close");
   add_quiet_option(simulate, request.quiet);
 }
 

@@ -30,7 +30,7 @@ std::string scenario_text(const SimulateRequest& request) {
 std::string method_text(sim::Method method) {
   switch (method) {
     case sim::Method::kNone:
-      return "none: everybody as it likes";
+      return "none: each bee as it likes";
     case sim::Method::kOrca:
       return "orca: optimal reciprocal collision avoidance, which promises nothing";
     case sim::Method::kMvp:
@@ -78,8 +78,8 @@ std::string losses_text(const SimulatedFlight& flight) {
 std::string closest_text(const SimulatedFlight& flight) {
   const Verdict& verdict = flight.verdict();
   if (!verdict.closest_m) {
-    return "nobody came closer than " + io::exact(2.0 * flight.request().loop.advice.threshold_m) +
-           " m to anybody";
+    return "no two came closer than " + io::exact(2.0 * flight.request().loop.advice.threshold_m) +
+           " m";
   }
   return flight.names().bee(verdict.closest_pair->first) + " and " +
          flight.names().bee(verdict.closest_pair->second) + ", " + io::length(*verdict.closest_m) +
@@ -95,7 +95,7 @@ void append_nearness(std::string& out, const SimulatedFlight& flight) {
   append_summary_line(
       out, "clearance",
       losses == 0 ? bold("kept") : red(times(losses, "loss", "losses")) + ", a bee a step");
-  std::string text = "nobody came closer than " +
+  std::string text = "none came closer than " +
                      io::exact(2.0 * flight.request().loop.advice.clearance_m) +
                      " m to any obstacle";
   if (watched.nearest) {
@@ -185,7 +185,7 @@ std::string simulate_summary(const SimulatedFlight& flight) {
   append_summary_line(out, "path ratio",
                       outcome.path_ratio ? io::grouped(*outcome.path_ratio, 3) +
                                                " (flown to shortest, of those that arrived)"
-                                         : "none: nobody has flown and arrived");
+                                         : "none: no bee has flown and arrived");
   append_summary_line(out, "stuck", stuck_text(flight, outcome));
   std::string time = "in all " + io::duration(flight.figures().total_s);
   if (outcome.advice_us) {

@@ -24,7 +24,7 @@ struct NearestApproach {
 
 struct WatchFigures {
   std::uint64_t breaches = 0;  // of limits of their own, a bee a step
-  // The nearest that anybody came to an obstacle, where that is less than twice the clearance.
+  // The nearest that a bee came to an obstacle, where that is less than twice the clearance.
   std::optional<NearestApproach> nearest = {};
 };
 

@@ -61,7 +61,7 @@ class SimulatedFlight {
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
   [[nodiscard]] std::uint64_t breaches() const { return verdict().breaches + watched().breaches; }
-  // Nobody came too close to anybody or to an obstacle, or flew as it cannot.
+  // No bee came too close to another or to an obstacle, or flew as it cannot.
   [[nodiscard]] bool holds() const;
   // Whether each has limits of its own, and whether velocities change at once.
   [[nodiscard]] bool has_own_limits() const { return !limits_.empty(); }

@@ -119,7 +119,7 @@ Status LiveAdvice::take_looks() {
     }
     const bool waits_no_longer =
         clock_s_ - ticks_.time_of(*next_) >= (kPatience - kSlack) * ticks_.step_s();
-    // Nobody knows at first who will report.
+    // At first it is not known which bees will report.
     const bool waits = awaited_ > 0 || *next_ == first_ || now < *next_ - 1;
     if (waits && !waits_no_longer) return std::monostate{};
     if (auto done = look(); !done) return done;

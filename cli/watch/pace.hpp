@@ -15,7 +15,7 @@ class Pace {
   // `speed` times as fast as by the clock of the reports; or `rate` reports a second.
   Pace(std::optional<double> speed, std::optional<double> rate) : speed_(speed), rate_(rate) {}
 
-  // Waits until a report of this time is due, or somebody asks for the end.
+  // Waits until a report of this time is due, or the end is asked for.
   void wait_for(double time_s) {
     if (!speed_ && !rate_) return;
     const auto now = std::chrono::steady_clock::now();
@@ -25,7 +25,7 @@ class Pace {
     }
     const double due_s = speed_ ? (time_s - first_s_) / *speed_ : count_ / *rate_;
     count_ += 1.0;
-    // A day at most at a time: nobody knows what clocks say.
+    // A day at most at a time: clocks may say anything.
     constexpr double kDay_s = 86'400.0;
     const std::chrono::duration<double> passed = now - *start_;
     wait(std::min(due_s - passed.count(), kDay_s));

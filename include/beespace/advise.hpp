@@ -25,6 +25,7 @@
 #pragma once
 
 #include <beespace/export.hpp>
+#include <beespace/lifetimebound.hpp>
 #include <beespace/mover.hpp>
 #include <beespace/not_given.hpp>
 #include <beespace/obstacle.hpp>
@@ -32,6 +33,7 @@
 #include <beespace/point.hpp>
 #include <beespace/result.hpp>
 
+#include <concepts>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -97,6 +99,26 @@ struct UnknownBee {
   friend constexpr bool operator==(const UnknownBee&, const UnknownBee&) = default;
 };
 
+namespace detail {
+
+// A span in options, which outlive the statement that fills them: of a temporary container it does
+// not compile.
+template <class T>
+class KeptSpan : public std::span<const T> {
+ public:
+  constexpr KeptSpan() = default;
+  template <class Range>
+  requires std::convertible_to<const Range&, std::span<const T>>
+  constexpr KeptSpan(  // NOLINT(google-explicit-constructor): a span
+      const Range& range BEESPACE_LIFETIMEBOUND)
+      : std::span<const T>(range) {}
+  template <Container Range>
+  requires std::convertible_to<const Range&, std::span<const T>> KeptSpan(const Range&& range)
+  = delete;
+};
+
+}  // namespace detail
+
 /// @brief What advice needs to know.
 ///
 /// Ownership: `obstacles`, `intruders` and `unknown` refer to the caller's memory, which must
@@ -131,7 +153,7 @@ struct AdviseOptions {
   /// @brief Agents of which only a growing ball is known. All others keep clear of what the balls
   /// are after `unknown_horizon_s`, as far as they can. For what is promised see
   /// Advice::clear_of_unknown_s.
-  std::span<const UnknownBee> unknown = {};
+  detail::KeptSpan<UnknownBee> unknown = {};
   /// @brief How far to look ahead for unknown agents, in seconds; above zero.
   double unknown_horizon_s = 10.0;
 

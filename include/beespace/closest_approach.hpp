@@ -17,8 +17,21 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <stop_token>
 
 namespace beespace {
+
+/// @brief What closest_approach needs to know. Plain values; nothing is referred to.
+struct ApproachOptions {
+  /// @brief As PredictOptions::threshold_m. Must be given: there is no default.
+  double threshold_m = kNotGiven;
+  /// @brief As PredictOptions::vertical_m, in metres.
+  std::optional<double> vertical_m = {};
+  /// @brief As PredictOptions::horizon_s.
+  double horizon_s = 60.0;
+  /// @brief As PredictOptions::inclusive.
+  bool inclusive = false;
+};
 
 /// @brief What a prediction needs to know. Plain values; nothing is referred to.
 struct PredictOptions {
@@ -49,6 +62,15 @@ struct PredictOptions {
   /// and compared with the heights as they are, exactly. Reported distances are in metres in any
   /// case.
   double height_unit_m = 1.0;
+
+  /// @brief When a stop is requested, the call ends soon, with ErrorCode::kStopped and no answer.
+  std::stop_token stop = {};
+
+  /// @brief What of it closest_approach needs to know, of agents whose height is z.
+  /// @return The thresholds and the horizon.
+  [[nodiscard]] ApproachOptions approach() const {
+    return {threshold_m, vertical_m, horizon_s, inclusive};
+  }
 };
 
 /// @brief How two agents approach each other within [0, horizon].
@@ -79,6 +101,6 @@ struct Approach {
 ///   - ErrorCode::kNotFinite, ErrorCode::kOutsideDomain: a position or velocity that is not of the
 ///     motion domain, with 0 for `first` and 1 for `second` in Place::record.
 BEESPACE_API Result<Approach> closest_approach(const Mover& first, const Mover& second,
-                                               const PredictOptions& options);
+                                               const ApproachOptions& options);
 
 }  // namespace beespace

@@ -77,8 +77,7 @@ class BEESPACE_API Engine {
   /// @param options The threshold and how to search.
   /// @param[out] pairs The pairs; overwritten.
   /// @return Success, or an error of beespace::find_pairs.
-  Status find_pairs(const PointsView& points, const SearchOptions& options,
-                    std::vector<Pair>& pairs);
+  Status find_pairs(const PointsView& points, const PairOptions& options, std::vector<Pair>& pairs);
   /// @brief As beespace::find_pairs_between.
   /// @param points The positions in metres of the first of each pair.
   /// @param others The positions in metres of the second of each pair.
@@ -86,7 +85,7 @@ class BEESPACE_API Engine {
   /// @param[out] pairs The pairs; overwritten.
   /// @return Success, or an error of beespace::find_pairs_between.
   Status find_pairs_between(const PointsView& points, const PointsView& others,
-                            const SearchOptions& options, std::vector<Pair>& pairs);
+                            const PairOptions& options, std::vector<Pair>& pairs);
   /// @brief As beespace::visit_pairs.
   /// @param points The positions in metres.
   /// @param options The threshold and how to search.
@@ -101,7 +100,7 @@ class BEESPACE_API Engine {
   /// @param options The threshold and how to search.
   /// @param[out] neighbors A row of ids for each point; overwritten.
   /// @return Success, or an error of beespace::find_neighbors.
-  Status find_neighbors(const PointsView& points, const SearchOptions& options, IdRows& neighbors);
+  Status find_neighbors(const PointsView& points, const PairOptions& options, IdRows& neighbors);
   /// @brief As beespace::find_neighbors_between.
   /// @param points The positions in metres, each of which has a row.
   /// @param others The positions in metres of the other set.
@@ -109,7 +108,7 @@ class BEESPACE_API Engine {
   /// @param[out] neighbors A row of ids of `others` for each of `points`; overwritten.
   /// @return Success, or an error of beespace::find_neighbors_between.
   Status find_neighbors_between(const PointsView& points, const PointsView& others,
-                                const SearchOptions& options, IdRows& neighbors);
+                                const PairOptions& options, IdRows& neighbors);
   /// @brief As beespace::count_neighbors.
   /// @param points The positions in metres.
   /// @param options The threshold and how to search.
@@ -137,18 +136,20 @@ class BEESPACE_API Engine {
   /// @brief As beespace::find_nearest.
   /// @param points The positions in metres.
   /// @param[out] nearest The nearest other point of each point; overwritten.
-  /// @param threads As SearchOptions::threads; ignored where the Engine was given a Crew.
+  /// @param run How many threads may work (of an Engine with a Crew: all of it), and what ends the
+  ///   call early.
   /// @return Success, or an error of beespace::find_nearest.
   Status find_nearest(const PointsView& points, std::vector<Nearest>& nearest,
-                      unsigned threads = 1);
+                      const RunOptions& run = {});
   /// @brief As beespace::find_k_nearest.
   /// @param points The positions in metres.
   /// @param k How many neighbours to find for each point.
   /// @param[out] nearest A row for each point; overwritten.
-  /// @param threads As SearchOptions::threads; ignored where the Engine was given a Crew.
+  /// @param run How many threads may work (of an Engine with a Crew: all of it), and what ends the
+  ///   call early.
   /// @return Success, or an error of beespace::find_k_nearest.
   Status find_k_nearest(const PointsView& points, std::size_t k, NearestRows& nearest,
-                        unsigned threads = 1);
+                        const RunOptions& run = {});
   /// @brief As beespace::find_nearest_within.
   /// @param points The positions in metres.
   /// @param options The threshold and how to search.
@@ -160,10 +161,11 @@ class BEESPACE_API Engine {
   /// @param points The positions in metres, each of which has an entry.
   /// @param others The positions in metres of the other set.
   /// @param[out] nearest The nearest of `others` to each of `points`; overwritten.
-  /// @param threads As SearchOptions::threads; ignored where the Engine was given a Crew.
+  /// @param run How many threads may work (of an Engine with a Crew: all of it), and what ends the
+  ///   call early.
   /// @return Success, or an error of beespace::find_nearest_between.
   Status find_nearest_between(const PointsView& points, const PointsView& others,
-                              std::vector<Nearest>& nearest, unsigned threads = 1);
+                              std::vector<Nearest>& nearest, const RunOptions& run = {});
   /// @brief As beespace::find_nearest_within_between.
   /// @param points The positions in metres, each of which has an entry.
   /// @param others The positions in metres of the other set.
@@ -175,18 +177,20 @@ class BEESPACE_API Engine {
 
   /// @brief As beespace::find_closest_pair.
   /// @param points The positions in metres.
-  /// @param threads As SearchOptions::threads; ignored where the Engine was given a Crew.
+  /// @param run How many threads may work (of an Engine with a Crew: all of it), and what ends the
+  ///   call early.
   /// @return As beespace::find_closest_pair.
   Result<std::optional<ClosestPair>> find_closest_pair(const PointsView& points,
-                                                       unsigned threads = 1);
+                                                       const RunOptions& run = {});
   /// @brief As beespace::find_closest_pair_between.
   /// @param points The positions in metres of the first of the pair.
   /// @param others The positions in metres of the second of the pair.
-  /// @param threads As SearchOptions::threads; ignored where the Engine was given a Crew.
+  /// @param run How many threads may work (of an Engine with a Crew: all of it), and what ends the
+  ///   call early.
   /// @return As beespace::find_closest_pair_between.
   Result<std::optional<ClosestPair>> find_closest_pair_between(const PointsView& points,
                                                                const PointsView& others,
-                                                               unsigned threads = 1);
+                                                               const RunOptions& run = {});
 
   /// @brief As beespace::predict_conflicts.
   /// @param movers The agents, in metres and metres per second.

@@ -11,12 +11,14 @@
 #include <beespace/export.hpp>
 #include <beespace/not_given.hpp>
 #include <beespace/result.hpp>
+#include <beespace/search_options.hpp>
 #include <beespace/track.hpp>
 
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace beespace {
@@ -52,6 +54,9 @@ struct ConflictOptions {
   /// and compared with the heights as they are, exactly. Reported distances are in metres in any
   /// case.
   double height_unit_m = 1.0;
+
+  /// @brief When a stop is requested, the search ends soon, with ErrorCode::kStopped and no answer.
+  std::stop_token stop = {};
 };
 
 /// @brief Two consecutive fixes between which an agent counts as absent.
@@ -91,7 +96,8 @@ struct RecordedConflicts {
 ///     of the motion domain, or a time that does not come after the one before it, with the track
 ///     in Place::record and the fix in the message;
 ///   - ErrorCode::kTooManyPoints: more tracks than ids;
-///   - ErrorCode::kTooManyResults: more conflicts than ConflictOptions::max_results.
+///   - ErrorCode::kTooManyResults: more conflicts than ConflictOptions::max_results;
+///   - ErrorCode::kStopped: a stop was requested.
 BEESPACE_API Result<RecordedConflicts> find_conflicts(std::span<const Track> tracks,
                                                       const ConflictOptions& options);
 
@@ -103,11 +109,11 @@ BEESPACE_API Result<RecordedConflicts> find_conflicts(std::span<const Track> tra
 ///
 /// @param tracks The recorded tracks, in metres and seconds; read in place.
 /// @param max_gap_s As ConflictOptions::max_gap_s, in seconds.
-/// @param threads As ConflictOptions::threads.
+/// @param run How many threads may work, and what ends the call early.
 /// @return The two, when they are closest, and how close (all three times are the closest instant);
 ///   absent where no two are there at the same time; or an error as find_conflicts.
 BEESPACE_API Result<std::optional<Conflict>> find_closest_encounter(
     std::span<const Track> tracks, double max_gap_s = std::numeric_limits<double>::infinity(),
-    unsigned threads = 1);
+    const RunOptions& run = {});
 
 }  // namespace beespace

@@ -11,16 +11,41 @@
 #include <beespace/id_rows.hpp>
 #include <beespace/lifetimebound.hpp>
 #include <beespace/nearest.hpp>
+#include <beespace/not_given.hpp>
 #include <beespace/point.hpp>
 #include <beespace/points_view.hpp>
 #include <beespace/result.hpp>
 #include <beespace/search_options.hpp>
 
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <memory>
+#include <stop_token>
 #include <vector>
 
 namespace beespace {
+
+/// @brief What Index::find_around needs to know of many positions. Plain values; nothing is
+/// referred to.
+struct AroundOptions {
+  /// @brief The radius in metres: zero or more, inside the coordinate domain (see Point). Must be
+  /// given: there is no default.
+  double radius_m = kNotGiven;
+
+  /// @brief Whether points exactly as far as the radius are found, too.
+  bool inclusive = false;
+
+  /// @brief How many threads may work, the calling one included; 0 means one per processor. The
+  /// answer is the same for every number.
+  unsigned threads = 1;
+
+  /// @brief More ids than this, in all rows, are an error: ErrorCode::kTooManyResults.
+  std::uint64_t max_results = std::numeric_limits<std::uint64_t>::max();
+
+  /// @brief When a stop is requested, the call ends soon, with ErrorCode::kStopped and no answer.
+  std::stop_token stop = {};
+};
 
 /// @brief Points by id, for queries at any position; points can be inserted, moved and removed.
 ///
@@ -45,10 +70,11 @@ class BEESPACE_API Index {
   /// Complexity: some 80 nanoseconds a point, whatever their positions.
   ///
   /// @param points The positions in metres; copied.
-  /// @param threads As SearchOptions::threads; the result is the same for every number.
+  /// @param run How many threads may work (the result is the same for every number), and what ends
+  ///   the call early.
   /// @return The index; or ErrorCode::kTooManyPoints, ErrorCode::kNotFinite,
   ///   ErrorCode::kOutsideDomain as find_at_risk.
-  static Result<Index> build(const PointsView& points, unsigned threads = 1);
+  static Result<Index> build(const PointsView& points, const RunOptions& run = {});
 
   Index(const Index&) = delete;
   Index& operator=(const Index&) = delete;
@@ -101,12 +127,12 @@ class BEESPACE_API Index {
   /// @brief Finds the points around each of many positions. Positions in any order are looked up in
   /// an order that suits the memory.
   /// @param places The positions in metres; read in place.
-  /// @param options The radius (SearchOptions::threshold_m) and how to search.
+  /// @param options The radius (AroundOptions::radius_m) and how to search.
   /// @return Row r holds the ids around places[r], ascending; or the same errors, with the position
   ///   in Place::record, and ErrorCode::kTooManyResults when the rows together hold more than
-  ///   SearchOptions::max_results.
+  ///   AroundOptions::max_results.
   [[nodiscard]] Result<IdRows> find_around(const PointsView& places,
-                                           const SearchOptions& options) const;
+                                           const AroundOptions& options) const;
 
   /// @brief Finds the `k` nearest points of one position.
   ///
@@ -128,13 +154,13 @@ class BEESPACE_API Index {
   /// @brief Finds the `k` nearest points of each of many positions.
   /// @param places The positions in metres; read in place.
   /// @param k How many points to find for each.
-  /// @param threads As SearchOptions::threads.
+  /// @param run How many threads may work, and what ends the call early.
   /// @return Row r holds the nearest points of places[r]; no rows where `k` is 0 or there are no
   /// points
   ///   in the index; or the same errors, with the position in
   ///   Place::record.
   [[nodiscard]] Result<NearestRows> k_nearest(const PointsView& places, std::size_t k,
-                                              unsigned threads = 1) const;
+                                              const RunOptions& run = {}) const;
 
   /// @brief Adds a point, under the next id that was never used.
   /// @param point The position, in metres.

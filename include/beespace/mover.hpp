@@ -111,7 +111,8 @@ class MoversView {
   [[nodiscard]] bool fits() const {
     const std::size_t heights = has_heights() ? size() : 0;
     return positions_.fits() && velocities_.fits() && positions_.size() == velocities_.size() &&
-           heights_m_.size() == heights && climbs_mps_.size() == heights;
+           heights_m_.size() == heights && climbs_mps_.size() == heights &&
+           !positions_.has_heights() && !velocities_.has_heights();
   }
 
   /// @brief Says whether heights are kept apart from positions.

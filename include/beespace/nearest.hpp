@@ -46,11 +46,11 @@ struct ClosestPair {
 /// Complexity: a few tens of nanoseconds a point, expected. Thread safety: no state is kept.
 ///
 /// @param points The positions in metres; read in place, not kept.
-/// @param threads As SearchOptions::threads.
+/// @param run How many threads may work, and what ends the call early.
 /// @return The closest pair, absent when there are fewer than two points; or
 ///   ErrorCode::kTooManyPoints, ErrorCode::kNotFinite, ErrorCode::kOutsideDomain as find_at_risk.
 BEESPACE_API Result<std::optional<ClosestPair>> find_closest_pair(const PointsView& points,
-                                                                  unsigned threads = 1);
+                                                                  const RunOptions& run = {});
 
 /// @brief Finds the closest pair of a point of one set and a point of another.
 ///
@@ -58,19 +58,18 @@ BEESPACE_API Result<std::optional<ClosestPair>> find_closest_pair(const PointsVi
 ///
 /// @param points The positions in metres of ClosestPair::first.
 /// @param others The positions in metres of ClosestPair::second.
-/// @param threads As SearchOptions::threads.
+/// @param run How many threads may work, and what ends the call early.
 /// @return The closest pair, absent when either set is empty; or an error as find_closest_pair.
-BEESPACE_API Result<std::optional<ClosestPair>> find_closest_pair_between(const PointsView& points,
-                                                                          const PointsView& others,
-                                                                          unsigned threads = 1);
+BEESPACE_API Result<std::optional<ClosestPair>> find_closest_pair_between(
+    const PointsView& points, const PointsView& others, const RunOptions& run = {});
 
 /// @brief The nearest point of a point.
 struct Nearest {
   /// @brief The id that stands for no point.
-  static constexpr PointId kNobody = std::numeric_limits<PointId>::max();
+  static constexpr PointId kNone = std::numeric_limits<PointId>::max();
 
-  /// @brief The nearest point; #kNobody where there is none.
-  PointId id = kNobody;
+  /// @brief The nearest point; #kNone where there is none.
+  PointId id = kNone;
   /// @brief Its distance in metres, as beespace::distance says; infinite where there is none.
   double distance_m = std::numeric_limits<double>::infinity();
 
@@ -119,12 +118,12 @@ struct NearestRows {
 /// Thread safety: no state is kept.
 ///
 /// @param points The positions in metres; read in place, not kept.
-/// @param threads As SearchOptions::threads.
-/// @return Entry i belongs to point i; of a single point it is empty (Nearest::kNobody). Or an
+/// @param run How many threads may work, and what ends the call early.
+/// @return Entry i belongs to point i; of a single point it is empty (Nearest::kNone). Or an
 /// error
 ///   as find_closest_pair.
 BEESPACE_API Result<std::vector<Nearest>> find_nearest(const PointsView& points,
-                                                       unsigned threads = 1);
+                                                       const RunOptions& run = {});
 
 /// @brief Finds for each point the `k` nearest other points, however far.
 ///
@@ -134,14 +133,14 @@ BEESPACE_API Result<std::vector<Nearest>> find_nearest(const PointsView& points,
 ///
 /// @param points The positions in metres; read in place, not kept.
 /// @param k How many neighbours to find for each point.
-/// @param threads As SearchOptions::threads.
+/// @param run How many threads may work, and what ends the call early.
 /// @return Row i holds the neighbours of point i, in the order of their distances; equally near
 /// ones
 ///   in the order of their ids. Rows have `k` entries, or one fewer than there are points where
 ///   that is less; there are no rows where `k` is 0 or there are fewer than two points. Or an error
 ///   as find_closest_pair.
 BEESPACE_API Result<NearestRows> find_k_nearest(const PointsView& points, std::size_t k,
-                                                unsigned threads = 1);
+                                                const RunOptions& run = {});
 
 /// @brief Finds for each point the nearest of those that are closer than the threshold.
 ///
@@ -150,7 +149,7 @@ BEESPACE_API Result<NearestRows> find_k_nearest(const PointsView& points, std::s
 ///
 /// @param points The positions in metres; read in place, not kept.
 /// @param options The threshold and how to search.
-/// @return Entry i belongs to point i; Nearest::kNobody where there is none. Or an error as
+/// @return Entry i belongs to point i; Nearest::kNone where there is none. Or an error as
 ///   find_at_risk.
 BEESPACE_API Result<std::vector<Nearest>> find_nearest_within(const PointsView& points,
                                                               const SearchOptions& options);
@@ -158,12 +157,12 @@ BEESPACE_API Result<std::vector<Nearest>> find_nearest_within(const PointsView& 
 /// @brief Finds for each point of one set the nearest point of another, however far.
 /// @param points The positions in metres, each of which has an entry.
 /// @param others The positions in metres of the other set.
-/// @param threads As SearchOptions::threads.
+/// @param run How many threads may work, and what ends the call early.
 /// @return Entry i belongs to point i of `points` and names a point of `others`; or an error as
 ///   find_nearest.
 BEESPACE_API Result<std::vector<Nearest>> find_nearest_between(const PointsView& points,
                                                                const PointsView& others,
-                                                               unsigned threads = 1);
+                                                               const RunOptions& run = {});
 /// @brief Finds for each point of one set the nearest of those points of another that are closer
 /// than the threshold.
 /// @param points The positions in metres, each of which has an entry.

@@ -25,8 +25,8 @@ namespace beespace {
 /// @return Row i holds the ids of the neighbours of point i, ascending; or an error as
 /// find_at_risk,
 ///   and ErrorCode::kTooManyResults when all rows together hold more than
-///   SearchOptions::max_results.
-BEESPACE_API Result<IdRows> find_neighbors(const PointsView& points, const SearchOptions& options);
+///   PairOptions::max_results.
+BEESPACE_API Result<IdRows> find_neighbors(const PointsView& points, const PairOptions& options);
 
 /// @brief Finds the neighbours of each point of one set among the points of another.
 ///
@@ -39,7 +39,7 @@ BEESPACE_API Result<IdRows> find_neighbors(const PointsView& points, const Searc
 ///   ascending; or an error as find_neighbors.
 BEESPACE_API Result<IdRows> find_neighbors_between(const PointsView& points,
                                                    const PointsView& others,
-                                                   const SearchOptions& options);
+                                                   const PairOptions& options);
 
 /// @brief Counts the neighbours of each point: the lengths of the rows of find_neighbors, without
 /// the rows.

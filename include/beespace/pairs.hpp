@@ -2,7 +2,7 @@
 /// @brief Which pairs of points are closer to each other than the threshold?
 ///
 /// Compared as real numbers, as in at_risk.hpp. The number of results is not capped: in a crowd
-/// there are many more pairs than points. Bound them with SearchOptions::max_results, or visit them
+/// there are many more pairs than points. Bound them with PairOptions::max_results, or visit them
 /// without keeping them.
 #pragma once
 
@@ -35,9 +35,9 @@ struct Pair {
 /// @param points The positions in metres; read in place, not kept.
 /// @param options The threshold and how to search.
 /// @return Each pair once with first < second, in ascending order; or an error as find_at_risk, and
-///   ErrorCode::kTooManyResults when there are more than SearchOptions::max_results.
+///   ErrorCode::kTooManyResults when there are more than PairOptions::max_results.
 BEESPACE_API Result<std::vector<Pair>> find_pairs(const PointsView& points,
-                                                  const SearchOptions& options);
+                                                  const PairOptions& options);
 
 /// @brief Finds all pairs of a point of one set and a point of another that are closer than the
 /// threshold.
@@ -50,7 +50,7 @@ BEESPACE_API Result<std::vector<Pair>> find_pairs(const PointsView& points,
 /// @return The pairs in ascending order; or an error as find_pairs.
 BEESPACE_API Result<std::vector<Pair>> find_pairs_between(const PointsView& points,
                                                           const PointsView& others,
-                                                          const SearchOptions& options);
+                                                          const PairOptions& options);
 
 /// @brief Sees a batch of pairs; returns whether to go on. Must not throw.
 using PairVisitor = std::function<bool(std::span<const Pair>)>;
@@ -63,7 +63,7 @@ inline constexpr std::size_t kMostPairsAtOnce = 4096;
 /// Holds no more pairs than a batch for each thread. Thread safety: no state is kept.
 ///
 /// @param points The positions in metres; read in place, not kept.
-/// @param options The threshold and how to search; SearchOptions::max_results does not apply.
+/// @param options The threshold and how to search; there is no limit to their number.
 /// @param visit Sees each pair once with first < second, in no particular order. It is called by
 /// one
 ///   thread at a time, not always the same, and must not throw. The span is valid during the call.

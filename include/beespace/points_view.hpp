@@ -168,6 +168,39 @@ class PointsView {
     return strided_of<float>(axes, size, stride_bytes);
   }
 
+  /// @brief A view of the same points with heights that are kept apart from their positions: for a
+  /// vertical threshold (SearchOptions::vertical_m) between points whose third axis is not the
+  /// height.
+  ///
+  /// Positions are then horizontal: of geographic ones, those brought to height 0 (see to_ecef).
+  /// The straight line between two points is that of their positions and heights: the root of the
+  /// sum of the squares of both distances. Between two sets, both have such heights, or none has.
+  ///
+  /// @param heights_m One height for each point, in metres or SearchOptions::height_unit_m; must
+  ///   outlive the view. A search returns ErrorCode::kInvalidArgument where there are more or fewer
+  ///   of them, and where it has no vertical threshold to compare them with.
+  /// @return The view.
+  [[nodiscard]] PointsView with_heights(std::span<const double> heights_m) const {
+    PointsView view = *this;
+    view.heights_m_ = heights_m;
+    return view;
+  }
+  /// @brief The same of a container, for which a compiler may warn where the view outlives it.
+  /// @param heights_m One height for each point; must outlive the view.
+  /// @return The view.
+  template <detail::Container Heights>
+  requires std::convertible_to<const Heights&, std::span<const double>>
+  [[nodiscard]] PointsView with_heights(const Heights& heights_m BEESPACE_LIFETIMEBOUND) const {
+    return with_heights(std::span<const double>(heights_m));
+  }
+
+  /// @brief Says whether heights are kept apart from positions.
+  /// @return Whether with_heights() gave any.
+  [[nodiscard]] constexpr bool has_heights() const { return !heights_m_.empty(); }
+  /// @brief Gives the heights that are kept apart.
+  /// @return One for each point, or none.
+  [[nodiscard]] constexpr std::span<const double> heights_m() const { return heights_m_; }
+
   /// @brief A view of the same points with their axes in another order.
   /// @param order Which axis of this is axis 0, 1 and 2 of the result.
   /// @return The view.
@@ -278,6 +311,7 @@ class PointsView {
   std::size_t size_ = 0;
   std::array<std::size_t, 3> lengths_{};
   bool floats_ = false;
+  std::span<const double> heights_m_;
 };
 
 }  // namespace beespace

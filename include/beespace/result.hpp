@@ -28,7 +28,7 @@ enum class ErrorCode : std::uint8_t {
   kNotFinite,         ///< A NaN or an infinity among the coordinates.
   kOutsideDomain,     ///< A coordinate outside the coordinate domain (see Point).
   kTooManyPoints,     ///< More than #kMaxPoints.
-  kTooManyResults,    ///< More pairs or neighbours than SearchOptions::max_results.
+  kTooManyResults,    ///< More pairs or neighbours than PairOptions::max_results.
   kInvalidLatitude,   ///< A latitude beyond +-90 degrees.
   kInvalidLongitude,  ///< A longitude beyond +-360 degrees.
   kInvalidHeight,     ///< A height beyond #kLowestHeight_m or #kGreatestHeight_m.
@@ -47,6 +47,8 @@ enum class ErrorCode : std::uint8_t {
   kCorrupt,            ///< Damaged data (a bad checksum, for example).
   // Writing.
   kWriteFailed,  ///< A full disk, a missing folder, no permission.
+  // Ending early.
+  kStopped,  ///< A stop was requested (see RunOptions::stop) before the answer was complete.
 };
 
 /// @brief Names a code as JSON output does: "invalid_threshold", "not_a_number", ...
@@ -59,7 +61,12 @@ struct Place {
   std::string source = {};                   ///< The file, or "<stdin>".
   std::optional<std::uint64_t> line = {};    ///< The 1-based line of the file.
   std::optional<std::uint64_t> column = {};  ///< The 1-based column (field) of the record.
-  std::optional<std::uint64_t> record = {};  ///< The 0-based point or data row.
+  std::optional<std::uint64_t> record = {};  ///< The 0-based row of data, or index into `array`.
+  /// @brief The array of a call that the error is about, by the name of its parameter or option:
+  /// "points", "others", "places", "movers", "preferred", "limits", "intruders", "unknown",
+  /// "obstacles", "tracks"; or "agents", where `record` is the caller's number of one. Empty where
+  /// the error is about a file, or about no array.
+  std::string array = {};
 };
 
 /// @brief What went wrong, where, and what to do about it.

@@ -24,6 +24,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace beespace {
@@ -61,6 +62,10 @@ struct VerifyOptions {
 
   /// @brief How many threads may work, the calling one included; 0 means one per processor.
   unsigned threads = 1;
+
+  /// @brief When a stop is requested, Verifier::add ends soon, with ErrorCode::kStopped. What was
+  /// flown in that step is not checked.
+  std::stop_token stop = {};
 };
 
 /// @brief A loss of separation: two agents that came closer than the threshold in one step.

@@ -8,7 +8,7 @@
 
 namespace beespace::io {
 
-// Whether an object is one of these and not of anybody's own words.
+// Whether an object is one of these and not of words of another source.
 bool is_aircraft_object(JsonMap object);
 
 // `now_s` is when the file was written; not-a-number where the object says it itself. Heights come

@@ -26,7 +26,7 @@ AircraftChoice choice_of(const RecordingAssembly& assembly) {
   return {assembly.options().heights, assembly.options().grounded};
 }
 
-// The list under `key`; nothing where it is null, as OpenSky has it when nobody flies.
+// The list under `key`; nothing where it is null, as OpenSky has it when no aircraft flies.
 Result<std::optional<JsonArray>> list_of(JsonElement root, std::string_view key) {
   const auto member = json_member(root, key);
   if (!member) return std::optional<JsonArray>();

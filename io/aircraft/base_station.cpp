@@ -35,7 +35,7 @@ constexpr std::size_t kGround = 21;
 
 constexpr std::size_t kLongestCallsign = 16;  // eight letters; what is longer is not kept
 
-// The kinds of messages that say where somebody is, or how fast.
+// The kinds of messages that say where an aircraft is, or how fast.
 constexpr char kSurfacePosition = '2';
 constexpr char kAirbornePosition = '3';
 constexpr char kVelocity = '4';

@@ -40,7 +40,7 @@ class AtomicOutput {
 
   // Whether writing has failed already, so that more is of no use.
   [[nodiscard]] bool failed() const { return error_number_ != 0; }
-  // Whether it failed because nobody reads the pipe any more: other tools then end quietly.
+  // Whether it failed because the pipe is not read any more: other tools then end quietly.
   [[nodiscard]] bool pipe_closed() const;
 
  private:

@@ -47,7 +47,7 @@ class GrowingBytes {
   std::size_t capacity_ = 0;
 };
 
-// A copy of bytes that somebody else may change or let go of.
+// A copy of bytes that their owner may change or free.
 Bytes copy_of(std::string_view content);
 
 // "<stdin>" for "-", the path itself otherwise.

@@ -49,7 +49,7 @@ std::unique_ptr<LineReader> make_json_lines(const RecordingOptions& options);
 std::unique_ptr<LineReader> make_aircraft_lines(const RecordingOptions& options);
 std::unique_ptr<LineReader> make_base_station_lines(const RecordingOptions& options);
 
-// Of readsb's objects, not of anybody's own words; `line` is one object.
+// Of readsb's objects, not of words of another source; `line` is one object.
 bool is_aircraft_line(std::string_view line);
 
 }  // namespace beespace::io

@@ -46,7 +46,7 @@ class Payload {
   std::array<char, kPayload> bytes_ = {};
 };
 
-// Turned from north, east, down; -0 is avoided where nobody climbs.
+// Turned from north, east, down; -0 is avoided where there is no climb.
 Velocity from_north_east_down(double north, double east, double down) {
   return {east, north, 0.0 - down};
 }

@@ -14,7 +14,7 @@
 namespace beespace::io {
 
 // What the table must tell of every bee, beside where it is. Where nothing is needed there may be
-// nobody in it, but for the header.
+// no bee in it, but for the header.
 enum class PlanNeed : std::uint8_t { kNothing, kGoals, kGoalsOrWishes };
 
 // One entry a bee; empty what the table has no columns for.

@@ -1,4 +1,4 @@
-// A piece of somebody's input as an error message shows it: short, quoted, harmless to a terminal.
+// A piece of the input as an error message shows it: short, quoted, harmless to a terminal.
 #pragma once
 
 #include <string>

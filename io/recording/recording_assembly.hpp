@@ -109,7 +109,7 @@ class RecordingAssembly {
   bool several_ = false;
   std::optional<SourceFacts> facts_;                     // of all inputs so far
   std::string facts_source_;                             // who said so first
-  HeightDatum stated_heights_ = HeightDatum::kUnstated;  // by whoever says so
+  HeightDatum stated_heights_ = HeightDatum::kUnstated;  // by the source that states it
   std::string stated_by_;
   std::uint64_t nameless_ = 0;
   bool several_height_units_ = false;

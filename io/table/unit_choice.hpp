@@ -39,7 +39,7 @@ class UnitChoice {
 };
 
 // What is wrong where some of these columns name a unit that is not ours and others name none:
-// nobody knows what the others are in. Errors: kInvalidArgument, with column.
+// it is unknown what the others are in. Errors: kInvalidArgument, with column.
 struct ColumnUnit {
   std::size_t column;
   Unit unit;

@@ -58,7 +58,7 @@ double from_metric(double value, Unit unit);
 std::optional<Unit> unit_of_word(std::string_view word, Quantity quantity);
 
 // The unit that all of `text` names, as an option's value has it: "ft", "NM", "km/h", "ft/min".
-// Capitals count nowhere but in "M", which nobody means as metres.
+// Capitals count nowhere but in "M", which never means metres.
 std::optional<Unit> unit_of_text(std::string_view text, Quantity quantity);
 
 // The unit that the last words of a name spell, which are taken away: "m", "s" or "ft", "per",

@@ -34,7 +34,7 @@ std::string findings_of(const SnapshotFacts& facts) {
     return text + "Of those that are known none is " + too_close(facts.swarm) + " to another; " +
            facts.unknown + ".";
   }
-  if (facts.at_risk.empty()) return text + "Nobody is " + too_close(facts.swarm) + " to another.";
+  if (facts.at_risk.empty()) return text + "No bee is " + too_close(facts.swarm) + " to another.";
   text += count_label(facts.at_risk.size(), "is at risk", "are at risk") + ": " +
           count_label(facts.pair_count, "pair", "pairs") + " " + too_close(facts.swarm) + ", in " +
           count_label(facts.group_count, "group", "groups");
@@ -51,7 +51,7 @@ std::string findings_of(const RecordingFacts& facts) {
            ".";
   }
   if (facts.conflict_count == 0)
-    return text + "Nobody comes " + too_close(facts.swarm) + " to another.";
+    return text + "No bee comes " + too_close(facts.swarm) + " to another.";
   text += count_label(facts.conflict_count, "conflict", "conflicts") + " of " +
           count_label(facts.pair_count, "pair", "pairs") + ": " + too_close(facts.swarm);
   if (facts.possible_count > 0) {

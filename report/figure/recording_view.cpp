@@ -203,7 +203,7 @@ std::vector<KeyEntry> key_of_paths(const RecordingFacts& facts, const View& from
                                         count_label(conflicts_of(facts, from_above).most()) +
                                         " from above"});
   }
-  key.push_back({Sample::kBand, "somebody in conflict"});
+  key.push_back({Sample::kBand, "a bee in conflict"});
   return key;
 }
 

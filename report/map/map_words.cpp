@@ -28,7 +28,7 @@ std::string pair_name(const Names& names, PointId first, PointId second) {
 }
 
 std::string nearest_words(const Nearest& nearest, const SwarmFacts& swarm) {
-  if (nearest.id == Nearest::kNobody) return {};
+  if (nearest.id == Nearest::kNone) return {};
   return length_label_below(swarm.threshold_m, nearest.distance_m) + " from " +
          xml_text(swarm.names.of(nearest.id));
 }

@@ -33,7 +33,7 @@ void AgentStates::take(std::span<const Mover> movers, std::span<const FlightLimi
   agents_.resize(movers.size());
   middles_.resize(movers.size());
   ways_.resize(movers.size());
-  std::vector<Extremes> extremes(crew.size());  // of each worker's
+  seen_.assign(crew.size(), {});
   crew.split(movers.size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
     Extremes seen;
     for (std::size_t i = begin; i < end; ++i) {
@@ -53,10 +53,10 @@ void AgentStates::take(std::span<const Mover> movers, std::span<const FlightLimi
       ways_[i] = {to_stop, half_m, agent.strays(), reach_m, own_spare_m};
       seen.add({reach_m, std::max(limit.max_speed_mps, length(agent.velocity))});
     }
-    extremes[worker] = seen;
+    seen_[worker] = seen;
   });
   extremes_ = {};
-  for (const Extremes& seen : extremes) extremes_.add(seen);
+  for (const Extremes& seen : seen_) extremes_.add(seen);
   apart_ = keep(options.threshold_m + 2.0 * options.uncertainty_m);
   clearance_ = keep(options.clearance_m + options.uncertainty_m);
 }

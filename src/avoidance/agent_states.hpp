@@ -110,6 +110,7 @@ class AgentStates {
   std::vector<Way> ways_;
   std::vector<AgentState> agents_;
   Extremes extremes_;
+  std::vector<Extremes> seen_;   // of each worker's
   SeparationMargins apart_;      // from each other
   SeparationMargins clearance_;  // from obstacles
 };

@@ -17,6 +17,13 @@ Error invalid(std::string message) {
   return {ErrorCode::kInvalidArgument, std::move(message), {}};
 }
 
+// Of an array of the call, by its name.
+Error about(const char* array, std::string message) {
+  Error error = invalid(std::move(message));
+  error.place.array = array;
+  return error;
+}
+
 std::optional<Error> check_clearance(const AdviseOptions& options) {
   const double clearance_m = options.clearance_m;
   if (std::isnan(clearance_m)) {
@@ -60,10 +67,9 @@ std::optional<Error> check_options(const AdviseOptions& options) {
 std::optional<Error> check_unknown(std::span<const UnknownBee> unknown, std::size_t bees) {
   for (std::size_t k = 0; k < unknown.size(); ++k) {
     if (!unknown[k].bee || *unknown[k].bee < bees) continue;
-    auto error = invalid("unknown bee " + std::to_string(k) + " is said to be mover " +
-                         std::to_string(*unknown[k].bee) + " of " + std::to_string(bees) +
-                         "; give the number of one, counted from 0, or none");
-    return error;
+    return about("unknown", "unknown bee " + std::to_string(k) + " is said to be mover " +
+                                std::to_string(*unknown[k].bee) + " of " + std::to_string(bees) +
+                                "; give the number of one, counted from 0, or none");
   }
   return std::nullopt;
 }
@@ -96,21 +102,26 @@ std::optional<Error> check(const MoversView& movers, std::span<const Velocity> p
   if (auto error = motion::check_size(movers)) return error;
   if (auto error = motion::check_size(options.intruders)) {
     error->message.insert(0, "intruders: ");
+    error->place.array = "intruders";
     return error;
   }
   if (movers.has_heights() || options.intruders.has_heights()) {
     return invalid("there are heights apart from the positions; give positions in space");
   }
   if (preferred.size() != movers.size()) {
-    return invalid(std::to_string(preferred.size()) + " preferred velocities for " +
-                   std::to_string(movers.size()) + " movers; give one for each");
+    return about("preferred", std::to_string(preferred.size()) + " preferred velocities for " +
+                                  std::to_string(movers.size()) + " movers; give one for each");
   }
   if (limits.size() != 1 && limits.size() != movers.size()) {
-    return invalid(std::to_string(limits.size()) + " sets of limits for " +
-                   std::to_string(movers.size()) + " movers; give one for each, or one for all");
+    return about("limits", std::to_string(limits.size()) + " sets of limits for " +
+                               std::to_string(movers.size()) +
+                               " movers; give one for each, or one for all");
   }
   if (limits.size() == 1) {
-    if (auto error = check_limits(limits.front())) return error;
+    if (auto error = check_limits(limits.front())) {
+      error->place.array = "limits";
+      return error;
+    }
   }
   return check_unknown(options.unknown, movers.size());
 }

@@ -2,6 +2,8 @@
 // taken for one of this call.
 #pragma once
 
+#include "base/stopping.hpp"
+
 #include <beespace/id_rows.hpp>
 #include <beespace/nearest.hpp>
 #include <beespace/result.hpp>
@@ -24,10 +26,10 @@ inline void empty(IdRows& answer) {
   answer.ids.clear();
 }
 
-// Returns what ask() does, a Status.
+// Returns what ask() does, a Status; or the error of a call that was stopped.
 template <class Answer, class Ask>
 Status answered(Answer& answer, Ask&& ask) {
-  Status status = std::forward<Ask>(ask)();
+  Status status = unless_stopped(std::forward<Ask>(ask));
   if (!status) empty(answer);
   return status;
 }

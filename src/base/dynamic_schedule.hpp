@@ -1,6 +1,8 @@
 // A dynamic schedule: work of uneven weight, distributed to the threads as they become free.
 #pragma once
 
+#include "base/stopping.hpp"
+
 #include <beespace/crew.hpp>
 
 #include <algorithm>
@@ -17,7 +19,7 @@ void schedule(Crew& crew, std::size_t count, std::size_t dealt, Task&& task) {
   crew.run([&](unsigned worker) {
     for (;;) {
       const std::size_t begin = next.fetch_add(dealt, std::memory_order_relaxed);
-      if (begin >= count) return;
+      if (begin >= count || core::is_stopping()) return;
       task(begin, std::min(begin + dealt, count), worker);
     }
   });

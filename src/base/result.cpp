@@ -48,6 +48,8 @@ std::string_view to_string(ErrorCode code) {
       return "corrupt";
     case ErrorCode::kWriteFailed:
       return "write_failed";
+    case ErrorCode::kStopped:
+      return "stopped";
   }
   return "unknown";
 }
@@ -62,7 +64,12 @@ std::string to_string(const Error& error) {
   if (place.line) append(*place.line);
   if (place.column) append(*place.column);
   if (place.record && !place.line) {
-    text.append(text.empty() ? "point " : ": point ").append(std::to_string(*place.record));
+    if (!text.empty()) text += ": ";
+    const std::string number = std::to_string(*place.record);
+    text += place.array.empty() ? "point " + number : place.array + '[' + number + ']';
+  } else if (!place.array.empty()) {
+    if (!text.empty()) text += ": ";
+    text += place.array;
   }
   if (!text.empty()) text += ": ";
   return text.append(error.message);

@@ -19,16 +19,22 @@ class Pairing {
   Pairing(const PointsView& points, const PointsView& others)
       : points_(points), others_(others), alone_(false) {}
 
-  [[nodiscard]] std::optional<Error> check(const SearchOptions& options) const {
+  [[nodiscard]] std::optional<Error> check(const PairOptions& options) const {
     if (auto error = core::check_options(options)) return error;
-    if (auto error = alone_ ? core::check_vertical(options, points_.size())
-                            : core::check_vertical(options, points_.size(), others_.size())) {
+    if (auto error = alone_ ? core::check_vertical(options, points_)
+                            : core::check_vertical(options, points_, others_)) {
       return error;
     }
     return check();
   }
+  // Of a question without a threshold.
+  [[nodiscard]] std::optional<Error> check_positions() const {
+    if (auto error = core::check_no_heights(points_, core::kPointsName)) return error;
+    if (auto error = core::check_no_heights(others_, core::kOthersName)) return error;
+    return check();
+  }
   [[nodiscard]] std::optional<Error> check() const {
-    if (auto error = core::check_set(points_, alone_ ? "" : core::kPointsName)) return error;
+    if (auto error = core::check_set(points_, core::kPointsName)) return error;
     if (alone_) return std::nullopt;
     return core::check_set(others_, core::kOthersName);
   }
@@ -45,10 +51,10 @@ class Pairing {
     }
   }
   template <class Visit>
-  void for_each_closer(const SearchOptions& options, Visit&& visit) const {
+  void for_each_closer(const PairOptions& options, Visit&& visit) const {
     if (options.vertical_m) {
       const core::CylinderTest closer(options);
-      const Uprights uprights(*this, options);
+      const Uprights uprights(*this);
       for_each([&](PointId i, PointId j) {
         if (closer(uprights.points[i], uprights.others[j])) visit(i, j);
       });
@@ -65,10 +71,9 @@ class Pairing {
     core::UprightPoints points;
     core::UprightPoints others;
 
-    Uprights(const Pairing& of, const SearchOptions& options)
-        : points(core::upright(of.points_, options.heights_m, options)),
-          others(core::upright(of.others_, of.alone_ ? options.heights_m : options.other_heights_m,
-                               options)) {}
+    explicit Uprights(const Pairing& of)
+        : points(core::upright(of.points_, of.have_heights())),
+          others(core::upright(of.others_, of.have_heights())) {}
   };
 
   [[nodiscard]] double distance_m(PointId i, PointId j) const {
@@ -80,16 +85,18 @@ class Pairing {
   }
 
  private:
+  [[nodiscard]] bool have_heights() const { return points_.has_heights() || others_.has_heights(); }
+
   const PointsView& points_;
   const PointsView& others_;
   bool alone_;
 };
 
-Error too_many(const SearchOptions& options) {
+Error too_many(const PairOptions& options) {
   return core::too_many_results(options.max_results);
 }
 
-Result<std::vector<PointId>> at_risk(const Pairing& pairing, const SearchOptions& options) {
+Result<std::vector<PointId>> at_risk(const Pairing& pairing, const PairOptions& options) {
   if (auto error = pairing.check(options)) return *std::move(error);
   std::vector<PointId> ids;
   pairing.for_each_closer(options, [&](PointId i, PointId) {
@@ -98,8 +105,7 @@ Result<std::vector<PointId>> at_risk(const Pairing& pairing, const SearchOptions
   return ids;
 }
 
-Result<std::vector<Pair>> pairs_of(const Pairing& pairing, const SearchOptions& options,
-                                   bool once) {
+Result<std::vector<Pair>> pairs_of(const Pairing& pairing, const PairOptions& options, bool once) {
   if (auto error = pairing.check(options)) return *std::move(error);
   std::vector<Pair> pairs;
   pairing.for_each_closer(options, [&](PointId i, PointId j) {
@@ -109,7 +115,7 @@ Result<std::vector<Pair>> pairs_of(const Pairing& pairing, const SearchOptions& 
   return pairs;
 }
 
-Result<IdRows> neighbors_of(const Pairing& pairing, const SearchOptions& options) {
+Result<IdRows> neighbors_of(const Pairing& pairing, const PairOptions& options) {
   if (auto error = pairing.check(options)) return *std::move(error);
   IdRows rows;
   if (pairing.size() == 0) return rows;
@@ -123,7 +129,7 @@ Result<IdRows> neighbors_of(const Pairing& pairing, const SearchOptions& options
   return rows;
 }
 
-Result<std::vector<std::uint32_t>> counts_of(const Pairing& pairing, const SearchOptions& options) {
+Result<std::vector<std::uint32_t>> counts_of(const Pairing& pairing, const PairOptions& options) {
   if (auto error = pairing.check(options)) return *std::move(error);
   std::vector<std::uint32_t> counts(pairing.size());
   pairing.for_each_closer(options, [&](PointId i, PointId) { ++counts[i]; });
@@ -141,27 +147,27 @@ std::optional<ClosestPair> closest_of(const Pairing& pairing) {
 
 void keep_nearer(const Pairing& pairing, PointId i, PointId j, std::vector<Nearest>& nearest) {
   const PointId best = nearest[i].id;
-  if (best != Nearest::kNobody && !pairing.nearer(i, j, i, best)) return;
+  if (best != Nearest::kNone && !pairing.nearer(i, j, i, best)) return;
   nearest[i] = {j, pairing.distance_m(i, j)};
 }
 
 Result<std::vector<Nearest>> nearest_of(const Pairing& pairing) {
-  if (auto error = pairing.check()) return *std::move(error);
+  if (auto error = pairing.check_positions()) return *std::move(error);
   std::vector<Nearest> nearest(pairing.size());
   pairing.for_each([&](PointId i, PointId j) { keep_nearer(pairing, i, j, nearest); });
   return nearest;
 }
 
 // The nearest by the straight line among those in the cylinder.
-std::vector<Nearest> nearest_in_cylinder(const Pairing& pairing, const SearchOptions& options) {
+std::vector<Nearest> nearest_in_cylinder(const Pairing& pairing, const PairOptions& options) {
   std::vector<Nearest> nearest(pairing.size());
-  const Pairing::Uprights uprights(pairing, options);
+  const Pairing::Uprights uprights(pairing);
   const core::StraightLine line(options.height_unit_m);
   pairing.for_each_closer(options, [&](PointId i, PointId j) {
     const core::Upright here = uprights.points[i];
     const core::Upright there = uprights.others[j];
     const PointId best = nearest[i].id;
-    if (best != Nearest::kNobody && line.compare(here, there, here, uprights.others[best]) >= 0) {
+    if (best != Nearest::kNone && line.compare(here, there, here, uprights.others[best]) >= 0) {
       return;
     }
     nearest[i] = {j, line.length(here, there)};
@@ -169,8 +175,7 @@ std::vector<Nearest> nearest_in_cylinder(const Pairing& pairing, const SearchOpt
   return nearest;
 }
 
-Result<std::vector<Nearest>> nearest_within_of(const Pairing& pairing,
-                                               const SearchOptions& options) {
+Result<std::vector<Nearest>> nearest_within_of(const Pairing& pairing, const PairOptions& options) {
   if (auto error = pairing.check(options)) return *std::move(error);
   if (options.vertical_m) return nearest_in_cylinder(pairing, options);
   std::vector<Nearest> nearest(pairing.size());
@@ -191,21 +196,21 @@ Result<std::vector<PointId>> find_at_risk_between(const PointsView& points,
   return at_risk(Pairing(points, others), options);
 }
 
-Result<std::vector<Pair>> find_pairs(const PointsView& points, const SearchOptions& options) {
+Result<std::vector<Pair>> find_pairs(const PointsView& points, const PairOptions& options) {
   return pairs_of(Pairing(points), options, true);
 }
 
 Result<std::vector<Pair>> find_pairs_between(const PointsView& points, const PointsView& others,
-                                             const SearchOptions& options) {
+                                             const PairOptions& options) {
   return pairs_of(Pairing(points, others), options, false);
 }
 
-Result<IdRows> find_neighbors(const PointsView& points, const SearchOptions& options) {
+Result<IdRows> find_neighbors(const PointsView& points, const PairOptions& options) {
   return neighbors_of(Pairing(points), options);
 }
 
 Result<IdRows> find_neighbors_between(const PointsView& points, const PointsView& others,
-                                      const SearchOptions& options) {
+                                      const PairOptions& options) {
   return neighbors_of(Pairing(points, others), options);
 }
 
@@ -222,8 +227,7 @@ Result<std::vector<std::uint32_t>> count_neighbors_between(const PointsView& poi
 
 // Flood fill over rows of neighbours.
 Result<IdRows> find_conflict_groups(const PointsView& points, const SearchOptions& options) {
-  SearchOptions unlimited = options;
-  unlimited.max_results = SearchOptions{}.max_results;
+  PairOptions unlimited = options;
   const Result<IdRows> neighbors = brute_force::find_neighbors(points, unlimited);
   if (!neighbors) return neighbors.error();
   IdRows groups;
@@ -250,14 +254,14 @@ Result<IdRows> find_conflict_groups(const PointsView& points, const SearchOption
 
 Result<std::optional<ClosestPair>> find_closest_pair(const PointsView& points) {
   const Pairing pairing(points);
-  if (auto error = pairing.check()) return *std::move(error);
+  if (auto error = pairing.check_positions()) return *std::move(error);
   return closest_of(pairing);  // ascending order: (i, j) comes before (j, i)
 }
 
 Result<std::optional<ClosestPair>> find_closest_pair_between(const PointsView& points,
                                                              const PointsView& others) {
   const Pairing pairing(points, others);
-  if (auto error = pairing.check()) return *std::move(error);
+  if (auto error = pairing.check_positions()) return *std::move(error);
   return closest_of(pairing);
 }
 
@@ -267,7 +271,7 @@ Result<std::vector<Nearest>> find_nearest(const PointsView& points) {
 
 Result<NearestRows> find_k_nearest(const PointsView& points, std::size_t k) {
   const Pairing pairing(points);
-  if (auto error = pairing.check()) return *std::move(error);
+  if (auto error = pairing.check_positions()) return *std::move(error);
   NearestRows rows;
   if (points.size() < 2) return rows;
   rows.length = std::min(k, points.size() - 1);

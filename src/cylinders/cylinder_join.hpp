@@ -12,6 +12,7 @@
 // and sees each pair of places once at most: a and i of the first tree, b and j of the second.
 #pragma once
 
+#include "base/stopping.hpp"
 #include "cylinders/cylinder_tree.hpp"
 
 #include <atomic>
@@ -193,7 +194,7 @@ void for_each_node(const CylinderTree& tree, unsigned level, Crew& crew, const M
   std::atomic<std::size_t> next{0};
   crew.run([&](unsigned worker) {
     auto job = make(worker);
-    for (std::size_t node = next++; node < tree.nodes(level); node = next++) {
+    for (std::size_t node = next++; node < tree.nodes(level) && !is_stopping(); node = next++) {
       job(CylinderNode{level, node});
     }
   });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/pair_order.hpp"
+#include "base/stopping.hpp"
 #include "cylinders/cylinder_join.hpp"
 #include "cylinders/cylinder_rows.hpp"
 
@@ -22,7 +23,9 @@ struct PairsKept {
   std::uint64_t most;
   std::atomic<std::uint64_t> total = 0;  // in full chunks
 
-  [[nodiscard]] bool enough() const { return total.load(std::memory_order_relaxed) > most; }
+  [[nodiscard]] bool enough() const {
+    return total.load(std::memory_order_relaxed) > most || core::is_stopping();
+  }
 };
 
 // Keeps the pairs of one worker, as found; stops soon after there are too many.

@@ -14,6 +14,7 @@
 
 #include "base/buffer.hpp"
 #include "base/resources.hpp"
+#include "base/stopping.hpp"
 #include "cylinders/cylinder_order.hpp"
 #include "cylinders/cylinder_tree.hpp"
 #include "exact/cylinder.hpp"
@@ -78,8 +79,8 @@ void CylinderRows::for_each_near(const CylinderTests& tests, Crew& crew,
   std::atomic<std::size_t> next{0};
   crew.run([&](unsigned worker) {
     auto task = task_of(worker);
-    for (std::size_t first = next.fetch_add(kAtOnce); first < rows_ && !task.enough();
-         first = next.fetch_add(kAtOnce)) {
+    for (std::size_t first = next.fetch_add(kAtOnce);
+         first < rows_ && !task.enough() && !is_stopping(); first = next.fetch_add(kAtOnce)) {
       const std::size_t end = first + kAtOnce < rows_ ? first + kAtOnce : rows_;
       for (std::size_t row = first; row < end; ++row) look_at_row(row, tests, task);
     }

@@ -37,16 +37,15 @@ struct UprightPoints {
   }
 };
 
-// The points of a search with a vertical threshold: heights are apart where the options have any.
-inline UprightPoints upright(const PointsView& points, std::span<const double> heights,
-                             const SearchOptions& options) {
-  return {points, heights, !options.heights_m.empty() || !options.other_heights_m.empty()};
+// The points of a search with a vertical threshold; `apart` where any set has heights of its own.
+inline UprightPoints upright(const PointsView& points, bool apart) {
+  return {points, points.heights_m(), apart};
 }
 
 class CylinderTest {
  public:
   // For options with a vertical threshold.
-  explicit CylinderTest(const SearchOptions& options)
+  explicit CylinderTest(const PairOptions& options)
       : level_(options.threshold_m, options.inclusive),
         upright_(*options.vertical_m, options.inclusive) {}
 

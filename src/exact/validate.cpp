@@ -19,7 +19,7 @@ Error threshold_not_given() {
           {}};
 }
 
-std::optional<Error> check_options(const SearchOptions& options) {
+std::optional<Error> check_options(const PairOptions& options) {
   const double threshold = options.threshold_m;
   if (threshold > 0.0 && in_domain(threshold)) return std::nullopt;
   if (std::isnan(threshold)) return threshold_not_given();
@@ -40,14 +40,14 @@ std::optional<Error> check_heights(std::span<const double> heights, std::size_t 
   if (heights.size() != points) {
     Error error = invalid(std::to_string(heights.size()) + " heights for " +
                           std::to_string(points) + " points; give one for each, or none");
-    error.place.source = name;
+    error.place.array = name;
     return error;
   }
   for (std::size_t i = 0; i < heights.size(); ++i) {
     const double height = heights[i];
     if (in_domain(height)) continue;
     Place place;
-    place.source = name;
+    place.array = name;
     place.record = i;
     return Error{std::isfinite(height) ? ErrorCode::kOutsideDomain : ErrorCode::kNotFinite,
                  "the height is " + shown(height) +
@@ -58,10 +58,10 @@ std::optional<Error> check_heights(std::span<const double> heights, std::size_t 
   return std::nullopt;
 }
 
-// What does not depend on the points.
-// For so many points in all: where there are none, nor are there heights.
-std::optional<Error> check_vertical_for(std::size_t points, const SearchOptions& options) {
-  const bool apart = !options.heights_m.empty() || !options.other_heights_m.empty();
+// What does not depend on the points: for so many of them in all, of which some may have heights
+// that are kept apart. Where there are no points, nor are there heights.
+std::optional<Error> check_vertical_for(std::size_t points, bool apart,
+                                        const PairOptions& options) {
   if (!options.vertical_m) {
     if (!apart) return std::nullopt;
     return invalid(
@@ -88,30 +88,28 @@ std::optional<Error> check_vertical_for(std::size_t points, const SearchOptions&
 
 }  // namespace
 
-std::optional<Error> check_vertical(const SearchOptions& options, std::size_t points) {
-  if (auto error = check_vertical_for(points, options)) return error;
-  if (!options.other_heights_m.empty()) {
-    return invalid("there are heights of another set, and no other set; leave other_heights_m out");
-  }
-  if (options.heights_m.empty()) return std::nullopt;
-  return check_heights(options.heights_m, points, "");
+std::optional<Error> check_vertical(const PairOptions& options, const PointsView& points) {
+  if (auto error = check_vertical_for(points.size(), points.has_heights(), options)) return error;
+  if (!points.has_heights()) return std::nullopt;
+  return check_heights(points.heights_m(), points.size(), kPointsName);
 }
 
-std::optional<Error> check_vertical(const SearchOptions& options, std::size_t points,
-                                    std::size_t others) {
-  if (auto error = check_vertical_for(points + others, options)) return error;
-  if (options.heights_m.empty() && options.other_heights_m.empty()) return std::nullopt;
-  if (auto error = check_heights(options.heights_m, points, kPointsName)) return error;
-  return check_heights(options.other_heights_m, others, kOthersName);
+std::optional<Error> check_vertical(const PairOptions& options, const PointsView& points,
+                                    const PointsView& others) {
+  const bool apart = points.has_heights() || others.has_heights();
+  if (auto error = check_vertical_for(points.size() + others.size(), apart, options)) return error;
+  if (!apart) return std::nullopt;
+  if (auto error = check_heights(points.heights_m(), points.size(), kPointsName)) return error;
+  return check_heights(others.heights_m(), others.size(), kOthersName);
 }
 
-std::optional<Error> check_no_vertical(const SearchOptions& options) {
-  if (!options.vertical_m && options.heights_m.empty() && options.other_heights_m.empty()) {
-    return std::nullopt;
-  }
-  return invalid(
-      "this search knows no vertical threshold; ask for points at risk, pairs, neighbours, counts, "
-      "the nearest ones or groups");
+std::optional<Error> check_no_heights(const PointsView& points, const char* name) {
+  if (!points.has_heights()) return std::nullopt;
+  Error error = invalid(
+      "there are heights apart from the positions, which this search does not compare; give "
+      "positions in space");
+  error.place.array = name;
+  return error;
 }
 
 std::optional<Error> check_size(std::size_t size) {
@@ -123,12 +121,16 @@ std::optional<Error> check_size(std::size_t size) {
 }
 
 std::optional<Error> check_size(const PointsView& points) {
-  if (points.fits()) return check_size(points.size());
-  const auto& [x, y, z] = points.lengths();
-  return Error{ErrorCode::kInvalidArgument,
-               std::to_string(x) + " numbers for x, " + std::to_string(y) + " for y and " +
-                   std::to_string(z) + " for z; give as many for each axis",
-               {}};
+  std::optional<Error> error;
+  if (points.fits()) {
+    error = check_size(points.size());
+  } else {
+    const auto& [x, y, z] = points.lengths();
+    error = invalid(std::to_string(x) + " numbers for x, " + std::to_string(y) + " for y and " +
+                    std::to_string(z) + " for z; give as many for each axis");
+  }
+  if (error) error->place.array = kPointsName;
+  return error;
 }
 
 bool in_domain(double coordinate) {
@@ -144,6 +146,7 @@ std::optional<Error> check_points(const PointsView& points, std::size_t begin, s
       if (in_domain(value)) continue;
       const std::string name(1, "xyz"[axis]);
       Place place;
+      place.array = kPointsName;
       place.record = i;
       if (!std::isfinite(value)) {
         return Error{ErrorCode::kNotFinite,
@@ -163,7 +166,7 @@ std::optional<Error> check_points(const PointsView& points, std::size_t begin, s
 std::optional<Error> check_set(const PointsView& points, const char* name) {
   auto error = check_size(points);
   if (!error) error = check_points(points, 0, points.size());
-  if (error) error->place.source = name;
+  if (error) error->place.array = name;
   return error;
 }
 

@@ -16,13 +16,13 @@ std::string shown(double value);
 // Of options whose threshold is kNotGiven.
 Error threshold_not_given();
 
-std::optional<Error> check_options(const SearchOptions& options);
+std::optional<Error> check_options(const PairOptions& options);
 // The vertical threshold and heights, if any, of a search of one swarm, or between two; and that
-// there are none.
-std::optional<Error> check_vertical(const SearchOptions& options, std::size_t points);
-std::optional<Error> check_vertical(const SearchOptions& options, std::size_t points,
-                                    std::size_t others);
-std::optional<Error> check_no_vertical(const SearchOptions& options);
+// there are no heights.
+std::optional<Error> check_vertical(const PairOptions& options, const PointsView& points);
+std::optional<Error> check_vertical(const PairOptions& options, const PointsView& points,
+                                    const PointsView& others);
+std::optional<Error> check_no_heights(const PointsView& points, const char* name);
 std::optional<Error> check_size(std::size_t size);
 // Checks that its arrays fit together, and their size: before any element is read.
 std::optional<Error> check_size(const PointsView& points);
@@ -30,12 +30,13 @@ std::optional<Error> check_size(const PointsView& points);
 // The coordinate domain of point.hpp.
 bool in_domain(double coordinate);
 
-// The names in place.source of errors about one of two sets.
+// The names in place.array of errors about one of two sets.
 inline constexpr const char* kPointsName = "points";
 inline constexpr const char* kOthersName = "others";
+inline constexpr const char* kPlacesName = "places";
 
 // The error for a set with too many points, or with one outside the domain; `name` goes into
-// place.source.
+// place.array.
 std::optional<Error> check_set(const PointsView& points, const char* name);
 
 Error too_many_results(std::uint64_t most);

@@ -92,6 +92,7 @@ Error first_error(const EcefBlock& block, std::size_t first) {
   std::size_t i = 0;
   while (geodesy::is_valid(position_at(block, i))) ++i;
   Error error = explain(position_at(block, i));
+  error.place.array = "points";
   error.place.record = first + i;
   return error;
 }

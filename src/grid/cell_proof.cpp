@@ -16,7 +16,7 @@ namespace beespace::core {
 
 namespace {
 
-constexpr PointId kNobody = 0xFFFF'FFFFU;
+constexpr PointId kNone = 0xFFFF'FFFFU;
 
 void combine(const PositionBlock& positions, std::size_t count, unsigned shift,
              std::uint32_t row_cells, std::uint32_t layer_cells, std::uint32_t* cell) {
@@ -58,14 +58,14 @@ std::uint64_t number_by_hashing(const PointsView& points, const Lattice& lattice
   };
   const std::size_t slots = std::bit_ceil(points.size() + points.size() / 2);
   Buffer<PointId> first_in(memory, slots);
-  std::fill_n(first_in.data(), slots, kNobody);
+  std::fill_n(first_in.data(), slots, kNone);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto own = cell_of(i);
     std::size_t slot = mix(hash_cell(own[0], own[1], own[2])) & (slots - 1);
-    while (first_in[slot] != kNobody && cell_of(first_in[slot]) != own) {
+    while (first_in[slot] != kNone && cell_of(first_in[slot]) != own) {
       slot = (slot + 1) & (slots - 1);
     }
-    if (first_in[slot] == kNobody) first_in[slot] = static_cast<PointId>(i);
+    if (first_in[slot] == kNone) first_in[slot] = static_cast<PointId>(i);
     cell[i] = first_in[slot];
   }
   return points.size();

@@ -2,6 +2,7 @@
 
 #include "base/bounds.hpp"
 #include "base/crew_size.hpp"
+#include "base/stopping.hpp"
 #include "exact/validate.hpp"
 #include "index/index_levels.hpp"
 
@@ -21,8 +22,21 @@ PointsView view_of(const Point& point) {
 // The error for a place or point that is given alone.
 std::optional<Error> check_place(const Point& place) {
   auto error = core::check_points(view_of(place), 0, 1);
-  if (error) error->place.record.reset();
+  if (error) error->place = {};
   return error;
+}
+
+// The box of points or places, which are named so; or what is wrong with them.
+Result<core::Bounds> measure(const PointsView& points, const char* name,
+                             const core::Resources& with) {
+  if (auto error = core::check_no_heights(points, name)) return *std::move(error);
+  if (auto error = core::check_size(points)) {
+    error->place.array = name;
+    return *std::move(error);
+  }
+  Result<core::Bounds> bounds = core::measure(points, with);
+  if (!bounds) bounds.error().place.array = name;
+  return bounds;
 }
 
 Error no_such_point(PointId id) {
@@ -45,13 +59,15 @@ Index::Index() {
   levels_ = std::make_unique<Levels>(search::ChangingPoints({}, {}, alone));
 }
 
-Result<Index> Index::build(const PointsView& points, unsigned threads) {
-  if (auto error = core::check_size(points)) return *std::move(error);
-  ThreadCrew crew(cpu::crew_size(threads, points.size()));
+Result<Index> Index::build(const PointsView& points, const RunOptions& run) {
+  ThreadCrew crew(cpu::crew_size(run.threads, points.size()));
+  core::StoppableCrew stoppable(crew, run.stop);
   core::Memory memory;
-  const Result<core::Bounds> bounds = core::measure(points, {crew, memory});
-  if (!bounds) return bounds.error();
-  return Index(std::make_unique<Levels>(search::ChangingPoints(points, *bounds, crew)));
+  return core::unless_stopped([&]() -> Result<Index> {
+    const Result<core::Bounds> bounds = measure(points, core::kPointsName, {stoppable, memory});
+    if (!bounds) return bounds.error();
+    return Index(std::make_unique<Levels>(search::ChangingPoints(points, *bounds, stoppable)));
+  });
 }
 
 std::size_t Index::size() const {
@@ -103,26 +119,29 @@ Result<std::vector<Nearest>> Index::k_nearest(const Point& place, std::size_t k)
   return nearest;
 }
 
-Result<IdRows> Index::find_around(const PointsView& places, const SearchOptions& options) const {
-  if (std::isnan(options.threshold_m)) return core::threshold_not_given();
-  if (auto error = search::check_radius(options.threshold_m)) return *std::move(error);
-  if (auto error = core::check_no_vertical(options)) return *std::move(error);
-  if (auto error = core::check_size(places)) return *std::move(error);
+Result<IdRows> Index::find_around(const PointsView& places, const AroundOptions& options) const {
+  if (std::isnan(options.radius_m)) return core::threshold_not_given();
+  if (auto error = search::check_radius(options.radius_m)) return *std::move(error);
   ThreadCrew crew(cpu::crew_size(options.threads, places.size()));
+  core::StoppableCrew stoppable(crew, options.stop);
   core::Memory memory;
-  const Result<core::Bounds> bounds = core::measure(places, {crew, memory});
-  if (!bounds) return bounds.error();
-  return search::find_around_all(*levels_, places, *bounds, options, crew);
+  return core::unless_stopped([&]() -> Result<IdRows> {
+    const Result<core::Bounds> bounds = measure(places, core::kPlacesName, {stoppable, memory});
+    if (!bounds) return bounds.error();
+    return search::find_around_all(*levels_, places, *bounds, options, stoppable);
+  });
 }
 
 Result<NearestRows> Index::k_nearest(const PointsView& places, std::size_t k,
-                                     unsigned threads) const {
-  if (auto error = core::check_size(places)) return *std::move(error);
-  ThreadCrew crew(cpu::crew_size(threads, places.size()));
+                                     const RunOptions& run) const {
+  ThreadCrew crew(cpu::crew_size(run.threads, places.size()));
+  core::StoppableCrew stoppable(crew, run.stop);
   core::Memory memory;
-  const Result<core::Bounds> bounds = core::measure(places, {crew, memory});
-  if (!bounds) return bounds.error();
-  return search::find_nearest_of_all(*levels_, places, *bounds, std::min(k, size()), crew);
+  return core::unless_stopped([&]() -> Result<NearestRows> {
+    const Result<core::Bounds> bounds = measure(places, core::kPlacesName, {stoppable, memory});
+    if (!bounds) return bounds.error();
+    return search::find_nearest_of_all(*levels_, places, *bounds, std::min(k, size()), stoppable);
+  });
 }
 
 Result<PointId> Index::insert(const Point& point) {

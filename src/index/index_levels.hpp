@@ -35,7 +35,7 @@ std::optional<Error> check_radius(double radius_m);
 
 // The answers to many queries, all in the domain and in this box.
 Result<IdRows> find_around_all(const IndexLevels& levels, const PointsView& places,
-                               const core::Bounds& bounds, const SearchOptions& options,
+                               const core::Bounds& bounds, const AroundOptions& options,
                                Crew& crew);
 NearestRows find_nearest_of_all(const IndexLevels& levels, const PointsView& places,
                                 const core::Bounds& bounds, std::size_t k, Crew& crew);

@@ -1,4 +1,5 @@
 // Many queries at once: in an order that suits the caches, in chunks, which free threads take.
+#include "base/stopping.hpp"
 #include "exact/validate.hpp"
 #include "index/index_levels.hpp"
 #include "index/place_order.hpp"
@@ -22,7 +23,8 @@ template <class Work>
 void share_out(std::size_t count, Crew& crew, Work&& work) {
   std::atomic<std::size_t> next{0};
   crew.run([&](unsigned worker) {
-    for (std::size_t chunk = next++; chunk * kChunk < count; chunk = next++) {
+    for (std::size_t chunk = next++; chunk * kChunk < count && !core::is_stopping();
+         chunk = next++) {
       work(chunk, chunk * kChunk, std::min((chunk + 1) * kChunk, count), worker);
     }
   });
@@ -30,7 +32,7 @@ void share_out(std::size_t count, Crew& crew, Work&& work) {
 
 class AroundAll {
  public:
-  AroundAll(const IndexLevels& levels, const OrderedPlaces& places, const SearchOptions& options,
+  AroundAll(const IndexLevels& levels, const OrderedPlaces& places, const AroundOptions& options,
             Crew& crew)
       : levels_(levels),
         places_(places),
@@ -67,7 +69,7 @@ class AroundAll {
   };
 
   void probe_neighbors(std::size_t i, Found& mine) {
-    levels_.find_around({places_.places[i], options_.threshold_m, options_.inclusive}, mine.row);
+    levels_.find_around({places_.places[i], options_.radius_m, options_.inclusive}, mine.row);
     sizes_[i] = static_cast<std::uint32_t>(mine.row.size());
     mine.ids.insert(mine.ids.end(), mine.row.begin(), mine.row.end());
   }
@@ -95,7 +97,7 @@ class AroundAll {
 
   const IndexLevels& levels_;
   const OrderedPlaces& places_;
-  const SearchOptions& options_;
+  const AroundOptions& options_;
   Crew& crew_;
   std::vector<Found> found_;  // by worker
   std::vector<Chunk> chunks_;
@@ -106,7 +108,7 @@ class AroundAll {
 }  // namespace
 
 Result<IdRows> find_around_all(const IndexLevels& levels, const PointsView& places,
-                               const core::Bounds& bounds, const SearchOptions& options,
+                               const core::Bounds& bounds, const AroundOptions& options,
                                Crew& crew) {
   if (places.empty()) return IdRows{};
   const OrderedPlaces ordered = place_order(places, bounds, crew);

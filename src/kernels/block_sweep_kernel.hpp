@@ -75,7 +75,7 @@ class BlockSweep {
  private:
   static std::uint32_t least(std::uint32_t a, std::uint32_t b) { return a < b ? a : b; }
 
-  static unsigned everybody(std::uint32_t count) { return (1U << count) - 1U; }
+  static unsigned all_of(std::uint32_t count) { return (1U << count) - 1U; }
 
   // asked(lane) and met(lane) give the two points.
   template <class Asked, class Met>
@@ -111,7 +111,7 @@ class BlockSweep {
       task_.start(i);
       for (std::uint32_t j = first; j < own.end && at.x[j] < end; ++j) {
         const unsigned itself = j - i < Lanes::kLanes ? 1U << (j - i) : 0U;
-        auto seen = lanes.meet(at.x[j], at.y[j], at.z[j], everybody(count) & ~itself);
+        auto seen = lanes.meet(at.x[j], at.y[j], at.z[j], all_of(count) & ~itself);
         if (seen.within != seen.near) [[unlikely]] {
           decide_unsure(
               seen, [i](unsigned lane) { return i + lane; }, [j](unsigned) { return j; });
@@ -208,7 +208,7 @@ class BlockSweep {
       lanes.select_block(mine_.x + i, mine_.y + i, mine_.z + i, reach_.units, reach_.slice);
       task_.start(mine_.place + i, count);
       for (std::uint32_t j = first; j < theirs_.size && theirs_.x[j] < end; ++j) {
-        auto seen = lanes.meet(theirs_.x[j], theirs_.y[j], theirs_.z[j], everybody(count));
+        auto seen = lanes.meet(theirs_.x[j], theirs_.y[j], theirs_.z[j], all_of(count));
         if (seen.within != seen.near) [[unlikely]] {
           decide_unsure(
               seen, [this, i](unsigned lane) { return mine_.place[i + lane]; },

@@ -140,7 +140,7 @@ class KeepNearestOfAsked {
   bool start(const Sweep& sweep, std::uint32_t i) {
     nearest_.clear();
     others_ = sweep.others.id;
-    self_ = sweep.same_set ? sweep.asked.id[i] : kNobody;
+    self_ = sweep.same_set ? sweep.asked.id[i] : kNone;
     return true;
   }
   bool take(typename Lanes::Seen seen, std::uint32_t from) {
@@ -155,12 +155,12 @@ class KeepNearestOfAsked {
   }
 
  private:
-  static constexpr PointId kNobody = 0xFFFF'FFFFU;
+  static constexpr PointId kNone = 0xFFFF'FFFFU;
 
   typename Lanes::Nearest nearest_;
   NearestTable table_;
   const PointId* others_ = nullptr;
-  PointId self_ = kNobody;
+  PointId self_ = kNone;
 };
 
 template <class Lanes>

@@ -73,6 +73,7 @@ struct Curve {
 
 Error error_at(ErrorCode code, std::size_t piece, std::string message) {
   Place place;
+  place.array = "pieces";
   place.record = piece;
   return {code, std::move(message), place};
 }

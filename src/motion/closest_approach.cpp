@@ -9,7 +9,11 @@
 namespace beespace {
 
 Result<Approach> closest_approach(const Mover& first, const Mover& second,
-                                  const PredictOptions& options) {
+                                  const ApproachOptions& asked) {
+  const PredictOptions options{.threshold_m = asked.threshold_m,
+                               .vertical_m = asked.vertical_m,
+                               .horizon_s = asked.horizon_s,
+                               .inclusive = asked.inclusive};
   if (auto error = motion::check_options(options)) return *std::move(error);
   const Mover one = motion::flushed(first);
   const Mover other = motion::flushed(second);

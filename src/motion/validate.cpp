@@ -15,6 +15,7 @@ constexpr const char* kDomain = "0, or 7.9e-31 to 1.3e+30 in magnitude";
 
 Error error_of(double value, const std::string& name, const std::string& unit, std::size_t record) {
   Place place;
+  place.array = "movers";
   place.record = record;
   if (!std::isfinite(value)) {
     return {ErrorCode::kNotFinite, name + " is " + shown(value) + "; it must be a finite number",
@@ -165,6 +166,7 @@ std::optional<Error> check_tracks(std::span<const Track> tracks) {
                     {}};
     }
     if (!error) continue;
+    error->place.array = "tracks";
     error->place.record = id;
     return error;
   }
@@ -174,10 +176,12 @@ std::optional<Error> check_tracks(std::span<const Track> tracks) {
 std::optional<Error> check_size(const MoversView& movers) {
   if (auto error = core::check_size(movers.positions())) {
     error->message.insert(0, "positions: ");
+    error->place.array = "movers";
     return error;
   }
   if (auto error = core::check_size(movers.velocities())) {
     error->message.insert(0, "velocities: ");
+    error->place.array = "movers";
     return error;
   }
   const std::size_t positions = movers.positions().size();
@@ -189,6 +193,12 @@ std::optional<Error> check_size(const MoversView& movers) {
                  {}};
   }
   if (movers.fits()) return std::nullopt;
+  if (movers.positions().has_heights() || movers.velocities().has_heights()) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "there are heights of the positions alone; give them to the movers, with climb "
+                 "rates",
+                 {}};
+  }
   return Error{ErrorCode::kInvalidArgument,
                std::to_string(movers.heights_m().size()) + " heights and " +
                    std::to_string(movers.climbs_mps().size()) + " climb rates for " +

@@ -23,7 +23,7 @@ constexpr double kLookCost = 100.0;
 
 struct Search {
   const SearchDomain& domain;
-  const SearchOptions& options;
+  const PairOptions& options;
   const core::Resources& with;
   const TuningOverrides& tuning;
   core::ProximityTest closer{options.threshold_m, options.inclusive};
@@ -101,7 +101,7 @@ void write_ids(const core::Buffer<std::uint8_t>& at_risk, std::size_t size,
 
 }  // namespace
 
-void find_at_risk(const SearchDomain& domain, const SearchOptions& options,
+void find_at_risk(const SearchDomain& domain, const PairOptions& options,
                   const core::Resources& with, const TuningOverrides& tuning,
                   std::vector<PointId>& at_risk) {
   at_risk.clear();

@@ -19,7 +19,7 @@
 namespace beespace::search {
 
 // The ids of the domain's points that are near another one, or near one of the domain's others.
-void find_at_risk(const SearchDomain& domain, const SearchOptions& options,
+void find_at_risk(const SearchDomain& domain, const PairOptions& options,
                   const core::Resources& with, const TuningOverrides& tuning,
                   std::vector<PointId>& at_risk);
 

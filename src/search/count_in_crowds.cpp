@@ -39,7 +39,7 @@ class Side {
 
 }  // namespace
 
-void count_in_crowds(const SearchDomain& domain, const SearchOptions& options,
+void count_in_crowds(const SearchDomain& domain, const PairOptions& options,
                      const core::Resources& with, const TuningOverrides& tuning,
                      std::uint32_t* counts) {
   const core::Lattice lattice(domain.sets(), domain.bounds(), options.threshold_m, with.memory,

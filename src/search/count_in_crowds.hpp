@@ -13,7 +13,7 @@ namespace beespace::search {
 
 // Writes the count of every point of a domain that is complete: neither points nor others are
 // missing.
-void count_in_crowds(const SearchDomain& domain, const SearchOptions& options,
+void count_in_crowds(const SearchDomain& domain, const PairOptions& options,
                      const core::Resources& with, const TuningOverrides& tuning,
                      std::uint32_t* counts);
 

@@ -36,7 +36,7 @@ core::Buffer<PointId> lowest_ids(const core::CylinderTree& tree, core::Memory& m
 class NearestWalk {
  public:
   NearestWalk(const core::CylinderTree& tree, const core::Buffer<PointId>& lowest,
-              const core::CylinderTests& tests, const SearchOptions& options)
+              const core::CylinderTests& tests, const PairOptions& options)
       : tree_(tree),
         lowest_(lowest),
         tests_(tests),
@@ -47,11 +47,11 @@ class NearestWalk {
   Nearest operator()(const core::Upright& place, PointId myself, std::size_t near_leaf) {
     place_ = place;
     myself_ = myself;
-    id_ = Nearest::kNobody;
+    id_ = Nearest::kNone;
     least_ = std::numeric_limits<double>::infinity();
     look_into(near_leaf);  // mostly finds a first candidate
     descend(tree_.top(), 0, near_leaf);
-    if (id_ == Nearest::kNobody) return {};
+    if (id_ == Nearest::kNone) return {};
     return {id_, line_.length(place_, best_)};
   }
 
@@ -78,7 +78,7 @@ class NearestWalk {
     if (tests_.boxes(core::UprightBox{place_.at, place_.at}, box) == core::Reach::kFar) {
       return false;
     }
-    if (id_ == Nearest::kNobody) return true;
+    if (id_ == Nearest::kNone) return true;
     double squared = 0.0;
     for (std::size_t axis = 0; axis < core::Upright::kAxes; ++axis) {
       const double gap =
@@ -98,7 +98,7 @@ class NearestWalk {
       const core::Upright other = tree_.place(slot);
       const double squared = line_.squared(place_, other);
       if (squared * (1.0 - 0x1p-48) > least_ || !tests_.places(place_, other)) continue;
-      if (id_ != Nearest::kNobody) {
+      if (id_ != Nearest::kNone) {
         const int sign = line_.compare(place_, other, place_, best_);
         if (sign > 0 || (sign == 0 && id > id_)) continue;
       }
@@ -116,8 +116,8 @@ class NearestWalk {
   double unit_;
   core::Upright place_{};
   core::Upright best_{};
-  PointId myself_ = Nearest::kNobody;
-  PointId id_ = Nearest::kNobody;
+  PointId myself_ = Nearest::kNone;
+  PointId id_ = Nearest::kNone;
   std::size_t last_leaf_ = 0;
   double least_ = 0.0;  // the square of how far `best_` is, rounded
 };
@@ -137,7 +137,7 @@ Status CylinderSearch::find_nearest(std::vector<Nearest>& nearest) const {
     for (std::size_t slot = begin; slot < end; ++slot) {
       const PointId id = tree.index(slot);
       if (!all->others) leaf = slot / kFanOut;
-      nearest[id] = walk(tree.place(slot), all->others ? Nearest::kNobody : id, leaf);
+      nearest[id] = walk(tree.place(slot), all->others ? Nearest::kNone : id, leaf);
       leaf = walk.last_leaf();  // neighbours mostly find neighbours
     }
   });

@@ -15,8 +15,12 @@ namespace {
 
 constexpr auto kNothing = [] {};
 
-core::CylinderSize size_of(const SearchOptions& options) {
+core::CylinderSize size_of(const PairOptions& options) {
   return {options.threshold_m, *options.vertical_m};
+}
+
+bool have_heights(const PointsView& points, const PointsView* others) {
+  return points.has_heights() || (others != nullptr && others->has_heights());
 }
 
 // A task that all workers share.
@@ -34,14 +38,14 @@ struct Shared {
 }  // namespace
 
 CylinderSearch::CylinderSearch(const PointsView& points, const PointsView* others,
-                               const SearchOptions& options, const core::Resources& with,
+                               const PairOptions& options, const core::Resources& with,
                                const TuningOverrides& tuning)
-    : points_(core::upright(points, options.heights_m, options)),
+    : points_(core::upright(points, have_heights(points, others))),
       options_(options),
       tests_{core::CylinderBoxTest(size_of(options)), core::CylinderTest(options)},
       with_(with),
       tuning_(tuning) {
-  if (others != nullptr) others_ = core::upright(*others, options.other_heights_m, options);
+  if (others != nullptr) others_ = core::upright(*others, have_heights(points, others));
 }
 
 bool CylinderSearch::is_empty() const {

@@ -27,7 +27,7 @@ class CylinderSearch {
   // Options have a vertical threshold, have been checked with all sets (exact/validate.hpp), and
   // must outlive the search, as must `with`. Without `others` the points are compared with each
   // other.
-  CylinderSearch(const PointsView& points, const PointsView* others, const SearchOptions& options,
+  CylinderSearch(const PointsView& points, const PointsView* others, const PairOptions& options,
                  const core::Resources& with, const TuningOverrides& tuning);
 
   Status find_at_risk(std::vector<PointId>& at_risk) const;
@@ -64,7 +64,7 @@ class CylinderSearch {
 
   core::UprightPoints points_;
   std::optional<core::UprightPoints> others_;
-  const SearchOptions& options_;
+  PairOptions options_;
   core::CylinderTests tests_;
   const core::Resources& with_;
   const TuningOverrides& tuning_;

@@ -2,6 +2,7 @@
 #include <beespace/engine.hpp>
 
 #include "base/answered.hpp"
+#include "base/stopping.hpp"
 #include "exact/validate.hpp"
 #include "grid/closest_pair.hpp"
 #include "search/at_risk_search.hpp"
@@ -13,6 +14,7 @@
 #include "search/pair_search.hpp"
 
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace beespace {
@@ -21,8 +23,9 @@ namespace {
 
 constexpr std::monostate kDone{};
 
-bool is_vertical(const SearchOptions& options) {
-  return options.vertical_m || !options.heights_m.empty() || !options.other_heights_m.empty();
+bool is_vertical(const PairOptions& options, const PointsView& points,
+                 const PointsView& others = {}) {
+  return options.vertical_m || points.has_heights() || others.has_heights();
 }
 
 }  // namespace
@@ -42,12 +45,12 @@ void Engine::release_memory() {
 Status Engine::find_at_risk(const PointsView& points, const SearchOptions& options,
                             std::vector<PointId>& at_risk) {
   return core::answered(at_risk, [&]() -> Status {
-    if (is_vertical(options)) {
+    if (is_vertical(options, points)) {
       return state_->run_cylinder(points, nullptr, options,
                                   [&](const auto& search) { return search.find_at_risk(at_risk); });
     }
     if (auto error = core::check_options(options)) return *std::move(error);
-    return state_->run(points, options.threads, [&](const auto& domain, const auto& with) {
+    return state_->run(points, options, [&](const auto& domain, const auto& with) {
       search::find_at_risk(domain, options, with, state_->tuning, at_risk);
       return kDone;
     });
@@ -57,41 +60,41 @@ Status Engine::find_at_risk(const PointsView& points, const SearchOptions& optio
 Status Engine::find_at_risk_between(const PointsView& points, const PointsView& others,
                                     const SearchOptions& options, std::vector<PointId>& at_risk) {
   return core::answered(at_risk, [&]() -> Status {
-    if (is_vertical(options)) {
+    if (is_vertical(options, points, others)) {
       return state_->run_cylinder(points, &others, options,
                                   [&](const auto& search) { return search.find_at_risk(at_risk); });
     }
     if (auto error = core::check_options(options)) return *std::move(error);
-    return state_->run(points, others, options.threads, [&](const auto& domain, const auto& with) {
+    return state_->run(points, others, options, [&](const auto& domain, const auto& with) {
       search::find_at_risk(domain, options, with, state_->tuning, at_risk);
       return kDone;
     });
   });
 }
 
-Status Engine::find_pairs(const PointsView& points, const SearchOptions& options,
+Status Engine::find_pairs(const PointsView& points, const PairOptions& options,
                           std::vector<Pair>& pairs) {
   return core::answered(pairs, [&]() -> Status {
-    if (is_vertical(options)) {
+    if (is_vertical(options, points)) {
       return state_->run_cylinder(points, nullptr, options,
                                   [&](const auto& search) { return search.find_pairs(pairs); });
     }
     if (auto error = core::check_options(options)) return *std::move(error);
-    return state_->run(points, options.threads, [&](const auto& domain, const auto& with) {
+    return state_->run(points, options, [&](const auto& domain, const auto& with) {
       return search::find_pairs(domain, options, with, state_->tuning, pairs);
     });
   });
 }
 
 Status Engine::find_pairs_between(const PointsView& points, const PointsView& others,
-                                  const SearchOptions& options, std::vector<Pair>& pairs) {
+                                  const PairOptions& options, std::vector<Pair>& pairs) {
   return core::answered(pairs, [&]() -> Status {
-    if (is_vertical(options)) {
+    if (is_vertical(options, points, others)) {
       return state_->run_cylinder(points, &others, options,
                                   [&](const auto& search) { return search.find_pairs(pairs); });
     }
     if (auto error = core::check_options(options)) return *std::move(error);
-    return state_->run(points, others, options.threads, [&](const auto& domain, const auto& with) {
+    return state_->run(points, others, options, [&](const auto& domain, const auto& with) {
       return search::find_pairs(domain, options, with, state_->tuning, pairs);
     });
   });
@@ -99,46 +102,57 @@ Status Engine::find_pairs_between(const PointsView& points, const PointsView& ot
 
 Result<bool> Engine::visit_pairs(const PointsView& points, const SearchOptions& options,
                                  const PairVisitor& visit) {
-  if (is_vertical(options)) {
-    return state_->run_cylinder(points, nullptr, options,
-                                [&](const auto& search) { return search.visit_pairs(visit); });
-  }
-  if (auto error = core::check_options(options)) return *std::move(error);
-  bool saw_all = false;
-  const Status status =
-      state_->run(points, options.threads, [&](const auto& domain, const auto& with) {
-        saw_all = search::visit_pairs(domain, options, with, state_->tuning, visit);
-        return kDone;
+  // What the visitor searches is not stopped with this search.
+  const PairVisitor visit_freely = [&visit](std::span<const Pair> pairs) {
+    bool goes_on = false;
+    {
+      const core::NotStopping scope;
+      goes_on = visit(pairs);
+    }
+    return goes_on && !core::is_stopping();
+  };
+  return core::unless_stopped([&]() -> Result<bool> {
+    if (is_vertical(options, points)) {
+      return state_->run_cylinder(points, nullptr, options, [&](const auto& search) {
+        return search.visit_pairs(visit_freely);
       });
-  if (!status) return status.error();
-  return saw_all;
+    }
+    if (auto error = core::check_options(options)) return *std::move(error);
+    bool saw_all = false;
+    const Status status = state_->run(points, options, [&](const auto& domain, const auto& with) {
+      saw_all = search::visit_pairs(domain, options, with, state_->tuning, visit_freely);
+      return kDone;
+    });
+    if (!status) return status.error();
+    return saw_all;
+  });
 }
 
-Status Engine::find_neighbors(const PointsView& points, const SearchOptions& options,
+Status Engine::find_neighbors(const PointsView& points, const PairOptions& options,
                               IdRows& neighbors) {
   return core::answered(neighbors, [&]() -> Status {
-    if (is_vertical(options)) {
+    if (is_vertical(options, points)) {
       return state_->run_cylinder(points, nullptr, options, [&](const auto& search) {
         return search.find_neighbors(neighbors);
       });
     }
     if (auto error = core::check_options(options)) return *std::move(error);
-    return state_->run(points, options.threads, [&](const auto& domain, const auto& with) {
+    return state_->run(points, options, [&](const auto& domain, const auto& with) {
       return search::find_neighbors(domain, options, with, state_->tuning, neighbors);
     });
   });
 }
 
 Status Engine::find_neighbors_between(const PointsView& points, const PointsView& others,
-                                      const SearchOptions& options, IdRows& neighbors) {
+                                      const PairOptions& options, IdRows& neighbors) {
   return core::answered(neighbors, [&]() -> Status {
-    if (is_vertical(options)) {
+    if (is_vertical(options, points, others)) {
       return state_->run_cylinder(points, &others, options, [&](const auto& search) {
         return search.find_neighbors(neighbors);
       });
     }
     if (auto error = core::check_options(options)) return *std::move(error);
-    return state_->run(points, others, options.threads, [&](const auto& domain, const auto& with) {
+    return state_->run(points, others, options, [&](const auto& domain, const auto& with) {
       return search::find_neighbors(domain, options, with, state_->tuning, neighbors);
     });
   });
@@ -147,13 +161,13 @@ Status Engine::find_neighbors_between(const PointsView& points, const PointsView
 Status Engine::count_neighbors(const PointsView& points, const SearchOptions& options,
                                std::vector<std::uint32_t>& counts) {
   return core::answered(counts, [&]() -> Status {
-    if (is_vertical(options)) {
+    if (is_vertical(options, points)) {
       return state_->run_cylinder(points, nullptr, options, [&](const auto& search) {
         return search.count_neighbors(counts);
       });
     }
     if (auto error = core::check_options(options)) return *std::move(error);
-    return state_->run(points, options.threads, [&](const auto& domain, const auto& with) {
+    return state_->run(points, options, [&](const auto& domain, const auto& with) {
       search::count_neighbors(domain, options, with, state_->tuning, counts);
       return kDone;
     });
@@ -164,13 +178,13 @@ Status Engine::count_neighbors_between(const PointsView& points, const PointsVie
                                        const SearchOptions& options,
                                        std::vector<std::uint32_t>& counts) {
   return core::answered(counts, [&]() -> Status {
-    if (is_vertical(options)) {
+    if (is_vertical(options, points, others)) {
       return state_->run_cylinder(points, &others, options, [&](const auto& search) {
         return search.count_neighbors(counts);
       });
     }
     if (auto error = core::check_options(options)) return *std::move(error);
-    return state_->run(points, others, options.threads, [&](const auto& domain, const auto& with) {
+    return state_->run(points, others, options, [&](const auto& domain, const auto& with) {
       search::count_neighbors(domain, options, with, state_->tuning, counts);
       return kDone;
     });
@@ -180,12 +194,12 @@ Status Engine::count_neighbors_between(const PointsView& points, const PointsVie
 Status Engine::find_conflict_groups(const PointsView& points, const SearchOptions& options,
                                     IdRows& groups) {
   return core::answered(groups, [&]() -> Status {
-    if (is_vertical(options)) {
+    if (is_vertical(options, points)) {
       return state_->run_cylinder(points, nullptr, options,
                                   [&](const auto& search) { return search.find_groups(groups); });
     }
     if (auto error = core::check_options(options)) return *std::move(error);
-    return state_->run(points, options.threads, [&](const auto& domain, const auto& with) {
+    return state_->run(points, options, [&](const auto& domain, const auto& with) {
       search::find_conflict_groups(domain, options, with, state_->tuning, groups);
       return kDone;
     });
@@ -193,9 +207,10 @@ Status Engine::find_conflict_groups(const PointsView& points, const SearchOption
 }
 
 Status Engine::find_nearest(const PointsView& points, std::vector<Nearest>& nearest,
-                            unsigned threads) {
+                            const RunOptions& run) {
   return core::answered(nearest, [&]() -> Status {
-    return state_->run(points, threads, [&](const auto& domain, const auto& with) {
+    if (auto error = core::check_no_heights(points, core::kPointsName)) return *std::move(error);
+    return state_->run(points, run, [&](const auto& domain, const auto& with) {
       search::find_nearest(domain, std::nullopt, with, state_->tuning, nearest);
       return kDone;
     });
@@ -203,9 +218,10 @@ Status Engine::find_nearest(const PointsView& points, std::vector<Nearest>& near
 }
 
 Status Engine::find_k_nearest(const PointsView& points, std::size_t k, NearestRows& nearest,
-                              unsigned threads) {
+                              const RunOptions& run) {
   return core::answered(nearest, [&]() -> Status {
-    const core::Resources with = state_->resources(threads, points.size());
+    const core::Resources with = state_->resources(run, points.size());
+    if (auto error = core::check_no_heights(points, core::kPointsName)) return *std::move(error);
     if (auto error = core::check_size(points)) return *std::move(error);
     const Result<core::Bounds> bounds = core::measure(points, with);
     if (!bounds) return bounds.error();
@@ -218,12 +234,12 @@ Status Engine::find_k_nearest(const PointsView& points, std::size_t k, NearestRo
 Status Engine::find_nearest_within(const PointsView& points, const SearchOptions& options,
                                    std::vector<Nearest>& nearest) {
   return core::answered(nearest, [&]() -> Status {
-    if (is_vertical(options)) {
+    if (is_vertical(options, points)) {
       return state_->run_cylinder(points, nullptr, options,
                                   [&](const auto& search) { return search.find_nearest(nearest); });
     }
     if (auto error = core::check_options(options)) return *std::move(error);
-    return state_->run(points, options.threads, [&](const auto& domain, const auto& with) {
+    return state_->run(points, options, [&](const auto& domain, const auto& with) {
       search::find_nearest(domain, options, with, state_->tuning, nearest);
       return kDone;
     });
@@ -231,9 +247,11 @@ Status Engine::find_nearest_within(const PointsView& points, const SearchOptions
 }
 
 Status Engine::find_nearest_between(const PointsView& points, const PointsView& others,
-                                    std::vector<Nearest>& nearest, unsigned threads) {
+                                    std::vector<Nearest>& nearest, const RunOptions& run) {
   return core::answered(nearest, [&]() -> Status {
-    return state_->run(points, others, threads, [&](const auto& domain, const auto& with) {
+    if (auto error = core::check_no_heights(points, core::kPointsName)) return *std::move(error);
+    if (auto error = core::check_no_heights(others, core::kOthersName)) return *std::move(error);
+    return state_->run(points, others, run, [&](const auto& domain, const auto& with) {
       search::find_nearest(domain, std::nullopt, with, state_->tuning, nearest);
       return kDone;
     });
@@ -244,12 +262,12 @@ Status Engine::find_nearest_within_between(const PointsView& points, const Point
                                            const SearchOptions& options,
                                            std::vector<Nearest>& nearest) {
   return core::answered(nearest, [&]() -> Status {
-    if (is_vertical(options)) {
+    if (is_vertical(options, points, others)) {
       return state_->run_cylinder(points, &others, options,
                                   [&](const auto& search) { return search.find_nearest(nearest); });
     }
     if (auto error = core::check_options(options)) return *std::move(error);
-    return state_->run(points, others, options.threads, [&](const auto& domain, const auto& with) {
+    return state_->run(points, others, options, [&](const auto& domain, const auto& with) {
       search::find_nearest(domain, options, with, state_->tuning, nearest);
       return kDone;
     });
@@ -257,30 +275,36 @@ Status Engine::find_nearest_within_between(const PointsView& points, const Point
 }
 
 Result<std::optional<ClosestPair>> Engine::find_closest_pair(const PointsView& points,
-                                                             unsigned threads) {
-  std::optional<ClosestPair> closest;
-  const core::Resources with = state_->resources(threads, points.size());
-  if (auto error = core::check_size(points)) return *std::move(error);
-  const Result<core::Bounds> bounds = core::measure(points, with);
-  if (!bounds) return bounds.error();
-  if (points.size() >= 2) {
+                                                             const RunOptions& run) {
+  using Closest = std::optional<ClosestPair>;
+  return core::unless_stopped([&]() -> Result<Closest> {
+    const core::Resources with = state_->resources(run, points.size());
+    if (auto error = core::check_no_heights(points, core::kPointsName)) return *std::move(error);
+    if (auto error = core::check_size(points)) return *std::move(error);
+    const Result<core::Bounds> bounds = core::measure(points, with);
+    if (!bounds) return bounds.error();
+    if (points.size() < 2) return Closest();
     const core::IdPair pair = core::closest_pair(points, *bounds, with);
-    closest = {pair.first, pair.second, distance(points[pair.first], points[pair.second])};
-  }
-  return closest;
+    return Closest({pair.first, pair.second, distance(points[pair.first], points[pair.second])});
+  });
 }
 
 Result<std::optional<ClosestPair>> Engine::find_closest_pair_between(const PointsView& points,
                                                                      const PointsView& others,
-                                                                     unsigned threads) {
-  std::optional<ClosestPair> closest;
-  const Status status =
-      state_->run(points, others, threads, [&](const auto& domain, const auto& with) {
-        closest = search::find_closest_between(domain, with, state_->tuning, state_->nearest);
-        return kDone;
-      });
-  if (!status) return status.error();
-  return closest;
+                                                                     const RunOptions& run) {
+  using Closest = std::optional<ClosestPair>;
+  return core::unless_stopped([&]() -> Result<Closest> {
+    if (auto error = core::check_no_heights(points, core::kPointsName)) return *std::move(error);
+    if (auto error = core::check_no_heights(others, core::kOthersName)) return *std::move(error);
+    Closest closest;
+    const Status status =
+        state_->run(points, others, run, [&](const auto& domain, const auto& with) {
+          closest = search::find_closest_between(domain, with, state_->tuning, state_->nearest);
+          return kDone;
+        });
+    if (!status) return status.error();
+    return closest;
+  });
 }
 
 }  // namespace beespace

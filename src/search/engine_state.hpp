@@ -3,6 +3,7 @@
 
 #include "base/crew_size.hpp"
 #include "base/resources.hpp"
+#include "base/stopping.hpp"
 #include "exact/validate.hpp"
 #include "search/cylinder_search.hpp"
 #include "search/search_domain.hpp"
@@ -22,25 +23,27 @@ class Engine::EngineState {
  public:
   explicit EngineState(Crew* lent) : lent_(lent) {}
 
-  // Threads and memory for a search of so many points.
-  core::Resources resources(unsigned threads, std::size_t points) {
+  // Threads and memory for a search of so many points. `how` says how many threads there are and
+  // what ends it early: it must outlive the search.
+  template <class Options>
+  core::Resources resources(const Options& how, std::size_t points) {
     memory_.start_call();
-    return {crew(threads, points), memory_};
+    return {stoppable_.emplace(crew(how.threads, points), how.stop), memory_};
   }
   core::Memory& memory() { return memory_; }
 
   // Measures the points and calls search(domain, resources), whose Status it returns.
-  template <class Search>
-  Status run(const PointsView& points, unsigned threads, Search&& search) {
-    const core::Resources with = resources(threads, points.size());
+  template <class Options, class Search>
+  Status run(const PointsView& points, const Options& how, Search&& search) {
+    const core::Resources with = resources(how, points.size());
     const Result<search::SearchDomain> domain = search::SearchDomain::of(points, with);
     if (!domain) return domain.error();
     return search(*domain, with);
   }
-  template <class Search>
-  Status run(const PointsView& points, const PointsView& others, unsigned threads,
+  template <class Options, class Search>
+  Status run(const PointsView& points, const PointsView& others, const Options& how,
              Search&& search) {
-    const core::Resources with = resources(threads, std::max(points.size(), others.size()));
+    const core::Resources with = resources(how, std::max(points.size(), others.size()));
     const Result<search::SearchDomain> domain = search::SearchDomain::of(points, others, with);
     if (!domain) return domain.error();
     return search(*domain, with);
@@ -49,23 +52,23 @@ class Engine::EngineState {
   // Checks a search with a vertical threshold and calls search(CylinderSearch), whose answer it
   // returns. `others` is null for one swarm.
   template <class Search>
-  auto run_cylinder(const PointsView& points, const PointsView* others,
-                    const SearchOptions& options, Search&& search)
+  auto run_cylinder(const PointsView& points, const PointsView* others, const PairOptions& options,
+                    Search&& search)
       -> decltype(search(std::declval<const search::CylinderSearch&>())) {
     const bool between = others != nullptr;
     if (auto error = core::check_options(options)) return *std::move(error);
-    if (auto error = between ? core::check_vertical(options, points.size(), others->size())
-                             : core::check_vertical(options, points.size())) {
+    if (auto error = between ? core::check_vertical(options, points, *others)
+                             : core::check_vertical(options, points)) {
       return *std::move(error);
     }
-    if (auto error = core::check_set(points, between ? core::kPointsName : "")) {
+    if (auto error = core::check_set(points, core::kPointsName)) {
       return *std::move(error);
     }
     if (between) {
       if (auto error = core::check_set(*others, core::kOthersName)) return *std::move(error);
     }
     const std::size_t most = std::max(points.size(), between ? others->size() : 0);
-    const core::Resources with = resources(options.threads, most);
+    const core::Resources with = resources(options, most);
     return search(search::CylinderSearch(points, others, options, with, tuning));
   }
 
@@ -90,6 +93,7 @@ class Engine::EngineState {
   Crew alone_;
   std::optional<ThreadCrew> own_;
   unsigned asked_for_ = 0;
+  std::optional<core::StoppableCrew> stoppable_;  // of the call under way
 };
 
 }  // namespace beespace

@@ -37,13 +37,13 @@ Result<std::vector<PointId>> find_at_risk_between(const PointsView& points,
   });
 }
 
-Result<std::vector<Pair>> find_pairs(const PointsView& points, const SearchOptions& options) {
+Result<std::vector<Pair>> find_pairs(const PointsView& points, const PairOptions& options) {
   return answer_of<std::vector<Pair>>(
       [&](Engine& engine, auto& answer) { return engine.find_pairs(points, options, answer); });
 }
 
 Result<std::vector<Pair>> find_pairs_between(const PointsView& points, const PointsView& others,
-                                             const SearchOptions& options) {
+                                             const PairOptions& options) {
   return answer_of<std::vector<Pair>>([&](Engine& engine, auto& answer) {
     return engine.find_pairs_between(points, others, options, answer);
   });
@@ -54,13 +54,13 @@ Result<bool> visit_pairs(const PointsView& points, const SearchOptions& options,
   return Engine().visit_pairs(points, options, visit);
 }
 
-Result<IdRows> find_neighbors(const PointsView& points, const SearchOptions& options) {
+Result<IdRows> find_neighbors(const PointsView& points, const PairOptions& options) {
   return answer_of<IdRows>(
       [&](Engine& engine, auto& answer) { return engine.find_neighbors(points, options, answer); });
 }
 
 Result<IdRows> find_neighbors_between(const PointsView& points, const PointsView& others,
-                                      const SearchOptions& options) {
+                                      const PairOptions& options) {
   return answer_of<IdRows>([&](Engine& engine, auto& answer) {
     return engine.find_neighbors_between(points, others, options, answer);
   });
@@ -87,15 +87,14 @@ Result<IdRows> find_conflict_groups(const PointsView& points, const SearchOption
   });
 }
 
-Result<std::vector<Nearest>> find_nearest(const PointsView& points, unsigned threads) {
+Result<std::vector<Nearest>> find_nearest(const PointsView& points, const RunOptions& run) {
   return answer_of<std::vector<Nearest>>(
-      [&](Engine& engine, auto& answer) { return engine.find_nearest(points, answer, threads); });
+      [&](Engine& engine, auto& answer) { return engine.find_nearest(points, answer, run); });
 }
 
-Result<NearestRows> find_k_nearest(const PointsView& points, std::size_t k, unsigned threads) {
-  return answer_of<NearestRows>([&](Engine& engine, auto& answer) {
-    return engine.find_k_nearest(points, k, answer, threads);
-  });
+Result<NearestRows> find_k_nearest(const PointsView& points, std::size_t k, const RunOptions& run) {
+  return answer_of<NearestRows>(
+      [&](Engine& engine, auto& answer) { return engine.find_k_nearest(points, k, answer, run); });
 }
 
 Result<std::vector<Nearest>> find_nearest_within(const PointsView& points,
@@ -106,9 +105,9 @@ Result<std::vector<Nearest>> find_nearest_within(const PointsView& points,
 }
 
 Result<std::vector<Nearest>> find_nearest_between(const PointsView& points,
-                                                  const PointsView& others, unsigned threads) {
+                                                  const PointsView& others, const RunOptions& run) {
   return answer_of<std::vector<Nearest>>([&](Engine& engine, auto& answer) {
-    return engine.find_nearest_between(points, others, answer, threads);
+    return engine.find_nearest_between(points, others, answer, run);
   });
 }
 
@@ -120,14 +119,15 @@ Result<std::vector<Nearest>> find_nearest_within_between(const PointsView& point
   });
 }
 
-Result<std::optional<ClosestPair>> find_closest_pair(const PointsView& points, unsigned threads) {
-  return Engine().find_closest_pair(points, threads);
+Result<std::optional<ClosestPair>> find_closest_pair(const PointsView& points,
+                                                     const RunOptions& run) {
+  return Engine().find_closest_pair(points, run);
 }
 
 Result<std::optional<ClosestPair>> find_closest_pair_between(const PointsView& points,
                                                              const PointsView& others,
-                                                             unsigned threads) {
-  return Engine().find_closest_pair_between(points, others, threads);
+                                                             const RunOptions& run) {
+  return Engine().find_closest_pair_between(points, others, run);
 }
 
 std::vector<double> pair_distances(const PointsView& points, std::span<const Pair> pairs) {

@@ -24,7 +24,7 @@ constexpr double kCrowded = 25.0;
 
 using Roots = core::Buffer<std::uint32_t>;  // by id
 
-void find_roots_in_grid(const SearchDomain& domain, const SearchOptions& options,
+void find_roots_in_grid(const SearchDomain& domain, const PairOptions& options,
                         const core::Resources& with, const TuningOverrides& tuning,
                         Roots& root_of) {
   const QueryGrids grids(domain, options, with, tuning);
@@ -41,7 +41,7 @@ void find_roots_in_grid(const SearchDomain& domain, const SearchOptions& options
 
 // For every one of `points` the slot that is the root of its set.
 void find_roots_in_tree(const PointsView& points, const SearchDomain& domain,
-                        const SearchOptions& options, const core::Resources& with,
+                        const PairOptions& options, const core::Resources& with,
                         const TuningOverrides& tuning, Roots& root_of) {
   const core::Lattice lattice(domain.sets(), domain.bounds(), options.threshold_m, with.memory,
                               tuning.fold_beyond_cells);
@@ -56,8 +56,8 @@ void find_roots_in_tree(const PointsView& points, const SearchDomain& domain,
   });
 }
 
-void find_roots(const SearchDomain& domain, const SearchOptions& options,
-                const core::Resources& with, const TuningOverrides& tuning, Roots& root_of) {
+void find_roots(const SearchDomain& domain, const PairOptions& options, const core::Resources& with,
+                const TuningOverrides& tuning, Roots& root_of) {
   if (!is_crowded(domain, options.threshold_m, kCrowded, tuning)) {
     return find_roots_in_grid(domain, options, with, tuning, root_of);
   }
@@ -97,7 +97,7 @@ void write_groups(const Roots& root_of, std::size_t size, const core::Resources&
   }
 }
 
-void find_conflict_groups(const SearchDomain& domain, const SearchOptions& options,
+void find_conflict_groups(const SearchDomain& domain, const PairOptions& options,
                           const core::Resources& with, const TuningOverrides& tuning,
                           IdRows& groups) {
   const std::size_t size = domain.points().size();

@@ -11,7 +11,7 @@
 namespace beespace::search {
 
 // Of a domain without others.
-void find_conflict_groups(const SearchDomain& domain, const SearchOptions& options,
+void find_conflict_groups(const SearchDomain& domain, const PairOptions& options,
                           const core::Resources& with, const TuningOverrides& tuning,
                           IdRows& groups);
 

@@ -22,7 +22,7 @@ constexpr std::size_t kFew = 16;
 
 class NearestSearch {
  public:
-  NearestSearch(const SearchDomain& domain, const std::optional<SearchOptions>& within,
+  NearestSearch(const SearchDomain& domain, const std::optional<PairOptions>& within,
                 const core::Resources& with, const TuningOverrides& tuning,
                 std::vector<Nearest>& nearest)
       : domain_(domain),
@@ -74,26 +74,26 @@ class NearestSearch {
     const PointsView& points = domain_.points();
     const std::size_t slots = std::bit_ceil(points.size() * 2);
     core::Buffer<PointId> first_at(with_.memory, slots);
-    std::fill_n(first_at.data(), slots, Nearest::kNobody);
+    std::fill_n(first_at.data(), slots, Nearest::kNone);
     candidates_.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Point p = points[i];
       std::size_t slot = core::hash_place(p) & (slots - 1);
-      while (first_at[slot] != Nearest::kNobody && points[first_at[slot]] != p) {
+      while (first_at[slot] != Nearest::kNone && points[first_at[slot]] != p) {
         slot = (slot + 1) & (slots - 1);
       }
       const auto id = static_cast<PointId>(i);
       const PointId first = first_at[slot];
-      if (first == Nearest::kNobody) {
+      if (first == Nearest::kNone) {
         first_at[slot] = id;
         candidates_.push_back(id);
         continue;
       }
       nearest_[id] = {first, 0.0};
-      if (nearest_[first].id == Nearest::kNobody) nearest_[first] = {id, 0.0};
+      if (nearest_[first].id == Nearest::kNone) nearest_[first] = {id, 0.0};
     }
     for (const PointId id : candidates_) {
-      if (nearest_[id].id == Nearest::kNobody) open_.push_back(id);
+      if (nearest_[id].id == Nearest::kNone) open_.push_back(id);
     }
   }
 
@@ -183,7 +183,7 @@ class NearestSearch {
         if (all_open && i + kAhead < end) prefetch_found(static_cast<PointId>(i + kAhead));
         const PointId id = all_open ? static_cast<PointId>(i) : open_[i];
         const PointId found = ids_[id];
-        if (found != Nearest::kNobody) {
+        if (found != Nearest::kNone) {
           // As the caller has them, not as they are turned: sums of squares round differently.
           const Point p = points[id];
           const Point q = others[found];
@@ -201,7 +201,7 @@ class NearestSearch {
 
   void prefetch_found(PointId id) const {
     const PointId found = ids_[id];
-    if (found == Nearest::kNobody) return;
+    if (found == Nearest::kNone) return;
     const auto* place = static_cast<const std::byte*>(domain_.others().axes()[0]);
     __builtin_prefetch(place +
                        static_cast<std::ptrdiff_t>(found) * domain_.others().stride_bytes()[0]);
@@ -218,21 +218,21 @@ class NearestSearch {
     const PointsView& others = domain_.others();
     for (const PointId id : open_) {
       const Point place = points[id];
-      PointId best = Nearest::kNobody;
+      PointId best = Nearest::kNone;
       double surely_farther = std::numeric_limits<double>::infinity();
       for (std::size_t j = 0; j < others.size(); ++j) {
         const double squared = core::squared_distance(place, others[j]);
         if (squared > surely_farther) continue;
         const auto other = static_cast<PointId>(j);
         if (!domain_.has_others() && other == id) continue;
-        if (best != Nearest::kNobody &&
+        if (best != Nearest::kNone &&
             core::compare_distances(place, others[other], place, others[best]) >= 0) {
           continue;  // ids ascend, so a tie stays with the lower one
         }
         best = other;
         surely_farther = squared * (1.0 + 0x1p-49);  // both carry at most 5 * 2^-53
       }
-      if (best == Nearest::kNobody) continue;
+      if (best == Nearest::kNone) continue;
       if (within_ &&
           !core::ProximityTest(within_->threshold_m, within_->inclusive)(place, others[best])) {
         continue;
@@ -244,7 +244,7 @@ class NearestSearch {
   const SearchDomain& domain_;
   const core::Resources& with_;
   const TuningOverrides& tuning_;
-  const std::optional<SearchOptions>& within_;
+  const std::optional<PairOptions>& within_;
   double farthest_;
   std::vector<Nearest>& nearest_;
   core::Buffer<PointId> ids_;
@@ -255,7 +255,7 @@ class NearestSearch {
 
 }  // namespace
 
-void find_nearest(const SearchDomain& domain, const std::optional<SearchOptions>& within,
+void find_nearest(const SearchDomain& domain, const std::optional<PairOptions>& within,
                   const core::Resources& with, const TuningOverrides& tuning,
                   std::vector<Nearest>& nearest) {
   NearestSearch(domain, within, with, tuning, nearest).run();
@@ -271,7 +271,7 @@ std::optional<ClosestPair> find_closest_between(const SearchDomain& domain,
   std::optional<ClosestPair> closest;
   for (PointId id = 0; id < nearest.size(); ++id) {
     const Nearest& found = nearest[id];
-    if (found.id == Nearest::kNobody) continue;
+    if (found.id == Nearest::kNone) continue;
     if (closest && core::compare_distances(points[id], others[found.id], points[closest->first],
                                            others[closest->second]) >= 0) {
       continue;  // ids ascend, so a tie stays with the lower ones

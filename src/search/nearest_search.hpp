@@ -18,7 +18,7 @@ namespace beespace::search {
 
 // For each of the domain's points its nearest other, or its nearest of the domain's others; within
 // the options' threshold if there are options.
-void find_nearest(const SearchDomain& domain, const std::optional<SearchOptions>& within,
+void find_nearest(const SearchDomain& domain, const std::optional<PairOptions>& within,
                   const core::Resources& with, const TuningOverrides& tuning,
                   std::vector<Nearest>& nearest);
 

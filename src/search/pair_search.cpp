@@ -25,7 +25,7 @@ constexpr double kCrowded = 260.0;
 // faster than pairs that are brought into order. Measured.
 constexpr double kLongRows = 20.0;
 
-core::Vector<core::FoundPairs> collect(const SearchDomain& domain, const SearchOptions& options,
+core::Vector<core::FoundPairs> collect(const SearchDomain& domain, const PairOptions& options,
                                        const core::Resources& with, const TuningOverrides& tuning,
                                        std::uint64_t most) {
   const QueryGrids grids(domain, options, with, tuning);
@@ -35,7 +35,7 @@ core::Vector<core::FoundPairs> collect(const SearchDomain& domain, const SearchO
 // The rows of a domain: where each begins by the id of its point, and how they are written.
 class LongRows {
  public:
-  LongRows(const SearchDomain& domain, const SearchOptions& options, cpu::Which which,
+  LongRows(const SearchDomain& domain, const PairOptions& options, cpu::Which which,
            const core::Resources& with, const TuningOverrides& tuning)
       : with_(with),
         grids_(domain, options, with, tuning),
@@ -71,7 +71,7 @@ class LongRows {
   core::AllFoundRows found_;
 };
 
-Status find_crowded_pairs(const SearchDomain& domain, const SearchOptions& options,
+Status find_crowded_pairs(const SearchDomain& domain, const PairOptions& options,
                           const core::Resources& with, const TuningOverrides& tuning,
                           std::vector<Pair>& pairs) {
   const auto which = domain.has_others() ? cpu::Which::kAll : cpu::Which::kAboveOnly;
@@ -87,7 +87,7 @@ Status find_crowded_pairs(const SearchDomain& domain, const SearchOptions& optio
   return std::monostate{};
 }
 
-Status find_crowded_neighbors(const SearchDomain& domain, const SearchOptions& options,
+Status find_crowded_neighbors(const SearchDomain& domain, const PairOptions& options,
                               const core::Resources& with, const TuningOverrides& tuning,
                               IdRows& neighbors) {
   const LongRows rows(domain, options, cpu::Which::kAll, with, tuning);
@@ -119,7 +119,7 @@ void write_rows(const core::Buffer<Pair>& pairs, std::size_t size, std::size_t r
   for (; next_row <= row_count; ++next_row) rows.offsets[next_row] = size;
 }
 
-Status find_pairs(const SearchDomain& domain, const SearchOptions& options,
+Status find_pairs(const SearchDomain& domain, const PairOptions& options,
                   const core::Resources& with, const TuningOverrides& tuning,
                   std::vector<Pair>& pairs) {
   pairs.clear();
@@ -136,14 +136,14 @@ Status find_pairs(const SearchDomain& domain, const SearchOptions& options,
   return std::monostate{};
 }
 
-bool visit_pairs(const SearchDomain& domain, const SearchOptions& options,
+bool visit_pairs(const SearchDomain& domain, const PairOptions& options,
                  const core::Resources& with, const TuningOverrides& tuning,
                  const PairVisitor& visit) {
   const QueryGrids grids(domain, options, with, tuning);
   return cpu::show_pairs(grids.question(), with, visit);
 }
 
-Status find_neighbors(const SearchDomain& domain, const SearchOptions& options,
+Status find_neighbors(const SearchDomain& domain, const PairOptions& options,
                       const core::Resources& with, const TuningOverrides& tuning,
                       IdRows& neighbors) {
   neighbors.offsets.clear();
@@ -164,7 +164,7 @@ Status find_neighbors(const SearchDomain& domain, const SearchOptions& options,
   return std::monostate{};
 }
 
-void count_neighbors(const SearchDomain& domain, const SearchOptions& options,
+void count_neighbors(const SearchDomain& domain, const PairOptions& options,
                      const core::Resources& with, const TuningOverrides& tuning,
                      std::vector<std::uint32_t>& counts) {
   core::resize_for(counts, domain.points().size());

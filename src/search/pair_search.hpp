@@ -16,16 +16,16 @@
 
 namespace beespace::search {
 
-Status find_pairs(const SearchDomain& domain, const SearchOptions& options,
+Status find_pairs(const SearchDomain& domain, const PairOptions& options,
                   const core::Resources& with, const TuningOverrides& tuning,
                   std::vector<Pair>& pairs);
 
 // Of a domain without others.
-bool visit_pairs(const SearchDomain& domain, const SearchOptions& options,
+bool visit_pairs(const SearchDomain& domain, const PairOptions& options,
                  const core::Resources& with, const TuningOverrides& tuning,
                  const PairVisitor& visit);
 
-Status find_neighbors(const SearchDomain& domain, const SearchOptions& options,
+Status find_neighbors(const SearchDomain& domain, const PairOptions& options,
                       const core::Resources& with, const TuningOverrides& tuning,
                       IdRows& neighbors);
 
@@ -33,7 +33,7 @@ Status find_neighbors(const SearchDomain& domain, const SearchOptions& options,
 void write_rows(const core::Buffer<Pair>& pairs, std::size_t size, std::size_t row_count,
                 const core::Resources& with, IdRows& rows);
 
-void count_neighbors(const SearchDomain& domain, const SearchOptions& options,
+void count_neighbors(const SearchDomain& domain, const PairOptions& options,
                      const core::Resources& with, const TuningOverrides& tuning,
                      std::vector<std::uint32_t>& counts);
 

@@ -7,7 +7,7 @@
 
 namespace beespace::search {
 
-QueryGrids::QueryGrids(const SearchDomain& domain, const SearchOptions& options,
+QueryGrids::QueryGrids(const SearchDomain& domain, const PairOptions& options,
                        const core::Resources& with, const TuningOverrides& tuning)
     : domain_(domain),
       closer_(options.threshold_m, options.inclusive),

@@ -16,7 +16,7 @@ namespace beespace::search {
 
 class QueryGrids {
  public:
-  QueryGrids(const SearchDomain& domain, const SearchOptions& options, const core::Resources& with,
+  QueryGrids(const SearchDomain& domain, const PairOptions& options, const core::Resources& with,
              const TuningOverrides& tuning);
   QueryGrids(const QueryGrids&) = delete;
   QueryGrids& operator=(const QueryGrids&) = delete;

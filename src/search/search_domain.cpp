@@ -39,11 +39,11 @@ Order longest_first(const core::Bounds& bounds) {
 Result<core::Bounds> measured(const PointsView& points, const char* name,
                               const core::Resources& with) {
   if (auto error = core::check_size(points)) {
-    error->place.source = name;
+    error->place.array = name;
     return *std::move(error);
   }
   Result<core::Bounds> bounds = core::measure(points, with);
-  if (!bounds) bounds.error().place.source = name;
+  if (!bounds) bounds.error().place.array = name;
   return bounds;
 }
 
@@ -68,7 +68,7 @@ PointsView SearchDomain::turned(const PointsView& points) const {
 }
 
 Result<SearchDomain> SearchDomain::of(const PointsView& points, const core::Resources& with) {
-  const Result<core::Bounds> bounds = measured(points, "", with);
+  const Result<core::Bounds> bounds = measured(points, core::kPointsName, with);
   if (!bounds) return bounds.error();
   return of(points, *bounds, with);
 }

@@ -1,5 +1,7 @@
 #include "sweep/collect_pairs.hpp"
 
+#include "base/stopping.hpp"
+
 #include <algorithm>
 #include <atomic>
 #include <mutex>
@@ -39,7 +41,7 @@ class Collector {
     chunk_ = &found_.open_chunk();
     const auto make_room = [](void* context) {
       auto& self = *static_cast<Collector*>(context);
-      const bool go_on = self.close();
+      const bool go_on = self.close() && !core::is_stopping();
       self.open();
       return go_on;
     };

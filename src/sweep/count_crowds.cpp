@@ -1,4 +1,5 @@
 #include "sweep/count_crowds.hpp"
+#include "base/stopping.hpp"
 
 #include "grid/near_pairs.hpp"
 #include "kernels/crowd_kernels.hpp"
@@ -239,7 +240,9 @@ void count_crowds(const CrowdQuery& question, const core::Resources& with, std::
     if (next >= asked.nodes(0)) return;
     if (!tally) tally.emplace(asked, with.memory);
     Counter counter(question, asked_weights, other_weights, *tally, with.memory);
-    for (std::size_t node = next++; node < asked.nodes(0); node = next++) counter.count(node);
+    for (std::size_t node = next++; node < asked.nodes(0) && !core::is_stopping(); node = next++) {
+      counter.count(node);
+    }
   });
   write_counts(asked, tallies, with, counts);
 }

@@ -42,18 +42,18 @@ class NearestAll {
     // The kernel has no limits: each point that it compares counts, and surely so.
     SweepQuery everything = question_;
     everything.limits = {kFar, kFar};
-    const auto nobody = [this](Range points) {
-      for (std::uint32_t i = points.begin; i < points.end; ++i) result_of(i) = Nearest::kNobody;
+    const auto clear = [this](Range points) {
+      for (std::uint32_t i = points.begin; i < points.end; ++i) result_of(i) = Nearest::kNone;
     };
     std::uint32_t next = begin;
     RowSweeps rows(everything, {nullptr, nullptr}, RowSweeps::Around::kAllRows);
     rows.for_each(begin, end, [&](const Sweep& row) {
-      nobody({next, row.points.begin});  // of rows without neighbours
+      clear({next, row.points.begin});  // of rows without neighbours
       next = row.points.end;
       ask_row(row);
       return true;
     });
-    nobody({next, end});
+    clear({next, end});
   }
 
  private:
@@ -74,7 +74,7 @@ class NearestAll {
       const std::uint32_t place = i - points.begin;
       const float best = batch_.best[place];
       if (best == kFar) {
-        result_of(i) = Nearest::kNobody;
+        result_of(i) = Nearest::kNone;
       } else if (batch_.second[place] > not_surely_farther(best)) [[likely]] {
         result_of(i) = question_.others.grid.id[batch_.who[place]];
       } else {
@@ -94,11 +94,11 @@ class NearestAll {
     }
     const PointId asking = grid.id[i];
     const Point place = question_.asked.point(i);
-    PointId best = Nearest::kNobody;
+    PointId best = Nearest::kNone;
     around_.any_near(i, farthest, [&](std::uint32_t j, float) {
       const PointId id = question_.others.grid.id[j];
       if (question_.same_set && id == asking) return false;
-      if (best != Nearest::kNobody) {
+      if (best != Nearest::kNone) {
         const int sign = core::compare_distances(place, question_.others.points[id], place,
                                                  question_.others.points[best]);
         if (sign > 0 || (sign == 0 && id > best)) return false;

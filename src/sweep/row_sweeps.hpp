@@ -1,6 +1,7 @@
 // The rows that each row is swept against: gives the kernels their work, row by row.
 #pragma once
 
+#include "base/stopping.hpp"
 #include "exact/exact_distance.hpp"
 #include "grid/sorted_grid.hpp"
 #include "kernels/sweep.hpp"
@@ -83,6 +84,7 @@ class RowSweeps {
       find_targets(asked_.row_number[row]);
       begin = sweep_.points.end;
       if (nobody_to_meet()) continue;
+      if (core::is_stopping()) return;
       if (!visit(static_cast<const Sweep&>(sweep_))) return;
     }
   }

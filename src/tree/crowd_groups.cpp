@@ -1,4 +1,5 @@
 #include "tree/crowd_groups.hpp"
+#include "base/stopping.hpp"
 
 #include "grid/near_pairs.hpp"
 
@@ -241,7 +242,9 @@ template <class Visit>
 void share_nodes(const CrowdTree& tree, unsigned level, const Resources& with, Visit&& visit) {
   std::atomic<std::size_t> next{0};
   with.crew.run([&](unsigned) {
-    for (std::size_t node = next++; node < tree.nodes(level); node = next++) visit(node);
+    for (std::size_t node = next++; node < tree.nodes(level) && !is_stopping(); node = next++) {
+      visit(node);
+    }
   });
 }
 

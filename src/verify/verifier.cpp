@@ -167,6 +167,7 @@ class __attribute__((visibility("hidden"))) Verifier::State {
         2.0 * options_.threshold_m + 2.0 * bulge_m + 4.0 * rounded_m + 0x1p-98 * (1.0 + lasts_s);
     around.horizon_s = lasts_s * (1.0 + 0x1p-50);
     around.threads = options_.threads;
+    around.stop = options_.stop;
     if (Status found = engine_.predict_pairs(chords_, around, pairs_); !found) return found;
     check_limits(begin_s, lasts_s, rounded_m,
                  0x1p-52 * std::max(std::abs(begin_s), std::abs(end_s)));

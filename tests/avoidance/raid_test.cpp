@@ -29,7 +29,7 @@ std::vector<IntruderConflict> conflicts_of(const Flock& flock, const Advised& ad
   for (PointId bee = 0; bee < flock.size(); ++bee) {
     const Mover mover{flock.movers[bee].position, advised.advice[bee].velocity};
     for (std::size_t k = 0; k < intruders.size(); ++k) {
-      const auto approach = closest_approach(mover, intruders[k], options);
+      const auto approach = closest_approach(mover, intruders[k], options.approach());
       EXPECT_TRUE(approach);
       if (!approach || !approach->conflict) continue;
       conflicts.push_back({bee, k, approach->conflict->begins_s, approach->closest_m});

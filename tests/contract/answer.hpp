@@ -52,7 +52,7 @@ inline Answer flat(const std::optional<ClosestPair>& pair) {
 inline Answer flat(const Error& error) {
   Answer answer = {~std::uint64_t{0}, static_cast<std::uint64_t>(error.code),
                    error.place.record.value_or(~std::uint64_t{0})};
-  answer.insert(answer.end(), error.place.source.begin(), error.place.source.end());
+  answer.insert(answer.end(), error.place.array.begin(), error.place.array.end());
   return answer;
 }
 

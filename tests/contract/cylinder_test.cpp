@@ -112,9 +112,9 @@ PairVisitor into(std::vector<Pair>& pairs) {
 }
 
 Answers by_functions(const CylinderScene& scene, const SearchOptions& options) {
-  const PointsView points = scene.points;
+  const PointsView points = scene.view();
   if (scene.two_sets) {
-    const PointsView others = scene.others;
+    const PointsView others = scene.other_view();
     return {{"at risk", flat(find_at_risk_between(points, others, options))},
             {"counts", flat(count_neighbors_between(points, others, options))},
             {"pairs", flat(find_pairs_between(points, others, options))},
@@ -134,9 +134,9 @@ Answers by_functions(const CylinderScene& scene, const SearchOptions& options) {
 
 Answers by_brute_force(const CylinderScene& scene, const SearchOptions& options) {
   namespace brute = brute_force;
-  const PointsView points = scene.points;
+  const PointsView points = scene.view();
   if (scene.two_sets) {
-    const PointsView others = scene.others;
+    const PointsView others = scene.other_view();
     return {{"at risk", flat(brute::find_at_risk_between(points, others, options))},
             {"counts", flat(brute::count_neighbors_between(points, others, options))},
             {"pairs", flat(brute::find_pairs_between(points, others, options))},
@@ -159,8 +159,8 @@ Answers by_method(const CylinderScene& scene, const SearchOptions& options,
   const core::Resources with{crew, memory};
   TuningOverrides tuning;
   tuning.crowds = crowds;
-  const PointsView points = scene.points;
-  const PointsView others = scene.others;
+  const PointsView points = scene.view();
+  const PointsView others = scene.other_view();
   const search::CylinderSearch search(points, scene.two_sets ? &others : nullptr, options, with,
                                       tuning);
   std::vector<PointId> ids;
@@ -357,7 +357,7 @@ TEST_P(CornerEncounters, AreAllFound) {
       const core::Resources with{crew, memory};
       TuningOverrides tuning;
       tuning.crowds = crowds;
-      const PointsView points = scene.points;
+      const PointsView points = scene.view();
       std::vector<Pair> pairs;
       const search::CylinderSearch search(points, nullptr, options, with, tuning);
       ASSERT_TRUE(search.find_pairs(pairs));
@@ -400,7 +400,7 @@ TEST(CylinderContract, AtTheBordersOfCells) {
         const core::Resources with{crew, memory};
         TuningOverrides tuning;
         tuning.crowds = TuningOverrides::Crowds::kNever;
-        const PointsView points = scene.points;
+        const PointsView points = scene.view();
         const SearchOptions options = scene.options(false);
         std::vector<Pair> pairs;
         const search::CylinderSearch search(points, nullptr, options, with, tuning);
@@ -452,7 +452,7 @@ TEST(CylinderContract, TheNearestIsNearestByTheStraightLine) {
   EXPECT_EQ((*nearest)[0].id, 2U) << "not 1, which is nearer horizontally";
   CylinderScene feet = apart(scene, 0.3048);
   feet.points = {{0, 0, 0}, {0, 0, 1}, {0, 0, 5}, {0, 0, 0}};
-  const auto in_feet = find_nearest_within(feet.points, feet.options(false));
+  const auto in_feet = find_nearest_within(feet.view(), feet.options(false));
   ASSERT_TRUE(in_feet);
   EXPECT_EQ((*in_feet)[0].id, 1U) << "9 feet are 2.7 m";
   EXPECT_EQ((*in_feet)[0].distance_m, std::sqrt(1.0 + (9 * 0.3048) * (9 * 0.3048)));
@@ -465,7 +465,7 @@ TEST(CylinderContract, TooManyResultsAreRefused) {
   scene.points = make.box(300, {0, 0, 0}, {9, 9, 9});
   scene.threshold_m = 3.0;
   scene.vertical_m = 2.0;
-  SearchOptions options = scene.options(false);
+  PairOptions options = scene.options(false);
   const std::size_t pairs = find_pairs(scene.points, options).value().size();
   options.max_results = pairs;
   EXPECT_TRUE(find_pairs(scene.points, options));
@@ -516,30 +516,53 @@ TEST(CylinderRefusals, SayWhichSetAndWhichHeight) {
   const std::vector<Point> three = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
   const std::vector<double> of_two = {1, 2};
   const std::vector<double> bad = {1, 2, std::nan("")};
-  SearchOptions options{.threshold_m = 5.0, .vertical_m = 5.0, .heights_m = of_two};
-  const auto refused = [&](ErrorCode code, const std::string& source) {
-    const auto found = find_pairs_between(two, three, options);
-    const auto brute = brute_force::find_pairs_between(two, three, options);
+  using Heights = std::vector<double>;
+  SearchOptions options{.threshold_m = 5.0, .vertical_m = 5.0};
+  const auto refused = [&](const Heights& ours, const Heights& theirs, ErrorCode code,
+                           const std::string& array) {
+    const PointsView points = PointsView(two).with_heights(ours);
+    const PointsView others = PointsView(three).with_heights(theirs);
+    const auto found = find_pairs_between(points, others, options);
+    const auto brute = brute_force::find_pairs_between(points, others, options);
     ASSERT_FALSE(found);
     ASSERT_FALSE(brute);
     EXPECT_EQ(found.error().code, code);
-    EXPECT_EQ(found.error().place.source, source);
+    EXPECT_EQ(found.error().place.array, array);
     EXPECT_EQ(flat(found.error()), flat(brute.error()));
   };
-  refused(ErrorCode::kInvalidArgument, "others");  // no heights of the others
-  options.other_heights_m = of_two;
-  refused(ErrorCode::kInvalidArgument, "others");
-  options.other_heights_m = bad;
-  refused(ErrorCode::kNotFinite, "others");
-  options.heights_m = {};
-  refused(ErrorCode::kInvalidArgument, "points");
-  options.other_heights_m = {};
+  refused(of_two, {}, ErrorCode::kInvalidArgument, "others");  // no heights of the others
+  refused(of_two, of_two, ErrorCode::kInvalidArgument, "others");
+  refused(of_two, bad, ErrorCode::kNotFinite, "others");
+  refused({}, bad, ErrorCode::kInvalidArgument, "points");
   options.height_unit_m = 0.3048;  // of z
-  refused(ErrorCode::kInvalidArgument, "");
+  refused({}, {}, ErrorCode::kInvalidArgument, "");
   options.height_unit_m = 1.0;
   EXPECT_TRUE(find_pairs_between(two, three, options));
-  options.other_heights_m = of_two;  // of one swarm
-  EXPECT_EQ(find_pairs(two, options).error().code, ErrorCode::kInvalidArgument);
+  options.vertical_m.reset();
+  refused(of_two, {1, 2, 3}, ErrorCode::kInvalidArgument, "");
+}
+
+// A search without a vertical threshold does not pass over heights in silence.
+TEST(CylinderRefusals, OfHeightsThatNothingCompares) {
+  const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}};
+  const std::vector<double> heights = {1, 2};
+  const PointsView apart = PointsView(points).with_heights(heights);
+  const auto refused = [](const auto& found, const char* array) {
+    ASSERT_FALSE(found);
+    EXPECT_EQ(found.error().code, ErrorCode::kInvalidArgument);
+    EXPECT_EQ(found.error().place.array, array);
+  };
+  refused(find_nearest(apart), "points");
+  refused(find_nearest_between(points, apart), "others");
+  refused(find_k_nearest(apart, 1), "points");
+  refused(find_closest_pair(apart), "points");
+  refused(find_closest_pair_between(points, apart), "others");
+  refused(brute_force::find_nearest(apart), "points");
+  refused(Index::build(apart), "points");
+  const Index index = *Index::build(points);
+  refused(index.find_around(apart, {1.0}), "places");
+  refused(index.k_nearest(apart, 1), "places");
+  refused(predict_pairs(MoversView(apart, points), {.threshold_m = 1.0}), "");
 }
 
 }  // namespace

@@ -19,20 +19,20 @@ class EngineAndAnswers {
       : crew_(std::move(crew)), engine_(crew_ ? Engine(*crew_) : Engine()), threads_(threads) {}
 
   Answer ask(const Inquiry& inquiry) {
-    SearchOptions options = inquiry.options;
+    PairOptions options = inquiry.options;
     options.threads = threads_;
     const Subject& subject = *inquiry.subject;
     if (subject.two_sets) {
-      return ask_two_sets(inquiry.question, subject.points, subject.others, options);
+      return ask_two_sets(inquiry.question, subject.view(), subject.other_view(), options);
     }
-    return ask_one_set(inquiry.question, subject.points, options);
+    return ask_one_set(inquiry.question, subject.view(), options);
   }
 
  private:
-  Answer ask_one_set(Question question, const PointsView& points, const SearchOptions& options) {
+  Answer ask_one_set(Question question, const PointsView& points, const PairOptions& options) {
     switch (question) {
       case Question::kAtRisk:
-        return flat_if(engine_.find_at_risk(points, options, ids_), ids_);
+        return flat_if(engine_.find_at_risk(points, options.without_limit(), ids_), ids_);
       case Question::kPairs:
         return flat_if(engine_.find_pairs(points, options, pairs_), pairs_);
       case Question::kVisitedPairs:
@@ -40,45 +40,50 @@ class EngineAndAnswers {
       case Question::kNeighbors:
         return flat_if(engine_.find_neighbors(points, options, rows_), rows_);
       case Question::kCounts:
-        return flat_if(engine_.count_neighbors(points, options, ids_), ids_);
+        return flat_if(engine_.count_neighbors(points, options.without_limit(), ids_), ids_);
       case Question::kGroups:
-        return flat_if(engine_.find_conflict_groups(points, options, rows_), rows_);
+        return flat_if(engine_.find_conflict_groups(points, options.without_limit(), rows_), rows_);
       case Question::kNearest:
         return flat_if(engine_.find_nearest(points, nearest_, threads_), nearest_);
       case Question::kNearestWithin:
-        return flat_if(engine_.find_nearest_within(points, options, nearest_), nearest_);
+        return flat_if(engine_.find_nearest_within(points, options.without_limit(), nearest_),
+                       nearest_);
       default:
         return flat(engine_.find_closest_pair(points, threads_));
     }
   }
 
   Answer ask_two_sets(Question question, const PointsView& points, const PointsView& others,
-                      const SearchOptions& options) {
+                      const PairOptions& options) {
     switch (question) {
       case Question::kAtRiskBetween:
-        return flat_if(engine_.find_at_risk_between(points, others, options, ids_), ids_);
+        return flat_if(engine_.find_at_risk_between(points, others, options.without_limit(), ids_),
+                       ids_);
       case Question::kPairsBetween:
         return flat_if(engine_.find_pairs_between(points, others, options, pairs_), pairs_);
       case Question::kNeighborsBetween:
         return flat_if(engine_.find_neighbors_between(points, others, options, rows_), rows_);
       case Question::kCountsBetween:
-        return flat_if(engine_.count_neighbors_between(points, others, options, ids_), ids_);
+        return flat_if(
+            engine_.count_neighbors_between(points, others, options.without_limit(), ids_), ids_);
       case Question::kNearestBetween:
         return flat_if(engine_.find_nearest_between(points, others, nearest_, threads_), nearest_);
       case Question::kNearestWithinBetween:
-        return flat_if(engine_.find_nearest_within_between(points, others, options, nearest_),
-                       nearest_);
+        return flat_if(
+            engine_.find_nearest_within_between(points, others, options.without_limit(), nearest_),
+            nearest_);
       default:
         return flat(engine_.find_closest_pair_between(points, others, threads_));
     }
   }
 
-  Answer visited_pairs(const PointsView& points, const SearchOptions& options) {
+  Answer visited_pairs(const PointsView& points, const PairOptions& options) {
     pairs_.clear();
-    const auto finished = engine_.visit_pairs(points, options, [&](std::span<const Pair> batch) {
-      pairs_.insert(pairs_.end(), batch.begin(), batch.end());
-      return true;
-    });
+    const auto finished =
+        engine_.visit_pairs(points, options.without_limit(), [&](std::span<const Pair> batch) {
+          pairs_.insert(pairs_.end(), batch.begin(), batch.end());
+          return true;
+        });
     std::sort(pairs_.begin(), pairs_.end());
     return finished ? flat(pairs_) : flat(finished.error());
   }

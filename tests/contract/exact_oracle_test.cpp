@@ -111,7 +111,7 @@ TEST(Inquiries, ManyPairsAreExactlyAtTheThreshold) {
   for (std::size_t i = 0; i < inquiries().size(); ++i) {
     const Inquiry& inquiry = inquiries()[i];
     if (inquiry.question != Question::kPairs ||
-        inquiry.options.max_results != SearchOptions{}.max_results) {
+        inquiry.options.max_results != PairOptions{}.max_results) {
       continue;
     }
     const std::pair key(inquiry.subject, inquiry.options.threshold_m);

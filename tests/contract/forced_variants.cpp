@@ -44,7 +44,7 @@ class ForcedSearch {
 
  private:
   Answer ask(const Inquiry& inquiry, const search::SearchDomain& domain) {
-    const SearchOptions& options = inquiry.options;
+    const PairOptions& options = inquiry.options;
     switch (inquiry.question) {
       case Question::kAtRisk:
       case Question::kAtRiskBetween:
@@ -81,7 +81,7 @@ class ForcedSearch {
     return {};
   }
 
-  Answer visited_pairs(const search::SearchDomain& domain, const SearchOptions& options) {
+  Answer visited_pairs(const search::SearchDomain& domain, const PairOptions& options) {
     pairs_.clear();
     const bool all =
         search::visit_pairs(domain, options, with_, tuning_, [&](std::span<const Pair> batch) {

@@ -113,7 +113,7 @@ std::vector<Subject> make_subjects() {
   return all;
 }
 
-void add_questions_of_radius(const Subject& subject, const SearchOptions& options,
+void add_questions_of_radius(const Subject& subject, const PairOptions& options,
                              std::vector<Inquiry>& all) {
   if (subject.two_sets) {
     for (const Question question :
@@ -131,7 +131,7 @@ void add_questions_of_radius(const Subject& subject, const SearchOptions& option
 }
 
 // As many results as there are is not too many; one fewer allowed is.
-void add_questions_of_limits(const Subject& subject, SearchOptions options,
+void add_questions_of_limits(const Subject& subject, PairOptions options,
                              std::vector<Inquiry>& all) {
   const std::size_t pairs =
       subject.two_sets
@@ -214,12 +214,12 @@ const std::vector<Inquiry>& inquiries() {
 }
 
 std::string described(const Inquiry& inquiry) {
-  const SearchOptions& options = inquiry.options;
+  const PairOptions& options = inquiry.options;
   char radius[64];
   std::snprintf(radius, sizeof radius, " at %a m, %s", options.threshold_m,
                 options.inclusive ? "inclusive" : "strict");
   std::string text = inquiry.subject->name + ": " + name_of(inquiry.question) + radius;
-  if (options.max_results != SearchOptions{}.max_results) {
+  if (options.max_results != PairOptions{}.max_results) {
     text += ", at most " + std::to_string(options.max_results) + " results";
   }
   return text;

@@ -4,6 +4,7 @@
 #include "tests/support/scene_maker.hpp"
 #include "tests/support/two_set_scenes.hpp"
 
+#include <beespace/points_view.hpp>
 #include <beespace/search_options.hpp>
 
 #include <cstdint>
@@ -41,6 +42,14 @@ struct Subject {
   std::vector<Point> others;
   bool two_sets = false;
   std::vector<double> thresholds;  // the scene's own, and real distances, with an ulp either side
+  // Apart from the positions; mostly none.
+  std::vector<double> heights = {};
+  std::vector<double> other_heights = {};
+
+  [[nodiscard]] PointsView view() const { return PointsView(points).with_heights(heights); }
+  [[nodiscard]] PointsView other_view() const {
+    return PointsView(others).with_heights(other_heights);
+  }
 };
 
 // In the order of the scenes; made once.
@@ -49,7 +58,7 @@ const std::vector<Subject>& subjects();
 struct Inquiry {
   const Subject* subject = nullptr;
   Question question = Question::kAtRisk;
-  SearchOptions options = {};
+  PairOptions options = {};
 };
 
 // All of them, those about the same subject and with the same options next to each other.

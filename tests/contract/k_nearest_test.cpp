@@ -45,9 +45,9 @@ const std::vector<Subject>& scenes() {
     }
     Subject ties{"three places and a cube", {}, {}, false, {}};
     for (int i = 0; i < 120; ++i)
-      ties.points.push_back({double(i % 3), 0.0, i % 2 == 0 ? 0.0 : -0.0});
+      ties.points.push_back({0.0 + i % 3, 0.0, i % 2 == 0 ? 0.0 : -0.0});
     for (int i = 0; i < 64; ++i)
-      ties.points.push_back({double(i % 4), double(i / 4 % 4), double(i / 16)});
+      ties.points.push_back({0.0 + i % 4, 0.0 + i / 4 % 4, 0.0 + i / 16});
     some.push_back(ties);
     some.push_back({"none", {}, {}, false, {}});
     some.push_back({"one", {{1, 2, 3}}, {}, false, {}});

@@ -125,8 +125,8 @@ TEST_F(Properties, TheQuestionsAgreeWithEachOther) {
       const auto nearest = *find_nearest_within(scene.points, options);
       for (PointId i = 0; i < rows.size(); ++i) {
         const bool is_neighbour = std::binary_search(rows[i].begin(), rows[i].end(), nearest[i].id);
-        ASSERT_EQ(nearest[i].id != Nearest::kNobody, is_neighbour) << i;
-        ASSERT_EQ(nearest[i].id == Nearest::kNobody, rows[i].empty()) << i;
+        ASSERT_EQ(nearest[i].id != Nearest::kNone, is_neighbour) << i;
+        ASSERT_EQ(nearest[i].id == Nearest::kNone, rows[i].empty()) << i;
       }
     }
   });

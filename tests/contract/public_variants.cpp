@@ -10,14 +10,15 @@ namespace beespace::test {
 
 namespace {
 
-Answer visited_pairs(const PointsView& points, const SearchOptions& options) {
+Answer visited_pairs(const PointsView& points, const PairOptions& options) {
   std::vector<Pair> pairs;
   bool batches_fit = true;
-  const Result<bool> finished = visit_pairs(points, options, [&](std::span<const Pair> batch) {
-    batches_fit = batches_fit && !batch.empty() && batch.size() <= kMostPairsAtOnce;
-    pairs.insert(pairs.end(), batch.begin(), batch.end());
-    return true;
-  });
+  const Result<bool> finished =
+      visit_pairs(points, options.without_limit(), [&](std::span<const Pair> batch) {
+        batches_fit = batches_fit && !batch.empty() && batch.size() <= kMostPairsAtOnce;
+        pairs.insert(pairs.end(), batch.begin(), batch.end());
+        return true;
+      });
   if (!finished) return flat(finished.error());
   if (!*finished || !batches_fit) return {0, 0, 0};
   std::sort(pairs.begin(), pairs.end());
@@ -25,29 +26,29 @@ Answer visited_pairs(const PointsView& points, const SearchOptions& options) {
 }
 
 Answer ask_two_sets(Question question, const PointsView& points, const PointsView& others,
-                    const SearchOptions& options) {
+                    const PairOptions& options) {
   switch (question) {
     case Question::kAtRiskBetween:
-      return flat(find_at_risk_between(points, others, options));
+      return flat(find_at_risk_between(points, others, options.without_limit()));
     case Question::kPairsBetween:
       return flat(find_pairs_between(points, others, options));
     case Question::kNeighborsBetween:
       return flat(find_neighbors_between(points, others, options));
     case Question::kCountsBetween:
-      return flat(count_neighbors_between(points, others, options));
+      return flat(count_neighbors_between(points, others, options.without_limit()));
     case Question::kNearestBetween:
       return flat(find_nearest_between(points, others, options.threads));
     case Question::kNearestWithinBetween:
-      return flat(find_nearest_within_between(points, others, options));
+      return flat(find_nearest_within_between(points, others, options.without_limit()));
     default:
       return flat(find_closest_pair_between(points, others, options.threads));
   }
 }
 
-Answer ask_one_set(Question question, const PointsView& points, const SearchOptions& options) {
+Answer ask_one_set(Question question, const PointsView& points, const PairOptions& options) {
   switch (question) {
     case Question::kAtRisk:
-      return flat(find_at_risk(points, options));
+      return flat(find_at_risk(points, options.without_limit()));
     case Question::kPairs:
       return flat(find_pairs(points, options));
     case Question::kVisitedPairs:
@@ -55,13 +56,13 @@ Answer ask_one_set(Question question, const PointsView& points, const SearchOpti
     case Question::kNeighbors:
       return flat(find_neighbors(points, options));
     case Question::kCounts:
-      return flat(count_neighbors(points, options));
+      return flat(count_neighbors(points, options.without_limit()));
     case Question::kGroups:
-      return flat(find_conflict_groups(points, options));
+      return flat(find_conflict_groups(points, options.without_limit()));
     case Question::kNearest:
       return flat(find_nearest(points, options.threads));
     case Question::kNearestWithin:
-      return flat(find_nearest_within(points, options));
+      return flat(find_nearest_within(points, options.without_limit()));
     default:
       return flat(find_closest_pair(points, options.threads));
   }
@@ -69,7 +70,7 @@ Answer ask_one_set(Question question, const PointsView& points, const SearchOpti
 
 Answer ask(const Inquiry& inquiry, const PointsView& points, const PointsView& others,
            unsigned threads) {
-  SearchOptions options = inquiry.options;
+  PairOptions options = inquiry.options;
   options.threads = threads;
   if (inquiry.subject->two_sets) return ask_two_sets(inquiry.question, points, others, options);
   return ask_one_set(inquiry.question, points, options);
@@ -103,7 +104,7 @@ class BackwardArrays {
 
 Variant public_functions(unsigned threads) {
   return {"Functions" + std::to_string(threads), [threads](const Inquiry& inquiry) {
-            return ask(inquiry, inquiry.subject->points, inquiry.subject->others, threads);
+            return ask(inquiry, inquiry.subject->view(), inquiry.subject->other_view(), threads);
           }};
 }
 
@@ -111,7 +112,8 @@ Variant public_functions_of_strided_points() {
   return {"FunctionsOfStridedPoints", [](const Inquiry& inquiry) {
             const BackwardArrays points(inquiry.subject->points);
             const BackwardArrays others(inquiry.subject->others);
-            return ask(inquiry, points.view(), others.view(), 1);
+            return ask(inquiry, points.view().with_heights(inquiry.subject->heights),
+                       others.view().with_heights(inquiry.subject->other_heights), 1);
           }};
 }
 

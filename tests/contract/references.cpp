@@ -84,7 +84,7 @@ class Oracle {
     const bool same_options = same_subject && options_.inclusive == inquiry.options.inclusive &&
                               options_.threshold_m == inquiry.options.threshold_m;
     options_ = inquiry.options;
-    if (!same_options) neighbors_.emplace(*distances_, options_);
+    if (!same_options) neighbors_.emplace(*distances_, options_.without_limit());
   }
 
   [[nodiscard]] Answer limited(std::size_t results, Answer answer) const {
@@ -113,45 +113,46 @@ class Oracle {
   }
 
   const Subject* subject_ = nullptr;
-  SearchOptions options_;
+  PairOptions options_;
   std::optional<ExactDistances> distances_;
   std::optional<ExactNeighbors> neighbors_;
 };
 
 Answer ask_brute_force(const Inquiry& inquiry) {
-  const PointsView points = inquiry.subject->points;
-  const PointsView others = inquiry.subject->others;
-  const SearchOptions& options = inquiry.options;
+  const PointsView points = inquiry.subject->view();
+  const PointsView others = inquiry.subject->other_view();
+  const PairOptions& options = inquiry.options;
   switch (inquiry.question) {
     case Question::kAtRisk:
-      return flat(brute_force::find_at_risk(points, options));
+      return flat(brute_force::find_at_risk(points, options.without_limit()));
     case Question::kPairs:
     case Question::kVisitedPairs:
       return flat(brute_force::find_pairs(points, options));
     case Question::kNeighbors:
       return flat(brute_force::find_neighbors(points, options));
     case Question::kCounts:
-      return flat(brute_force::count_neighbors(points, options));
+      return flat(brute_force::count_neighbors(points, options.without_limit()));
     case Question::kGroups:
-      return flat(brute_force::find_conflict_groups(points, options));
+      return flat(brute_force::find_conflict_groups(points, options.without_limit()));
     case Question::kNearest:
       return flat(brute_force::find_nearest(points));
     case Question::kNearestWithin:
-      return flat(brute_force::find_nearest_within(points, options));
+      return flat(brute_force::find_nearest_within(points, options.without_limit()));
     case Question::kClosestPair:
       return flat(brute_force::find_closest_pair(points));
     case Question::kAtRiskBetween:
-      return flat(brute_force::find_at_risk_between(points, others, options));
+      return flat(brute_force::find_at_risk_between(points, others, options.without_limit()));
     case Question::kPairsBetween:
       return flat(brute_force::find_pairs_between(points, others, options));
     case Question::kNeighborsBetween:
       return flat(brute_force::find_neighbors_between(points, others, options));
     case Question::kCountsBetween:
-      return flat(brute_force::count_neighbors_between(points, others, options));
+      return flat(brute_force::count_neighbors_between(points, others, options.without_limit()));
     case Question::kNearestBetween:
       return flat(brute_force::find_nearest_between(points, others));
     case Question::kNearestWithinBetween:
-      return flat(brute_force::find_nearest_within_between(points, others, options));
+      return flat(
+          brute_force::find_nearest_within_between(points, others, options.without_limit()));
     case Question::kClosestPairBetween:
       return flat(brute_force::find_closest_pair_between(points, others));
   }

@@ -32,9 +32,9 @@ bool needs_threshold(Question question) {
          question != Question::kNearestBetween && question != Question::kClosestPairBetween;
 }
 
-Answer refusal(ErrorCode code, std::optional<std::uint64_t> record = {}, const char* source = "") {
+Answer refusal(ErrorCode code, std::optional<std::uint64_t> record = {}, const char* array = "") {
   Place place;
-  place.source = source;
+  place.array = array;
   place.record = record;
   return flat(Error{code, {}, place});
 }
@@ -69,7 +69,7 @@ class Refusals : public testing::TestWithParam<Variant> {
       Subject bad{"", plain_points(), {}, false, {}};
       bad.points[47].*axis = value;
       bad.points[31].*axis = value;
-      expect(bad, kOneSet, refusal(code, 31));
+      expect(bad, kOneSet, refusal(code, 31, "points"));
       const Subject ours{"", bad.points, plain_points(), true, {}};
       expect(ours, kTwoSets, refusal(code, 31, "points"));
       const Subject theirs{"", plain_points(), bad.points, true, {}};

@@ -27,8 +27,8 @@ class ForcedCylinders {
       : tuning_(tuning), crew_(workers) {}
 
   Answer ask(const Inquiry& inquiry) {
-    const PointsView points = inquiry.subject->points;
-    const PointsView others = inquiry.subject->others;
+    const PointsView points = inquiry.subject->view();
+    const PointsView others = inquiry.subject->other_view();
     memory_.start_call();
     const search::CylinderSearch search(points, inquiry.subject->two_sets ? &others : nullptr,
                                         inquiry.options, with_, tuning_);

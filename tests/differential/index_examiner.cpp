@@ -122,10 +122,11 @@ class IndexExamination {
   }
 
   void ask(const Index& index) {
-    const SearchOptions options = random_.one_of(scene_.options);
+    const PairOptions options = random_.one_of(scene_.options);
     const std::size_t k = random_.once_in(4) ? points_.size() + 1 : random_.below(6);
     const std::vector<Point> asked = {some_place(), some_place(), some_place()};
-    const auto rows = index.find_around(asked, options);
+    const auto rows = index.find_around(
+        asked, {options.threshold_m, options.inclusive, options.threads, options.max_results});
     const auto nearest_rows = index.k_nearest(asked, k, random_.coin() ? 1 : 3);
     if (!rows || !nearest_rows) {
       fault_ = to_string(rows ? nearest_rows.error() : rows.error());
@@ -170,7 +171,7 @@ class IndexExamination {
     return true;
   }
 
-  void tell(const std::string& what, const Point& place, const SearchOptions& options,
+  void tell(const std::string& what, const Point& place, const PairOptions& options,
             std::size_t k) {
     fault_ = what + " of " + described(place) + ", radius " + hex(options.threshold_m) +
              (options.inclusive ? ", inclusive" : ", strict") + ", k " + std::to_string(k) + "\n";

@@ -26,26 +26,27 @@ struct Placed {
 };
 
 bool is_apart(const SnapshotScene& scene) {
-  return !scene.heights.empty() || !scene.other_heights.empty();
+  return !scene.subject.heights.empty() || !scene.subject.other_heights.empty();
 }
 
 // A query, with the parts of the scene that it needs.
 class Asked {
  public:
-  Asked(const SnapshotScene& scene, Question question, const SearchOptions& options)
+  Asked(const SnapshotScene& scene, Question question, const PairOptions& options)
       : Asked(placed_of(scene), scene.subject, is_apart(scene), question, options) {}
 
   Asked(const std::vector<Placed>& placed, const Subject& like, bool apart, Question question,
-        const SearchOptions& options) {
+        const PairOptions& options) {
     subject_.name = like.name;
     subject_.two_sets = like.two_sets;
     for (const Placed& one : placed) {
       (one.theirs ? subject_.others : subject_.points).push_back(one.point);
-      if (apart) (one.theirs ? other_heights_ : heights_).push_back(one.height);
+      // Heights are nothing to a question without a vertical threshold.
+      if (apart && options.vertical_m) {
+        (one.theirs ? subject_.other_heights : subject_.heights).push_back(one.height);
+      }
     }
     inquiry_ = {&subject_, question, options};
-    inquiry_.options.heights_m = heights_;
-    inquiry_.options.other_heights_m = other_heights_;
   }
   Asked(const Asked&) = delete;
   Asked& operator=(const Asked&) = delete;
@@ -65,10 +66,11 @@ class Asked {
     if (subject_.two_sets) {
       text.append("  others {\n").append(differential::described(subject_.others)).append("  }\n");
     }
-    if (!heights_.empty())
+    if (!subject_.heights.empty())
       text.append("  unit of heights ").append(hex(inquiry_.options.height_unit_m)).append("\n");
-    for (const double height : heights_) text.append("  height ").append(hex(height)).append("\n");
-    for (const double height : other_heights_) {
+    for (const double height : subject_.heights)
+      text.append("  height ").append(hex(height)).append("\n");
+    for (const double height : subject_.other_heights) {
       text.append("  height of other ").append(hex(height)).append("\n");
     }
     return text;
@@ -77,10 +79,12 @@ class Asked {
   static std::vector<Placed> placed_of(const SnapshotScene& scene) {
     std::vector<Placed> all;
     for (std::size_t i = 0; i < scene.subject.points.size(); ++i) {
-      all.push_back({scene.subject.points[i], scene.heights.empty() ? 0.0 : scene.heights[i]});
+      all.push_back({scene.subject.points[i],
+                     scene.subject.heights.empty() ? 0.0 : scene.subject.heights[i]});
     }
     for (std::size_t i = 0; i < scene.subject.others.size(); ++i) {
-      const double height = scene.other_heights.empty() ? 0.0 : scene.other_heights[i];
+      const double height =
+          scene.subject.other_heights.empty() ? 0.0 : scene.subject.other_heights[i];
       all.push_back({scene.subject.others[i], height, true});
     }
     return all;
@@ -88,8 +92,6 @@ class Asked {
 
  private:
   Subject subject_;
-  std::vector<double> heights_;
-  std::vector<double> other_heights_;
   Inquiry inquiry_;
 };
 
@@ -100,7 +102,7 @@ const std::vector<Question> kOfTwoSets = {Question::kAtRiskBetween, Question::kP
                                           Question::kNeighborsBetween, Question::kCountsBetween,
                                           Question::kNearestWithinBetween};
 
-// Those that SearchOptions::max_results is for.
+// Those that PairOptions::max_results is for.
 bool is_limited(Question question) {
   return question == Question::kPairs || question == Question::kPairsBetween ||
          question == Question::kNeighbors || question == Question::kNeighborsBetween;
@@ -114,15 +116,13 @@ class SnapshotExaminer {
     tally.scene();
     const SnapshotScene scene = random_snapshot(random, upright_);
     const bool two = scene.subject.two_sets;
-    for (SearchOptions options : scene.options) {
-      options.heights_m = scene.heights;
-      options.other_heights_m = scene.other_heights;
+    for (const PairOptions& options : scene.options) {
       SnapshotOracle oracle(scene.subject, options);
       for (const Question question : two ? kOfTwoSets : kOfOneSet) {
         if (auto found = ask(scene, question, options, oracle, random, tally)) return found;
       }
     }
-    const SearchOptions none;
+    const PairOptions none;
     SnapshotOracle oracle(scene.subject, none);
     for (const Question question : {two ? Question::kNearestBetween : Question::kNearest,
                                     two ? Question::kClosestPairBetween : Question::kClosestPair}) {
@@ -132,9 +132,8 @@ class SnapshotExaminer {
   }
 
  private:
-  std::optional<std::string> ask(const SnapshotScene& scene, Question question,
-                                 SearchOptions options, SnapshotOracle& oracle, Random& random,
-                                 Tally& tally) {
+  std::optional<std::string> ask(const SnapshotScene& scene, Question question, PairOptions options,
+                                 SnapshotOracle& oracle, Random& random, Tally& tally) {
     if (is_limited(question) && random.once_in(4)) {
       // Exactly as many as there are, or one fewer.
       const std::size_t pairs = oracle.pairs();
@@ -151,7 +150,7 @@ class SnapshotExaminer {
   }
 
   static std::string name_of(const SnapshotScene& scene, Question question,
-                             const SearchOptions& options) {
+                             const PairOptions& options) {
     std::string name = test::name_of(question);
     if (scene.subject.two_sets) name += ", two sets";
     if (options.vertical_m) name += ", vertical";

@@ -28,19 +28,19 @@ Answer too_many_results() {
 
 }  // namespace
 
-SnapshotOracle::SnapshotOracle(const Subject& subject, const SearchOptions& options)
+SnapshotOracle::SnapshotOracle(const Subject& subject, const PairOptions& options)
     : subject_(subject),
       options_(options),
       upright_(options.vertical_m.has_value()),
-      apart_(!options.heights_m.empty() || !options.other_heights_m.empty()) {
+      apart_(upright_ && (!subject.heights.empty() || !subject.other_heights.empty())) {
   Unit unit;
   for (const auto* points : {&subject.points, &subject.others}) {
     for (const Point& p : *points) {
       for (const double value : {p.x, p.y, p.z}) unit.include(value);
     }
   }
-  for (const double height : options.heights_m) unit.include(height);
-  for (const double height : options.other_heights_m) unit.include(height);
+  for (const double height : subject.heights) unit.include(height);
+  for (const double height : subject.other_heights) unit.include(height);
   unit.include(options.threshold_m);
   unit.include(options.vertical_m.value_or(0.0));
   unit_ = unit.exponent();
@@ -49,8 +49,8 @@ SnapshotOracle::SnapshotOracle(const Subject& subject, const SearchOptions& opti
   const Parts metres = parts_of(options.height_unit_m);
   metre_shift_ = std::max(0, -metres.exponent);
   height_unit_ = whole(options.height_unit_m, -metre_shift_);
-  ours_ = places_of(subject.points, options.heights_m);
-  theirs_ = places_of(subject.others, options.other_heights_m);
+  ours_ = places_of(subject.points, subject.heights);
+  theirs_ = places_of(subject.others, subject.other_heights);
   by_x_.resize(others().size());
   std::iota(by_x_.begin(), by_x_.end(), PointId{0});
   std::sort(by_x_.begin(), by_x_.end(),
@@ -170,8 +170,8 @@ Nearest SnapshotOracle::reported(std::size_t i, std::optional<PointId> j) const 
   const double y = p.y - q.y;
   const double z = p.z - q.z;
   if (!apart_) return {*j, std::sqrt(x * x + y * y + z * z)};
-  const auto& heights = subject_.two_sets ? options_.other_heights_m : options_.heights_m;
-  const double up = (options_.heights_m[i] - heights[*j]) * options_.height_unit_m;
+  const auto& heights = subject_.two_sets ? subject_.other_heights : subject_.heights;
+  const double up = (subject_.heights[i] - heights[*j]) * options_.height_unit_m;
   return {*j, std::sqrt(x * x + y * y + z * z + up * up)};
 }
 

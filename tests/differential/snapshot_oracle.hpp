@@ -23,7 +23,7 @@ using test::Subject;
 class SnapshotOracle {
  public:
   // Both must outlive it. The limit of results is not looked at here.
-  SnapshotOracle(const Subject& subject, const SearchOptions& options);
+  SnapshotOracle(const Subject& subject, const PairOptions& options);
 
   Answer answer(Question question, std::uint64_t max_results);
 
@@ -56,7 +56,7 @@ class SnapshotOracle {
   [[nodiscard]] std::optional<PointId> nearest_to(std::size_t i) const;
 
   const Subject& subject_;
-  const SearchOptions& options_;
+  const PairOptions& options_;
   bool upright_;  // whether there is a vertical threshold
   bool apart_;    // whether heights are kept apart
   int unit_ = 0;

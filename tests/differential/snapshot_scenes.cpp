@@ -254,8 +254,8 @@ class SnapshotMaker {
         p.z = random_.coin() ? 0.0 : in_domain(p.z * 0x1p-3);
       }
     };
-    keep_apart(scene_.subject.points, scene_.heights);
-    keep_apart(scene_.subject.others, scene_.other_heights);
+    keep_apart(scene_.subject.points, scene_.subject.heights);
+    keep_apart(scene_.subject.others, scene_.subject.other_heights);
     height_unit_m_ = random_.coin() ? 0.3048 : 1.0;
     scene_.subject.name += ", heights apart";
   }
@@ -283,14 +283,15 @@ class SnapshotMaker {
       const std::size_t chosen = random_.below(points.size());
       const Point& p = points[chosen];
       const Point& q = random_.one_of(others);
-      const double z = upright_ && scene_.heights.empty() ? 0.0 : q.z - p.z;
+      const double z = upright_ && scene_.subject.heights.empty() ? 0.0 : q.z - p.z;
       thresholds.push_back(beside(std::hypot(q.x - p.x, q.y - p.y, z)));
-      verticals.push_back(beside(std::abs(scene_.heights.empty() ? q.z - p.z
-                                                                 : random_.one_of(scene_.heights) -
-                                                                       scene_.heights[chosen])));
+      verticals.push_back(beside(
+          std::abs(scene_.subject.heights.empty()
+                       ? q.z - p.z
+                       : random_.one_of(scene_.subject.heights) - scene_.subject.heights[chosen])));
     }
     for (int i = 0; i < 3; ++i) {
-      SearchOptions options;
+      PairOptions options;
       options.threshold_m = i == 0 ? threshold_ : random_.one_of(thresholds);
       if (upright_) options.vertical_m = i == 0 ? vertical_ : random_.one_of(verticals);
       options.height_unit_m = height_unit_m_;

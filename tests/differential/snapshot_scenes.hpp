@@ -11,10 +11,8 @@
 namespace beespace::differential {
 
 struct SnapshotScene {
-  test::Subject subject;               // its name is that of the layout
-  std::vector<double> heights;         // apart from the positions; mostly empty
-  std::vector<double> other_heights;   // of the other set
-  std::vector<SearchOptions> options;  // to ask with; heights are not yet among them
+  test::Subject subject;             // its name is that of the layout
+  std::vector<PairOptions> options;  // to ask with
 };
 
 // For queries with or without a vertical threshold.

@@ -49,7 +49,7 @@ TEST(IndexErrors, PlacesOutsideTheDomainAreRefusedAndNamedAmongMany) {
 TEST(IndexErrors, MoreResultsThanAllowedAreRefused) {
   const Index index = test::built(std::vector<Point>(10, Point{1, 2, 3}));
   const std::vector<Point> places(3, Point{1, 2, 3});
-  SearchOptions options{1.0};
+  AroundOptions options{1.0};
   options.max_results = 30;
   EXPECT_TRUE(index.find_around(places, options).has_value());
   options.max_results = 29;
@@ -61,7 +61,7 @@ TEST(IndexErrors, MoreResultsThanAllowedAreRefused) {
 TEST(IndexErrors, UnknownIdsAreRefused) {
   Index index = test::built({{1, 2, 3}, {4, 5, 6}});
   ASSERT_TRUE(index.remove(0).has_value());
-  for (const PointId id : {0U, 2U, Nearest::kNobody}) {
+  for (const PointId id : {0U, 2U, Nearest::kNone}) {
     EXPECT_FALSE(index.contains(id));
     EXPECT_EQ(index.point(id).error().code, ErrorCode::kInvalidArgument) << id;
     EXPECT_EQ(index.move(id, {1, 1, 1}).error().code, ErrorCode::kInvalidArgument) << id;

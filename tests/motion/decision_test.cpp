@@ -17,7 +17,7 @@ using test::ExactEncounter;
 using test::rounds;
 
 bool decided(const Encounter& e) {
-  const Result<Approach> approach = closest_approach(e.first, e.second, e.options);
+  const Result<Approach> approach = closest_approach(e.first, e.second, e.options.approach());
   EXPECT_TRUE(approach.has_value()) << e << ": " << approach.error().message;
   return approach.has_value() && approach->conflict.has_value();
 }

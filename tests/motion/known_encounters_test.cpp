@@ -29,7 +29,7 @@ PredictOptions cylinder(double threshold, double vertical, double horizon, bool 
 }
 
 Approach approach_of(const Mover& first, const Mover& second, const PredictOptions& options) {
-  return *closest_approach(first, second, options);
+  return *closest_approach(first, second, options.approach());
 }
 const Mover kStill{{0, 0, 0}, {0, 0, 0}};
 

@@ -33,9 +33,10 @@ void expect_alike(const std::vector<Mover>& given, const std::vector<Mover>& zer
   EXPECT_EQ(*conflicts, *expected);
   EXPECT_EQ(*brute_force::predict_conflicts(given, options), *expected);
   EXPECT_EQ(*predict_pairs(given, options), *predict_pairs(zeroed, options));
-  const auto approach = closest_approach(given[0], given[1], options);
+  const auto approach = closest_approach(given[0], given[1], options.approach());
   ASSERT_TRUE(approach.has_value());
-  EXPECT_EQ(approach->closest_m, closest_approach(zeroed[0], zeroed[1], options).value().closest_m);
+  EXPECT_EQ(approach->closest_m,
+            closest_approach(zeroed[0], zeroed[1], options.approach()).value().closest_m);
 }
 
 TEST(SmallValues, AreZeroToPredictions) {

@@ -79,7 +79,8 @@ TEST(ClosestApproachVectors, AreTheResultsOfClosestApproach) {
   ASSERT_GE(rows.size(), 280U);
   for (const Vector& row : rows) {
     SCOPED_TRACE(row.at("name"));
-    const auto found = closest_approach(mover(row, "1"), mover(row, "2"), options_of(row));
+    const auto found =
+        closest_approach(mover(row, "1"), mover(row, "2"), options_of(row).approach());
     ASSERT_TRUE(found.has_value());
     const auto expect_near = [&](double value, const char* column, const char* tolerance) {
       EXPECT_LE(std::abs(value - number(row, column)), number(row, tolerance))

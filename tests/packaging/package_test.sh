@@ -11,7 +11,7 @@ example=$source/examples/quickstart.cpp
 expected='2 of 4 drones are at risk: 2 3'
 
 work=$build/tests/packaging/$kind
-rm -rf "$work/installed" "$work/moved" "$work/consumer" "$work/refused" "$work/with-pkg-config"
+rm -rf "$work/installed" "$work/moved" "$work/consumer" "$work/refused" "$work/with-pkg-config" "$work/both"
 mkdir -p "$work"
 
 fail() {
@@ -33,10 +33,11 @@ cmake --install "$library_build" --prefix "$work/installed" > /dev/null
 mv "$work/installed" "$work/moved"
 prefix=$work/moved
 
-configure_consumer() { # folder, wanted version
+configure_consumer() { # folder, wanted version, static or shared or nothing
   cmake -S "$here/consumer" -B "$1" -G Ninja -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_PREFIX_PATH="$prefix" \
-    -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF -DCONSUMER_SOURCE="$example" -DWANTED_VERSION="$2"
+    -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF -DCONSUMER_SOURCE="$example" -DWANTED_VERSION="$2" \
+    -DWANTED_KIND="${3:-}"
 }
 
 check_output() { # program and arguments
@@ -77,6 +78,26 @@ if [ "$kind" = shared ]; then
   internals=$(grep -E 'beespace::(core|cpu|search|motion|geodesy|avoidance|verify)::' <<< "$exported" || true)
   [ -z "$internals" ] || fail "the shared library exports internals: $internals"
   grep -q 'beespace::find_at_risk' <<< "$exported" || fail "find_at_risk is not exported"
+
+  # Side by side with a static one: each is found by its name.
+  prefix=$work/both
+  rm -rf "$prefix"
+  for one in "$build" "$library_build"; do cmake --install "$one" --prefix "$prefix" > /dev/null; done
+  export PKG_CONFIG_PATH=$prefix/${pc_folder#"$work/moved/"}
+  libraries=$(dirname "$PKG_CONFIG_PATH")
+  for wanted in static shared; do
+    rm -rf "$work/consumer-$wanted"
+    configure_consumer "$work/consumer-$wanted" "$version" "$wanted" > /dev/null
+    cmake --build "$work/consumer-$wanted"
+    read -ra flags <<< "$(pkg-config --cflags --libs "beespace-$wanted")"
+    "$compiler" -std=c++20 "$example" "${flags[@]}" -o "$work/with-pkg-config-$wanted"
+    for program in "$work/consumer-$wanted/consumer" "$work/with-pkg-config-$wanted"; do
+      LD_LIBRARY_PATH=$libraries check_output "$program"
+      used=$(LD_LIBRARY_PATH=$libraries ldd "$program")
+      if grep -q libbeespace.so <<< "$used"; then uses=shared; else uses=static; fi
+      [ "$uses" = "$wanted" ] || fail "$program uses the $uses library, not the $wanted one"
+    done
+  done
 else
   installed_version=$("$prefix/bin/beespace" --version)
   [[ "$installed_version" == *"$version"* ]] ||

@@ -172,7 +172,7 @@ TEST(MaxResults, AreAllowedAndOneMoreIsAnError) {
   };
   for (const unsigned threads : {1U, 2U}) {
     const auto with = [&](std::uint64_t most) {
-      return SearchOptions{swarm.options.threshold_m, false, threads, most};
+      return PairOptions{swarm.options.threshold_m, false, threads, most};
     };
     expect_limit(pairs, [&](auto most) { return find_pairs(swarm.points, with(most)); });
     expect_limit(2 * pairs, [&](auto most) { return find_neighbors(swarm.points, with(most)); });
@@ -213,8 +213,8 @@ TEST(Engine, SaysInWhichOfTwoSetsThePlaceIs) {
     const Status first = engine.find_at_risk_between(bad, bad, options, at_risk);
     const Status second = engine.find_at_risk_between(good, bad, options, at_risk);
     ASSERT_FALSE(first.has_value() || second.has_value());
-    EXPECT_EQ(first.error().place.source, "points");
-    EXPECT_EQ(second.error().place.source, "others");
+    EXPECT_EQ(first.error().place.array, "points");
+    EXPECT_EQ(second.error().place.array, "others");
     EXPECT_EQ(second.error().code, ErrorCode::kNotFinite);
     EXPECT_EQ(second.error().place.record, 17'001U);
   }

@@ -59,7 +59,7 @@ TEST(ForgottenThreshold, IsRefusedByBruteForce) {
 
 TEST(ForgottenThreshold, IsRefusedByAnIndex) {
   const Index index = *Index::build(kPoints);
-  expect_refused(index.find_around(kPoints, SearchOptions{}));
+  expect_refused(index.find_around(kPoints, AroundOptions{}));
 }
 
 TEST(ForgottenThreshold, IsRefusedInMotion) {

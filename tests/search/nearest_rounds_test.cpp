@@ -67,9 +67,10 @@ void expect_same(const std::vector<Nearest>& found, const std::vector<Nearest>& 
   }
 }
 
-void expect_the_nearest(const std::vector<Point>& points, const SearchOptions& within) {
+void expect_the_nearest(const std::vector<Point>& points, const PairOptions& within) {
   const std::vector<Nearest> truly = *brute_force::find_nearest(points);
-  const std::vector<Nearest> truly_within = *brute_force::find_nearest_within(points, within);
+  const std::vector<Nearest> truly_within =
+      *brute_force::find_nearest_within(points, within.without_limit());
   unsigned workers = 0;
   for (const Forced& forced : forced_choices()) {
     SCOPED_TRACE(forced.name);

@@ -118,7 +118,7 @@ TEST(Nearest, EqualsBruteForceOnEveryScene) {
 TEST(Nearest, NoneWithinTheThresholdIsReported) {
   const std::vector<Nearest> nearest =
       *find_nearest_within(std::vector<Point>{{0, 0, 0}, {10, 0, 0}}, {10.0});
-  EXPECT_EQ(nearest[0].id, Nearest::kNobody);
+  EXPECT_EQ(nearest[0].id, Nearest::kNone);
   EXPECT_TRUE(std::isinf(nearest[0].distance_m));
 }
 

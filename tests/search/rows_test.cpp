@@ -59,7 +59,7 @@ TEST(IdRows, NoRowsAreAlwaysTheSame) {
     EXPECT_EQ(*brute_force::find_conflict_groups(kNone, options), IdRows{});
     EXPECT_EQ(*brute_force::find_conflict_groups(kPoints, options), IdRows{});
   }
-  EXPECT_EQ(*Index::build(kPoints).value().find_around(PointsView(kNone), plain), IdRows{});
+  EXPECT_EQ(*Index::build(kPoints).value().find_around(PointsView(kNone), {0.5}), IdRows{});
   EXPECT_TRUE(IdRows{}.empty());
   EXPECT_FALSE(find_neighbors(kPoints, plain).value().empty());
 }

@@ -30,11 +30,14 @@ void hold_views() {
   const PointsView of_points = points();                                              // dangles
   const PointsView interleaved = PointsView::interleaved(numbers());                  // dangles
   const PointsView separate = PointsView::separate(numbers(), numbers(), numbers());  // dangles
-  const MoversView of_movers = movers();                                              // dangles
-  const AdviseOptions options = {.intruders = movers()};                              // dangles
-  const auto ids = id_rows()[0];                                                      // dangles
-  const auto nearest = nearest_rows()[0];                                             // dangles
-  const auto first = id_rows().begin();                                               // dangles
+  const std::vector<Point> on_ground = points();
+  const PointsView apart = PointsView(on_ground).with_heights(numbers());  // dangles
+  static_cast<void>(apart);
+  const MoversView of_movers = movers();                  // dangles
+  const AdviseOptions options = {.intruders = movers()};  // dangles
+  const auto ids = id_rows()[0];                          // dangles
+  const auto nearest = nearest_rows()[0];                 // dangles
+  const auto first = id_rows().begin();                   // dangles
   static_cast<void>(first);
   for (const PointId id : id_rows()[0]) static_cast<void>(id);  // dangles
   static_cast<void>(of_points);

@@ -4,6 +4,7 @@
 
 #include "tests/support/exact_oracle.hpp"
 
+#include <beespace/points_view.hpp>
 #include <beespace/search_options.hpp>
 
 #include <algorithm>
@@ -30,14 +31,17 @@ struct CylinderScene {
 
   [[nodiscard]] bool apart() const { return !heights.empty() || !other_heights.empty(); }
 
+  [[nodiscard]] PointsView view() const { return PointsView(points).with_heights(heights); }
+  [[nodiscard]] PointsView other_view() const {
+    return PointsView(others).with_heights(other_heights);
+  }
+
   [[nodiscard]] SearchOptions options(bool inclusive, unsigned threads = 1) const {
     SearchOptions options;
     options.threshold_m = threshold_m;
     options.vertical_m = vertical_m;
     options.inclusive = inclusive;
     options.threads = threads;
-    options.heights_m = heights;
-    if (two_sets) options.other_heights_m = other_heights;
     options.height_unit_m = height_unit_m;
     return options;
   }

@@ -6,10 +6,10 @@ namespace beespace::cli {
 
 Status find_at_risk(const Question& question, std::vector<PointId>& at_risk) {
   if (question.others == nullptr) {
-    return question.engine.find_at_risk(question.points, question.search, at_risk);
+    return question.engine.find_at_risk(question.points, question.search.without_limit(), at_risk);
   }
-  return question.engine.find_at_risk_between(question.points, *question.others, question.search,
-                                              at_risk);
+  return question.engine.find_at_risk_between(question.points, *question.others,
+                                              question.search.without_limit(), at_risk);
 }
 
 Result<ReportFound> report_at_risk(const Question& question) {

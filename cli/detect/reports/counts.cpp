@@ -12,9 +12,10 @@ Result<ReportFound> report_counts(const Question& question) {
   const auto counts = std::make_shared<std::vector<std::uint32_t>>();
   const Status found =
       question.others == nullptr
-          ? question.engine.count_neighbors(question.points, question.search, *counts)
+          ? question.engine.count_neighbors(question.points, question.search.without_limit(),
+                                            *counts)
           : question.engine.count_neighbors_between(question.points, *question.others,
-                                                    question.search, *counts);
+                                                    question.search.without_limit(), *counts);
   if (!found) return found.error();
   const std::uint64_t sum = std::accumulate(counts->begin(), counts->end(), std::uint64_t{0});
   const std::uint64_t most =

@@ -36,8 +36,8 @@ std::string finding(const IdRows& groups) {
 
 Result<ReportFound> report_groups(const Question& question) {
   GroupTable table;
-  const Status found =
-      question.engine.find_conflict_groups(question.points, question.search, table.groups);
+  const Status found = question.engine.find_conflict_groups(
+      question.points, question.search.without_limit(), table.groups);
   if (!found) return found.error();
   const auto of =
       std::make_shared<std::vector<Membership>>(memberships(table.groups, question.points.size()));

@@ -19,7 +19,7 @@ bool is_within(const Question& question) {
 
 Status find(const Question& question, NearestList& nearest) {
   Engine& engine = question.engine;
-  const SearchOptions& search = question.search;
+  const SearchOptions search = question.search.without_limit();
   const bool within = is_within(question);
   if (question.others == nullptr) {
     return within ? engine.find_nearest_within(question.points, search, nearest)
@@ -43,9 +43,9 @@ double median(std::vector<double>& numbers) {
 std::string finding(const NearestList& nearest) {
   std::vector<double> distances;
   for (const Nearest& one : nearest) {
-    if (one.id != Nearest::kNobody) distances.push_back(one.distance_m);
+    if (one.id != Nearest::kNone) distances.push_back(one.distance_m);
   }
-  if (distances.empty()) return "nobody";
+  if (distances.empty()) return "none";
   const double middle = median(distances);
   return io::length(middle) + " is the median, " +
          io::length(*std::max_element(distances.begin(), distances.end())) + " the farthest";
@@ -64,7 +64,7 @@ Result<ReportFound> report_nearest(const Question& question) {
   std::optional<std::vector<PointId>> at_risk;
   if (is_within(question)) {
     at_risk = bees_that(nearest->size(),
-                        [&](std::size_t bee) { return (*nearest)[bee].id != Nearest::kNobody; });
+                        [&](std::size_t bee) { return (*nearest)[bee].id != Nearest::kNone; });
   }
   std::vector<PointId> listed = question.listed_bees(at_risk.value_or(std::vector<PointId>()));
   return ReportFound{

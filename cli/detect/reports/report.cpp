@@ -8,9 +8,9 @@ namespace beespace::cli {
 
 std::vector<PointId> Question::listed_bees(const std::vector<PointId>& at_risk) const {
   if (at_risk_only) return at_risk;
-  std::vector<PointId> everybody(points.size());
-  std::iota(everybody.begin(), everybody.end(), PointId{0});
-  return everybody;
+  std::vector<PointId> all(points.size());
+  std::iota(all.begin(), all.end(), PointId{0});
+  return all;
 }
 
 std::span<const Report> reports() {

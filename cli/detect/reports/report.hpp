@@ -19,9 +19,9 @@ namespace beespace::cli {
 // What a report has to go by.
 struct Question {
   Engine& engine;
-  const std::vector<Point>& points;
-  const std::vector<Point>* others;  // null: the swarm against itself
-  SearchOptions search;
+  PointsView points;
+  const PointsView* others;  // null: the swarm against itself
+  PairOptions search;
   bool at_risk_only;  // leave out the bees that are not at risk
 
   // The bees that a report about every bee lists, of these at risk.

@@ -20,6 +20,9 @@ namespace beespace {
 
 namespace {
 
+// What Place::record counts in errors about reports.
+constexpr const char* kAgents = "agents";
+
 std::optional<Error> check(const SwarmOptions& options) {
   if (auto error = motion::check_separation(options.threshold_m, options.vertical_m)) return error;
   if (auto error = motion::check_heights(options.heights_apart, options.vertical_m)) return error;
@@ -128,12 +131,16 @@ Status Swarm::State::update(Report report) {
   report.height_m = motion::flushed(report.height_m);
   report.climb_mps = motion::flushed(report.climb_mps);
   const Mover mover{report.position, report.velocity.value_or(Velocity{})};
-  if (auto error = motion::check_mover(mover, report.id)) return *std::move(error);
-  if (auto error = motion::check_height(report.height_m, report.climb_mps, report.id)) {
-    return *std::move(error);
+  auto bad = motion::check_mover(mover, 0);
+  if (!bad) bad = motion::check_height(report.height_m, report.climb_mps, 0);
+  if (bad) {
+    bad->place.array = kAgents;
+    bad->place.record = report.id;
+    return *std::move(bad);
   }
   if (!motion::in_motion_domain(report.time_s)) {
     Place place;
+    place.array = kAgents;
     place.record = report.id;
     return Error{std::isfinite(report.time_s) ? ErrorCode::kOutsideDomain : ErrorCode::kNotFinite,
                  "the time of the report is " + std::to_string(report.time_s) +
@@ -164,6 +171,7 @@ Error Swarm::State::refuse(PointId bee) {
   ++refused_;
   ++counts_.refused;
   Place place;
+  place.array = kAgents;
   place.record = bee;
   return {ErrorCode::kTooManyPoints,
           "there are " + std::to_string(options_.max_bees) +

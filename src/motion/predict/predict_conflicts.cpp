@@ -30,7 +30,7 @@ Status Engine::predict_conflicts(const MoversView& movers, const PredictOptions&
                                  std::vector<Conflict>& conflicts) {
   return core::answered(conflicts, [&]() -> Status {
     if (auto error = check(movers, options)) return *std::move(error);
-    const core::Resources with = state_->resources(options.threads, movers.size());
+    const core::Resources with = state_->resources(options, movers.size());
     return motion::with_small_values_flushed(movers, [&](const MoversView& them) {
       return motion::predict(them, options, with, conflicts, {state_->tuning, {}});
     });
@@ -41,7 +41,7 @@ Status Engine::predict_pairs(const MoversView& movers, const PredictOptions& opt
                              std::vector<Pair>& pairs) {
   return core::answered(pairs, [&]() -> Status {
     if (auto error = check(movers, options)) return *std::move(error);
-    const core::Resources with = state_->resources(options.threads, movers.size());
+    const core::Resources with = state_->resources(options, movers.size());
     return motion::with_small_values_flushed(movers, [&](const MoversView& them) {
       return motion::predict_pairs(them, options, with, pairs, {state_->tuning, {}});
     });

@@ -3,6 +3,7 @@
 #include <beespace/nearest.hpp>
 
 #include "base/crew_size.hpp"
+#include "base/stopping.hpp"
 #include "exact/validate.hpp"
 #include "motion/flushed_copies.hpp"
 #include "motion/pair_walk.hpp"
@@ -81,11 +82,13 @@ Result<RecordedConflicts> search_tracks(std::span<const Track> tracks,
                                         const ConflictOptions& options) {
   motion::Runs cut = motion::cut_at_gaps(tracks, options.max_gap_s);
   ThreadCrew crew(cpu::crew_size(options.threads, cut.runs.size()));
+  core::StoppableCrew stoppable(crew, options.stop);
   core::Memory memory;
   memory.start_call();
-  auto conflicts =
-      motion::search_recording(cut.runs, motion::separation_of(options, have_heights(tracks)),
-                               options.max_results, {crew, memory});
+  auto conflicts = core::unless_stopped([&] {
+    return motion::search_recording(cut.runs, motion::separation_of(options, have_heights(tracks)),
+                                    options.max_results, {stoppable, memory});
+  });
   if (!conflicts) return std::move(conflicts).error();
   return RecordedConflicts{*std::move(conflicts), std::move(cut.gaps)};
 }
@@ -104,10 +107,11 @@ Result<RecordedConflicts> find_conflicts(std::span<const Track> tracks,
 namespace {
 
 Result<std::optional<Conflict>> closest_encounter(std::span<const Track> tracks, double max_gap_s,
-                                                  unsigned threads) {
+                                                  const RunOptions& run) {
   ConflictOptions options;
   options.max_gap_s = max_gap_s;
-  options.threads = threads;
+  options.threads = run.threads;
+  options.stop = run.stop;
   options.inclusive = true;
   options.threshold_m = 1.0;  // any, for the check
   if (auto error = check(tracks, options)) return *std::move(error);
@@ -134,10 +138,9 @@ Result<std::optional<Conflict>> closest_encounter(std::span<const Track> tracks,
 }  // namespace
 
 Result<std::optional<Conflict>> find_closest_encounter(std::span<const Track> tracks,
-                                                       double max_gap_s, unsigned threads) {
-  return motion::with_small_values_flushed(tracks, [&](std::span<const Track> them) {
-    return closest_encounter(them, max_gap_s, threads);
-  });
+                                                       double max_gap_s, const RunOptions& run) {
+  return motion::with_small_values_flushed(
+      tracks, [&](std::span<const Track> them) { return closest_encounter(them, max_gap_s, run); });
 }
 
 namespace brute_force {

@@ -251,7 +251,7 @@ TEST(Advise, OtherMethodsAreThereToCompareWith) {
     const Finished finished = advised({"--method", method});
     EXPECT_EQ(finished.exit_code, 0) << finished.err;
     expect_parts(finished.err, {"method     " + method + ", which promises nothing\n",
-                                "uncertain  everybody: this method certifies nobody\n"});
+                                "uncertain  all: this method certifies no bee\n"});
     EXPECT_EQ(rows_of(finished.out, ',').at(1).at(5), "no");
   }
 }

@@ -165,7 +165,7 @@ TEST_F(BadInput, OnePointIsAnAnswerNotAnError) {
   const Finished finished = run({"detect"}, kGood);
   EXPECT_EQ(finished.exit_code, 0);
   EXPECT_EQ(finished.out, "");
-  EXPECT_NE(finished.err.find("at risk    nobody"), std::string::npos) << finished.err;
+  EXPECT_NE(finished.err.find("at risk    none"), std::string::npos) << finished.err;
 }
 
 }  // namespace

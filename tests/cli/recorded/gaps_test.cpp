@@ -185,7 +185,7 @@ TEST_F(Gaps, PicturesAndMapsSpeakOfTheKnownTime) {
   expect_parts(plot.err, {"none in the known time; 1 bee unknown for 2 h in all",
                           "the longest such gap: a from 10.00 s for 2 h"});
   EXPECT_NE(folder_.read("x.svg").find("in the known time"), std::string::npos);
-  EXPECT_EQ(folder_.read("x.svg").find("Nobody comes"), std::string::npos);
+  EXPECT_EQ(folder_.read("x.svg").find("No bee comes"), std::string::npos);
 }
 
 TEST_F(Gaps, MaxGapIsSecondsOrNever) {

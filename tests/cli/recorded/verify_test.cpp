@@ -55,7 +55,7 @@ TEST(Verify, ARecordingWithSeparationHolds) {
   EXPECT_EQ(below_header(finished.out), "");
   expect_parts(finished.err, {"limits     20 m/s\n", "losses     none\n", "verdict    holds\n"});
   expect_parts(run({"verify", "--threshold", "1"}, kPassing).err,
-               {"closest    nobody came closer than 2 m to anybody\n"});
+               {"closest    no two came closer than 2 m\n"});
 }
 
 TEST(Verify, ABeeThatIsTooFastIsFound) {

@@ -47,7 +47,7 @@ TEST(Simulate, WithoutPreventionTheyDoNot) {
   const Arguments question = {"simulate", "random-swap", "--bees", "60", "--method", "none"};
   const Finished finished = run(question + Arguments{"--fail-on-risk"});
   EXPECT_EQ(finished.exit_code, 1) << finished.err;
-  expect_parts(finished.err, {"method     none: everybody as it likes\n",
+  expect_parts(finished.err, {"method     none: each bee as it likes\n",
                               " of separation, a pair a step; in ", "time       in all "});
   EXPECT_EQ(run(question).exit_code, 0);
 }
@@ -103,8 +103,8 @@ TEST(Simulate, OneBeeHasNoneToAvoid) {
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
   expect_parts(finished.err,
                {"flown      0 steps of 0.1 s (0.00 s), until all had arrived\n",
-                "closest    nobody came closer than 10 m to anybody\n", "arrived    1 (100.0 %)\n",
-                "path ratio none: nobody has flown and arrived\n"});
+                "closest    no two came closer than 10 m\n", "arrived    1 (100.0 %)\n",
+                "path ratio none: no bee has flown and arrived\n"});
 }
 
 TEST(Simulate, TheRecordingIsATableOfAllBeesStepByStep) {

@@ -79,7 +79,7 @@ TEST(PredictionProperties, EveryConflictIsTheApproachOfTheTwo) {
     if (shape == Shape::kHeightsApart) return;  // an approach is of positions in space
     for (const Conflict& c : *predict_conflicts(scene.movers, options)) {
       const Approach approach =
-          *closest_approach(scene.movers[c.first], scene.movers[c.second], options);
+          *closest_approach(scene.movers[c.first], scene.movers[c.second], options.approach());
       ASSERT_EQ(approach.conflict, (TimeSpan{c.begins_s, c.ends_s}));
       ASSERT_TRUE(c.certain);
       if (shape == Shape::kCylinder) continue;

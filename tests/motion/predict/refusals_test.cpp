@@ -75,7 +75,7 @@ template <class Check>
 void for_each_error(const std::vector<Mover>& movers, const PredictOptions& options,
                     Check&& check) {
   ASSERT_GE(movers.size(), 2U);
-  const auto approach = closest_approach(movers[0], movers[1], options);
+  const auto approach = closest_approach(movers[0], movers[1], options.approach());
   if (movers.size() == 2) {
     ASSERT_FALSE(approach.has_value());
     check(approach.error());
@@ -224,7 +224,7 @@ TEST(MotionRefusal, TheEndsOfTheDomainAreInsideIt) {
           options.vertical_m = limit;
           options.horizon_s = horizon;
           const std::vector<Mover> movers = {all, all, {{1, 2, 3}, {}}};
-          EXPECT_TRUE(closest_approach(all, movers[2], options).has_value());
+          EXPECT_TRUE(closest_approach(all, movers[2], options.approach()).has_value());
           const auto brute = brute_force::predict_conflicts(movers, options);
           ASSERT_TRUE(brute.has_value());
           EXPECT_GE(brute->size(), 1U) << "two are at one place";

@@ -129,7 +129,7 @@ class ReportedTimes : public testing::Test {
     shown << e;
     SCOPED_TRACE(shown.str());
     const Report report(e);
-    const Approach approach = *closest_approach(e.first, e.second, e.options);
+    const Approach approach = *closest_approach(e.first, e.second, e.options.approach());
     report.expect_true(approach);
     const std::vector<Mover> movers = {e.first, e.second};
     const auto conflicts = *brute_force::predict_conflicts(movers, e.options);
@@ -139,7 +139,7 @@ class ReportedTimes : public testing::Test {
       report.expect_true(conflicts[0]);
       EXPECT_EQ((TimeSpan{conflicts[0].begins_s, conflicts[0].ends_s}), *approach.conflict);
     }
-    const Approach swapped = *closest_approach(e.second, e.first, e.options);
+    const Approach swapped = *closest_approach(e.second, e.first, e.options.approach());
     EXPECT_EQ(swapped.closest_s, approach.closest_s);
     EXPECT_EQ(swapped.closest_m, approach.closest_m);
     EXPECT_EQ(swapped.conflict, approach.conflict);
