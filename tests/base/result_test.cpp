@@ -145,14 +145,14 @@ TEST(ErrorText, ReadsLikeACompilersMessage) {
   EXPECT_EQ(to_string(error), "point 1: 'abc' is not a number");
   error.place.source = "bees.csv";
   EXPECT_EQ(to_string(error), "bees.csv: point 1: 'abc' is not a number");
+  error.place.line = 3;
+  error.place.column = 2;
+  EXPECT_EQ(to_string(error), "bees.csv:3:2: 'abc' is not a number");
   error.place = {};
   error.place.array = "limits";
   EXPECT_EQ(to_string(error), "limits: 'abc' is not a number");
   error.place.record = 3;
   EXPECT_EQ(to_string(error), "limits[3]: 'abc' is not a number");
-  error.place.line = 3;
-  error.place.column = 2;
-  EXPECT_EQ(to_string(error), "bees.csv:3:2: 'abc' is not a number");
 }
 
 TEST(ErrorText, EveryCodeHasANameOfItsOwn) {
