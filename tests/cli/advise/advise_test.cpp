@@ -79,7 +79,7 @@ TEST(Advise, TheOptionsAreThoseOfTheAdvice) {
   EXPECT_EQ(speed({"--acceleration", "none", "--speed", "3"}), "3");
   expect_parts(advised({"--acceleration", "none", "--uncertainty", "0.5"}, alone).err,
                {"note       there is no id: bees are numbered in their order, from 0\n",
-                "note       no velocities: everybody stands\n",
+                "note       no velocities: all bees stand\n",
                 "threshold  5 m (closer than), places known to 0.5 m\n",
                 "limits     10 m/s, velocities change at once\n"});
   // Far enough apart but for the uncertainty.
