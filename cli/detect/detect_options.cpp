@@ -117,7 +117,7 @@ Status check_fit(const DetectRequest& request) {
   } table[] = {{"--others", !request.others || report.takes_others},
                {"--max-results", !request.max_results || report.has_limit},
                {"--vertical", !request.vertical || report.takes_vertical},
-               {"--at-risk-only", !request.at_risk_only || report.lists_everybody}};
+               {"--at-risk-only", !request.at_risk_only || report.lists_all}};
   for (const auto& [option, fits] : table) {
     if (!fits) return wrong(std::string(option) + " does not apply to --report " + report.name);
   }

@@ -55,7 +55,7 @@ class NearestSearch {
       settle(radius, all_open);
       all_open = false;
       if (radius == farthest_ || open_.empty()) return;
-      if (open_.size() <= kFew) return compare_with_everybody();
+      if (open_.size() <= kFew) return compare_with_all();
       // The few that are left in open country may take longer steps.
       const double step = open_.size() * 32 < size ? 4.0 : 2.0;
       radius = std::min(step * radius, farthest_);
@@ -213,7 +213,7 @@ class NearestSearch {
     return distance(domain_.original_points()[id], domain_.original_others()[found]);
   }
 
-  void compare_with_everybody() {
+  void compare_with_all() {
     const PointsView& points = domain_.points();
     const PointsView& others = domain_.others();
     for (const PointId id : open_) {

@@ -83,7 +83,7 @@ class RowSweeps {
       sweep_.own = by_itself_ ? Range{asked_.row_begin[row], row_end} : Range{0, 0};
       find_targets(asked_.row_number[row]);
       begin = sweep_.points.end;
-      if (nobody_to_meet()) continue;
+      if (has_no_candidates()) continue;
       if (core::is_stopping()) return;
       if (!visit(static_cast<const Sweep&>(sweep_))) return;
     }
@@ -148,7 +148,7 @@ class RowSweeps {
     }
   }
 
-  [[nodiscard]] bool nobody_to_meet() const {
+  [[nodiscard]] bool has_no_candidates() const {
     return sweep_.target_count == 0 && sweep_.own.end - sweep_.own.begin < 2;
   }
 

@@ -40,7 +40,7 @@ struct Report {
   const char* label;     // of its finding in the summary
   bool takes_others;     // has a form with --others
   bool has_limit;        // obeys --max-results
-  bool lists_everybody;  // obeys --at-risk-only
+  bool lists_all;  // obeys --at-risk-only
   bool takes_vertical;   // has a meaning with --vertical
   // Null of the closest pair, which the summary and every JSON document tell too.
   Result<ReportFound> (*find)(const Question& question);
