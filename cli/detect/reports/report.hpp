@@ -35,13 +35,13 @@ struct ReportFound {
 };
 
 struct Report {
-  const char* name;      // "closest-pair"
-  const char* key;       // of its rows in JSON; empty where the document says it all without
-  const char* label;     // of its finding in the summary
-  bool takes_others;     // has a form with --others
-  bool has_limit;        // obeys --max-results
-  bool lists_all;  // obeys --at-risk-only
-  bool takes_vertical;   // has a meaning with --vertical
+  const char* name;     // "closest-pair"
+  const char* key;      // of its rows in JSON; empty where the document says it all without
+  const char* label;    // of its finding in the summary
+  bool takes_others;    // has a form with --others
+  bool has_limit;       // obeys --max-results
+  bool lists_all;       // obeys --at-risk-only
+  bool takes_vertical;  // has a meaning with --vertical
   // Null of the closest pair, which the summary and every JSON document tell too.
   Result<ReportFound> (*find)(const Question& question);
 };
