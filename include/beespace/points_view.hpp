@@ -283,7 +283,10 @@ class PointsView {
   template <class Number>
   static PointsView interleaved_of(std::span<const Number> xyz) {
     constexpr auto kStride = static_cast<std::ptrdiff_t>(3 * sizeof(Number));
-    PointsView view = strided(xyz.data(), xyz.data() + 1, xyz.data() + 2, xyz.size() / 3, kStride);
+    // Of no point there may be no array either.
+    const Number* const x = xyz.data();
+    const std::size_t next = xyz.size() < 3 ? 0 : 1;
+    PointsView view = strided(x, x + next, x + 2 * next, xyz.size() / 3, kStride);
     view.lengths_ = {(xyz.size() + 2) / 3, (xyz.size() + 1) / 3, xyz.size() / 3};
     return view;
   }
