@@ -9,13 +9,26 @@ unsigned char byte_at(std::string_view text, std::size_t i) {
   return i < text.size() ? static_cast<unsigned char>(text[i]) : 0;
 }
 
+// By going back to the last '*' only, where a word of a file, however long, needs no stack.
 bool matches(std::string_view pattern, std::string_view word) {
-  if (pattern.empty()) return word.empty();
-  if (pattern.front() != '*') {
-    const bool alike = !word.empty() && (pattern.front() == '?' || pattern.front() == word.front());
-    return alike && matches(pattern.substr(1), word.substr(1));
+  std::size_t at = 0;  // of the pattern
+  std::size_t star = std::string_view::npos;
+  std::size_t resume = 0;  // of the word, after what that '*' stands for
+  for (std::size_t i = 0; i < word.size();) {
+    if (at < pattern.size() && pattern[at] == '*') {
+      star = at++;
+      resume = i;
+    } else if (at < pattern.size() && (pattern[at] == '?' || pattern[at] == word[i])) {
+      ++at;
+      ++i;
+    } else if (star != std::string_view::npos) {
+      at = star + 1;
+      i = ++resume;
+    } else {
+      return false;
+    }
   }
-  return matches(pattern.substr(1), word) || (!word.empty() && matches(pattern, word.substr(1)));
+  return pattern.find_first_not_of('*', at) == std::string_view::npos;
 }
 
 }  // namespace
