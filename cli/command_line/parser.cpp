@@ -145,10 +145,16 @@ void add_option(CLI::App& app, Option& option) {
   added->check(problem_of_empty);
 }
 
+// Those that the parser answers itself; they take no value either.
+void set_own_flags(CLI::App& app) {
+  app.set_help_flag("-h,--help", "Print this help and exit")->disable_flag_override();
+  app.set_version_flag("--version", std::string(version()), kVersionHelp)->disable_flag_override();
+}
+
 CLI::App* add_command(CLI::App& app, Command& command) {
   CLI::App* added = app.add_subcommand(command.name(), command.summary());
   added->footer(command.details());
-  added->set_version_flag("--version", std::string(version()), kVersionHelp);
+  set_own_flags(*added);
   for (Option& option : command.options()) add_option(*added, option);
   return added;
 }
@@ -168,8 +174,7 @@ Command help_command(const std::vector<Command>& commands, std::string& topic) {
 
 ExitCode run_command_line(Program& program, int argc, char** argv) {
   CLI::App app(program.summary, program.name);
-  app.set_version_flag("--version", std::string(version()), kVersionHelp);
-  app.set_help_flag("-h,--help", "Print this help and exit");
+  set_own_flags(app);
   app.footer(program.examples);
   app.get_formatter()->column_width(kColumnOfHelp);
   std::vector<CLI::App*> added;

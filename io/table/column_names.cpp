@@ -50,7 +50,11 @@ class NameReading {
     if (says != pattern_.words.end()) return take(*says, word);
     if (pattern_.unit == UnitPlace::kAnywhere) {
       if (const auto unit = unit_in(word, alone)) {
-        if (found_.unit != Unit::kUnstated && found_.unit != *unit) return false;
+        if (found_.unit != Unit::kUnstated && found_.unit != *unit) {
+          // It is a time all the same: one without a unit, so that the unit is asked for.
+          if (pattern_.quantity != Quantity::kTime) return false;
+          units_disagree_ = true;
+        }
         found_.unit = *unit;
         found_.says_length = found_.says_length || pattern_.quantity == Quantity::kLength;
         return true;
@@ -105,6 +109,7 @@ class NameReading {
 
   std::optional<ColumnMeaning> finish() {
     if (!has(pattern_.needed)) return std::nullopt;
+    if (units_disagree_) found_.unit = Unit::kUnstated;
     if (found_.role == Role::kNone) found_.role = pattern_.role;
     for (const Role role : confirmed_) {
       if (role != found_.role) return std::nullopt;
@@ -136,6 +141,7 @@ class NameReading {
   const NamePattern& pattern_;
   ColumnMeaning found_;
   unsigned said_ = 0;
+  bool units_disagree_ = false;
   std::vector<Role> confirmed_;
 };
 

@@ -86,6 +86,9 @@ TEST(Usage, AnOptionGivenTwiceWithoutItsValueOrAFlagWithOneIsRefused) {
   expect_usage_error({"detect", "--crs="}, "--crs needs a value");
   expect_usage_error({"detect", "--csv=5"}, "--csv takes no value");
   expect_usage_error({"detect", "--quiet=false"}, "--quiet takes no value");
+  expect_usage_error({"detect", "--version=1"}, "--version takes no value");
+  expect_usage_error({"detect", "--help=false"}, "--help takes no value");
+  expect_usage_error({"--help=1"}, "--help takes no value");
 }
 
 TEST(Usage, AnEmptyValueIsNoValue) {

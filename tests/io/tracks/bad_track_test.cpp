@@ -54,6 +54,16 @@ TEST(BadTrack, TheUnitOfTimeIsNotGuessed) {
                {ErrorCode::kUnsupportedFormat, "bees.csv:1:2", "is in 'min'; convert it first"});
 }
 
+TEST(BadTrack, ATimeInTwoUnitsIsATimeWhoseUnitIsAskedFor) {
+  for (const std::string name : {"time_s_ms", "Time [us] [ms]", "timestamp_ms_ns"}) {
+    const std::string text = "id," + name + ",x,y,z\na,0,1,2,3\na,1000,1,2,3\n";
+    expect_error(record(text), {ErrorCode::kInvalidArgument, "bees.csv:1:2", "in which unit?"});
+    RecordingOptions options;
+    options.time_unit = Unit::kMillisecond;
+    EXPECT_TRUE(record(text, options).has_value()) << name;
+  }
+}
+
 TEST(BadTrack, SeveralTimesMustBeDistinguished) {
   expect_error(
       record("id,time_s,timestamp_us,x,y,z\na,0,0,1,2,3\n"),
