@@ -9,17 +9,17 @@
 namespace beespace {
 
 Result<Approach> closest_approach(const Mover& first, const Mover& second,
-                                  const ApproachOptions& asked) {
-  const PredictOptions options{.threshold_m = asked.threshold_m,
-                               .vertical_m = asked.vertical_m,
-                               .horizon_s = asked.horizon_s,
-                               .inclusive = asked.inclusive};
-  if (auto error = motion::check_options(options)) return *std::move(error);
+                                  const ApproachOptions& options) {
+  const PredictOptions checked{.threshold_m = options.threshold_m,
+                               .vertical_m = options.vertical_m,
+                               .horizon_s = options.horizon_s,
+                               .inclusive = options.inclusive};
+  if (auto error = motion::check_options(checked)) return *std::move(error);
   const Mover one = motion::flushed(first);
   const Mover other = motion::flushed(second);
   if (auto error = motion::check_mover(one, 0)) return *std::move(error);
   if (auto error = motion::check_mover(other, 1)) return *std::move(error);
-  const motion::Separation separation = motion::separation_of(options);
+  const motion::Separation separation = motion::separation_of(checked);
   const motion::State a = motion::state_of(one);
   const motion::State b = motion::state_of(other);
   const auto relative = motion::relative_motion(a, b);
