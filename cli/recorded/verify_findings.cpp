@@ -130,8 +130,9 @@ std::string verify_json_head(const Verification& verification, const MovingReque
     head += ",\n  \"clearance_loss_count\": " + std::to_string(verdict.clearance_losses);
   }
   head += ",\n  \"breach_count\": " + std::to_string(verdict.breaches);
-  head += ",\n  \"fastest_mps\": " + io::exact(verdict.fastest_mps);
-  head += ",\n  \"hardest_mps2\": " + (options.straight ? "null" : io::exact(verdict.hardest_mps2));
+  head += ",\n  \"peak_speed_mps\": " + io::exact(verdict.peak_speed_mps);
+  head += ",\n  \"peak_acceleration_mps2\": " +
+          (options.straight ? "null" : io::exact(verdict.peak_acceleration_mps2));
   head += ",\n  \"closest\": ";
   if (verdict.closest_m) {
     Rows closest{
@@ -170,10 +171,10 @@ std::string verify_summary(const Verification& verification, const MovingRequest
   append_summary_line(out, "limits", limits_text(options));
   append_summary_line(out, "checked", times(verdict.steps, "step", "steps"));
   append_summary_line(out, "closest", closest_text(verification));
-  append_summary_line(out, "fastest", io::grouped(verdict.fastest_mps, 3) + " m/s");
-  append_summary_line(out, "hardest",
+  append_summary_line(out, "peak speed", io::grouped(verdict.peak_speed_mps, 3) + " m/s");
+  append_summary_line(out, "peak accel",
                       options.straight ? "not known of straight lines"
-                                       : io::grouped(verdict.hardest_mps2, 3) + " m/s^2");
+                                       : io::grouped(verdict.peak_acceleration_mps2, 3) + " m/s^2");
   append_summary_line(out, "losses",
                       found_text(verdict.losses, "pair in a step", "pairs, a step each"));
   if (options.obstacles != nullptr) {

@@ -31,8 +31,8 @@ void add(Verdict& all, const Verdict& later) {
     all.closest_pair = later.closest_pair;
     all.closest_step_s = later.closest_step_s;
   }
-  all.fastest_mps = std::max(all.fastest_mps, later.fastest_mps);
-  all.hardest_mps2 = std::max(all.hardest_mps2, later.hardest_mps2);
+  all.peak_speed_mps = std::max(all.peak_speed_mps, later.peak_speed_mps);
+  all.peak_acceleration_mps2 = std::max(all.peak_acceleration_mps2, later.peak_acceleration_mps2);
 }
 
 // The library counts movers; here they have names.

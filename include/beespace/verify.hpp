@@ -123,8 +123,9 @@ struct Verdict {
   std::optional<double> closest_m = {};
   std::optional<Pair> closest_pair = {};  ///< The two agents of `closest_m`.
   double closest_step_s = 0.0;            ///< When the step of `closest_m` began, in seconds.
-  double fastest_mps = 0.0;               ///< The greatest speed, in metres per second.
-  double hardest_mps2 = 0.0;  ///< The greatest acceleration, in metres per second squared.
+  double peak_speed_mps = 0.0;            ///< The greatest speed, in metres per second.
+  double peak_acceleration_mps2 =
+      0.0;  ///< The greatest acceleration, in metres per second squared.
 
   /// @brief Says whether nothing was lost or exceeded.
   /// @return Whether all three counts are zero.

@@ -217,7 +217,7 @@ class __attribute__((visibility("hidden"))) Verifier::State {
         velocities[k] = scaled_difference(c[k + 1], c[k], 3.0 / lasts_s);
       }
       const double speed = verify::farthest_from_origin(velocities);
-      verdict_.fastest_mps = std::max(verdict_.fastest_mps, speed);
+      verdict_.peak_speed_mps = std::max(verdict_.peak_speed_mps, speed);
       const double rounded_mps = 4.0 * rounded_m / lasts_s + by_time * speed;
       const double rounded_mps2 = 6.0 * rounded_mps / lasts_s;
       note(bee, BreachKind::kSpeed, begin_s, speed,
@@ -229,7 +229,7 @@ class __attribute__((visibility("hidden"))) Verifier::State {
             scaled_difference(verify::mixed(c[k], c[k + 2]), c[k + 1], 12.0 / (lasts_s * lasts_s));
         acceleration = std::max(acceleration, verify::length(bend));
       }
-      verdict_.hardest_mps2 = std::max(verdict_.hardest_mps2, acceleration);
+      verdict_.peak_acceleration_mps2 = std::max(verdict_.peak_acceleration_mps2, acceleration);
       note(bee, BreachKind::kAcceleration, begin_s, acceleration,
            options_.max_acceleration_mps2 * kOverLimit + rounded_mps2);
     }

@@ -45,8 +45,8 @@ TEST(VerifierLimits, OfEvenAccelerationAreMetExactly) {
     const Flight moved = even({3, 0, 0}, {0, 8, 0}, 0.5, p);
     const Verdict verdict = verdict_of(moved, limits(5.0, 8.0));
     EXPECT_TRUE(verdict.holds());
-    EXPECT_NEAR(verdict.fastest_mps, 5.0, 1e-8);
-    EXPECT_NEAR(verdict.hardest_mps2, 8.0, 1e-7);
+    EXPECT_NEAR(verdict.peak_speed_mps, 5.0, 1e-8);
+    EXPECT_NEAR(verdict.peak_acceleration_mps2, 8.0, 1e-7);
   }
   Verdict verdict = verdict_of(flight, limits(5.0 - 1e-6, 8.0));
   EXPECT_EQ(verdict.breaches, 1U);
@@ -84,8 +84,8 @@ TEST(VerifierLimits, SeeAPeakInsideAStep) {
 TEST(VerifierLimits, SayNoMoreThanThePeakInsideAStep) {
   const Verdict verdict = verdict_of(kHop, limits(3.01, 12.01));
   EXPECT_TRUE(verdict.holds());
-  EXPECT_NEAR(verdict.fastest_mps, 3.0, 1e-6);
-  EXPECT_NEAR(verdict.hardest_mps2, 12.0, 1e-6);
+  EXPECT_NEAR(verdict.peak_speed_mps, 3.0, 1e-6);
+  EXPECT_NEAR(verdict.peak_acceleration_mps2, 12.0, 1e-6);
 }
 
 // A velocity that does not fit the positions shows as an acceleration that was not flown.
@@ -113,8 +113,8 @@ TEST(VerifierLimits, StraightFlightsHaveTheSpeedOfTheirChord) {
   flight.to.velocity = {0, -1e6, 0};
   Verdict verdict = verdict_of(flight, options);
   EXPECT_TRUE(verdict.holds());
-  EXPECT_NEAR(verdict.fastest_mps, 2.0, 1e-12);
-  EXPECT_EQ(verdict.hardest_mps2, 0.0);
+  EXPECT_NEAR(verdict.peak_speed_mps, 2.0, 1e-12);
+  EXPECT_EQ(verdict.peak_acceleration_mps2, 0.0);
   options.max_speed_mps = 2.0 - 1e-6;
   verdict = verdict_of(flight, options);
   EXPECT_EQ(verdict.breaches, 1U);
@@ -136,8 +136,8 @@ TEST(VerifierLimits, RoundingOfFarPositionsIsNoBreach) {
     mover = {{p.x + 0.5 * (v.x + next.x) * step_s, p.y + 0.5 * (v.y + next.y) * step_s, p.z}, next};
   }
   EXPECT_TRUE(verifier.verdict().holds());
-  EXPECT_NEAR(verifier.verdict().fastest_mps, 10.0, 1e-6);
-  EXPECT_NEAR(verifier.verdict().hardest_mps2, acceleration, 1e-3);
+  EXPECT_NEAR(verifier.verdict().peak_speed_mps, 10.0, 1e-6);
+  EXPECT_NEAR(verifier.verdict().peak_acceleration_mps2, acceleration, 1e-3);
 }
 
 TEST(VerifierLimits, NoSpeedAtAllIsALimitToo) {

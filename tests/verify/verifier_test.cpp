@@ -273,7 +273,7 @@ TEST(Verifier, OfNoneAndOfOne) {
     EXPECT_TRUE(verdict.holds());
     EXPECT_FALSE(verdict.closest_m.has_value());
     EXPECT_FALSE(verdict.closest_pair.has_value());
-    EXPECT_EQ(verdict.fastest_mps, 0.0);
+    EXPECT_EQ(verdict.peak_speed_mps, 0.0);
   }
   EXPECT_TRUE(Verifier(options).verdict().holds());
   EXPECT_EQ(Verifier(options).verdict().steps, 0U);

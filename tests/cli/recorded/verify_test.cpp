@@ -44,8 +44,8 @@ TEST(Verify, APassBetweenFixesIsFound) {
        "motion     straight lines from fix to fix: there are no velocities\n",
        "threshold  5 m (closer than), the default (--threshold)\n",
        "limits     not checked (--max-speed, --max-acceleration)\n", "checked    2 steps\n",
-       "closest    a and b, 4.000 m apart in the step from 0.00 s", "fastest    20.000 m/s\n",
-       "hardest    not known of straight lines\n", "losses     1 pair in a step\n",
+       "closest    a and b, 4.000 m apart in the step from 0.00 s", "peak speed 20.000 m/s\n",
+       "peak accel not known of straight lines\n", "losses     1 pair in a step\n",
        "breaches   none\n", "verdict    does not keep its distance\n", "time       read "});
 }
 
@@ -75,7 +75,7 @@ TEST(Verify, VelocitiesBendTheWayBetweenFixes) {
   EXPECT_EQ(finished.exit_code, 1);
   expect_rows(rows_of(finished.out), {{"loss", "a", "b", "0", "1", "6"}});
   expect_parts(finished.err, {"motion     curves from fix to fix, with the velocities at both",
-                              "fastest    4.000 m/s\n", "hardest    8.000 m/s^2\n"});
+                              "peak speed 4.000 m/s\n", "peak accel 8.000 m/s^2\n"});
   EXPECT_EQ(run({"verify", "--threshold", "5.99"}, kBulging).exit_code, 0);
   const Finished straight = run({"verify", "--threshold", "6.01", "--straight"}, kBulging);
   EXPECT_EQ(straight.exit_code, 0) << straight.out;
@@ -88,7 +88,7 @@ TEST(Verify, ABeeThatAcceleratesTooHardIsFound) {
   const Finished finished = run(question + Arguments{"2.9"}, kSpeedingUp);
   EXPECT_EQ(finished.exit_code, 1);
   expect_rows(rows_of(finished.out), {{"acceleration", "a", "", "0", "2", "3"}});
-  expect_parts(finished.err, {"limits     6 m/s, 2.9 m/s^2\n", "hardest    3.000 m/s^2\n",
+  expect_parts(finished.err, {"limits     6 m/s, 2.9 m/s^2\n", "peak accel 3.000 m/s^2\n",
                               "breaches   1 limit in a step\n"});
 }
 
@@ -114,7 +114,7 @@ TEST(Verify, TheSameFindingsComeInEveryForm) {
                {R"("command": "verify")", R"("threshold_m": 5)", R"("max_speed_mps": 19)",
                 R"("max_acceleration_mps2": null)", R"("straight": true)", R"("steps": 2)",
                 R"("holds": false)", R"("loss_count": 1)", R"("breach_count": 4)",
-                R"("fastest_mps": 20)", R"("hardest_mps2": null)",
+                R"("peak_speed_mps": 20)", R"("peak_acceleration_mps2": null)",
                 R"("closest": {"first": "a", "second": "b", "step_begins_s": 0, "distance_m": )",
                 R"({"finding": "loss", "first": "a", "second": "b", "begins_s": 0, "ends_s": 1,)",
                 R"({"finding": "speed", "first": "a", "second": null, "begins_s": 0,)"});
@@ -201,7 +201,7 @@ TEST(Verify, DegreesBecomeMetres) {
   const TextRows rows = rows_of(finished.out);
   ASSERT_EQ(rows.size(), 1u);
   EXPECT_NEAR(std::stod(rows[0].at(5)), 11.1321, 0.0005);
-  expect_parts(finished.err, {"frame      WGS84 longitude, latitude, height", "fastest    10.0"});
+  expect_parts(finished.err, {"frame      WGS84 longitude, latitude, height", "peak speed 10.0"});
   EXPECT_EQ(run({"verify", "--threshold", "11.12"}, text).exit_code, 0);
 }
 

@@ -62,7 +62,7 @@ TEST(SimulateMission, EachBeeFliesAsItCan) {
                {"limits     of the file, each bee its own\n", "losses     none\n",
                 "note       there is no id: bees are numbered in their order, from 0\n"});
   const Finished checked = run({"verify", folder.path("flown.csv")});
-  expect_parts(checked.err, {"fastest    8.000 m/s\n", "hardest    4.000 m/s^2\n"});
+  expect_parts(checked.err, {"peak speed 8.000 m/s\n", "peak accel 4.000 m/s^2\n"});
   const Finished json = run({"simulate", "-", "--json", "--quiet"}, slow_and_fast);
   expect_parts(json.out,
                {R"("own_limits": true)", R"("max_speed_mps": null)", R"("breach_count": 0)"});
