@@ -24,6 +24,7 @@
 /// half-spaces bound the velocities.
 #pragma once
 
+#include <beespace/crew.hpp>
 #include <beespace/export.hpp>
 #include <beespace/lifetimebound.hpp>
 #include <beespace/mover.hpp>
@@ -39,6 +40,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace beespace {
@@ -163,6 +165,9 @@ struct AdviseOptions {
   /// @brief How many threads may work, the calling one included; 0 means one per processor. The
   /// answer is the same for every number.
   unsigned threads = 1;
+
+  /// @brief When a stop is requested, the call ends soon, with ErrorCode::kStopped and no advice.
+  std::stop_token stop = {};
 };
 
 /// @brief How an advised velocity relates to the preferred one.
@@ -303,8 +308,12 @@ struct Advised {
 /// assigned to.
 class BEESPACE_API Adviser {
  public:
-  /// @brief Makes an adviser.
+  /// @brief Makes an adviser with threads of its own.
   Adviser();
+  /// @brief Works with the threads of `crew`, all of which work on every call:
+  /// AdviseOptions::threads is ignored.
+  /// @param crew The threads; must outlive the Adviser.
+  explicit Adviser(Crew& crew BEESPACE_LIFETIMEBOUND);
   Adviser(const Adviser&) = delete;
   Adviser& operator=(const Adviser&) = delete;
   /// @brief Takes over memory and threads.
@@ -337,7 +346,8 @@ class BEESPACE_API Adviser {
   ///     that is said to be a mover and is none; and for limits that are given once for all, a
   ///     greatest speed that is negative or infinite, or a greatest acceleration that is not above
   ///     zero;
-  ///   - ErrorCode::kTooManyPoints: more agents than ids.
+  ///   - ErrorCode::kTooManyPoints: more agents than ids;
+  ///   - ErrorCode::kStopped: a stop was requested (AdviseOptions::stop).
   Status advise(const MoversView& movers, std::span<const Velocity> preferred,
                 std::span<const FlightLimits> limits, const AdviseOptions& options,
                 Advised& advised);

@@ -9,8 +9,9 @@
 #include "avoidance/validate.hpp"
 #include "avoidance/velocity_solver.hpp"
 #include "avoidance/vicinity.hpp"
-#include "base/crew_size.hpp"
 #include "base/dynamic_schedule.hpp"
+#include "base/kept_crew.hpp"
+#include "base/stopping.hpp"
 #include "motion/flush.hpp"
 
 #include <algorithm>
@@ -63,6 +64,8 @@ void keep_nearest_pieces(std::vector<NearObstacle>& all) {
 
 class __attribute__((visibility("hidden"))) Adviser::State {
  public:
+  explicit State(Crew* lent) : near_(lent), crew_(lent) {}
+
   Status advise(const MoversView& movers, std::span<const Velocity> preferred,
                 std::span<const FlightLimits> limits, const AdviseOptions& options,
                 Advised& advised) {
@@ -71,7 +74,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
       return *std::move(error);
     }
     intake_.take(movers, preferred, limits, options, advised.refused);
-    Status found = advise_all(intake_.options(), advised);
+    Status found = core::unless_stopped([&] { return advise_all(intake_.options(), advised); });
     if (!found) {
       advised.clear();
       return found;
@@ -92,7 +95,8 @@ class __attribute__((visibility("hidden"))) Adviser::State {
   Status advise_all(const AdviseOptions& options, Advised& advised) {
     const std::span<const Velocity> wishes = intake_.wishes();
     const std::size_t bees = intake_.movers().size();
-    ThreadCrew& crew = crew_for(options.threads, bees);
+    core::StoppableCrew crew(crew_.of(options.threads, bees), options.stop);
+    clear_desks(crew.size());
     agents_.take(intake_.movers(), intake_.limits(), options, crew);
     const double horizon_s = avoidance::looks_ahead_s(agents_, options.step_s);
     if (Status found = find_near(options, horizon_s); !found) return found;
@@ -121,21 +125,19 @@ class __attribute__((visibility("hidden"))) Adviser::State {
   }
 
   Status find_near(const AdviseOptions& options, double horizon_s) {
-    if (options.method == AdviseMethod::kCertified) return near_.find(agents_, options.threads);
+    const RunOptions run{options.threads, options.stop};
+    if (options.method == AdviseMethod::kCertified) return near_.find(agents_, run);
     const double within_m = agents_.apart().kept_m + 2.0 * agents_.fastest() * horizon_s;
-    return near_.find_within(MoversView(intake_.movers()).positions(), within_m, options.threads);
+    return near_.find_within(MoversView(intake_.movers()).positions(), within_m, run);
   }
 
-  ThreadCrew& crew_for(unsigned threads, std::size_t bees) {
-    const unsigned size = cpu::crew_size(threads, bees);
-    if (!crew_ || crew_->size() != size) crew_.emplace(size);
-    desks_.resize(crew_->size());
+  void clear_desks(std::size_t workers) {
+    desks_.resize(workers);
     for (Desk& desk : desks_) {
       desk.findings.too_close.clear();
       desk.findings.near_obstacle.clear();
       desk.findings.near_unknown.clear();
     }
-    return *crew_;
   }
 
   [[nodiscard]] Advice advise_one(PointId bee, const Vector3& wish,
@@ -234,11 +236,13 @@ class __attribute__((visibility("hidden"))) Adviser::State {
   AgentStates agents_;
   avoidance::Vicinity near_;
   std::vector<char> too_close_;  // of each bee, whether it is so to any
-  std::optional<ThreadCrew> crew_;
+  core::KeptCrew crew_;
   std::vector<Desk> desks_;  // of each worker
 };
 
-Adviser::Adviser() : state_(std::make_unique<State>()) {
+Adviser::Adviser() : state_(std::make_unique<State>(nullptr)) {
+}
+Adviser::Adviser(Crew& crew) : state_(std::make_unique<State>(&crew)) {
 }
 Adviser::Adviser(Adviser&&) noexcept = default;
 Adviser& Adviser::operator=(Adviser&&) noexcept = default;

@@ -7,7 +7,7 @@
 
 namespace beespace::avoidance {
 
-Status Vicinity::find(const AgentStates& agents, unsigned threads) {
+Status Vicinity::find(const AgentStates& agents, const RunOptions& run) {
   memory_.start_call();
   const double reach_m = reach_in_rows(agents);
   far_.clear();
@@ -18,14 +18,18 @@ Status Vicinity::find(const AgentStates& agents, unsigned threads) {
       if (is_far_.back() != 0) far_.push_back(bee);
     }
   }
-  const SearchOptions around{.threshold_m = agents.meet(reach_m, reach_m), .threads = threads};
-  return engine_.find_neighbors(agents.middles(), around, rows_);
+  return find_rows(agents.middles(), agents.meet(reach_m, reach_m), run);
 }
 
-Status Vicinity::find_within(const PointsView& places, double within_m, unsigned threads) {
+Status Vicinity::find_within(const PointsView& places, double within_m, const RunOptions& run) {
   far_.clear();
   is_far_.clear();
-  return engine_.find_neighbors(places, {.threshold_m = within_m, .threads = threads}, rows_);
+  return find_rows(places, within_m, run);
+}
+
+Status Vicinity::find_rows(const PointsView& places, double within_m, const RunOptions& run) {
+  const SearchOptions around{.threshold_m = within_m, .threads = run.threads, .stop = run.stop};
+  return engine_.find_neighbors(places, around, rows_);
 }
 
 // Up to which reach bees have rows: all, unless it costs less to compare a few with all others.

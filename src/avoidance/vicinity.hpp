@@ -7,10 +7,12 @@
 #include "avoidance/agent_states.hpp"
 #include "base/memory.hpp"
 
+#include <beespace/crew.hpp>
 #include <beespace/engine.hpp>
 #include <beespace/id_rows.hpp>
 #include <beespace/points_view.hpp>
 #include <beespace/result.hpp>
+#include <beespace/search_options.hpp>
 
 #include <vector>
 
@@ -18,10 +20,13 @@ namespace beespace::avoidance {
 
 class Vicinity {
  public:
+  // With the threads of `lent`, which must outlive this; null: with threads of its own.
+  explicit Vicinity(Crew* lent = nullptr) : engine_(lent == nullptr ? Engine() : Engine(*lent)) {}
+
   // Errors: as Engine::find_neighbors.
-  Status find(const AgentStates& agents, unsigned threads);
+  Status find(const AgentStates& agents, const RunOptions& run);
   // All agents within this distance.
-  Status find_within(const PointsView& places, double within_m, unsigned threads);
+  Status find_within(const PointsView& places, double within_m, const RunOptions& run);
 
   // Calls visit(other) for each agent that may matter to a bee, and for some that do not, once
   // each, until it returns false.
@@ -43,6 +48,7 @@ class Vicinity {
 
  private:
   [[nodiscard]] bool reaches_far(PointId bee) const { return !far_.empty() && is_far_[bee] != 0; }
+  Status find_rows(const PointsView& places, double within_m, const RunOptions& run);
   [[nodiscard]] double reach_in_rows(const AgentStates& agents);
 
   Engine engine_;

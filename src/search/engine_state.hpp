@@ -1,7 +1,7 @@
 // The state that an Engine keeps between calls, threads and memory, and how searches get them.
 #pragma once
 
-#include "base/crew_size.hpp"
+#include "base/kept_crew.hpp"
 #include "base/resources.hpp"
 #include "base/stopping.hpp"
 #include "exact/validate.hpp"
@@ -21,14 +21,14 @@ namespace beespace {
 
 class Engine::EngineState {
  public:
-  explicit EngineState(Crew* lent) : lent_(lent) {}
+  explicit EngineState(Crew* lent) : crew_(lent) {}
 
   // Threads and memory for a search of so many points. `how` says how many threads there are and
   // what ends it early: it must outlive the search.
   template <class Options>
   core::Resources resources(const Options& how, std::size_t points) {
     memory_.start_call();
-    return {stoppable_.emplace(crew(how.threads, points), how.stop), memory_};
+    return {stoppable_.emplace(crew_.of(how.threads, points), how.stop), memory_};
   }
   core::Memory& memory() { return memory_; }
 
@@ -77,22 +77,8 @@ class Engine::EngineState {
   std::vector<core::NearestList> nearest_lists;  // of each worker
 
  private:
-  Crew& crew(unsigned threads, std::size_t points) {
-    if (lent_ != nullptr) return *lent_;
-    const unsigned size = cpu::crew_size(threads, points);
-    if (size == 1) return alone_;
-    if (!own_ || asked_for_ != size) {
-      own_.emplace(size);
-      asked_for_ = size;
-    }
-    return *own_;
-  }
-
   core::Memory memory_;
-  Crew* lent_;
-  Crew alone_;
-  std::optional<ThreadCrew> own_;
-  unsigned asked_for_ = 0;
+  core::KeptCrew crew_;
   std::optional<core::StoppableCrew> stoppable_;  // of the call under way
 };
 
