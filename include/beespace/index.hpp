@@ -7,6 +7,7 @@
 /// are exact, and the same whatever was inserted, moved and removed before, in whatever order.
 #pragma once
 
+#include <beespace/crew.hpp>
 #include <beespace/export.hpp>
 #include <beespace/id_rows.hpp>
 #include <beespace/lifetimebound.hpp>
@@ -75,6 +76,15 @@ class BEESPACE_API Index {
   /// @return The index; or ErrorCode::kTooManyPoints, ErrorCode::kNotFinite,
   ///   ErrorCode::kOutsideDomain as find_at_risk.
   static Result<Index> build(const PointsView& points, const RunOptions& run = {});
+  /// @brief The same with the threads of `crew`, all of which work on this call, on each question
+  /// about many places and on rebuild(): numbers of threads are ignored. Where several threads ask
+  /// the Index at a time, they use the crew at a time, as a ThreadCrew allows.
+  /// @param points The positions in metres; copied.
+  /// @param crew The threads; must outlive the Index.
+  /// @param stop What ends the call early.
+  /// @return The index, or the same errors.
+  static Result<Index> build(const PointsView& points, Crew& crew BEESPACE_LIFETIMEBOUND,
+                             std::stop_token stop = {});
 
   Index(const Index&) = delete;
   Index& operator=(const Index&) = delete;
@@ -150,6 +160,20 @@ class BEESPACE_API Index {
   /// @param[out] nearest The nearest points; overwritten.
   /// @return Success, or the same errors.
   Status k_nearest(const Point& place, std::size_t k, std::vector<Nearest>& nearest) const;
+
+  /// @brief Finds the `k` nearest points of a point of the index, without itself.
+  /// @param id The id of the point.
+  /// @param k How many points to find.
+  /// @return The `k` other points nearest to it, or all if there are fewer, in the order of their
+  ///   distances; equally near ones, such as others at its position, in the order of their ids. Or
+  ///   ErrorCode::kInvalidArgument where there is no such point.
+  [[nodiscard]] Result<std::vector<Nearest>> k_nearest_of(PointId id, std::size_t k) const;
+  /// @brief The same into the caller's vector.
+  /// @param id The id of the point.
+  /// @param k How many points to find.
+  /// @param[out] nearest The nearest points; overwritten.
+  /// @return Success, or the same error.
+  Status k_nearest_of(PointId id, std::size_t k, std::vector<Nearest>& nearest) const;
 
   /// @brief Finds the `k` nearest points of each of many positions.
   /// @param places The positions in metres; read in place.

@@ -2,6 +2,7 @@
 
 #include "base/bounds.hpp"
 #include "base/crew_size.hpp"
+#include "base/kept_crew.hpp"
 #include "base/stopping.hpp"
 #include "exact/validate.hpp"
 #include "index/index_levels.hpp"
@@ -61,12 +62,20 @@ Index::Index() {
 
 Result<Index> Index::build(const PointsView& points, const RunOptions& run) {
   ThreadCrew crew(cpu::crew_size(run.threads, points.size()));
-  core::StoppableCrew stoppable(crew, run.stop);
+  Result<Index> built = build(points, crew, run.stop);
+  if (built) built->levels_->lent = nullptr;
+  return built;
+}
+
+Result<Index> Index::build(const PointsView& points, Crew& crew, std::stop_token stop) {
+  core::StoppableCrew stoppable(crew, stop);
   core::Memory memory;
   return core::unless_stopped([&]() -> Result<Index> {
     const Result<core::Bounds> bounds = measure(points, core::kPointsName, {stoppable, memory});
     if (!bounds) return bounds.error();
-    return Index(std::make_unique<Levels>(search::ChangingPoints(points, *bounds, stoppable)));
+    Index index(std::make_unique<Levels>(search::ChangingPoints(points, *bounds, stoppable)));
+    index.levels_->lent = &crew;
+    return index;
   });
 }
 
@@ -119,11 +128,33 @@ Result<std::vector<Nearest>> Index::k_nearest(const Point& place, std::size_t k)
   return nearest;
 }
 
+Status Index::k_nearest_of(PointId id, std::size_t k, std::vector<Nearest>& nearest) const {
+  nearest.clear();
+  if (!contains(id)) return no_such_point(id);
+  if (k == 0) return std::monostate{};
+  // One more, for the point itself. Where as many others lie at its position, it may be none of
+  // them; then the last is one too many.
+  const std::size_t others = std::min(k, size() - 1);
+  if (Status found = k_nearest(levels_->points.point(id), others + 1, nearest); !found) {
+    return found;
+  }
+  std::erase_if(nearest, [&](const Nearest& near) { return near.id == id; });
+  nearest.resize(others);
+  return std::monostate{};
+}
+
+Result<std::vector<Nearest>> Index::k_nearest_of(PointId id, std::size_t k) const {
+  std::vector<Nearest> nearest;
+  const Status status = k_nearest_of(id, k, nearest);
+  if (!status) return status.error();
+  return nearest;
+}
+
 Result<IdRows> Index::find_around(const PointsView& places, const AroundOptions& options) const {
   if (std::isnan(options.radius_m)) return core::threshold_not_given();
   if (auto error = search::check_radius(options.radius_m)) return *std::move(error);
-  ThreadCrew crew(cpu::crew_size(options.threads, places.size()));
-  core::StoppableCrew stoppable(crew, options.stop);
+  core::KeptCrew crew(levels_->lent);
+  core::StoppableCrew stoppable(crew.of(options.threads, places.size()), options.stop);
   core::Memory memory;
   return core::unless_stopped([&]() -> Result<IdRows> {
     const Result<core::Bounds> bounds = measure(places, core::kPlacesName, {stoppable, memory});
@@ -134,8 +165,8 @@ Result<IdRows> Index::find_around(const PointsView& places, const AroundOptions&
 
 Result<NearestRows> Index::k_nearest(const PointsView& places, std::size_t k,
                                      const RunOptions& run) const {
-  ThreadCrew crew(cpu::crew_size(run.threads, places.size()));
-  core::StoppableCrew stoppable(crew, run.stop);
+  core::KeptCrew crew(levels_->lent);
+  core::StoppableCrew stoppable(crew.of(run.threads, places.size()), run.stop);
   core::Memory memory;
   return core::unless_stopped([&]() -> Result<NearestRows> {
     const Result<core::Bounds> bounds = measure(places, core::kPlacesName, {stoppable, memory});
@@ -164,8 +195,8 @@ Status Index::remove(PointId id) {
 }
 
 void Index::rebuild(unsigned threads) {
-  ThreadCrew crew(cpu::crew_size(threads, size()));
-  levels_->points.rebuild(crew);
+  core::KeptCrew crew(levels_->lent);
+  levels_->points.rebuild(crew.of(threads, size()));
 }
 
 }  // namespace beespace

@@ -45,6 +45,8 @@ NearestRows find_nearest_of_all(const IndexLevels& levels, const PointsView& pla
 class Index::Levels final : public search::IndexLevels {
  public:
   using IndexLevels::IndexLevels;
+
+  Crew* lent = nullptr;  // the caller's threads
 };
 
 }  // namespace beespace

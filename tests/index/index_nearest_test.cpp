@@ -40,6 +40,47 @@ TEST(IndexNearest, EquallyNearPointsComeInTheOrderOfTheirIds) {
   }
 }
 
+// The other points, by brute force without the one.
+void expect_same_of(const Index& index, test::PlainIndex plain, PointId id, std::size_t k) {
+  const Point place = plain.points().at(id);
+  plain.remove(id);
+  const std::vector<Nearest> expected = plain.k_nearest(place, k);
+  const std::vector<Nearest> found = *index.k_nearest_of(id, k);
+  ASSERT_EQ(found, expected) << "point " << id << ", " << k << " nearest";
+}
+
+TEST(IndexNearest, OfAPointLeavesItOut) {
+  for (const test::SearchScene& scene : test::search_scenes()) {
+    if (scene.points.size() > 3000) continue;
+    SCOPED_TRACE(scene.name);
+    const Index index = test::built(scene.points);
+    const test::PlainIndex plain(scene.points);
+    const std::size_t step = scene.points.size() / 7 + 1;
+    for (std::size_t id = 0; id < scene.points.size(); id += step) {
+      for (const std::size_t k : {1U, 5U, 30U}) {
+        expect_same_of(index, plain, static_cast<PointId>(id), k);
+      }
+    }
+  }
+}
+
+TEST(IndexNearest, OfAPointAmongCoincidentOnesAreTheOthers) {
+  const std::vector<Point> points(9, Point{1, 2, 3});
+  const Index index = test::built(points);
+  const test::PlainIndex plain(points);
+  for (PointId id = 0; id < 9; ++id) {
+    for (std::size_t k = 0; k < 12; ++k) expect_same_of(index, plain, id, k);
+  }
+}
+
+TEST(IndexNearest, OfAPointThatIsNotThereIsAnError) {
+  Index index = test::built({{1, 2, 3}, {4, 5, 6}});
+  ASSERT_TRUE(index.remove(1));
+  EXPECT_EQ(index.k_nearest_of(1, 1).error().code, ErrorCode::kInvalidArgument);
+  EXPECT_EQ(index.k_nearest_of(7, 1).error().code, ErrorCode::kInvalidArgument);
+  EXPECT_TRUE(index.k_nearest_of(0, 5).value().empty());
+}
+
 TEST(IndexNearest, MoreThanThereAreGivesAll) {
   const std::vector<Point> points = test::SceneMaker(6).box(100, {0, 0, 0}, {9, 9, 9});
   const Index index = test::built(points);
