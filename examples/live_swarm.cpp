@@ -1,6 +1,7 @@
 // Live: reports in as they come, events out. What is not heard of is stale, not gone.
 #include <beespace/beespace.hpp>
 
+#include <cinttypes>
 #include <cstdio>
 
 namespace {
@@ -41,8 +42,8 @@ int main() {
     const auto events = swarm.advance(time_s);
     if (!taken || !events) return 1;
     for (const beespace::SwarmEvent& event : *events) {
-      std::printf("at %4.1f s: %s at %.2f s, %u and %u, %.2f m\n", time_s, name_of(event.kind),
-                  event.time_s, event.first, event.second, event.distance_m);
+      std::printf("at %4.1f s: %s at %.2f s, %" PRIu64 " and %" PRIu64 ", %.2f m\n", time_s,
+                  name_of(event.kind), event.time_s, event.first, event.second, event.distance_m);
     }
   }
 }

@@ -21,7 +21,7 @@ constexpr double kPeriodInAges = 4.0;
 
 }  // namespace
 
-BeeClocks::Bee& BeeClocks::bee_of(PointId id) {
+BeeClocks::Bee& BeeClocks::bee_of(AgentId id) {
   if (id >= bees_.size()) bees_.resize(std::max<std::size_t>(id + 1, 2 * bees_.size()));
   return bees_[id];
 }
@@ -220,7 +220,7 @@ double BeeClocks::go_to(double now_s, double wall_s, std::vector<Step>& steps) {
   std::uint64_t behind = 0;
   std::uint64_t stepped = 0;
   votes_ = {};
-  for (PointId id = 0; id < bees_.size(); ++id) {
+  for (AgentId id = 0; id < bees_.size(); ++id) {
     Bee& bee = bees_[id];
     if (bee.period == 0 || bee.period + 1 < period_) continue;
     if (bee.voted == Place::kBehind) {
@@ -277,7 +277,7 @@ double BeeClocks::first_kept_s(const Report& report) const {
   return first == kept_.end() ? report.time_s : first->report.time_s;
 }
 
-void BeeClocks::drop_kept(PointId id, Bee& bee) {
+void BeeClocks::drop_kept(AgentId id, Bee& bee) {
   if (bee.kept == 0) return;
   left_out_ += std::exchange(bee.kept, 0);
   bee.broken = true;
@@ -312,7 +312,7 @@ void BeeClocks::release(double from_s, double wall_s, std::vector<Step>& steps) 
 
 void BeeClocks::finish(std::vector<Step>& steps) {
   // Whether these are late only will not be known any more.
-  for (PointId id = 0; id < bees_.size(); ++id) {
+  for (AgentId id = 0; id < bees_.size(); ++id) {
     Bee& bee = bees_[id];
     const bool behind = bee.place == Place::kBehind && bee.times >= kTimesBehind;
     if (bee.named || !behind || bee.period == 0) continue;
@@ -330,7 +330,7 @@ void BeeClocks::finish(std::vector<Step>& steps) {
   kept_.clear();
 }
 
-void BeeClocks::forget(PointId id) {
+void BeeClocks::forget(AgentId id) {
   if (id >= bees_.size()) return;
   Bee& bee = bees_[id];
   drop_kept(id, bee);

@@ -71,7 +71,7 @@ class BeeClocks {
   void finish(std::vector<Step>& steps);
 
   // A bee that is there no longer.
-  void forget(PointId id);
+  void forget(AgentId id);
 
   // The time of the swarm: of the reports, and as it goes on by the wall.
   [[nodiscard]] double now() const { return now_s_; }
@@ -111,7 +111,7 @@ class BeeClocks {
     bool ahead;  // when it came; else behind
   };
 
-  Bee& bee_of(PointId id);
+  Bee& bee_of(AgentId id);
   [[nodiscard]] double reference(double wall_s) const;
   [[nodiscard]] Place place_of(double lead_s) const;
   void vote(Bee& bee, Place place);
@@ -126,7 +126,7 @@ class BeeClocks {
   double go_to(double now_s, double wall_s, std::vector<Step>& steps);
   void keep(const Report& report, Bee& bee);
   [[nodiscard]] double first_kept_s(const Report& report) const;
-  void drop_kept(PointId id, Bee& bee);
+  void drop_kept(AgentId id, Bee& bee);
   void release(double from_s, double wall_s, std::vector<Step>& steps);
   void advance_to(double time_s, double wall_s);
 

@@ -28,10 +28,10 @@ LiveFeed::LiveFeed(const SwarmOptions& options, const LiveTimes& times, Tell tel
       tell_(std::move(tell)) {
 }
 
-std::optional<PointId> LiveFeed::number(std::string_view id, std::string_view label) {
+std::optional<AgentId> LiveFeed::number(std::string_view id, std::string_view label) {
   // Bees mostly come in the order in which they came before.
-  const PointId guess = named_last_ < follows_.size() ? follows_[named_last_] : 0;
-  std::optional<PointId> found = guess;
+  const AgentId guess = named_last_ < follows_.size() ? follows_[named_last_] : 0;
+  std::optional<AgentId> found = guess;
   if (guess >= names_.size() || names_[guess].id != id) found = look_up(id);
   if (!found) return found;
   if (*found != guess && named_last_ < follows_.size()) follows_[named_last_] = *found;
@@ -42,9 +42,9 @@ std::optional<PointId> LiveFeed::number(std::string_view id, std::string_view la
   return found;
 }
 
-std::optional<PointId> LiveFeed::known(std::string_view id) const {
+std::optional<AgentId> LiveFeed::known(std::string_view id) const {
   const auto found = numbers_.find(id);
-  return found == numbers_.end() ? std::nullopt : std::optional<PointId>(found->second);
+  return found == numbers_.end() ? std::nullopt : std::optional<AgentId>(found->second);
 }
 
 Error LiveFeed::too_many() {
@@ -55,10 +55,10 @@ Error LiveFeed::too_many() {
           {}};
 }
 
-std::optional<PointId> LiveFeed::look_up(std::string_view id) {
+std::optional<AgentId> LiveFeed::look_up(std::string_view id) {
   if (const auto known = numbers_.find(id); known != numbers_.end()) return known->second;
   if (free_.empty() && names_.size() >= max_bees_) return std::nullopt;
-  PointId number = static_cast<PointId>(names_.size());
+  AgentId number = static_cast<AgentId>(names_.size());
   if (free_.empty()) {
     names_.emplace_back();
     follows_.push_back(0);
@@ -140,10 +140,10 @@ Status LiveFeed::pass_on(const Report& report, double now_s) {
   return taken;
 }
 
-std::optional<PointId> LiveFeed::leave(std::string_view id) {
+std::optional<AgentId> LiveFeed::leave(std::string_view id) {
   const auto known = numbers_.find(id);
   if (known == numbers_.end()) return std::nullopt;
-  const PointId bee = known->second;
+  const AgentId bee = known->second;
   clocks_.forget(bee);
   swarm_.remove(bee);
   if (left_at_s_[bee] != kNever) return bee;

@@ -38,7 +38,7 @@ struct ClockNote {
   };
   Kind kind;
   double time_s;
-  PointId bee;
+  AgentId bee;
   double ahead_s;
   double before_s;
 };
@@ -77,10 +77,10 @@ class LiveFeed {
 
   // The number of a bee, by its id; nothing where there are too many. What it is called beside
   // that is kept, if it is said.
-  std::optional<PointId> number(std::string_view id, std::string_view label);
-  [[nodiscard]] const BeeName& name(PointId number) const { return names_[number]; }
+  std::optional<AgentId> number(std::string_view id, std::string_view label);
+  [[nodiscard]] const BeeName& name(AgentId number) const { return names_[number]; }
   // The same of one that has a number already.
-  [[nodiscard]] std::optional<PointId> known(std::string_view id) const;
+  [[nodiscard]] std::optional<AgentId> known(std::string_view id) const;
 
   // What is wrong where there are too many; it is told at the next look.
   Error too_many();
@@ -91,7 +91,7 @@ class LiveFeed {
   Status take(const Report& report, double wall_s = 0.0);
 
   // A bee that is there no longer: which, if it is known.
-  std::optional<PointId> leave(std::string_view id);
+  std::optional<AgentId> leave(std::string_view id);
 
   // Looks where the time of a look has passed by the wall, and a little more, so that reports of
   // that time are in.
@@ -126,11 +126,11 @@ class LiveFeed {
 
   struct Leaving {
     double at_s;
-    PointId bee;
+    AgentId bee;
   };
 
   bool told_lately(const SwarmEvent& event);
-  std::optional<PointId> look_up(std::string_view id);
+  std::optional<AgentId> look_up(std::string_view id);
   void free_numbers();
   Status follow();
   void note(const ClockNote& note);
@@ -160,13 +160,13 @@ class LiveFeed {
   std::array<double, 5> overloaded_s_ = {kNever, kNever, kNever, kNever, kNever};  // by bound
   double not_before_s_ = 0.0;  // by the wall: the next look that no report brings
   std::uint64_t begun_anew_ = 0;
-  std::unordered_map<std::string, PointId, Hash, std::equal_to<>> numbers_;
+  std::unordered_map<std::string, AgentId, Hash, std::equal_to<>> numbers_;
   std::vector<BeeName> names_;
-  std::vector<PointId> follows_;   // by number: who came after it the last time
+  std::vector<AgentId> follows_;   // by number: who came after it the last time
   std::vector<double> left_at_s_;  // by number: and has not come back
-  std::vector<PointId> free_;      // numbers
+  std::vector<AgentId> free_;      // numbers
   std::deque<Leaving> leaving_;
-  PointId named_last_ = 0;
+  AgentId named_last_ = 0;
   std::uint64_t refused_ = 0;  // reports of bees beyond the bound since the last look
 };
 

@@ -156,7 +156,7 @@ Status LiveAdvice::finish() {
   return patience_ms() ? look() : Status(std::monostate{});
 }
 
-void LiveAdvice::note_clock(PointId id, bool off) {
+void LiveAdvice::note_clock(AgentId id, bool off) {
   if (off) {
     clocks_off_.insert(id);
   } else {
@@ -164,7 +164,7 @@ void LiveAdvice::note_clock(PointId id, bool off) {
   }
 }
 
-void LiveAdvice::remove(PointId id) {
+void LiveAdvice::remove(AgentId id) {
   clocks_off_.erase(id);
   const auto known = bees_.find(id);
   if (known == bees_.end()) return;
@@ -178,7 +178,7 @@ bool LiveAdvice::unknown(const Bee& bee) const {
          (bee.doubt == Doubt::kNoVelocity && bee.every_s == 0.0);
 }
 
-void LiveAdvice::add(PointId number, Bee& bee) {
+void LiveAdvice::add(AgentId number, Bee& bee) {
   bee.flight.extend(*next_ + 1, bee.advised, ticks_, request_.limits.max_acceleration_mps2);
   const Mover mover = bee.flight.end();
   FlightLimits limits = request_.limits;
@@ -198,7 +198,7 @@ Status LiveAdvice::look() {
   preferred_.clear();
   limits_.clear();
   unknown_.clear();
-  PointId number = 0;
+  AgentId number = 0;
   for (auto& [id, bee] : bees_) add(number++, bee);
   request_.options.unknown = unknown_;
   Status advised = adviser_.advise(movers_, preferred_, limits_, request_.options, advised_);

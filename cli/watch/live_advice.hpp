@@ -51,7 +51,7 @@ struct LiveAdviceRequest {
 class LiveAdvice {
  public:
   // What the bees are called; and where the lines of a look go.
-  using Name = std::function<const analysis::BeeName&(PointId id)>;
+  using Name = std::function<const analysis::BeeName&(AgentId id)>;
   using Tell = std::function<void(const std::string& lines)>;
   LiveAdvice(const LiveAdviceRequest& request, io::Frame frame, Name name, Tell tell);
 
@@ -72,15 +72,15 @@ class LiveAdvice {
   Status finish();
 
   // A bee that is there no longer.
-  void remove(PointId id);
+  void remove(AgentId id);
 
   // Whether a bee has been heard of here; and whether there are others, of which it is not known
   // where they are: then no bee is certified.
-  [[nodiscard]] bool knows(PointId id) const { return bees_.contains(id); }
+  [[nodiscard]] bool knows(AgentId id) const { return bees_.contains(id); }
   void note_unplaced(bool any) { unplaced_ = any; }
 
   // That the clock of a bee is off, or right again.
-  void note_clock(PointId id, bool off);
+  void note_clock(AgentId id, bool off);
 
   // The lines of bees so far; those of bees that are not certified; looks for which the reports of
   // their time came too late.
@@ -104,7 +104,7 @@ class LiveAdvice {
   void hear(Bee& bee, const Report& report) const;
   [[nodiscard]] bool old(const Bee& bee) const;
   [[nodiscard]] bool unknown(const Bee& bee) const;
-  void add(PointId number, Bee& bee);
+  void add(AgentId number, Bee& bee);
   void await(Bee& bee);
   void go_on_to(Tick tick);
   Status take_looks();
@@ -117,7 +117,7 @@ class LiveAdvice {
   Name name_;
   Tell tell_;
   Adviser adviser_;
-  std::map<PointId, Bee> bees_;
+  std::map<AgentId, Bee> bees_;
   std::optional<Tick> next_;  // look
   Tick first_ = 0;
   double clock_s_ = 0.0;     // the latest report
@@ -128,7 +128,7 @@ class LiveAdvice {
   std::vector<UnknownBee> unknown_;
   Advised advised_;
   bool unplaced_ = false;
-  std::set<PointId> clocks_off_;
+  std::set<AgentId> clocks_off_;
   std::uint64_t told_ = 0;
   std::uint64_t uncertified_ = 0;
   std::uint64_t skipped_ = 0;

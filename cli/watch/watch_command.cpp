@@ -141,7 +141,7 @@ class Watch {
   void begin_advice() {
     advice_.emplace(
         *request_.advice, frame_,
-        [this](PointId id) -> const analysis::BeeName& { return feed_->name(id); },
+        [this](AgentId id) -> const analysis::BeeName& { return feed_->name(id); },
         [this](const std::string& lines) {
           if (write_error_ == 0) write_error_ = write_out(lines);
         });

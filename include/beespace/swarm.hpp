@@ -27,10 +27,12 @@
 ///
 /// Values of reports that are too small for exact comparison are zero to a swarm (see mover.hpp).
 ///
-/// Units: metres and seconds, in one Cartesian frame. Ids are the caller's own numbers.
+/// Units: metres and seconds, in one Cartesian frame. Ids are the caller's own numbers (AgentId).
 #pragma once
 
+#include <beespace/crew.hpp>
 #include <beespace/export.hpp>
+#include <beespace/lifetimebound.hpp>
 #include <beespace/mover.hpp>
 #include <beespace/not_given.hpp>
 #include <beespace/point.hpp>
@@ -43,6 +45,9 @@
 #include <vector>
 
 namespace beespace {
+
+/// @brief The caller's number of an agent: any value, such as an address or a hash of a name.
+using AgentId = std::uint64_t;
 
 /// @brief What a live swarm needs to know. Plain values; nothing is referred to.
 struct SwarmOptions {
@@ -67,7 +72,8 @@ struct SwarmOptions {
   /// until it is heard of again.
   double max_age_s = 5.0;
 
-  /// @brief How many threads may work, the calling one included; 0 means one per processor.
+  /// @brief How many threads may work, the calling one included; 0 means one per processor. The
+  /// events are the same for every number.
   unsigned threads = 1;
 
   /// @brief The length in metres of one unit of heights that are kept apart, where these are not
@@ -92,7 +98,7 @@ struct SwarmOptions {
 
 /// @brief One message: where an agent was at a time, and how fast it was, where that is known.
 struct Report {
-  PointId id = 0;                         ///< The caller's number of the agent.
+  AgentId id = 0;                         ///< The caller's number of the agent.
   double time_s = 0.0;                    ///< The time in seconds.
   Point position;                         ///< The position in metres.
   std::optional<Velocity> velocity = {};  ///< In metres per second; absent: that of the last two
@@ -138,8 +144,8 @@ struct SwarmEvent {
   /// kPossible: since when it may be so, from where both were last heard of; of kOverloaded: the
   /// time that advance() was asked about.
   double time_s = 0.0;
-  PointId first = 0;   ///< One agent; below `second`.
-  PointId second = 0;  ///< The other; of kStale, kHeard and kOverloaded, the same as `first`.
+  AgentId first = 0;   ///< One agent; below `second`.
+  AgentId second = 0;  ///< The other; of kStale, kHeard and kOverloaded, the same as `first`.
   /// @brief The distance of the two at that time, in metres. Of a prediction: when they are
   /// closest; of kPossible: where they were last heard of; of kOverloaded: from what distance on
   /// pairs were left out.
@@ -176,7 +182,7 @@ struct SwarmCounts {
 
 /// @brief A known agent, and where it would be.
 struct LiveMover {
-  PointId id = 0;  ///< The caller's number of the agent.
+  AgentId id = 0;  ///< The caller's number of the agent.
   /// @brief Extrapolated in a straight line from its last report, where it `moves`; otherwise it
   /// stands where it was last heard of. That does not say that it stands: it may have gone anywhere
   /// since `heard_s`.
@@ -193,7 +199,7 @@ struct LiveMover {
 /// @brief An agent that was or is unknown for a time: between two reports more than `max_age_s`
 /// apart, or since its last one where it is stale.
 struct Silence {
-  PointId id = 0;                      ///< The caller's number of the agent.
+  AgentId id = 0;                      ///< The caller's number of the agent.
   double unknown_s = 0.0;              ///< How long in all, until now, in seconds.
   std::optional<double> since_s = {};  ///< Since when, of the silence that has not ended.
 
@@ -213,6 +219,9 @@ struct Silence {
 /// `max_pairs`; with `max_speed_mps`, stale agents times all agents too, as long as their balls
 /// have not reached all.
 ///
+/// A call cannot be stopped half-way: the next one would not know what has been reported. The
+/// bounds limit how long one takes.
+///
 /// Thread safety: none. A moved-from Swarm can only be destroyed or assigned to.
 class BEESPACE_API Swarm {
  public:
@@ -220,6 +229,11 @@ class BEESPACE_API Swarm {
   /// @param options The threshold and the bounds. If they make no sense, each call returns the
   /// error.
   explicit Swarm(const SwarmOptions& options);
+  /// @brief Makes a swarm without agents that works with the threads of `crew`, all of which work
+  /// on every call: SwarmOptions::threads is ignored.
+  /// @param options The threshold and the bounds.
+  /// @param crew The threads; must outlive the Swarm.
+  Swarm(const SwarmOptions& options, Crew& crew BEESPACE_LIFETIMEBOUND);
   Swarm(const Swarm&) = delete;
   Swarm& operator=(const Swarm&) = delete;
   /// @brief Takes over the agents.
@@ -247,7 +261,7 @@ class BEESPACE_API Swarm {
   /// `max_age_s`; unknown agents do not delay that. Pairs of it that had entered have *left*.
   ///
   /// @param id The caller's number of the agent.
-  void remove(PointId id);
+  void remove(AgentId id);
 
   /// @brief Breaks the line of an agent: its next report does not go on from those before it (its
   /// clock has stepped, or reports in between cannot be used).
@@ -255,7 +269,7 @@ class BEESPACE_API Swarm {
   /// The agent is stale from its last report on, until it is heard of again.
   ///
   /// @param id The caller's number of the agent.
-  void lose(PointId id);
+  void lose(AgentId id);
 
   /// @brief Reports what has happened since the last call, and what is predicted.
   /// @param now_s The time in seconds, by which the age of reports is judged.
@@ -264,6 +278,14 @@ class BEESPACE_API Swarm {
   ///   - ErrorCode::kNotFinite: `now_s` is not finite;
   ///   - ErrorCode::kInvalidThreshold, ErrorCode::kInvalidArgument: the options.
   Result<std::vector<SwarmEvent>> advance(double now_s);
+  /// @brief The same into the caller's vector.
+  ///
+  /// Once a Swarm has seen as many agents and pairs, it allocates nothing for those that stay.
+  ///
+  /// @param now_s The time in seconds.
+  /// @param[out] events The events; overwritten, and empty after an error.
+  /// @return Success, or the same errors.
+  Status advance(double now_s, std::vector<SwarmEvent>& events);
 
   /// @brief The last advance(): nothing more will be heard.
   ///
@@ -294,6 +316,10 @@ class BEESPACE_API Swarm {
   /// @param time_s The time in seconds.
   /// @return The agents in ascending order of ids; none at a time outside the motion domain.
   [[nodiscard]] std::vector<LiveMover> movers(double time_s) const;
+  /// @brief The same into the caller's vector.
+  /// @param time_s The time in seconds.
+  /// @param[out] movers The agents; overwritten.
+  void movers(double time_s, std::vector<LiveMover>& movers) const;
 
   /// @brief Says which agents that have not been removed were unknown for a time. Staleness is that
   /// of the last advance().

@@ -177,8 +177,9 @@ std::string text_of(const ReportedRecording& reported) {
   const auto events = events_of(reported);
   if (!events) return all;
   for (const SwarmEvent& e : *events) {
-    std::snprintf(text, sizeof text, "  event %d of %u-%u at %a s, %a m\n",
-                  static_cast<int>(e.kind), e.first, e.second, e.time_s, e.distance_m);
+    std::snprintf(text, sizeof text, "  event %d of %llu-%llu at %a s, %a m\n",
+                  static_cast<int>(e.kind), static_cast<unsigned long long>(e.first),
+                  static_cast<unsigned long long>(e.second), e.time_s, e.distance_m);
     all += text;
   }
   return all;

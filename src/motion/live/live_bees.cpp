@@ -131,7 +131,7 @@ LiveBees::Taken LiveBees::take(const Report& report, double max_age_s, std::size
   return Taken::kYes;
 }
 
-void LiveBees::lose(PointId bee) {
+void LiveBees::lose(AgentId bee) {
   const auto known = known_.find(bee);
   if (known == known_.end() || !known->second.has_run()) return;
   complete(known->second, RunEnd::kSilent);
@@ -139,7 +139,7 @@ void LiveBees::lose(PointId bee) {
   lost_.push_back(bee);
 }
 
-void LiveBees::remove(PointId bee) {
+void LiveBees::remove(AgentId bee) {
   const auto known = known_.find(bee);
   if (known == known_.end()) return;
   if (known->second.has_run()) complete(known->second, RunEnd::kRemoved);
@@ -201,7 +201,7 @@ void LiveBees::settle(double now_s, double max_age_s) {
   }
 }
 
-void LiveBees::forget(std::vector<std::uint32_t>& dropped) {
+void LiveBees::forget(std::pmr::vector<std::uint32_t>& dropped) {
   const double from_s = known_from_s();
   dropped.assign(runs_.size(), 0);
   for (std::uint32_t place = 0; place < runs_.size(); ++place) {

@@ -5,14 +5,24 @@
 
 #include <beespace/swarm.hpp>
 
+#include <compare>
 #include <cstdint>
 #include <limits>
+#include <memory_resource>
 #include <optional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
 namespace beespace::motion {
+
+// Two agents, the lower first.
+struct AgentPair {
+  AgentId first;
+  AgentId second;
+
+  friend constexpr auto operator<=>(const AgentPair&, const AgentPair&) = default;
+};
 
 // The reason why a run is complete.
 enum class RunEnd : std::uint8_t { kSilent, kRemoved, kFinished };
@@ -21,7 +31,7 @@ enum class RunEnd : std::uint8_t { kSilent, kRemoved, kFinished };
 struct LiveRun {
   static constexpr double kNever = -std::numeric_limits<double>::infinity();
 
-  PointId bee = 0;
+  AgentId bee = 0;
   bool complete = true;  // no report will be added
   bool done = false;     // it is complete, and the next search is the last one that needs it
   RunEnd end = RunEnd::kSilent;
@@ -63,7 +73,7 @@ struct KnownBee {
 
 // A bee has been heard again after a silence.
 struct Return {
-  PointId bee;
+  AgentId bee;
   double since_s;
   double heard_s;
   bool said_stale;  // reported as stale meanwhile
@@ -83,9 +93,9 @@ class LiveBees {
              std::size_t max_bees = std::numeric_limits<std::size_t>::max());
 
   // Removes a bee; nothing happens if it is unknown.
-  void remove(PointId bee);
+  void remove(AgentId bee);
   // Breaks the run of a bee: it is stale until its next report.
-  void lose(PointId bee);
+  void lose(AgentId bee);
   // Completes the runs of all bees that have not been heard for more than max_age_s; calls
   // stale(bee, last heard). Compares the difference of the two times, as take() does between two
   // reports.
@@ -98,7 +108,7 @@ class LiveBees {
 
   // Runs by their place, which stays as long as the run does.
   [[nodiscard]] const std::vector<LiveRun>& runs() const { return runs_; }
-  [[nodiscard]] const std::unordered_map<PointId, KnownBee>& known() const { return known_; }
+  [[nodiscard]] const std::unordered_map<AgentId, KnownBee>& known() const { return known_; }
   [[nodiscard]] std::size_t under_way() const { return known_.size() - stale_; }
   [[nodiscard]] std::size_t heard_once() const { return once_; }
   // Stale, and not heard since.
@@ -107,8 +117,11 @@ class LiveBees {
   [[nodiscard]] std::uint64_t changes() const { return changes_; }
   // How long bees were unknown that have been heard again, removed ones included.
   [[nodiscard]] double unknown_s() const { return unknown_s_; }
-  // Returns since the last call.
-  [[nodiscard]] std::vector<Return> take_returns() { return std::exchange(returns_, {}); }
+  // Returns since the last call; overwritten.
+  void take_returns(std::vector<Return>& returns) {
+    returns.clear();
+    returns.swap(returns_);
+  }
 
   // Before a search: marks the complete runs that are done. A run is kept until all others have
   // been heard as late as it was, but for no longer than they take to become stale.
@@ -116,7 +129,7 @@ class LiveBees {
 
   // After a search: forgets runs that are done, and fixes before those that the next search needs.
   // Sets dropped[place] to the number of fixes dropped from a run.
-  void forget(std::vector<std::uint32_t>& dropped);
+  void forget(std::pmr::vector<std::uint32_t>& dropped);
 
  private:
   [[nodiscard]] std::optional<Taken> before_last(const KnownBee& bee, const Report& report) const;
@@ -129,11 +142,11 @@ class LiveBees {
   bool heights_apart_;
   std::vector<LiveRun> runs_;
   std::vector<std::uint32_t> free_;  // places
-  std::unordered_map<PointId, KnownBee> known_;
+  std::unordered_map<AgentId, KnownBee> known_;
   std::size_t stale_ = 0;
   std::size_t waiting_ = 0;
   std::size_t once_ = 0;
-  std::vector<PointId> lost_;  // and not reported
+  std::vector<AgentId> lost_;  // and not reported
   std::uint64_t changes_ = 1;
   double unknown_s_ = 0.0;
   std::vector<Return> returns_;
@@ -141,7 +154,7 @@ class LiveBees {
 
 template <class Stale>
 void LiveBees::complete_stale(double now_s, double max_age_s, Stale&& stale) {
-  for (const PointId id : std::exchange(lost_, {})) {
+  for (const AgentId id : std::exchange(lost_, {})) {
     const auto at = known_.find(id);
     if (at == known_.end() || !std::exchange(at->second.untold, false)) continue;
     stale(id, at->second.last.time_s);

@@ -22,7 +22,7 @@ class PairTeller {
 
   // `cut_off` is the event that ends a stretch which ends with what is known: kLeft where one of
   // the two was removed, kLost where it is silent, kEnded where nothing more comes.
-  PairTeller(PointId a, PointId b, double margin_m, EventKind cut_off, Said& said,
+  PairTeller(AgentId a, AgentId b, double margin_m, EventKind cut_off, Said& said,
              std::vector<SwarmEvent>& events)
       : first_(std::min(a, b)),
         second_(std::max(a, b)),
@@ -73,8 +73,8 @@ class PairTeller {
         {kind, time_s, first_, second_, distance_m, stretch.conflict.closest_s, since_s});
   }
 
-  PointId first_;
-  PointId second_;
+  AgentId first_;
+  AgentId second_;
   double margin_m_;
   EventKind cut_off_;
   Said& said_;

@@ -180,7 +180,7 @@ bool LivePossible::judge(std::size_t index, const Heard& other, bool said, doubl
 void LivePossible::look_around(std::size_t index, double now_s, std::vector<Found>& found) {
   Silent& silent = silent_[index];
   silent.unsaid = 0;
-  std::vector<PointId> still;
+  std::vector<AgentId> still;
   still.reserve(silent.said.size());
   auto said = silent.said.begin();
   for (const Heard& other : heard_) {
@@ -255,7 +255,7 @@ LeftOut LivePossible::tell(const LiveBees& bees, const std::vector<Return>& retu
   return left_out;
 }
 
-void LivePossible::forget(PointId bee) {
+void LivePossible::forget(AgentId bee) {
   for (Silent& silent : silent_) {
     const auto at = std::lower_bound(silent.said.begin(), silent.said.end(), bee);
     if (at != silent.said.end() && *at == bee) silent.said.erase(at);

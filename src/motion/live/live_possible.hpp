@@ -37,7 +37,7 @@ class LivePossible {
   LeftOut tell(const LiveBees& bees, const std::vector<Return>& returns, double now_s,
                const core::Resources& with, std::vector<SwarmEvent>& events);
   // Forgets what was reported of a removed bee.
-  void forget(PointId bee);
+  void forget(AgentId bee);
   void forget_all() {
     silent_.clear();
     told_until_s_ = LiveRun::kNever;
@@ -46,14 +46,14 @@ class LivePossible {
  private:
   // A report of a bee; the bee is silent if the next report comes later than the greatest age.
   struct Place {
-    PointId bee;
+    AgentId bee;
     Fix at;
     double height_m;
     double silent_after_s;
   };
   // The places of a bee since the last call, ascending in time: places_[begin] to places_[end - 1].
   struct Heard {
-    PointId bee;
+    AgentId bee;
     std::size_t begin;
     std::size_t end;
   };
@@ -61,7 +61,7 @@ class LivePossible {
   struct Silent {
     Place last;
     double ends_s = std::numeric_limits<double>::infinity();
-    std::vector<PointId> said = {};
+    std::vector<AgentId> said = {};
     std::size_t unsaid = 0;  // others, at the last search
     std::uint64_t all_said_at =
         0;  // of LiveBees::changes(): nothing is left to say until it changes
@@ -71,7 +71,7 @@ class LivePossible {
   struct Found {
     SwarmEvent event;
     std::size_t silent;  // of silent_
-    PointId other;
+    AgentId other;
     bool goes_on;  // neither has been heard since
   };
 

@@ -27,7 +27,7 @@ class LivePredictions {
   // Reports the pairs that have become predicted and are not among the `entered` (ids, ascending).
   // Nothing is predicted for a bee that is stale, or was heard once and without a velocity. Returns
   // what there were too many of.
-  Result<LeftOut> predict(const LiveBees& bees, const std::vector<Pair>& entered, double now_s,
+  Result<LeftOut> predict(const LiveBees& bees, const std::vector<AgentPair>& entered, double now_s,
                           const core::Resources& with, std::vector<SwarmEvent>& events);
   void forget_all() {
     predicted_.clear();
@@ -39,22 +39,35 @@ class LivePredictions {
  private:
   // Bees that move, by ascending ids.
   struct Ahead {
-    std::vector<PointId> ids;
+    void clear() {
+      ids.clear();
+      movers.clear();
+      heights_m.clear();
+      climbs_mps.clear();
+    }
+
+    std::vector<AgentId> ids;
     std::vector<Mover> movers;
     std::vector<double> heights_m;
     std::vector<double> climbs_mps;
   };
-  [[nodiscard]] Ahead ahead(const LiveBees& bees, double now_s) const;
-  [[nodiscard]] Result<std::vector<Pair>> pairs_of(const MoversView& movers,
-                                                   const core::Resources& with, LeftOut& left_out);
+  void look_ahead(const LiveBees& bees, double now_s);
+  Status find_pairs(const MoversView& movers, const core::Resources& with, LeftOut& left_out);
 
   Separation enter_;
   Separation leave_;
   double horizon_s_;
   std::size_t max_pairs_;
-  Share share_;                  // of the separation, within which pairs are predicted
-  std::vector<Pair> predicted_;  // ids; reported, and still in danger; ascending
-  std::size_t open_ = 0;         // of them: not among the entered
+  Share share_;                       // of the separation, within which pairs are predicted
+  std::vector<AgentPair> predicted_;  // reported, and still in danger; ascending
+  std::size_t open_ = 0;              // of them: not among the entered
+
+  // Of one call, kept for their memory.
+  std::vector<const LiveRun*> runs_;
+  Ahead ahead_;
+  std::vector<Pair> pairs_;  // indices of ahead_
+  std::vector<Pair> some_;
+  std::vector<AgentPair> still_;
 };
 
 }  // namespace beespace::motion

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -14,7 +15,7 @@ namespace beespace::motion {
 
 namespace {
 
-double farthest_coordinate(const std::vector<Run>& runs, const std::vector<ActiveRun>& active) {
+double farthest_coordinate(std::span<const Run> runs, std::span<const ActiveRun> active) {
   double farthest_m = 0.0;
   for (const ActiveRun& a : active) {
     for (const Fix& fix : runs[a.run].fixes) {
@@ -62,17 +63,16 @@ EventKind cut_off(const LiveRun& a, const LiveRun& b) {
 
 LeftOut LiveWalks::search(LiveBees& bees, const core::Resources& with,
                           std::vector<SwarmEvent>& events) {
-  Places places{bees.runs()};
+  Places places(bees.runs(), &with.memory);
   places.runs.reserve(bees.runs().size());
   for (std::uint32_t place = 0; place < bees.runs().size(); ++place) {
     const LiveRun& live = bees.runs()[place];
     places.runs.push_back({place, 0.0, live.fixes, live.heights_m, live.complete});
   }
-  places.pieces.resize(places.runs.size());
   LeftOut left_out;
-  const std::vector<Pair> fresh = fresh_pairs(places, with, left_out);
-  WalkedPairs all = walk(places, fresh, with);
-  pairs_ = all.open();
+  const core::Vector<Pair> fresh = fresh_pairs(places, with, left_out);
+  const WalkedPairs& all = walk(places, fresh, with);
+  all.open(pairs_);
   const auto ascending = [](const LivePair& a, const LivePair& b) {
     return a.places() < b.places();
   };
@@ -83,19 +83,19 @@ LeftOut LiveWalks::search(LiveBees& bees, const core::Resources& with,
   events.insert(events.end(), all.lost.begin(), all.lost.end());
   if (all.left_out.any) left_out.add(all.left_out.count, all.left_out.from_m);
   note_entered(bees.runs());
-  forget(bees);
+  forget(bees, with);
   return left_out;
 }
 
 // Pairs of places, the lower first, ascending, that may be in conflict in the time span with new
 // information.
-std::vector<Pair> LiveWalks::fresh_pairs(Places& places, const core::Resources& with,
-                                         LeftOut& left_out) {
-  std::vector<Pair> fresh;
+core::Vector<Pair> LiveWalks::fresh_pairs(Places& places, const core::Resources& with,
+                                          LeftOut& left_out) {
+  core::Vector<Pair> fresh(&with.memory);
   const TimeSpan time = new_time(places.live);
   if (!(time.begins_s <= time.ends_s)) return fresh;
-  const std::vector<Run>& runs = places.runs;
-  std::vector<ActiveRun> active;
+  const core::Vector<Run>& runs = places.runs;
+  core::Vector<ActiveRun> active(&with.memory);
   active.reserve(runs.size());
   for (std::uint32_t place = 0; place < runs.size(); ++place) {
     const Run& run = runs[place];
@@ -138,11 +138,12 @@ core::Vector<core::FoundPairs> LiveWalks::candidates(const MovingBalls& balls, c
   return find_passing(balls, tried, {alone, with.memory}, search::TuningOverrides{});
 }
 
-WalkedPairs LiveWalks::walk(const Places& places, const std::vector<Pair>& fresh,
-                            const core::Resources& with) const {
-  std::vector<WalkedPairs> walked(with.crew.size(), WalkedPairs(max_pairs_));
+const WalkedPairs& LiveWalks::walk(const Places& places, const core::Vector<Pair>& fresh,
+                                   const core::Resources& with) {
+  walked_.resize(with.crew.size(), WalkedPairs(max_pairs_));
+  for (WalkedPairs& walked : walked_) walked.clear();
   with.crew.split(pairs_.size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
-    for (std::size_t i = begin; i < end; ++i) walk(places, pairs_[i], walked[worker]);
+    for (std::size_t i = begin; i < end; ++i) walk(places, pairs_[i], walked_[worker]);
   });
   with.crew.split(fresh.size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
     if (begin == end) return;
@@ -163,13 +164,11 @@ WalkedPairs LiveWalks::walk(const Places& places, const std::vector<Pair>& fresh
       begun.state.first_piece = places.pieces[pair.first];
       begun.state.second_piece = places.pieces[pair.second];
       begun.state.walked_before = std::min(first.searched_until_s, second.searched_until_s);
-      walk(places, begun, walked[worker]);
+      walk(places, begun, walked_[worker]);
     }
   });
-  WalkedPairs all = std::move(walked.front());
-  for (std::size_t worker = 1; worker < walked.size(); ++worker) {
-    all.append(std::move(walked[worker]));
-  }
+  WalkedPairs& all = walked_.front();
+  for (std::size_t worker = 1; worker < walked_.size(); ++worker) all.append(walked_[worker]);
   all.cut();
   return all;
 }
@@ -197,7 +196,7 @@ void LiveWalks::walk(const Places& places, LivePair pair, WalkedPairs& walked) c
   for (std::size_t k = before; k < walked.events.size(); ++k) {
     distance_m = std::min(distance_m, walked.events[k].distance_m);
   }
-  const Pair bees{std::min(first.bee, second.bee), std::max(first.bee, second.bee)};
+  const AgentPair bees{std::min(first.bee, second.bee), std::max(first.bee, second.bee)};
   walked.add(pair, bees, told, distance_m, had_entered);
 }
 
@@ -205,16 +204,16 @@ void LiveWalks::note_entered(const std::vector<LiveRun>& bees) {
   entered_.clear();
   for (const LivePair& pair : pairs_) {
     if (!pair.said.entered) continue;
-    const PointId a = bees[pair.first].bee;
-    const PointId b = bees[pair.second].bee;
+    const AgentId a = bees[pair.first].bee;
+    const AgentId b = bees[pair.second].bee;
     entered_.push_back({std::min(a, b), std::max(a, b)});
   }
   if (!std::is_sorted(entered_.begin(), entered_.end()))
     std::sort(entered_.begin(), entered_.end());
 }
 
-void LiveWalks::forget(LiveBees& bees) {
-  std::vector<std::uint32_t> dropped;
+void LiveWalks::forget(LiveBees& bees, const core::Resources& with) {
+  core::Vector<std::uint32_t> dropped(&with.memory);
   bees.forget(dropped);
   for (LivePair& pair : pairs_) {
     pair.state.walked_before = LiveRun::kNever;

@@ -14,6 +14,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory_resource>
 #include <tuple>
 #include <vector>
 
@@ -37,9 +38,10 @@ class WalkedPairs {
 
   // `told` is how many of the last events are of this pair, whose bees are the lower and the higher
   // of `bees`; `had_entered` is its state before this search.
-  void add(const LivePair& pair, const Pair& bees, std::size_t told, double distance_m,
+  void add(const LivePair& pair, const AgentPair& bees, std::size_t told, double distance_m,
            bool had_entered);
-  void append(WalkedPairs&& other);
+  void append(const WalkedPairs& other);
+  void clear();
   // Keeps only the closest pairs. Those that had entered before are lost then.
   void cut();
 
@@ -47,13 +49,13 @@ class WalkedPairs {
   std::vector<SwarmEvent> lost;    // of those that were given up
   LeftOut left_out;
 
-  // Pairs in conflict by the outer separation.
-  [[nodiscard]] std::vector<LivePair> open() const;
+  // Pairs in conflict by the outer separation; overwritten.
+  void open(std::vector<LivePair>& open) const;
 
  private:
   struct Walked {
     LivePair pair;
-    Pair bees;
+    AgentPair bees;
     std::uint32_t told;
     bool had_entered;
     double distance_m;
@@ -78,32 +80,36 @@ class LiveWalks {
   // Returns what there were too many of.
   LeftOut search(LiveBees& bees, const core::Resources& with, std::vector<SwarmEvent>& events);
 
-  // The pairs that have entered and not left, the lower id first, ascending.
-  [[nodiscard]] const std::vector<Pair>& entered() const { return entered_; }
+  // The pairs that have entered and not left, ascending.
+  [[nodiscard]] const std::vector<AgentPair>& entered() const { return entered_; }
 
  private:
   // Runs by their places, and the pieces at which to begin.
   struct Places {
+    explicit Places(const std::vector<LiveRun>& all, std::pmr::memory_resource* memory)
+        : live(all), runs(memory), pieces(all.size(), 0, memory) {}
+
     const std::vector<LiveRun>& live;
-    std::vector<Run> runs = {};
-    std::vector<std::size_t> pieces = {};
+    core::Vector<Run> runs;
+    core::Vector<std::size_t> pieces;
   };
 
   core::Vector<core::FoundPairs> candidates(const MovingBalls& balls, const Step& step,
                                             const core::Resources& with, LeftOut& left_out);
-  std::vector<Pair> fresh_pairs(Places& places, const core::Resources& with, LeftOut& left_out);
-  [[nodiscard]] WalkedPairs walk(const Places& places, const std::vector<Pair>& fresh,
-                                 const core::Resources& with) const;
+  core::Vector<Pair> fresh_pairs(Places& places, const core::Resources& with, LeftOut& left_out);
+  const WalkedPairs& walk(const Places& places, const core::Vector<Pair>& fresh,
+                          const core::Resources& with);
   void walk(const Places& places, LivePair pair, WalkedPairs& walked) const;
   void note_entered(const std::vector<LiveRun>& bees);
-  void forget(LiveBees& bees);
+  void forget(LiveBees& bees, const core::Resources& with);
 
   WalkSeparation separation_;
   double margin_m_;
   std::size_t max_pairs_;
-  Share share_;                  // of the separation, within which pairs are followed
-  std::vector<LivePair> pairs_;  // in conflict by the outer separation, ascending
-  std::vector<Pair> entered_;    // ids, the lower first; ascending
+  Share share_;                      // of the separation, within which pairs are followed
+  std::vector<LivePair> pairs_;      // in conflict by the outer separation, ascending
+  std::vector<AgentPair> entered_;   // ascending
+  std::vector<WalkedPairs> walked_;  // of each worker, in one call
 };
 
 }  // namespace beespace::motion

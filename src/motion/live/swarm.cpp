@@ -1,6 +1,6 @@
 #include <beespace/swarm.hpp>
 
-#include "base/crew_size.hpp"
+#include "base/kept_crew.hpp"
 #include "motion/flush.hpp"
 #include "motion/live/live_bees.hpp"
 #include "motion/live/live_overload.hpp"
@@ -65,7 +65,7 @@ bool earlier(const SwarmEvent& a, const SwarmEvent& b) {
 // What is inside is not for export.
 class __attribute__((visibility("hidden"))) Swarm::State {
  public:
-  explicit State(const SwarmOptions& options)
+  State(const SwarmOptions& options, Crew* lent)
       : options_(options),
         enter_(separation_of(options, 1.0)),
         leave_(separation_of(options, options.leave_factor)),
@@ -74,17 +74,18 @@ class __attribute__((visibility("hidden"))) Swarm::State {
                std::max(0.05, options.leave_factor - 1.0) * options.threshold_m, options.max_pairs),
         predictions_(enter_, leave_, options.horizon_s, options.max_pairs),
         possible_(enter_, options.max_speed_mps.value_or(0.0), options.max_age_s,
-                  options.max_pairs) {}
+                  options.max_pairs),
+        crew_(lent) {}
 
   Status update(Report report);
-  void remove(PointId id) {
+  void remove(AgentId id) {
     bees_.remove(id);
     possible_.forget(id);
   }
-  void lose(PointId id) { bees_.lose(id); }
-  Result<std::vector<SwarmEvent>> advance(double now_s);
-  Result<std::vector<SwarmEvent>> finish(double now_s);
-  Result<std::vector<SwarmEvent>> begin_anew(double now_s, double then_s);
+  void lose(AgentId id) { bees_.lose(id); }
+  Status advance(double now_s, std::vector<SwarmEvent>& events);
+  Status finish(double now_s, std::vector<SwarmEvent>& events);
+  Status begin_anew(double now_s, double then_s, std::vector<SwarmEvent>& events);
 
   [[nodiscard]] SwarmCounts counts() const {
     SwarmCounts counts = counts_;
@@ -95,15 +96,15 @@ class __attribute__((visibility("hidden"))) Swarm::State {
     counts.predicted = predictions_.open();
     return counts;
   }
-  [[nodiscard]] std::vector<LiveMover> movers(double time_s) const;
+  void movers(double time_s, std::vector<LiveMover>& movers) const;
   [[nodiscard]] std::vector<Silence> silences(double time_s) const;
 
  private:
-  Error refuse(PointId bee);
+  Error refuse(AgentId bee);
   void tell_refused(double now_s, std::vector<SwarmEvent>& events);
   core::Resources resources();
-  std::vector<motion::Return> tell_silences(double now_s, std::vector<SwarmEvent>& events);
-  Result<std::vector<SwarmEvent>> end(double now_s, bool anew);
+  void tell_silences(double now_s, std::vector<SwarmEvent>& events);
+  Status end(double now_s, bool anew, std::vector<SwarmEvent>& events);
   void search(double now_s, const core::Resources& with, std::vector<SwarmEvent>& events);
 
   SwarmOptions options_;
@@ -116,11 +117,11 @@ class __attribute__((visibility("hidden"))) Swarm::State {
   std::optional<double> now_s_;
   SwarmCounts counts_;
   std::uint64_t refused_ = 0;  // since the last advance(), first of this bee
-  PointId refused_first_ = 0;
-  double unknown_before_s_ = 0.0;  // of bees before the last finish()
+  AgentId refused_first_ = 0;
+  double unknown_before_s_ = 0.0;        // of bees before the last finish()
+  std::vector<motion::Return> returns_;  // silences that are over, since the last advance()
   core::Memory memory_;
-  Crew alone_;
-  std::optional<ThreadCrew> crew_;
+  core::KeptCrew crew_;
 };
 
 Status Swarm::State::update(Report report) {
@@ -166,7 +167,7 @@ Status Swarm::State::update(Report report) {
   return std::monostate{};
 }
 
-Error Swarm::State::refuse(PointId bee) {
+Error Swarm::State::refuse(AgentId bee) {
   if (refused_ == 0) refused_first_ = bee;
   ++refused_;
   ++counts_.refused;
@@ -187,26 +188,20 @@ void Swarm::State::tell_refused(double now_s, std::vector<SwarmEvent>& events) {
 
 core::Resources Swarm::State::resources() {
   memory_.start_call();
-  const unsigned size = cpu::crew_size(options_.threads, bees_.under_way());
-  if (size == 1) return {alone_, memory_};
-  if (!crew_ || crew_->size() != size) crew_.emplace(size);
-  return {*crew_, memory_};
+  return {crew_.of(options_.threads, bees_.under_way()), memory_};
 }
 
-// Returns the silences that are over.
-std::vector<motion::Return> Swarm::State::tell_silences(double now_s,
-                                                        std::vector<SwarmEvent>& events) {
-  const auto tell_stale = [&](PointId bee, double last_s) {
+void Swarm::State::tell_silences(double now_s, std::vector<SwarmEvent>& events) {
+  const auto tell_stale = [&](AgentId bee, double last_s) {
     events.push_back({EventKind::kStale, last_s, bee, bee, 0.0, last_s, last_s});
   };
-  std::vector<motion::Return> returns = bees_.take_returns();
-  for (const motion::Return& back : returns) {
+  bees_.take_returns(returns_);
+  for (const motion::Return& back : returns_) {
     if (!back.said_stale) tell_stale(back.bee, back.since_s);
     events.push_back(
         {EventKind::kHeard, back.heard_s, back.bee, back.bee, 0.0, back.heard_s, back.since_s});
   }
   bees_.complete_stale(now_s, options_.max_age_s, tell_stale);
-  return returns;
 }
 
 void Swarm::State::search(double now_s, const core::Resources& with,
@@ -215,7 +210,8 @@ void Swarm::State::search(double now_s, const core::Resources& with,
   walks_.search(bees_, with, events).tell(now_s, SwarmBound::kPairs, events);
 }
 
-Result<std::vector<SwarmEvent>> Swarm::State::advance(double now_s) {
+Status Swarm::State::advance(double now_s, std::vector<SwarmEvent>& events) {
+  events.clear();
   if (auto error = check(options_)) return *std::move(error);
   now_s = motion::flushed(now_s);
   if (!motion::in_motion_domain(now_s) || now_s < now_s_.value_or(now_s)) {
@@ -225,43 +221,45 @@ Result<std::vector<SwarmEvent>> Swarm::State::advance(double now_s) {
                  {}};
   }
   now_s_ = now_s;
-  std::vector<SwarmEvent> events;
-  const std::vector<motion::Return> returns = tell_silences(now_s, events);
+  tell_silences(now_s, events);
   const core::Resources with = resources();
   // Before the search, which forgets where bees were.
   if (options_.max_speed_mps) {
-    possible_.tell(bees_, returns, now_s, with, events).tell(now_s, SwarmBound::kPossible, events);
+    possible_.tell(bees_, returns_, now_s, with, events).tell(now_s, SwarmBound::kPossible, events);
   }
   search(now_s, with, events);
   const auto predicted = predictions_.predict(bees_, walks_.entered(), now_s, with, events);
-  if (!predicted) return predicted.error();
+  if (!predicted) {
+    events.clear();
+    return predicted.error();
+  }
   predicted->tell(now_s, SwarmBound::kPredicted, events);
   tell_refused(now_s, events);
   std::sort(events.begin(), events.end(), earlier);
-  return events;
+  return std::monostate{};
 }
 
-Result<std::vector<SwarmEvent>> Swarm::State::end(double now_s, bool anew) {
-  auto events = advance(now_s);
-  if (!events) return events;
+Status Swarm::State::end(double now_s, bool anew, std::vector<SwarmEvent>& events) {
+  Status advanced = advance(now_s, events);
+  if (!advanced) return advanced;
   bees_.complete_all(anew);
-  search(now_s, resources(), *events);
-  std::sort(events->begin(), events->end(), earlier);
+  search(now_s, resources(), events);
+  std::sort(events.begin(), events.end(), earlier);
   predictions_.forget_all();
   possible_.forget_all();
   now_s_.reset();
-  return events;
+  return std::monostate{};
 }
 
-Result<std::vector<SwarmEvent>> Swarm::State::finish(double now_s) {
-  auto events = end(now_s, false);
-  if (!events) return events;
+Status Swarm::State::finish(double now_s, std::vector<SwarmEvent>& events) {
+  Status ended = end(now_s, false, events);
+  if (!ended) return ended;
   unknown_before_s_ += bees_.unknown_s();
   bees_ = motion::LiveBees(options_.heights_apart);
-  return events;
+  return std::monostate{};
 }
 
-Result<std::vector<SwarmEvent>> Swarm::State::begin_anew(double now_s, double then_s) {
+Status Swarm::State::begin_anew(double now_s, double then_s, std::vector<SwarmEvent>& events) {
   then_s = motion::flushed(then_s);
   if (!motion::in_motion_domain(then_s)) {
     return Error{ErrorCode::kNotFinite,
@@ -269,15 +267,15 @@ Result<std::vector<SwarmEvent>> Swarm::State::begin_anew(double now_s, double th
                      " s; give a finite number of seconds",
                  {}};
   }
-  auto events = end(now_s, true);
-  if (events) bees_.begin_anew(then_s - now_s);
-  return events;
+  Status ended = end(now_s, true, events);
+  if (ended) bees_.begin_anew(then_s - now_s);
+  return ended;
 }
 
-std::vector<LiveMover> Swarm::State::movers(double time_s) const {
-  std::vector<LiveMover> movers;
+void Swarm::State::movers(double time_s, std::vector<LiveMover>& movers) const {
+  movers.clear();
   time_s = motion::flushed(time_s);
-  if (!motion::in_motion_domain(time_s)) return movers;
+  if (!motion::in_motion_domain(time_s)) return;
   movers.reserve(bees_.known().size());
   for (const auto& [id, bee] : bees_.known()) {
     LiveMover mover{id, {bee.last.position, {}}, bee.last.time_s, bee.last.position, true, false};
@@ -292,7 +290,6 @@ std::vector<LiveMover> Swarm::State::movers(double time_s) const {
   }
   std::sort(movers.begin(), movers.end(),
             [](const LiveMover& a, const LiveMover& b) { return a.id < b.id; });
-  return movers;
 }
 
 std::vector<Silence> Swarm::State::silences(double time_s) const {
@@ -310,7 +307,10 @@ std::vector<Silence> Swarm::State::silences(double time_s) const {
   return silences;
 }
 
-Swarm::Swarm(const SwarmOptions& options) : state_(std::make_unique<State>(options)) {
+Swarm::Swarm(const SwarmOptions& options) : state_(std::make_unique<State>(options, nullptr)) {
+}
+Swarm::Swarm(const SwarmOptions& options, Crew& crew)
+    : state_(std::make_unique<State>(options, &crew)) {
 }
 Swarm::Swarm(Swarm&&) noexcept = default;
 Swarm& Swarm::operator=(Swarm&&) noexcept = default;
@@ -320,24 +320,33 @@ Status Swarm::update(const Report& report) {
   return state_->update(report);
 }
 
-void Swarm::remove(PointId id) {
+void Swarm::remove(AgentId id) {
   state_->remove(id);
 }
 
-Result<std::vector<SwarmEvent>> Swarm::advance(double now_s) {
-  return state_->advance(now_s);
-}
-
-void Swarm::lose(PointId id) {
+void Swarm::lose(AgentId id) {
   state_->lose(id);
 }
 
+Status Swarm::advance(double now_s, std::vector<SwarmEvent>& events) {
+  return state_->advance(now_s, events);
+}
+
+Result<std::vector<SwarmEvent>> Swarm::advance(double now_s) {
+  std::vector<SwarmEvent> events;
+  return advance(now_s, events).transform([&](std::monostate) { return std::move(events); });
+}
+
 Result<std::vector<SwarmEvent>> Swarm::finish(double now_s) {
-  return state_->finish(now_s);
+  std::vector<SwarmEvent> events;
+  return state_->finish(now_s, events).transform([&](std::monostate) { return std::move(events); });
 }
 
 Result<std::vector<SwarmEvent>> Swarm::begin_anew(double now_s, double then_s) {
-  return state_->begin_anew(now_s, then_s);
+  std::vector<SwarmEvent> events;
+  return state_->begin_anew(now_s, then_s, events).transform([&](std::monostate) {
+    return std::move(events);
+  });
 }
 
 SwarmCounts Swarm::counts() const {
@@ -345,7 +354,13 @@ SwarmCounts Swarm::counts() const {
 }
 
 std::vector<LiveMover> Swarm::movers(double time_s) const {
-  return state_->movers(time_s);
+  std::vector<LiveMover> movers;
+  state_->movers(time_s, movers);
+  return movers;
+}
+
+void Swarm::movers(double time_s, std::vector<LiveMover>& movers) const {
+  state_->movers(time_s, movers);
 }
 
 std::vector<Silence> Swarm::silences(double time_s) const {

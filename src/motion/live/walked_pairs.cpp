@@ -6,13 +6,20 @@
 
 namespace beespace::motion {
 
-void WalkedPairs::add(const LivePair& pair, const Pair& bees, std::size_t told, double distance_m,
-                      bool had_entered) {
+void WalkedPairs::add(const LivePair& pair, const AgentPair& bees, std::size_t told,
+                      double distance_m, bool had_entered) {
   pairs_.push_back({pair, bees, static_cast<std::uint32_t>(told), had_entered, distance_m});
   if (pairs_.size() > most_ + most_ / 4 + 1024) cut();
 }
 
-void WalkedPairs::append(WalkedPairs&& other) {
+void WalkedPairs::clear() {
+  events.clear();
+  lost.clear();
+  pairs_.clear();
+  left_out = {};
+}
+
+void WalkedPairs::append(const WalkedPairs& other) {
   pairs_.insert(pairs_.end(), other.pairs_.begin(), other.pairs_.end());
   events.insert(events.end(), other.events.begin(), other.events.end());
   lost.insert(lost.end(), other.lost.begin(), other.lost.end());
@@ -69,12 +76,11 @@ void WalkedPairs::cut() {
   events.resize(to);
 }
 
-std::vector<LivePair> WalkedPairs::open() const {
-  std::vector<LivePair> open;
+void WalkedPairs::open(std::vector<LivePair>& open) const {
+  open.clear();
   for (const Walked& walked : pairs_) {
     if (walked.pair.state.open) open.push_back(walked.pair);
   }
-  return open;
 }
 
 }  // namespace beespace::motion

@@ -45,7 +45,7 @@ Point position_on(const Piece& piece, double time_s) {
   return between(piece.from.position, piece.to.position, share);
 }
 
-StepBalls::StepBalls(const std::vector<Run>& runs, const std::vector<ActiveRun>& active,
+StepBalls::StepBalls(std::span<const Run> runs, std::span<const ActiveRun> active,
                      const TimeSpan& time, const core::Resources& with)
     : size_(active.size()), middles_(with.memory, size_), moves_(with.memory, size_) {
   core::PerWorker<double> farthest(with);

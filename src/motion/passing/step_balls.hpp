@@ -27,8 +27,8 @@ class StepBalls {
  public:
   // For a time span in which all of the active runs exist, at least for an instant. Their pieces
   // end at or after its beginning.
-  StepBalls(const std::vector<Run>& runs, const std::vector<ActiveRun>& active,
-            const TimeSpan& time, const core::Resources& with);
+  StepBalls(std::span<const Run> runs, std::span<const ActiveRun> active, const TimeSpan& time,
+            const core::Resources& with);
 
   [[nodiscard]] MovingBalls balls() const;
 

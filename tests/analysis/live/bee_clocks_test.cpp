@@ -20,7 +20,7 @@ constexpr BeeClocks::Limits kLimits{2.0, 5.0};
 // Reports of bees whose clocks are `ahead_s`, each every `interval_s`, as they come; and what
 // becomes of them.
 struct Taken {
-  PointId bee;
+  AgentId bee;
   double true_s;
   double taken_s;
   double now_s;

@@ -35,7 +35,7 @@ TEST(LiveBees, KeepNoMoreThanSinceTheOldestLastReport) {
   std::vector<SwarmEvent> events;
   const std::size_t reports = test::kSanitized ? 100 : 1000;
   for (std::size_t i = 0; i < reports; ++i) {
-    for (PointId id = 0; id < tracks.size(); ++id) {
+    for (AgentId id = 0; id < tracks.size(); ++id) {
       if (id == 7 && i % 8 != 0) continue;
       const auto& [time, position] = tracks[id].fixes[i];
       ASSERT_EQ(bees.take({id, time, position}, 100.0), LiveBees::Taken::kYes);
@@ -70,7 +70,7 @@ TEST(LiveBees, GiveTheirPlacesToLaterBees) {
 
 TEST(LiveBees, KeepTheLastTwoReportsForTheVelocity) {
   LiveBees bees(false);
-  std::vector<std::uint32_t> dropped;
+  std::pmr::vector<std::uint32_t> dropped;
   for (int i = 0; i < 5; ++i) {
     bees.take({1, 1.0 * i, {2.0 * i, 0, 0}}, 100.0);
     bees.forget(dropped);

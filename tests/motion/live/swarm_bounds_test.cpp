@@ -31,7 +31,7 @@ TEST(SwarmBounds, OfBeesRefuseTheNextOneAndSaySo) {
   Swarm swarm(options);
   EXPECT_TRUE(swarm.update({1, 0.0, {0, 0, 0}}).has_value());
   EXPECT_TRUE(swarm.update({2, 0.0, {90, 0, 0}}).has_value());
-  for (const PointId id : {7U, 8U, 7U}) {
+  for (const AgentId id : {7U, 8U, 7U}) {
     const Status refused = swarm.update({id, 0.5, {50, 0, 0}});
     ASSERT_FALSE(refused.has_value());
     EXPECT_EQ(refused.error().code, ErrorCode::kTooManyPoints);
@@ -67,7 +67,7 @@ TEST(SwarmBounds, OfPairsKeepTheClosest) {
     for (int i = 1; i < 30; ++i) x.push_back(x.back() + 1.0 + 0.01 * i);
     Events events;
     for (const double time_s : {0.0, 1.0}) {
-      for (PointId id = 0; id < x.size(); ++id) {
+      for (AgentId id = 0; id < x.size(); ++id) {
         ASSERT_TRUE(swarm.update({id, time_s, {x[id], 0, 0}}).has_value());
       }
       test::take_all(swarm, time_s, events);
@@ -94,7 +94,7 @@ TEST(SwarmBounds, OfPairsMakeRoomForCloserOnes) {
   Swarm swarm(options);
   Events events;
   for (int i = 0; i <= 10; ++i) {
-    for (const auto& [id, x] : std::vector<std::pair<PointId, double>>{
+    for (const auto& [id, x] : std::vector<std::pair<AgentId, double>>{
              {1, 0.0},
              {2, 10.0},
              {3, 500.0},
@@ -129,7 +129,7 @@ TEST(SwarmBounds, LeaveEachEncounterOneEnd) {
   const auto rest = swarm.finish(last_s);
   ASSERT_TRUE(rest.has_value());
   events.insert(events.end(), rest->begin(), rest->end());
-  std::map<std::pair<PointId, PointId>, int> open;
+  std::map<std::pair<AgentId, AgentId>, int> open;
   for (const SwarmEvent& event : events) {
     int& is_open = open[{event.first, event.second}];
     if (event.kind == EventKind::kEntered) {
@@ -153,7 +153,7 @@ TEST(SwarmBounds, HoldWhereAllAreAtOnePlace) {
   const PointId bees = test::kSanitized ? 600 : 3000;
   Events events;
   for (const double time_s : {0.0, 1.0, 2.0}) {
-    for (PointId id = 0; id < bees; ++id) {
+    for (AgentId id = 0; id < bees; ++id) {
       ASSERT_TRUE(swarm.update({id, time_s, {1, 2, 3}}).has_value());
     }
     test::take_all(swarm, time_s, events);

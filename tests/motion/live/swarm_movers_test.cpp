@@ -23,11 +23,11 @@ Swarm swarm_of(const std::vector<Report>& reports) {
 }
 
 // Flown on to where `mover` is.
-LiveMover flying(PointId id, const Mover& mover, double heard_s, const Point& heard_at) {
+LiveMover flying(AgentId id, const Mover& mover, double heard_s, const Point& heard_at) {
   return {id, mover, heard_s, heard_at, false, true};
 }
 // Somewhere; last heard of there.
-LiveMover unknown(PointId id, double heard_s, const Point& heard_at, bool stale) {
+LiveMover unknown(AgentId id, double heard_s, const Point& heard_at, bool stale) {
   return {id, {heard_at, {}}, heard_s, heard_at, stale, false};
 }
 

@@ -25,7 +25,7 @@ SwarmOptions looking_ahead(double horizon_s) {
 }
 
 // Two bees 200 m apart, 5 m/s each towards the other, 3 m beside: closest at 20 s.
-Report head_on(PointId id, double time_s, bool says_velocity) {
+Report head_on(AgentId id, double time_s, bool says_velocity) {
   const double side = id == 1 ? -1.0 : 1.0;
   Report report{id, time_s, {side * (100.0 - 5.0 * time_s), id == 1 ? 0.0 : 3.0, 0.0}};
   if (says_velocity) report.velocity = Velocity{-5.0 * side, 0.0, 0.0};
@@ -42,7 +42,7 @@ std::vector<TimedEvent> events_of_head_on(const SwarmOptions& options, bool says
   Swarm swarm(options);
   std::vector<TimedEvent> timed;
   for (double now = 0.0; now <= until_s; now += 0.5) {
-    for (const PointId id : {1U, 2U}) {
+    for (const AgentId id : {1U, 2U}) {
       EXPECT_TRUE(swarm.update(head_on(id, now, says_velocity)).has_value());
     }
     Events events;
@@ -97,7 +97,7 @@ TEST(SwarmPrediction, IsNotMadeFromOneReportWithoutAVelocity) {
 // The position is extrapolated from an older report.
 TEST(SwarmPrediction, IsMadeFromWhereBeesAreByNow) {
   Swarm swarm(looking_ahead(10.0));
-  for (const PointId id : {1U, 2U}) {
+  for (const AgentId id : {1U, 2U}) {
     ASSERT_TRUE(swarm.update(head_on(id, id == 1 ? 6.0 : 8.0, true)).has_value());
   }
   const Events events = *swarm.advance(10.5);
@@ -152,7 +152,7 @@ TEST(SwarmPrediction, OfManyIsThatOfPredictConflicts) {
   for (int round = 0; round < test::rounds(30); ++round) {
     const std::vector<Mover> movers = test::flying(make, 80, {600, 600, 100}, 12);
     Swarm swarm(looking_ahead(8.0));
-    for (PointId id = 0; id < movers.size(); ++id) {
+    for (AgentId id = 0; id < movers.size(); ++id) {
       ASSERT_TRUE(
           swarm.update({1000 - id, 5.0, movers[id].position, movers[id].velocity}).has_value());
     }

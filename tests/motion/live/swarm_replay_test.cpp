@@ -51,7 +51,7 @@ std::vector<Replayed> replays() {
 }
 
 // The events of each pair, in the order in which they happened.
-using ByPair = std::map<std::pair<PointId, PointId>, Events>;
+using ByPair = std::map<std::pair<AgentId, AgentId>, Events>;
 
 ByPair by_pair(const Events& events) {
   ByPair pairs;
@@ -211,7 +211,7 @@ TEST(SwarmReplay, ReportsTheSameInAnyOrderOfBees) {
     options.max_age_s = 7.0;
     const Events in_order = test::happened(test::replay(test::deliveries_of(tracks), options, 1.0));
     const auto late = test::deliveries_of(
-        tracks, [&](PointId id) { return 4.0 * static_cast<double>(id * 37 % 20) / 20.0; });
+        tracks, [&](AgentId id) { return 4.0 * static_cast<double>(id * 37 % 20) / 20.0; });
     EXPECT_EQ(test::happened(test::replay(late, options, 0.6)), in_order);
     expect_encounters(in_order, tracks, options);
   }
@@ -227,7 +227,7 @@ TEST(SwarmReplay, IsNotMisledByLateAndRepeatedReports) {
   const Events clean = test::replay(deliveries, options, 1e9);
 
   Swarm swarm(options);
-  std::map<PointId, std::vector<Report>> heard;
+  std::map<AgentId, std::vector<Report>> heard;
   std::uint64_t repeated = 0;
   std::uint64_t late = 0;
   std::uint64_t contrary = 0;
@@ -272,7 +272,7 @@ TEST(SwarmReplay, ReportsNothingTwiceWhenABeeIsHeardLate) {
   const auto tell = [&](bool with_late_bees) {
     Swarm swarm(options);
     Events events;
-    PointId stranger = 1000;
+    AgentId stranger = 1000;
     for (const auto& [arrives_s, report] : test::deliveries_of(tracks)) {
       EXPECT_TRUE(swarm.update(report).has_value());
       if (report.id % 4 != 0) continue;

@@ -40,8 +40,8 @@ struct Known {
 struct Happened {
   std::string what;
   double time_s;
-  PointId first;
-  PointId second;
+  AgentId first;
+  AgentId second;
 };
 
 bool operator<(const Happened& a, const Happened& b) {
@@ -93,7 +93,7 @@ std::vector<Real> crossings(const Known& a, const Known& b, Real begin, Real end
 }
 
 // What happens between two while both are known.
-void tell_pair(const Known& a, const Known& b, PointId first, PointId second,
+void tell_pair(const Known& a, const Known& b, AgentId first, AgentId second,
                std::vector<Happened>& happened) {
   const double begin = std::max(a.begins_s(), b.begins_s());
   const double end = std::min(a.ends_s(), b.ends_s());
@@ -157,7 +157,7 @@ std::vector<Known> cut(const std::vector<Report>& reports, double now_s) {
 std::vector<Happened> expected(const std::vector<std::vector<Report>>& bees, double now_s) {
   std::vector<Happened> happened;
   std::vector<std::vector<Known>> known;
-  for (PointId id = 0; id < bees.size(); ++id) {
+  for (AgentId id = 0; id < bees.size(); ++id) {
     known.push_back(cut(bees[id], now_s));
     for (std::size_t k = 0; k < known[id].size(); ++k) {
       const Known& part = known[id][k];
@@ -165,8 +165,8 @@ std::vector<Happened> expected(const std::vector<std::vector<Report>>& bees, dou
       if (k > 0) happened.push_back({"heard", part.begins_s(), id, id});
     }
   }
-  for (PointId i = 0; i < bees.size(); ++i) {
-    for (PointId j = i + 1; j < bees.size(); ++j) {
+  for (AgentId i = 0; i < bees.size(); ++i) {
+    for (AgentId j = i + 1; j < bees.size(); ++j) {
       for (const Known& a : known[i]) {
         for (const Known& b : known[j]) tell_pair(a, b, i, j, happened);
       }
@@ -200,7 +200,7 @@ std::string word_of(EventKind kind) {
 std::vector<std::vector<Report>> reports_of(test::SceneMaker& make, bool ties) {
   std::vector<std::vector<Report>> bees(2 + make.below(9));
   const double side_m = make.between(15.0, 60.0);
-  for (PointId id = 0; id < bees.size(); ++id) {
+  for (AgentId id = 0; id < bees.size(); ++id) {
     Point at{make.between(0, side_m), make.between(0, side_m), make.between(0, 5)};
     Point speed{};
     const std::size_t most = make.below(6) == 0 ? 1 : 2 + make.below(30);

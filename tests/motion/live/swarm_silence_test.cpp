@@ -27,7 +27,7 @@ SwarmOptions options_with(double horizon_s = 0.0) {
   return options;
 }
 
-void hear(Swarm& swarm, PointId id, double time_s, double x) {
+void hear(Swarm& swarm, AgentId id, double time_s, double x) {
   ASSERT_TRUE(swarm.update({id, time_s, {x, 0, 0}}).has_value());
 }
 
@@ -308,7 +308,7 @@ TEST(SwarmPossible, IsOfCylindersToo) {
     options.vertical_m = 5.0;
     options.heights_apart = apart;
     Swarm swarm(options);
-    const auto tell = [&](PointId id, double time_s, double height) {
+    const auto tell = [&](AgentId id, double time_s, double height) {
       const Point at{0, 0, apart ? 0.0 : height};
       ASSERT_TRUE(swarm.update({id, time_s, at, {}, apart ? height : 0.0, 0.0}).has_value());
     };
@@ -382,7 +382,7 @@ TEST(SwarmPossible, IsTheSameHoweverOftenEventsAreAskedFor) {
   test::SceneMaker make(78);
   for (int round = 0; round < 40; ++round) {
     std::vector<Report> reports;
-    for (PointId id = 0; id < 6; ++id) {
+    for (AgentId id = 0; id < 6; ++id) {
       Point at{make.between(0, 300), make.between(0, 300), 0};
       for (double time_s = make.between(0, 1); time_s < 40.0;) {
         reports.push_back({id, time_s, at});
@@ -435,7 +435,7 @@ TEST(SwarmPossible, MissesNothingThatHappensUnseen) {
     std::vector<std::vector<bool>> possible(8, std::vector<bool>(8, false));
     for (int step = 0; step <= 80; ++step) {
       const double time_s = 0.25 * step;
-      for (PointId i = 0; i < 8; ++i) {
+      for (AgentId i = 0; i < 8; ++i) {
         if (step > 0) {
           const double angle = make.between(0, 6.28);
           at[i].x += 2.49 * std::cos(angle);
@@ -445,7 +445,7 @@ TEST(SwarmPossible, MissesNothingThatHappensUnseen) {
         if (step == 0 || !silent[i]) {
           ASSERT_TRUE(swarm.update({i, time_s, at[i]}).has_value());
           if (time_s - heard_s[i] > options.max_age_s) {
-            for (PointId j = 0; j < 8; ++j) possible[i][j] = possible[j][i] = false;
+            for (AgentId j = 0; j < 8; ++j) possible[i][j] = possible[j][i] = false;
           }
           heard_s[i] = time_s;
         }
@@ -455,8 +455,8 @@ TEST(SwarmPossible, MissesNothingThatHappensUnseen) {
       for (const SwarmEvent& event : *events) {
         if (event.kind == EventKind::kPossible) possible[event.first][event.second] = true;
       }
-      for (PointId i = 0; i < 8; ++i) {
-        for (PointId j = i + 1; j < 8; ++j) {
+      for (AgentId i = 0; i < 8; ++i) {
+        for (AgentId j = i + 1; j < 8; ++j) {
           const bool stale =
               time_s - heard_s[i] > options.max_age_s || time_s - heard_s[j] > options.max_age_s;
           const double apart = std::hypot(at[i].x - at[j].x, at[i].y - at[j].y, at[i].z - at[j].z);

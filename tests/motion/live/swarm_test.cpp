@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace beespace {
@@ -281,6 +282,34 @@ TEST(SwarmMove, TakesAllThatIsKnownAlong) {
   Swarm third(plain_options());
   third = std::move(other);
   EXPECT_EQ(third.counts().taken, 8U);
+}
+
+TEST(Swarm, IdsAreOfAnySize) {
+  constexpr AgentId kFirst = 0x1234567800000003;
+  constexpr AgentId kSecond = 0xffffffff00000003;  // the same in 32 bits
+  SwarmOptions options{.threshold_m = 5.0, .horizon_s = 4.0, .max_age_s = 2.0};
+  options.max_speed_mps = 10.0;
+  Swarm swarm(options);
+  Events events;
+  for (int second = 0; second <= 20; ++second) {
+    const double time_s = second;
+    ASSERT_TRUE(swarm.update({kFirst, time_s, {-20.0 + 3.0 * time_s, 0.0, 0.0}}).has_value());
+    if (second <= 8 || second == 20) {
+      ASSERT_TRUE(swarm.update({kSecond, time_s, {20.0 - 3.0 * time_s, 1.0, 0.0}}).has_value());
+    }
+    test::take_all(swarm, time_s, events);
+  }
+  std::set<EventKind> kinds;
+  for (const SwarmEvent& event : events) {
+    kinds.insert(event.kind);
+    const bool of_one = event.first == event.second;
+    EXPECT_EQ(event.first, of_one ? kSecond : kFirst);
+    EXPECT_EQ(event.second, kSecond);
+  }
+  EXPECT_EQ(kinds,
+            (std::set<EventKind>{EventKind::kPredicted, EventKind::kPossible, EventKind::kHeard,
+                                 EventKind::kEntered, EventKind::kClosestPassed, EventKind::kLeft,
+                                 EventKind::kStale}));
 }
 
 }  // namespace
