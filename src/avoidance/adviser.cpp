@@ -33,10 +33,10 @@ using avoidance::ConstraintBuilder;
 using core::Vector3;
 
 // Bees that a worker takes at a time: some have many neighbours, others none.
-constexpr std::size_t kDealt = 512;
+constexpr std::size_t kChunk = 512;
 
 // The value as it will be read when it is passed in again.
-Velocity told(const Vector3& v) {
+Velocity velocity_of(const Vector3& v) {
   return motion::flushed(Velocity{v.x, v.y, v.z});
 }
 
@@ -104,13 +104,13 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     too_close_.assign(bees, 0);
     const ConstraintBuilder constraint_builder(agents_, near_, too_close_, wishes, options);
     if (options.method == AdviseMethod::kCertified) {
-      cpu::schedule(crew, bees, kDealt, [&](auto begin, auto end, unsigned /*worker*/) {
+      cpu::schedule(crew, bees, kChunk, [&](auto begin, auto end, unsigned /*worker*/) {
         for (std::size_t bee = begin; bee < end; ++bee) {
           too_close_[bee] = constraint_builder.is_too_close(static_cast<PointId>(bee)) ? 1 : 0;
         }
       });
     }
-    cpu::schedule(crew, bees, kDealt, [&](auto begin, auto end, unsigned worker) {
+    cpu::schedule(crew, bees, kChunk, [&](auto begin, auto end, unsigned worker) {
       Desk& desk = desks_[worker];
       for (std::size_t bee = begin; bee < end; ++bee) {
         const auto id = static_cast<PointId>(bee);
@@ -150,7 +150,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     const Vector3 aside = at_most(findings.pressed, 1.0) * (kAside * agent.max_speed);
     const auto [velocity, kind] =
         desk.solver.solve(agent, makes_room ? wish + aside : wish, findings.constraints);
-    Advice advice{told(velocity), kind};
+    Advice advice{velocity_of(velocity), kind};
     advice.keeps_apart = findings.certified;
     advice.clear_of_unknown_s = intake_.bee_anywhere() ? 0.0 : findings.clear_of_unknown_s;
     advice.clear_of_unknown = advice.clear_of_unknown_s >= intake_.options().unknown_horizon_s;
@@ -170,7 +170,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
             ? desk.known.orca(agents_, bee, near_, wish, horizon_s, options.step_s)
             : avoidance::KnownMethod::mvp(agents_, bee, near_, wish, horizon_s, options.step_s);
     const bool as_wished = velocity == agents_[bee].able(wish);
-    return {told(velocity), as_wished ? AdviceKind::kAsWished : AdviceKind::kDeflected};
+    return {velocity_of(velocity), as_wished ? AdviceKind::kAsWished : AdviceKind::kDeflected};
   }
 
   // Collects all conflicts that the threads have found.

@@ -11,16 +11,16 @@
 
 namespace beespace::cpu {
 
-// Calls task(begin, end, worker) for stretches of `count` things, at most `dealt` at a time. A
+// Calls task(begin, end, worker) for stretches of `count` things, at most `chunk` at a time. A
 // worker that is done takes the next stretch, so the distribution differs from run to run.
 template <class Task>
-void schedule(Crew& crew, std::size_t count, std::size_t dealt, Task&& task) {
+void schedule(Crew& crew, std::size_t count, std::size_t chunk, Task&& task) {
   std::atomic<std::size_t> next = 0;
   crew.run([&](unsigned worker) {
     for (;;) {
-      const std::size_t begin = next.fetch_add(dealt, std::memory_order_relaxed);
+      const std::size_t begin = next.fetch_add(chunk, std::memory_order_relaxed);
       if (begin >= count || core::is_stopping()) return;
-      task(begin, std::min(begin + dealt, count), worker);
+      task(begin, std::min(begin + chunk, count), worker);
     }
   });
 }

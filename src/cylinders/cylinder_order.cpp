@@ -133,7 +133,7 @@ class Orderer {
     const std::size_t base = begins_.size();
     const std::size_t ncells = std::size_t{1} << halvings;
     begins_.resize(base + ncells + 1);
-    deal(spare_.data(), keys_.data(), count, ncells, ids, begins_.data() + base);
+    distribute(spare_.data(), keys_.data(), count, ncells, ids, begins_.data() + base);
     for (std::size_t cell = 0; cell < ncells; ++cell) {
       const std::uint32_t begin = begins_[base + cell];
       order(ids + begin, begins_[base + cell + 1] - begin);
@@ -142,8 +142,8 @@ class Orderer {
   }
 
   // Distributes ids by their keys (a counting sort); begins[k] is where those of key k begin.
-  static void deal(const std::uint32_t* ids, const std::uint32_t* keys, std::size_t count,
-                   std::size_t cells, std::uint32_t* to, std::uint32_t* begins) {
+  static void distribute(const std::uint32_t* ids, const std::uint32_t* keys, std::size_t count,
+                         std::size_t cells, std::uint32_t* to, std::uint32_t* begins) {
     std::fill_n(begins, cells + 1, 0U);
     for (std::size_t i = 0; i < count; ++i) ++begins[keys[i] + 1];
     for (std::size_t k = 1; k <= cells; ++k) begins[k] += begins[k - 1];
@@ -199,7 +199,8 @@ Buffer<std::uint32_t> cylinder_order(const UprightPoints& points, const Cylinder
     for (std::size_t i = begin; i < end; ++i) keys[i] = cells.key(points[i]);
   });
   Vector<std::uint32_t> begins((std::size_t{1} << halvings) + 1, &with.memory);
-  Orderer::deal(ids.data(), keys.data(), count, begins.size() - 1, order.data(), begins.data());
+  Orderer::distribute(ids.data(), keys.data(), count, begins.size() - 1, order.data(),
+                      begins.data());
   constexpr std::size_t kAtOnce = 64;  // cells
   std::atomic<std::size_t> next{0};
   with.crew.run([&](unsigned worker) {

@@ -43,7 +43,7 @@ class CylinderRows::Builder {
   }
 
   // Sorted by cell along the row, then by row; within a cell as they come. Whether it is a crowd.
-  bool deal() {
+  bool distribute() {
     const std::size_t count = rows_.size_;
     Buffer<std::uint32_t> cell_of(with_.memory, count);
     Buffer<std::uint32_t> row_of(with_.memory, count);
@@ -181,7 +181,7 @@ CylinderRows::CylinderRows(const UprightPoints& points, const CylinderSize& size
       order_(with.memory, points.size()),
       places_(with.memory, points.size()) {
   Builder builder(*this, points, size, with);
-  const bool crowded = builder.deal();
+  const bool crowded = builder.distribute();
   finished_ = wanted || !crowded;
   if (finished_) builder.sort_and_fill();
 }

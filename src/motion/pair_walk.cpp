@@ -47,8 +47,8 @@ double sum_rounded_up(double a, double b) {
 
 }  // namespace
 
-WalkSeparation WalkSeparation::within(const Separation& separation, const Run& first,
-                                      const Run& second) {
+WalkSeparation WalkSeparation::within(const Separation& separation, const TrackSegment& first,
+                                      const TrackSegment& second) {
   const double tolerance_m = sum_rounded_up(first.tolerance_m, second.tolerance_m);
   if (tolerance_m == 0.0) return {separation, separation, true};
   return {changed(separation, tolerance_m), changed(separation, -tolerance_m), false};

@@ -1,13 +1,13 @@
-// Two runs, piece by piece: in which windows of time are they in conflict, and what is that as one
-// stretch?
+// Two segments, piece by piece: in which windows of time are they in conflict, and what is that as
+// one stretch?
 //
 // A window is the time in which both are on one straight piece each; there the exact decision of
 // encounter.hpp holds. Windows follow each other without a gap, so a conflict goes on in the next
 // one if and only if the two are in conflict at the instant in between.
 #pragma once
 
-#include "motion/runs.hpp"
 #include "motion/separation.hpp"
+#include "motion/track_segments.hpp"
 
 #include <beespace/conflict.hpp>
 
@@ -28,7 +28,8 @@ struct WalkSeparation {
   bool same = true;  // there is no difference
 
   // What the tolerances of the two make of a separation.
-  static WalkSeparation within(const Separation& separation, const Run& first, const Run& second);
+  static WalkSeparation within(const Separation& separation, const TrackSegment& first,
+                               const TrackSegment& second);
 };
 
 // A stretch: where it began, and what there was of it.
@@ -55,9 +56,10 @@ class PairWalk {
   using Stretch = motion::Stretch;
   using State = WalkState;
 
-  // Live, the first fix of a run is an instant by itself before it is the beginning of a piece, so
-  // that events do not depend on when the second one came.
-  PairWalk(const Run& first, const Run& second, const WalkSeparation& separation, bool live = false)
+  // Live, the first fix of a segment is an instant by itself before it is the beginning of a piece,
+  // so that events do not depend on when the second one came.
+  PairWalk(const TrackSegment& first, const TrackSegment& second, const WalkSeparation& separation,
+           bool live = false)
       : first_(first),
         second_(second),
         separation_(separation),
@@ -79,8 +81,8 @@ class PairWalk {
   std::optional<Stretch> walk_window(const Piece& first, const Piece& second,
                                      const TimeSpan& window, State& state) const;
 
-  const Run& first_;
-  const Run& second_;
+  const TrackSegment& first_;
+  const TrackSegment& second_;
   const WalkSeparation& separation_;
   double reach_m_;
   bool live_;

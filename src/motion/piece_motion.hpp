@@ -3,8 +3,8 @@
 #pragma once
 
 #include "motion/relative_motion.hpp"
-#include "motion/runs.hpp"
 #include "motion/separation.hpp"
+#include "motion/track_segments.hpp"
 
 namespace beespace::motion {
 

@@ -13,7 +13,7 @@ namespace beespace::search {
 namespace {
 
 // Neighbouring points that one worker looks up.
-constexpr std::size_t kDealt = 512;
+constexpr std::size_t kChunk = 512;
 
 // Takes a point out of the row of the nearest ones. One that is not among them has so many others
 // at its position that all of them are, with lower ids: then the last one is too many.
@@ -40,7 +40,7 @@ void find_k_nearest(const PointsView& points, const core::Bounds& bounds, std::s
   for (unsigned worker = 0; worker < with.crew.size(); ++worker) found[worker].resize(wanted);
   const core::PointTree tree(points, bounds, with);
   const cpu::TreeWalks walks = cpu::tree_walks(tuning.instruction_set);
-  cpu::schedule(with.crew, size, kDealt, [&](std::size_t begin, std::size_t end, unsigned worker) {
+  cpu::schedule(with.crew, size, kChunk, [&](std::size_t begin, std::size_t end, unsigned worker) {
     core::NearestList& list = lists[worker];
     double reach_m = std::numeric_limits<double>::infinity();
     for (std::size_t slot = begin; slot < end; ++slot) {

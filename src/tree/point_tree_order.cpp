@@ -145,7 +145,8 @@ class Intervals {
   // Distributes the travellers to stacks: one for what lies between two cuts, one for each interval
   // in which a cut falls. False, with nothing done, when such an interval holds too many. `borders`
   // becomes the intervals of the cuts, and the last one.
-  bool deal(const Part& part, const Cuts& cuts, std::array<std::size_t, kFanOut + 1>& borders) {
+  bool distribute(const Part& part, const Cuts& cuts,
+                  std::array<std::size_t, kFanOut + 1>& borders) {
     std::array<std::uint8_t, kMost> stack_of;
     std::array<std::size_t, 2 * kFanOut> next{};
     std::uint8_t stack = 0;
@@ -240,7 +241,7 @@ class Arranger {
     }
     const Cuts cuts = choose_cuts(part, extent);
     std::array<Extent, kFanOut> slabs;
-    const bool are_known = deal(part, cuts, extent, slabs);
+    const bool are_known = distribute(part, cuts, extent, slabs);
     for (std::size_t slab = 0; slab < cuts.count; ++slab) {
       const Part next{part.to, part.from, cuts.at[slab], cuts.at[slab + 1], part.unit};
       if (!keep(next)) arrange(next, keep, are_known ? &slabs[slab] : nullptr);
@@ -263,11 +264,11 @@ class Arranger {
 
   // Whether it is known where the slabs lie. A call of its own, so that the intervals do not stay
   // on the stack of what follows.
-  [[gnu::noinline]] bool deal(const Part& part, const Cuts& cuts, const Extent& extent,
-                              std::array<Extent, kFanOut>& slabs) const {
+  [[gnu::noinline]] bool distribute(const Part& part, const Cuts& cuts, const Extent& extent,
+                                    std::array<Extent, kFanOut>& slabs) const {
     Intervals intervals(part, extent, cuts.axis);
     std::array<std::size_t, kFanOut + 1> borders;
-    if (!intervals.deal(part, cuts, borders)) {
+    if (!intervals.distribute(part, cuts, borders)) {
       deal_exactly(points_, part, cuts);
       return false;
     }

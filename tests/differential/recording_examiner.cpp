@@ -8,7 +8,7 @@
 
 #include "base/memory.hpp"
 #include "motion/recorded/recording_search.hpp"
-#include "motion/runs.hpp"
+#include "motion/track_segments.hpp"
 
 #include <beespace/brute_force.hpp>
 #include <beespace/find_conflicts.hpp>
@@ -60,21 +60,21 @@ Way forced(cpu::InstructionSet set, unsigned workers, double share) {
     core::Resources with{crew, memory};
   };
   const auto tools = std::make_shared<Tools>(workers);
-  return {std::string("forced ") + cpu::name_of(set),
-          [=](const std::vector<Track>& tracks,
-              const ConflictOptions& options) -> Result<RecordedConflicts> {
-            motion::Runs cut = motion::cut_at_gaps(tracks, options.max_gap_s);
-            const bool apart = std::any_of(tracks.begin(), tracks.end(), [](const Track& track) {
-              return !track.heights_m.empty();
-            });
-            motion::RecordingTuning choices;
-            choices.search.instruction_set = set;
-            choices.step_s = lasts(tracks) * share;
-            auto found = motion::search_recording(cut.runs, motion::separation_of(options, apart),
-                                                  options.max_results, tools->with, choices);
-            if (!found) return std::move(found).error();
-            return RecordedConflicts{*std::move(found), std::move(cut.gaps)};
-          }};
+  return {
+      std::string("forced ") + cpu::name_of(set),
+      [=](const std::vector<Track>& tracks,
+          const ConflictOptions& options) -> Result<RecordedConflicts> {
+        motion::TrackSegments cut = motion::cut_at_gaps(tracks, options.max_gap_s);
+        const bool apart = std::any_of(tracks.begin(), tracks.end(),
+                                       [](const Track& track) { return !track.heights_m.empty(); });
+        motion::RecordingTuning choices;
+        choices.search.instruction_set = set;
+        choices.step_s = lasts(tracks) * share;
+        auto found = motion::search_recording(cut.segments, motion::separation_of(options, apart),
+                                              options.max_results, tools->with, choices);
+        if (!found) return std::move(found).error();
+        return RecordedConflicts{*std::move(found), std::move(cut.gaps)};
+      }};
 }
 
 std::vector<Way> all_ways() {

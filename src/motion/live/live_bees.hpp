@@ -1,7 +1,7 @@
 // The bees of a live swarm: the reports of each, as far back as they matter.
 #pragma once
 
-#include "motion/runs.hpp"
+#include "motion/track_segments.hpp"
 
 #include <beespace/swarm.hpp>
 
@@ -24,17 +24,17 @@ struct AgentPair {
   friend constexpr auto operator<=>(const AgentPair&, const AgentPair&) = default;
 };
 
-// The reason why a run is complete.
-enum class RunEnd : std::uint8_t { kSilent, kRemoved, kFinished };
+// The reason why a segment is complete.
+enum class SegmentEnd : std::uint8_t { kSilent, kRemoved, kFinished };
 
-// Reports of one bee without a gap. When it is heard again after a gap, another run begins.
-struct LiveRun {
+// Reports of one bee without a gap. When it is heard again after a gap, another segment begins.
+struct LiveSegment {
   static constexpr double kNever = -std::numeric_limits<double>::infinity();
 
   AgentId bee = 0;
   bool complete = true;  // no report will be added
   bool done = false;     // it is complete, and the next search is the last one that needs it
-  RunEnd end = RunEnd::kSilent;
+  SegmentEnd end = SegmentEnd::kSilent;
   std::vector<Fix> fixes = {};            // empty: the place is free
   std::vector<double> heights_m = {};     // empty, or one for each fix
   std::optional<Velocity> velocity = {};  // of the last, where it was given
@@ -58,17 +58,17 @@ struct LiveRun {
 struct KnownBee {
   static constexpr std::uint32_t kStale = std::numeric_limits<std::uint32_t>::max();
 
-  std::uint32_t run = kStale;  // the place of the run under way
-  Fix last = {};               // its last report, if it has no run
+  std::uint32_t segment = kStale;  // the place of the segment under way
+  Fix last = {};                   // its last report, if it has no segment
   double height_m = 0.0;
-  double unknown_s = 0.0;  // silences that are over
-  bool waiting = false;    // without a run and not stale: times have begun anew
-  bool lost = false;       // stale from its last report on, at any age
-  bool untold = false;     // and not yet reported as such
-  bool once = true;        // heard only once
+  double unknown_s = 0.0;   // silences that are over
+  bool waiting = false;     // without a segment and not stale: times have begun anew
+  bool lost = false;        // stale from its last report on, at any age
+  bool unreported = false;  // and not yet reported as such
+  bool once = true;         // heard only once
 
-  [[nodiscard]] bool has_run() const { return run != kStale; }
-  [[nodiscard]] bool stale() const { return run == kStale && !waiting; }
+  [[nodiscard]] bool has_segment() const { return segment != kStale; }
+  [[nodiscard]] bool stale() const { return segment == kStale && !waiting; }
 };
 
 // A bee has been heard again after a silence.
@@ -76,8 +76,8 @@ struct Return {
   AgentId bee;
   double since_s;
   double heard_s;
-  bool said_stale;  // reported as stale meanwhile
-  Fix last;         // before it
+  bool reported_stale;  // reported as stale meanwhile
+  Fix last;             // before it
   double height_m;
   bool lost;
 };
@@ -94,20 +94,20 @@ class LiveBees {
 
   // Removes a bee; nothing happens if it is unknown.
   void remove(AgentId bee);
-  // Breaks the run of a bee: it is stale until its next report.
+  // Breaks the segment of a bee: it is stale until its next report.
   void lose(AgentId bee);
-  // Completes the runs of all bees that have not been heard for more than max_age_s; calls
+  // Completes the segments of all bees that have not been heard for more than max_age_s; calls
   // stale(bee, last heard). Compares the difference of the two times, as take() does between two
   // reports.
   template <class Stale>
   void complete_stale(double now_s, double max_age_s, Stale&& stale);
-  // Completes all runs: the input has ended, or times begin anew, and all bees are waited for.
+  // Completes all segments: the input has ended, or times begin anew, and all bees are waited for.
   void complete_all(bool anew);
   // After that and a search, shifts all times by so much. The last known positions are kept.
   void begin_anew(double later_s);
 
-  // Runs by their place, which stays as long as the run does.
-  [[nodiscard]] const std::vector<LiveRun>& runs() const { return runs_; }
+  // Segments by their place, which stays as long as the segment does.
+  [[nodiscard]] const std::vector<LiveSegment>& segments() const { return segments_; }
   [[nodiscard]] const std::unordered_map<AgentId, KnownBee>& known() const { return known_; }
   [[nodiscard]] std::size_t under_way() const { return known_.size() - stale_; }
   [[nodiscard]] std::size_t heard_once() const { return once_; }
@@ -123,24 +123,24 @@ class LiveBees {
     returns.swap(returns_);
   }
 
-  // Before a search: marks the complete runs that are done. A run is kept until all others have
-  // been heard as late as it was, but for no longer than they take to become stale.
+  // Before a search: marks the complete segments that are done. A segment is kept until all others
+  // have been heard as late as it was, but for no longer than they take to become stale.
   void settle(double now_s, double max_age_s);
 
-  // After a search: forgets runs that are done, and fixes before those that the next search needs.
-  // Sets dropped[place] to the number of fixes dropped from a run.
+  // After a search: forgets segments that are done, and fixes before those that the next search
+  // needs. Sets dropped[place] to the number of fixes dropped from a segment.
   void forget(std::pmr::vector<std::uint32_t>& dropped);
 
  private:
   [[nodiscard]] std::optional<Taken> before_last(const KnownBee& bee, const Report& report) const;
-  void add(LiveRun& run, const Report& report) const;
-  void begin_run(KnownBee& bee, const Report& report);
-  void complete(KnownBee& bee, RunEnd end);
+  void add(LiveSegment& segment, const Report& report) const;
+  void begin_segment(KnownBee& bee, const Report& report);
+  void complete(KnownBee& bee, SegmentEnd end);
   void give_back();
   [[nodiscard]] double known_from_s() const;
 
   bool heights_apart_;
-  std::vector<LiveRun> runs_;
+  std::vector<LiveSegment> segments_;
   std::vector<std::uint32_t> free_;  // places
   std::unordered_map<AgentId, KnownBee> known_;
   std::size_t stale_ = 0;
@@ -156,7 +156,7 @@ template <class Stale>
 void LiveBees::complete_stale(double now_s, double max_age_s, Stale&& stale) {
   for (const AgentId id : std::exchange(lost_, {})) {
     const auto at = known_.find(id);
-    if (at == known_.end() || !std::exchange(at->second.untold, false)) continue;
+    if (at == known_.end() || !std::exchange(at->second.unreported, false)) continue;
     stale(id, at->second.last.time_s);
   }
   if (waiting_ > 0) {
@@ -169,10 +169,11 @@ void LiveBees::complete_stale(double now_s, double max_age_s, Stale&& stale) {
       stale(id, bee.last.time_s);
     }
   }
-  for (const LiveRun& run : runs_) {
-    if (run.fixes.empty() || run.complete || now_s - run.last_s() <= max_age_s) continue;
-    stale(run.bee, run.last_s());
-    complete(known_.find(run.bee)->second, RunEnd::kSilent);
+  for (const LiveSegment& segment : segments_) {
+    if (segment.fixes.empty() || segment.complete) continue;
+    if (now_s - segment.last_s() <= max_age_s) continue;
+    stale(segment.bee, segment.last_s());
+    complete(known_.find(segment.bee)->second, SegmentEnd::kSilent);
   }
 }
 

@@ -21,7 +21,7 @@ struct LeftOut {
     count += more;
     from_m = std::min(from_m, distance_m);
   }
-  void tell(double now_s, SwarmBound bound, std::vector<SwarmEvent>& events) const {
+  void report(double now_s, SwarmBound bound, std::vector<SwarmEvent>& events) const {
     if (!any) return;
     events.push_back({EventKind::kOverloaded, now_s, 0, 0, from_m, now_s, 0.0, count, bound});
   }

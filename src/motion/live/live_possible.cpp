@@ -40,17 +40,18 @@ double largest_of(const Point& p) {
 void LivePossible::note_places(const LiveBees& bees, const std::vector<Return>& returns) {
   places_.clear();
   heard_.clear();
-  for (const LiveRun& run : bees.runs()) {
-    if (run.fixes.empty() || (run.complete && run.end == RunEnd::kRemoved)) continue;
-    std::size_t first = run.fixes.size() - 1;
-    while (first > 0 && run.fixes[first].time_s > told_until_s_) --first;
-    for (std::size_t i = first; i < run.fixes.size(); ++i) {
-      const double height_m = run.heights_m.empty() ? 0.0 : run.heights_m[i];
-      places_.push_back({run.bee, run.fixes[i], height_m, max_age_s_});
+  for (const LiveSegment& segment : bees.segments()) {
+    if (segment.fixes.empty() || (segment.complete && segment.end == SegmentEnd::kRemoved))
+      continue;
+    std::size_t first = segment.fixes.size() - 1;
+    while (first > 0 && segment.fixes[first].time_s > reported_until_s_) --first;
+    for (std::size_t i = first; i < segment.fixes.size(); ++i) {
+      const double height_m = segment.heights_m.empty() ? 0.0 : segment.heights_m[i];
+      places_.push_back({segment.bee, segment.fixes[i], height_m, max_age_s_});
     }
   }
   for (const auto& [id, bee] : bees.known()) {
-    if (bee.has_run()) continue;
+    if (bee.has_segment()) continue;
     places_.push_back({id, bee.last, bee.height_m, bee.lost ? 0.0 : max_age_s_});
   }
   for (const Return& back : returns) {
@@ -94,8 +95,8 @@ void LivePossible::follow(const LiveBees& bees, const std::vector<Return>& retur
   for (Silent& silent : silent_) {
     while (known != before.end() && key(*known) < key(silent)) ++known;
     if (known == before.end() || key(*known) != key(silent)) continue;
-    silent.said = std::move(known->said);
-    silent.all_said_at = known->all_said_at;
+    silent.reported = std::move(known->reported);
+    silent.all_reported_at = known->all_reported_at;
   }
 }
 
@@ -145,10 +146,10 @@ std::optional<SwarmEvent> LivePossible::possible(const Place& silent, const Plac
 
 // Whether a conflict has been reported as possible for the two, and still is. If two are silent,
 // the lower one reports at each time.
-bool LivePossible::judge(std::size_t index, const Heard& other, bool said, double now_s,
+bool LivePossible::judge(std::size_t index, const Heard& other, bool reported, double now_s,
                          std::vector<Found>& found) const {
   const Silent& silent = silent_[index];
-  const bool said_before = said;
+  const bool reported_before = reported;
   bool again = false;
   for (std::size_t i = other.begin; i < other.end; ++i) {
     const Place& at = places_[i];
@@ -156,55 +157,55 @@ bool LivePossible::judge(std::size_t index, const Heard& other, bool said, doubl
         at.at.time_s - places_[i - 1].at.time_s > places_[i - 1].silent_after_s) {
       // It has been heard again: what was reported of it is over.
       again = true;
-      said = false;
+      reported = false;
       if (!found.empty() && found.back().silent == index && found.back().other == other.bee) {
         found.back().goes_on = false;
       }
     }
-    if (said) continue;
+    if (reported) continue;
     double until_s = i + 1 < other.end ? places_[i + 1].at.time_s : now_s;
     until_s = std::min({until_s, silent.ends_s, now_s});
     if (other.bee < silent.last.bee && until_s - at.at.time_s > at.silent_after_s) {
       until_s = at.at.time_s + at.silent_after_s;
     }
-    if (until_s <= told_until_s_ || until_s < at.at.time_s) continue;
+    if (until_s <= reported_until_s_ || until_s < at.at.time_s) continue;
     if (!(until_s - silent.last.at.time_s > silent.last.silent_after_s)) continue;
     const auto event = possible(silent.last, at, until_s);
     if (!event) continue;
     found.push_back({*event, index, other.bee, silent.goes_on()});
-    said = true;
+    reported = true;
   }
-  return said_before && !again;
+  return reported_before && !again;
 }
 
 void LivePossible::look_around(std::size_t index, double now_s, std::vector<Found>& found) {
   Silent& silent = silent_[index];
-  silent.unsaid = 0;
+  silent.unreported = 0;
   std::vector<AgentId> still;
-  still.reserve(silent.said.size());
-  auto said = silent.said.begin();
+  still.reserve(silent.reported.size());
+  auto reported = silent.reported.begin();
   for (const Heard& other : heard_) {
-    while (said != silent.said.end() && *said < other.bee) ++said;
+    while (reported != silent.reported.end() && *reported < other.bee) ++reported;
     if (other.bee == silent.last.bee) continue;
-    const bool was_said = said != silent.said.end() && *said == other.bee;
-    if (judge(index, other, was_said, now_s, found)) {
+    const bool was_reported = reported != silent.reported.end() && *reported == other.bee;
+    if (judge(index, other, was_reported, now_s, found)) {
       still.push_back(other.bee);
       continue;
     }
     const Place& last = places_[other.end - 1];
-    const bool it_tells =
+    const bool it_reports =
         other.bee < silent.last.bee && now_s - last.at.time_s > last.silent_after_s;
-    if (!it_tells) ++silent.unsaid;
+    if (!it_reports) ++silent.unreported;
   }
-  silent.said = std::move(still);
+  silent.reported = std::move(still);
 }
 
-LeftOut LivePossible::tell(const LiveBees& bees, const std::vector<Return>& returns, double now_s,
-                           const core::Resources& with, std::vector<SwarmEvent>& events) {
+LeftOut LivePossible::search(const LiveBees& bees, const std::vector<Return>& returns, double now_s,
+                             const core::Resources& with, std::vector<SwarmEvent>& events) {
   LeftOut left_out;
   if (bees.stale() == 0 && returns.empty()) {
     silent_.clear();
-    told_until_s_ = now_s;
+    reported_until_s_ = now_s;
     return left_out;
   }
   note_places(bees, returns);
@@ -227,29 +228,29 @@ LeftOut LivePossible::tell(const LiveBees& bees, const std::vector<Return>& retu
   with.crew.split(silent_.size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
     for (std::size_t i = begin; i < end; ++i) {
       Silent& silent = silent_[i];
-      if (silent.all_said_at == bees.changes()) continue;
+      if (silent.all_reported_at == bees.changes()) continue;
       look_around(i, now_s, found[worker]);
-      silent.all_said_at = silent.unsaid == 0 ? bees.changes() : 0;
+      silent.all_reported_at = silent.unreported == 0 ? bees.changes() : 0;
       if (found[worker].size() > 2 * max_pairs_) cut(found[worker], max_pairs_, left[worker]);
     }
   });
-  told_until_s_ = now_s;
-  std::size_t said = 0;
-  for (const Silent& silent : silent_) said += silent.said.size();
+  reported_until_s_ = now_s;
+  std::size_t reported = 0;
+  for (const Silent& silent : silent_) reported += silent.reported.size();
   std::vector<Found> all;
   for (std::size_t worker = 0; worker < workers; ++worker) {
     all.insert(all.end(), found[worker].begin(), found[worker].end());
     if (left[worker].any) left_out.add(left[worker].count, left[worker].from_m);
   }
-  cut(all, max_pairs_ - std::min(max_pairs_, said), left_out);
+  cut(all, max_pairs_ - std::min(max_pairs_, reported), left_out);
   for (const Found& of : all) {
     events.push_back(of.event);
-    if (of.goes_on) silent_[of.silent].said.push_back(of.other);
+    if (of.goes_on) silent_[of.silent].reported.push_back(of.other);
   }
   std::erase_if(silent_, [](const Silent& silent) { return !silent.goes_on(); });
   for (Silent& silent : silent_) {
-    if (!std::is_sorted(silent.said.begin(), silent.said.end())) {
-      std::sort(silent.said.begin(), silent.said.end());
+    if (!std::is_sorted(silent.reported.begin(), silent.reported.end())) {
+      std::sort(silent.reported.begin(), silent.reported.end());
     }
   }
   return left_out;
@@ -257,8 +258,8 @@ LeftOut LivePossible::tell(const LiveBees& bees, const std::vector<Return>& retu
 
 void LivePossible::forget(AgentId bee) {
   for (Silent& silent : silent_) {
-    const auto at = std::lower_bound(silent.said.begin(), silent.said.end(), bee);
-    if (at != silent.said.end() && *at == bee) silent.said.erase(at);
+    const auto at = std::lower_bound(silent.reported.begin(), silent.reported.end(), bee);
+    if (at != silent.reported.end() && *at == bee) silent.reported.erase(at);
   }
 }
 

@@ -34,13 +34,13 @@ class LivePossible {
   // Reports the pairs that have become possible and of which one bee is silent, or was in one of
   // the silences that have ended since the last call: each pair once, until one of the two is heard
   // again after a silence.
-  LeftOut tell(const LiveBees& bees, const std::vector<Return>& returns, double now_s,
-               const core::Resources& with, std::vector<SwarmEvent>& events);
+  LeftOut search(const LiveBees& bees, const std::vector<Return>& returns, double now_s,
+                 const core::Resources& with, std::vector<SwarmEvent>& events);
   // Forgets what was reported of a removed bee.
   void forget(AgentId bee);
   void forget_all() {
     silent_.clear();
-    told_until_s_ = LiveRun::kNever;
+    reported_until_s_ = LiveSegment::kNever;
   }
 
  private:
@@ -61,9 +61,9 @@ class LivePossible {
   struct Silent {
     Place last;
     double ends_s = std::numeric_limits<double>::infinity();
-    std::vector<AgentId> said = {};
-    std::size_t unsaid = 0;  // others, at the last search
-    std::uint64_t all_said_at =
+    std::vector<AgentId> reported = {};
+    std::size_t unreported = 0;  // others, at the last search
+    std::uint64_t all_reported_at =
         0;  // of LiveBees::changes(): nothing is left to say until it changes
 
     [[nodiscard]] bool goes_on() const { return ends_s == std::numeric_limits<double>::infinity(); }
@@ -78,7 +78,7 @@ class LivePossible {
   void note_places(const LiveBees& bees, const std::vector<Return>& returns);
   void follow(const LiveBees& bees, const std::vector<Return>& returns);
   void look_around(std::size_t index, double now_s, std::vector<Found>& found);
-  bool judge(std::size_t index, const Heard& other, bool said, double now_s,
+  bool judge(std::size_t index, const Heard& other, bool reported, double now_s,
              std::vector<Found>& found) const;
   [[nodiscard]] std::optional<SwarmEvent> possible(const Place& silent, const Place& other,
                                                    double at_s) const;
@@ -87,7 +87,7 @@ class LivePossible {
   double max_speed_mps_;
   double max_age_s_;
   std::size_t max_pairs_;
-  double told_until_s_ = LiveRun::kNever;
+  double reported_until_s_ = LiveSegment::kNever;
   std::vector<Silent> silent_;  // ascending by bee; between calls those that go on
   std::vector<Place> places_;
   std::vector<Heard> heard_;  // ascending

@@ -22,18 +22,18 @@ bool among(const std::vector<AgentPair>& pairs, std::vector<AgentPair>::const_it
 }  // namespace
 
 void LivePredictions::look_ahead(const LiveBees& bees, double now_s) {
-  runs_.clear();
-  for (const LiveRun& run : bees.runs()) {
-    if (!run.complete && run.moves()) runs_.push_back(&run);
+  segments_.clear();
+  for (const LiveSegment& segment : bees.segments()) {
+    if (!segment.complete && segment.moves()) segments_.push_back(&segment);
   }
-  const auto below = [](const LiveRun* a, const LiveRun* b) { return a->bee < b->bee; };
-  if (!std::is_sorted(runs_.begin(), runs_.end(), below)) {
-    std::sort(runs_.begin(), runs_.end(), below);
+  const auto below = [](const LiveSegment* a, const LiveSegment* b) { return a->bee < b->bee; };
+  if (!std::is_sorted(segments_.begin(), segments_.end(), below)) {
+    std::sort(segments_.begin(), segments_.end(), below);
   }
   ahead_.clear();
-  for (const LiveRun* run : runs_) {
-    const auto now = run->at(now_s);
-    ahead_.ids.push_back(run->bee);
+  for (const LiveSegment* segment : segments_) {
+    const auto now = segment->at(now_s);
+    ahead_.ids.push_back(segment->bee);
     ahead_.movers.push_back(now->mover);
     if (!enter_.heights_apart) continue;
     ahead_.heights_m.push_back(now->height_m);
@@ -88,14 +88,14 @@ Result<LeftOut> LivePredictions::predict(const LiveBees& bees,
   auto inside = entered.cbegin();
   for (const Pair& pair : pairs_) {
     const AgentPair bee{ahead_.ids[pair.first], ahead_.ids[pair.second]};
-    const bool said = among(predicted_, before, bee);
+    const bool reported = among(predicted_, before, bee);
     const bool is_inside = among(entered, inside, bee);
     const State first = state_of(view, pair.first);
     const State second = state_of(view, pair.second);
-    if (!said && !in_conflict(first, second, enter_, horizon_s_)) continue;
+    if (!reported && !in_conflict(first, second, enter_, horizon_s_)) continue;
     still_.push_back(bee);
     if (!is_inside) ++open;
-    if (said || is_inside) continue;
+    if (reported || is_inside) continue;
     const auto report = report_conflict(relative_motion(first, second), enter_, horizon_s_);
     events.push_back({EventKind::kPredicted, now_s + report.span.begins_s, bee.first, bee.second,
                       report.closest_m, now_s + report.closest_s});

@@ -63,7 +63,7 @@ class LivePredictions {
   std::size_t open_ = 0;              // of them: not among the entered
 
   // Of one call, kept for their memory.
-  std::vector<const LiveRun*> runs_;
+  std::vector<const LiveSegment*> segments_;
   Ahead ahead_;
   std::vector<Pair> pairs_;  // indices of ahead_
   std::vector<Pair> some_;

@@ -3,10 +3,10 @@
 #include "base/kept_crew.hpp"
 #include "motion/flush.hpp"
 #include "motion/live/live_bees.hpp"
+#include "motion/live/live_encounters.hpp"
 #include "motion/live/live_overload.hpp"
 #include "motion/live/live_possible.hpp"
 #include "motion/live/live_predictions.hpp"
-#include "motion/live/live_walks.hpp"
 #include "motion/separation.hpp"
 #include "motion/validate.hpp"
 
@@ -70,8 +70,9 @@ class __attribute__((visibility("hidden"))) Swarm::State {
         enter_(separation_of(options, 1.0)),
         leave_(separation_of(options, options.leave_factor)),
         bees_(options.heights_apart),
-        walks_({leave_, enter_, options.leave_factor == 1.0},
-               std::max(0.05, options.leave_factor - 1.0) * options.threshold_m, options.max_pairs),
+        encounters_({leave_, enter_, options.leave_factor == 1.0},
+                    std::max(0.05, options.leave_factor - 1.0) * options.threshold_m,
+                    options.max_pairs),
         predictions_(enter_, leave_, options.horizon_s, options.max_pairs),
         possible_(enter_, options.max_speed_mps.value_or(0.0), options.max_age_s,
                   options.max_pairs),
@@ -101,9 +102,9 @@ class __attribute__((visibility("hidden"))) Swarm::State {
 
  private:
   Error refuse(AgentId bee);
-  void tell_refused(double now_s, std::vector<SwarmEvent>& events);
+  void report_refused(double now_s, std::vector<SwarmEvent>& events);
   core::Resources resources();
-  void tell_silences(double now_s, std::vector<SwarmEvent>& events);
+  void report_silences(double now_s, std::vector<SwarmEvent>& events);
   Status end(double now_s, bool anew, std::vector<SwarmEvent>& events);
   void search(double now_s, const core::Resources& with, std::vector<SwarmEvent>& events);
 
@@ -111,7 +112,7 @@ class __attribute__((visibility("hidden"))) Swarm::State {
   motion::Separation enter_;
   motion::Separation leave_;
   motion::LiveBees bees_;
-  motion::LiveWalks walks_;
+  motion::LiveEncounters encounters_;
   motion::LivePredictions predictions_;
   motion::LivePossible possible_;
   std::optional<double> now_s_;
@@ -180,7 +181,7 @@ Error Swarm::State::refuse(AgentId bee) {
           place};
 }
 
-void Swarm::State::tell_refused(double now_s, std::vector<SwarmEvent>& events) {
+void Swarm::State::report_refused(double now_s, std::vector<SwarmEvent>& events) {
   if (refused_ == 0) return;
   events.push_back({EventKind::kOverloaded, now_s, refused_first_, refused_first_, 0.0, now_s, 0.0,
                     std::exchange(refused_, 0), SwarmBound::kBees});
@@ -191,23 +192,23 @@ core::Resources Swarm::State::resources() {
   return {crew_.of(options_.threads, bees_.under_way()), memory_};
 }
 
-void Swarm::State::tell_silences(double now_s, std::vector<SwarmEvent>& events) {
-  const auto tell_stale = [&](AgentId bee, double last_s) {
+void Swarm::State::report_silences(double now_s, std::vector<SwarmEvent>& events) {
+  const auto report_stale = [&](AgentId bee, double last_s) {
     events.push_back({EventKind::kStale, last_s, bee, bee, 0.0, last_s, last_s});
   };
   bees_.take_returns(returns_);
   for (const motion::Return& back : returns_) {
-    if (!back.said_stale) tell_stale(back.bee, back.since_s);
+    if (!back.reported_stale) report_stale(back.bee, back.since_s);
     events.push_back(
         {EventKind::kHeard, back.heard_s, back.bee, back.bee, 0.0, back.heard_s, back.since_s});
   }
-  bees_.complete_stale(now_s, options_.max_age_s, tell_stale);
+  bees_.complete_stale(now_s, options_.max_age_s, report_stale);
 }
 
 void Swarm::State::search(double now_s, const core::Resources& with,
                           std::vector<SwarmEvent>& events) {
   bees_.settle(now_s, options_.max_age_s);
-  walks_.search(bees_, with, events).tell(now_s, SwarmBound::kPairs, events);
+  encounters_.search(bees_, with, events).report(now_s, SwarmBound::kPairs, events);
 }
 
 Status Swarm::State::advance(double now_s, std::vector<SwarmEvent>& events) {
@@ -221,20 +222,21 @@ Status Swarm::State::advance(double now_s, std::vector<SwarmEvent>& events) {
                  {}};
   }
   now_s_ = now_s;
-  tell_silences(now_s, events);
+  report_silences(now_s, events);
   const core::Resources with = resources();
   // Before the search, which forgets where bees were.
   if (options_.max_speed_mps) {
-    possible_.tell(bees_, returns_, now_s, with, events).tell(now_s, SwarmBound::kPossible, events);
+    possible_.search(bees_, returns_, now_s, with, events)
+        .report(now_s, SwarmBound::kPossible, events);
   }
   search(now_s, with, events);
-  const auto predicted = predictions_.predict(bees_, walks_.entered(), now_s, with, events);
+  const auto predicted = predictions_.predict(bees_, encounters_.entered(), now_s, with, events);
   if (!predicted) {
     events.clear();
     return predicted.error();
   }
-  predicted->tell(now_s, SwarmBound::kPredicted, events);
-  tell_refused(now_s, events);
+  predicted->report(now_s, SwarmBound::kPredicted, events);
+  report_refused(now_s, events);
   std::sort(events.begin(), events.end(), earlier);
   return std::monostate{};
 }
@@ -280,11 +282,11 @@ void Swarm::State::movers(double time_s, std::vector<LiveMover>& movers) const {
   for (const auto& [id, bee] : bees_.known()) {
     LiveMover mover{id, {bee.last.position, {}}, bee.last.time_s, bee.last.position, true, false};
     mover.stale = bee.stale();
-    if (bee.has_run()) {
-      const motion::LiveRun& run = bees_.runs()[bee.run];
-      const Fix& last = run.fixes.back();
-      mover = {id, {last.position, {}}, last.time_s, last.position, false, run.moves()};
-      if (const auto now = run.at(time_s)) mover.mover = now->mover;
+    if (bee.has_segment()) {
+      const motion::LiveSegment& segment = bees_.segments()[bee.segment];
+      const Fix& last = segment.fixes.back();
+      mover = {id, {last.position, {}}, last.time_s, last.position, false, segment.moves()};
+      if (const auto now = segment.at(time_s)) mover.mover = now->mover;
     }
     movers.push_back(mover);
   }

@@ -1,4 +1,4 @@
-#include "motion/live/live_walks.hpp"
+#include "motion/live/live_encounters.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -6,9 +6,9 @@
 
 namespace beespace::motion {
 
-void WalkedPairs::add(const LivePair& pair, const AgentPair& bees, std::size_t told,
+void WalkedPairs::add(const LivePair& pair, const AgentPair& bees, std::size_t reported,
                       double distance_m, bool had_entered) {
-  pairs_.push_back({pair, bees, static_cast<std::uint32_t>(told), had_entered, distance_m});
+  pairs_.push_back({pair, bees, static_cast<std::uint32_t>(reported), had_entered, distance_m});
   if (pairs_.size() > most_ + most_ / 4 + 1024) cut();
 }
 
@@ -29,7 +29,8 @@ void WalkedPairs::append(const WalkedPairs& other) {
 // A pair that had entered is lost where it is last known; what has just become known of others is
 // not reported at all.
 void WalkedPairs::give_up(const Walked& walked) {
-  if (walked.told == 0 && !walked.pair.said.entered) return;  // by the outer separation only
+  if (walked.reported == 0 && !walked.pair.reported.entered)
+    return;  // by the outer separation only
   left_out.add(1, walked.distance_m);
   if (!walked.had_entered) return;
   const Stretch& open = *walked.pair.state.open;
@@ -67,10 +68,10 @@ void WalkedPairs::cut() {
     if (gone[i]) {
       give_up(walked);
     } else {
-      for (std::uint32_t k = 0; k < walked.told; ++k) events[to++] = events[from + k];
+      for (std::uint32_t k = 0; k < walked.reported; ++k) events[to++] = events[from + k];
       pairs_[kept++] = walked;
     }
-    from += walked.told;
+    from += walked.reported;
   }
   pairs_.resize(kept);
   events.resize(to);

@@ -1,6 +1,6 @@
 #include "motion/passing/passing_search.hpp"
 
-#include "motion/passing/beyond_grid.hpp"
+#include "motion/passing/oversized_balls.hpp"
 #include "motion/passing/pass_check.hpp"
 #include "search/query_grids.hpp"
 #include "search/search_domain.hpp"
@@ -200,9 +200,9 @@ core::Vector<core::FoundPairs> find_passing(const MovingBalls& balls, const Step
     search_grid(balls, nullptr, step, with, tuning, decide, total, found);
     return found;
   }
-  const Divided divided(balls, step, reach_m, with);
-  search_grid(divided.grid(), divided.in_grid(), step, with, tuning, decide, total, found);
-  search_beyond(balls, step, divided.beyond(), with, decide, total, found);
+  const Partition partition(balls, step, reach_m, with);
+  search_grid(partition.grid(), partition.in_grid(), step, with, tuning, decide, total, found);
+  search_beyond(balls, step, partition.beyond(), with, decide, total, found);
   return found;
 }
 

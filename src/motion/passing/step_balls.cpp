@@ -21,14 +21,15 @@ double distance_between(const Point& p, const Point& q) {
   return std::sqrt(x * x + y * y + z * z);
 }
 
-// Calls visit(time, position) where the run enters and leaves the time span, and at its fixes in
-// between: it is farthest from a straight line at one of them.
+// Calls visit(time, position) where the segment enters and leaves the time span, and at its fixes
+// in between: it is farthest from a straight line at one of them.
 template <class Visit>
-void for_each_corner(const Run& run, std::size_t piece, const TimeSpan& time, Visit&& visit) {
-  const double begin = std::max(time.begins_s, run.begins_s());
-  visit(begin, position_on(piece_of(run, piece), begin));
-  for (; piece < run.pieces(); ++piece) {
-    const Piece at = piece_of(run, piece);
+void for_each_corner(const TrackSegment& segment, std::size_t piece, const TimeSpan& time,
+                     Visit&& visit) {
+  const double begin = std::max(time.begins_s, segment.begins_s());
+  visit(begin, position_on(piece_of(segment, piece), begin));
+  for (; piece < segment.pieces(); ++piece) {
+    const Piece at = piece_of(segment, piece);
     if (at.to.time_s > time.ends_s) {
       if (at.from.time_s < time.ends_s) visit(time.ends_s, position_on(at, time.ends_s));
       return;
@@ -45,14 +46,15 @@ Point position_on(const Piece& piece, double time_s) {
   return between(piece.from.position, piece.to.position, share);
 }
 
-StepBalls::StepBalls(std::span<const Run> runs, std::span<const ActiveRun> active,
+StepBalls::StepBalls(std::span<const TrackSegment> segments, std::span<const ActiveSegment> active,
                      const TimeSpan& time, const core::Resources& with)
     : size_(active.size()), middles_(with.memory, size_), moves_(with.memory, size_) {
   core::PerWorker<double> farthest(with);
   with.crew.split(size_, [&](std::size_t begin, std::size_t end, unsigned worker) {
     double most = 0.0;
     for (std::size_t ball = begin; ball < end; ++ball) {
-      most = std::max(most, enclose(runs[active[ball].run], active[ball].piece, time, ball));
+      most =
+          std::max(most, enclose(segments[active[ball].segment], active[ball].piece, time, ball));
     }
     farthest[worker].push_back(most);
   });
@@ -60,14 +62,14 @@ StepBalls::StepBalls(std::span<const Run> runs, std::span<const ActiveRun> activ
   bounds_ = *core::measure(middles(), with);
 }
 
-double StepBalls::enclose(const Run& run, std::size_t piece, const TimeSpan& time,
+double StepBalls::enclose(const TrackSegment& segment, std::size_t piece, const TimeSpan& time,
                           std::size_t ball) {
   Point entered;
   Point left;
   Point low;
   Point high;
   bool first = true;
-  for_each_corner(run, piece, time, [&](double, const Point& p) {
+  for_each_corner(segment, piece, time, [&](double, const Point& p) {
     if (first) low = high = entered = p;
     first = false;
     left = p;
@@ -78,8 +80,8 @@ double StepBalls::enclose(const Run& run, std::size_t piece, const TimeSpan& tim
   // midpoint of where it is.
   constexpr double kFastest = 0x1p+100;
   const double lasts = time.ends_s - time.begins_s;
-  const bool all_the_time = lasts > 0.0 && run.begins_s() <= time.begins_s &&
-                            run.ends_s() >= time.ends_s &&
+  const bool all_the_time = lasts > 0.0 && segment.begins_s() <= time.begins_s &&
+                            segment.ends_s() >= time.ends_s &&
                             distance_between(entered, left) / lasts < kFastest;
   const Point middle = all_the_time ? between(entered, left, 0.5) : between(low, high, 0.5);
   Point velocity;  // as rounded to floats
@@ -93,7 +95,7 @@ double StepBalls::enclose(const Run& run, std::size_t piece, const TimeSpan& tim
   const double time_blur = 0x1p-52 * std::max(std::abs(time.begins_s), std::abs(time.ends_s));
   const double speed = distance_between({}, velocity);
   double radius = 0.0;
-  for_each_corner(run, piece, time, [&](double at, const Point& p) {
+  for_each_corner(segment, piece, time, [&](double at, const Point& p) {
     const double since = at - (time.begins_s + 0.5 * lasts);
     const Point line{middle.x + velocity.x * since, middle.y + velocity.y * since,
                      middle.z + velocity.z * since};
@@ -105,7 +107,7 @@ double StepBalls::enclose(const Run& run, std::size_t piece, const TimeSpan& tim
   moves_[ball] = {static_cast<float>(velocity.x), static_cast<float>(velocity.y),
                   static_cast<float>(velocity.z),
                   std::nextafter(static_cast<float>(radius + speed * time_blur +
-                                                    kOfCylinders * run.tolerance_m),
+                                                    kOfCylinders * segment.tolerance_m),
                                  std::numeric_limits<float>::infinity())};
   return speed * (0.5 * lasts) + double{moves_[ball].radius_m};
 }

@@ -8,7 +8,7 @@
 #include "motion/flushed_copies.hpp"
 #include "motion/pair_walk.hpp"
 #include "motion/recorded/recording_search.hpp"
-#include "motion/runs.hpp"
+#include "motion/track_segments.hpp"
 #include "motion/validate.hpp"
 
 #include <algorithm>
@@ -80,13 +80,14 @@ std::optional<double> closest_at_some_instants(std::span<const Track> tracks, do
 // The options are valid, but the threshold may lie beyond the motion domain.
 Result<RecordedConflicts> search_tracks(std::span<const Track> tracks,
                                         const ConflictOptions& options) {
-  motion::Runs cut = motion::cut_at_gaps(tracks, options.max_gap_s);
-  ThreadCrew crew(cpu::crew_size(options.threads, cut.runs.size()));
+  motion::TrackSegments cut = motion::cut_at_gaps(tracks, options.max_gap_s);
+  ThreadCrew crew(cpu::crew_size(options.threads, cut.segments.size()));
   core::StoppableCrew stoppable(crew, options.stop);
   core::Memory memory;
   memory.start_call();
   auto conflicts = core::unless_stopped([&] {
-    return motion::search_recording(cut.runs, motion::separation_of(options, have_heights(tracks)),
+    return motion::search_recording(cut.segments,
+                                    motion::separation_of(options, have_heights(tracks)),
                                     options.max_results, {stoppable, memory});
   });
   if (!conflicts) return std::move(conflicts).error();
@@ -150,16 +151,17 @@ namespace {
 Result<RecordedConflicts> find_one_by_one(std::span<const Track> tracks,
                                           const ConflictOptions& options) {
   if (auto error = check(tracks, options)) return *std::move(error);
-  motion::Runs cut = motion::cut_at_gaps(tracks, options.max_gap_s);
+  motion::TrackSegments cut = motion::cut_at_gaps(tracks, options.max_gap_s);
   const motion::Separation separation = motion::separation_of(options, have_heights(tracks));
   constexpr double kEver = std::numeric_limits<double>::infinity();
   RecordedConflicts answer;
-  for (std::size_t i = 0; i < cut.runs.size(); ++i) {
-    for (std::size_t j = i + 1; j < cut.runs.size(); ++j) {
-      if (cut.runs[i].track == cut.runs[j].track) continue;
-      const auto wide = motion::WalkSeparation::within(separation, cut.runs[i], cut.runs[j]);
+  for (std::size_t i = 0; i < cut.segments.size(); ++i) {
+    for (std::size_t j = i + 1; j < cut.segments.size(); ++j) {
+      if (cut.segments[i].track == cut.segments[j].track) continue;
+      const auto wide =
+          motion::WalkSeparation::within(separation, cut.segments[i], cut.segments[j]);
       motion::PairWalk::State state;
-      motion::PairWalk(cut.runs[i], cut.runs[j], wide)
+      motion::PairWalk(cut.segments[i], cut.segments[j], wide)
           .walk({-kEver, kEver}, state, [&](const motion::PairWalk::Stretch& stretch) {
             answer.conflicts.push_back(stretch.conflict);
           });

@@ -16,7 +16,7 @@ namespace beespace::motion {
 
 namespace {
 
-// A pair of runs on which a walk has begun, or is to begin.
+// A pair of segments on which a walk has begun, or is to begin.
 struct PairState {
   std::uint32_t first;
   std::uint32_t second;
@@ -38,23 +38,23 @@ double speed_on(const Piece& piece) {
 
 class RecordingSearch {
  public:
-  RecordingSearch(const std::vector<Run>& runs, const Separation& separation,
+  RecordingSearch(const std::vector<TrackSegment>& segments, const Separation& separation,
                   std::uint64_t max_results, const core::Resources& with,
                   const RecordingTuning& tuning)
-      : runs_(runs),
+      : segments_(segments),
         separation_(separation),
         max_results_(max_results),
         with_(with),
         tuning_(tuning),
         clearance_m_(separation.reach_m()),
-        by_begin_(runs.size()) {
+        by_begin_(segments.size()) {
     std::iota(by_begin_.begin(), by_begin_.end(), 0U);
     std::sort(by_begin_.begin(), by_begin_.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return std::pair(runs[a].begins_s(), a) < std::pair(runs[b].begins_s(), b);
+      return std::pair(segments[a].begins_s(), a) < std::pair(segments[b].begins_s(), b);
     });
-    for (const Run& run : runs) {
-      last_s_ = std::max(last_s_, run.ends_s());
-      for (const Fix& fix : run.fixes) {
+    for (const TrackSegment& segment : segments) {
+      last_s_ = std::max(last_s_, segment.ends_s());
+      for (const Fix& fix : segment.fixes) {
         const Point& p = fix.position;
         farthest_m_ = std::max({farthest_m_, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
       }
@@ -62,8 +62,8 @@ class RecordingSearch {
   }
 
   Result<std::vector<Conflict>> search() {
-    if (runs_.empty()) return std::move(found_);
-    double begin = runs_[by_begin_.front()].begins_s();
+    if (segments_.empty()) return std::move(found_);
+    double begin = segments_[by_begin_.front()].begins_s();
     while (true) {
       enter(begin, begin);
       const TimeSpan time{begin, step_end(begin)};
@@ -84,19 +84,21 @@ class RecordingSearch {
  private:
   // The bees that are there at some time from `begin` to `end`, and the first piece of each.
   void enter(double begin, double end) {
-    std::erase_if(active_, [&](const ActiveRun& a) { return runs_[a.run].ends_s() < begin; });
-    for (; next_ < by_begin_.size() && runs_[by_begin_[next_]].begins_s() <= end; ++next_) {
+    std::erase_if(active_,
+                  [&](const ActiveSegment& a) { return segments_[a.segment].ends_s() < begin; });
+    for (; next_ < by_begin_.size() && segments_[by_begin_[next_]].begins_s() <= end; ++next_) {
       active_.push_back({by_begin_[next_], 0});
     }
-    for (ActiveRun& a : active_) {
-      const Run& run = runs_[a.run];
-      while (a.piece + 1 < run.pieces() && piece_of(run, a.piece).to.time_s < begin) ++a.piece;
+    for (ActiveSegment& a : active_) {
+      const TrackSegment& segment = segments_[a.segment];
+      while (a.piece + 1 < segment.pieces() && piece_of(segment, a.piece).to.time_s < begin)
+        ++a.piece;
     }
   }
 
   double step_end(double begin) {
     // None is there: until one comes.
-    const double next = next_ < by_begin_.size() ? runs_[by_begin_[next_]].begins_s() : last_s_;
+    const double next = next_ < by_begin_.size() ? segments_[by_begin_[next_]].begins_s() : last_s_;
     const double left = last_s_ - begin;
     if (active_.empty()) return next;
     const double step = tuning_.step_s ? *tuning_.step_s : cheapest_step(begin, left);
@@ -111,7 +113,7 @@ class RecordingSearch {
     double lasts_s = 0.0;
     const std::size_t stride = active_.size() / 128 + 1;
     for (std::size_t i = 0; i < active_.size(); ++i) {
-      const Piece piece = piece_of(runs_[active_[i].run], active_[i].piece);
+      const Piece piece = piece_of(segments_[active_[i].segment], active_[i].piece);
       places[i] = position_on(piece, std::max(begin, piece.from.time_s));
       if (i % stride != 0) continue;
       speeds.push_back(speed_on(piece));
@@ -150,7 +152,7 @@ class RecordingSearch {
 
   void take_step(const TimeSpan& time) {
     if (active_.empty()) return;
-    const StepBalls enclosed(runs_, active_, time, with_);
+    const StepBalls enclosed(segments_, active_, time, with_);
     // Positions along the way are wrong by a few roundings of these.
     const double blur_m = 0x1p-48 * farthest_m_;
     const Step step{0.5 * (time.ends_s - time.begins_s) * (1.0 + 0x1p-50),
@@ -164,11 +166,11 @@ class RecordingSearch {
     for (const core::FoundPairs& part : candidates) {
       for (const auto& chunk : part.chunks()) {
         for (std::uint32_t k = 0; k < chunk.size; ++k) {
-          ActiveRun first = active_[chunk.first[k]];
-          ActiveRun second = active_[chunk.second[k]];
-          if (runs_[first.run].track == runs_[second.run].track) continue;
-          if (first.run > second.run) std::swap(first, second);
-          pairs.push_back({first.run, second.run, {first.piece, second.piece}});
+          ActiveSegment first = active_[chunk.first[k]];
+          ActiveSegment second = active_[chunk.second[k]];
+          if (segments_[first.segment].track == segments_[second.segment].track) continue;
+          if (first.segment > second.segment) std::swap(first, second);
+          pairs.push_back({first.segment, second.segment, {first.piece, second.piece}});
         }
       }
     }
@@ -196,8 +198,8 @@ class RecordingSearch {
       for (std::size_t i = begin; i < end; ++i) {
         PairState& pair = pairs[i];
         if (!pair.candidate && !pair.state.open) continue;
-        const Run& first = runs_[pair.first];
-        const Run& second = runs_[pair.second];
+        const TrackSegment& first = segments_[pair.first];
+        const TrackSegment& second = segments_[pair.second];
         const WalkSeparation separation = WalkSeparation::within(separation_, first, second);
         PairWalk(first, second, separation)
             .walk(time, pair.state, [&](const PairWalk::Stretch& stretch) {
@@ -215,7 +217,7 @@ class RecordingSearch {
     walks_ = std::move(pairs);
   }
 
-  const std::vector<Run>& runs_;
+  const std::vector<TrackSegment>& segments_;
   Separation separation_;
   std::uint64_t max_results_;
   const core::Resources& with_;
@@ -223,9 +225,9 @@ class RecordingSearch {
   double clearance_m_;
   double farthest_m_ = 0.0;
   double last_s_ = -std::numeric_limits<double>::infinity();
-  std::vector<std::uint32_t> by_begin_;  // runs
+  std::vector<std::uint32_t> by_begin_;  // segments
   std::size_t next_ = 0;                 // of these, to enter
-  std::vector<ActiveRun> active_;
+  std::vector<ActiveSegment> active_;
   std::vector<PairState> walks_;  // under way, ascending
   std::vector<Conflict> found_;
 };
@@ -238,12 +240,12 @@ void order_conflicts(std::vector<Conflict>& conflicts) {
   });
 }
 
-Result<std::vector<Conflict>> search_recording(const std::vector<Run>& runs,
+Result<std::vector<Conflict>> search_recording(const std::vector<TrackSegment>& segments,
                                                const Separation& separation,
                                                std::uint64_t max_results,
                                                const core::Resources& with,
                                                const RecordingTuning& tuning) {
-  return RecordingSearch(runs, separation, max_results, with, tuning).search();
+  return RecordingSearch(segments, separation, max_results, with, tuning).search();
 }
 
 }  // namespace beespace::motion

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "base/resources.hpp"
-#include "motion/runs.hpp"
 #include "motion/separation.hpp"
+#include "motion/track_segments.hpp"
 #include "search/tuning_overrides.hpp"
 
 #include <beespace/find_conflicts.hpp>
@@ -22,7 +22,7 @@ struct RecordingTuning {
 };
 
 // In canonical order. Error: kTooManyResults.
-Result<std::vector<Conflict>> search_recording(const std::vector<Run>& runs,
+Result<std::vector<Conflict>> search_recording(const std::vector<TrackSegment>& segments,
                                                const Separation& separation,
                                                std::uint64_t max_results,
                                                const core::Resources& with,

@@ -1,7 +1,7 @@
 // What a swarm keeps: no more than it needs, however many reports it gets.
 #include "motion/live/live_bees.hpp"
 
-#include "motion/live/live_walks.hpp"
+#include "motion/live/live_encounters.hpp"
 #include "tests/support/own_resources.hpp"
 #include "tests/support/rounds.hpp"
 #include "tests/support/swarm_replay.hpp"
@@ -21,7 +21,7 @@ Separation closer_than(double threshold_m) {
 
 std::size_t most_fixes(const LiveBees& bees) {
   std::size_t most = 0;
-  for (const LiveRun& run : bees.runs()) most = std::max(most, run.fixes.size());
+  for (const LiveSegment& segment : bees.segments()) most = std::max(most, segment.fixes.size());
   return most;
 }
 
@@ -31,7 +31,7 @@ TEST(LiveBees, KeepNoMoreThanSinceTheOldestLastReport) {
   test::OwnResources own;
   LiveBees bees(false);
   const WalkSeparation separation{closer_than(22.0), closer_than(20.0), false};
-  LiveWalks walks(separation, 2.0);
+  LiveEncounters encounters(separation, 2.0);
   std::vector<SwarmEvent> events;
   const std::size_t reports = test::kSanitized ? 100 : 1000;
   for (std::size_t i = 0; i < reports; ++i) {
@@ -41,9 +41,9 @@ TEST(LiveBees, KeepNoMoreThanSinceTheOldestLastReport) {
       ASSERT_EQ(bees.take({id, time, position}, 100.0), LiveBees::Taken::kYes);
     }
     own.memory.start_call();
-    walks.search(bees, own.with, events);
+    encounters.search(bees, own.with, events);
     ASSERT_LE(most_fixes(bees), 11U) << "after " << i << " s";
-    ASSERT_EQ(bees.runs().size(), tracks.size());
+    ASSERT_EQ(bees.segments().size(), tracks.size());
   }
   EXPECT_GT(events.size(), reports / 5);
 }
@@ -53,7 +53,7 @@ TEST(LiveBees, GiveTheirPlacesToLaterBees) {
   test::OwnResources own;
   LiveBees bees(true);
   const WalkSeparation separation{closer_than(22.0), closer_than(20.0), false};
-  LiveWalks walks(separation, 2.0);
+  LiveEncounters encounters(separation, 2.0);
   std::vector<SwarmEvent> events;
   for (PointId i = 0; i < 2000; ++i) {
     const double time = 0.5 * i;
@@ -62,8 +62,8 @@ TEST(LiveBees, GiveTheirPlacesToLaterBees) {
     if (i > 1) bees.remove(i - 2);
     own.memory.start_call();
     bees.settle(time, 100.0);
-    walks.search(bees, own.with, events);
-    ASSERT_LE(bees.runs().size(), 5U);
+    encounters.search(bees, own.with, events);
+    ASSERT_LE(bees.segments().size(), 5U);
     ASSERT_LE(bees.under_way(), 2U);
   }
 }
@@ -75,8 +75,8 @@ TEST(LiveBees, KeepTheLastTwoReportsForTheVelocity) {
     bees.take({1, 1.0 * i, {2.0 * i, 0, 0}}, 100.0);
     bees.forget(dropped);
   }
-  ASSERT_EQ(bees.runs()[0].fixes.size(), 2U);
-  const auto now = bees.runs()[0].at(5.0);
+  ASSERT_EQ(bees.segments()[0].fixes.size(), 2U);
+  const auto now = bees.segments()[0].at(5.0);
   ASSERT_TRUE(now.has_value());
   EXPECT_EQ(now->mover, (Mover{{10, 0, 0}, {2, 0, 0}}));
 }
@@ -86,16 +86,16 @@ TEST(LiveBees, AreOneBeeAgainOnlyWithinTheGreatestAge) {
   LiveBees bees(false);
   EXPECT_EQ(bees.take({1, 0.0, {0, 0, 0}}, 5.0), Taken::kYes);
   EXPECT_EQ(bees.take({1, 5.0, {1, 0, 0}}, 5.0), Taken::kYes);
-  EXPECT_EQ(bees.runs()[0].fixes.size(), 2U);
+  EXPECT_EQ(bees.segments()[0].fixes.size(), 2U);
   EXPECT_EQ(bees.take({1, 5.0, {1, 0, 0}}, 5.0), Taken::kRepeated);
   EXPECT_EQ(bees.take({1, 5.0, {2, 0, 0}}, 5.0), Taken::kContrary);
   EXPECT_EQ(bees.take({1, 0.0, {0, 0, 0}}, 5.0), Taken::kRepeated);
   EXPECT_EQ(bees.take({1, 0.0, {9, 0, 0}}, 5.0), Taken::kContrary);
   EXPECT_EQ(bees.take({1, 4.0, {1, 0, 0}}, 5.0), Taken::kLate);
   EXPECT_EQ(bees.take({1, 10.5, {1, 0, 0}}, 5.0), Taken::kYes);
-  ASSERT_EQ(bees.runs().size(), 2U);
-  EXPECT_TRUE(bees.runs()[0].complete);
-  EXPECT_EQ(bees.runs()[1].fixes.size(), 1U);
+  ASSERT_EQ(bees.segments().size(), 2U);
+  EXPECT_TRUE(bees.segments()[0].complete);
+  EXPECT_EQ(bees.segments()[1].fixes.size(), 1U);
 }
 
 }  // namespace

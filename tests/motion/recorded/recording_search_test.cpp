@@ -67,7 +67,7 @@ class EveryWay {
   template <class Check>
   void for_each(const test::RecordingScene& scene, const test::Tracks& tracks, Shape shape,
                 const ConflictOptions& options, Check&& check) {
-    const Runs cut = cut_at_gaps(tracks, options.max_gap_s);
+    const TrackSegments cut = cut_at_gaps(tracks, options.max_gap_s);
     for (const std::optional<double>& step : steps_of(scene)) {
       for (const cpu::InstructionSet set : available_sets()) {
         for (const unsigned threads : {1U, 2U, 5U}) {
@@ -78,7 +78,7 @@ class EveryWay {
           const Way way{set, threads, step};
           SCOPED_TRACE(name_of(way) + ", " + test::name_of(shape) +
                        (options.inclusive ? ", inclusive" : ", strict"));
-          check(answer(way, cut.runs, separation_of(options, shape == Shape::kHeightsApart),
+          check(answer(way, cut.segments, separation_of(options, shape == Shape::kHeightsApart),
                        options.max_results));
           if (testing::Test::HasFatalFailure()) return;
         }
@@ -87,14 +87,14 @@ class EveryWay {
   }
 
  private:
-  Result<Conflicts> answer(const Way& way, const std::vector<Run>& runs,
+  Result<Conflicts> answer(const Way& way, const std::vector<TrackSegment>& segments,
                            const Separation& separation, std::uint64_t max_results) {
     RecordingTuning tuning;
     tuning.search.instruction_set = way.set;
     tuning.step_s = way.step_s;
     test::OwnResources& own = way.threads == 1 ? one_ : way.threads == 2 ? two_ : five_;
     own.memory.start_call();
-    return search_recording(runs, separation, max_results, own.with, tuning);
+    return search_recording(segments, separation, max_results, own.with, tuning);
   }
 
   test::OwnResources one_{1};
@@ -203,7 +203,7 @@ TEST(RecordingSearch, AgreesWithBruteForceOnManySmallRecordings) {
     const ConflictOptions options = scene.options(shape, make.below(2) == 0);
     const test::Tracks tracks = scene.of(shape);
     const Conflicts expected = brute_force::find_conflicts(tracks, options).value().conflicts;
-    const Runs cut = cut_at_gaps(tracks, options.max_gap_s);
+    const TrackSegments cut = cut_at_gaps(tracks, options.max_gap_s);
     for (const double step : {0.25, 1.0, make.between(0.05, 9.0)}) {
       SCOPED_TRACE(std::to_string(round) + ", step " + std::to_string(step) +
                    (has_tolerances(tracks) ? ", tolerances, " : ", ") + test::name_of(shape));
@@ -211,8 +211,8 @@ TEST(RecordingSearch, AgreesWithBruteForceOnManySmallRecordings) {
       tuning.step_s = step;
       own.memory.start_call();
       const bool apart = shape == Shape::kHeightsApart;
-      expect_same(*search_recording(cut.runs, separation_of(options, apart), options.max_results,
-                                    own.with, tuning),
+      expect_same(*search_recording(cut.segments, separation_of(options, apart),
+                                    options.max_results, own.with, tuning),
                   expected);
       if (HasFatalFailure()) return;
     }

@@ -1,4 +1,4 @@
-#include "motion/passing/beyond_grid.hpp"
+#include "motion/passing/oversized_balls.hpp"
 
 #include "grid/density.hpp"
 #include "grid/size_levels.hpp"
@@ -93,8 +93,8 @@ double reach_in_grid(const MovingBalls& balls, const Step& step, const core::Res
       ->size;
 }
 
-Divided::Divided(const MovingBalls& balls, const Step& step, double reach_m,
-                 const core::Resources& with)
+Partition::Partition(const MovingBalls& balls, const Step& step, double reach_m,
+                     const core::Resources& with)
     : in_grid_(&with.memory), beyond_(&with.memory), middles_(&with.memory), moves_(&with.memory) {
   for (std::size_t i = 0; i < balls.moves.size(); ++i) {
     const auto id = static_cast<PointId>(i);

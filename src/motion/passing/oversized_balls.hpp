@@ -33,9 +33,10 @@ class Total {
 double reach_in_grid(const MovingBalls& balls, const Step& step, const core::Resources& with);
 
 // The balls that reach beyond the grid, and those in it, separately.
-class Divided {
+class Partition {
  public:
-  Divided(const MovingBalls& balls, const Step& step, double reach_m, const core::Resources& with);
+  Partition(const MovingBalls& balls, const Step& step, double reach_m,
+            const core::Resources& with);
 
   [[nodiscard]] const MovingBalls& grid() const { return grid_; }
   // Their ids.

@@ -1,4 +1,4 @@
-#include "motion/live/live_walks.hpp"
+#include "motion/live/live_encounters.hpp"
 
 #include "motion/passing/passing_search.hpp"
 #include "search/tuning_overrides.hpp"
@@ -15,10 +15,11 @@ namespace beespace::motion {
 
 namespace {
 
-double farthest_coordinate(std::span<const Run> runs, std::span<const ActiveRun> active) {
+double farthest_coordinate(std::span<const TrackSegment> segments,
+                           std::span<const ActiveSegment> active) {
   double farthest_m = 0.0;
-  for (const ActiveRun& a : active) {
-    for (const Fix& fix : runs[a.run].fixes) {
+  for (const ActiveSegment& a : active) {
+    for (const Fix& fix : segments[a.segment].fixes) {
       const Point& p = fix.position;
       farthest_m = std::max({farthest_m, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
     }
@@ -26,48 +27,48 @@ double farthest_coordinate(std::span<const Run> runs, std::span<const ActiveRun>
   return farthest_m;
 }
 
-// The piece of a run at that time, or its first one.
-std::size_t piece_at(const Run& run, double time_s) {
+// The piece of a segment at that time, or its first one.
+std::size_t piece_at(const TrackSegment& segment, double time_s) {
   std::size_t piece = 0;
-  while (piece + 1 < run.pieces() && piece_of(run, piece).to.time_s < time_s) ++piece;
+  while (piece + 1 < segment.pieces() && piece_of(segment, piece).to.time_s < time_s) ++piece;
   return piece;
 }
 
 // The time span with new information. A pair is known until the first of the two was last heard. So
 // the span begins where a bee that has been heard since was last searched, and ends with the last
 // report but one of another bee. It is empty where there is none.
-TimeSpan new_time(const std::vector<LiveRun>& runs) {
-  TimeSpan time{std::numeric_limits<double>::infinity(), LiveRun::kNever};
-  double last_s = LiveRun::kNever;
-  for (const LiveRun& run : runs) {
-    if (run.fixes.empty()) continue;
-    time.ends_s = std::max(time.ends_s, std::min(last_s, run.last_s()));
-    last_s = std::max(last_s, run.last_s());
-    if (run.searched_until_s >= run.last_s()) continue;
+TimeSpan new_time(const std::vector<LiveSegment>& segments) {
+  TimeSpan time{std::numeric_limits<double>::infinity(), LiveSegment::kNever};
+  double last_s = LiveSegment::kNever;
+  for (const LiveSegment& segment : segments) {
+    if (segment.fixes.empty()) continue;
+    time.ends_s = std::max(time.ends_s, std::min(last_s, segment.last_s()));
+    last_s = std::max(last_s, segment.last_s());
+    if (segment.searched_until_s >= segment.last_s()) continue;
     time.begins_s =
-        std::min(time.begins_s, std::max(run.searched_until_s, run.fixes.front().time_s));
+        std::min(time.begins_s, std::max(segment.searched_until_s, segment.fixes.front().time_s));
   }
   return time;
 }
 
 // The event of a pair at the end of what is known.
-EventKind cut_off(const LiveRun& a, const LiveRun& b) {
-  const auto either = [&](RunEnd end) {
+EventKind cut_off(const LiveSegment& a, const LiveSegment& b) {
+  const auto either = [&](SegmentEnd end) {
     return (a.complete && a.end == end) || (b.complete && b.end == end);
   };
-  if (either(RunEnd::kRemoved)) return EventKind::kLeft;
-  return either(RunEnd::kSilent) ? EventKind::kLost : EventKind::kEnded;
+  if (either(SegmentEnd::kRemoved)) return EventKind::kLeft;
+  return either(SegmentEnd::kSilent) ? EventKind::kLost : EventKind::kEnded;
 }
 
 }  // namespace
 
-LeftOut LiveWalks::search(LiveBees& bees, const core::Resources& with,
-                          std::vector<SwarmEvent>& events) {
-  Places places(bees.runs(), &with.memory);
-  places.runs.reserve(bees.runs().size());
-  for (std::uint32_t place = 0; place < bees.runs().size(); ++place) {
-    const LiveRun& live = bees.runs()[place];
-    places.runs.push_back({place, 0.0, live.fixes, live.heights_m, live.complete});
+LeftOut LiveEncounters::search(LiveBees& bees, const core::Resources& with,
+                               std::vector<SwarmEvent>& events) {
+  Places places(bees.segments(), &with.memory);
+  places.segments.reserve(bees.segments().size());
+  for (std::uint32_t place = 0; place < bees.segments().size(); ++place) {
+    const LiveSegment& live = bees.segments()[place];
+    places.segments.push_back({place, 0.0, live.fixes, live.heights_m, live.complete});
   }
   LeftOut left_out;
   const core::Vector<Pair> fresh = fresh_pairs(places, with, left_out);
@@ -82,42 +83,45 @@ LeftOut LiveWalks::search(LiveBees& bees, const core::Resources& with,
   events.insert(events.end(), all.events.begin(), all.events.end());
   events.insert(events.end(), all.lost.begin(), all.lost.end());
   if (all.left_out.any) left_out.add(all.left_out.count, all.left_out.from_m);
-  note_entered(bees.runs());
+  note_entered(bees.segments());
   forget(bees, with);
   return left_out;
 }
 
 // Pairs of places, the lower first, ascending, that may be in conflict in the time span with new
 // information.
-core::Vector<Pair> LiveWalks::fresh_pairs(Places& places, const core::Resources& with,
-                                          LeftOut& left_out) {
+core::Vector<Pair> LiveEncounters::fresh_pairs(Places& places, const core::Resources& with,
+                                               LeftOut& left_out) {
   core::Vector<Pair> fresh(&with.memory);
   const TimeSpan time = new_time(places.live);
   if (!(time.begins_s <= time.ends_s)) return fresh;
-  const core::Vector<Run>& runs = places.runs;
-  core::Vector<ActiveRun> active(&with.memory);
-  active.reserve(runs.size());
-  for (std::uint32_t place = 0; place < runs.size(); ++place) {
-    const Run& run = runs[place];
-    if (run.fixes.empty() || run.ends_s() < time.begins_s || run.begins_s() > time.ends_s) continue;
-    places.pieces[place] = piece_at(run, time.begins_s);
+  const core::Vector<TrackSegment>& segments = places.segments;
+  core::Vector<ActiveSegment> active(&with.memory);
+  active.reserve(segments.size());
+  for (std::uint32_t place = 0; place < segments.size(); ++place) {
+    const TrackSegment& segment = segments[place];
+    if (segment.fixes.empty() || segment.ends_s() < time.begins_s ||
+        segment.begins_s() > time.ends_s)
+      continue;
+    places.pieces[place] = piece_at(segment, time.begins_s);
     active.push_back({place, places.pieces[place]});
   }
-  const StepBalls enclosed(runs, active, time, with);
-  const double blur_m = 0x1p-46 * farthest_coordinate(runs, active);
+  const StepBalls enclosed(segments, active, time, with);
+  const double blur_m = 0x1p-46 * farthest_coordinate(segments, active);
   const Step step{0.5 * (time.ends_s - time.begins_s) * (1.0 + 0x1p-50),
                   separation_.outer.reach_m() * (1.0 + 0x1p-50) + blur_m};
   const auto found = candidates(enclosed.balls(), step, with, left_out);
   fresh.resize(core::size_of(found));
   core::order_pairs(found, core::Direction::kAscending, active.size(), with, fresh.data());
-  for (Pair& pair : fresh) pair = {active[pair.first].run, active[pair.second].run};
+  for (Pair& pair : fresh) pair = {active[pair.first].segment, active[pair.second].segment};
   return fresh;
 }
 
 // Of too many, those that pass most closely: by a separation with few enough pairs.
-core::Vector<core::FoundPairs> LiveWalks::candidates(const MovingBalls& balls, const Step& step,
-                                                     const core::Resources& with,
-                                                     LeftOut& left_out) {
+core::Vector<core::FoundPairs> LiveEncounters::candidates(const MovingBalls& balls,
+                                                          const Step& step,
+                                                          const core::Resources& with,
+                                                          LeftOut& left_out) {
   Step tried = step;
   tried.most = 4 * std::uint64_t{max_pairs_} + 16 * balls.middles.size();
   std::optional<core::Vector<core::FoundPairs>> found;
@@ -138,8 +142,8 @@ core::Vector<core::FoundPairs> LiveWalks::candidates(const MovingBalls& balls, c
   return find_passing(balls, tried, {alone, with.memory}, search::TuningOverrides{});
 }
 
-const WalkedPairs& LiveWalks::walk(const Places& places, const core::Vector<Pair>& fresh,
-                                   const core::Resources& with) {
+const WalkedPairs& LiveEncounters::walk(const Places& places, const core::Vector<Pair>& fresh,
+                                        const core::Resources& with) {
   walked_.resize(with.crew.size(), WalkedPairs(max_pairs_));
   for (WalkedPairs& walked : walked_) walked.clear();
   with.crew.split(pairs_.size(), [&](std::size_t begin, std::size_t end, unsigned worker) {
@@ -157,8 +161,8 @@ const WalkedPairs& LiveWalks::walk(const Places& places, const core::Vector<Pair
       if (kept != pairs_.end() && kept->first == pair.first && kept->second == pair.second) {
         continue;
       }
-      const LiveRun& first = places.live[pair.first];
-      const LiveRun& second = places.live[pair.second];
+      const LiveSegment& first = places.live[pair.first];
+      const LiveSegment& second = places.live[pair.second];
       if (first.bee == second.bee) continue;
       LivePair begun{pair.first, pair.second, {}, {}};
       begun.state.first_piece = places.pieces[pair.first];
@@ -173,37 +177,37 @@ const WalkedPairs& LiveWalks::walk(const Places& places, const core::Vector<Pair
   return all;
 }
 
-void LiveWalks::walk(const Places& places, LivePair pair, WalkedPairs& walked) const {
-  const LiveRun& first = places.live[pair.first];
-  const LiveRun& second = places.live[pair.second];
-  const bool had_entered = pair.said.entered;
+void LiveEncounters::walk(const Places& places, LivePair pair, WalkedPairs& walked) const {
+  const LiveSegment& first = places.live[pair.first];
+  const LiveSegment& second = places.live[pair.second];
+  const bool had_entered = pair.reported.entered;
   const std::size_t before = walked.events.size();
-  PairTeller teller(first.bee, second.bee, margin_m_, cut_off(first, second), pair.said,
-                    walked.events);
-  constexpr TimeSpan kEver{LiveRun::kNever, -LiveRun::kNever};
-  PairWalk(places.runs[pair.first], places.runs[pair.second], separation_, true)
+  EventEmitter emitter(first.bee, second.bee, margin_m_, cut_off(first, second), pair.reported,
+                       walked.events);
+  constexpr TimeSpan kEver{LiveSegment::kNever, -LiveSegment::kNever};
+  PairWalk(places.segments[pair.first], places.segments[pair.second], separation_, true)
       .walk(
-          kEver, pair.state, [&](const PairWalk::Stretch& stretch) { teller.ended(stretch); },
-          [&](const PairWalk::Stretch& stretch) { teller.going_on(stretch); });
+          kEver, pair.state, [&](const PairWalk::Stretch& stretch) { emitter.ended(stretch); },
+          [&](const PairWalk::Stretch& stretch) { emitter.going_on(stretch); });
   if (pair.state.open && (first.done || second.done)) {
     pair.state.open->cut_off = true;
-    teller.ended(*std::exchange(pair.state.open, std::nullopt));
+    emitter.ended(*std::exchange(pair.state.open, std::nullopt));
   }
-  const std::size_t told = walked.events.size() - before;
-  if (!pair.state.open && told == 0) return;
+  const std::size_t reported = walked.events.size() - before;
+  if (!pair.state.open && reported == 0) return;
   double distance_m = std::numeric_limits<double>::infinity();
   if (pair.state.open) distance_m = pair.state.open->end_m;
   for (std::size_t k = before; k < walked.events.size(); ++k) {
     distance_m = std::min(distance_m, walked.events[k].distance_m);
   }
   const AgentPair bees{std::min(first.bee, second.bee), std::max(first.bee, second.bee)};
-  walked.add(pair, bees, told, distance_m, had_entered);
+  walked.add(pair, bees, reported, distance_m, had_entered);
 }
 
-void LiveWalks::note_entered(const std::vector<LiveRun>& bees) {
+void LiveEncounters::note_entered(const std::vector<LiveSegment>& bees) {
   entered_.clear();
   for (const LivePair& pair : pairs_) {
-    if (!pair.said.entered) continue;
+    if (!pair.reported.entered) continue;
     const AgentId a = bees[pair.first].bee;
     const AgentId b = bees[pair.second].bee;
     entered_.push_back({std::min(a, b), std::max(a, b)});
@@ -212,11 +216,11 @@ void LiveWalks::note_entered(const std::vector<LiveRun>& bees) {
     std::sort(entered_.begin(), entered_.end());
 }
 
-void LiveWalks::forget(LiveBees& bees, const core::Resources& with) {
+void LiveEncounters::forget(LiveBees& bees, const core::Resources& with) {
   core::Vector<std::uint32_t> dropped(&with.memory);
   bees.forget(dropped);
   for (LivePair& pair : pairs_) {
-    pair.state.walked_before = LiveRun::kNever;
+    pair.state.walked_before = LiveSegment::kNever;
     pair.state.first_piece -= dropped[pair.first];
     pair.state.second_piece -= dropped[pair.second];
   }

@@ -1,21 +1,21 @@
-#include "motion/runs.hpp"
+#include "motion/track_segments.hpp"
 
 namespace beespace::motion {
 
-Runs cut_at_gaps(std::span<const Track> tracks, double max_gap_s) {
-  Runs cut;
+TrackSegments cut_at_gaps(std::span<const Track> tracks, double max_gap_s) {
+  TrackSegments cut;
   for (std::size_t id = 0; id < tracks.size(); ++id) {
     const Track& track = tracks[id];
     const auto add = [&](std::size_t begin, std::size_t end) {
-      Run run{static_cast<PointId>(id),
-              track.tolerance_m,
-              std::span(track.fixes).subspan(begin, end - begin),
-              {},
-              true};
+      TrackSegment segment{static_cast<PointId>(id),
+                           track.tolerance_m,
+                           std::span(track.fixes).subspan(begin, end - begin),
+                           {},
+                           true};
       if (!track.heights_m.empty()) {
-        run.heights_m = std::span(track.heights_m).subspan(begin, end - begin);
+        segment.heights_m = std::span(track.heights_m).subspan(begin, end - begin);
       }
-      cut.runs.push_back(run);
+      cut.segments.push_back(segment);
     };
     std::size_t begin = 0;
     for (std::size_t i = 1; i < track.fixes.size(); ++i) {

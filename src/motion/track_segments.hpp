@@ -11,7 +11,7 @@
 namespace beespace::motion {
 
 // Fixes of a track in sequence; a single one exists for an instant.
-struct Run {
+struct TrackSegment {
   PointId track = 0;
   double tolerance_m = 0.0;
   std::span<const Fix> fixes;
@@ -38,18 +38,19 @@ struct Piece {
   [[nodiscard]] double lasts_s() const { return to.time_s - from.time_s; }
 };
 
-inline Piece piece_of(const Run& run, std::size_t index) {
-  const std::size_t next = index + (run.fixes.size() > 1 ? 1 : 0);
-  if (run.heights_m.empty()) return {run.fixes[index], run.fixes[next]};
-  return {run.fixes[index], run.fixes[next], run.heights_m[index], run.heights_m[next]};
+inline Piece piece_of(const TrackSegment& segment, std::size_t index) {
+  const std::size_t next = index + (segment.fixes.size() > 1 ? 1 : 0);
+  if (segment.heights_m.empty()) return {segment.fixes[index], segment.fixes[next]};
+  return {segment.fixes[index], segment.fixes[next], segment.heights_m[index],
+          segment.heights_m[next]};
 }
 
-struct Runs {
-  std::vector<Run> runs;  // ascending by track, then by time
+struct TrackSegments {
+  std::vector<TrackSegment> segments;  // ascending by track, then by time
   std::vector<Gap> gaps;
 };
 
 // Cuts tracks where consecutive fixes are more than max_gap_s apart.
-Runs cut_at_gaps(std::span<const Track> tracks, double max_gap_s);
+TrackSegments cut_at_gaps(std::span<const Track> tracks, double max_gap_s);
 
 }  // namespace beespace::motion

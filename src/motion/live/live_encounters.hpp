@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/resources.hpp"
+#include "motion/live/event_emitter.hpp"
 #include "motion/live/live_bees.hpp"
-#include "motion/live/live_events.hpp"
 #include "motion/live/live_overload.hpp"
 #include "motion/pair_walk.hpp"
 #include "motion/passing/passing_search.hpp"
@@ -20,12 +20,12 @@
 
 namespace beespace::motion {
 
-// Two runs by their places, the lower first, with the walked time and the reported events.
+// Two segments by their places, the lower first, with the walked time and the reported events.
 struct LivePair {
   std::uint32_t first;
   std::uint32_t second;
   PairWalk::State state;
-  PairTeller::Said said;
+  EventEmitter::Reported reported;
 
   [[nodiscard]] auto places() const { return std::tie(first, second); }
 };
@@ -36,9 +36,9 @@ class WalkedPairs {
  public:
   explicit WalkedPairs(std::size_t most) : most_(most) {}
 
-  // `told` is how many of the last events are of this pair, whose bees are the lower and the higher
-  // of `bees`; `had_entered` is its state before this search.
-  void add(const LivePair& pair, const AgentPair& bees, std::size_t told, double distance_m,
+  // `reported` is how many of the last events are of this pair, whose bees are the lower and the
+  // higher of `bees`; `had_entered` is its state before this search.
+  void add(const LivePair& pair, const AgentPair& bees, std::size_t reported, double distance_m,
            bool had_entered);
   void append(const WalkedPairs& other);
   void clear();
@@ -56,7 +56,7 @@ class WalkedPairs {
   struct Walked {
     LivePair pair;
     AgentPair bees;
-    std::uint32_t told;
+    std::uint32_t reported;
     bool had_entered;
     double distance_m;
 
@@ -69,11 +69,11 @@ class WalkedPairs {
   std::vector<Walked> pairs_;
 };
 
-class LiveWalks {
+class LiveEncounters {
  public:
   // Bees enter by the inner separation and leave by the outer one.
-  LiveWalks(const WalkSeparation& separation, double margin_m,
-            std::size_t max_pairs = std::numeric_limits<std::uint32_t>::max())
+  LiveEncounters(const WalkSeparation& separation, double margin_m,
+                 std::size_t max_pairs = std::numeric_limits<std::uint32_t>::max())
       : separation_(separation), margin_m_(margin_m), max_pairs_(max_pairs) {}
 
   // Searches the new time span, reports events, and lets the bees forget what is no longer needed.
@@ -84,13 +84,13 @@ class LiveWalks {
   [[nodiscard]] const std::vector<AgentPair>& entered() const { return entered_; }
 
  private:
-  // Runs by their places, and the pieces at which to begin.
+  // Segments by their places, and the pieces at which to begin.
   struct Places {
-    explicit Places(const std::vector<LiveRun>& all, std::pmr::memory_resource* memory)
-        : live(all), runs(memory), pieces(all.size(), 0, memory) {}
+    explicit Places(const std::vector<LiveSegment>& all, std::pmr::memory_resource* memory)
+        : live(all), segments(memory), pieces(all.size(), 0, memory) {}
 
-    const std::vector<LiveRun>& live;
-    core::Vector<Run> runs;
+    const std::vector<LiveSegment>& live;
+    core::Vector<TrackSegment> segments;
     core::Vector<std::size_t> pieces;
   };
 
@@ -100,7 +100,7 @@ class LiveWalks {
   const WalkedPairs& walk(const Places& places, const core::Vector<Pair>& fresh,
                           const core::Resources& with);
   void walk(const Places& places, LivePair pair, WalkedPairs& walked) const;
-  void note_entered(const std::vector<LiveRun>& bees);
+  void note_entered(const std::vector<LiveSegment>& bees);
   void forget(LiveBees& bees, const core::Resources& with);
 
   WalkSeparation separation_;
