@@ -161,7 +161,7 @@ Result<std::vector<Obstacle>> load_bytes(Bytes bytes, const std::string& path) {
   const auto document = JsonDocument::parse(without_byte_order_mark(content->view), source);
   if (!document) return document.error();
   auto obstacles = read_obstacles(document->root());
-  if (!obstacles) obstacles.error().place.source = source;
+  if (!obstacles) obstacles.error().location.source = source;
   return obstacles;
 }
 

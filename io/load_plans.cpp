@@ -28,7 +28,7 @@ std::optional<Error> known_already(const std::string& id, const PlanLayout& layo
               "the bee " + excerpt(id) + " is on line " + std::to_string(known->second) +
                   " already; give each an id of its own",
               {}};
-  error.place.column = *layout.id + 1;
+  error.location.column = *layout.id + 1;
   return error;
 }
 
@@ -64,8 +64,8 @@ Result<FlightPlans> read_plans(std::string_view bytes, PlanNeed need) {
     auto error = reader.read(walk.record(), record);
     if (!error) error = known_already(record.id, *layout, line, lines);
     if (error) {
-      error->place.line = line;
-      error->place.record = walk.row();
+      error->location.line = line;
+      error->location.record = walk.row();
       return *std::move(error);
     }
     add(record, *layout, plans);
@@ -80,7 +80,7 @@ Result<FlightPlans> load_bytes(Bytes bytes, const std::string& path, PlanNeed ne
   if (!content) return content.error();
   auto plans = read_plans(content->view, need);
   if (!plans) {
-    plans.error().place.source = source;
+    plans.error().location.source = source;
   } else if (compressed) {
     plans->format_description += ", gzip-compressed";
   }

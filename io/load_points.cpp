@@ -44,12 +44,12 @@ Error explain(const RecordSource& source, std::uint64_t row, const Point& point,
     const TableLayout& layout = *source.table;
     Error error = range_error_in_text(source.text.substr(layout.data_offset), layout, row, point,
                                       problem.axis, problem.code);
-    *error.place.line += layout.lines_before;
+    *error.location.line += layout.lines_before;
     return error;
   }
   Error error = range_error(problem, point, source.array->coordinate_text(row, problem.axis),
                             symbol_of(source.array->units[problem.axis]));
-  error.place.record = row;
+  error.location.record = row;
   return error;
 }
 
@@ -63,11 +63,11 @@ std::optional<Error> settle_by_values(LoadedPoints& loaded, RecordSource& source
                           table ? source.table->choice.naming : Naming::kNone);
     if (!decision) {
       Error error = std::move(decision).error();
-      if (error.place.record) {
-        const std::uint64_t row = source.skipped.row_of(*error.place.record);
-        const Point& point = loaded.points[*error.place.record];
+      if (error.location.record) {
+        const std::uint64_t row = source.skipped.row_of(*error.location.record);
+        const Point& point = loaded.points[*error.location.record];
         const RangeProblem odd{0, std::abs(point.x) <= 360.0 ? std::size_t{1} : 0, error.code};
-        error.place = explain(source, row, point, odd).place;
+        error.location = explain(source, row, point, odd).location;
       }
       return error;
     }
@@ -199,7 +199,7 @@ std::optional<Error> read_array(LoadedPoints& loaded, RecordSource& source,
                     layout.coordinate_text(row, 2) + " is no position; correct it" +
                     std::string(kOrLeaveOut),
                 {}};
-    error.place.record = row;
+    error.location.record = row;
     if (!options.skip_bad) return error;
     source.skipped.add(row, std::move(error));
   }
@@ -246,7 +246,7 @@ std::optional<Error> load_array(LoadedPoints& loaded, RecordSource& source, Form
 Result<LoadedPoints> load_bytes(Bytes bytes, const std::string& path, const LoadOptions& options) {
   const std::string name = source_name(path);
   const auto placed = [&name](Error error) {
-    error.place.source = name;
+    error.location.source = name;
     return error;
   };
   LoadedPoints loaded;
@@ -277,7 +277,7 @@ Result<LoadedPoints> load_bytes(Bytes bytes, const std::string& path, const Load
 
   loaded.skipped = source->skipped.errors;
   loaded.skipped_count = source->skipped.rows.size();
-  for (Error& skipped : loaded.skipped) skipped.place.source = name;
+  for (Error& skipped : loaded.skipped) skipped.location.source = name;
   if (loaded.points.empty()) {
     std::string message = "no record is left";
     if (!loaded.skipped.empty()) {

@@ -73,7 +73,7 @@ std::optional<Error> read_archive(Bytes bytes, const std::string& source,
     content = unpacked(std::move(content).value(), place);
     if (!content) return content.error();
     if (auto error = read_table(*content, table, format != RecordingFormat::kTable, assembly)) {
-      if (error->place.source.empty()) error->place.source = place;
+      if (error->location.source.empty()) error->location.source = place;
       return error;
     }
   }
@@ -136,7 +136,7 @@ std::optional<Error> read_source(Bytes bytes, const std::string& path,
 }
 
 std::optional<Error> placed(std::optional<Error> error, const std::string& path) {
-  if (error && error->place.source.empty()) error->place.source = source_name(path);
+  if (error && error->location.source.empty()) error->location.source = source_name(path);
   return error;
 }
 

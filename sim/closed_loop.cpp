@@ -62,7 +62,7 @@ Status ClosedLoop::step() {
                                        options_.advice.step_s);
     if (!wish) {
       Error error = wish.error();
-      error.place.record = bee;
+      error.location.record = bee;
       return error;
     }
     wishes_[bee] = *wish;

@@ -76,7 +76,7 @@ void BeeClocks::advance_to(double time_s, double wall_s) {
   votes_ = {};
 }
 
-bool BeeClocks::take(const Report& report, double wall_s, std::vector<Step>& steps) {
+bool BeeClocks::take(const PositionReport& report, double wall_s, std::vector<Step>& steps) {
   const double time_s = report.time_s;
   if (!std::isfinite(time_s)) return true;  // which is said of it elsewhere
   Bee& bee = bee_of(report.id);
@@ -115,7 +115,8 @@ bool BeeClocks::take(const Report& report, double wall_s, std::vector<Step>& ste
 }
 
 // After it was elsewhere.
-void BeeClocks::take_near(const Report& report, Bee& bee, double wall_s, std::vector<Step>& steps) {
+void BeeClocks::take_near(const PositionReport& report, Bee& bee, double wall_s,
+                          std::vector<Step>& steps) {
   drop_kept(report.id, bee);
   if (bee.named) {
     if (++bee.times < kTimesRight) {
@@ -133,8 +134,8 @@ void BeeClocks::take_near(const Report& report, Bee& bee, double wall_s, std::ve
 }
 
 // `lasts_s`: since its last report, by its own clock.
-void BeeClocks::take_elsewhere(const Report& report, Bee& bee, double lasts_s, double wall_s,
-                               std::vector<Step>& steps) {
+void BeeClocks::take_elsewhere(const PositionReport& report, Bee& bee, double lasts_s,
+                               double wall_s, std::vector<Step>& steps) {
   const Place place = place_of(bee.lead_s);
   const bool first = bee.place != place;
   const bool opposed = !first && nears_ != bee.nears;
@@ -174,7 +175,8 @@ void BeeClocks::take_elsewhere(const Report& report, Bee& bee, double lasts_s, d
   correct(report, bee, wall_s, steps);
 }
 
-void BeeClocks::correct(const Report& report, Bee& bee, double wall_s, std::vector<Step>& steps) {
+void BeeClocks::correct(const PositionReport& report, Bee& bee, double wall_s,
+                        std::vector<Step>& steps) {
   drop_kept(report.id, bee);
   const double reference_s = reference(wall_s);
   const bool others_silent = bee.unopposed_s >= limits_.max_age_s;
@@ -193,7 +195,7 @@ void BeeClocks::correct(const Report& report, Bee& bee, double wall_s, std::vect
   pass(report, bee, time_s, steps);
 }
 
-void BeeClocks::name(const Report& report, Bee& bee, std::vector<Step>& steps) {
+void BeeClocks::name(const PositionReport& report, Bee& bee, std::vector<Step>& steps) {
   if (!bee.named) ++named_;
   bee.named = true;
   bee.times = 0;
@@ -202,7 +204,7 @@ void BeeClocks::name(const Report& report, Bee& bee, std::vector<Step>& steps) {
   steps.push_back({Step::Kind::kOff, report, now_s_, bee.lead_s, false});
 }
 
-void BeeClocks::pass(const Report& report, Bee& bee, double time_s,
+void BeeClocks::pass(const PositionReport& report, Bee& bee, double time_s,
                      std::vector<Step>& steps) const {
   if (std::exchange(bee.broken, false)) {
     steps.push_back({Step::Kind::kLost, report, now_s_, 0.0, false});
@@ -238,7 +240,7 @@ double BeeClocks::go_to(double now_s, double wall_s, std::vector<Step>& steps) {
     }
     if (!bee.named || bee.place != Place::kNear) continue;
     bee.named = false;
-    Report of;
+    PositionReport of;
     of.id = id;
     of.time_s = now_s;
     steps.push_back({Step::Kind::kRight, of, now_s, bee.lead_s, false});
@@ -258,7 +260,7 @@ double BeeClocks::go_to(double now_s, double wall_s, std::vector<Step>& steps) {
   return from_s;
 }
 
-void BeeClocks::keep(const Report& report, Bee& bee) {
+void BeeClocks::keep(const PositionReport& report, Bee& bee) {
   // One of each bee must find place, as all may go on after a pause.
   if (kept_.size() >= kMostKept + 2 * bees_.size()) {
     Bee& first = bees_[kept_.front().report.id];
@@ -271,7 +273,7 @@ void BeeClocks::keep(const Report& report, Bee& bee) {
   ++bee.kept;
 }
 
-double BeeClocks::first_kept_s(const Report& report) const {
+double BeeClocks::first_kept_s(const PositionReport& report) const {
   const auto first = std::find_if(kept_.begin(), kept_.end(),
                                   [&](const Kept& kept) { return kept.report.id == report.id; });
   return first == kept_.end() ? report.time_s : first->report.time_s;
@@ -316,7 +318,7 @@ void BeeClocks::finish(std::vector<Step>& steps) {
     Bee& bee = bees_[id];
     const bool behind = bee.place == Place::kBehind && bee.times >= kTimesBehind;
     if (bee.named || !behind || bee.period == 0) continue;
-    Report of;
+    PositionReport of;
     of.id = id;
     of.time_s = bee.last_s;
     name(of, bee, steps);

@@ -57,7 +57,7 @@ class BeeClocks {
       kBack,    // the time of the swarm goes back to now_s
     };
     Kind kind = Kind::kReport;
-    Report report = {};
+    PositionReport report = {};
     double now_s = 0.0;  // the time of the swarm from now on
     double ahead_s = 0.0;
     bool anew = false;  // kBack: most clocks went back themselves
@@ -65,7 +65,7 @@ class BeeClocks {
 
   // Whether the report is to be taken as it is; otherwise `steps` gets what is to be done, if
   // anything. `wall_s` never goes back; 0 always where there is none.
-  bool take(const Report& report, double wall_s, std::vector<Step>& steps);
+  bool take(const PositionReport& report, double wall_s, std::vector<Step>& steps);
 
   // The end of the input: what was kept back is taken as it is.
   void finish(std::vector<Step>& steps);
@@ -107,7 +107,7 @@ class BeeClocks {
   };
 
   struct Kept {
-    Report report;
+    PositionReport report;
     bool ahead;  // when it came; else behind
   };
 
@@ -117,15 +117,15 @@ class BeeClocks {
   void vote(Bee& bee, Place place);
   [[nodiscard]] bool most_are(Place place) const;
   [[nodiscard]] double median_lead() const;
-  void take_near(const Report& report, Bee& bee, double wall_s, std::vector<Step>& steps);
-  void take_elsewhere(const Report& report, Bee& bee, double lasts_s, double wall_s,
+  void take_near(const PositionReport& report, Bee& bee, double wall_s, std::vector<Step>& steps);
+  void take_elsewhere(const PositionReport& report, Bee& bee, double lasts_s, double wall_s,
                       std::vector<Step>& steps);
-  void correct(const Report& report, Bee& bee, double wall_s, std::vector<Step>& steps);
-  void name(const Report& report, Bee& bee, std::vector<Step>& steps);
-  void pass(const Report& report, Bee& bee, double time_s, std::vector<Step>& steps) const;
+  void correct(const PositionReport& report, Bee& bee, double wall_s, std::vector<Step>& steps);
+  void name(const PositionReport& report, Bee& bee, std::vector<Step>& steps);
+  void pass(const PositionReport& report, Bee& bee, double time_s, std::vector<Step>& steps) const;
   double go_to(double now_s, double wall_s, std::vector<Step>& steps);
-  void keep(const Report& report, Bee& bee);
-  [[nodiscard]] double first_kept_s(const Report& report) const;
+  void keep(const PositionReport& report, Bee& bee);
+  [[nodiscard]] double first_kept_s(const PositionReport& report) const;
   void drop_kept(AgentId id, Bee& bee);
   void release(double from_s, double wall_s, std::vector<Step>& steps);
   void advance_to(double time_s, double wall_s);

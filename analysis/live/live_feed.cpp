@@ -72,7 +72,7 @@ std::optional<AgentId> LiveFeed::look_up(std::string_view id) {
   return number;
 }
 
-Status LiveFeed::take(const Report& report, double wall_s) {
+Status LiveFeed::take(const PositionReport& report, double wall_s) {
   if (clocks_.take(report, wall_s, steps_)) return pass_on(report, clocks_.now());
   return follow();
 }
@@ -127,7 +127,7 @@ Status LiveFeed::look_before(double now_s) {
   return std::monostate{};
 }
 
-Status LiveFeed::pass_on(const Report& report, double now_s) {
+Status LiveFeed::pass_on(const PositionReport& report, double now_s) {
   if (!looks_ || now_s > next_look_s_) {
     if (auto done = look_before(now_s); !done) return done;
   }

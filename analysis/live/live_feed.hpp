@@ -64,7 +64,7 @@ class LiveFeed {
 
   // Sees each report that has been taken, at the time at which it was.
   // `now_s`: the time of the swarm, which the time of a corrected report may be ahead of.
-  using Reported = std::function<void(const Report& report, double now_s)>;
+  using Reported = std::function<void(const PositionReport& report, double now_s)>;
   void after_each_report(Reported reported) { reported_ = std::move(reported); }
 
   // Sees what is said of clocks.
@@ -72,7 +72,7 @@ class LiveFeed {
   void after_each_note(Noted note) { note_ = std::move(note); }
 
   // Sees each report that was not taken as its bee is elsewhere at that time already.
-  using Contrary = std::function<void(const Report& report)>;
+  using Contrary = std::function<void(const PositionReport& report)>;
   void after_each_contrary(Contrary contrary) { contrary_ = std::move(contrary); }
 
   // The number of a bee, by its id; nothing where there are too many. What it is called beside
@@ -88,7 +88,7 @@ class LiveFeed {
   // Takes a report, after looking at the swarm where the time of a look has passed. `wall_s` is
   // when it came, by a clock that never goes back; 0 always where that is of no account. Errors: as
   // Swarm::update and Swarm::advance, also of reports that were kept back until now.
-  Status take(const Report& report, double wall_s = 0.0);
+  Status take(const PositionReport& report, double wall_s = 0.0);
 
   // A bee that is there no longer: which, if it is known.
   std::optional<AgentId> leave(std::string_view id);
@@ -135,7 +135,7 @@ class LiveFeed {
   Status follow();
   void note(const ClockNote& note);
   Status look_before(double now_s);
-  Status pass_on(const Report& report, double now_s);
+  Status pass_on(const PositionReport& report, double now_s);
   Status go_back(double now_s, bool anew);
   Status look(double time_s);
   Status end(std::optional<double> anew_s = {});

@@ -29,7 +29,7 @@ Result<Track> track_of(const io::Recording& recording, const io::RecordedBee& be
 
 Error of_bee(Error error, const io::RecordedBee& bee) {
   error.message.insert(0, "bee '" + bee.id + "': ");
-  error.place.record.reset();
+  error.location.record.reset();
   return error;
 }
 

@@ -106,7 +106,7 @@ Error better_of(Error as_snapshot, Error as_recording) {
 // Of several files of which one is a snapshot: that is no recording for the lack of a column, but
 // meant as something else.
 Error or_snapshots(Error error, const SceneRequest& request, io::Progress* progress) {
-  const std::string path = error.place.source;
+  const std::string path = error.location.source;
   if (error.code != ErrorCode::kMissingColumn) return error;
   const auto points = io::load_points(path, options_for_points(request, progress));
   if (!points || has_time_column(io::header_line(*points))) return error;
@@ -115,7 +115,7 @@ Error or_snapshots(Error error, const SceneRequest& request, io::Progress* progr
                   "recording; name one file, or set two beside each other: beespace report FILE "
                   "--compare FILE",
                   {}};
-  explained.place.source = path;
+  explained.location.source = path;
   return explained;
 }
 

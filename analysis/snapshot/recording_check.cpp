@@ -57,7 +57,7 @@ class SecondTimes {
 
 Error blamed_on(const std::string& path, std::string message) {
   Error error{ErrorCode::kUnsupportedFormat, std::move(message), {}};
-  error.place.source = path == "-" ? "<stdin>" : path;
+  error.location.source = path == "-" ? "<stdin>" : path;
   return error;
 }
 

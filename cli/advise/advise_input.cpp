@@ -55,7 +55,7 @@ Status load_bees(const AdviseRequest& request, Situation& situation) {
                                          request.advice.step_s);
       if (!wish) {
         Error error = wish.error();
-        error.place.record = i;
+        error.location.record = i;
         return error;
       }
       situation.preferred.push_back(*wish);

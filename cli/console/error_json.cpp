@@ -20,11 +20,11 @@ void append_optional(std::string& out, std::string_view key,
 void append_error_members(std::string& out, const Error& error) {
   out += "\"code\": " + io::json_string(to_string(error.code));
   out += ", \"message\": " + io::json_string(error.message);
-  out += ", \"file\": " +
-         (error.place.source.empty() ? std::string("null") : io::json_string(error.place.source));
-  append_optional(out, "line", error.place.line);
-  append_optional(out, "column", error.place.column);
-  append_optional(out, "record", error.place.record);
+  out += ", \"file\": " + (error.location.source.empty() ? std::string("null")
+                                                         : io::json_string(error.location.source));
+  append_optional(out, "line", error.location.line);
+  append_optional(out, "column", error.location.column);
+  append_optional(out, "record", error.location.record);
 }
 
 std::string error_as_json(const Error& error) {

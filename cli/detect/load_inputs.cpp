@@ -57,8 +57,8 @@ Result<io::RepeatedIds> repeated_ids(const io::LoadedPoints& loaded, const std::
       ErrorCode::kMalformedRecord,
       analysis::text_of(repeated) + "; give each bee an id of its own, or leave --unique-ids out",
       {}};
-  error.place.source = path == "-" ? "<stdin>" : path;
-  error.place.record = repeated.second_row;
+  error.location.source = path == "-" ? "<stdin>" : path;
+  error.location.record = repeated.second_row;
   return error;
 }
 

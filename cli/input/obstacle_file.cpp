@@ -28,7 +28,7 @@ Result<ObstacleMap> load_obstacle_map(const std::string& file) {
   auto map = ObstacleMap::of(std::move(obstacles).value());
   if (map) return map;
   const Error& error = map.error();
-  const std::string which = error.place.record ? numbered(*error.place.record) + ": " : "";
+  const std::string which = error.location.record ? numbered(*error.location.record) + ": " : "";
   return Error{ErrorCode::kMalformedRecord, which + error.message, {io::source_name(file)}};
 }
 

@@ -57,7 +57,7 @@ Result<RecordedEvents> events_of(const io::Recording& recording, const std::vect
     const io::RecordedBee& bee = recording.bees[at.bee];
     const auto number = feed.number(bee.id, bee.label);
     if (!number) return feed.too_many();
-    Report report{*number, at.time_s, tracks[at.bee].fixes[at.fix].position};
+    PositionReport report{*number, at.time_s, tracks[at.bee].fixes[at.fix].position};
     if (!bee.path) {
       const auto given = in_metres(recording, at.bee, at.fix, geometry);
       if (!given) return given.error();

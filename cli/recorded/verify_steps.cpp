@@ -37,9 +37,9 @@ void add(Verdict& all, const Verdict& later) {
 
 // The library counts movers; here they have names.
 Error of_bee(Error error, const io::Recording& recording) {
-  if (!error.place.record || *error.place.record >= recording.bees.size()) return error;
-  error.message.insert(0, "bee '" + recording.bees[*error.place.record].id + "': ");
-  error.place.record.reset();
+  if (!error.location.record || *error.location.record >= recording.bees.size()) return error;
+  error.message.insert(0, "bee '" + recording.bees[*error.location.record].id + "': ");
+  error.location.record.reset();
   return error;
 }
 

@@ -17,20 +17,20 @@ namespace beespace::cli {
 namespace {
 
 Error system_error(ErrorCode code, const std::string& what, const std::string& source) {
-  Place place;
-  place.source = source;
+  ErrorLocation location;
+  location.source = source;
   if (errno == EISDIR) {
     return {ErrorCode::kCannotOpen,
             "this is a directory; name a file in it, or ask 'beespace replay' about all of them",
-            place};
+            location};
   }
   if (errno == ENOENT) {
-    return {code, "there is no such file; check the name and the folder", place};
+    return {code, "there is no such file; check the name and the folder", location};
   }
   if (errno == EACCES) {
-    return {code, "not allowed to read this file; check its permissions (ls -l)", place};
+    return {code, "not allowed to read this file; check its permissions (ls -l)", location};
   }
-  return {code, what + ": " + std::strerror(errno), place};
+  return {code, what + ": " + std::strerror(errno), location};
 }
 
 double seconds_now() {

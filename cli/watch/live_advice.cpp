@@ -30,7 +30,7 @@ LiveAdvice::LiveAdvice(const LiveAdviceRequest& request, io::Frame frame, Name n
       tell_(std::move(tell)) {
 }
 
-Status LiveAdvice::take(const Report& report, double now_s) {
+Status LiveAdvice::take(const PositionReport& report, double now_s) {
   const auto [known, is_new] = bees_.try_emplace(report.id);
   Bee& bee = known->second;
   // Late, or repeated.
@@ -52,7 +52,7 @@ Status LiveAdvice::take(const Report& report, double now_s) {
   return take_looks();
 }
 
-void LiveAdvice::meet(Bee& bee, const Report& report) const {
+void LiveAdvice::meet(Bee& bee, const PositionReport& report) const {
   bee.wish = report.velocity.value_or(Velocity{});
   bee.flight.anchor(report.time_s, {report.position, bee.wish}, ticks_,
                     request_.limits.max_acceleration_mps2);
@@ -61,7 +61,7 @@ void LiveAdvice::meet(Bee& bee, const Report& report) const {
   bee.last_s = report.time_s;
 }
 
-void LiveAdvice::hear(Bee& bee, const Report& report) const {
+void LiveAdvice::hear(Bee& bee, const PositionReport& report) const {
   const double passed_s = report.time_s - bee.last_s;
   // Without its own: a mean, half as old as the report before, and not what can be relied upon.
   const Velocity velocity = report.velocity.value_or(Velocity{

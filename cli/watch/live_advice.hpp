@@ -58,7 +58,7 @@ class LiveAdvice {
   // Takes a report, in any order, at the time of the swarm, and the looks for which nothing is
   // waited for any more. Errors: as Adviser::advise, of the first look that failed; the next may go
   // well.
-  Status take(const Report& report, double now_s);
+  Status take(const PositionReport& report, double now_s);
 
   // For how long a look that has begun may wait for more, in milliseconds by the clock of the wall;
   // nothing where none has. Then call waited().
@@ -100,8 +100,8 @@ class LiveAdvice {
     bool awaited = false;  // by the next look
   };
 
-  void meet(Bee& bee, const Report& report) const;
-  void hear(Bee& bee, const Report& report) const;
+  void meet(Bee& bee, const PositionReport& report) const;
+  void hear(Bee& bee, const PositionReport& report) const;
   [[nodiscard]] bool old(const Bee& bee) const;
   [[nodiscard]] bool unknown(const Bee& bee) const;
   void add(AgentId number, Bee& bee);

@@ -128,10 +128,10 @@ class Watch {
     feed_.emplace(options, request_.times,
                   [this](const std::vector<SwarmEvent>& events) { tell(events); });
     feed_->after_each_note([this](const analysis::ClockNote& note) { tell(note); });
-    feed_->after_each_contrary([this](const Report& report) { note_contrary(report); });
+    feed_->after_each_contrary([this](const PositionReport& report) { note_contrary(report); });
     if (!request_.advice) return;
     begin_advice();
-    feed_->after_each_report([this](const Report& report, double now_s) {
+    feed_->after_each_report([this](const PositionReport& report, double now_s) {
       reported_s_ = came_s_;
       note_placed(feed_->name(report.id).id);
       note_advice(advice_->take(report, now_s));
@@ -252,7 +252,7 @@ class Watch {
     return came_s_ + since_1970_;
   }
 
-  void note_contrary(const Report& report) {
+  void note_contrary(const PositionReport& report) {
     if (++left_out_.contrary > kMostBadLinesSaid || request_.quiet) return;
     say("beespace: left out: " + printable(feed_->name(report.id).id) +
         " is said to be at two places at " + io::exact(report.time_s) +

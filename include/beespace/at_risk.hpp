@@ -37,7 +37,7 @@ namespace beespace {
 ///     makes no sense;
 ///   - ErrorCode::kTooManyPoints: more than #kMaxPoints;
 ///   - ErrorCode::kNotFinite, ErrorCode::kOutsideDomain: a coordinate that is not a number of the
-///     coordinate domain (see Point), with the first such point in Place::record;
+///     coordinate domain (see Point), with the first such point in ErrorLocation::record;
 ///   - ErrorCode::kStopped: a stop was requested (SearchOptions::stop).
 BEESPACE_API Result<std::vector<PointId>> find_at_risk(const PointsView& points,
                                                        const SearchOptions& options);
@@ -51,7 +51,7 @@ BEESPACE_API Result<std::vector<PointId>> find_at_risk(const PointsView& points,
 /// @param others The positions in metres of the other set.
 /// @param options The threshold and how to search.
 /// @return The ids of those `points` that are at risk, ascending; or an error as find_at_risk. An
-///   error about `others` names them in Place::array.
+///   error about `others` names them in ErrorLocation::array.
 BEESPACE_API Result<std::vector<PointId>> find_at_risk_between(const PointsView& points,
                                                                const PointsView& others,
                                                                const SearchOptions& options);

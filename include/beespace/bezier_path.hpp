@@ -45,7 +45,7 @@ struct BezierPath {
 ///
 /// @param path The path, in metres and seconds.
 /// @param tolerance_m The largest deviation in metres; above zero.
-/// @return The track; or an error, with the piece in Place::record:
+/// @return The track; or an error, with the piece in ErrorLocation::record:
 ///   - ErrorCode::kInvalidArgument: a tolerance that is not above zero, or so small that a piece
 ///     would need more than a million fixes;
 ///   - ErrorCode::kTimeOrder: a piece that does not end after the one before it;

@@ -99,7 +99,7 @@ struct Approach {
 ///     the motion domain (see mover.hpp);
 ///   - ErrorCode::kInvalidArgument: a horizon or `vertical_m` that makes no sense;
 ///   - ErrorCode::kNotFinite, ErrorCode::kOutsideDomain: a position or velocity that is not of the
-///     motion domain, with 0 for `first` and 1 for `second` in Place::record.
+///     motion domain, with 0 for `first` and 1 for `second` in ErrorLocation::record.
 BEESPACE_API Result<Approach> closest_approach(const Mover& first, const Mover& second,
                                                const ApproachOptions& options);
 

@@ -94,7 +94,7 @@ struct RecordedConflicts {
 ///     tolerance;
 ///   - ErrorCode::kNotFinite, ErrorCode::kOutsideDomain, ErrorCode::kTimeOrder: a value that is not
 ///     of the motion domain, or a time that does not come after the one before it, with the track
-///     in Place::record and the fix in the message;
+///     in ErrorLocation::record and the fix in the message;
 ///   - ErrorCode::kTooManyPoints: more tracks than ids;
 ///   - ErrorCode::kTooManyResults: more conflicts than ConflictOptions::max_results;
 ///   - ErrorCode::kStopped: a stop was requested.

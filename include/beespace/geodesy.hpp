@@ -51,7 +51,7 @@ BEESPACE_API Result<Point> to_ecef(const GeographicPosition& position);
 ///   `positions` (in place). After an error its contents are unspecified.
 /// @return Success; or an error as that of one position, with the index of the first bad position
 /// in
-///   Place::record, or ErrorCode::kInvalidArgument when the sizes differ.
+///   ErrorLocation::record, or ErrorCode::kInvalidArgument when the sizes differ.
 BEESPACE_API Status to_ecef(const PointsView& positions, std::span<Point> ecef);
 
 /// @brief A velocity along the parallel, the meridian and the normal of the ellipsoid.

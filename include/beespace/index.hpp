@@ -139,8 +139,8 @@ class BEESPACE_API Index {
   /// @param places The positions in metres; read in place.
   /// @param options The radius (AroundOptions::radius_m) and how to search.
   /// @return Row r holds the ids around places[r], ascending; or the same errors, with the position
-  ///   in Place::record, and ErrorCode::kTooManyResults when the rows together hold more than
-  ///   AroundOptions::max_results.
+  ///   in ErrorLocation::record, and ErrorCode::kTooManyResults when the rows together hold more
+  ///   than AroundOptions::max_results.
   [[nodiscard]] Result<IdRows> find_around(const PointsView& places,
                                            const AroundOptions& options) const;
 
@@ -182,7 +182,7 @@ class BEESPACE_API Index {
   /// @return Row r holds the nearest points of places[r]; no rows where `k` is 0 or there are no
   /// points
   ///   in the index; or the same errors, with the position in
-  ///   Place::record.
+  ///   ErrorLocation::record.
   [[nodiscard]] Result<NearestRows> k_nearest(const PointsView& places, std::size_t k,
                                               const RunOptions& run = {}) const;
 

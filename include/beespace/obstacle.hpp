@@ -142,7 +142,7 @@ class BEESPACE_API ObstacleMap {
 
   /// @brief Makes a map of obstacles.
   /// @param obstacles The obstacles, in metres.
-  /// @return The map; or an error as nearest_surface, with the obstacle in Place::record.
+  /// @return The map; or an error as nearest_surface, with the obstacle in ErrorLocation::record.
   static Result<ObstacleMap> of(std::vector<Obstacle> obstacles);
 
   /// @brief Gives the obstacles, in the order in which they were given.

@@ -25,7 +25,7 @@ namespace beespace {
 /// @param movers The agents, in metres and metres per second; read in place, not kept.
 /// @param options The threshold and the horizon.
 /// @return The conflicts in ascending order of (first, second); each begins, is closest and ends
-///   within [0, horizon]. Or an error as closest_approach, with the agent in Place::record;
+///   within [0, horizon]. Or an error as closest_approach, with the agent in ErrorLocation::record;
 ///   ErrorCode::kInvalidArgument for a view whose arrays differ in length;
 ///   ErrorCode::kTooManyPoints; ErrorCode::kTooManyResults when there are more than
 ///   PredictOptions::max_results.

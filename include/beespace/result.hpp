@@ -57,7 +57,7 @@ enum class ErrorCode : std::uint8_t {
 BEESPACE_API std::string_view to_string(ErrorCode code);
 
 /// @brief Where an error lies; what does not apply stays empty.
-struct Place {
+struct ErrorLocation {
   std::string source = {};                   ///< The file, or "<stdin>".
   std::optional<std::uint64_t> line = {};    ///< The 1-based line of the file.
   std::optional<std::uint64_t> column = {};  ///< The 1-based column (field) of the record.
@@ -73,7 +73,7 @@ struct Place {
 struct Error {
   ErrorCode code = ErrorCode::kInvalidArgument;  ///< The kind of error.
   std::string message = {};                      ///< One sentence: what is wrong and what to do.
-  Place place = {};                              ///< Where it lies.
+  ErrorLocation location = {};                   ///< Where it lies.
 };
 
 /// @brief Describes an error as compilers do: "bees.csv:3:2: 'abc' is not a number ...".

@@ -59,7 +59,7 @@ struct SwarmOptions {
   std::optional<double> vertical_m = {};
 
   /// @brief With `vertical_m`: heights are those that reports give apart from their positions
-  /// (Report::height_m), not z (as in Track::heights_m).
+  /// (PositionReport::height_m), not z (as in Track::heights_m).
   bool heights_apart = false;
 
   /// @brief Thresholds of leaving are those of entering times this: 1 or more.
@@ -97,7 +97,7 @@ struct SwarmOptions {
 };
 
 /// @brief One message: where an agent was at a time, and how fast it was, where that is known.
-struct Report {
+struct PositionReport {
   AgentId id = 0;                         ///< The caller's number of the agent.
   double time_s = 0.0;                    ///< The time in seconds.
   Point position;                         ///< The position in metres.
@@ -247,13 +247,14 @@ class BEESPACE_API Swarm {
   /// @brief Takes a report, in any order of agents; of one agent, late, repeated and contrary
   /// ones are counted and left out.
   /// @param report The report, in metres and seconds.
-  /// @return Success; or an error with the agent in Place::record, in which case the report is left
+  /// @return Success; or an error with the agent in ErrorLocation::record, in which case the report
+  /// is left
   ///   out, and all others count:
   ///   - ErrorCode::kNotFinite, ErrorCode::kOutsideDomain: a value that is too large for the motion
   ///     domain (see mover.hpp);
   ///   - ErrorCode::kTooManyPoints: an agent beyond SwarmOptions::max_bees;
   ///   - the errors of the options.
-  Status update(const Report& report);
+  Status update(const PositionReport& report);
 
   /// @brief Removes an agent that is no longer there.
   ///

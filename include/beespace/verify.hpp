@@ -167,7 +167,7 @@ class BEESPACE_API Verifier {
   ///   - ErrorCode::kTimeOrder: a time that is not after the one before;
   ///   - ErrorCode::kNotFinite, ErrorCode::kOutsideDomain: a value that is not of the motion
   ///   domain,
-  ///     with the agent in Place::record.
+  ///     with the agent in ErrorLocation::record.
   Status add(double time_s, const MoversView& movers);
 
   /// @brief Says what was found so far.

@@ -55,7 +55,7 @@ std::optional<Error> read_list(JsonElement root, std::string_view key, Recording
       whose.append("[").append(std::to_string(index)).append("]");
       if (!report.id.empty()) whose.append(" (").append(excerpt(report.id)).append(")");
       error->message.insert(0, whose.append(": "));
-      error->place.record = index;
+      error->location.record = index;
       if (auto fatal = assembly.bad(*std::move(error), report.id)) return fatal;
     }
     ++index;

@@ -46,8 +46,8 @@ std::optional<Error> read_base_station(std::string_view bytes, RecordingAssembly
       tells_positions = tells_positions || report != nullptr;
     }
     if (!error) continue;
-    error->place.line = walk.line() + 1;
-    error->place.record = walk.row();
+    error->location.line = walk.line() + 1;
+    error->location.record = walk.row();
     if (auto fatal = assembly.bad(*std::move(error), station.address())) return fatal;
   }
   std::vector<std::string> silent;

@@ -140,7 +140,7 @@ Result<FrameDecision> beyond_degrees(std::span<const Point> points, const Extent
     Error error =
         refusal("Nearly all records would fit degrees, but " + number_text(first->x) + ", " +
                 number_text(first->y) + " here does not; correct it, or " + kSayFrame);
-    error.place.record = static_cast<std::uint64_t>(first - points.begin());
+    error.location.record = static_cast<std::uint64_t>(first - points.begin());
     return error;
   }
   if (auto hidden = hidden_degrees(points, extent, dimensions, naming)) return *std::move(hidden);

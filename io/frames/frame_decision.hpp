@@ -55,7 +55,7 @@ struct FrameDecision {
 FrameDecision frame_before_values(Frame asked, const FrameEvidence& evidence);
 
 // By the values; `dimensions` coordinates of each point were read. Errors: kUnknownFrame, with the
-// index of the first point that fits badly in place.record where there is one.
+// index of the first point that fits badly in location.record where there is one.
 Result<FrameDecision> frame_from_values(std::span<const Point> points, const Extent& extent,
                                         std::size_t dimensions, Naming naming);
 

@@ -17,8 +17,8 @@ Error json_syntax_error(std::string_view text, std::string_view problem,
     error.message = "this JSON cannot be read: " + std::string(problem) + "; correct it";
     return error;
   }
-  error.place.line = fault.line;
-  error.place.column = fault.column;
+  error.location.line = fault.line;
+  error.location.column = fault.column;
   if (fault.at_end) {
     error.code = ErrorCode::kTruncated;
     error.message = "the JSON ends too early (" + fault.what + "); " + std::string(if_cut_off);
@@ -37,7 +37,7 @@ Result<JsonDocument> JsonDocument::parse(std::string_view text, std::string sour
   if (problem.empty()) return document;
   Error error =
       json_syntax_error(text, problem, "the file is incomplete, copy or download it again");
-  error.place.source = std::move(source);
+  error.location.source = std::move(source);
   return error;
 }
 

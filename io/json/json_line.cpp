@@ -41,7 +41,7 @@ Result<JsonMap> JsonLine::parse(std::string_view line) {
     Error error = json_syntax_error(line, problem,
                                     "each object must be whole in one line (a document of many "
                                     "lines is for 'beespace replay')");
-    error.place.line.reset();
+    error.location.line.reset();
     return error;
   }
   JsonMap object;

@@ -152,7 +152,7 @@ class JsonLines final : public LineReader {
 
   // The layout counts columns; here they are keys.
   static Error of_keys(Error error) {
-    error.place.column.reset();
+    error.location.column.reset();
     if (error.code == ErrorCode::kMissingColumn) {
       error.message.insert(0,
                            "the keys of this object (as the header of a table) say too little: ");

@@ -110,8 +110,8 @@ Result<std::optional<ReportLine>> ReportLines::take(std::string_view line) {
   }
   bad_id_ = understood_ ? reader_->last_id() : std::string_view();
   Error& error = report.error();
-  if (error.place.source.empty()) error.place.source = source_;
-  if (!error.place.line) error.place.line = lines_;
+  if (error.location.source.empty()) error.location.source = source_;
+  if (!error.location.line) error.location.line = lines_;
   return report;
 }
 

@@ -95,7 +95,7 @@ class TableLines final : public LineReader {
     auto layout = find_track_layout(text_, options_, false);
     if (layout) {
       if (auto problem = live_problem(*layout)) {
-        problem->place.line = first_line_;
+        problem->location.line = first_line_;
         return *std::move(problem);
       }
     } else if (!headed && layout.error().code == ErrorCode::kNoPoints) {
@@ -103,7 +103,7 @@ class TableLines final : public LineReader {
       return std::optional<ReportLine>();
     } else {
       Error error = without_advice(std::move(layout).error());
-      if (error.place.line) *error.place.line += first_line_ - 1;
+      if (error.location.line) *error.location.line += first_line_ - 1;
       return error;
     }
     layout_found_ = true;

@@ -133,7 +133,7 @@ class TelemetryReading {
       return std::nullopt;
     }
     if (auto error = position_problem(heard)) {
-      error->place.record = heard.frame;
+      error->location.record = heard.frame;
       return assembly_.bad(*std::move(error), id);
     }
     constexpr double kMicrosPerSecond = 1e6;

@@ -27,8 +27,8 @@ std::size_t read_any_line(std::string_view piece, std::size_t at, const TableLay
     content.points.push_back(point);
     return line.next;
   }
-  error->place.line = content.lines;
-  error->place.record = row;
+  error->location.line = content.lines;
+  error->location.record = row;
   if (options.skip_bad) {
     content.skipped.add(row, *std::move(error));
   } else {
@@ -109,9 +109,9 @@ Error range_error_in_text(std::string_view text, const TableLayout& layout, std:
   const Field field = field_at(walk.record(), layout.delimiter, column);
   Error error = range_error({0, axis, code}, point, excerpt(field.text),
                             symbol_of(layout.choice.units[axis]));
-  error.place.line = walk.line() + 1;
-  error.place.column = column + 1;
-  error.place.record = row;
+  error.location.line = walk.line() + 1;
+  error.location.column = column + 1;
+  error.location.record = row;
   return error;
 }
 

@@ -29,7 +29,7 @@ struct PieceContent {
   std::uint64_t lines = 0;
   std::uint64_t rows = 0;
   SkippedRecords skipped = {};
-  std::optional<Error> error = {};  // of the lowest line that has one; place.line is 1-based
+  std::optional<Error> error = {};  // of the lowest line that has one; location.line is 1-based
 
   void clear();  // keeps the memory
 };

@@ -83,8 +83,8 @@ class TableReading {
     if (stopped_) return false;
     const std::uint64_t lines_before = layout_.lines_before + lines_;
     const auto placed = [&](Error& error) {
-      if (error.place.line) *error.place.line += lines_before;
-      if (error.place.record) *error.place.record += rows_;
+      if (error.location.line) *error.location.line += lines_before;
+      if (error.location.record) *error.location.record += rows_;
     };
     if (content.error) {
       placed(*content.error);

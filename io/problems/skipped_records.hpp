@@ -61,7 +61,7 @@ struct SkippedRecords {
     errors.insert(errors.end(), std::make_move_iterator(later.errors.begin()),
                   std::make_move_iterator(later.errors.end()));
     std::stable_sort(errors.begin(), errors.end(), [](const Error& a, const Error& b) {
-      return a.place.record < b.place.record;
+      return a.location.record < b.location.record;
     });
     if (errors.size() > kMostSkippedListed) {
       errors.resize(kMostSkippedListed);

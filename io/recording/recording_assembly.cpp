@@ -169,7 +169,7 @@ MissingRecords RecordingAssembly::missing() const {
 }
 
 std::optional<Error> RecordingAssembly::bad(Error error, std::string_view id) {
-  if (error.place.source.empty()) error.place.source = sources_.back();
+  if (error.location.source.empty()) error.location.source = sources_.back();
   if (!options_.skip_bad) return error;
   ++recording_.skipped_count;
   miss(1, id);
@@ -202,8 +202,8 @@ Error RecordingAssembly::conflict_error(const TimeConflict& conflict) const {
               "; without a time each bee has one record";
   }
   Error error{ErrorCode::kTimeOrder, message + std::string(kOrLeaveOut), {}};
-  error.place.source = sources_[conflict.second.source];
-  error.place.line = conflict.second.line;
+  error.location.source = sources_[conflict.second.source];
+  error.location.line = conflict.second.line;
   return error;
 }
 
@@ -232,10 +232,10 @@ std::optional<Error> RecordingAssembly::settle_frame() {
       auto decision = frame_from_values(points, extent, facts.dimensions, facts.naming);
       if (!decision) {
         Error error = std::move(decision).error();
-        error.place.source = facts_source_;
-        if (error.place.record) {
-          const Origin origin = tracks_.origin(*error.place.record);
-          error.place = {sources_[origin.source], origin.line, {}, {}};
+        error.location.source = facts_source_;
+        if (error.location.record) {
+          const Origin origin = tracks_.origin(*error.location.record);
+          error.location = {sources_[origin.source], origin.line, {}, {}};
         }
         return error;
       }
@@ -243,7 +243,7 @@ std::optional<Error> RecordingAssembly::settle_frame() {
       facts.frame_reason = decision->reason;
       if (!decision->note.empty()) note(decision->note);
     } else if (auto error = contradiction_to_metres(points, extent, facts.dimensions)) {
-      error->place.source = facts_source_;
+      error->location.source = facts_source_;
       return error;
     }
   }

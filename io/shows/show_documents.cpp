@@ -148,7 +148,7 @@ Result<ShowValue> ShowDocuments::resolve(ShowValue value) {
 Result<std::optional<ShowValue>> ShowDocuments::member(const ShowValue& object,
                                                        std::string_view key) {
   if (auto error = json_twice(object.element, {key, kReference})) {
-    error->place.source = place_of(object);
+    error->location.source = place_of(object);
     return *std::move(error);
   }
   const auto found = json_member(object.element, key);

@@ -32,7 +32,7 @@ class ShowReading {
     if (auto error = option_problem()) return error;
     const ShowValue root = documents_.root();
     if (auto error = json_twice(root.element, {"version"})) {
-      error->place.source = documents_.place_of(root);
+      error->location.source = documents_.place_of(root);
       return error;
     }
     if (const auto version = json_member(root.element, "version")) {
@@ -91,7 +91,7 @@ class ShowReading {
     const std::string path = "settings.validation.minDistance";
     if (!read_json(value->element, metres)) {
       Error error = json_number_problem(value->element, path);
-      error.place.source = documents_.place_of(*value);
+      error.location.source = documents_.place_of(*value);
       return error;
     }
     if (!(metres > 0.0)) {
@@ -123,7 +123,7 @@ class ShowReading {
       auto drone = read_drone({element, list_member}, index, name);
       if (!drone) {
         Error error = drone.error();
-        error.place.record = index;
+        error.location.record = index;
         if (auto fatal = assembly_.bad(std::move(error), name)) return fatal;
       } else if (!drone->flies) {
         ++grounded_;
@@ -160,7 +160,7 @@ class ShowReading {
     name = name_of(of_drone, name);
     drone.name = name;
     if (auto error = json_twice(of_drone.element, {"name"})) {
-      error->place.source = documents_.place_of(of_drone);
+      error->location.source = documents_.place_of(of_drone);
       return *std::move(error);
     }
     auto found = documents_.member(of_drone, "trajectory");
@@ -170,7 +170,7 @@ class ShowReading {
     if (!trajectory) {
       Error error = trajectory.error();
       error.message = "drone " + excerpt(drone.name) + ": " + error.message;
-      error.place.source = documents_.place_of(*found.value());
+      error.location.source = documents_.place_of(*found.value());
       return error;
     }
     auto ground = read_ground(of_drone, drone.name);
@@ -209,7 +209,7 @@ class ShowReading {
       if (!read_json(value.value()->element, point)) {
         Error error = json_point_problem(value.value()->element, key);
         error.message = "drone " + excerpt(drone) + ": " + error.message;
-        error.place.source = documents_.place_of(*value.value());
+        error.location.source = documents_.place_of(*value.value());
         return error;
       }
       (key == std::string_view("home") ? ground.home : ground.land_at) = point;

@@ -35,7 +35,7 @@ std::optional<Error> unit_problem(const ColumnSchema& schema, const TableLayout&
                     "', but longitudes and latitudes are read in degrees, and coordinates as "
                     "lengths; convert it first, or say --crs metres if these are lengths",
                 {}};
-    error.place.column = column + 1;
+    error.location.column = column + 1;
     return error;
   }
   return std::nullopt;

@@ -23,7 +23,7 @@ Error count_error(std::size_t count, const TableLayout& layout, std::string_view
 
 Error at_column(ErrorCode code, std::string message, std::size_t column) {
   Error error{code, std::move(message), {}};
-  error.place.column = column + 1;
+  error.location.column = column + 1;
   return error;
 }
 

@@ -140,7 +140,7 @@ Result<LineFields> read_fields(std::string_view line, char delimiter) {
                 std::string(cursor.problem()) + ": " + excerpt(line) +
                     "; correct the line, a record may not span several lines",
                 {}};
-    error.place.column = found.fields.size() + 1;
+    error.location.column = found.fields.size() + 1;
     return error;
   }
   return found;
@@ -240,7 +240,7 @@ std::optional<Error> read_header_line(const std::vector<std::string_view>& sampl
                     " is neither a number nor the name of a column; correct the line, or put a "
                     "header before it",
                 {}};
-    error.place.column = *damaged + 1;
+    error.location.column = *damaged + 1;
     return error;
   }
   std::vector<ColumnContent> contents = look_at_records(samples, 1, layout.delimiter);
@@ -307,8 +307,8 @@ Line line_at(std::string_view text, std::size_t offset, char line_end) {
 }
 
 Error at_first_line(Error error, const TableLayout& table) {
-  if (error.code != ErrorCode::kInvalidArgument || error.place.column) {
-    error.place.line = table.lines_before + (table.header.empty() ? 1 : 0);
+  if (error.code != ErrorCode::kInvalidArgument || error.location.column) {
+    error.location.line = table.lines_before + (table.header.empty() ? 1 : 0);
   }
   return error;
 }
@@ -328,7 +328,7 @@ Result<TableLayout> find_table(std::string_view text, bool skip_bad) {
   const std::uint64_t line_number = layout.lines_before + 1;
   if (line.text.size() > kLongestLine) {
     Error error = long_line(line.text);
-    error.place.line = line_number;
+    error.location.line = line_number;
     return error;
   }
   auto samples = sample_lines(text, offset, layout.line_end);
@@ -337,7 +337,7 @@ Result<TableLayout> find_table(std::string_view text, bool skip_bad) {
   layout.data_offset = offset;
   layout.contents = look_at_records(samples, 0, layout.delimiter);
   if (auto error = read_header_line(samples, line, skip_bad, layout)) {
-    if (error->code != ErrorCode::kInvalidArgument) error->place.line = line_number;
+    if (error->code != ErrorCode::kInvalidArgument) error->location.line = line_number;
     return *std::move(error);
   }
   layout.columns = layout.contents.size();

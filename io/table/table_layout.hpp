@@ -56,7 +56,7 @@ struct TableLayout {
 };
 
 // `text` has no byte-order mark any more. Errors: kNoPoints, kMalformedRecord, kMissingColumn,
-// kInvalidArgument, kUnsupportedFormat; without place.source.
+// kInvalidArgument, kUnsupportedFormat; without location.source.
 Result<TableLayout> find_layout(std::string_view text, const ColumnOptions& options);
 
 // The same without the choice of columns: that is left to who knows what they mean.

@@ -152,7 +152,7 @@ std::optional<Error> TrackRecordReader::read_position(TrackRecord& record) {
       range_error(*problem, record.position,
                   std::string(without_padding(fields_[TrackSlot::kPosition + problem->axis].text)),
                   symbol_of(choice.units[problem->axis]));
-  error.place.column = choice.axes[problem->axis] + 1;
+  error.location.column = choice.axes[problem->axis] + 1;
   return error;
 }
 

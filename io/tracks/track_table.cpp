@@ -54,8 +54,8 @@ std::optional<Error> read_records(std::string_view text, const TrackLayout& layo
       record.id = row_id;
     }
     if (auto error = reader.read(walk.record(), record)) {
-      error->place.line = line;
-      error->place.record = walk.row();
+      error->location.line = line;
+      error->location.record = walk.row();
       if (auto fatal = assembly.bad(*std::move(error), record.id)) return fatal;
       continue;
     }

@@ -31,7 +31,7 @@ std::optional<Error> check_wish(const Velocity& wish, std::size_t bee) {
   auto error = motion::check_mover({{}, wish}, bee);
   if (error) {
     error->message.insert(0, "preferred ");
-    error->place.array = "preferred";
+    error->location.array = "preferred";
   }
   return error;
 }
@@ -39,7 +39,7 @@ std::optional<Error> check_wish(const Velocity& wish, std::size_t bee) {
 std::optional<Error> check_ball(const UnknownBee& ball, std::size_t index) {
   if (auto error = motion::check_position(ball.center, index)) {
     error->message.insert(0, "unknown bee: ");
-    error->place.array = "unknown";
+    error->location.array = "unknown";
     return error;
   }
   const auto check = [&](double value, const char* name, const char* unit) -> std::optional<Error> {
@@ -48,8 +48,8 @@ std::optional<Error> check_ball(const UnknownBee& ball, std::size_t index) {
                 std::string("unknown bee: the ") + name + " is " + core::shown(value) + " " + unit +
                     "; give a finite one, zero or more",
                 {}};
-    error.place.array = "unknown";
-    error.place.record = index;
+    error.location.array = "unknown";
+    error.location.record = index;
     return error;
   };
   if (auto error = check(ball.radius_m, "radius", "m")) return error;
@@ -119,11 +119,11 @@ void Intake::take_bees(const MoversView& movers, std::span<const Velocity> prefe
     if (!is_usable(mover)) error = motion::check_mover(mover, bee);
     if (!error && own_limits) {
       error = check_limits(limits[bee]);
-      if (error) error->place.array = "limits";
+      if (error) error->location.array = "limits";
     }
     if (error) {
       given_bees_.leave_out(movers_.size());
-      error->place.record = bee;
+      error->location.record = bee;
       refused.push_back({RefusedKind::kState, bee, *std::move(error)});
       bee_anywhere_ = true;
       continue;
@@ -147,7 +147,7 @@ void Intake::take_intruders(const AdviseOptions& options, std::vector<Refused>& 
     const Mover intruder = motion::flushed(options.intruders[k]);
     if (auto error = motion::check_mover(intruder, k)) {
       error->message.insert(0, "intruder: ");
-      error->place.array = "intruders";
+      error->location.array = "intruders";
       given_intruders_.leave_out(intruders_.size());
       refused.push_back({RefusedKind::kIntruder, k, *std::move(error)});
       intruder_anywhere_ = true;

@@ -20,7 +20,7 @@ Error invalid(std::string message) {
 // Of an array of the call, by its name.
 Error about(const char* array, std::string message) {
   Error error = invalid(std::move(message));
-  error.place.array = array;
+  error.location.array = array;
   return error;
 }
 
@@ -102,7 +102,7 @@ std::optional<Error> check(const MoversView& movers, std::span<const Velocity> p
   if (auto error = motion::check_size(movers)) return error;
   if (auto error = motion::check_size(options.intruders)) {
     error->message.insert(0, "intruders: ");
-    error->place.array = "intruders";
+    error->location.array = "intruders";
     return error;
   }
   if (movers.has_heights() || options.intruders.has_heights()) {
@@ -119,7 +119,7 @@ std::optional<Error> check(const MoversView& movers, std::span<const Velocity> p
   }
   if (limits.size() == 1) {
     if (auto error = check_limits(limits.front())) {
-      error->place.array = "limits";
+      error->location.array = "limits";
       return error;
     }
   }

@@ -16,7 +16,7 @@ namespace {
 std::optional<Error> check_place(const Point& place, const char* name) {
   auto error = motion::check_position(motion::flushed(place), 0);
   if (!error) return error;
-  error->place.record.reset();
+  error->location.record.reset();
   error->message.insert(0, name);
   return error;
 }

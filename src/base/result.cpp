@@ -55,21 +55,21 @@ std::string_view to_string(ErrorCode code) {
 }
 
 std::string to_string(const Error& error) {
-  const Place& place = error.place;
-  std::string text = place.source;
+  const ErrorLocation& location = error.location;
+  std::string text = location.source;
   const auto append = [&text](std::uint64_t number) {
     if (!text.empty()) text += ':';
     text += std::to_string(number);
   };
-  if (place.line) append(*place.line);
-  if (place.column) append(*place.column);
-  if (place.record && !place.line) {
+  if (location.line) append(*location.line);
+  if (location.column) append(*location.column);
+  if (location.record && !location.line) {
     if (!text.empty()) text += ": ";
-    const std::string number = std::to_string(*place.record);
-    text += place.array.empty() ? "point " + number : place.array + '[' + number + ']';
-  } else if (!place.array.empty()) {
+    const std::string number = std::to_string(*location.record);
+    text += location.array.empty() ? "point " + number : location.array + '[' + number + ']';
+  } else if (!location.array.empty()) {
     if (!text.empty()) text += ": ";
-    text += place.array;
+    text += location.array;
   }
   if (!text.empty()) text += ": ";
   return text.append(error.message);

@@ -40,20 +40,20 @@ std::optional<Error> check_heights(std::span<const double> heights, std::size_t 
   if (heights.size() != points) {
     Error error = invalid(std::to_string(heights.size()) + " heights for " +
                           std::to_string(points) + " points; give one for each, or none");
-    error.place.array = name;
+    error.location.array = name;
     return error;
   }
   for (std::size_t i = 0; i < heights.size(); ++i) {
     const double height = heights[i];
     if (in_domain(height)) continue;
-    Place place;
-    place.array = name;
-    place.record = i;
+    ErrorLocation location;
+    location.array = name;
+    location.record = i;
     return Error{std::isfinite(height) ? ErrorCode::kOutsideDomain : ErrorCode::kNotFinite,
                  "the height is " + shown(height) +
                      "; it must be a finite number in the coordinate domain (0, or 3.9e-121 m to "
                      "2.6e+120 m in magnitude)",
-                 place};
+                 location};
   }
   return std::nullopt;
 }
@@ -108,7 +108,7 @@ std::optional<Error> check_no_heights(const PointsView& points, const char* name
   Error error = invalid(
       "there are heights apart from the positions, which this search does not compare; give "
       "positions in space");
-  error.place.array = name;
+  error.location.array = name;
   return error;
 }
 
@@ -129,7 +129,7 @@ std::optional<Error> check_size(const PointsView& points) {
     error = invalid(std::to_string(x) + " numbers for x, " + std::to_string(y) + " for y and " +
                     std::to_string(z) + " for z; give as many for each axis");
   }
-  if (error) error->place.array = kPointsName;
+  if (error) error->location.array = kPointsName;
   return error;
 }
 
@@ -145,19 +145,19 @@ std::optional<Error> check_points(const PointsView& points, std::size_t begin, s
       const double value = points.coordinate(axis, i);
       if (in_domain(value)) continue;
       const std::string name(1, "xyz"[axis]);
-      Place place;
-      place.array = kPointsName;
-      place.record = i;
+      ErrorLocation location;
+      location.array = kPointsName;
+      location.record = i;
       if (!std::isfinite(value)) {
         return Error{ErrorCode::kNotFinite,
                      name + " is " + shown(value) + "; every coordinate must be a finite number",
-                     place};
+                     location};
       }
       return Error{ErrorCode::kOutsideDomain,
                    name + " is " + shown(value) +
                        " m, outside the coordinate domain (0, or 3.9e-121 m to 2.6e+120 m in "
                        "magnitude); scale the coordinates",
-                   place};
+                   location};
     }
   }
   return std::nullopt;
@@ -166,7 +166,7 @@ std::optional<Error> check_points(const PointsView& points, std::size_t begin, s
 std::optional<Error> check_set(const PointsView& points, const char* name) {
   auto error = check_size(points);
   if (!error) error = check_points(points, 0, points.size());
-  if (error) error->place.array = name;
+  if (error) error->location.array = name;
   return error;
 }
 

@@ -30,13 +30,13 @@ std::optional<Error> check_size(const PointsView& points);
 // The coordinate domain of point.hpp.
 bool in_domain(double coordinate);
 
-// The names in place.array of errors about one of two sets.
+// The names in location.array of errors about one of two sets.
 inline constexpr const char* kPointsName = "points";
 inline constexpr const char* kOthersName = "others";
 inline constexpr const char* kPlacesName = "places";
 
 // The error for a set with too many points, or with one outside the domain; `name` goes into
-// place.array.
+// location.array.
 std::optional<Error> check_set(const PointsView& points, const char* name);
 
 Error too_many_results(std::uint64_t most);

@@ -92,8 +92,8 @@ Error first_error(const EcefBlock& block, std::size_t first) {
   std::size_t i = 0;
   while (geodesy::is_valid(position_at(block, i))) ++i;
   Error error = explain(position_at(block, i));
-  error.place.array = "points";
-  error.place.record = first + i;
+  error.location.array = "points";
+  error.location.record = first + i;
   return error;
 }
 

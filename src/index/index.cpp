@@ -23,7 +23,7 @@ PointsView view_of(const Point& point) {
 // The error for a place or point that is given alone.
 std::optional<Error> check_place(const Point& place) {
   auto error = core::check_points(view_of(place), 0, 1);
-  if (error) error->place = {};
+  if (error) error->location = {};
   return error;
 }
 
@@ -32,11 +32,11 @@ Result<core::Bounds> measure(const PointsView& points, const char* name,
                              const core::Resources& with) {
   if (auto error = core::check_no_heights(points, name)) return *std::move(error);
   if (auto error = core::check_size(points)) {
-    error->place.array = name;
+    error->location.array = name;
     return *std::move(error);
   }
   Result<core::Bounds> bounds = core::measure(points, with);
-  if (!bounds) bounds.error().place.array = name;
+  if (!bounds) bounds.error().location.array = name;
   return bounds;
 }
 

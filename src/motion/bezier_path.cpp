@@ -72,10 +72,10 @@ struct Curve {
 };
 
 Error error_at(ErrorCode code, std::size_t piece, std::string message) {
-  Place place;
-  place.array = "pieces";
-  place.record = piece;
-  return {code, std::move(message), place};
+  ErrorLocation location;
+  location.array = "pieces";
+  location.record = piece;
+  return {code, std::move(message), location};
 }
 
 std::optional<Error> check_piece(const BezierPiece& piece, double begins_s, std::size_t index) {

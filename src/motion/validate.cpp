@@ -14,17 +14,17 @@ using core::shown;
 constexpr const char* kDomain = "0, or 7.9e-31 to 1.3e+30 in magnitude";
 
 Error error_of(double value, const std::string& name, const std::string& unit, std::size_t record) {
-  Place place;
-  place.array = "movers";
-  place.record = record;
+  ErrorLocation location;
+  location.array = "movers";
+  location.record = record;
   if (!std::isfinite(value)) {
     return {ErrorCode::kNotFinite, name + " is " + shown(value) + "; it must be a finite number",
-            place};
+            location};
   }
   return {ErrorCode::kOutsideDomain,
           name + " is " + shown(value) + " " + unit + ", outside the motion domain (" + kDomain +
               "); scale the units",
-          place};
+          location};
 }
 
 std::optional<Error> check_vector(double x, double y, double z, const char* what, const char* unit,
@@ -166,8 +166,8 @@ std::optional<Error> check_tracks(std::span<const Track> tracks) {
                     {}};
     }
     if (!error) continue;
-    error->place.array = "tracks";
-    error->place.record = id;
+    error->location.array = "tracks";
+    error->location.record = id;
     return error;
   }
   return std::nullopt;
@@ -176,12 +176,12 @@ std::optional<Error> check_tracks(std::span<const Track> tracks) {
 std::optional<Error> check_size(const MoversView& movers) {
   if (auto error = core::check_size(movers.positions())) {
     error->message.insert(0, "positions: ");
-    error->place.array = "movers";
+    error->location.array = "movers";
     return error;
   }
   if (auto error = core::check_size(movers.velocities())) {
     error->message.insert(0, "velocities: ");
-    error->place.array = "movers";
+    error->location.array = "movers";
     return error;
   }
   const std::size_t positions = movers.positions().size();

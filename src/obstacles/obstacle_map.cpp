@@ -70,8 +70,8 @@ Result<ObstacleMap> ObstacleMap::of(std::vector<Obstacle> obstacles) {
   for (std::size_t i = 0; i < obstacles.size(); ++i) {
     auto error = obstacles::check(obstacles[i]);
     if (!error) continue;
-    error->place.array = "obstacles";
-    error->place.record = i;
+    error->location.array = "obstacles";
+    error->location.record = i;
     return *std::move(error);
   }
   ObstacleMap map;

@@ -39,11 +39,11 @@ Order longest_first(const core::Bounds& bounds) {
 Result<core::Bounds> measured(const PointsView& points, const char* name,
                               const core::Resources& with) {
   if (auto error = core::check_size(points)) {
-    error->place.array = name;
+    error->location.array = name;
     return *std::move(error);
   }
   Result<core::Bounds> bounds = core::measure(points, with);
-  if (!bounds) bounds.error().place.array = name;
+  if (!bounds) bounds.error().location.array = name;
   return bounds;
 }
 

@@ -136,7 +136,7 @@ class __attribute__((visibility("hidden"))) Verifier::State {
       const auto checked = closest_approach(mover, mover, {options_.threshold_m, {}, 0.0});
       if (checked) continue;
       Error error = checked.error();
-      if (error.place.record) error.place.record = i;
+      if (error.location.record) error.location.record = i;
       return error;
     }
     return std::nullopt;

@@ -38,7 +38,7 @@ void expect_refused(const Question& question, ErrorCode code, std::optional<std:
                     const std::string& words) {
   const auto check = [&](const Error& error) {
     EXPECT_EQ(error.code, code);
-    EXPECT_EQ(error.place.record, record);
+    EXPECT_EQ(error.location.record, record);
     EXPECT_TRUE(contains(error.message, words)) << error.message;
   };
   const auto& [movers, preferred, limits, options] = question;

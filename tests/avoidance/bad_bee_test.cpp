@@ -94,7 +94,7 @@ TEST(BadBee, IsNamedAndTheOthersAreAdvised) {
         ASSERT_EQ(advised.refused.size(), 1U);
         EXPECT_EQ(advised.refused[0].kind, RefusedKind::kState);
         EXPECT_EQ(advised.refused[0].index, bee);
-        EXPECT_EQ(advised.refused[0].error.place.record, bee);
+        EXPECT_EQ(advised.refused[0].error.location.record, bee);
         EXPECT_NE(advised.refused[0].error.message.find(field.words), std::string::npos);
         expect_others_advised(advised, question, bee, false);
       }

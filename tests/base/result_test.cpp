@@ -105,7 +105,7 @@ TEST(Result, ChangesItsValue) {
 
 TEST(Result, ChangesItsError) {
   const auto placed = [](Error error) {
-    error.place.source = "bees.csv";
+    error.location.source = "bees.csv";
     return error;
   };
   EXPECT_EQ(to_string(Result<int>(kNothingThere).transform_error(placed).error()),
@@ -141,17 +141,17 @@ TEST(Status, GoesOnLikeAResult) {
 TEST(ErrorText, ReadsLikeACompilersMessage) {
   Error error{ErrorCode::kNotANumber, "'abc' is not a number", {}};
   EXPECT_EQ(to_string(error), "'abc' is not a number");
-  error.place.record = 1;
+  error.location.record = 1;
   EXPECT_EQ(to_string(error), "point 1: 'abc' is not a number");
-  error.place.source = "bees.csv";
+  error.location.source = "bees.csv";
   EXPECT_EQ(to_string(error), "bees.csv: point 1: 'abc' is not a number");
-  error.place.line = 3;
-  error.place.column = 2;
+  error.location.line = 3;
+  error.location.column = 2;
   EXPECT_EQ(to_string(error), "bees.csv:3:2: 'abc' is not a number");
-  error.place = {};
-  error.place.array = "limits";
+  error.location = {};
+  error.location.array = "limits";
   EXPECT_EQ(to_string(error), "limits: 'abc' is not a number");
-  error.place.record = 3;
+  error.location.record = 3;
   EXPECT_EQ(to_string(error), "limits[3]: 'abc' is not a number");
 }
 

@@ -51,8 +51,8 @@ inline Answer flat(const std::optional<ClosestPair>& pair) {
 // The error's code and place, but not its sentence.
 inline Answer flat(const Error& error) {
   Answer answer = {~std::uint64_t{0}, static_cast<std::uint64_t>(error.code),
-                   error.place.record.value_or(~std::uint64_t{0})};
-  answer.insert(answer.end(), error.place.array.begin(), error.place.array.end());
+                   error.location.record.value_or(~std::uint64_t{0})};
+  answer.insert(answer.end(), error.location.array.begin(), error.location.array.end());
   return answer;
 }
 

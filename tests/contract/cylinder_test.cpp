@@ -527,7 +527,7 @@ TEST(CylinderRefusals, SayWhichSetAndWhichHeight) {
     ASSERT_FALSE(found);
     ASSERT_FALSE(brute);
     EXPECT_EQ(found.error().code, code);
-    EXPECT_EQ(found.error().place.array, array);
+    EXPECT_EQ(found.error().location.array, array);
     EXPECT_EQ(flat(found.error()), flat(brute.error()));
   };
   refused(of_two, {}, ErrorCode::kInvalidArgument, "others");  // no heights of the others
@@ -550,7 +550,7 @@ TEST(CylinderRefusals, OfHeightsThatNothingCompares) {
   const auto refused = [](const auto& found, const char* array) {
     ASSERT_FALSE(found);
     EXPECT_EQ(found.error().code, ErrorCode::kInvalidArgument);
-    EXPECT_EQ(found.error().place.array, array);
+    EXPECT_EQ(found.error().location.array, array);
   };
   refused(find_nearest(apart), "points");
   refused(find_nearest_between(points, apart), "others");

@@ -119,7 +119,7 @@ TEST(LentCrew, FollowsASwarmAsItsOwn) {
     const double time_s = 0.5 * look;
     for (std::size_t i = 0; i < flock.movers.size(); ++i) {
       const Mover& mover = flock.movers[i];
-      const Report report{
+      const PositionReport report{
           .id = i,
           .time_s = time_s,
           .position = {mover.position.x + mover.velocity.x * time_s,

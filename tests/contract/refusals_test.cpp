@@ -33,10 +33,10 @@ bool needs_threshold(Question question) {
 }
 
 Answer refusal(ErrorCode code, std::optional<std::uint64_t> record = {}, const char* array = "") {
-  Place place;
-  place.array = array;
-  place.record = record;
-  return flat(Error{code, {}, place});
+  ErrorLocation location;
+  location.array = array;
+  location.record = record;
+  return flat(Error{code, {}, location});
 }
 
 std::vector<Point> plain_points() {

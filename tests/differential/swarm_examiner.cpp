@@ -61,17 +61,18 @@ struct ReportedRecording {
 };
 
 Result<Events> events_of(const ReportedRecording& reported) {
-  std::vector<Report> reports;
+  std::vector<PositionReport> reports;
   for (PointId id = 0; id < reported.scene.tracks.size(); ++id) {
     const Track& track = reported.scene.tracks[id];
     for (std::size_t i = 0; i < track.fixes.size(); ++i) {
-      Report report{id, track.fixes[i].time_s, track.fixes[i].position};
+      PositionReport report{id, track.fixes[i].time_s, track.fixes[i].position};
       if (!track.heights_m.empty()) report.height_m = track.heights_m[i];
       reports.push_back(report);
     }
   }
-  std::stable_sort(reports.begin(), reports.end(),
-                   [](const Report& a, const Report& b) { return a.time_s < b.time_s; });
+  std::stable_sort(
+      reports.begin(), reports.end(),
+      [](const PositionReport& a, const PositionReport& b) { return a.time_s < b.time_s; });
   if (reports.empty()) return Events{};
   Swarm swarm(reported.swarm_options());
   Random asks(reported.asks_seed, 0);

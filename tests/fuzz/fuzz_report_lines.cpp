@@ -57,7 +57,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::size_t end = rest.find('\n');
     const auto taken = lines.take(rest.substr(0, end));
     if (!taken) {
-      require(taken.error().place.line.has_value() && !taken.error().message.empty());
+      require(taken.error().location.line.has_value() && !taken.error().message.empty());
     } else if (taken->has_value()) {
       check_report(**taken);
     }

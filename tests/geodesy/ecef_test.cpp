@@ -140,7 +140,7 @@ TEST(Ecef, TheFirstBadPositionIsNamed) {
     const Status status = to_ecef(positions, ecef);
     ASSERT_FALSE(status.has_value());
     EXPECT_EQ(status.error().code, ErrorCode::kInvalidLatitude);
-    EXPECT_EQ(status.error().place.record, first);
+    EXPECT_EQ(status.error().location.record, first);
     EXPECT_NE(status.error().message.find("91"), std::string::npos) << status.error().message;
   }
 }

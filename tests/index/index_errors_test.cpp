@@ -15,7 +15,7 @@ TEST(IndexErrors, PointsOutsideTheDomainAreNamed) {
   const auto index = Index::build(std::vector<Point>{{1, 2, 3}, {1, kNaN, 3}});
   ASSERT_FALSE(index.has_value());
   EXPECT_EQ(index.error().code, ErrorCode::kNotFinite);
-  EXPECT_EQ(index.error().place.record, 1U);
+  EXPECT_EQ(index.error().location.record, 1U);
   const auto far = Index::build(std::vector<Point>{{1, 2, 0x1p+401}});
   ASSERT_FALSE(far.has_value());
   EXPECT_EQ(far.error().code, ErrorCode::kOutsideDomain);
@@ -35,15 +35,15 @@ TEST(IndexErrors, PlacesOutsideTheDomainAreRefusedAndNamedAmongMany) {
   const Index index = test::built({{1, 2, 3}});
   EXPECT_EQ(index.find_around({kNaN, 0, 0}, 1.0).error().code, ErrorCode::kNotFinite);
   EXPECT_EQ(index.k_nearest({0, 0, 0x1p-401}, 1).error().code, ErrorCode::kOutsideDomain);
-  EXPECT_FALSE(index.k_nearest({kNaN, 0, 0}, 1).error().place.record.has_value());
+  EXPECT_FALSE(index.k_nearest({kNaN, 0, 0}, 1).error().location.record.has_value());
   const std::vector<Point> places{{0, 0, 0}, {0, 0, 0}, {0, kInfinity, 0}};
   const auto around = index.find_around(places, {1.0});
   ASSERT_FALSE(around.has_value());
   EXPECT_EQ(around.error().code, ErrorCode::kNotFinite);
-  EXPECT_EQ(around.error().place.record, 2U);
+  EXPECT_EQ(around.error().location.record, 2U);
   const auto nearest = index.k_nearest(places, 1);
   ASSERT_FALSE(nearest.has_value());
-  EXPECT_EQ(nearest.error().place.record, 2U);
+  EXPECT_EQ(nearest.error().location.record, 2U);
 }
 
 TEST(IndexErrors, MoreResultsThanAllowedAreRefused) {

@@ -62,7 +62,7 @@ std::vector<SwarmEvent> heard(double low_ft, double apart_ft) {
                .height_unit_m = kFoot_m});
   for (const double time_s : {0.0, 1.0}) {
     for (PointId i = 0; i < 2; ++i) {
-      Report report{i, time_s, {100.0 * time_s, i == 0 ? 0.0 : kGround_m, 0.0}};
+      PositionReport report{i, time_s, {100.0 * time_s, i == 0 ? 0.0 : kGround_m, 0.0}};
       report.height_m = i == 0 ? low_ft : low_ft + apart_ft;
       EXPECT_TRUE(swarm.update(report).has_value());
     }

@@ -111,13 +111,13 @@ TEST(SmallValues, LetLargeOnesBeRefusedAllTheSame) {
     const std::vector<Mover> movers = {{{9e-32, 0, 0}, {1, 0, 0}}, {{8, bad, 0}, {9e-33, 0, 0}}};
     const auto found = predict_conflicts(movers, {.threshold_m = 5.0});
     ASSERT_FALSE(found.has_value());
-    EXPECT_EQ(found.error().place.record, 1U);
+    EXPECT_EQ(found.error().location.record, 1U);
     EXPECT_EQ(found.error().code,
               std::isnan(bad) ? ErrorCode::kNotFinite : ErrorCode::kOutsideDomain);
     const std::vector<Track> tracks = {{{{9e-32, {0, 0, 0}}}}, {{{0.0, {bad, 0, 0}}}}};
     const auto conflicts = find_conflicts(tracks, {.threshold_m = 5.0});
     ASSERT_FALSE(conflicts.has_value());
-    EXPECT_EQ(conflicts.error().place.record, 1U);
+    EXPECT_EQ(conflicts.error().location.record, 1U);
   }
 }
 

@@ -32,15 +32,15 @@ void expect_refused(const Obstacle& obstacle, ErrorCode code, const std::string&
   const auto nearest = nearest_surface(obstacle, {});
   ASSERT_FALSE(nearest) << words;
   expect_error(nearest.error(), code, words);
-  EXPECT_FALSE(nearest.error().place.record);
+  EXPECT_FALSE(nearest.error().location.record);
   const auto contact = first_contact_s(obstacle, {}, 1.0, 1.0);
   ASSERT_FALSE(contact) << words;
   expect_error(contact.error(), code, words);
-  EXPECT_FALSE(contact.error().place.record);
+  EXPECT_FALSE(contact.error().location.record);
   const auto map = ObstacleMap::of({Ground{0}, Sphere{{}, 1}, obstacle, Sphere{{}, -1}});
   ASSERT_FALSE(map) << words;
   expect_error(map.error(), code, words);
-  EXPECT_EQ(map.error().place.record, 2U);
+  EXPECT_EQ(map.error().location.record, 2U);
 }
 
 Obstacle prism(const Corners& outline) {

@@ -120,7 +120,7 @@ TEST(AtRisk, CoordinatesThatAreNotFiniteAreErrorsWithTheirPlace) {
       const auto result = find_at_risk(points, {100.0, false, threads});
       ASSERT_FALSE(result.has_value());
       EXPECT_EQ(result.error().code, ErrorCode::kNotFinite);
-      EXPECT_EQ(result.error().place.record, 12'345U);
+      EXPECT_EQ(result.error().location.record, 12'345U);
       EXPECT_NE(result.error().message.find("y is"), std::string::npos);
     }
     EXPECT_EQ(find_closest_pair(points).error().code, ErrorCode::kNotFinite);
@@ -139,7 +139,7 @@ TEST(AtRisk, TheCoordinateDomainIsCheckedAtBothEnds) {
     const double below = std::nextafter(kSmallestCoordinate_m, 0.0);
     EXPECT_EQ(code_for(sign * above).error().code, ErrorCode::kOutsideDomain);
     EXPECT_EQ(code_for(sign * below).error().code, ErrorCode::kOutsideDomain);
-    EXPECT_EQ(code_for(sign * below).error().place.record, 1U);
+    EXPECT_EQ(code_for(sign * below).error().location.record, 1U);
   }
 }
 

@@ -213,10 +213,10 @@ TEST(Engine, SaysInWhichOfTwoSetsThePlaceIs) {
     const Status first = engine.find_at_risk_between(bad, bad, options, at_risk);
     const Status second = engine.find_at_risk_between(good, bad, options, at_risk);
     ASSERT_FALSE(first.has_value() || second.has_value());
-    EXPECT_EQ(first.error().place.array, "points");
-    EXPECT_EQ(second.error().place.array, "others");
+    EXPECT_EQ(first.error().location.array, "points");
+    EXPECT_EQ(second.error().location.array, "others");
     EXPECT_EQ(second.error().code, ErrorCode::kNotFinite);
-    EXPECT_EQ(second.error().place.record, 17'001U);
+    EXPECT_EQ(second.error().location.record, 17'001U);
   }
 }
 

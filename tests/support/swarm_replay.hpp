@@ -37,7 +37,7 @@ inline Events of_kind(const Events& events, EventKind kind) {
 // A report, and when it arrives.
 struct Delivery {
   double arrives_s;
-  Report report;
+  PositionReport report;
 };
 
 // In the order in which they arrive: each bee's as much later as it says.
@@ -47,7 +47,7 @@ inline std::vector<Delivery> deliveries_of(
   for (PointId id = 0; id < tracks.size(); ++id) {
     for (std::size_t i = 0; i < tracks[id].fixes.size(); ++i) {
       const auto& [time, position] = tracks[id].fixes[i];
-      Report report{id, time, position};
+      PositionReport report{id, time, position};
       if (!tracks[id].heights_m.empty()) report.height_m = tracks[id].heights_m[i];
       deliveries.push_back({time + (latency_s ? latency_s(id) : 0.0), report});
     }

@@ -24,7 +24,7 @@ void expect_refused(const Status& status, ErrorCode code,
                     std::optional<std::uint64_t> record = std::nullopt) {
   ASSERT_FALSE(status);
   EXPECT_EQ(status.error().code, code) << status.error().message;
-  EXPECT_EQ(status.error().place.record, record) << status.error().message;
+  EXPECT_EQ(status.error().location.record, record) << status.error().message;
   EXPECT_FALSE(status.error().message.empty());
 }
 

@@ -47,7 +47,7 @@ std::optional<LiveSegment::Now> LiveSegment::at(double now_s) const {
   return now;
 }
 
-void LiveBees::add(LiveSegment& segment, const Report& report) const {
+void LiveBees::add(LiveSegment& segment, const PositionReport& report) const {
   segment.fixes.push_back({report.time_s, report.position});
   segment.velocity = report.velocity;
   if (!heights_apart_) return;
@@ -55,7 +55,7 @@ void LiveBees::add(LiveSegment& segment, const Report& report) const {
   segment.climb_mps = report.climb_mps;
 }
 
-void LiveBees::begin_segment(KnownBee& bee, const Report& report) {
+void LiveBees::begin_segment(KnownBee& bee, const PositionReport& report) {
   ++changes_;
   if (free_.empty()) {
     bee.segment = static_cast<std::uint32_t>(segments_.size());
@@ -73,7 +73,7 @@ void LiveBees::begin_segment(KnownBee& bee, const Report& report) {
 // What becomes of a report that is no later than the last one of its bee. It is compared with the
 // last two, which are always known.
 std::optional<LiveBees::Taken> LiveBees::before_last(const KnownBee& bee,
-                                                     const Report& report) const {
+                                                     const PositionReport& report) const {
   const Fix fix{report.time_s, report.position};
   const auto compared = [&](const Fix& with, double height_m) {
     const bool same = fix == with && (!heights_apart_ || height_m == report.height_m);
@@ -93,7 +93,8 @@ std::optional<LiveBees::Taken> LiveBees::before_last(const KnownBee& bee,
   return Taken::kLate;
 }
 
-LiveBees::Taken LiveBees::take(const Report& report, double max_age_s, std::size_t max_bees) {
+LiveBees::Taken LiveBees::take(const PositionReport& report, double max_age_s,
+                               std::size_t max_bees) {
   const auto at = known_.find(report.id);
   if (at == known_.end()) {
     if (known_.size() >= max_bees) return Taken::kFull;

@@ -89,7 +89,7 @@ class LiveBees {
   // Returns what became of the report, whose values are flushed; kFull if it is of a new bee beyond
   // `max_bees`.
   enum class Taken : std::uint8_t { kYes, kRepeated, kLate, kContrary, kFull };
-  Taken take(const Report& report, double max_age_s,
+  Taken take(const PositionReport& report, double max_age_s,
              std::size_t max_bees = std::numeric_limits<std::size_t>::max());
 
   // Removes a bee; nothing happens if it is unknown.
@@ -132,9 +132,10 @@ class LiveBees {
   void forget(std::pmr::vector<std::uint32_t>& dropped);
 
  private:
-  [[nodiscard]] std::optional<Taken> before_last(const KnownBee& bee, const Report& report) const;
-  void add(LiveSegment& segment, const Report& report) const;
-  void begin_segment(KnownBee& bee, const Report& report);
+  [[nodiscard]] std::optional<Taken> before_last(const KnownBee& bee,
+                                                 const PositionReport& report) const;
+  void add(LiveSegment& segment, const PositionReport& report) const;
+  void begin_segment(KnownBee& bee, const PositionReport& report);
   void complete(KnownBee& bee, SegmentEnd end);
   void give_back();
   [[nodiscard]] double known_from_s() const;

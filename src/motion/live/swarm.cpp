@@ -20,7 +20,7 @@ namespace beespace {
 
 namespace {
 
-// What Place::record counts in errors about reports.
+// What ErrorLocation::record counts in errors about reports.
 constexpr const char* kAgents = "agents";
 
 std::optional<Error> check(const SwarmOptions& options) {
@@ -78,7 +78,7 @@ class __attribute__((visibility("hidden"))) Swarm::State {
                   options.max_pairs),
         crew_(lent) {}
 
-  Status update(Report report);
+  Status update(PositionReport report);
   void remove(AgentId id) {
     bees_.remove(id);
     possible_.forget(id);
@@ -125,7 +125,7 @@ class __attribute__((visibility("hidden"))) Swarm::State {
   core::KeptCrew crew_;
 };
 
-Status Swarm::State::update(Report report) {
+Status Swarm::State::update(PositionReport report) {
   if (auto error = check(options_)) return *std::move(error);
   report.time_s = motion::flushed(report.time_s);
   report.position = motion::flushed(report.position);
@@ -136,18 +136,18 @@ Status Swarm::State::update(Report report) {
   auto bad = motion::check_mover(mover, 0);
   if (!bad) bad = motion::check_height(report.height_m, report.climb_mps, 0);
   if (bad) {
-    bad->place.array = kAgents;
-    bad->place.record = report.id;
+    bad->location.array = kAgents;
+    bad->location.record = report.id;
     return *std::move(bad);
   }
   if (!motion::in_motion_domain(report.time_s)) {
-    Place place;
-    place.array = kAgents;
-    place.record = report.id;
+    ErrorLocation location;
+    location.array = kAgents;
+    location.record = report.id;
     return Error{std::isfinite(report.time_s) ? ErrorCode::kOutsideDomain : ErrorCode::kNotFinite,
                  "the time of the report is " + std::to_string(report.time_s) +
                      " s; give a finite number of seconds",
-                 place};
+                 location};
   }
   switch (bees_.take(report, options_.max_age_s, options_.max_bees)) {
     case motion::LiveBees::Taken::kFull:
@@ -172,13 +172,13 @@ Error Swarm::State::refuse(AgentId bee) {
   if (refused_ == 0) refused_first_ = bee;
   ++refused_;
   ++counts_.refused;
-  Place place;
-  place.array = kAgents;
-  place.record = bee;
+  ErrorLocation location;
+  location.array = kAgents;
+  location.record = bee;
   return {ErrorCode::kTooManyPoints,
           "there are " + std::to_string(options_.max_bees) +
               " bees already; remove some that are gone, or allow for more (max_bees)",
-          place};
+          location};
 }
 
 void Swarm::State::report_refused(double now_s, std::vector<SwarmEvent>& events) {
@@ -318,7 +318,7 @@ Swarm::Swarm(Swarm&&) noexcept = default;
 Swarm& Swarm::operator=(Swarm&&) noexcept = default;
 Swarm::~Swarm() = default;
 
-Status Swarm::update(const Report& report) {
+Status Swarm::update(const PositionReport& report) {
   return state_->update(report);
 }
 

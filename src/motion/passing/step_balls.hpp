@@ -1,5 +1,5 @@
-// Segments of tracks as balls for one step of time: each moves in a straight line through the step, and
-// its radius covers the segment's deviation from that line.
+// Segments of tracks as balls for one step of time: each moves in a straight line through the step,
+// and its radius covers the segment's deviation from that line.
 #pragma once
 
 #include "base/resources.hpp"

@@ -46,7 +46,7 @@ class Flock {
   // x of a report is when it really was.
   void hear(PointId bee, double true_s, double reported_s) {
     steps_.clear();
-    const Report report{bee, reported_s, {true_s, 0.0, 0.0}};
+    const PositionReport report{bee, reported_s, {true_s, 0.0, 0.0}};
     if (clocks_.take(report, 0.0, steps_)) {
       told_.taken.push_back({bee, true_s, reported_s, clocks_.now()});
       EXPECT_TRUE(steps_.empty());

@@ -110,7 +110,7 @@ TEST_F(SceneTest, WhatCannotBeReadIsAnErrorWithItsPlace) {
   const auto scene = load_scene({file("bees.csv", "id,x,y,z\nana,0,0,0\nbea,1,far,0\n")}, {});
   ASSERT_FALSE(scene.has_value());
   EXPECT_EQ(scene.error().code, ErrorCode::kNotANumber);
-  EXPECT_EQ(scene.error().place.source, path("bees.csv"));
+  EXPECT_EQ(scene.error().location.source, path("bees.csv"));
   EXPECT_EQ(load_scene({path("none.csv")}, {}).error().code, ErrorCode::kCannotOpen);
 }
 

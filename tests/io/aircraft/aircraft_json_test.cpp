@@ -199,7 +199,7 @@ TEST(AircraftJson, WhatIsWrongIsBlamedOnTheRecord) {
     const auto loaded = record(file_of(good + bad));
     expect_error(loaded, {code, "bees.csv", message});
     if (!loaded) {
-      EXPECT_EQ(loaded.error().place.record, 1u) << bad;
+      EXPECT_EQ(loaded.error().location.record, 1u) << bad;
     }
     const auto skipping = recording_of(record(file_of(good + bad), skipping_bad()));
     EXPECT_EQ(ids_of(skipping), Ids{"a"}) << bad;

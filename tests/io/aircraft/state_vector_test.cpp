@@ -99,7 +99,7 @@ TEST(StateVectors, WhatIsWrongIsBlamedOnTheRecord) {
     const auto loaded = record(file_of(good + bad));
     expect_error(loaded, {code, "bees.csv", message});
     if (!loaded) {
-      EXPECT_EQ(loaded.error().place.record, 1u) << bad;
+      EXPECT_EQ(loaded.error().location.record, 1u) << bad;
     }
     EXPECT_EQ(recording_of(record(file_of(good + bad), skipping_bad())).skipped_count, 1u) << bad;
   }

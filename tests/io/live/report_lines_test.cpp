@@ -94,7 +94,7 @@ TEST(ReportLines, WhatTheHeaderLeavesOpenIsAnErrorOfItsLine) {
     const auto bad = lines.take(record);
     ASSERT_FALSE(bad.has_value()) << header;
     EXPECT_EQ(to_string(bad.error().code), to_string(code)) << header;
-    EXPECT_EQ(bad.error().place.line, 2u) << header;
+    EXPECT_EQ(bad.error().location.line, 2u) << header;
     EXPECT_NE(bad.error().message.find(message), std::string::npos) << bad.error().message;
     EXPECT_FALSE(lines.understood()) << header;
   }
@@ -201,7 +201,7 @@ TEST(ReportLines, ObjectsThatSayTooLittle) {
     const auto bad = lines.take(object);
     ASSERT_FALSE(bad.has_value()) << object;
     EXPECT_EQ(to_string(bad.error().code), to_string(code)) << object;
-    EXPECT_EQ(bad.error().place.line, 1u) << object;
+    EXPECT_EQ(bad.error().location.line, 1u) << object;
     EXPECT_NE(bad.error().message.find(message), std::string::npos) << bad.error().message;
     EXPECT_FALSE(lines.understood());
     EXPECT_EQ(report_of(lines.take(R"({"id":"a","time_s":0,"x":1,"y":2,"z":3})")).id, "a");

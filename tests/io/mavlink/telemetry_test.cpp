@@ -188,7 +188,7 @@ TEST(Telemetry, WhatIsWrongIsBlamedOnTheFrame) {
     const auto loaded = load(first + logged(kNoon, frame));
     expect_error(loaded, {code, "flight.tlog", message});
     if (!loaded) {
-      EXPECT_EQ(loaded.error().place.record, 1u);
+      EXPECT_EQ(loaded.error().location.record, 1u);
     }
   }
 }

@@ -26,7 +26,7 @@ TEST(BadText, NotANumberIsShownWithLineAndColumn) {
                {ErrorCode::kNotANumber, "bees.csv:2:3", "the field is empty"});
   expect_error(load_text("x,y,z\n0x10,2,3\n"),
                {ErrorCode::kNotANumber, "bees.csv:2:1", "'0x10' is not a number"});
-  EXPECT_EQ(load_text("x,y,z\n1,2,3\n4,abc,6\n").error().place.record, 1u);
+  EXPECT_EQ(load_text("x,y,z\n1,2,3\n4,abc,6\n").error().location.record, 1u);
 }
 
 TEST(BadText, TheLowestColumnIsReportedWhateverItsRole) {

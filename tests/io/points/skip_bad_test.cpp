@@ -23,10 +23,10 @@ TEST(SkipBad, LeavesBadRecordsOutAndListsThem) {
   ASSERT_EQ(loaded.value().skipped.size(), 4u);
   EXPECT_EQ(to_string(loaded.value().skipped[0]).substr(0, 14), "bees.csv:3:1: ");
   EXPECT_EQ(loaded.value().skipped[1].code, ErrorCode::kColumnCount);
-  EXPECT_EQ(loaded.value().skipped[1].place.line, 5u);
+  EXPECT_EQ(loaded.value().skipped[1].location.line, 5u);
   EXPECT_EQ(loaded.value().skipped[2].code, ErrorCode::kNotFinite);
   EXPECT_EQ(loaded.value().skipped[3].code, ErrorCode::kMalformedRecord);
-  EXPECT_EQ(loaded.value().skipped[3].place.record, 5u);
+  EXPECT_EQ(loaded.value().skipped[3].location.record, 5u);
 }
 
 TEST(SkipBad, IdsStayTheDataRowsOfTheFile) {
@@ -48,10 +48,10 @@ TEST(SkipBad, PositionsOutOfRangeAreBadToo) {
   EXPECT_EQ(points_of(loaded).size(), 2u);
   ASSERT_EQ(loaded.value().skipped.size(), 3u);
   EXPECT_EQ(loaded.value().skipped[0].code, ErrorCode::kInvalidLatitude);
-  EXPECT_EQ(loaded.value().skipped[0].place.line, 3u);
+  EXPECT_EQ(loaded.value().skipped[0].location.line, 3u);
   EXPECT_EQ(loaded.value().skipped[1].code, ErrorCode::kNotANumber);
   EXPECT_EQ(loaded.value().skipped[2].code, ErrorCode::kInvalidHeight);
-  EXPECT_EQ(loaded.value().skipped[2].place.line, 5u);
+  EXPECT_EQ(loaded.value().skipped[2].location.line, 5u);
 }
 
 TEST(SkipBad, PositionsOutOfRangeAreBadWhenTheValuesDecideTheFrame) {
@@ -64,8 +64,8 @@ TEST(SkipBad, PositionsOutOfRangeAreBadWhenTheValuesDecideTheFrame) {
   EXPECT_EQ(points_of(loaded).size(), 100u);
   EXPECT_EQ(loaded.value().frame, Frame::kWgs84);
   ASSERT_EQ(loaded.value().skipped.size(), 2u);
-  EXPECT_EQ(loaded.value().skipped[1].place.line, 102u);
-  EXPECT_EQ(loaded.value().skipped[1].place.record, 101u);
+  EXPECT_EQ(loaded.value().skipped[1].location.line, 102u);
+  EXPECT_EQ(loaded.value().skipped[1].location.record, 101u);
 }
 
 TEST(SkipBad, ListsTheFirstTwentyAndCountsAll) {

@@ -143,8 +143,8 @@ TEST(TableReading, AnErrorInALaterPieceNeverHidesAnEarlierOne) {
   for (const unsigned threads : {1u, 2u, 8u}) {
     const auto content = read(text, {threads, true, 100}, false, Frame::kMetres);
     ASSERT_FALSE(content.has_value());
-    EXPECT_EQ(content.error().place.line, 702u);
-    EXPECT_EQ(content.error().place.record, 700u);
+    EXPECT_EQ(content.error().location.line, 702u);
+    EXPECT_EQ(content.error().location.record, 700u);
   }
 }
 

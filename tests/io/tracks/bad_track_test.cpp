@@ -100,7 +100,7 @@ TEST(BadTrack, NumbersThatAreNone) {
                {ErrorCode::kNotFinite, "bees.csv:3:2", "'nan' is no time"});
   expect_error(with_row("a,1,-inf,2,3"),
                {ErrorCode::kNotFinite, "bees.csv:3:3", "'-inf' is no position (x)"});
-  EXPECT_EQ(with_row("a,1,-inf,2,3").error().place.record, 1u);
+  EXPECT_EQ(with_row("a,1,-inf,2,3").error().location.record, 1u);
 }
 
 TEST(BadTrack, NumbersThatCannotBeComputedWithExactly) {

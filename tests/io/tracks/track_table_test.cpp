@@ -223,7 +223,7 @@ TEST(TrackTable, BadRecordsAreSkippedAndListedWhereThatIsWished) {
             "bees.csv:3:4: 'oops' is not a number (y); correct it");
   EXPECT_EQ(recording.skipped[1].code, ErrorCode::kColumnCount);
   EXPECT_EQ(recording.skipped[2].code, ErrorCode::kTimeOrder);
-  EXPECT_EQ(recording.skipped[2].place.line, 6u);
+  EXPECT_EQ(recording.skipped[2].location.line, 6u);
 }
 
 TEST(TrackTable, ProgressEndsAtTheTotal) {

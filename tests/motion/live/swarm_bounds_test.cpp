@@ -35,7 +35,7 @@ TEST(SwarmBounds, OfBeesRefuseTheNextOneAndSaySo) {
     const Status refused = swarm.update({id, 0.5, {50, 0, 0}});
     ASSERT_FALSE(refused.has_value());
     EXPECT_EQ(refused.error().code, ErrorCode::kTooManyPoints);
-    EXPECT_EQ(refused.error().place.record, id);
+    EXPECT_EQ(refused.error().location.record, id);
   }
   EXPECT_TRUE(swarm.update({1, 1.0, {0, 0, 0}}).has_value()) << "the others go on";
   Events events;

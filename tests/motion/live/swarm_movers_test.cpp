@@ -11,14 +11,14 @@ namespace {
 
 using Movers = std::vector<LiveMover>;
 
-void hear(Swarm& swarm, const Report& report) {
+void hear(Swarm& swarm, const PositionReport& report) {
   const Status taken = swarm.update(report);
   ASSERT_TRUE(taken.has_value()) << taken.error().message;
 }
 
-Swarm swarm_of(const std::vector<Report>& reports) {
+Swarm swarm_of(const std::vector<PositionReport>& reports) {
   Swarm swarm({.threshold_m = 20.0, .horizon_s = 0.0, .max_age_s = 5.0});
-  for (const Report& report : reports) hear(swarm, report);
+  for (const PositionReport& report : reports) hear(swarm, report);
   return swarm;
 }
 

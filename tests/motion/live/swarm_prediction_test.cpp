@@ -25,9 +25,9 @@ SwarmOptions looking_ahead(double horizon_s) {
 }
 
 // Two bees 200 m apart, 5 m/s each towards the other, 3 m beside: closest at 20 s.
-Report head_on(AgentId id, double time_s, bool says_velocity) {
+PositionReport head_on(AgentId id, double time_s, bool says_velocity) {
   const double side = id == 1 ? -1.0 : 1.0;
-  Report report{id, time_s, {side * (100.0 - 5.0 * time_s), id == 1 ? 0.0 : 3.0, 0.0}};
+  PositionReport report{id, time_s, {side * (100.0 - 5.0 * time_s), id == 1 ? 0.0 : 3.0, 0.0}};
   if (says_velocity) report.velocity = Velocity{-5.0 * side, 0.0, 0.0};
   return report;
 }

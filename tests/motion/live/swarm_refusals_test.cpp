@@ -58,20 +58,20 @@ TEST(SwarmRefusal, InvalidOptions) {
 
 struct Field {
   const char* name;
-  std::function<void(Report&, double)> set;
+  std::function<void(PositionReport&, double)> set;
 };
 
 std::vector<Field> fields() {
-  return {{"time", [](Report& report, double value) { report.time_s = value; }},
-          {"x", [](Report& report, double value) { report.position.x = value; }},
-          {"y", [](Report& report, double value) { report.position.y = value; }},
-          {"z", [](Report& report, double value) { report.position.z = value; }},
+  return {{"time", [](PositionReport& report, double value) { report.time_s = value; }},
+          {"x", [](PositionReport& report, double value) { report.position.x = value; }},
+          {"y", [](PositionReport& report, double value) { report.position.y = value; }},
+          {"z", [](PositionReport& report, double value) { report.position.z = value; }},
           {"velocity",
-           [](Report& report, double value) {
+           [](PositionReport& report, double value) {
              report.velocity = Velocity{0, value, 0};
            }},
-          {"height", [](Report& report, double value) { report.height_m = value; }},
-          {"climb", [](Report& report, double value) { report.climb_mps = value; }}};
+          {"height", [](PositionReport& report, double value) { report.height_m = value; }},
+          {"climb", [](PositionReport& report, double value) { report.climb_mps = value; }}};
 }
 
 TEST(SwarmRefusal, ReportsThatAreNotFiniteOrOutsideTheDomainAreLeftOut) {
@@ -82,13 +82,13 @@ TEST(SwarmRefusal, ReportsThatAreNotFiniteOrOutsideTheDomainAreLeftOut) {
   for (const Field& field : fields()) {
     for (const double bad : {kNan, kInfinity, -kInfinity, 0x1.1p+100, -0x1.1p+100}) {
       SCOPED_TRACE(field.name);
-      Report report{42, 1.0, {1, 2, 3}};
+      PositionReport report{42, 1.0, {1, 2, 3}};
       field.set(report, bad);
       const Status taken = swarm.update(report);
       ASSERT_FALSE(taken.has_value()) << bad;
       EXPECT_EQ(taken.error().code,
                 std::isfinite(bad) ? ErrorCode::kOutsideDomain : ErrorCode::kNotFinite);
-      EXPECT_EQ(taken.error().place.record, 42U);
+      EXPECT_EQ(taken.error().location.record, 42U);
     }
   }
   EXPECT_EQ(swarm.counts().taken, 0U);

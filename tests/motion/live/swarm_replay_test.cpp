@@ -227,7 +227,7 @@ TEST(SwarmReplay, IsNotMisledByLateAndRepeatedReports) {
   const Events clean = test::replay(deliveries, options, 1e9);
 
   Swarm swarm(options);
-  std::map<AgentId, std::vector<Report>> heard;
+  std::map<AgentId, std::vector<PositionReport>> heard;
   std::uint64_t repeated = 0;
   std::uint64_t late = 0;
   std::uint64_t contrary = 0;
@@ -244,7 +244,7 @@ TEST(SwarmReplay, IsNotMisledByLateAndRepeatedReports) {
       // The last two are remembered.
       ++(which + 1 == before.size() ? repeated : late);
     }
-    Report elsewhere = report;  // the same time, another place
+    PositionReport elsewhere = report;  // the same time, another place
     elsewhere.position.x += 1.0;
     if (make.below(5) == 0) {
       ASSERT_TRUE(swarm.update(elsewhere).has_value());

@@ -30,7 +30,7 @@ constexpr double kMaxAge_s = 2.0;
 
 // A stretch of time in which reports follow each other closely enough.
 struct Known {
-  std::vector<Report> reports;
+  std::vector<PositionReport> reports;
   bool silent = false;  // it was followed by a silence
 
   [[nodiscard]] double begins_s() const { return reports.front().time_s; }
@@ -105,7 +105,7 @@ void tell_pair(const Known& a, const Known& b, AgentId first, AgentId second,
   // Nothing changes but at these times.
   std::vector<Real> times = {begin, end};
   for (const Known* known : {&a, &b}) {
-    for (const Report& report : known->reports) {
+    for (const PositionReport& report : known->reports) {
       if (report.time_s > begin && report.time_s < end) times.push_back(report.time_s);
     }
   }
@@ -140,9 +140,9 @@ void tell_pair(const Known& a, const Known& b, AgentId first, AgentId second,
   }
 }
 
-std::vector<Known> cut(const std::vector<Report>& reports, double now_s) {
+std::vector<Known> cut(const std::vector<PositionReport>& reports, double now_s) {
   std::vector<Known> known;
-  for (const Report& report : reports) {
+  for (const PositionReport& report : reports) {
     if (!known.empty() && report.time_s - known.back().ends_s() <= kMaxAge_s) {
       known.back().reports.push_back(report);
       continue;
@@ -154,7 +154,7 @@ std::vector<Known> cut(const std::vector<Report>& reports, double now_s) {
   return known;
 }
 
-std::vector<Happened> expected(const std::vector<std::vector<Report>>& bees, double now_s) {
+std::vector<Happened> expected(const std::vector<std::vector<PositionReport>>& bees, double now_s) {
   std::vector<Happened> happened;
   std::vector<std::vector<Known>> known;
   for (AgentId id = 0; id < bees.size(); ++id) {
@@ -197,8 +197,8 @@ std::string word_of(EventKind kind) {
 
 // Bees that turn now and then and are silent for a while, heard of at times of their own or all at
 // once; some of them only once.
-std::vector<std::vector<Report>> reports_of(test::SceneMaker& make, bool ties) {
-  std::vector<std::vector<Report>> bees(2 + make.below(9));
+std::vector<std::vector<PositionReport>> reports_of(test::SceneMaker& make, bool ties) {
+  std::vector<std::vector<PositionReport>> bees(2 + make.below(9));
   const double side_m = make.between(15.0, 60.0);
   for (AgentId id = 0; id < bees.size(); ++id) {
     Point at{make.between(0, side_m), make.between(0, side_m), make.between(0, 5)};
@@ -227,10 +227,11 @@ TEST(SwarmSilenceOracle, AgreesOnRandomSwarms) {
     SCOPED_TRACE(round);
     const bool ties = make.below(2) == 0;
     const auto bees = reports_of(make, ties);
-    std::vector<Report> all;
+    std::vector<PositionReport> all;
     for (const auto& bee : bees) all.insert(all.end(), bee.begin(), bee.end());
-    std::stable_sort(all.begin(), all.end(),
-                     [](const Report& a, const Report& b) { return a.time_s < b.time_s; });
+    std::stable_sort(all.begin(), all.end(), [](const PositionReport& a, const PositionReport& b) {
+      return a.time_s < b.time_s;
+    });
     SwarmOptions options{.threshold_m = kThreshold_m};
     options.leave_factor = kLeave_m / kThreshold_m;
     options.max_age_s = kMaxAge_s;
@@ -239,7 +240,7 @@ TEST(SwarmSilenceOracle, AgreesOnRandomSwarms) {
     const double every_s = make.below(3) == 0 ? 1e9 : make.between(0.05, 4.0);
     double look_s = all.front().time_s;
     Events events;
-    for (const Report& report : all) {
+    for (const PositionReport& report : all) {
       while (look_s < report.time_s) {
         test::take_all(swarm, look_s, events);
         look_s += every_s;

@@ -381,7 +381,7 @@ TEST(SwarmSilence, LastsWhenTimesBeginAnew) {
 TEST(SwarmPossible, IsTheSameHoweverOftenEventsAreAskedFor) {
   test::SceneMaker make(78);
   for (int round = 0; round < 40; ++round) {
-    std::vector<Report> reports;
+    std::vector<PositionReport> reports;
     for (AgentId id = 0; id < 6; ++id) {
       Point at{make.between(0, 300), make.between(0, 300), 0};
       for (double time_s = make.between(0, 1); time_s < 40.0;) {
@@ -393,7 +393,7 @@ TEST(SwarmPossible, IsTheSameHoweverOftenEventsAreAskedFor) {
       }
     }
     std::sort(reports.begin(), reports.end(),
-              [](const Report& a, const Report& b) { return a.time_s < b.time_s; });
+              [](const PositionReport& a, const PositionReport& b) { return a.time_s < b.time_s; });
     std::vector<Events> runs;
     for (const double every_s : {0.01, 0.5, 7.0, 100.0}) {
       SwarmOptions options = options_with();
@@ -401,7 +401,7 @@ TEST(SwarmPossible, IsTheSameHoweverOftenEventsAreAskedFor) {
       Swarm swarm(options);
       Events events;
       double look_s = 0.0;
-      for (const Report& report : reports) {
+      for (const PositionReport& report : reports) {
         for (; look_s < report.time_s; look_s += every_s) test::take_all(swarm, look_s, events);
         ASSERT_TRUE(swarm.update(report).has_value());
       }

@@ -31,7 +31,7 @@ Events advanced(Swarm& swarm, double now_s) {
   return events;
 }
 
-void hear(Swarm& swarm, const Report& report) {
+void hear(Swarm& swarm, const PositionReport& report) {
   const Status taken = swarm.update(report);
   ASSERT_TRUE(taken.has_value()) << taken.error().message;
 }

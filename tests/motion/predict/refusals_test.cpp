@@ -93,7 +93,7 @@ bool contains(const std::string& text, const std::string& part) {
 void expect_option_error(const PredictOptions& options, ErrorCode code, const std::string& words) {
   for_each_error(plain_movers(2), options, [&](const Error& error) {
     EXPECT_EQ(error.code, code);
-    EXPECT_FALSE(error.place.record.has_value());
+    EXPECT_FALSE(error.location.record.has_value());
     EXPECT_TRUE(contains(error.message, words)) << error.message;
     EXPECT_TRUE(contains(error.message, "give a finite") ||
                 contains(error.message, "not given (or is not a number)"))
@@ -136,7 +136,7 @@ void expect_refused(double bad, ErrorCode code) {
         field.of(movers.back()) = bad;
         for_each_error(movers, kSome, [&](const Error& error) {
           EXPECT_EQ(error.code, code) << field.name;
-          EXPECT_EQ(error.place.record, record) << field.name;
+          EXPECT_EQ(error.location.record, record) << field.name;
           EXPECT_TRUE(contains(error.message, field.name)) << error.message;
           const bool says_unit = contains(error.message, std::string(" ") + field.unit + ",");
           EXPECT_EQ(says_unit, code == ErrorCode::kOutsideDomain) << error.message;
@@ -173,7 +173,7 @@ TEST(MotionRefusal, WhatIsWrongIsFoundInEveryWorkersShare) {
         ASSERT_TRUE(refusal.has_value());
         EXPECT_EQ(refusal->code,
                   std::isfinite(bad) ? ErrorCode::kOutsideDomain : ErrorCode::kNotFinite);
-        EXPECT_EQ(refusal->place.record, record);
+        EXPECT_EQ(refusal->location.record, record);
       }
     }
   };
@@ -200,7 +200,7 @@ TEST(MotionRefusal, TheFirstErrorIsReported) {
   std::vector<Mover> movers = plain_movers(2);
   movers[0].velocity.y = kNan;
   movers[1].position.x = kInfinity;
-  for_each_error(movers, kSome, [](const Error& error) { EXPECT_EQ(error.place.record, 0U); });
+  for_each_error(movers, kSome, [](const Error& error) { EXPECT_EQ(error.location.record, 0U); });
   movers[0].position.z = 1e31;
   for_each_error(movers, kSome, [](const Error& error) {
     EXPECT_EQ(error.code, ErrorCode::kOutsideDomain);
@@ -289,7 +289,7 @@ TEST(MotionRefusal, HeightsAndClimbRatesOutsideTheDomain) {
         ASSERT_TRUE(refusal.has_value());
         EXPECT_EQ(refusal->code,
                   std::isfinite(bad) ? ErrorCode::kOutsideDomain : ErrorCode::kNotFinite);
-        EXPECT_EQ(refusal->place.record, 7U);
+        EXPECT_EQ(refusal->location.record, 7U);
         EXPECT_TRUE(contains(refusal->message, climbing ? "climb" : "height"));
       }
     }

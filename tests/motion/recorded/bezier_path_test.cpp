@@ -22,18 +22,18 @@ namespace beespace {
 namespace {
 
 using Number = long double;
-using Place = std::array<Number, 3>;
+using ErrorLocation = std::array<Number, 3>;
 
-Place place_of(const Point& p) {
+ErrorLocation place_of(const Point& p) {
   return {p.x, p.y, p.z};
 }
 
-Number distance(const Place& a, const Place& b) {
+Number distance(const ErrorLocation& a, const ErrorLocation& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-std::vector<Place> controls_of(const BezierPath& path, std::size_t piece) {
-  std::vector<Place> points{place_of(piece == 0 ? path.begin : path.pieces[piece - 1].end)};
+std::vector<ErrorLocation> controls_of(const BezierPath& path, std::size_t piece) {
+  std::vector<ErrorLocation> points{place_of(piece == 0 ? path.begin : path.pieces[piece - 1].end)};
   for (unsigned k = 0; k < path.pieces[piece].control_count; ++k) {
     points.push_back(place_of(path.pieces[piece].controls[k]));
   }
@@ -42,14 +42,14 @@ std::vector<Place> controls_of(const BezierPath& path, std::size_t piece) {
 }
 
 // The sum of Bernstein polynomials, in long doubles.
-Place curve_at(const BezierPath& path, double time_s) {
+ErrorLocation curve_at(const BezierPath& path, double time_s) {
   std::size_t piece = 0;
   while (piece + 1 < path.pieces.size() && path.pieces[piece].ends_s < time_s) ++piece;
   const Number begins = piece == 0 ? path.begins_s : path.pieces[piece - 1].ends_s;
   const Number share = (time_s - begins) / (path.pieces[piece].ends_s - begins);
-  const std::vector<Place> points = controls_of(path, piece);
+  const std::vector<ErrorLocation> points = controls_of(path, piece);
   const auto degree = static_cast<int>(points.size()) - 1;
-  Place sum{};
+  ErrorLocation sum{};
   Number binomial = 1;
   for (int k = 0; k <= degree; ++k) {
     const Number weight = binomial * std::pow(share, k) * std::pow(1 - share, degree - k);
@@ -65,10 +65,10 @@ Place curve_at(const BezierPath& path, double time_s) {
 std::size_t enough_fixes(const BezierPath& path, double tolerance_m) {
   Number fixes = 1;
   for (std::size_t piece = 0; piece < path.pieces.size(); ++piece) {
-    const std::vector<Place> p = controls_of(path, piece);
+    const std::vector<ErrorLocation> p = controls_of(path, piece);
     Number most = 0;
     for (std::size_t k = 0; k + 2 < p.size(); ++k) {
-      Place second;
+      ErrorLocation second;
       for (std::size_t axis = 0; axis < 3; ++axis) {
         second[axis] = p[k][axis] - 2 * p[k + 1][axis] + p[k + 2][axis];
       }
@@ -222,7 +222,7 @@ void expect_error(const BezierPath& path, ErrorCode code, std::optional<std::uin
   const Result<Track> track = to_track(path, tolerance_m);
   ASSERT_FALSE(track.has_value());
   EXPECT_EQ(track.error().code, code) << track.error().message;
-  EXPECT_EQ(track.error().place.record, record) << track.error().message;
+  EXPECT_EQ(track.error().location.record, record) << track.error().message;
   EXPECT_FALSE(track.error().message.empty());
 }
 

@@ -42,7 +42,7 @@ void expect_error(const Tracks& tracks, const ConflictOptions& options, ErrorCod
        {find_conflicts(tracks, options), brute_force::find_conflicts(tracks, options)}) {
     ASSERT_FALSE(found.has_value()) << words;
     EXPECT_EQ(found.error().code, code) << found.error().message;
-    EXPECT_EQ(found.error().place.record, record) << found.error().message;
+    EXPECT_EQ(found.error().location.record, record) << found.error().message;
     EXPECT_TRUE(contains(found.error().message, words))
         << found.error().message << " lacks " << words;
   }
