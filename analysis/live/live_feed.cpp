@@ -26,6 +26,7 @@ LiveFeed::LiveFeed(const SwarmOptions& options, const LiveTimes& times, Tell tel
       times_(times.look_every_s),
       clocks_({times.max_skew_s, std::min(options.max_age_s, kLongestUnopposed_s)}),
       tell_(std::move(tell)) {
+  overloaded_s_.fill(kNever);
 }
 
 std::optional<AgentId> LiveFeed::number(std::string_view id, std::string_view label) {

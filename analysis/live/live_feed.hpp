@@ -157,7 +157,7 @@ class LiveFeed {
   std::optional<SwarmCounts> ended_with_;  // at the end
   std::vector<Silence> silences_;          // at the end
   double looked_s_ = -std::numeric_limits<double>::infinity();
-  std::array<double, 5> overloaded_s_ = {kNever, kNever, kNever, kNever, kNever};  // by bound
+  std::array<double, kSwarmBounds> overloaded_s_;  // by bound: when it was last reported
   double not_before_s_ = 0.0;  // by the wall: the next look that no report brings
   std::uint64_t begun_anew_ = 0;
   std::unordered_map<std::string, AgentId, Hash, std::equal_to<>> numbers_;

@@ -62,8 +62,10 @@ class BEESPACE_API Crew {
   /// @brief Calls `task(worker)` once for each worker in [0, size()), on any threads, and returns
   /// when all calls have returned.
   ///
-  /// The calls must not wait for each other. An exception (std::bad_alloc) of a call is rethrown
-  /// here after all have stopped.
+  /// A task never waits for another worker, so the calls may be made one after the other on one
+  /// thread. If a call throws (std::bad_alloc), an implementation must rethrow that here, after all
+  /// calls have returned. It must be safe to call from several threads at once where the crew is
+  /// lent to objects that are used so.
   ///
   /// @param task What each worker does.
   virtual void run(Task task) { task(0); }
@@ -100,8 +102,9 @@ class BEESPACE_API Crew {
 class BEESPACE_API ThreadCrew final : public Crew {
  public:
   /// @brief Starts the threads.
-  /// @param size The number of workers, of which the caller of run() is one; 0 means one per
-  ///   processor. If the system gives fewer threads than asked for, there are fewer workers.
+  /// @param size The number of workers, of which the caller of run() is one, at most 256; 0 means
+  /// one
+  ///   per processor. If the system gives fewer threads than asked for, there are fewer workers.
   explicit ThreadCrew(unsigned size = 0);
   ThreadCrew(const ThreadCrew&) = delete;
   ThreadCrew& operator=(const ThreadCrew&) = delete;

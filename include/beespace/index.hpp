@@ -73,12 +73,12 @@ class BEESPACE_API Index {
   /// @param points The positions in metres; copied.
   /// @param run How many threads may work (the result is the same for every number), and what ends
   ///   the call early.
-  /// @return The index; or ErrorCode::kTooManyPoints, ErrorCode::kNotFinite,
-  ///   ErrorCode::kOutsideDomain as find_at_risk.
+  /// @return The index; or an error as find_at_risk, but for those of the threshold;
+  ///   ErrorCode::kInvalidArgument for points with heights kept apart.
   static Result<Index> build(const PointsView& points, const RunOptions& run = {});
-  /// @brief The same with the threads of `crew`, all of which work on this call, on each question
-  /// about many places and on rebuild(): numbers of threads are ignored. Where several threads ask
-  /// the Index at a time, they use the crew at a time, as a ThreadCrew allows.
+  /// @brief The same with the threads of `crew`, all of which work on this call, on each query of
+  /// many places and on rebuild(): numbers of threads are ignored. If several threads query the
+  /// Index at once, Crew::run is called by several threads at once, which a ThreadCrew allows.
   /// @param points The positions in metres; copied.
   /// @param crew The threads; must outlive the Index.
   /// @param stop What ends the call early.
@@ -139,8 +139,8 @@ class BEESPACE_API Index {
   /// @param places The positions in metres; read in place.
   /// @param options The radius (AroundOptions::radius_m) and how to search.
   /// @return Row r holds the ids around places[r], ascending; or the same errors, with the position
-  ///   in ErrorLocation::record, and ErrorCode::kTooManyResults when the rows together hold more
-  ///   than AroundOptions::max_results.
+  ///   in ErrorLocation::record; ErrorCode::kTooManyResults when the rows together hold more than
+  ///   AroundOptions::max_results; ErrorCode::kStopped when a stop was requested.
   [[nodiscard]] Result<IdRows> find_around(const PointsView& places,
                                            const AroundOptions& options) const;
 
@@ -180,9 +180,8 @@ class BEESPACE_API Index {
   /// @param k How many points to find for each.
   /// @param run How many threads may work, and what ends the call early.
   /// @return Row r holds the nearest points of places[r]; no rows where `k` is 0 or there are no
-  /// points
-  ///   in the index; or the same errors, with the position in
-  ///   ErrorLocation::record.
+  ///   points in the index; or the same errors, with the position in ErrorLocation::record;
+  ///   ErrorCode::kStopped when a stop was requested.
   [[nodiscard]] Result<NearestRows> k_nearest(const PointsView& places, std::size_t k,
                                               const RunOptions& run = {}) const;
 

@@ -6,10 +6,10 @@
 ///
 /// All values of motion lie in the *motion domain*: positions, velocities, times and thresholds are
 /// zero or of a magnitude between #beespace::kSmallestInMotion and #beespace::kLargestInMotion.
-/// Inside it no product of four of them overflows or loses a bit.
+/// Inside it no exact product of four of them overflows or underflows.
 ///
 /// Positions, velocities, heights and times that are smaller are taken as zero wherever they enter:
-/// predictions, recordings, live swarms, advice and verification. That moves an agent by less than
+/// predictions, recordings, live swarms and advice. That moves an agent by less than
 /// 2^-99 m, and by as much more for each second that it flies on; the distance of two, over T
 /// seconds, by less than (1 + T) 2^-98 m, which is 3.2e-21 m after 10^9 s. So an answer can differ
 /// only for pairs that come within so much of the threshold. Values that are too large are refused,

@@ -47,8 +47,8 @@ struct ClosestPair {
 ///
 /// @param points The positions in metres; read in place, not kept.
 /// @param run How many threads may work, and what ends the call early.
-/// @return The closest pair, absent when there are fewer than two points; or
-///   ErrorCode::kTooManyPoints, ErrorCode::kNotFinite, ErrorCode::kOutsideDomain as find_at_risk.
+/// @return The closest pair, absent when there are fewer than two points; or an error as
+///   find_at_risk, but for those of the threshold.
 BEESPACE_API Result<std::optional<ClosestPair>> find_closest_pair(const PointsView& points,
                                                                   const RunOptions& run = {});
 
@@ -120,8 +120,7 @@ struct NearestRows {
 /// @param points The positions in metres; read in place, not kept.
 /// @param run How many threads may work, and what ends the call early.
 /// @return Entry i belongs to point i; of a single point it is empty (Nearest::kNone). Or an
-/// error
-///   as find_closest_pair.
+///   error as find_closest_pair.
 BEESPACE_API Result<std::vector<Nearest>> find_nearest(const PointsView& points,
                                                        const RunOptions& run = {});
 
@@ -135,10 +134,9 @@ BEESPACE_API Result<std::vector<Nearest>> find_nearest(const PointsView& points,
 /// @param k How many neighbours to find for each point.
 /// @param run How many threads may work, and what ends the call early.
 /// @return Row i holds the neighbours of point i, in the order of their distances; equally near
-/// ones
-///   in the order of their ids. Rows have `k` entries, or one fewer than there are points where
-///   that is less; there are no rows where `k` is 0 or there are fewer than two points. Or an error
-///   as find_closest_pair.
+///   ones in the order of their ids. Rows have `k` entries, or one fewer than there are points
+///   where that is less; there are no rows where `k` is 0 or there are fewer than two points. Or an
+///   error as find_closest_pair.
 BEESPACE_API Result<NearestRows> find_k_nearest(const PointsView& points, std::size_t k,
                                                 const RunOptions& run = {});
 

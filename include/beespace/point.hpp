@@ -13,8 +13,8 @@ namespace beespace {
 /// @brief One position, in metres.
 ///
 /// Each coordinate that is given to a search must lie in the *coordinate domain*: zero, or a
-/// magnitude between #kSmallestCoordinate_m and #kLargestCoordinate_m. Inside it no square
-/// overflows or loses a bit, which is what the exactness of the answers rests on. NaN and
+/// magnitude between #kSmallestCoordinate_m and #kLargestCoordinate_m. Inside it no exact
+/// square overflows or underflows, which is what the exactness of the answers rests on. NaN and
 /// infinities are outside. Exactness also rests on the rounding mode that programs start with, to
 /// the nearest double.
 struct Point {

@@ -28,7 +28,7 @@ namespace beespace {
 ///   within [0, horizon]. Or an error as closest_approach, with the agent in ErrorLocation::record;
 ///   ErrorCode::kInvalidArgument for a view whose arrays differ in length;
 ///   ErrorCode::kTooManyPoints; ErrorCode::kTooManyResults when there are more than
-///   PredictOptions::max_results.
+///   PredictOptions::max_results; ErrorCode::kStopped when a stop was requested.
 BEESPACE_API Result<std::vector<Conflict>> predict_conflicts(const MoversView& movers,
                                                              const PredictOptions& options);
 

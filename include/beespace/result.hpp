@@ -22,13 +22,16 @@ namespace beespace {
 /// @brief The kinds of errors.
 enum class ErrorCode : std::uint8_t {
   // The options.
-  kInvalidThreshold,  ///< A threshold that is not finite, not above zero, or outside the domain.
+  kInvalidThreshold,  ///< A threshold that is not finite, not above zero (a radius: below zero),
+                      ///< or outside the domain.
   kInvalidArgument,   ///< Any other option that makes no sense.
   // The points.
-  kNotFinite,         ///< A NaN or an infinity among the coordinates.
-  kOutsideDomain,     ///< A coordinate outside the coordinate domain (see Point).
-  kTooManyPoints,     ///< More than #kMaxPoints.
-  kTooManyResults,    ///< More pairs or neighbours than PairOptions::max_results.
+  kNotFinite,       ///< A NaN or an infinity among the coordinates.
+  kOutsideDomain,   ///< A value outside the coordinate domain (see Point), or the motion domain
+                    ///< (see mover.hpp).
+  kTooManyPoints,   ///< More points, agents or tracks than #kMaxPoints or SwarmOptions::max_agents,
+                    ///< or no id is left.
+  kTooManyResults,  ///< More pairs, neighbours or conflicts than `max_results` of the options.
   kInvalidLatitude,   ///< A latitude beyond +-90 degrees.
   kInvalidLongitude,  ///< A longitude beyond +-360 degrees.
   kInvalidHeight,     ///< A height beyond #kLowestHeight_m or #kGreatestHeight_m.
@@ -61,11 +64,12 @@ struct ErrorLocation {
   std::string source = {};                   ///< The file, or "<stdin>".
   std::optional<std::uint64_t> line = {};    ///< The 1-based line of the file.
   std::optional<std::uint64_t> column = {};  ///< The 1-based column (field) of the record.
-  std::optional<std::uint64_t> record = {};  ///< The 0-based row of data, or index into `array`.
+  std::optional<std::uint64_t> record = {};  ///< The 0-based row of data, or index into
+                                             ///< `array`; of "agents" an AgentId.
   /// @brief The array of a call that the error is about, by the name of its parameter or option:
   /// "points", "others", "places", "movers", "preferred", "limits", "intruders", "unknown",
-  /// "obstacles", "tracks"; or "agents", where `record` is the caller's number of one. Empty where
-  /// the error is about a file, or about no array.
+  /// "obstacles", "tracks", "pieces"; or "agents", those of a Swarm. Empty where the error is about
+  /// a file, or about no array.
   std::string array = {};
 };
 

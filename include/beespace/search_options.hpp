@@ -17,7 +17,7 @@ namespace beespace {
 
 /// @brief How much of the machine a call uses, and how it can be ended early.
 ///
-/// A number of threads is one, so that it can be given alone: `find_nearest(points, 4)`.
+/// A number of threads converts to one: `find_nearest(points, 4)`.
 struct RunOptions {
   /// @brief So many threads, which nothing stops.
   /// @param thread_count How many threads may work.

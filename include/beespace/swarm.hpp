@@ -86,13 +86,13 @@ struct SwarmOptions {
   /// unknown.
   std::optional<double> max_speed_mps = {};
 
-  /// @brief How many agents are known at a time, stale ones included. The report of another one is
+  /// @brief How many agents are known at a time, stale ones included. Reports of further agents are
   /// refused.
   std::size_t max_bees = 1'000'000;
 
-  /// @brief How many pairs are followed at a time: so many of those in conflict, of those
-  /// predicted, and of those possible each. Of more, the closest are followed. A pair takes up to
-  /// some 700 bytes.
+  /// @brief How many pairs are followed at a time: at most this many in conflict, this many
+  /// predicted, and this many possible. Where there are more, the closest are followed. A pair
+  /// takes up to some 700 bytes.
   std::size_t max_pairs = 500'000;
 };
 
@@ -121,19 +121,22 @@ enum class EventKind : std::uint8_t {
   kStale,          ///< An agent has not been heard of for `max_age_s`.
   kLost,           ///< One of two that had entered has fallen silent: from then on it is unknown.
   kEnded,          ///< Of finish(): two that had entered, when nothing more was heard.
-  kOverloaded,     ///< A bound was reached, and something left out: while advance() says so.
+  kOverloaded,     ///< A bound was reached: since the last call of advance(), something was left
+                   ///< out.
 };
 /// @brief How many kinds of events there are.
-inline constexpr std::size_t kEventKinds = 10;
+inline constexpr std::size_t kEventKinds = static_cast<std::size_t>(EventKind::kOverloaded) + 1;
 
 /// @brief The bound that was reached where a swarm is overloaded.
 enum class SwarmBound : std::uint8_t {
   kNone,       ///< None.
-  kBees,       ///< `max_bees`: reports of other agents were refused, the first of them of `first`.
+  kBees,       ///< `max_bees`: reports of other agents were refused, the first one that of `first`.
   kPairs,      ///< `max_pairs`, of pairs in conflict.
   kPredicted,  ///< `max_pairs`, of predicted pairs.
   kPossible,   ///< `max_pairs`, of possible conflicts.
 };
+/// @brief How many bounds there are, kNone included.
+inline constexpr std::size_t kSwarmBounds = static_cast<std::size_t>(SwarmBound::kPossible) + 1;
 
 /// @brief An event: what happened to which agents, and when.
 struct SwarmEvent {
@@ -145,7 +148,8 @@ struct SwarmEvent {
   /// time that advance() was asked about.
   double time_s = 0.0;
   AgentId first = 0;   ///< One agent; below `second`.
-  AgentId second = 0;  ///< The other; of kStale, kHeard and kOverloaded, the same as `first`.
+  AgentId second = 0;  ///< The other; of kStale, kHeard and kOverloaded, the same as `first`. Both
+                       ///< mean nothing where a bound of pairs was reached.
   /// @brief The distance of the two at that time, in metres. Of a prediction: when they are
   /// closest; of kPossible: where they were last heard of; of kOverloaded: from what distance on
   /// pairs were left out.
@@ -208,12 +212,12 @@ struct Silence {
 
 /// @brief A live swarm: takes position reports, reports events.
 ///
-/// Ownership: owns its memory. Memory: a few hundred bytes an agent until it is removed, of which
-/// there are at most SwarmOptions::max_bees; so much for each followed pair, of which there are at
-/// most SwarmOptions::max_pairs; and the reports since the agent that was last heard of longest
-/// ago, which SwarmOptions::max_age_s bounds. Where a bound leaves something out, advance() says so
-/// (EventKind::kOverloaded), and what it leaves out are the pairs farthest apart. A pair in
-/// conflict that makes room for closer ones is *lost*.
+/// Ownership: owns its memory. Memory: a few hundred bytes for each agent until it is removed, of
+/// which there are at most SwarmOptions::max_bees; up to some 700 bytes for each followed pair; and
+/// the reports since the agent that was last heard of longest ago, which SwarmOptions::max_age_s
+/// bounds. Where a bound leaves something out, advance() says so (EventKind::kOverloaded), and what
+/// it leaves out are the pairs farthest apart. A pair in conflict that makes room for closer ones
+/// is *lost*.
 ///
 /// Complexity: linear in the agents and their reports, and in the pairs up to a few times
 /// `max_pairs`; with `max_speed_mps`, stale agents times all agents too, as long as their balls
@@ -229,8 +233,8 @@ class BEESPACE_API Swarm {
   /// @param options The threshold and the bounds. If they make no sense, each call returns the
   /// error.
   explicit Swarm(const SwarmOptions& options);
-  /// @brief Makes a swarm without agents that works with the threads of `crew`, all of which work
-  /// on every call: SwarmOptions::threads is ignored.
+  /// @brief Makes a swarm without agents that works with the threads of `crew`: all of them work on
+  /// advance(), finish() and begin_anew(), and SwarmOptions::threads is ignored.
   /// @param options The threshold and the bounds.
   /// @param crew The threads; must outlive the Swarm.
   Swarm(const SwarmOptions& options, Crew& crew BEESPACE_LIFETIMEBOUND);
@@ -276,12 +280,13 @@ class BEESPACE_API Swarm {
   /// @param now_s The time in seconds, by which the age of reports is judged.
   /// @return The events, in ascending order of (time, kind, first, second); or an error:
   ///   - ErrorCode::kTimeOrder: `now_s` is before that of the last call;
-  ///   - ErrorCode::kNotFinite: `now_s` is not finite;
+  ///   - ErrorCode::kNotFinite, ErrorCode::kOutsideDomain: `now_s` is not in the motion domain;
   ///   - ErrorCode::kInvalidThreshold, ErrorCode::kInvalidArgument: the options.
   Result<std::vector<SwarmEvent>> advance(double now_s);
   /// @brief The same into the caller's vector.
   ///
-  /// Once a Swarm has seen as many agents and pairs, it allocates nothing for those that stay.
+  /// After the numbers of agents and pairs have reached their peaks, advance(), update() and
+  /// movers() into a vector allocate nothing, as long as no new agent comes.
   ///
   /// @param now_s The time in seconds.
   /// @param[out] events The events; overwritten, and empty after an error.

@@ -63,8 +63,8 @@ struct VerifyOptions {
   /// @brief How many threads may work, the calling one included; 0 means one per processor.
   unsigned threads = 1;
 
-  /// @brief When a stop is requested, Verifier::add ends soon, with ErrorCode::kStopped. What was
-  /// flown in that step is not checked.
+  /// @brief When a stop is requested while pairs are searched, which takes longest, Verifier::add
+  /// ends soon, with ErrorCode::kStopped, and has taken nothing: the same call can be made again.
   std::stop_token stop = {};
 };
 
@@ -165,9 +165,9 @@ class BEESPACE_API Verifier {
   ///     is not above zero, a step that lasts longer or less than times in the motion domain, a
   ///     view whose arrays do not fit together;
   ///   - ErrorCode::kTimeOrder: a time that is not after the one before;
-  ///   - ErrorCode::kNotFinite, ErrorCode::kOutsideDomain: a value that is not of the motion
-  ///   domain,
-  ///     with the agent in ErrorLocation::record.
+  ///   - ErrorCode::kNotFinite, ErrorCode::kOutsideDomain: a value outside the motion domain, with
+  ///     the agent in ErrorLocation::record;
+  ///   - ErrorCode::kStopped: a stop was requested (VerifyOptions::stop).
   Status add(double time_s, const MoversView& movers);
 
   /// @brief Says what was found so far.

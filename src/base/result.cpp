@@ -66,7 +66,13 @@ std::string to_string(const Error& error) {
   if (location.record && !location.line) {
     if (!text.empty()) text += ": ";
     const std::string number = std::to_string(*location.record);
-    text += location.array.empty() ? "point " + number : location.array + '[' + number + ']';
+    if (location.array.empty()) {
+      text += "point " + number;
+    } else if (location.array == "agents") {  // a number of the caller's, not an index
+      text += "agent " + number;
+    } else {
+      text += location.array + '[' + number + ']';
+    }
   } else if (!location.array.empty()) {
     if (!text.empty()) text += ": ";
     text += location.array;

@@ -55,6 +55,20 @@ motion::Separation separation_of(const SwarmOptions& options, double factor) {
   return separation;
 }
 
+Error about_agent(AgentId id, Error error) {
+  error.location.array = kAgents;
+  error.location.record = id;
+  return error;
+}
+
+std::optional<Error> check_time(const char* what, double time_s) {
+  if (motion::in_motion_domain(time_s)) return std::nullopt;
+  return Error{std::isfinite(time_s) ? ErrorCode::kOutsideDomain : ErrorCode::kNotFinite,
+               std::string(what) + " is " + std::to_string(time_s) +
+                   " s; give a finite number of seconds, below 1.3e+30",
+               {}};
+}
+
 bool earlier(const SwarmEvent& a, const SwarmEvent& b) {
   return std::tie(a.time_s, a.kind, a.first, a.second, a.bound) <
          std::tie(b.time_s, b.kind, b.first, b.second, b.bound);
@@ -101,7 +115,7 @@ class __attribute__((visibility("hidden"))) Swarm::State {
   [[nodiscard]] std::vector<Silence> silences(double time_s) const;
 
  private:
-  Error refuse(AgentId bee);
+  Error refuse(AgentId id);
   void report_refused(double now_s, std::vector<SwarmEvent>& events);
   core::Resources resources();
   void report_silences(double now_s, std::vector<SwarmEvent>& events);
@@ -135,20 +149,8 @@ Status Swarm::State::update(PositionReport report) {
   const Mover mover{report.position, report.velocity.value_or(Velocity{})};
   auto bad = motion::check_mover(mover, 0);
   if (!bad) bad = motion::check_height(report.height_m, report.climb_mps, 0);
-  if (bad) {
-    bad->location.array = kAgents;
-    bad->location.record = report.id;
-    return *std::move(bad);
-  }
-  if (!motion::in_motion_domain(report.time_s)) {
-    ErrorLocation location;
-    location.array = kAgents;
-    location.record = report.id;
-    return Error{std::isfinite(report.time_s) ? ErrorCode::kOutsideDomain : ErrorCode::kNotFinite,
-                 "the time of the report is " + std::to_string(report.time_s) +
-                     " s; give a finite number of seconds",
-                 location};
-  }
+  if (!bad) bad = check_time("the time of the report", report.time_s);
+  if (bad) return about_agent(report.id, *std::move(bad));
   switch (bees_.take(report, options_.max_age_s, options_.max_bees)) {
     case motion::LiveBees::Taken::kFull:
       return refuse(report.id);
@@ -168,17 +170,15 @@ Status Swarm::State::update(PositionReport report) {
   return std::monostate{};
 }
 
-Error Swarm::State::refuse(AgentId bee) {
-  if (refused_ == 0) refused_first_ = bee;
+Error Swarm::State::refuse(AgentId id) {
+  if (refused_ == 0) refused_first_ = id;
   ++refused_;
   ++counts_.refused;
-  ErrorLocation location;
-  location.array = kAgents;
-  location.record = bee;
-  return {ErrorCode::kTooManyPoints,
-          "there are " + std::to_string(options_.max_bees) +
-              " bees already; remove some that are gone, or allow for more (max_bees)",
-          location};
+  return about_agent(id, {ErrorCode::kTooManyPoints,
+                          "there are " + std::to_string(options_.max_bees) +
+                              " agents already; remove some that are gone, or allow for more "
+                              "(max_bees)",
+                          {}});
 }
 
 void Swarm::State::report_refused(double now_s, std::vector<SwarmEvent>& events) {
@@ -215,8 +215,9 @@ Status Swarm::State::advance(double now_s, std::vector<SwarmEvent>& events) {
   events.clear();
   if (auto error = check(options_)) return *std::move(error);
   now_s = motion::flushed(now_s);
-  if (!motion::in_motion_domain(now_s) || now_s < now_s_.value_or(now_s)) {
-    return Error{std::isfinite(now_s) ? ErrorCode::kTimeOrder : ErrorCode::kNotFinite,
+  if (auto error = check_time("the time to advance to", now_s)) return *std::move(error);
+  if (now_s < now_s_.value_or(now_s)) {
+    return Error{ErrorCode::kTimeOrder,
                  "cannot advance to " + std::to_string(now_s) +
                      " s; give a time that is not before the last",
                  {}};
@@ -263,12 +264,8 @@ Status Swarm::State::finish(double now_s, std::vector<SwarmEvent>& events) {
 
 Status Swarm::State::begin_anew(double now_s, double then_s, std::vector<SwarmEvent>& events) {
   then_s = motion::flushed(then_s);
-  if (!motion::in_motion_domain(then_s)) {
-    return Error{ErrorCode::kNotFinite,
-                 "times cannot begin anew at " + std::to_string(then_s) +
-                     " s; give a finite number of seconds",
-                 {}};
-  }
+  events.clear();
+  if (auto error = check_time("the time to begin anew at", then_s)) return *std::move(error);
   Status ended = end(now_s, true, events);
   if (ended) bees_.begin_anew(then_s - now_s);
   return ended;

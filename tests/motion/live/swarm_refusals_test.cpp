@@ -109,6 +109,9 @@ TEST(SwarmRefusal, TimeDoesNotGoBack) {
     ASSERT_FALSE(never.has_value());
     EXPECT_EQ(never.error().code, ErrorCode::kNotFinite);
   }
+  EXPECT_EQ(swarm.advance(1e200).error().code, ErrorCode::kOutsideDomain);
+  EXPECT_EQ(swarm.begin_anew(10.0, 1e200).error().code, ErrorCode::kOutsideDomain);
+  EXPECT_EQ(swarm.begin_anew(10.0, kNan).error().code, ErrorCode::kNotFinite);
   EXPECT_TRUE(swarm.advance(11.0).has_value()) << "as if nothing had been asked";
 }
 
