@@ -13,11 +13,20 @@ std::string numbered(std::size_t number) {
   return "obstacles[" + std::to_string(number) + "]";
 }
 
-const char* kind_of(const Obstacle& obstacle) {
-  if (std::holds_alternative<Sphere>(obstacle)) return "a sphere";
-  if (std::holds_alternative<Box>(obstacle)) return "a box";
-  if (std::holds_alternative<Ground>(obstacle)) return "the ground";
-  return std::holds_alternative<UprightCylinder>(obstacle) ? "a cylinder" : "a prism";
+const char* name_of(const Sphere&) {
+  return "a sphere";
+}
+const char* name_of(const Box&) {
+  return "a box";
+}
+const char* name_of(const Ground&) {
+  return "the ground";
+}
+const char* name_of(const UprightCylinder&) {
+  return "a cylinder";
+}
+const char* name_of(const Prism&) {
+  return "a prism";
 }
 
 }  // namespace
@@ -33,7 +42,8 @@ Result<ObstacleMap> load_obstacle_map(const std::string& file) {
 }
 
 std::string shown_obstacle(std::size_t number, const Obstacle& obstacle) {
-  return numbered(number) + ", " + kind_of(obstacle);
+  const char* const name = std::visit([](const auto& solid) { return name_of(solid); }, obstacle);
+  return numbered(number) + ", " + name;
 }
 
 }  // namespace beespace::cli

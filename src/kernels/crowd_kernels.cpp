@@ -9,10 +9,14 @@ const CrowdKernels& crowd_kernels(InstructionSet set) {
       return kAvx2CrowdKernels;
     case InstructionSet::kAvx512:
       return kAvx512CrowdKernels;
+#else
+    case InstructionSet::kAvx2:
+    case InstructionSet::kAvx512:
 #endif
-    default:
-      return kBaselineCrowdKernels;
+    case InstructionSet::kBaseline:
+      break;
   }
+  return kBaselineCrowdKernels;
 }
 
 }  // namespace beespace::cpu

@@ -28,7 +28,8 @@ bool is_available(InstructionSet set) {
              __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
              __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("bmi2");
 #else
-    default:
+    case InstructionSet::kAvx2:
+    case InstructionSet::kAvx512:
       return false;
 #endif
   }
@@ -50,10 +51,14 @@ const Kernels& kernels(InstructionSet set) {
       return kAvx2Kernels;
     case InstructionSet::kAvx512:
       return kAvx512Kernels;
+#else
+    case InstructionSet::kAvx2:
+    case InstructionSet::kAvx512:
 #endif
-    default:
-      return kBaselineKernels;
+    case InstructionSet::kBaseline:
+      break;
   }
+  return kBaselineKernels;
 }
 
 }  // namespace beespace::cpu

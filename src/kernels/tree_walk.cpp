@@ -19,10 +19,14 @@ TreeWalks tree_walks(InstructionSet set) {
     case InstructionSet::kAvx2:
     case InstructionSet::kAvx512:
       return tree_walks_avx2();
+#else
+    case InstructionSet::kAvx2:
+    case InstructionSet::kAvx512:
 #endif
-    default:
-      return tree_walks_baseline();
+    case InstructionSet::kBaseline:
+      break;
   }
+  return tree_walks_baseline();
 }
 
 }  // namespace beespace::cpu
