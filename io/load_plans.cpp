@@ -37,7 +37,7 @@ void add(PlanRecord& record, const PlanLayout& layout, FlightPlans& plans) {
   plans.positions.push_back(record.position);
   if (layout.has(Role::kVelocityX)) plans.velocities.push_back(record.velocity);
   if (layout.has(Role::kGoalX)) plans.goals.push_back(record.goal);
-  if (layout.has(Role::kWishX)) plans.wishes.push_back(record.wish);
+  if (layout.has(Role::kPreferredX)) plans.preferred.push_back(record.preferred);
   if (layout.has(Role::kMaxSpeed)) plans.max_speeds_mps.push_back(record.max_speed_mps);
   if (layout.has(Role::kMaxAcceleration)) {
     plans.max_accelerations_mps2.push_back(record.max_acceleration_mps2);

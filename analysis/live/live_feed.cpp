@@ -22,7 +22,7 @@ double seconds_now() {
 LiveFeed::LiveFeed(const SwarmOptions& options, const LiveTimes& times, Tell tell)
     : swarm_(options),
       max_age_s_(options.max_age_s),
-      max_bees_(options.max_bees),
+      max_bees_(options.max_agents),
       times_(times.look_every_s),
       clocks_({times.max_skew_s, std::min(options.max_age_s, kLongestUnopposed_s)}),
       tell_(std::move(tell)) {
@@ -244,7 +244,7 @@ Status LiveFeed::look(double time_s) {
     event.kind = EventKind::kOverloaded;
     event.time_s = looked_s_;
     event.count = std::exchange(refused_, 0);
-    event.bound = SwarmBound::kBees;
+    event.bound = SwarmBound::kAgents;
     events->push_back(event);
   }
   std::erase_if(*events, [this](const SwarmEvent& event) { return told_lately(event); });

@@ -34,7 +34,7 @@ Status check_limits(const AdviseRequest& request, const io::FlightPlans& plans) 
 }
 
 Status load_bees(const AdviseRequest& request, Situation& situation) {
-  auto plans = io::load_flight_plans(request.input, io::PlanNeed::kGoalsOrWishes);
+  auto plans = io::load_flight_plans(request.input, io::PlanNeed::kGoalsOrPreferred);
   if (!plans) return plans.error();
   if (Status fit = check_limits(request, *plans); !fit) return fit;
   situation.movers = movers_of(*plans);
@@ -44,10 +44,10 @@ Status load_bees(const AdviseRequest& request, Situation& situation) {
   situation.format_description = std::move(plans->format_description);
   situation.units = std::move(plans->units);
   situation.notes = std::move(plans->notes);
-  situation.wishes = !plans->wishes.empty();
+  situation.wishes = !plans->preferred.empty();
   if (situation.wishes) {
-    if (!plans->goals.empty()) situation.notes.emplace_back("goals do not count beside wishes");
-    situation.preferred = std::move(plans->wishes);
+    if (!plans->goals.empty()) situation.notes.emplace_back("goals are ignored, as there are preferred velocities");
+    situation.preferred = std::move(plans->preferred);
   } else {
     for (std::size_t i = 0; i < situation.movers.size(); ++i) {
       const FlightLimits& limits = situation.limits[situation.own_limits ? i : 0];

@@ -70,8 +70,8 @@ std::string head(const Counsel& counsel) {
   member("clearance_m", obstacles ? io::exact(request.advice.clearance_m) : "null");
   member("intruders", std::to_string(situation.intruders.size()));
   member("intruder_horizon_s", intruders ? io::exact(request.advice.intruder_horizon_s) : "null");
-  for (const AdviceKind kind : {AdviceKind::kAsWished, AdviceKind::kDeflected, AdviceKind::kBraking,
-                                AdviceKind::kWaiting, AdviceKind::kNone}) {
+  for (const AdviceKind kind : {AdviceKind::kAsPreferred, AdviceKind::kDeflected,
+                                AdviceKind::kBraking, AdviceKind::kWaiting, AdviceKind::kNone}) {
     std::string name = std::string(name_of(kind)) + "_count";
     std::replace(name.begin(), name.end(), '-', '_');
     member(name.c_str(), std::to_string(count(advised, kind)));
@@ -150,19 +150,20 @@ void write_as_json(const Counsel& counsel, io::AtomicOutput& output) {
   });
   write_list(out, "near_obstacle", advised.near_obstacle,
              [&](const NearObstacle& near, std::size_t) {
-               return "{\"bee\": " + names.bee_as_json(near.bee) +
+               return "{\"bee\": " + names.bee_as_json(near.agent) +
                       ", \"obstacle\": " + std::to_string(near.obstacle) +
                       ", \"gap_m\": " + io::exact(near.gap_m) + "}";
              });
   write_list(out, "intruder_conflicts", advised.intruder_conflicts,
              [&](const IntruderConflict& conflict, std::size_t) {
-               return "{\"bee\": " + names.bee_as_json(conflict.bee) + ", \"intruder\": " +
+               return "{\"bee\": " + names.bee_as_json(conflict.agent) + ", \"intruder\": " +
                       intruders.bee_as_json(static_cast<PointId>(conflict.intruder)) +
                       ", \"begins_s\": " + io::exact(conflict.begins_s) +
                       ", \"closest_m\": " + io::exact(conflict.closest_m) + "}";
              });
   write_list(out, "refused", advised.refused, [&](const Refused& refused, std::size_t) {
-    const bool is_bee = refused.kind == RefusedKind::kState || refused.kind == RefusedKind::kWish;
+    const bool is_bee =
+        refused.kind == RefusedKind::kState || refused.kind == RefusedKind::kPreferred;
     const auto index = static_cast<PointId>(refused.index);
     return "{\"kind\": " + io::json_string(name_of(refused.kind)) +
            ", \"id\": " + (is_bee ? names : intruders).bee_as_json(index) +

@@ -67,7 +67,7 @@ void append_advice(std::string& out, const Counsel& counsel) {
     const char* meaning;
   };
   constexpr std::array<Line, 4> kLines = {
-      {{AdviceKind::kAsWished, "as wished", ""},
+      {{AdviceKind::kAsPreferred, "preferred", ""},
        {AdviceKind::kDeflected, "deflected", ", for the sake of others"},
        {AdviceKind::kBraking, "braking", ", as hard as they can"},
        {AdviceKind::kWaiting, "waiting", ", as others are in their way"}}};
@@ -123,7 +123,8 @@ std::string refused_text(const Refused& refused, const Counsel& counsel) {
       is_intruder ? counsel.situation.intruder_names : counsel.situation.names;
   std::string text = (is_intruder ? "the intruder " : "") + names.bee(index) + ": ";
   text += printable(refused.error.message);
-  if (refused.kind == RefusedKind::kWish) return text + "; it is advised as if it wished to stand";
+  if (refused.kind == RefusedKind::kPreferred)
+    return text + "; it is advised as if it preferred to stand";
   return text + "; it may be anywhere, so no bee is certified";
 }
 
@@ -140,7 +141,7 @@ void append_findings(std::string& out, const Counsel& counsel) {
       advised.near_obstacle, [&](const NearObstacle& near) {
         const Obstacle& obstacle = counsel.situation.obstacles.obstacles()[near.obstacle];
         const std::string which = names.obstacle(near.obstacle, obstacle);
-        return names.bee(near.bee) + ", whose way to a stop " +
+        return names.bee(near.agent) + ", whose way to a stop " +
                (near.gap_m > 0.0 ? "comes within " + io::length(near.gap_m) + " of " : "meets ") +
                which;
       });
@@ -149,7 +150,7 @@ void append_findings(std::string& out, const Counsel& counsel) {
       times(advised.intruder_conflicts.size(), "conflict", "conflicts") + " with an intruder ahead",
       advised.intruder_conflicts, [&](const IntruderConflict& conflict) {
         const auto intruder = static_cast<PointId>(conflict.intruder);
-        return names.bee(conflict.bee) + " and the intruder " +
+        return names.bee(conflict.agent) + " and the intruder " +
                counsel.situation.intruder_names.bee(intruder) + ", in " +
                io::grouped(conflict.begins_s, 2) + " s, closest " + io::length(conflict.closest_m);
       });

@@ -7,8 +7,8 @@ namespace beespace::cli {
 
 constexpr const char* name_of(AdviceKind kind) {
   switch (kind) {
-    case AdviceKind::kAsWished:
-      return "as-wished";
+    case AdviceKind::kAsPreferred:
+      return "as-preferred";
     case AdviceKind::kDeflected:
       return "deflected";
     case AdviceKind::kBraking:
@@ -25,8 +25,8 @@ constexpr const char* name_of(RefusedKind kind) {
   switch (kind) {
     case RefusedKind::kState:
       return "state";
-    case RefusedKind::kWish:
-      return "wish";
+    case RefusedKind::kPreferred:
+      return "preferred";
     case RefusedKind::kIntruder:
       return "intruder";
     case RefusedKind::kUnknown:

@@ -35,7 +35,7 @@ const char* name_of(SwarmBound bound) {
   switch (bound) {
     case SwarmBound::kNone:
       return "none";
-    case SwarmBound::kBees:
+    case SwarmBound::kAgents:
       return "bees";
     case SwarmBound::kPairs:
       return "pairs";
@@ -70,7 +70,7 @@ std::string event_line(const SwarmEvent& event, const analysis::LiveFeed& feed) 
   if (event.kind == EventKind::kOverloaded) {
     line += std::string(", \"bound\": \"") + name_of(event.bound) + "\"";
     line += ", \"left_out\": " + std::to_string(event.count);
-    if (event.bound != SwarmBound::kBees)
+    if (event.bound != SwarmBound::kAgents)
       line += ", \"distance_m\": " + io::exact(event.distance_m);
     return line + "}\n";
   }

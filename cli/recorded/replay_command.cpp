@@ -45,7 +45,7 @@ analysis::MaxGap max_gap_for(const ReplayRequest& request, const io::Recording& 
   return {kDefaultMaxAge_s, std::nullopt, true};
 }
 
-// Events are lines of JSON, as `watch` prints them, unless another form is wished for.
+// Events are lines of JSON, as `watch` prints them, unless another form is asked for.
 Status write_events(const ReplayRequest& request, const analysis::Findings& findings,
                     double threshold_m, const std::string& head, io::AtomicOutput& output) {
   // A show is a plan: what lies ahead need not be guessed.

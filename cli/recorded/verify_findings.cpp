@@ -97,14 +97,14 @@ Rows finding_rows(const Verification& verification) {
   }
   for (const ClearanceLoss& loss : verification.verdict.first_clearance_losses) {
     const Obstacle& obstacle = verification.options.obstacles->obstacles()[loss.obstacle];
-    rows.rows.push_back({std::string("clearance"), analysis::name_of(loss.bee, recording),
+    rows.rows.push_back({std::string("clearance"), analysis::name_of(loss.agent, recording),
                          shown_obstacle(loss.obstacle, obstacle), loss.begins_s, loss.ends_s,
                          loss.closest_m});
   }
   for (const Breach& breach : verification.verdict.first_breaches) {
     const auto ends = std::upper_bound(times_s.begin(), times_s.end(), breach.begins_s);
     rows.rows.push_back({std::string(word_for(breach.kind)),
-                         analysis::name_of(breach.bee, recording), std::monostate{},
+                         analysis::name_of(breach.agent, recording), std::monostate{},
                          breach.begins_s, *ends, breach.value});
   }
   return rows;

@@ -25,7 +25,7 @@ constexpr const char* kDetails =
     "every\n"
     "step each is told a velocity with which no bee comes too close to another, nor to an "
     "obstacle: the\n"
-    "one that is closest to its wish. All that is flown is checked by the checker of 'beespace "
+    "one that is closest to its preferred one. All that is flown is checked by the checker of 'beespace "
     "verify',\n"
     "which knows nothing of how velocities are found. Ends when all have arrived (within half of "
     "the\n"

@@ -78,7 +78,7 @@ void append_advice_line(std::string& out, const AdviceTimes& times, const analys
 void append_advised_line(std::string& out, const AdviceTimes& times, const LookCounts& counts) {
   out += "{\"event\": \"advised\"";
   append_times(out, times);
-  append_member(out, "bees", std::to_string(counts.bees));
+  append_member(out, "bees", std::to_string(counts.agents));
   append_member(out, "told", std::to_string(counts.told));
   append_member(out, "certified", std::to_string(counts.doubts[0]));
   std::string because;

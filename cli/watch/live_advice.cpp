@@ -53,8 +53,8 @@ Status LiveAdvice::take(const PositionReport& report, double now_s) {
 }
 
 void LiveAdvice::meet(Bee& bee, const PositionReport& report) const {
-  bee.wish = report.velocity.value_or(Velocity{});
-  bee.flight.anchor(report.time_s, {report.position, bee.wish}, ticks_,
+  bee.preferred = report.velocity.value_or(Velocity{});
+  bee.flight.anchor(report.time_s, {report.position, bee.preferred}, ticks_,
                     request_.limits.max_acceleration_mps2);
   bee.doubt = report.velocity ? Doubt::kHeardOnce : Doubt::kNoVelocity;
   bee.last = report.position;
@@ -77,7 +77,7 @@ void LiveAdvice::hear(Bee& bee, const PositionReport& report) const {
     bee.doubt = Doubt::kNone;
   } else {
     bee.flight.anchor(report.time_s, now, ticks_, acceleration);
-    bee.wish = velocity;
+    bee.preferred = velocity;
     bee.doubt = !report.velocity ? Doubt::kNoVelocity
                 : bee.advised    ? Doubt::kNotAsAdvised
                                  : Doubt::kHeardOnce;
@@ -143,7 +143,7 @@ void LiveAdvice::start_anew(double time_s) {
   for (auto& [id, bee] : bees_) {
     bee.last_s += shift_s;
     bee.flight = NominalFlight();
-    bee.flight.anchor(bee.last_s, {bee.last, bee.wish}, ticks_,
+    bee.flight.anchor(bee.last_s, {bee.last, bee.preferred}, ticks_,
                       request_.limits.max_acceleration_mps2);
     if (bee.doubt != Doubt::kNoVelocity) bee.doubt = Doubt::kHeardOnce;
     bee.awaited = false;
@@ -189,7 +189,7 @@ void LiveAdvice::add(AgentId number, Bee& bee) {
         {bee.last, limits.max_speed_mps * std::max(age_s, 0.0), limits.max_speed_mps, number});
   }
   movers_.push_back(mover);
-  preferred_.push_back(bee.wish);
+  preferred_.push_back(bee.preferred);
   limits_.push_back(limits);
 }
 
@@ -210,7 +210,7 @@ Status LiveAdvice::look() {
 void LiveAdvice::tell_all() {
   const AdviceTimes times{ticks_.time_of(*next_), ticks_.time_of(*next_ + 1)};
   LookCounts counts;
-  counts.bees = bees_.size();
+  counts.agents = bees_.size();
   std::string text;
   std::size_t i = 0;
   for (auto& [id, bee] : bees_) {
@@ -242,7 +242,7 @@ void LiveAdvice::tell_all() {
   }
   append_advised_line(text, times, counts);
   told_ += counts.told;
-  uncertified_ += counts.bees - counts.doubts[0];
+  uncertified_ += counts.agents - counts.doubts[0];
   tell_(text);
 }
 

@@ -91,7 +91,7 @@ class LiveAdvice {
  private:
   struct Bee {
     NominalFlight flight = {};
-    Velocity wish = {};
+    Velocity preferred = {};
     Point last = {};
     double last_s = 0.0;
     double every_s = 0.0;  // between its last two reports; 0 before
@@ -125,7 +125,7 @@ class LiveAdvice {
   std::vector<Mover> movers_;
   std::vector<Velocity> preferred_;
   std::vector<FlightLimits> limits_;
-  std::vector<UnknownBee> unknown_;
+  std::vector<UnknownAgent> unknown_;
   Advised advised_;
   bool unplaced_ = false;
   std::set<AgentId> clocks_off_;

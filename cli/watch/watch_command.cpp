@@ -322,7 +322,7 @@ class Watch {
     }
     append_summary_line(
         out, "bees",
-        io::grouped(counts.bees) + " heard of, " + io::grouped(counts.stale) + " stale");
+        io::grouped(counts.agents) + " heard of, " + io::grouped(counts.stale) + " stale");
     if (feed_) tally_.append_unknown(out, *feed_);
     append_summary_line(
         out, "threshold",

@@ -88,7 +88,7 @@ enum class AdviseMethod : std::uint8_t {
 ///
 /// t seconds after the step begins, the ball has grown by `growth_mps` times t. Of an agent that is
 /// known to hover, the growth is zero.
-struct UnknownBee {
+struct UnknownAgent {
   Point center;           ///< The centre of the ball, in metres.
   double radius_m = 0.0;  ///< The radius in metres as the step begins; zero or more.
   double growth_mps =
@@ -96,9 +96,9 @@ struct UnknownBee {
 
   /// @brief The index of the agent among the movers, if it is one of them. Its mover is then
   /// ignored, and it gets no advice.
-  std::optional<PointId> bee = {};
+  std::optional<PointId> agent = {};
 
-  friend constexpr bool operator==(const UnknownBee&, const UnknownBee&) = default;
+  friend constexpr bool operator==(const UnknownAgent&, const UnknownAgent&) = default;
 };
 
 namespace detail {
@@ -155,7 +155,7 @@ struct AdviseOptions {
   /// @brief Agents of which only a growing ball is known. All others keep clear of what the balls
   /// are after `unknown_horizon_s`, as far as they can. For what is promised see
   /// Advice::clear_of_unknown_s.
-  detail::KeptSpan<UnknownBee> unknown = {};
+  detail::KeptSpan<UnknownAgent> unknown = {};
   /// @brief How far to look ahead for unknown agents, in seconds; above zero.
   double unknown_horizon_s = 10.0;
 
@@ -172,11 +172,11 @@ struct AdviseOptions {
 
 /// @brief How an advised velocity relates to the preferred one.
 enum class AdviceKind : std::uint8_t {
-  kAsWished,   ///< The preferred velocity, or as near to it as the limits of the agent allow.
-  kDeflected,  ///< Another velocity, because of other agents or obstacles.
-  kBraking,    ///< The agent brakes as hard as it can: there is no better velocity.
-  kWaiting,    ///< It would like to fly, and stands (or nearly so): others are in its way.
-  kNone,       ///< No advice: its state is unknown, or cannot be used (see Advised::refused).
+  kAsPreferred,  ///< The preferred velocity, or as near to it as the limits of the agent allow.
+  kDeflected,    ///< Another velocity, because of other agents or obstacles.
+  kBraking,      ///< The agent brakes as hard as it can: there is no better velocity.
+  kWaiting,      ///< It would like to fly, and stands (or nearly so): others are in its way.
+  kNone,         ///< No advice: its state is unknown, or cannot be used (see Advised::refused).
 };
 
 /// @brief The advice for one agent.
@@ -231,7 +231,7 @@ struct TooClose {
 
 /// @brief An agent whose stopping segment comes closer to an obstacle than the clearance.
 struct NearObstacle {
-  PointId bee = 0;           ///< The index of the agent.
+  PointId agent = 0;         ///< The index of the agent.
   std::size_t obstacle = 0;  ///< The index of the obstacle.
   double gap_m = 0.0;        ///< Between segment and obstacle, in metres.
 
@@ -241,7 +241,7 @@ struct NearObstacle {
 /// @brief An agent to which an intruder comes closer than the threshold, if both fly straight on,
 /// the agent as advised.
 struct IntruderConflict {
-  PointId bee = 0;           ///< The index of the agent.
+  PointId agent = 0;         ///< The index of the agent.
   std::size_t intruder = 0;  ///< The index of the intruder.
   double begins_s = 0.0;     ///< When the conflict begins, in seconds.
   double closest_m = 0.0;    ///< How close they come, in metres.
@@ -252,7 +252,7 @@ struct IntruderConflict {
 /// @brief An agent whose stopping segment comes closer than the threshold to what the ball of an
 /// unknown agent may be within the horizon.
 struct NearUnknown {
-  PointId bee = 0;          ///< The index of the agent.
+  PointId agent = 0;        ///< The index of the agent.
   std::size_t unknown = 0;  ///< The index of the unknown agent in AdviseOptions::unknown.
   double gap_m = 0.0;       ///< Between segment and ball as the step begins, in metres.
   double clear_s = 0.0;     ///< For so many seconds it surely keeps the threshold.
@@ -267,7 +267,7 @@ enum class RefusedKind : std::uint8_t {
   /// other agent is clear of it, unless AdviseOptions::unknown gives a ball that contains it.
   kState,
   /// @brief The preferred velocity of an agent: it is advised as if it preferred to stand.
-  kWish,
+  kPreferred,
   kIntruder,  ///< An intruder: no agent is clear of it.
   kUnknown,   ///< An unknown agent: no agent is clear of it.
 };

@@ -84,7 +84,7 @@ class BEESPACE_API Index {
   /// @param stop What ends the call early.
   /// @return The index, or the same errors.
   static Result<Index> build(const PointsView& points, Crew& crew BEESPACE_LIFETIMEBOUND,
-                             std::stop_token stop = {});
+                             const std::stop_token& stop = {});
 
   Index(const Index&) = delete;
   Index& operator=(const Index&) = delete;

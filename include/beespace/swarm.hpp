@@ -88,7 +88,7 @@ struct SwarmOptions {
 
   /// @brief How many agents are known at a time, stale ones included. Reports of further agents are
   /// refused.
-  std::size_t max_bees = 1'000'000;
+  std::size_t max_agents = 1'000'000;
 
   /// @brief How many pairs are followed at a time: at most this many in conflict, this many
   /// predicted, and this many possible. Where there are more, the closest are followed. A pair
@@ -129,9 +129,9 @@ inline constexpr std::size_t kEventKinds = static_cast<std::size_t>(EventKind::k
 
 /// @brief The bound that was reached where a swarm is overloaded.
 enum class SwarmBound : std::uint8_t {
-  kNone,       ///< None.
-  kBees,       ///< `max_bees`: reports of other agents were refused, the first one that of `first`.
-  kPairs,      ///< `max_pairs`, of pairs in conflict.
+  kNone,    ///< None.
+  kAgents,  ///< `max_agents`: reports of other agents were refused, the first one that of `first`.
+  kPairs,   ///< `max_pairs`, of pairs in conflict.
   kPredicted,  ///< `max_pairs`, of predicted pairs.
   kPossible,   ///< `max_pairs`, of possible conflicts.
 };
@@ -171,9 +171,9 @@ struct SwarmCounts {
   std::uint64_t taken = 0;     ///< Reports that were used.
   std::uint64_t repeated = 0;  ///< The same time and position again: left out.
   std::uint64_t late = 0;      ///< Before a report of the same agent that was used: left out.
-  std::uint64_t bees = 0;      ///< Agents that are known and not stale, now.
+  std::uint64_t agents = 0;    ///< Agents that are known and not stale, now.
   std::uint64_t stale = 0;     ///< Agents that are stale, now.
-  std::uint64_t refused = 0;   ///< Of an agent beyond `max_bees`: left out.
+  std::uint64_t refused = 0;   ///< Of an agent beyond `max_agents`: left out.
   std::uint64_t contrary = 0;  ///< The time of one of the last two again, elsewhere: left out.
   /// @brief Agents that are known from one report only: where they were at that instant, no more.
   std::uint64_t heard_once = 0;
@@ -213,11 +213,11 @@ struct Silence {
 /// @brief A live swarm: takes position reports, reports events.
 ///
 /// Ownership: owns its memory. Memory: a few hundred bytes for each agent until it is removed, of
-/// which there are at most SwarmOptions::max_bees; up to some 700 bytes for each followed pair; and
-/// the reports since the agent that was last heard of longest ago, which SwarmOptions::max_age_s
-/// bounds. Where a bound leaves something out, advance() says so (EventKind::kOverloaded), and what
-/// it leaves out are the pairs farthest apart. A pair in conflict that makes room for closer ones
-/// is *lost*.
+/// which there are at most SwarmOptions::max_agents; up to some 700 bytes for each followed pair;
+/// and the reports since the agent that was last heard of longest ago, which
+/// SwarmOptions::max_age_s bounds. Where a bound leaves something out, advance() says so
+/// (EventKind::kOverloaded), and what it leaves out are the pairs farthest apart. A pair in
+/// conflict that makes room for closer ones is *lost*.
 ///
 /// Complexity: linear in the agents and their reports, and in the pairs up to a few times
 /// `max_pairs`; with `max_speed_mps`, stale agents times all agents too, as long as their balls
@@ -256,7 +256,7 @@ class BEESPACE_API Swarm {
   ///   out, and all others count:
   ///   - ErrorCode::kNotFinite, ErrorCode::kOutsideDomain: a value that is too large for the motion
   ///     domain (see mover.hpp);
-  ///   - ErrorCode::kTooManyPoints: an agent beyond SwarmOptions::max_bees;
+  ///   - ErrorCode::kTooManyPoints: an agent beyond SwarmOptions::max_agents;
   ///   - the errors of the options.
   Status update(const PositionReport& report);
 

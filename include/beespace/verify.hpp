@@ -81,7 +81,7 @@ struct Loss {
 /// @brief A loss of clearance: an agent that came closer to an obstacle than the clearance in one
 /// step.
 struct ClearanceLoss {
-  PointId bee = 0;           ///< The index of the agent.
+  PointId agent = 0;         ///< The index of the agent.
   std::size_t obstacle = 0;  ///< The index of the first obstacle to which it came too close.
   double begins_s = 0.0;     ///< When the step begins, in seconds.
   double ends_s = 0.0;       ///< When the step ends, in seconds.
@@ -99,7 +99,7 @@ enum class BreachKind : std::uint8_t {
 
 /// @brief A breach of limits: an agent that exceeded one in one step.
 struct Breach {
-  PointId bee = 0;                       ///< The index of the agent.
+  PointId agent = 0;                     ///< The index of the agent.
   BreachKind kind = BreachKind::kSpeed;  ///< Which limit.
   double begins_s = 0.0;                 ///< When the step begins, in seconds.
   double value = 0.0;                    ///< The greatest value, in m/s or m/s^2.

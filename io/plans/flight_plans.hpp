@@ -15,7 +15,7 @@ namespace beespace::io {
 
 // What the table must tell of every bee, beside where it is. Where nothing is needed there may be
 // no bee in it, but for the header.
-enum class PlanNeed : std::uint8_t { kNothing, kGoals, kGoalsOrWishes };
+enum class PlanNeed : std::uint8_t { kNothing, kGoals, kGoalsOrPreferred };
 
 // One entry a bee; empty what the table has no columns for.
 struct FlightPlans {
@@ -24,7 +24,7 @@ struct FlightPlans {
   std::vector<Point> positions;
   std::vector<Velocity> velocities;
   std::vector<Point> goals;
-  std::vector<Velocity> wishes;
+  std::vector<Velocity> preferred;
   std::vector<double> max_speeds_mps;
   std::vector<double> max_accelerations_mps2;
   std::string format_description;  // "text, comma-separated"

@@ -38,9 +38,9 @@ ColumnSchema make_plan_columns() {
       {Role::kGoalX, "goal_x"},
       {Role::kGoalY, "goal_y"},
       {Role::kGoalZ, "goal_z"},
-      {Role::kWishX, "want_vx"},
-      {Role::kWishY, "want_vy"},
-      {Role::kWishZ, "want_vz"},
+      {Role::kPreferredX, "want_vx"},
+      {Role::kPreferredY, "want_vy"},
+      {Role::kPreferredZ, "want_vz"},
       {Role::kMaxSpeed, "the greatest speed"},
       {Role::kMaxAcceleration, "the greatest acceleration"},
   };
@@ -48,7 +48,7 @@ ColumnSchema make_plan_columns() {
       {"position", {Role::kX, Role::kY, Role::kZ}},
       {"velocity", {Role::kVelocityX, Role::kVelocityY, Role::kVelocityZ}},
       {"goal", {Role::kGoalX, Role::kGoalY, Role::kGoalZ}},
-      {"wished velocity", {Role::kWishX, Role::kWishY, Role::kWishZ}},
+      {"preferred velocity", {Role::kPreferredX, Role::kPreferredY, Role::kPreferredZ}},
   };
   schema.names = {limits(), velocity_names()};
   for (NamePattern pattern : position_columns().names) {
@@ -65,7 +65,7 @@ ColumnSchema make_plan_columns() {
       {"start from initial current begin", Role::kX, Role::kVelocityX},
       {"goal destination dest ziel destino objetivo meta", Role::kGoalX, Role::kNone},
       {"target want wanted wish wished preferred pref desired intended setpoint", Role::kGoalX,
-       Role::kWishX},
+       Role::kPreferredX},
   };
   return schema;
 }

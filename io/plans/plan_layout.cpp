@@ -112,11 +112,11 @@ Error no_position(const Header& header) {
 
 std::optional<Error> unmet(PlanNeed need, const PlanLayout& layout) {
   if (need == PlanNeed::kNothing || layout.has(Role::kGoalX)) return std::nullopt;
-  if (layout.has(Role::kWishX) && need == PlanNeed::kGoalsOrWishes) return std::nullopt;
+  if (layout.has(Role::kPreferredX) && need == PlanNeed::kGoalsOrPreferred) return std::nullopt;
   std::string wanted = "no goals: goal_x, goal_y and goal_z are needed";
-  if (need == PlanNeed::kGoalsOrWishes) {
+  if (need == PlanNeed::kGoalsOrPreferred) {
     wanted =
-        "neither goals nor wishes: goal_x, goal_y, goal_z or want_vx, want_vy, want_vz are "
+        "neither goals nor preferred velocities: goal_x, goal_y, goal_z or want_vx, want_vy, want_vz are "
         "needed";
   }
   return missing("the header names " + wanted + " (" + list_columns(layout.table) + ")");
@@ -134,7 +134,7 @@ std::vector<UnitTaken> units_taken(const PlanLayout& layout) {
        {Said{Role::kX, "positions", Unit::kMetre},
         {Role::kVelocityX, "velocities", Unit::kMetrePerSecond},
         {Role::kGoalX, "goals", Unit::kMetre},
-        {Role::kWishX, "wished velocities", Unit::kMetrePerSecond},
+        {Role::kPreferredX, "preferred velocities", Unit::kMetrePerSecond},
         {Role::kMaxSpeed, "greatest speeds", Unit::kMetrePerSecond}}) {
     if (!layout.has(role)) continue;
     const auto [column, unit] = *layout.of(role);
@@ -168,8 +168,8 @@ std::optional<Error> choose_columns_of(PlanLayout& layout, PlanNeed need) {
   // Places belong together, and so do speeds.
   for (const auto& roles :
        {std::vector<Role>{Role::kX, Role::kY, Role::kZ, Role::kGoalX, Role::kGoalY, Role::kGoalZ},
-        {Role::kVelocityX, Role::kVelocityY, Role::kVelocityZ, Role::kWishX, Role::kWishY,
-         Role::kWishZ, Role::kMaxSpeed}}) {
+        {Role::kVelocityX, Role::kVelocityY, Role::kVelocityZ, Role::kPreferredX, Role::kPreferredY,
+         Role::kPreferredZ, Role::kMaxSpeed}}) {
     if (auto error = half_stated(layout, roles)) return error;
   }
   layout.id = find_id(header);

@@ -97,7 +97,7 @@ std::optional<Error> PlanRecordReader::read(std::string_view line, PlanRecord& r
   record.position = point(Role::kX);
   record.velocity = velocity(Role::kVelocityX);
   record.goal = point(Role::kGoalX);
-  record.wish = velocity(Role::kWishX);
+  record.preferred = velocity(Role::kPreferredX);
   record.max_speed_mps = at(Role::kMaxSpeed, 0);
   record.max_acceleration_mps2 = at(Role::kMaxAcceleration, 0);
   return std::nullopt;

@@ -24,7 +24,7 @@ struct PlanRecord {
   Point position = {};
   Velocity velocity = {};
   Point goal = {};
-  Velocity wish = {};
+  Velocity preferred = {};
   double max_speed_mps = 0.0;
   double max_acceleration_mps2 = 0.0;
 };

@@ -43,9 +43,9 @@ enum class Role : std::uint8_t {
   kGoalX,
   kGoalY,
   kGoalZ,
-  kWishX,  // of the velocity that a bee would like to have
-  kWishY,
-  kWishZ,
+  kPreferredX,  // of the velocity that a bee would like to have
+  kPreferredY,
+  kPreferredZ,
   kMaxSpeed,
   kMaxAcceleration,
 };

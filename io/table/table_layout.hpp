@@ -1,5 +1,5 @@
 // How a text table is laid out: what separates lines and fields, whether there is a header, and
-// which columns hold the position. Found from the first lines, the header and the caller's wishes.
+// which columns hold the position. Found from the first lines, the header and the caller's overrides.
 #pragma once
 
 #include "io/frames/coordinate_frame.hpp"
@@ -25,7 +25,7 @@ struct ColumnChoice {
   std::array<std::size_t, 3> axes = {0, 1, 2};  // x or longitude, y or latitude, z or height
   std::size_t dimensions = 3;                   // 2: there is no third coordinate, it is 0
   std::optional<std::size_t> id = {};
-  Frame evidence = Frame::kAuto;  // what names and wishes say; kAuto: nothing
+  Frame evidence = Frame::kAuto;  // what names and overrides say; kAuto: nothing
   std::string reason = {};        // and why
   Naming naming = Naming::kSure;  // how sure that is
   // Of the three, and what is to be said of that; of degrees none.

@@ -1,5 +1,5 @@
 // How a table of fixes is laid out: which columns hold the id, the time, the position and the
-// velocity. Told by the names in the header and the caller's wishes; nothing is guessed.
+// velocity. Told by the names in the header and the caller's overrides; nothing is guessed.
 #pragma once
 
 #include "io/frames/coordinate_frame.hpp"

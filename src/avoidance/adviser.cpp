@@ -41,21 +41,22 @@ Velocity velocity_of(const Vector3& v) {
 }
 
 // An agent that wants to fly and is told to stand waits.
-bool waits(const AgentState& agent, const Vector3& wish, const Vector3& velocity) {
+bool waits(const AgentState& agent, const Vector3& preferred, const Vector3& velocity) {
   constexpr double kStands = 0.05;  // of its greatest speed
   const double least = kStands * agent.max_speed;
-  return length(velocity) < least && length(agent.velocity) < least && length(wish) > 4.0 * least;
+  return length(velocity) < least && length(agent.velocity) < least &&
+         length(preferred) > 4.0 * least;
 }
 
 // Lists each pair of bee and obstacle once, however many pieces the obstacle has; ascending.
 void keep_nearest_pieces(std::vector<NearObstacle>& all) {
   const auto place = [](const NearObstacle& near) {
-    return std::tuple(near.bee, near.obstacle, near.gap_m);
+    return std::tuple(near.agent, near.obstacle, near.gap_m);
   };
   std::sort(all.begin(), all.end(),
             [&](const NearObstacle& a, const NearObstacle& b) { return place(a) < place(b); });
   const auto same = [](const NearObstacle& a, const NearObstacle& b) {
-    return a.bee == b.bee && a.obstacle == b.obstacle;
+    return a.agent == b.agent && a.obstacle == b.obstacle;
   };
   all.erase(std::unique(all.begin(), all.end(), same), all.end());
 }
@@ -93,7 +94,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
 
   // Advises all valid bees, which are numbered without the others here.
   Status advise_all(const AdviseOptions& options, Advised& advised) {
-    const std::span<const Velocity> wishes = intake_.wishes();
+    const std::span<const Velocity> preferred = intake_.preferred();
     const std::size_t bees = intake_.movers().size();
     core::StoppableCrew crew(crew_.of(options.threads, bees), options.stop);
     clear_desks(crew.size());
@@ -102,7 +103,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     if (Status found = find_near(options, horizon_s); !found) return found;
     advised.advice.assign(bees, {});
     too_close_.assign(bees, 0);
-    const ConstraintBuilder constraint_builder(agents_, near_, too_close_, wishes, options);
+    const ConstraintBuilder constraint_builder(agents_, near_, too_close_, preferred, options);
     if (options.method == AdviseMethod::kCertified) {
       cpu::schedule(crew, bees, kChunk, [&](auto begin, auto end, unsigned /*worker*/) {
         for (std::size_t bee = begin; bee < end; ++bee) {
@@ -114,10 +115,10 @@ class __attribute__((visibility("hidden"))) Adviser::State {
       Desk& desk = desks_[worker];
       for (std::size_t bee = begin; bee < end; ++bee) {
         const auto id = static_cast<PointId>(bee);
-        const Vector3 wish = core::vector_of(wishes[bee]);
+        const Vector3 wanted = core::vector_of(preferred[bee]);
         advised.advice[bee] = options.method == AdviseMethod::kCertified
-                                  ? advise_one(id, wish, constraint_builder, desk)
-                                  : known_advice(id, wish, options, horizon_s, desk);
+                                  ? advise_one(id, wanted, constraint_builder, desk)
+                                  : known_advice(id, wanted, options, horizon_s, desk);
       }
     });
     collect(constraint_builder, options, advised);
@@ -140,7 +141,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     }
   }
 
-  [[nodiscard]] Advice advise_one(PointId bee, const Vector3& wish,
+  [[nodiscard]] Advice advise_one(PointId bee, const Vector3& preferred,
                                   const ConstraintBuilder& constraint_builder, Desk& desk) const {
     constexpr double kAside = 0.5;  // of its greatest speed: how fast an idle agent makes room
     const AgentState& agent = agents_[bee];
@@ -149,28 +150,31 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     const bool makes_room = constraint_builder.is_idle(bee) && !(findings.pressed == Vector3{});
     const Vector3 aside = at_most(findings.pressed, 1.0) * (kAside * agent.max_speed);
     const auto [velocity, kind] =
-        desk.solver.solve(agent, makes_room ? wish + aside : wish, findings.constraints);
+        desk.solver.solve(agent, makes_room ? preferred + aside : preferred, findings.constraints);
     Advice advice{velocity_of(velocity), kind};
     advice.keeps_apart = findings.certified;
     advice.clear_of_unknown_s = intake_.bee_anywhere() ? 0.0 : findings.clear_of_unknown_s;
     advice.clear_of_unknown = advice.clear_of_unknown_s >= intake_.options().unknown_horizon_s;
     advice.clear_of_intruders = !intake_.intruder_anywhere();  // until a conflict is found
-    if (kind == AdviceKind::kAsWished) {
+    if (kind == AdviceKind::kAsPreferred) {
       if (makes_room) advice.kind = AdviceKind::kDeflected;
-    } else if (findings.certified && waits(agent, wish, velocity)) {
+    } else if (findings.certified && waits(agent, preferred, velocity)) {
       advice.kind = AdviceKind::kWaiting;
     }
     return advice;
   }
 
-  [[nodiscard]] Advice known_advice(PointId bee, const Vector3& wish, const AdviseOptions& options,
-                                    double horizon_s, Desk& desk) const {
+  [[nodiscard]] Advice known_advice(PointId bee, const Vector3& preferred,
+                                    const AdviseOptions& options, double horizon_s,
+                                    Desk& desk) const {
     const Vector3 velocity =
         options.method == AdviseMethod::kOrca
-            ? desk.known.orca(agents_, bee, near_, wish, horizon_s, options.step_s)
-            : avoidance::KnownMethod::mvp(agents_, bee, near_, wish, horizon_s, options.step_s);
-    const bool as_wished = velocity == agents_[bee].able(wish);
-    return {velocity_of(velocity), as_wished ? AdviceKind::kAsWished : AdviceKind::kDeflected};
+            ? desk.known.orca(agents_, bee, near_, preferred, horizon_s, options.step_s)
+            : avoidance::KnownMethod::mvp(agents_, bee, near_, preferred, horizon_s,
+                                          options.step_s);
+    const bool as_preferred = velocity == agents_[bee].able(preferred);
+    return {velocity_of(velocity),
+            as_preferred ? AdviceKind::kAsPreferred : AdviceKind::kDeflected};
   }
 
   // Collects all conflicts that the threads have found.
@@ -192,7 +196,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     keep_nearest_pieces(advised.near_obstacle);
     std::sort(advised.near_unknown.begin(), advised.near_unknown.end(),
               [](const NearUnknown& a, const NearUnknown& b) {
-                return std::tie(a.bee, a.unknown) < std::tie(b.bee, b.unknown);
+                return std::tie(a.agent, a.unknown) < std::tie(b.agent, b.unknown);
               });
     for (std::size_t bee = 0; bee < agents_.size(); ++bee) {
       collect_intruders(static_cast<PointId>(bee), constraint_builder, options, advised);

@@ -22,10 +22,10 @@ struct AgentState {
   // How far from the end of its stopping segment a step and the stop after it may take it.
   [[nodiscard]] double strays() const { return braking.strays(velocity, max_speed); }
 
-  // The nearest velocity within its limits: towards the wish, as far as the acceleration goes. An
-  // agent that is too fast brakes first.
-  [[nodiscard]] Vector3 able(const Vector3& wish) const {
-    const Vector3 slow = at_most(wish, max_speed);
+  // The nearest velocity within its limits: towards the preferred velocity, as far as the
+  // acceleration goes. An agent that is too fast brakes first.
+  [[nodiscard]] Vector3 able(const Vector3& preferred) const {
+    const Vector3 slow = at_most(preferred, max_speed);
     if (braking.at_once()) return slow;
     if (length(velocity) > max_speed) return braking.braked(velocity);
     return at_most(velocity + at_most(slow - velocity, braking.change()), max_speed);

@@ -13,8 +13,8 @@ namespace beespace::avoidance {
 
 namespace {
 
-Vector3 wish_of(std::span<const Velocity> wishes, PointId bee) {
-  return core::vector_of(wishes[bee]);
+Vector3 preferred_of(std::span<const Velocity> preferred, PointId bee) {
+  return core::vector_of(preferred[bee]);
 }
 
 }  // namespace
@@ -136,7 +136,7 @@ void ConstraintBuilder::look_at_intruders(PointId bee, Findings& findings) const
 void ConstraintBuilder::look_at_unknown(PointId bee, Findings& findings) const {
   const double horizon_s = options_.unknown_horizon_s;
   for (std::size_t k = 0; k < options_.unknown.size(); ++k) {
-    const UnknownBee& ball = options_.unknown[k];
+    const UnknownAgent& ball = options_.unknown[k];
     // Rounded up.
     const double later_m = (ball.radius_m + ball.growth_mps * horizon_s) * (1.0 + 0x1p-50);
     if (ball.growth_mps > 0.0) {
@@ -150,7 +150,7 @@ void ConstraintBuilder::look_at_unknown(PointId bee, Findings& findings) const {
 
 void ConstraintBuilder::keep_clear_of_ball(PointId bee, std::size_t unknown, double later_m,
                                            Findings& findings) const {
-  const UnknownBee& ball = options_.unknown[unknown];
+  const UnknownAgent& ball = options_.unknown[unknown];
   const auto [asked_m, kept_m, certified_m] = agents_.apart_from(later_m, bee);
   const Segment middle{core::vector_of(ball.center), {}};
   const double apart_m = later_m + kept_m;
@@ -199,7 +199,7 @@ Vector3 ConstraintBuilder::pressure(PointId other, const Vector3& away, double g
   const double kept_m = agents_.apart().kept_m;
   const double free = (gap_m - kept_m) / (kPresses * kept_m);
   if (free >= 1.0) return {};
-  const bool wants_through = !is_idle(other) && dot(wish_of(wishes_, other), away) > 0.0;
+  const bool wants_through = !is_idle(other) && dot(preferred_of(preferred_, other), away) > 0.0;
   // A pair that is too close separates anyhow.
   const bool needs_room = too_close_[other] != 0 && certified;
   if (!wants_through && !needs_room) return {};
@@ -208,7 +208,7 @@ Vector3 ConstraintBuilder::pressure(PointId other, const Vector3& away, double g
 
 bool ConstraintBuilder::is_idle(PointId bee) const {
   constexpr double kIdle = 0.3;  // of what it can fly
-  return length(wish_of(wishes_, bee)) < kIdle * agents_[bee].max_speed;
+  return length(preferred_of(preferred_, bee)) < kIdle * agents_[bee].max_speed;
 }
 
 }  // namespace beespace::avoidance

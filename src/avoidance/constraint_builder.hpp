@@ -22,9 +22,13 @@ class ConstraintBuilder {
   // `near` has all bees that may meet each other; `too_close` has the result of is_too_close() for
   // each pair before any constraints are built. All of these outlive this object.
   ConstraintBuilder(const AgentStates& agents, const Vicinity& near,
-                    std::span<const char> too_close, std::span<const Velocity> wishes,
+                    std::span<const char> too_close, std::span<const Velocity> preferred,
                     const AdviseOptions& options)
-      : agents_(agents), near_(near), too_close_(too_close), wishes_(wishes), options_(options) {}
+      : agents_(agents),
+        near_(near),
+        too_close_(too_close),
+        preferred_(preferred),
+        options_(options) {}
 
   // Whether a bee is too close to another one, or will be when it brakes.
   [[nodiscard]] bool is_too_close(PointId bee) const;
@@ -66,7 +70,7 @@ class ConstraintBuilder {
   const AgentStates& agents_;
   const Vicinity& near_;
   std::span<const char> too_close_;
-  std::span<const Velocity> wishes_;
+  std::span<const Velocity> preferred_;
   const AdviseOptions& options_;
 };
 

@@ -27,8 +27,8 @@ bool is_usable(const Mover& mover) {
          is_usable(mover.velocity);
 }
 
-std::optional<Error> check_wish(const Velocity& wish, std::size_t bee) {
-  auto error = motion::check_mover({{}, wish}, bee);
+std::optional<Error> check_preferred(const Velocity& velocity, std::size_t bee) {
+  auto error = motion::check_mover({{}, velocity}, bee);
   if (error) {
     error->message.insert(0, "preferred ");
     error->location.array = "preferred";
@@ -36,7 +36,7 @@ std::optional<Error> check_wish(const Velocity& wish, std::size_t bee) {
   return error;
 }
 
-std::optional<Error> check_ball(const UnknownBee& ball, std::size_t index) {
+std::optional<Error> check_ball(const UnknownAgent& ball, std::size_t index) {
   if (auto error = motion::check_position(ball.center, index)) {
     error->message.insert(0, "unknown bee: ");
     error->location.array = "unknown";
@@ -79,10 +79,10 @@ void Intake::take_unknown(const AdviseOptions& options, std::size_t bees,
   given_unknown_.clear();
   is_unknown_.clear();
   for (std::size_t k = 0; k < options.unknown.size(); ++k) {
-    UnknownBee ball = options.unknown[k];
-    if (ball.bee) {
+    UnknownAgent ball = options.unknown[k];
+    if (ball.agent) {
       is_unknown_.resize(bees);
-      is_unknown_[*ball.bee] = 1;
+      is_unknown_[*ball.agent] = 1;
     }
     ball.center = motion::flushed(ball.center);
     ball.radius_m = motion::flushed(ball.radius_m);
@@ -101,10 +101,10 @@ void Intake::take_unknown(const AdviseOptions& options, std::size_t bees,
 void Intake::take_bees(const MoversView& movers, std::span<const Velocity> preferred,
                        std::span<const FlightLimits> limits, std::vector<Refused>& refused) {
   movers_.clear();
-  wishes_.clear();
+  preferred_.clear();
   limits_.clear();
   movers_.reserve(movers.size());
-  wishes_.reserve(movers.size());
+  preferred_.reserve(movers.size());
   given_bees_.clear();
   const bool own_limits = limits.size() != 1;
   if (!own_limits) limits_.push_back(limits.front());
@@ -128,13 +128,14 @@ void Intake::take_bees(const MoversView& movers, std::span<const Velocity> prefe
       bee_anywhere_ = true;
       continue;
     }
-    Velocity wish = motion::flushed(preferred[bee]);
-    if (!is_usable(wish)) {
-      refused.push_back({RefusedKind::kWish, bee, check_wish(wish, bee).value_or(Error{})});
-      wish = {};
+    Velocity velocity = motion::flushed(preferred[bee]);
+    if (!is_usable(velocity)) {
+      refused.push_back(
+          {RefusedKind::kPreferred, bee, check_preferred(velocity, bee).value_or(Error{})});
+      velocity = {};
     }
     movers_.push_back(mover);
-    wishes_.push_back(wish);
+    preferred_.push_back(velocity);
     if (own_limits) limits_.push_back(limits[bee]);
     given_bees_.take(bee);
   }
@@ -163,13 +164,13 @@ void Intake::number_as_given(Advised& advised) const {
   for (auto& close : advised.too_close) {
     close.pair = {bee_given(close.pair.first), bee_given(close.pair.second)};
   }
-  for (auto& near : advised.near_obstacle) near.bee = bee_given(near.bee);
+  for (auto& near : advised.near_obstacle) near.agent = bee_given(near.agent);
   for (auto& conflict : advised.intruder_conflicts) {
-    conflict.bee = bee_given(conflict.bee);
+    conflict.agent = bee_given(conflict.agent);
     conflict.intruder = given_intruders_[conflict.intruder];
   }
   for (auto& near : advised.near_unknown) {
-    near.bee = bee_given(near.bee);
+    near.agent = bee_given(near.agent);
     near.unknown = given_unknown_[near.unknown];
   }
   advised.advice.resize(bees_);

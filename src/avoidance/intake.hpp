@@ -46,7 +46,7 @@ class Intake {
             std::vector<Refused>& refused);
 
   [[nodiscard]] std::span<const Mover> movers() const { return movers_; }
-  [[nodiscard]] std::span<const Velocity> wishes() const { return wishes_; }
+  [[nodiscard]] std::span<const Velocity> preferred() const { return preferred_; }
   // One set of limits for each bee, or one for all.
   [[nodiscard]] std::span<const FlightLimits> limits() const { return limits_; }
   [[nodiscard]] const AdviseOptions& options() const { return options_; }
@@ -65,10 +65,10 @@ class Intake {
   void take_intruders(const AdviseOptions& options, std::vector<Refused>& refused);
 
   std::vector<Mover> movers_;
-  std::vector<Velocity> wishes_;
+  std::vector<Velocity> preferred_;
   std::vector<FlightLimits> limits_;
   std::vector<Mover> intruders_;
-  std::vector<UnknownBee> unknown_;
+  std::vector<UnknownAgent> unknown_;
   AdviseOptions options_;  // as given, without invalid entries
 
   GivenNumbers given_bees_;

@@ -19,7 +19,7 @@ double looks_ahead_s(const AgentStates& agents, double step_s) {
 }
 
 Vector3 KnownMethod::orca(const AgentStates& agents, PointId bee, const Vicinity& near,
-                          const Vector3& wish, double horizon_s, double step_s) {
+                          const Vector3& preferred, double horizon_s, double step_s) {
   const AgentState& agent = agents[bee];
   requests_.clear();
   near.visit(bee, [&](PointId other) {
@@ -30,18 +30,18 @@ Vector3 KnownMethod::orca(const AgentStates& agents, PointId bee, const Vicinity
     requests_.push_back({side, std::max(0.0, side.offset + agent.max_speed)});
     return true;
   });
-  const auto found = program_.nearest(wish, {}, requests_, {{}, agent.max_speed});
+  const auto found = program_.nearest(preferred, {}, requests_, {{}, agent.max_speed});
   return agent.able(found.value_or(agent.velocity));
 }
 
 Vector3 KnownMethod::mvp(const AgentStates& agents, PointId bee, const Vicinity& near,
-                         const Vector3& wish, double horizon_s, double step_s) {
+                         const Vector3& preferred, double horizon_s, double step_s) {
   const AgentState& agent = agents[bee];
   const double apart = agents.apart().kept_m;
-  Vector3 sum = wish;
+  Vector3 sum = preferred;
   near.visit(bee, [&](PointId other) {
     const Vector3 place = agents[other].position - agent.position;
-    const Vector3 velocity = wish - agents[other].velocity;  // seen from the other one
+    const Vector3 velocity = preferred - agents[other].velocity;  // seen from the other one
     const double squared = dot(velocity, velocity);
     const double closest_s =
         squared > 0.0 ? std::clamp(dot(place, velocity) / squared, 0.0, horizon_s) : 0.0;

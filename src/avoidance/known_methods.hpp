@@ -17,14 +17,14 @@ double looks_ahead_s(const AgentStates& agents, double step_s);
 class KnownMethod {
  public:
   // ORCA: half-spaces of velocities, with half of each change for either bee; the velocity in them
-  // that is nearest to the wish.
-  Vector3 orca(const AgentStates& agents, PointId bee, const Vicinity& near, const Vector3& wish,
-               double horizon_s, double step_s);
+  // that is nearest to the preferred velocity.
+  Vector3 orca(const AgentStates& agents, PointId bee, const Vicinity& near,
+               const Vector3& preferred, double horizon_s, double step_s);
   // MVP: for each conflict ahead, sideways by the distance that is missing at the closest approach;
   // the sum of these. Hoekstra, van Gent, Ruigrok: Designing for safety: the free flight air
   // traffic management concept (2002).
   static Vector3 mvp(const AgentStates& agents, PointId bee, const Vicinity& near,
-                     const Vector3& wish, double horizon_s, double step_s);
+                     const Vector3& preferred, double horizon_s, double step_s);
 
  private:
   std::vector<Request> requests_;

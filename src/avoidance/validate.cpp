@@ -64,11 +64,11 @@ std::optional<Error> check_options(const AdviseOptions& options) {
   return check_horizon(options.unknown_horizon_s, "unknown bees");
 }
 
-std::optional<Error> check_unknown(std::span<const UnknownBee> unknown, std::size_t bees) {
+std::optional<Error> check_unknown(std::span<const UnknownAgent> unknown, std::size_t bees) {
   for (std::size_t k = 0; k < unknown.size(); ++k) {
-    if (!unknown[k].bee || *unknown[k].bee < bees) continue;
+    if (!unknown[k].agent || *unknown[k].agent < bees) continue;
     return about("unknown", "unknown bee " + std::to_string(k) + " is said to be mover " +
-                                std::to_string(*unknown[k].bee) + " of " + std::to_string(bees) +
+                                std::to_string(*unknown[k].agent) + " of " + std::to_string(bees) +
                                 "; give the number of one, counted from 0, or none");
   }
   return std::nullopt;

@@ -40,19 +40,19 @@ double rounding_of(const AgentState& agent, const Vector3& from, double most_cha
          0x1p-38 * most_change * agent.braking.growth_along(length(from) + most_change);
 }
 
-// The wish, turned to the right as seen from above, by the angle of this sine.
-Vector3 turned_right(const Vector3& wish, double sine) {
-  const double speed = length(wish);
-  return wish * std::sqrt(1.0 - sine * sine) + right_of(wish) * (speed * sine);
+// The preferred velocity, turned to the right as seen from above, by the angle of this sine.
+Vector3 turned_right(const Vector3& preferred, double sine) {
+  const double speed = length(preferred);
+  return preferred * std::sqrt(1.0 - sine * sine) + right_of(preferred) * (speed * sine);
 }
 
 }  // namespace
 
-VelocitySolver::Solved VelocitySolver::solve(const AgentState& agent, const Vector3& wish,
+VelocitySolver::Solved VelocitySolver::solve(const AgentState& agent, const Vector3& preferred,
                                              const Constraints& constraints) {
-  const Vector3 proposed = agent.able(wish);
+  const Vector3 proposed = agent.able(preferred);
   if (keeps_to(agent, proposed, constraints) && does_all(agent, proposed, constraints)) {
-    return {proposed, AdviceKind::kAsWished};
+    return {proposed, AdviceKind::kAsPreferred};
   }
   const Braking& braking = agent.braking;
   const Vector3 brake = braking.at_once() ? Vector3{} : braking.braked(agent.velocity);
@@ -72,9 +72,9 @@ VelocitySolver::Solved VelocitySolver::solve(const AgentState& agent, const Vect
   // An agent that makes too little progress straight on turns right, the more the less it makes. So
   // two that meet pass each other, and many that meet go round.
   constexpr double kEnough = 0.6;
-  const double progress = std::max(0.0, dot(best, wish) / dot(wish, wish));
+  const double progress = std::max(0.0, dot(best, preferred) / dot(preferred, preferred));
   if (progress < kEnough) {
-    best = nearest(agent.able(turned_right(wish, 1.0 - progress / kEnough)));
+    best = nearest(agent.able(turned_right(preferred, 1.0 - progress / kEnough)));
   }
   // Corrects the linearised curve: a little towards braking.
   for (const double share : {1.0, 0.999, 0.99, 0.9, 0.7, 0.4, 0.15, 0.05}) {

@@ -1,7 +1,7 @@
-// The nearest certified velocity to a wish.
+// The nearest certified velocity to a preferred velocity.
 //
-// Any wish is allowed. The result lies in the half-spaces, except that the bee brakes as hard as it
-// can where nothing better is found. Braking satisfies the half-spaces too.
+// Any preferred velocity is allowed. The result lies in the half-spaces, except that the bee brakes
+// as hard as it can where nothing better is found. Braking satisfies the half-spaces too.
 #pragma once
 
 #include "avoidance/agent_state.hpp"
@@ -21,7 +21,7 @@ class VelocitySolver {
     Vector3 velocity;
     AdviceKind kind;
   };
-  Solved solve(const AgentState& agent, const Vector3& wish, const Constraints& constraints);
+  Solved solve(const AgentState& agent, const Vector3& preferred, const Constraints& constraints);
 
  private:
   void put_in_changes(const AgentState& agent, const Vector3& from, const Constraints& constraints,

@@ -67,7 +67,7 @@ Result<Index> Index::build(const PointsView& points, const RunOptions& run) {
   return built;
 }
 
-Result<Index> Index::build(const PointsView& points, Crew& crew, std::stop_token stop) {
+Result<Index> Index::build(const PointsView& points, Crew& crew, const std::stop_token& stop) {
   core::StoppableCrew stoppable(crew, stop);
   core::Memory memory;
   return core::unless_stopped([&]() -> Result<Index> {

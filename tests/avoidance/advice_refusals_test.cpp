@@ -146,7 +146,7 @@ TEST(AdviceRefusal, AnInvalidMethod) {
 
 TEST(AdviceRefusal, AnUnknownBeeThatIsNotAmongTheMovers) {
   for (const PointId bee : {PointId{kBees}, PointId{0xFFFFFFFF}}) {
-    const std::vector<UnknownBee> unknown = {{{}, 1.0, 1.0, PointId{0}}, {{}, 1.0, 1.0, bee}};
+    const std::vector<UnknownAgent> unknown = {{{}, 1.0, 1.0, PointId{0}}, {{}, 1.0, 1.0, bee}};
     Question question;
     question.options.unknown = unknown;
     expect_refused(question, "unknown bee 1 is said to be mover " + std::to_string(bee) + " of 5");

@@ -96,7 +96,7 @@ TEST(Advice, ABeeThatIsAloneGetsTheNearestToItsWish) {
       const Velocity expected =
           reachable(flock.movers[bee], wishes[bee], flock.limits[bee], flock.options.step_s);
       const Advice& advice = advised.advice[bee];
-      ASSERT_EQ(advice.kind, AdviceKind::kAsWished);
+      ASSERT_EQ(advice.kind, AdviceKind::kAsPreferred);
       ASSERT_LE(test::length_of_change(advice.velocity, expected),
                 1e-12 * flock.limits[bee].max_speed_mps);
       if (most > 1.0 || !flock.at_once(bee)) continue;
@@ -118,7 +118,7 @@ TEST(Advice, TheKindSaysWhetherTheWishIsGranted) {
           reachable(flock.movers[bee], wishes[bee], flock.limits[bee], flock.options.step_s);
       const double off = test::length_of_change(advised.advice[bee].velocity, expected);
       const bool is_granted = off <= 1e-12 * flock.limits[bee].max_speed_mps;
-      ASSERT_EQ(advised.advice[bee].kind == AdviceKind::kAsWished, is_granted) << "bee " << bee;
+      ASSERT_EQ(advised.advice[bee].kind == AdviceKind::kAsPreferred, is_granted) << "bee " << bee;
       ++(is_granted ? wished : deflected);
     }
   }
@@ -152,8 +152,8 @@ TEST(Advice, TwoFaceToFaceShareTheDistanceBetweenThem) {
   EXPECT_GT(advised.advice[1].velocity.y, 1.0);
   // Away from each other, at any speed.
   advised = advised_of(flock, {{-10, 0, 0}, {10, 0, 0}});
-  EXPECT_EQ(advised.advice[0].kind, AdviceKind::kAsWished);
-  EXPECT_EQ(advised.advice[1].kind, AdviceKind::kAsWished);
+  EXPECT_EQ(advised.advice[0].kind, AdviceKind::kAsPreferred);
+  EXPECT_EQ(advised.advice[1].kind, AdviceKind::kAsPreferred);
 }
 
 TEST(Advice, IsTheSameWithEveryNumberOfThreads) {
@@ -220,7 +220,7 @@ TEST(Advice, DependsOnIdsOnlyWhereNothingElseDecides) {
     for (std::size_t bee = 0; bee < flock.size(); ++bee) {
       const Advice& a = advised.advice[bee];
       const Advice& b = other.advice[flock.size() - 1 - bee];
-      ASSERT_EQ(a.kind == AdviceKind::kAsWished, b.kind == AdviceKind::kAsWished);
+      ASSERT_EQ(a.kind == AdviceKind::kAsPreferred, b.kind == AdviceKind::kAsPreferred);
       ASSERT_EQ(a.certified, b.certified);
       // Rounding decides whether the last attempts succeed: a thousandth of the change.
       ASSERT_LE(test::length_of_change(a.velocity, b.velocity),

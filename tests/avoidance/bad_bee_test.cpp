@@ -117,7 +117,8 @@ TEST(BadBee, ThatIsKnownToBeInABallLeavesTheOthersCertified) {
   for (const std::size_t bee : {std::size_t{0}, std::size_t{2}, kBees - 1}) {
     Question question;
     question.movers[bee].position.x = kNan;
-    const std::vector<UnknownBee> unknown = {{{1e4, 0, 0}, 30.0, 12.0, static_cast<PointId>(bee)}};
+    const std::vector<UnknownAgent> unknown = {
+        {{1e4, 0, 0}, 30.0, 12.0, static_cast<PointId>(bee)}};
     question.options.unknown = unknown;
     const Advised advised = question.ask();
     EXPECT_TRUE(advised.refused.empty());
@@ -135,9 +136,9 @@ TEST(BadBee, ThatIsKnownToBeInABallLeavesTheOthersCertified) {
 TEST(BadBee, AnInvalidBallIsNamed) {
   for (const double bad : kBadValues) {
     for (const int field : {0, 1, 2}) {
-      UnknownBee ball{{1e4, 0, 0}, 1.0, 1.0, PointId{3}};
+      UnknownAgent ball{{1e4, 0, 0}, 1.0, 1.0, PointId{3}};
       (field == 0 ? ball.center.y : field == 1 ? ball.radius_m : ball.growth_mps) = bad;
-      const std::vector<UnknownBee> unknown = {{{9e3, 0, 0}, 1.0, 0.0, {}}, ball};
+      const std::vector<UnknownAgent> unknown = {{{9e3, 0, 0}, 1.0, 0.0, {}}, ball};
       Question question;
       question.options.unknown = unknown;
       const Advised advised = question.ask();
@@ -157,7 +158,7 @@ TEST(BadBee, AnInvalidWishCountsAsStanding) {
     question.preferred[2].y = bad;
     const Advised advised = question.ask();
     ASSERT_EQ(advised.refused.size(), 1U);
-    EXPECT_EQ(advised.refused[0].kind, RefusedKind::kWish);
+    EXPECT_EQ(advised.refused[0].kind, RefusedKind::kPreferred);
     EXPECT_EQ(advised.refused[0].index, 2U);
     question.preferred[2] = {};
     EXPECT_EQ(advised.advice, question.ask().advice);

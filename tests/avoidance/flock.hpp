@@ -150,7 +150,7 @@ inline std::vector<Pair> pairs_of(const std::vector<TooClose>& too_close) {
 }
 
 // Advice to a bee without any conflict.
-inline Advice certified(const Velocity& velocity, AdviceKind kind = AdviceKind::kAsWished) {
+inline Advice certified(const Velocity& velocity, AdviceKind kind = AdviceKind::kAsPreferred) {
   Advice advice{velocity, kind, true, true, true};
   advice.clear_of_unknown_s = kNoLimit;
   advice.clear_of_unknown = true;

@@ -93,10 +93,10 @@ TEST(InsideObstacles, ABeeTooCloseIsNamedAndGetsOutAsFastAsItCan) {
     ASSERT_TRUE(advised);
     EXPECT_FALSE(advised->advice[0].certified);
     ASSERT_EQ(advised->near_obstacle.size(), 1U);
-    EXPECT_EQ(advised->near_obstacle[0].bee, 0U);
+    EXPECT_EQ(advised->near_obstacle[0].agent, 0U);
     EXPECT_EQ(advised->near_obstacle[0].obstacle, 0U);
     EXPECT_NEAR(advised->near_obstacle[0].gap_m, clear_m, 1e-11 * scale_m);
-    EXPECT_NE(advised->advice[0].kind, AdviceKind::kAsWished);
+    EXPECT_NE(advised->advice[0].kind, AdviceKind::kAsPreferred);
     ASSERT_NO_FATAL_FAILURE(expect_gets_out(course, std::max(0.0, -clear_m), {}));
     inside += clear_m < 0.0 ? 1 : 0;
   }

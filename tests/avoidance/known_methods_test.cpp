@@ -26,7 +26,7 @@ INSTANTIATE_TEST_SUITE_P(Advise, KnownMethod,
 void expect_no_promises(const Advised& advised) {
   for (const Advice& advice : advised.advice) {
     ASSERT_FALSE(advice.certified);
-    ASSERT_TRUE(advice.kind == AdviceKind::kAsWished || advice.kind == AdviceKind::kDeflected);
+    ASSERT_TRUE(advice.kind == AdviceKind::kAsPreferred || advice.kind == AdviceKind::kDeflected);
   }
   EXPECT_TRUE(advised.too_close.empty());
   EXPECT_TRUE(advised.near_obstacle.empty());
@@ -88,8 +88,8 @@ TEST_P(KnownMethod, ABeeThatIsAloneGetsItsWish) {
   const std::vector<Velocity> wishes = {{3, 0, 0}, {0, 4, 0}};
   const auto advised = advise(flock.movers, wishes, flock.limits, flock.options);
   ASSERT_TRUE(advised);
-  EXPECT_EQ(advised->advice[0], (Advice{{3, 0, 0}, AdviceKind::kAsWished, false}));
-  EXPECT_EQ(advised->advice[1], (Advice{{0, 4, 0}, AdviceKind::kAsWished, false}));
+  EXPECT_EQ(advised->advice[0], (Advice{{3, 0, 0}, AdviceKind::kAsPreferred, false}));
+  EXPECT_EQ(advised->advice[1], (Advice{{0, 4, 0}, AdviceKind::kAsPreferred, false}));
 }
 
 // Bees swap places, each flying straight at its goal: the closest distance of any two. All arrive.

@@ -81,7 +81,7 @@ TEST(MakingWay, ABeeThatCannotGetOutWaits) {
     };
     EXPECT_EQ(kind_of({8, 0, 0}), AdviceKind::kWaiting);
     EXPECT_EQ(kind_of({2, -3, 4}), AdviceKind::kWaiting);
-    EXPECT_EQ(kind_of({0, 0, 0}), AdviceKind::kAsWished);
+    EXPECT_EQ(kind_of({0, 0, 0}), AdviceKind::kAsPreferred);
     // A bee that would hardly move anyway does not wait.
     EXPECT_NE(kind_of({0, 1, 0}), AdviceKind::kWaiting);
   }

@@ -39,8 +39,8 @@ TEST(NearObstacle, OthersKeepTheirClearance) {
         wishes.push_back(test::random_velocity(random, 3.0 * limits.max_speed_mps));
       }
       const Verdict verdict = test::fly_a_step(course.flock, adviser, wishes, advised);
-      for (const ClearanceLoss& loss : verdict.first_clearance_losses) ASSERT_EQ(loss.bee, 0U);
-      for (const NearObstacle& near : advised.near_obstacle) ASSERT_EQ(near.bee, 0U);
+      for (const ClearanceLoss& loss : verdict.first_clearance_losses) ASSERT_EQ(loss.agent, 0U);
+      for (const NearObstacle& near : advised.near_obstacle) ASSERT_EQ(near.agent, 0U);
       for (std::size_t k = 1; k < advised.near_obstacle.size(); ++k) {
         ASSERT_LT(advised.near_obstacle[k - 1].obstacle, advised.near_obstacle[k].obstacle);
       }
@@ -115,7 +115,7 @@ TEST(NearObstacle, AllAreNamedOnceInOrder) {
     ASSERT_TRUE(advised);
     std::vector<std::pair<PointId, std::size_t>> named;
     for (const NearObstacle& near : advised->near_obstacle) {
-      named.emplace_back(near.bee, near.obstacle);
+      named.emplace_back(near.agent, near.obstacle);
     }
     EXPECT_EQ(named, expected);
     EXPECT_NEAR(advised->near_obstacle[1].gap_m, 1.5, 1e-12);

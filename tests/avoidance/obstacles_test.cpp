@@ -109,7 +109,7 @@ double fly_a_step(Course& course, Adviser& adviser, const Adversary& adversary,
   EXPECT_EQ(verdict.clearance_losses, 0U) << verdict.first_clearance_losses[0].closest_m;
   EXPECT_TRUE(test::all_certified(advised));
   EXPECT_TRUE(advised.near_obstacle.empty())
-      << advised.near_obstacle[0].bee << " to " << advised.near_obstacle[0].obstacle << " "
+      << advised.near_obstacle[0].agent << " to " << advised.near_obstacle[0].obstacle << " "
       << advised.near_obstacle[0].gap_m;
   double closest_m = test::kNoLimit;
   for (std::size_t bee = 0; bee < flock.size(); ++bee) {

@@ -82,7 +82,7 @@ Raid raid(test::Course& course, int steps, std::uint64_t seed) {
     for (PointId bee = 0; bee < flock.size(); ++bee) {
       const bool clear =
           std::none_of(advised.intruder_conflicts.begin(), advised.intruder_conflicts.end(),
-                       [bee](const IntruderConflict& conflict) { return conflict.bee == bee; });
+                       [bee](const IntruderConflict& conflict) { return conflict.agent == bee; });
       EXPECT_EQ(advised.advice[bee].clear_of_intruders, clear) << "bee " << bee;
       EXPECT_EQ(advised.advice[bee].certified, clear) << "bee " << bee;
     }

@@ -168,7 +168,7 @@ TEST(VelocitySolver, WhateverIsProposedKeepsToTheHalfSpacesOrBrakes) {
       continue;
     }
     deflected += kind == AdviceKind::kDeflected ? 1 : 0;
-    if (kind == AdviceKind::kAsWished) {
+    if (kind == AdviceKind::kAsPreferred) {
       ASSERT_EQ(v, agent.able(wish));
     }
     for (const HalfSpace& side : hard) ASSERT_GE(side.inside_by(stop), 0.0) << "round " << round;

@@ -22,7 +22,7 @@ TEST(TinyValues, AreTakenAsZeroWhereverTheyAre) {
   std::vector<Velocity> wishes = {{}, {1, 2, 3}};
   const std::vector<FlightLimits> limits(2, FlightLimits{10.0, 5.0});
   std::vector<Mover> intruders = {{{0, 300, 0}, {}}};
-  std::vector<UnknownBee> unknown = {{{0, 0, 500}, 0.0, 0.0, {}}};
+  std::vector<UnknownAgent> unknown = {{{0, 0, 500}, 0.0, 0.0, {}}};
   AdviseOptions options{.threshold_m = 5.0};
   options.intruders = intruders;
   options.unknown = unknown;

@@ -30,7 +30,7 @@ Advised ask(const Flock& flock, const std::vector<Velocity>& wishes) {
 
 TEST(Unknown, OneThatHoversIsAvoidedForEver) {
   Flock flock = two_in_a_line();
-  const std::vector<UnknownBee> unknown = {{{40, 0.5, 0}, 3.0, 0.0, {}}};
+  const std::vector<UnknownAgent> unknown = {{{40, 0.5, 0}, 3.0, 0.0, {}}};
   flock.options.unknown = unknown;
   const auto map = ObstacleMap::of({Sphere{unknown[0].center, unknown[0].radius_m}});
   Adviser adviser;
@@ -63,7 +63,7 @@ TEST(Unknown, OneThatMayFlyIsClearForAsLongAsItTakesToGetThere) {
   flock.movers[0].velocity = {};
   flock.options.unknown_horizon_s = 4.0;
   // Its ball is 55 m from the first bee: 5 m are the threshold, and 25 s it takes to fly the rest.
-  std::vector<UnknownBee> unknown = {{{60, 0, 0}, 5.0, 2.0, {}}};
+  std::vector<UnknownAgent> unknown = {{{60, 0, 0}, 5.0, 2.0, {}}};
   flock.options.unknown = unknown;
   Advised advised = ask(flock, {{}, {}});
   EXPECT_TRUE(advised.advice[0].certified);
@@ -81,7 +81,7 @@ TEST(Unknown, OneThatMayFlyIsClearForAsLongAsItTakesToGetThere) {
   EXPECT_EQ(advised.advice[0].kind, AdviceKind::kDeflected);
   EXPECT_TRUE(advised.advice[1].certified);
   ASSERT_EQ(advised.near_unknown.size(), 1U);
-  EXPECT_EQ(advised.near_unknown[0].bee, 0U);
+  EXPECT_EQ(advised.near_unknown[0].agent, 0U);
   EXPECT_EQ(advised.near_unknown[0].unknown, 0U);
   EXPECT_NEAR(advised.near_unknown[0].gap_m, 55.0, 1e-9);
   EXPECT_EQ(advised.near_unknown[0].clear_s, advised.advice[0].clear_of_unknown_s);
@@ -98,7 +98,7 @@ TEST(Unknown, OfSeveralTheFirstToArriveCounts) {
   Flock flock = two_in_a_line();
   flock.movers[0].velocity = {};
   flock.options.unknown_horizon_s = 30.0;
-  const std::vector<UnknownBee> unknown = {
+  const std::vector<UnknownAgent> unknown = {
       {{60, 0, 0}, 5.0, 2.0, {}}, {{0, 0, 40}, 5.0, 0.0, {}}, {{0, -60, 0}, 5.0, 5.0, {}}};
   flock.options.unknown = unknown;
   const Advised advised = ask(flock, {{}, {}});
@@ -118,7 +118,7 @@ TEST(Unknown, AnyBallHasAnAnswer) {
           SCOPED_TRACE(testing::Message()
                        << radius_m << ' ' << growth << ' ' << horizon_s << ' ' << center.x);
           Flock flock = two_in_a_line();
-          const std::vector<UnknownBee> unknown = {{center, radius_m, growth, {}}};
+          const std::vector<UnknownAgent> unknown = {{center, radius_m, growth, {}}};
           flock.options.unknown = unknown;
           flock.options.unknown_horizon_s = horizon_s;
           const Advised advised = ask(flock, {{1, 0, 0}, {0, 1, 0}});
@@ -168,7 +168,7 @@ TEST(Unknown, APromiseHoldsUntilItEnds) {
     const double threshold_m = flock.options.threshold_m;
     const double step_s = flock.options.step_s;
     const double speed = flock.limits[0].max_speed_mps;
-    std::vector<UnknownBee> unknown;
+    std::vector<UnknownAgent> unknown;
     for (int k = 0; k < 3; ++k) {
       const auto [x, y, z] = scenes::random_direction(random);
       const double far_m = threshold_m * random.uniform(2.0, 15.0);
@@ -183,7 +183,7 @@ TEST(Unknown, APromiseHoldsUntilItEnds) {
     const std::size_t bees = flock.size();
     // For each bee and ball: until when the bee is clear.
     std::vector<double> until_s(bees * unknown.size(), 0.0);
-    const std::vector<UnknownBee> at_first = unknown;
+    const std::vector<UnknownAgent> at_first = unknown;
     Adviser adviser;
     Advised advised;
     const int last_advice = 30 + static_cast<int>(random.index(60));
@@ -212,7 +212,7 @@ TEST(Unknown, APromiseHoldsUntilItEnds) {
             double clear_s =
                 unknown[k].growth_mps > 0.0 ? flock.options.unknown_horizon_s : test::kNoLimit;
             for (const NearUnknown& near : advised.near_unknown) {
-              if (near.bee == bee && near.unknown == k) clear_s = near.clear_s;
+              if (near.agent == bee && near.unknown == k) clear_s = near.clear_s;
             }
             ASSERT_GE(clear_s, advised.advice[bee].clear_of_unknown_s);
             double& until = until_s[bee * unknown.size() + k];

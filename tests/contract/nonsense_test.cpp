@@ -98,7 +98,7 @@ std::optional<Error> advised(const AdviseOptions& options, std::vector<Mover> mo
   if (answer.refused.empty()) return std::nullopt;
   EXPECT_EQ(answer.refused.size(), 1U);
   for (const Advice& advice : answer.advice) {
-    EXPECT_FALSE(advice.certified && answer.refused[0].kind != RefusedKind::kWish);
+    EXPECT_FALSE(advice.certified && answer.refused[0].kind != RefusedKind::kPreferred);
   }
   return answer.refused[0].error;
 }
@@ -201,19 +201,19 @@ const std::vector<Field>& fields() {
          return advised_with([v](auto& options) { options.unknown_horizon_s = v; });
        }},
       // Values that are too small count as zero, for measured or computed numbers.
-      {"UnknownBee::center", "EEE....E",
+      {"UnknownAgent::center", "EEE....E",
        [](double v) {
-         const std::vector<UnknownBee> unknown = {{{v, 1e3, 0}, 1.0, 1.0, {}}};
+         const std::vector<UnknownAgent> unknown = {{{v, 1e3, 0}, 1.0, 1.0, {}}};
          return advised_with([&](auto& options) { options.unknown = unknown; });
        }},
-      {"UnknownBee::radius_m", "EEEE...E",
+      {"UnknownAgent::radius_m", "EEEE...E",
        [](double v) {
-         const std::vector<UnknownBee> unknown = {{{0, 1e3, 0}, v, 1.0, {}}};
+         const std::vector<UnknownAgent> unknown = {{{0, 1e3, 0}, v, 1.0, {}}};
          return advised_with([&](auto& options) { options.unknown = unknown; });
        }},
-      {"UnknownBee::growth_mps", "EEEE...E",
+      {"UnknownAgent::growth_mps", "EEEE...E",
        [](double v) {
-         const std::vector<UnknownBee> unknown = {{{0, 1e3, 0}, 1.0, v, {}}};
+         const std::vector<UnknownAgent> unknown = {{{0, 1e3, 0}, 1.0, v, {}}};
          return advised_with([&](auto& options) { options.unknown = unknown; });
        }},
       {"intruder", "EEE....E",

@@ -40,11 +40,11 @@ void check_limits(const std::vector<double>& limits, std::size_t bees) {
 void check_plans(const FlightPlans& plans, PlanNeed need) {
   const std::size_t bees = plans.ids.size();
   require(bees > 0 && plans.positions.size() == bees);
-  require(!plans.goals.empty() || (need == PlanNeed::kGoalsOrWishes && !plans.wishes.empty()));
+  require(!plans.goals.empty() || (need == PlanNeed::kGoalsOrPreferred && !plans.preferred.empty()));
   check_vectors(plans.positions, bees);
   check_vectors(plans.velocities, bees);
   check_vectors(plans.goals, bees);
-  check_vectors(plans.wishes, bees);
+  check_vectors(plans.preferred, bees);
   check_limits(plans.max_speeds_mps, bees);
   check_limits(plans.max_accelerations_mps2, bees);
   const std::unordered_set<std::string> ids(plans.ids.begin(), plans.ids.end());
@@ -79,7 +79,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const beespace::Obstacle& obstacle : *obstacles) check_obstacle(obstacle);
     return 0;
   }
-  const PlanNeed need = data[0] % 3 == 1 ? PlanNeed::kGoalsOrWishes : PlanNeed::kGoals;
+  const PlanNeed need = data[0] % 3 == 1 ? PlanNeed::kGoalsOrPreferred : PlanNeed::kGoals;
   const auto plans = load_flight_plans_from_memory(content, "fuzz", need);
   if (plans) check_plans(*plans, need);
   return 0;

@@ -80,7 +80,7 @@ inline Events replay(const std::vector<Delivery>& deliveries, const SwarmOptions
     last_s = arrives_s;
   }
   take_all(swarm, std::max(last_s, asks_s) + 2.0 * options.max_age_s, events);
-  EXPECT_EQ(swarm.counts().bees, 0U);
+  EXPECT_EQ(swarm.counts().agents, 0U);
   std::sort(events.begin(), events.end(), earlier);
   return events;
 }

@@ -151,7 +151,7 @@ TEST(Clearance, OfManyAgreesWithSampling) {
         least = std::min(least, each.back());
       }
       const bool reported = next < verdict.first_clearance_losses.size() &&
-                            verdict.first_clearance_losses[next].bee == bee;
+                            verdict.first_clearance_losses[next].agent == bee;
       if (!reported) {
         ASSERT_GE(least, 0.4L * (1.0L - 1e-9L)) << "missed: bee " << bee;
         continue;

@@ -81,7 +81,7 @@ TEST(Clearance, InsideFromTheStartIsLostInEachStep) {
   EXPECT_FALSE(verdict.holds());
   for (std::size_t k = 0; k < 6; ++k) {
     const ClearanceLoss& loss = verdict.first_clearance_losses[k];
-    EXPECT_EQ(loss.bee, k % 2 == 0 ? 1U : 3U);
+    EXPECT_EQ(loss.agent, k % 2 == 0 ? 1U : 3U);
     EXPECT_EQ(loss.obstacle, 0U);
     const std::size_t step = k / 2;
     EXPECT_EQ(loss.begins_s, 0.5 * static_cast<double>(step));

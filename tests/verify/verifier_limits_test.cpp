@@ -51,7 +51,7 @@ TEST(VerifierLimits, OfEvenAccelerationAreMetExactly) {
   Verdict verdict = verdict_of(flight, limits(5.0 - 1e-6, 8.0));
   EXPECT_EQ(verdict.breaches, 1U);
   ASSERT_EQ(verdict.first_breaches.size(), 1U);
-  EXPECT_EQ(verdict.first_breaches[0].bee, 0U);
+  EXPECT_EQ(verdict.first_breaches[0].agent, 0U);
   EXPECT_EQ(verdict.first_breaches[0].kind, BreachKind::kSpeed);
   EXPECT_EQ(verdict.first_breaches[0].begins_s, 10.0);
   EXPECT_NEAR(verdict.first_breaches[0].value, 5.0, 1e-12);

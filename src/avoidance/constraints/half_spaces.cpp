@@ -16,12 +16,12 @@ constexpr double kParallel = 1e-9;
 // Up to this distance outside of it, a point counts as inside a parallel half-space.
 constexpr double kNearlyIn = 4.0 * kParallel;
 
-Vector3 into(const Ball& ball, const Vector3& wish) {
-  return ball.center + at_most(wish - ball.center, ball.radius);
+Vector3 into(const Ball& ball, const Vector3& target) {
+  return ball.center + at_most(target - ball.center, ball.radius);
 }
 
 // On the line where two planes meet: the nearest point within the ball and the other half-spaces.
-std::optional<Vector3> on_line(const Vector3& wish, const Vector3& point, const Vector3& way,
+std::optional<Vector3> on_line(const Vector3& target, const Vector3& point, const Vector3& way,
                                std::span<const HalfSpace> others, const Ball& ball) {
   const Vector3 from_center = point - ball.center;
   const double along = dot(from_center, way);
@@ -42,17 +42,17 @@ std::optional<Vector3> on_line(const Vector3& wish, const Vector3& point, const 
     }
     if (low > high) return std::nullopt;
   }
-  return point + way * std::clamp(dot(wish - point, way), low, high);
+  return point + way * std::clamp(dot(target - point, way), low, high);
 }
 
 // On the plane of a half-space: the nearest point within the ball and the other half-spaces.
-std::optional<Vector3> on_plane(const Vector3& wish, const HalfSpace& plane,
+std::optional<Vector3> on_plane(const Vector3& target, const HalfSpace& plane,
                                 std::span<const HalfSpace> others, const Ball& ball) {
   const double height = -plane.inside_by(ball.center);
   const double squared = ball.radius * ball.radius - height * height;
   if (squared < 0.0) return std::nullopt;
   const Ball disc{ball.center + plane.normal * height, std::sqrt(squared)};
-  Vector3 best = into(disc, wish - plane.normal * plane.inside_by(wish));
+  Vector3 best = into(disc, target - plane.normal * plane.inside_by(target));
   for (std::size_t k = 0; k < others.size(); ++k) {
     const HalfSpace& other = others[k];
     if (other.inside_by(best) >= -kRounding * ball.radius) continue;
@@ -66,7 +66,7 @@ std::optional<Vector3> on_plane(const Vector3& wish, const HalfSpace& plane,
     // From the centre of the disc to the line, which lies in both planes.
     const Vector3 unit = across * (1.0 / sine);
     const Vector3 point = disc.center - unit * (other.inside_by(disc.center) / sine);
-    const auto found = on_line(wish, point, cross(plane.normal, unit), others.first(k), ball);
+    const auto found = on_line(target, point, cross(plane.normal, unit), others.first(k), ball);
     if (!found) return std::nullopt;
     best = *found;
   }
@@ -75,12 +75,12 @@ std::optional<Vector3> on_plane(const Vector3& wish, const HalfSpace& plane,
 
 }  // namespace
 
-std::optional<Vector3> nearest_place(const Vector3& wish, std::span<const HalfSpace> half_spaces,
+std::optional<Vector3> nearest_place(const Vector3& target, std::span<const HalfSpace> half_spaces,
                                      const Ball& ball) {
-  Vector3 best = into(ball, wish);
+  Vector3 best = into(ball, target);
   for (std::size_t k = 0; k < half_spaces.size(); ++k) {
     if (half_spaces[k].inside_by(best) >= -kRounding * ball.radius) continue;
-    const auto found = on_plane(wish, half_spaces[k], half_spaces.first(k), ball);
+    const auto found = on_plane(target, half_spaces[k], half_spaces.first(k), ball);
     if (!found) return std::nullopt;
     best = *found;
   }

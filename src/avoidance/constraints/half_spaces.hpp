@@ -29,7 +29,7 @@ struct Ball {
 };
 
 // Nothing where the intersection is empty, or lost in rounding.
-std::optional<Vector3> nearest_place(const Vector3& wish, std::span<const HalfSpace> half_spaces,
+std::optional<Vector3> nearest_place(const Vector3& target, std::span<const HalfSpace> half_spaces,
                                      const Ball& ball);
 
 }  // namespace beespace::avoidance

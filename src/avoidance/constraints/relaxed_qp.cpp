@@ -4,19 +4,19 @@
 
 namespace beespace::avoidance {
 
-std::optional<Vector3> RelaxedQp::nearest(const Vector3& wish, std::span<const HalfSpace> firm,
+std::optional<Vector3> RelaxedQp::nearest(const Vector3& target, std::span<const HalfSpace> firm,
                                           std::span<const Request> requests, const Ball& ball) {
-  if (requests.empty()) return nearest_place(wish, firm, ball);
+  if (requests.empty()) return nearest_place(target, firm, ball);
   ask_for_what_there_is(requests, ball);
-  if (auto found = at(0.0, wish, firm, ball)) return found;
-  auto best = at(1.0, wish, firm, ball);
+  if (auto found = at(0.0, target, firm, ball)) return found;
+  auto best = at(1.0, target, firm, ball);
   if (!best) return best;
   constexpr int kHalvings = 9;
   double too_little = 0.0;
   double enough = 1.0;
   for (int k = 0; k < kHalvings; ++k) {
     const double share = 0.5 * (too_little + enough);
-    const auto found = at(share, wish, firm, ball);
+    const auto found = at(share, target, firm, ball);
     (found ? enough : too_little) = share;
     if (found) best = found;
   }
@@ -34,13 +34,13 @@ void RelaxedQp::ask_for_what_there_is(std::span<const Request> requests, const B
   }
 }
 
-std::optional<Vector3> RelaxedQp::at(double share, const Vector3& wish,
+std::optional<Vector3> RelaxedQp::at(double share, const Vector3& target,
                                      std::span<const HalfSpace> firm, const Ball& ball) {
   all_.assign(firm.begin(), firm.end());
   for (const auto& [side, yields] : requests_) {
     all_.push_back({side.normal, side.offset - share * yields});
   }
-  return nearest_place(wish, all_, ball);
+  return nearest_place(target, all_, ball);
 }
 
 }  // namespace beespace::avoidance

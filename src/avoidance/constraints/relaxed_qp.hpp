@@ -21,12 +21,12 @@ class RelaxedQp {
   // Where not all requests can be met, each drops the part that no point of the ball satisfies (or
   // almost none). Then all are relaxed by the same share of the rest, the least that suffices (to a
   // five-hundredth). Nothing where they cannot be met even then.
-  std::optional<Vector3> nearest(const Vector3& wish, std::span<const HalfSpace> firm,
+  std::optional<Vector3> nearest(const Vector3& target, std::span<const HalfSpace> firm,
                                  std::span<const Request> requests, const Ball& ball);
 
  private:
   void ask_for_what_there_is(std::span<const Request> requests, const Ball& ball);
-  std::optional<Vector3> at(double share, const Vector3& wish, std::span<const HalfSpace> firm,
+  std::optional<Vector3> at(double share, const Vector3& target, std::span<const HalfSpace> firm,
                             const Ball& ball);
 
   std::vector<Request> requests_;

@@ -94,10 +94,10 @@ std::optional<LiveBees::Taken> LiveBees::before_last(const KnownBee& bee,
 }
 
 LiveBees::Taken LiveBees::take(const PositionReport& report, double max_age_s,
-                               std::size_t max_bees) {
+                               std::size_t max_agents) {
   const auto at = known_.find(report.id);
   if (at == known_.end()) {
-    if (known_.size() >= max_bees) return Taken::kFull;
+    if (known_.size() >= max_agents) return Taken::kFull;
     begin_segment(known_[report.id], report);
     ++once_;
     return Taken::kYes;

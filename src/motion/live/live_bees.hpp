@@ -5,7 +5,6 @@
 
 #include <beespace/swarm.hpp>
 
-#include <compare>
 #include <cstdint>
 #include <limits>
 #include <memory_resource>
@@ -21,7 +20,10 @@ struct AgentPair {
   AgentId first;
   AgentId second;
 
-  friend constexpr auto operator<=>(const AgentPair&, const AgentPair&) = default;
+  friend constexpr bool operator==(const AgentPair&, const AgentPair&) = default;
+  friend constexpr bool operator<(const AgentPair& a, const AgentPair& b) {
+    return a.first != b.first ? a.first < b.first : a.second < b.second;
+  }
 };
 
 // The reason why a segment is complete.
@@ -87,10 +89,10 @@ class LiveBees {
   explicit LiveBees(bool heights_apart) : heights_apart_(heights_apart) {}
 
   // Returns what became of the report, whose values are flushed; kFull if it is of a new bee beyond
-  // `max_bees`.
+  // `max_agents`.
   enum class Taken : std::uint8_t { kYes, kRepeated, kLate, kContrary, kFull };
   Taken take(const PositionReport& report, double max_age_s,
-             std::size_t max_bees = std::numeric_limits<std::size_t>::max());
+             std::size_t max_agents = std::numeric_limits<std::size_t>::max());
 
   // Removes a bee; nothing happens if it is unknown.
   void remove(AgentId bee);

@@ -42,8 +42,8 @@ std::optional<Error> check(const SwarmOptions& options) {
                  "max_speed_mps must be 0 or more, and finite, where it is given",
                  {}};
   }
-  if (options.max_bees == 0 || options.max_pairs == 0) {
-    return Error{ErrorCode::kInvalidArgument, "max_bees and max_pairs must be 1 or more", {}};
+  if (options.max_agents == 0 || options.max_pairs == 0) {
+    return Error{ErrorCode::kInvalidArgument, "max_agents and max_pairs must be 1 or more", {}};
   }
   return std::nullopt;
 }
@@ -104,7 +104,7 @@ class __attribute__((visibility("hidden"))) Swarm::State {
 
   [[nodiscard]] SwarmCounts counts() const {
     SwarmCounts counts = counts_;
-    counts.bees = bees_.under_way();
+    counts.agents = bees_.under_way();
     counts.stale = bees_.stale();
     counts.unknown_s = unknown_before_s_ + bees_.unknown_s();
     counts.heard_once = bees_.heard_once();
@@ -151,7 +151,7 @@ Status Swarm::State::update(PositionReport report) {
   if (!bad) bad = motion::check_height(report.height_m, report.climb_mps, 0);
   if (!bad) bad = check_time("the time of the report", report.time_s);
   if (bad) return about_agent(report.id, *std::move(bad));
-  switch (bees_.take(report, options_.max_age_s, options_.max_bees)) {
+  switch (bees_.take(report, options_.max_age_s, options_.max_agents)) {
     case motion::LiveBees::Taken::kFull:
       return refuse(report.id);
     case motion::LiveBees::Taken::kYes:
@@ -175,16 +175,16 @@ Error Swarm::State::refuse(AgentId id) {
   ++refused_;
   ++counts_.refused;
   return about_agent(id, {ErrorCode::kTooManyPoints,
-                          "there are " + std::to_string(options_.max_bees) +
+                          "there are " + std::to_string(options_.max_agents) +
                               " agents already; remove some that are gone, or allow for more "
-                              "(max_bees)",
+                              "(max_agents)",
                           {}});
 }
 
 void Swarm::State::report_refused(double now_s, std::vector<SwarmEvent>& events) {
   if (refused_ == 0) return;
   events.push_back({EventKind::kOverloaded, now_s, refused_first_, refused_first_, 0.0, now_s, 0.0,
-                    std::exchange(refused_, 0), SwarmBound::kBees});
+                    std::exchange(refused_, 0), SwarmBound::kAgents});
 }
 
 core::Resources Swarm::State::resources() {

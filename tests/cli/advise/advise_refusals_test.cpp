@@ -63,7 +63,7 @@ TEST(AdviseRefuses, TablesThatAreWrongWithTheirPlace) {
   constexpr int kBadInput = 3;
   expect_failure({"advise"}, "", kBadInput, "<stdin>: the input is empty");
   expect_failure({"advise"}, "x,y,z\n1,2,3\n", kBadInput,
-                 "<stdin>:1: the header names neither goals nor wishes");
+                 "<stdin>:1: the header names neither goals nor preferred velocities");
   expect_failure({"advise"}, "x,y,z,goal_x,goal_y,goal_z\n1,2,3,4,5,oops\n", kBadInput,
                  "<stdin>:2:6: 'oops'");
   expect_failure({"advise"}, "id,x,y,z,goal_x,goal_y,goal_z\na,1,2,3,4,5,6\na,1,2,3,4,5,6\n",
@@ -127,7 +127,7 @@ TEST(AdviseRefuses, InJsonToo) {
   const Finished finished = run({"advise", "--json"}, "x,y,z\n1,2,3\n");
   EXPECT_EQ(finished.exit_code, 3);
   EXPECT_TRUE(is_json(finished.out)) << finished.out;
-  expect_parts(finished.out, {"\"error\"", "names neither goals nor wishes"});
+  expect_parts(finished.out, {"\"error\"", "names neither goals nor preferred velocities"});
 }
 
 TEST(AdviseEnds, WithAFileThatIsThereWholeOrNotAtAll) {
@@ -136,7 +136,7 @@ TEST(AdviseEnds, WithAFileThatIsThereWholeOrNotAtAll) {
   EXPECT_EQ(run({"advise", "--output", file}, "x,y,z\n1,2,3\n").exit_code, 3);
   EXPECT_EQ(folder.read("advice.csv"), "old");
   EXPECT_EQ(run({"advise", "--output", file, "--quiet"}, kOne).out, "");
-  EXPECT_EQ(folder.read("advice.csv"), "id,vx,vy,vz,advice,certified\na,0.5,0,0,as-wished,yes\n");
+  EXPECT_EQ(folder.read("advice.csv"), "id,vx,vy,vz,advice,certified\na,0.5,0,0,as-preferred,yes\n");
   EXPECT_EQ(folder.names(), std::vector<std::string>{"advice.csv"});
   expect_failure({"advise", "--output", folder.path("nowhere/a.csv")}, kOne, 4, "nowhere/a.csv");
   expect_failure({"advise", "--output", "/dev/full"}, kOne, 4, "the disk is full");

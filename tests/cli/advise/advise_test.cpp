@@ -41,13 +41,13 @@ TEST(Advise, GivesEachBeeAVelocity) {
   EXPECT_EQ(rows[1][5], "yes");
   EXPECT_EQ(rows[2][4], "deflected");
   // With 5 m/s^2 for 0.1 s.
-  expect_rows({rows[3]}, {{"far", "0", "8.5", "0", "as-wished", "yes"}});
-  expect_rows({rows[4]}, {{"stay", "0", "0", "0", "as-wished", "yes"}});
+  expect_rows({rows[3]}, {{"far", "0", "8.5", "0", "as-preferred", "yes"}});
+  expect_rows({rows[4]}, {{"stay", "0", "0", "0", "as-preferred", "yes"}});
   expect_parts(
       finished.err,
       {"input      <stdin> (text, comma-separated)\n", "bees       4\n", "method     certified\n",
        "threshold  5 m (closer than)\n", "limits     10 m/s, 5 m/s^2\n", "step       0.1 s\n",
-       "as wished  2\n", "deflected  2, for the sake of others\n", "braking    0\n",
+       "preferred  2\n", "deflected  2, for the sake of others\n", "braking    0\n",
        "waiting    0\n", "uncertain  none\n", "time       read "});
   EXPECT_EQ(finished.err.find("obstacles"), std::string::npos);
   EXPECT_EQ(finished.err.find("too close "), std::string::npos);
@@ -94,9 +94,9 @@ TEST(Advise, WishesCountBeforeGoals) {
       "id,x,y,z,goal_x,goal_y,goal_z,want_vx,want_vy,want_vz\na,0,0,0,1000,0,0,0,0,0.25\n";
   const Finished finished = advised({}, both);
   expect_rows(rows_of(finished.out, ','), {{"id", "vx", "vy", "vz", "advice", "certified"},
-                                           {"a", "0", "0", "0.25", "as-wished", "yes"}});
-  expect_parts(finished.err, {"note       goals do not count beside wishes\n"});
-  expect_parts(advised({"--json"}, both).out, {R"("preferred": "wishes")"});
+                                           {"a", "0", "0", "0.25", "as-preferred", "yes"}});
+  expect_parts(finished.err, {"note       goals are ignored, as there are preferred velocities\n"});
+  expect_parts(advised({"--json"}, both).out, {R"("preferred": "velocities")"});
   expect_parts(advised({"--json"}).out, {R"("preferred": "goals")"});
 }
 
@@ -106,8 +106,8 @@ TEST(Advise, LimitsOfTheFileCountInsteadOfTheOptions) {
       "slow,0,0,0,1000,0,0,2,100\nlazy,0,500,0,1000,500,0,100,1\n";
   const Finished finished = advised({"--step", "1"}, own);
   expect_rows(rows_of(finished.out, ','), {{"id", "vx", "vy", "vz", "advice", "certified"},
-                                           {"slow", "2", "0", "0", "as-wished", "yes"},
-                                           {"lazy", "1", "0", "0", "as-wished", "yes"}});
+                                           {"slow", "2", "0", "0", "as-preferred", "yes"},
+                                           {"lazy", "1", "0", "0", "as-preferred", "yes"}});
   expect_parts(finished.err, {"limits     of each bee, as the file tells\n"});
   expect_parts(advised({"--json"}, own).out, {R"("own_limits": true)", R"("max_speed_mps": null)"});
   expect_failure({"advise", "--speed", "5"}, own, 2,
@@ -145,7 +145,7 @@ TEST(Advise, ObstaclesAreKeptClearOf) {
       folder.file("wall.json", R"({"obstacles": [{"kind": "ground", "height_m": 0},)"
                                R"( {"kind": "box", "low": [12, -50, 0], "high": [20, 50, 90]}]})");
   const std::string towards = "id,x,y,z,vx,vy,vz,goal_x,goal_y,goal_z\na,0,0,9,10,0,0,50,0,9\n";
-  EXPECT_EQ(rows_of(advised({}, towards).out, ',').at(1).at(4), "as-wished");
+  EXPECT_EQ(rows_of(advised({}, towards).out, ',').at(1).at(4), "as-preferred");
   const Finished kept = advised({"--obstacles", wall, "--fail-on-risk"}, towards);
   EXPECT_EQ(kept.exit_code, 0) << kept.err;
   EXPECT_LT(std::stod(rows_of(kept.out, ',').at(1).at(1)), 10.0);
@@ -209,13 +209,13 @@ TEST(Advise, JsonHasEverythingInIt) {
        R"("clearance_m": null)",
        R"("intruders": 0)",
        R"("intruder_horizon_s": null)",
-       R"("as_wished_count": 2)",
+       R"("as_preferred_count": 2)",
        R"("deflected_count": 2)",
        R"("braking_count": 0)",
        R"("waiting_count": 0)",
        R"("uncertified_count": 0)",
        R"("advice": [)",
-       R"({"id": "far", "vx": 0, "vy": 8.5, "vz": 0, "advice": "as-wished", "certified": true, )"
+       R"({"id": "far", "vx": 0, "vy": 8.5, "vz": 0, "advice": "as-preferred", "certified": true, )"
        R"("keeps_apart": true, "clear_of_intruders": true})",
        R"("too_close": [])",
        R"("near_obstacle": [])",
@@ -232,7 +232,7 @@ TEST(Advise, JsonHasEverythingInIt) {
 TEST(Advise, IdsComeBackAsTheyWere) {
   const std::string odd = "id,x,y,z,want_vx,want_vy,want_vz\n\"a, \"\"b\"\"\",0,0,0,0,0,0\n";
   EXPECT_EQ(rows_of(advised({}, odd).out, '\n').at(1).at(0),
-            "\"a, \"\"b\"\"\",0,0,0,as-wished,yes");
+            "\"a, \"\"b\"\"\",0,0,0,as-preferred,yes");
   expect_parts(advised({"--json"}, odd).out, {R"({"id": "a, \"b\"", )"});
 }
 

@@ -70,7 +70,7 @@ TEST(WatchAdvice, IsGivenToBeesThatShouldNotFlyOn) {
   ASSERT_GT(all.bees.size(), 5u);
   EXPECT_DOUBLE_EQ(number_in(all.bees[2], "time_s"), 0.1);
   expect_parts(all.bees[2], {R"("id": "c", "velocity": {"vx": 40, "vy": 0, "vz": 0})",
-                             R"("advice": "as-wished", "certified": true})"});
+                             R"("advice": "as-preferred", "certified": true})"});
   for (std::size_t i = 3; i < all.bees.size(); ++i) {
     EXPECT_EQ(all.bees[i].find(R"("id": "c")"), std::string::npos) << all.bees[i];
     EXPECT_GT(number_in(all.bees[i], "time_s"), 2.0);

@@ -64,9 +64,9 @@ TEST(BadPlans, MissingColumnsAreNamedWithThoseThatAreThere) {
                {ErrorCode::kMissingColumn, "bees.csv:1",
                 "a velocity needs three columns, and beside 'vx', 'vy' there is no vz"});
   expect_error(
-      load("x,y,z,want_vx\n1,2,3,4\n", PlanNeed::kGoalsOrWishes),
+      load("x,y,z,want_vx\n1,2,3,4\n", PlanNeed::kGoalsOrPreferred),
       {ErrorCode::kMissingColumn, "bees.csv:1",
-       "a wished velocity needs three columns, and beside 'want_vx' there is no want_vy,"});
+       "a preferred velocity needs three columns, and beside 'want_vx' there is no want_vy,"});
 }
 
 TEST(BadPlans, SomethingMustBeIntended) {
@@ -75,10 +75,10 @@ TEST(BadPlans, SomethingMustBeIntended) {
                {ErrorCode::kMissingColumn, "bees.csv:1",
                 "the header names no goals: goal_x, goal_y and goal_z are needed (the columns"});
   expect_error(load(kWishes), {ErrorCode::kMissingColumn, "bees.csv:1", "names no goals"});
-  EXPECT_TRUE(load(kWishes, PlanNeed::kGoalsOrWishes).has_value());
-  expect_error(load("x,y,z\n1,2,3\n", PlanNeed::kGoalsOrWishes),
+  EXPECT_TRUE(load(kWishes, PlanNeed::kGoalsOrPreferred).has_value());
+  expect_error(load("x,y,z\n1,2,3\n", PlanNeed::kGoalsOrPreferred),
                {ErrorCode::kMissingColumn, "bees.csv:1",
-                "the header names neither goals nor wishes: goal_x, goal_y, goal_z or want_vx, "
+                "the header names neither goals nor preferred velocities: goal_x, goal_y, goal_z or want_vx, "
                 "want_vy, want_vz are needed"});
 }
 

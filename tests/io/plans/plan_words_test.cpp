@@ -14,7 +14,7 @@ std::string role_text(Role role) {
   constexpr std::pair<Role, std::string_view> kGroups[] = {{Role::kX, "position "},
                                                            {Role::kVelocityX, "velocity "},
                                                            {Role::kGoalX, "goal "},
-                                                           {Role::kWishX, "wish "}};
+                                                           {Role::kPreferredX, "wish "}};
   for (const auto& [first, what] : kGroups) {
     if (const auto axis = part_within(first, role)) return std::string(what) + "xyz"[*axis];
   }

@@ -33,7 +33,7 @@ void expect_mission(const FlightPlans& plans) {
   EXPECT_EQ(plans.positions, (Points{{0, 1, 2}, {-10, 0.5, 10}}));
   EXPECT_EQ(plans.goals, (Points{{100, 101, 102}, {0, 0, 0}}));
   EXPECT_EQ(plans.velocities, Velocities());
-  EXPECT_EQ(plans.wishes, Velocities());
+  EXPECT_EQ(plans.preferred, Velocities());
   EXPECT_EQ(plans.max_speeds_mps, Numbers());
   EXPECT_EQ(plans.max_accelerations_mps2, Numbers());
 }
@@ -58,11 +58,11 @@ TEST(FlightPlansOf, ASnapshotWithVelocitiesAndWishes) {
   const FlightPlans plans = plans_of(
       "id;x;y;z;vx;vy;vz;want_vx;want_vy;want_vz\n"
       "7;1;2;3;0.1;0.2;0.3;-1;-2;-3\n",
-      PlanNeed::kGoalsOrWishes);
+      PlanNeed::kGoalsOrPreferred);
   EXPECT_EQ(plans.ids, Ids{"7"});
   EXPECT_EQ(plans.positions, (Points{{1, 2, 3}}));
   EXPECT_EQ(plans.velocities, (Velocities{{0.1, 0.2, 0.3}}));
-  EXPECT_EQ(plans.wishes, (Velocities{{-1, -2, -3}}));
+  EXPECT_EQ(plans.preferred, (Velocities{{-1, -2, -3}}));
   EXPECT_EQ(plans.goals, Points());
   EXPECT_EQ(plans.format_description, "text, semicolon-separated");
 }

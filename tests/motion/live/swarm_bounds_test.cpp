@@ -27,7 +27,7 @@ Events overloads(const Events& events, SwarmBound bound) {
 
 TEST(SwarmBounds, OfBeesRefuseTheNextOneAndSaySo) {
   SwarmOptions options{.threshold_m = 20.0};
-  options.max_bees = 2;
+  options.max_agents = 2;
   Swarm swarm(options);
   EXPECT_TRUE(swarm.update({1, 0.0, {0, 0, 0}}).has_value());
   EXPECT_TRUE(swarm.update({2, 0.0, {90, 0, 0}}).has_value());
@@ -42,14 +42,14 @@ TEST(SwarmBounds, OfBeesRefuseTheNextOneAndSaySo) {
   test::take_all(swarm, 1.0, events);
   ASSERT_EQ(events.size(), 1U);
   EXPECT_EQ(events[0].kind, EventKind::kOverloaded);
-  EXPECT_EQ(events[0].bound, SwarmBound::kBees);
+  EXPECT_EQ(events[0].bound, SwarmBound::kAgents);
   EXPECT_EQ(events[0].first, 7U);
   EXPECT_EQ(events[0].count, 3U);
   EXPECT_EQ(swarm.counts().refused, 3U);
-  EXPECT_EQ(swarm.counts().bees, 2U);
+  EXPECT_EQ(swarm.counts().agents, 2U);
   events.clear();
   test::take_all(swarm, 20.0, events);
-  EXPECT_TRUE(overloads(events, SwarmBound::kBees).empty());
+  EXPECT_TRUE(overloads(events, SwarmBound::kAgents).empty());
   EXPECT_FALSE(swarm.update({7, 20.0, {50, 0, 0}}).has_value()) << "stale ones are not forgotten";
   swarm.remove(2);
   EXPECT_TRUE(swarm.update({7, 20.0, {50, 0, 0}}).has_value());

@@ -92,9 +92,9 @@ TEST(SwarmRefusal, ReportsThatAreNotFiniteOrOutsideTheDomainAreLeftOut) {
     }
   }
   EXPECT_EQ(swarm.counts().taken, 0U);
-  EXPECT_EQ(swarm.counts().bees, 0U);
+  EXPECT_EQ(swarm.counts().agents, 0U);
   EXPECT_TRUE(swarm.update({42, 1.0, {1, 2, 3}}).has_value());
-  EXPECT_EQ(swarm.counts().bees, 1U);
+  EXPECT_EQ(swarm.counts().agents, 1U);
 }
 
 TEST(SwarmRefusal, TimeDoesNotGoBack) {

@@ -227,7 +227,7 @@ TEST(SwarmFinish, ReportsWhatIsKnownAndForgetsAll) {
   EXPECT_EQ((*last)[0].kind, EventKind::kEntered);
   EXPECT_EQ((*last)[1].kind, EventKind::kEnded);
   EXPECT_EQ((*last)[1].time_s, 5.0) << "up to when both are known";
-  EXPECT_EQ(swarm.counts().bees, 0U);
+  EXPECT_EQ(swarm.counts().agents, 0U);
   EXPECT_EQ(swarm.counts().taken, 3U);
   EXPECT_TRUE(swarm.movers(6.0).empty());
   // Clocks begin anew.
@@ -360,7 +360,7 @@ TEST(SwarmSilence, LastsWhenTimesBeginAnew) {
   EXPECT_EQ(count(events, EventKind::kStale), 1U);
   ASSERT_TRUE(swarm.begin_anew(100.0, 0.0).has_value());
   EXPECT_EQ(swarm.counts().stale, 1U);
-  EXPECT_EQ(swarm.counts().bees, 2U);
+  EXPECT_EQ(swarm.counts().agents, 2U);
   EXPECT_EQ(swarm.silences(1.0), (std::vector<Silence>{{1, 11.0, -10.0}}));
   hear(swarm, 2, 0.0, 0.0);
   hear(swarm, 2, 10.0, 0.0);

@@ -142,7 +142,7 @@ TEST(SwarmRemoval, EndsAnEncounter) {
   ASSERT_EQ(left.size(), 1U);
   EXPECT_EQ(left[0].time_s, 2.0);
   EXPECT_NEAR(left[0].distance_m, 9.0, 1e-12);
-  EXPECT_EQ(swarm.counts().bees, 1U);
+  EXPECT_EQ(swarm.counts().agents, 1U);
   EXPECT_EQ(swarm.counts().stale, 0U);
   EXPECT_TRUE(advanced(swarm, 3.0).empty());
 }
@@ -178,7 +178,7 @@ TEST(SwarmStaleness, EndsEncountersAndIsReportedOnce) {
   EXPECT_EQ(lost.since_s, 2.0);
   EXPECT_EQ(lost.distance_m, 9.0);
   EXPECT_EQ(events.size(), 2U) << "they have neither passed nor left";
-  EXPECT_EQ(swarm.counts().bees, 1U);
+  EXPECT_EQ(swarm.counts().agents, 1U);
   EXPECT_EQ(swarm.counts().stale, 1U);
   hear(swarm, {3, 9.0, {0, 0, 0}});
   EXPECT_TRUE(advanced(swarm, 9.0).empty());
@@ -193,7 +193,7 @@ TEST(SwarmStaleness, LetsABeeComeBackAndEnterAnew) {
   }
   const Events events = events_of_distances(swarm, {10, 9, 30}, 10.0);
   EXPECT_EQ(swarm.counts().stale, 0U);
-  EXPECT_EQ(swarm.counts().bees, 2U);
+  EXPECT_EQ(swarm.counts().agents, 2U);
   const Events entered = test::of_kind(events, EventKind::kEntered);
   ASSERT_EQ(entered.size(), 1U);
   EXPECT_EQ(entered[0].time_s, 10.0) << "its place before that is unknown";
