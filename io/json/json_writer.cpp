@@ -1,0 +1,121 @@
+#include "io/json/json_writer.hpp"
+
+#include "io/bytes/number_text.hpp"
+#include "io/json/json_text.hpp"
+
+#include <cassert>
+#include <cmath>
+#include <exception>
+
+namespace beespace::io {
+namespace {
+
+constexpr std::uint8_t kIndent = 2;
+
+bool breaks_lines(JsonLayout layout) {
+  return layout == JsonLayout::kRows || layout == JsonLayout::kLines ||
+         layout == JsonLayout::kFlush;
+}
+
+std::uint8_t indent_within(JsonLayout layout, std::uint8_t around) {
+  switch (layout) {
+    case JsonLayout::kTight:
+    case JsonLayout::kLine:
+      return around;
+    case JsonLayout::kFlush:
+      return 0;
+    case JsonLayout::kWrapped:
+    case JsonLayout::kRows:
+    case JsonLayout::kLines:
+      break;
+  }
+  return static_cast<std::uint8_t>(around + kIndent);
+}
+
+}  // namespace
+
+JsonWriter::~JsonWriter() {
+  assert((depth_ == 0 && !has_key_) || std::uncaught_exceptions() > 0);
+}
+
+void JsonWriter::begin(JsonLayout layout, bool is_object) {
+  begin_value();
+  assert(depth_ + 1 < kMostNested);
+  const std::uint8_t indent = indent_within(layout, level().indent);
+  levels_[++depth_] = {layout, is_object, true, indent};
+  out_ += is_object ? '{' : '[';
+}
+
+void JsonWriter::end() {
+  assert(depth_ > 0 && !has_key_);
+  const Level& ended = level();
+  if (starts_line_) break_line(ended.indent);
+  if (ended.layout == JsonLayout::kFlush) break_line(0);
+  if (ended.layout == JsonLayout::kLines && !ended.empty) break_line(ended.indent - kIndent);
+  out_ += ended.is_object ? '}' : ']';
+  --depth_;
+}
+
+void JsonWriter::key(std::string_view name) {
+  assert(level().is_object && !has_key_);
+  separate();
+  append_json_string(out_, name);
+  out_ += level().layout == JsonLayout::kTight ? ":" : ": ";
+  has_key_ = true;
+}
+
+void JsonWriter::null() {
+  write("null");
+}
+
+void JsonWriter::value(double number) {
+  if (!std::isfinite(number)) return null();
+  begin_value();
+  append_exact(out_, number);
+}
+
+void JsonWriter::value(std::string_view text) {
+  begin_value();
+  append_json_string(out_, text);
+}
+
+void JsonWriter::value(std::span<const std::string> texts) {
+  begin_array();
+  for (const std::string& text : texts) value(text);
+  end();
+}
+
+void JsonWriter::write(std::string_view word) {
+  begin_value();
+  out_ += word;
+}
+
+void JsonWriter::write_count(std::uint64_t number) {
+  begin_value();
+  append_exact(out_, number);
+}
+
+void JsonWriter::begin_value() {
+  assert(level().is_object == has_key_);
+  if (!has_key_ && depth_ > 0) separate();
+  has_key_ = false;
+}
+
+void JsonWriter::separate() {
+  Level& around = levels_[depth_];
+  if (!around.empty) out_ += ',';
+  if (starts_line_ || breaks_lines(around.layout)) {
+    break_line(around.indent);
+  } else if (!around.empty && around.layout != JsonLayout::kTight) {
+    out_ += ' ';
+  }
+  around.empty = false;
+}
+
+void JsonWriter::break_line(std::size_t indent) {
+  out_ += '\n';
+  out_.append(indent, ' ');
+  starts_line_ = false;
+}
+
+}  // namespace beespace::io

@@ -1,0 +1,102 @@
+// Writes JSON into a text, value after value: commas, nesting and layout are its own.
+//
+// It only appends, so whoever owns the text may hand on what is there and clear it between values.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace beespace::io {
+
+// Where the values of an object or array stand.
+enum class JsonLayout : std::uint8_t {
+  kTight,    // {"a":1,"b":2}
+  kLine,     // {"a": 1, "b": 2}
+  kWrapped,  // the same, but for new_line()
+  kRows,     // each on a line of its own, two blanks further in; the end behind the last
+  kLines,    // the same, the end on a line of its own
+  kFlush,    // each on a line of its own, and the end, all at the margin
+};
+
+class JsonWriter {
+ public:
+  explicit JsonWriter(std::string& out) : out_(out) {}
+  ~JsonWriter();
+  JsonWriter(const JsonWriter&) = delete;
+  JsonWriter& operator=(const JsonWriter&) = delete;
+
+  // Without a layout: tight within what is tight, or else on one line.
+  void begin_object() { begin_object(inner_layout()); }
+  void begin_array() { begin_array(inner_layout()); }
+  void begin_object(JsonLayout layout) { begin(layout, true); }
+  void begin_array(JsonLayout layout) { begin(layout, false); }
+  void end();
+
+  // What comes next, a value or the end, begins a line, in the indentation of the values.
+  void new_line() { starts_line_ = true; }
+
+  void key(std::string_view name);
+
+  void null();
+  void value(double number);  // null where it is not finite
+  void value(std::string_view text);
+  void value(const char* text) { value(std::string_view(text)); }
+  void value(std::span<const std::string> texts);  // an array
+  void value(std::same_as<bool> auto yes) { write(yes ? "true" : "false"); }
+  template <std::unsigned_integral Number>
+  requires(!std::same_as<Number, bool>) void value(Number number) { write_count(number); }
+  // null where there is none.
+  template <class Value>
+  void value(const std::optional<Value>& held) {
+    held ? value(*held) : null();
+  }
+
+  template <class Value>
+  void member(std::string_view name, const Value& held) {
+    key(name);
+    value(held);
+  }
+
+ private:
+  // The deepest document, CZML, has six.
+  static constexpr std::size_t kMostNested = 16;
+
+  struct Level {
+    JsonLayout layout = JsonLayout::kLine;
+    bool is_object = false;
+    bool empty = true;
+    std::uint8_t indent = 0;  // of its values, where they begin a line
+  };
+
+  [[nodiscard]] JsonLayout inner_layout() const {
+    return level().layout == JsonLayout::kTight ? JsonLayout::kTight : JsonLayout::kLine;
+  }
+  // levels_[0] is around the document.
+  [[nodiscard]] const Level& level() const { return levels_[depth_]; }
+  void begin(JsonLayout layout, bool is_object);
+  void begin_value();
+  void separate();
+  void break_line(std::size_t indent);
+  void write(std::string_view word);
+  void write_count(std::uint64_t number);
+
+  std::string& out_;
+  std::array<Level, kMostNested> levels_{};
+  std::size_t depth_ = 0;
+  bool has_key_ = false;
+  bool starts_line_ = false;
+};
+
+// The value where it is known, to be written as null where not.
+template <class Value>
+std::optional<Value> known_if(bool known, Value value) {
+  return known ? std::optional<Value>(value) : std::nullopt;
+}
+
+}  // namespace beespace::io
