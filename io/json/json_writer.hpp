@@ -36,6 +36,17 @@ class JsonWriter {
   void begin_array() { begin_array(inner_layout()); }
   void begin_object(JsonLayout layout) { begin(layout, true); }
   void begin_array(JsonLayout layout) { begin(layout, false); }
+  // As a member.
+  template <class... Layout>
+  void begin_object(std::string_view name, Layout... layout) {
+    key(name);
+    begin_object(layout...);
+  }
+  template <class... Layout>
+  void begin_array(std::string_view name, Layout... layout) {
+    key(name);
+    begin_array(layout...);
+  }
   void end();
 
   // What comes next, a value or the end, begins a line, in the indentation of the values.

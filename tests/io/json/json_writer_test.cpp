@@ -25,14 +25,11 @@ std::string text_of(const Value& value) {
 std::string nested(JsonLayout layout) {
   return written([layout](JsonWriter& json) {
     json.begin_object(layout);
-    json.key("none");
-    json.begin_object(layout);
+    json.begin_object("none", layout);
     json.end();
-    json.key("no rows");
-    json.begin_array(layout);
+    json.begin_array("no rows", layout);
     json.end();
-    json.key("rows");
-    json.begin_array(layout);
+    json.begin_array("rows", layout);
     for (const unsigned number : {1u, 2u}) {
       json.begin_object();
       json.member("a", number);
@@ -80,8 +77,7 @@ TEST(JsonWriter, WhatStandsOnOneLineDoesNotIndent) {
   EXPECT_EQ(written([](JsonWriter& json) {
               json.begin_array(JsonLayout::kLines);
               json.begin_object();
-              json.key("rows");
-              json.begin_array(JsonLayout::kRows);
+              json.begin_array("rows", JsonLayout::kRows);
               json.value(1u);
               json.end();
               json.end();
@@ -107,8 +103,7 @@ TEST(JsonWriter, TheCallerMayBeginALine) {
 TEST(JsonWriter, WithinWhatIsTightAllIs) {
   EXPECT_EQ(written([](JsonWriter& json) {
               json.begin_object();
-              json.key("tight");
-              json.begin_object(JsonLayout::kTight);
+              json.begin_object("tight", JsonLayout::kTight);
               json.member("texts", std::vector<std::string>{"a", "b"});
               json.end();
               json.member("texts", std::vector<std::string>{"a", "b"});
