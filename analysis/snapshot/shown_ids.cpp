@@ -1,7 +1,6 @@
 #include "analysis/snapshot/shown_ids.hpp"
 
 #include "io/bytes/number_text.hpp"
-#include "io/json/json_text.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -67,12 +66,12 @@ std::string ShownIds::text(PointId point) const {
   return out;
 }
 
-void ShownIds::append_json(std::string& out, PointId point) const {
+void ShownIds::write(io::JsonWriter& json, PointId point) const {
+  if (rows_are_points_) return json.value(point);
   if (own_ids_ && !std::binary_search(empty_.begin(), empty_.end(), point)) {
-    io::append_json_string(out, find(point));
-  } else {
-    append(out, point);
+    return json.value(find(point));
   }
+  json.value(io::parse_whole(find(point)));
 }
 
 }  // namespace beespace::analysis

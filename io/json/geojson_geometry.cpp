@@ -1,9 +1,6 @@
 #include "io/json/geojson_geometry.hpp"
 
-#include "io/json/json_object.hpp"
-
 #include <cmath>
-#include <string_view>
 #include <vector>
 
 namespace beespace::io {
@@ -18,19 +15,12 @@ double within_half_turn(double longitude_deg) {
   return std::remainder(longitude_deg, kTurn_deg) + 0.0;
 }
 
-std::string coordinates(const GeographicPosition& position) {
-  JsonList list(JsonStyle::kSpaced);
-  list.add_number(position.longitude_deg);
-  list.add_number(position.latitude_deg);
-  list.add_number(position.height_m);
-  return list.text();
-}
-
-std::string geometry(std::string_view type, std::string_view coordinates) {
-  JsonObject object(JsonStyle::kSpaced);
-  object.add_text("type", type);
-  object.add_json("coordinates", coordinates);
-  return object.text();
+void write_position(JsonWriter& json, const GeographicPosition& position) {
+  json.begin_array();
+  json.value(position.longitude_deg);
+  json.value(position.latitude_deg);
+  json.value(position.height_m);
+  json.end();
 }
 
 GeographicPosition within_half_turn(GeographicPosition position) {
@@ -53,11 +43,19 @@ struct Line {
   GeographicPosition to;
 };
 
-std::string coordinates(const Line& line) {
-  JsonList list(JsonStyle::kSpaced);
-  list.add_json(coordinates(line.from));
-  list.add_json(coordinates(line.to));
-  return list.text();
+void write_positions(JsonWriter& json, const Line& line) {
+  json.begin_array();
+  write_position(json, line.from);
+  write_position(json, line.to);
+  json.end();
+}
+
+void write_geometry(JsonWriter& json, const char* type, const auto& write_coordinates) {
+  json.begin_object();
+  json.member("type", type);
+  json.key("coordinates");
+  write_coordinates();
+  json.end();
 }
 
 // The same place, on the meridian of 180 degrees as one comes there from `side_deg`.
@@ -80,20 +78,21 @@ std::vector<Line> cut_at_half_turn(const Line& line) {
 
 }  // namespace
 
-void append_geojson_point(std::string& out, const GeographicPosition& position) {
-  out += geometry("Point", coordinates(within_half_turn(position)));
+void write_geojson_point(JsonWriter& json, const GeographicPosition& position) {
+  write_geometry(json, "Point", [&] { write_position(json, within_half_turn(position)); });
 }
 
-void append_geojson_line(std::string& out, const GeographicPosition& from,
-                         const GeographicPosition& to) {
+void write_geojson_line(JsonWriter& json, const GeographicPosition& from,
+                        const GeographicPosition& to) {
   const auto parts = cut_at_half_turn({within_half_turn(from), within_half_turn(to)});
   if (parts.size() == 1) {
-    out += geometry("LineString", coordinates(parts.front()));
-    return;
+    return write_geometry(json, "LineString", [&] { write_positions(json, parts.front()); });
   }
-  JsonList lines(JsonStyle::kSpaced);
-  for (const Line& part : parts) lines.add_json(coordinates(part));
-  out += geometry("MultiLineString", lines.text());
+  write_geometry(json, "MultiLineString", [&] {
+    json.begin_array();
+    for (const Line& part : parts) write_positions(json, part);
+    json.end();
+  });
 }
 
 }  // namespace beespace::io

@@ -39,13 +39,15 @@ class Features {
 
 std::string point(const GeographicPosition& at) {
   std::string text;
-  io::append_geojson_point(text, at);
+  io::JsonWriter json(text);
+  io::write_geojson_point(json, at);
   return text;
 }
 
 std::string line(const GeographicPosition& from, const GeographicPosition& to) {
   std::string text;
-  io::append_geojson_line(text, from, to);
+  io::JsonWriter json(text);
+  io::write_geojson_line(json, from, to);
   return text;
 }
 
