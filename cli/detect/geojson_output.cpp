@@ -32,23 +32,11 @@ class Positions {
   std::vector<GeographicPosition> positions_;
 };
 
-// What `write` writes are the members of its properties.
-void write_feature(io::JsonWriter& json, const auto& write_geometry, const auto& write) {
-  json.begin_object();
-  json.member("type", "Feature");
-  json.key("geometry");
-  write_geometry();
-  json.begin_object("properties");
-  write();
-  json.end();
-  json.end();
-}
-
 void write_rows(const BeeTable& table, const Answer& answer, BlockWriter& out,
                 io::JsonWriter& json) {
   io::for_each_record(answer.inputs.ours, table.bees, [&](const io::Record& record) {
-    write_feature(
-        json, [&] { io::write_geojson_point(json, record.geographic); },
+    io::write_geojson_feature(
+        json, io::JsonLayout::kLine, [&] { io::write_geojson_point(json, record.geographic); },
         [&] {
           json.key("id");
           answer.ids.ours().write(json, record.point);
@@ -70,8 +58,9 @@ void write_rows(const PairTable& table, const Answer& answer, BlockWriter& out,
   const Positions ours(inputs.ours, std::move(firsts));
   const Positions theirs(inputs.theirs(), std::move(seconds));
   for (const Pair& pair : table.pairs) {
-    write_feature(
-        json, [&] { io::write_geojson_line(json, ours.of(pair.first), theirs.of(pair.second)); },
+    io::write_geojson_feature(
+        json, io::JsonLayout::kLine,
+        [&] { io::write_geojson_line(json, ours.of(pair.first), theirs.of(pair.second)); },
         [&] { write_pair(json, pair, inputs, answer.ids); });
     out.pass_on();
   }

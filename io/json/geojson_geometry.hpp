@@ -14,4 +14,18 @@ void write_geojson_point(JsonWriter& json, const GeographicPosition& position);
 void write_geojson_line(JsonWriter& json, const GeographicPosition& from,
                         const GeographicPosition& to);
 
+// A feature: `write_geometry` writes its geometry, `write_properties` the members of its
+// properties.
+void write_geojson_feature(JsonWriter& json, JsonLayout of_properties, const auto& write_geometry,
+                           const auto& write_properties) {
+  json.begin_object();
+  json.member("type", "Feature");
+  json.key("geometry");
+  write_geometry();
+  json.begin_object("properties", of_properties);
+  write_properties();
+  json.end();
+  json.end();
+}
+
 }  // namespace beespace::io

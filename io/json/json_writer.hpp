@@ -75,7 +75,7 @@ class JsonWriter {
   }
 
  private:
-  // The deepest document, CZML, has six.
+  // The deepest, CZML, has seven.
   static constexpr std::size_t kMostNested = 16;
 
   struct Level {
