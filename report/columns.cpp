@@ -91,18 +91,13 @@ void Columns::add(io::JsonWriter& json, std::string_view name, std::span<const d
 
 void Columns::add(io::JsonWriter& json, std::string_view name, std::span<const std::string> texts) {
   std::string list;
-  io::JsonWriter of_texts(list);
-  of_texts.begin_array(io::JsonLayout::kTight);
-  for (const std::string& text : texts) of_texts.value(text);
-  of_texts.end();
+  io::JsonWriter(list, io::JsonLayout::kTight).value(texts);
   keep(json, name, {"json", texts.size()}, list);
 }
 
 void Columns::keep(io::JsonWriter& json, std::string_view name, const Kept& column,
                    std::string_view bytes) {
-  json.begin_object(name);
-  json.member("at", elements_.size());
-  json.member("type", column.type);
+  json.begin_object(name).member("at", elements_.size()).member("type", column.type);
   json.member("count", column.count);
   if (column.differences == Differences::kFirst) json.member("code", "delta");
   if (column.differences == Differences::kSecond) json.member("code", "delta2");

@@ -36,13 +36,10 @@ std::string harmless(std::string_view json) {
 std::string page_json(const std::function<void(io::JsonWriter&)>& write_swarms) {
   std::string text;
   io::JsonWriter json(text);
-  json.begin_object(io::JsonLayout::kTight);
-  json.member("format", 1u);
-  json.member("beespace", version());
+  json.begin_object(io::JsonLayout::kTight).member("format", 1u).member("beespace", version());
   json.begin_array("swarms");
   write_swarms(json);
-  json.end();
-  json.end();
+  json.end().end();
   return text;
 }
 

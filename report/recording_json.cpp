@@ -176,16 +176,13 @@ void write_risk(io::JsonWriter& json, const RecordingFacts& facts, double begins
     if (i == 0 || facts.at_risk[i - 1].bee != bee) ++bees;
   }
   json.begin_object("risk");
-  json.member("conflicts", facts.conflict_count);
-  json.member("possible", facts.possible_count);
-  json.member("pairs", facts.pair_count);
-  json.member("bees", bees);
+  json.member("conflicts", facts.conflict_count).member("possible", facts.possible_count);
+  json.member("pairs", facts.pair_count).member("bees", bees);
   json.member("bee_seconds", bee_seconds);
   if (!facts.unknown.empty()) json.member("unknown", facts.unknown);
   if (facts.closest) {
     json.begin_object("closest");
-    json.member("first", facts.closest->first);
-    json.member("second", facts.closest->second);
+    json.member("first", facts.closest->first).member("second", facts.closest->second);
     json.member("distance_m", facts.closest->closest_m);
     json.member("time_s", facts.closest->closest_s - begins_s);
     json.end();
@@ -194,9 +191,7 @@ void write_risk(io::JsonWriter& json, const RecordingFacts& facts, double begins
 }
 
 void write_time(io::JsonWriter& json, const RecordingFacts& facts, const TimeSpan& time) {
-  json.begin_object("time");
-  json.member("begins_s", time.begins_s);
-  json.member("ends_s", time.ends_s);
+  json.begin_object("time").member("begins_s", time.begins_s).member("ends_s", time.ends_s);
   json.member("since_1970", facts.since_1970);
   json.end();
 }
@@ -220,8 +215,7 @@ void write_swarm(io::JsonWriter& json, const RecordingFacts& facts, Columns& col
     swarm.notes.push_back("one fix in " + std::to_string(shown.every) +
                           " is shown; what is said of conflicts comes from all");
   }
-  json.begin_object();
-  json.member("kind", "recording");
+  json.begin_object().member("kind", "recording");
   write_facts(json, swarm, facts.tracks.size(), columns);
   json.member("position_error_m",
               positions.error_m + shown.error_m + flown_in_error_m(shown, clock));

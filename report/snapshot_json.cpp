@@ -44,24 +44,19 @@ void write_nearest(io::JsonWriter& json, const std::vector<Nearest>& nearest, Co
   }
   json.begin_object("nearest");
   columns.add(json, "code", codes);
-  json.member("least_m", least_m);
-  json.member("ratio", std::exp(logarithm));
+  json.member("least_m", least_m).member("ratio", std::exp(logarithm));
   json.end();
 }
 
 void write_closest(io::JsonWriter& json, const ClosestPair& closest) {
-  json.begin_object("closest");
-  json.member("first", closest.first);
-  json.member("second", closest.second);
+  json.begin_object("closest").member("first", closest.first).member("second", closest.second);
   json.member("distance_m", closest.distance_m);
   json.end();
 }
 
 void write_risk(io::JsonWriter& json, const SnapshotFacts& facts) {
-  json.begin_object("risk");
-  json.member("at_risk", facts.at_risk.size());
-  json.member("pairs", facts.pair_count);
-  json.member("groups", facts.group_count);
+  json.begin_object("risk").member("at_risk", facts.at_risk.size());
+  json.member("pairs", facts.pair_count).member("groups", facts.group_count);
   json.member("largest_group", facts.largest_group);
   if (!facts.unknown.empty()) json.member("unknown", facts.unknown);
   if (facts.closest) write_closest(json, *facts.closest);
@@ -102,8 +97,7 @@ void write_pairs(io::JsonWriter& json, const SnapshotFacts& facts, Columns& colu
 
 void write_swarm(io::JsonWriter& json, const SnapshotFacts& facts, Columns& columns) {
   const std::size_t count = facts.positions.size();
-  json.begin_object();
-  json.member("kind", "snapshot");
+  json.begin_object().member("kind", "snapshot");
   write_facts(json, facts.swarm, count, columns);
   const Quantised positions = quantised(facts.positions, count > kMany ? 15 : 16);
   json.member("position_error_m", positions.error_m);

@@ -13,8 +13,7 @@ constexpr std::array<const char*, 3> kLocalAxes = {"east", "north", "up"};
 
 void write_origin(io::JsonWriter& json, const GeographicPosition& origin) {
   json.begin_object("origin");
-  json.member("longitude_deg", origin.longitude_deg);
-  json.member("latitude_deg", origin.latitude_deg);
+  json.member("longitude_deg", origin.longitude_deg).member("latitude_deg", origin.latitude_deg);
   json.member("height_m", origin.height_m);
   json.end();
 }
@@ -37,12 +36,8 @@ std::string Names::of(PointId bee) const {
 
 void write_facts(io::JsonWriter& json, const SwarmFacts& swarm, std::size_t count,
                  Columns& columns) {
-  json.member("title", swarm.title);
-  json.member("source", swarm.source);
-  json.member("count", count);
-  json.begin_array("axes");
-  for (const char* axis : swarm.origin ? kLocalAxes : kAxes) json.value(axis);
-  json.end();
+  json.member("title", swarm.title).member("source", swarm.source);
+  json.member("count", count).member("axes", swarm.origin ? kLocalAxes : kAxes);
   if (swarm.origin) write_origin(json, *swarm.origin);
   json.member("threshold_m", swarm.threshold_m);
   if (swarm.vertical_m) json.member("vertical_m", swarm.vertical_m);

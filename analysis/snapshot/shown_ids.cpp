@@ -67,11 +67,13 @@ std::string ShownIds::text(PointId point) const {
 }
 
 void ShownIds::write(io::JsonWriter& json, PointId point) const {
-  if (rows_are_points_) return json.value(point);
-  if (own_ids_ && !std::binary_search(empty_.begin(), empty_.end(), point)) {
-    return json.value(find(point));
+  if (rows_are_points_) {
+    json.value(point);
+  } else if (own_ids_ && !std::binary_search(empty_.begin(), empty_.end(), point)) {
+    json.value(find(point));
+  } else {
+    json.value(io::parse_whole(find(point)));
   }
-  json.value(io::parse_whole(find(point)));
 }
 
 }  // namespace beespace::analysis

@@ -11,6 +11,7 @@
 #include <beespace/version.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -23,13 +24,9 @@ namespace {
 void write_input(io::JsonWriter& json, const Counsel& counsel) {
   const Situation& situation = counsel.situation;
   json.begin_object("input", io::JsonLayout::kLines);
-  json.begin_array("files");
-  json.value(io::source_name(counsel.request.input));
-  json.end();
-  json.member("format", situation.format_description);
-  json.member("bees", situation.movers.size());
-  json.key("units");
-  write_units(json, situation.units);
+  json.member("files", std::array{io::source_name(counsel.request.input)});
+  json.member("format", situation.format_description).member("bees", situation.movers.size());
+  write_units(json.key("units"), situation.units);
   json.member("notes", situation.notes);
   json.end();
 }
@@ -39,18 +36,14 @@ void write_head(io::JsonWriter& json, const Counsel& counsel) {
   const AdviseOptions& advice = request.advice;
   const Situation& situation = counsel.situation;
   const bool limits = !situation.own_limits;
-  json.member("version", version());
-  json.member("command", "advise");
+  json.member("version", version()).member("command", "advise");
   write_input(json, counsel);
   json.member("preferred", situation.wishes ? "wishes" : "goals");
-  json.member("method", name_of(advice.method));
-  json.member("threshold_m", advice.threshold_m);
-  json.member("uncertainty_m", advice.uncertainty_m);
-  json.member("own_limits", situation.own_limits);
+  json.member("method", name_of(advice.method)).member("threshold_m", advice.threshold_m);
+  json.member("uncertainty_m", advice.uncertainty_m).member("own_limits", situation.own_limits);
   json.member("max_speed_mps", io::known_if(limits, request.limits.max_speed_mps));
   json.member("max_acceleration_mps2", io::known_if(limits, request.limits.max_acceleration_mps2));
-  json.member("step_s", advice.step_s);
-  json.member("obstacles", situation.obstacles.obstacles().size());
+  json.member("step_s", advice.step_s).member("obstacles", situation.obstacles.obstacles().size());
   json.member("clearance_m", io::known_if(!request.obstacles.empty(), advice.clearance_m));
   json.member("intruders", situation.intruders.size());
   json.member("intruder_horizon_s",
@@ -62,11 +55,6 @@ void write_head(io::JsonWriter& json, const Counsel& counsel) {
     json.member(name, count(counsel.advised, kind));
   }
   json.member("uncertified_count", count_uncertified(counsel.advised));
-}
-
-void write_bee(io::JsonWriter& json, const char* key, const FlightNames& names, std::size_t bee) {
-  json.key(key);
-  names.write_bee(json, static_cast<PointId>(bee));
 }
 
 // An array, an object a line: `write` writes its members.
@@ -125,41 +113,34 @@ void write_as_json(const Counsel& counsel, io::AtomicOutput& output) {
   io::JsonWriter json(out.text);
   json.begin_object(io::JsonLayout::kLines);
   write_head(json, counsel);
-  std::size_t bee = 0;
+  PointId bee = 0;
   write_list(out, json, "advice", advised.advice, [&](const Advice& advice) {
-    write_bee(json, "id", names, bee++);
-    json.member("vx", advice.velocity.x);
-    json.member("vy", advice.velocity.y);
-    json.member("vz", advice.velocity.z);
-    json.member("advice", name_of(advice.kind));
-    json.member("certified", advice.certified);
-    json.member("keeps_apart", advice.keeps_apart);
+    names.write_bee(json.key("id"), bee++);
+    json.member("vx", advice.velocity.x).member("vy", advice.velocity.y);
+    json.member("vz", advice.velocity.z).member("advice", name_of(advice.kind));
+    json.member("certified", advice.certified).member("keeps_apart", advice.keeps_apart);
     json.member("clear_of_intruders", advice.clear_of_intruders);
   });
   write_list(out, json, "too_close", advised.too_close, [&](const TooClose& close) {
-    write_bee(json, "first", names, close.pair.first);
-    write_bee(json, "second", names, close.pair.second);
-    json.member("gap_m", close.gap_m);
-    json.member("clear_s", close.clear_s);
+    names.write_bee(json.key("first"), close.pair.first);
+    names.write_bee(json.key("second"), close.pair.second);
+    json.member("gap_m", close.gap_m).member("clear_s", close.clear_s);
   });
   write_list(out, json, "near_obstacle", advised.near_obstacle, [&](const NearObstacle& near) {
-    write_bee(json, "bee", names, near.bee);
-    json.member("obstacle", near.obstacle);
-    json.member("gap_m", near.gap_m);
+    names.write_bee(json.key("bee"), near.bee);
+    json.member("obstacle", near.obstacle).member("gap_m", near.gap_m);
   });
   write_list(out, json, "intruder_conflicts", advised.intruder_conflicts,
              [&](const IntruderConflict& conflict) {
-               write_bee(json, "bee", names, conflict.bee);
-               write_bee(json, "intruder", intruders, conflict.intruder);
-               json.member("begins_s", conflict.begins_s);
-               json.member("closest_m", conflict.closest_m);
+               names.write_bee(json.key("bee"), conflict.bee);
+               intruders.write_bee(json.key("intruder"), static_cast<PointId>(conflict.intruder));
+               json.member("begins_s", conflict.begins_s).member("closest_m", conflict.closest_m);
              });
   write_list(out, json, "refused", advised.refused, [&](const Refused& refused) {
     const bool is_bee = refused.kind == RefusedKind::kState || refused.kind == RefusedKind::kWish;
     json.member("kind", name_of(refused.kind));
-    write_bee(json, "id", is_bee ? names : intruders, refused.index);
-    json.member("code", to_string(refused.error.code));
-    json.member("message", refused.error.message);
+    (is_bee ? names : intruders).write_bee(json.key("id"), static_cast<PointId>(refused.index));
+    json.member("code", to_string(refused.error.code)).member("message", refused.error.message);
   });
   json.end();
   out.text += '\n';

@@ -14,9 +14,7 @@ void write_figures(io::JsonWriter& json, const BenchSceneResult& scene, const Be
   const auto write = [&](const BenchFigure& figure, unsigned threads,
                          const std::optional<double>& seconds) {
     if (!seconds) return;
-    json.begin_object();
-    json.member("question", figure.question);
-    json.member("threads", threads);
+    json.begin_object().member("question", figure.question).member("threads", threads);
     json.member("ns_per_point", ns_per_point(*seconds, run));
     json.member("floors", *seconds / scene.read_floor_s);
     json.end();
@@ -33,22 +31,17 @@ std::string bench_json(const BenchRun& run, const std::vector<BenchSceneResult>&
   std::string out;
   io::JsonWriter json(out);
   json.begin_object(io::JsonLayout::kLines);
-  json.member("version", version());
-  json.member("points", run.points);
-  json.member("threads", run.threads);
+  json.member("version", version()).member("points", run.points).member("threads", run.threads);
   json.begin_array("scenes", io::JsonLayout::kRows);
   for (const BenchSceneResult& scene : results) {
     json.begin_object();
-    json.member("scene", scene.scene->name);
-    json.member("threshold_m", scene.scene->threshold_m);
+    json.member("scene", scene.scene->name).member("threshold_m", scene.scene->threshold_m);
     json.member("floor_ns_per_point", ns_per_point(scene.read_floor_s, run));
     json.begin_array("results", io::JsonLayout::kRows);
     write_figures(json, scene, run);
-    json.end();
-    json.end();
+    json.end().end();
   }
-  json.end();
-  json.end();
+  json.end().end();
   return out + '\n';
 }
 

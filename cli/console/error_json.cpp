@@ -4,12 +4,9 @@ namespace beespace::cli {
 
 void write_error(io::JsonWriter& json, const Error& error) {
   const std::string& source = error.place.source;
-  json.begin_object();
-  json.member("code", to_string(error.code));
-  json.member("message", error.message);
+  json.begin_object().member("code", to_string(error.code)).member("message", error.message);
   json.member("file", io::known_if<std::string_view>(!source.empty(), source));
-  json.member("line", error.place.line);
-  json.member("column", error.place.column);
+  json.member("line", error.place.line).member("column", error.place.column);
   json.member("record", error.place.record);
   json.end();
 }
@@ -18,8 +15,7 @@ std::string error_as_json(const Error& error) {
   std::string out;
   io::JsonWriter json(out);
   json.begin_object();
-  json.key("error");
-  write_error(json, error);
+  write_error(json.key("error"), error);
   json.end();
   return out + '\n';
 }

@@ -38,8 +38,7 @@ void write_rows(const BeeTable& table, const Answer& answer, BlockWriter& out,
     io::write_geojson_feature(
         json, io::JsonLayout::kLine, [&] { io::write_geojson_point(json, record.geographic); },
         [&] {
-          json.key("id");
-          answer.ids.ours().write(json, record.point);
+          answer.ids.ours().write(json.key("id"), record.point);
           write_cells(json, table.columns, record.point, answer.ids.theirs());
         });
     out.pass_on();
@@ -76,13 +75,11 @@ void write_rows(const GroupTable& table, const Answer& answer, BlockWriter& out,
 void write_geojson(const Answer& answer, io::AtomicOutput& output) {
   BlockWriter out(output);
   io::JsonWriter json(out.text);
-  json.begin_object();
-  json.member("type", "FeatureCollection");
+  json.begin_object().member("type", "FeatureCollection");
   json.begin_array("features", io::JsonLayout::kFlush);
   std::visit([&](const auto& rows) { write_rows(rows, answer, out, json); },
              answer.detection.table.rows);
-  json.end();
-  json.end();
+  json.end().end();
   out.text += '\n';
 }
 

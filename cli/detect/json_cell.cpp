@@ -22,8 +22,7 @@ void write_cell(io::JsonWriter& json, const Cell& cell, const analysis::ShownIds
 void write_cells(io::JsonWriter& json, const std::vector<Column>& columns, PointId bee,
                  const analysis::ShownIds& ids) {
   for (const Column& column : columns) {
-    json.key(column.name);
-    write_cell(json, column.cell(bee), ids);
+    write_cell(json.key(column.name), column.cell(bee), ids);
   }
 }
 

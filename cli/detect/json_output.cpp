@@ -7,6 +7,8 @@
 
 #include <beespace/version.hpp>
 
+#include <array>
+
 namespace beespace::cli {
 namespace {
 
@@ -28,28 +30,20 @@ void write_skipped(io::JsonWriter& json, const std::vector<Error>& skipped) {
 void write_repeated(io::JsonWriter& json, const io::RepeatedIds& repeated) {
   json.member("repeated_ids", repeated.count);
   if (repeated.count == 0) return;
-  json.begin_object("first_repeated");
-  json.member("id", repeated.id);
-  json.begin_array("records");
-  json.value(repeated.first_row);
-  json.value(repeated.second_row);
-  json.end();
+  json.begin_object("first_repeated").member("id", repeated.id);
+  json.member("records", std::array{repeated.first_row, repeated.second_row});
   json.end();
 }
 
 void write_input(io::JsonWriter& json, const char* key, const io::LoadedPoints& loaded,
                  const std::string& path, const io::RepeatedIds& repeated) {
   const std::string_view datum = datum_text(loaded.heights);
-  json.begin_object(key, io::JsonLayout::kLines);
-  json.member("file", source_of(path));
-  json.member("format", loaded.format_description);
-  json.member("frame", name_of(loaded.frame));
+  json.begin_object(key, io::JsonLayout::kLines).member("file", source_of(path));
+  json.member("format", loaded.format_description).member("frame", name_of(loaded.frame));
   json.member("reason", loaded.frame_reason);
-  json.key("units");
-  write_units(json, loaded.units);
+  write_units(json.key("units"), loaded.units);
   json.member("heights", io::known_if(!datum.empty(), datum));
-  json.member("points", loaded.points.size());
-  json.member("skipped", loaded.skipped_count);
+  json.member("points", loaded.points.size()).member("skipped", loaded.skipped_count);
   write_skipped(json, loaded.skipped);
   write_repeated(json, repeated);
   json.member("notes", loaded.notes);
@@ -58,11 +52,10 @@ void write_input(io::JsonWriter& json, const char* key, const io::LoadedPoints& 
 
 void write_closest(io::JsonWriter& json, const Answer& answer) {
   const auto& closest = answer.detection.closest;
-  json.key("closest_pair");
-  if (!closest) return json.null();
+  if (!closest) return json.key("closest_pair").null();
   const PairTable table{{{closest->first, closest->second}}};
   const AnswerIds ids(answer.inputs, Table{table}, Form::kJson);
-  json.begin_object();
+  json.begin_object("closest_pair");
   write_pair(json, table.pairs.front(), answer.inputs, ids);
   json.end();
 }
@@ -77,8 +70,7 @@ void write_rows(const BeeTable& table, const Answer& answer, BlockWriter& out,
       answer.ids.ours().write(json, bee);
     } else {
       json.begin_object();
-      json.key("id");
-      answer.ids.ours().write(json, bee);
+      answer.ids.ours().write(json.key("id"), bee);
       write_cells(json, table.columns, bee, answer.ids.theirs());
       json.end();
     }
@@ -103,11 +95,8 @@ void write_rows(const GroupTable& table, const Answer& answer, BlockWriter& out,
                 io::JsonWriter& json) {
   json.begin_array(io::JsonLayout::kRows);
   for (std::size_t i = 0; i < table.groups.size(); ++i) {
-    json.begin_object();
-    json.member("group", i);
-    json.member("size", table.groups[i].size());
-    json.key("members");
-    write_ids(json, table.groups[i], answer.ids.ours());
+    json.begin_object().member("group", i).member("size", table.groups[i].size());
+    write_ids(json.key("members"), table.groups[i], answer.ids.ours());
     json.end();
     out.pass_on();
   }
@@ -131,21 +120,12 @@ void write_table(const Answer& answer, BlockWriter& out, io::JsonWriter& json) {
              answer.detection.table.rows);
 }
 
-void write_timings(io::JsonWriter& json, const Timings& timings) {
-  json.begin_object("timings");
-  json.member("read_s", timings.read_s);
-  json.member("search_s", timings.search_s);
-  json.end();
-}
-
 }  // namespace
 
 void write_pair(io::JsonWriter& json, const Pair& pair, const Inputs& inputs,
                 const AnswerIds& ids) {
-  json.key("first");
-  ids.ours().write(json, pair.first);
-  json.key("second");
-  ids.theirs().write(json, pair.second);
+  ids.ours().write(json.key("first"), pair.first);
+  ids.theirs().write(json.key("second"), pair.second);
   json.member("distance_m",
               distance(inputs.ours.points[pair.first], inputs.theirs().points[pair.second]));
 }
@@ -156,8 +136,7 @@ void write_json(const Answer& answer, io::AtomicOutput& output) {
   BlockWriter out(output);
   io::JsonWriter json(out.text);
   json.begin_object(io::JsonLayout::kLines);
-  json.member("version", version());
-  json.member("report", request.report->name);
+  json.member("version", version()).member("report", request.report->name);
   write_input(json, "input", answer.inputs.ours, request.input, answer.inputs.our_repeated);
   if (request.others) {
     write_input(json, "others", *answer.inputs.others, *request.others,
@@ -165,13 +144,13 @@ void write_json(const Answer& answer, io::AtomicOutput& output) {
   }
   json.member("threshold_m", request.search.threshold_m);
   json.member("vertical_m", request.search.vertical_m);
-  json.key("vertical");
-  write_vertical(json, request.vertical, answer.inputs.height_unit());
+  write_vertical(json.key("vertical"), request.vertical, answer.inputs.height_unit());
   json.member("inclusive", request.search.inclusive);
   json.member("at_risk_count", detection.at_risk.size());
   json.member("share", detection.share(answer.inputs.ours));
   write_closest(json, answer);
-  write_timings(json, detection.timings);
+  json.begin_object("timings").member("read_s", detection.timings.read_s);
+  json.member("search_s", detection.timings.search_s).end();
   if (*request.report->key != '\0') write_table(answer, out, json);
   json.end();
   out.text += '\n';

@@ -35,19 +35,16 @@ void append_skipped(std::string& out, const io::Recording& recording) {
 void write_input(io::JsonWriter& json, const io::Recording& recording,
                  const MovingRequest& request) {
   const std::string_view datum = datum_text(recording.heights);
-  json.begin_object("input", io::JsonLayout::kLines);
-  json.begin_array("files");
+  json.begin_object("input", io::JsonLayout::kLines).begin_array("files");
   for (const std::string& file : request.inputs) json.value(file == "-" ? "<stdin>" : file);
   json.end();
   json.member("format", recording.format_description);
   json.member("frame", recording.frame == io::Frame::kWgs84 ? "wgs84" : "metres");
   json.member("reason", recording.frame_reason);
   json.member("heights", io::known_if(!datum.empty(), datum));
-  json.key("units");
-  write_units(json, recording.units);
+  write_units(json.key("units"), recording.units);
   json.member("times", recording.since_1970 ? "seconds since 1970-01-01T00:00:00Z" : "seconds");
-  json.member("bees", recording.bees.size());
-  json.member("skipped", recording.skipped_count);
+  json.member("bees", recording.bees.size()).member("skipped", recording.skipped_count);
   json.member("notes", recording.notes);
   json.end();
 }
@@ -118,13 +115,10 @@ Rows conflict_rows(const std::vector<Conflict>& conflicts, const io::Recording& 
 
 void write_head(io::JsonWriter& json, const io::Recording& recording, const MovingRequest& request,
                 double threshold_m) {
-  json.member("version", version());
-  json.member("command", request.command);
+  json.member("version", version()).member("command", request.command);
   write_input(json, recording, request);
-  json.member("threshold_m", threshold_m);
-  json.member("vertical_m", request.vertical_m);
-  json.key("vertical");
-  write_vertical(json, request.vertical, recording.height_unit);
+  json.member("threshold_m", threshold_m).member("vertical_m", request.vertical_m);
+  write_vertical(json.key("vertical"), request.vertical, recording.height_unit);
   json.member("inclusive", request.inclusive);
 }
 
@@ -148,8 +142,7 @@ void write_answer(Rows rows, const MovingRequest& request, const JsonHead& head,
         write_row(json, rows.columns, row);
         out.pass_on();
       }
-      json.end();
-      json.end();
+      json.end().end();
       out.text += '\n';
       return;
     }

@@ -35,29 +35,23 @@ void append_coverage(std::string& out, const analysis::Coverage& coverage,
 
 void write_coverage(io::JsonWriter& json, const analysis::Coverage& coverage,
                     const io::Recording& recording) {
-  json.begin_object(io::JsonLayout::kWrapped);
-  json.member("complete", coverage.complete());
+  json.begin_object(io::JsonLayout::kWrapped).member("complete", coverage.complete());
   json.member("max_gap_s", coverage.max_gap.seconds);
   json.member("typical_interval_s", coverage.max_gap.typical_s);
-  json.member("gap_count", coverage.gaps);
-  json.member("bees_with_gaps", coverage.bees_with_gaps);
-  json.member("in_gaps_s", coverage.in_gaps_s);
-  json.member("bees_partly_known", coverage.bees_partly);
+  json.member("gap_count", coverage.gaps).member("bees_with_gaps", coverage.bees_with_gaps);
+  json.member("in_gaps_s", coverage.in_gaps_s).member("bees_partly_known", coverage.bees_partly);
   json.member("before_first_and_after_last_s", coverage.outside_s);
   json.new_line();
   write_missing(json, coverage.missing);
   json.new_line();
   json.begin_array("longest_gaps", io::JsonLayout::kRows);
   for (const Gap& gap : coverage.longest) {
-    json.begin_object();
-    json.member("id", recording.bees[gap.track].id);
-    json.member("begins_s", gap.begins_s);
-    json.member("ends_s", gap.ends_s);
+    json.begin_object().member("id", recording.bees[gap.track].id);
+    json.member("begins_s", gap.begins_s).member("ends_s", gap.ends_s);
     json.member("lasts_s", analysis::length_of(gap));
     json.end();
   }
-  json.end();
-  json.end();
+  json.end().end();
 }
 
 void append_missing(std::string& out, const io::MissingRecords& missing) {
@@ -78,10 +72,8 @@ void append_missing(std::string& out, const io::MissingRecords& missing) {
 }
 
 void write_missing(io::JsonWriter& json, const io::MissingRecords& missing) {
-  json.member("left_out_records", missing.count);
-  json.member("left_out_without_id", missing.without_id);
-  json.member("left_out_bees", missing.bees);
-  json.member("bees_known_nowhere", missing.nowhere);
+  json.member("left_out_records", missing.count).member("left_out_without_id", missing.without_id);
+  json.member("left_out_bees", missing.bees).member("bees_known_nowhere", missing.nowhere);
   json.member("known_nowhere", missing.nowhere_ids);
 }
 

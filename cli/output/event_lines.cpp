@@ -54,21 +54,18 @@ void write_label(io::JsonWriter& json, const char* key, const analysis::BeeName&
 
 // Labels come behind all else.
 void write_members(io::JsonWriter& json, const SwarmEvent& event, const analysis::LiveFeed& feed) {
-  json.member("event", name_of(event.kind));
-  json.member("time_s", event.time_s);
+  json.member("event", name_of(event.kind)).member("time_s", event.time_s);
   if (event.kind == EventKind::kStale || event.kind == EventKind::kHeard) {
     if (event.kind == EventKind::kHeard) json.member("since_s", event.since_s);
     json.member("id", feed.name(event.first).id);
     return write_label(json, "label", feed.name(event.first));
   }
   if (event.kind == EventKind::kOverloaded) {
-    json.member("bound", name_of(event.bound));
-    json.member("left_out", event.count);
+    json.member("bound", name_of(event.bound)).member("left_out", event.count);
     if (event.bound != SwarmBound::kBees) json.member("distance_m", event.distance_m);
     return;
   }
-  json.member("first", feed.name(event.first).id);
-  json.member("second", feed.name(event.second).id);
+  json.member("first", feed.name(event.first).id).member("second", feed.name(event.second).id);
   json.member("distance_m", event.distance_m);
   if (event.kind == EventKind::kPossible || event.kind == EventKind::kLost) {
     json.member("since_s", event.since_s);
@@ -81,11 +78,12 @@ void write_members(io::JsonWriter& json, const SwarmEvent& event, const analysis
 void write_members(io::JsonWriter& json, const analysis::ClockNote& note,
                    const analysis::LiveFeed& feed) {
   const bool anew = note.kind == analysis::ClockNote::Kind::kAnew;
-  json.member("event", anew ? "clocks_anew" : "clock");
-  json.member("time_s", note.time_s);
-  if (anew) return json.member("before_s", note.before_s);
-  json.member("id", feed.name(note.bee).id);
-  json.member("ahead_s", note.ahead_s);
+  json.member("event", anew ? "clocks_anew" : "clock").member("time_s", note.time_s);
+  if (anew) {
+    json.member("before_s", note.before_s);
+    return;
+  }
+  json.member("id", feed.name(note.bee).id).member("ahead_s", note.ahead_s);
   json.member("right", note.kind != analysis::ClockNote::Kind::kOff);
   write_label(json, "label", feed.name(note.bee));
 }

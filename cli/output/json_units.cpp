@@ -5,10 +5,8 @@ namespace beespace::cli {
 void write_units(io::JsonWriter& json, const std::vector<io::UnitTaken>& units) {
   json.begin_array();
   for (const io::UnitTaken& taken : units) {
-    json.begin_object();
-    json.member("of", taken.of);
-    json.member("unit", io::symbol_of(taken.unit));
-    json.member("reason", taken.reason);
+    json.begin_object().member("of", taken.of);
+    json.member("unit", io::symbol_of(taken.unit)).member("reason", taken.reason);
     json.end();
   }
   json.end();
@@ -20,8 +18,7 @@ void write_vertical(io::JsonWriter& json, const std::optional<io::StatedLength>&
   const io::Unit compared =
       compares_as_stated(vertical, height_unit) ? height_unit : io::Unit::kMetre;
   json.begin_object();
-  json.member("value", vertical->value);
-  json.member("unit", io::symbol_of(vertical->unit));
+  json.member("value", vertical->value).member("unit", io::symbol_of(vertical->unit));
   json.member("compared_in", io::symbol_of(compared));
   json.end();
 }

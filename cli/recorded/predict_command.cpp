@@ -160,13 +160,10 @@ std::string summary(const Outlook& outlook, const PredictRequest& request, doubl
 void write_outlook(io::JsonWriter& json, const Outlook& outlook, const PredictRequest& request) {
   const analysis::Snapshot& snapshot = outlook.snapshot;
   write_head(json, outlook.recording, request.moving, outlook.threshold_m);
-  json.member("now_s", snapshot.time_s);
-  json.member("horizon_s", request.horizon_s);
-  json.member("movers", snapshot.movers.size());
-  json.member("stale", snapshot.stale);
+  json.member("now_s", snapshot.time_s).member("horizon_s", request.horizon_s);
+  json.member("movers", snapshot.movers.size()).member("stale", snapshot.stale);
   json.member("without_velocity", snapshot.unmoving.size());
-  json.begin_object("known");
-  json.member("complete", outlook.complete());
+  json.begin_object("known").member("complete", outlook.complete());
   write_missing(json, outlook.recording.missing);
   json.end();
   json.member("conflict_count", outlook.conflicts.size());

@@ -101,12 +101,14 @@ void write_findings(io::JsonWriter& json, const analysis::Findings& findings,
   json.member("conflict_count", conflicts.size());
   json.member("pair_count", analysis::pairs_in_conflict(conflicts).size());
   json.member("gap_count", findings.recorded.gaps.size());
-  json.key("known");
-  write_coverage(json, findings.coverage, findings.recording);
+  write_coverage(json.key("known"), findings.coverage, findings.recording);
   json.key("closest");
-  if (!findings.closest) return json.null();
-  const Rows closest = closest_row(*findings.closest, findings.recording);
-  write_row(json, closest.columns, closest.rows.front());
+  if (findings.closest) {
+    const Rows closest = closest_row(*findings.closest, findings.recording);
+    write_row(json, closest.columns, closest.rows.front());
+  } else {
+    json.null();
+  }
 }
 
 // The closest of the conflicts, or of all encounters where there is none. With a vertical threshold

@@ -118,22 +118,18 @@ void write_verdict(io::JsonWriter& json, const Verification& verification,
   json.member("max_speed_mps", options.max_speed_mps);
   json.member("max_acceleration_mps2", options.max_acceleration_mps2);
   json.member("straight", options.straight);
-  json.member("steps", verdict.steps);
-  json.member("holds", verification.holds());
-  json.key("known");
-  write_coverage(json, verification.coverage, verification.recording);
+  json.member("steps", verdict.steps).member("holds", verification.holds());
+  write_coverage(json.key("known"), verification.coverage, verification.recording);
   json.member("loss_count", verdict.losses);
   if (options.obstacles != nullptr) {
     json.member("obstacles", options.obstacles->obstacles().size());
     json.member("clearance_m", options.clearance_m);
     json.member("clearance_loss_count", verdict.clearance_losses);
   }
-  json.member("breach_count", verdict.breaches);
-  json.member("peak_speed_mps", verdict.peak_speed_mps);
+  json.member("breach_count", verdict.breaches).member("peak_speed_mps", verdict.peak_speed_mps);
   json.member("peak_acceleration_mps2",
               io::known_if(!options.straight, verdict.peak_acceleration_mps2));
-  json.key("closest");
-  if (!verdict.closest_m) return json.null();
+  if (!verdict.closest_m) return json.key("closest").null();
   Rows closest{
       {{"first", "first_label"}, {"second", "second_label"}, {"step_begins_s"}, {"distance_m"}},
       {{analysis::name_of(verdict.closest_pair->first, verification.recording),
@@ -141,7 +137,7 @@ void write_verdict(io::JsonWriter& json, const Verification& verification,
         verdict.closest_step_s, *verdict.closest_m}},
       analysis::has_labels(verification.recording)};
   set_labels_apart(closest);
-  write_row(json, closest.columns, closest.rows.front());
+  write_row(json.key("closest"), closest.columns, closest.rows.front());
 }
 
 std::string verify_summary(const Verification& verification, const MovingRequest& request) {

@@ -23,30 +23,23 @@ std::string_view method_name(sim::Method method) {
   return "certified";
 }
 
-void write_bee(io::JsonWriter& json, const char* key, const SimulatedFlight& flight, PointId bee) {
-  json.key(key);
-  flight.names().write_bee(json, bee);
-}
-
 void write_closest(io::JsonWriter& json, const SimulatedFlight& flight) {
   const Verdict& verdict = flight.verdict();
-  if (!verdict.closest_m) return json.null();
-  json.begin_object();
-  write_bee(json, "first", flight, verdict.closest_pair->first);
-  write_bee(json, "second", flight, verdict.closest_pair->second);
-  json.member("step_begins_s", verdict.closest_step_s);
-  json.member("distance_m", verdict.closest_m);
+  if (!verdict.closest_m) return json.key("closest").null();
+  json.begin_object("closest");
+  flight.names().write_bee(json.key("first"), verdict.closest_pair->first);
+  flight.names().write_bee(json.key("second"), verdict.closest_pair->second);
+  json.member("step_begins_s", verdict.closest_step_s).member("distance_m", verdict.closest_m);
   json.end();
 }
 
 void write_nearest(io::JsonWriter& json, const SimulatedFlight& flight) {
   const auto& nearest = flight.watched().nearest;
-  if (!nearest) return json.null();
-  json.begin_object();
-  write_bee(json, "bee", flight, nearest->bee);
+  if (!nearest) return json.key("nearest_obstacle").null();
+  json.begin_object("nearest_obstacle");
+  flight.names().write_bee(json.key("bee"), nearest->bee);
   json.member("obstacle", nearest->obstacle);
-  json.member("time_s", nearest->time_s);
-  json.member("distance_m", nearest->distance_m);
+  json.member("time_s", nearest->time_s).member("distance_m", nearest->distance_m);
   json.end();
 }
 
@@ -56,8 +49,7 @@ void write_question(io::JsonWriter& json, const SimulatedFlight& flight) {
   const ObstacleMap* map = flight.loop().obstacles();
   const bool limits = !flight.has_own_limits();
   const bool random = !request.from_file && request.scenario != kHeadOn;
-  json.member("scenario", request.scenario);
-  json.member("bees", flight.loop().movers().size());
+  json.member("scenario", request.scenario).member("bees", flight.loop().movers().size());
   json.member("spacing_m", io::known_if(!request.from_file, request.spacing_m));
   json.member("seed", io::known_if(random, request.seed));
   json.member("obstacles", map == nullptr ? 0 : map->obstacles().size());
@@ -74,21 +66,16 @@ void write_question(io::JsonWriter& json, const SimulatedFlight& flight) {
 void write_answer(io::JsonWriter& json, const SimulatedFlight& flight) {
   const FlightFigures& figures = flight.figures();
   const FlightOutcome outcome = flight.outcome();
-  json.member("steps", figures.steps);
-  json.member("time_s", flight.loop().time_s());
-  json.member("all_stand", figures.landed);
-  json.member("loss_count", flight.verdict().losses);
+  json.member("steps", figures.steps).member("time_s", flight.loop().time_s());
+  json.member("all_stand", figures.landed).member("loss_count", flight.verdict().losses);
   json.member("steps_with_losses", figures.steps_with_losses);
   json.member("clearance_loss_count", flight.verdict().clearance_losses);
   json.member("breach_count", flight.breaches());
   json.member("uncertified_count", figures.uncertified_pairs);
   json.member("uncertified_at_obstacles_count", figures.uncertified_at_obstacles);
-  json.key("closest");
   write_closest(json, flight);
-  json.key("nearest_obstacle");
   write_nearest(json, flight);
-  json.member("arrived", flight.loop().arrived());
-  json.member("path_ratio", outcome.path_ratio);
+  json.member("arrived", flight.loop().arrived()).member("path_ratio", outcome.path_ratio);
   json.member("stuck_s", outcome.stuck_s);
   json.begin_array("stuck_at_end");
   for (const PointId bee : outcome.stuck) flight.names().write_bee(json, bee);
@@ -98,8 +85,7 @@ void write_answer(io::JsonWriter& json, const SimulatedFlight& flight) {
 
 void begin_document(io::JsonWriter& json) {
   json.begin_object(io::JsonLayout::kLines);
-  json.member("version", version());
-  json.member("command", "simulate");
+  json.member("version", version()).member("command", "simulate");
 }
 
 }  // namespace
@@ -128,8 +114,7 @@ void write_run(io::JsonWriter& json, const SimulatedFlight& flight) {
 }
 
 void end_sweep(io::JsonWriter& json) {
-  json.end();
-  json.end();
+  json.end().end();
 }
 
 }  // namespace beespace::cli

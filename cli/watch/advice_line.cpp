@@ -12,8 +12,7 @@ namespace beespace::cli {
 namespace {
 
 void write_times(io::JsonWriter& json, const AdviceTimes& times) {
-  json.member("time_s", times.time_s);
-  json.member("effective_s", times.effective_s);
+  json.member("time_s", times.time_s).member("effective_s", times.effective_s);
 }
 
 void write_velocity(io::JsonWriter& json, const Mover& mover, Velocity v, io::Frame frame) {
@@ -22,8 +21,7 @@ void write_velocity(io::JsonWriter& json, const Mover& mover, Velocity v, io::Fr
     const LocalVelocity local = report::to_local_velocity(mover.position, v);
     v = {local.east_mps, local.north_mps, local.up_mps};
   }
-  json.begin_object("velocity");
-  json.member(degrees ? "ve" : "vx", v.x);
+  json.begin_object("velocity").member(degrees ? "ve" : "vx", v.x);
   json.member(degrees ? "vn" : "vy", v.y);
   json.member(degrees ? "vu" : "vz", v.z);
   json.end();
@@ -62,13 +60,11 @@ const char* name_of(Doubt doubt) {
 void append_advice_line(std::string& out, const AdviceTimes& times, const analysis::BeeName& name,
                         const Mover& mover, const Advice& advice, Doubt doubt, io::Frame frame) {
   io::JsonWriter json(out);
-  json.begin_object();
-  json.member("event", "advice");
+  json.begin_object().member("event", "advice");
   write_times(json, times);
   json.member("id", name.id);
   if (advice.kind != AdviceKind::kNone) write_velocity(json, mover, advice.velocity, frame);
-  json.member("advice", name_of(advice.kind));
-  json.member("certified", doubt == Doubt::kNone);
+  json.member("advice", name_of(advice.kind)).member("certified", doubt == Doubt::kNone);
   if (doubt != Doubt::kNone) json.member("because", name_of(doubt));
   if (!name.label.empty()) json.member("label", name.label);
   json.end();
@@ -77,11 +73,9 @@ void append_advice_line(std::string& out, const AdviceTimes& times, const analys
 
 void append_advised_line(std::string& out, const AdviceTimes& times, const LookCounts& counts) {
   io::JsonWriter json(out);
-  json.begin_object();
-  json.member("event", "advised");
+  json.begin_object().member("event", "advised");
   write_times(json, times);
-  json.member("bees", counts.bees);
-  json.member("told", counts.told);
+  json.member("bees", counts.bees).member("told", counts.told);
   json.member("certified", counts.doubts[0]);
   if (std::any_of(counts.doubts.begin() + 1, counts.doubts.end(), std::identity())) {
     json.begin_object("not_certified");

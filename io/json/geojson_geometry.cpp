@@ -1,5 +1,6 @@
 #include "io/json/geojson_geometry.hpp"
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -15,12 +16,15 @@ double within_half_turn(double longitude_deg) {
   return std::remainder(longitude_deg, kTurn_deg) + 0.0;
 }
 
-void write_position(JsonWriter& json, const GeographicPosition& position) {
-  json.begin_array();
-  json.value(position.longitude_deg);
-  json.value(position.latitude_deg);
-  json.value(position.height_m);
-  json.end();
+// As GeoJSON has it.
+using Position = std::array<double, 3>;
+
+Position position_of(const GeographicPosition& place) {
+  return {place.longitude_deg, place.latitude_deg, place.height_m};
+}
+
+void write_geometry(JsonWriter& json, const char* type, const auto& coordinates) {
+  json.begin_object().member("type", type).member("coordinates", coordinates).end();
 }
 
 GeographicPosition within_half_turn(GeographicPosition position) {
@@ -43,21 +47,6 @@ struct Line {
   GeographicPosition to;
 };
 
-void write_positions(JsonWriter& json, const Line& line) {
-  json.begin_array();
-  write_position(json, line.from);
-  write_position(json, line.to);
-  json.end();
-}
-
-void write_geometry(JsonWriter& json, const char* type, const auto& write_coordinates) {
-  json.begin_object();
-  json.member("type", type);
-  json.key("coordinates");
-  write_coordinates();
-  json.end();
-}
-
 // The same place, on the meridian of 180 degrees as one comes there from `side_deg`.
 GeographicPosition at_half_turn(GeographicPosition place, double side_deg) {
   place.longitude_deg = std::copysign(kHalfTurn_deg, side_deg);
@@ -79,20 +68,17 @@ std::vector<Line> cut_at_half_turn(const Line& line) {
 }  // namespace
 
 void write_geojson_point(JsonWriter& json, const GeographicPosition& position) {
-  write_geometry(json, "Point", [&] { write_position(json, within_half_turn(position)); });
+  write_geometry(json, "Point", position_of(within_half_turn(position)));
 }
 
 void write_geojson_line(JsonWriter& json, const GeographicPosition& from,
                         const GeographicPosition& to) {
-  const auto parts = cut_at_half_turn({within_half_turn(from), within_half_turn(to)});
-  if (parts.size() == 1) {
-    return write_geometry(json, "LineString", [&] { write_positions(json, parts.front()); });
+  std::vector<std::array<Position, 2>> parts;
+  for (const Line& part : cut_at_half_turn({within_half_turn(from), within_half_turn(to)})) {
+    parts.push_back({position_of(part.from), position_of(part.to)});
   }
-  write_geometry(json, "MultiLineString", [&] {
-    json.begin_array();
-    for (const Line& part : parts) write_positions(json, part);
-    json.end();
-  });
+  if (parts.size() == 1) return write_geometry(json, "LineString", parts.front());
+  write_geometry(json, "MultiLineString", parts);
 }
 
 }  // namespace beespace::io

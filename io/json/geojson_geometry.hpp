@@ -18,14 +18,12 @@ void write_geojson_line(JsonWriter& json, const GeographicPosition& from,
 // properties.
 void write_geojson_feature(JsonWriter& json, JsonLayout of_properties, const auto& write_geometry,
                            const auto& write_properties) {
-  json.begin_object();
-  json.member("type", "Feature");
+  json.begin_object().member("type", "Feature");
   json.key("geometry");
   write_geometry();
   json.begin_object("properties", of_properties);
   write_properties();
-  json.end();
-  json.end();
+  json.end().end();
 }
 
 }  // namespace beespace::io

@@ -17,19 +17,11 @@ bool breaks_lines(JsonLayout layout) {
          layout == JsonLayout::kFlush;
 }
 
+// Of what stands within, where a line begins there.
 std::uint8_t indent_within(JsonLayout layout, std::uint8_t around) {
-  switch (layout) {
-    case JsonLayout::kTight:
-    case JsonLayout::kLine:
-      return around;
-    case JsonLayout::kFlush:
-      return 0;
-    case JsonLayout::kWrapped:
-    case JsonLayout::kRows:
-    case JsonLayout::kLines:
-      break;
-  }
-  return static_cast<std::uint8_t>(around + kIndent);
+  if (layout == JsonLayout::kFlush) return 0;
+  const bool on_one_line = layout == JsonLayout::kTight || layout == JsonLayout::kLine;
+  return on_one_line ? around : static_cast<std::uint8_t>(around + kIndent);
 }
 
 }  // namespace
@@ -38,15 +30,16 @@ JsonWriter::~JsonWriter() {
   assert((depth_ == 0 && !has_key_) || std::uncaught_exceptions() > 0);
 }
 
-void JsonWriter::begin(JsonLayout layout, bool is_object) {
+JsonWriter& JsonWriter::begin(JsonLayout layout, bool is_object) {
   begin_value();
   assert(depth_ + 1 < kMostNested);
   const std::uint8_t indent = indent_within(layout, level().indent);
   levels_[++depth_] = {layout, is_object, true, indent};
   out_ += is_object ? '{' : '[';
+  return *this;
 }
 
-void JsonWriter::end() {
+JsonWriter& JsonWriter::end() {
   assert(depth_ > 0 && !has_key_);
   const Level& ended = level();
   if (starts_line_) break_line(ended.indent);
@@ -54,45 +47,41 @@ void JsonWriter::end() {
   if (ended.layout == JsonLayout::kLines && !ended.empty) break_line(ended.indent - kIndent);
   out_ += ended.is_object ? '}' : ']';
   --depth_;
+  return *this;
 }
 
-void JsonWriter::key(std::string_view name) {
+JsonWriter& JsonWriter::key(std::string_view name) {
   assert(level().is_object && !has_key_);
   separate();
   append_json_string(out_, name);
   out_ += level().layout == JsonLayout::kTight ? ":" : ": ";
   has_key_ = true;
+  return *this;
 }
 
-void JsonWriter::null() {
-  write("null");
-}
-
-void JsonWriter::value(double number) {
-  if (!std::isfinite(number)) return null();
+JsonWriter& JsonWriter::value(double number) {
+  if (!std::isfinite(number)) return write("null");
   begin_value();
   append_exact(out_, number);
+  return *this;
 }
 
-void JsonWriter::value(std::string_view text) {
+JsonWriter& JsonWriter::value(std::string_view text) {
   begin_value();
   append_json_string(out_, text);
+  return *this;
 }
 
-void JsonWriter::value(std::span<const std::string> texts) {
-  begin_array();
-  for (const std::string& text : texts) value(text);
-  end();
-}
-
-void JsonWriter::write(std::string_view word) {
+JsonWriter& JsonWriter::write(std::string_view word) {
   begin_value();
   out_ += word;
+  return *this;
 }
 
-void JsonWriter::write_count(std::uint64_t number) {
+JsonWriter& JsonWriter::write_count(std::uint64_t number) {
   begin_value();
   append_exact(out_, number);
+  return *this;
 }
 
 void JsonWriter::begin_value() {

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <span>
+#include <ranges>
 #include <string>
 #include <string_view>
 
@@ -26,52 +26,61 @@ enum class JsonLayout : std::uint8_t {
 
 class JsonWriter {
  public:
-  explicit JsonWriter(std::string& out) : out_(out) {}
+  // Tight: so is all that has no layout of its own.
+  explicit JsonWriter(std::string& out, JsonLayout layout = JsonLayout::kLine) : out_(out) {
+    levels_[0].layout = layout;
+  }
   ~JsonWriter();
   JsonWriter(const JsonWriter&) = delete;
   JsonWriter& operator=(const JsonWriter&) = delete;
 
   // Without a layout: tight within what is tight, or else on one line.
-  void begin_object() { begin_object(inner_layout()); }
-  void begin_array() { begin_array(inner_layout()); }
-  void begin_object(JsonLayout layout) { begin(layout, true); }
-  void begin_array(JsonLayout layout) { begin(layout, false); }
+  JsonWriter& begin_object() { return begin_object(inner_layout()); }
+  JsonWriter& begin_array() { return begin_array(inner_layout()); }
+  JsonWriter& begin_object(JsonLayout layout) { return begin(layout, true); }
+  JsonWriter& begin_array(JsonLayout layout) { return begin(layout, false); }
   // As a member.
   template <class... Layout>
-  void begin_object(std::string_view name, Layout... layout) {
-    key(name);
-    begin_object(layout...);
+  JsonWriter& begin_object(std::string_view name, Layout... layout) {
+    return key(name).begin_object(layout...);
   }
   template <class... Layout>
-  void begin_array(std::string_view name, Layout... layout) {
-    key(name);
-    begin_array(layout...);
+  JsonWriter& begin_array(std::string_view name, Layout... layout) {
+    return key(name).begin_array(layout...);
   }
-  void end();
+  JsonWriter& end();
 
   // What comes next, a value or the end, begins a line, in the indentation of the values.
   void new_line() { starts_line_ = true; }
 
-  void key(std::string_view name);
+  JsonWriter& key(std::string_view name);
 
-  void null();
-  void value(double number);  // null where it is not finite
-  void value(std::string_view text);
-  void value(const char* text) { value(std::string_view(text)); }
-  void value(std::span<const std::string> texts);  // an array
-  void value(std::same_as<bool> auto yes) { write(yes ? "true" : "false"); }
+  void null() { write("null"); }
+  JsonWriter& value(double number);  // null where it is not finite
+  JsonWriter& value(std::string_view text);
+  JsonWriter& value(const char* text) { return value(std::string_view(text)); }
+  JsonWriter& value(std::same_as<bool> auto yes) { return write(yes ? "true" : "false"); }
   template <std::unsigned_integral Number>
-  requires(!std::same_as<Number, bool>) void value(Number number) { write_count(number); }
+  requires(!std::same_as<Number, bool>) JsonWriter& value(Number number) {
+    return write_count(number);
+  }
   // null where there is none.
   template <class Value>
-  void value(const std::optional<Value>& held) {
-    held ? value(*held) : null();
+  JsonWriter& value(const std::optional<Value>& held) {
+    return held ? value(*held) : write("null");
+  }
+  // An array.
+  template <std::ranges::range Values>
+  requires(!std::convertible_to<const Values&, std::string_view>)
+      JsonWriter& value(const Values& values) {
+    begin_array();
+    for (const auto& each : values) value(each);
+    return end();
   }
 
   template <class Value>
-  void member(std::string_view name, const Value& held) {
-    key(name);
-    value(held);
+  JsonWriter& member(std::string_view name, const Value& held) {
+    return key(name).value(held);
   }
 
  private:
@@ -90,12 +99,12 @@ class JsonWriter {
   }
   // levels_[0] is around the document.
   [[nodiscard]] const Level& level() const { return levels_[depth_]; }
-  void begin(JsonLayout layout, bool is_object);
+  JsonWriter& begin(JsonLayout layout, bool is_object);
   void begin_value();
   void separate();
   void break_line(std::size_t indent);
-  void write(std::string_view word);
-  void write_count(std::uint64_t number);
+  JsonWriter& write(std::string_view word);
+  JsonWriter& write_count(std::uint64_t number);
 
   std::string& out_;
   std::array<Level, kMostNested> levels_{};

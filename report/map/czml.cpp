@@ -59,36 +59,23 @@ std::string interval(double begins_s, double ends_s) {
 }
 
 void write_document(io::JsonWriter& json, const SwarmFacts& swarm, const std::string& description) {
-  json.member("id", "document");
-  json.member("version", "1.0");
-  json.member("name", swarm.title);
+  json.member("id", "document").member("version", "1.0").member("name", swarm.title);
   json.member("description", description);
 }
 
-void write_rgba(io::JsonWriter& json, const Colour& colour) {
-  json.begin_array("rgba");
-  for (const unsigned part : colour) json.value(part);
-  json.end();
-}
-
 void write_colour(io::JsonWriter& json, const char* key, const Colour& colour) {
-  json.begin_object(key);
-  write_rgba(json, colour);
-  json.end();
+  json.begin_object(key).member("rgba", colour).end();
 }
 
 void write_material(io::JsonWriter& json, const Colour& colour) {
-  json.begin_object("material");
-  json.begin_object("solidColor");
+  json.begin_object("material").begin_object("solidColor");
   write_colour(json, "color", colour);
-  json.end();
-  json.end();
+  json.end().end();
 }
 
 // `write_colours` writes the member "color".
 void write_dot(io::JsonWriter& json, double size, const auto& write_colours) {
-  json.begin_object("point");
-  json.member("pixelSize", size);
+  json.begin_object("point").member("pixelSize", size);
   write_colours();
   write_colour(json, "outlineColor", kOutlineColour);
   json.member("outlineWidth", 1u);
@@ -96,19 +83,15 @@ void write_dot(io::JsonWriter& json, double size, const auto& write_colours) {
 }
 
 void write_place(io::JsonWriter& json, const GeographicPosition& place) {
-  json.value(place.longitude_deg);
-  json.value(place.latitude_deg);
-  json.value(place.height_m);
+  json.value(place.longitude_deg).value(place.latitude_deg).value(place.height_m);
 }
 
 // `write_positions` writes the members that say where it is.
 void write_line(io::JsonWriter& json, const auto& write_positions) {
-  json.begin_object("polyline");
-  json.begin_object("positions");
+  json.begin_object("polyline").begin_object("positions");
   write_positions();
   json.end();
-  json.member("arcType", "NONE");
-  json.member("width", 3u);
+  json.member("arcType", "NONE").member("width", 3u);
   write_material(json, kRiskColour);
   json.end();
 }
@@ -133,10 +116,8 @@ TimeSpan time_of(const MapTracks& map) {
 }
 
 void write_clock(io::JsonWriter& json, const TimeSpan& time) {
-  json.begin_object("clock");
-  json.member("interval", interval(time.begins_s, time.ends_s));
-  json.member("currentTime", map_instant(time.begins_s));
-  json.member("multiplier", 1u);
+  json.begin_object("clock").member("interval", interval(time.begins_s, time.ends_s));
+  json.member("currentTime", map_instant(time.begins_s)).member("multiplier", 1u);
   json.end();
 }
 
@@ -151,8 +132,7 @@ void write_availability(io::JsonWriter& json, const MapTrack& track) {
 
 void write_samples(io::JsonWriter& json, const MapTrack& track, double epoch_s,
                    const MapPlaces& places) {
-  json.begin_object("position");
-  json.member("epoch", map_instant(epoch_s));
+  json.begin_object("position").member("epoch", map_instant(epoch_s));
   json.begin_array("cartographicDegrees");
   for (const auto& run : track.runs) {
     for (const Fix& fix : run) {
@@ -160,18 +140,14 @@ void write_samples(io::JsonWriter& json, const MapTrack& track, double epoch_s,
       write_place(json, places.of(fix.position));
     }
   }
-  json.end();
-  json.end();
+  json.end().end();
 }
 
 // What comes later in the list counts.
 void write_colours(io::JsonWriter& json, const MapTrack& track,
                    const std::vector<AtRisk>& at_risk) {
   const auto write = [&json](double begins_s, double ends_s, const Colour& colour) {
-    json.begin_object();
-    json.member("interval", interval(begins_s, ends_s));
-    write_rgba(json, colour);
-    json.end();
+    json.begin_object().member("interval", interval(begins_s, ends_s)).member("rgba", colour).end();
   };
   json.begin_array("color");
   write(track.runs.front().front().time_s, track.runs.back().back().time_s, kBeeColour);
@@ -185,13 +161,11 @@ void write_colours(io::JsonWriter& json, const MapTrack& track,
 
 void write_bee(io::JsonWriter& json, const MapTrack& track, const RecordingFacts& facts,
                double epoch_s, const MapPlaces& places) {
-  json.member("id", id_of(track.bee));
-  json.member("name", facts.swarm.names.of(track.bee));
+  json.member("id", id_of(track.bee)).member("name", facts.swarm.names.of(track.bee));
   write_availability(json, track);
   write_samples(json, track, epoch_s, places);
   write_dot(json, 7.0, [&] { write_colours(json, track, facts.at_risk); });
-  json.begin_object("path");
-  json.member("width", 1u);
+  json.begin_object("path").member("width", 1u);
   write_material(json, kPathColour);
   json.end();
 }
@@ -217,9 +191,8 @@ void add_conflict(std::size_t number, const MapTracks& map, const RecordingFacts
     json.member("availability", interval(c.begins_s, c.ends_s));
     write_line(json, [&] {
       if (!moves) return write_places(json, {places.of(*a), places.of(*b)});
-      json.begin_array("references");
-      for (const PointId bee : {c.first, c.second}) json.value(id_of(bee) + "#position");
-      json.end();
+      const std::string end = "#position";
+      json.member("references", std::array{id_of(c.first) + end, id_of(c.second) + end});
     });
   });
 }
@@ -240,8 +213,7 @@ std::vector<std::string> write_czml(const SnapshotFacts& facts, io::AtomicOutput
   for (std::size_t i = 0; i < bees; ++i) {
     const PointId bee = facts.at_risk[i];
     packets.add([&](io::JsonWriter& json) {
-      json.member("id", id_of(bee));
-      json.member("name", names.of(bee));
+      json.member("id", id_of(bee)).member("name", names.of(bee));
       json.member("description", nearest_words(facts.closest_in_conflict[i], facts.swarm));
       json.begin_object("position");
       write_places(json, {place(bee)});

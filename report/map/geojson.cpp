@@ -16,8 +16,7 @@ class Features {
  public:
   // What is not in the file is said in a member of its own, which readers may pass over.
   Features(const std::string& kept, io::AtomicOutput& output) : output_(output), json_(text_) {
-    json_.begin_object();
-    json_.member("type", "FeatureCollection");
+    json_.begin_object().member("type", "FeatureCollection");
     if (!kept.empty()) json_.member("note", kept);
     json_.begin_array("features", io::JsonLayout::kFlush);
   }
@@ -31,8 +30,7 @@ class Features {
   }
 
   void finish() {
-    json_.end();
-    json_.end();
+    json_.end().end();
     output_.write(text_ + '\n');
   }
 
@@ -45,10 +43,8 @@ class Features {
 void write_conflict(io::JsonWriter& json, const Conflict& conflict, const RecordingFacts& facts) {
   json.member("first", facts.swarm.names.of(conflict.first));
   json.member("second", facts.swarm.names.of(conflict.second));
-  json.member("closest_m", conflict.closest_m);
-  json.member("begins_s", conflict.begins_s);
-  json.member("closest_s", conflict.closest_s);
-  json.member("ends_s", conflict.ends_s);
+  json.member("closest_m", conflict.closest_m).member("begins_s", conflict.begins_s);
+  json.member("closest_s", conflict.closest_s).member("ends_s", conflict.ends_s);
   json.member("certain", conflict.certain);
   if (!facts.since_1970) return;
   json.member("begins", instant_label(conflict.begins_s));
@@ -68,8 +64,7 @@ void write_geojson(const SnapshotFacts& facts, io::AtomicOutput& output) {
     const Nearest& nearest = facts.closest_in_conflict[i];
     features.add([&](io::JsonWriter& json) { io::write_geojson_point(json, place(bee)); },
                  [&](io::JsonWriter& json) {
-                   json.member("kind", "at risk");
-                   json.member("id", names.of(bee));
+                   json.member("kind", "at risk").member("id", names.of(bee));
                    json.member("nearest", names.of(nearest.id));
                    json.member("nearest_m", nearest.distance_m);
                  });
@@ -82,8 +77,7 @@ void write_geojson(const SnapshotFacts& facts, io::AtomicOutput& output) {
         },
         [&](io::JsonWriter& json) {
           json.member("kind", "pair");
-          json.member("first", names.of(pair.first));
-          json.member("second", names.of(pair.second));
+          json.member("first", names.of(pair.first)).member("second", names.of(pair.second));
           json.member("distance_m", facts.distances_m[i]);
         });
   }
