@@ -92,12 +92,9 @@ void JsonWriter::begin_value() {
 
 void JsonWriter::separate() {
   Level& around = levels_[depth_];
-  if (!around.empty) out_ += ',';
-  if (starts_line_ || breaks_lines(around.layout)) {
-    break_line(around.indent);
-  } else if (!around.empty && around.layout != JsonLayout::kTight) {
-    out_ += ' ';
-  }
+  const bool breaks = starts_line_ || breaks_lines(around.layout);
+  if (!around.empty) out_ += breaks || around.layout == JsonLayout::kTight ? "," : ", ";
+  if (breaks) break_line(around.indent);
   around.empty = false;
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <functional>
 #include <limits>
 #include <vector>
@@ -110,6 +111,15 @@ TEST(JsonWriter, WithinWhatIsTightAllIs) {
               json.end();
             }),
             R"({"tight": {"texts":["a","b"]}, "texts": ["a", "b"]})");
+}
+
+TEST(JsonWriter, WhatGoesThroughValuesIsAnArray) {
+  const std::vector<std::array<double, 2>> places = {{1.5, 2}, {3, 4}};
+  EXPECT_EQ(text_of(places), "[[1.5, 2], [3, 4]]");
+  EXPECT_EQ(text_of(std::vector<std::string>()), "[]");
+  std::string tight;
+  JsonWriter(tight, JsonLayout::kTight).begin_object().member("places", places).end();
+  EXPECT_EQ(tight, R"({"places":[[1.5,2],[3,4]]})");
 }
 
 TEST(JsonWriter, NumbersReadBackAsTheSame) {
