@@ -1,7 +1,5 @@
 #include "report/columns.hpp"
 
-#include "io/json/json_object.hpp"
-#include "io/json/json_text.hpp"
 #include "report/base64.hpp"
 
 #include <zlib.h>
@@ -67,50 +65,46 @@ std::string compressed(std::string_view bytes) {
 
 }  // namespace
 
-std::string Columns::add(std::span<const std::uint8_t> numbers) {
-  return keep("u8", numbers.size(), in_planes(numbers), Differences::kNone, {});
+void Columns::add(io::JsonWriter& json, std::string_view name,
+                  std::span<const std::uint8_t> numbers) {
+  keep(json, name, {"u8", numbers.size()}, in_planes(numbers));
 }
 
-std::string Columns::add(std::span<const std::uint16_t> numbers, Differences differences,
-                         const Meaning& meaning) {
-  return keep("u16", numbers.size(), bytes_of(numbers, differences), differences, meaning);
+void Columns::add(io::JsonWriter& json, std::string_view name,
+                  std::span<const std::uint16_t> numbers, Differences differences,
+                  const Meaning& meaning) {
+  keep(json, name, {"u16", numbers.size(), differences, meaning}, bytes_of(numbers, differences));
 }
 
-std::string Columns::add(std::span<const std::uint32_t> numbers, Differences differences,
-                         const Meaning& meaning) {
-  return keep("u32", numbers.size(), bytes_of(numbers, differences), differences, meaning);
+void Columns::add(io::JsonWriter& json, std::string_view name,
+                  std::span<const std::uint32_t> numbers, Differences differences,
+                  const Meaning& meaning) {
+  keep(json, name, {"u32", numbers.size(), differences, meaning}, bytes_of(numbers, differences));
 }
 
-std::string Columns::add(std::span<const double> numbers) {
+void Columns::add(io::JsonWriter& json, std::string_view name, std::span<const double> numbers) {
   std::vector<std::uint64_t> bits;
   bits.reserve(numbers.size());
   for (const double number : numbers) bits.push_back(std::bit_cast<std::uint64_t>(number));
-  return keep("f64", bits.size(), in_planes(std::span<const std::uint64_t>(bits)),
-              Differences::kNone, {});
+  keep(json, name, {"f64", bits.size()}, in_planes(std::span<const std::uint64_t>(bits)));
 }
 
-std::string Columns::add(std::span<const std::string> texts) {
-  std::string json = "[";
-  for (const std::string& text : texts) {
-    if (json.size() > 1) json += ',';
-    io::append_json_string(json, text);
-  }
-  json += ']';
-  return keep("json", texts.size(), json, Differences::kNone, {});
+void Columns::add(io::JsonWriter& json, std::string_view name, std::span<const std::string> texts) {
+  std::string list;
+  io::JsonWriter(list, io::JsonLayout::kTight).value(texts);
+  keep(json, name, {"json", texts.size()}, list);
 }
 
-std::string Columns::keep(const char* type, std::size_t count, std::string_view bytes,
-                          Differences differences, const Meaning& meaning) {
-  io::JsonObject column;
-  column.add_count("at", elements_.size());
-  column.add_text("type", type);
-  column.add_count("count", count);
-  if (differences == Differences::kFirst) column.add_text("code", "delta");
-  if (differences == Differences::kSecond) column.add_text("code", "delta2");
-  if (meaning.scale != 1.0) column.add_number("scale", meaning.scale);
-  if (meaning.offset != 0.0) column.add_number("offset", meaning.offset);
+void Columns::keep(io::JsonWriter& json, std::string_view name, const Kept& column,
+                   std::string_view bytes) {
+  json.begin_object(name).member("at", elements_.size()).member("type", column.type);
+  json.member("count", column.count);
+  if (column.differences == Differences::kFirst) json.member("code", "delta");
+  if (column.differences == Differences::kSecond) json.member("code", "delta2");
+  if (column.meaning.scale != 1.0) json.member("scale", column.meaning.scale);
+  if (column.meaning.offset != 0.0) json.member("offset", column.meaning.offset);
+  json.end();
   elements_.push_back(base64(compressed(bytes)));
-  return column.text();
 }
 
 }  // namespace beespace::report

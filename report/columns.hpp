@@ -2,6 +2,9 @@
 // See docs/page-format.md.
 #pragma once
 
+#include "io/json/json_writer.hpp"
+
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -21,21 +24,28 @@ struct Meaning {
 
 class Columns {
  public:
-  // Each keeps a column, and returns what the page's JSON has in its place.
-  std::string add(std::span<const std::uint8_t> numbers);
-  std::string add(std::span<const std::uint16_t> numbers,
-                  Differences differences = Differences::kNone, const Meaning& meaning = {});
-  std::string add(std::span<const std::uint32_t> numbers,
-                  Differences differences = Differences::kNone, const Meaning& meaning = {});
-  std::string add(std::span<const double> numbers);
-  std::string add(std::span<const std::string> texts);
+  // Each keeps a column, and writes what the page's JSON has in its place, a member of this name.
+  void add(io::JsonWriter& json, std::string_view name, std::span<const std::uint8_t> numbers);
+  void add(io::JsonWriter& json, std::string_view name, std::span<const std::uint16_t> numbers,
+           Differences differences = Differences::kNone, const Meaning& meaning = {});
+  void add(io::JsonWriter& json, std::string_view name, std::span<const std::uint32_t> numbers,
+           Differences differences = Differences::kNone, const Meaning& meaning = {});
+  void add(io::JsonWriter& json, std::string_view name, std::span<const double> numbers);
+  void add(io::JsonWriter& json, std::string_view name, std::span<const std::string> texts);
 
   // What the elements hold, in base64.
   [[nodiscard]] const std::vector<std::string>& elements() const { return elements_; }
 
  private:
-  std::string keep(const char* type, std::size_t count, std::string_view bytes,
-                   Differences differences, const Meaning& meaning);
+  // What is said of a column, beside its bytes.
+  struct Kept {
+    const char* type;
+    std::size_t count;
+    Differences differences = Differences::kNone;
+    Meaning meaning = {};
+  };
+  void keep(io::JsonWriter& json, std::string_view name, const Kept& column,
+            std::string_view bytes);
 
   std::vector<std::string> elements_;
 };

@@ -1,7 +1,5 @@
 #include "report/page.hpp"
 
-#include "io/json/json_object.hpp"
-
 #include <beespace/version.hpp>
 
 #include <cstddef>
@@ -33,27 +31,24 @@ std::string harmless(std::string_view json) {
   return text;
 }
 
-std::string page_json(const std::vector<std::string>& swarms) {
-  std::string all = "[";
-  for (const std::string& swarm : swarms) {
-    if (all.size() > 1) all += ',';
-    all += swarm;
-  }
-  io::JsonObject json;
-  json.add_count("format", 1);
-  json.add_text("beespace", version());
-  json.add_json("swarms", all + ']');
-  return json.text();
-}
-
 }  // namespace
 
-void write_page(std::string_view page, const std::vector<std::string>& swarms,
-                const Columns& columns, const PageSink& sink) {
+std::string page_json(const std::function<void(io::JsonWriter&)>& write_swarms) {
+  std::string text;
+  io::JsonWriter json(text);
+  json.begin_object(io::JsonLayout::kTight).member("format", 1u).member("beespace", version());
+  json.begin_array("swarms");
+  write_swarms(json);
+  json.end().end();
+  return text;
+}
+
+void write_page(std::string_view page, std::string_view json, const Columns& columns,
+                const PageSink& sink) {
   const std::size_t place = page.find(kPlace);
   sink(page.substr(0, place));
   sink("<script type=\"application/json\" id=\"beespace-page\">");
-  sink(harmless(page_json(swarms)));
+  sink(harmless(json));
   sink("</script>\n");
   for (std::size_t i = 0; i < columns.elements().size(); ++i) {
     sink("<script type=\"text/plain\" id=\"beespace-" + std::to_string(i) + "\">");

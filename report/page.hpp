@@ -1,12 +1,12 @@
 // One HTML file with everything in it: the page that web/ builds, and one swarm or two.
 #pragma once
 
+#include "io/json/json_writer.hpp"
 #include "report/columns.hpp"
 
 #include <functional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace beespace::report {
 
@@ -16,9 +16,12 @@ std::string_view page_template();
 // Takes a page piece by piece.
 using PageSink = std::function<void(std::string_view)>;
 
-// `swarms` are what snapshot_json() and recording_json() say, with their columns; of two, the first
-// is before and the second after. The page without data has the place for them once.
-void write_page(std::string_view page, const std::vector<std::string>& swarms,
-                const Columns& columns, const PageSink& sink);
+// What a page says in JSON: `write_swarms` writes one swarm, or two, of which the first is before
+// and the second after, each by write_swarm().
+std::string page_json(const std::function<void(io::JsonWriter&)>& write_swarms);
+
+// With that, and its columns. The page without data has the place for them once.
+void write_page(std::string_view page, std::string_view json, const Columns& columns,
+                const PageSink& sink);
 
 }  // namespace beespace::report

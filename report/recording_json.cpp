@@ -1,6 +1,5 @@
 #include "report/recording_json.hpp"
 
-#include "io/json/json_object.hpp"
 #include "report/quantised.hpp"
 #include "report/shown_fixes.hpp"
 #include "report/swarm_json.hpp"
@@ -11,7 +10,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <span>
 #include <vector>
 
 namespace beespace::report {
@@ -92,21 +90,20 @@ double flown_in_error_m(const ShownFixes& shown, const Clock& clock) {
   return farthest_m;
 }
 
-std::string fixes_json(const ShownFixes& shown, const Quantised& positions, const Clock& clock,
-                       Columns& columns) {
+void write_fixes(io::JsonWriter& json, const ShownFixes& shown, const Quantised& positions,
+                 const Clock& clock, Columns& columns) {
   std::vector<std::uint32_t> ticks;
   ticks.reserve(shown.times_s.size());
   for (const double time_s : shown.times_s) ticks.push_back(clock.nearest(time_s));
-  io::JsonObject json;
-  json.add_json("counts", columns.add(std::span<const std::uint32_t>(shown.counts)));
-  json.add_json("time_s", columns.add(std::span<const std::uint32_t>(ticks), Differences::kSecond,
-                                      clock.meaning()));
-  add_positions(json, positions, Differences::kSecond, columns);
-  return json.text();
+  json.begin_object("fixes");
+  columns.add(json, "counts", shown.counts);
+  columns.add(json, "time_s", ticks, Differences::kSecond, clock.meaning());
+  write_positions(json, positions, Differences::kSecond, columns);
+  json.end();
 }
 
-std::string conflicts_json(const std::vector<Conflict>& conflicts, const Clock& clock,
-                           Columns& columns) {
+void write_conflicts(io::JsonWriter& json, const std::vector<Conflict>& conflicts,
+                     const Clock& clock, Columns& columns) {
   std::array<std::vector<std::uint32_t>, 5> numbers;
   auto& [firsts, seconds, begins, closest, ends] = numbers;
   std::vector<double> distances_m;
@@ -120,21 +117,22 @@ std::string conflicts_json(const std::vector<Conflict>& conflicts, const Clock& 
     distances_m.push_back(conflict.closest_m);
     certain.push_back(conflict.certain ? 1 : 0);
   }
-  const auto column = [&](const std::vector<std::uint32_t>& all, const Meaning& meaning) {
-    return columns.add(std::span<const std::uint32_t>(all), Differences::kNone, meaning);
+  const auto add_times = [&](const char* name, const std::vector<std::uint32_t>& ticks) {
+    columns.add(json, name, ticks, Differences::kNone, clock.meaning());
   };
-  io::JsonObject json;
-  json.add_json("first", column(firsts, {}));
-  json.add_json("second", column(seconds, {}));
-  json.add_json("begins_s", column(begins, clock.meaning()));
-  json.add_json("closest_s", column(closest, clock.meaning()));
-  json.add_json("ends_s", column(ends, clock.meaning()));
-  json.add_json("distance_m", columns.add(std::span<const double>(distances_m)));
-  json.add_json("certain", columns.add(std::span<const std::uint8_t>(certain)));
-  return json.text();
+  json.begin_object("conflicts");
+  columns.add(json, "first", firsts);
+  columns.add(json, "second", seconds);
+  add_times("begins_s", begins);
+  add_times("closest_s", closest);
+  add_times("ends_s", ends);
+  columns.add(json, "distance_m", distances_m);
+  columns.add(json, "certain", certain);
+  json.end();
 }
 
-std::string at_risk_json(const std::vector<AtRisk>& at_risk, const Clock& clock, Columns& columns) {
+void write_at_risk(io::JsonWriter& json, const std::vector<AtRisk>& at_risk, const Clock& clock,
+                   Columns& columns) {
   std::array<std::vector<std::uint32_t>, 3> numbers;
   auto& [bees, begins, ends] = numbers;
   for (const AtRisk& of : at_risk) {
@@ -142,17 +140,15 @@ std::string at_risk_json(const std::vector<AtRisk>& at_risk, const Clock& clock,
     begins.push_back(clock.before(of.span.begins_s));
     ends.push_back(clock.after(of.span.ends_s));
   }
-  io::JsonObject json;
-  json.add_json("bee", columns.add(std::span<const std::uint32_t>(bees), Differences::kFirst));
-  json.add_json("begins_s", columns.add(std::span<const std::uint32_t>(begins), Differences::kNone,
-                                        clock.meaning()));
-  json.add_json("ends_s", columns.add(std::span<const std::uint32_t>(ends), Differences::kNone,
-                                      clock.meaning()));
-  return json.text();
+  json.begin_object("at_risk");
+  columns.add(json, "bee", bees, Differences::kFirst);
+  columns.add(json, "begins_s", begins, Differences::kNone, clock.meaning());
+  columns.add(json, "ends_s", ends, Differences::kNone, clock.meaning());
+  json.end();
 }
 
-std::string separation_json(const std::vector<Separation>& separation, double begins_s,
-                            Columns& columns) {
+void write_separation(io::JsonWriter& json, const std::vector<Separation>& separation,
+                      double begins_s, Columns& columns) {
   std::vector<double> times_s;
   std::vector<double> distances_m;
   std::vector<std::uint32_t> firsts;
@@ -163,15 +159,15 @@ std::string separation_json(const std::vector<Separation>& separation, double be
     firsts.push_back(closest.first);
     seconds.push_back(closest.second);
   }
-  io::JsonObject json;
-  json.add_json("time_s", columns.add(std::span<const double>(times_s)));
-  json.add_json("distance_m", columns.add(std::span<const double>(distances_m)));
-  json.add_json("first", columns.add(std::span<const std::uint32_t>(firsts)));
-  json.add_json("second", columns.add(std::span<const std::uint32_t>(seconds)));
-  return json.text();
+  json.begin_object("separation");
+  columns.add(json, "time_s", times_s);
+  columns.add(json, "distance_m", distances_m);
+  columns.add(json, "first", firsts);
+  columns.add(json, "second", seconds);
+  json.end();
 }
 
-std::string risk_json(const RecordingFacts& facts, double begins_s) {
+void write_risk(io::JsonWriter& json, const RecordingFacts& facts, double begins_s) {
   double bee_seconds = 0.0;
   std::uint64_t bees = 0;
   for (std::size_t i = 0; i < facts.at_risk.size(); ++i) {
@@ -179,30 +175,25 @@ std::string risk_json(const RecordingFacts& facts, double begins_s) {
     bee_seconds += span.ends_s - span.begins_s;
     if (i == 0 || facts.at_risk[i - 1].bee != bee) ++bees;
   }
-  io::JsonObject json;
-  json.add_count("conflicts", facts.conflict_count);
-  json.add_count("possible", facts.possible_count);
-  json.add_count("pairs", facts.pair_count);
-  json.add_count("bees", bees);
-  json.add_number("bee_seconds", bee_seconds);
-  if (!facts.unknown.empty()) json.add_text("unknown", facts.unknown);
+  json.begin_object("risk");
+  json.member("conflicts", facts.conflict_count).member("possible", facts.possible_count);
+  json.member("pairs", facts.pair_count).member("bees", bees);
+  json.member("bee_seconds", bee_seconds);
+  if (!facts.unknown.empty()) json.member("unknown", facts.unknown);
   if (facts.closest) {
-    io::JsonObject closest;
-    closest.add_count("first", facts.closest->first);
-    closest.add_count("second", facts.closest->second);
-    closest.add_number("distance_m", facts.closest->closest_m);
-    closest.add_number("time_s", facts.closest->closest_s - begins_s);
-    json.add_json("closest", closest.text());
+    json.begin_object("closest");
+    json.member("first", facts.closest->first).member("second", facts.closest->second);
+    json.member("distance_m", facts.closest->closest_m);
+    json.member("time_s", facts.closest->closest_s - begins_s);
+    json.end();
   }
-  return json.text();
+  json.end();
 }
 
-std::string time_json(const RecordingFacts& facts, const TimeSpan& time) {
-  io::JsonObject json;
-  json.add_number("begins_s", time.begins_s);
-  json.add_number("ends_s", time.ends_s);
-  json.add_flag("since_1970", facts.since_1970);
-  return json.text();
+void write_time(io::JsonWriter& json, const RecordingFacts& facts, const TimeSpan& time) {
+  json.begin_object("time").member("begins_s", time.begins_s).member("ends_s", time.ends_s);
+  json.member("since_1970", facts.since_1970);
+  json.end();
 }
 
 TimeSpan time_of(const ShownFixes& shown) {
@@ -213,7 +204,7 @@ TimeSpan time_of(const ShownFixes& shown) {
 
 }  // namespace
 
-std::string recording_json(const RecordingFacts& facts, Columns& columns) {
+void write_swarm(io::JsonWriter& json, const RecordingFacts& facts, Columns& columns) {
   const ShownFixes shown = shown_fixes(facts.tracks, facts.gaps, kMostFixes);
   const TimeSpan time = time_of(shown);
   const Clock clock(time, shown);
@@ -224,20 +215,18 @@ std::string recording_json(const RecordingFacts& facts, Columns& columns) {
     swarm.notes.push_back("one fix in " + std::to_string(shown.every) +
                           " is shown; what is said of conflicts comes from all");
   }
-  io::JsonObject json;
-  json.add_text("kind", "recording");
-  add_swarm(json, swarm, facts.tracks.size(), columns);
-  json.add_number("position_error_m",
-                  positions.error_m + shown.error_m + flown_in_error_m(shown, clock));
-  json.add_json("time", time_json(facts, time));
-  json.add_json("fixes", fixes_json(shown, positions, clock, columns));
-  json.add_json("absent_after", columns.add(std::span<const std::uint32_t>(shown.absent_after),
-                                            Differences::kFirst));
-  json.add_json("conflicts", conflicts_json(facts.conflicts, clock, columns));
-  json.add_json("at_risk", at_risk_json(facts.at_risk, clock, columns));
-  json.add_json("separation", separation_json(facts.separation, time.begins_s, columns));
-  json.add_json("risk", risk_json(facts, time.begins_s));
-  return json.text();
+  json.begin_object().member("kind", "recording");
+  write_facts(json, swarm, facts.tracks.size(), columns);
+  json.member("position_error_m",
+              positions.error_m + shown.error_m + flown_in_error_m(shown, clock));
+  write_time(json, facts, time);
+  write_fixes(json, shown, positions, clock, columns);
+  columns.add(json, "absent_after", shown.absent_after, Differences::kFirst);
+  write_conflicts(json, facts.conflicts, clock, columns);
+  write_at_risk(json, facts.at_risk, clock, columns);
+  write_separation(json, facts.separation, time.begins_s, columns);
+  write_risk(json, facts, time.begins_s);
+  json.end();
 }
 
 }  // namespace beespace::report

@@ -1,13 +1,12 @@
 // A snapshot in the page's JSON.
 #pragma once
 
+#include "io/json/json_writer.hpp"
 #include "report/columns.hpp"
 #include "report/facts.hpp"
 
-#include <string>
-
 namespace beespace::report {
 
-std::string snapshot_json(const SnapshotFacts& facts, Columns& columns);
+void write_swarm(io::JsonWriter& json, const SnapshotFacts& facts, Columns& columns);
 
 }  // namespace beespace::report

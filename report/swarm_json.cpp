@@ -1,39 +1,26 @@
 #include "report/swarm_json.hpp"
 
-#include "io/json/json_text.hpp"
-
 #include <algorithm>
-#include <cstdint>
-#include <vector>
+#include <array>
 
 namespace beespace::report {
 namespace {
 
-std::string list_of(const std::vector<std::string>& texts) {
-  std::string json = "[";
-  for (const std::string& text : texts) {
-    if (json.size() > 1) json += ',';
-    io::append_json_string(json, text);
-  }
-  return json + ']';
+constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
+constexpr std::array<const char*, 3> kLocalAxes = {"east", "north", "up"};
+
+void write_origin(io::JsonWriter& json, const GeographicPosition& origin) {
+  json.begin_object("origin");
+  json.member("longitude_deg", origin.longitude_deg).member("latitude_deg", origin.latitude_deg);
+  json.member("height_m", origin.height_m);
+  json.end();
 }
 
-std::string origin_json(const GeographicPosition& origin) {
-  io::JsonObject json;
-  json.add_number("longitude_deg", origin.longitude_deg);
-  json.add_number("latitude_deg", origin.latitude_deg);
-  json.add_number("height_m", origin.height_m);
-  return json.text();
-}
-
-std::string names_json(const Names& names, Columns& columns) {
-  io::JsonObject json;
-  json.add_json("texts", columns.add(names.texts));
-  if (!names.bees.empty()) {
-    json.add_json("bees",
-                  columns.add(std::span<const std::uint32_t>(names.bees), Differences::kFirst));
-  }
-  return json.text();
+void write_names(io::JsonWriter& json, const Names& names, Columns& columns) {
+  json.begin_object("names");
+  columns.add(json, "texts", names.texts);
+  if (!names.bees.empty()) columns.add(json, "bees", names.bees, Differences::kFirst);
+  json.end();
 }
 
 }  // namespace
@@ -45,26 +32,23 @@ std::string Names::of(PointId bee) const {
   return texts[static_cast<std::size_t>(at - bees.begin())];
 }
 
-void add_swarm(io::JsonObject& json, const SwarmFacts& swarm, std::size_t count, Columns& columns) {
-  json.add_text("title", swarm.title);
-  json.add_text("source", swarm.source);
-  json.add_count("count", count);
-  json.add_json("axes", swarm.origin ? R"(["east","north","up"])" : R"(["x","y","z"])");
-  if (swarm.origin) json.add_json("origin", origin_json(*swarm.origin));
-  json.add_number("threshold_m", swarm.threshold_m);
-  if (swarm.vertical_m) json.add_number("vertical_m", *swarm.vertical_m);
-  json.add_flag("inclusive", swarm.inclusive);
-  if (!swarm.names.texts.empty()) json.add_json("names", names_json(swarm.names, columns));
-  json.add_json("notes", list_of(swarm.notes));
+void write_facts(io::JsonWriter& json, const SwarmFacts& swarm, std::size_t count,
+                 Columns& columns) {
+  json.member("title", swarm.title).member("source", swarm.source);
+  json.member("count", count).member("axes", swarm.origin ? kLocalAxes : kAxes);
+  if (swarm.origin) write_origin(json, *swarm.origin);
+  json.member("threshold_m", swarm.threshold_m);
+  if (swarm.vertical_m) json.member("vertical_m", swarm.vertical_m);
+  json.member("inclusive", swarm.inclusive);
+  if (!swarm.names.texts.empty()) write_names(json, swarm.names, columns);
+  json.member("notes", swarm.notes);
 }
 
-void add_positions(io::JsonObject& json, const Quantised& positions, Differences differences,
-                   Columns& columns) {
-  constexpr const char* kAxes[] = {"x", "y", "z"};
+void write_positions(io::JsonWriter& json, const Quantised& positions, Differences differences,
+                     Columns& columns) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    json.add_json(kAxes[axis],
-                  columns.add(std::span<const std::uint16_t>(positions.codes[axis]), differences,
-                              {positions.step_m[axis], positions.low_m[axis]}));
+    columns.add(json, kAxes[axis], positions.codes[axis], differences,
+                {positions.step_m[axis], positions.low_m[axis]});
   }
 }
 

@@ -13,13 +13,6 @@ Error refused(std::string message) {
   return {ErrorCode::kInvalidArgument, std::move(message), {}};
 }
 
-std::string json_of(const Scene& scene, report::Columns& columns) {
-  if (const auto* snapshot = std::get_if<report::SnapshotFacts>(&scene)) {
-    return report::snapshot_json(*snapshot, columns);
-  }
-  return report::recording_json(std::get<report::RecordingFacts>(scene), columns);
-}
-
 // Two that are compared are two of a kind, in the same frame.
 Status check_alike(const Scene& one, const Scene& other) {
   const report::SwarmFacts& first = swarm_of(one);
@@ -52,12 +45,16 @@ Result<Page> build_page(const std::vector<Scene>& scenes) {
     if (Status alike = check_alike(scenes[0], scenes[1]); !alike) return std::move(alike).error();
   }
   Page page;
-  for (const Scene& scene : scenes) page.swarms.push_back(json_of(scene, page.columns));
+  page.json = report::page_json([&](io::JsonWriter& json) {
+    for (const Scene& scene : scenes) {
+      std::visit([&](const auto& facts) { report::write_swarm(json, facts, page.columns); }, scene);
+    }
+  });
   return page;
 }
 
 void write_page(const Page& page, const report::PageSink& sink) {
-  report::write_page(report::page_template(), page.swarms, page.columns, sink);
+  report::write_page(report::page_template(), page.json, page.columns, sink);
 }
 
 }  // namespace beespace::analysis

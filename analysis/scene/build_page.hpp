@@ -13,7 +13,7 @@
 namespace beespace::analysis {
 
 struct Page {
-  std::vector<std::string> swarms;  // one, or before and after
+  std::string json;
   report::Columns columns;
 };
 

@@ -1,7 +1,6 @@
 #include "analysis/snapshot/shown_ids.hpp"
 
 #include "io/bytes/number_text.hpp"
-#include "io/json/json_text.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -67,11 +66,13 @@ std::string ShownIds::text(PointId point) const {
   return out;
 }
 
-void ShownIds::append_json(std::string& out, PointId point) const {
-  if (own_ids_ && !std::binary_search(empty_.begin(), empty_.end(), point)) {
-    io::append_json_string(out, find(point));
+void ShownIds::write(io::JsonWriter& json, PointId point) const {
+  if (rows_are_points_) {
+    json.value(point);
+  } else if (own_ids_ && !std::binary_search(empty_.begin(), empty_.end(), point)) {
+    json.value(find(point));
   } else {
-    append(out, point);
+    json.value(io::parse_whole(find(point)));
   }
 }
 

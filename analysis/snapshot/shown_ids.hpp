@@ -5,6 +5,7 @@
 // must outlive it. Memory: none where the row is the point's number; the text of the ids otherwise.
 #pragma once
 
+#include "io/json/json_writer.hpp"
 #include "io/points/loaded_points.hpp"
 
 #include <beespace/point.hpp>
@@ -26,7 +27,7 @@ class ShownIds {
   [[nodiscard]] std::string text(PointId point) const;
 
   // The same for JSON: a number when it is a row, a string when it is the file's own.
-  void append_json(std::string& out, PointId point) const;
+  void write(io::JsonWriter& json, PointId point) const;
 
   // Whether each id is the point's own number, which is quicker written directly.
   [[nodiscard]] bool are_point_numbers() const { return rows_are_points_; }

@@ -46,7 +46,8 @@ Status load_bees(const AdviseRequest& request, Situation& situation) {
   situation.notes = std::move(plans->notes);
   situation.wishes = !plans->preferred.empty();
   if (situation.wishes) {
-    if (!plans->goals.empty()) situation.notes.emplace_back("goals are ignored, as there are preferred velocities");
+    if (!plans->goals.empty())
+      situation.notes.emplace_back("goals are ignored, as there are preferred velocities");
     situation.preferred = std::move(plans->preferred);
   } else {
     for (std::size_t i = 0; i < situation.movers.size(); ++i) {

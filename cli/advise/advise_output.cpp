@@ -5,92 +5,70 @@
 #include "cli/output/json_units.hpp"
 #include "io/bytes/byte_source.hpp"
 #include "io/bytes/number_text.hpp"
-#include "io/json/json_text.hpp"
+#include "io/json/json_writer.hpp"
 #include "io/table/csv_field.hpp"
 
 #include <beespace/version.hpp>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace beespace::cli {
 namespace {
 
-std::string finite_or_null(double value) {
-  return std::isfinite(value) ? io::exact(value) : "null";
-}
-
-const char* true_or_false(bool yes) {
-  return yes ? "true" : "false";
-}
-
 // "files" and what else is known of the input, as other subcommands have it.
-std::string input_json(const Counsel& counsel) {
-  std::string out = "{\n    \"files\": [" + io::json_string(io::source_name(counsel.request.input));
-  out += "],\n    \"format\": " + io::json_string(counsel.situation.format_description);
-  out += ",\n    \"bees\": " + std::to_string(counsel.situation.movers.size());
-  out += ",\n    \"units\": " + json_units(counsel.situation.units);
-  out += ",\n    \"notes\": [";
-  std::string_view before;
-  for (const std::string& note : counsel.situation.notes) {
-    out.append(before).append(io::json_string(note));
-    before = ", ";
-  }
-  return out + "]\n  }";
+void write_input(io::JsonWriter& json, const Counsel& counsel) {
+  const Situation& situation = counsel.situation;
+  json.begin_object("input", io::JsonLayout::kLines);
+  json.member("files", std::array{io::source_name(counsel.request.input)});
+  json.member("format", situation.format_description).member("bees", situation.movers.size());
+  write_units(json.key("units"), situation.units);
+  json.member("notes", situation.notes);
+  json.end();
 }
 
-std::string head(const Counsel& counsel) {
+void write_head(io::JsonWriter& json, const Counsel& counsel) {
   const AdviseRequest& request = counsel.request;
+  const AdviseOptions& advice = request.advice;
   const Situation& situation = counsel.situation;
-  const Advised& advised = counsel.advised;
-  std::string out = "{\n  \"version\": " + io::json_string(version());
-  const auto member = [&out](const char* name, const std::string& value) {
-    out.append(",\n  \"").append(name).append("\": ").append(value);
-  };
-  const bool own = situation.own_limits;
-  const bool obstacles = !request.obstacles.empty();
-  const bool intruders = !request.intruders.empty();
-  member("command", "\"advise\"");
-  member("input", input_json(counsel));
-  member("preferred", situation.wishes ? "\"wishes\"" : "\"goals\"");
-  member("method", io::json_string(name_of(request.advice.method)));
-  member("threshold_m", io::exact(request.advice.threshold_m));
-  member("uncertainty_m", io::exact(request.advice.uncertainty_m));
-  member("own_limits", true_or_false(own));
-  member("max_speed_mps", own ? "null" : io::exact(request.limits.max_speed_mps));
-  member("max_acceleration_mps2",
-         own ? "null" : finite_or_null(request.limits.max_acceleration_mps2));
-  member("step_s", io::exact(request.advice.step_s));
-  member("obstacles", std::to_string(situation.obstacles.obstacles().size()));
-  member("clearance_m", obstacles ? io::exact(request.advice.clearance_m) : "null");
-  member("intruders", std::to_string(situation.intruders.size()));
-  member("intruder_horizon_s", intruders ? io::exact(request.advice.intruder_horizon_s) : "null");
+  const bool limits = !situation.own_limits;
+  json.member("version", version()).member("command", "advise");
+  write_input(json, counsel);
+  json.member("preferred", situation.wishes ? "velocities" : "goals");
+  json.member("method", name_of(advice.method)).member("threshold_m", advice.threshold_m);
+  json.member("uncertainty_m", advice.uncertainty_m).member("own_limits", situation.own_limits);
+  json.member("max_speed_mps", io::known_if(limits, request.limits.max_speed_mps));
+  json.member("max_acceleration_mps2", io::known_if(limits, request.limits.max_acceleration_mps2));
+  json.member("step_s", advice.step_s).member("obstacles", situation.obstacles.obstacles().size());
+  json.member("clearance_m", io::known_if(!request.obstacles.empty(), advice.clearance_m));
+  json.member("intruders", situation.intruders.size());
+  json.member("intruder_horizon_s",
+              io::known_if(!request.intruders.empty(), advice.intruder_horizon_s));
   for (const AdviceKind kind : {AdviceKind::kAsPreferred, AdviceKind::kDeflected,
                                 AdviceKind::kBraking, AdviceKind::kWaiting, AdviceKind::kNone}) {
     std::string name = std::string(name_of(kind)) + "_count";
     std::replace(name.begin(), name.end(), '-', '_');
-    member(name.c_str(), std::to_string(count(advised, kind)));
+    json.member(name, count(counsel.advised, kind));
   }
-  member("uncertified_count", std::to_string(count_uncertified(advised)));
-  return out;
+  json.member("uncertified_count", count_uncertified(counsel.advised));
 }
 
-// An array, an object a line.
-template <class Item, class Text>
-void write_list(BlockWriter& out, const char* name, const std::vector<Item>& items,
-                const Text& text_of) {
-  out.text.append(",\n  \"").append(name).append("\": [");
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    out.text += i > 0 ? ",\n    " : "\n    ";
-    out.text += text_of(items[i], i);
+// An array, an object a line: `write` writes its members.
+template <class Item>
+void write_list(BlockWriter& out, io::JsonWriter& json, const char* name,
+                const std::vector<Item>& items, const auto& write) {
+  json.begin_array(name, io::JsonLayout::kLines);
+  for (const Item& item : items) {
+    json.begin_object();
+    write(item);
+    json.end();
     out.pass_on();
   }
-  out.text += items.empty() ? "]" : "\n  ]";
+  json.end();
 }
 
 }  // namespace
@@ -132,45 +110,41 @@ void write_as_json(const Counsel& counsel, io::AtomicOutput& output) {
   const FlightNames& intruders = counsel.situation.intruder_names;
   const Advised& advised = counsel.advised;
   BlockWriter out(output);
-  out.text += head(counsel);
-  write_list(out, "advice", advised.advice, [&](const Advice& advice, std::size_t bee) {
-    const Velocity& v = advice.velocity;
-    return "{\"id\": " + names.bee_as_json(static_cast<PointId>(bee)) +
-           ", \"vx\": " + io::exact(v.x) + ", \"vy\": " + io::exact(v.y) +
-           ", \"vz\": " + io::exact(v.z) + ", \"advice\": \"" + name_of(advice.kind) +
-           "\", \"certified\": " + true_or_false(advice.certified) +
-           ", \"keeps_apart\": " + true_or_false(advice.keeps_apart) +
-           ", \"clear_of_intruders\": " + true_or_false(advice.clear_of_intruders) + "}";
+  io::JsonWriter json(out.text);
+  json.begin_object(io::JsonLayout::kLines);
+  write_head(json, counsel);
+  PointId bee = 0;
+  write_list(out, json, "advice", advised.advice, [&](const Advice& advice) {
+    names.write_bee(json.key("id"), bee++);
+    json.member("vx", advice.velocity.x).member("vy", advice.velocity.y);
+    json.member("vz", advice.velocity.z).member("advice", name_of(advice.kind));
+    json.member("certified", advice.certified).member("keeps_apart", advice.keeps_apart);
+    json.member("clear_of_intruders", advice.clear_of_intruders);
   });
-  write_list(out, "too_close", advised.too_close, [&](const TooClose& close, std::size_t) {
-    return "{\"first\": " + names.bee_as_json(close.pair.first) +
-           ", \"second\": " + names.bee_as_json(close.pair.second) +
-           ", \"gap_m\": " + io::exact(close.gap_m) +
-           ", \"clear_s\": " + finite_or_null(close.clear_s) + "}";
+  write_list(out, json, "too_close", advised.too_close, [&](const TooClose& close) {
+    names.write_bee(json.key("first"), close.pair.first);
+    names.write_bee(json.key("second"), close.pair.second);
+    json.member("gap_m", close.gap_m).member("clear_s", close.clear_s);
   });
-  write_list(out, "near_obstacle", advised.near_obstacle,
-             [&](const NearObstacle& near, std::size_t) {
-               return "{\"bee\": " + names.bee_as_json(near.agent) +
-                      ", \"obstacle\": " + std::to_string(near.obstacle) +
-                      ", \"gap_m\": " + io::exact(near.gap_m) + "}";
+  write_list(out, json, "near_obstacle", advised.near_obstacle, [&](const NearObstacle& near) {
+    names.write_bee(json.key("bee"), near.agent);
+    json.member("obstacle", near.obstacle).member("gap_m", near.gap_m);
+  });
+  write_list(out, json, "intruder_conflicts", advised.intruder_conflicts,
+             [&](const IntruderConflict& conflict) {
+               names.write_bee(json.key("bee"), conflict.agent);
+               intruders.write_bee(json.key("intruder"), static_cast<PointId>(conflict.intruder));
+               json.member("begins_s", conflict.begins_s).member("closest_m", conflict.closest_m);
              });
-  write_list(out, "intruder_conflicts", advised.intruder_conflicts,
-             [&](const IntruderConflict& conflict, std::size_t) {
-               return "{\"bee\": " + names.bee_as_json(conflict.agent) + ", \"intruder\": " +
-                      intruders.bee_as_json(static_cast<PointId>(conflict.intruder)) +
-                      ", \"begins_s\": " + io::exact(conflict.begins_s) +
-                      ", \"closest_m\": " + io::exact(conflict.closest_m) + "}";
-             });
-  write_list(out, "refused", advised.refused, [&](const Refused& refused, std::size_t) {
+  write_list(out, json, "refused", advised.refused, [&](const Refused& refused) {
     const bool is_bee =
         refused.kind == RefusedKind::kState || refused.kind == RefusedKind::kPreferred;
-    const auto index = static_cast<PointId>(refused.index);
-    return "{\"kind\": " + io::json_string(name_of(refused.kind)) +
-           ", \"id\": " + (is_bee ? names : intruders).bee_as_json(index) +
-           ", \"code\": " + io::json_string(to_string(refused.error.code)) +
-           ", \"message\": " + io::json_string(refused.error.message) + "}";
+    json.member("kind", name_of(refused.kind));
+    (is_bee ? names : intruders).write_bee(json.key("id"), static_cast<PointId>(refused.index));
+    json.member("code", to_string(refused.error.code)).member("message", refused.error.message);
   });
-  out.text += "\n}\n";
+  json.end();
+  out.text += '\n';
 }
 
 }  // namespace beespace::cli

@@ -1,54 +1,48 @@
 #include "cli/bench/bench_result.hpp"
-#include "io/bytes/number_text.hpp"
-#include "io/json/json_text.hpp"
+#include "io/json/json_writer.hpp"
 
 #include <beespace/version.hpp>
 
 namespace beespace::cli {
 namespace {
 
-// One question by one number of threads.
-void append_figure(std::string& out, const BenchFigure& figure, unsigned threads, double seconds,
-                   const BenchSceneResult& scene, std::size_t points) {
-  out += std::string("{\"question\": ") + io::json_string(figure.question);
-  out += ", \"threads\": " + std::to_string(threads);
-  out += ", \"ns_per_point\": " + io::exact(seconds * 1e9 / static_cast<double>(points));
-  out += ", \"floors\": " + io::exact(seconds / scene.read_floor_s) + '}';
+double ns_per_point(double seconds, const BenchRun& run) {
+  return seconds * 1e9 / static_cast<double>(run.points);
 }
 
-void append_scene(std::string& out, const BenchSceneResult& scene, const BenchRun& run) {
-  out += "{\"scene\": " + io::json_string(scene.scene->name);
-  out += ", \"threshold_m\": " + io::exact(scene.scene->threshold_m);
-  out += ", \"floor_ns_per_point\": " +
-         io::exact(scene.read_floor_s * 1e9 / static_cast<double>(run.points));
-  out += ", \"results\": [";
-  const char* separator = "\n      ";
+void write_figures(io::JsonWriter& json, const BenchSceneResult& scene, const BenchRun& run) {
+  const auto write = [&](const BenchFigure& figure, unsigned threads,
+                         const std::optional<double>& seconds) {
+    if (!seconds) return;
+    json.begin_object().member("question", figure.question).member("threads", threads);
+    json.member("ns_per_point", ns_per_point(*seconds, run));
+    json.member("floors", *seconds / scene.read_floor_s);
+    json.end();
+  };
   for (const BenchFigure& figure : scene.figures) {
-    if (figure.one_thread_s) {
-      append_figure(out += separator, figure, 1, *figure.one_thread_s, scene, run.points);
-      separator = ",\n      ";
-    }
-    if (figure.all_threads_s) {
-      append_figure(out += separator, figure, run.threads, *figure.all_threads_s, scene,
-                    run.points);
-      separator = ",\n      ";
-    }
+    write(figure, 1, figure.one_thread_s);
+    write(figure, run.threads, figure.all_threads_s);
   }
-  out += "]}";
 }
 
 }  // namespace
 
 std::string bench_json(const BenchRun& run, const std::vector<BenchSceneResult>& results) {
-  std::string out = "{\n  \"version\": " + io::json_string(version());
-  out += ",\n  \"points\": " + std::to_string(run.points);
-  out += ",\n  \"threads\": " + std::to_string(run.threads);
-  out += ",\n  \"scenes\": [";
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    out += i == 0 ? "\n    " : ",\n    ";
-    append_scene(out, results[i], run);
+  std::string out;
+  io::JsonWriter json(out);
+  json.begin_object(io::JsonLayout::kLines);
+  json.member("version", version()).member("points", run.points).member("threads", run.threads);
+  json.begin_array("scenes", io::JsonLayout::kRows);
+  for (const BenchSceneResult& scene : results) {
+    json.begin_object();
+    json.member("scene", scene.scene->name).member("threshold_m", scene.scene->threshold_m);
+    json.member("floor_ns_per_point", ns_per_point(scene.read_floor_s, run));
+    json.begin_array("results", io::JsonLayout::kRows);
+    write_figures(json, scene, run);
+    json.end().end();
   }
-  return out + "]\n}\n";
+  json.end().end();
+  return out + '\n';
 }
 
 }  // namespace beespace::cli

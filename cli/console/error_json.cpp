@@ -1,36 +1,23 @@
 #include "cli/console/error_json.hpp"
 
-#include "io/json/json_text.hpp"
-
-#include <cstdint>
-#include <optional>
-
 namespace beespace::cli {
-namespace {
 
-void append_optional(std::string& out, std::string_view key,
-                     const std::optional<std::uint64_t>& value) {
-  out += ", \"";
-  out += key;
-  out += "\": " + (value ? std::to_string(*value) : std::string("null"));
-}
-
-}  // namespace
-
-void append_error_members(std::string& out, const Error& error) {
-  out += "\"code\": " + io::json_string(to_string(error.code));
-  out += ", \"message\": " + io::json_string(error.message);
-  out += ", \"file\": " + (error.location.source.empty() ? std::string("null")
-                                                         : io::json_string(error.location.source));
-  append_optional(out, "line", error.location.line);
-  append_optional(out, "column", error.location.column);
-  append_optional(out, "record", error.location.record);
+void write_error(io::JsonWriter& json, const Error& error) {
+  const std::string& source = error.location.source;
+  json.begin_object().member("code", to_string(error.code)).member("message", error.message);
+  json.member("file", io::known_if<std::string_view>(!source.empty(), source));
+  json.member("line", error.location.line).member("column", error.location.column);
+  json.member("record", error.location.record);
+  json.end();
 }
 
 std::string error_as_json(const Error& error) {
-  std::string out = "{\"error\": {";
-  append_error_members(out, error);
-  return out + "}}\n";
+  std::string out;
+  io::JsonWriter json(out);
+  json.begin_object();
+  write_error(json.key("error"), error);
+  json.end();
+  return out + '\n';
 }
 
 }  // namespace beespace::cli

@@ -6,6 +6,7 @@
 #include "cli/detect/answer_ids.hpp"
 #include "cli/detect/detection.hpp"
 #include "io/bytes/atomic_output.hpp"
+#include "io/json/json_writer.hpp"
 
 #include <string>
 
@@ -27,6 +28,9 @@ void write_csv(const Answer& answer, io::AtomicOutput& output);
 
 // One document: what was read, what was asked, what was found.
 void write_json(const Answer& answer, io::AtomicOutput& output);
+
+// Who is how far from whom, as members of an object.
+void write_pair(io::JsonWriter& json, const Pair& pair, const Inputs& inputs, const AnswerIds& ids);
 
 // RFC 7946: a point for every bee, a line for every pair; longitude, latitude, height as in the
 // input, which must be geographic. Longitudes beyond half a turn are written within it.

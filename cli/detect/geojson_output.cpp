@@ -1,7 +1,6 @@
 #include "cli/detect/answer_output.hpp"
 #include "cli/detect/json_cell.hpp"
 #include "cli/output/block_writer.hpp"
-#include "io/bytes/number_text.hpp"
 #include "io/json/geojson_geometry.hpp"
 
 #include <algorithm>
@@ -33,26 +32,21 @@ class Positions {
   std::vector<GeographicPosition> positions_;
 };
 
-void begin_feature(std::string& out, bool& first) {
-  out += first ? "\n" : ",\n";
-  first = false;
-  out += R"({"type": "Feature", "geometry": )";
-}
-
-void write_rows(const BeeTable& table, const Answer& answer, BlockWriter& out) {
-  bool first = true;
+void write_rows(const BeeTable& table, const Answer& answer, BlockWriter& out,
+                io::JsonWriter& json) {
   io::for_each_record(answer.inputs.ours, table.bees, [&](const io::Record& record) {
-    begin_feature(out.text, first);
-    io::append_geojson_point(out.text, record.geographic);
-    out.text += R"(, "properties": {"id": )";
-    answer.ids.ours().append_json(out.text, record.point);
-    append_json_members(out.text, table.columns, record.point, answer.ids.theirs());
-    out.text += "}}";
+    io::write_geojson_feature(
+        json, io::JsonLayout::kLine, [&] { io::write_geojson_point(json, record.geographic); },
+        [&] {
+          answer.ids.ours().write(json.key("id"), record.point);
+          write_cells(json, table.columns, record.point, answer.ids.theirs());
+        });
     out.pass_on();
   });
 }
 
-void write_rows(const PairTable& table, const Answer& answer, BlockWriter& out) {
+void write_rows(const PairTable& table, const Answer& answer, BlockWriter& out,
+                io::JsonWriter& json) {
   const Inputs& inputs = answer.inputs;
   std::vector<PointId> firsts;
   std::vector<PointId> seconds;
@@ -62,33 +56,31 @@ void write_rows(const PairTable& table, const Answer& answer, BlockWriter& out) 
   }
   const Positions ours(inputs.ours, std::move(firsts));
   const Positions theirs(inputs.theirs(), std::move(seconds));
-  bool first = true;
   for (const Pair& pair : table.pairs) {
-    begin_feature(out.text, first);
-    io::append_geojson_line(out.text, ours.of(pair.first), theirs.of(pair.second));
-    out.text += R"(, "properties": {"first": )";
-    answer.ids.ours().append_json(out.text, pair.first);
-    out.text += ", \"second\": ";
-    answer.ids.theirs().append_json(out.text, pair.second);
-    out.text += ", \"distance_m\": ";
-    io::append_exact(out.text,
-                     distance(inputs.ours.points[pair.first], inputs.theirs().points[pair.second]));
-    out.text += "}}";
+    io::write_geojson_feature(
+        json, io::JsonLayout::kLine,
+        [&] { io::write_geojson_line(json, ours.of(pair.first), theirs.of(pair.second)); },
+        [&] { write_pair(json, pair, inputs, answer.ids); });
     out.pass_on();
   }
 }
 
-void write_rows(const GroupTable& table, const Answer& answer, BlockWriter& out) {
-  write_rows(table.members, answer, out);
+void write_rows(const GroupTable& table, const Answer& answer, BlockWriter& out,
+                io::JsonWriter& json) {
+  write_rows(table.members, answer, out, json);
 }
 
 }  // namespace
 
 void write_geojson(const Answer& answer, io::AtomicOutput& output) {
   BlockWriter out(output);
-  out.text += "{\"type\": \"FeatureCollection\", \"features\": [";
-  std::visit([&](const auto& rows) { write_rows(rows, answer, out); }, answer.detection.table.rows);
-  out.text += "\n]}\n";
+  io::JsonWriter json(out.text);
+  json.begin_object().member("type", "FeatureCollection");
+  json.begin_array("features", io::JsonLayout::kFlush);
+  std::visit([&](const auto& rows) { write_rows(rows, answer, out, json); },
+             answer.detection.table.rows);
+  json.end().end();
+  out.text += '\n';
 }
 
 }  // namespace beespace::cli

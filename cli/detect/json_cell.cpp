@@ -1,47 +1,35 @@
 #include "cli/detect/json_cell.hpp"
 
-#include "io/bytes/number_text.hpp"
-
-#include <cmath>
-
 namespace beespace::cli {
 namespace {
 
-void append_cell(std::string& out, const Cell& cell, const analysis::ShownIds& ids) {
+void write_cell(io::JsonWriter& json, const Cell& cell, const analysis::ShownIds& ids) {
   if (const auto* number = std::get_if<std::uint64_t>(&cell)) {
-    io::append_exact(out, *number);
+    json.value(*number);
   } else if (const auto* bees = std::get_if<std::span<const PointId>>(&cell)) {
-    append_json_ids(out, *bees, ids);
-  } else if (const auto* bee = std::get_if<BeeCell>(&cell); bee && bee->id != Nearest::kNone) {
-    ids.append_json(out, bee->id);
-  } else if (const auto* far = std::get_if<DistanceCell>(&cell);
-             far && std::isfinite(far->distance_m)) {
-    io::append_exact(out, far->distance_m);
+    write_ids(json, *bees, ids);
+  } else if (const auto* far = std::get_if<DistanceCell>(&cell)) {
+    json.value(far->distance_m);
+  } else if (const PointId bee = std::get<BeeCell>(cell).id; bee != Nearest::kNone) {
+    ids.write(json, bee);
   } else {
-    out += "null";
+    json.null();
   }
 }
 
 }  // namespace
 
-void append_json_members(std::string& out, const std::vector<Column>& columns, PointId bee,
-                         const analysis::ShownIds& ids) {
+void write_cells(io::JsonWriter& json, const std::vector<Column>& columns, PointId bee,
+                 const analysis::ShownIds& ids) {
   for (const Column& column : columns) {
-    out += ", \"";
-    out += column.name;
-    out += "\": ";
-    append_cell(out, column.cell(bee), ids);
+    write_cell(json.key(column.name), column.cell(bee), ids);
   }
 }
 
-void append_json_ids(std::string& out, std::span<const PointId> bees,
-                     const analysis::ShownIds& ids) {
-  out += '[';
-  for (std::size_t i = 0; i < bees.size(); ++i) {
-    if (i > 0) out += ", ";
-    ids.append_json(out, bees[i]);
-  }
-  out += ']';
+void write_ids(io::JsonWriter& json, std::span<const PointId> bees, const analysis::ShownIds& ids) {
+  json.begin_array();
+  for (const PointId bee : bees) ids.write(json, bee);
+  json.end();
 }
 
 }  // namespace beespace::cli

@@ -3,18 +3,18 @@
 
 #include "analysis/snapshot/shown_ids.hpp"
 #include "cli/output/table.hpp"
+#include "io/json/json_writer.hpp"
 
-#include <string>
+#include <span>
 #include <vector>
 
 namespace beespace::cli {
 
-// ", "name": value" for each column; null where there is none.
-void append_json_members(std::string& out, const std::vector<Column>& columns, PointId bee,
-                         const analysis::ShownIds& ids);
+// One for each column; null where there is none.
+void write_cells(io::JsonWriter& json, const std::vector<Column>& columns, PointId bee,
+                 const analysis::ShownIds& ids);
 
-// "[1, 2]".
-void append_json_ids(std::string& out, std::span<const PointId> bees,
-                     const analysis::ShownIds& ids);
+// An array.
+void write_ids(io::JsonWriter& json, std::span<const PointId> bees, const analysis::ShownIds& ids);
 
 }  // namespace beespace::cli

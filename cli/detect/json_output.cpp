@@ -4,10 +4,10 @@
 #include "cli/detect/json_cell.hpp"
 #include "cli/output/block_writer.hpp"
 #include "cli/output/json_units.hpp"
-#include "io/bytes/number_text.hpp"
-#include "io/json/json_text.hpp"
 
 #include <beespace/version.hpp>
+
+#include <array>
 
 namespace beespace::cli {
 namespace {
@@ -20,161 +20,140 @@ std::string source_of(const std::string& path) {
   return path == "-" ? "<stdin>" : path;
 }
 
-void append_list(std::string& out, const std::vector<std::string>& texts) {
-  out += '[';
-  for (std::size_t i = 0; i < texts.size(); ++i) {
-    if (i > 0) out += ", ";
-    io::append_json_string(out, texts[i]);
-  }
-  out += ']';
-}
-
-void append_skipped(std::string& out, const std::vector<Error>& skipped) {
+void write_skipped(io::JsonWriter& json, const std::vector<Error>& skipped) {
   if (skipped.empty()) return;
-  out += ",\n    \"first_skipped\": [";
-  for (std::size_t i = 0; i < skipped.size(); ++i) {
-    out += i > 0 ? ",\n      {" : "\n      {";
-    append_error_members(out, skipped[i]);
-    out += '}';
-  }
-  out += "\n    ]";
+  json.begin_array("first_skipped", io::JsonLayout::kLines);
+  for (const Error& error : skipped) write_error(json, error);
+  json.end();
 }
 
-void append_input(std::string& out, const char* key, const io::LoadedPoints& loaded,
-                  const std::string& path, const io::RepeatedIds& repeated) {
-  out += std::string("  \"") + key + "\": {\n    \"file\": " + io::json_string(source_of(path));
-  out += ",\n    \"format\": " + io::json_string(loaded.format_description);
-  out += ",\n    \"frame\": " + io::json_string(name_of(loaded.frame));
-  out += ",\n    \"reason\": " + io::json_string(loaded.frame_reason);
-  out += ",\n    \"units\": " + json_units(loaded.units);
+void write_repeated(io::JsonWriter& json, const io::RepeatedIds& repeated) {
+  json.member("repeated_ids", repeated.count);
+  if (repeated.count == 0) return;
+  json.begin_object("first_repeated").member("id", repeated.id);
+  json.member("records", std::array{repeated.first_row, repeated.second_row});
+  json.end();
+}
+
+void write_input(io::JsonWriter& json, const char* key, const io::LoadedPoints& loaded,
+                 const std::string& path, const io::RepeatedIds& repeated) {
   const std::string_view datum = datum_text(loaded.heights);
-  out += ",\n    \"heights\": " + (datum.empty() ? "null" : io::json_string(datum));
-  out += ",\n    \"points\": " + std::to_string(loaded.points.size());
-  out += ",\n    \"skipped\": " + std::to_string(loaded.skipped_count);
-  append_skipped(out, loaded.skipped);
-  out += ",\n    \"repeated_ids\": " + std::to_string(repeated.count);
-  if (repeated.count > 0) {
-    out += ",\n    \"first_repeated\": {\"id\": " + io::json_string(repeated.id) +
-           ", \"records\": [" + std::to_string(repeated.first_row) + ", " +
-           std::to_string(repeated.second_row) + "]}";
-  }
-  out += ",\n    \"notes\": ";
-  append_list(out, loaded.notes);
-  out += "\n  },\n";
+  json.begin_object(key, io::JsonLayout::kLines).member("file", source_of(path));
+  json.member("format", loaded.format_description).member("frame", name_of(loaded.frame));
+  json.member("reason", loaded.frame_reason);
+  write_units(json.key("units"), loaded.units);
+  json.member("heights", io::known_if(!datum.empty(), datum));
+  json.member("points", loaded.points.size()).member("skipped", loaded.skipped_count);
+  write_skipped(json, loaded.skipped);
+  write_repeated(json, repeated);
+  json.member("notes", loaded.notes);
+  json.end();
 }
 
-void append_pair(std::string& out, const Pair& pair, const Inputs& inputs,
-                 const analysis::ShownIds& ours, const analysis::ShownIds& theirs) {
-  out += "{\"first\": ";
-  ours.append_json(out, pair.first);
-  out += ", \"second\": ";
-  theirs.append_json(out, pair.second);
-  out += ", \"distance_m\": ";
-  io::append_exact(out,
-                   distance(inputs.ours.points[pair.first], inputs.theirs().points[pair.second]));
-  out += '}';
-}
-
-void append_closest(std::string& out, const Answer& answer) {
-  const Inputs& inputs = answer.inputs;
+void write_closest(io::JsonWriter& json, const Answer& answer) {
   const auto& closest = answer.detection.closest;
-  out += "  \"closest_pair\": ";
-  if (!closest) {
-    out += "null,\n";
-    return;
-  }
+  if (!closest) return json.key("closest_pair").null();
   const PairTable table{{{closest->first, closest->second}}};
-  const AnswerIds ids(inputs, Table{table}, Form::kJson);
-  append_pair(out, table.pairs.front(), inputs, ids.ours(), ids.theirs());
-  out += ",\n";
+  const AnswerIds ids(answer.inputs, Table{table}, Form::kJson);
+  json.begin_object("closest_pair");
+  write_pair(json, table.pairs.front(), answer.inputs, ids);
+  json.end();
 }
 
-void write_rows(const BeeTable& table, const Answer& answer, BlockWriter& out) {
+void write_rows(const BeeTable& table, const Answer& answer, BlockWriter& out,
+                io::JsonWriter& json) {
   const bool bare = table.columns.empty();
-  const std::string_view separator = bare ? ", " : ",\n    ";
-  if (!bare) out.text += "\n    ";
-  bool first = true;
+  json.begin_array(bare ? io::JsonLayout::kLine : io::JsonLayout::kRows);
+  if (!bare) json.new_line();
   for (const PointId bee : table.bees) {
-    if (!first) out.text += separator;
-    first = false;
-    if (!bare) out.text += "{\"id\": ";
-    answer.ids.ours().append_json(out.text, bee);
-    append_json_members(out.text, table.columns, bee, answer.ids.theirs());
-    if (!bare) out.text += '}';
+    if (bare) {
+      answer.ids.ours().write(json, bee);
+    } else {
+      json.begin_object();
+      answer.ids.ours().write(json.key("id"), bee);
+      write_cells(json, table.columns, bee, answer.ids.theirs());
+      json.end();
+    }
     out.pass_on();
   }
+  json.end();
 }
 
-void write_rows(const PairTable& table, const Answer& answer, BlockWriter& out) {
-  bool first = true;
+void write_rows(const PairTable& table, const Answer& answer, BlockWriter& out,
+                io::JsonWriter& json) {
+  json.begin_array(io::JsonLayout::kRows);
   for (const Pair& pair : table.pairs) {
-    out.text += first ? "\n    " : ",\n    ";
-    first = false;
-    append_pair(out.text, pair, answer.inputs, answer.ids.ours(), answer.ids.theirs());
+    json.begin_object();
+    write_pair(json, pair, answer.inputs, answer.ids);
+    json.end();
     out.pass_on();
   }
+  json.end();
 }
 
-void write_rows(const GroupTable& table, const Answer& answer, BlockWriter& out) {
+void write_rows(const GroupTable& table, const Answer& answer, BlockWriter& out,
+                io::JsonWriter& json) {
+  json.begin_array(io::JsonLayout::kRows);
   for (std::size_t i = 0; i < table.groups.size(); ++i) {
-    out.text += i == 0 ? "\n    {\"group\": " : ",\n    {\"group\": ";
-    io::append_exact(out.text, std::uint64_t{i});
-    out.text += ", \"size\": ";
-    io::append_exact(out.text, std::uint64_t{table.groups[i].size()});
-    out.text += ", \"members\": ";
-    append_json_ids(out.text, table.groups[i], answer.ids.ours());
-    out.text += '}';
+    json.begin_object().member("group", i).member("size", table.groups[i].size());
+    write_ids(json.key("members"), table.groups[i], answer.ids.ours());
+    json.end();
     out.pass_on();
   }
+  json.end();
 }
 
 // How many rows there are, where that is not a number said before.
-void append_row_count(std::string& out, const Table& table) {
+void write_row_count(io::JsonWriter& json, const Table& table) {
   if (const auto* pairs = std::get_if<PairTable>(&table.rows)) {
-    out += "  \"pair_count\": " + std::to_string(pairs->pairs.size()) + ",\n";
+    json.member("pair_count", pairs->pairs.size());
   }
   if (const auto* groups = std::get_if<GroupTable>(&table.rows)) {
-    out += "  \"group_count\": " + std::to_string(groups->groups.size()) + ",\n";
+    json.member("group_count", groups->groups.size());
   }
 }
 
-void write_table(const Answer& answer, BlockWriter& out) {
-  append_row_count(out.text, answer.detection.table);
-  out.text += std::string("  \"") + answer.request.report->key + "\": [";
-  std::visit([&](const auto& rows) { write_rows(rows, answer, out); }, answer.detection.table.rows);
-  out.text += "]";
+void write_table(const Answer& answer, BlockWriter& out, io::JsonWriter& json) {
+  write_row_count(json, answer.detection.table);
+  json.key(answer.request.report->key);
+  std::visit([&](const auto& rows) { write_rows(rows, answer, out, json); },
+             answer.detection.table.rows);
 }
 
 }  // namespace
+
+void write_pair(io::JsonWriter& json, const Pair& pair, const Inputs& inputs,
+                const AnswerIds& ids) {
+  ids.ours().write(json.key("first"), pair.first);
+  ids.theirs().write(json.key("second"), pair.second);
+  json.member("distance_m",
+              distance(inputs.ours.points[pair.first], inputs.theirs().points[pair.second]));
+}
 
 void write_json(const Answer& answer, io::AtomicOutput& output) {
   const DetectRequest& request = answer.request;
   const Detection& detection = answer.detection;
   BlockWriter out(output);
-  out.text += "{\n  \"version\": " + io::json_string(version());
-  out.text += ",\n  \"report\": " + io::json_string(request.report->name) + ",\n";
-  append_input(out.text, "input", answer.inputs.ours, request.input, answer.inputs.our_repeated);
+  io::JsonWriter json(out.text);
+  json.begin_object(io::JsonLayout::kLines);
+  json.member("version", version()).member("report", request.report->name);
+  write_input(json, "input", answer.inputs.ours, request.input, answer.inputs.our_repeated);
   if (request.others) {
-    append_input(out.text, "others", *answer.inputs.others, *request.others,
-                 answer.inputs.their_repeated);
+    write_input(json, "others", *answer.inputs.others, *request.others,
+                answer.inputs.their_repeated);
   }
-  out.text += "  \"threshold_m\": " + io::exact(request.search.threshold_m);
-  const auto& vertical = request.search.vertical_m;
-  out.text += ",\n  \"vertical_m\": " + (vertical ? io::exact(*vertical) : std::string("null"));
-  out.text += ",\n  \"vertical\": " + json_vertical(request.vertical, answer.inputs.height_unit());
-  out.text += ",\n  \"inclusive\": ";
-  out.text += request.search.inclusive ? "true" : "false";
-  out.text += ",\n  \"at_risk_count\": " + std::to_string(detection.at_risk.size());
-  out.text += ",\n  \"share\": " + io::exact(detection.share(answer.inputs.ours)) + ",\n";
-  append_closest(out.text, answer);
-  const bool has_rows = *request.report->key != '\0';
-  out.text += "  \"timings\": {\"read_s\": " + io::exact(detection.timings.read_s);
-  out.text += ", \"search_s\": " + io::exact(detection.timings.search_s) + '}';
-  if (has_rows) {
-    out.text += ",\n";
-    write_table(answer, out);
-  }
-  out.text += "\n}\n";
+  json.member("threshold_m", request.search.threshold_m);
+  json.member("vertical_m", request.search.vertical_m);
+  write_vertical(json.key("vertical"), request.vertical, answer.inputs.height_unit());
+  json.member("inclusive", request.search.inclusive);
+  json.member("at_risk_count", detection.at_risk.size());
+  json.member("share", detection.share(answer.inputs.ours));
+  write_closest(json, answer);
+  json.begin_object("timings").member("read_s", detection.timings.read_s);
+  json.member("search_s", detection.timings.search_s).end();
+  if (*request.report->key != '\0') write_table(answer, out, json);
+  json.end();
+  out.text += '\n';
 }
 
 }  // namespace beespace::cli

@@ -2,7 +2,6 @@
 
 #include "cli/console/terminal.hpp"
 #include "cli/input/obstacle_file.hpp"
-#include "io/json/json_text.hpp"
 
 namespace beespace::cli {
 
@@ -10,8 +9,8 @@ std::string FlightNames::bee(PointId bee) const {
   return ids.empty() ? std::to_string(bee) : printable(ids[bee]);
 }
 
-std::string FlightNames::bee_as_json(PointId bee) const {
-  return ids.empty() ? std::to_string(bee) : io::json_string(ids[bee]);
+void FlightNames::write_bee(io::JsonWriter& json, PointId bee) const {
+  ids.empty() ? json.value(bee) : json.value(ids[bee]);
 }
 
 std::string FlightNames::obstacle(std::size_t number, const Obstacle& obstacle) const {

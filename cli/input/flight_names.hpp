@@ -1,6 +1,8 @@
 // What bees and obstacles of a flight are called.
 #pragma once
 
+#include "io/json/json_writer.hpp"
+
 #include <beespace/obstacle.hpp>
 #include <beespace/point.hpp>
 
@@ -18,7 +20,7 @@ struct FlightNames {
   // For people.
   [[nodiscard]] std::string bee(PointId bee) const;
   // A number, or a string where the file says so.
-  [[nodiscard]] std::string bee_as_json(PointId bee) const;
+  void write_bee(io::JsonWriter& json, PointId bee) const;
   // "obstacles[2], a box of city.json".
   [[nodiscard]] std::string obstacle(std::size_t number, const Obstacle& obstacle) const;
 };

@@ -6,7 +6,6 @@
 #include "cli/output/block_writer.hpp"
 #include "cli/output/json_units.hpp"
 #include "io/bytes/number_text.hpp"
-#include "io/json/json_text.hpp"
 
 #include <beespace/version.hpp>
 
@@ -31,6 +30,23 @@ void append_skipped(std::string& out, const io::Recording& recording) {
         out, "",
         "and " + io::grouped(recording.skipped_count - recording.skipped.size()) + " more");
   }
+}
+
+void write_input(io::JsonWriter& json, const io::Recording& recording,
+                 const MovingRequest& request) {
+  const std::string_view datum = datum_text(recording.heights);
+  json.begin_object("input", io::JsonLayout::kLines).begin_array("files");
+  for (const std::string& file : request.inputs) json.value(file == "-" ? "<stdin>" : file);
+  json.end();
+  json.member("format", recording.format_description);
+  json.member("frame", recording.frame == io::Frame::kWgs84 ? "wgs84" : "metres");
+  json.member("reason", recording.frame_reason);
+  json.member("heights", io::known_if(!datum.empty(), datum));
+  write_units(json.key("units"), recording.units);
+  json.member("times", recording.since_1970 ? "seconds since 1970-01-01T00:00:00Z" : "seconds");
+  json.member("bees", recording.bees.size()).member("skipped", recording.skipped_count);
+  json.member("notes", recording.notes);
+  json.end();
 }
 
 }  // namespace
@@ -97,40 +113,16 @@ Rows conflict_rows(const std::vector<Conflict>& conflicts, const io::Recording& 
   return rows;
 }
 
-std::string json_head(const io::Recording& recording, const MovingRequest& request,
-                      double threshold_m) {
-  std::string out = "{\n  \"version\": " + io::json_string(version());
-  out += ",\n  \"command\": " + io::json_string(request.command);
-  out += ",\n  \"input\": {\n    \"files\": [";
-  for (std::size_t i = 0; i < request.inputs.size(); ++i) {
-    if (i > 0) out += ", ";
-    io::append_json_string(out, request.inputs[i] == "-" ? "<stdin>" : request.inputs[i]);
-  }
-  out += "],\n    \"format\": " + io::json_string(recording.format_description);
-  out += std::string(",\n    \"frame\": ") +
-         (recording.frame == io::Frame::kWgs84 ? "\"wgs84\"" : "\"metres\"");
-  out += ",\n    \"reason\": " + io::json_string(recording.frame_reason);
-  out += ",\n    \"heights\": ";
-  const std::string_view datum = datum_text(recording.heights);
-  out += datum.empty() ? "null" : io::json_string(datum);
-  out += ",\n    \"units\": " + json_units(recording.units);
-  out += std::string(",\n    \"times\": ") +
-         (recording.since_1970 ? "\"seconds since 1970-01-01T00:00:00Z\"" : "\"seconds\"");
-  out += ",\n    \"bees\": " + std::to_string(recording.bees.size());
-  out += ",\n    \"skipped\": " + std::to_string(recording.skipped_count);
-  out += ",\n    \"notes\": [";
-  for (std::size_t i = 0; i < recording.notes.size(); ++i) {
-    if (i > 0) out += ", ";
-    io::append_json_string(out, recording.notes[i]);
-  }
-  out += "]\n  },\n  \"threshold_m\": " + io::exact(threshold_m);
-  out += ",\n  \"vertical_m\": " + (request.vertical_m ? io::exact(*request.vertical_m) : "null");
-  out += ",\n  \"vertical\": " + json_vertical(request.vertical, recording.height_unit);
-  out += std::string(",\n  \"inclusive\": ") + (request.inclusive ? "true" : "false");
-  return out;
+void write_head(io::JsonWriter& json, const io::Recording& recording, const MovingRequest& request,
+                double threshold_m) {
+  json.member("version", version()).member("command", request.command);
+  write_input(json, recording, request);
+  json.member("threshold_m", threshold_m).member("vertical_m", request.vertical_m);
+  write_vertical(json.key("vertical"), request.vertical, recording.height_unit);
+  json.member("inclusive", request.inclusive);
 }
 
-void write_answer(Rows rows, const MovingRequest& request, const std::string& head, const char* key,
+void write_answer(Rows rows, const MovingRequest& request, const JsonHead& head, const char* key,
                   io::AtomicOutput& output) {
   if (request.form.form != Form::kText) set_labels_apart(rows);
   switch (request.form.form) {
@@ -142,10 +134,16 @@ void write_answer(Rows rows, const MovingRequest& request, const std::string& he
       return;
     case Form::kJson: {
       BlockWriter out(output);
-      out.text += head;
-      out.text += ",\n  \"" + std::string(key) + "\": ";
-      append_json_rows(out.text, rows, "    ");
-      out.text += "\n}\n";
+      io::JsonWriter json(out.text);
+      json.begin_object(io::JsonLayout::kLines);
+      head(json);
+      json.begin_array(key, io::JsonLayout::kRows);
+      for (const auto& row : rows.rows) {
+        write_row(json, rows.columns, row);
+        out.pass_on();
+      }
+      json.end().end();
+      out.text += '\n';
       return;
     }
   }

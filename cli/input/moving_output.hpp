@@ -6,10 +6,12 @@
 #include "cli/input/moving_options.hpp"
 #include "cli/output/rows.hpp"
 #include "io/bytes/atomic_output.hpp"
+#include "io/json/json_writer.hpp"
 #include "io/recording/recording.hpp"
 
 #include <beespace/conflict.hpp>
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,12 +36,13 @@ std::string encounter_text(const Conflict& conflict, const io::Recording& record
 Rows conflict_rows(const std::vector<Conflict>& conflicts, const io::Recording& recording,
                    bool with_certain);
 
-// The beginning of the JSON document, up to and with the separation: an open object.
-std::string json_head(const io::Recording& recording, const MovingRequest& request,
-                      double threshold_m);
+// The first members of the JSON document, up to and with the separation.
+void write_head(io::JsonWriter& json, const io::Recording& recording, const MovingRequest& request,
+                double threshold_m);
 
-// Writes the rows in the form wished for; in JSON between `head` and the end, under `key`.
-void write_answer(Rows rows, const MovingRequest& request, const std::string& head, const char* key,
+// Writes the rows in the form wished for; in JSON under `key`, behind the members of `head`.
+using JsonHead = std::function<void(io::JsonWriter&)>;
+void write_answer(Rows rows, const MovingRequest& request, const JsonHead& head, const char* key,
                   io::AtomicOutput& output);
 
 }  // namespace beespace::cli

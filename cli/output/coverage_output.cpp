@@ -3,10 +3,6 @@
 #include "cli/console/summary_line.hpp"
 #include "cli/console/terminal.hpp"
 #include "io/bytes/number_text.hpp"
-#include "io/json/json_text.hpp"
-
-#include <cmath>
-#include <cstddef>
 
 namespace beespace::cli {
 
@@ -37,29 +33,25 @@ void append_coverage(std::string& out, const analysis::Coverage& coverage,
   append_missing(out, coverage.missing);
 }
 
-std::string coverage_json(const analysis::Coverage& coverage, const io::Recording& recording) {
-  const auto finite = [](double value) {
-    return std::isfinite(value) ? io::exact(value) : std::string("null");
-  };
-  const auto& typical_s = coverage.max_gap.typical_s;
-  std::string out = std::string("{\"complete\": ") + (coverage.complete() ? "true" : "false");
-  out += ", \"max_gap_s\": " + finite(coverage.max_gap.seconds);
-  out += ", \"typical_interval_s\": " + (typical_s ? io::exact(*typical_s) : std::string("null"));
-  out += ", \"gap_count\": " + std::to_string(coverage.gaps);
-  out += ", \"bees_with_gaps\": " + std::to_string(coverage.bees_with_gaps);
-  out += ", \"in_gaps_s\": " + io::exact(coverage.in_gaps_s);
-  out += ", \"bees_partly_known\": " + std::to_string(coverage.bees_partly);
-  out += ", \"before_first_and_after_last_s\": " + io::exact(coverage.outside_s);
-  out += ",\n    " + missing_json(coverage.missing);
-  out += ",\n    \"longest_gaps\": [";
-  for (std::size_t i = 0; i < coverage.longest.size(); ++i) {
-    const Gap& gap = coverage.longest[i];
-    out += i > 0 ? ",\n      {\"id\": " : "\n      {\"id\": ";
-    io::append_json_string(out, recording.bees[gap.track].id);
-    out += ", \"begins_s\": " + io::exact(gap.begins_s) + ", \"ends_s\": " + io::exact(gap.ends_s);
-    out += ", \"lasts_s\": " + io::exact(analysis::length_of(gap)) + "}";
+void write_coverage(io::JsonWriter& json, const analysis::Coverage& coverage,
+                    const io::Recording& recording) {
+  json.begin_object(io::JsonLayout::kWrapped).member("complete", coverage.complete());
+  json.member("max_gap_s", coverage.max_gap.seconds);
+  json.member("typical_interval_s", coverage.max_gap.typical_s);
+  json.member("gap_count", coverage.gaps).member("bees_with_gaps", coverage.bees_with_gaps);
+  json.member("in_gaps_s", coverage.in_gaps_s).member("bees_partly_known", coverage.bees_partly);
+  json.member("before_first_and_after_last_s", coverage.outside_s);
+  json.new_line();
+  write_missing(json, coverage.missing);
+  json.new_line();
+  json.begin_array("longest_gaps", io::JsonLayout::kRows);
+  for (const Gap& gap : coverage.longest) {
+    json.begin_object().member("id", recording.bees[gap.track].id);
+    json.member("begins_s", gap.begins_s).member("ends_s", gap.ends_s);
+    json.member("lasts_s", analysis::length_of(gap));
+    json.end();
   }
-  return out + "]}";
+  json.end().end();
 }
 
 void append_missing(std::string& out, const io::MissingRecords& missing) {
@@ -79,17 +71,10 @@ void append_missing(std::string& out, const io::MissingRecords& missing) {
   append_summary_line(out, "", "known nowhere: " + printable(named));
 }
 
-std::string missing_json(const io::MissingRecords& missing) {
-  std::string out = "\"left_out_records\": " + std::to_string(missing.count);
-  out += ", \"left_out_without_id\": " + std::to_string(missing.without_id);
-  out += ", \"left_out_bees\": " + std::to_string(missing.bees);
-  out += ", \"bees_known_nowhere\": " + std::to_string(missing.nowhere);
-  out += ", \"known_nowhere\": [";
-  for (const std::string& id : missing.nowhere_ids) {
-    if (&id != &missing.nowhere_ids.front()) out += ", ";
-    io::append_json_string(out, id);
-  }
-  return out + "]";
+void write_missing(io::JsonWriter& json, const io::MissingRecords& missing) {
+  json.member("left_out_records", missing.count).member("left_out_without_id", missing.without_id);
+  json.member("left_out_bees", missing.bees).member("bees_known_nowhere", missing.nowhere);
+  json.member("known_nowhere", missing.nowhere_ids);
 }
 
 }  // namespace beespace::cli

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/recorded/coverage.hpp"
+#include "io/json/json_writer.hpp"
 #include "io/recording/recording.hpp"
 
 #include <string>
@@ -14,10 +15,11 @@ void append_coverage(std::string& out, const analysis::Coverage& coverage,
                      const io::Recording& recording);
 
 // The same as an object of JSON.
-std::string coverage_json(const analysis::Coverage& coverage, const io::Recording& recording);
+void write_coverage(io::JsonWriter& json, const analysis::Coverage& coverage,
+                    const io::Recording& recording);
 
 // Of records that were left out: the lines of a summary, and members in JSON.
 void append_missing(std::string& out, const io::MissingRecords& missing);
-std::string missing_json(const io::MissingRecords& missing);
+void write_missing(io::JsonWriter& json, const io::MissingRecords& missing);
 
 }  // namespace beespace::cli

@@ -1,7 +1,6 @@
 #include "cli/output/event_lines.hpp"
 
-#include "io/bytes/number_text.hpp"
-#include "io/json/json_text.hpp"
+#include "io/json/json_writer.hpp"
 
 namespace beespace::cli {
 
@@ -49,55 +48,63 @@ const char* name_of(SwarmBound bound) {
 
 namespace {
 
-// Behind all else, and only where there is one.
-void append_label(std::string& line, const char* key, const analysis::BeeName& name) {
-  if (name.label.empty()) return;
-  line += std::string(", \"") + key + "\": " + io::json_string(name.label);
+void write_label(io::JsonWriter& json, const char* key, const analysis::BeeName& name) {
+  if (!name.label.empty()) json.member(key, name.label);
+}
+
+// Labels come behind all else.
+void write_members(io::JsonWriter& json, const SwarmEvent& event, const analysis::LiveFeed& feed) {
+  json.member("event", name_of(event.kind)).member("time_s", event.time_s);
+  if (event.kind == EventKind::kStale || event.kind == EventKind::kHeard) {
+    if (event.kind == EventKind::kHeard) json.member("since_s", event.since_s);
+    json.member("id", feed.name(event.first).id);
+    return write_label(json, "label", feed.name(event.first));
+  }
+  if (event.kind == EventKind::kOverloaded) {
+    json.member("bound", name_of(event.bound)).member("left_out", event.count);
+    if (event.bound != SwarmBound::kAgents) json.member("distance_m", event.distance_m);
+    return;
+  }
+  json.member("first", feed.name(event.first).id).member("second", feed.name(event.second).id);
+  json.member("distance_m", event.distance_m);
+  if (event.kind == EventKind::kPossible || event.kind == EventKind::kLost) {
+    json.member("since_s", event.since_s);
+  }
+  json.member("closest_s", event.closest_s);
+  write_label(json, "first_label", feed.name(event.first));
+  write_label(json, "second_label", feed.name(event.second));
+}
+
+void write_members(io::JsonWriter& json, const analysis::ClockNote& note,
+                   const analysis::LiveFeed& feed) {
+  const bool anew = note.kind == analysis::ClockNote::Kind::kAnew;
+  json.member("event", anew ? "clocks_anew" : "clock").member("time_s", note.time_s);
+  if (anew) {
+    json.member("before_s", note.before_s);
+    return;
+  }
+  json.member("id", feed.name(note.bee).id).member("ahead_s", note.ahead_s);
+  json.member("right", note.kind != analysis::ClockNote::Kind::kOff);
+  write_label(json, "label", feed.name(note.bee));
+}
+
+std::string line_of(const auto& told, const analysis::LiveFeed& feed) {
+  std::string line;
+  io::JsonWriter json(line);
+  json.begin_object();
+  write_members(json, told, feed);
+  json.end();
+  return line + '\n';
 }
 
 }  // namespace
 
 std::string event_line(const SwarmEvent& event, const analysis::LiveFeed& feed) {
-  std::string line = "{\"event\": \"";
-  line += name_of(event.kind);
-  line += "\", \"time_s\": " + io::exact(event.time_s);
-  if (event.kind == EventKind::kStale || event.kind == EventKind::kHeard) {
-    if (event.kind == EventKind::kHeard) line += ", \"since_s\": " + io::exact(event.since_s);
-    line += ", \"id\": " + io::json_string(feed.name(event.first).id);
-    append_label(line, "label", feed.name(event.first));
-    return line + "}\n";
-  }
-  if (event.kind == EventKind::kOverloaded) {
-    line += std::string(", \"bound\": \"") + name_of(event.bound) + "\"";
-    line += ", \"left_out\": " + std::to_string(event.count);
-    if (event.bound != SwarmBound::kAgents)
-      line += ", \"distance_m\": " + io::exact(event.distance_m);
-    return line + "}\n";
-  }
-  line += ", \"first\": " + io::json_string(feed.name(event.first).id);
-  line += ", \"second\": " + io::json_string(feed.name(event.second).id);
-  line += ", \"distance_m\": " + io::exact(event.distance_m);
-  if (event.kind == EventKind::kPossible || event.kind == EventKind::kLost) {
-    line += ", \"since_s\": " + io::exact(event.since_s);
-  }
-  line += ", \"closest_s\": " + io::exact(event.closest_s);
-  append_label(line, "first_label", feed.name(event.first));
-  append_label(line, "second_label", feed.name(event.second));
-  return line + "}\n";
+  return line_of(event, feed);
 }
 
 std::string clock_line(const analysis::ClockNote& note, const analysis::LiveFeed& feed) {
-  std::string line = "{\"event\": ";
-  line += note.kind == analysis::ClockNote::Kind::kAnew ? "\"clocks_anew\"" : "\"clock\"";
-  line += ", \"time_s\": " + io::exact(note.time_s);
-  if (note.kind == analysis::ClockNote::Kind::kAnew) {
-    return line + ", \"before_s\": " + io::exact(note.before_s) + "}\n";
-  }
-  line += ", \"id\": " + io::json_string(feed.name(note.bee).id);
-  line += ", \"ahead_s\": " + io::exact(note.ahead_s);
-  line += note.kind == analysis::ClockNote::Kind::kOff ? ", \"right\": false" : ", \"right\": true";
-  append_label(line, "label", feed.name(note.bee));
-  return line + "}\n";
+  return line_of(note, feed);
 }
 
 }  // namespace beespace::cli

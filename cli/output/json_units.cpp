@@ -1,28 +1,26 @@
 #include "cli/output/json_units.hpp"
 
-#include "io/bytes/number_text.hpp"
-#include "io/json/json_text.hpp"
-
 namespace beespace::cli {
 
-std::string json_units(const std::vector<io::UnitTaken>& units) {
-  std::string out = "[";
+void write_units(io::JsonWriter& json, const std::vector<io::UnitTaken>& units) {
+  json.begin_array();
   for (const io::UnitTaken& taken : units) {
-    out += out.size() == 1 ? "{" : ", {";
-    out += "\"of\": " + io::json_string(taken.of);
-    out += ", \"unit\": " + io::json_string(io::symbol_of(taken.unit));
-    out += ", \"reason\": " + io::json_string(taken.reason) + "}";
+    json.begin_object().member("of", taken.of);
+    json.member("unit", io::symbol_of(taken.unit)).member("reason", taken.reason);
+    json.end();
   }
-  return out + "]";
+  json.end();
 }
 
-std::string json_vertical(const std::optional<io::StatedLength>& vertical, io::Unit height_unit) {
-  if (!vertical) return "null";
+void write_vertical(io::JsonWriter& json, const std::optional<io::StatedLength>& vertical,
+                    io::Unit height_unit) {
+  if (!vertical) return json.null();
   const io::Unit compared =
       compares_as_stated(vertical, height_unit) ? height_unit : io::Unit::kMetre;
-  return "{\"value\": " + io::exact(vertical->value) +
-         ", \"unit\": " + io::json_string(io::symbol_of(vertical->unit)) +
-         ", \"compared_in\": " + io::json_string(io::symbol_of(compared)) + "}";
+  json.begin_object();
+  json.member("value", vertical->value).member("unit", io::symbol_of(vertical->unit));
+  json.member("compared_in", io::symbol_of(compared));
+  json.end();
 }
 
 }  // namespace beespace::cli

@@ -2,7 +2,6 @@
 
 #include "cli/output/block_writer.hpp"
 #include "io/bytes/number_text.hpp"
-#include "io/json/json_text.hpp"
 #include "io/table/csv_field.hpp"
 
 #include <cmath>
@@ -37,6 +36,18 @@ std::string text_for_people(const Value& value) {
 Value label_of(const Value& value) {
   const auto* bee = std::get_if<analysis::BeeName>(&value);
   return bee != nullptr && !bee->label.empty() ? Value(bee->label) : Value();
+}
+
+void write_value(io::JsonWriter& json, std::monostate) {
+  json.null();
+}
+
+void write_value(io::JsonWriter& json, const analysis::BeeName& bee) {
+  json.value(bee.id);
+}
+
+void write_value(io::JsonWriter& json, const auto& value) {
+  json.value(value);
 }
 
 // Tabs and line ends inside an id would look like those between.
@@ -88,39 +99,14 @@ void write_rows_as_csv(const Rows& rows, io::AtomicOutput& output) {
   }
 }
 
-void append_json_value(std::string& out, const Value& value) {
-  if (const auto* text = std::get_if<std::string>(&value)) {
-    io::append_json_string(out, *text);
-  } else if (const auto* bee = std::get_if<analysis::BeeName>(&value)) {
-    io::append_json_string(out, bee->id);
-  } else if (const auto* yes = std::get_if<bool>(&value)) {
-    out += *yes ? "true" : "false";
-  } else {
-    const std::string number = text_of(value);
-    out += number.empty() ? "null" : number;
-  }
-}
-
-void append_json_row(std::string& out, const std::vector<RowColumn>& columns,
-                     const std::vector<Value>& row) {
-  out += '{';
+void write_row(io::JsonWriter& json, const std::vector<RowColumn>& columns,
+               const std::vector<Value>& row) {
+  json.begin_object();
   for (std::size_t i = 0; i < row.size(); ++i) {
-    if (i > 0) out += ", ";
-    io::append_json_string(out, columns[i].name);
-    out += ": ";
-    append_json_value(out, row[i]);
+    json.key(columns[i].name);
+    std::visit([&json](const auto& value) { write_value(json, value); }, row[i]);
   }
-  out += '}';
-}
-
-void append_json_rows(std::string& out, const Rows& rows, const char* indent) {
-  out += '[';
-  for (std::size_t i = 0; i < rows.rows.size(); ++i) {
-    out += i > 0 ? ",\n" : "\n";
-    out += indent;
-    append_json_row(out, rows.columns, rows.rows[i]);
-  }
-  out += ']';
+  json.end();
 }
 
 }  // namespace beespace::cli

@@ -4,6 +4,7 @@
 
 #include "analysis/text/bee_name.hpp"
 #include "io/bytes/atomic_output.hpp"
+#include "io/json/json_writer.hpp"
 
 #include <cstdint>
 #include <string>
@@ -34,10 +35,8 @@ void set_labels_apart(Rows& rows);
 void write_rows_as_text(const Rows& rows, io::AtomicOutput& output);
 void write_rows_as_csv(const Rows& rows, io::AtomicOutput& output);
 
-// The value as JSON; and a row as an object, or all of them as an array.
-void append_json_value(std::string& out, const Value& value);
-void append_json_row(std::string& out, const std::vector<RowColumn>& columns,
-                     const std::vector<Value>& row);
-void append_json_rows(std::string& out, const Rows& rows, const char* indent);
+// A row as an object of JSON.
+void write_row(io::JsonWriter& json, const std::vector<RowColumn>& columns,
+               const std::vector<Value>& row);
 
 }  // namespace beespace::cli

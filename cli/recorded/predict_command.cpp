@@ -157,6 +157,18 @@ std::string summary(const Outlook& outlook, const PredictRequest& request, doubl
   return out;
 }
 
+void write_outlook(io::JsonWriter& json, const Outlook& outlook, const PredictRequest& request) {
+  const analysis::Snapshot& snapshot = outlook.snapshot;
+  write_head(json, outlook.recording, request.moving, outlook.threshold_m);
+  json.member("now_s", snapshot.time_s).member("horizon_s", request.horizon_s);
+  json.member("movers", snapshot.movers.size()).member("stale", snapshot.stale);
+  json.member("without_velocity", snapshot.unmoving.size());
+  json.begin_object("known").member("complete", outlook.complete());
+  write_missing(json, outlook.recording.missing);
+  json.end();
+  json.member("conflict_count", outlook.conflicts.size());
+}
+
 }  // namespace
 
 Result<ExitCode> run_predict(const PredictRequest& request) {
@@ -189,16 +201,8 @@ Result<ExitCode> run_predict(const PredictRequest& request) {
   const double search_s = watch.lap();
   translate(*conflicts, *snapshot);
 
-  std::string head = json_head(*recording, moving, threshold_m);
-  head += ",\n  \"now_s\": " + io::exact(snapshot->time_s);
-  head += ",\n  \"horizon_s\": " + io::exact(request.horizon_s);
-  head += ",\n  \"movers\": " + std::to_string(snapshot->movers.size());
-  head += ",\n  \"stale\": " + std::to_string(snapshot->stale);
-  head += ",\n  \"without_velocity\": " + std::to_string(snapshot->unmoving.size());
   const Outlook outlook{*recording, *snapshot, threshold_m, *conflicts};
-  head += std::string(",\n  \"known\": {\"complete\": ") + (outlook.complete() ? "true" : "false") +
-          ", " + missing_json(recording->missing) + "}";
-  head += ",\n  \"conflict_count\": " + std::to_string(conflicts->size());
+  const auto head = [&](io::JsonWriter& json) { write_outlook(json, outlook, request); };
   write_answer(conflict_rows(*conflicts, *recording, false), moving, head, "conflicts", *output);
   const Status written = output->commit();
   if (!written && output->pipe_closed()) return ExitCode::kPipeClosed;

@@ -47,7 +47,7 @@ analysis::MaxGap max_gap_for(const ReplayRequest& request, const io::Recording& 
 
 // Events are lines of JSON, as `watch` prints them, unless another form is asked for.
 Status write_events(const ReplayRequest& request, const analysis::Findings& findings,
-                    double threshold_m, const std::string& head, io::AtomicOutput& output) {
+                    double threshold_m, const JsonHead& head, io::AtomicOutput& output) {
   // A show is a plan: what lies ahead need not be guessed.
   const bool plan = is_plan(findings.recording);
   const double max_age_s = std::min(findings.coverage.max_gap.seconds, kLargestInMotion);
@@ -94,22 +94,21 @@ Rows closest_row(const Conflict& closest, const io::Recording& recording) {
   return rows;
 }
 
-std::string json_head_of(const ReplayRequest& request, const analysis::Findings& findings,
-                         double threshold_m) {
-  std::string head = json_head(findings.recording, request.moving, threshold_m);
+void write_findings(io::JsonWriter& json, const analysis::Findings& findings,
+                    const ReplayRequest& request, double threshold_m) {
   const auto& conflicts = findings.recorded.conflicts;
-  head += ",\n  \"conflict_count\": " + std::to_string(conflicts.size());
-  head += ",\n  \"pair_count\": " + std::to_string(analysis::pairs_in_conflict(conflicts).size());
-  head += ",\n  \"gap_count\": " + std::to_string(findings.recorded.gaps.size());
-  head += ",\n  \"known\": " + coverage_json(findings.coverage, findings.recording);
-  head += ",\n  \"closest\": ";
+  write_head(json, findings.recording, request.moving, threshold_m);
+  json.member("conflict_count", conflicts.size());
+  json.member("pair_count", analysis::pairs_in_conflict(conflicts).size());
+  json.member("gap_count", findings.recorded.gaps.size());
+  write_coverage(json.key("known"), findings.coverage, findings.recording);
+  json.key("closest");
   if (findings.closest) {
     const Rows closest = closest_row(*findings.closest, findings.recording);
-    append_json_row(head, closest.columns, closest.rows.front());
+    write_row(json, closest.columns, closest.rows.front());
   } else {
-    head += "null";
+    json.null();
   }
-  return head;
 }
 
 // The closest of the conflicts, or of all encounters where there is none. With a vertical threshold
@@ -193,8 +192,9 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
                                     coverage,
                                     has_encounters(*closest, *in_space, max_gap.seconds, request)};
   progress.enter_stage("writing");
-  const std::string head =
-      moving.form.form == Form::kJson ? json_head_of(request, findings, threshold_m) : "";
+  const JsonHead head = [&](io::JsonWriter& json) {
+    write_findings(json, findings, request, threshold_m);
+  };
   if (request.report == "events") {
     const Status done = write_events(request, findings, threshold_m, head, *output);
     if (!done) return done.error();

@@ -101,8 +101,7 @@ Result<ExitCode> run_verify(const VerifyRequest& request) {
       *recording, gaps_of_all(*recording, *times_s, max_gap.seconds), max_gap);
   const Verification verification{*recording, *times_s, check,  *verdict,
                                   coverage,   *motion,  read_s, watch.lap()};
-  const std::string head =
-      moving.form.form == Form::kJson ? verify_json_head(verification, moving) : "";
+  const auto head = [&](io::JsonWriter& json) { write_verdict(json, verification, moving); };
   write_answer(finding_rows(verification), moving, head, "findings", *output);
   const Status written = output->commit();
   if (!written && output->pipe_closed()) return ExitCode::kPipeClosed;

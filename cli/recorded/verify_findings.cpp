@@ -110,43 +110,34 @@ Rows finding_rows(const Verification& verification) {
   return rows;
 }
 
-std::string verify_json_head(const Verification& verification, const MovingRequest& request) {
+void write_verdict(io::JsonWriter& json, const Verification& verification,
+                   const MovingRequest& request) {
   const Verdict& verdict = verification.verdict;
   const VerifyOptions& options = verification.options;
-  const auto limit = [](double value) {
-    return std::isfinite(value) ? io::exact(value) : std::string("null");
-  };
-  std::string head = json_head(verification.recording, request, options.threshold_m);
-  head += ",\n  \"max_speed_mps\": " + limit(options.max_speed_mps);
-  head += ",\n  \"max_acceleration_mps2\": " + limit(options.max_acceleration_mps2);
-  head += std::string(",\n  \"straight\": ") + (options.straight ? "true" : "false");
-  head += ",\n  \"steps\": " + std::to_string(verdict.steps);
-  head += std::string(",\n  \"holds\": ") + (verification.holds() ? "true" : "false");
-  head += ",\n  \"known\": " + coverage_json(verification.coverage, verification.recording);
-  head += ",\n  \"loss_count\": " + std::to_string(verdict.losses);
+  write_head(json, verification.recording, request, options.threshold_m);
+  json.member("max_speed_mps", options.max_speed_mps);
+  json.member("max_acceleration_mps2", options.max_acceleration_mps2);
+  json.member("straight", options.straight);
+  json.member("steps", verdict.steps).member("holds", verification.holds());
+  write_coverage(json.key("known"), verification.coverage, verification.recording);
+  json.member("loss_count", verdict.losses);
   if (options.obstacles != nullptr) {
-    head += ",\n  \"obstacles\": " + std::to_string(options.obstacles->obstacles().size());
-    head += ",\n  \"clearance_m\": " + io::exact(options.clearance_m);
-    head += ",\n  \"clearance_loss_count\": " + std::to_string(verdict.clearance_losses);
+    json.member("obstacles", options.obstacles->obstacles().size());
+    json.member("clearance_m", options.clearance_m);
+    json.member("clearance_loss_count", verdict.clearance_losses);
   }
-  head += ",\n  \"breach_count\": " + std::to_string(verdict.breaches);
-  head += ",\n  \"peak_speed_mps\": " + io::exact(verdict.peak_speed_mps);
-  head += ",\n  \"peak_acceleration_mps2\": " +
-          (options.straight ? "null" : io::exact(verdict.peak_acceleration_mps2));
-  head += ",\n  \"closest\": ";
-  if (verdict.closest_m) {
-    Rows closest{
-        {{"first", "first_label"}, {"second", "second_label"}, {"step_begins_s"}, {"distance_m"}},
-        {{analysis::name_of(verdict.closest_pair->first, verification.recording),
-          analysis::name_of(verdict.closest_pair->second, verification.recording),
-          verdict.closest_step_s, *verdict.closest_m}},
-        analysis::has_labels(verification.recording)};
-    set_labels_apart(closest);
-    append_json_row(head, closest.columns, closest.rows.front());
-  } else {
-    head += "null";
-  }
-  return head;
+  json.member("breach_count", verdict.breaches).member("peak_speed_mps", verdict.peak_speed_mps);
+  json.member("peak_acceleration_mps2",
+              io::known_if(!options.straight, verdict.peak_acceleration_mps2));
+  if (!verdict.closest_m) return json.key("closest").null();
+  Rows closest{
+      {{"first", "first_label"}, {"second", "second_label"}, {"step_begins_s"}, {"distance_m"}},
+      {{analysis::name_of(verdict.closest_pair->first, verification.recording),
+        analysis::name_of(verdict.closest_pair->second, verification.recording),
+        verdict.closest_step_s, *verdict.closest_m}},
+      analysis::has_labels(verification.recording)};
+  set_labels_apart(closest);
+  write_row(json.key("closest"), closest.columns, closest.rows.front());
 }
 
 std::string verify_summary(const Verification& verification, const MovingRequest& request) {

@@ -4,6 +4,7 @@
 #include "analysis/recorded/coverage.hpp"
 #include "cli/input/moving_options.hpp"
 #include "cli/output/rows.hpp"
+#include "io/json/json_writer.hpp"
 #include "io/recording/recording.hpp"
 
 #include <beespace/verify.hpp>
@@ -31,8 +32,9 @@ struct Verification {
 // the obstacle), then breaches.
 Rows finding_rows(const Verification& verification);
 
-// The beginning of the JSON document: an open object.
-std::string verify_json_head(const Verification& verification, const MovingRequest& request);
+// The members of the JSON document before them.
+void write_verdict(io::JsonWriter& json, const Verification& verification,
+                   const MovingRequest& request);
 
 std::string verify_summary(const Verification& verification, const MovingRequest& request);
 

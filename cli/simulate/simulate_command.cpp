@@ -43,12 +43,10 @@ Result<ExitCode> simulate(const SimulateRequest& request) {
   return request.fail_on_risk && !flight.holds() ? ExitCode::kRiskFound : ExitCode::kFine;
 }
 
-// Random swaps, one after the other, closer and closer together.
-Result<ExitCode> sweep(const SimulateRequest& request) {
+// Random swaps, one after the other, closer and closer together: whether all hold.
+Result<bool> fly_sweep(const SimulateRequest& request, io::JsonWriter& json) {
   constexpr double kSpacings[] = {3.0, 2.5, 2.0, 1.75, 1.5};  // in thresholds
-  std::vector<std::string> runs;
   bool all_hold = true;
-  if (!request.quiet) say(sweep_head(request));
   for (const double spacing : kSpacings) {
     SimulateRequest swap = request;
     swap.scenario = "random-swap";
@@ -60,14 +58,25 @@ Result<ExitCode> sweep(const SimulateRequest& request) {
     if (const Status flown = flight.fly(progress); !flown) return flown.error();
     progress.finish();
     all_hold = all_hold && flight.holds();
-    if (request.json) runs.push_back(run_as_json(flight));
+    write_run(json, flight);
     if (!request.quiet) say(sweep_row(flight));
   }
+  return all_hold;
+}
+
+Result<ExitCode> sweep(const SimulateRequest& request) {
+  if (!request.quiet) say(sweep_head(request));
+  std::string document;
+  io::JsonWriter json(document);
+  begin_sweep(json);
+  const auto all_hold = fly_sweep(request, json);
+  end_sweep(json);
+  if (!all_hold) return all_hold.error();
   if (request.json) {
-    const ExitCode written = print(sweep_json(runs));
+    const ExitCode written = print(document + '\n');
     if (written != ExitCode::kFine) return written;
   }
-  return request.fail_on_risk && !all_hold ? ExitCode::kRiskFound : ExitCode::kFine;
+  return request.fail_on_risk && !*all_hold ? ExitCode::kRiskFound : ExitCode::kFine;
 }
 
 }  // namespace

@@ -1,25 +1,13 @@
 #include "cli/simulate/simulate_json.hpp"
 
 #include "cli/simulate/simulate_scenarios.hpp"
-#include "io/bytes/number_text.hpp"
-#include "io/json/json_text.hpp"
 
 #include <beespace/version.hpp>
 
-#include <cstdint>
-#include <optional>
 #include <string_view>
 
 namespace beespace::cli {
 namespace {
-
-std::string or_null(const std::optional<double>& value) {
-  return value ? io::exact(*value) : "null";
-}
-
-const char* yes_or_no(bool yes) {
-  return yes ? "true" : "false";
-}
 
 std::string_view method_name(sim::Method method) {
   switch (method) {
@@ -35,126 +23,98 @@ std::string_view method_name(sim::Method method) {
   return "certified";
 }
 
-// An object, member after member, each on a line of its own.
-class JsonObject {
- public:
-  explicit JsonObject(std::string_view indent) : indent_(indent) {}
-
-  void add(std::string_view name, std::string_view value) {
-    text_.append(text_.empty() ? "{\n" : ",\n").append(indent_);
-    text_.append("\"").append(name).append("\": ").append(value);
-  }
-  void add(std::string_view name, std::uint64_t count) { add(name, std::to_string(count)); }
-
-  [[nodiscard]] std::string closed() const {
-    return text_ + "\n" + std::string(indent_.substr(0, indent_.size() - 2)) + "}";
-  }
-
- private:
-  std::string_view indent_;
-  std::string text_;
-};
-
-std::string closest_pair(const SimulatedFlight& flight) {
+void write_closest(io::JsonWriter& json, const SimulatedFlight& flight) {
   const Verdict& verdict = flight.verdict();
-  if (!verdict.closest_m) return "null";
-  return "{\"first\": " + flight.names().bee_as_json(verdict.closest_pair->first) +
-         ", \"second\": " + flight.names().bee_as_json(verdict.closest_pair->second) +
-         ", \"step_begins_s\": " + io::exact(verdict.closest_step_s) +
-         ", \"distance_m\": " + io::exact(*verdict.closest_m) + "}";
+  if (!verdict.closest_m) return json.key("closest").null();
+  json.begin_object("closest");
+  flight.names().write_bee(json.key("first"), verdict.closest_pair->first);
+  flight.names().write_bee(json.key("second"), verdict.closest_pair->second);
+  json.member("step_begins_s", verdict.closest_step_s).member("distance_m", verdict.closest_m);
+  json.end();
 }
 
-std::string nearest_obstacle(const SimulatedFlight& flight) {
+void write_nearest(io::JsonWriter& json, const SimulatedFlight& flight) {
   const auto& nearest = flight.watched().nearest;
-  if (!nearest) return "null";
-  return "{\"bee\": " + flight.names().bee_as_json(nearest->bee) +
-         ", \"obstacle\": " + std::to_string(nearest->obstacle) +
-         ", \"time_s\": " + io::exact(nearest->time_s) +
-         ", \"distance_m\": " + io::exact(nearest->distance_m) + "}";
+  if (!nearest) return json.key("nearest_obstacle").null();
+  json.begin_object("nearest_obstacle");
+  flight.names().write_bee(json.key("bee"), nearest->bee);
+  json.member("obstacle", nearest->obstacle);
+  json.member("time_s", nearest->time_s).member("distance_m", nearest->distance_m);
+  json.end();
 }
 
-std::string stuck_bees(const SimulatedFlight& flight, const FlightOutcome& outcome) {
-  std::string list = "[";
-  for (const PointId bee : outcome.stuck) {
-    if (list.size() > 1) list += ", ";
-    list += flight.names().bee_as_json(bee);
-  }
-  return list + "]";
-}
-
-void add_question(JsonObject& object, const SimulatedFlight& flight) {
+void write_question(io::JsonWriter& json, const SimulatedFlight& flight) {
   const SimulateRequest& request = flight.request();
   const sim::LoopOptions& options = request.loop;
   const ObstacleMap* map = flight.loop().obstacles();
-  const bool own = flight.has_own_limits();
-  object.add("scenario", io::json_string(request.scenario));
-  object.add("bees", std::uint64_t{flight.loop().movers().size()});
-  object.add("spacing_m", request.from_file ? "null" : io::exact(request.spacing_m));
-  object.add("seed", request.from_file || request.scenario == kHeadOn
-                         ? "null"
-                         : std::to_string(request.seed));
-  object.add("obstacles", std::uint64_t{map == nullptr ? 0 : map->obstacles().size()});
-  object.add("clearance_m", map == nullptr ? "null" : io::exact(options.advice.clearance_m));
-  object.add("method", io::json_string(method_name(options.method)));
-  object.add("threshold_m", io::exact(options.advice.threshold_m));
-  object.add("own_limits", yes_or_no(own));
-  object.add("max_speed_mps", own ? "null" : io::exact(options.limits.max_speed_mps));
-  object.add("max_acceleration_mps2",
-             own || flight.at_once() ? "null" : io::exact(options.limits.max_acceleration_mps2));
-  object.add("step_s", io::exact(options.advice.step_s));
+  const bool limits = !flight.has_own_limits();
+  const bool random = !request.from_file && request.scenario != kHeadOn;
+  json.member("scenario", request.scenario).member("bees", flight.loop().movers().size());
+  json.member("spacing_m", io::known_if(!request.from_file, request.spacing_m));
+  json.member("seed", io::known_if(random, request.seed));
+  json.member("obstacles", map == nullptr ? 0 : map->obstacles().size());
+  json.member("clearance_m", io::known_if(map != nullptr, options.advice.clearance_m));
+  json.member("method", method_name(options.method));
+  json.member("threshold_m", options.advice.threshold_m);
+  json.member("own_limits", flight.has_own_limits());
+  json.member("max_speed_mps", io::known_if(limits, options.limits.max_speed_mps));
+  json.member("max_acceleration_mps2",
+              io::known_if(limits && !flight.at_once(), options.limits.max_acceleration_mps2));
+  json.member("step_s", options.advice.step_s);
 }
 
-void add_answer(JsonObject& object, const SimulatedFlight& flight) {
+void write_answer(io::JsonWriter& json, const SimulatedFlight& flight) {
   const FlightFigures& figures = flight.figures();
   const FlightOutcome outcome = flight.outcome();
-  object.add("steps", figures.steps);
-  object.add("time_s", io::exact(flight.loop().time_s()));
-  object.add("all_stand", yes_or_no(figures.landed));
-  object.add("loss_count", flight.verdict().losses);
-  object.add("steps_with_losses", figures.steps_with_losses);
-  object.add("clearance_loss_count", flight.verdict().clearance_losses);
-  object.add("breach_count", flight.breaches());
-  object.add("uncertified_count", figures.uncertified_pairs);
-  object.add("uncertified_at_obstacles_count", figures.uncertified_at_obstacles);
-  object.add("closest", closest_pair(flight));
-  object.add("nearest_obstacle", nearest_obstacle(flight));
-  object.add("arrived", std::uint64_t{flight.loop().arrived()});
-  object.add("path_ratio", or_null(outcome.path_ratio));
-  object.add("stuck_s", io::exact(outcome.stuck_s));
-  object.add("stuck_at_end", stuck_bees(flight, outcome));
-  object.add("advice_us", or_null(outcome.advice_us));
+  json.member("steps", figures.steps).member("time_s", flight.loop().time_s());
+  json.member("all_stand", figures.landed).member("loss_count", flight.verdict().losses);
+  json.member("steps_with_losses", figures.steps_with_losses);
+  json.member("clearance_loss_count", flight.verdict().clearance_losses);
+  json.member("breach_count", flight.breaches());
+  json.member("uncertified_count", figures.uncertified_pairs);
+  json.member("uncertified_at_obstacles_count", figures.uncertified_at_obstacles);
+  write_closest(json, flight);
+  write_nearest(json, flight);
+  json.member("arrived", flight.loop().arrived()).member("path_ratio", outcome.path_ratio);
+  json.member("stuck_s", outcome.stuck_s);
+  json.begin_array("stuck_at_end");
+  for (const PointId bee : outcome.stuck) flight.names().write_bee(json, bee);
+  json.end();
+  json.member("advice_us", outcome.advice_us);
 }
 
-void add_head(JsonObject& object) {
-  object.add("version", io::json_string(version()));
-  object.add("command", io::json_string("simulate"));
+void begin_document(io::JsonWriter& json) {
+  json.begin_object(io::JsonLayout::kLines);
+  json.member("version", version()).member("command", "simulate");
 }
 
 }  // namespace
 
 std::string simulate_json(const SimulatedFlight& flight) {
-  JsonObject object("  ");
-  add_head(object);
-  add_question(object, flight);
-  add_answer(object, flight);
-  return object.closed() + "\n";
+  std::string out;
+  io::JsonWriter json(out);
+  begin_document(json);
+  write_question(json, flight);
+  write_answer(json, flight);
+  json.end();
+  return out + '\n';
 }
 
-std::string run_as_json(const SimulatedFlight& flight) {
-  JsonObject object("      ");
-  add_question(object, flight);
-  add_answer(object, flight);
-  return object.closed();
+void begin_sweep(io::JsonWriter& json) {
+  begin_document(json);
+  json.member("scenario", kDensitySweep);
+  json.begin_array("runs", io::JsonLayout::kLines);
 }
 
-std::string sweep_json(const std::vector<std::string>& runs) {
-  std::string list;
-  for (const std::string& run : runs) list.append(list.empty() ? "[\n    " : ",\n    ").append(run);
-  JsonObject object("  ");
-  add_head(object);
-  object.add("scenario", io::json_string(kDensitySweep));
-  object.add("runs", list + "\n  ]");
-  return object.closed() + "\n";
+void write_run(io::JsonWriter& json, const SimulatedFlight& flight) {
+  json.begin_object(io::JsonLayout::kLines);
+  write_question(json, flight);
+  write_answer(json, flight);
+  json.end();
+}
+
+void end_sweep(io::JsonWriter& json) {
+  json.end().end();
 }
 
 }  // namespace beespace::cli

@@ -2,17 +2,18 @@
 #pragma once
 
 #include "cli/simulate/simulated_flight.hpp"
+#include "io/json/json_writer.hpp"
 
 #include <string>
-#include <vector>
 
 namespace beespace::cli {
 
 // A document.
 std::string simulate_json(const SimulatedFlight& flight);
 
-// One of several flights, and all of them as a document.
-std::string run_as_json(const SimulatedFlight& flight);
-std::string sweep_json(const std::vector<std::string>& runs);
+// A document of several flights, one after the other.
+void begin_sweep(io::JsonWriter& json);
+void write_run(io::JsonWriter& json, const SimulatedFlight& flight);
+void end_sweep(io::JsonWriter& json);
 
 }  // namespace beespace::cli

@@ -1,26 +1,30 @@
 #include "cli/watch/advice_line.hpp"
 
 #include "cli/output/advice_words.hpp"
-#include "io/bytes/number_text.hpp"
-#include "io/json/json_text.hpp"
+#include "io/json/json_writer.hpp"
 #include "report/local_axes.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
 
 namespace beespace::cli {
 namespace {
 
-void append_member(std::string& out, const char* key, const std::string& value) {
-  out.append(", \"").append(key).append("\": ").append(value);
+void write_times(io::JsonWriter& json, const AdviceTimes& times) {
+  json.member("time_s", times.time_s).member("effective_s", times.effective_s);
 }
 
-void append_times(std::string& out, const AdviceTimes& times) {
-  append_member(out, "time_s", io::exact(times.time_s));
-  append_member(out, "effective_s", io::exact(times.effective_s));
-}
-
-std::string velocity_text(const char* names, double a, double b, double c) {
-  const std::string n(names);
-  return "{\"v" + n.substr(0, 1) + "\": " + io::exact(a) + ", \"v" + n.substr(1, 1) +
-         "\": " + io::exact(b) + ", \"v" + n.substr(2, 1) + "\": " + io::exact(c) + "}";
+void write_velocity(io::JsonWriter& json, const Mover& mover, Velocity v, io::Frame frame) {
+  const bool degrees = frame == io::Frame::kWgs84;
+  if (degrees) {
+    const LocalVelocity local = report::to_local_velocity(mover.position, v);
+    v = {local.east_mps, local.north_mps, local.up_mps};
+  }
+  json.begin_object("velocity").member(degrees ? "ve" : "vx", v.x);
+  json.member(degrees ? "vn" : "vy", v.y);
+  json.member(degrees ? "vu" : "vz", v.z);
+  json.end();
 }
 
 }  // namespace
@@ -55,40 +59,33 @@ const char* name_of(Doubt doubt) {
 
 void append_advice_line(std::string& out, const AdviceTimes& times, const analysis::BeeName& name,
                         const Mover& mover, const Advice& advice, Doubt doubt, io::Frame frame) {
-  const Velocity& v = advice.velocity;
-  out += "{\"event\": \"advice\"";
-  append_times(out, times);
-  append_member(out, "id", io::json_string(name.id));
-  if (advice.kind == AdviceKind::kNone) {
-    // Told nothing.
-  } else if (frame == io::Frame::kWgs84) {
-    const LocalVelocity local = report::to_local_velocity(mover.position, v);
-    append_member(out, "velocity",
-                  velocity_text("enu", local.east_mps, local.north_mps, local.up_mps));
-  } else {
-    append_member(out, "velocity", velocity_text("xyz", v.x, v.y, v.z));
-  }
-  append_member(out, "advice", io::json_string(name_of(advice.kind)));
-  append_member(out, "certified", doubt == Doubt::kNone ? "true" : "false");
-  if (doubt != Doubt::kNone) append_member(out, "because", io::json_string(name_of(doubt)));
-  if (!name.label.empty()) append_member(out, "label", io::json_string(name.label));
-  out += "}\n";
+  io::JsonWriter json(out);
+  json.begin_object().member("event", "advice");
+  write_times(json, times);
+  json.member("id", name.id);
+  if (advice.kind != AdviceKind::kNone) write_velocity(json, mover, advice.velocity, frame);
+  json.member("advice", name_of(advice.kind)).member("certified", doubt == Doubt::kNone);
+  if (doubt != Doubt::kNone) json.member("because", name_of(doubt));
+  if (!name.label.empty()) json.member("label", name.label);
+  json.end();
+  out += '\n';
 }
 
 void append_advised_line(std::string& out, const AdviceTimes& times, const LookCounts& counts) {
-  out += "{\"event\": \"advised\"";
-  append_times(out, times);
-  append_member(out, "bees", std::to_string(counts.agents));
-  append_member(out, "told", std::to_string(counts.told));
-  append_member(out, "certified", std::to_string(counts.doubts[0]));
-  std::string because;
-  for (std::size_t i = 1; i < kDoubts; ++i) {
-    if (counts.doubts[i] == 0) continue;
-    because += (because.empty() ? "{\"" : ", \"") + std::string(name_of(static_cast<Doubt>(i))) +
-               "\": " + std::to_string(counts.doubts[i]);
+  io::JsonWriter json(out);
+  json.begin_object().member("event", "advised");
+  write_times(json, times);
+  json.member("bees", counts.bees).member("told", counts.told);
+  json.member("certified", counts.doubts[0]);
+  if (std::any_of(counts.doubts.begin() + 1, counts.doubts.end(), std::identity())) {
+    json.begin_object("not_certified");
+    for (std::size_t i = 1; i < kDoubts; ++i) {
+      if (counts.doubts[i] > 0) json.member(name_of(static_cast<Doubt>(i)), counts.doubts[i]);
+    }
+    json.end();
   }
-  if (!because.empty()) append_member(out, "not_certified", because + "}");
-  out += "}\n";
+  json.end();
+  out += '\n';
 }
 
 }  // namespace beespace::cli

@@ -1,9 +1,7 @@
 #include "io/json/geojson_geometry.hpp"
 
-#include "io/json/json_object.hpp"
-
+#include <array>
 #include <cmath>
-#include <string_view>
 #include <vector>
 
 namespace beespace::io {
@@ -18,19 +16,15 @@ double within_half_turn(double longitude_deg) {
   return std::remainder(longitude_deg, kTurn_deg) + 0.0;
 }
 
-std::string coordinates(const GeographicPosition& position) {
-  JsonList list(JsonStyle::kSpaced);
-  list.add_number(position.longitude_deg);
-  list.add_number(position.latitude_deg);
-  list.add_number(position.height_m);
-  return list.text();
+// As GeoJSON has it.
+using Position = std::array<double, 3>;
+
+Position position_of(const GeographicPosition& place) {
+  return {place.longitude_deg, place.latitude_deg, place.height_m};
 }
 
-std::string geometry(std::string_view type, std::string_view coordinates) {
-  JsonObject object(JsonStyle::kSpaced);
-  object.add_text("type", type);
-  object.add_json("coordinates", coordinates);
-  return object.text();
+void write_geometry(JsonWriter& json, const char* type, const auto& coordinates) {
+  json.begin_object().member("type", type).member("coordinates", coordinates).end();
 }
 
 GeographicPosition within_half_turn(GeographicPosition position) {
@@ -53,13 +47,6 @@ struct Line {
   GeographicPosition to;
 };
 
-std::string coordinates(const Line& line) {
-  JsonList list(JsonStyle::kSpaced);
-  list.add_json(coordinates(line.from));
-  list.add_json(coordinates(line.to));
-  return list.text();
-}
-
 // The same place, on the meridian of 180 degrees as one comes there from `side_deg`.
 GeographicPosition at_half_turn(GeographicPosition place, double side_deg) {
   place.longitude_deg = std::copysign(kHalfTurn_deg, side_deg);
@@ -80,20 +67,18 @@ std::vector<Line> cut_at_half_turn(const Line& line) {
 
 }  // namespace
 
-void append_geojson_point(std::string& out, const GeographicPosition& position) {
-  out += geometry("Point", coordinates(within_half_turn(position)));
+void write_geojson_point(JsonWriter& json, const GeographicPosition& position) {
+  write_geometry(json, "Point", position_of(within_half_turn(position)));
 }
 
-void append_geojson_line(std::string& out, const GeographicPosition& from,
-                         const GeographicPosition& to) {
-  const auto parts = cut_at_half_turn({within_half_turn(from), within_half_turn(to)});
-  if (parts.size() == 1) {
-    out += geometry("LineString", coordinates(parts.front()));
-    return;
+void write_geojson_line(JsonWriter& json, const GeographicPosition& from,
+                        const GeographicPosition& to) {
+  std::vector<std::array<Position, 2>> parts;
+  for (const Line& part : cut_at_half_turn({within_half_turn(from), within_half_turn(to)})) {
+    parts.push_back({position_of(part.from), position_of(part.to)});
   }
-  JsonList lines(JsonStyle::kSpaced);
-  for (const Line& part : parts) lines.add_json(coordinates(part));
-  out += geometry("MultiLineString", lines.text());
+  if (parts.size() == 1) return write_geometry(json, "LineString", parts.front());
+  write_geometry(json, "MultiLineString", parts);
 }
 
 }  // namespace beespace::io

@@ -8,6 +8,5 @@ namespace beespace::io {
 
 // `text` in quotes, escaped. Bytes that are not UTF-8 become U+FFFD, the replacement character.
 void append_json_string(std::string& out, std::string_view text);
-std::string json_string(std::string_view text);
 
 }  // namespace beespace::io

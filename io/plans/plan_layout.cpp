@@ -116,7 +116,8 @@ std::optional<Error> unmet(PlanNeed need, const PlanLayout& layout) {
   std::string wanted = "no goals: goal_x, goal_y and goal_z are needed";
   if (need == PlanNeed::kGoalsOrPreferred) {
     wanted =
-        "neither goals nor preferred velocities: goal_x, goal_y, goal_z or want_vx, want_vy, want_vz are "
+        "neither goals nor preferred velocities: goal_x, goal_y, goal_z or want_vx, want_vy, "
+        "want_vz are "
         "needed";
   }
   return missing("the header names " + wanted + " (" + list_columns(layout.table) + ")");

@@ -25,7 +25,8 @@ struct NumberColumn {
 struct PlanLayout {
   TableLayout table = {};  // but for its choice
   std::optional<std::size_t> id = {};
-  // By role. Of a position, a velocity, a goal and a preferred velocity all three are there, or none.
+  // By role. Of a position, a velocity, a goal and a preferred velocity all three are there, or
+  // none.
   std::array<std::optional<NumberColumn>, kRoles> columns = {};
   std::vector<UnitTaken> units = {};
   std::vector<std::string> notes = {};

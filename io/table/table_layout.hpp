@@ -1,5 +1,6 @@
 // How a text table is laid out: what separates lines and fields, whether there is a header, and
-// which columns hold the position. Found from the first lines, the header and the caller's overrides.
+// which columns hold the position. Found from the first lines, the header and the caller's
+// overrides.
 #pragma once
 
 #include "io/frames/coordinate_frame.hpp"

@@ -1,7 +1,6 @@
 #include "report/map/czml.hpp"
 
-#include "io/json/json_object.hpp"
-#include "io/json/json_text.hpp"
+#include "io/json/json_writer.hpp"
 #include "report/map/map_places.hpp"
 #include "report/map/map_time.hpp"
 #include "report/map/map_tracks.hpp"
@@ -9,38 +8,46 @@
 #include "report/number_label.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
-#include <string_view>
+#include <initializer_list>
 #include <utility>
 
 namespace beespace::report {
 namespace {
 
-constexpr const char* kRiskColour = R"({"rgba":[200,80,10,255]})";
-constexpr const char* kBeeColour = R"({"rgba":[111,136,163,255]})";
-constexpr const char* kPathMaterial = R"({"solidColor":{"color":{"rgba":[111,136,163,120]}}})";
-constexpr const char* kLineStyle =
-    R"("arcType":"NONE","width":3,"material":{"solidColor":{"color":{"rgba":[200,80,10,255]}}})";
+using Colour = std::array<unsigned, 4>;
 
+constexpr Colour kRiskColour = {200, 80, 10, 255};
+constexpr Colour kBeeColour = {111, 136, 163, 255};
+constexpr Colour kPathColour = {111, 136, 163, 120};
+constexpr Colour kOutlineColour = {255, 255, 255, 255};
+
+// A list of packets, the first of which is about the document.
 class Packets {
  public:
-  Packets(const SwarmFacts& swarm, const std::string& kept, const std::vector<std::string>& notes,
-          const std::string& clock, io::AtomicOutput& output)
-      : output_(output) {
-    io::JsonObject document;
-    document.add_text("id", "document");
-    document.add_text("version", "1.0");
-    document.add_text("name", swarm.title);
-    document.add_text("description", document_words(kept, notes));
-    if (!clock.empty()) document.add_json("clock", clock);
-    output_.write("[\n" + document.text());
+  explicit Packets(io::AtomicOutput& output) : output_(output), json_(text_) {
+    json_.begin_array(io::JsonLayout::kFlush);
   }
 
-  void add(const io::JsonObject& packet) { output_.write(",\n" + packet.text()); }
-  void finish() { output_.write("\n]\n"); }
+  // `write` writes the members.
+  void add(const auto& write) {
+    json_.begin_object(io::JsonLayout::kTight);
+    write(json_);
+    json_.end();
+    output_.write(text_);
+    text_.clear();
+  }
+
+  void finish() {
+    json_.end();
+    output_.write(text_ + '\n');
+  }
 
  private:
   io::AtomicOutput& output_;
+  std::string text_;
+  io::JsonWriter json_;
 };
 
 std::string id_of(PointId bee) {
@@ -51,27 +58,48 @@ std::string interval(double begins_s, double ends_s) {
   return map_instant(begins_s) + '/' + map_instant(ends_s);
 }
 
-std::string dot(double size, const std::string& colour) {
-  return R"({"pixelSize":)" + io::json_number(size) + R"(,"color":)" + colour +
-         R"(,"outlineColor":{"rgba":[255,255,255,255]},"outlineWidth":1})";
+void write_document(io::JsonWriter& json, const SwarmFacts& swarm, const std::string& description) {
+  json.member("id", "document").member("version", "1.0").member("name", swarm.title);
+  json.member("description", description);
 }
 
-std::string line(const std::string& positions) {
-  return "{\"positions\":" + positions + ',' + kLineStyle + '}';
+void write_colour(io::JsonWriter& json, const char* key, const Colour& colour) {
+  json.begin_object(key).member("rgba", colour).end();
 }
 
-std::string line(const GeographicPosition& from, const GeographicPosition& to) {
-  return line(R"({"cartographicDegrees":[)" + place_text(from, ',') + ',' + place_text(to, ',') +
-              "]}");
+void write_material(io::JsonWriter& json, const Colour& colour) {
+  json.begin_object("material").begin_object("solidColor");
+  write_colour(json, "color", colour);
+  json.end().end();
 }
 
-io::JsonObject packet(const std::string& id, const std::string& name,
-                      const std::string& description) {
-  io::JsonObject begun;
-  begun.add_text("id", id);
-  begun.add_text("name", name);
-  if (!description.empty()) begun.add_text("description", description);
-  return begun;
+// `write_colours` writes the member "color".
+void write_dot(io::JsonWriter& json, double size, const auto& write_colours) {
+  json.begin_object("point").member("pixelSize", size);
+  write_colours();
+  write_colour(json, "outlineColor", kOutlineColour);
+  json.member("outlineWidth", 1u);
+  json.end();
+}
+
+void write_place(io::JsonWriter& json, const GeographicPosition& place) {
+  json.value(place.longitude_deg).value(place.latitude_deg).value(place.height_m);
+}
+
+// `write_positions` writes the members that say where it is.
+void write_line(io::JsonWriter& json, const auto& write_positions) {
+  json.begin_object("polyline").begin_object("positions");
+  write_positions();
+  json.end();
+  json.member("arcType", "NONE").member("width", 3u);
+  write_material(json, kRiskColour);
+  json.end();
+}
+
+void write_places(io::JsonWriter& json, std::initializer_list<GeographicPosition> places) {
+  json.begin_array("cartographicDegrees");
+  for (const GeographicPosition& place : places) write_place(json, place);
+  json.end();
 }
 
 TimeSpan time_of(const MapTracks& map) {
@@ -87,77 +115,86 @@ TimeSpan time_of(const MapTracks& map) {
   return time;
 }
 
-std::string clock_of(const TimeSpan& time) {
-  io::JsonObject clock;
-  clock.add_text("interval", interval(time.begins_s, time.ends_s));
-  clock.add_text("currentTime", map_instant(time.begins_s));
-  clock.add_number("multiplier", 1.0);
-  return clock.text();
+void write_clock(io::JsonWriter& json, const TimeSpan& time) {
+  json.begin_object("clock").member("interval", interval(time.begins_s, time.ends_s));
+  json.member("currentTime", map_instant(time.begins_s)).member("multiplier", 1u);
+  json.end();
 }
 
 // One interval, or a list of them where the bee is absent in between.
-std::string availability_of(const MapTrack& track) {
-  std::string list;
-  for (const auto& run : track.runs) {
-    if (!list.empty()) list += ',';
-    list += io::json_string(interval(run.front().time_s, run.back().time_s));
-  }
-  return track.runs.size() == 1 ? list : '[' + list + ']';
+void write_availability(io::JsonWriter& json, const MapTrack& track) {
+  const bool several = track.runs.size() > 1;
+  json.key("availability");
+  if (several) json.begin_array();
+  for (const auto& run : track.runs) json.value(interval(run.front().time_s, run.back().time_s));
+  if (several) json.end();
 }
 
-std::string samples_of(const MapTrack& track, double epoch_s, const MapPlaces& places) {
-  std::string list;
+void write_samples(io::JsonWriter& json, const MapTrack& track, double epoch_s,
+                   const MapPlaces& places) {
+  json.begin_object("position").member("epoch", map_instant(epoch_s));
+  json.begin_array("cartographicDegrees");
   for (const auto& run : track.runs) {
     for (const Fix& fix : run) {
-      if (!list.empty()) list += ',';
-      list +=
-          io::json_number(fix.time_s - epoch_s) + ',' + place_text(places.of(fix.position), ',');
+      json.value(fix.time_s - epoch_s);
+      write_place(json, places.of(fix.position));
     }
   }
-  return R"({"epoch":")" + map_instant(epoch_s) + R"(","cartographicDegrees":[)" + list + "]}";
+  json.end().end();
 }
 
 // What comes later in the list counts.
-std::string colours_of(const MapTrack& track, const std::vector<AtRisk>& at_risk) {
-  std::string list = R"([{"interval":")" +
-                     interval(track.runs.front().front().time_s, track.runs.back().back().time_s) +
-                     R"(",)" + std::string(kBeeColour).substr(1);
+void write_colours(io::JsonWriter& json, const MapTrack& track,
+                   const std::vector<AtRisk>& at_risk) {
+  const auto write = [&json](double begins_s, double ends_s, const Colour& colour) {
+    json.begin_object().member("interval", interval(begins_s, ends_s)).member("rgba", colour).end();
+  };
+  json.begin_array("color");
+  write(track.runs.front().front().time_s, track.runs.back().back().time_s, kBeeColour);
   auto next = std::lower_bound(at_risk.begin(), at_risk.end(), track.bee,
                                [](const AtRisk& of, PointId bee) { return of.bee < bee; });
   for (; next != at_risk.end() && next->bee == track.bee; ++next) {
-    list += R"(,{"interval":")" + interval(next->span.begins_s, next->span.ends_s) + R"(",)" +
-            std::string(kRiskColour).substr(1);
+    write(next->span.begins_s, next->span.ends_s, kRiskColour);
   }
-  return list + ']';
+  json.end();
 }
 
-void add_bees(const MapTracks& map, const RecordingFacts& facts, double epoch_s,
-              const MapPlaces& places, Packets& packets) {
-  for (const MapTrack& track : map.tracks) {
-    io::JsonObject bee = packet(id_of(track.bee), facts.swarm.names.of(track.bee), {});
-    bee.add_json("availability", availability_of(track));
-    bee.add_json("position", samples_of(track, epoch_s, places));
-    bee.add_json("point", dot(7.0, colours_of(track, facts.at_risk)));
-    bee.add_json("path", R"({"width":1,"material":)" + std::string(kPathMaterial) + '}');
-    packets.add(bee);
-  }
+void write_bee(io::JsonWriter& json, const MapTrack& track, const RecordingFacts& facts,
+               double epoch_s, const MapPlaces& places) {
+  json.member("id", id_of(track.bee)).member("name", facts.swarm.names.of(track.bee));
+  write_availability(json, track);
+  write_samples(json, track, epoch_s, places);
+  write_dot(json, 7.0, [&] { write_colours(json, track, facts.at_risk); });
+  json.begin_object("path").member("width", 1u);
+  write_material(json, kPathColour);
+  json.end();
 }
 
-// The line moves with the two, where both are in the file.
-std::string line_of(const Conflict& c, const MapTracks& map, const RecordingFacts& facts,
-                    const MapPlaces& places) {
+// The line moves with the two, where both are in the file. Nothing is written of a conflict whose
+// places are not known.
+void add_conflict(std::size_t number, const MapTracks& map, const RecordingFacts& facts,
+                  const MapPlaces& places, Packets& packets) {
+  const Conflict& c = facts.conflicts[number];
   const auto is_shown = [&map](PointId bee) {
     const auto at = std::lower_bound(map.tracks.begin(), map.tracks.end(), bee,
                                      [](const MapTrack& of, PointId id) { return of.bee < id; });
     return at != map.tracks.end() && at->bee == bee;
   };
-  if (is_shown(c.first) && is_shown(c.second)) {
-    return line(R"({"references":[")" + id_of(c.first) + R"(#position",")" + id_of(c.second) +
-                R"(#position"]})");
-  }
+  const bool moves = is_shown(c.first) && is_shown(c.second);
   const auto a = position_at(facts.tracks[c.first], c.closest_s);
   const auto b = position_at(facts.tracks[c.second], c.closest_s);
-  return a && b ? line(places.of(*a), places.of(*b)) : std::string();
+  if (!moves && !(a && b)) return;
+  packets.add([&](io::JsonWriter& json) {
+    json.member("id", "conflict/" + std::to_string(number));
+    json.member("name", pair_name(facts.swarm.names, c.first, c.second));
+    json.member("description", conflict_words(c, facts.swarm));
+    json.member("availability", interval(c.begins_s, c.ends_s));
+    write_line(json, [&] {
+      if (!moves) return write_places(json, {places.of(*a), places.of(*b)});
+      const std::string end = "#position";
+      json.member("references", std::array{id_of(c.first) + end, id_of(c.second) + end});
+    });
+  });
 }
 
 }  // namespace
@@ -168,24 +205,31 @@ std::vector<std::string> write_czml(const SnapshotFacts& facts, io::AtomicOutput
   const std::size_t bees = marks_shown(facts.at_risk.size(), "bees at risk", notes);
   const std::size_t pairs = marks_shown(facts.pairs.size(), "pairs", notes);
   const MapPlaces places(facts.swarm);
-  Packets packets(facts.swarm, kept_words(facts), notes, {}, output);
+  const auto place = [&](PointId bee) { return places.of(facts.positions[bee]); };
+  Packets packets(output);
+  packets.add([&](io::JsonWriter& json) {
+    write_document(json, facts.swarm, document_words(kept_words(facts), notes));
+  });
   for (std::size_t i = 0; i < bees; ++i) {
     const PointId bee = facts.at_risk[i];
-    io::JsonObject mark =
-        packet(id_of(bee), names.of(bee), nearest_words(facts.closest_in_conflict[i], facts.swarm));
-    mark.add_json("position", R"({"cartographicDegrees":[)" +
-                                  place_text(places.of(facts.positions[bee]), ',') + "]}");
-    mark.add_json("point", dot(8.0, kRiskColour));
-    packets.add(mark);
+    packets.add([&](io::JsonWriter& json) {
+      json.member("id", id_of(bee)).member("name", names.of(bee));
+      json.member("description", nearest_words(facts.closest_in_conflict[i], facts.swarm));
+      json.begin_object("position");
+      write_places(json, {place(bee)});
+      json.end();
+      write_dot(json, 8.0, [&] { write_colour(json, "color", kRiskColour); });
+    });
   }
   for (std::size_t i = 0; i < pairs; ++i) {
-    const auto& [first, second] = facts.pairs[i];
-    io::JsonObject joined =
-        packet("pair/" + std::to_string(i), pair_name(names, first, second),
-               length_label_below(facts.swarm.threshold_m, facts.distances_m[i]) + " apart");
-    joined.add_json("polyline",
-                    line(places.of(facts.positions[first]), places.of(facts.positions[second])));
-    packets.add(joined);
+    const Pair& pair = facts.pairs[i];
+    packets.add([&](io::JsonWriter& json) {
+      json.member("id", "pair/" + std::to_string(i));
+      json.member("name", pair_name(names, pair.first, pair.second));
+      json.member("description",
+                  length_label_below(facts.swarm.threshold_m, facts.distances_m[i]) + " apart");
+      write_line(json, [&] { write_places(json, {place(pair.first), place(pair.second)}); });
+    });
   }
   packets.finish();
   return notes;
@@ -198,19 +242,16 @@ std::vector<std::string> write_czml(const RecordingFacts& facts, io::AtomicOutpu
   const std::size_t conflicts = marks_shown(facts.conflicts.size(), "conflicts", notes);
   const MapPlaces places(facts.swarm);
   const TimeSpan time = time_of(map);
-  Packets packets(facts.swarm, kept_words(facts), notes, clock_of(time), output);
-  add_bees(map, facts, time.begins_s, places, packets);
-  for (std::size_t i = 0; i < conflicts; ++i) {
-    const Conflict& c = facts.conflicts[i];
-    const std::string joined = line_of(c, map, facts, places);
-    if (joined.empty()) continue;
-    io::JsonObject conflict =
-        packet("conflict/" + std::to_string(i), pair_name(facts.swarm.names, c.first, c.second),
-               conflict_words(c, facts.swarm));
-    conflict.add_text("availability", interval(c.begins_s, c.ends_s));
-    conflict.add_json("polyline", joined);
-    packets.add(conflict);
+  Packets packets(output);
+  packets.add([&](io::JsonWriter& json) {
+    write_document(json, facts.swarm, document_words(kept_words(facts), notes));
+    write_clock(json, time);
+  });
+  for (const MapTrack& track : map.tracks) {
+    packets.add(
+        [&](io::JsonWriter& json) { write_bee(json, track, facts, time.begins_s, places); });
   }
+  for (std::size_t i = 0; i < conflicts; ++i) add_conflict(i, map, facts, places, packets);
   packets.finish();
   return notes;
 }

@@ -1,13 +1,11 @@
 #include "report/map/geojson.hpp"
 
 #include "io/json/geojson_geometry.hpp"
-#include "io/json/json_object.hpp"
-#include "io/json/json_text.hpp"
+#include "io/json/json_writer.hpp"
 #include "report/map/map_places.hpp"
 #include "report/map/map_words.hpp"
 #include "report/number_label.hpp"
 
-#include <cmath>
 #include <cstddef>
 #include <string>
 
@@ -17,54 +15,41 @@ namespace {
 class Features {
  public:
   // What is not in the file is said in a member of its own, which readers may pass over.
-  Features(const std::string& kept, io::AtomicOutput& output) : output_(output) {
-    output_.write(R"({"type": "FeatureCollection", )" +
-                  (kept.empty() ? "" : R"("note": )" + io::json_string(kept) + ", ") +
-                  R"("features": [)");
+  Features(const std::string& kept, io::AtomicOutput& output) : output_(output), json_(text_) {
+    json_.begin_object().member("type", "FeatureCollection");
+    if (!kept.empty()) json_.member("note", kept);
+    json_.begin_array("features", io::JsonLayout::kFlush);
   }
 
-  void add(const std::string& geometry, const io::JsonObject& properties) {
-    output_.write(first_ ? "\n" : ",\n");
-    first_ = false;
-    output_.write(R"({"type": "Feature", "geometry": )" + geometry + R"(, "properties": )" +
-                  properties.text() + '}');
+  void add(const auto& write_geometry, const auto& write_properties) {
+    io::write_geojson_feature(
+        json_, io::JsonLayout::kTight, [&] { write_geometry(json_); },
+        [&] { write_properties(json_); });
+    output_.write(text_);
+    text_.clear();
   }
 
-  void finish() { output_.write("\n]}\n"); }
+  void finish() {
+    json_.end().end();
+    output_.write(text_ + '\n');
+  }
 
  private:
   io::AtomicOutput& output_;
-  bool first_ = true;
+  std::string text_;
+  io::JsonWriter json_;
 };
 
-std::string point(const GeographicPosition& at) {
-  std::string text;
-  io::append_geojson_point(text, at);
-  return text;
-}
-
-std::string line(const GeographicPosition& from, const GeographicPosition& to) {
-  std::string text;
-  io::append_geojson_line(text, from, to);
-  return text;
-}
-
-io::JsonObject properties_of(const Conflict& conflict, const RecordingFacts& facts,
-                             const char* kind) {
-  io::JsonObject properties;
-  properties.add_text("kind", kind);
-  properties.add_text("first", facts.swarm.names.of(conflict.first));
-  properties.add_text("second", facts.swarm.names.of(conflict.second));
-  properties.add_number("closest_m", conflict.closest_m);
-  properties.add_number("begins_s", conflict.begins_s);
-  properties.add_number("closest_s", conflict.closest_s);
-  properties.add_number("ends_s", conflict.ends_s);
-  properties.add_flag("certain", conflict.certain);
-  if (!facts.since_1970) return properties;
-  properties.add_text("begins", instant_label(conflict.begins_s));
-  properties.add_text("closest", instant_label(conflict.closest_s));
-  properties.add_text("ends", instant_label(conflict.ends_s));
-  return properties;
+void write_conflict(io::JsonWriter& json, const Conflict& conflict, const RecordingFacts& facts) {
+  json.member("first", facts.swarm.names.of(conflict.first));
+  json.member("second", facts.swarm.names.of(conflict.second));
+  json.member("closest_m", conflict.closest_m).member("begins_s", conflict.begins_s);
+  json.member("closest_s", conflict.closest_s).member("ends_s", conflict.ends_s);
+  json.member("certain", conflict.certain);
+  if (!facts.since_1970) return;
+  json.member("begins", instant_label(conflict.begins_s));
+  json.member("closest", instant_label(conflict.closest_s));
+  json.member("ends", instant_label(conflict.ends_s));
 }
 
 }  // namespace
@@ -72,26 +57,29 @@ io::JsonObject properties_of(const Conflict& conflict, const RecordingFacts& fac
 void write_geojson(const SnapshotFacts& facts, io::AtomicOutput& output) {
   const MapPlaces places(facts.swarm);
   const Names& names = facts.swarm.names;
+  const auto place = [&](PointId bee) { return places.of(facts.positions[bee]); };
   Features features(kept_words(facts), output);
   for (std::size_t i = 0; i < facts.at_risk.size(); ++i) {
     const PointId bee = facts.at_risk[i];
-    io::JsonObject properties;
-    properties.add_text("kind", "at risk");
-    properties.add_text("id", names.of(bee));
     const Nearest& nearest = facts.closest_in_conflict[i];
-    properties.add_text("nearest", names.of(nearest.id));
-    properties.add_number("nearest_m", nearest.distance_m);
-    features.add(point(places.of(facts.positions[bee])), properties);
+    features.add([&](io::JsonWriter& json) { io::write_geojson_point(json, place(bee)); },
+                 [&](io::JsonWriter& json) {
+                   json.member("kind", "at risk").member("id", names.of(bee));
+                   json.member("nearest", names.of(nearest.id));
+                   json.member("nearest_m", nearest.distance_m);
+                 });
   }
   for (std::size_t i = 0; i < facts.pairs.size(); ++i) {
-    const auto& [first, second] = facts.pairs[i];
-    io::JsonObject properties;
-    properties.add_text("kind", "pair");
-    properties.add_text("first", names.of(first));
-    properties.add_text("second", names.of(second));
-    properties.add_number("distance_m", facts.distances_m[i]);
-    features.add(line(places.of(facts.positions[first]), places.of(facts.positions[second])),
-                 properties);
+    const Pair& pair = facts.pairs[i];
+    features.add(
+        [&](io::JsonWriter& json) {
+          io::write_geojson_line(json, place(pair.first), place(pair.second));
+        },
+        [&](io::JsonWriter& json) {
+          json.member("kind", "pair");
+          json.member("first", names.of(pair.first)).member("second", names.of(pair.second));
+          json.member("distance_m", facts.distances_m[i]);
+        });
   }
   features.finish();
 }
@@ -99,17 +87,24 @@ void write_geojson(const SnapshotFacts& facts, io::AtomicOutput& output) {
 void write_geojson(const RecordingFacts& facts, io::AtomicOutput& output) {
   const MapPlaces places(facts.swarm);
   Features features(kept_words(facts), output);
-  const auto add_each = [&](const char* kind, const auto& geometry) {
+  const auto add_each = [&](const char* kind, const auto& write_geometry) {
     for (const Conflict& conflict : facts.conflicts) {
       const auto a = position_at(facts.tracks[conflict.first], conflict.closest_s);
       const auto b = position_at(facts.tracks[conflict.second], conflict.closest_s);
-      if (a && b) features.add(geometry(*a, *b), properties_of(conflict, facts, kind));
+      if (!a || !b) continue;
+      features.add([&](io::JsonWriter& json) { write_geometry(json, *a, *b); },
+                   [&](io::JsonWriter& json) {
+                     json.member("kind", kind);
+                     write_conflict(json, conflict, facts);
+                   });
     }
   };
-  add_each("conflict",
-           [&](const Point& a, const Point& b) { return point(places.of(middle_of(a, b))); });
-  add_each("pair",
-           [&](const Point& a, const Point& b) { return line(places.of(a), places.of(b)); });
+  add_each("conflict", [&](io::JsonWriter& json, const Point& a, const Point& b) {
+    io::write_geojson_point(json, places.of(middle_of(a, b)));
+  });
+  add_each("pair", [&](io::JsonWriter& json, const Point& a, const Point& b) {
+    io::write_geojson_line(json, places.of(a), places.of(b));
+  });
   features.finish();
 }
 

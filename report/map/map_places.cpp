@@ -1,6 +1,6 @@
 #include "report/map/map_places.hpp"
 
-#include "io/json/json_object.hpp"
+#include "io/bytes/number_text.hpp"
 
 #include <cmath>
 
@@ -20,8 +20,8 @@ Point middle_of(const Point& a, const Point& b) {
 }
 
 std::string place_text(const GeographicPosition& position, char separator) {
-  return io::json_number(position.longitude_deg) + separator +
-         io::json_number(position.latitude_deg) + separator + io::json_number(position.height_m);
+  return io::exact(position.longitude_deg) + separator + io::exact(position.latitude_deg) +
+         separator + io::exact(position.height_m);
 }
 
 }  // namespace beespace::report

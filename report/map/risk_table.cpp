@@ -1,6 +1,6 @@
 #include "report/map/risk_table.hpp"
 
-#include "io/json/json_object.hpp"
+#include "io/bytes/number_text.hpp"
 #include "io/table/csv_field.hpp"
 #include "report/map/map_places.hpp"
 #include "report/number_label.hpp"
@@ -50,8 +50,7 @@ class PlaceColumns {
   [[nodiscard]] std::string of(const std::optional<Point>& place) const {
     if (!place) return ",,";
     if (places_) return place_text(places_->of(*place), ',');
-    return io::json_number(place->x) + ',' + io::json_number(place->y) + ',' +
-           io::json_number(place->z);
+    return io::exact(place->x) + ',' + io::exact(place->y) + ',' + io::exact(place->z);
   }
 
  private:
@@ -82,7 +81,7 @@ void write_risk_table(const SnapshotFacts& facts, io::AtomicOutput& output) {
     std::string row;
     append_id(row, facts.swarm.names, first);
     append_id(row, facts.swarm.names, second);
-    row += io::json_number(facts.distances_m[i]) + ',' + places.of(facts.positions[first]) + ',' +
+    row += io::exact(facts.distances_m[i]) + ',' + places.of(facts.positions[first]) + ',' +
            places.of(facts.positions[second]) + '\n';
     output.write(row);
   }
@@ -97,7 +96,7 @@ void write_risk_table(const RecordingFacts& facts, io::AtomicOutput& output) {
     append_id(row, facts.swarm.names, c.first);
     append_id(row, facts.swarm.names, c.second);
     for (const double number : {c.begins_s, c.closest_s, c.ends_s, c.closest_m}) {
-      row += io::json_number(number) + ',';
+      row += io::exact(number) + ',';
     }
     row += c.certain ? "yes," : "no,";
     row += places.of(position_at(facts.tracks[c.first], c.closest_s)) + ',' +

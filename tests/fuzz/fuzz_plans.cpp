@@ -40,7 +40,8 @@ void check_limits(const std::vector<double>& limits, std::size_t bees) {
 void check_plans(const FlightPlans& plans, PlanNeed need) {
   const std::size_t bees = plans.ids.size();
   require(bees > 0 && plans.positions.size() == bees);
-  require(!plans.goals.empty() || (need == PlanNeed::kGoalsOrPreferred && !plans.preferred.empty()));
+  require(!plans.goals.empty() ||
+          (need == PlanNeed::kGoalsOrPreferred && !plans.preferred.empty()));
   check_vectors(plans.positions, bees);
   check_vectors(plans.velocities, bees);
   check_vectors(plans.goals, bees);

@@ -20,8 +20,19 @@ using report_test::ParsedJson;
 using test::rounds;
 using test::SceneMaker;
 
+// Of the column, as the only member of an object.
+template <class Number, class... More>
+std::string json_of(Columns& columns, std::span<const Number> numbers, const More&... more) {
+  std::string text;
+  io::JsonWriter json(text);
+  json.begin_object(io::JsonLayout::kTight);
+  columns.add(json, "column", numbers, more...);
+  json.end();
+  return text;
+}
+
 Column read(const Columns& columns, const std::string& json) {
-  return report_test::column_of(ParsedJson(json).root(), columns.elements());
+  return report_test::column_of(ParsedJson(json)["column"], columns.elements());
 }
 
 template <class Number>
@@ -44,7 +55,8 @@ template <class Number>
 void expect_kept(const std::vector<Number>& numbers, const std::string& type) {
   for (const auto differences : {Differences::kNone, Differences::kFirst, Differences::kSecond}) {
     Columns columns;
-    const Column column = read(columns, columns.add(std::span<const Number>(numbers), differences));
+    const Column column =
+        read(columns, json_of(columns, std::span<const Number>(numbers), differences));
     EXPECT_EQ(column.type, type);
     EXPECT_EQ(column.code, name_of(differences));
     EXPECT_EQ(column.numbers, widened(numbers)) << type << " " << column.code;
@@ -92,7 +104,7 @@ TEST(Columns, BytesAreKept) {
   std::vector<std::uint8_t> bytes;
   for (int round = 0; round < 300; ++round) {
     Columns columns;
-    const Column column = read(columns, columns.add(std::span<const std::uint8_t>(bytes)));
+    const Column column = read(columns, json_of(columns, std::span<const std::uint8_t>(bytes)));
     EXPECT_EQ(column.type, "u8");
     EXPECT_EQ(column.code, "");
     EXPECT_EQ(column.numbers, widened(bytes));
@@ -109,7 +121,7 @@ TEST(Columns, RealNumbersAreKeptBitForBit) {
       {Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN()}};
   for (const auto& numbers : all) {
     Columns columns;
-    const Column column = read(columns, columns.add(std::span<const double>(numbers)));
+    const Column column = read(columns, json_of(columns, std::span<const double>(numbers)));
     EXPECT_EQ(column.type, "f64");
     ASSERT_EQ(column.numbers.size(), numbers.size());
     for (std::size_t i = 0; i < numbers.size(); ++i) {
@@ -127,7 +139,7 @@ TEST(Columns, TextsAreKept) {
       {"</script>", "<!--", "é", "\xE2\x80\xA8", "🐝", std::string(100'000, 'x')}};
   for (const auto& texts : all) {
     Columns columns;
-    const Column column = read(columns, columns.add(std::span<const std::string>(texts)));
+    const Column column = read(columns, json_of(columns, std::span<const std::string>(texts)));
     EXPECT_EQ(column.type, "json");
     EXPECT_EQ(column.texts, texts);
   }
@@ -136,7 +148,7 @@ TEST(Columns, TextsAreKept) {
 TEST(Columns, WhatIsNotUtf8BecomesTheReplacementCharacter) {
   const std::vector<std::string> texts = {"\xFF", "a\xC3", "\xED\xA0\x80z", "ok"};
   Columns columns;
-  const Column column = read(columns, columns.add(std::span<const std::string>(texts)));
+  const Column column = read(columns, json_of(columns, std::span<const std::string>(texts)));
   const std::string unknown = "\xEF\xBF\xBD";
   EXPECT_EQ(column.texts, (std::vector<std::string>{unknown, "a" + unknown,
                                                     unknown + unknown + unknown + "z", "ok"}));
@@ -150,8 +162,8 @@ TEST(Columns, TheMeaningOfNumbersIsExact) {
     Columns columns;
     const auto none = Differences::kNone;
     for (const Column& column :
-         {read(columns, columns.add(std::span<const std::uint16_t>(narrow), none, meaning)),
-          read(columns, columns.add(std::span<const std::uint32_t>(wide), none, meaning))}) {
+         {read(columns, json_of(columns, std::span<const std::uint16_t>(narrow), none, meaning)),
+          read(columns, json_of(columns, std::span<const std::uint32_t>(wide), none, meaning))}) {
       EXPECT_EQ(column.scale.value_or(1.0), meaning.scale);
       EXPECT_EQ(column.offset.value_or(0.0), meaning.offset);
       EXPECT_EQ(column.scale.has_value(), meaning.scale != 1.0);
@@ -164,8 +176,10 @@ TEST(Columns, EachHasAnElementOfItsOwn) {
   Columns columns;
   const std::vector<std::uint8_t> few = {1};
   const std::vector<double> more = {2.0, 3.0};
-  EXPECT_EQ(columns.add(std::span<const std::uint8_t>(few)), R"({"at":0,"type":"u8","count":1})");
-  EXPECT_EQ(columns.add(std::span<const double>(more)), R"({"at":1,"type":"f64","count":2})");
+  EXPECT_EQ(json_of(columns, std::span<const std::uint8_t>(few)),
+            R"({"column":{"at":0,"type":"u8","count":1}})");
+  EXPECT_EQ(json_of(columns, std::span<const double>(more)),
+            R"({"column":{"at":1,"type":"f64","count":2}})");
   EXPECT_EQ(columns.elements().size(), 2u);
 }
 
@@ -173,7 +187,7 @@ TEST(Columns, RegularNumbersCostNextToNothing) {
   std::vector<std::uint32_t> regular(100'000);
   for (std::size_t i = 0; i < regular.size(); ++i) regular[i] = static_cast<std::uint32_t>(i * 40);
   Columns columns;
-  columns.add(std::span<const std::uint32_t>(regular), Differences::kSecond);
+  json_of(columns, std::span<const std::uint32_t>(regular), Differences::kSecond);
   EXPECT_LT(columns.elements().front().size(), 1'000u);
 }
 

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace beespace::report {
 namespace {
 
@@ -22,10 +24,13 @@ constexpr std::string_view kBefore =
     "<!doctype html>\n<p>$& \\1 %s</p>\n<script>const a = '<b>';</script>\n";
 constexpr std::string_view kAfter = "\n<script>start();</script>\n</html>\n";
 
-std::string written(const std::vector<std::string>& swarms, const Columns& columns) {
+std::string written(const auto& swarms, Columns& columns) {
+  const std::string json = page_json([&](io::JsonWriter& out) {
+    for (const auto& facts : swarms) write_swarm(out, facts, columns);
+  });
   std::string page;
-  write_page(std::string(kBefore) + "<!-- beespace: data -->" + std::string(kAfter), swarms,
-             columns, [&](std::string_view text) { page += text; });
+  write_page(std::string(kBefore) + "<!-- beespace: data -->" + std::string(kAfter), json, columns,
+             [&](std::string_view text) { page += text; });
   return page;
 }
 
@@ -67,8 +72,7 @@ void expect_nothing_to_end_it(const std::string& json) {
 TEST(Page, NoTextOfAUserEndsTheElement) {
   for (const std::string& text : hostile_texts()) {
     Columns columns;
-    const std::string swarm = snapshot_json(called(text), columns);
-    const PageParts parts = parts_of(written({swarm}, columns));
+    const PageParts parts = parts_of(written(std::array{called(text)}, columns));
     expect_nothing_to_end_it(parts.json);
     const ParsedJson json(parts.json);
     const auto read = json["swarms"].at(0).value();
@@ -88,8 +92,7 @@ TEST(Page, NoTextOfARecordingEndsItEither) {
     facts.swarm = called(text).swarm;
     facts.tracks = {{{{0.0, {0, 0, 0}}}}, {}};
     Columns columns;
-    const std::string swarm = recording_json(facts, columns);
-    const PageParts parts = parts_of(written({swarm}, columns));
+    const PageParts parts = parts_of(written(std::array{facts}, columns));
     expect_nothing_to_end_it(parts.json);
     EXPECT_EQ(text_of(ParsedJson(parts.json)["swarms"].at(0)["title"]), text);
   }
@@ -97,17 +100,14 @@ TEST(Page, NoTextOfARecordingEndsItEither) {
 
 TEST(Page, WhatIsNotUtf8IsReplacedAndTheRestStays) {
   Columns columns;
-  const std::string swarm = snapshot_json(called("a\xFF<\xC3"), columns);
-  const PageParts parts = parts_of(written({swarm}, columns));
+  const PageParts parts = parts_of(written(std::array{called("a\xFF<\xC3")}, columns));
   expect_nothing_to_end_it(parts.json);
   EXPECT_EQ(text_of(ParsedJson(parts.json)["swarms"].at(0)["title"]), "a\xEF\xBF\xBD<\xEF\xBF\xBD");
 }
 
 TEST(Page, ColumnsOfBothSwarmsAreNumberedThroughInOrder) {
   Columns columns;
-  const std::vector<std::string> swarms = {snapshot_json(called("before"), columns),
-                                           snapshot_json(called("after"), columns)};
-  const PageParts parts = parts_of(written(swarms, columns));
+  const PageParts parts = parts_of(written(std::array{called("before"), called("after")}, columns));
   EXPECT_EQ(parts.elements, columns.elements());
   EXPECT_GT(parts.elements.size(), 10u);
   const ParsedJson json(parts.json);

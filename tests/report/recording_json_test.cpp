@@ -23,9 +23,16 @@ using report_test::values_of;
 using test::rounds;
 using test::SceneMaker;
 
+std::string json_of(const RecordingFacts& facts, Columns& columns) {
+  std::string text;
+  io::JsonWriter json(text);
+  write_swarm(json, facts, columns);
+  return text;
+}
+
 // As a page has it.
 struct Read {
-  explicit Read(const RecordingFacts& facts) : json(recording_json(facts, columns)) {}
+  explicit Read(const RecordingFacts& facts) : json(json_of(facts, columns)) {}
 
   Json operator[](std::string_view key) const { return json[key]; }
   [[nodiscard]] std::vector<double> values(Json column) const {

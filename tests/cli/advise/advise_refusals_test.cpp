@@ -136,7 +136,8 @@ TEST(AdviseEnds, WithAFileThatIsThereWholeOrNotAtAll) {
   EXPECT_EQ(run({"advise", "--output", file}, "x,y,z\n1,2,3\n").exit_code, 3);
   EXPECT_EQ(folder.read("advice.csv"), "old");
   EXPECT_EQ(run({"advise", "--output", file, "--quiet"}, kOne).out, "");
-  EXPECT_EQ(folder.read("advice.csv"), "id,vx,vy,vz,advice,certified\na,0.5,0,0,as-preferred,yes\n");
+  EXPECT_EQ(folder.read("advice.csv"),
+            "id,vx,vy,vz,advice,certified\na,0.5,0,0,as-preferred,yes\n");
   EXPECT_EQ(folder.names(), std::vector<std::string>{"advice.csv"});
   expect_failure({"advise", "--output", folder.path("nowhere/a.csv")}, kOne, 4, "nowhere/a.csv");
   expect_failure({"advise", "--output", "/dev/full"}, kOne, 4, "the disk is full");

@@ -7,7 +7,8 @@ namespace {
 
 std::string line(const GeographicPosition& from, const GeographicPosition& to) {
   std::string out;
-  append_geojson_line(out, from, to);
+  JsonWriter json(out);
+  write_geojson_line(json, from, to);
   return out;
 }
 

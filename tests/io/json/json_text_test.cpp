@@ -5,6 +5,12 @@
 namespace beespace::io {
 namespace {
 
+std::string json_string(std::string_view text) {
+  std::string out;
+  append_json_string(out, text);
+  return out;
+}
+
 TEST(JsonText, QuotesBackslashesAndControlCharactersAreEscaped) {
   EXPECT_EQ(json_string("bee \"7\" \\ x"), R"("bee \"7\" \\ x")");
   EXPECT_EQ(json_string("a\n\t\r\x01\x1f\x7f"), R"("a\n\t\r\u0001\u001f\u007f")");

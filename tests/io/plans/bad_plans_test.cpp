@@ -78,7 +78,8 @@ TEST(BadPlans, SomethingMustBeIntended) {
   EXPECT_TRUE(load(kWishes, PlanNeed::kGoalsOrPreferred).has_value());
   expect_error(load("x,y,z\n1,2,3\n", PlanNeed::kGoalsOrPreferred),
                {ErrorCode::kMissingColumn, "bees.csv:1",
-                "the header names neither goals nor preferred velocities: goal_x, goal_y, goal_z or want_vx, "
+                "the header names neither goals nor preferred velocities: goal_x, goal_y, goal_z "
+                "or want_vx, "
                 "want_vy, want_vz are needed"});
 }
 
