@@ -26,25 +26,25 @@ Result<ExitCode> run_advise(const AdviseRequest& request) {
   if (!output) return std::move(output).error();
   ProgressBar progress(!request.quiet);
   Stopwatch watch;
-  const auto situation = load_situation(request);
-  if (!situation) return situation.error();
+  const auto given = load_advice_input(request);
+  if (!given) return given.error();
   AdviseTimes times{watch.lap(), 0.0};
   progress.enter_stage("advising");
-  const auto advised = advise(situation->movers, situation->preferred, situation->limits,
-                              situation->options_for(request));
+  const auto advised =
+      advise(given->movers, given->preferred, given->limits, given->options_for(request));
   if (!advised) return advised.error();
   times.advise_s = watch.lap();
-  const Counsel counsel{request, *situation, *advised};
+  const AdviceAnswer answer{request, *given, *advised};
   if (request.form.form == Form::kJson) {
-    write_as_json(counsel, *output);
+    write_as_json(answer, *output);
   } else {
-    write_as_csv(counsel, *output);
+    write_as_csv(answer, *output);
   }
   const Status written = output->commit();
   if (!written && output->pipe_closed()) return ExitCode::kPipeClosed;
   if (!written) return written.error();
   progress.finish();
-  if (!request.quiet) say(advise_summary(counsel, times));
+  if (!request.quiet) say(advise_summary(answer, times));
   return request.fail_on_risk && is_risky(*advised) ? ExitCode::kRiskFound : ExitCode::kFine;
 }
 

@@ -33,88 +33,88 @@ Status check_limits(const AdviseRequest& request, const io::FlightPlans& plans) 
   return std::monostate{};
 }
 
-Status load_bees(const AdviseRequest& request, Situation& situation) {
+Status load_bees(const AdviseRequest& request, AdviceInput& given) {
   auto plans = io::load_flight_plans(request.input, io::PlanNeed::kGoalsOrPreferred);
   if (!plans) return plans.error();
   if (Status fit = check_limits(request, *plans); !fit) return fit;
-  situation.movers = movers_of(*plans);
-  situation.limits = io::limits_of(*plans, request.limits);
-  situation.own_limits = !situation.limits.empty();
-  if (!situation.own_limits) situation.limits = {request.limits};
-  situation.format_description = std::move(plans->format_description);
-  situation.units = std::move(plans->units);
-  situation.notes = std::move(plans->notes);
-  situation.wishes = !plans->preferred.empty();
-  if (situation.wishes) {
+  given.movers = movers_of(*plans);
+  given.limits = io::limits_of(*plans, request.limits);
+  given.own_limits = !given.limits.empty();
+  if (!given.own_limits) given.limits = {request.limits};
+  given.format_description = std::move(plans->format_description);
+  given.units = std::move(plans->units);
+  given.notes = std::move(plans->notes);
+  given.preferred_given = !plans->preferred.empty();
+  if (given.preferred_given) {
     if (!plans->goals.empty())
-      situation.notes.emplace_back("goals are ignored, as there are preferred velocities");
-    situation.preferred = std::move(plans->preferred);
+      given.notes.emplace_back("goals are ignored, as there are preferred velocities");
+    given.preferred = std::move(plans->preferred);
   } else {
-    for (std::size_t i = 0; i < situation.movers.size(); ++i) {
-      const FlightLimits& limits = situation.limits[situation.own_limits ? i : 0];
-      const auto wish = velocity_to_goal(situation.movers[i].position, plans->goals[i], limits,
-                                         request.advice.step_s);
-      if (!wish) {
-        Error error = wish.error();
+    for (std::size_t i = 0; i < given.movers.size(); ++i) {
+      const FlightLimits& limits = given.limits[given.own_limits ? i : 0];
+      const auto velocity = velocity_to_goal(given.movers[i].position, plans->goals[i], limits,
+                                             request.advice.step_s);
+      if (!velocity) {
+        Error error = velocity.error();
         error.location.record = i;
         return error;
       }
-      situation.preferred.push_back(*wish);
+      given.preferred.push_back(*velocity);
     }
   }
-  if (plans->velocities.empty()) situation.notes.emplace_back("no velocities: all bees stand");
-  if (plans->has_ids) situation.names.ids = std::move(plans->ids);
+  if (plans->velocities.empty()) given.notes.emplace_back("no velocities: all bees stand");
+  if (plans->has_ids) given.names.ids = std::move(plans->ids);
   return std::monostate{};
 }
 
-Status load_obstacles(const std::string& file, Situation& situation) {
+Status load_obstacles(const std::string& file, AdviceInput& given) {
   auto map = load_obstacle_map(file);
   if (!map) return std::move(map).error();
-  situation.obstacles = *map;
-  situation.names.obstacles_file = io::source_name(file);
+  given.obstacles = *map;
+  given.names.obstacles_file = io::source_name(file);
   return std::monostate{};
 }
 
-Status load_intruders(const std::string& file, Situation& situation) {
+Status load_intruders(const std::string& file, AdviceInput& given) {
   auto plans = io::load_flight_plans(file, io::PlanNeed::kNothing);
   if (!plans) return plans.error();
-  situation.intruders = movers_of(*plans);
-  if (situation.intruders.empty()) {
-    situation.notes.push_back(io::source_name(file) + " has no intruders");
+  given.intruders = movers_of(*plans);
+  if (given.intruders.empty()) {
+    given.notes.push_back(io::source_name(file) + " has no intruders");
   } else if (plans->velocities.empty()) {
-    situation.notes.push_back(io::source_name(file) + " has no velocities: intruders stand");
+    given.notes.push_back(io::source_name(file) + " has no velocities: intruders stand");
   }
   for (io::UnitTaken& taken : plans->units) {
     taken.of += " of intruders";
-    situation.units.push_back(std::move(taken));
+    given.units.push_back(std::move(taken));
   }
-  if (plans->has_ids) situation.intruder_names.ids = std::move(plans->ids);
+  if (plans->has_ids) given.intruder_names.ids = std::move(plans->ids);
   return std::monostate{};
 }
 
 }  // namespace
 
-AdviseOptions Situation::options_for(const AdviseRequest& request) const {
+AdviseOptions AdviceInput::options_for(const AdviseRequest& request) const {
   AdviseOptions options = request.advice;
   if (!obstacles.obstacles().empty()) options.obstacles = &obstacles;
   options.intruders = intruders;
   return options;
 }
 
-Result<Situation> load_situation(const AdviseRequest& request) {
-  Situation situation;
-  if (Status loaded = load_bees(request, situation); !loaded) return std::move(loaded).error();
+Result<AdviceInput> load_advice_input(const AdviseRequest& request) {
+  AdviceInput given;
+  if (Status loaded = load_bees(request, given); !loaded) return std::move(loaded).error();
   if (!request.obstacles.empty()) {
-    if (Status loaded = load_obstacles(request.obstacles, situation); !loaded) {
+    if (Status loaded = load_obstacles(request.obstacles, given); !loaded) {
       return std::move(loaded).error();
     }
   }
   if (!request.intruders.empty()) {
-    if (Status loaded = load_intruders(request.intruders, situation); !loaded) {
+    if (Status loaded = load_intruders(request.intruders, given); !loaded) {
       return std::move(loaded).error();
     }
   }
-  return situation;
+  return given;
 }
 
 }  // namespace beespace::cli

@@ -1,4 +1,4 @@
-// What `beespace advise` advises about: who flies, what stands in the way, and who else is there.
+// What `beespace advise` advises about: agents, obstacles and intruders.
 #pragma once
 
 #include "cli/advise/advise_request.hpp"
@@ -15,12 +15,12 @@
 
 namespace beespace::cli {
 
-struct Situation {
+struct AdviceInput {
   std::vector<Mover> movers;
   std::vector<Velocity> preferred;
   std::vector<FlightLimits> limits;  // one for each, or one for all
-  bool own_limits = false;           // as the file tells
-  bool wishes = false;               // preferred are those of the file, not ways to goals
+  bool own_limits = false;           // as the file gives them
+  bool preferred_given = false;      // preferred are those of the file, not ways to goals
   ObstacleMap obstacles;
   std::vector<Mover> intruders;
   FlightNames names;  // of bees and obstacles
@@ -29,12 +29,12 @@ struct Situation {
   std::vector<io::UnitTaken> units;  // of bees, then of intruders
   std::vector<std::string> notes;
 
-  // Those of the request, with obstacles and intruders; valid as long as this is where it is.
+  // Those of the request, with obstacles and intruders; it refers into this.
   [[nodiscard]] AdviseOptions options_for(const AdviseRequest& request) const;
 };
 
-// Errors: those of the readers, with their places; kInvalidArgument for options that the file makes
-// void.
-Result<Situation> load_situation(const AdviseRequest& request);
+// Errors: those of the readers, with their places; kInvalidArgument for options that the file
+// overrides.
+Result<AdviceInput> load_advice_input(const AdviseRequest& request);
 
 }  // namespace beespace::cli

@@ -21,40 +21,40 @@ namespace beespace::cli {
 namespace {
 
 // "files" and what else is known of the input, as other subcommands have it.
-void write_input(io::JsonWriter& json, const Counsel& counsel) {
-  const Situation& situation = counsel.situation;
+void write_input(io::JsonWriter& json, const AdviceAnswer& answer) {
+  const AdviceInput& given = answer.given;
   json.begin_object("input", io::JsonLayout::kLines);
-  json.member("files", std::array{io::source_name(counsel.request.input)});
-  json.member("format", situation.format_description).member("bees", situation.movers.size());
-  write_units(json.key("units"), situation.units);
-  json.member("notes", situation.notes);
+  json.member("files", std::array{io::source_name(answer.request.input)});
+  json.member("format", given.format_description).member("bees", given.movers.size());
+  write_units(json.key("units"), given.units);
+  json.member("notes", given.notes);
   json.end();
 }
 
-void write_head(io::JsonWriter& json, const Counsel& counsel) {
-  const AdviseRequest& request = counsel.request;
+void write_head(io::JsonWriter& json, const AdviceAnswer& answer) {
+  const AdviseRequest& request = answer.request;
   const AdviseOptions& advice = request.advice;
-  const Situation& situation = counsel.situation;
-  const bool limits = !situation.own_limits;
+  const AdviceInput& given = answer.given;
+  const bool limits = !given.own_limits;
   json.member("version", version()).member("command", "advise");
-  write_input(json, counsel);
-  json.member("preferred", situation.wishes ? "velocities" : "goals");
+  write_input(json, answer);
+  json.member("preferred", given.preferred_given ? "velocities" : "goals");
   json.member("method", name_of(advice.method)).member("threshold_m", advice.threshold_m);
-  json.member("uncertainty_m", advice.uncertainty_m).member("own_limits", situation.own_limits);
+  json.member("uncertainty_m", advice.uncertainty_m).member("own_limits", given.own_limits);
   json.member("max_speed_mps", io::known_if(limits, request.limits.max_speed_mps));
   json.member("max_acceleration_mps2", io::known_if(limits, request.limits.max_acceleration_mps2));
-  json.member("step_s", advice.step_s).member("obstacles", situation.obstacles.obstacles().size());
+  json.member("step_s", advice.step_s).member("obstacles", given.obstacles.obstacles().size());
   json.member("clearance_m", io::known_if(!request.obstacles.empty(), advice.clearance_m));
-  json.member("intruders", situation.intruders.size());
+  json.member("intruders", given.intruders.size());
   json.member("intruder_horizon_s",
               io::known_if(!request.intruders.empty(), advice.intruder_horizon_s));
   for (const AdviceKind kind : {AdviceKind::kAsPreferred, AdviceKind::kDeflected,
                                 AdviceKind::kBraking, AdviceKind::kWaiting, AdviceKind::kNone}) {
     std::string name = std::string(name_of(kind)) + "_count";
     std::replace(name.begin(), name.end(), '-', '_');
-    json.member(name, count(counsel.advised, kind));
+    json.member(name, count(answer.advised, kind));
   }
-  json.member("uncertified_count", count_uncertified(counsel.advised));
+  json.member("uncertified_count", count_uncertified(answer.advised));
 }
 
 // An array, an object a line: `write` writes its members.
@@ -85,12 +85,12 @@ std::uint64_t count_uncertified(const Advised& advised) {
   return static_cast<std::uint64_t>(found);
 }
 
-void write_as_csv(const Counsel& counsel, io::AtomicOutput& output) {
-  const auto& ids = counsel.situation.names.ids;
+void write_as_csv(const AdviceAnswer& answer, io::AtomicOutput& output) {
+  const auto& ids = answer.given.names.ids;
   BlockWriter out(output);
   out.text += "id,vx,vy,vz,advice,certified\n";
-  for (std::size_t bee = 0; bee < counsel.advised.advice.size(); ++bee) {
-    const Advice& advice = counsel.advised.advice[bee];
+  for (std::size_t bee = 0; bee < answer.advised.advice.size(); ++bee) {
+    const Advice& advice = answer.advised.advice[bee];
     if (ids.empty()) {
       io::append_exact(out.text, std::uint64_t{bee});
     } else {
@@ -105,14 +105,14 @@ void write_as_csv(const Counsel& counsel, io::AtomicOutput& output) {
   }
 }
 
-void write_as_json(const Counsel& counsel, io::AtomicOutput& output) {
-  const FlightNames& names = counsel.situation.names;
-  const FlightNames& intruders = counsel.situation.intruder_names;
-  const Advised& advised = counsel.advised;
+void write_as_json(const AdviceAnswer& answer, io::AtomicOutput& output) {
+  const FlightNames& names = answer.given.names;
+  const FlightNames& intruders = answer.given.intruder_names;
+  const Advised& advised = answer.advised;
   BlockWriter out(output);
   io::JsonWriter json(out.text);
   json.begin_object(io::JsonLayout::kLines);
-  write_head(json, counsel);
+  write_head(json, answer);
   PointId bee = 0;
   write_list(out, json, "advice", advised.advice, [&](const Advice& advice) {
     names.write_bee(json.key("id"), bee++);

@@ -13,9 +13,9 @@
 namespace beespace::cli {
 
 // What was asked, and what came of it.
-struct Counsel {
+struct AdviceAnswer {
   const AdviseRequest& request;
-  const Situation& situation;
+  const AdviceInput& given;
   const Advised& advised;
 };
 
@@ -24,8 +24,8 @@ std::uint64_t count(const Advised& advised, AdviceKind kind);
 std::uint64_t count_uncertified(const Advised& advised);
 
 // id, vx, vy, vz, advice, certified.
-void write_as_csv(const Counsel& counsel, io::AtomicOutput& output);
+void write_as_csv(const AdviceAnswer& answer, io::AtomicOutput& output);
 
-void write_as_json(const Counsel& counsel, io::AtomicOutput& output);
+void write_as_json(const AdviceAnswer& answer, io::AtomicOutput& output);
 
 }  // namespace beespace::cli

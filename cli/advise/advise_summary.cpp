@@ -37,30 +37,30 @@ std::string threshold_text(const AdviseOptions& options) {
   return text;
 }
 
-std::string limits_text(const Counsel& counsel) {
-  if (counsel.situation.own_limits) return "of each bee, as the file tells";
-  const FlightLimits& limits = counsel.request.limits;
+std::string limits_text(const AdviceAnswer& answer) {
+  if (answer.given.own_limits) return "of each bee, as the file tells";
+  const FlightLimits& limits = answer.request.limits;
   const std::string text = io::exact(limits.max_speed_mps) + " m/s";
   if (std::isinf(limits.max_acceleration_mps2)) return text + ", velocities change at once";
   return text + ", " + io::exact(limits.max_acceleration_mps2) + " m/s^2";
 }
 
-void append_surroundings(std::string& out, const Counsel& counsel) {
-  const AdviseRequest& request = counsel.request;
+void append_surroundings(std::string& out, const AdviceAnswer& answer) {
+  const AdviseRequest& request = answer.request;
   if (!request.obstacles.empty()) {
     append_summary_line(out, "obstacles",
-                        io::grouped(std::uint64_t{counsel.situation.obstacles.obstacles().size()}) +
+                        io::grouped(std::uint64_t{answer.given.obstacles.obstacles().size()}) +
                             ", clearance " + io::exact(request.advice.clearance_m) + " m");
   }
   if (!request.intruders.empty()) {
     append_summary_line(out, "intruders",
-                        io::grouped(std::uint64_t{counsel.situation.intruders.size()}) +
+                        io::grouped(std::uint64_t{answer.given.intruders.size()}) +
                             ", seen to fly straight on for " +
                             io::exact(request.advice.intruder_horizon_s) + " s");
   }
 }
 
-void append_advice(std::string& out, const Counsel& counsel) {
+void append_advice(std::string& out, const AdviceAnswer& answer) {
   struct Line {
     AdviceKind kind;
     const char* label;
@@ -72,20 +72,20 @@ void append_advice(std::string& out, const Counsel& counsel) {
        {AdviceKind::kBraking, "braking", ", as hard as they can"},
        {AdviceKind::kWaiting, "waiting", ", as others are in their way"}}};
   for (const Line& line : kLines) {
-    const std::uint64_t bees = count(counsel.advised, line.kind);
+    const std::uint64_t bees = count(answer.advised, line.kind);
     append_summary_line(out, line.label, io::grouped(bees) + (bees > 0 ? line.meaning : ""));
   }
-  if (const std::uint64_t bees = count(counsel.advised, AdviceKind::kNone); bees > 0) {
+  if (const std::uint64_t bees = count(answer.advised, AdviceKind::kNone); bees > 0) {
     append_summary_line(out, "no advice",
                         io::grouped(bees) + ", as what is said of them cannot be");
   }
 }
 
-void append_uncertain(std::string& out, const Counsel& counsel) {
+void append_uncertain(std::string& out, const AdviceAnswer& answer) {
   std::string text = bold("none");
-  if (counsel.request.advice.method != AdviseMethod::kCertified) {
+  if (answer.request.advice.method != AdviseMethod::kCertified) {
     text = "all: this method certifies no bee";
-  } else if (const std::uint64_t bees = count_uncertified(counsel.advised); bees > 0) {
+  } else if (const std::uint64_t bees = count_uncertified(answer.advised); bees > 0) {
     text = red(times(bees, "bee", "bees")) + " not certified";
   }
   append_summary_line(out, "uncertain", text);
@@ -116,11 +116,10 @@ void append_list(std::string& out, const char* label, const std::string& how_man
                       "and " + io::grouped(std::uint64_t{items.size() - kMostShown}) + " more");
 }
 
-std::string refused_text(const Refused& refused, const Counsel& counsel) {
+std::string refused_text(const Refused& refused, const AdviceAnswer& answer) {
   const auto index = static_cast<PointId>(refused.index);
   const bool is_intruder = refused.kind == RefusedKind::kIntruder;
-  const FlightNames& names =
-      is_intruder ? counsel.situation.intruder_names : counsel.situation.names;
+  const FlightNames& names = is_intruder ? answer.given.intruder_names : answer.given.names;
   std::string text = (is_intruder ? "the intruder " : "") + names.bee(index) + ": ";
   text += printable(refused.error.message);
   if (refused.kind == RefusedKind::kPreferred)
@@ -128,18 +127,18 @@ std::string refused_text(const Refused& refused, const Counsel& counsel) {
   return text + "; it may be anywhere, so no bee is certified";
 }
 
-void append_findings(std::string& out, const Counsel& counsel) {
-  const Advised& advised = counsel.advised;
-  const FlightNames& names = counsel.situation.names;
+void append_findings(std::string& out, const AdviceAnswer& answer) {
+  const Advised& advised = answer.advised;
+  const FlightNames& names = answer.given.names;
   append_list(out, "refused", std::to_string(advised.refused.size()) + " that cannot be used",
               advised.refused,
-              [&](const Refused& refused) { return refused_text(refused, counsel); });
+              [&](const Refused& refused) { return refused_text(refused, answer); });
   append_list(out, "too close", times(advised.too_close.size(), "pair", "pairs"), advised.too_close,
               [&](const TooClose& close) { return pair_text(close, names); });
   append_list(
       out, "near", times(advised.near_obstacle.size(), "bee", "bees") + " to an obstacle",
       advised.near_obstacle, [&](const NearObstacle& near) {
-        const Obstacle& obstacle = counsel.situation.obstacles.obstacles()[near.obstacle];
+        const Obstacle& obstacle = answer.given.obstacles.obstacles()[near.obstacle];
         const std::string which = names.obstacle(near.obstacle, obstacle);
         return names.bee(near.agent) + ", whose way to a stop " +
                (near.gap_m > 0.0 ? "comes within " + io::length(near.gap_m) + " of " : "meets ") +
@@ -151,33 +150,33 @@ void append_findings(std::string& out, const Counsel& counsel) {
       advised.intruder_conflicts, [&](const IntruderConflict& conflict) {
         const auto intruder = static_cast<PointId>(conflict.intruder);
         return names.bee(conflict.agent) + " and the intruder " +
-               counsel.situation.intruder_names.bee(intruder) + ", in " +
+               answer.given.intruder_names.bee(intruder) + ", in " +
                io::grouped(conflict.begins_s, 2) + " s, closest " + io::length(conflict.closest_m);
       });
 }
 
 }  // namespace
 
-std::string advise_summary(const Counsel& counsel, const AdviseTimes& times) {
-  const AdviseRequest& request = counsel.request;
-  const Situation& situation = counsel.situation;
+std::string advise_summary(const AdviceAnswer& answer, const AdviseTimes& times) {
+  const AdviseRequest& request = answer.request;
+  const AdviceInput& given = answer.given;
   std::string out;
   append_summary_line(
       out, "input",
-      printable(io::source_name(request.input)) + " (" + situation.format_description + ")");
-  append_units(out, situation.units);
-  for (const std::string& note : situation.notes) {
+      printable(io::source_name(request.input)) + " (" + given.format_description + ")");
+  append_units(out, given.units);
+  for (const std::string& note : given.notes) {
     append_summary_line(out, "note", printable(note));
   }
-  append_summary_line(out, "bees", io::grouped(std::uint64_t{situation.movers.size()}));
+  append_summary_line(out, "bees", io::grouped(std::uint64_t{given.movers.size()}));
   append_summary_line(out, "method", method_text(request.advice.method));
   append_summary_line(out, "threshold", threshold_text(request.advice));
-  append_summary_line(out, "limits", limits_text(counsel));
+  append_summary_line(out, "limits", limits_text(answer));
   append_summary_line(out, "step", io::exact(request.advice.step_s) + " s");
-  append_surroundings(out, counsel);
-  append_advice(out, counsel);
-  append_uncertain(out, counsel);
-  append_findings(out, counsel);
+  append_surroundings(out, answer);
+  append_advice(out, answer);
+  append_uncertain(out, answer);
+  append_findings(out, answer);
   append_summary_line(
       out, "time",
       "read " + io::duration(times.read_s) + ", advise " + io::duration(times.advise_s));

@@ -12,6 +12,6 @@ struct AdviseTimes {
   double advise_s = 0.0;
 };
 
-std::string advise_summary(const Counsel& counsel, const AdviseTimes& times);
+std::string advise_summary(const AdviceAnswer& answer, const AdviseTimes& times);
 
 }  // namespace beespace::cli

@@ -25,7 +25,7 @@ const char* name_of(const Ground&) {
 const char* name_of(const UprightCylinder&) {
   return "a cylinder";
 }
-const char* name_of(const Prism&) {
+const char* name_of(const UprightPrism&) {
   return "a prism";
 }
 

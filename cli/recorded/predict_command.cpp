@@ -60,7 +60,7 @@ void translate(std::vector<Conflict>& conflicts, const analysis::Snapshot& snaps
   });
 }
 
-struct Outlook {
+struct Prediction {
   const io::Recording& recording;
   const analysis::Snapshot& snapshot;
   double threshold_m;
@@ -73,43 +73,45 @@ struct Outlook {
 };
 
 // Whom the conflicts do not cover.
-std::string unknown_text(const Outlook& outlook) {
+std::string unknown_text(const Prediction& prediction) {
   std::string text;
   const auto append = [&text](const std::string& more) {
     if (!text.empty() && !more.empty()) text += ", ";
     text += more;
   };
-  if (const std::uint64_t count = outlook.snapshot.unmoving.size(); count > 0) {
+  if (const std::uint64_t count = prediction.snapshot.unmoving.size(); count > 0) {
     append(io::grouped(count) + (count == 1 ? " bee is" : " bees are") + " checked for now only");
   }
-  if (const std::uint64_t count = outlook.snapshot.stale; count > 0) {
+  if (const std::uint64_t count = prediction.snapshot.stale; count > 0) {
     append(io::grouped(count) + (count == 1 ? " bee is" : " bees are") + " left out");
   }
-  append(analysis::missing_text(outlook.recording.missing));
+  append(analysis::missing_text(prediction.recording.missing));
   return text;
 }
 
-std::string found_line(const Outlook& outlook) {
-  if (outlook.conflicts.empty()) {
-    return outlook.complete() ? bold("none")
-                              : bold("none of those that are known") + "; " + unknown_text(outlook);
+std::string found_line(const Prediction& prediction) {
+  if (prediction.conflicts.empty()) {
+    return prediction.complete()
+               ? bold("none")
+               : bold("none of those that are known") + "; " + unknown_text(prediction);
   }
   std::vector<PointId> bees;
-  for (const Conflict& conflict : outlook.conflicts) {
+  for (const Conflict& conflict : prediction.conflicts) {
     bees.push_back(conflict.first);
     bees.push_back(conflict.second);
   }
   std::sort(bees.begin(), bees.end());
   bees.erase(std::unique(bees.begin(), bees.end()), bees.end());
-  return red(io::grouped(outlook.conflicts.size()) + ", of " + io::grouped(bees.size()) + " bees") +
-         (outlook.complete() ? "" : "; " + unknown_text(outlook));
+  return red(io::grouped(prediction.conflicts.size()) + ", of " + io::grouped(bees.size()) +
+             " bees") +
+         (prediction.complete() ? "" : "; " + unknown_text(prediction));
 }
 
-std::string summary(const Outlook& outlook, const PredictRequest& request, double search_s) {
-  const analysis::Snapshot& snapshot = outlook.snapshot;
-  std::string out = input_summary(outlook.recording, request.moving);
+std::string summary(const Prediction& prediction, const PredictRequest& request, double search_s) {
+  const analysis::Snapshot& snapshot = prediction.snapshot;
+  std::string out = input_summary(prediction.recording, request.moving);
   append_summary_line(out, "bees", io::grouped(snapshot.movers.size()));
-  append_summary_line(out, "now", analysis::moment_text(snapshot.time_s, outlook.recording));
+  append_summary_line(out, "now", analysis::moment_text(snapshot.time_s, prediction.recording));
   if (snapshot.brought_forward > 0) {
     append_summary_line(out, "note",
                         io::grouped(snapshot.brought_forward) + " last heard of before now " +
@@ -128,19 +130,20 @@ std::string summary(const Outlook& outlook, const PredictRequest& request, doubl
                             ", where last heard of: neither a velocity nor two fixes, at most " +
                             io::exact(request.max_age_s) + " s apart, tell how fast they go");
   }
-  append_missing(out, outlook.recording.missing);
+  append_missing(out, prediction.recording.missing);
   if (snapshot.estimated > 0) {
     append_summary_line(
         out, "note",
         io::grouped(snapshot.estimated) + " without a velocity: it is that of the last two fixes");
   }
-  append_summary_line(out, "threshold",
-                      separation_summary(request.moving, outlook.threshold_m,
-                                         !request.moving.threshold_m.has_value() &&
-                                             outlook.recording.declared_threshold_m.has_value()));
+  append_summary_line(
+      out, "threshold",
+      separation_summary(request.moving, prediction.threshold_m,
+                         !request.moving.threshold_m.has_value() &&
+                             prediction.recording.declared_threshold_m.has_value()));
   append_summary_line(out, "horizon", io::exact(request.horizon_s) + " s");
-  append_summary_line(out, "conflicts", found_line(outlook));
-  const auto& conflicts = outlook.conflicts;
+  append_summary_line(out, "conflicts", found_line(prediction));
+  const auto& conflicts = prediction.conflicts;
   if (!conflicts.empty()) {
     const auto soonest = std::min_element(
         conflicts.begin(), conflicts.end(),
@@ -149,24 +152,25 @@ std::string summary(const Outlook& outlook, const PredictRequest& request, doubl
         conflicts.begin(), conflicts.end(),
         [](const Conflict& a, const Conflict& b) { return a.closest_m < b.closest_m; });
     append_summary_line(out, "soonest",
-                        pair_text(*soonest, outlook.recording) + ", in " +
+                        pair_text(*soonest, prediction.recording) + ", in " +
                             io::grouped(soonest->begins_s - snapshot.time_s, 2) + " s");
-    append_summary_line(out, "closest", encounter_text(*closest, outlook.recording));
+    append_summary_line(out, "closest", encounter_text(*closest, prediction.recording));
   }
   append_summary_line(out, "time", "search " + io::duration(search_s));
   return out;
 }
 
-void write_outlook(io::JsonWriter& json, const Outlook& outlook, const PredictRequest& request) {
-  const analysis::Snapshot& snapshot = outlook.snapshot;
-  write_head(json, outlook.recording, request.moving, outlook.threshold_m);
+void write_outlook(io::JsonWriter& json, const Prediction& prediction,
+                   const PredictRequest& request) {
+  const analysis::Snapshot& snapshot = prediction.snapshot;
+  write_head(json, prediction.recording, request.moving, prediction.threshold_m);
   json.member("now_s", snapshot.time_s).member("horizon_s", request.horizon_s);
   json.member("movers", snapshot.movers.size()).member("stale", snapshot.stale);
   json.member("without_velocity", snapshot.unmoving.size());
-  json.begin_object("known").member("complete", outlook.complete());
-  write_missing(json, outlook.recording.missing);
+  json.begin_object("known").member("complete", prediction.complete());
+  write_missing(json, prediction.recording.missing);
   json.end();
-  json.member("conflict_count", outlook.conflicts.size());
+  json.member("conflict_count", prediction.conflicts.size());
 }
 
 }  // namespace
@@ -201,17 +205,17 @@ Result<ExitCode> run_predict(const PredictRequest& request) {
   const double search_s = watch.lap();
   translate(*conflicts, *snapshot);
 
-  const Outlook outlook{*recording, *snapshot, threshold_m, *conflicts};
-  const auto head = [&](io::JsonWriter& json) { write_outlook(json, outlook, request); };
+  const Prediction prediction{*recording, *snapshot, threshold_m, *conflicts};
+  const auto head = [&](io::JsonWriter& json) { write_outlook(json, prediction, request); };
   write_answer(conflict_rows(*conflicts, *recording, false), moving, head, "conflicts", *output);
   const Status written = output->commit();
   if (!written && output->pipe_closed()) return ExitCode::kPipeClosed;
   if (!written) return written.error();
   progress.finish();
   if (!moving.quiet) {
-    say(summary(outlook, request, search_s));
+    say(summary(prediction, request, search_s));
   }
-  const bool risky = !conflicts->empty() || !outlook.complete();
+  const bool risky = !conflicts->empty() || !prediction.complete();
   return moving.fail_on_risk && risky ? ExitCode::kRiskFound : ExitCode::kFine;
 }
 

@@ -62,7 +62,7 @@ Status write_events(const ReplayRequest& request, const analysis::Findings& find
       .max_age_s = max_age_s,
       .threads = request.moving.threads,
       .height_unit_m = height_unit_m(geometry, findings.recording.height_unit),
-      .max_bees = std::max(SwarmOptions{}.max_bees, findings.tracks.size())};
+      .max_agents = std::max(SwarmOptions{}.max_agents, findings.tracks.size())};
   const auto events = events_of(findings.recording, findings.tracks, geometry, options,
                                 {request.live.look_every_s, default_max_skew_s(max_age_s)});
   if (!events) return events.error();

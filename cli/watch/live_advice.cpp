@@ -210,7 +210,7 @@ Status LiveAdvice::look() {
 void LiveAdvice::tell_all() {
   const AdviceTimes times{ticks_.time_of(*next_), ticks_.time_of(*next_ + 1)};
   LookCounts counts;
-  counts.agents = bees_.size();
+  counts.bees = bees_.size();
   std::string text;
   std::size_t i = 0;
   for (auto& [id, bee] : bees_) {
@@ -242,7 +242,7 @@ void LiveAdvice::tell_all() {
   }
   append_advised_line(text, times, counts);
   told_ += counts.told;
-  uncertified_ += counts.agents - counts.doubts[0];
+  uncertified_ += counts.bees - counts.doubts[0];
   tell_(text);
 }
 

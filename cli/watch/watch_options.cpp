@@ -93,7 +93,7 @@ void add_input_options(Command& watch, Asked& asked) {
                "Clocks that differ by more are not believed\n(default: 2, or half of --max-age "
                "if that is less)");
   constexpr std::uint64_t kMost = 4'000'000'000;
-  watch.option("--max-bees", "N", request.swarm.max_bees, whole_without_commas(1, kMost),
+  watch.option("--max-bees", "N", request.swarm.max_agents, whole_without_commas(1, kMost),
                "So many bees are known at a time (default: 1000000)");
   watch.option("--speed", "FACTOR", request.speed, amount("times", kAboveZero),
                "Read a recording as fast as it happened, times this");
