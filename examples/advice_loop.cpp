@@ -29,17 +29,17 @@ int main() {
                                .max_acceleration_mps2 = limits.max_acceleration_mps2});
   beespace::Adviser adviser;
   beespace::Advised advised;
-  std::vector<beespace::Velocity> wishes(kDrones);
+  std::vector<beespace::Velocity> preferred(kDrones);
   std::size_t not_certified = 0;
 
   for (int step = 0; step < 250; ++step) {
     if (!verifier.add(step * options.step_s, drones)) return 1;
     for (std::size_t i = 0; i < kDrones; ++i) {
-      const auto wish = beespace::velocity_to_goal(drones[i].position, goals[i], limits, 0.1);
-      if (!wish) return 1;
-      wishes[i] = *wish;
+      const auto velocity = beespace::velocity_to_goal(drones[i].position, goals[i], limits, 0.1);
+      if (!velocity) return 1;
+      preferred[i] = *velocity;
     }
-    const auto status = adviser.advise(drones, wishes, std::span(&limits, 1), options, advised);
+    const auto status = adviser.advise(drones, preferred, std::span(&limits, 1), options, advised);
     if (!status) {
       std::fprintf(stderr, "%s\n", to_string(status.error()).c_str());
       return 1;
@@ -47,12 +47,12 @@ int main() {
     for (std::size_t i = 0; i < kDrones; ++i) {
       if (!advised.advice[i].certified) ++not_certified;
       // The nominal state: where this step leads as advised. The next call begins there.
-      const beespace::Velocity told = advised.advice[i].velocity;
+      const beespace::Velocity advised_velocity = advised.advice[i].velocity;
       beespace::Mover& drone = drones[i];
-      drone.position.x += (drone.velocity.x + told.x) / 2.0 * options.step_s;
-      drone.position.y += (drone.velocity.y + told.y) / 2.0 * options.step_s;
-      drone.position.z += (drone.velocity.z + told.z) / 2.0 * options.step_s;
-      drone.velocity = told;
+      drone.position.x += (drone.velocity.x + advised_velocity.x) / 2.0 * options.step_s;
+      drone.position.y += (drone.velocity.y + advised_velocity.y) / 2.0 * options.step_s;
+      drone.position.z += (drone.velocity.z + advised_velocity.z) / 2.0 * options.step_s;
+      drone.velocity = advised_velocity;
     }
   }
 
