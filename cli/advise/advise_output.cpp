@@ -6,7 +6,7 @@
 #include "io/bytes/byte_source.hpp"
 #include "io/bytes/number_text.hpp"
 #include "io/json/json_writer.hpp"
-#include "io/table/csv_field.hpp"
+#include "io/table/table_writer.hpp"
 
 #include <beespace/version.hpp>
 
@@ -88,19 +88,13 @@ std::uint64_t count_uncertified(const Advised& advised) {
 void write_as_csv(const AdviceAnswer& answer, io::AtomicOutput& output) {
   const auto& ids = answer.given.names.ids;
   BlockWriter out(output);
-  out.text += "id,vx,vy,vz,advice,certified\n";
+  io::TableWriter table(out.text, ',');
+  table.header("id,vx,vy,vz,advice,certified").end_row();
   for (std::size_t bee = 0; bee < answer.advised.advice.size(); ++bee) {
     const Advice& advice = answer.advised.advice[bee];
-    if (ids.empty()) {
-      io::append_exact(out.text, std::uint64_t{bee});
-    } else {
-      io::append_csv_field(out.text, ids[bee], ',');
-    }
-    for (const double speed : {advice.velocity.x, advice.velocity.y, advice.velocity.z}) {
-      out.text += ',';
-      io::append_exact(out.text, speed);
-    }
-    out.text.append(",").append(name_of(advice.kind)).append(advice.certified ? ",yes\n" : ",no\n");
+    ids.empty() ? table.field(bee) : table.field(ids[bee]);
+    table.field(advice.velocity.x).field(advice.velocity.y).field(advice.velocity.z);
+    table.field(name_of(advice.kind)).field(advice.certified).end_row();
     out.pass_on();
   }
 }

@@ -1,10 +1,8 @@
 #include "cli/detect/answer_output.hpp"
 #include "cli/output/block_writer.hpp"
-#include "io/bytes/number_text.hpp"
-#include "io/table/csv_field.hpp"
+#include "io/table/table_writer.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace beespace::cli {
 namespace {
@@ -25,66 +23,59 @@ std::string listed(std::span<const PointId> bees, const analysis::ShownIds& ids,
   return text;
 }
 
-std::string text_of(const Cell& cell, const analysis::ShownIds& ids, char delimiter) {
-  if (const auto* number = std::get_if<std::uint64_t>(&cell)) return std::to_string(*number);
-  if (const auto* far = std::get_if<DistanceCell>(&cell)) {
-    return std::isfinite(far->distance_m) ? io::exact(far->distance_m) : std::string();
+void write_cell(io::TableWriter& table, const Cell& cell, const analysis::ShownIds& ids) {
+  if (const auto* number = std::get_if<std::uint64_t>(&cell)) {
+    table.field(*number);
+  } else if (const auto* far = std::get_if<DistanceCell>(&cell)) {
+    table.field(far->distance_m);
+  } else if (const auto* bee = std::get_if<BeeCell>(&cell)) {
+    table.field(bee->id == Nearest::kNone ? std::string() : ids.text(bee->id));
+  } else {
+    table.field(listed(std::get<std::span<const PointId>>(cell), ids, table.delimiter()));
   }
-  if (const auto* bee = std::get_if<BeeCell>(&cell)) {
-    return bee->id == Nearest::kNone ? std::string() : ids.text(bee->id);
-  }
-  return listed(std::get<std::span<const PointId>>(cell), ids, delimiter);
 }
 
-void write_rows(const BeeTable& table, const Answer& answer, io::AtomicOutput& output) {
+void write_rows(const BeeTable& rows, const Answer& answer, io::AtomicOutput& output) {
   const io::LoadedPoints& ours = answer.inputs.ours;
-  const char delimiter = io::delimiter(ours);
   // Without an id column the row is the id, which the record itself does not say.
   const bool with_rows = !io::has_id_column(ours) &&
-                         std::any_of(table.columns.begin(), table.columns.end(),
+                         std::any_of(rows.columns.begin(), rows.columns.end(),
                                      [](const Column& column) { return column.names_bees; });
   BlockWriter out(output);
+  io::TableWriter table(out.text, io::delimiter(ours));
   const std::string_view header = header_of(ours);
   if (!header.empty()) {
-    out.text += header;
-    if (with_rows) (out.text += delimiter) += "row";
-    for (const Column& column : table.columns) (out.text += delimiter) += column.name;
-    out.text += '\n';
+    table.next() += header;
+    if (with_rows) table.field("row");
+    for (const Column& column : rows.columns) table.field(column.name);
+    table.end_row();
   }
-  io::for_each_record(ours, table.bees, [&](const io::Record& record) {
-    out.text += record.text;
-    if (with_rows) io::append_exact(out.text += delimiter, record.row);
-    for (const Column& column : table.columns) {
-      out.text += delimiter;
-      io::append_csv_field(
-          out.text, text_of(column.cell(record.point), answer.ids.theirs(), delimiter), delimiter);
+  io::for_each_record(ours, rows.bees, [&](const io::Record& record) {
+    table.next() += record.text;
+    if (with_rows) table.field(record.row);
+    for (const Column& column : rows.columns) {
+      write_cell(table, column.cell(record.point), answer.ids.theirs());
     }
-    out.text += '\n';
+    table.end_row();
     out.pass_on();
   });
 }
 
-void write_rows(const PairTable& table, const Answer& answer, io::AtomicOutput& output) {
+void write_rows(const PairTable& rows, const Answer& answer, io::AtomicOutput& output) {
   const Inputs& inputs = answer.inputs;
-  const char delimiter = io::delimiter(inputs.ours);
   BlockWriter out(output);
-  out.text += "first";
-  (out.text += delimiter) += "second";
-  (out.text += delimiter) += "distance_m\n";
-  for (const Pair& pair : table.pairs) {
-    io::append_csv_field(out.text, answer.ids.ours().text(pair.first), delimiter);
-    out.text += delimiter;
-    io::append_csv_field(out.text, answer.ids.theirs().text(pair.second), delimiter);
-    out.text += delimiter;
-    io::append_exact(out.text,
-                     distance(inputs.ours.points[pair.first], inputs.theirs().points[pair.second]));
-    out.text += '\n';
+  io::TableWriter table(out.text, io::delimiter(inputs.ours));
+  table.header("first,second,distance_m").end_row();
+  for (const Pair& pair : rows.pairs) {
+    table.field(answer.ids.ours().text(pair.first)).field(answer.ids.theirs().text(pair.second));
+    table.field(distance(inputs.ours.points[pair.first], inputs.theirs().points[pair.second]));
+    table.end_row();
     out.pass_on();
   }
 }
 
-void write_rows(const GroupTable& table, const Answer& answer, io::AtomicOutput& output) {
-  write_rows(table.members, answer, output);
+void write_rows(const GroupTable& rows, const Answer& answer, io::AtomicOutput& output) {
+  write_rows(rows.members, answer, output);
 }
 
 }  // namespace

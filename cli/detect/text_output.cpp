@@ -1,14 +1,15 @@
 #include "cli/detect/answer_output.hpp"
 #include "cli/output/block_writer.hpp"
-#include "io/bytes/number_text.hpp"
+#include "io/table/table_writer.hpp"
 
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <cstddef>
 
 namespace beespace::cli {
 namespace {
+
+constexpr char kTab = '\t';
 
 void write_numbers(const std::vector<PointId>& numbers, io::AtomicOutput& output) {
   constexpr std::size_t kLongestLine = 11;
@@ -26,73 +27,68 @@ void write_numbers(const std::vector<PointId>& numbers, io::AtomicOutput& output
   output.write({block.data(), static_cast<std::size_t>(at - block.data())});
 }
 
-void append_ids(std::string& out, std::span<const PointId> bees, const analysis::ShownIds& ids) {
-  for (const PointId bee : bees) {
-    out += '\t';
-    ids.append(out, bee);
-  }
+void write_ids(io::TableWriter& table, std::span<const PointId> bees,
+               const analysis::ShownIds& ids) {
+  for (const PointId bee : bees) ids.append(table.next(), bee);
 }
 
-void append_cell(std::string& out, const Cell& cell, const analysis::ShownIds& ids) {
+void write_cell(io::TableWriter& table, const Cell& cell, const analysis::ShownIds& ids) {
   if (const auto* bees = std::get_if<std::span<const PointId>>(&cell)) {
-    append_ids(out, *bees, ids);
-    return;
-  }
-  out += '\t';
-  if (const auto* number = std::get_if<std::uint64_t>(&cell)) io::append_exact(out, *number);
-  if (const auto* bee = std::get_if<BeeCell>(&cell); bee && bee->id != Nearest::kNone) {
-    ids.append(out, bee->id);
-  }
-  if (const auto* far = std::get_if<DistanceCell>(&cell); far && std::isfinite(far->distance_m)) {
-    io::append_exact(out, far->distance_m);
+    write_ids(table, *bees, ids);
+  } else if (const auto* number = std::get_if<std::uint64_t>(&cell)) {
+    table.field(*number);
+  } else if (const auto* far = std::get_if<DistanceCell>(&cell)) {
+    table.field(far->distance_m);
+  } else if (const PointId bee = std::get<BeeCell>(cell).id; bee != Nearest::kNone) {
+    ids.append(table.next(), bee);
+  } else {
+    table.empty_field();
   }
 }
 
-void write_rows(const BeeTable& table, const Answer& answer, io::AtomicOutput& output) {
+void write_rows(const BeeTable& rows, const Answer& answer, io::AtomicOutput& output) {
   const analysis::ShownIds& ids = answer.ids.ours();
-  if (table.columns.empty() && ids.are_point_numbers()) return write_numbers(table.bees, output);
+  if (rows.columns.empty() && ids.are_point_numbers()) return write_numbers(rows.bees, output);
   BlockWriter out(output);
+  io::TableWriter table(out.text, kTab);
   // A plain list of ids needs no header.
-  if (!table.columns.empty()) {
-    out.text += "id";
-    for (const Column& column : table.columns) (out.text += '\t') += column.name;
-    out.text += '\n';
+  if (!rows.columns.empty()) {
+    table.field("id");
+    for (const Column& column : rows.columns) table.field(column.name);
+    table.end_row();
   }
-  for (const PointId bee : table.bees) {
-    ids.append(out.text, bee);
-    for (const Column& column : table.columns) {
-      append_cell(out.text, column.cell(bee), answer.ids.theirs());
+  for (const PointId bee : rows.bees) {
+    ids.append(table.next(), bee);
+    for (const Column& column : rows.columns) {
+      write_cell(table, column.cell(bee), answer.ids.theirs());
     }
-    out.text += '\n';
+    table.end_row();
     out.pass_on();
   }
 }
 
-void write_rows(const PairTable& table, const Answer& answer, io::AtomicOutput& output) {
+void write_rows(const PairTable& rows, const Answer& answer, io::AtomicOutput& output) {
   const Inputs& inputs = answer.inputs;
   BlockWriter out(output);
-  out.text += "first\tsecond\tdistance_m\n";
-  for (const Pair& pair : table.pairs) {
-    answer.ids.ours().append(out.text, pair.first);
-    out.text += '\t';
-    answer.ids.theirs().append(out.text, pair.second);
-    out.text += '\t';
-    io::append_exact(out.text,
-                     distance(inputs.ours.points[pair.first], inputs.theirs().points[pair.second]));
-    out.text += '\n';
+  io::TableWriter table(out.text, kTab);
+  table.header("first,second,distance_m").end_row();
+  for (const Pair& pair : rows.pairs) {
+    answer.ids.ours().append(table.next(), pair.first);
+    answer.ids.theirs().append(table.next(), pair.second);
+    table.field(distance(inputs.ours.points[pair.first], inputs.theirs().points[pair.second]));
+    table.end_row();
     out.pass_on();
   }
 }
 
-void write_rows(const GroupTable& table, const Answer& answer, io::AtomicOutput& output) {
+void write_rows(const GroupTable& rows, const Answer& answer, io::AtomicOutput& output) {
   BlockWriter out(output);
-  out.text += "group\tsize\tmembers\n";
-  for (std::size_t i = 0; i < table.groups.size(); ++i) {
-    io::append_exact(out.text, std::uint64_t{i});
-    out.text += '\t';
-    io::append_exact(out.text, std::uint64_t{table.groups[i].size()});
-    append_ids(out.text, table.groups[i], answer.ids.ours());
-    out.text += '\n';
+  io::TableWriter table(out.text, kTab);
+  table.header("group,size,members").end_row();
+  for (std::size_t i = 0; i < rows.groups.size(); ++i) {
+    table.field(i).field(rows.groups[i].size());
+    write_ids(table, rows.groups[i], answer.ids.ours());
+    table.end_row();
     out.pass_on();
   }
 }

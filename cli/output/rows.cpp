@@ -1,36 +1,34 @@
 #include "cli/output/rows.hpp"
 
 #include "cli/output/block_writer.hpp"
-#include "io/bytes/number_text.hpp"
-#include "io/table/csv_field.hpp"
-
-#include <cmath>
+#include "io/table/table_writer.hpp"
 
 namespace beespace::cli {
 namespace {
 
-void append_header(std::string& out, const Rows& rows, char delimiter) {
-  for (std::size_t i = 0; i < rows.columns.size(); ++i) {
-    if (i > 0) out += delimiter;
-    out += rows.columns[i].name;
+void write_field(io::TableWriter& table, const Value& value, bool with_label) {
+  if (const auto* bee = std::get_if<analysis::BeeName>(&value)) {
+    table.field(with_label ? text_of(*bee) : bee->id);
+    return;
   }
-  out += '\n';
+  if (const auto* text = std::get_if<std::string>(&value)) table.field(*text);
+  if (const auto* number = std::get_if<double>(&value)) table.field(*number);
+  if (const auto* count = std::get_if<std::uint64_t>(&value)) table.field(*count);
+  if (const auto* yes = std::get_if<bool>(&value)) table.field(*yes);
+  if (std::holds_alternative<std::monostate>(value)) table.empty_field();
 }
 
-std::string text_of(const Value& value) {
-  if (const auto* text = std::get_if<std::string>(&value)) return *text;
-  if (const auto* bee = std::get_if<analysis::BeeName>(&value)) return bee->id;
-  if (const auto* number = std::get_if<double>(&value)) {
-    return std::isfinite(*number) ? io::exact(*number) : std::string();
+void write_table(const Rows& rows, char delimiter, io::TableText text, io::AtomicOutput& output) {
+  const bool with_labels = text == io::TableText::kOneLine;
+  BlockWriter out(output);
+  io::TableWriter table(out.text, delimiter, text);
+  for (const RowColumn& column : rows.columns) table.field(column.name);
+  table.end_row();
+  for (const auto& row : rows.rows) {
+    for (const Value& value : row) write_field(table, value, with_labels);
+    table.end_row();
+    out.pass_on();
   }
-  if (const auto* count = std::get_if<std::uint64_t>(&value)) return std::to_string(*count);
-  if (const auto* yes = std::get_if<bool>(&value)) return *yes ? "yes" : "no";
-  return {};
-}
-
-std::string text_for_people(const Value& value) {
-  const auto* bee = std::get_if<analysis::BeeName>(&value);
-  return bee != nullptr ? text_of(*bee) : text_of(value);
 }
 
 Value label_of(const Value& value) {
@@ -50,14 +48,6 @@ void write_value(io::JsonWriter& json, const auto& value) {
   json.value(value);
 }
 
-// Tabs and line ends inside an id would look like those between.
-std::string on_one_line(std::string text) {
-  for (char& c : text) {
-    if (c == '\t' || c == '\n' || c == '\r') c = ' ';
-  }
-  return text;
-}
-
 }  // namespace
 
 void set_labels_apart(Rows& rows) {
@@ -74,29 +64,11 @@ void set_labels_apart(Rows& rows) {
 }
 
 void write_rows_as_text(const Rows& rows, io::AtomicOutput& output) {
-  BlockWriter out(output);
-  append_header(out.text, rows, '\t');
-  for (const auto& row : rows.rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      if (i > 0) out.text += '\t';
-      out.text += on_one_line(text_for_people(row[i]));
-    }
-    out.text += '\n';
-    out.pass_on();
-  }
+  write_table(rows, '\t', io::TableText::kOneLine, output);
 }
 
 void write_rows_as_csv(const Rows& rows, io::AtomicOutput& output) {
-  BlockWriter out(output);
-  append_header(out.text, rows, ',');
-  for (const auto& row : rows.rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      if (i > 0) out.text += ',';
-      io::append_csv_field(out.text, text_of(row[i]), ',');
-    }
-    out.text += '\n';
-    out.pass_on();
-  }
+  write_table(rows, ',', io::TableText::kQuoted, output);
 }
 
 void write_row(io::JsonWriter& json, const std::vector<RowColumn>& columns,

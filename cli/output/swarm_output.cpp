@@ -2,9 +2,8 @@
 
 #include "cli/output/output_form.hpp"
 #include "io/bytes/number_text.hpp"
-#include "io/table/csv_field.hpp"
+#include "io/table/table_writer.hpp"
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
@@ -33,45 +32,32 @@ void append_fixed(std::string& out, double value, int decimals) {
   out.append(text.data(), end);
 }
 
-void append_axes(std::string& out, double x, double y, double z, char delimiter) {
-  io::append_exact(out, x);
-  out += delimiter;
-  io::append_exact(out, y);
-  out += delimiter;
-  io::append_exact(out, z);
+void write_axes(io::TableWriter& table, double x, double y, double z) {
+  table.field(x).field(y).field(z);
 }
 
-void append_metres(std::string& out, const Point& point, char delimiter) {
-  append_axes(out, point.x, point.y, point.z, delimiter);
-  out += '\n';
-}
-
-void append_degrees(std::string& out, const Point& point, char delimiter) {
-  append_fixed(out, point.x, kDegreeDecimals);
-  out += delimiter;
-  append_fixed(out, point.y, kDegreeDecimals);
-  out += delimiter;
-  append_fixed(out, point.z, kHeightDecimals);
-  out += '\n';
+void write_degrees(io::TableWriter& table, const Point& point) {
+  append_fixed(table.next(), point.x, kDegreeDecimals);
+  append_fixed(table.next(), point.y, kDegreeDecimals);
+  append_fixed(table.next(), point.z, kHeightDecimals);
 }
 
 // Position and velocity at the end of a line.
-void append_motion(std::string& out, const Point& p, const Velocity& v, char delimiter) {
-  append_axes(out, p.x, p.y, p.z, delimiter);
-  out += delimiter;
-  append_axes(out, v.x, v.y, v.z, delimiter);
-  out += '\n';
+void write_motion(io::TableWriter& table, const Point& p, const Velocity& v) {
+  write_axes(table, p.x, p.y, p.z);
+  write_axes(table, v.x, v.y, v.z);
+  table.end_row();
 }
 
-std::string delimited(std::string text, char delimiter) {
-  std::replace(text.begin(), text.end(), ',', delimiter);
-  return text;
-}
-
-std::string header(SwarmUnits units, char delimiter) {
-  if (units == SwarmUnits::kMetres) return delimited("x_m,y_m,z_m\n", delimiter);
-  if (delimiter == ',') return std::string(kCourseHeader) + '\n';
-  return delimited("longitude,latitude,height\n", delimiter);
+void write_header(io::TableWriter& table, SwarmUnits units) {
+  if (units == SwarmUnits::kMetres) {
+    table.header("x_m,y_m,z_m");
+  } else if (table.delimiter() == ',') {
+    table.next() += kCourseHeader;
+  } else {
+    table.header("longitude,latitude,height");
+  }
+  table.end_row();
 }
 
 char delimiter_of(SwarmFormat format) {
@@ -86,10 +72,16 @@ void write_full(std::string& block, io::AtomicOutput& out) {
 
 void write_text(const std::vector<Point>& points, SwarmUnits units, char delimiter,
                 io::AtomicOutput& out) {
-  const auto append = units == SwarmUnits::kDegrees ? append_degrees : append_metres;
-  std::string text = header(units, delimiter);
+  std::string text;
+  io::TableWriter table(text, delimiter);
+  write_header(table, units);
   for (const Point& point : points) {
-    append(text, point, delimiter);
+    if (units == SwarmUnits::kDegrees) {
+      write_degrees(table, point);
+    } else {
+      write_axes(table, point.x, point.y, point.z);
+    }
+    table.end_row();
     write_full(text, out);
   }
   out.write(text);
@@ -156,12 +148,11 @@ Status write_swarm(const std::vector<Point>& points, SwarmUnits units, SwarmForm
 
 Status write_movers(const std::vector<Mover>& movers, SwarmFormat format,
                     io::AtomicOutput& output) {
-  const char delimiter = delimiter_of(format);
-  std::string text = delimited("id,x,y,z,vx,vy,vz\n", delimiter);
+  std::string text;
+  io::TableWriter table(text, delimiter_of(format));
+  table.header("id,x,y,z,vx,vy,vz").end_row();
   for (std::size_t bee = 0; bee < movers.size(); ++bee) {
-    io::append_exact(text, std::uint64_t{bee});
-    text += delimiter;
-    append_motion(text, movers[bee].position, movers[bee].velocity, delimiter);
+    write_motion(table.field(bee), movers[bee].position, movers[bee].velocity);
     write_full(text, output);
   }
   output.write(text);
@@ -170,17 +161,14 @@ Status write_movers(const std::vector<Mover>& movers, SwarmFormat format,
 
 Status write_flights(const std::vector<Mover>& movers, const scenes::FixTimes& times,
                      std::uint64_t seed, SwarmFormat format, io::AtomicOutput& output) {
-  const char delimiter = delimiter_of(format);
-  std::string text = delimited("id,time_s,x,y,z,vx,vy,vz\n", delimiter);
+  std::string text;
+  io::TableWriter table(text, delimiter_of(format));
+  table.header("id,time_s,x,y,z,vx,vy,vz").end_row();
   for (std::size_t bee = 0; bee < movers.size(); ++bee) {
     // One at a time, as all of them may be more than the memory holds.
     const Track track = scenes::fly(movers[bee], static_cast<PointId>(bee), times, seed);
     for (const Fix& fix : track.fixes) {
-      io::append_exact(text, std::uint64_t{bee});
-      text += delimiter;
-      io::append_exact(text, fix.time_s);
-      text += delimiter;
-      append_motion(text, fix.position, movers[bee].velocity, delimiter);
+      write_motion(table.field(bee).field(fix.time_s), fix.position, movers[bee].velocity);
       write_full(text, output);
     }
   }
@@ -190,31 +178,29 @@ Status write_flights(const std::vector<Mover>& movers, const scenes::FixTimes& t
 
 FlightWriter::FlightWriter(io::AtomicOutput& output, SwarmFormat format,
                            const std::vector<std::string>& ids, bool with_velocities)
-    : output_(output),
-      delimiter_(delimiter_of(format)),
-      with_velocities_(with_velocities),
-      text_(delimited(with_velocities ? "time_s,id,x,y,z,vx,vy,vz\n" : "time_s,id,x,y,z\n",
-                      delimiter_)) {
-  for (const std::string& id : ids) io::append_csv_field(ids_.emplace_back(), id, delimiter_);
+    : output_(output), with_velocities_(with_velocities), table_(text_, delimiter_of(format)) {
+  table_.header(with_velocities ? "time_s,id,x,y,z,vx,vy,vz" : "time_s,id,x,y,z").end_row();
+  for (const std::string& id : ids) {
+    io::append_field(ids_.emplace_back(), id, table_.delimiter());
+  }
 }
 
 void FlightWriter::add(double time_s, const std::vector<Mover>& movers) {
   std::string time;
   io::append_exact(time, time_s);
-  time += delimiter_;
   for (std::size_t bee = 0; bee < movers.size(); ++bee) {
     const auto& [position, velocity] = movers[bee];
-    text_ += time;
+    table_.next() += time;
     if (ids_.empty()) {
-      io::append_exact(text_, std::uint64_t{bee});
+      table_.field(bee);
     } else {
-      text_ += ids_[bee];
+      table_.next() += ids_[bee];
     }
-    text_ += delimiter_;
     if (with_velocities_) {
-      append_motion(text_, position, velocity, delimiter_);
+      write_motion(table_, position, velocity);
     } else {
-      append_metres(text_, position, delimiter_);
+      write_axes(table_, position.x, position.y, position.z);
+      table_.end_row();
     }
     write_full(text_, output_);
   }

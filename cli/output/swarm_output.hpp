@@ -3,6 +3,7 @@
 #pragma once
 
 #include "io/bytes/atomic_output.hpp"
+#include "io/table/table_writer.hpp"
 #include "scenes/recorded_flights.hpp"
 
 #include <beespace/mover.hpp>
@@ -65,10 +66,10 @@ class FlightWriter {
 
  private:
   io::AtomicOutput& output_;
-  char delimiter_;
   bool with_velocities_;
   std::vector<std::string> ids_;  // as fields
   std::string text_;
+  io::TableWriter table_;
 };
 
 }  // namespace beespace::cli

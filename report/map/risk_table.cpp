@@ -1,7 +1,6 @@
 #include "report/map/risk_table.hpp"
 
-#include "io/bytes/number_text.hpp"
-#include "io/table/csv_field.hpp"
+#include "io/table/table_writer.hpp"
 #include "report/map/map_places.hpp"
 #include "report/number_label.hpp"
 
@@ -39,18 +38,20 @@ class PlaceColumns {
     if (swarm.origin) places_.emplace(swarm);
   }
 
-  [[nodiscard]] std::string names() const {
-    if (places_) {
-      return "first_longitude,first_latitude,first_height_m,"
-             "second_longitude,second_latitude,second_height_m";
-    }
-    return "first_x,first_y,first_z,second_x,second_y,second_z";
+  void write_names(io::TableWriter& table) const {
+    table.header(places_ ? "first_longitude,first_latitude,first_height_m,"
+                           "second_longitude,second_latitude,second_height_m"
+                         : "first_x,first_y,first_z,second_x,second_y,second_z");
   }
 
-  [[nodiscard]] std::string of(const std::optional<Point>& place) const {
-    if (!place) return ",,";
-    if (places_) return place_text(places_->of(*place), ',');
-    return io::exact(place->x) + ',' + io::exact(place->y) + ',' + io::exact(place->z);
+  void write(io::TableWriter& table, const std::optional<Point>& place) const {
+    if (!place) {
+      table.empty_field().empty_field().empty_field();
+    } else if (places_) {
+      table.next() += place_text(places_->of(*place), table.delimiter());
+    } else {
+      table.field(place->x).field(place->y).field(place->z);
+    }
   }
 
  private:
@@ -59,11 +60,11 @@ class PlaceColumns {
 
 // Spreadsheets of many countries split tables at semicolons, some at tabs: what holds one is quoted
 // as if this one did.
-void append_id(std::string& out, const Names& names, PointId bee) {
+void write_id(io::TableWriter& table, const Names& names, PointId bee) {
   const std::string id = harmless_in_spreadsheets(names.of(bee));
   const std::size_t elsewhere = id.find_first_of(";\t");
-  io::append_csv_field(out, id, elsewhere == std::string::npos ? ',' : id[elsewhere]);
-  out += ',';
+  io::append_field(table.next(), id,
+                   elsewhere == std::string::npos ? table.delimiter() : id[elsewhere]);
 }
 
 }  // namespace
@@ -75,39 +76,47 @@ std::string harmless_in_spreadsheets(std::string_view text) {
 
 void write_risk_table(const SnapshotFacts& facts, io::AtomicOutput& output) {
   const PlaceColumns places(facts.swarm);
-  output.write("first,second,distance_m," + places.names() + '\n');
+  std::string text;
+  io::TableWriter table(text, ',');
+  places.write_names(table.header("first,second,distance_m"));
+  table.end_row();
   for (std::size_t i = 0; i < facts.pairs.size(); ++i) {
     const auto& [first, second] = facts.pairs[i];
-    std::string row;
-    append_id(row, facts.swarm.names, first);
-    append_id(row, facts.swarm.names, second);
-    row += io::exact(facts.distances_m[i]) + ',' + places.of(facts.positions[first]) + ',' +
-           places.of(facts.positions[second]) + '\n';
-    output.write(row);
+    write_id(table, facts.swarm.names, first);
+    write_id(table, facts.swarm.names, second);
+    table.field(facts.distances_m[i]);
+    places.write(table, facts.positions[first]);
+    places.write(table, facts.positions[second]);
+    table.end_row();
+    output.write(text);
+    text.clear();
   }
+  output.write(text);
 }
 
 void write_risk_table(const RecordingFacts& facts, io::AtomicOutput& output) {
   const PlaceColumns places(facts.swarm);
-  output.write("first,second,begins_s,closest_s,ends_s,closest_m,certain," + places.names() +
-               (facts.since_1970 ? ",begins,closest,ends\n" : "\n"));
+  std::string text;
+  io::TableWriter table(text, ',');
+  places.write_names(table.header("first,second,begins_s,closest_s,ends_s,closest_m,certain"));
+  if (facts.since_1970) table.header("begins,closest,ends");
+  table.end_row();
   for (const Conflict& c : facts.conflicts) {
-    std::string row;
-    append_id(row, facts.swarm.names, c.first);
-    append_id(row, facts.swarm.names, c.second);
-    for (const double number : {c.begins_s, c.closest_s, c.ends_s, c.closest_m}) {
-      row += io::exact(number) + ',';
-    }
-    row += c.certain ? "yes," : "no,";
-    row += places.of(position_at(facts.tracks[c.first], c.closest_s)) + ',' +
-           places.of(position_at(facts.tracks[c.second], c.closest_s));
+    write_id(table, facts.swarm.names, c.first);
+    write_id(table, facts.swarm.names, c.second);
+    table.field(c.begins_s).field(c.closest_s).field(c.ends_s).field(c.closest_m).field(c.certain);
+    places.write(table, position_at(facts.tracks[c.first], c.closest_s));
+    places.write(table, position_at(facts.tracks[c.second], c.closest_s));
     if (facts.since_1970) {
       for (const double time_s : {c.begins_s, c.closest_s, c.ends_s}) {
-        row += ',' + instant_label(time_s);
+        table.field(instant_label(time_s));
       }
     }
-    output.write(row + '\n');
+    table.end_row();
+    output.write(text);
+    text.clear();
   }
+  output.write(text);
 }
 
 }  // namespace beespace::report
