@@ -24,6 +24,7 @@ class TableWriter {
  public:
   TableWriter(std::string& out, char delimiter, TableText text = TableText::kQuoted)
       : out_(out), delimiter_(delimiter), text_(text) {}
+  ~TableWriter() = default;
   TableWriter(const TableWriter&) = delete;
   TableWriter& operator=(const TableWriter&) = delete;
 
