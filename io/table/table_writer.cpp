@@ -67,8 +67,8 @@ TableWriter& TableWriter::field(std::string_view text) {
 }
 
 TableWriter& TableWriter::field(double number) {
-  next();
-  if (std::isfinite(number)) append_exact(out_, number);
+  if (!std::isfinite(number)) return empty_field();
+  append_exact(next(), number);
   return *this;
 }
 

@@ -37,10 +37,7 @@ class TableWriter {
   TableWriter& field(std::same_as<bool> auto yes) { return field(yes ? "yes" : "no"); }
   template <std::unsigned_integral Number>
   requires(!std::same_as<Number, bool>) TableWriter& field(Number number) { return count(number); }
-  TableWriter& empty_field() {
-    next();
-    return *this;
-  }
+  TableWriter& empty_field() { return field(std::string_view()); }
   // Begins a field, or several, that the caller appends as they are to be.
   std::string& next();
 

@@ -31,6 +31,10 @@ TEST(TableWriter, WhatWouldBeReadAsSomethingElseIsQuoted) {
 
 TEST(TableWriter, NothingBetweenBlanksIsStillAField) {
   EXPECT_EQ(field("", ' '), "\"\"");
+  std::string out;
+  TableWriter table(out, ' ');
+  table.field(std::nan("")).empty_field().field(1U).end_row();
+  EXPECT_EQ(out, "\"\" \"\" 1\n");
 }
 
 TEST(TableWriter, OnOneLineTabsAndLineEndsBecomeBlanks) {
