@@ -1,5 +1,6 @@
 // Points in float arrays are read in place: each question gives the answers for the same values as
 // doubles.
+#include "tests/support/rounds.hpp"
 #include "tests/support/search_scenes.hpp"
 
 #include <beespace/beespace.hpp>
@@ -45,10 +46,12 @@ std::vector<Scene> scenes() {
     if (brute_force::find_at_risk(made.points, {made.threshold_m})) all.push_back(std::move(made));
   }
   test::SceneMaker make(4);
-  all.push_back(rounded({"Box", make.box(20'000, {0, 0, 0}, {900, 900, 90}), 8.0}));
+  const std::size_t many = test::kSanitized ? 2'000 : 20'000;
+  all.push_back(rounded({"Box", make.box(many, {0, 0, 0}, {900, 900, 90}), 8.0}));
   // A crowd, and its twin far away.
-  auto clumps = make.box(3'000, {0, 0, 0}, {1, 1, 1});
-  for (const Point& point : make.box(3'000, {0, 0, 0}, {1, 1, 1})) {
+  const std::size_t crowd = test::kSanitized ? 600 : 3'000;
+  auto clumps = make.box(crowd, {0, 0, 0}, {1, 1, 1});
+  for (const Point& point : make.box(crowd, {0, 0, 0}, {1, 1, 1})) {
     clumps.push_back({point.x + 1e6, point.y, point.z});
   }
   all.push_back(rounded({"Clumps", clumps, 2.0}));
