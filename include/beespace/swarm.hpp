@@ -252,8 +252,7 @@ class BEESPACE_API Swarm {
   /// ones are counted and left out.
   /// @param report The report, in metres and seconds.
   /// @return Success; or an error with the agent in ErrorLocation::record, in which case the report
-  /// is left
-  ///   out, and all others count:
+  ///   is left out, and all others count:
   ///   - ErrorCode::kNotFinite, ErrorCode::kOutsideDomain: a value that is too large for the motion
   ///     domain (see mover.hpp);
   ///   - ErrorCode::kTooManyPoints: an agent beyond SwarmOptions::max_agents;
@@ -286,7 +285,7 @@ class BEESPACE_API Swarm {
   /// @brief The same into the caller's vector.
   ///
   /// After the numbers of agents and pairs have reached their peaks, advance(), update() and
-  /// movers() into a vector allocate nothing, as long as no new agent comes.
+  /// movers() into a vector allocate nothing, as long as no agent comes or goes and none is stale.
   ///
   /// @param now_s The time in seconds.
   /// @param[out] events The events; overwritten, and empty after an error.

@@ -1,6 +1,6 @@
 // Writes JSON into a text, value after value: commas, nesting and layout are its own.
 //
-// It only appends, so whoever owns the text may hand on what is there and clear it between values.
+// It only appends, so the owner of the text may pass on what is there and clear it between values.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // Writes a delimited table into a text, field after field: delimiters and quotes are its own.
 //
-// It only appends, so whoever owns the text may hand on what is there and clear it between rows.
+// It only appends, so the owner of the text may pass on what is there and clear it between rows.
 #pragma once
 
 #include <concepts>
