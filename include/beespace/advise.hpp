@@ -33,6 +33,7 @@
 #include <beespace/pairs.hpp>
 #include <beespace/point.hpp>
 #include <beespace/result.hpp>
+#include <beespace/separation.hpp>
 
 #include <concepts>
 #include <cstdint>
@@ -121,18 +122,95 @@ class KeptSpan : public std::span<const T> {
 
 }  // namespace detail
 
+/// @brief Where one agent may be from now on if nothing more is told to it, beyond its stopping
+/// segment; and how large it is.
+///
+/// The *claim* of an agent is the convex hull of its stopping segment and of `places`: all nominal
+/// places where it can be, on every branch that it may be on. It is never farther than `tube_m`
+/// from its nominal place.
+///
+/// Ownership: `places` refers to the caller's memory.
+struct Claim {
+  std::span<const Point> places = {};  ///< In metres; may be empty.
+  double tube_m = 0.0;                 ///< The radius of its tube in metres; zero or more.
+  double radius_m = 0.0;               ///< Its own radius in metres; zero or more.
+  /// @brief Whether it gets no new advice: it stays within its claim, and its advice is
+  /// AdviceKind::kBraking. Others get all of the free space.
+  bool holds = false;
+};
+
+/// @brief A half-space that agents do not leave: the side of a plane to which `inward` points.
+struct Fence {
+  Point inward = {0.0, 0.0, 1.0};  ///< The direction inwards, of length 1.
+  double offset_m = 0.0;  ///< All places p with inward . p >= offset are inside, in metres.
+
+  friend constexpr bool operator==(const Fence&, const Fence&) = default;
+};
+
+/// @brief Remembers the normals of the planes between agents from one call to the next.
+///
+/// A plane that certified a pair does so again in the next step, whatever direction is found anew.
+/// Agents are known by their indices, which must stay the same.
+///
+/// Ownership: owns its memory. Thread safety: none.
+class BEESPACE_API PlaneMemory {
+ public:
+  /// @brief Remembers nothing.
+  PlaneMemory();
+  PlaneMemory(const PlaneMemory&) = delete;
+  PlaneMemory& operator=(const PlaneMemory&) = delete;
+  /// @brief Takes over what is remembered.
+  PlaneMemory(PlaneMemory&&) noexcept;
+  /// @brief Takes over what is remembered.
+  /// @return This.
+  PlaneMemory& operator=(PlaneMemory&&) noexcept;
+  /// @brief Frees its memory.
+  ~PlaneMemory();
+
+  /// @brief Forgets all planes of one agent: its index is another one's from now on.
+  /// @param agent The index.
+  void forget(PointId agent);
+
+  class State;  ///< Internal.
+  /// @brief Internal.
+  /// @return What is remembered.
+  [[nodiscard]] State& state() const { return *state_; }
+
+ private:
+  std::unique_ptr<State> state_;
+};
+
 /// @brief What advice needs to know.
 ///
-/// Ownership: `obstacles`, `intruders` and `unknown` refer to the caller's memory, which must
-/// outlive the options.
+/// Ownership: `obstacles`, `claims`, `fences`, `planes`, `intruders` and `unknown` refer to the
+/// caller's memory, which must outlive the options.
 struct AdviseOptions {
   /// @brief The threshold in metres: no two agents shall come closer than this. Must be given:
   /// there is no default.
   double threshold_m = kNotGiven;
 
+  /// @brief What must stay free around each agent: the shape whose horizontal semi-axis is the
+  /// threshold.
+  Separation separation = {};
+
   /// @brief The time in seconds until the next advice; above zero. All agents begin the step at the
   /// same time.
   double step_s = 0.1;
+
+  /// @brief The claims of all agents, one for each; or none: each claims its stopping segment. The
+  /// movers are then the states from which each would depart as it is advised.
+  detail::KeptSpan<Claim> claims = {};
+
+  /// @brief The planes of the call before, and afterwards those of this one; null: they are found
+  /// anew. Should be given where there are claims.
+  PlaneMemory* planes = nullptr;
+
+  /// @brief The half-spaces that no agent leaves; the clearance is kept from their planes.
+  detail::KeptSpan<Fence> fences = {};
+
+  /// @brief Whether agents keep their heights: robots on a floor, ships. Velocities are then
+  /// horizontal. A height or velocity that is not the same for all is refused.
+  bool planar = false;
 
   /// @brief The largest distance in metres between the true and the stated position of an agent, if
   /// the stated one moves as the agent was advised: positions are those to which the advice before
@@ -142,8 +220,8 @@ struct AdviseOptions {
 
   /// @brief The static obstacles; null for none.
   const ObstacleMap* obstacles = nullptr;
-  /// @brief The clearance in metres: no agent shall come closer to an obstacle than this. Above
-  /// zero; must be given where there are obstacles.
+  /// @brief The clearance in metres: no agent shall come closer to an obstacle, or to the plane of
+  /// a fence, than this. Above zero; must be given where there are obstacles or fences.
   double clearance_m = kNotGiven;
 
   /// @brief Agents that fly among the others and do not do as advised. All others give way to them,
@@ -238,6 +316,16 @@ struct NearObstacle {
   friend constexpr bool operator==(const NearObstacle&, const NearObstacle&) = default;
 };
 
+/// @brief An agent whose claim comes closer to the plane of a fence than the clearance, or leaves
+/// it.
+struct NearFence {
+  PointId agent = 0;      ///< The index of the agent.
+  std::size_t fence = 0;  ///< The index of the fence.
+  double gap_m = 0.0;     ///< Between claim and plane, in metres; below zero outside.
+
+  friend constexpr bool operator==(const NearFence&, const NearFence&) = default;
+};
+
 /// @brief An agent to which an intruder comes closer than the threshold, if both fly straight on,
 /// the agent as advised.
 struct IntruderConflict {
@@ -286,6 +374,7 @@ struct Advised {
   std::vector<Advice> advice;                        ///< The advice for each agent.
   std::vector<TooClose> too_close;                   ///< In ascending order of the pairs.
   std::vector<NearObstacle> near_obstacle;           ///< In ascending order of (agent, obstacle).
+  std::vector<NearFence> near_fence;                 ///< In ascending order of (agent, fence).
   std::vector<IntruderConflict> intruder_conflicts;  ///< In ascending order of (agent, intruder).
   std::vector<NearUnknown> near_unknown;             ///< In ascending order of (agent, unknown).
   std::vector<Refused> refused;  ///< Unknown agents, agents, intruders; each in order of index.
@@ -295,6 +384,7 @@ struct Advised {
     advice.clear();
     too_close.clear();
     near_obstacle.clear();
+    near_fence.clear();
     intruder_conflicts.clear();
     near_unknown.clear();
     refused.clear();

@@ -3,16 +3,21 @@
 #pragma once
 
 #include <beespace/advise.hpp>
+#include <beespace/agent_id.hpp>
 #include <beespace/at_risk.hpp>
 #include <beespace/bezier_path.hpp>
 #include <beespace/brute_force.hpp>
 #include <beespace/closest_approach.hpp>
+#include <beespace/command.hpp>
 #include <beespace/conflict.hpp>
 #include <beespace/conflict_groups.hpp>
 #include <beespace/crew.hpp>
 #include <beespace/engine.hpp>
 #include <beespace/find_conflicts.hpp>
+#include <beespace/fleet.hpp>
+#include <beespace/follower.hpp>
 #include <beespace/geodesy.hpp>
+#include <beespace/guide.hpp>
 #include <beespace/id_rows.hpp>
 #include <beespace/index.hpp>
 #include <beespace/lifetimebound.hpp>
@@ -28,6 +33,7 @@
 #include <beespace/result.hpp>
 #include <beespace/row_iterator.hpp>
 #include <beespace/search_options.hpp>
+#include <beespace/separation.hpp>
 #include <beespace/swarm.hpp>
 #include <beespace/track.hpp>
 #include <beespace/verify.hpp>

@@ -30,6 +30,7 @@
 /// Units: metres and seconds, in one Cartesian frame. Ids are the caller's own numbers (AgentId).
 #pragma once
 
+#include <beespace/agent_id.hpp>
 #include <beespace/crew.hpp>
 #include <beespace/export.hpp>
 #include <beespace/lifetimebound.hpp>
@@ -45,9 +46,6 @@
 #include <vector>
 
 namespace beespace {
-
-/// @brief The caller's number of an agent: any value, such as an address or a hash of a name.
-using AgentId = std::uint64_t;
 
 /// @brief What a live swarm needs to know. Plain values; nothing is referred to.
 struct SwarmOptions {

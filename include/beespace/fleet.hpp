@@ -1,0 +1,97 @@
+/// @file
+/// @brief What is known about a fleet, and how far from its nominal path an agent can be.
+///
+/// An agent is kept near its nominal path by a loop: something measures how far it deviates, and
+/// something corrects it. From the bounds of its errors follows the radius of the *tube* around the
+/// nominal path that it never leaves, and what its corrections need. The derivation is in
+/// docs/prevention.md. Units: metres and seconds.
+///
+/// Complexity: constant. Thread safety: no state is kept.
+#pragma once
+
+#include <beespace/advise.hpp>
+#include <beespace/export.hpp>
+#include <beespace/result.hpp>
+
+#include <cstdint>
+
+namespace beespace {
+
+/// @brief Where the loop that keeps an agent on its path is closed.
+enum class LoopPlace : std::uint8_t {
+  /// @brief The agent holds its path itself, with or without radio: it measures where it is and
+  /// corrects.
+  kOnboard,
+  /// @brief The agent flies the velocities that it is told; the planner measures, by reports, and
+  /// corrects, by commands. What is promised ends where reports or commands do.
+  kGround,
+};
+
+/// @brief The figures of a fleet, or of one agent: all of them bounds, none a mean.
+struct FleetFigures {
+  LoopPlace loop = LoopPlace::kOnboard;  ///< Where the loop is closed.
+
+  /// @brief How far at most a reported position is from the true one at its stamp, in metres.
+  double report_error_m = 0.0;
+  /// @brief How old at most a report is when the planner uses it, in seconds.
+  double report_age_s = 0.0;
+
+  /// @brief On board: how far at most what the agent takes for its position is from the true one,
+  /// in metres.
+  double sensing_error_m = 0.0;
+  /// @brief On board: the period of the agent's own loop in seconds; zero: it is continuous.
+  double loop_period_s = 0.0;
+  /// @brief On board: how old at most a measurement is when it is used, in seconds.
+  double loop_delay_s = 0.0;
+
+  /// @brief How fast at most wind, drift and errors of velocity, all together, carry an agent off
+  /// its path, in metres per second.
+  double deviation_mps = 0.0;
+  /// @brief How far at most the clock of an agent is off, in seconds.
+  double clock_error_s = 0.0;
+
+  /// @brief How much of the greatest acceleration is kept for corrections, in m/s^2.
+  double correction_mps2 = 0.0;
+  /// @brief How much of the greatest speed is kept for corrections, in m/s.
+  double correction_mps = 0.0;
+
+  friend constexpr bool operator==(const FleetFigures&, const FleetFigures&) = default;
+};
+
+/// @brief How the planner talks with a fleet.
+struct LinkFigures {
+  double period_s = 0.1;  ///< A tick, in seconds; above zero.
+  /// @brief After how many ticks a command takes effect; the same for all, 1 to 32.
+  int command_delay = 1;
+  /// @brief How many commands or reports of an agent, one after the other, are lost at most. On the
+  /// ground it must be zero.
+  int longest_loss = 0;
+
+  friend constexpr bool operator==(const LinkFigures&, const LinkFigures&) = default;
+};
+
+/// @brief The tube of an agent, and the loop that keeps it there.
+struct Tube {
+  double radius_m = 0.0;    ///< The agent is never farther from its nominal place, in metres.
+  double clock_m = 0.0;     ///< What of this is for its clock, in metres.
+  double error_m = 0.0;     ///< The error that its loop works with, delays included, in metres.
+  double gain_per_s = 0.0;  ///< How fast the loop corrects: deviations shrink as exp(-gain t).
+  double correction_mps2 = 0.0;  ///< The greatest acceleration that the loop asks for, in m/s^2.
+  double correction_mps = 0.0;   ///< The greatest velocity that it asks for, in m/s.
+  /// @brief What is left for the plan: the limits less what is kept for corrections.
+  FlightLimits planned;
+
+  friend constexpr bool operator==(const Tube&, const Tube&) = default;
+};
+
+/// @brief Computes the smallest tube that the figures allow.
+/// @param figures What is known of the agent.
+/// @param link How the planner talks with it.
+/// @param limits What the agent can do.
+/// @return The tube; or ErrorCode::kInvalidArgument: a figure that is negative or not finite, or
+///   figures that contradict each other, with the inequality and the numbers: corrections that are
+///   too weak or too slow for the deviation, reserves that leave nothing for the plan.
+BEESPACE_API Result<Tube> tube_of(const FleetFigures& figures, const LinkFigures& link,
+                                  const FlightLimits& limits);
+
+}  // namespace beespace
