@@ -21,8 +21,9 @@ struct GuidedAgent {
   double radius_m = 0.0;
   Branches branches;
   ContractMonitor monitor;
-  fleet::CorrectionLoop loop;
-  GroundLoop corrections;  // of a fleet whose loop is closed on the ground
+  // Of a fleet whose loop is closed on the ground.
+  fleet::CorrectionLoop loop = {};
+  GroundLoop corrections = {};
 
   std::optional<Point> goal = {};
   Velocity preferred = {};
@@ -35,7 +36,6 @@ struct GuidedAgent {
     Tick tick = 0;
   };
   Taken taken = {};     // the newest command that it says it took, and when by its own tick
-  bool at_root = true;  // its root is not acknowledged yet
 
   [[nodiscard]] bool is_on_ground_loop() const { return figures.loop == LoopPlace::kGround; }
 };

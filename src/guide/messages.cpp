@@ -85,10 +85,10 @@ Status Guide::State::take(const AgentReport& report) {
                  report.agent);
   }
   if (report.held == 0) {
-    if (!member->at_root) member->monitor.name(ContractReason::kNoBranch);
+    if (!member->branches.awaits_root()) member->monitor.name(ContractReason::kNoBranch);
     return std::monostate{};
   }
-  if (!member->branches.was_issued(report.held)) {
+  if (!member->branches.knows(report.held)) {
     member->monitor.name(ContractReason::kNoBranch);
     return about({ErrorCode::kInvalidArgument,
                   "agent " + std::to_string(report.agent) + " says that it is on branch " +
@@ -107,7 +107,6 @@ Status Guide::State::take(const AgentReport& report) {
                   {}},
                  report.agent);
   }
-  member->at_root = false;
   if (now_) member->heard = std::max(member->heard, *now_ + 1);
   // Where it should be, before what it tells rules branches out.
   const auto nominal = member->branches.nominal_at(report.held, report.tick, report.after_s);
@@ -132,7 +131,7 @@ Status Guide::State::take(const Acknowledgement& acknowledgement) {
   const AgentId agent = acknowledgement.agent;
   Member* const member = find(agent);
   if (member == nullptr) return unknown_agent(agent);
-  if (!member->branches.was_issued(acknowledgement.number)) {
+  if (!member->branches.knows(acknowledgement.number)) {
     return about({ErrorCode::kInvalidArgument,
                   "agent " + std::to_string(agent) + " acknowledges branch " +
                       std::to_string(acknowledgement.number) + ", which was never sent to it",
@@ -143,11 +142,9 @@ Status Guide::State::take(const Acknowledgement& acknowledgement) {
     member->monitor.name(ContractReason::kNoBranch);
     return std::monostate{};
   }
-  if (acknowledgement.reply == CommandReply::kTaken) {
-    member->at_root = false;
-    if (acknowledgement.number > member->taken.number) {
-      member->taken = {acknowledgement.number, acknowledgement.tick};
-    }
+  if (acknowledgement.reply == CommandReply::kTaken &&
+      acknowledgement.number > member->taken.number) {
+    member->taken = {acknowledgement.number, acknowledgement.tick};
   }
   member->branches.acknowledge(acknowledgement);
   if (now_) member->heard = std::max(member->heard, *now_ + 1);
