@@ -70,10 +70,10 @@ struct Command {
   static constexpr std::size_t kMostStates = 36;
   static constexpr std::size_t kMostAncestors = 16;  ///< @copydoc kMostStates
 
-  AgentId agent = 0;                               ///< For whom.
-  BranchNumber number = 0;                         ///< The branch.
-  Tick starts = 0;                                 ///< The tick of the first state.
-  std::uint32_t state_count = 0;                   ///< How many of `states` count; one or more.
+  AgentId agent = 0;              ///< For whom.
+  BranchNumber number = 0;        ///< The branch.
+  Tick starts = 0;                ///< The tick of the first state.
+  std::uint32_t state_count = 0;  ///< How many of `states` count; one or more.
   /// @brief How many of `ancestors` count. Zero: a root. An agent that is on no branch takes it, as
   /// long as its states last.
   std::uint32_t ancestor_count = 0;

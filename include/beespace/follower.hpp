@@ -37,8 +37,8 @@ class BEESPACE_API Follower {
   /// @brief Goes on after a restart with what was stored.
   ///
   /// A clock that was set anew may be behind the one before: by twice its error. So commands are
-  /// taken again two ticks after the first advance(): this is enough where the clock is never off by
-  /// more than a tick.
+  /// taken again two ticks after the first advance(): this is enough where the clock is never off
+  /// by more than a tick.
   ///
   /// @param stored What was stored.
   /// @return Success, or ErrorCode::kInvalidArgument for what cannot have been stored by a follower
