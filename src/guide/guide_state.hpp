@@ -33,7 +33,7 @@ class __attribute__((visibility("hidden"))) Guide::State {
   Status set_preferred(AgentId agent, const Velocity& velocity);
   Status take(const AgentReport& report);
   Status take(const Acknowledgement& acknowledgement);
-  void set_intruders(std::span<const Intruder> intruders);
+  Status set_intruders(std::span<const Intruder> intruders);
 
   Status step(Tick now, Guidance& guidance, const std::stop_token& stop);
 
@@ -96,9 +96,11 @@ class __attribute__((visibility("hidden"))) Guide::State {
     std::uint32_t count = 0;
   };
   std::map<AgentId, Sent> sent_before_;
-  std::set<AgentId> expected_;  // not heard of yet
-  std::vector<Intruder> intruders_;
-  std::optional<Tick> intruders_at_;  // none: since the next step
+  std::set<AgentId> expected_;                 // not heard of yet
+  std::vector<Intruder> intruders_;            // those that can be used
+  std::vector<std::size_t> intruder_numbers_;  // as they were given
+  bool intruder_anywhere_ = false;             // one that cannot be used
+  std::optional<Tick> intruders_at_;           // none: since the next step
 
   // Of a step.
   Adviser adviser_;
@@ -112,6 +114,7 @@ class __attribute__((visibility("hidden"))) Guide::State {
   std::vector<Claim> claims_;
   std::vector<UnknownAgent> unknown_;  // those that are out of their tubes
   std::vector<Mover> intruder_movers_;
+  std::vector<double> intruder_margins_m_;
 };
 
 }  // namespace beespace

@@ -23,6 +23,26 @@ std::optional<Error> check_report(const AgentReport& report) {
                {}};
 }
 
+std::optional<Error> check_intruder(const Intruder& intruder, std::size_t index) {
+  if (auto error = motion::check_mover(intruder.mover, index)) {
+    error->message.insert(0, "intruder: ");
+    error->location.array = "intruders";
+    return error;
+  }
+  for (const double size :
+       {intruder.radius_m, intruder.position_error_m, intruder.speed_error_mps}) {
+    if (size >= 0.0 && motion::in_motion_domain(size)) continue;
+    Error error{ErrorCode::kInvalidArgument,
+                "intruder " + std::to_string(index) + " has " + std::to_string(size) +
+                    " for its radius or an error; give finite ones, zero or more",
+                {}};
+    error.location.array = "intruders";
+    error.location.record = index;
+    return error;
+  }
+  return std::nullopt;
+}
+
 Error about(Error error, AgentId agent) {
   error.location.array = "agents";
   error.location.record = agent;
@@ -151,9 +171,24 @@ Status Guide::State::take(const Acknowledgement& acknowledgement) {
   return std::monostate{};
 }
 
-void Guide::State::set_intruders(std::span<const Intruder> intruders) {
-  intruders_.assign(intruders.begin(), intruders.end());
+// One that cannot be used may be anywhere; it must not stop the others from being given way to.
+Status Guide::State::set_intruders(std::span<const Intruder> intruders) {
+  intruders_.clear();
+  intruder_numbers_.clear();
   intruders_at_.reset();
+  intruder_anywhere_ = false;
+  Status status = std::monostate{};
+  for (std::size_t index = 0; index < intruders.size(); ++index) {
+    auto error = check_intruder(intruders[index], index);
+    if (!error) {
+      intruders_.push_back(intruders[index]);
+      intruder_numbers_.push_back(index);
+      continue;
+    }
+    if (!intruder_anywhere_) status = *std::move(error);
+    intruder_anywhere_ = true;
+  }
+  return status;
 }
 
 }  // namespace beespace

@@ -241,6 +241,32 @@ TEST(Guide, RefusesWhatCannotBe) {
   EXPECT_FALSE(Guide::make(options));
 }
 
+TEST(Guide, GivesWayToIntrudersAndNamesThoseThatCannotBe) {
+  SmallFleet fleet(small_options());
+  fleet.join(1, {0, 0, 0});
+  for (int k = 0; k < 5; ++k) fleet.step();
+  const std::vector<Intruder> both = {{.mover = {{std::nan(""), 0, 0}, {}}},
+                                      {.mover = {{60, 0.5, 0}, {-6, 0, 0}}, .radius_m = 3.0}};
+  const Status refused = fleet.guide().set_intruders(both);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kNotFinite);
+  EXPECT_EQ(refused.error().location.record, 0U);
+  double closest = 1e9;
+  for (int k = 0; k < 150; ++k) {
+    fleet.step();
+    EXPECT_FALSE(fleet.told(1).clear_of_intruders);
+    const Point intruder{60 - 0.6 * k, 0.5, 0};
+    closest = std::min(closest, distance(fleet.place(1), intruder));
+    for (const AgentAndObject& conflict : fleet.guidance().intruder_conflicts) {
+      EXPECT_EQ(conflict.object, 1U);
+    }
+  }
+  EXPECT_GT(closest, 8.0);
+  ASSERT_TRUE(fleet.guide().set_intruders({}));
+  fleet.step();
+  EXPECT_TRUE(fleet.told(1).clear_of_intruders);
+}
+
 // An acknowledgement that the agent never sent rules out the branch that it is on.
 TEST(Guide, AForgedAcknowledgementNamesTheAgent) {
   SmallFleet fleet(small_options());
@@ -290,10 +316,8 @@ TEST(Guide, ANewPlannerTakesTheFleetOver) {
     for (const AgentId id : both) {
       const Follower& follower = fleet.follower(id);
       fleet.follower(id).advance(tick);
-      ASSERT_TRUE(second.take(AgentReport{.agent = id,
-                                          .held = follower.held(),
-                                          .tick = tick,
-                                          .position = fleet.place(id)}));
+      ASSERT_TRUE(second.take(AgentReport{
+          .agent = id, .held = follower.held(), .tick = tick, .position = fleet.place(id)}));
     }
     ASSERT_TRUE(second.step(tick, guidance));
     for (const Command& command : guidance.commands) {
