@@ -47,6 +47,11 @@ class __attribute__((visibility("hidden"))) Guide::State {
  private:
   using Member = guide::GuidedAgent;
 
+  // Its place in by_id_, or where it would be.
+  [[nodiscard]] std::size_t place_of(AgentId agent) const;
+  [[nodiscard]] bool is_at(std::size_t place, AgentId agent) const {
+    return place < by_id_.size() && by_id_[place].id == agent;
+  }
   [[nodiscard]] Member* find(AgentId agent);
   [[nodiscard]] const Member* find(AgentId agent) const;
   [[nodiscard]] static Error unknown_agent(AgentId agent);
@@ -58,7 +63,7 @@ class __attribute__((visibility("hidden"))) Guide::State {
                                                     const Tube& tube) const;
   void add(const JoinRequest& request, const Tube& tube, guide::Branches&& branches, Tick heard);
   [[nodiscard]] double farthest_apart_m(double radius_m, double other_radius_m) const;
-  [[nodiscard]] std::vector<PointId> near(const Point& place, double tube_m, double radius_m) const;
+  [[nodiscard]] std::vector<PointId> near(const Point& place, double tube_m, double radius_m);
   Status find_touching(const JoinRequest& request, const Tube& tube, JoinAnswer& answer);
 
   // One tick.
@@ -89,7 +94,11 @@ class __attribute__((visibility("hidden"))) Guide::State {
   std::optional<Tick> now_;  // of the last step
 
   std::vector<Member> members_;
-  std::map<AgentId, PointId> by_id_;
+  struct Place {
+    AgentId id = 0;
+    PointId index = 0;
+  };
+  std::vector<Place> by_id_;  // in ascending order
   // The branches that were sent to those that have left: none is used twice.
   struct Sent {
     std::uint32_t epoch = 0;

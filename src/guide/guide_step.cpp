@@ -91,6 +91,7 @@ void Guide::State::prepare(Tick now) {
 
 void Guide::State::prepare(Member& member, PointId index, Tick now) {
   member.branches.advance(now);
+  member.around.reset();
   if (!member.branches.awaits_root()) member.monitor.check_silence(seconds(now - member.heard));
   const Mover base = member.branches.base_state(now + options_.link.command_delay);
   movers_.push_back(base);

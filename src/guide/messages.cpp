@@ -3,6 +3,7 @@
 #include "motion/flush.hpp"
 #include "motion/validate.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -58,13 +59,20 @@ Error Guide::State::unknown_agent(AgentId agent) {
                agent);
 }
 
+std::size_t Guide::State::place_of(AgentId agent) const {
+  const auto found =
+      std::lower_bound(by_id_.begin(), by_id_.end(), agent,
+                       [](const Place& place, AgentId sought) { return place.id < sought; });
+  return static_cast<std::size_t>(found - by_id_.begin());
+}
+
 Guide::State::Member* Guide::State::find(AgentId agent) {
-  const auto found = by_id_.find(agent);
-  return found == by_id_.end() ? nullptr : &members_[found->second];
+  const std::size_t place = place_of(agent);
+  return is_at(place, agent) ? &members_[by_id_[place].index] : nullptr;
 }
 const Guide::State::Member* Guide::State::find(AgentId agent) const {
-  const auto found = by_id_.find(agent);
-  return found == by_id_.end() ? nullptr : &members_[found->second];
+  const std::size_t place = place_of(agent);
+  return is_at(place, agent) ? &members_[by_id_[place].index] : nullptr;
 }
 
 Status Guide::State::set_goal(AgentId agent, const Point& goal) {
