@@ -83,7 +83,9 @@ TEST(Follower, IsMadeOfFiguresThatMakeSense) {
   for (const double wrong : {0.0, -1.0, kNan, kInfinity}) {
     EXPECT_FALSE(Follower::make(kAgent, kPlanned, wrong)) << wrong;
     EXPECT_FALSE(Follower::make(kAgent, {8.0, wrong}, kPeriod_s)) << wrong;
-    if (wrong != 0.0) EXPECT_FALSE(Follower::make(kAgent, {wrong, 2.0}, kPeriod_s)) << wrong;
+    if (wrong != 0.0) {
+      EXPECT_FALSE(Follower::make(kAgent, {wrong, 2.0}, kPeriod_s)) << wrong;
+    }
   }
   const auto endless = Follower::make(kAgent, {1e20, 1e-20}, kPeriod_s);
   ASSERT_FALSE(endless);
@@ -310,8 +312,12 @@ TEST_F(HostileCommand, ItsTicksAreAtTheEnds) {
     Command other = command_;
     other.starts = tick;
     EXPECT_EQ(reply_to(rooted(), other), CommandReply::kInvalid);
-    for (const Tick at : {kFirst, kLast})
-      EXPECT_NE(reply_to(rooted(at), other), CommandReply::kTaken);
+    for (const Tick at : {kFirst, kLast}) {
+      EXPECT_EQ(reply_to(fresh(at), other), CommandReply::kInvalid);
+      Command hold = root(number(1), tick);
+      EXPECT_EQ(reply_to(fresh(at), hold), CommandReply::kInvalid);
+      EXPECT_NE(reply_to(fresh(at), root(number(1))), CommandReply::kTaken);
+    }
     other = command_;
     other.ancestors[0].departs = tick;
     EXPECT_EQ(reply_to(rooted(), other),

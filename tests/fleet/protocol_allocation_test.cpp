@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <vector>
 
 namespace beespace {
@@ -24,6 +25,7 @@ TEST(ProtocolAllocates, NothingOnceItHasBegun) {
   places.reserve(100);
   const std::uint64_t before = test::allocations();
   int taken = 0;
+  Setpoint last;
   for (Tick now = 0; now < 500; ++now) {
     planner.advance(now);
     follower.advance(now);
@@ -42,7 +44,7 @@ TEST(ProtocolAllocates, NothingOnceItHasBegun) {
     }
     places.clear();
     planner.append_places(now, places);
-    follower.setpoint(0.05);
+    last = follower.setpoint(0.05);
     if (now % 100 == 99) {
       StoredBranch stored = follower.stored();
       follower.lose();
@@ -51,6 +53,7 @@ TEST(ProtocolAllocates, NothingOnceItHasBegun) {
   }
   EXPECT_EQ(test::allocations(), before);
   EXPECT_GT(taken, 100);
+  EXPECT_GE(last.nominal.position.x, 1.0);
   const auto copy = std::make_unique<Command>(command);
   EXPECT_GT(test::allocations(), before) << "nothing is counted";
 }

@@ -396,7 +396,8 @@ class Flight {
         const BranchState state = path.at(tick, braking);
         const BranchState next = path.at(tick + 1, braking);
         places.push_back(state.nominal.position);
-        places.push_back(within_tick(state, next, 0.5 * kPeriod_s, kPeriod_s).nominal.position);
+        places.push_back(
+            fleet::within_tick(state, next, 0.5 * kPeriod_s, kPeriod_s).nominal.position);
       }
     }
     return places;
