@@ -181,7 +181,7 @@ TEST(TubeAdversary, TheWorstThatCanHappenOnTheGroundStaysInTheTubeAndReachesIt) 
 }
 
 Long3 in_direction(RandomStream& random, double length) {
-  const Velocity d = scenes::random_direction(random);
+  const Point d = scenes::random_direction(random);
   return {d.x * length, d.y * length, d.z * length};
 }
 
