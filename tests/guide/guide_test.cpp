@@ -40,7 +40,7 @@ struct Swap {
   [[nodiscard]] std::size_t arrived(const SmallFleet& fleet) const {
     std::size_t count = 0;
     for (AgentId id = 0; id < goals.size(); ++id) {
-      count += distance(fleet.place(id), goals[id]) <= 1.0 ? 1 : 0;
+      if (distance(fleet.place(id), goals[id]) <= 1.0) ++count;
     }
     return count;
   }
