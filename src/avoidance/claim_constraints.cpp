@@ -42,12 +42,25 @@ HullSeparation ConstraintBuilder::separation_of_claims(PointId bee, PointId othe
                   spare_m);
 }
 
+// Whether the remembered plane certifies a pair; then the best one does, too.
+bool ConstraintBuilder::is_certified_by_memory(PointId bee, PointId other) const {
+  const auto [first, second] = std::minmax(bee, other);
+  const Vector3 normal = planes_.normal(first, second);
+  if (normal == Vector3{}) return false;
+  const Claims& claims = agents_.claims();
+  const double gap_m = claims.hull(first).lowest(normal) - claims.hull(second).highest(normal);
+  const double free_m = claims.between(first, second).along(normal);
+  // The best one is compared with what it keeps itself: with as much left, or more.
+  const SeparationMargins margins = agents_.apart_by(free_m, first, second);
+  return gap_m >= margins.kept_m + (margins.kept_m - margins.asked_m);
+}
+
 bool ConstraintBuilder::is_claim_too_close(PointId bee, PointId other) const {
   const FreeBetween between = agents_.claims().between(bee, other);
   const double widest_m = between.shape.widest(between.horizontal_m) + between.beyond_m;
   const double certified_m = agents_.apart_by(widest_m, bee, other).certified_m;
   if (!agents_.ways_may_be_within(bee, other, certified_m)) return false;
-  if (keep_apart_anyhow(bee, other)) return false;
+  if (is_certified_by_memory(bee, other) || keep_apart_anyhow(bee, other)) return false;
   const HullSeparation found = separation_of_claims(bee, other);
   return found.plane.gap < agents_.apart_by(found.free_m, bee, other).certified_m;
 }

@@ -39,9 +39,9 @@ inline Velocity braked(const Velocity& v, double change) {
 }
 
 struct ClaimedAgent {
-  Path path;                   // with the last command
-  std::vector<Path> others;    // that it may follow instead
-  std::vector<Point> places;   // of all
+  Path path;                  // with the last command
+  std::vector<Path> others;   // that it may follow instead
+  std::vector<Point> places;  // of all
 };
 
 struct ClaimedFlock {
@@ -66,7 +66,8 @@ struct ClaimedFlock {
       ClaimedAgent& agent = agents[k];
       agent.places.clear();
       agent.path.append_places(limits, options.step_s, agent.places);
-      for (const Path& path : agent.others) path.append_places(limits, options.step_s, agent.places);
+      for (const Path& path : agent.others)
+        path.append_places(limits, options.step_s, agent.places);
       claims[k].places = agent.places;
       movers.push_back(agent.path.states.back());
     }

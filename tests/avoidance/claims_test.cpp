@@ -20,10 +20,11 @@ using test::LongVector;
 // How far within the shape an offset lies, as a share: 1 on its surface, more outside.
 long double outside(const Separation& separation, long double horizontal_m, const LongVector& d) {
   switch (separation.shape) {
-    case SeparationShape::kSphere: return length(d) / horizontal_m;
+    case SeparationShape::kSphere:
+      return length(d) / horizontal_m;
     case SeparationShape::kEllipsoid:
-      return length(LongVector{
-                 d.x, d.y, d.z / static_cast<long double>(separation.vertical_factor)}) /
+      return length(
+                 LongVector{d.x, d.y, d.z / static_cast<long double>(separation.vertical_factor)}) /
              horizontal_m;
     case SeparationShape::kCylinder:
       return std::max(std::sqrt(d.x * d.x + d.y * d.y) / horizontal_m,
@@ -42,8 +43,7 @@ std::vector<LongVector> places_of(const test::Path& path, const ClaimedFlock& fl
     // Evenly accelerated from one velocity to the other.
     const LongVector v = long_of(first.velocity);
     const LongVector change = long_of(next.velocity) - v;
-    places.push_back(long_of(first.position) + v * (s * step_s) +
-                     change * (0.5L * s * s * step_s));
+    places.push_back(long_of(first.position) + v * (s * step_s) + change * (0.5L * s * s * step_s));
   }
   std::vector<Point> all;
   path.append_places(flock.limits, flock.options.step_s, all);
@@ -69,8 +69,7 @@ long double least_outside(const ClaimedFlock& flock) {
     for (std::size_t j = i + 1; j < places.size(); ++j) {
       const Claim& a = flock.claims[i];
       const Claim& b = flock.claims[j];
-      const long double horizontal_m =
-          std::max(flock.options.threshold_m, a.radius_m + b.radius_m);
+      const long double horizontal_m = std::max(flock.options.threshold_m, a.radius_m + b.radius_m);
       const long double tubes_m = a.tube_m + b.tube_m;
       for (const LongVector& p : places[i]) {
         for (const LongVector& q : places[j]) {
@@ -81,8 +80,7 @@ long double least_outside(const ClaimedFlock& flock) {
                                       LongVector{d.x, d.y, d.z * squash}}) {
             const long double long_m = length(n);
             const long double share = long_m > 0.0L ? tubes_m / long_m : 0.0L;
-            least = std::min(
-                least, outside(flock.options.separation, horizontal_m, d - n * share));
+            least = std::min(least, outside(flock.options.separation, horizontal_m, d - n * share));
           }
         }
       }
@@ -107,11 +105,11 @@ std::vector<Variant> variants() {
   const Separation ellipsoid{SeparationShape::kEllipsoid, 3.0};
   const Separation flat{SeparationShape::kEllipsoid, 0.4};
   const Separation cylinder{SeparationShape::kCylinder, 1.0, 3.0};
-  return {{"sphere", {}, false, 0.0, 0.0},      {"tubes", {}, false, 0.0, 0.5},
-          {"radii", {}, false, 4.0, 0.3},       {"ellipsoid", ellipsoid, false, 0.0, 0.0},
-          {"flat", flat, false, 0.0, 0.4},      {"ellipsoid_tubes", ellipsoid, false, 3.0, 0.4},
+  return {{"sphere", {}, false, 0.0, 0.0},       {"tubes", {}, false, 0.0, 0.5},
+          {"radii", {}, false, 4.0, 0.3},        {"ellipsoid", ellipsoid, false, 0.0, 0.0},
+          {"flat", flat, false, 0.0, 0.4},       {"ellipsoid_tubes", ellipsoid, false, 3.0, 0.4},
           {"cylinder", cylinder, false, 0.0, 0}, {"cylinder_tubes", cylinder, false, 3.0, 0.4},
-          {"planar", {}, true, 3.0, 0.4},       {"planar_cylinder", cylinder, true, 3.0, 0.4}};
+          {"planar", {}, true, 3.0, 0.4},        {"planar_cylinder", cylinder, true, 3.0, 0.4}};
 }
 
 // So near to each other that all hinder each other, at rest.
@@ -174,8 +172,8 @@ TEST_P(Claims, StayApartInACrowdWithHostilePreferredVelocities) {
       flock.advance(advised.advice, random);
       for (const Advice& advice : advised.advice) flown_m += test::length_of(advice.velocity) * 0.1;
       if (tick % 5 == 0) {
-        ASSERT_GE(least_outside(flock), 1.0L) << GetParam().name << ", seed " << seed << ", tick "
-                                              << tick;
+        ASSERT_GE(least_outside(flock), 1.0L)
+            << GetParam().name << ", seed " << seed << ", tick " << tick;
       }
     }
     EXPECT_GT(flown_m / static_cast<double>(wishes.size()), 0.02 * ticks);
