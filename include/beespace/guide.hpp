@@ -252,6 +252,7 @@ class BEESPACE_API Guide {
   /// @param[out] guidance What to send, and what is known; overwritten, and empty after an error.
   /// @param stop When a stop is requested, the call ends soon; it may be made again.
   /// @return Success; or ErrorCode::kTimeOrder: a tick that is not after the one before;
+  ///   ErrorCode::kInvalidArgument: a tick beyond 10^18;
   ///   ErrorCode::kStopped.
   Status step(Tick now, Guidance& guidance, const std::stop_token& stop = {});
 
