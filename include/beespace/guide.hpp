@@ -102,7 +102,8 @@ struct AgentGuidance {
   Contract contract = Contract::kKept;            ///< Whether its figures hold.
   ContractReason reason = ContractReason::kNone;  ///< Why not.
   /// @brief Proven: as long as all keep the contract, it keeps the threshold from all others that
-  /// keep it, and the clearance, for ever.
+  /// keep it, and the clearance, for ever. Whether they do says `contract`: never of one that is
+  /// out, and of one that is doubted its reports alone do not prove it.
   bool certified = false;
   bool clear_of_intruders = false;      ///< As Advice::clear_of_intruders.
   AdviceKind kind = AdviceKind::kNone;  ///< How it flies, compared with what is preferred.

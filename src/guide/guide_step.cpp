@@ -98,10 +98,17 @@ void Guide::State::prepare(Tick now) {
   prepare_intruders(now);
 }
 
+// On the ground it counts from when the newest report was measured, not from when it came: what
+// corrects an agent is as old as that.
+double Guide::State::silent_s(const Member& member, Tick now) const {
+  if (!member.is_on_ground_loop() || !member.last) return seconds(now - member.heard);
+  return seconds(now - member.last->tick) - member.last->after_s;
+}
+
 void Guide::State::prepare(Member& member, PointId index, Tick now) {
   member.branches.advance(now);
   member.around.reset();
-  if (!member.branches.awaits_root()) member.monitor.check_silence(seconds(now - member.heard));
+  if (!member.branches.awaits_root()) member.monitor.check_silence(silent_s(member, now));
   const Mover base = member.branches.base_state(now + options_.link.command_delay);
   movers_.push_back(base);
   preferred_.push_back(preferred(member, base.position));
@@ -193,7 +200,7 @@ void Guide::State::tell(PointId index, Tick now, Guidance& guidance) {
   told.contract = member.monitor.contract();
   told.reason = member.monitor.reason();
   told.certified = advice.keeps_apart && advice.clear_of_unknown &&
-                   told.contract == Contract::kKept && !member.branches.awaits_root() &&
+                   told.contract != Contract::kOut && !member.branches.awaits_root() &&
                    expected_.empty();
   told.clear_of_intruders = advice.clear_of_intruders && !intruder_anywhere_;
   told.kind = advice.kind;
