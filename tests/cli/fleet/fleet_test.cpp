@@ -31,7 +31,7 @@ TEST(Fleet, SaysHowFarAndHowFastBeesStray) {
                {"2 bees, 6 fixes compared\n", "deviation     0.500 m (99.9 %: 0.500 m)\n",
                 "rate          0.500 m/s", "acceleration  0.750 m/s^2",
                 "lag           none that could be told\n",
-                "to plan with  sensing_error_m = 0.501, deviation_mps = 0, correction_mps = 0.501",
+                "to plan with  sensing_error_m = 0.500, deviation_mps = 0, correction_mps = 0.500",
                 "Not told: how wrong flown positions are themselves."});
 }
 
