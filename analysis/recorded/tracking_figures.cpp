@@ -73,19 +73,30 @@ double mean_square(const std::vector<double>& lengths) {
   return lengths.empty() ? 0.0 : sum / static_cast<double>(lengths.size());
 }
 
-std::optional<double> best_lag(const std::vector<SetAndFlown>& bees, double max_gap_s,
+// What was flown so late that all lags can be compared on the same fixes.
+std::vector<SetAndFlown> comparable(const std::vector<SetAndFlown>& bees, double longest_lag_s) {
+  std::vector<SetAndFlown> later = bees;
+  for (SetAndFlown& bee : later) {
+    if (bee.set.fixes.empty()) continue;
+    const double from_s = bee.set.fixes.front().time_s + longest_lag_s;
+    std::erase_if(bee.flown.fixes, [&](const Fix& fix) { return fix.time_s < from_s; });
+  }
+  return later;
+}
+
+std::optional<double> best_lag(const std::vector<SetAndFlown>& all, double max_gap_s,
                                double longest_lag_s) {
+  const std::vector<SetAndFlown> bees = comparable(all, longest_lag_s);
   const double without = mean_square(all_lengths(bees, 0.0, max_gap_s));
   double least = without;
   double best_s = 0.0;
   for (int step = 1; step * kLagStep_s <= longest_lag_s; ++step) {
-    const std::vector<double> lengths = all_lengths(bees, step * kLagStep_s, max_gap_s);
-    const double square = mean_square(lengths);
-    if (lengths.empty() || square >= least) continue;
+    const double square = mean_square(all_lengths(bees, step * kLagStep_s, max_gap_s));
+    if (square >= least) continue;
     least = square;
     best_s = step * kLagStep_s;
   }
-  if (least > kClearlyLess * without) return std::nullopt;
+  if (!(least < kClearlyLess * without)) return std::nullopt;
   return best_s;
 }
 

@@ -9,7 +9,7 @@
 #include "io/json/json_writer.hpp"
 #include "io/load_recording.hpp"
 
-#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <string>
@@ -74,7 +74,7 @@ std::string line_of(const char* name, const Extreme& extreme, const char* unit) 
 
 // Rounded up to the millimetre: it is a bound.
 std::string rounded_up(double value) {
-  return io::grouped(value + 0.0005, 3);
+  return io::grouped(std::ceil(value * 1e3) / 1e3, 3);
 }
 
 std::string text_of(const Compared& compared) {
