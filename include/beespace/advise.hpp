@@ -150,7 +150,8 @@ struct Fence {
 /// @brief Remembers the normals of the planes between agents from one call to the next.
 ///
 /// A plane that certified a pair does so again in the next step, whatever direction is found anew.
-/// Agents are known by their indices, which must stay the same.
+/// Agents are known by their indices, which must stay the same. Nothing is remembered of an agent
+/// that a call refuses, or that is unknown in it, nor after a call that fails.
 ///
 /// Ownership: owns its memory. Thread safety: none.
 class BEESPACE_API PlaneMemory {
@@ -208,8 +209,10 @@ struct AdviseOptions {
   /// @brief The half-spaces that no agent leaves; the clearance is kept from their planes.
   detail::KeptSpan<Fence> fences = {};
 
-  /// @brief Whether agents keep their heights: robots on a floor, ships. Velocities are then
-  /// horizontal. A height or velocity that is not the same for all is refused.
+  /// @brief Whether all agents move in one horizontal plane: robots on a floor, ships. Velocities
+  /// are then horizontal, vertical components of preferred velocities count as zero, and every
+  /// shape is a circle. An agent whose height (or that of a place of its claim) is not that of most
+  /// agents, or whose vertical velocity is not zero, is refused (Advised::refused).
   bool planar = false;
 
   /// @brief The largest distance in metres between the true and the stated position of an agent, if
@@ -220,8 +223,10 @@ struct AdviseOptions {
 
   /// @brief The static obstacles; null for none.
   const ObstacleMap* obstacles = nullptr;
-  /// @brief The clearance in metres: no agent shall come closer to an obstacle, or to the plane of
-  /// a fence, than this. Above zero; must be given where there are obstacles or fences.
+  /// @brief The clearance in metres: no agent's centre shall come closer to an obstacle, or to the
+  /// plane of a fence, than this. Above zero; must be given where there are obstacles or fences. A
+  /// tube is added to it, and Claim::radius_m is not: give the largest radius and the distance that
+  /// shall be left.
   double clearance_m = kNotGiven;
 
   /// @brief Agents that fly among the others and do not do as advised. All others give way to them,
@@ -295,14 +300,15 @@ struct Advice {
   friend constexpr bool operator==(const Advice&, const Advice&) = default;
 };
 
-/// @brief Two agents whose stopping segments come closer than the threshold.
+/// @brief Two agents whose stopping segments (or claims) come closer than what must stay free.
 ///
 /// A stopping segment is the way of an agent that brakes to a stop. The two do not come closer than
 /// those segments are, and are advised to separate as fast as they can.
 struct TooClose {
   Pair pair;  ///< The two agents.
   double gap_m =
-      0.0;  ///< Between the two segments, in metres; about zero or below where they cross.
+      0.0;  ///< Between the two segments, in metres; about zero or below where they cross. Of
+            ///< claims: between both along the plane's normal, less their tubes.
   /// @brief When the two are the threshold apart, in seconds, if both go on as advised; infinite:
   /// never. Zero for two that are too fast to stop in time, and still far enough apart.
   double clear_s = 0.0;

@@ -149,7 +149,12 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     if (options.method == AdviseMethod::kCertified) {
       cpu::schedule(crew, bees, kChunk, [&](auto begin, auto end, unsigned /*worker*/) {
         for (std::size_t bee = begin; bee < end; ++bee) {
-          too_close_[bee] = constraint_builder.is_too_close(static_cast<PointId>(bee)) ? 1 : 0;
+          const auto id = static_cast<PointId>(bee);
+          if (agents_.claims().any()) {
+            constraint_builder.mark_too_close(id, too_close_);
+          } else {
+            too_close_[bee] = constraint_builder.is_too_close(id) ? 1 : 0;
+          }
         }
       });
     }

@@ -41,10 +41,6 @@ SeparatingPlane ConstraintBuilder::plane_between(PointId bee, PointId other) con
 
 bool ConstraintBuilder::is_too_close(PointId bee) const {
   bool found = false;
-  if (agents_.claims().any()) {
-    near_.visit(bee, [&](PointId other) { return !(found = is_claim_too_close(bee, other)); });
-    return found;
-  }
   near_.visit(bee, [&](PointId other) {
     const double certified_m = agents_.apart(bee, other).certified_m;
     found = agents_.ways_may_be_within(bee, other, certified_m) &&

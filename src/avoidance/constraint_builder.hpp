@@ -36,6 +36,10 @@ class ConstraintBuilder {
   // Whether a bee is too close to another one, or will be when it brakes.
   [[nodiscard]] bool is_too_close(PointId bee) const;
 
+  // The same where there are claims: marks a bee and those of higher ids that are too close to each
+  // other. Of several bees at the same time, too.
+  void mark_too_close(PointId bee, std::span<char> marks) const;
+
   // The results, for one bee after the other.
   struct Findings {
     Constraints constraints;  // of the last one

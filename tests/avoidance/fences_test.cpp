@@ -50,6 +50,46 @@ TEST(Fences, AreKeptWithClearanceAndTube) {
   EXPECT_LT(least, 0.9);
 }
 
+// Obstacles of all kinds are kept clear of by whole claims, with their tubes.
+TEST(Obstacles, AreKeptWithClearanceAndTubeByClaims) {
+  ClaimedFlock flock;
+  flock.limits = {10.0, 5.0};
+  flock.options.threshold_m = 1.0;
+  flock.options.clearance_m = 0.5;
+  const auto map = ObstacleMap::of(
+      {Sphere{{0, 12, 0}, 6}, Box{{-30, -20, -3}, {30, -6, 3}}, UprightCylinder{18, 3, 4, {}},
+       UprightPrism{{{-25, -3}, {-14, 0}, {-20, 6}}, {-8, 8}}, Ground{-9}});
+  ASSERT_TRUE(map);
+  flock.options.obstacles = &*map;
+  for (int k = 0; k < 8; ++k) flock.add({2.5 * k - 9.0, 0.0, 0.0}, 3, {.tube_m = 0.3});
+  RandomStream random(6);
+  Adviser adviser;
+  Advised advised;
+  std::vector<Velocity> wishes(8);
+  double least = 1e9;
+  for (int tick = 0; tick < test::rounds(3000); ++tick) {
+    for (std::size_t k = 0; k < wishes.size(); ++k) {
+      if (random.index(30) != 0) continue;
+      wishes[k] = test::towards(
+          flock.agents[k].path.states.front().position,
+          {random.uniform(-30, 30), random.uniform(-15, 15), random.uniform(-10, 10)}, 10.0);
+    }
+    flock.prepare();
+    ASSERT_TRUE(adviser.advise(flock.movers, wishes, {&flock.limits, 1}, flock.options, advised));
+    ASSERT_TRUE(test::all_keep_apart(advised))
+        << "tick " << tick << ", gap "
+        << (advised.near_obstacle.empty() ? 0.0 : advised.near_obstacle.front().gap_m);
+    flock.advance(advised.advice, random);
+    for (const auto& agent : flock.agents) {
+      const auto nearest = map->nearest(agent.path.states.front().position);
+      ASSERT_TRUE(nearest);
+      least = std::min(least, nearest->surface.distance_m);
+    }
+  }
+  EXPECT_GE(least, 0.8);
+  EXPECT_LT(least, 0.9);
+}
+
 // One that is too close already is named, and comes back.
 TEST(Fences, OneOutsideIsNamedAndComesBack) {
   const std::vector<Fence> fences = {{{1.0, 0.0, 0.0}, 0.0}};
