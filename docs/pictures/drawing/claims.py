@@ -125,7 +125,7 @@ def _claims():
     picture.arrow(*at((centre[0] - normal[0] * kept / 2, centre[1] - normal[1] * kept / 2)),
                   *at((centre[0] + normal[0] * kept / 2, centre[1] + normal[1] * kept / 2)), "ink")
     x, y = at(centre)
-    picture.text(x + 16, y + 40, "S(n) = σ(n) + ρ + ρ", "ink", "middle", "small")
+    picture.text(x + 16, y + 40, "F(n) = σ(n) + ρ + ρ", "ink", "middle", "small")
     x, y = at(place)
     picture.lines(x - 40, y + 58, ["here a new command departs;", "one point decides: its stop"],
                   "soft")
