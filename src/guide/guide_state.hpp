@@ -1,7 +1,7 @@
 // The fleet of a Guide: who is in it, what is known of each, and the tick.
 //
-// Members are in a dense row, in any order, so that each call of the Adviser sees them all; `by_id_`
-// has them in the order of their ids, in which all is told.
+// Members are in a dense row, in any order, so that each call of the Adviser sees them all;
+// `by_id_` has them in the order of their ids, in which all is told.
 #pragma once
 
 #include "guide/ball.hpp"

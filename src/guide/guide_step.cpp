@@ -10,7 +10,6 @@
 
 namespace beespace {
 
-
 Guide::State::State(const GuideOptions& options)
     : options_(options), fences_(options.fences.begin(), options.fences.end()) {
   options_.fences = {};

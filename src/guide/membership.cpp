@@ -73,8 +73,7 @@ std::vector<PointId> Guide::State::near(const Point& place, double tube_m, doubl
     if (places.empty()) continue;
     const guide::Ball ball = guide::ball_around(places);
     const double apart_m = farthest_apart_m(radius_m, other.radius_m);
-    const double within_m =
-        (ball.radius_m + apart_m + tube_m + other.tube.radius_m) * (1.0 + 1e-6);
+    const double within_m = (ball.radius_m + apart_m + tube_m + other.tube.radius_m) * (1.0 + 1e-6);
     if (length(core::vector_of(place) - ball.middle) <= within_m) found.push_back(index);
   }
   return found;
@@ -152,10 +151,9 @@ Result<JoinAnswer> Guide::State::join(const JoinRequest& request, bool for_good)
   member.tube = *tube;
   member.radius_m = request.radius_m;
   member.heard = now_.value_or(0);
-  member.branches =
-      guide::Branches::root(request.agent, branch_number(options_.epoch, ++roots_),
-                            motion::flushed(request.position), now_.value_or(0), tube->planned,
-                            options_.link.period_s);
+  member.branches = guide::Branches::root(request.agent, branch_number(options_.epoch, ++roots_),
+                                          motion::flushed(request.position), now_.value_or(0),
+                                          tube->planned, options_.link.period_s);
   add(std::move(member));
   return answer;
 }
