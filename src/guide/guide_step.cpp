@@ -10,6 +10,10 @@
 
 namespace beespace {
 
+<<<<<<< HEAD
+=======
+
+>>>>>>> air
 Guide::State::State(const GuideOptions& options)
     : options_(options), fences_(options.fences.begin(), options.fences.end()) {
   options_.fences = {};
@@ -42,19 +46,32 @@ Status Guide::State::check() {
   return adviser_.advise({}, {}, std::span(&options_.limits, 1), options, advised_);
 }
 
+<<<<<<< HEAD
 Tick Guide::State::claims_from(const Member& member, Tick now) const {
+=======
+Tick Guide::State::claims_from(const Member& member, Tick now) {
+>>>>>>> air
   return member.figures.clock_error_s > 0.0 ? now - 1 : now;
 }
 
 // Out of its contract, or on the ground loop without a report: its tube no longer holds it.
+<<<<<<< HEAD
 bool Guide::State::is_unknown(const Member& member) const {
+=======
+bool Guide::State::is_unknown(const Member& member) {
+>>>>>>> air
   if (member.monitor.contract() == Contract::kOut) return true;
   return member.is_on_ground_loop() && member.monitor.reason() == ContractReason::kSilent;
 }
 
 // It gets nothing new.
+<<<<<<< HEAD
 bool Guide::State::holds(const Member& member) const {
   return member.at_root || member.branches.is_full() ||
+=======
+bool Guide::State::holds(const Member& member) {
+  return member.branches.awaits_root() || member.branches.full() ||
+>>>>>>> air
          member.monitor.reason() == ContractReason::kSilent;
 }
 
@@ -85,7 +102,11 @@ void Guide::State::prepare(Tick now) {
 
 void Guide::State::prepare(Member& member, PointId index, Tick now) {
   member.branches.advance(now);
+<<<<<<< HEAD
   if (!member.at_root) member.monitor.check_silence(seconds(now - member.heard));
+=======
+  if (!member.branches.awaits_root()) member.monitor.check_silence(seconds(now - member.heard));
+>>>>>>> air
   const Mover base = member.branches.base_state(now + options_.link.command_delay);
   movers_.push_back(base);
   preferred_.push_back(preferred(member, base.position));
@@ -164,11 +185,16 @@ void Guide::State::tell(PointId index, Tick now, Guidance& guidance) {
   told.contract = member.monitor.contract();
   told.reason = member.monitor.reason();
   told.certified = advice.keeps_apart && advice.clear_of_unknown &&
+<<<<<<< HEAD
                    told.contract == Contract::kKept && !member.at_root && expected_.empty();
+=======
+                   told.contract == Contract::kKept && !member.branches.awaits_root() && expected_.empty();
+>>>>>>> air
   told.clear_of_intruders = advice.clear_of_intruders;
   told.kind = advice.kind;
   told.tube_m = member.tube.radius_m;
   told.deviation_m = member.monitor.deviation_m();
+<<<<<<< HEAD
   told.commanded = command(member, advice, now, guidance);
   told.branches = static_cast<std::uint32_t>(member.branches.count());
   told.nominal = member.branches.newest_at(now);
@@ -192,6 +218,31 @@ bool Guide::State::command(Member& member, const Advice& advice, Tick now, Guida
   }
   guidance.commands.push_back(
       member.branches.issue(now, options_.link.command_delay, advice.velocity, correction));
+=======
+  told.commanded = command(member, advice, guidance);
+  told.branches = static_cast<std::uint32_t>(member.branches.live_count());
+  told.nominal = member.branches.base_state(now);
+}
+
+// Whether there is one.
+bool Guide::State::command(Member& member, const Advice& advice, Guidance& guidance) {
+  guide::Branches& branches = member.branches;
+  if (branches.awaits_root()) {
+    branches.write_root(guidance.commands.emplace_back());
+    return true;
+  }
+  if (holds(member) || is_unknown(member) || advice.kind == AdviceKind::kNone) return false;
+  Velocity correction;
+  if (member.is_on_ground_loop()) {
+    const Tick departs = branches.departs();
+    const core::Vector3 next = member.corrections.next(departs, member.loop);
+    member.corrections.set(departs + 1, next);
+    correction = {next.x, next.y, next.z};
+  } else if (!branches.would_change(advice.velocity)) {
+    return false;
+  }
+  branches.issue(advice.velocity, correction, guidance.commands.emplace_back());
+>>>>>>> air
   return true;
 }
 

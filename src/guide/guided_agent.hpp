@@ -21,8 +21,14 @@ struct GuidedAgent {
   double radius_m = 0.0;
   Branches branches;
   ContractMonitor monitor;
+<<<<<<< HEAD
   fleet::CorrectionLoop loop;
   GroundLoop corrections;  // of a fleet whose loop is closed on the ground
+=======
+  // Of a fleet whose loop is closed on the ground.
+  fleet::CorrectionLoop loop = {};
+  GroundLoop corrections = {};
+>>>>>>> air
 
   std::optional<Point> goal = {};
   Velocity preferred = {};
@@ -35,7 +41,10 @@ struct GuidedAgent {
     Tick tick = 0;
   };
   Taken taken = {};     // the newest command that it says it took, and when by its own tick
+<<<<<<< HEAD
   bool at_root = true;  // its root is not acknowledged yet
+=======
+>>>>>>> air
 
   [[nodiscard]] bool is_on_ground_loop() const { return figures.loop == LoopPlace::kGround; }
 };

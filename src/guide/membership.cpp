@@ -73,7 +73,12 @@ std::vector<PointId> Guide::State::near(const Point& place, double tube_m, doubl
     if (places.empty()) continue;
     const guide::Ball ball = guide::ball_around(places);
     const double apart_m = farthest_apart_m(radius_m, other.radius_m);
+<<<<<<< HEAD
     const double within_m = (ball.radius_m + apart_m + tube_m + other.tube.radius_m) * (1.0 + 1e-6);
+=======
+    const double within_m =
+        (ball.radius_m + apart_m + tube_m + other.tube.radius_m) * (1.0 + 1e-6);
+>>>>>>> air
     if (length(core::vector_of(place) - ball.middle) <= within_m) found.push_back(index);
   }
   return found;
@@ -145,6 +150,7 @@ Result<JoinAnswer> Guide::State::join(const JoinRequest& request, bool for_good)
   answer.joined =
       for_good && answer.touches.empty() && answer.obstacles.empty() && answer.fences.empty();
   if (!answer.joined) return answer;
+<<<<<<< HEAD
   Member member;
   member.id = request.agent;
   member.figures = request.figures.value_or(options_.figures);
@@ -155,6 +161,12 @@ Result<JoinAnswer> Guide::State::join(const JoinRequest& request, bool for_good)
                                           motion::flushed(request.position), now_.value_or(0),
                                           tube->planned, options_.link.period_s);
   add(std::move(member));
+=======
+  add(request, *tube,
+      guide::Branches::rooted(branch_options(request.agent, *tube),
+                              motion::flushed(request.position), now_.value_or(0)),
+      now_.value_or(0));
+>>>>>>> air
   return answer;
 }
 
@@ -164,6 +176,7 @@ Status Guide::State::adopt(const JoinRequest& request, const StoredBranch& store
   if (Status fine = check_new(known); !fine) return fine;
   const Result<Tube> tube = tube_for(request);
   if (!tube) return tube.error();
+<<<<<<< HEAD
   auto branches = guide::Branches::adopted(request.agent, stored, options_.epoch, tube->planned,
                                            options_.link.period_s);
   if (!branches) return branches.error();
@@ -185,6 +198,41 @@ void Guide::State::add(Member&& member) {
   const auto index = static_cast<PointId>(members_.size());
   by_id_.emplace(member.id, index);
   members_.push_back(std::move(member));
+=======
+  auto branches = guide::Branches::adopted(branch_options(request.agent, *tube), stored,
+                                           now_.value_or(stored.tick));
+  if (!branches) return branches.error();
+  add(request, *tube, *std::move(branches), now_.value_or(stored.tick));
+  return std::monostate{};
+}
+
+guide::BranchOptions Guide::State::branch_options(AgentId agent, const Tube& tube) const {
+  const auto left = sent_before_.find(agent);
+  return {.agent = agent,
+          .planned = tube.planned,
+          .period_s = options_.link.period_s,
+          .command_delay = options_.link.command_delay,
+          .epoch = options_.epoch,
+          .earlier = left == sent_before_.end() ? 0 : left->second};
+}
+
+void Guide::State::add(const JoinRequest& request, const Tube& tube, guide::Branches&& branches,
+                       Tick heard) {
+  expected_.erase(request.agent);
+  const FleetFigures figures = request.figures.value_or(options_.figures);
+  const auto index = static_cast<PointId>(members_.size());
+  by_id_.emplace(request.agent, index);
+  members_.push_back({.id = request.agent,
+                      .figures = figures,
+                      .tube = tube,
+                      .radius_m = request.radius_m,
+                      .branches = std::move(branches),
+                      .monitor = guide::ContractMonitor(figures, options_.link, tube),
+                      .heard = heard});
+  if (figures.loop == LoopPlace::kGround) {
+    members_.back().loop = {tube, figures, options_.link.period_s};
+  }
+>>>>>>> air
   planes_.forget(index);
 }
 
@@ -201,6 +249,10 @@ Status Guide::State::leave(AgentId agent) {
   if (found == by_id_.end()) return unknown_agent(agent);
   const PointId index = found->second;
   const auto last = static_cast<PointId>(members_.size() - 1);
+<<<<<<< HEAD
+=======
+  sent_before_[agent] = members_[index].branches.count();
+>>>>>>> air
   by_id_.erase(found);
   if (index != last) {
     members_[index] = std::move(members_[last]);

@@ -24,8 +24,13 @@ struct Swap {
 
   Swap(int side, double spacing_m, unsigned seed) {
     for (int k = 0; k < side * side * side; ++k) {
+<<<<<<< HEAD
       starts.push_back(
           {spacing_m * (k % side), spacing_m * (k / side % side), spacing_m * (k / side / side)});
+=======
+      starts.push_back({spacing_m * (k % side), spacing_m * (k / side % side),
+                        spacing_m * (k / side / side)});
+>>>>>>> air
     }
     goals = starts;
     std::mt19937 random(seed);
@@ -253,8 +258,13 @@ TEST(Guide, AForgedAcknowledgementNamesTheAgent) {
   ASSERT_EQ(fleet.guidance().commands.size(), 1U);
   const BranchNumber lost = fleet.guidance().commands[0].number;
   ASSERT_GT(lost, held);
+<<<<<<< HEAD
   ASSERT_TRUE(
       fleet.guide().take(Acknowledgement{1, lost, CommandReply::kTaken, lost, fleet.now()}));
+=======
+  ASSERT_TRUE(fleet.guide().take(
+      Acknowledgement{1, lost, CommandReply::kTaken, lost, fleet.now()}));
+>>>>>>> air
   fleet.step();
   EXPECT_FALSE(fleet.guide().take(fleet.report(1)));
   fleet.step();
