@@ -5,7 +5,7 @@
 #include "cli/console/terminal.hpp"
 #include "cli/input/moving_output.hpp"
 #include "cli/output/event_lines.hpp"
-#include "cli/watch/line_source.hpp"
+#include "cli/input/line_source.hpp"
 #include "cli/watch/live_advice.hpp"
 #include "cli/watch/pace.hpp"
 #include "cli/watch/watch_request.hpp"
