@@ -155,30 +155,32 @@ FleetContent read_command(FleetFields& fields) {
   return message;
 }
 
+enum class Id : std::uint8_t { kNone, kMayHave, kNeeded };
+
 struct Kind {
   std::string_view event;
   std::string_view what;
-  bool has_id;
+  Id id;
   ReadContent read;  // null: it needs the defaults
 };
 
 constexpr std::array<Kind, 16> kKinds = {
-    {{"report", "a report", true, read_report},
-     {"ack", "an acknowledgement", true, read_ack},
-     {"command", "a command", true, read_command},
-     {"tick", "a tick", false, read_tick},
-     {"goal", "a goal", true, read_goal},
-     {"preferred", "a preferred velocity", true, read_preferred},
-     {"join", "a join", true, nullptr},
-     {"may_join", "a question whether to join", true, nullptr},
-     {"leave", "a leave", true, read_leave},
-     {"adopt", "an adopt", true, nullptr},
-     {"expect", "an expect", false, read_expect},
-     {"intruders", "a list of intruders", false, read_intruders},
-     {"hello", "a hello", true, read_hello},
-     {"joined", "an answer to a join", true, read_joined},
-     {"measured", "a measurement", true, read_measured},
-     {"lose", "a lose", true, read_lose}}};
+    {{"report", "a report", Id::kNeeded, read_report},
+     {"ack", "an acknowledgement", Id::kNeeded, read_ack},
+     {"command", "a command", Id::kNeeded, read_command},
+     {"tick", "a tick", Id::kNone, read_tick},
+     {"goal", "a goal", Id::kNeeded, read_goal},
+     {"preferred", "a preferred velocity", Id::kNeeded, read_preferred},
+     {"join", "a join", Id::kNeeded, nullptr},
+     {"may_join", "a question whether to join", Id::kNeeded, nullptr},
+     {"leave", "a leave", Id::kNeeded, read_leave},
+     {"adopt", "an adopt", Id::kNeeded, nullptr},
+     {"expect", "an expect", Id::kNone, read_expect},
+     {"intruders", "a list of intruders", Id::kNone, read_intruders},
+     {"hello", "a hello", Id::kMayHave, read_hello},
+     {"joined", "an answer to a join", Id::kNeeded, read_joined},
+     {"measured", "a measurement", Id::kNeeded, read_measured},
+     {"lose", "a lose", Id::kNeeded, read_lose}}};
 
 // What a planner or an agent writes for others to read.
 constexpr std::array<std::string_view, 9> kTold = {
@@ -273,9 +275,8 @@ Result<std::optional<FleetMessage>> FleetReader::read(std::string_view line) {
 }
 
 std::optional<Error> FleetReader::read_id(FleetFields& fields, bool needed, std::string_view& id) {
-  if (!needed) return std::nullopt;
-  const auto element = fields.need("id");
-  if (!element) return fields.error();
+  const auto element = needed ? fields.need("id") : fields.find("id");
+  if (!element) return needed ? fields.error() : std::nullopt;
   if (!read_fleet_id(*element, id_)) {
     id_.clear();
     return Error{ErrorCode::kMalformedRecord,
@@ -297,8 +298,11 @@ Result<FleetMessage> FleetReader::read_content(JsonElement object, std::string_v
   FleetFields fields(object, kind->what);
   fields.find("event");
   FleetMessage message;
-  if (auto error = read_id(fields, kind->has_id, message.id)) return *std::move(error);
-  if (!only_.empty() && kind->has_id && message.id != only_) return message;
+  if (kind->id != Id::kNone) {
+    const bool needed = kind->id == Id::kNeeded;
+    if (auto error = read_id(fields, needed, message.id)) return *std::move(error);
+  }
+  if (!only_.empty() && !message.id.empty() && message.id != only_) return message;
   if (kind->read != nullptr) {
     message.content = kind->read(fields);
   } else if (event == "adopt") {
