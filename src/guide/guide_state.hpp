@@ -1,11 +1,16 @@
 // The fleet of a Guide: who is in it, what is known of each, and the tick.
 //
 <<<<<<< HEAD
+<<<<<<< HEAD
 // Members are in a dense row, in any order, so that each call of the Adviser sees them all;
 // `by_id_` has them in the order of their ids, in which all is told.
 =======
 // Members are in a dense row, in any order, so that each call of the Adviser sees them all; `by_id_`
 // has them in the order of their ids, in which all is told.
+>>>>>>> air
+=======
+// Members are in a dense row, in any order, so that each call of the Adviser sees them all;
+// `by_id_` has them in the order of their ids, in which all is told.
 >>>>>>> air
 #pragma once
 
@@ -60,9 +65,14 @@ class __attribute__((visibility("hidden"))) Guide::State {
   Result<Tube> tube_for(const JoinRequest& request) const;
   Status check_new(const JoinRequest& request) const;
 <<<<<<< HEAD
+<<<<<<< HEAD
   void add(Member&& member);
 =======
   [[nodiscard]] guide::BranchOptions branch_options(AgentId agent, const Tube& tube) const;
+=======
+  [[nodiscard]] guide::BranchOptions branch_options(const JoinRequest& request,
+                                                    const Tube& tube) const;
+>>>>>>> air
   void add(const JoinRequest& request, const Tube& tube, guide::Branches&& branches, Tick heard);
 >>>>>>> air
   [[nodiscard]] double farthest_apart_m(double radius_m, double other_radius_m) const;
@@ -116,7 +126,16 @@ class __attribute__((visibility("hidden"))) Guide::State {
 
   std::vector<Member> members_;
   std::map<AgentId, PointId> by_id_;
+<<<<<<< HEAD
   std::map<AgentId, std::uint32_t> sent_before_;  // branches, to those that have left
+>>>>>>> air
+=======
+  // The branches that were sent to those that have left: none is used twice.
+  struct Sent {
+    std::uint32_t epoch = 0;
+    std::uint32_t count = 0;
+  };
+  std::map<AgentId, Sent> sent_before_;
 >>>>>>> air
   std::set<AgentId> expected_;  // not heard of yet
   std::vector<Intruder> intruders_;

@@ -11,8 +11,11 @@
 namespace beespace {
 
 <<<<<<< HEAD
+<<<<<<< HEAD
 =======
 
+>>>>>>> air
+=======
 >>>>>>> air
 Guide::State::State(const GuideOptions& options)
     : options_(options), fences_(options.fences.begin(), options.fences.end()) {
@@ -186,9 +189,14 @@ void Guide::State::tell(PointId index, Tick now, Guidance& guidance) {
   told.reason = member.monitor.reason();
   told.certified = advice.keeps_apart && advice.clear_of_unknown &&
 <<<<<<< HEAD
+<<<<<<< HEAD
                    told.contract == Contract::kKept && !member.at_root && expected_.empty();
 =======
                    told.contract == Contract::kKept && !member.branches.awaits_root() && expected_.empty();
+>>>>>>> air
+=======
+                   told.contract == Contract::kKept && !member.branches.awaits_root() &&
+                   expected_.empty();
 >>>>>>> air
   told.clear_of_intruders = advice.clear_of_intruders;
   told.kind = advice.kind;

@@ -40,10 +40,14 @@ struct GuidedAgent {
     BranchNumber number = 0;
     Tick tick = 0;
   };
+<<<<<<< HEAD
   Taken taken = {};     // the newest command that it says it took, and when by its own tick
 <<<<<<< HEAD
   bool at_root = true;  // its root is not acknowledged yet
 =======
+>>>>>>> air
+=======
+  Taken taken = {};  // the newest command that it says it took, and when by its own tick
 >>>>>>> air
 
   [[nodiscard]] bool is_on_ground_loop() const { return figures.loop == LoopPlace::kGround; }

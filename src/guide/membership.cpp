@@ -74,10 +74,14 @@ std::vector<PointId> Guide::State::near(const Point& place, double tube_m, doubl
     const guide::Ball ball = guide::ball_around(places);
     const double apart_m = farthest_apart_m(radius_m, other.radius_m);
 <<<<<<< HEAD
+<<<<<<< HEAD
     const double within_m = (ball.radius_m + apart_m + tube_m + other.tube.radius_m) * (1.0 + 1e-6);
 =======
     const double within_m =
         (ball.radius_m + apart_m + tube_m + other.tube.radius_m) * (1.0 + 1e-6);
+>>>>>>> air
+=======
+    const double within_m = (ball.radius_m + apart_m + tube_m + other.tube.radius_m) * (1.0 + 1e-6);
 >>>>>>> air
     if (length(core::vector_of(place) - ball.middle) <= within_m) found.push_back(index);
   }
@@ -163,8 +167,8 @@ Result<JoinAnswer> Guide::State::join(const JoinRequest& request, bool for_good)
   add(std::move(member));
 =======
   add(request, *tube,
-      guide::Branches::rooted(branch_options(request.agent, *tube),
-                              motion::flushed(request.position), now_.value_or(0)),
+      guide::Branches::rooted(branch_options(request, *tube), motion::flushed(request.position),
+                              now_.value_or(0)),
       now_.value_or(0));
 >>>>>>> air
   return answer;
@@ -176,6 +180,7 @@ Status Guide::State::adopt(const JoinRequest& request, const StoredBranch& store
   if (Status fine = check_new(known); !fine) return fine;
   const Result<Tube> tube = tube_for(request);
   if (!tube) return tube.error();
+<<<<<<< HEAD
 <<<<<<< HEAD
   auto branches = guide::Branches::adopted(request.agent, stored, options_.epoch, tube->planned,
                                            options_.link.period_s);
@@ -201,19 +206,26 @@ void Guide::State::add(Member&& member) {
 =======
   auto branches = guide::Branches::adopted(branch_options(request.agent, *tube), stored,
                                            now_.value_or(stored.tick));
+=======
+  auto branches =
+      guide::Branches::adopted(branch_options(request, *tube), stored, now_.value_or(stored.tick));
+>>>>>>> air
   if (!branches) return branches.error();
   add(request, *tube, *std::move(branches), now_.value_or(stored.tick));
   return std::monostate{};
 }
 
-guide::BranchOptions Guide::State::branch_options(AgentId agent, const Tube& tube) const {
-  const auto left = sent_before_.find(agent);
-  return {.agent = agent,
+guide::BranchOptions Guide::State::branch_options(const JoinRequest& request,
+                                                  const Tube& tube) const {
+  const std::uint32_t epoch = std::max(options_.epoch, request.promised);
+  const auto left = sent_before_.find(request.agent);
+  const bool in_this_epoch = left != sent_before_.end() && left->second.epoch == epoch;
+  return {.agent = request.agent,
           .planned = tube.planned,
           .period_s = options_.link.period_s,
           .command_delay = options_.link.command_delay,
-          .epoch = options_.epoch,
-          .earlier = left == sent_before_.end() ? 0 : left->second};
+          .epoch = epoch,
+          .earlier = in_this_epoch ? left->second.count : 0};
 }
 
 void Guide::State::add(const JoinRequest& request, const Tube& tube, guide::Branches&& branches,
@@ -250,8 +262,13 @@ Status Guide::State::leave(AgentId agent) {
   const PointId index = found->second;
   const auto last = static_cast<PointId>(members_.size() - 1);
 <<<<<<< HEAD
+<<<<<<< HEAD
 =======
   sent_before_[agent] = members_[index].branches.count();
+>>>>>>> air
+=======
+  const guide::Branches& branches = members_[index].branches;
+  sent_before_[agent] = {branches.epoch(), branches.count()};
 >>>>>>> air
   by_id_.erase(found);
   if (index != last) {

@@ -104,11 +104,16 @@ Status Guide::State::take(const AgentReport& report) {
                  report.agent);
   }
 <<<<<<< HEAD
+<<<<<<< HEAD
   // Its branches only grow newer. If it is on an older one than it took, it is not the same agent
   // any more, or its acknowledgement was forged: branches on which it may be have been ruled out.
 =======
   // Its branches only grow newer. If it is on an older one than it took, it is not the same agent any
   // more, or its acknowledgement was forged: branches on which it may be have been ruled out.
+>>>>>>> air
+=======
+  // Its branches only grow newer. If it is on an older one than it took, it is not the same agent
+  // any more, or its acknowledgement was forged: branches on which it may be have been ruled out.
 >>>>>>> air
   if (report.held < member->taken.number && report.tick > member->taken.tick) {
     member->monitor.name(ContractReason::kNoBranch);

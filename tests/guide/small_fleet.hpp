@@ -53,7 +53,7 @@ class SmallFleet {
     ASSERT_TRUE(answer) << answer.error().message;
     ASSERT_TRUE(answer->joined) << id;
     followers_.emplace(
-        id, Follower::make(id, guide_.tube(id)->planned, options_.link.period_s).value());
+        id, Follower::make(id, guide_.tube(id).value().planned, options_.link.period_s).value());
   }
 
   // Loses each message with this probability, but no more than the link's figures say in a row.
