@@ -22,7 +22,9 @@ constexpr std::uint64_t kMostBadLinesSaid = 20;
 class Follow {
  public:
   Follow(const FollowRequest& request, Following following)
-      : request_(request), following_(std::move(following)), reader_({}, "<stdin>", request.agent) {}
+      : request_(request),
+        following_(std::move(following)),
+        reader_({}, "<stdin>", request.agent) {}
 
   Result<ExitCode> run() {
     auto source = LineSource::open("-");
@@ -106,8 +108,9 @@ class Follow {
     std::string out;
     const Follower& follower = following_.follower();
     append_summary_line(out, "agent", printable(request_.agent));
-    append_summary_line(out, "commands", io::grouped(following_.taken()) + " taken, " +
-                                             io::grouped(following_.refused()) + " refused");
+    append_summary_line(out, "commands",
+                        io::grouped(following_.taken()) + " taken, " +
+                            io::grouped(following_.refused()) + " refused");
     if (bad_lines_ > 0) {
       append_summary_line(out, "bad lines", red(io::grouped(bad_lines_)) + " left out");
     }

@@ -19,10 +19,13 @@ constexpr const char* kDescription =
 constexpr const char* kDetails =
     "The agent's side of the protocol, for a companion computer and for tests. Reads messages, an "
     "object\n"
-    "of JSON a line, from standard input: command, hello, measured (where it is), lose, tick; lines "
+    "of JSON a line, from standard input: command, hello, measured (where it is), lose, tick; "
+    "lines "
     "about\n"
-    "other agents and lines that are wrong are left out. Writes join, ack, report, adopt, and with\n"
-    "--setpoints where to be. Takes a command or refuses it so that the agent is always on a branch "
+    "other agents and lines that are wrong are left out. Writes join, ack, report, adopt, and "
+    "with\n"
+    "--setpoints where to be. Takes a command or refuses it so that the agent is always on a "
+    "branch "
     "that\n"
     "its planner still counts with, whatever is lost, late, doubled or out of order. What every "
     "field\n"
@@ -47,15 +50,15 @@ constexpr const char* kDetails =
 void add_agent_options(Command& follow, FollowRequest& request) {
   follow.group("Agent");
   follow.option("--agent", "ID", request.agent, "Who it is: a text or a number").required = true;
-  follow.option("--planned-speed", "SPEED", request.planned.max_speed_mps, read_speed,
-                "The greatest that is planned with, in m/s: as the\nguide prints it").required = true;
+  follow
+      .option("--planned-speed", "SPEED", request.planned.max_speed_mps, read_speed,
+              "The greatest that is planned with, in m/s: as the\nguide prints it")
+      .required = true;
   follow
       .option("--planned-acceleration", "A", request.planned.max_acceleration_mps2,
-              amount("metres per second squared", kAboveZero),
-              "The same in m/s^2: so it brakes")
+              amount("metres per second squared", kAboveZero), "The same in m/s^2: so it brakes")
       .required = true;
-  follow.option("--period", "SECONDS", request.period_s, read_span,
-                "A tick (default: 0.1)");
+  follow.option("--period", "SECONDS", request.period_s, read_span, "A tick (default: 0.1)");
   follow.option("--radius", "LENGTH", request.radius_m, length_from(0.0),
                 "Its own radius (default: 0)");
   follow.option("--start", "X,Y,Z", request.start, read_point,

@@ -68,8 +68,7 @@ Status Following::advance(Tick tick, std::string& out) {
       ask_to_join(out);
       asked_at_ = tick;
     }
-  } else if (request_.simulated &&
-             static_cast<std::uint64_t>(tick) % request_.report_every == 0) {
+  } else if (request_.simulated && static_cast<std::uint64_t>(tick) % request_.report_every == 0) {
     report(out);
   }
   if (request_.setpoints) tell_setpoint(out);
@@ -83,6 +82,7 @@ void Following::ask_to_join(std::string& out) const {
   io::JoinMessage join;
   join.request.position = *place;
   join.request.radius_m = request_.radius_m;
+  join.request.promised = follower_.stored().promised;
   say(out, join);
 }
 
@@ -136,8 +136,9 @@ bool Following::fits(const io::CommandMessage& message) {
   if (message.period_s == request_.period_s && message.braking_mps2 == braking_mps2) return true;
   if (!warned_) {
     warning_ = "the planner plans with ticks of " + io::exact(message.period_s) +
-               " s and brakes with " + io::exact(message.braking_mps2) + " m/s^2, and this agent has " +
-               io::exact(request_.period_s) + " s and " + io::exact(braking_mps2) +
+               " s and brakes with " + io::exact(message.braking_mps2) +
+               " m/s^2, and this agent has " + io::exact(request_.period_s) + " s and " +
+               io::exact(braking_mps2) +
                " m/s^2: it takes no command; give both the same (--period, "
                "--planned-acceleration)";
     warned_ = true;

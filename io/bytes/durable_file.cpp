@@ -55,8 +55,7 @@ Status write_durably(const std::string& path, std::string_view text) {
   const std::string beside = path + ".new";
   constexpr mode_t kMode = 0644;
   {
-    const Descriptor file(
-        ::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, kMode));
+    const Descriptor file(::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, kMode));
     if (!file.open() || !write_all(file.number(), text) || ::fsync(file.number()) != 0) {
       Error error = problem(ErrorCode::kWriteFailed, "cannot write this file durably", path);
       if (file.open()) ::unlink(beside.c_str());

@@ -5,7 +5,8 @@
 // Members are in a dense row, in any order, so that each call of the Adviser sees them all;
 // `by_id_` has them in the order of their ids, in which all is told.
 =======
-// Members are in a dense row, in any order, so that each call of the Adviser sees them all; `by_id_`
+// Members are in a dense row, in any order, so that each call of the Adviser sees them all;
+// `by_id_`
 // has them in the order of their ids, in which all is told.
 >>>>>>> air
 =======

@@ -192,7 +192,8 @@ void Guide::State::tell(PointId index, Tick now, Guidance& guidance) {
 <<<<<<< HEAD
                    told.contract == Contract::kKept && !member.at_root && expected_.empty();
 =======
-                   told.contract == Contract::kKept && !member.branches.awaits_root() && expected_.empty();
+                   told.contract == Contract::kKept && !member.branches.awaits_root() &&
+                   expected_.empty();
 >>>>>>> air
 =======
                    told.contract == Contract::kKept && !member.branches.awaits_root() &&

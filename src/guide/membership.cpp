@@ -77,8 +77,7 @@ std::vector<PointId> Guide::State::near(const Point& place, double tube_m, doubl
 <<<<<<< HEAD
     const double within_m = (ball.radius_m + apart_m + tube_m + other.tube.radius_m) * (1.0 + 1e-6);
 =======
-    const double within_m =
-        (ball.radius_m + apart_m + tube_m + other.tube.radius_m) * (1.0 + 1e-6);
+    const double within_m = (ball.radius_m + apart_m + tube_m + other.tube.radius_m) * (1.0 + 1e-6);
 >>>>>>> air
 =======
     const double within_m = (ball.radius_m + apart_m + tube_m + other.tube.radius_m) * (1.0 + 1e-6);

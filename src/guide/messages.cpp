@@ -108,8 +108,8 @@ Status Guide::State::take(const AgentReport& report) {
   // Its branches only grow newer. If it is on an older one than it took, it is not the same agent
   // any more, or its acknowledgement was forged: branches on which it may be have been ruled out.
 =======
-  // Its branches only grow newer. If it is on an older one than it took, it is not the same agent any
-  // more, or its acknowledgement was forged: branches on which it may be have been ruled out.
+  // Its branches only grow newer. If it is on an older one than it took, it is not the same agent
+  // any more, or its acknowledgement was forged: branches on which it may be have been ruled out.
 >>>>>>> air
 =======
   // Its branches only grow newer. If it is on an older one than it took, it is not the same agent
