@@ -1,18 +1,7 @@
 // The fleet of a Guide: who is in it, what is known of each, and the tick.
 //
-<<<<<<< HEAD
-<<<<<<< HEAD
 // Members are in a dense row, in any order, so that each call of the Adviser sees them all;
 // `by_id_` has them in the order of their ids, in which all is told.
-=======
-// Members are in a dense row, in any order, so that each call of the Adviser sees them all;
-// `by_id_`
-// has them in the order of their ids, in which all is told.
->>>>>>> air
-=======
-// Members are in a dense row, in any order, so that each call of the Adviser sees them all;
-// `by_id_` has them in the order of their ids, in which all is told.
->>>>>>> air
 #pragma once
 
 #include "guide/ball.hpp"
@@ -65,17 +54,9 @@ class __attribute__((visibility("hidden"))) Guide::State {
   // What an agent that wants to join would be.
   Result<Tube> tube_for(const JoinRequest& request) const;
   Status check_new(const JoinRequest& request) const;
-<<<<<<< HEAD
-<<<<<<< HEAD
-  void add(Member&& member);
-=======
-  [[nodiscard]] guide::BranchOptions branch_options(AgentId agent, const Tube& tube) const;
-=======
   [[nodiscard]] guide::BranchOptions branch_options(const JoinRequest& request,
                                                     const Tube& tube) const;
->>>>>>> air
   void add(const JoinRequest& request, const Tube& tube, guide::Branches&& branches, Tick heard);
->>>>>>> air
   [[nodiscard]] double farthest_apart_m(double radius_m, double other_radius_m) const;
   [[nodiscard]] std::vector<PointId> near(const Point& place, double tube_m, double radius_m) const;
   Status find_touching(const JoinRequest& request, const Tube& tube, JoinAnswer& answer);
@@ -85,19 +66,11 @@ class __attribute__((visibility("hidden"))) Guide::State {
   void prepare(Member& member, PointId index, Tick now);
   [[nodiscard]] UnknownAgent ball_of(const Member& member, Tick now, PointId index) const;
   void prepare_intruders(Tick now);
-<<<<<<< HEAD
-  [[nodiscard]] bool holds(const Member& member) const;
-  [[nodiscard]] bool is_unknown(const Member& member) const;
-  [[nodiscard]] Velocity preferred(const Member& member, const Point& from) const;
-  void tell(PointId index, Tick now, Guidance& guidance);
-  bool command(Member& member, const Advice& advice, Tick now, Guidance& guidance);
-=======
   [[nodiscard]] static bool holds(const Member& member);
   [[nodiscard]] static bool is_unknown(const Member& member);
   [[nodiscard]] Velocity preferred(const Member& member, const Point& from) const;
   void tell(PointId index, Tick now, Guidance& guidance);
   static bool command(Member& member, const Advice& advice, Guidance& guidance);
->>>>>>> air
   void tell_findings(Guidance& guidance) const;
   // How far ahead to keep clear of agents that are out of their tubes, which are looked at anew in
   // each tick.
@@ -105,11 +78,7 @@ class __attribute__((visibility("hidden"))) Guide::State {
     return seconds(2 * Tick{options_.link.command_delay} + 4);
   }
   // From which tick on an agent may still be where its branches are: its clock may be behind.
-<<<<<<< HEAD
-  [[nodiscard]] Tick claims_from(const Member& member, Tick now) const;
-=======
   [[nodiscard]] static Tick claims_from(const Member& member, Tick now);
->>>>>>> air
   [[nodiscard]] double seconds(Tick ticks) const {
     return static_cast<double>(ticks) * options_.link.period_s;
   }
@@ -118,26 +87,15 @@ class __attribute__((visibility("hidden"))) Guide::State {
   std::vector<Fence> fences_;
   AdviseOptions advise_options_;
   std::optional<Tick> now_;  // of the last step
-<<<<<<< HEAD
-  std::uint32_t roots_ = 0;  // so far
 
   std::vector<Member> members_;
   std::map<AgentId, PointId> by_id_;
-=======
-
-  std::vector<Member> members_;
-  std::map<AgentId, PointId> by_id_;
-<<<<<<< HEAD
-  std::map<AgentId, std::uint32_t> sent_before_;  // branches, to those that have left
->>>>>>> air
-=======
   // The branches that were sent to those that have left: none is used twice.
   struct Sent {
     std::uint32_t epoch = 0;
     std::uint32_t count = 0;
   };
   std::map<AgentId, Sent> sent_before_;
->>>>>>> air
   std::set<AgentId> expected_;  // not heard of yet
   std::vector<Intruder> intruders_;
   std::optional<Tick> intruders_at_;  // none: since the next step

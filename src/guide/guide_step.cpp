@@ -10,13 +10,6 @@
 
 namespace beespace {
 
-<<<<<<< HEAD
-<<<<<<< HEAD
-=======
-
->>>>>>> air
-=======
->>>>>>> air
 Guide::State::State(const GuideOptions& options)
     : options_(options), fences_(options.fences.begin(), options.fences.end()) {
   options_.fences = {};
@@ -49,32 +42,19 @@ Status Guide::State::check() {
   return adviser_.advise({}, {}, std::span(&options_.limits, 1), options, advised_);
 }
 
-<<<<<<< HEAD
-Tick Guide::State::claims_from(const Member& member, Tick now) const {
-=======
 Tick Guide::State::claims_from(const Member& member, Tick now) {
->>>>>>> air
   return member.figures.clock_error_s > 0.0 ? now - 1 : now;
 }
 
 // Out of its contract, or on the ground loop without a report: its tube no longer holds it.
-<<<<<<< HEAD
-bool Guide::State::is_unknown(const Member& member) const {
-=======
 bool Guide::State::is_unknown(const Member& member) {
->>>>>>> air
   if (member.monitor.contract() == Contract::kOut) return true;
   return member.is_on_ground_loop() && member.monitor.reason() == ContractReason::kSilent;
 }
 
 // It gets nothing new.
-<<<<<<< HEAD
-bool Guide::State::holds(const Member& member) const {
-  return member.at_root || member.branches.is_full() ||
-=======
 bool Guide::State::holds(const Member& member) {
   return member.branches.awaits_root() || member.branches.full() ||
->>>>>>> air
          member.monitor.reason() == ContractReason::kSilent;
 }
 
@@ -105,11 +85,7 @@ void Guide::State::prepare(Tick now) {
 
 void Guide::State::prepare(Member& member, PointId index, Tick now) {
   member.branches.advance(now);
-<<<<<<< HEAD
-  if (!member.at_root) member.monitor.check_silence(seconds(now - member.heard));
-=======
   if (!member.branches.awaits_root()) member.monitor.check_silence(seconds(now - member.heard));
->>>>>>> air
   const Mover base = member.branches.base_state(now + options_.link.command_delay);
   movers_.push_back(base);
   preferred_.push_back(preferred(member, base.position));
@@ -188,46 +164,12 @@ void Guide::State::tell(PointId index, Tick now, Guidance& guidance) {
   told.contract = member.monitor.contract();
   told.reason = member.monitor.reason();
   told.certified = advice.keeps_apart && advice.clear_of_unknown &&
-<<<<<<< HEAD
-<<<<<<< HEAD
-                   told.contract == Contract::kKept && !member.at_root && expected_.empty();
-=======
                    told.contract == Contract::kKept && !member.branches.awaits_root() &&
                    expected_.empty();
->>>>>>> air
-=======
-                   told.contract == Contract::kKept && !member.branches.awaits_root() &&
-                   expected_.empty();
->>>>>>> air
   told.clear_of_intruders = advice.clear_of_intruders;
   told.kind = advice.kind;
   told.tube_m = member.tube.radius_m;
   told.deviation_m = member.monitor.deviation_m();
-<<<<<<< HEAD
-  told.commanded = command(member, advice, now, guidance);
-  told.branches = static_cast<std::uint32_t>(member.branches.count());
-  told.nominal = member.branches.newest_at(now);
-}
-
-// Whether there is one.
-bool Guide::State::command(Member& member, const Advice& advice, Tick now, Guidance& guidance) {
-  if (member.at_root) {
-    guidance.commands.push_back(member.branches.root_command());
-    return true;
-  }
-  if (holds(member) || is_unknown(member) || advice.kind == AdviceKind::kNone) return false;
-  const Tick departs = now + options_.link.command_delay;
-  const bool on_ground = member.is_on_ground_loop();
-  if (!on_ground && !member.branches.would_change(advice.velocity, departs)) return false;
-  Velocity correction;
-  if (on_ground) {
-    const core::Vector3 next = member.corrections.next(departs, member.loop);
-    member.corrections.set(departs + 1, next);
-    correction = {next.x, next.y, next.z};
-  }
-  guidance.commands.push_back(
-      member.branches.issue(now, options_.link.command_delay, advice.velocity, correction));
-=======
   told.commanded = command(member, advice, guidance);
   told.branches = static_cast<std::uint32_t>(member.branches.live_count());
   told.nominal = member.branches.base_state(now);
@@ -251,7 +193,6 @@ bool Guide::State::command(Member& member, const Advice& advice, Guidance& guida
     return false;
   }
   branches.issue(advice.velocity, correction, guidance.commands.emplace_back());
->>>>>>> air
   return true;
 }
 

@@ -21,14 +21,9 @@ struct GuidedAgent {
   double radius_m = 0.0;
   Branches branches;
   ContractMonitor monitor;
-<<<<<<< HEAD
-  fleet::CorrectionLoop loop;
-  GroundLoop corrections;  // of a fleet whose loop is closed on the ground
-=======
   // Of a fleet whose loop is closed on the ground.
   fleet::CorrectionLoop loop = {};
   GroundLoop corrections = {};
->>>>>>> air
 
   std::optional<Point> goal = {};
   Velocity preferred = {};
@@ -40,15 +35,7 @@ struct GuidedAgent {
     BranchNumber number = 0;
     Tick tick = 0;
   };
-<<<<<<< HEAD
-  Taken taken = {};     // the newest command that it says it took, and when by its own tick
-<<<<<<< HEAD
-  bool at_root = true;  // its root is not acknowledged yet
-=======
->>>>>>> air
-=======
   Taken taken = {};  // the newest command that it says it took, and when by its own tick
->>>>>>> air
 
   [[nodiscard]] bool is_on_ground_loop() const { return figures.loop == LoopPlace::kGround; }
 };

@@ -73,15 +73,7 @@ std::vector<PointId> Guide::State::near(const Point& place, double tube_m, doubl
     if (places.empty()) continue;
     const guide::Ball ball = guide::ball_around(places);
     const double apart_m = farthest_apart_m(radius_m, other.radius_m);
-<<<<<<< HEAD
-<<<<<<< HEAD
     const double within_m = (ball.radius_m + apart_m + tube_m + other.tube.radius_m) * (1.0 + 1e-6);
-=======
-    const double within_m = (ball.radius_m + apart_m + tube_m + other.tube.radius_m) * (1.0 + 1e-6);
->>>>>>> air
-=======
-    const double within_m = (ball.radius_m + apart_m + tube_m + other.tube.radius_m) * (1.0 + 1e-6);
->>>>>>> air
     if (length(core::vector_of(place) - ball.middle) <= within_m) found.push_back(index);
   }
   return found;
@@ -153,23 +145,10 @@ Result<JoinAnswer> Guide::State::join(const JoinRequest& request, bool for_good)
   answer.joined =
       for_good && answer.touches.empty() && answer.obstacles.empty() && answer.fences.empty();
   if (!answer.joined) return answer;
-<<<<<<< HEAD
-  Member member;
-  member.id = request.agent;
-  member.figures = request.figures.value_or(options_.figures);
-  member.tube = *tube;
-  member.radius_m = request.radius_m;
-  member.heard = now_.value_or(0);
-  member.branches = guide::Branches::root(request.agent, branch_number(options_.epoch, ++roots_),
-                                          motion::flushed(request.position), now_.value_or(0),
-                                          tube->planned, options_.link.period_s);
-  add(std::move(member));
-=======
   add(request, *tube,
       guide::Branches::rooted(branch_options(request, *tube), motion::flushed(request.position),
                               now_.value_or(0)),
       now_.value_or(0));
->>>>>>> air
   return answer;
 }
 
@@ -179,36 +158,8 @@ Status Guide::State::adopt(const JoinRequest& request, const StoredBranch& store
   if (Status fine = check_new(known); !fine) return fine;
   const Result<Tube> tube = tube_for(request);
   if (!tube) return tube.error();
-<<<<<<< HEAD
-<<<<<<< HEAD
-  auto branches = guide::Branches::adopted(request.agent, stored, options_.epoch, tube->planned,
-                                           options_.link.period_s);
-  if (!branches) return branches.error();
-  Member member;
-  member.id = request.agent;
-  member.figures = request.figures.value_or(options_.figures);
-  member.tube = *tube;
-  member.radius_m = request.radius_m;
-  member.branches = *std::move(branches);
-  member.at_root = false;
-  member.heard = now_.value_or(stored.tick);
-  add(std::move(member));
-  return std::monostate{};
-}
-
-void Guide::State::add(Member&& member) {
-  expected_.erase(member.id);
-  member.monitor = guide::ContractMonitor(member.figures, options_.link, member.tube);
-  const auto index = static_cast<PointId>(members_.size());
-  by_id_.emplace(member.id, index);
-  members_.push_back(std::move(member));
-=======
-  auto branches = guide::Branches::adopted(branch_options(request.agent, *tube), stored,
-                                           now_.value_or(stored.tick));
-=======
   auto branches =
       guide::Branches::adopted(branch_options(request, *tube), stored, now_.value_or(stored.tick));
->>>>>>> air
   if (!branches) return branches.error();
   add(request, *tube, *std::move(branches), now_.value_or(stored.tick));
   return std::monostate{};
@@ -243,7 +194,6 @@ void Guide::State::add(const JoinRequest& request, const Tube& tube, guide::Bran
   if (figures.loop == LoopPlace::kGround) {
     members_.back().loop = {tube, figures, options_.link.period_s};
   }
->>>>>>> air
   planes_.forget(index);
 }
 
@@ -260,15 +210,8 @@ Status Guide::State::leave(AgentId agent) {
   if (found == by_id_.end()) return unknown_agent(agent);
   const PointId index = found->second;
   const auto last = static_cast<PointId>(members_.size() - 1);
-<<<<<<< HEAD
-<<<<<<< HEAD
-=======
-  sent_before_[agent] = members_[index].branches.count();
->>>>>>> air
-=======
   const guide::Branches& branches = members_[index].branches;
   sent_before_[agent] = {branches.epoch(), branches.count()};
->>>>>>> air
   by_id_.erase(found);
   if (index != last) {
     members_[index] = std::move(members_[last]);

@@ -85,17 +85,10 @@ Status Guide::State::take(const AgentReport& report) {
                  report.agent);
   }
   if (report.held == 0) {
-<<<<<<< HEAD
-    if (!member->at_root) member->monitor.name(ContractReason::kNoBranch);
-    return std::monostate{};
-  }
-  if (!member->branches.was_issued(report.held)) {
-=======
     if (!member->branches.awaits_root()) member->monitor.name(ContractReason::kNoBranch);
     return std::monostate{};
   }
   if (!member->branches.knows(report.held)) {
->>>>>>> air
     member->monitor.name(ContractReason::kNoBranch);
     return about({ErrorCode::kInvalidArgument,
                   "agent " + std::to_string(report.agent) + " says that it is on branch " +
@@ -103,18 +96,8 @@ Status Guide::State::take(const AgentReport& report) {
                   {}},
                  report.agent);
   }
-<<<<<<< HEAD
-<<<<<<< HEAD
   // Its branches only grow newer. If it is on an older one than it took, it is not the same agent
   // any more, or its acknowledgement was forged: branches on which it may be have been ruled out.
-=======
-  // Its branches only grow newer. If it is on an older one than it took, it is not the same agent
-  // any more, or its acknowledgement was forged: branches on which it may be have been ruled out.
->>>>>>> air
-=======
-  // Its branches only grow newer. If it is on an older one than it took, it is not the same agent
-  // any more, or its acknowledgement was forged: branches on which it may be have been ruled out.
->>>>>>> air
   if (report.held < member->taken.number && report.tick > member->taken.tick) {
     member->monitor.name(ContractReason::kNoBranch);
     return about({ErrorCode::kInvalidArgument,
@@ -124,10 +107,6 @@ Status Guide::State::take(const AgentReport& report) {
                   {}},
                  report.agent);
   }
-<<<<<<< HEAD
-  member->at_root = false;
-=======
->>>>>>> air
   if (now_) member->heard = std::max(member->heard, *now_ + 1);
   // Where it should be, before what it tells rules branches out.
   const auto nominal = member->branches.nominal_at(report.held, report.tick, report.after_s);
@@ -152,11 +131,7 @@ Status Guide::State::take(const Acknowledgement& acknowledgement) {
   const AgentId agent = acknowledgement.agent;
   Member* const member = find(agent);
   if (member == nullptr) return unknown_agent(agent);
-<<<<<<< HEAD
-  if (!member->branches.was_issued(acknowledgement.number)) {
-=======
   if (!member->branches.knows(acknowledgement.number)) {
->>>>>>> air
     return about({ErrorCode::kInvalidArgument,
                   "agent " + std::to_string(agent) + " acknowledges branch " +
                       std::to_string(acknowledgement.number) + ", which was never sent to it",
@@ -167,17 +142,9 @@ Status Guide::State::take(const Acknowledgement& acknowledgement) {
     member->monitor.name(ContractReason::kNoBranch);
     return std::monostate{};
   }
-<<<<<<< HEAD
-  if (acknowledgement.reply == CommandReply::kTaken) {
-    member->at_root = false;
-    if (acknowledgement.number > member->taken.number) {
-      member->taken = {acknowledgement.number, acknowledgement.tick};
-    }
-=======
   if (acknowledgement.reply == CommandReply::kTaken &&
       acknowledgement.number > member->taken.number) {
     member->taken = {acknowledgement.number, acknowledgement.tick};
->>>>>>> air
   }
   member->branches.acknowledge(acknowledgement);
   if (now_) member->heard = std::max(member->heard, *now_ + 1);
