@@ -41,7 +41,9 @@ void FleetFields::check_twice() {
 }
 
 std::string FleetFields::name(std::string_view key) const {
-  return "'" + std::string(key) + "' of " + std::string(what_);
+  std::string out(1, '\'');
+  out.append(key).append("' of ").append(what_);
+  return out;
 }
 
 void FleetFields::fail(Error error) {
