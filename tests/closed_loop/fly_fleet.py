@@ -136,6 +136,7 @@ class Fleet:
         self.closest_m = math.inf
         self.statuses = {}
         self.named = set()
+        self.joined = set()
         self.guide = None
         self.tube_m = 0.0
         self.planned = (0.0, 0.0)
@@ -196,8 +197,11 @@ class Fleet:
             self.down.put(now, (message["id"], "down"), line.decode() + "\n")
         elif event == "joined":
             self.tube_m = max(self.tube_m, message["tube_m"])
-            self.guide.send(json.dumps({"event": "goal", "id": message["id"],
-                                        "position": self.goals[message["id"]]}) + "\n")
+            # An agent that has not joined is not known to the guide: until then all stand.
+            if message["joined"]:
+                self.joined.add(message["id"])
+                if len(self.joined) == len(self.names):
+                    self.tell_goals()
         elif event == "status":
             self.statuses[message["id"]] = message
             if message["contract"] == "out":
@@ -239,17 +243,19 @@ class Fleet:
         """Kills on the way: a follower, for a few ticks; the guide, for some more."""
         killed = self.names[0]
         for now in range(1, self.options.ticks + 1):
-            if self.options.kills and now == 45:
+            if self.options.kills and now == 75:
                 self.followers.pop(killed).kill()
-            if self.options.kills and now == 50:
+                self.at.pop(killed, None)
+            if self.options.kills and now == 80:
                 self.followers[killed] = self.start_follower(killed)
-            if self.options.kills and now == 70:
+            if self.options.kills and now == 95:
                 self.guide.kill()
                 self.guide = None
-            if self.options.kills and now == 76:
+            if self.options.kills and now == 101:
+                self.joined.clear()
                 self.start_guide()
             self.tick(now)
-            if now > 100 and self.arrived() == len(self.names):
+            if now > 120 and self.arrived() == len(self.names):
                 return now
         return self.options.ticks
 
