@@ -76,11 +76,12 @@ Status Following::advance(Tick tick, std::string& out) {
 }
 
 // Where it stands: as measured, or as it was told.
-void Following::ask_to_join(std::string& out) const {
-  const std::optional<Point> place = at_ ? at_ : request_.start;
-  if (!place) return;
+void Following::ask_to_join(std::string& out) {
+  if (!asks_for_) asks_for_ = at_ ? at_ : request_.start;
+  if (!asks_for_) return;
   io::JoinMessage join;
-  join.request.position = *place;
+  join.tick = follower_.tick();
+  join.request.position = *asks_for_;
   join.request.radius_m = request_.radius_m;
   join.request.promised = follower_.stored().promised;
   say(out, join);
@@ -156,6 +157,7 @@ Status Following::take_command(const io::CommandMessage& message, std::string& o
   }
   if (ack.reply == CommandReply::kTaken) {
     if (Status stored = store(); !stored) return stored;
+    asks_for_.reset();
     ++taken_;
   } else {
     ++refused_;

@@ -41,14 +41,15 @@ class Following {
   Status take_hello(const io::HelloMessage& message, std::string& out);
   void take_measured(const io::MeasuredMessage& measured, std::string& out);
   [[nodiscard]] bool fits(const io::CommandMessage& message);
-  void ask_to_join(std::string& out) const;
+  void ask_to_join(std::string& out);
   void report(std::string& out) const;
   void tell_setpoint(std::string& out) const;
   void say(std::string& out, const io::FleetContent& content) const;
 
   FollowRequest request_;
   Follower follower_;
-  std::optional<Point> at_;  // as it was measured last
+  std::optional<Point> at_;        // as it was measured last
+  std::optional<Point> asks_for_;  // the place where it joins
   std::optional<Tick> asked_at_;
   std::string warning_;
   bool warned_ = false;

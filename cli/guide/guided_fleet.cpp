@@ -2,6 +2,7 @@
 
 #include "io/fleet/fleet_writer.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <variant>
@@ -88,6 +89,12 @@ Status GuidedFleet::take_content(std::string_view id, const io::JoinMessage& mes
   const auto before = names_.find(id);
   if (before && members_.contains(*before)) return join_again(id, message, out);
   JoinRequest request = message.request;
+  // It may be on a branch of the planner before, and have asked before that.
+  if (before && request.promised < store_.epoch()) {
+    return refusal("agent '" + std::string(id) +
+                   "' is in the fleet, and has not answered the planner "
+                   "of this epoch yet; let it answer 'hello', or leave");
+  }
   request.agent = before.value_or(names_.next());
   const auto given = message.only_asks ? guide_.may_join(request) : guide_.join(request);
   if (!given) return given.error();
@@ -110,7 +117,9 @@ Status GuidedFleet::join_again(std::string_view id, const io::JoinMessage& messa
     answer(id, {.joined = true}, member.tube_m, out);
     return std::monostate{};
   }
-  if (member.taken && !message.only_asks) {
+  // It asked before it took a branch.
+  if (member.taken && message.tick && *message.tick <= *member.taken) return std::monostate{};
+  if (member.taken && message.tick && !message.only_asks) {
     AgentReport lost;
     lost.agent = agent;
     lost.position = message.request.position;
@@ -155,7 +164,7 @@ Status GuidedFleet::take_content(std::string_view id, const io::AdoptMessage& me
   if (Status done = guide_.adopt(request, stored); !done) return done;
   if (!before) names_.add(id);
   if (Status added = add(request.agent, request); !added) return added;
-  members_.at(request.agent).taken = true;
+  members_.at(request.agent).taken = stored.tick;
   answer(id, {.joined = true}, members_.at(request.agent).tube_m, out);
   return std::monostate{};
 }
@@ -197,7 +206,10 @@ Status GuidedFleet::take_content(std::string_view id, const Acknowledgement& ack
   const bool taken = ack.reply == CommandReply::kTaken;
   ++(taken ? counts_.taken : counts_.refused);
   const auto member = members_.find(*agent);
-  if (taken && member != members_.end()) member->second.taken = true;
+  if (taken && member != members_.end()) {
+    std::optional<Tick>& first = member->second.taken;
+    first = std::min(first.value_or(ack.tick), ack.tick);
+  }
   return std::monostate{};
 }
 

@@ -57,7 +57,7 @@ class GuidedFleet {
     JoinRequest request;
     FlightLimits planned;
     double tube_m = 0.0;
-    bool taken = false;  // whether it has taken a command
+    std::optional<Tick> taken = {};  // when it took its first command
   };
 
   Status take_content(std::string_view id, const io::JoinMessage& message, std::string& out);

@@ -23,6 +23,8 @@ namespace beespace::io {
 // To a planner.
 struct JoinMessage {
   JoinRequest request;
+  // The agent's tick, where it asks itself: what comes late must not count as asked anew.
+  std::optional<Tick> tick = {};
   bool only_asks = false;  // "may_join"
 };
 struct LeaveMessage {};

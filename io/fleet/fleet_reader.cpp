@@ -334,6 +334,7 @@ FleetContent FleetReader::read_join(FleetFields& fields, bool only_asks) const {
   JoinMessage join;
   join.only_asks = only_asks;
   join.request.position = fields.point("position");
+  join.tick = fields.tick_if("tick");
   if (fields.find("promised")) join.request.promised = fields.whole("promised");
   read_request(fields, join.request);
   return join;

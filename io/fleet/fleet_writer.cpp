@@ -71,6 +71,7 @@ class Members {
   void operator()(const JoinMessage& message) {
     begin(message.only_asks ? "may_join" : "join");
     write_vector(json_, "position", message.request.position);
+    if (message.tick) write_tick(json_, "tick", *message.tick);
     if (message.request.promised != 0) json_.member("promised", message.request.promised);
     write_request(json_, message.request);
   }

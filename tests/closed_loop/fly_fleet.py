@@ -319,7 +319,7 @@ def main():
         problems.append(f"two came to {fleet.closest_m} m, nominal, and {needed_m} m were promised")
     if not options.wall and fleet.arrived() < options.agents:
         problems.append(f"{fleet.arrived()} of {options.agents} arrived")
-    if fleet.named and not options.kills:
+    if fleet.named:
         problems.append(f"named, and none broke its contract: {sorted(fleet.named)}")
     if any(codes):
         problems.append(f"exit statuses {codes}")
