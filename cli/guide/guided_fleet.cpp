@@ -47,9 +47,23 @@ Result<AgentId> GuidedFleet::known(std::string_view id) const {
   return refusal("agent '" + std::string(id) + "' is not in the fleet; let it join first");
 }
 
+// The Guide knows agents by their numbers, and messages by their names.
+Error GuidedFleet::in_its_words(Error error, std::string_view id, AgentId agent) {
+  error.location.array.clear();
+  error.location.record.reset();
+  const std::string number = "agent " + std::to_string(agent);
+  const std::size_t at = error.message.find(number);
+  if (at == std::string::npos) return error;
+  error.message.replace(at, number.size(), "agent '" + std::string(id) + "'");
+  return error;
+}
+
 Status GuidedFleet::take(const io::FleetMessage& message, std::string& out) {
-  return std::visit([&](const auto& content) { return take_content(message.id, content, out); },
-                    message.content);
+  const AgentId agent = names_.find(message.id).value_or(names_.next());
+  Status taken = std::visit(
+      [&](const auto& content) { return take_content(message.id, content, out); }, message.content);
+  return taken ? std::move(taken)
+               : Status(in_its_words(std::move(taken).error(), message.id, agent));
 }
 
 template <class Other>
