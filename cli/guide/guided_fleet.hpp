@@ -73,6 +73,7 @@ class GuidedFleet {
   Status take_content(std::string_view id, const Other& message, std::string& out);
 
   Error in_its_words(Error error, std::string_view id, AgentId agent) const;
+  static Error in_its_words(Error error, std::string_view id, AgentId agent);
   [[nodiscard]] Result<AgentId> known(std::string_view id) const;
   Status join_again(std::string_view id, const io::JoinMessage& message, std::string& out);
   void answer(std::string_view id, const JoinAnswer& given, double tube_m, std::string& out) const;
