@@ -72,7 +72,6 @@ class GuidedFleet {
   template <class Other>
   Status take_content(std::string_view id, const Other& message, std::string& out);
 
-  Error in_its_words(Error error, std::string_view id, AgentId agent) const;
   static Error in_its_words(Error error, std::string_view id, AgentId agent);
   [[nodiscard]] Result<AgentId> known(std::string_view id) const;
   Status join_again(std::string_view id, const io::JoinMessage& message, std::string& out);
