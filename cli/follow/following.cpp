@@ -43,6 +43,15 @@ Status Following::load() {
                      "' stored; name its own file, or one that is not there yet",
                  {.source = request_.store}};
   }
+  if (adopt->period_s != request_.period_s ||
+      adopt->braking_mps2 != request_.planned.max_acceleration_mps2) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "what this agent stored was planned with ticks of " + io::exact(adopt->period_s) +
+                     " s and braking of " + io::exact(adopt->braking_mps2) +
+                     " m/s^2; give the same again (--period, --planned-acceleration), or land it "
+                     "and remove the file",
+                 {.source = request_.store}};
+  }
   Status restored = follower_.restore(adopt->stored);
   if (restored) return restored;
   Error error = std::move(restored).error();
@@ -50,10 +59,19 @@ Status Following::load() {
   return error;
 }
 
+io::AdoptMessage Following::to_be_adopted() const {
+  io::AdoptMessage adopt;
+  adopt.request.radius_m = request_.radius_m;
+  adopt.stored = follower_.stored();
+  adopt.period_s = request_.period_s;
+  adopt.braking_mps2 = request_.planned.max_acceleration_mps2;
+  return adopt;
+}
+
 Status Following::store() const {
   if (request_.store.empty()) return std::monostate{};
   std::string text;
-  say(text, io::AdoptMessage{{}, follower_.stored()});
+  say(text, to_be_adopted());
   return io::write_durably(request_.store, text);
 }
 
@@ -176,10 +194,7 @@ Status Following::take_hello(const io::HelloMessage& message, std::string& out) 
     ask_to_join(out);
     return std::monostate{};
   }
-  io::AdoptMessage adopt;
-  adopt.request.radius_m = request_.radius_m;
-  adopt.stored = follower_.stored();
-  say(out, adopt);
+  say(out, to_be_adopted());
   return std::monostate{};
 }
 

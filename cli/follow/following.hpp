@@ -37,6 +37,7 @@ class Following {
 
   Status load();
   [[nodiscard]] Status store() const;
+  [[nodiscard]] io::AdoptMessage to_be_adopted() const;
   Status take_command(const io::CommandMessage& message, std::string& out);
   Status take_hello(const io::HelloMessage& message, std::string& out);
   void take_measured(const io::MeasuredMessage& measured, std::string& out);

@@ -1,5 +1,6 @@
 #include "cli/guide/guided_fleet.hpp"
 
+#include "io/bytes/number_text.hpp"
 #include "io/fleet/fleet_writer.hpp"
 
 #include <algorithm>
@@ -29,7 +30,10 @@ GuidedFleet::GuidedFleet(const GuideRequest& request, Guide guide, FleetStore st
     : guide_(std::move(guide)),
       store_(std::move(store)),
       lines_(request.status),
-      period_s_(request.options.link.period_s) {
+      period_s_(request.options.link.period_s),
+      link_(request.options.link),
+      figures_(request.options.figures),
+      limits_(request.options.limits) {
   for (const auto& [name, member] : store_.members()) expect(name);
 }
 
@@ -160,6 +164,23 @@ Status GuidedFleet::take_content(std::string_view id, const io::LeaveMessage& /*
   return std::monostate{};
 }
 
+// It flies its branch to the end, and stops, with the numbers that it was planned with.
+Status GuidedFleet::check_plan(std::string_view id, const JoinRequest& request,
+                               const io::AdoptMessage& message) const {
+  const auto tube =
+      tube_of(request.figures.value_or(figures_), link_, request.limits.value_or(limits_));
+  if (!tube) return tube.error();
+  const double braking_mps2 = tube->planned.max_acceleration_mps2;
+  if (message.period_s == period_s_ && message.braking_mps2 == braking_mps2) {
+    return std::monostate{};
+  }
+  return refusal("agent '" + std::string(id) + "' is on a branch of ticks of " +
+                 io::exact(message.period_s) + " s and brakes with " +
+                 io::exact(message.braking_mps2) + " m/s^2, and this planner has " +
+                 io::exact(period_s_) + " s and " + io::exact(braking_mps2) +
+                 " m/s^2; start it with the figures with which the fleet was guided before");
+}
+
 Status GuidedFleet::take_content(std::string_view id, const io::AdoptMessage& message,
                                  std::string& out) {
   const auto before = names_.find(id);
@@ -175,6 +196,7 @@ Status GuidedFleet::take_content(std::string_view id, const io::AdoptMessage& me
   request.agent = before.value_or(names_.next());
   StoredBranch stored = message.stored;
   stored.branch.agent = request.agent;
+  if (Status fine = check_plan(id, request, message); !fine) return fine;
   if (Status done = guide_.adopt(request, stored); !done) return done;
   if (!before) names_.add(id);
   if (Status added = add(request.agent, request); !added) return added;
@@ -229,8 +251,7 @@ Status GuidedFleet::take_content(std::string_view id, const Acknowledgement& ack
 
 Status GuidedFleet::take_content(std::string_view /*id*/, const io::IntrudersMessage& message,
                                  std::string& /*out*/) {
-  guide_.set_intruders(message.intruders);
-  return std::monostate{};
+  return guide_.set_intruders(message.intruders);
 }
 
 void GuidedFleet::say_hello(Tick now, std::string& out) {

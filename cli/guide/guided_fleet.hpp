@@ -74,6 +74,8 @@ class GuidedFleet {
 
   static Error in_its_words(Error error, std::string_view id, AgentId agent);
   [[nodiscard]] Result<AgentId> known(std::string_view id) const;
+  Status check_plan(std::string_view id, const JoinRequest& request,
+                    const io::AdoptMessage& message) const;
   Status join_again(std::string_view id, const io::JoinMessage& message, std::string& out);
   void answer(std::string_view id, const JoinAnswer& given, double tube_m, std::string& out) const;
   Status add(AgentId agent, const JoinRequest& request);
@@ -86,6 +88,9 @@ class GuidedFleet {
   AgentNames names_;
   GuidanceLines lines_;
   double period_s_;
+  LinkFigures link_;
+  FleetFigures figures_;  // of each agent that has none of its own
+  FlightLimits limits_;   // the same
   std::map<AgentId, Member> members_;
   std::map<AgentId, JoinRequest> missing_;  // who is in the fleet, and was not heard of since
   std::optional<Tick> hello_at_;

@@ -184,9 +184,11 @@ class BEESPACE_API Guide {
   /// The next step() has a root command for it, again and again until it is acknowledged.
   ///
   /// @param request The agent.
-  /// @return The answer; or ErrorCode::kInvalidArgument: an agent that has joined already, figures
-  ///   or limits as tube_of; ErrorCode::kNotFinite, ErrorCode::kOutsideDomain: its position;
-  ///   ErrorCode::kTooManyPoints: more agents than ids.
+  /// @return The answer; or ErrorCode::kInvalidArgument: an agent that has joined already, or has
+  ///   left so lately that it may still take what was sent to it (unless
+  ///   JoinRequest::promised is a newer epoch), figures or limits as tube_of;
+  ///   ErrorCode::kNotFinite, ErrorCode::kOutsideDomain: its position; ErrorCode::kTooManyPoints:
+  ///   more agents than ids.
   Result<JoinAnswer> join(const JoinRequest& request);
   /// @brief The same without joining.
   /// @param request The agent.
@@ -238,7 +240,11 @@ class BEESPACE_API Guide {
 
   /// @brief Says which intruders there are from now on.
   /// @param intruders The intruders; copied. Flown straight on until the next call.
-  void set_intruders(std::span<const Intruder> intruders);
+  /// @return Success; or ErrorCode::kNotFinite, ErrorCode::kOutsideDomain,
+  ///   ErrorCode::kInvalidArgument: one that cannot be used, by its index in ErrorLocation::record.
+  ///   It may be anywhere: until the next call no agent is clear of intruders, and the others are
+  ///   given way to.
+  Status set_intruders(std::span<const Intruder> intruders);
 
   /// @brief Guides the fleet for one tick: to be called at its begin, after the messages that came
   /// until then.

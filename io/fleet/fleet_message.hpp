@@ -31,6 +31,8 @@ struct LeaveMessage {};
 struct AdoptMessage {
   JoinRequest request;  // without a position
   StoredBranch stored;
+  double period_s = 0.0;      // with which its branch is flown, and its fallback: a planner that
+  double braking_mps2 = 0.0;  // has others must not take it over
 };
 struct ExpectMessage {
   std::vector<std::string> ids;

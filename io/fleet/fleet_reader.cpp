@@ -343,6 +343,8 @@ FleetContent FleetReader::read_join(FleetFields& fields, bool only_asks) const {
 FleetContent FleetReader::read_adopt(FleetFields& fields) const {
   AdoptMessage adopt;
   read_request(fields, adopt.request);
+  adopt.period_s = fields.from_zero("period_s");
+  adopt.braking_mps2 = fields.from_zero("braking_mps2");
   const auto stored = fields.need("stored");
   if (!stored) return adopt;
   FleetFields own(*stored, "a stored branch");

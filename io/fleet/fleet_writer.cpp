@@ -81,6 +81,7 @@ class Members {
   void operator()(const AdoptMessage& message) {
     begin("adopt");
     write_request(json_, message.request);
+    json_.member("period_s", message.period_s).member("braking_mps2", message.braking_mps2);
     json_.key("stored");
     write_stored(json_, message.stored);
   }

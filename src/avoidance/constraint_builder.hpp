@@ -54,14 +54,17 @@ class ConstraintBuilder {
   // Whether a bee is at its goal.
   [[nodiscard]] bool is_idle(PointId bee) const;
   // Whether an intruder that flies straight on may come too close to a bee within the horizon.
-  [[nodiscard]] bool may_come_close(PointId bee, const Mover& intruder) const;
+  [[nodiscard]] bool may_come_close(PointId bee, std::size_t k) const;
+  // How much more than the threshold is kept from an intruder.
+  [[nodiscard]] double intruder_margin_m(std::size_t k) const;
 
  private:
   [[nodiscard]] SeparatingPlane plane_between(PointId bee, PointId other) const;
   void look_at_bees(PointId bee, Findings& findings) const;
   void look_at_bee(PointId bee, PointId other, Findings& findings) const;
-  [[nodiscard]] bool keep_apart_anyhow(PointId bee, PointId other) const;
+  [[nodiscard]] bool keep_apart_anyhow(PointId one, PointId another) const;
   [[nodiscard]] HullSeparation separation_of_claims(PointId bee, PointId other) const;
+  [[nodiscard]] bool is_certified_by_memory(PointId bee, PointId other) const;
   [[nodiscard]] bool is_claim_too_close(PointId bee, PointId other) const;
   void look_at_claim(PointId bee, PointId other, Findings& findings) const;
   void look_at_obstacles(PointId bee, Findings& findings) const;

@@ -94,20 +94,17 @@ bool Branches::lives(BranchNumber number) const {
 }
 
 bool Branches::knows(BranchNumber number) const {
-  if (number == trunk_.number) return true;
   const auto count = static_cast<std::uint32_t>(number);
-  return epoch_of(number) == options_.epoch && count > options_.earlier && count <= count_;
+  return number == trunk_.number ||
+         (epoch_of(number) == options_.epoch && count > 0 && count <= count_);
 }
 
 Heard Branches::status_of(BranchNumber number) const {
   if (number == 0) return Heard::kNone;
   if (lives(number)) return Heard::kLive;
-  if (knows(number)) return Heard::kOld;
-  // What was sent before this planner began, it cannot tell from what never was.
-  const bool is_earlier =
-      epoch_of(number) < options_.epoch || (epoch_of(number) == options_.epoch &&
-                                            static_cast<std::uint32_t>(number) <= options_.earlier);
-  return is_earlier && is_confirmed_ ? Heard::kOld : Heard::kNeverSent;
+  // What an earlier planner sent cannot be told from what none did.
+  const bool may_be_earlier = epoch_of(number) > 0 && epoch_of(number) < options_.epoch;
+  return knows(number) || may_be_earlier ? Heard::kOld : Heard::kNeverSent;
 }
 
 // --- paths -----------------------------------------------------------------------------------
@@ -246,16 +243,14 @@ void Branches::drop_older(std::size_t index) {
   while (index > 0) drop(--index);
 }
 
-// An agent that was on this branch at the tick has gone over to none that it could not take: one
-// that lists a branch on which it was, and departs from it later. The departures grow along the
-// chain; so of all that it may be on, the newest one can be left the longest.
+// An agent that was on this branch at the tick has since gone over to none that departs, from what
+// it was on, at the tick or before. The departures grow along the chain: so of all branches that it
+// may be on, the newest one is left the latest.
 void Branches::drop_what_cannot_be_reached(std::size_t index, Tick tick) {
   std::size_t newest_reached = index;
   for (std::size_t other = index + 1; other <= chain_.size(); ++other) {
     if (!is_live(other)) continue;
-    const Tick left = left_at(newest_reached);
-    const bool is_listed = left >= chain_[other - 1].sent;
-    if (is_listed && left > tick) {
+    if (left_at(newest_reached) > tick) {
       newest_reached = other;
     } else {
       drop(other);

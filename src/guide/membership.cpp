@@ -62,16 +62,36 @@ double Guide::State::farthest_apart_m(double radius_m, double other_radius_m) co
   return shape.shape == SeparationShape::kCylinder ? apart_m + shape.vertical_m : apart_m;
 }
 
+Status Guide::State::check_left(const JoinRequest& request) const {
+  const auto before = sent_before_.find(request.agent);
+  if (before == sent_before_.end()) return std::monostate{};
+  const guide::BranchOptions options = branch_options(request, {});
+  const Tick from = before->second.left + options_.link.command_delay + 3;
+  const bool is_anew = options.epoch > before->second.epoch;
+  if (is_anew || now_.value_or(0) >= from) return std::monostate{};
+  Error error{ErrorCode::kInvalidArgument,
+              "agent " + std::to_string(request.agent) +
+                  " has just left, and may still take what "
+                  "was sent to it before; let it join from tick " +
+                  std::to_string(from) + " on, or with the epoch that it has promised since",
+              {}};
+  error.location.array = "agents";
+  error.location.record = request.agent;
+  return error;
+}
+
 // Members whose claims may be so near to a place that the Adviser must say whether they touch.
-std::vector<PointId> Guide::State::near(const Point& place, double tube_m, double radius_m) const {
+std::vector<PointId> Guide::State::near(const Point& place, double tube_m, double radius_m) {
   std::vector<PointId> found;
   std::vector<Point> places;
   for (PointId index = 0; index < members_.size(); ++index) {
-    const Member& other = members_[index];
-    places.clear();
-    other.branches.append_places(now_ ? claims_from(other, *now_) : other.heard, places);
-    if (places.empty()) continue;
-    const guide::Ball ball = guide::ball_around(places);
+    Member& other = members_[index];
+    if (!other.around) {
+      places.clear();
+      other.branches.append_places(now_ ? claims_from(other, *now_) : other.heard, places);
+      other.around = guide::ball_around(places);
+    }
+    const guide::Ball& ball = *other.around;
     const double apart_m = farthest_apart_m(radius_m, other.radius_m);
     const double within_m = (ball.radius_m + apart_m + tube_m + other.tube.radius_m) * (1.0 + 1e-6);
     if (length(core::vector_of(place) - ball.middle) <= within_m) found.push_back(index);
@@ -136,6 +156,7 @@ Status Guide::State::find_touching(const JoinRequest& request, const Tube& tube,
 
 Result<JoinAnswer> Guide::State::join(const JoinRequest& request, bool for_good) {
   if (Status fine = check_new(request); !fine) return std::move(fine).error();
+  if (Status fine = check_left(request); !fine) return std::move(fine).error();
   const Result<Tube> tube = tube_for(request);
   if (!tube) return tube.error();
   JoinAnswer answer;
@@ -183,7 +204,8 @@ void Guide::State::add(const JoinRequest& request, const Tube& tube, guide::Bran
   expected_.erase(request.agent);
   const FleetFigures figures = request.figures.value_or(options_.figures);
   const auto index = static_cast<PointId>(members_.size());
-  by_id_.emplace(request.agent, index);
+  const auto place = static_cast<std::ptrdiff_t>(place_of(request.agent));
+  by_id_.insert(by_id_.begin() + place, {request.agent, index});
   members_.push_back({.id = request.agent,
                       .figures = figures,
                       .tube = tube,
@@ -206,16 +228,16 @@ void Guide::State::expect(std::span<const AgentId> agents) {
 // The last one takes its index.
 Status Guide::State::leave(AgentId agent) {
   if (expected_.erase(agent) > 0) return std::monostate{};
-  const auto found = by_id_.find(agent);
-  if (found == by_id_.end()) return unknown_agent(agent);
-  const PointId index = found->second;
+  const std::size_t place = place_of(agent);
+  if (!is_at(place, agent)) return unknown_agent(agent);
+  const PointId index = by_id_[place].index;
   const auto last = static_cast<PointId>(members_.size() - 1);
   const guide::Branches& branches = members_[index].branches;
-  sent_before_[agent] = {branches.epoch(), branches.count()};
-  by_id_.erase(found);
+  sent_before_[agent] = {branches.epoch(), branches.count(), now_.value_or(0)};
+  by_id_.erase(by_id_.begin() + static_cast<std::ptrdiff_t>(place));
   if (index != last) {
     members_[index] = std::move(members_[last]);
-    by_id_[members_[index].id] = index;
+    by_id_[place_of(members_[index].id)].index = index;
   }
   members_.pop_back();
   planes_.forget(index);

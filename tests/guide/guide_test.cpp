@@ -40,7 +40,7 @@ struct Swap {
   [[nodiscard]] std::size_t arrived(const SmallFleet& fleet) const {
     std::size_t count = 0;
     for (AgentId id = 0; id < goals.size(); ++id) {
-      count += distance(fleet.place(id), goals[id]) <= 1.0 ? 1 : 0;
+      if (distance(fleet.place(id), goals[id]) <= 1.0) ++count;
     }
     return count;
   }
@@ -157,6 +157,17 @@ TEST(Guide, TheSilentHoldAndKeepTheirPlaces) {
   const auto free = fleet.guide().may_join({.agent = 3, .position = stands});
   ASSERT_TRUE(free);
   EXPECT_TRUE(free->touches.empty());
+  // What was sent to it may still come; not once it has promised to take nothing of that.
+  EXPECT_FALSE(fleet.guide().join({.agent = 1, .position = stands}));
+  fleet.follower(1).lose();
+  const std::uint32_t promised = fleet.follower(1).stored().promised;
+  const auto anew = fleet.guide().join({.agent = 1, .position = stands, .promised = promised});
+  ASSERT_TRUE(anew) << anew.error().message;
+  ASSERT_TRUE(anew->joined);
+  fleet.silent = [](AgentId, Tick) { return false; };
+  for (int k = 0; k < 3; ++k) fleet.step();
+  EXPECT_NE(fleet.follower(1).held(), 0U);
+  EXPECT_EQ(fleet.told(1).contract, Contract::kKept);
 }
 
 TEST(Guide, NamesOnlyTheOneThatIsNotWhereItShouldBe) {
@@ -239,6 +250,32 @@ TEST(Guide, RefusesWhatCannotBe) {
   options.figures = some_figures();
   options.figures.correction_mps = 0.1;
   EXPECT_FALSE(Guide::make(options));
+}
+
+TEST(Guide, GivesWayToIntrudersAndNamesThoseThatCannotBe) {
+  SmallFleet fleet(small_options());
+  fleet.join(1, {0, 0, 0});
+  for (int k = 0; k < 5; ++k) fleet.step();
+  const std::vector<Intruder> both = {{.mover = {{std::nan(""), 0, 0}, {}}},
+                                      {.mover = {{60, 0.5, 0}, {-6, 0, 0}}, .radius_m = 3.0}};
+  const Status refused = fleet.guide().set_intruders(both);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kNotFinite);
+  EXPECT_EQ(refused.error().location.record, 0U);
+  double closest = 1e9;
+  for (int k = 0; k < 150; ++k) {
+    fleet.step();
+    EXPECT_FALSE(fleet.told(1).clear_of_intruders);
+    const Point intruder{60 - 0.6 * k, 0.5, 0};
+    closest = std::min(closest, distance(fleet.place(1), intruder));
+    for (const AgentAndObject& conflict : fleet.guidance().intruder_conflicts) {
+      EXPECT_EQ(conflict.object, 1U);
+    }
+  }
+  EXPECT_GT(closest, 8.0);
+  ASSERT_TRUE(fleet.guide().set_intruders({}));
+  fleet.step();
+  EXPECT_TRUE(fleet.told(1).clear_of_intruders);
 }
 
 // An acknowledgement that the agent never sent rules out the branch that it is on.

@@ -111,7 +111,8 @@ TEST(Guide, BadMessagesAreRefusedAndTheOthersCount) {
        "never sent"},
       {R"({"event": "hello", "epoch": 4})", "for agents"},
       {R"({"event": "tick", "tick": 1})", "tick"},
-      {R"({"event": "adopt", "id": "c", "stored": {"promised": 1, "tick": 1}})", "no branch"}};
+      {R"({"event": "adopt", "id": "c", "period_s": 0.1, "braking_mps2": 5, "stored": {"promised": 1, "tick": 1}})",
+       "no branch"}};
   for (const auto& [line, part] : bad) {
     const Finished finished =
         guide(kJoin + kTick + line + "\n" + R"({"event": "tick", "tick": 2})");
@@ -170,7 +171,7 @@ TEST(Follow, TakesACommandAndGoesOnWithItAfterARestart) {
             R"({"event": "ack", "id": "a", "number": "1.1", "reply": "taken", "held": "1.1")");
   expect_in(first.out, R"({"event": "report", "id": "a", "held": "1.1", "tick": 2)");
   const Finished again = follow(R"({"event": "hello", "epoch": 2})", store);
-  expect_in(again.out, R"({"event": "adopt", "id": "a", "stored": {"promised": 2)");
+  expect_in(again.out, R"("braking_mps2": 5, "stored": {"promised": 2)");
   const Finished other = follow("", {"--store", folder.path("a.json"), "--period", "0.2"});
   EXPECT_EQ(other.exit_code, 2) << other.err;
 }
@@ -198,7 +199,8 @@ TEST(Follow, LeavesOutWhatIsWrongOrAboutOthers) {
 TEST(Follow, AStoreOfAnotherAgentIsRefused) {
   const TemporaryFolder folder;
   const std::string file = folder.file(
-      "a.json", R"({"event": "adopt", "id": "b", "stored": {"promised": 1, "tick": 1}})");
+      "a.json",
+      R"({"event": "adopt", "id": "b", "period_s": 0.1, "braking_mps2": 5, "stored": {"promised": 1, "tick": 1}})");
   EXPECT_EQ(follow("", {"--store", file}).exit_code, 3);
 }
 

@@ -151,12 +151,16 @@ TEST(FleetMessages, FiguresThatAreAbsentAreThoseOfTheFleet) {
 TEST(FleetMessages, WhatIsStoredComesBack) {
   AdoptMessage adopt;
   adopt.request.radius_m = 1.5;
+  adopt.period_s = 0.1;
+  adopt.braking_mps2 = 3.5;
   adopt.stored = {some_command(), 3, 130};
   const auto read = read_back<AdoptMessage>(written("x", adopt), "x");
   expect_same(read.stored.branch, adopt.stored.branch);
   EXPECT_EQ(read.stored.promised, 3u);
   EXPECT_EQ(read.stored.tick, 130);
   EXPECT_EQ(read.request.radius_m, 1.5);
+  EXPECT_EQ(read.period_s, 0.1);
+  EXPECT_EQ(read.braking_mps2, 3.5);
   adopt.stored.branch = {};
   EXPECT_EQ(read_back<AdoptMessage>(written("x", adopt), "x").stored.branch.number, 0u);
 }
