@@ -21,7 +21,7 @@ constexpr Tick kAskEvery = 10;
 Result<Following> Following::begin(const FollowRequest& request) {
   auto follower = Follower::make(kSelf, request.planned, request.period_s);
   if (!follower) return std::move(follower).error();
-  Following following(request, *std::move(follower));
+  Following following(request, *follower);
   if (Status loaded = following.load(); !loaded) return std::move(loaded).error();
   return following;
 }

@@ -32,8 +32,8 @@ class Following {
   [[nodiscard]] std::uint64_t refused() const { return refused_; }
 
  private:
-  Following(const FollowRequest& request, Follower follower)
-      : request_(request), follower_(std::move(follower)) {}
+  Following(const FollowRequest& request, const Follower& follower)
+      : request_(request), follower_(follower) {}
 
   Status load();
   [[nodiscard]] Status store() const;

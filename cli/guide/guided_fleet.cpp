@@ -96,7 +96,7 @@ Status GuidedFleet::add(AgentId agent, const JoinRequest& request) {
   member.request = request;
   member.planned = tube->planned;
   member.tube_m = tube->radius_m;
-  members_.insert_or_assign(agent, std::move(member));
+  members_.insert_or_assign(agent, member);
   missing_.erase(agent);
   store_.put(names_.name(agent), request);
   return std::monostate{};
