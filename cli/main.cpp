@@ -9,6 +9,7 @@
 #include "cli/console/standard_output.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/detect/detect_command.hpp"
+#include "cli/fleet/fleet_command.hpp"
 #include "cli/follow/follow_command.hpp"
 #include "cli/generate/generate_command.hpp"
 #include "cli/guide/guide_command.hpp"
@@ -44,6 +45,7 @@ constexpr const char* kExamples =
     "  beespace follow --agent 7 ...                 an agent of it, on its companion computer\n"
     "  beespace simulate random-swap                 a swarm that is kept apart, step by step\n"
     "  beespace verify flight.csv --threshold 5      whether a flight kept its distance\n"
+    "  beespace fleet flown.csv --set set.csv        how far a fleet strays from its plan\n"
     "  beespace report bees.csv -o report.html       a page that shows it\n"
     "  beespace view show.skyc                       the same, in the browser at once\n"
     "  beespace plot bees.csv -o bees.svg            a picture of it\n"
@@ -60,8 +62,9 @@ ExitCode run(int argc, char** argv) {
       kDescription,
       kExamples,
       {detect_command(), predict_command(), replay_command(), watch_command(), advise_command(),
-       guide_command(), follow_command(), simulate_command(), verify_command(), report_command(),
-       view_command(), plot_command(), export_command(), generate_command(), bench_command()}};
+       guide_command(), follow_command(), simulate_command(), verify_command(), fleet_command(),
+       report_command(), view_command(), plot_command(), export_command(), generate_command(),
+       bench_command()}};
   // For scripts/write-completions; no help names it.
   if (argc == 3 && std::string_view(argv[1]) == "--write-completions") {
     if (const auto text = completions_for(argv[2], beespace.commands)) return print(*text);

@@ -23,7 +23,7 @@ _beespace() {
   fi
 
   if [ "$COMP_CWORD" -eq 1 ]; then
-    _beespace_offer -W 'detect predict replay watch advise guide follow simulate verify report view plot export generate bench help --help --version' -- "$current"
+    _beespace_offer -W 'detect predict replay watch advise simulate verify fleet report view plot export generate bench help --help --version' -- "$current"
     return
   fi
 
@@ -81,24 +81,6 @@ _beespace() {
         *) options='--speed --acceleration --step --threshold --uncertainty --obstacles --clearance --intruders --intruder-horizon --method --threads --output --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
-    guide)
-      case $previous in
-        --shape) values='sphere' ;;
-        --loop) values='onboard ground' ;;
-        --format) values='ndjson mavlink' ;;
-        --status) values='changes all none' ;;
-        --obstacles | --store | --log) files=yes ;;
-        --threshold | --fence | --clearance | --max-speed | --max-acceleration | --period | --command-delay | --longest-loss | --report-error | --report-age | --sensing-error | --loop-period | --loop-delay | --deviation | --clock-error | --correction-acceleration | --correction-speed | --epoch | --threads) return ;;
-        *) options='--threshold --shape --obstacles --fence --clearance --plane --max-speed --max-acceleration --period --command-delay --longest-loss --loop --report-error --report-age --sensing-error --loop-period --loop-delay --deviation --clock-error --correction-acceleration --correction-speed --store --epoch --ticks-from-input --threads --format --log --status --quiet --help --version' ;;
-      esac
-      ;;
-    follow)
-      case $previous in
-        --store) files=yes ;;
-        --agent | --planned-speed | --planned-acceleration | --period | --radius | --start | --report-every) return ;;
-        *) options='--agent --planned-speed --planned-acceleration --period --radius --start --store --ticks-from-input --simulated --report-every --setpoints --quiet --help --version' ;;
-      esac
-      ;;
     simulate)
       case $previous in
         --acceleration) values='none' ;;
@@ -117,6 +99,17 @@ _beespace() {
         --obstacles | -o | --output) files=yes ;;
         --columns | --units | --threshold | --max-speed | --max-acceleration | --clearance | --threads) return ;;
         *) options='--crs --columns --time-unit --grounded --units --heights --skip-bad --threshold --max-speed --max-acceleration --obstacles --clearance --max-gap --straight --threads --output --csv --json --quiet --help --version' files=yes ;;
+      esac
+      ;;
+    fleet)
+      case $previous in
+        --crs) values='auto wgs84 metres' ;;
+        --time-unit) values='auto s ms us ns' ;;
+        --heights) values='auto geometric pressure' ;;
+        --max-gap) values='never' ;;
+        --set) files=yes ;;
+        --columns | --units | --set-columns) return ;;
+        *) options='--crs --columns --time-unit --grounded --units --heights --skip-bad --set --set-columns --max-gap --json --quiet --help --version' files=yes ;;
       esac
       ;;
     report)
@@ -180,7 +173,7 @@ _beespace() {
         *) options='--points --threads --json --quiet --help --version' ;;
       esac
       ;;
-    help) values='detect predict replay watch advise guide follow simulate verify report view plot export generate bench' ;;
+    help) values='detect predict replay watch advise simulate verify fleet report view plot export generate bench' ;;
   esac
 
   case $current in

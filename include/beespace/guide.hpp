@@ -102,7 +102,8 @@ struct AgentGuidance {
   Contract contract = Contract::kKept;            ///< Whether its figures hold.
   ContractReason reason = ContractReason::kNone;  ///< Why not.
   /// @brief Proven: as long as all keep the contract, it keeps the threshold from all others that
-  /// keep it, and the clearance, for ever.
+  /// keep it, and the clearance, for ever. Whether they do says `contract`: never of one that is
+  /// out, and of one that is doubted its reports alone do not prove it.
   bool certified = false;
   bool clear_of_intruders = false;      ///< As Advice::clear_of_intruders.
   AdviceKind kind = AdviceKind::kNone;  ///< How it flies, compared with what is preferred.
@@ -252,6 +253,7 @@ class BEESPACE_API Guide {
   /// @param[out] guidance What to send, and what is known; overwritten, and empty after an error.
   /// @param stop When a stop is requested, the call ends soon; it may be made again.
   /// @return Success; or ErrorCode::kTimeOrder: a tick that is not after the one before;
+  ///   ErrorCode::kInvalidArgument: a tick beyond 10^18;
   ///   ErrorCode::kStopped.
   Status step(Tick now, Guidance& guidance, const std::stop_token& stop = {});
 

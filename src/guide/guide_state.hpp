@@ -72,6 +72,7 @@ class __attribute__((visibility("hidden"))) Guide::State {
   void prepare(Tick now);
   void prepare(Member& member, PointId index, Tick now);
   [[nodiscard]] UnknownAgent ball_of(const Member& member, Tick now, PointId index) const;
+  [[nodiscard]] double silent_s(const Member& member, Tick now) const;
   void prepare_intruders(Tick now);
   [[nodiscard]] static bool holds(const Member& member);
   [[nodiscard]] static bool is_unknown(const Member& member);

@@ -13,6 +13,8 @@ namespace beespace {
 namespace {
 
 constexpr double kMeetWithin_s = 2.0;
+// Ticks are added to and compared without overflow.
+constexpr double kMostTicks = 1e18;
 
 }  // namespace
 
@@ -41,6 +43,13 @@ Status Guide::State::check() {
   }
   if (auto tube = tube_of(options_.figures, options_.link, options_.limits); !tube) {
     return tube.error();
+  }
+  // An agent whose clock is a tick ahead would take no command that departs a tick after it is
+  // sent.
+  if (options_.figures.clock_error_s > 0.0 && options_.link.command_delay < 2) {
+    return wrong(
+        "command_delay is 1 tick, and clocks may be off: commands would come too late for "
+        "agents whose clocks are ahead; give a delay of 2 or more");
   }
   // The rest is checked by the Adviser.
   AdviseOptions options = advise_options_;
@@ -89,10 +98,17 @@ void Guide::State::prepare(Tick now) {
   prepare_intruders(now);
 }
 
+// On the ground it counts from when the newest report was measured, not from when it came: what
+// corrects an agent is as old as that.
+double Guide::State::silent_s(const Member& member, Tick now) const {
+  if (!member.is_on_ground_loop() || !member.last) return seconds(now - member.heard);
+  return seconds(now - member.last->tick) - member.last->after_s;
+}
+
 void Guide::State::prepare(Member& member, PointId index, Tick now) {
   member.branches.advance(now);
   member.around.reset();
-  if (!member.branches.awaits_root()) member.monitor.check_silence(seconds(now - member.heard));
+  if (!member.branches.awaits_root()) member.monitor.check_silence(silent_s(member, now));
   const Mover base = member.branches.base_state(now + options_.link.command_delay);
   movers_.push_back(base);
   preferred_.push_back(preferred(member, base.position));
@@ -144,6 +160,12 @@ void Guide::State::prepare_intruders(Tick now) {
 
 Status Guide::State::step(Tick now, Guidance& guidance, const std::stop_token& stop) {
   guidance.clear();
+  if (std::abs(static_cast<double>(now)) > kMostTicks) {
+    return Error{
+        ErrorCode::kInvalidArgument,
+        "tick " + std::to_string(now) + " is beyond 10^18; count ticks from a time that is nearer",
+        {}};
+  }
   if (now_ && now <= *now_) {
     return Error{ErrorCode::kTimeOrder,
                  "tick " + std::to_string(now) + " does not come after tick " +
@@ -178,7 +200,7 @@ void Guide::State::tell(PointId index, Tick now, Guidance& guidance) {
   told.contract = member.monitor.contract();
   told.reason = member.monitor.reason();
   told.certified = advice.keeps_apart && advice.clear_of_unknown &&
-                   told.contract == Contract::kKept && !member.branches.awaits_root() &&
+                   told.contract != Contract::kOut && !member.branches.awaits_root() &&
                    expected_.empty();
   told.clear_of_intruders = advice.clear_of_intruders && !intruder_anywhere_;
   told.kind = advice.kind;
