@@ -54,7 +54,7 @@ std::vector<UnitTaken> put_together(const std::vector<UnitTaken>& taken) {
     if (!together.empty() && together.back().unit == one.unit) {
       std::string& of = together.back().of;
       if (const std::size_t before = of.find(" and "); before != std::string::npos) {
-        of.replace(before, 5, ", ", 2);
+        of.replace(before, 5, ", ");
       }
       of += " and " + one.of;
     } else {
