@@ -10,7 +10,9 @@
 #include "cli/console/terminal.hpp"
 #include "cli/detect/detect_command.hpp"
 #include "cli/fleet/fleet_command.hpp"
+#include "cli/follow/follow_command.hpp"
 #include "cli/generate/generate_command.hpp"
+#include "cli/guide/guide_command.hpp"
 #include "cli/recorded/predict_command.hpp"
 #include "cli/recorded/replay_command.hpp"
 #include "cli/recorded/verify_command.hpp"
@@ -39,6 +41,8 @@ constexpr const char* kExamples =
     "  beespace replay show.skyc                     whether a drone show keeps its distance\n"
     "  tail -f swarm.csv | beespace watch            the same live\n"
     "  beespace advise swarm.csv                     how all bees should fly to keep apart\n"
+    "  beespace guide --threshold 5                  a fleet that is not exact, by radio\n"
+    "  beespace follow --agent 7 ...                 an agent of it, on its companion computer\n"
     "  beespace simulate random-swap                 a swarm that is kept apart, step by step\n"
     "  beespace verify flight.csv --threshold 5      whether a flight kept its distance\n"
     "  beespace fleet flown.csv --set set.csv        how far a fleet strays from its plan\n"
@@ -58,8 +62,9 @@ ExitCode run(int argc, char** argv) {
       kDescription,
       kExamples,
       {detect_command(), predict_command(), replay_command(), watch_command(), advise_command(),
-       simulate_command(), verify_command(), fleet_command(), report_command(), view_command(),
-       plot_command(), export_command(), generate_command(), bench_command()}};
+       guide_command(), follow_command(), simulate_command(), verify_command(), fleet_command(),
+       report_command(), view_command(), plot_command(), export_command(), generate_command(),
+       bench_command()}};
   // For scripts/write-completions; no help names it.
   if (argc == 3 && std::string_view(argv[1]) == "--write-completions") {
     if (const auto text = completions_for(argv[2], beespace.commands)) return print(*text);

@@ -84,6 +84,15 @@ JsonWriter& JsonWriter::write_count(std::uint64_t number) {
   return *this;
 }
 
+JsonWriter& JsonWriter::write_signed(std::int64_t number) {
+  if (number >= 0) return write_count(static_cast<std::uint64_t>(number));
+  begin_value();
+  out_ += '-';
+  // Of the least number there is no positive one of its type.
+  append_exact(out_, std::uint64_t{0} - static_cast<std::uint64_t>(number));
+  return *this;
+}
+
 void JsonWriter::begin_value() {
   assert(level().is_object == has_key_);
   if (!has_key_ && depth_ > 0) separate();

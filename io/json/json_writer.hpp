@@ -64,6 +64,10 @@ class JsonWriter {
   requires(!std::same_as<Number, bool>) JsonWriter& value(Number number) {
     return write_count(number);
   }
+  template <std::signed_integral Number>
+  requires(!std::same_as<Number, char>) JsonWriter& value(Number number) {
+    return write_signed(number);
+  }
   // null where there is none.
   template <class Value>
   JsonWriter& value(const std::optional<Value>& held) {
@@ -105,6 +109,7 @@ class JsonWriter {
   void break_line(std::size_t indent);
   JsonWriter& write(std::string_view word);
   JsonWriter& write_count(std::uint64_t number);
+  JsonWriter& write_signed(std::int64_t number);
 
   std::string& out_;
   std::array<Level, kMostNested> levels_{};

@@ -1,4 +1,4 @@
-#include "cli/watch/line_source.hpp"
+#include "cli/input/line_source.hpp"
 
 #include "cli/console/signals.hpp"
 

@@ -1,0 +1,10 @@
+// `beespace guide`.
+#pragma once
+
+#include "cli/command_line/command.hpp"
+
+namespace beespace::cli {
+
+Command guide_command();
+
+}  // namespace beespace::cli

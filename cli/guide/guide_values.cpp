@@ -1,0 +1,93 @@
+#include "cli/guide/guide_values.hpp"
+
+#include "cli/command_line/option_values.hpp"
+#include "cli/input/number_list.hpp"
+#include "io/bytes/durable_file.hpp"
+#include "io/problems/excerpt.hpp"
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace beespace::cli {
+namespace {
+
+std::optional<Fence> parse_fence(std::string_view text) {
+  const auto numbers = parse_numbers(text, 4);
+  if (!numbers) return std::nullopt;
+  const std::vector<double>& n = *numbers;
+  const double length = std::hypot(n[0], n[1], n[2]);
+  if (!(length > 0.0) || !std::isfinite(length)) return std::nullopt;
+  return Fence{{n[0] / length, n[1] / length, n[2] / length}, n[3] / length};
+}
+
+// Planes between `separator`s; what is no plane is kept as `wrong`. Comments begin with '#'.
+std::vector<Fence> parse_fences(std::string_view text, char separator, std::string& wrong) {
+  std::vector<Fence> fences;
+  while (!text.empty()) {
+    const std::size_t end = text.find(separator);
+    const std::string_view part = text.substr(0, end);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    const bool empty = part.find_first_not_of(" \t\r") == std::string_view::npos;
+    if (empty || part.starts_with('#')) continue;
+    const auto fence = parse_fence(part.substr(0, part.find_last_not_of(" \t\r") + 1));
+    if (fence) {
+      fences.push_back(*fence);
+    } else if (wrong.empty()) {
+      wrong = part;
+    }
+  }
+  return fences;
+}
+
+}  // namespace
+
+Result<Separation> read_shape(const Typed& typed) {
+  const std::string& text = typed.text;
+  Separation shape;
+  if (text == "sphere") return shape;
+  const std::size_t colon = text.find(':');
+  const std::string value = colon == std::string::npos ? "" : text.substr(colon + 1);
+  const Typed number{typed.command, typed.option, value};
+  if (text.starts_with("ellipsoid:")) {
+    shape.shape = SeparationShape::kEllipsoid;
+    return amount("times", kAboveZero)(number).transform([&](double factor) {
+      shape.vertical_factor = factor;
+      return shape;
+    });
+  }
+  if (text.starts_with("cylinder:")) {
+    shape.shape = SeparationShape::kCylinder;
+    return length_from(kLeastLength_m)(number).transform([&](double height_m) {
+      shape.vertical_m = height_m;
+      return shape;
+    });
+  }
+  return usage_error(typed.command, std::string(typed.option) + " '" + text +
+                                        "' is no shape; give sphere, ellipsoid:3 or cylinder:3");
+}
+
+Result<std::vector<Fence>> read_fences(const Typed& typed) {
+  std::string wrong;
+  std::vector<Fence> fences = parse_fences(typed.text, ';', wrong);
+  if (wrong.empty() && !fences.empty()) return fences;
+  constexpr std::size_t kMost = std::size_t{1} << 20;
+  const auto file = io::read_small_file(typed.text, kMost);
+  if (!file) return file.error();
+  if (!*file) {
+    return usage_error(typed.command,
+                       std::string(typed.option) + " '" + typed.text +
+                           "' is neither planes, as 0,0,1,10;0,0,-1,-120, nor a file");
+  }
+  wrong.clear();
+  fences = parse_fences(**file, '\n', wrong);
+  if (wrong.empty() && !fences.empty()) return fences;
+  return Error{
+      ErrorCode::kMalformedRecord,
+      (wrong.empty() ? "there is no plane in this file" : io::excerpt(wrong) + " is no plane") +
+          "; give a direction inwards and an offset a line, as 0,0,1,10",
+      {.source = typed.text}};
+}
+
+}  // namespace beespace::cli

@@ -1,0 +1,91 @@
+#include "io/bytes/durable_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+namespace beespace::io {
+namespace {
+
+// Closed when it goes.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  [[nodiscard]] int number() const { return number_; }
+  [[nodiscard]] bool open() const { return number_ >= 0; }
+
+ private:
+  int number_;
+};
+
+Error problem(ErrorCode code, const char* what, const std::string& path) {
+  return {code, std::string(what) + ": " + std::strerror(errno), {.source = path}};
+}
+
+bool write_all(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = ::write(descriptor, text.data(), text.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+// The new name of a file is on the disk when its folder is.
+bool sync_folder_of(const std::string& path) {
+  const std::size_t end = path.rfind('/');
+  const std::string folder = end == std::string::npos ? "." : path.substr(0, end + 1);
+  const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  return opened.open() && ::fsync(opened.number()) == 0;
+}
+
+}  // namespace
+
+Status write_durably(const std::string& path, std::string_view text) {
+  const std::string beside = path + ".new";
+  constexpr mode_t kMode = 0644;
+  {
+    const Descriptor file(::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, kMode));
+    if (!file.open() || !write_all(file.number(), text) || ::fsync(file.number()) != 0) {
+      Error error = problem(ErrorCode::kWriteFailed, "cannot write this file durably", path);
+      if (file.open()) ::unlink(beside.c_str());
+      return error;
+    }
+  }
+  if (std::rename(beside.c_str(), path.c_str()) == 0 && sync_folder_of(path)) {
+    return std::monostate{};
+  }
+  return problem(ErrorCode::kWriteFailed, "cannot write this file durably", path);
+}
+
+Result<std::optional<std::string>> read_small_file(const std::string& path, std::size_t most) {
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file.open() && errno == ENOENT) return std::optional<std::string>();
+  if (!file.open()) return problem(ErrorCode::kReadFailed, "cannot open this file", path);
+  std::string text;
+  std::array<char, 4096> block;
+  for (;;) {
+    const ssize_t count = ::read(file.number(), block.data(), block.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return problem(ErrorCode::kReadFailed, "cannot read this file", path);
+    if (count == 0) return std::optional<std::string>(std::move(text));
+    text.append(block.data(), static_cast<std::size_t>(count));
+    if (text.size() > most) {
+      return Error{ErrorCode::kMalformedRecord,
+                   "this file is too large to be what was stored; name another one",
+                   {.source = path}};
+    }
+  }
+}
+
+}  // namespace beespace::io
