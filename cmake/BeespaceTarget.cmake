@@ -23,5 +23,5 @@ function(beespace_precompile target)
     <variant> <vector> <beespace/result.hpp>)
   # The first is for ccache. With a precompiled header GCC 12 warns of bounds in its own library.
   target_compile_options(${target} PRIVATE
-    -fpch-preprocess -Wno-array-bounds -Wno-stringop-overflow)
+    -fpch-preprocess -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread)
 endfunction()
