@@ -70,11 +70,13 @@ struct Command {
   static constexpr std::size_t kMostStates = 36;
   static constexpr std::size_t kMostAncestors = 16;  ///< @copydoc kMostStates
 
-  AgentId agent = 0;                               ///< For whom.
-  BranchNumber number = 0;                         ///< The branch.
-  Tick starts = 0;                                 ///< The tick of the first state.
-  std::uint32_t state_count = 0;                   ///< How many of `states` count; one or more.
-  std::uint32_t ancestor_count = 0;                ///< How many of `ancestors` count. Zero: a root.
+  AgentId agent = 0;              ///< For whom.
+  BranchNumber number = 0;        ///< The branch.
+  Tick starts = 0;                ///< The tick of the first state.
+  std::uint32_t state_count = 0;  ///< How many of `states` count; one or more.
+  /// @brief How many of `ancestors` count. Zero: a root. An agent that is on no branch takes it, as
+  /// long as its states last.
+  std::uint32_t ancestor_count = 0;
   std::array<BranchState, kMostStates> states;     ///< At `starts` and each tick after it.
   std::array<Ancestor, kMostAncestors> ancestors;  ///< In descending order of their numbers.
 
@@ -92,11 +94,11 @@ struct Command {
 enum class CommandReply : std::uint8_t {
   kTaken,       ///< It is on that branch now.
   kOlder,       ///< It is on that branch or on a newer one; or promised to refuse its epoch.
-  kTooLate,     ///< The branch that it is on has departed from it.
-  kTooEarly,    ///< The branch begins after the agent's tick. Not final.
+  kTooLate,     ///< The branch that it is on has departed from it; of a root: its states are over.
+  kTooEarly,    ///< The branch begins after the agent's tick, or that is not known. Not final.
   kNoAncestor,  ///< The branch that it is on is not an ancestor. Not final.
   kNoBranch,    ///< It has lost its branch, and must join anew.
-  kInvalid,     ///< Of another agent, or no command: counts or numbers that cannot be.
+  kInvalid,     ///< Of another agent, or no command: counts, numbers or states that cannot be.
 };
 
 /// @brief The reply to one command.
@@ -122,8 +124,8 @@ struct AgentReport {
   friend constexpr bool operator==(const AgentReport&, const AgentReport&) = default;
 };
 
-/// @brief What a Follower must remember to go on after a restart: store it durably before an
-/// acknowledgement is sent.
+/// @brief What a Follower must remember to go on after a restart: where it has changed, store it
+/// durably before anything is sent.
 struct StoredBranch {
   Command branch;              ///< The branch that the agent is on; number 0: none.
   std::uint32_t promised = 0;  ///< It refuses epochs below this.

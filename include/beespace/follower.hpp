@@ -35,27 +35,33 @@ class BEESPACE_API Follower {
   static Result<Follower> make(AgentId agent, const FlightLimits& planned, double period_s);
 
   /// @brief Goes on after a restart with what was stored.
+  ///
+  /// A clock that was set anew may be behind the one before: by twice its error. So commands are
+  /// taken again two ticks after the first advance(): this is enough where the clock is never off
+  /// by more than a tick.
+  ///
   /// @param stored What was stored.
   /// @return Success, or ErrorCode::kInvalidArgument for what cannot have been stored by a follower
   ///   of this agent.
   Status restore(const StoredBranch& stored);
 
-  /// @brief Sets the tick; it never runs backwards.
+  /// @brief Sets the tick; it never runs backwards. Before the first call no command is taken.
   /// @param tick The tick by the agent's clock.
   void advance(Tick tick);
 
   /// @brief Takes a command or refuses it.
   /// @param command The command, as it came: anything may be in it.
-  /// @return What was done; kTaken: store what stored() says, then send this.
+  /// @return What was done; kTaken: store what stored() says, then send this (and reports).
   Acknowledgement receive(const Command& command);
 
   /// @brief Answers a planner that was started anew: promises to refuse all older epochs.
   /// @param epoch The epoch of the planner.
-  /// @return Whether it is not older than one that was promised before. Then store what stored()
-  ///   says, and send it.
+  /// @return Whether it is not older than one that was promised before, or than that of its branch.
+  ///   Then store what stored() says, and send it.
   bool promise(std::uint32_t epoch);
 
-  /// @brief Forgets its branch: the agent is not where it should be, and must join anew.
+  /// @brief Forgets its branch: the agent is not where it should be, and must join anew, with an
+  /// epoch that is greater than all that it knows. Store what stored() says.
   void lose();
 
   /// @brief Where it should be.
@@ -76,10 +82,18 @@ class BEESPACE_API Follower {
  private:
   Follower() = default;
 
+  [[nodiscard]] CommandReply judge(const Command& command) const;
+  [[nodiscard]] CommandReply judge_root(const Command& root) const;
+  [[nodiscard]] BranchState at(Tick tick) const;
+
   StoredBranch stored_;
+  BranchState now_;  // on its branch, at its tick
   AgentId agent_ = 0;
   FlightLimits planned_;
   double period_s_ = 0.0;
+  Tick takes_from_ = 0;   // the tick
+  bool ticks_ = false;    // whether its tick was set
+  bool resumes_ = false;  // whether it was restored, and its tick not set since
 };
 
 }  // namespace beespace

@@ -1,0 +1,111 @@
+// The fleet of a Guide: who is in it, what is known of each, and the tick.
+//
+// Members are in a dense row, in any order, so that each call of the Adviser sees them all; `by_id_`
+// has them in the order of their ids, in which all is told.
+#pragma once
+
+#include "guide/ball.hpp"
+#include "guide/guided_agent.hpp"
+
+#include <beespace/advise.hpp>
+#include <beespace/guide.hpp>
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace beespace {
+
+class __attribute__((visibility("hidden"))) Guide::State {
+ public:
+  explicit State(const GuideOptions& options);
+
+  // Membership.
+  Result<JoinAnswer> join(const JoinRequest& request, bool for_good);
+  Status adopt(const JoinRequest& request, const StoredBranch& stored);
+  void expect(std::span<const AgentId> agents);
+  Status leave(AgentId agent);
+
+  // Messages.
+  Status set_goal(AgentId agent, const Point& goal);
+  Status set_preferred(AgentId agent, const Velocity& velocity);
+  Status take(const AgentReport& report);
+  Status take(const Acknowledgement& acknowledgement);
+  void set_intruders(std::span<const Intruder> intruders);
+
+  Status step(Tick now, Guidance& guidance, const std::stop_token& stop);
+
+  [[nodiscard]] std::size_t size() const { return members_.size(); }
+  [[nodiscard]] Result<Tube> tube(AgentId agent) const;
+  [[nodiscard]] Result<std::vector<Point>> claim(AgentId agent) const;
+
+  // That these options make sense.
+  [[nodiscard]] Status check();
+
+ private:
+  using Member = guide::GuidedAgent;
+
+  [[nodiscard]] Member* find(AgentId agent);
+  [[nodiscard]] const Member* find(AgentId agent) const;
+  [[nodiscard]] static Error unknown_agent(AgentId agent);
+
+  // What an agent that wants to join would be.
+  Result<Tube> tube_for(const JoinRequest& request) const;
+  Status check_new(const JoinRequest& request) const;
+  [[nodiscard]] guide::BranchOptions branch_options(AgentId agent, const Tube& tube) const;
+  void add(const JoinRequest& request, const Tube& tube, guide::Branches&& branches, Tick heard);
+  [[nodiscard]] double farthest_apart_m(double radius_m, double other_radius_m) const;
+  [[nodiscard]] std::vector<PointId> near(const Point& place, double tube_m, double radius_m) const;
+  Status find_touching(const JoinRequest& request, const Tube& tube, JoinAnswer& answer);
+
+  // One tick.
+  void prepare(Tick now);
+  void prepare(Member& member, PointId index, Tick now);
+  [[nodiscard]] UnknownAgent ball_of(const Member& member, Tick now, PointId index) const;
+  void prepare_intruders(Tick now);
+  [[nodiscard]] static bool holds(const Member& member);
+  [[nodiscard]] static bool is_unknown(const Member& member);
+  [[nodiscard]] Velocity preferred(const Member& member, const Point& from) const;
+  void tell(PointId index, Tick now, Guidance& guidance);
+  static bool command(Member& member, const Advice& advice, Guidance& guidance);
+  void tell_findings(Guidance& guidance) const;
+  // How far ahead to keep clear of agents that are out of their tubes, which are looked at anew in
+  // each tick.
+  [[nodiscard]] double unknown_horizon_s() const {
+    return seconds(2 * Tick{options_.link.command_delay} + 4);
+  }
+  // From which tick on an agent may still be where its branches are: its clock may be behind.
+  [[nodiscard]] static Tick claims_from(const Member& member, Tick now);
+  [[nodiscard]] double seconds(Tick ticks) const {
+    return static_cast<double>(ticks) * options_.link.period_s;
+  }
+
+  GuideOptions options_;
+  std::vector<Fence> fences_;
+  AdviseOptions advise_options_;
+  std::optional<Tick> now_;  // of the last step
+
+  std::vector<Member> members_;
+  std::map<AgentId, PointId> by_id_;
+  std::map<AgentId, std::uint32_t> sent_before_;  // branches, to those that have left
+  std::set<AgentId> expected_;  // not heard of yet
+  std::vector<Intruder> intruders_;
+  std::optional<Tick> intruders_at_;  // none: since the next step
+
+  // Of a step.
+  Adviser adviser_;
+  PlaneMemory planes_;
+  Advised advised_;
+  std::vector<Mover> movers_;
+  std::vector<Velocity> preferred_;
+  std::vector<FlightLimits> limits_;
+  std::vector<Point> places_;
+  std::vector<std::size_t> place_ends_;
+  std::vector<Claim> claims_;
+  std::vector<UnknownAgent> unknown_;  // those that are out of their tubes
+  std::vector<Mover> intruder_movers_;
+};
+
+}  // namespace beespace

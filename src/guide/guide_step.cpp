@@ -1,0 +1,235 @@
+// One tick of a Guide: claims of all, advice, commands.
+#include "guide/guide_state.hpp"
+#include "motion/flush.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace beespace {
+
+
+Guide::State::State(const GuideOptions& options)
+    : options_(options), fences_(options.fences.begin(), options.fences.end()) {
+  options_.fences = {};
+  advise_options_.threshold_m = options.threshold_m;
+  advise_options_.separation = options.separation;
+  advise_options_.step_s = options.link.period_s;
+  advise_options_.obstacles = options.obstacles;
+  advise_options_.clearance_m = options.clearance_m;
+  advise_options_.intruder_horizon_s = options.intruder_horizon_s;
+  advise_options_.planar = options.planar;
+  advise_options_.threads = options.threads;
+}
+
+Status Guide::State::check() {
+  const auto wrong = [](const std::string& what) {
+    return Error{ErrorCode::kInvalidArgument, what, {}};
+  };
+  if (options_.epoch == 0) {
+    return wrong("the epoch is 0; give one greater than that of every planner before");
+  }
+  if (!std::isfinite(options_.limits.max_acceleration_mps2)) {
+    return wrong("a Guide needs a greatest acceleration: give a finite one in limits");
+  }
+  if (auto tube = tube_of(options_.figures, options_.link, options_.limits); !tube) {
+    return tube.error();
+  }
+  // The rest is checked by the Adviser.
+  AdviseOptions options = advise_options_;
+  options.fences = fences_;
+  return adviser_.advise({}, {}, std::span(&options_.limits, 1), options, advised_);
+}
+
+Tick Guide::State::claims_from(const Member& member, Tick now) {
+  return member.figures.clock_error_s > 0.0 ? now - 1 : now;
+}
+
+// Out of its contract, or on the ground loop without a report: its tube no longer holds it.
+bool Guide::State::is_unknown(const Member& member) {
+  if (member.monitor.contract() == Contract::kOut) return true;
+  return member.is_on_ground_loop() && member.monitor.reason() == ContractReason::kSilent;
+}
+
+// It gets nothing new.
+bool Guide::State::holds(const Member& member) {
+  return member.branches.awaits_root() || member.branches.full() ||
+         member.monitor.reason() == ContractReason::kSilent;
+}
+
+Velocity Guide::State::preferred(const Member& member, const Point& from) const {
+  if (!member.goal) return member.preferred;
+  return velocity_to_goal(from, *member.goal, member.tube.planned, options_.link.period_s)
+      .value_or(Velocity{});
+}
+
+void Guide::State::prepare(Tick now) {
+  movers_.clear();
+  preferred_.clear();
+  limits_.clear();
+  places_.clear();
+  place_ends_.clear();
+  unknown_.clear();
+  claims_.clear();
+  for (PointId index = 0; index < members_.size(); ++index) prepare(members_[index], index, now);
+  std::size_t begin = 0;
+  for (PointId index = 0; index < members_.size(); ++index) {
+    const Member& member = members_[index];
+    claims_.push_back({std::span(places_).subspan(begin, place_ends_[index] - begin),
+                       member.tube.radius_m, member.radius_m, holds(member)});
+    begin = place_ends_[index];
+  }
+  prepare_intruders(now);
+}
+
+void Guide::State::prepare(Member& member, PointId index, Tick now) {
+  member.branches.advance(now);
+  if (!member.branches.awaits_root()) member.monitor.check_silence(seconds(now - member.heard));
+  const Mover base = member.branches.base_state(now + options_.link.command_delay);
+  movers_.push_back(base);
+  preferred_.push_back(preferred(member, base.position));
+  limits_.push_back(member.tube.planned);
+  member.branches.append_places(claims_from(member, now), places_);
+  place_ends_.push_back(places_.size());
+  if (is_unknown(member)) unknown_.push_back(ball_of(member, now, index));
+}
+
+// Where an agent is of which the tube no longer tells it.
+UnknownAgent Guide::State::ball_of(const Member& member, Tick now, PointId index) const {
+  const FleetFigures& figures = member.figures;
+  const double fastest_mps = member.tube.planned.max_speed_mps + figures.correction_mps;
+  const bool is_out = member.monitor.contract() == Contract::kOut;
+  if (is_out && member.last) {
+    const double age_s = std::max(0.0, seconds(now - member.last->tick) - member.last->after_s) +
+                         figures.clock_error_s;
+    const double growth_mps = fastest_mps + figures.deviation_mps;
+    return {member.last->position, figures.report_error_m + growth_mps * age_s, growth_mps, index};
+  }
+  std::vector<Point> places;
+  member.branches.append_places(claims_from(member, now), places);
+  const guide::Ball ball = guide::ball_around(places);
+  const double silent_s = seconds(std::max<Tick>(0, now - member.heard));
+  const double growth_mps = figures.deviation_mps + (is_out ? fastest_mps : 0.0);
+  return {{ball.middle.x, ball.middle.y, ball.middle.z},
+          ball.radius_m + member.tube.radius_m + growth_mps * silent_s,
+          growth_mps,
+          index};
+}
+
+// Flown straight on since they were told of.
+void Guide::State::prepare_intruders(Tick now) {
+  if (!intruders_at_) intruders_at_ = now;
+  const double since_s = seconds(now - *intruders_at_);
+  intruder_movers_.clear();
+  for (const Intruder& intruder : intruders_) {
+    const auto& [p, v] = intruder.mover;
+    intruder_movers_.push_back(
+        {{p.x + v.x * since_s, p.y + v.y * since_s, p.z + v.z * since_s}, v});
+  }
+}
+
+Status Guide::State::step(Tick now, Guidance& guidance, const std::stop_token& stop) {
+  guidance.clear();
+  if (now_ && now <= *now_) {
+    return Error{ErrorCode::kTimeOrder,
+                 "tick " + std::to_string(now) + " does not come after tick " +
+                     std::to_string(*now_) + ", the last one",
+                 {}};
+  }
+  prepare(now);
+  AdviseOptions options = advise_options_;
+  options.fences = fences_;
+  options.claims = claims_;
+  options.planes = &planes_;
+  options.unknown = unknown_;
+  options.unknown_horizon_s = unknown_horizon_s();
+  options.intruders = intruder_movers_;
+  options.stop = stop;
+  if (Status done = adviser_.advise(movers_, preferred_, limits_, options, advised_); !done) {
+    return done;
+  }
+  now_ = now;
+  guidance.tick = now;
+  for (const auto& [id, index] : by_id_) tell(index, now, guidance);
+  tell_findings(guidance);
+  return std::monostate{};
+}
+
+void Guide::State::tell(PointId index, Tick now, Guidance& guidance) {
+  Member& member = members_[index];
+  const Advice& advice = advised_.advice[index];
+  AgentGuidance& told = guidance.agents.emplace_back();
+  told.agent = member.id;
+  told.contract = member.monitor.contract();
+  told.reason = member.monitor.reason();
+  told.certified = advice.keeps_apart && advice.clear_of_unknown &&
+                   told.contract == Contract::kKept && !member.branches.awaits_root() && expected_.empty();
+  told.clear_of_intruders = advice.clear_of_intruders;
+  told.kind = advice.kind;
+  told.tube_m = member.tube.radius_m;
+  told.deviation_m = member.monitor.deviation_m();
+  told.commanded = command(member, advice, guidance);
+  told.branches = static_cast<std::uint32_t>(member.branches.live_count());
+  told.nominal = member.branches.base_state(now);
+}
+
+// Whether there is one.
+bool Guide::State::command(Member& member, const Advice& advice, Guidance& guidance) {
+  guide::Branches& branches = member.branches;
+  if (branches.awaits_root()) {
+    branches.write_root(guidance.commands.emplace_back());
+    return true;
+  }
+  if (holds(member) || is_unknown(member) || advice.kind == AdviceKind::kNone) return false;
+  Velocity correction;
+  if (member.is_on_ground_loop()) {
+    const Tick departs = branches.departs();
+    const core::Vector3 next = member.corrections.next(departs, member.loop);
+    member.corrections.set(departs + 1, next);
+    correction = {next.x, next.y, next.z};
+  } else if (!branches.would_change(advice.velocity)) {
+    return false;
+  }
+  branches.issue(advice.velocity, correction, guidance.commands.emplace_back());
+  return true;
+}
+
+void Guide::State::tell_findings(Guidance& guidance) const {
+  const auto id = [this](std::size_t index) { return members_[index].id; };
+  const auto add_pair = [&](AgentId a, AgentId b, double gap_m, double clear_s) {
+    guidance.pairs.push_back({std::min(a, b), std::max(a, b), gap_m, clear_s});
+  };
+  for (const TooClose& close : advised_.too_close) {
+    add_pair(id(close.pair.first), id(close.pair.second), close.gap_m, close.clear_s);
+  }
+  for (const NearUnknown& near : advised_.near_unknown) {
+    add_pair(id(near.agent), id(*unknown_[near.unknown].agent), near.gap_m,
+             std::numeric_limits<double>::infinity());
+  }
+  for (const NearObstacle& near : advised_.near_obstacle) {
+    guidance.near_obstacle.push_back({id(near.agent), near.obstacle, near.gap_m});
+  }
+  for (const NearFence& near : advised_.near_fence) {
+    guidance.near_fence.push_back({id(near.agent), near.fence, near.gap_m});
+  }
+  for (const IntruderConflict& conflict : advised_.intruder_conflicts) {
+    guidance.intruder_conflicts.push_back(
+        {id(conflict.agent), conflict.intruder, conflict.closest_m});
+  }
+  std::sort(guidance.pairs.begin(), guidance.pairs.end(),
+            [](const UncertifiedPair& a, const UncertifiedPair& b) {
+              return std::pair(a.first, a.second) < std::pair(b.first, b.second);
+            });
+  const auto in_order = [](std::vector<AgentAndObject>& found) {
+    std::sort(found.begin(), found.end(), [](const AgentAndObject& a, const AgentAndObject& b) {
+      return std::pair(a.agent, a.object) < std::pair(b.agent, b.object);
+    });
+  };
+  in_order(guidance.near_obstacle);
+  in_order(guidance.near_fence);
+  in_order(guidance.intruder_conflicts);
+}
+
+}  // namespace beespace
