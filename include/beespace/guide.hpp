@@ -65,6 +65,10 @@ struct JoinRequest {
   double radius_m = 0.0;                     ///< Its own radius in metres; zero or more.
   std::optional<FleetFigures> figures = {};  ///< Its own figures, where they differ.
   std::optional<FlightLimits> limits = {};   ///< Its own limits, where they differ.
+  /// @brief What its follower has promised (StoredBranch::promised): its branches are of that epoch
+  /// where it is greater than that of the planner. So an agent that lost its branch joins anew with
+  /// an epoch in which it has never been on one.
+  std::uint32_t promised = 0;
 };
 
 /// @brief Whether an agent may join.

@@ -70,6 +70,7 @@ class Branches {
   [[nodiscard]] bool full() const {
     return live_count_ >= kMostLive || count_ == std::numeric_limits<std::uint32_t>::max();
   }
+  [[nodiscard]] std::uint32_t epoch() const { return options_.epoch; }
   // How many branches of this epoch were sent to the agent (BranchOptions::earlier, for the next
   // time that it joins).
   [[nodiscard]] std::uint32_t count() const { return count_; }

@@ -10,8 +10,9 @@
 
 #include <beespace/command.hpp>
 
-#include <array>
 #include <cstddef>
+#include <limits>
+#include <vector>
 
 namespace beespace::guide {
 
@@ -24,10 +25,14 @@ class GroundLoop {
 
   // What it flies in addition at a tick; none where nothing was said.
   [[nodiscard]] Vector3 at(Tick tick) const {
+    if (entries_.empty()) return {};
     const Entry& entry = entries_[index(tick)];
     return entry.tick == tick ? entry.correction : Vector3{};
   }
-  void set(Tick tick, const Vector3& correction) { entries_[index(tick)] = {tick, correction}; }
+  void set(Tick tick, const Vector3& correction) {
+    entries_.resize(kHistory);
+    entries_[index(tick)] = {tick, correction};
+  }
 
   // The deviation was this, so long after a tick.
   void measure(Tick tick, double after_s, const Vector3& deviation) {
@@ -67,12 +72,12 @@ class GroundLoop {
 
  private:
   struct Entry {
-    Tick tick = -1;
+    Tick tick = std::numeric_limits<Tick>::min();
     Vector3 correction = {};
   };
   static std::size_t index(Tick tick) { return static_cast<std::size_t>(tick & (kHistory - 1)); }
 
-  std::array<Entry, kHistory> entries_ = {};
+  std::vector<Entry> entries_;  // of the last ticks; none before the first correction
   bool measured_ = false;
   Tick tick_ = 0;
   double after_s_ = 0.0;

@@ -1,7 +1,7 @@
 // The fleet of a Guide: who is in it, what is known of each, and the tick.
 //
-// Members are in a dense row, in any order, so that each call of the Adviser sees them all; `by_id_`
-// has them in the order of their ids, in which all is told.
+// Members are in a dense row, in any order, so that each call of the Adviser sees them all;
+// `by_id_` has them in the order of their ids, in which all is told.
 #pragma once
 
 #include "guide/ball.hpp"
@@ -54,7 +54,8 @@ class __attribute__((visibility("hidden"))) Guide::State {
   // What an agent that wants to join would be.
   Result<Tube> tube_for(const JoinRequest& request) const;
   Status check_new(const JoinRequest& request) const;
-  [[nodiscard]] guide::BranchOptions branch_options(AgentId agent, const Tube& tube) const;
+  [[nodiscard]] guide::BranchOptions branch_options(const JoinRequest& request,
+                                                    const Tube& tube) const;
   void add(const JoinRequest& request, const Tube& tube, guide::Branches&& branches, Tick heard);
   [[nodiscard]] double farthest_apart_m(double radius_m, double other_radius_m) const;
   [[nodiscard]] std::vector<PointId> near(const Point& place, double tube_m, double radius_m) const;
@@ -89,7 +90,12 @@ class __attribute__((visibility("hidden"))) Guide::State {
 
   std::vector<Member> members_;
   std::map<AgentId, PointId> by_id_;
-  std::map<AgentId, std::uint32_t> sent_before_;  // branches, to those that have left
+  // The branches that were sent to those that have left: none is used twice.
+  struct Sent {
+    std::uint32_t epoch = 0;
+    std::uint32_t count = 0;
+  };
+  std::map<AgentId, Sent> sent_before_;
   std::set<AgentId> expected_;  // not heard of yet
   std::vector<Intruder> intruders_;
   std::optional<Tick> intruders_at_;  // none: since the next step

@@ -10,7 +10,6 @@
 
 namespace beespace {
 
-
 Guide::State::State(const GuideOptions& options)
     : options_(options), fences_(options.fences.begin(), options.fences.end()) {
   options_.fences = {};
@@ -165,7 +164,8 @@ void Guide::State::tell(PointId index, Tick now, Guidance& guidance) {
   told.contract = member.monitor.contract();
   told.reason = member.monitor.reason();
   told.certified = advice.keeps_apart && advice.clear_of_unknown &&
-                   told.contract == Contract::kKept && !member.branches.awaits_root() && expected_.empty();
+                   told.contract == Contract::kKept && !member.branches.awaits_root() &&
+                   expected_.empty();
   told.clear_of_intruders = advice.clear_of_intruders;
   told.kind = advice.kind;
   told.tube_m = member.tube.radius_m;

@@ -35,7 +35,7 @@ struct GuidedAgent {
     BranchNumber number = 0;
     Tick tick = 0;
   };
-  Taken taken = {};     // the newest command that it says it took, and when by its own tick
+  Taken taken = {};  // the newest command that it says it took, and when by its own tick
 
   [[nodiscard]] bool is_on_ground_loop() const { return figures.loop == LoopPlace::kGround; }
 };

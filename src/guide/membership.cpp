@@ -73,8 +73,7 @@ std::vector<PointId> Guide::State::near(const Point& place, double tube_m, doubl
     if (places.empty()) continue;
     const guide::Ball ball = guide::ball_around(places);
     const double apart_m = farthest_apart_m(radius_m, other.radius_m);
-    const double within_m =
-        (ball.radius_m + apart_m + tube_m + other.tube.radius_m) * (1.0 + 1e-6);
+    const double within_m = (ball.radius_m + apart_m + tube_m + other.tube.radius_m) * (1.0 + 1e-6);
     if (length(core::vector_of(place) - ball.middle) <= within_m) found.push_back(index);
   }
   return found;
@@ -147,8 +146,8 @@ Result<JoinAnswer> Guide::State::join(const JoinRequest& request, bool for_good)
       for_good && answer.touches.empty() && answer.obstacles.empty() && answer.fences.empty();
   if (!answer.joined) return answer;
   add(request, *tube,
-      guide::Branches::rooted(branch_options(request.agent, *tube),
-                              motion::flushed(request.position), now_.value_or(0)),
+      guide::Branches::rooted(branch_options(request, *tube), motion::flushed(request.position),
+                              now_.value_or(0)),
       now_.value_or(0));
   return answer;
 }
@@ -159,21 +158,24 @@ Status Guide::State::adopt(const JoinRequest& request, const StoredBranch& store
   if (Status fine = check_new(known); !fine) return fine;
   const Result<Tube> tube = tube_for(request);
   if (!tube) return tube.error();
-  auto branches = guide::Branches::adopted(branch_options(request.agent, *tube), stored,
-                                           now_.value_or(stored.tick));
+  auto branches =
+      guide::Branches::adopted(branch_options(request, *tube), stored, now_.value_or(stored.tick));
   if (!branches) return branches.error();
   add(request, *tube, *std::move(branches), now_.value_or(stored.tick));
   return std::monostate{};
 }
 
-guide::BranchOptions Guide::State::branch_options(AgentId agent, const Tube& tube) const {
-  const auto left = sent_before_.find(agent);
-  return {.agent = agent,
+guide::BranchOptions Guide::State::branch_options(const JoinRequest& request,
+                                                  const Tube& tube) const {
+  const std::uint32_t epoch = std::max(options_.epoch, request.promised);
+  const auto left = sent_before_.find(request.agent);
+  const bool in_this_epoch = left != sent_before_.end() && left->second.epoch == epoch;
+  return {.agent = request.agent,
           .planned = tube.planned,
           .period_s = options_.link.period_s,
           .command_delay = options_.link.command_delay,
-          .epoch = options_.epoch,
-          .earlier = left == sent_before_.end() ? 0 : left->second};
+          .epoch = epoch,
+          .earlier = in_this_epoch ? left->second.count : 0};
 }
 
 void Guide::State::add(const JoinRequest& request, const Tube& tube, guide::Branches&& branches,
@@ -208,7 +210,8 @@ Status Guide::State::leave(AgentId agent) {
   if (found == by_id_.end()) return unknown_agent(agent);
   const PointId index = found->second;
   const auto last = static_cast<PointId>(members_.size() - 1);
-  sent_before_[agent] = members_[index].branches.count();
+  const guide::Branches& branches = members_[index].branches;
+  sent_before_[agent] = {branches.epoch(), branches.count()};
   by_id_.erase(found);
   if (index != last) {
     members_[index] = std::move(members_[last]);

@@ -96,8 +96,8 @@ Status Guide::State::take(const AgentReport& report) {
                   {}},
                  report.agent);
   }
-  // Its branches only grow newer. If it is on an older one than it took, it is not the same agent any
-  // more, or its acknowledgement was forged: branches on which it may be have been ruled out.
+  // Its branches only grow newer. If it is on an older one than it took, it is not the same agent
+  // any more, or its acknowledgement was forged: branches on which it may be have been ruled out.
   if (report.held < member->taken.number && report.tick > member->taken.tick) {
     member->monitor.name(ContractReason::kNoBranch);
     return about({ErrorCode::kInvalidArgument,

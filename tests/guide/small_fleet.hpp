@@ -53,7 +53,7 @@ class SmallFleet {
     ASSERT_TRUE(answer) << answer.error().message;
     ASSERT_TRUE(answer->joined) << id;
     followers_.emplace(
-        id, Follower::make(id, guide_.tube(id)->planned, options_.link.period_s).value());
+        id, Follower::make(id, guide_.tube(id).value().planned, options_.link.period_s).value());
   }
 
   // Loses each message with this probability, but no more than the link's figures say in a row.
@@ -107,9 +107,9 @@ class SmallFleet {
       }
       for (std::size_t i = 0; i < places.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
-          closest = std::min(closest, std::hypot(places[i].x - places[j].x,
-                                                 places[i].y - places[j].y,
-                                                 places[i].z - places[j].z));
+          closest =
+              std::min(closest, std::hypot(places[i].x - places[j].x, places[i].y - places[j].y,
+                                           places[i].z - places[j].z));
         }
       }
     }
@@ -131,8 +131,8 @@ class SmallFleet {
  private:
   bool lost(AgentId id, int way) {
     int& run = runs_[{id, way}];
-    const bool is_lost = std::uniform_real_distribution<>()(random_) < losses_ &&
-                         run < options_.link.longest_loss;
+    const bool is_lost =
+        std::uniform_real_distribution<>()(random_) < losses_ && run < options_.link.longest_loss;
     run = is_lost ? run + 1 : 0;
     return is_lost;
   }
