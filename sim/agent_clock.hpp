@@ -28,6 +28,7 @@ class AgentClock {
     aim_ns_ = errors.wanders ? off() : offset_ns_;
   }
 
+  void begin_at(std::int64_t instant) { instant_ = instant; }
   // What it shows at the present instant.
   [[nodiscard]] std::int64_t shows_ns() const { return instant_ * instant_ns_ + offset_ns_; }
   // What it will show at the next one: it wanders towards its aim, and then chooses another.

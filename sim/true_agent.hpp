@@ -61,6 +61,8 @@ class TrueAgent {
   TrueAgent(Follower follower, const Point& start, const AgentLoop& loop, const AgentErrors& errors,
             std::uint64_t seed);
 
+  // Begins at a later instant than the first: its clock counts from there.
+  void begin_at(std::int64_t instant) { clock_.begin_at(instant); }
   // At the begin of an instant: sets its tick by its clock. Whether a tick has begun.
   bool look_at_clock();
   Acknowledgement receive(const Command& command) { return follower_.receive(command); }
@@ -93,7 +95,7 @@ class TrueAgent {
   AgentClock clock_;
   Disturbance disturbance_;
   std::uint64_t instant_ = 0;
-  double summed_s_ = 0.0;  // for the fault
+  double summed_s_ = 0.0;  // for the fault, that of one who joins at the start
   bool began_ = false;
 
   Vector3 position_;
