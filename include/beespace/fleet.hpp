@@ -33,7 +33,8 @@ struct FleetFigures {
 
   /// @brief How far at most a reported position is from the true one at its stamp, in metres.
   double report_error_m = 0.0;
-  /// @brief How old at most a report is when the planner uses it, in seconds.
+  /// @brief How old at most the newest report of an agent is when the planner uses it, in seconds:
+  /// from one report to the next, and how long it is under way.
   double report_age_s = 0.0;
 
   /// @brief On board: how far at most what the agent takes for its position is from the true one,
@@ -41,13 +42,16 @@ struct FleetFigures {
   double sensing_error_m = 0.0;
   /// @brief On board: the period of the agent's own loop in seconds; zero: it is continuous.
   double loop_period_s = 0.0;
-  /// @brief On board: how old at most a measurement is when it is used, in seconds.
+  /// @brief On board: how old at most a measurement is when what follows from it begins to act, in
+  /// seconds.
   double loop_delay_s = 0.0;
 
-  /// @brief How fast at most wind, drift and errors of velocity, all together, carry an agent off
-  /// its path, in metres per second.
+  /// @brief How fast at most all things together carry an agent off its path, in metres per second:
+  /// wind, drift, errors of velocity, and, where its clock is corrected, by how much a second that
+  /// goes, times its greatest speed.
   double deviation_mps = 0.0;
-  /// @brief How far at most the clock of an agent is off, in seconds.
+  /// @brief How far at most the clock of an agent is off, in seconds. It may wander within that,
+  /// but not jump.
   double clock_error_s = 0.0;
 
   /// @brief How much of the greatest acceleration is kept for corrections, in m/s^2.
@@ -72,10 +76,12 @@ struct LinkFigures {
 
 /// @brief The tube of an agent, and the loop that keeps it there.
 struct Tube {
-  double radius_m = 0.0;    ///< The agent is never farther from its nominal place, in metres.
-  double clock_m = 0.0;     ///< What of this is for its clock, in metres.
-  double error_m = 0.0;     ///< The error that its loop works with, delays included, in metres.
-  double gain_per_s = 0.0;  ///< How fast the loop corrects: deviations shrink as exp(-gain t).
+  double radius_m = 0.0;  ///< The agent is never farther from its nominal place, in metres.
+  double clock_m = 0.0;   ///< What of this is for its clock, in metres.
+  double error_m = 0.0;   ///< The error that its loop works with, delays included, in metres.
+  /// @brief How fast the loop corrects: deviations shrink as exp(-gain t). Both poles of the loop
+  /// lie there; of one with a period T, at exp(-gain T). Zero: nothing is to be corrected.
+  double gain_per_s = 0.0;
   double correction_mps2 = 0.0;  ///< The greatest acceleration that the loop asks for, in m/s^2.
   double correction_mps = 0.0;   ///< The greatest velocity that it asks for, in m/s.
   /// @brief What is left for the plan: the limits less what is kept for corrections.
@@ -84,13 +90,19 @@ struct Tube {
   friend constexpr bool operator==(const Tube&, const Tube&) = default;
 };
 
-/// @brief Computes the smallest tube that the figures allow.
+/// @brief Computes the smallest tube that the figures allow: that of the fastest loop of which the
+/// corrections fit what is kept for them.
+///
+/// It never falls when an error, a delay or the deviation grows. An agent that joins is within its
+/// tube from the start, if it stands within `report_error_m` of where it is said to stand.
+///
 /// @param figures What is known of the agent.
 /// @param link How the planner talks with it.
 /// @param limits What the agent can do.
 /// @return The tube; or ErrorCode::kInvalidArgument: a figure that is negative or not finite, or
 ///   figures that contradict each other, with the inequality and the numbers: corrections that are
-///   too weak or too slow for the deviation, reserves that leave nothing for the plan.
+///   too weak or too slow for the deviation, reserves that leave nothing for the plan, a loop on
+///   the ground whose messages get lost.
 BEESPACE_API Result<Tube> tube_of(const FleetFigures& figures, const LinkFigures& link,
                                   const FlightLimits& limits);
 
