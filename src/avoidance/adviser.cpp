@@ -6,6 +6,8 @@
 #include "avoidance/constraint_builder.hpp"
 #include "avoidance/intake.hpp"
 #include "avoidance/known_methods.hpp"
+#include "avoidance/plane_memory.hpp"
+#include "avoidance/remembered_planes.hpp"
 #include "avoidance/validate.hpp"
 #include "avoidance/velocity_solver.hpp"
 #include "avoidance/vicinity.hpp"
@@ -103,7 +105,9 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     if (Status found = find_near(options, horizon_s); !found) return found;
     advised.advice.assign(bees, {});
     too_close_.assign(bees, 0);
-    const ConstraintBuilder constraint_builder(agents_, near_, too_close_, preferred, options);
+    const avoidance::RememberedPlanes planes = start_planes(options);
+    const ConstraintBuilder constraint_builder(agents_, near_, too_close_, preferred, planes,
+                                               options);
     if (options.method == AdviseMethod::kCertified) {
       cpu::schedule(crew, bees, kChunk, [&](auto begin, auto end, unsigned /*worker*/) {
         for (std::size_t bee = begin; bee < end; ++bee) {
@@ -121,8 +125,16 @@ class __attribute__((visibility("hidden"))) Adviser::State {
                                   : known_advice(id, wanted, options, horizon_s, desk);
       }
     });
+    if (options.planes != nullptr) options.planes->state().finish();
     collect(constraint_builder, options, advised);
     return std::monostate{};
+  }
+
+  [[nodiscard]] avoidance::RememberedPlanes start_planes(const AdviseOptions& options) const {
+    if (options.planes == nullptr) return {};
+    PlaneMemory::State& memory = options.planes->state();
+    memory.start(intake_.bees_given());
+    return {&memory, intake_.given_bees()};
   }
 
   Status find_near(const AdviseOptions& options, double horizon_s) {
@@ -137,6 +149,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     for (Desk& desk : desks_) {
       desk.findings.too_close.clear();
       desk.findings.near_obstacle.clear();
+      desk.findings.near_fence.clear();
       desk.findings.near_unknown.clear();
     }
   }
@@ -147,21 +160,36 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     const AgentState& agent = agents_[bee];
     ConstraintBuilder::Findings& findings = desk.findings;
     constraint_builder.look_at(bee, findings);
+    if (agents_.claims().holds(bee)) return held(agent, findings);
     const bool makes_room = constraint_builder.is_idle(bee) && !(findings.pressed == Vector3{});
     const Vector3 aside = at_most(findings.pressed, 1.0) * (kAside * agent.max_speed);
     const auto [velocity, kind] =
         desk.solver.solve(agent, makes_room ? preferred + aside : preferred, findings.constraints);
-    Advice advice{velocity_of(velocity), kind};
-    advice.keeps_apart = findings.certified;
-    advice.clear_of_unknown_s = intake_.bee_anywhere() ? 0.0 : findings.clear_of_unknown_s;
-    advice.clear_of_unknown = advice.clear_of_unknown_s >= intake_.options().unknown_horizon_s;
-    advice.clear_of_intruders = !intake_.intruder_anywhere();  // until a conflict is found
+    Advice advice = advice_of(velocity, kind, findings);
     if (kind == AdviceKind::kAsPreferred) {
       if (makes_room) advice.kind = AdviceKind::kDeflected;
     } else if (findings.certified && waits(agent, preferred, velocity)) {
       advice.kind = AdviceKind::kWaiting;
     }
     return advice;
+  }
+
+  [[nodiscard]] Advice advice_of(const Vector3& velocity, AdviceKind kind,
+                                 const ConstraintBuilder::Findings& findings) const {
+    Advice advice{velocity_of(velocity), kind};
+    advice.keeps_apart = findings.certified;
+    advice.clear_of_unknown_s = intake_.bee_anywhere() ? 0.0 : findings.clear_of_unknown_s;
+    advice.clear_of_unknown = advice.clear_of_unknown_s >= intake_.options().unknown_horizon_s;
+    advice.clear_of_intruders = !intake_.intruder_anywhere();  // until a conflict is found
+    return advice;
+  }
+
+  // It gets nothing new: it does what it was told before, within its claim.
+  [[nodiscard]] Advice held(const AgentState& agent,
+                            const ConstraintBuilder::Findings& findings) const {
+    const avoidance::Braking& braking = agent.braking;
+    const Vector3 velocity = braking.at_once() ? Vector3{} : braking.braked(agent.velocity);
+    return advice_of(velocity, AdviceKind::kBraking, findings);
   }
 
   [[nodiscard]] Advice known_advice(PointId bee, const Vector3& preferred,
@@ -186,6 +214,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     for (const Desk& desk : desks_) {
       append(desk.findings.too_close, advised.too_close);
       append(desk.findings.near_obstacle, advised.near_obstacle);
+      append(desk.findings.near_fence, advised.near_fence);
       append(desk.findings.near_unknown, advised.near_unknown);
     }
     std::sort(advised.too_close.begin(), advised.too_close.end(),
@@ -194,6 +223,10 @@ class __attribute__((visibility("hidden"))) Adviser::State {
       close.clear_s = time_to_clear(close.pair, advised);
     }
     keep_nearest_pieces(advised.near_obstacle);
+    std::sort(advised.near_fence.begin(), advised.near_fence.end(),
+              [](const NearFence& a, const NearFence& b) {
+                return std::tie(a.agent, a.fence) < std::tie(b.agent, b.fence);
+              });
     std::sort(advised.near_unknown.begin(), advised.near_unknown.end(),
               [](const NearUnknown& a, const NearUnknown& b) {
                 return std::tie(a.agent, a.unknown) < std::tie(b.agent, b.unknown);
@@ -215,7 +248,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     constexpr double kForever_s = 1e9;
     const auto approach =
         closest_approach(as_advised(pair.first, advised), as_advised(pair.second, advised),
-                         {.threshold_m = agents_.apart().asked_m, .horizon_s = kForever_s});
+                         {.threshold_m = agents_.asked_m(pair), .horizon_s = kForever_s});
     if (!approach || !approach->conflict) return 0.0;
     const double end_s = approach->conflict->ends_s;
     return end_s < kForever_s ? end_s : std::numeric_limits<double>::infinity();
@@ -226,9 +259,9 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     const Mover mover = as_advised(bee, advised);
     for (std::size_t k = 0; k < options.intruders.size(); ++k) {
       if (!constraint_builder.may_come_close(bee, options.intruders[k])) continue;
-      const auto approach = closest_approach(
-          mover, options.intruders[k],
-          {.threshold_m = agents_.apart().asked_m, .horizon_s = options.intruder_horizon_s});
+      const auto approach = closest_approach(mover, options.intruders[k],
+                                             {.threshold_m = agents_.apart_from(0.0, bee).asked_m,
+                                              .horizon_s = options.intruder_horizon_s});
       if (!approach || !approach->conflict) continue;
       advised.advice[bee].clear_of_intruders = false;
       advised.intruder_conflicts.push_back(

@@ -11,6 +11,7 @@ struct AgentState {
   Vector3 velocity;
   Braking braking;
   double max_speed = 0.0;
+  bool planar = false;  // its velocities are horizontal
 
   [[nodiscard]] Segment stopping_segment() const {
     return {position, braking.stopping_segment(velocity)};

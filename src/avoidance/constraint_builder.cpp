@@ -1,5 +1,6 @@
 #include "avoidance/constraint_builder.hpp"
 
+#include "avoidance/constraints/hull_obstacle_separation.hpp"
 #include "avoidance/constraints/velocity_obstacle.hpp"
 #include "obstacles/obstacle_map.hpp"
 
@@ -26,6 +27,7 @@ void ConstraintBuilder::look_at(PointId bee, Findings& findings) const {
   findings.clear_of_unknown_s = std::numeric_limits<double>::infinity();
   look_at_bees(bee, findings);
   if (options_.obstacles != nullptr) look_at_obstacles(bee, findings);
+  look_at_fences(bee, findings);
   look_at_intruders(bee, findings);
   look_at_unknown(bee, findings);
 }
@@ -39,6 +41,10 @@ SeparatingPlane ConstraintBuilder::plane_between(PointId bee, PointId other) con
 
 bool ConstraintBuilder::is_too_close(PointId bee) const {
   bool found = false;
+  if (agents_.claims().any()) {
+    near_.visit(bee, [&](PointId other) { return !(found = is_claim_too_close(bee, other)); });
+    return found;
+  }
   near_.visit(bee, [&](PointId other) {
     const double certified_m = agents_.apart(bee, other).certified_m;
     found = agents_.ways_may_be_within(bee, other, certified_m) &&
@@ -49,6 +55,13 @@ bool ConstraintBuilder::is_too_close(PointId bee) const {
 }
 
 void ConstraintBuilder::look_at_bees(PointId bee, Findings& findings) const {
+  if (agents_.claims().any()) {
+    near_.visit(bee, [&](PointId other) {
+      if (agents_.may_meet(bee, other)) look_at_claim(bee, other, findings);
+      return true;
+    });
+    return;
+  }
   near_.visit(bee, [&](PointId other) {
     if (agents_.may_meet(bee, other)) look_at_bee(bee, other, findings);
     return true;
@@ -63,7 +76,8 @@ void ConstraintBuilder::look_at_bee(PointId bee, PointId other, Findings& findin
   const double lean = is_first ? leaves_to(bee, other) : leaves_to(other, bee);
   const HalfSpace side = is_first ? plane.of_first(kept_m, lean) : plane.of_second(kept_m, lean);
   const bool certified = plane.gap >= certified_m;
-  findings.pressed = findings.pressed + pressure(other, side.normal, plane.gap, certified);
+  const double free_m = plane.gap - agents_.apart().kept_m;
+  findings.pressed = findings.pressed + pressure(other, side.normal, free_m, certified);
   if (certified && is_kept_anyhow(bee, side)) return;
   constraints.hard.push_back(side);
   if (certified) return;
@@ -91,26 +105,38 @@ void ConstraintBuilder::look_at_obstacles(PointId bee, Findings& findings) const
   std::sort(inside.begin(), inside.end());
   inside.erase(std::unique(inside.begin(), inside.end()), inside.end());
   for (const std::size_t obstacle : inside) {
-    keep_clear(bee, obstacle, part_inside(way, map.facing(obstacle, way.from)), findings);
+    const obstacles::Facing out = map.facing(obstacle, way.from);
+    keep_clear(bee, obstacle,
+               agents_.claims().any() ? part_inside(agents_.claims().hull(bee), out)
+                                      : part_inside(way, out),
+               findings);
   }
   map.visit_near(middle, reach_m, [&](const obstacles::ConvexPiece& piece) {
     if (std::binary_search(inside.begin(), inside.end(), piece.obstacle())) return;
-    keep_clear(bee, piece.obstacle(), separate(way, piece, kept_m), findings);
+    keep_clear(bee, piece.obstacle(),
+               agents_.claims().any() ? separation_of_piece(bee, piece, findings)
+                                      : separate(way, piece, kept_m),
+               findings);
   });
 }
 
 void ConstraintBuilder::keep_clear(PointId bee, std::size_t obstacle,
                                    const ObstacleSeparation& plane, Findings& findings) const {
-  const auto [asked_m, kept_m, certified_m] = agents_.clearance(bee);
-  Constraints& constraints = findings.constraints;
-  const HalfSpace side = plane.of_way(kept_m);
-  const bool certified = plane.gap >= certified_m;
+  const SeparationMargins margins = agents_.clearance(bee);
+  keep_to(bee, plane.of_way(margins.kept_m), plane.gap, margins, findings);
+  if (plane.gap < margins.certified_m) findings.near_obstacle.push_back({bee, obstacle, plane.gap});
+}
+
+void ConstraintBuilder::keep_to(PointId bee, const HalfSpace& side, double gap_m,
+                                const SeparationMargins& margins, Findings& findings) const {
+  const bool certified = gap_m >= margins.certified_m;
   if (certified && is_kept_anyhow(bee, side)) return;
+  if (!certified) findings.certified = false;
+  if (is_out_of_plane(side)) return;
+  Constraints& constraints = findings.constraints;
   constraints.hard.push_back(side);
   if (certified) return;
-  findings.certified = false;
-  constraints.separation_requests.push_back({constraints.hard.size() - 1, kept_m - plane.gap});
-  findings.near_obstacle.push_back({bee, obstacle, plane.gap});
+  constraints.separation_requests.push_back({constraints.hard.size() - 1, margins.kept_m - gap_m});
 }
 
 void ConstraintBuilder::look_at_intruders(PointId bee, Findings& findings) const {
@@ -154,7 +180,7 @@ void ConstraintBuilder::keep_clear_of_ball(PointId bee, std::size_t unknown, dou
   const auto [asked_m, kept_m, certified_m] = agents_.apart_from(later_m, bee);
   const Segment middle{core::vector_of(ball.center), {}};
   const double apart_m = later_m + kept_m;
-  const SeparatingPlane plane = separate(agents_.stopping_segment(bee), middle, apart_m);
+  const SeparatingPlane plane = plane_to(bee, middle, apart_m);
   // The centre does not move: all of the free distance is the bee's.
   const HalfSpace side = plane.of_first(apart_m, -1.0);
   Constraints& constraints = findings.constraints;
@@ -181,23 +207,25 @@ bool ConstraintBuilder::may_come_close(PointId bee, const Mover& intruder) const
 
 // Whether a bee stops within a half-space whatever it does in the step.
 bool ConstraintBuilder::is_kept_anyhow(PointId bee, const HalfSpace& side) const {
-  return side.inside_by(agents_.stopping_segment(bee).at(1.0)) >= agents_.strays(bee);
+  return is_out_of_plane(side) ||
+         side.inside_by(agents_.stopping_segment(bee).at(1.0)) >= agents_.strays(bee);
 }
 
 // An agent at its goal leaves most of the free space to one that wants to fly: how much more than
-// half the first leaves to the second, as a share of that half.
+// half the first leaves to the second, as a share of that half. One that holds leaves all.
 double ConstraintBuilder::leaves_to(PointId first, PointId second) const {
   constexpr double kLeft = 0.9;
+  const bool first_holds = agents_.claims().holds(first);
+  if (first_holds != agents_.claims().holds(second)) return first_holds ? 1.0 : -1.0;
   return kLeft * ((is_idle(first) ? 1.0 : 0.0) - (is_idle(second) ? 1.0 : 0.0));
 }
 
 // An agent at its goal makes room for agents that are close and want through, or are too close to
 // another one: how much `other` presses an agent that lies from it in the direction `away`, across
-// a gap.
-Vector3 ConstraintBuilder::pressure(PointId other, const Vector3& away, double gap_m,
+// a free distance.
+Vector3 ConstraintBuilder::pressure(PointId other, const Vector3& away, double free_m,
                                     bool certified) const {
-  const double kept_m = agents_.apart().kept_m;
-  const double free = (gap_m - kept_m) / (kPresses * kept_m);
+  const double free = free_m / (kPresses * agents_.apart().kept_m);
   if (free >= 1.0) return {};
   const bool wants_through = !is_idle(other) && dot(preferred_of(preferred_, other), away) > 0.0;
   // A pair that is too close separates anyhow.

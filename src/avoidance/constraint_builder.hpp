@@ -1,11 +1,13 @@
-// Builds the constraints on one bee in a step, from other bees, obstacles, intruders, and bees of
-// which only a ball is known.
+// Builds the constraints on one bee in a step, from other bees, obstacles, fences, intruders, and
+// bees of which only a ball is known.
 #pragma once
 
 #include "avoidance/agent_states.hpp"
 #include "avoidance/constraints/constraints.hpp"
+#include "avoidance/constraints/hull_separation.hpp"
 #include "avoidance/constraints/obstacle_separation.hpp"
 #include "avoidance/constraints/separating_plane.hpp"
+#include "avoidance/remembered_planes.hpp"
 #include "avoidance/vicinity.hpp"
 
 #include <beespace/advise.hpp>
@@ -23,11 +25,12 @@ class ConstraintBuilder {
   // each pair before any constraints are built. All of these outlive this object.
   ConstraintBuilder(const AgentStates& agents, const Vicinity& near,
                     std::span<const char> too_close, std::span<const Velocity> preferred,
-                    const AdviseOptions& options)
+                    const RememberedPlanes& planes, const AdviseOptions& options)
       : agents_(agents),
         near_(near),
         too_close_(too_close),
         preferred_(preferred),
+        planes_(planes),
         options_(options) {}
 
   // Whether a bee is too close to another one, or will be when it brakes.
@@ -40,8 +43,10 @@ class ConstraintBuilder {
     bool certified;           // of other bees and obstacles
     double clear_of_unknown_s;
     std::vector<std::size_t> inside;  // obstacles that it lies in, ascending
+    std::vector<Vector3> remembered;  // normals of one obstacle
     std::vector<TooClose> too_close;  // of all so far
     std::vector<NearObstacle> near_obstacle;
+    std::vector<NearFence> near_fence;
     std::vector<NearUnknown> near_unknown;
   };
   void look_at(PointId bee, Findings& findings) const;
@@ -55,22 +60,40 @@ class ConstraintBuilder {
   [[nodiscard]] SeparatingPlane plane_between(PointId bee, PointId other) const;
   void look_at_bees(PointId bee, Findings& findings) const;
   void look_at_bee(PointId bee, PointId other, Findings& findings) const;
+  [[nodiscard]] bool keep_apart_anyhow(PointId bee, PointId other) const;
+  [[nodiscard]] HullSeparation separation_of_claims(PointId bee, PointId other) const;
+  [[nodiscard]] bool is_claim_too_close(PointId bee, PointId other) const;
+  void look_at_claim(PointId bee, PointId other, Findings& findings) const;
   void look_at_obstacles(PointId bee, Findings& findings) const;
+  void look_at_fences(PointId bee, Findings& findings) const;
+  [[nodiscard]] double lowest_of(PointId bee, const Vector3& normal) const;
+  [[nodiscard]] ObstacleSeparation separation_of_piece(PointId bee,
+                                                       const obstacles::ConvexPiece& piece,
+                                                       Findings& findings) const;
   void keep_clear(PointId bee, std::size_t obstacle, const ObstacleSeparation& plane,
                   Findings& findings) const;
   void look_at_intruders(PointId bee, Findings& findings) const;
   void look_at_unknown(PointId bee, Findings& findings) const;
   void keep_clear_of_ball(PointId bee, std::size_t unknown, double later_m,
                           Findings& findings) const;
+  // Adds a half-space of something that does not move, so that the margin is kept from it.
+  void keep_to(PointId bee, const HalfSpace& side, double gap_m, const SeparationMargins& margins,
+               Findings& findings) const;
+  // Whether no horizontal velocity makes a difference for it, and there are no others.
+  [[nodiscard]] bool is_out_of_plane(const HalfSpace& side) const {
+    return options_.planar && side.normal.x == 0.0 && side.normal.y == 0.0;
+  }
+  [[nodiscard]] SeparatingPlane plane_to(PointId bee, const Segment& middle, double enough_m) const;
   [[nodiscard]] bool is_kept_anyhow(PointId bee, const HalfSpace& side) const;
   [[nodiscard]] double leaves_to(PointId first, PointId second) const;
-  [[nodiscard]] Vector3 pressure(PointId other, const Vector3& away, double gap_m,
+  [[nodiscard]] Vector3 pressure(PointId other, const Vector3& away, double free_m,
                                  bool certified) const;
 
   const AgentStates& agents_;
   const Vicinity& near_;
   std::span<const char> too_close_;
   std::span<const Velocity> preferred_;
+  const RememberedPlanes& planes_;
   const AdviseOptions& options_;
 };
 

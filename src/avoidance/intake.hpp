@@ -9,6 +9,7 @@
 #include <beespace/mover.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -55,18 +56,26 @@ class Intake {
   [[nodiscard]] bool bee_anywhere() const { return bee_anywhere_; }
   [[nodiscard]] bool intruder_anywhere() const { return intruder_anywhere_; }
 
+  [[nodiscard]] const GivenNumbers& given_bees() const { return given_bees_; }
+  // How many bees were given, the invalid ones included.
+  [[nodiscard]] std::size_t bees_given() const { return bees_; }
+
   // Replaces the numbers used here by the original ones, in all of an answer.
   void number_as_given(Advised& advised) const;
 
  private:
   void take_unknown(const AdviseOptions& options, std::size_t bees, std::vector<Refused>& refused);
   void take_bees(const MoversView& movers, std::span<const Velocity> preferred,
-                 std::span<const FlightLimits> limits, std::vector<Refused>& refused);
+                 std::span<const FlightLimits> limits, const AdviseOptions& options,
+                 std::vector<Refused>& refused);
+  // The height of planar motion: that of most bees.
+  void find_height(const MoversView& movers);
   void take_intruders(const AdviseOptions& options, std::vector<Refused>& refused);
 
   std::vector<Mover> movers_;
   std::vector<Velocity> preferred_;
   std::vector<FlightLimits> limits_;
+  std::vector<Claim> claims_;  // their places are the caller's
   std::vector<Mover> intruders_;
   std::vector<UnknownAgent> unknown_;
   AdviseOptions options_;  // as given, without invalid entries
@@ -78,6 +87,8 @@ class Intake {
   bool bee_anywhere_ = false;
   bool intruder_anywhere_ = false;
   std::vector<char> is_unknown_;  // of the bees given, where any is
+  double height_m_ = 0.0;         // of planar motion
+  std::vector<double> heights_m_;
 };
 
 }  // namespace beespace::avoidance

@@ -1,5 +1,6 @@
 #include "avoidance/validate.hpp"
 
+#include "base/vector3.hpp"
 #include "exact/validate.hpp"
 #include "motion/validate.hpp"
 
@@ -27,10 +28,11 @@ Error about(const char* array, std::string message) {
 std::optional<Error> check_clearance(const AdviseOptions& options) {
   const double clearance_m = options.clearance_m;
   if (std::isnan(clearance_m)) {
-    if (options.obstacles == nullptr) return std::nullopt;
-    return invalid(
-        "there are obstacles, and the clearance from them is not given (or is not a number); say "
-        "in metres how close is too close");
+    if (options.obstacles == nullptr && options.fences.empty()) return std::nullopt;
+    return invalid(std::string("there are ") +
+                   (options.obstacles == nullptr ? "fences" : "obstacles") +
+                   ", and the clearance from them is not given (or is not a number); say "
+                   "in metres how close is too close");
   }
   if (clearance_m > 0.0 && motion::in_motion_domain(clearance_m)) return std::nullopt;
   return invalid("the clearance is " + shown(clearance_m) +
@@ -40,6 +42,57 @@ std::optional<Error> check_clearance(const AdviseOptions& options) {
 bool is_method(AdviseMethod method) {
   return method == AdviseMethod::kCertified || method == AdviseMethod::kOrca ||
          method == AdviseMethod::kMvp;
+}
+
+// The vertical semi-axis must be a length as any other.
+std::optional<Error> check_shape(const AdviseOptions& options) {
+  const Separation& separation = options.separation;
+  const auto is_length = [](double value) {
+    return value > 0.0 && motion::in_motion_domain(value);
+  };
+  switch (separation.shape) {
+    case SeparationShape::kSphere:
+      return std::nullopt;
+    case SeparationShape::kEllipsoid:
+      if (is_length(separation.vertical_factor) &&
+          is_length(separation.vertical_factor * options.threshold_m)) {
+        return std::nullopt;
+      }
+      return invalid("the vertical factor of the ellipsoid that stays free is " +
+                     shown(separation.vertical_factor) + "; give a finite one above zero");
+    case SeparationShape::kCylinder:
+      if (is_length(separation.vertical_m)) return std::nullopt;
+      return invalid("half of the height of the cylinder that stays free is " +
+                     (std::isnan(separation.vertical_m) ? "not given (or is not a number)"
+                                                        : shown(separation.vertical_m) + " m") +
+                     "; give a finite distance above zero");
+  }
+  return invalid("the shape that stays free is number " +
+                 std::to_string(static_cast<int>(separation.shape)) +
+                 ", which is none; give one of SeparationShape");
+}
+
+std::optional<Error> check_fence(const Fence& fence) {
+  constexpr double kInexact = 1e-9;
+  const double long_m = length(core::vector_of(fence.inward));
+  if (!(std::abs(long_m - 1.0) <= kInexact)) {
+    return invalid("the direction inwards is of length " + shown(long_m) +
+                   "; give one of length 1");
+  }
+  if (motion::in_motion_domain(fence.offset_m)) return std::nullopt;
+  return invalid("the offset is " + shown(fence.offset_m) + " m; give a finite distance");
+}
+
+std::optional<Error> check_fences(std::span<const Fence> fences) {
+  for (std::size_t k = 0; k < fences.size(); ++k) {
+    auto error = check_fence(fences[k]);
+    if (!error) continue;
+    error->message.insert(0, "fence " + std::to_string(k) + ": ");
+    error->location.array = "fences";
+    error->location.record = k;
+    return error;
+  }
+  return std::nullopt;
 }
 
 std::optional<Error> check_horizon(double horizon_s, const char* whose) {
@@ -54,12 +107,14 @@ std::optional<Error> check_options(const AdviseOptions& options) {
                    ", which is none; give one of AdviseMethod");
   }
   if (auto error = motion::check_separation(options.threshold_m, std::nullopt)) return error;
+  if (auto error = check_shape(options)) return error;
   if (auto error = check_step(options.step_s)) return error;
   if (!(options.uncertainty_m >= 0.0) || !motion::in_motion_domain(options.uncertainty_m)) {
     return invalid("the uncertainty is " + shown(options.uncertainty_m) +
                    " m; give a finite distance, zero or more");
   }
   if (auto error = check_clearance(options)) return error;
+  if (auto error = check_fences(options.fences)) return error;
   if (auto error = check_horizon(options.intruder_horizon_s, "intruders")) return error;
   return check_horizon(options.unknown_horizon_s, "unknown bees");
 }
@@ -122,6 +177,11 @@ std::optional<Error> check(const MoversView& movers, std::span<const Velocity> p
       error->location.array = "limits";
       return error;
     }
+  }
+  if (!options.claims.empty() && options.claims.size() != movers.size()) {
+    return about("claims", std::to_string(options.claims.size()) + " claims for " +
+                               std::to_string(movers.size()) +
+                               " movers; give one for each, or none");
   }
   return check_unknown(options.unknown, movers.size());
 }

@@ -40,6 +40,17 @@ double rounding_of(const AgentState& agent, const Vector3& from, double most_cha
          0x1p-38 * most_change * agent.braking.growth_along(length(from) + most_change);
 }
 
+// The half-space of the horizontal velocities in one of all velocities; false where it is all of
+// them or none, or nearly so.
+bool put_in_plane(HalfSpace& side) {
+  constexpr double kUpright = 1e-9;
+  const Vector3 level{side.normal.x, side.normal.y, 0.0};
+  const double long_m = length(level);
+  if (!(long_m > kUpright)) return false;
+  side = {level * (1.0 / long_m), side.offset / long_m};
+  return true;
+}
+
 // The preferred velocity, turned to the right as seen from above, by the angle of this sine.
 Vector3 turned_right(const Vector3& preferred, double sine) {
   const double speed = length(preferred);
@@ -96,7 +107,8 @@ void VelocitySolver::put_in_changes(const AgentState& agent, const Vector3& from
   const Vector3 stop = agent.stop_after(from);
   const auto in_changes = [&](const HalfSpace& side, double farther) {
     const Vector3& n = side.normal;
-    const Vector3 slope = n * across + heading * (dot(n, heading) * (along - across));
+    Vector3 slope = n * across + heading * (dot(n, heading) * (along - across));
+    if (agent.planar) slope.z = 0.0;
     const double steep = length(slope);
     return HalfSpace{slope * (1.0 / steep), (farther - side.inside_by(stop)) / steep};
   };
@@ -108,7 +120,8 @@ void VelocitySolver::put_in_changes(const AgentState& agent, const Vector3& from
     requests_.push_back({side, side.offset - firm_[of].offset});
   }
   for (const HalfSpace& side : constraints.intruder_requests) {
-    const HalfSpace change{side.normal, -side.inside_by(from)};
+    HalfSpace change{side.normal, -side.inside_by(from)};
+    if (agent.planar && !put_in_plane(change)) continue;
     // All possible changes satisfy it once it has been relaxed by as much.
     requests_.push_back({change, std::max(0.0, change.offset + most_change)});
   }
