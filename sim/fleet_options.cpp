@@ -1,8 +1,13 @@
 #include "sim/fleet_options.hpp"
 
+#include <algorithm>
+
 namespace beespace::sim {
 
 namespace {
+
+// Nobody can state that places are exact: the truth is integrated, and rounded otherwise.
+constexpr double kRounding_m = 1e-6;
 
 double seconds_of(const FleetOptions& options, std::int64_t ticks) {
   return static_cast<double>(ticks) * options.link.period_s;
@@ -15,7 +20,7 @@ FleetFigures stated_figures(const FleetOptions& options) {
   const double instant_s = options.link.period_s / options.instants;
   FleetFigures figures;
   figures.loop = options.place;
-  figures.report_error_m = errors.report_error_m;
+  figures.report_error_m = std::max(errors.report_error_m, kRounding_m);
   figures.report_age_s = seconds_of(options, options.reports.most_latency);
   figures.sensing_error_m = errors.sensing_error_m;
   figures.loop_period_s = options.loop_period * instant_s;
