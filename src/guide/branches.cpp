@@ -223,11 +223,11 @@ void Branches::write_path(Tick last, Command& command) const {
 }
 
 // Of the branch that is about to be sent: the base, and all other live ones that have not departed
-// from it.
+// from it, by the clock of an agent that is a tick behind.
 void Branches::write_ancestors(Command& command) const {
   std::uint32_t count = 0;
   Tick leaves = departs();
-  for (std::size_t index = chain_.size() + 1; index-- > 0 && leaves > now_;) {
+  for (std::size_t index = chain_.size() + 1; index-- > 0 && leaves >= now_;) {
     if (is_live(index)) command.ancestors[count++] = {number_of(index), leaves};
     if (index > 0) leaves = chain_[index - 1].departs;
   }
@@ -254,7 +254,7 @@ void Branches::drop_what_cannot_be_reached(std::size_t index, Tick tick) {
   for (std::size_t other = index + 1; other <= chain_.size(); ++other) {
     if (!is_live(other)) continue;
     const Tick left = left_at(newest_reached);
-    const bool is_listed = left > chain_[other - 1].sent;
+    const bool is_listed = left >= chain_[other - 1].sent;
     if (is_listed && left > tick) {
       newest_reached = other;
     } else {

@@ -287,7 +287,14 @@ TEST(Guide, ANewPlannerTakesTheFleetOver) {
   }
   ASSERT_TRUE(second.set_goal(1, {0, 0, 0}));
   for (Tick tick = fleet.now() + 1; tick < fleet.now() + 200; ++tick) {
-    for (const AgentId id : both) fleet.follower(id).advance(tick);
+    for (const AgentId id : both) {
+      const Follower& follower = fleet.follower(id);
+      fleet.follower(id).advance(tick);
+      ASSERT_TRUE(second.take(AgentReport{.agent = id,
+                                          .held = follower.held(),
+                                          .tick = tick,
+                                          .position = fleet.place(id)}));
+    }
     ASSERT_TRUE(second.step(tick, guidance));
     for (const Command& command : guidance.commands) {
       ASSERT_TRUE(second.take(fleet.follower(command.agent).receive(command)));
