@@ -66,7 +66,8 @@ GuideOptions FleetLoop::guide_options() const {
   guided.link = options_.link;
   guided.limits = options_.limits;
   guided.figures = stated_figures(options_);
-  if (options_.faults.no_tube) {
+  if (options_.faults.no_tubes) guided.threshold_m -= 2.0 * tube_.radius_m;
+  if (options_.faults.figures_withheld) {
     guided.limits = tube_.planned;
     guided.figures = {};
     guided.figures.loop = options_.place;
@@ -119,16 +120,16 @@ void FleetLoop::choose_intruders() {
   for (std::size_t i = 0; i < options_.intruders; ++i) {
     const Vector3 way = uniform_direction(random_, options_.planar);
     const Vector3 off = uniform_in_ball(random_, options_.planar) * (0.5 * radius_m);
-    intruders_.push_back({middle + off - way * (2.0 * radius_m + 50.0),
-                          way * options_.intruder_speed_mps});
+    intruders_.push_back(
+        {middle + off - way * (2.0 * radius_m + 50.0), way * options_.intruder_speed_mps});
   }
 }
 
 Status FleetLoop::join(std::size_t index) {
   FleetAgent& agent = agents_[index];
   const auto id = static_cast<AgentId>(index);
-  auto answer = guide_->join(
-      {.agent = id, .position = mission_.starts[index], .radius_m = agent.radius_m});
+  auto answer =
+      guide_->join({.agent = id, .position = mission_.starts[index], .radius_m = agent.radius_m});
   if (!answer) return std::move(answer).error();
   if (!answer->joined) {
     ++tally_.joins_refused;

@@ -41,19 +41,19 @@ struct FleetAgent {
 };
 
 struct FleetTally {
-  std::uint64_t losses = 0;               // a pair and a tick: both in their contracts
-  std::uint64_t losses_out = 0;           // of an agent that has left its tube, or is named
+  std::uint64_t losses = 0;      // a pair and a tick: both in their contracts
+  std::uint64_t losses_out = 0;  // of an agent that has left its tube, or is named
   std::uint64_t losses_to_intruders = 0;
-  std::uint64_t false_namings = 0;        // of agents that keep their contracts
+  std::uint64_t false_namings = 0;  // of agents that keep their contracts
   std::uint64_t named = 0;
-  std::uint64_t doubted = 0;              // of agents that keep them: no false alarm, no naming
+  std::uint64_t doubted = 0;  // of agents that keep them: no false alarm, no naming
   std::uint64_t commands = 0;
-  std::uint64_t uncertified = 0;          // an agent and a tick
-  std::uint64_t refused_messages = 0;     // by the Guide
+  std::uint64_t uncertified = 0;       // an agent and a tick
+  std::uint64_t refused_messages = 0;  // by the Guide
   std::uint64_t joins_refused = 0;
-  double largest_deviation_m = 0.0;       // of agents in their contracts
-  double guiding_s = 0.0;                 // of the processor's clock, in Guide::step
-  std::uint64_t guided = 0;               // an agent and a tick
+  double largest_deviation_m = 0.0;  // of agents in their contracts
+  double guiding_s = 0.0;            // of the processor's clock, in Guide::step
+  std::uint64_t guided = 0;          // an agent and a tick
 };
 
 class FleetLoop {

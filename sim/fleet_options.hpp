@@ -17,9 +17,10 @@ namespace beespace::sim {
 // Faults of the planner's or the agents' program, put in on purpose: a test of the harness is that
 // it finds each of them.
 struct LoopFaults {
-  bool no_tube = false;         // the Guide is told that nothing deviates
-  bool reports_ignored = false;  // reports say that each agent is where it should be
-  bool floors_ticks = false;     // ticks are floors of times
+  bool no_tubes = false;          // what is kept free lacks the tubes of both
+  bool figures_withheld = false;  // the Guide is told that nothing deviates
+  bool reports_ignored = false;   // reports say that each agent is where it should be
+  bool floors_ticks = false;      // ticks are floors of times
 };
 
 // Latencies of channels are in ticks here.

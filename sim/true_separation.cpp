@@ -52,10 +52,12 @@ std::pair<Quartic, Quartic> halves(Quartic q) {
   return {left, right};
 }
 
-// Two polynomials of which the greater one counts; both are 1 at the border of the shape.
+// Two polynomials of which the greater one counts; and their value at the border of the shape,
+// which has no division in it, so that what is exactly there is so here.
 struct Gauge {
   Quartic one{};
   Quartic other{};
+  Real border = 1;
 
   [[nodiscard]] Real low() const {
     return std::max(*std::min_element(one.begin(), one.end()),
@@ -76,8 +78,8 @@ Real least_of(const Gauge& gauge, Real best, int cuts_left) {
   if (cuts_left == 0) return std::max(low, Real{0});
   const auto [one_left, one_right] = halves(gauge.one);
   const auto [other_left, other_right] = halves(gauge.other);
-  best = least_of({one_left, other_left}, best, cuts_left - 1);
-  return least_of({one_right, other_right}, best, cuts_left - 1);
+  best = least_of({one_left, other_left, gauge.border}, best, cuts_left - 1);
+  return least_of({one_right, other_right, gauge.border}, best, cuts_left - 1);
 }
 
 Gauge gauge_of(const Stretch& a, const Stretch& b, Real lasts_s, const FreeSpace& space) {
@@ -85,20 +87,21 @@ Gauge gauge_of(const Stretch& a, const Stretch& b, Real lasts_s, const FreeSpace
     return difference(a.position.*c, a.velocity.*c, a.acceleration.*c, b.position.*c, b.velocity.*c,
                       b.acceleration.*c, lasts_s);
   };
-  const Real wide = 1 / (space.free_m * space.free_m);
+  // Horizontal parts are multiplied by what heights would be divided by.
   const bool cylinder = space.separation.shape == SeparationShape::kCylinder;
-  Real high = wide;
+  const Real free = space.free_m * space.free_m;
+  Real wide = 1;
   if (space.separation.shape == SeparationShape::kEllipsoid) {
-    high /= Real{space.separation.vertical_factor} * Real{space.separation.vertical_factor};
+    wide = Real{space.separation.vertical_factor} * Real{space.separation.vertical_factor};
   } else if (cylinder) {
-    high = 1 / (Real{space.separation.vertical_m} * Real{space.separation.vertical_m});
+    wide = Real{space.separation.vertical_m} * Real{space.separation.vertical_m};
   }
   std::array<Real, 5> one{};
   std::array<Real, 5> other{};
   add_square(one, axis(&Vector3::x), wide);
   add_square(one, axis(&Vector3::y), wide);
-  add_square(cylinder ? other : one, axis(&Vector3::z), high);
-  return {bernstein_of(one), bernstein_of(other)};
+  add_square(cylinder ? other : one, axis(&Vector3::z), cylinder ? free : 1);
+  return {bernstein_of(one), bernstein_of(other), wide * free};
 }
 
 }  // namespace
@@ -108,8 +111,8 @@ Real closest_in(const Stretch& a, const Stretch& b, Real lasts_s, const FreeSpac
   // Thirty cuts: the rest is below what doubles can tell.
   constexpr int kCuts = 30;
   const Gauge gauge = gauge_of(a, b, lasts_s, space);
-  const Real far = enough * enough;
-  return std::sqrt(least_of(gauge, far, kCuts));
+  const Real far = enough * enough * gauge.border;
+  return std::sqrt(least_of(gauge, far, kCuts) / gauge.border);
 }
 
 const std::vector<TrueLoss>& TrueSeparation::look(double begins_s,

@@ -175,8 +175,7 @@ class Model {
 
   void try_channel(const World& world) {
     for (std::size_t i = 0; i < world.sent.size(); ++i) {
-      attempt(world, "deliver " + shown(world.sent[i]->number),
-              [&](World& w) { deliver(w, i); });
+      attempt(world, "deliver " + shown(world.sent[i]->number), [&](World& w) { deliver(w, i); });
     }
     for (std::uint32_t epoch = 2; epoch <= world.epoch; ++epoch) {
       attempt(world, "promise " + std::to_string(epoch), [&](World& w) { promise(w, epoch); });
@@ -341,9 +340,7 @@ class Model {
     note_report(w);
   }
 
-  static void store(World& w) {
-    w.stored = std::make_shared<StoredBranch>(w.agent.stored());
-  }
+  static void store(World& w) { w.stored = std::make_shared<StoredBranch>(w.agent.stored()); }
 
   // What it says now can be heard at any later time.
   static void note_report(World& w) {
@@ -411,8 +408,7 @@ class Model {
     Follower agent = world.agent;
     planner.report(agent.held(), agent.tick());
     Command command;
-    planner.issue({planner.base_state(planner.departs()).velocity.x + 0.25, 0.0, 0.0}, {},
-                  command);
+    planner.issue({planner.base_state(planner.departs()).velocity.x + 0.25, 0.0, 0.0}, {}, command);
     if (agent.tick() < world.now - 1 || agent.receive(command).reply != CommandReply::kTaken) {
       fail("a command is refused by an agent that was heard just before");
     }

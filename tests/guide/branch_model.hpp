@@ -45,8 +45,8 @@ struct ModelResult {
   std::size_t states = 0;
   std::size_t events = 0;
   std::size_t most_live = 0;
-  std::size_t taken = 0;      // commands, in all events
-  std::string violation = {}; // empty: none; else what went wrong, and the events up to there
+  std::size_t taken = 0;       // commands, in all events
+  std::string violation = {};  // empty: none; else what went wrong, and the events up to there
 };
 
 // Ends at the first violation.

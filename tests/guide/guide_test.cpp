@@ -290,10 +290,8 @@ TEST(Guide, ANewPlannerTakesTheFleetOver) {
     for (const AgentId id : both) {
       const Follower& follower = fleet.follower(id);
       fleet.follower(id).advance(tick);
-      ASSERT_TRUE(second.take(AgentReport{.agent = id,
-                                          .held = follower.held(),
-                                          .tick = tick,
-                                          .position = fleet.place(id)}));
+      ASSERT_TRUE(second.take(AgentReport{
+          .agent = id, .held = follower.held(), .tick = tick, .position = fleet.place(id)}));
     }
     ASSERT_TRUE(second.step(tick, guidance));
     for (const Command& command : guidance.commands) {
