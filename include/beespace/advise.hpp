@@ -227,6 +227,9 @@ struct AdviseOptions {
   /// @brief Agents that fly among the others and do not do as advised. All others give way to them,
   /// as if they flew straight on for `intruder_horizon_s`. Nothing is promised about them.
   MoversView intruders = {};
+  /// @brief How much more than the threshold is kept from each intruder, in metres, zero or more:
+  /// its radius, and what is uncertain of it. One for each intruder; or none.
+  detail::KeptSpan<double> intruder_margins_m = {};
   /// @brief How far to look ahead for intruders, in seconds; above zero.
   double intruder_horizon_s = 10.0;
 

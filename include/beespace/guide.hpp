@@ -238,7 +238,11 @@ class BEESPACE_API Guide {
 
   /// @brief Says which intruders there are from now on.
   /// @param intruders The intruders; copied. Flown straight on until the next call.
-  void set_intruders(std::span<const Intruder> intruders);
+  /// @return Success; or ErrorCode::kNotFinite, ErrorCode::kOutsideDomain,
+  ///   ErrorCode::kInvalidArgument: one that cannot be used, by its index in ErrorLocation::record.
+  ///   It may be anywhere: until the next call no agent is clear of intruders, and the others are
+  ///   given way to.
+  Status set_intruders(std::span<const Intruder> intruders);
 
   /// @brief Guides the fleet for one tick: to be called at its begin, after the messages that came
   /// until then.

@@ -258,10 +258,12 @@ class __attribute__((visibility("hidden"))) Adviser::State {
                          const AdviseOptions& options, Advised& advised) const {
     const Mover mover = as_advised(bee, advised);
     for (std::size_t k = 0; k < options.intruders.size(); ++k) {
-      if (!constraint_builder.may_come_close(bee, options.intruders[k])) continue;
-      const auto approach = closest_approach(mover, options.intruders[k],
-                                             {.threshold_m = agents_.apart_from(0.0, bee).asked_m,
-                                              .horizon_s = options.intruder_horizon_s});
+      if (!constraint_builder.may_come_close(bee, k)) continue;
+      const auto approach =
+          closest_approach(mover, options.intruders[k],
+                           {.threshold_m = agents_.apart_from(0.0, bee).asked_m +
+                                           constraint_builder.intruder_margin_m(k),
+                            .horizon_s = options.intruder_horizon_s});
       if (!approach || !approach->conflict) continue;
       advised.advice[bee].clear_of_intruders = false;
       advised.intruder_conflicts.push_back(

@@ -143,11 +143,11 @@ void ConstraintBuilder::look_at_intruders(PointId bee, Findings& findings) const
   const AgentState& agent = agents_[bee];
   for (std::size_t k = 0; k < options_.intruders.size(); ++k) {
     const auto [p, v] = options_.intruders[k];
-    if (!may_come_close(bee, options_.intruders[k])) continue;
+    if (!may_come_close(bee, k)) continue;
     const Vector3 place = core::vector_of(p) - agent.position;
     const Vector3 velocity = core::vector_of(v);
     const VelocityObstacle obstacle{place, agent.velocity - velocity,
-                                    agents_.apart_from(0.0, bee).kept_m,
+                                    agents_.apart_from(0.0, bee).kept_m + intruder_margin_m(k),
                                     options_.intruder_horizon_s, options_.step_s};
     findings.constraints.intruder_requests.push_back(half_space_of(
         obstacle.is_too_close() ? obstacle.away()
@@ -198,10 +198,16 @@ void ConstraintBuilder::keep_clear_of_ball(PointId bee, std::size_t unknown, dou
   findings.near_unknown.push_back({bee, unknown, plane.gap - ball.radius_m, clear_s});
 }
 
-bool ConstraintBuilder::may_come_close(PointId bee, const Mover& intruder) const {
+double ConstraintBuilder::intruder_margin_m(std::size_t k) const {
+  return options_.intruder_margins_m.empty() ? 0.0 : options_.intruder_margins_m[k];
+}
+
+bool ConstraintBuilder::may_come_close(PointId bee, std::size_t k) const {
+  const Mover intruder = options_.intruders[k];
   const Vector3 between = core::vector_of(intruder.position) - agents_[bee].position;
   const double speeds = length(core::vector_of(intruder.velocity)) + agents_.fastest();
-  const double far_m = agents_.apart_from(0.0, bee).kept_m + speeds * options_.intruder_horizon_s;
+  const double far_m = agents_.apart_from(0.0, bee).kept_m + intruder_margin_m(k) +
+                       speeds * options_.intruder_horizon_s;
   return dot(between, between) <= far_m * far_m;
 }
 

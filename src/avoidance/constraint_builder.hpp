@@ -54,7 +54,9 @@ class ConstraintBuilder {
   // Whether a bee is at its goal.
   [[nodiscard]] bool is_idle(PointId bee) const;
   // Whether an intruder that flies straight on may come too close to a bee within the horizon.
-  [[nodiscard]] bool may_come_close(PointId bee, const Mover& intruder) const;
+  [[nodiscard]] bool may_come_close(PointId bee, std::size_t k) const;
+  // How much more than the threshold is kept from an intruder.
+  [[nodiscard]] double intruder_margin_m(std::size_t k) const;
 
  private:
   [[nodiscard]] SeparatingPlane plane_between(PointId bee, PointId other) const;

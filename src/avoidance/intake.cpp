@@ -145,6 +145,7 @@ void Intake::take(const MoversView& movers, std::span<const Velocity> preferred,
   take_intruders(options, refused);
   options_.claims = claims_;
   options_.intruders = intruders_;
+  options_.intruder_margins_m = intruder_margins_m_;
   options_.unknown = unknown_;
 }
 
@@ -226,6 +227,7 @@ void Intake::take_bees(const MoversView& movers, std::span<const Velocity> prefe
 
 void Intake::take_intruders(const AdviseOptions& options, std::vector<Refused>& refused) {
   intruders_.clear();
+  intruder_margins_m_.clear();
   given_intruders_.clear();
   for (std::size_t k = 0; k < options.intruders.size(); ++k) {
     const Mover intruder = motion::flushed(options.intruders[k]);
@@ -238,6 +240,9 @@ void Intake::take_intruders(const AdviseOptions& options, std::vector<Refused>& 
       continue;
     }
     intruders_.push_back(intruder);
+    if (!options.intruder_margins_m.empty()) {
+      intruder_margins_m_.push_back(options.intruder_margins_m[k]);
+    }
     given_intruders_.take(k);
   }
 }

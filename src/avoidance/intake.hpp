@@ -77,6 +77,7 @@ class Intake {
   std::vector<FlightLimits> limits_;
   std::vector<Claim> claims_;  // their places are the caller's
   std::vector<Mover> intruders_;
+  std::vector<double> intruder_margins_m_;
   std::vector<UnknownAgent> unknown_;
   AdviseOptions options_;  // as given, without invalid entries
 

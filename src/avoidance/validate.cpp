@@ -119,6 +119,21 @@ std::optional<Error> check_options(const AdviseOptions& options) {
   return check_horizon(options.unknown_horizon_s, "unknown bees");
 }
 
+std::optional<Error> check_margins(const AdviseOptions& options) {
+  const auto& margins_m = options.intruder_margins_m;
+  if (!margins_m.empty() && margins_m.size() != options.intruders.size()) {
+    return about("intruders", std::to_string(margins_m.size()) + " margins for " +
+                                  std::to_string(options.intruders.size()) +
+                                  " intruders; give one for each, or none");
+  }
+  for (const double margin_m : margins_m) {
+    if (margin_m >= 0.0 && motion::in_motion_domain(margin_m)) continue;
+    return about("intruders", "the margin of an intruder is " + shown(margin_m) +
+                                  " m; give a finite one, zero or more");
+  }
+  return std::nullopt;
+}
+
 std::optional<Error> check_unknown(std::span<const UnknownAgent> unknown, std::size_t bees) {
   for (std::size_t k = 0; k < unknown.size(); ++k) {
     if (!unknown[k].agent || *unknown[k].agent < bees) continue;
@@ -163,6 +178,7 @@ std::optional<Error> check(const MoversView& movers, std::span<const Velocity> p
   if (movers.has_heights() || options.intruders.has_heights()) {
     return invalid("there are heights apart from the positions; give positions in space");
   }
+  if (auto error = check_margins(options)) return error;
   if (preferred.size() != movers.size()) {
     return about("preferred", std::to_string(preferred.size()) + " preferred velocities for " +
                                   std::to_string(movers.size()) + " movers; give one for each");

@@ -94,20 +94,17 @@ bool Branches::lives(BranchNumber number) const {
 }
 
 bool Branches::knows(BranchNumber number) const {
-  if (number == trunk_.number) return true;
   const auto count = static_cast<std::uint32_t>(number);
-  return epoch_of(number) == options_.epoch && count > options_.earlier && count <= count_;
+  return number == trunk_.number ||
+         (epoch_of(number) == options_.epoch && count > 0 && count <= count_);
 }
 
 Heard Branches::status_of(BranchNumber number) const {
   if (number == 0) return Heard::kNone;
   if (lives(number)) return Heard::kLive;
-  if (knows(number)) return Heard::kOld;
-  // What was sent before this planner began, it cannot tell from what never was.
-  const bool is_earlier =
-      epoch_of(number) < options_.epoch || (epoch_of(number) == options_.epoch &&
-                                            static_cast<std::uint32_t>(number) <= options_.earlier);
-  return is_earlier && is_confirmed_ ? Heard::kOld : Heard::kNeverSent;
+  // What an earlier planner sent cannot be told from what none did.
+  const bool may_be_earlier = epoch_of(number) > 0 && epoch_of(number) < options_.epoch;
+  return knows(number) || may_be_earlier ? Heard::kOld : Heard::kNeverSent;
 }
 
 // --- paths -----------------------------------------------------------------------------------

@@ -64,7 +64,7 @@ class Branches {
     return chain_.empty() ? trunk_.number : chain_.back().number;
   }
   [[nodiscard]] bool lives(BranchNumber number) const;
-  // Whether such a branch was sent, live or not; so the root and the adopted one were.
+  // Whether such a branch was sent to the agent in this epoch, live or not; or was adopted.
   [[nodiscard]] bool knows(BranchNumber number) const;
   // Whether nothing more can be sent until something is ruled out.
   [[nodiscard]] bool full() const {

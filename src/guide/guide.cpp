@@ -54,8 +54,8 @@ Status Guide::take(const AgentReport& report) {
 Status Guide::take(const Acknowledgement& acknowledgement) {
   return state_->take(acknowledgement);
 }
-void Guide::set_intruders(std::span<const Intruder> intruders) {
-  state_->set_intruders(intruders);
+Status Guide::set_intruders(std::span<const Intruder> intruders) {
+  return state_->set_intruders(intruders);
 }
 Status Guide::step(Tick now, Guidance& guidance, const std::stop_token& stop) {
   return state_->step(now, guidance, stop);

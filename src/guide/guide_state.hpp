@@ -33,7 +33,7 @@ class __attribute__((visibility("hidden"))) Guide::State {
   Status set_preferred(AgentId agent, const Velocity& velocity);
   Status take(const AgentReport& report);
   Status take(const Acknowledgement& acknowledgement);
-  void set_intruders(std::span<const Intruder> intruders);
+  Status set_intruders(std::span<const Intruder> intruders);
 
   Status step(Tick now, Guidance& guidance, const std::stop_token& stop);
 
@@ -47,6 +47,11 @@ class __attribute__((visibility("hidden"))) Guide::State {
  private:
   using Member = guide::GuidedAgent;
 
+  // Its place in by_id_, or where it would be.
+  [[nodiscard]] std::size_t place_of(AgentId agent) const;
+  [[nodiscard]] bool is_at(std::size_t place, AgentId agent) const {
+    return place < by_id_.size() && by_id_[place].id == agent;
+  }
   [[nodiscard]] Member* find(AgentId agent);
   [[nodiscard]] const Member* find(AgentId agent) const;
   [[nodiscard]] static Error unknown_agent(AgentId agent);
@@ -58,7 +63,7 @@ class __attribute__((visibility("hidden"))) Guide::State {
                                                     const Tube& tube) const;
   void add(const JoinRequest& request, const Tube& tube, guide::Branches&& branches, Tick heard);
   [[nodiscard]] double farthest_apart_m(double radius_m, double other_radius_m) const;
-  [[nodiscard]] std::vector<PointId> near(const Point& place, double tube_m, double radius_m) const;
+  [[nodiscard]] std::vector<PointId> near(const Point& place, double tube_m, double radius_m);
   Status find_touching(const JoinRequest& request, const Tube& tube, JoinAnswer& answer);
 
   // One tick.
@@ -89,16 +94,22 @@ class __attribute__((visibility("hidden"))) Guide::State {
   std::optional<Tick> now_;  // of the last step
 
   std::vector<Member> members_;
-  std::map<AgentId, PointId> by_id_;
+  struct Place {
+    AgentId id = 0;
+    PointId index = 0;
+  };
+  std::vector<Place> by_id_;  // in ascending order
   // The branches that were sent to those that have left: none is used twice.
   struct Sent {
     std::uint32_t epoch = 0;
     std::uint32_t count = 0;
   };
   std::map<AgentId, Sent> sent_before_;
-  std::set<AgentId> expected_;  // not heard of yet
-  std::vector<Intruder> intruders_;
-  std::optional<Tick> intruders_at_;  // none: since the next step
+  std::set<AgentId> expected_;                 // not heard of yet
+  std::vector<Intruder> intruders_;            // those that can be used
+  std::vector<std::size_t> intruder_numbers_;  // as they were given
+  bool intruder_anywhere_ = false;             // one that cannot be used
+  std::optional<Tick> intruders_at_;           // none: since the next step
 
   // Of a step.
   Adviser adviser_;
@@ -112,6 +123,7 @@ class __attribute__((visibility("hidden"))) Guide::State {
   std::vector<Claim> claims_;
   std::vector<UnknownAgent> unknown_;  // those that are out of their tubes
   std::vector<Mover> intruder_movers_;
+  std::vector<double> intruder_margins_m_;
 };
 
 }  // namespace beespace

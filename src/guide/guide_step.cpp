@@ -10,6 +10,12 @@
 
 namespace beespace {
 
+namespace {
+
+constexpr double kMeetWithin_s = 2.0;
+
+}  // namespace
+
 Guide::State::State(const GuideOptions& options)
     : options_(options), fences_(options.fences.begin(), options.fences.end()) {
   options_.fences = {};
@@ -85,6 +91,7 @@ void Guide::State::prepare(Tick now) {
 
 void Guide::State::prepare(Member& member, PointId index, Tick now) {
   member.branches.advance(now);
+  member.around.reset();
   if (!member.branches.awaits_root()) member.monitor.check_silence(seconds(now - member.heard));
   const Mover base = member.branches.base_state(now + options_.link.command_delay);
   movers_.push_back(base);
@@ -120,12 +127,18 @@ UnknownAgent Guide::State::ball_of(const Member& member, Tick now, PointId index
 // Flown straight on since they were told of.
 void Guide::State::prepare_intruders(Tick now) {
   if (!intruders_at_) intruders_at_ = now;
-  const double since_s = seconds(now - *intruders_at_);
+  // To where they are when commands take effect.
+  const double since_s = seconds(now - *intruders_at_ + options_.link.command_delay);
   intruder_movers_.clear();
+  intruder_margins_m_.clear();
   for (const Intruder& intruder : intruders_) {
     const auto& [p, v] = intruder.mover;
     intruder_movers_.push_back(
         {{p.x + v.x * since_s, p.y + v.y * since_s, p.z + v.z * since_s}, v});
+    // What is uncertain of its velocity adds up until they meet: for some seconds, as a rule.
+    const double ahead_s = since_s + std::min(kMeetWithin_s, options_.intruder_horizon_s);
+    intruder_margins_m_.push_back(intruder.radius_m + intruder.position_error_m +
+                                  intruder.speed_error_mps * ahead_s);
   }
 }
 
@@ -145,6 +158,7 @@ Status Guide::State::step(Tick now, Guidance& guidance, const std::stop_token& s
   options.unknown = unknown_;
   options.unknown_horizon_s = unknown_horizon_s();
   options.intruders = intruder_movers_;
+  options.intruder_margins_m = intruder_margins_m_;
   options.stop = stop;
   if (Status done = adviser_.advise(movers_, preferred_, limits_, options, advised_); !done) {
     return done;
@@ -166,7 +180,7 @@ void Guide::State::tell(PointId index, Tick now, Guidance& guidance) {
   told.certified = advice.keeps_apart && advice.clear_of_unknown &&
                    told.contract == Contract::kKept && !member.branches.awaits_root() &&
                    expected_.empty();
-  told.clear_of_intruders = advice.clear_of_intruders;
+  told.clear_of_intruders = advice.clear_of_intruders && !intruder_anywhere_;
   told.kind = advice.kind;
   told.tube_m = member.tube.radius_m;
   told.deviation_m = member.monitor.deviation_m();
@@ -216,7 +230,7 @@ void Guide::State::tell_findings(Guidance& guidance) const {
   }
   for (const IntruderConflict& conflict : advised_.intruder_conflicts) {
     guidance.intruder_conflicts.push_back(
-        {id(conflict.agent), conflict.intruder, conflict.closest_m});
+        {id(conflict.agent), intruder_numbers_[conflict.intruder], conflict.closest_m});
   }
   std::sort(guidance.pairs.begin(), guidance.pairs.end(),
             [](const UncertifiedPair& a, const UncertifiedPair& b) {

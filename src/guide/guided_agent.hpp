@@ -1,6 +1,7 @@
 // What a Guide knows about one agent.
 #pragma once
 
+#include "guide/ball.hpp"
 #include "guide/branches.hpp"
 #include "guide/contract_monitor.hpp"
 #include "guide/ground_loop.hpp"
@@ -31,6 +32,8 @@ struct GuidedAgent {
   // The newest report, by its stamp; and when it was last heard of, by the ticks of the planner.
   std::optional<AgentReport> last = {};
   Tick heard = 0;
+  // Around its claim; none: not worked out since the last step. (What it says may make it smaller.)
+  std::optional<Ball> around = {};
   struct Taken {
     BranchNumber number = 0;
     Tick tick = 0;

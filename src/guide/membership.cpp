@@ -63,15 +63,17 @@ double Guide::State::farthest_apart_m(double radius_m, double other_radius_m) co
 }
 
 // Members whose claims may be so near to a place that the Adviser must say whether they touch.
-std::vector<PointId> Guide::State::near(const Point& place, double tube_m, double radius_m) const {
+std::vector<PointId> Guide::State::near(const Point& place, double tube_m, double radius_m) {
   std::vector<PointId> found;
   std::vector<Point> places;
   for (PointId index = 0; index < members_.size(); ++index) {
-    const Member& other = members_[index];
-    places.clear();
-    other.branches.append_places(now_ ? claims_from(other, *now_) : other.heard, places);
-    if (places.empty()) continue;
-    const guide::Ball ball = guide::ball_around(places);
+    Member& other = members_[index];
+    if (!other.around) {
+      places.clear();
+      other.branches.append_places(now_ ? claims_from(other, *now_) : other.heard, places);
+      other.around = guide::ball_around(places);
+    }
+    const guide::Ball& ball = *other.around;
     const double apart_m = farthest_apart_m(radius_m, other.radius_m);
     const double within_m = (ball.radius_m + apart_m + tube_m + other.tube.radius_m) * (1.0 + 1e-6);
     if (length(core::vector_of(place) - ball.middle) <= within_m) found.push_back(index);
@@ -183,7 +185,8 @@ void Guide::State::add(const JoinRequest& request, const Tube& tube, guide::Bran
   expected_.erase(request.agent);
   const FleetFigures figures = request.figures.value_or(options_.figures);
   const auto index = static_cast<PointId>(members_.size());
-  by_id_.emplace(request.agent, index);
+  const auto place = static_cast<std::ptrdiff_t>(place_of(request.agent));
+  by_id_.insert(by_id_.begin() + place, {request.agent, index});
   members_.push_back({.id = request.agent,
                       .figures = figures,
                       .tube = tube,
@@ -206,16 +209,16 @@ void Guide::State::expect(std::span<const AgentId> agents) {
 // The last one takes its index.
 Status Guide::State::leave(AgentId agent) {
   if (expected_.erase(agent) > 0) return std::monostate{};
-  const auto found = by_id_.find(agent);
-  if (found == by_id_.end()) return unknown_agent(agent);
-  const PointId index = found->second;
+  const std::size_t place = place_of(agent);
+  if (!is_at(place, agent)) return unknown_agent(agent);
+  const PointId index = by_id_[place].index;
   const auto last = static_cast<PointId>(members_.size() - 1);
   const guide::Branches& branches = members_[index].branches;
   sent_before_[agent] = {branches.epoch(), branches.count()};
-  by_id_.erase(found);
+  by_id_.erase(by_id_.begin() + static_cast<std::ptrdiff_t>(place));
   if (index != last) {
     members_[index] = std::move(members_[last]);
-    by_id_[members_[index].id] = index;
+    by_id_[place_of(members_[index].id)].index = index;
   }
   members_.pop_back();
   planes_.forget(index);

@@ -3,6 +3,7 @@
 #include "motion/flush.hpp"
 #include "motion/validate.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -23,6 +24,26 @@ std::optional<Error> check_report(const AgentReport& report) {
                {}};
 }
 
+std::optional<Error> check_intruder(const Intruder& intruder, std::size_t index) {
+  if (auto error = motion::check_mover(intruder.mover, index)) {
+    error->message.insert(0, "intruder: ");
+    error->location.array = "intruders";
+    return error;
+  }
+  for (const double size :
+       {intruder.radius_m, intruder.position_error_m, intruder.speed_error_mps}) {
+    if (size >= 0.0 && motion::in_motion_domain(size)) continue;
+    Error error{ErrorCode::kInvalidArgument,
+                "intruder " + std::to_string(index) + " has " + std::to_string(size) +
+                    " for its radius or an error; give finite ones, zero or more",
+                {}};
+    error.location.array = "intruders";
+    error.location.record = index;
+    return error;
+  }
+  return std::nullopt;
+}
+
 Error about(Error error, AgentId agent) {
   error.location.array = "agents";
   error.location.record = agent;
@@ -38,13 +59,20 @@ Error Guide::State::unknown_agent(AgentId agent) {
                agent);
 }
 
+std::size_t Guide::State::place_of(AgentId agent) const {
+  const auto found =
+      std::lower_bound(by_id_.begin(), by_id_.end(), agent,
+                       [](const Place& place, AgentId sought) { return place.id < sought; });
+  return static_cast<std::size_t>(found - by_id_.begin());
+}
+
 Guide::State::Member* Guide::State::find(AgentId agent) {
-  const auto found = by_id_.find(agent);
-  return found == by_id_.end() ? nullptr : &members_[found->second];
+  const std::size_t place = place_of(agent);
+  return is_at(place, agent) ? &members_[by_id_[place].index] : nullptr;
 }
 const Guide::State::Member* Guide::State::find(AgentId agent) const {
-  const auto found = by_id_.find(agent);
-  return found == by_id_.end() ? nullptr : &members_[found->second];
+  const std::size_t place = place_of(agent);
+  return is_at(place, agent) ? &members_[by_id_[place].index] : nullptr;
 }
 
 Status Guide::State::set_goal(AgentId agent, const Point& goal) {
@@ -156,9 +184,24 @@ Status Guide::State::take(const Acknowledgement& acknowledgement) {
   return std::monostate{};
 }
 
-void Guide::State::set_intruders(std::span<const Intruder> intruders) {
-  intruders_.assign(intruders.begin(), intruders.end());
+// One that cannot be used may be anywhere; it must not stop the others from being given way to.
+Status Guide::State::set_intruders(std::span<const Intruder> intruders) {
+  intruders_.clear();
+  intruder_numbers_.clear();
   intruders_at_.reset();
+  intruder_anywhere_ = false;
+  Status status = std::monostate{};
+  for (std::size_t index = 0; index < intruders.size(); ++index) {
+    auto error = check_intruder(intruders[index], index);
+    if (!error) {
+      intruders_.push_back(intruders[index]);
+      intruder_numbers_.push_back(index);
+      continue;
+    }
+    if (!intruder_anywhere_) status = *std::move(error);
+    intruder_anywhere_ = true;
+  }
+  return status;
 }
 
 }  // namespace beespace

@@ -31,6 +31,7 @@ constexpr double kPeriod_s = 1.0;
 constexpr FlightLimits kPlanned{.max_speed_mps = 8.0, .max_acceleration_mps2 = 1.0};
 constexpr Tick kFirstTick = 10;
 constexpr double kRounding_m = 1e-12;
+constexpr Point kPlace = {0.0, 0.0, 0.0};
 
 // What was said by the agent about itself.
 struct Said {
@@ -80,6 +81,9 @@ struct World {
   int roots_left = 0;
   int agent_starts_left = 0;
   int planner_starts_left = 0;
+  int losses_left = 0;
+  int rejoins_left = 0;
+  Interval claimed;  // now
 };
 
 class Model {
@@ -88,11 +92,13 @@ class Model {
 
   ModelResult check() {
     World world(*Follower::make(kAgent, kPlanned, kPeriod_s));
-    world.planner = Branches::rooted(options(1), {}, kFirstTick);
+    world.planner = Branches::rooted(options(1), kPlace, kFirstTick);
     world.commands_left = bounds_.commands;
     world.roots_left = bounds_.knows_root ? 1 : 2;
     world.agent_starts_left = bounds_.agent_starts;
     world.planner_starts_left = bounds_.planner_starts;
+    world.losses_left = bounds_.losses;
+    world.rejoins_left = bounds_.rejoins;
     world.agent.advance(kFirstTick);
     world.takes_from = kFirstTick;
     store(world);
@@ -101,6 +107,7 @@ class Model {
       deliver(world, 0);
     }
     note_report(world);
+    world.claimed = claim(world);
     visit(world);
     return std::move(result_);
   }
@@ -120,20 +127,19 @@ class Model {
     World next = world;
     trace_.push_back(std::move(label));
     ++result_.events;
-    const Interval before = claim(world);
     extra_ = {};
     event(next);
-    if (result_.violation.empty()) {
-      check_state(next);
-      check_claim(world, next, before);
-      if (result_.violation.empty()) visit(next);
-    }
+    next.claimed = claim(next);
+    check_claim(world, next);
+    visit(next);
     trace_.pop_back();
   }
 
   void visit(const World& world) {
     if (!result_.violation.empty() || !seen_.insert(key_of(world)).second) return;
     ++result_.states;
+    check_state(world);
+    if (!result_.violation.empty()) return;
     if (world.planner) result_.most_live = std::max(result_.most_live, world.planner->live_count());
     check_progress(world);
     try_time(world);
@@ -210,6 +216,22 @@ class Model {
         w.planner.reset();
       });
     }
+    if (world.losses_left > 0 && world.agent.held() != 0) {
+      attempt(world, "agent loses its branch", [&](World& w) {
+        --w.losses_left;
+        w.agent.lose();
+        store(w);
+      });
+    }
+    // Once no root is under way that could still be taken.
+    const auto is_over = [&](const auto& command) {
+      return command->ancestor_count > 0 ||
+             fleet::path_of(*command).last_tick() < world.now - off();
+    };
+    if (world.rejoins_left > 0 && world.planner &&
+        std::all_of(world.sent.begin(), world.sent.end(), is_over)) {
+      attempt(world, "agent joins anew", [&](World& w) { rejoin(w); });
+    }
     if (fault_ == Fault::kAdoptsUnpromised && !world.planner) {
       attempt(world, "adopt", [&](World& w) { adopt(w, w.agent.stored()); });
     }
@@ -255,11 +277,14 @@ class Model {
 
   void deliver(World& w, std::size_t index) {
     Command command = *w.sent[index];
+    if (fault_ == Fault::kRootsStay && command.ancestor_count == 0) {
+      command.starts = w.agent.tick();
+    }
     if (fault_ == Fault::kTakesAtDeparture) {
       for (Ancestor& ancestor : command.ancestors) ++ancestor.departs;
     }
     const bool had_branch = w.agent.held() != 0;
-    const Interval before = places_of_tick(w.agent);
+    const Interval before = places_of_tick(w.agent, w.agent.tick());
     const Acknowledgement reply = w.agent.receive(command);
     if (reply.reply == CommandReply::kInvalid) return fail("a command that was sent is invalid");
     if (reply.reply != CommandReply::kTaken) {
@@ -269,7 +294,7 @@ class Model {
       return;
     }
     ++result_.taken;
-    const Interval after = places_of_tick(w.agent);
+    const Interval after = places_of_tick(w.agent, w.agent.tick());
     if (had_branch && !(before.holds(after) && after.holds(before))) {
       return fail("the agent jumps as it takes a command");
     }
@@ -291,6 +316,11 @@ class Model {
   void adopt(World& w, StoredBranch answer) {
     if (fault_ == Fault::kAdoptsUnpromised || fault_ == Fault::kAdoptsOldAnswer) {
       answer.promised = w.epoch;
+    }
+    if (answer.branch.number == 0 && answer.promised == w.epoch) {
+      w.planner = Branches::rooted(options(w.epoch), kPlace, w.now);
+      ++w.roots_left;
+      return;
     }
     auto adopted = Branches::adopted(options(w.epoch), answer, w.now);
     if (!adopted) return;
@@ -340,6 +370,18 @@ class Model {
     note_report(w);
   }
 
+  void rejoin(World& w) {
+    --w.rejoins_left;
+    ++w.roots_left;
+    BranchOptions rejoined = options(w.epoch);
+    rejoined.earlier = w.planner->count();
+    w.planner = Branches::rooted(rejoined, kPlace, w.now);
+    w.agent = *Follower::make(kAgent, kPlanned, kPeriod_s);
+    w.agent.advance(w.now);
+    w.takes_from = w.now;
+    store(w);
+  }
+
   static void store(World& w) { w.stored = std::make_shared<StoredBranch>(w.agent.stored()); }
 
   // What it says now can be heard at any later time.
@@ -364,16 +406,16 @@ class Model {
     return claim;
   }
 
-  // All places of its tick.
-  static Interval places_of_tick(const Follower& agent) {
+  // All places of a tick.
+  static Interval places_of_tick(const Follower& agent, Tick tick) {
     Interval places;
     if (agent.held() == 0) return places;
     const fleet::Path path = fleet::path_of(agent.stored().branch);
     const fleet::Braking braking(kPlanned, kPeriod_s);
-    const Mover state = path.at(agent.tick(), braking).nominal;
+    const Mover state = path.at(tick, braking).nominal;
     places.add(state.position.x);
     places.add(fleet::middle_of_tick(state, kPeriod_s).x);
-    places.add(path.at(agent.tick() + 1, braking).nominal.position.x);
+    places.add(path.at(tick + 1, braking).nominal.position.x);
     return places;
   }
 
@@ -383,19 +425,18 @@ class Model {
       return fail("the agent is on branch " + shown(w.agent.held()) + ", which was dropped,");
     }
     // Wherever it comes to if it hears nothing any more.
-    const Interval claimed = claim(w);
-    Follower alone = w.agent;
-    for (int tick = 0; tick < 12; ++tick) {
-      if (!claimed.holds(places_of_tick(alone))) return fail("the agent leaves its claim");
-      alone.advance(alone.tick() + 1);
+    for (Tick tick = w.agent.tick(); tick < w.now + 12; ++tick) {
+      if (!w.claimed.holds(places_of_tick(w.agent, tick))) fail("the agent leaves its claim");
     }
   }
 
   // A claim grows by what a command adds, and by nothing else.
-  void check_claim(const World& before, const World& after, Interval claimed) {
+  void check_claim(const World& before, const World& after) {
     if (!before.planner || !after.planner || before.epoch != after.epoch) return;
+    if (before.rejoins_left != after.rejoins_left) return;
+    Interval claimed = before.claimed;
     if (extra_) claimed.add(*extra_);
-    if (!claimed.holds(claim(after))) fail("the claim grows");
+    if (!claimed.holds(after.claimed)) fail("the claim grows");
   }
 
   // Once both have heard each other, a new command is taken.
@@ -438,7 +479,8 @@ class Model {
     add_tick(w.last_issue);
     add_tick(std::max(w.takes_from, w.agent.tick()));
     add(static_cast<std::uint64_t>(w.roots_left + 4 * w.agent_starts_left +
-                                   16 * w.planner_starts_left));
+                                   16 * w.planner_starts_left + 64 * w.losses_left +
+                                   256 * w.rejoins_left));
     add_tick(w.agent.tick());
     add_number(w.agent.held());
     add(w.agent.stored().promised);

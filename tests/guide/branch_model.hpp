@@ -25,6 +25,7 @@ enum class Fault : std::uint8_t {
   kTakesAtDeparture,  // tick <= departs
   kStoresLate,        // acknowledgements are sent before the branch is stored
   kTakesAtOnce,       // commands are taken as soon as it has started anew
+  kRootsStay,         // a root is taken however old it is
   // Rules of both, when a planner starts anew.
   kAdoptsUnpromised,  // a branch is adopted that the agent may still leave for an old command
   kAdoptsOldAnswer,   // the answer to the planner before counts
@@ -39,6 +40,8 @@ struct ModelBounds {
   bool knows_root = true;     // whether the agent is on its root from the beginning
   int agent_starts = 0;       // how often it starts anew
   int planner_starts = 0;
+  int losses = 0;   // how often the agent loses its branch
+  int rejoins = 0;  // how often it leaves, forgets all, and joins the same planner
 };
 
 struct ModelResult {

@@ -40,7 +40,7 @@ struct Swap {
   [[nodiscard]] std::size_t arrived(const SmallFleet& fleet) const {
     std::size_t count = 0;
     for (AgentId id = 0; id < goals.size(); ++id) {
-      count += distance(fleet.place(id), goals[id]) <= 1.0 ? 1 : 0;
+      if (distance(fleet.place(id), goals[id]) <= 1.0) ++count;
     }
     return count;
   }
@@ -239,6 +239,32 @@ TEST(Guide, RefusesWhatCannotBe) {
   options.figures = some_figures();
   options.figures.correction_mps = 0.1;
   EXPECT_FALSE(Guide::make(options));
+}
+
+TEST(Guide, GivesWayToIntrudersAndNamesThoseThatCannotBe) {
+  SmallFleet fleet(small_options());
+  fleet.join(1, {0, 0, 0});
+  for (int k = 0; k < 5; ++k) fleet.step();
+  const std::vector<Intruder> both = {{.mover = {{std::nan(""), 0, 0}, {}}},
+                                      {.mover = {{60, 0.5, 0}, {-6, 0, 0}}, .radius_m = 3.0}};
+  const Status refused = fleet.guide().set_intruders(both);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kNotFinite);
+  EXPECT_EQ(refused.error().location.record, 0U);
+  double closest = 1e9;
+  for (int k = 0; k < 150; ++k) {
+    fleet.step();
+    EXPECT_FALSE(fleet.told(1).clear_of_intruders);
+    const Point intruder{60 - 0.6 * k, 0.5, 0};
+    closest = std::min(closest, distance(fleet.place(1), intruder));
+    for (const AgentAndObject& conflict : fleet.guidance().intruder_conflicts) {
+      EXPECT_EQ(conflict.object, 1U);
+    }
+  }
+  EXPECT_GT(closest, 8.0);
+  ASSERT_TRUE(fleet.guide().set_intruders({}));
+  fleet.step();
+  EXPECT_TRUE(fleet.told(1).clear_of_intruders);
 }
 
 // An acknowledgement that the agent never sent rules out the branch that it is on.
