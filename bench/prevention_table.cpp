@@ -76,6 +76,11 @@ beespace::scenes::Mission swap_for(const FleetOptions& fleet, double rho_m, std:
   for (auto* places : {&mission.starts, &mission.goals}) {
     for (beespace::Point& place : *places) place.z *= stretch_of(fleet);
   }
+  if (!(fleet.joins_per_s > 0.0)) return mission;
+  // Beside the starts, where others still wait for their turn.
+  double wide_m = 0.0;
+  for (const beespace::Point& place : mission.starts) wide_m = std::max(wide_m, place.x);
+  for (beespace::Point& place : mission.goals) place.x += wide_m + 2.0 * apart_m;
   return mission;
 }
 
