@@ -38,18 +38,17 @@ Result<std::unique_ptr<FleetLoop>> FleetLoop::make(scenes::Mission mission,
   if (!tube) return std::move(tube).error();
   auto obstacles = ObstacleMap::of(mission.obstacles);
   if (!obstacles) return std::move(obstacles).error();
-  std::unique_ptr<FleetLoop> loop(
-      new FleetLoop(std::move(mission), options, *tube, std::move(obstacles).value()));
+  std::unique_ptr<FleetLoop> loop(new FleetLoop(std::move(mission), options, *tube, *obstacles));
   if (Status begun = loop->begin(); !begun) return std::move(begun).error();
   return loop;
 }
 
 FleetLoop::FleetLoop(scenes::Mission mission, const FleetOptions& options, const Tube& tube,
-                     ObstacleMap obstacles)
+                     const ObstacleMap& obstacles)
     : mission_(std::move(mission)),
       options_(options),
       tube_(tube),
-      obstacles_(std::move(obstacles)),
+      obstacles_(obstacles),
       random_(options.seed * 7919 + 17),
       agents_(mission_.starts.size()),
       commands_(in_instants(options.commands, options.instants), options.seed + kCommandSeed),
@@ -153,7 +152,7 @@ Status FleetLoop::join(std::size_t index) {
   AgentErrors errors = options_.errors;
   errors.strength = agent.weak ? options_.weak_strength : 1.0;
   errors.disturbance.planar = options_.planar;
-  agent.truth.emplace(std::move(follower).value(), mission_.starts[index], loop, errors,
+  agent.truth.emplace(*follower, mission_.starts[index], loop, errors,
                       options_.seed * 1'000'003 + index);
   agent.truth->begin_at(instants(tick_));
   joined_.push_back(index);
@@ -233,7 +232,7 @@ void FleetLoop::tell_intruders() {
     told.push_back({.mover = {point_of(flight.position + error), velocity_of(flight.velocity)},
                     .position_error_m = options_.intruder_error_m});
   }
-  guide_->set_intruders(told);
+  if (!guide_->set_intruders(told)) ++tally_.refused_messages;
 }
 
 void FleetLoop::fall_silent() {

@@ -88,16 +88,16 @@ class FleetLoop {
   };
 
   FleetLoop(scenes::Mission mission, const FleetOptions& options, const Tube& tube,
-            ObstacleMap obstacles);
+            const ObstacleMap& obstacles);
   Status begin();
   [[nodiscard]] GuideOptions guide_options() const;
   void choose_agents();
   void choose_intruders();
-  Status join(std::size_t agent);
+  Status join(std::size_t index);
   Status join_more();
 
   void hear_and_report(std::int64_t instant);
-  AgentReport report_of(std::size_t agent);
+  AgentReport report_of(std::size_t index);
   Status guide();
   void tell_intruders();
   void fall_silent();

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 namespace beespace::sim {
@@ -35,7 +36,9 @@ class NearestAgents {
     std::int64_t y = 0;
     std::int64_t z = 0;
     std::uint32_t place = 0;
-    friend auto operator<=>(const Cell&, const Cell&) = default;
+    friend bool operator<(const Cell& a, const Cell& b) {
+      return std::tie(a.x, a.y, a.z, a.place) < std::tie(b.x, b.y, b.z, b.place);
+    }
   };
 
   [[nodiscard]] std::int64_t index(double x) const {
@@ -50,7 +53,7 @@ class NearestAgents {
         const Cell from{x, y, cell.z - 1, 0};
         const Cell to{x, y, cell.z + 1, std::numeric_limits<std::uint32_t>::max()};
         auto other = std::lower_bound(cells_.begin(), cells_.end(), from);
-        for (; other != cells_.end() && *other <= to; ++other) {
+        for (; other != cells_.end() && !(to < *other); ++other) {
           const Vector3 there = places[other->place] - places[cell.place];
           const double distance_m = length_of(there);
           if (other->place == cell.place || distance_m >= nearest_m) continue;

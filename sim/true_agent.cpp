@@ -6,9 +6,9 @@
 
 namespace beespace::sim {
 
-TrueAgent::TrueAgent(Follower follower, const Point& start, const AgentLoop& loop,
+TrueAgent::TrueAgent(const Follower& follower, const Point& start, const AgentLoop& loop,
                      const AgentErrors& errors, std::uint64_t seed)
-    : follower_(std::move(follower)),
+    : follower_(follower),
       start_(start),
       loop_(loop),
       errors_(errors),

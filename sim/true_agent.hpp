@@ -58,8 +58,8 @@ struct AgentLoop {
 class TrueAgent {
  public:
   // It stands at its start.
-  TrueAgent(Follower follower, const Point& start, const AgentLoop& loop, const AgentErrors& errors,
-            std::uint64_t seed);
+  TrueAgent(const Follower& follower, const Point& start, const AgentLoop& loop,
+            const AgentErrors& errors, std::uint64_t seed);
 
   // Begins at a later instant than the first: its clock counts from there.
   void begin_at(std::int64_t instant) { clock_.begin_at(instant); }

@@ -19,6 +19,8 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace beespace::sim {
@@ -85,7 +87,9 @@ class TrueSeparation {
     std::int64_t y = 0;
     std::int64_t z = 0;
     std::uint32_t agent = 0;
-    friend auto operator<=>(const Cell&, const Cell&) = default;
+    friend bool operator<(const Cell& a, const Cell& b) {
+      return std::tie(a.x, a.y, a.z, a.agent) < std::tie(b.x, b.y, b.z, b.agent);
+    }
   };
 
   [[nodiscard]] std::span<const Stretch> of(std::span<const Stretch> all, std::size_t agent) const {

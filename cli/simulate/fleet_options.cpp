@@ -117,8 +117,9 @@ void add_errors(Command& simulate, SimulateRequest& request) {
   sim::DisturbanceBounds& wind = fleet.errors.disturbance;
   const auto length = amount_in_motion("metres", kFromZero);
   const auto speed = amount_in_motion("metres per second", kFromZero);
-  simulate.option("--noise", "LENGTH", request.noise_m, length,
-                  "How wrong measured places are at most, on board and\nin reports (default: 0.05)");
+  simulate.option(
+      "--noise", "LENGTH", request.noise_m, length,
+      "How wrong measured places are at most, on board and\nin reports (default: 0.05)");
   simulate.choice(
       "--noise-kind", wind.kind,
       {{"uniform", sim::ErrorKind::kUniform}, {"adversarial", sim::ErrorKind::kAdversarial}},
