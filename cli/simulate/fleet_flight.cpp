@@ -139,6 +139,12 @@ std::string fleet_summary(const SimulateRequest& request, const sim::FleetLoop& 
   append_summary_line(out, "arrived",
                       io::grouped(std::uint64_t{loop.arrived()}) + " (" +
                           io::percentage(static_cast<double>(loop.arrived()) / bees) + ")");
+  if (loop.joined().size() < loop.agents().size()) {
+    append_summary_line(
+        out, "not joined",
+        red(io::grouped(std::uint64_t{loop.agents().size() - loop.joined().size()})) +
+            ": their places are too close to claims of others");
+  }
   append_summary_line(out, "contracts", contracts_text(loop, flown.names));
   append_summary_line(out, "time",
                       "guidance " + io::grouped(guiding_us(loop), 2) + " us a bee a step");
