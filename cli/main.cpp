@@ -9,6 +9,7 @@
 #include "cli/console/standard_output.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/detect/detect_command.hpp"
+#include "cli/fleet/fleet_command.hpp"
 #include "cli/generate/generate_command.hpp"
 #include "cli/recorded/predict_command.hpp"
 #include "cli/recorded/replay_command.hpp"
@@ -40,6 +41,7 @@ constexpr const char* kExamples =
     "  beespace advise swarm.csv                     how all bees should fly to keep apart\n"
     "  beespace simulate random-swap                 a swarm that is kept apart, step by step\n"
     "  beespace verify flight.csv --threshold 5      whether a flight kept its distance\n"
+    "  beespace fleet flown.csv --set set.csv        how far a fleet strays from its plan\n"
     "  beespace report bees.csv -o report.html       a page that shows it\n"
     "  beespace view show.skyc                       the same, in the browser at once\n"
     "  beespace plot bees.csv -o bees.svg            a picture of it\n"
@@ -56,8 +58,8 @@ ExitCode run(int argc, char** argv) {
       kDescription,
       kExamples,
       {detect_command(), predict_command(), replay_command(), watch_command(), advise_command(),
-       simulate_command(), verify_command(), report_command(), view_command(), plot_command(),
-       export_command(), generate_command(), bench_command()}};
+       simulate_command(), verify_command(), fleet_command(), report_command(), view_command(),
+       plot_command(), export_command(), generate_command(), bench_command()}};
   // For scripts/write-completions; no help names it.
   if (argc == 3 && std::string_view(argv[1]) == "--write-completions") {
     if (const auto text = completions_for(argv[2], beespace.commands)) return print(*text);

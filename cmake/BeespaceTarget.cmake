@@ -11,3 +11,15 @@ function(beespace_target target)
     # a*b+c must round twice everywhere, or answers would depend on the processor.
     -ffp-contract=off)
 endfunction()
+
+# Parses once what nearly all files of a target include: a third less to compile. Clang goes without,
+# so that CI sees a file that does not include what it uses.
+function(beespace_precompile target)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    return()
+  endif()
+  target_precompile_headers(${target} PRIVATE
+    <algorithm> <cmath> <functional> <map> <memory> <optional> <span> <string> <string_view> <utility>
+    <variant> <vector> <beespace/result.hpp>)
+  target_compile_options(${target} PRIVATE -fpch-preprocess)  # for ccache
+endfunction()

@@ -23,7 +23,7 @@ _beespace() {
   fi
 
   if [ "$COMP_CWORD" -eq 1 ]; then
-    _beespace_offer -W 'detect predict replay watch advise simulate verify report view plot export generate bench help --help --version' -- "$current"
+    _beespace_offer -W 'detect predict replay watch advise simulate verify fleet report view plot export generate bench help --help --version' -- "$current"
     return
   fi
 
@@ -103,6 +103,17 @@ _beespace() {
         *) options='--crs --columns --time-unit --grounded --units --heights --skip-bad --threshold --max-speed --max-acceleration --obstacles --clearance --max-gap --straight --threads --output --csv --json --quiet --help --version' files=yes ;;
       esac
       ;;
+    fleet)
+      case $previous in
+        --crs) values='auto wgs84 metres' ;;
+        --time-unit) values='auto s ms us ns' ;;
+        --heights) values='auto geometric pressure' ;;
+        --max-gap) values='never' ;;
+        --set) files=yes ;;
+        --columns | --units | --set-columns) return ;;
+        *) options='--crs --columns --time-unit --grounded --units --heights --skip-bad --set --set-columns --max-gap --json --quiet --help --version' files=yes ;;
+      esac
+      ;;
     report)
       case $previous in
         --crs) values='auto wgs84 metres' ;;
@@ -164,7 +175,7 @@ _beespace() {
         *) options='--points --threads --json --quiet --help --version' ;;
       esac
       ;;
-    help) values='detect predict replay watch advise simulate verify report view plot export generate bench' ;;
+    help) values='detect predict replay watch advise simulate verify fleet report view plot export generate bench' ;;
   esac
 
   case $current in

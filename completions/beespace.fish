@@ -7,6 +7,7 @@ complete -c beespace -n __fish_use_subcommand -f -a watch -d 'Watch a swarm live
 complete -c beespace -n __fish_use_subcommand -f -a advise -d 'Tell every bee of a swarm how to fly on so that it keeps its distance'
 complete -c beespace -n __fish_use_subcommand -f -a simulate -d 'Fly a swarm that keeps its distance, step by step, and check what it flew'
 complete -c beespace -n __fish_use_subcommand -f -a verify -d 'Check that a flight kept its distance, and that each bee flew as it can'
+complete -c beespace -n __fish_use_subcommand -f -a fleet -d 'Tell how far a fleet strays from what it was set to fly'
 complete -c beespace -n __fish_use_subcommand -f -a report -d 'Write a page that shows who is too close, where and when'
 complete -c beespace -n __fish_use_subcommand -f -a view -d 'Look at a swarm in the browser'
 complete -c beespace -n __fish_use_subcommand -f -a plot -d 'Draw a picture of who is too close, where and when'
@@ -184,6 +185,19 @@ complete -c beespace -n '__fish_seen_subcommand_from verify' -f -l csv -d 'With 
 complete -c beespace -n '__fish_seen_subcommand_from verify' -f -l json -d 'One JSON document with everything in it'
 complete -c beespace -n '__fish_seen_subcommand_from verify' -f -l quiet -d 'No summary and no progress, only errors'
 
+complete -c beespace -n '__fish_seen_subcommand_from fleet' -x -l crs -a 'auto wgs84 metres' -d 'Whether positions are in degrees or metres'
+complete -c beespace -n '__fish_seen_subcommand_from fleet' -x -l columns -d 'By number or name: id=1,time=2,x=3,y=4,z=5,vx=6'
+complete -c beespace -n '__fish_seen_subcommand_from fleet' -x -l time-unit -a 'auto s ms us ns' -d 'Of times, where the input does not say'
+complete -c beespace -n '__fish_seen_subcommand_from fleet' -f -l grounded -d 'Count those that stand on the ground as well (shows, aircraft)'
+complete -c beespace -n '__fish_seen_subcommand_from fleet' -x -l units -d 'Where the header names none: height=ft,speed=kt, climb=ft/min, position=m'
+complete -c beespace -n '__fish_seen_subcommand_from fleet' -x -l heights -a 'auto geometric pressure' -d 'Of several heights, which to take (aircraft, tables)'
+complete -c beespace -n '__fish_seen_subcommand_from fleet' -f -l skip-bad -d 'Leave bad records out and list them'
+complete -c beespace -n '__fish_seen_subcommand_from fleet' -r -l set -d 'What was set to be flown'
+complete -c beespace -n '__fish_seen_subcommand_from fleet' -x -l set-columns -d 'Its columns, as of --columns: x=set_x,y=set_y,z=set_z'
+complete -c beespace -n '__fish_seen_subcommand_from fleet' -x -l max-gap -a 'never' -d 'Unknown between fixes farther apart in time (default: 5 times the typical interval)'
+complete -c beespace -n '__fish_seen_subcommand_from fleet' -f -l json -d 'One JSON document with everything in it'
+complete -c beespace -n '__fish_seen_subcommand_from fleet' -f -l quiet -d 'No summary and no progress, only errors'
+
 complete -c beespace -n '__fish_seen_subcommand_from report' -x -l crs -a 'auto wgs84 metres' -d 'Whether positions are in degrees or metres'
 complete -c beespace -n '__fish_seen_subcommand_from report' -x -l columns -d 'By number or name: id=1,time=2,x=3,y=4,z=5,vx=6'
 complete -c beespace -n '__fish_seen_subcommand_from report' -x -l time-unit -a 'auto s ms us ns' -d 'Of times, where the input does not say'
@@ -281,4 +295,4 @@ complete -c beespace -n '__fish_seen_subcommand_from bench' -x -l threads -d 'Ho
 complete -c beespace -n '__fish_seen_subcommand_from bench' -f -l json -d 'One JSON document instead of a table'
 complete -c beespace -n '__fish_seen_subcommand_from bench' -f -l quiet -d 'No explanations, only figures and errors'
 
-complete -c beespace -n '__fish_seen_subcommand_from help' -f -a 'detect predict replay watch advise simulate verify report view plot export generate bench'
+complete -c beespace -n '__fish_seen_subcommand_from help' -f -a 'detect predict replay watch advise simulate verify fleet report view plot export generate bench'

@@ -394,6 +394,21 @@ struct Advised {
   }
 };
 
+/// @brief What an agent must know of itself, and of another one that it may meet, to advise itself
+/// as Adviser::advise advises all: the input of one round.
+///
+/// Ownership: `claim` is the caller's.
+struct AgentInRound {
+  PointId id = 0;                ///< Its index in the call for all.
+  Mover mover;                   ///< Its state, in metres and metres per second.
+  Velocity preferred;            ///< Its preferred velocity in metres per second.
+  FlightLimits limits;           ///< What it can do.
+  const Claim* claim = nullptr;  ///< Its claim; null for all where the round has no claims.
+  /// @brief Whether it is too close to any other agent (it is in a pair of Advised::too_close of
+  /// this round). Others make room for such an agent.
+  bool too_close = false;
+};
+
 /// @brief Gives advice again and again: keeps its working memory and its threads between calls.
 ///
 /// Ownership: an Adviser owns its memory and threads; views are read during a call and not kept.
@@ -444,6 +459,26 @@ class BEESPACE_API Adviser {
   Status advise(const MoversView& movers, std::span<const Velocity> preferred,
                 std::span<const FlightLimits> limits, const AdviseOptions& options,
                 Advised& advised);
+
+  /// @brief Advises one agent that knows the others that it may meet: on board.
+  ///
+  /// The answer is that of the call for all, bit by bit, if `others` has all agents whose claims
+  /// may come within the threshold (with tubes and radii) of its own in the step, or within
+  /// 1.6 times as much; further ones change nothing. AdviseOptions::planes, where used, must be the
+  /// agent's own, and must have been used in the same rounds: it is known by ids here.
+  ///
+  /// Complexity: as Adviser::advise for one agent. AdviseOptions::claims, `threads`, `stop` and
+  /// `method` are not used; AdviseOptions::unknown names agents by their ids.
+  ///
+  /// @param agent The agent.
+  /// @param others The others, in any order.
+  /// @param options As of the call for all.
+  /// @param[out] advice The advice; none (AdviceKind::kNone) after an error.
+  /// @return Success, or an error: as Adviser::advise; ErrorCode::kInvalidArgument where two have
+  ///   one id, or some have claims and others none; and what the call for all would refuse
+  ///   (Advised::refused) about the agent itself.
+  Status advise_one(const AgentInRound& agent, std::span<const AgentInRound> others,
+                    const AdviseOptions& options, Advice& advice);
 
  private:
   class State;

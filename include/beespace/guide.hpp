@@ -184,9 +184,11 @@ class BEESPACE_API Guide {
   /// The next step() has a root command for it, again and again until it is acknowledged.
   ///
   /// @param request The agent.
-  /// @return The answer; or ErrorCode::kInvalidArgument: an agent that has joined already, figures
-  ///   or limits as tube_of; ErrorCode::kNotFinite, ErrorCode::kOutsideDomain: its position;
-  ///   ErrorCode::kTooManyPoints: more agents than ids.
+  /// @return The answer; or ErrorCode::kInvalidArgument: an agent that has joined already, or has
+  ///   left so lately that it may still take what was sent to it (unless
+  ///   JoinRequest::promised is a newer epoch), figures or limits as tube_of;
+  ///   ErrorCode::kNotFinite, ErrorCode::kOutsideDomain: its position; ErrorCode::kTooManyPoints:
+  ///   more agents than ids.
   Result<JoinAnswer> join(const JoinRequest& request);
   /// @brief The same without joining.
   /// @param request The agent.
@@ -250,6 +252,7 @@ class BEESPACE_API Guide {
   /// @param[out] guidance What to send, and what is known; overwritten, and empty after an error.
   /// @param stop When a stop is requested, the call ends soon; it may be made again.
   /// @return Success; or ErrorCode::kTimeOrder: a tick that is not after the one before;
+  ///   ErrorCode::kInvalidArgument: a tick beyond 10^18;
   ///   ErrorCode::kStopped.
   Status step(Tick now, Guidance& guidance, const std::stop_token& stop = {});
 

@@ -6,6 +6,7 @@
 #include "avoidance/constraint_builder.hpp"
 #include "avoidance/intake.hpp"
 #include "avoidance/known_methods.hpp"
+#include "avoidance/one_in_round.hpp"
 #include "avoidance/plane_memory.hpp"
 #include "avoidance/remembered_planes.hpp"
 #include "avoidance/validate.hpp"
@@ -86,7 +87,43 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     return std::monostate{};
   }
 
+  Status advise_one(const AgentInRound& agent, std::span<const AgentInRound> others,
+                    const AdviseOptions& options, Advice& advice) {
+    advice = {};
+    if (auto error = one_.take(agent, others, options)) return *std::move(error);
+    const AdviseOptions& round = one_.options();
+    if (auto error = avoidance::check(one_.movers(), one_.preferred(), one_.limits(), round)) {
+      return *std::move(error);
+    }
+    Advised& advised = one_.advised();
+    advised.clear();
+    intake_.take(one_.movers(), one_.preferred(), one_.limits(), round, advised.refused);
+    const std::optional<PointId> bee = one_.number_in(intake_);
+    if (!bee) return one_.refusal();
+    advise_alone(*bee, one_.too_close(intake_), one_.ids(), intake_.options(), advised);
+    advice = advised.advice[*bee];
+    return std::monostate{};
+  }
+
  private:
+  // Advises the agent of this number among those that were taken, which are all that it may meet.
+  void advise_alone(PointId bee, std::span<const char> too_close, std::span<const PointId> ids,
+                    const AdviseOptions& options, Advised& advised) {
+    Crew& crew = crew_.of(1, 1);
+    clear_desks(crew.size());
+    agents_.take(intake_.movers(), intake_.limits(), options, crew);
+    near_.take_all(agents_.size());
+    const avoidance::RememberedPlanes planes =
+        start_planes(options, std::size_t{ids.back()} + 1, ids, true);
+    const ConstraintBuilder constraint_builder(agents_, near_, too_close, intake_.preferred(),
+                                               planes, options);
+    advised.advice.assign(agents_.size(), {});
+    const Vector3 wanted = core::vector_of(intake_.preferred()[bee]);
+    advised.advice[bee] = advise_one(bee, wanted, constraint_builder, desks_.front());
+    if (options.planes != nullptr) options.planes->state().finish();
+    finish(bee, constraint_builder, options, advised);
+  }
+
   // The working memory of one thread.
   struct Desk {
     ConstraintBuilder::Findings findings;
@@ -105,7 +142,8 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     if (Status found = find_near(options, horizon_s); !found) return found;
     advised.advice.assign(bees, {});
     too_close_.assign(bees, 0);
-    const avoidance::RememberedPlanes planes = start_planes(options);
+    const avoidance::RememberedPlanes planes =
+        start_planes(options, intake_.bees_given(), {}, false);
     const ConstraintBuilder constraint_builder(agents_, near_, too_close_, preferred, planes,
                                                options);
     if (options.method == AdviseMethod::kCertified) {
@@ -130,11 +168,14 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     return std::monostate{};
   }
 
-  [[nodiscard]] avoidance::RememberedPlanes start_planes(const AdviseOptions& options) const {
+  [[nodiscard]] avoidance::RememberedPlanes start_planes(const AdviseOptions& options,
+                                                         std::size_t ids_below,
+                                                         std::span<const PointId> ids,
+                                                         bool of_one) const {
     if (options.planes == nullptr) return {};
     PlaneMemory::State& memory = options.planes->state();
-    memory.start(intake_.bees_given());
-    return {&memory, intake_.given_bees()};
+    memory.start(ids_below);
+    return {&memory, intake_.given_bees(), ids, of_one};
   }
 
   Status find_near(const AdviseOptions& options, double horizon_s) {
@@ -232,10 +273,16 @@ class __attribute__((visibility("hidden"))) Adviser::State {
                 return std::tie(a.agent, a.unknown) < std::tie(b.agent, b.unknown);
               });
     for (std::size_t bee = 0; bee < agents_.size(); ++bee) {
-      collect_intruders(static_cast<PointId>(bee), constraint_builder, options, advised);
-      Advice& advice = advised.advice[bee];
-      advice.certified = advice.keeps_apart && advice.clear_of_intruders && advice.clear_of_unknown;
+      finish(static_cast<PointId>(bee), constraint_builder, options, advised);
     }
+  }
+
+  // What depends on the advised velocity.
+  void finish(PointId bee, const ConstraintBuilder& constraint_builder,
+              const AdviseOptions& options, Advised& advised) const {
+    collect_intruders(bee, constraint_builder, options, advised);
+    Advice& advice = advised.advice[bee];
+    advice.certified = advice.keeps_apart && advice.clear_of_intruders && advice.clear_of_unknown;
   }
 
   // Conflicts with intruders, from a bee's position and its advised velocity.
@@ -271,6 +318,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     }
   }
 
+  avoidance::OneInRound one_;
   avoidance::Intake intake_;
   AgentStates agents_;
   avoidance::Vicinity near_;
@@ -291,6 +339,11 @@ Status Adviser::advise(const MoversView& movers, std::span<const Velocity> prefe
                        std::span<const FlightLimits> limits, const AdviseOptions& options,
                        Advised& advised) {
   return state_->advise(movers, preferred, limits, options, advised);
+}
+
+Status Adviser::advise_one(const AgentInRound& agent, std::span<const AgentInRound> others,
+                           const AdviseOptions& options, Advice& advice) {
+  return state_->advise_one(agent, others, options, advice);
 }
 
 Result<Advised> advise(const MoversView& movers, std::span<const Velocity> preferred,

@@ -8,8 +8,10 @@
 namespace beespace::avoidance {
 
 // Whether two agents keep apart whatever both do in this step, and neither presses the other: their
-// capsules tell, and the balls around their stops. Most pairs need nothing more.
-bool ConstraintBuilder::keep_apart_anyhow(PointId bee, PointId other) const {
+// capsules tell, and the balls around their stops. Most pairs need nothing more. Both find the
+// same.
+bool ConstraintBuilder::keep_apart_anyhow(PointId one, PointId another) const {
+  const auto [bee, other] = std::minmax(one, another);
   const Claims& claims = agents_.claims();
   const Hull first = claims.hull(bee);
   const Hull second = claims.hull(other);
@@ -25,8 +27,8 @@ bool ConstraintBuilder::keep_apart_anyhow(PointId bee, PointId other) const {
   const double free_m = claims.between(bee, other).along(normal);
   // A little more than is kept, for the rounding of the capsules.
   const double apart_m = agents_.apart_by(free_m, bee, other).kept_m * (1.0 + 1e-6);
-  const double presses_m = is_idle(bee) ? kPresses * agents_.apart().kept_m : 0.0;
-  return gap_m >= apart_m + presses_m;
+  if (gap_m < apart_m) return false;
+  return gap_m >= apart_m + kPresses * agents_.apart().kept_m || !(is_idle(bee) || is_idle(other));
 }
 
 // The one of the lower id is the first.
@@ -40,12 +42,25 @@ HullSeparation ConstraintBuilder::separation_of_claims(PointId bee, PointId othe
                   spare_m);
 }
 
+// Whether the remembered plane certifies a pair; then the best one does, too.
+bool ConstraintBuilder::is_certified_by_memory(PointId bee, PointId other) const {
+  const auto [first, second] = std::minmax(bee, other);
+  const Vector3 normal = planes_.normal(first, second);
+  if (normal == Vector3{}) return false;
+  const Claims& claims = agents_.claims();
+  const double gap_m = claims.hull(first).lowest(normal) - claims.hull(second).highest(normal);
+  const double free_m = claims.between(first, second).along(normal);
+  // The best one is compared with what it keeps itself: with as much left, or more.
+  const SeparationMargins margins = agents_.apart_by(free_m, first, second);
+  return gap_m >= margins.kept_m + (margins.kept_m - margins.asked_m);
+}
+
 bool ConstraintBuilder::is_claim_too_close(PointId bee, PointId other) const {
   const FreeBetween between = agents_.claims().between(bee, other);
   const double widest_m = between.shape.widest(between.horizontal_m) + between.beyond_m;
   const double certified_m = agents_.apart_by(widest_m, bee, other).certified_m;
   if (!agents_.ways_may_be_within(bee, other, certified_m)) return false;
-  if (keep_apart_anyhow(bee, other)) return false;
+  if (is_certified_by_memory(bee, other) || keep_apart_anyhow(bee, other)) return false;
   const HullSeparation found = separation_of_claims(bee, other);
   return found.plane.gap < agents_.apart_by(found.free_m, bee, other).certified_m;
 }
@@ -56,7 +71,7 @@ void ConstraintBuilder::look_at_claim(PointId bee, PointId other, Findings& find
   const auto [asked_m, kept_m, certified_m] = agents_.apart_by(free_m, bee, other);
   Constraints& constraints = findings.constraints;
   const bool is_first = bee < other;
-  if (is_first) planes_.remember(bee, other, plane.normal);
+  planes_.remember(bee, other, plane.normal);
   const double lean = is_first ? leaves_to(bee, other) : leaves_to(other, bee);
   const HalfSpace side = is_first ? plane.of_first(kept_m, lean) : plane.of_second(kept_m, lean);
   const bool certified = plane.gap >= certified_m;

@@ -205,7 +205,9 @@ double ConstraintBuilder::intruder_margin_m(std::size_t k) const {
 bool ConstraintBuilder::may_come_close(PointId bee, std::size_t k) const {
   const Mover intruder = options_.intruders[k];
   const Vector3 between = core::vector_of(intruder.position) - agents_[bee].position;
-  const double speeds = length(core::vector_of(intruder.velocity)) + agents_.fastest();
+  const AgentState& agent = agents_[bee];
+  const double speeds = length(core::vector_of(intruder.velocity)) +
+                        std::max(agent.max_speed, length(agent.velocity));
   const double far_m = agents_.apart_from(0.0, bee).kept_m + intruder_margin_m(k) +
                        speeds * options_.intruder_horizon_s;
   return dot(between, between) <= far_m * far_m;

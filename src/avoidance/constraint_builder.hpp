@@ -62,8 +62,9 @@ class ConstraintBuilder {
   [[nodiscard]] SeparatingPlane plane_between(PointId bee, PointId other) const;
   void look_at_bees(PointId bee, Findings& findings) const;
   void look_at_bee(PointId bee, PointId other, Findings& findings) const;
-  [[nodiscard]] bool keep_apart_anyhow(PointId bee, PointId other) const;
+  [[nodiscard]] bool keep_apart_anyhow(PointId one, PointId another) const;
   [[nodiscard]] HullSeparation separation_of_claims(PointId bee, PointId other) const;
+  [[nodiscard]] bool is_certified_by_memory(PointId bee, PointId other) const;
   [[nodiscard]] bool is_claim_too_close(PointId bee, PointId other) const;
   void look_at_claim(PointId bee, PointId other, Findings& findings) const;
   void look_at_obstacles(PointId bee, Findings& findings) const;

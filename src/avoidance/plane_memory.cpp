@@ -15,10 +15,12 @@ auto entry_of(auto& row, PointId higher) {
 }  // namespace
 
 void PlaneMemory::State::start(std::size_t agents) {
-  last_.resize(agents);
-  coming_.resize(agents);
-  last_walls_.resize(agents);
-  coming_walls_.resize(agents);
+  if (agents > last_.size()) {
+    last_.resize(agents);
+    coming_.resize(agents);
+    last_walls_.resize(agents);
+    coming_walls_.resize(agents);
+  }
   for (auto& row : coming_) row.clear();
   for (auto& row : coming_walls_) row.clear();
 }

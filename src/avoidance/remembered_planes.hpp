@@ -4,6 +4,7 @@
 #include "avoidance/intake.hpp"
 #include "avoidance/plane_memory.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 
@@ -16,15 +17,20 @@ class RememberedPlanes {
   using Wall = PlaneMemory::State::Wall;
 
   RememberedPlanes() = default;  // remembers nothing
-  RememberedPlanes(PlaneMemory::State* memory, const GivenNumbers& given)
-      : memory_(memory), given_(&given) {}
+  // `ids` are those of the agents as they were given; none: their numbers. `of_one`: one agent
+  // is advised alone.
+  RememberedPlanes(PlaneMemory::State* memory, const GivenNumbers& given,
+                   std::span<const PointId> ids, bool of_one)
+      : memory_(memory), given_(&given), ids_(ids), of_one_(of_one) {}
 
   // From the higher to the lower; zero where there is none.
   [[nodiscard]] core::Vector3 normal(PointId lower, PointId higher) const {
     return memory_ == nullptr ? core::Vector3{} : memory_->normal(id(lower), id(higher));
   }
-  void remember(PointId lower, PointId higher, const core::Vector3& normal) const {
-    if (memory_ != nullptr) memory_->remember(id(lower), id(higher), normal);
+  // Of a pair at which the first looks; the one of the lower id keeps it, for both.
+  void remember(PointId bee, PointId other, const core::Vector3& normal) const {
+    if (memory_ == nullptr || (bee > other && !of_one_)) return;
+    memory_->remember(id(std::min(bee, other)), id(std::max(bee, other)), normal);
   }
   // Of all pieces of an obstacle.
   [[nodiscard]] std::span<const Wall> walls(PointId bee) const {
@@ -35,10 +41,15 @@ class RememberedPlanes {
   }
 
  private:
-  [[nodiscard]] PointId id(PointId taken) const { return static_cast<PointId>((*given_)[taken]); }
+  [[nodiscard]] PointId id(PointId taken) const {
+    const std::size_t given = (*given_)[taken];
+    return ids_.empty() ? static_cast<PointId>(given) : ids_[given];
+  }
 
   PlaneMemory::State* memory_ = nullptr;
   const GivenNumbers* given_ = nullptr;
+  std::span<const PointId> ids_;
+  bool of_one_ = false;
 };
 
 }  // namespace beespace::avoidance

@@ -28,6 +28,7 @@ Status Vicinity::find_within(const PointsView& places, double within_m, const Ru
 }
 
 Status Vicinity::find_rows(const PointsView& places, double within_m, const RunOptions& run) {
+  agents_ = places.size();
   const SearchOptions around{.threshold_m = within_m, .threads = run.threads, .stop = run.stop};
   return engine_.find_neighbors(places, around, rows_);
 }

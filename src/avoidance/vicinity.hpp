@@ -28,21 +28,33 @@ class Vicinity {
   // All agents within this distance.
   Status find_within(const PointsView& places, double within_m, const RunOptions& run);
 
+  // All of so few agents matter to each other.
+  void take_all(std::size_t agents) {
+    agents_ = agents;
+    far_.assign(1, 0);
+    is_far_.assign(agents, 1);
+  }
+
   // Calls visit(other) for each agent that may matter to a bee, and for some that do not, once
-  // each, until it returns false.
+  // each, in ascending order, until it returns false. The order depends on nothing else: so a bee
+  // that knows its neighbours alone finds the same.
   template <class Visit>
   void visit(PointId bee, Visit&& visit) const {
     if (reaches_far(bee)) {
-      for (PointId other = 0; other < rows_.size(); ++other) {
+      for (PointId other = 0; other < agents_; ++other) {
         if (other != bee && !visit(other)) return;
       }
       return;
     }
+    auto far = far_.begin();
     for (const PointId other : rows_[bee]) {
+      for (; far != far_.end() && *far < other; ++far) {
+        if (!visit(*far)) return;
+      }
       if (!reaches_far(other) && !visit(other)) return;
     }
-    for (const PointId other : far_) {
-      if (!visit(other)) return;
+    for (; far != far_.end(); ++far) {
+      if (!visit(*far)) return;
     }
   }
 
@@ -54,6 +66,7 @@ class Vicinity {
   Engine engine_;
   core::Memory memory_;
   IdRows rows_;
+  std::size_t agents_ = 0;
   std::vector<PointId> far_;  // ascending
   std::vector<char> is_far_;  // of each, where there are any
 };

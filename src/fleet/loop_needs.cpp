@@ -15,6 +15,8 @@ constexpr double kRoundedUp = 1.0 + 0x1p-40;
 // two periods flat: it gains little, and its gain grows beyond bounds.
 constexpr double kGreatestShare = 0.9375;
 
+constexpr double kE = std::numbers::e;
+
 // (1 - share)^count, for counts of zero and more.
 double left_after(double share, double count) {
   return std::exp(count * std::log1p(-share));
@@ -58,13 +60,12 @@ double speed_of(double deviation_mps, double for_error_mps) {
 }  // namespace
 
 LoopNeeds continuous_needs(double gain_per_s, const LoopBurden& burden) {
-  constexpr double e = std::numbers::e;
   const double k = gain_per_s;
-  const double for_error_mps = 2.0 / e * k * burden.error_m;
+  const double for_error_mps = 2.0 / kE * k * burden.error_m;
   return rounded_up(
       2.0 * burden.deviation_mps / k + burden.error_m,
       speed_of(burden.deviation_mps, for_error_mps),
-      2.0 / e * k * burden.deviation_mps + 2.0 * (1.0 + 1.0 / (e * e)) * k * k * burden.error_m);
+      2.0 / kE * k * burden.deviation_mps + 2.0 * (1.0 + 1.0 / (kE * kE)) * k * k * burden.error_m);
 }
 
 LoopNeeds sampled_needs(double share, double period_s, const LoopBurden& burden) {
@@ -76,16 +77,15 @@ LoopNeeds sampled_needs(double share, double period_s, const LoopBurden& burden)
 }
 
 double fastest_continuous(const LoopBurden& burden, double most_mps, double most_mps2) {
-  constexpr double e = std::numbers::e;
-  constexpr double rounded_down = 1.0 - 0x1p-38;
+  constexpr double kRoundedDown = 1.0 - 0x1p-38;
   // The acceleration is a quadratic function of k, the speed a linear one.
-  const double linear = 2.0 / e * burden.deviation_mps;
-  const double square = 2.0 * (1.0 + 1.0 / (e * e)) * burden.error_m;
+  const double linear = 2.0 / kE * burden.deviation_mps;
+  const double square = 2.0 * (1.0 + 1.0 / (kE * kE)) * burden.error_m;
   double k = 2.0 * most_mps2 / (linear + std::sqrt(linear * linear + 4.0 * square * most_mps2));
   if (burden.error_m > 0.0) {
-    k = std::min(k, (most_mps - burden.deviation_mps) * e / (2.0 * burden.error_m));
+    k = std::min(k, (most_mps - burden.deviation_mps) * kE / (2.0 * burden.error_m));
   }
-  k *= rounded_down;
+  k *= kRoundedDown;
   return k > 0.0 && are_met(continuous_needs(k, burden), most_mps, most_mps2) ? k : 0.0;
 }
 

@@ -243,16 +243,14 @@ void Branches::drop_older(std::size_t index) {
   while (index > 0) drop(--index);
 }
 
-// An agent that was on this branch at the tick has gone over to none that it could not take: one
-// that lists a branch on which it was, and departs from it later. The departures grow along the
-// chain; so of all that it may be on, the newest one can be left the longest.
+// An agent that was on this branch at the tick has since gone over to none that departs, from what
+// it was on, at the tick or before. The departures grow along the chain: so of all branches that it
+// may be on, the newest one is left the latest.
 void Branches::drop_what_cannot_be_reached(std::size_t index, Tick tick) {
   std::size_t newest_reached = index;
   for (std::size_t other = index + 1; other <= chain_.size(); ++other) {
     if (!is_live(other)) continue;
-    const Tick left = left_at(newest_reached);
-    const bool is_listed = left >= chain_[other - 1].sent;
-    if (is_listed && left > tick) {
+    if (left_at(newest_reached) > tick) {
       newest_reached = other;
     } else {
       drop(other);

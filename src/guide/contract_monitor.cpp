@@ -7,8 +7,6 @@ namespace beespace::guide {
 
 namespace {
 
-using core::Vector3;
-
 // More than what rounding can do to a difference of two places: of each coordinate half a unit in
 // the last place of either, and of the difference.
 double rounding_of(const Point& a, const Point& b) {

@@ -61,6 +61,8 @@ class __attribute__((visibility("hidden"))) Guide::State {
   Status check_new(const JoinRequest& request) const;
   [[nodiscard]] guide::BranchOptions branch_options(const JoinRequest& request,
                                                     const Tube& tube) const;
+  // That no root which was sent to it before it left can be taken any more.
+  [[nodiscard]] Status check_left(const JoinRequest& request) const;
   void add(const JoinRequest& request, const Tube& tube, guide::Branches&& branches, Tick heard);
   [[nodiscard]] double farthest_apart_m(double radius_m, double other_radius_m) const;
   [[nodiscard]] std::vector<PointId> near(const Point& place, double tube_m, double radius_m);
@@ -103,6 +105,7 @@ class __attribute__((visibility("hidden"))) Guide::State {
   struct Sent {
     std::uint32_t epoch = 0;
     std::uint32_t count = 0;
+    Tick left = 0;
   };
   std::map<AgentId, Sent> sent_before_;
   std::set<AgentId> expected_;                 // not heard of yet

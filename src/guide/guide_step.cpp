@@ -13,6 +13,8 @@ namespace beespace {
 namespace {
 
 constexpr double kMeetWithin_s = 2.0;
+// Ticks are added to and compared without overflow.
+constexpr double kMostTicks = 1e18;
 
 }  // namespace
 
@@ -41,6 +43,13 @@ Status Guide::State::check() {
   }
   if (auto tube = tube_of(options_.figures, options_.link, options_.limits); !tube) {
     return tube.error();
+  }
+  // An agent whose clock is a tick ahead would take no command that departs a tick after it is
+  // sent.
+  if (options_.figures.clock_error_s > 0.0 && options_.link.command_delay < 2) {
+    return wrong(
+        "command_delay is 1 tick, and clocks may be off: commands would come too late for "
+        "agents whose clocks are ahead; give a delay of 2 or more");
   }
   // The rest is checked by the Adviser.
   AdviseOptions options = advise_options_;
@@ -144,6 +153,12 @@ void Guide::State::prepare_intruders(Tick now) {
 
 Status Guide::State::step(Tick now, Guidance& guidance, const std::stop_token& stop) {
   guidance.clear();
+  if (std::abs(static_cast<double>(now)) > kMostTicks) {
+    return Error{
+        ErrorCode::kInvalidArgument,
+        "tick " + std::to_string(now) + " is beyond 10^18; count ticks from a time that is nearer",
+        {}};
+  }
   if (now_ && now <= *now_) {
     return Error{ErrorCode::kTimeOrder,
                  "tick " + std::to_string(now) + " does not come after tick " +

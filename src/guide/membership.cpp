@@ -62,6 +62,24 @@ double Guide::State::farthest_apart_m(double radius_m, double other_radius_m) co
   return shape.shape == SeparationShape::kCylinder ? apart_m + shape.vertical_m : apart_m;
 }
 
+Status Guide::State::check_left(const JoinRequest& request) const {
+  const auto before = sent_before_.find(request.agent);
+  if (before == sent_before_.end()) return std::monostate{};
+  const guide::BranchOptions options = branch_options(request, {});
+  const Tick from = before->second.left + options_.link.command_delay + 3;
+  const bool is_anew = options.epoch > before->second.epoch;
+  if (is_anew || now_.value_or(0) >= from) return std::monostate{};
+  Error error{ErrorCode::kInvalidArgument,
+              "agent " + std::to_string(request.agent) +
+                  " has just left, and may still take what "
+                  "was sent to it before; let it join from tick " +
+                  std::to_string(from) + " on, or with the epoch that it has promised since",
+              {}};
+  error.location.array = "agents";
+  error.location.record = request.agent;
+  return error;
+}
+
 // Members whose claims may be so near to a place that the Adviser must say whether they touch.
 std::vector<PointId> Guide::State::near(const Point& place, double tube_m, double radius_m) {
   std::vector<PointId> found;
@@ -138,6 +156,7 @@ Status Guide::State::find_touching(const JoinRequest& request, const Tube& tube,
 
 Result<JoinAnswer> Guide::State::join(const JoinRequest& request, bool for_good) {
   if (Status fine = check_new(request); !fine) return std::move(fine).error();
+  if (Status fine = check_left(request); !fine) return std::move(fine).error();
   const Result<Tube> tube = tube_for(request);
   if (!tube) return tube.error();
   JoinAnswer answer;
@@ -214,7 +233,7 @@ Status Guide::State::leave(AgentId agent) {
   const PointId index = by_id_[place].index;
   const auto last = static_cast<PointId>(members_.size() - 1);
   const guide::Branches& branches = members_[index].branches;
-  sent_before_[agent] = {branches.epoch(), branches.count()};
+  sent_before_[agent] = {branches.epoch(), branches.count(), now_.value_or(0)};
   by_id_.erase(by_id_.begin() + static_cast<std::ptrdiff_t>(place));
   if (index != last) {
     members_[index] = std::move(members_[last]);

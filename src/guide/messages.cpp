@@ -172,7 +172,8 @@ Status Guide::State::take(const Acknowledgement& acknowledgement) {
                  agent);
   }
   if (acknowledgement.reply == CommandReply::kNoBranch) {
-    member->monitor.name(ContractReason::kNoBranch);
+    // Before it has its root it is on none.
+    if (!member->branches.awaits_root()) member->monitor.name(ContractReason::kNoBranch);
     return std::monostate{};
   }
   if (acknowledgement.reply == CommandReply::kTaken &&

@@ -7,9 +7,6 @@
 #include <beespace/follower.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -478,9 +475,10 @@ class Model {
     add(w.epoch | (w.planner ? 256U : 0U));
     add_tick(w.last_issue);
     add_tick(std::max(w.takes_from, w.agent.tick()));
-    add(static_cast<std::uint64_t>(w.roots_left + 4 * w.agent_starts_left +
-                                   16 * w.planner_starts_left + 64 * w.losses_left +
-                                   256 * w.rejoins_left));
+    for (const int left : {w.roots_left, w.agent_starts_left, w.planner_starts_left, w.losses_left,
+                           w.rejoins_left}) {
+      add(static_cast<std::uint64_t>(left));
+    }
     add_tick(w.agent.tick());
     add_number(w.agent.held());
     add(w.agent.stored().promised);

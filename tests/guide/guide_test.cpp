@@ -157,6 +157,17 @@ TEST(Guide, TheSilentHoldAndKeepTheirPlaces) {
   const auto free = fleet.guide().may_join({.agent = 3, .position = stands});
   ASSERT_TRUE(free);
   EXPECT_TRUE(free->touches.empty());
+  // What was sent to it may still come; not once it has promised to take nothing of that.
+  EXPECT_FALSE(fleet.guide().join({.agent = 1, .position = stands}));
+  fleet.follower(1).lose();
+  const std::uint32_t promised = fleet.follower(1).stored().promised;
+  const auto anew = fleet.guide().join({.agent = 1, .position = stands, .promised = promised});
+  ASSERT_TRUE(anew) << anew.error().message;
+  ASSERT_TRUE(anew->joined);
+  fleet.silent = [](AgentId, Tick) { return false; };
+  for (int k = 0; k < 3; ++k) fleet.step();
+  EXPECT_NE(fleet.follower(1).held(), 0U);
+  EXPECT_EQ(fleet.told(1).contract, Contract::kKept);
 }
 
 TEST(Guide, NamesOnlyTheOneThatIsNotWhereItShouldBe) {

@@ -76,7 +76,7 @@ TEST(Usage, AnArgumentTooManyIsNamed) {
   expect_usage_error(
       {"x", "y"},
       "'x' is nothing that beespace does; say detect, predict, replay, watch, "
-      "advise, simulate, verify, report, view, plot, export, generate, bench or help");
+      "advise, simulate, verify, fleet, report, view, plot, export, generate, bench or help");
 }
 
 TEST(Usage, AnOptionGivenTwiceWithoutItsValueOrAFlagWithOneIsRefused) {

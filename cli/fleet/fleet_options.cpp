@@ -1,0 +1,61 @@
+#include "cli/command_line/option_values.hpp"
+#include "cli/fleet/fleet_command.hpp"
+
+#include <memory>
+
+namespace beespace::cli {
+namespace {
+
+constexpr const char* kDescription = "Tell how far a fleet strays from what it was set to fly";
+
+constexpr const char* kDetails =
+    "Reads what was flown, and with --set what was set, as 'beespace replay' does; bees are the "
+    "same by\n"
+    "their ids. Compares each flown fix with the place that was set then, on straight lines "
+    "between\n"
+    "fixes, and tells of all bees the greatest and what 99.9 % do not exceed:\n"
+    "  deviation     how far it is from where it was set to be\n"
+    "  rate          how fast that changes, from fix to fix\n"
+    "  acceleration  how fast the rate changes\n"
+    "  lag           how much later than set they fly, and the deviation without that\n"
+    "Then the figures to plan with. Set and flown positions cannot tell how wrong the flown ones "
+    "are\n"
+    "themselves, nor what was wind and what was corrected; see docs/fleet-figures.md.\n"
+    "\n"
+    "Examples:\n"
+    "  beespace fleet flown.csv --set set.csv\n"
+    "  beespace fleet log.csv --set log.csv --set-columns x=set_x,y=set_y,z=set_z --json\n"
+    "\n"
+    "Exit status: 0 done, 2 wrong usage, 3 bad input, 4 cannot open, read or write, 130 "
+    "interrupted,\n"
+    "143 terminated, 141 closed pipe.";
+
+Status settle_fleet(FleetRequest& request) {
+  if (Status settled = settle(request.moving, "fleet"); !settled) return settled;
+  if (!request.set.empty()) return std::monostate{};
+  return usage_error("fleet", "--set is missing; give the file of what was set to be flown");
+}
+
+}  // namespace
+
+Command fleet_command() {
+  const auto request = std::make_shared<FleetRequest>();
+  MovingRequest& moving = request->moving;
+  Command fleet("fleet", kDescription, kDetails, [request](const Command&) -> Result<ExitCode> {
+    return settle_fleet(*request).and_then([&] { return run_fleet(*request); });
+  });
+  fleet.arguments("FILES", moving.inputs,
+                  "Files and folders of what was flown (default, or -:\nstandard input)");
+  add_input_options(fleet, moving);
+  fleet.group("Compare");
+  fleet.option("--set", "FILE", request->set, "What was set to be flown");
+  fleet.option("--set-columns", "LIST", request->set_columns,
+               "Its columns, as of --columns: x=set_x,y=set_y,z=set_z");
+  add_max_gap_option(fleet, request->max_gap_s);
+  fleet.group("Output");
+  fleet.flag("--json", moving.json, "One JSON document with everything in it");
+  add_quiet_option(fleet, moving.quiet);
+  return fleet;
+}
+
+}  // namespace beespace::cli
