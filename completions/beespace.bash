@@ -85,9 +85,11 @@ _beespace() {
       case $previous in
         --acceleration) values='none' ;;
         --method) values='certified orca mvp none' ;;
-        --obstacles | -o | --output) files=yes ;;
-        --bees | --spacing | --seed | --speed | --step | --steps | --threshold | --clearance | --threads) return ;;
-        *) options='--bees --spacing --seed --speed --acceleration --step --steps --threshold --method --obstacles --clearance --threads --output --json --fail-on-risk --quiet --help --version' values='random-swap sphere-swap crossing-streams funnel pillars head-on density-sweep' files=yes ;;
+        --noise-kind) values='uniform adversarial' ;;
+        --loop) values='onboard ground' ;;
+        --obstacles | --nominal | -o | --output) files=yes ;;
+        --bees | --spacing | --seed | --speed | --step | --steps | --threshold | --clearance | --threads | --noise | --gust | --drift | --latency | --loss | --loss-run | --clock-error | --weak | --silent | --joins | --intruders | --radius | --reserve | --command-delay | --shape | --fence) return ;;
+        *) options='--bees --spacing --seed --speed --acceleration --step --steps --threshold --method --obstacles --clearance --threads --noise --noise-kind --gust --drift --latency --loss --loss-run --clock-error --weak --silent --joins --intruders --radius --loop --reserve --command-delay --shape --fence --plane --nominal --output --json --fail-on-risk --quiet --help --version' values='random-swap sphere-swap crossing-streams funnel pillars head-on density-sweep' files=yes ;;
       esac
       ;;
     verify)

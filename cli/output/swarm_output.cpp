@@ -188,22 +188,31 @@ FlightWriter::FlightWriter(io::AtomicOutput& output, SwarmFormat format,
 void FlightWriter::add(double time_s, const std::vector<Mover>& movers) {
   std::string time;
   io::append_exact(time, time_s);
-  for (std::size_t bee = 0; bee < movers.size(); ++bee) {
-    const auto& [position, velocity] = movers[bee];
-    table_.next() += time;
-    if (ids_.empty()) {
-      table_.field(bee);
-    } else {
-      table_.next() += ids_[bee];
-    }
-    if (with_velocities_) {
-      write_motion(table_, position, velocity);
-    } else {
-      write_axes(table_, position.x, position.y, position.z);
-      table_.end_row();
-    }
-    write_full(text_, output_);
+  for (std::size_t bee = 0; bee < movers.size(); ++bee) add_one(time, bee, movers[bee]);
+}
+
+void FlightWriter::add(double time_s, const std::vector<Mover>& movers,
+                       std::span<const std::size_t> who) {
+  std::string time;
+  io::append_exact(time, time_s);
+  for (std::size_t k = 0; k < movers.size(); ++k) add_one(time, who[k], movers[k]);
+}
+
+void FlightWriter::add_one(const std::string& time, std::size_t bee, const Mover& mover) {
+  const auto& [position, velocity] = mover;
+  table_.next() += time;
+  if (ids_.empty()) {
+    table_.field(bee);
+  } else {
+    table_.next() += ids_[bee];
   }
+  if (with_velocities_) {
+    write_motion(table_, position, velocity);
+  } else {
+    write_axes(table_, position.x, position.y, position.z);
+    table_.end_row();
+  }
+  write_full(text_, output_);
 }
 
 Status FlightWriter::finish() {

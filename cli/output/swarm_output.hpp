@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -61,10 +62,14 @@ class FlightWriter {
                bool with_velocities);
 
   void add(double time_s, const std::vector<Mover>& movers);
+  // The same of some: `who` has the number of each.
+  void add(double time_s, const std::vector<Mover>& movers, std::span<const std::size_t> who);
   // Commits the output. Errors: kWriteFailed.
   Status finish();
 
  private:
+  void add_one(const std::string& time, std::size_t bee, const Mover& mover);
+
   io::AtomicOutput& output_;
   bool with_velocities_;
   std::vector<std::string> ids_;  // as fields

@@ -2,6 +2,7 @@
 #include "cli/console/standard_output.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/output/output_file.hpp"
+#include "cli/simulate/fleet_flight.hpp"
 #include "cli/simulate/simulate_json.hpp"
 #include "cli/simulate/simulate_mission.hpp"
 #include "cli/simulate/simulate_request.hpp"
@@ -30,6 +31,17 @@ Result<ExitCode> simulate(const SimulateRequest& request) {
   ProgressBar progress(!request.quiet);
   auto mission = mission_to_fly(request);
   if (!mission) return std::move(mission).error();
+  if (request.has_fleet) {
+    std::optional<io::AtomicOutput> nominal;
+    if (!request.nominal.empty()) {
+      auto opened = open_output("simulate", request.nominal, {request.output},
+                                request.nominal_format.packing());
+      if (!opened) return std::move(opened).error();
+      nominal.emplace(std::move(opened).value());
+    }
+    return fly_fleet(request, std::move(mission).value(), output ? &*output : nullptr,
+                     nominal ? &*nominal : nullptr);
+  }
   SimulatedFlight flight(request, std::move(mission).value(), output ? &*output : nullptr);
   const Status flown = flight.fly(progress);
   if (!flown && output && output->pipe_closed()) return ExitCode::kPipeClosed;

@@ -1,6 +1,7 @@
 #include "cli/command_line/option_values.hpp"
 #include "cli/input/moving_options.hpp"
 #include "cli/output/output_form.hpp"
+#include "cli/simulate/fleet_options.hpp"
 #include "cli/simulate/simulate_command.hpp"
 #include "cli/simulate/simulate_request.hpp"
 #include "cli/simulate/simulate_scenarios.hpp"
@@ -132,7 +133,7 @@ Status check_fit(const Command& command, const SimulateRequest& request) {
     return simulate_error("the mission and --obstacles cannot both be standard input");
   }
   if (command.is_given("--clearance") && request.obstacles.empty() &&
-      request.scenario != kPillars) {
+      request.scenario != kPillars && request.fleet.fences.empty()) {
     return simulate_error("--clearance is of obstacles, and there are none; add --obstacles");
   }
   const auto none_of = [&](std::initializer_list<const char*> options,
@@ -191,6 +192,12 @@ Status settle(const Command& command, SimulateRequest& request) {
                           " is not above the threshold of " + io::exact(threshold_m) +
                           " m; bees would begin too close to each other");
   }
+  const auto has_fleet = settle_fleet(command, request);
+  if (!has_fleet) return has_fleet.error();
+  request.has_fleet = *has_fleet;
+  const auto nominal_format = format_of(request.nominal);
+  if (!nominal_format) return nominal_format.error();
+  request.nominal_format = *nominal_format;
   return format_of(request.output).transform([&](const SwarmFormat& format) {
     request.format = format;
   });
@@ -215,6 +222,7 @@ Command simulate_command() {
              ", and no file (which would have a '.' or '/' in its name)");
   add_flight_options(simulate, *request);
   add_prevention_options(simulate, *request);
+  add_fleet_options(simulate, *request);
   add_output_options(simulate, *request);
   return simulate;
 }

@@ -4,6 +4,7 @@
 #include "cli/console/exit_code.hpp"
 #include "cli/output/swarm_output.hpp"
 #include "sim/closed_loop.hpp"
+#include "sim/fleet_options.hpp"
 
 #include <beespace/result.hpp>
 
@@ -28,6 +29,16 @@ struct SimulateRequest {
   std::uint64_t most_steps = 1000;
   std::string output;  // empty: the recording is not written
   SwarmFormat format;
+  // Flown by commands, its truth apart; where it is not, the rest is not used.
+  bool has_fleet = false;
+  sim::FleetOptions fleet;
+  double noise_m = 0.05;
+  std::uint64_t latency = 0;
+  std::uint64_t longest_loss = 8;
+  std::uint64_t command_delay = 2;
+  std::uint64_t intruders = 0;
+  std::string nominal;  // empty: the nominal flight is not written
+  SwarmFormat nominal_format;
   bool json = false;
   bool fail_on_risk = false;
   bool quiet = false;

@@ -113,7 +113,12 @@ Status Guide::State::take(const AgentReport& report) {
                  report.agent);
   }
   if (report.held == 0) {
-    if (!member->branches.awaits_root()) member->monitor.name(ContractReason::kNoBranch);
+    // Made before it took its root, and come later: old news.
+    const bool is_old = (member->taken.number != 0 && report.tick <= member->taken.tick) ||
+                        (member->last && report.tick <= member->last->tick);
+    if (!member->branches.awaits_root() && !is_old) {
+      member->monitor.name(ContractReason::kNoBranch);
+    }
     return std::monostate{};
   }
   if (!member->branches.knows(report.held)) {
