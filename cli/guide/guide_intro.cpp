@@ -34,6 +34,11 @@ std::string guide_intro(const GuideRequest& request, const Tube& tube, std::uint
   append_summary_line(out, "tube",
                       io::length(tube.radius_m) + " around the nominal path (of it " +
                           io::length(tube.clock_m) + " for clocks)");
+  if (!(tube.radius_m > 0.0)) {
+    append_summary_line(out, "note",
+                        "no error, deviation or reserve is given: agents are taken to be exactly "
+                        "where they are told to be");
+  }
   append_summary_line(out, "threshold",
                       exact(options.threshold_m) + " m between true positions" +
                           shape_text(request) + "; nominal paths keep " +

@@ -45,11 +45,12 @@ constexpr const char* kDetails =
     "each (see docs/fleet-messages.md).\n"
     "\n"
     "Examples:\n"
-    "  beespace guide --threshold 5 --deviation 0.5 --sensing-error 0.1 \\\n"
-    "    --correction-acceleration 1 --correction-speed 2 --store fleet.ndjson\n"
-    "  beespace guide --threshold 5 --loop ground --report-error 0.25 --report-age 0.1 \\\n"
-    "    --deviation 0.1 --correction-acceleration 1 --correction-speed 2\n"
-    "  beespace guide --threshold 2 --plane --ticks-from-input < messages.ndjson\n"
+    "  beespace guide --threshold 5 --max-speed 10 --max-acceleration 5 --deviation 0.5 \\\n"
+    "    --sensing-error 0.1 --correction-acceleration 1 --correction-speed 2 --store fleet.ndjson\n"
+    "  beespace guide --threshold 5 --max-speed 10 --max-acceleration 5 --loop ground \\\n"
+    "    --report-error 0.25 --report-age 0.1 --deviation 0.1 --correction-acceleration 1 --correction-speed 2\n"
+    "  beespace guide --threshold 2 --max-speed 1.5 --max-acceleration 2 --plane \\\n"
+    "    --ticks-from-input < messages.ndjson\n"
     "\n"
     "Exit status: 0 fine, 2 wrong usage or figures that contradict each other, 3 bad input, 4 "
     "cannot open,\n"
@@ -66,7 +67,8 @@ void add_separation_options(Command& guide, GuideRequest& request) {
   GuideOptions& options = request.options;
   guide.group("Separation");
   guide.option("--threshold", "LENGTH", options.threshold_m, read_threshold_in_motion,
-               "True positions closer than this are too close\n(default: 5)");
+               "True positions closer than this are too close")
+      .required = true;
   guide.option("--shape", "sphere|ellipsoid:FACTOR|cylinder:HEIGHT", options.separation, read_shape,
                "What must stay free: a sphere, one stretched in\nheight, or closer in height than "
                "this too");
@@ -84,9 +86,11 @@ void add_flight_options(Command& guide, Asked& asked) {
   GuideOptions& options = asked.request.options;
   guide.group("Fleet");
   guide.option("--max-speed", "SPEED", options.limits.max_speed_mps, read_speed,
-               "The greatest of an agent, in m/s (default: 10)");
+               "The greatest of an agent, in m/s")
+      .required = true;
   guide.option("--max-acceleration", "A", options.limits.max_acceleration_mps2,
-               amount("metres per second squared", kAboveZero), "The same in m/s^2 (default: 5)");
+               amount("metres per second squared", kAboveZero), "The same in m/s^2")
+      .required = true;
   guide.option("--period", "SECONDS", options.link.period_s, read_span, "A tick (default: 0.1)");
   guide.option("--command-delay", "TICKS", asked.command_delay, whole(1, 32),
                "After so many ticks a command takes effect; it must\nbe there before (default: 1)");

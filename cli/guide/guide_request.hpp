@@ -16,7 +16,7 @@ namespace beespace::cli {
 enum class StatusLines : std::uint8_t { kChanges, kAll, kNone };
 
 struct GuideRequest {
-  GuideOptions options{.threshold_m = 5.0, .clearance_m = 1.0};  // without what refers to others
+  GuideOptions options{.clearance_m = 1.0};  // without what refers to others
   std::vector<Fence> fences;
   std::string obstacles;  // a file; empty: none
   std::string store;      // a file; empty: nothing is remembered

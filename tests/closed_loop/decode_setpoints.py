@@ -43,8 +43,9 @@ def flown(command, options):
         lines.append({"event": "tick", "tick": tick})
         # It stays where it began: what matters is what it is told.
         lines.append({"event": "measured", "id": 7, "tick": tick, "position": START})
-    run = subprocess.run([command, "guide", "--threshold", "2", "--ticks-from-input", "--format",
-                          "mavlink", "--quiet", *options], check=True, capture_output=True,
+    run = subprocess.run([command, "guide", "--threshold", "2", "--max-speed", "10",
+                          "--max-acceleration", "5", "--ticks-from-input", "--format", "mavlink",
+                          "--quiet", *options], check=True, capture_output=True,
                          input="\n".join(map(json.dumps, lines)).encode())
     return run.stdout
 

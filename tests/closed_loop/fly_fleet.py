@@ -152,6 +152,7 @@ class Fleet:
     def start_guide(self):
         o = self.options
         words = [o.command, "guide", "--threshold", str(THRESHOLD_M), "--period", str(PERIOD_S)]
+        words += ["--max-speed", "10", "--max-acceleration", "5"]
         words += ["--command-delay", str(o.command_delay), "--longest-loss", str(o.longest_loss)]
         words += ["--report-age", str((o.most_delay + 2) * PERIOD_S)]
         words += ["--deviation", "0.2", "--sensing-error", "0.05", "--report-error", "0.05"]

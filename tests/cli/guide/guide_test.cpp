@@ -11,7 +11,8 @@ namespace beespace::cli_test {
 namespace {
 
 Finished guide(const std::string& input, const Arguments& more = {}) {
-  Arguments arguments = {"guide", "--threshold", "2", "--ticks-from-input"};
+  Arguments arguments = {"guide", "--threshold",        "2", "--max-speed",
+                         "10",    "--max-acceleration", "5", "--ticks-from-input"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return run(arguments, input);
 }
