@@ -23,7 +23,7 @@ _beespace() {
   fi
 
   if [ "$COMP_CWORD" -eq 1 ]; then
-    _beespace_offer -W 'detect predict replay watch advise simulate verify fleet report view plot export generate bench help --help --version' -- "$current"
+    _beespace_offer -W 'detect predict replay watch advise guide follow simulate verify fleet report view plot export generate bench help --help --version' -- "$current"
     return
   fi
 
@@ -79,6 +79,24 @@ _beespace() {
         --obstacles | --intruders | -o | --output) files=yes ;;
         --speed | --step | --threshold | --uncertainty | --clearance | --intruder-horizon | --threads) return ;;
         *) options='--speed --acceleration --step --threshold --uncertainty --obstacles --clearance --intruders --intruder-horizon --method --threads --output --json --fail-on-risk --quiet --help --version' files=yes ;;
+      esac
+      ;;
+    guide)
+      case $previous in
+        --shape) values='sphere' ;;
+        --loop) values='onboard ground' ;;
+        --format) values='ndjson mavlink' ;;
+        --status) values='changes all none' ;;
+        --obstacles | --store | --log) files=yes ;;
+        --threshold | --fence | --clearance | --max-speed | --max-acceleration | --period | --command-delay | --longest-loss | --report-error | --report-age | --sensing-error | --loop-period | --loop-delay | --deviation | --clock-error | --correction-acceleration | --correction-speed | --epoch | --threads) return ;;
+        *) options='--threshold --shape --obstacles --fence --clearance --plane --max-speed --max-acceleration --period --command-delay --longest-loss --loop --report-error --report-age --sensing-error --loop-period --loop-delay --deviation --clock-error --correction-acceleration --correction-speed --store --epoch --ticks-from-input --threads --format --log --status --quiet --help --version' ;;
+      esac
+      ;;
+    follow)
+      case $previous in
+        --store) files=yes ;;
+        --agent | --planned-speed | --planned-acceleration | --period | --radius | --start | --report-every) return ;;
+        *) options='--agent --planned-speed --planned-acceleration --period --radius --start --store --ticks-from-input --simulated --report-every --setpoints --quiet --help --version' ;;
       esac
       ;;
     simulate)
@@ -175,7 +193,7 @@ _beespace() {
         *) options='--points --threads --json --quiet --help --version' ;;
       esac
       ;;
-    help) values='detect predict replay watch advise simulate verify fleet report view plot export generate bench' ;;
+    help) values='detect predict replay watch advise guide follow simulate verify fleet report view plot export generate bench' ;;
   esac
 
   case $current in

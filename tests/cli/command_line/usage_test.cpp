@@ -73,10 +73,10 @@ TEST(Usage, OfAnUnknownOptionAndItsValueTheOptionIsNamed) {
 
 TEST(Usage, AnArgumentTooManyIsNamed) {
   expect_usage_error({"detect", "a", "b"}, "'b' is one argument too many for 'beespace detect'");
-  expect_usage_error(
-      {"x", "y"},
-      "'x' is nothing that beespace does; say detect, predict, replay, watch, "
-      "advise, simulate, verify, fleet, report, view, plot, export, generate, bench or help");
+  expect_usage_error({"x", "y"},
+                     "'x' is nothing that beespace does; say detect, predict, replay, watch, "
+                     "advise, guide, follow, simulate, verify, fleet, report, view, plot, export, "
+                     "generate, bench or help");
 }
 
 TEST(Usage, AnOptionGivenTwiceWithoutItsValueOrAFlagWithOneIsRefused) {
@@ -150,9 +150,10 @@ TEST(Usage, AFileMayBeCalledAsACommandIs) {
 }
 
 TEST(Usage, ACommandIsNeeded) {
-  expect_usage_error({},
-                     "say what to do: detect, predict, replay, watch, advise, simulate, verify, "
-                     "report, view, plot, export, generate, bench or help (see");
+  expect_usage_error(
+      {},
+      "say what to do: detect, predict, replay, watch, advise, guide, follow, simulate, verify, "
+      "fleet, report, view, plot, export, generate, bench or help (see");
 }
 
 TEST(Usage, AnswersExcludeEachOther) {
