@@ -57,14 +57,13 @@ constexpr const char* kExamples =
 
 ExitCode run(int argc, char** argv) {
   handle_signals();
-  Program beespace{
-      "beespace",
-      kDescription,
-      kExamples,
-      {detect_command(), predict_command(), replay_command(), watch_command(), advise_command(),
-       guide_command(), follow_command(), simulate_command(), verify_command(), fleet_command(),
-       report_command(), view_command(), plot_command(), export_command(), generate_command(),
-       bench_command()}};
+  Program beespace{"beespace",
+                   kDescription,
+                   kExamples,
+                   {detect_command(), predict_command(), replay_command(), watch_command(),
+                    advise_command(), guide_command(), follow_command(), simulate_command(),
+                    verify_command(), fleet_command(), report_command(), view_command(),
+                    plot_command(), export_command(), generate_command(), bench_command()}};
   // For scripts/write-completions; no help names it.
   if (argc == 3 && std::string_view(argv[1]) == "--write-completions") {
     if (const auto text = completions_for(argv[2], beespace.commands)) return print(*text);

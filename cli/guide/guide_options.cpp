@@ -46,9 +46,11 @@ constexpr const char* kDetails =
     "\n"
     "Examples:\n"
     "  beespace guide --threshold 5 --max-speed 10 --max-acceleration 5 --deviation 0.5 \\\n"
-    "    --sensing-error 0.1 --correction-acceleration 1 --correction-speed 2 --store fleet.ndjson\n"
+    "    --sensing-error 0.1 --correction-acceleration 1 --correction-speed 2 --store "
+    "fleet.ndjson\n"
     "  beespace guide --threshold 5 --max-speed 10 --max-acceleration 5 --loop ground \\\n"
-    "    --report-error 0.25 --report-age 0.1 --deviation 0.1 --correction-acceleration 1 --correction-speed 2\n"
+    "    --report-error 0.25 --report-age 0.1 --deviation 0.1 --correction-acceleration 1 "
+    "--correction-speed 2\n"
     "  beespace guide --threshold 2 --max-speed 1.5 --max-acceleration 2 --plane \\\n"
     "    --ticks-from-input < messages.ndjson\n"
     "\n"
@@ -66,8 +68,9 @@ struct Asked {
 void add_separation_options(Command& guide, GuideRequest& request) {
   GuideOptions& options = request.options;
   guide.group("Separation");
-  guide.option("--threshold", "LENGTH", options.threshold_m, read_threshold_in_motion,
-               "True positions closer than this are too close")
+  guide
+      .option("--threshold", "LENGTH", options.threshold_m, read_threshold_in_motion,
+              "True positions closer than this are too close")
       .required = true;
   guide.option("--shape", "sphere|ellipsoid:FACTOR|cylinder:HEIGHT", options.separation, read_shape,
                "What must stay free: a sphere, one stretched in\nheight, or closer in height than "
@@ -85,11 +88,13 @@ void add_separation_options(Command& guide, GuideRequest& request) {
 void add_flight_options(Command& guide, Asked& asked) {
   GuideOptions& options = asked.request.options;
   guide.group("Fleet");
-  guide.option("--max-speed", "SPEED", options.limits.max_speed_mps, read_speed,
-               "The greatest of an agent, in m/s")
+  guide
+      .option("--max-speed", "SPEED", options.limits.max_speed_mps, read_speed,
+              "The greatest of an agent, in m/s")
       .required = true;
-  guide.option("--max-acceleration", "A", options.limits.max_acceleration_mps2,
-               amount("metres per second squared", kAboveZero), "The same in m/s^2")
+  guide
+      .option("--max-acceleration", "A", options.limits.max_acceleration_mps2,
+              amount("metres per second squared", kAboveZero), "The same in m/s^2")
       .required = true;
   guide.option("--period", "SECONDS", options.link.period_s, read_span, "A tick (default: 0.1)");
   guide.option("--command-delay", "TICKS", asked.command_delay, whole(1, 32),
