@@ -9,10 +9,13 @@
 #include "io/json/json_writer.hpp"
 #include "io/load_recording.hpp"
 
+#include <beespace/version.hpp>
+
 #include <cmath>
 #include <cstddef>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -73,8 +76,8 @@ std::string line_of(const char* name, const Extreme& extreme, const char* unit) 
 }
 
 // Rounded up to the millimetre: it is a bound.
-std::string rounded_up(double value) {
-  return io::grouped(std::ceil(value * 1e3) / 1e3, 3);
+double up(double value) {
+  return std::ceil(value * 1e3) / 1e3;
 }
 
 std::string text_of(const Compared& compared) {
@@ -94,10 +97,22 @@ std::string text_of(const Compared& compared) {
   } else {
     text += "lag           none that could be told\n";
   }
-  return text + "to plan with  sensing_error_m = " + rounded_up(figures.deviation_m.greatest) +
-         ", deviation_mps = 0, correction_mps = " + rounded_up(figures.rate_mps.greatest) +
+  return text +
+         "to plan with  sensing_error_m = " + io::grouped(up(figures.deviation_m.greatest), 3) +
+         ", deviation_mps = 0, correction_mps = " + io::grouped(up(figures.rate_mps.greatest), 3) +
          "\nNot told: how wrong flown positions are themselves. Add that to sensing_error_m and "
          "report_error_m.\n";
+}
+
+// Of what was set other columns are chosen by another option.
+Error in_words_of_set(Error error) {
+  constexpr std::string_view kColumns = "--columns";
+  constexpr std::string_view kSetColumns = "--set-columns";
+  for (std::size_t at = error.message.find(kColumns); at != std::string::npos;
+       at = error.message.find(kColumns, at + kSetColumns.size())) {
+    error.message.replace(at, kColumns.size(), kSetColumns);
+  }
+  return error;
 }
 
 void write_extreme(io::JsonWriter& json, const char* name, const Extreme& extreme) {
@@ -111,6 +126,7 @@ std::string json_of(const Compared& compared) {
   {
     io::JsonWriter json(text, io::JsonLayout::kLines);
     json.begin_object(io::JsonLayout::kLines);
+    json.member("version", version()).member("command", "fleet");
     json.member("bees", std::uint64_t{compared.bees});
     json.member("only_one", std::uint64_t{compared.only_one});
     json.member("fixes", figures.fixes).member("not_set", figures.not_set);
@@ -119,6 +135,9 @@ std::string json_of(const Compared& compared) {
     write_extreme(json, "acceleration_mps2", figures.acceleration_mps2);
     json.member("lag_s", figures.lag_s);
     write_extreme(json, "without_lag_m", figures.without_lag_m);
+    json.begin_object("plan").member("sensing_error_m", up(figures.deviation_m.greatest));
+    json.member("deviation_mps", 0.0);
+    json.member("correction_mps", up(figures.rate_mps.greatest)).end();
     json.end();
   }
   return text + '\n';
@@ -132,7 +151,7 @@ Result<ExitCode> run_fleet(const FleetRequest& request) {
   io::RecordingOptions load = request.moving.load;
   if (!request.set_columns.empty()) load.columns = request.set_columns;
   const auto set = io::load_recording({request.set}, load);
-  if (!set) return set.error();
+  if (!set) return in_words_of_set(set.error());
   const analysis::MaxGap max_gap = analysis::max_gap_of(*set, request.max_gap_s);
   const auto compared = compare(*flown, *set, max_gap.seconds);
   if (!compared) return compared.error();

@@ -1,7 +1,12 @@
 #include "cli/command_line/option_values.hpp"
 #include "cli/fleet/fleet_command.hpp"
 
+#include <algorithm>
+#include <filesystem>
 #include <memory>
+#include <string>
+#include <system_error>
+#include <vector>
 
 namespace beespace::cli {
 namespace {
@@ -30,10 +35,30 @@ constexpr const char* kDetails =
     "interrupted,\n"
     "143 terminated, 141 closed pipe.";
 
+bool is_same_file(const std::string& a, const std::string& b) {
+  std::error_code problem;
+  return a == b || (std::filesystem::equivalent(a, b, problem) && !problem);
+}
+
 Status settle_fleet(FleetRequest& request) {
   if (Status settled = settle(request.moving, "fleet"); !settled) return settled;
-  if (!request.set.empty()) return std::monostate{};
-  return usage_error("fleet", "--set is missing; give the file of what was set to be flown");
+  if (request.set.empty()) {
+    return usage_error("fleet", "--set is missing; give the file of what was set to be flown");
+  }
+  const std::vector<std::string>& flown = request.moving.inputs;
+  if (request.set == "-" && std::count(flown.begin(), flown.end(), "-") > 0) {
+    return usage_error("fleet", "standard input can be read once; give --set a file");
+  }
+  const bool alike =
+      request.set_columns.empty() || request.set_columns == request.moving.load.columns;
+  if (alike && std::any_of(flown.begin(), flown.end(), [&](const std::string& one) {
+        return is_same_file(one, request.set);
+      })) {
+    return usage_error("fleet",
+                       "flown and set are the same columns; name those of what was set with "
+                       "--set-columns");
+  }
+  return std::monostate{};
 }
 
 }  // namespace

@@ -58,7 +58,8 @@ void add_agent_options(Command& follow, FollowRequest& request) {
       .option("--planned-acceleration", "A", request.planned.max_acceleration_mps2,
               amount("metres per second squared", kAboveZero), "The same in m/s^2: so it brakes")
       .required = true;
-  follow.option("--period", "SECONDS", request.period_s, read_span, "A tick (default: 0.1)");
+  follow.option("--period", "SECONDS", request.period_s, read_span,
+                "A tick, in seconds, without a unit (default: 0.1)");
   follow.option("--radius", "LENGTH", request.radius_m, length_from(0.0),
                 "Its own radius (default: 0)");
   follow.option("--start", "X,Y,Z", request.start, read_point,

@@ -22,6 +22,11 @@ Result<Following> Following::begin(const FollowRequest& request) {
   auto follower = Follower::make(kSelf, request.planned, request.period_s);
   if (!follower) return std::move(follower).error();
   Following following(request, *follower);
+  if (!request.store.empty()) {
+    auto lock = io::FileLock::take(request.store, "'beespace follow'");
+    if (!lock) return std::move(lock).error();
+    following.lock_ = *std::move(lock);
+  }
   if (Status loaded = following.load(); !loaded) return std::move(loaded).error();
   return following;
 }
@@ -34,13 +39,12 @@ Status Following::load() {
   if (!*text) return std::monostate{};
   io::FleetReader reader({}, request_.store);
   const auto message = reader.take(**text);
-  if (!message) return message.error();
   const auto* const adopt =
-      *message ? std::get_if<io::AdoptMessage>(&(**message).content) : nullptr;
+      message && *message ? std::get_if<io::AdoptMessage>(&(**message).content) : nullptr;
   if (adopt == nullptr || (**message).id != request_.agent) {
     return Error{ErrorCode::kMalformedRecord,
-                 "this file does not hold what agent '" + request_.agent +
-                     "' stored; name its own file, or one that is not there yet",
+                 "this file is damaged, or not what agent '" + request_.agent +
+                     "' stored; land it, remove the file, and let it join anew",
                  {.source = request_.store}};
   }
   if (adopt->period_s != request_.period_s ||

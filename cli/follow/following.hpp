@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cli/follow/follow_request.hpp"
+#include "io/bytes/file_lock.hpp"
 #include "io/fleet/fleet_message.hpp"
 
 #include <beespace/follower.hpp>
@@ -16,8 +17,8 @@ namespace beespace::cli {
 
 class Following {
  public:
-  // Goes on with what was stored, where there is something. Errors: limits that make no sense; of
-  // the store.
+  // Goes on with what was stored, where there is something. The store is its own until it goes.
+  // Errors: limits that make no sense; of the store.
   static Result<Following> begin(const FollowRequest& request);
 
   // Appends what there is to say. Errors: of the store; then nothing was said.
@@ -47,6 +48,7 @@ class Following {
   void tell_setpoint(std::string& out) const;
   void say(std::string& out, const io::FleetContent& content) const;
 
+  io::FileLock lock_;  // of the store
   FollowRequest request_;
   Follower follower_;
   std::optional<Point> at_;        // as it was measured last

@@ -98,6 +98,7 @@ class GuideRun {
     const auto message = reader_.take(line);
     std::string lines;
     if (!message) {
+      if (reader_.bad_intruders()) fleet_.lose_intruders();
       refuse(message.error(), reader_.bad_id(), lines);
     } else if (*message) {
       if (const auto* tick = std::get_if<io::TickMessage>(&(**message).content)) {

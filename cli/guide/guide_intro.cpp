@@ -23,6 +23,12 @@ std::string limits_text(const FlightLimits& limits) {
   return exact(limits.max_speed_mps) + " m/s, " + exact(limits.max_acceleration_mps2) + " m/s^2";
 }
 
+// Of a loop on board the error of reports is none of the position that it flies by.
+const char* error_word(const FleetFigures& figures) {
+  const bool reports = figures.loop == LoopPlace::kOnboard && figures.report_error_m > 0.0;
+  return reports ? "sensing" : "position";
+}
+
 }  // namespace
 
 std::string guide_intro(const GuideRequest& request, const Tube& tube, std::uint32_t epoch,
@@ -36,13 +42,14 @@ std::string guide_intro(const GuideRequest& request, const Tube& tube, std::uint
                           io::length(tube.clock_m) + " for clocks)");
   if (!(tube.radius_m > 0.0)) {
     append_summary_line(out, "note",
-                        "no error, deviation or reserve is given: agents are taken to be exactly "
-                        "where they are told to be");
+                        std::string("no ") + error_word(options.figures) +
+                            " error, deviation or clock error is given: agents are "
+                            "taken to be exactly where they are told to be");
   }
   append_summary_line(out, "threshold",
                       exact(options.threshold_m) + " m between true positions" +
                           shape_text(request) + "; nominal paths keep " +
-                          exact(options.threshold_m + 2.0 * tube.radius_m) + " m");
+                          io::length(options.threshold_m + 2.0 * tube.radius_m));
   append_summary_line(out, "planned",
                       limits_text(tube.planned) + " (of " + limits_text(options.limits) + ")");
   append_summary_line(out, "tick",
@@ -50,7 +57,7 @@ std::string guide_intro(const GuideRequest& request, const Tube& tube, std::uint
                           std::to_string(options.link.command_delay));
   append_summary_line(out, "epoch", std::to_string(epoch));
   if (missing > 0) {
-    append_summary_line(out, "to be found",
+    append_summary_line(out, "missing",
                         io::counted(missing, "agent", "agents") +
                             " of the planner before; none is certified until "
                             "all have been heard of, or left");

@@ -19,8 +19,9 @@ constexpr const char* kDescription =
 
 constexpr const char* kDetails =
     "The planner's side. Reads messages, an object of JSON a line, from standard input: join, "
-    "leave, goal,\n"
-    "preferred, report, ack, intruders, adopt, expect. Writes, each tick: commands for agents, and "
+    "may_join, leave,\n"
+    "goal, preferred, report, ack, intruders, adopt, expect, tick. Writes, each tick: commands for "
+    "agents, and "
     "for\n"
     "those who watch status, pair, near_obstacle, near_fence, intruder_conflict and ticked. What "
     "every\n"
@@ -72,9 +73,10 @@ void add_separation_options(Command& guide, GuideRequest& request) {
       .option("--threshold", "LENGTH", options.threshold_m, read_threshold_in_motion,
               "True positions closer than this are too close")
       .required = true;
-  guide.option("--shape", "sphere|ellipsoid:FACTOR|cylinder:HEIGHT", options.separation, read_shape,
-               "What must stay free: a sphere, one stretched in\nheight, or closer in height than "
-               "this too");
+  guide.option(
+      "--shape", "sphere|ellipsoid:FACTOR|cylinder:HALF_HEIGHT", options.separation, read_shape,
+      "What must stay free: a sphere, one stretched in\nheight, or a cylinder: too close is "
+      "who is closer\nhorizontally than the threshold, and in height\nthan this");
   guide.option("--obstacles", "FILE", request.obstacles,
                "What stands in the way: JSON, as of simulate");
   guide.option("--fence", "NX,NY,NZ,OFFSET[;...]|FILE", request.fences, read_fences,
@@ -96,7 +98,8 @@ void add_flight_options(Command& guide, Asked& asked) {
       .option("--max-acceleration", "A", options.limits.max_acceleration_mps2,
               amount("metres per second squared", kAboveZero), "The same in m/s^2")
       .required = true;
-  guide.option("--period", "SECONDS", options.link.period_s, read_span, "A tick (default: 0.1)");
+  guide.option("--period", "SECONDS", options.link.period_s, read_span,
+               "A tick, in seconds, without a unit (default: 0.1)");
   guide.option("--command-delay", "TICKS", asked.command_delay, whole(1, 32),
                "After so many ticks a command takes effect; it must\nbe there before (default: 1)");
   guide.option("--longest-loss", "N", asked.longest_loss, whole(0, 1000),
@@ -156,8 +159,8 @@ void add_running_options(Command& guide, Asked& asked) {
                {{"changes", StatusLines::kChanges},
                 {"all", StatusLines::kAll},
                 {"none", StatusLines::kNone}},
-               "In each tick, of which agents there is a status:\nof those of which it has changed "
-               "(default), of all");
+               "In each tick, of which agents there is a status:\nof those whose contract or "
+               "certificates have\nchanged (default), of all, of none");
   add_quiet_option(guide, request.quiet);
 }
 
@@ -180,6 +183,13 @@ Status settle(const Command& command, Asked& asked) {
   }
   if (request.obstacles == "-") {
     return usage_error(kName, "--obstacles cannot be standard input, where the messages come");
+  }
+  if (request.options.figures.loop == LoopPlace::kGround) {
+    for (const char* const option : {"--sensing-error", "--loop-period", "--loop-delay"}) {
+      if (!command.is_given(option)) continue;
+      return usage_error(
+          kName, std::string(option) + " is of --loop onboard; on the ground give --report-error");
+    }
   }
   request.options.link.command_delay = static_cast<int>(asked.command_delay);
   request.options.link.longest_loss = static_cast<int>(asked.longest_loss);

@@ -6,9 +6,11 @@
 #include "io/problems/excerpt.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace beespace::cli {
 namespace {
@@ -22,10 +24,16 @@ std::optional<Fence> parse_fence(std::string_view text) {
   return Fence{{n[0] / length, n[1] / length, n[2] / length}, n[3] / length};
 }
 
-// Planes between `separator`s; what is no plane is kept as `wrong`. Comments begin with '#'.
-std::vector<Fence> parse_fences(std::string_view text, char separator, std::string& wrong) {
+// The first part that is no plane, and which part it is, from 1; 0: all are.
+struct WrongPlane {
+  std::string text;
+  std::uint64_t part = 0;
+};
+
+// Planes between `separator`s. Comments begin with '#'.
+std::vector<Fence> parse_fences(std::string_view text, char separator, WrongPlane& wrong) {
   std::vector<Fence> fences;
-  while (!text.empty()) {
+  for (std::uint64_t count = 1; !text.empty(); ++count) {
     const std::size_t end = text.find(separator);
     const std::string_view part = text.substr(0, end);
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
@@ -34,8 +42,8 @@ std::vector<Fence> parse_fences(std::string_view text, char separator, std::stri
     const auto fence = parse_fence(part.substr(0, part.find_last_not_of(" \t\r") + 1));
     if (fence) {
       fences.push_back(*fence);
-    } else if (wrong.empty()) {
-      wrong = part;
+    } else if (wrong.part == 0) {
+      wrong = {std::string(part), count};
     }
   }
   return fences;
@@ -49,29 +57,38 @@ Result<Separation> read_shape(const Typed& typed) {
   if (text == "sphere") return shape;
   const std::size_t colon = text.find(':');
   const std::string value = colon == std::string::npos ? "" : text.substr(colon + 1);
+  // Errors show all that was typed.
+  const auto in_full = [&](Result<Separation> read) {
+    if (read) return read;
+    Error error = std::move(read).error();
+    const std::string quoted = "'" + value + "'";
+    const std::size_t at = error.message.find(quoted);
+    if (at != std::string::npos) error.message.replace(at, quoted.size(), "'" + text + "'");
+    return Result<Separation>(std::move(error));
+  };
   const Typed number{typed.command, typed.option, value};
   if (text.starts_with("ellipsoid:")) {
     shape.shape = SeparationShape::kEllipsoid;
-    return amount("times", kAboveZero)(number).transform([&](double factor) {
+    return in_full(amount("times", kAboveZero)(number).transform([&](double factor) {
       shape.vertical_factor = factor;
       return shape;
-    });
+    }));
   }
   if (text.starts_with("cylinder:")) {
     shape.shape = SeparationShape::kCylinder;
-    return length_from(kLeastLength_m)(number).transform([&](double height_m) {
-      shape.vertical_m = height_m;
+    return in_full(length_from(kLeastLength_m)(number).transform([&](double half_height_m) {
+      shape.vertical_m = half_height_m;
       return shape;
-    });
+    }));
   }
   return usage_error(typed.command, std::string(typed.option) + " '" + text +
                                         "' is no shape; give sphere, ellipsoid:3 or cylinder:3");
 }
 
 Result<std::vector<Fence>> read_fences(const Typed& typed) {
-  std::string wrong;
+  WrongPlane wrong;
   std::vector<Fence> fences = parse_fences(typed.text, ';', wrong);
-  if (wrong.empty() && !fences.empty()) return fences;
+  if (wrong.part == 0 && !fences.empty()) return fences;
   constexpr std::size_t kMost = std::size_t{1} << 20;
   const auto file = io::read_small_file(typed.text, kMost);
   if (!file) return file.error();
@@ -80,14 +97,16 @@ Result<std::vector<Fence>> read_fences(const Typed& typed) {
                        std::string(typed.option) + " '" + typed.text +
                            "' is neither planes, as 0,0,1,10;0,0,-1,-120, nor a file");
   }
-  wrong.clear();
+  wrong = {};
   fences = parse_fences(**file, '\n', wrong);
-  if (wrong.empty() && !fences.empty()) return fences;
-  return Error{
-      ErrorCode::kMalformedRecord,
-      (wrong.empty() ? "there is no plane in this file" : io::excerpt(wrong) + " is no plane") +
-          "; give a direction inwards and an offset a line, as 0,0,1,10",
-      {.source = typed.text}};
+  if (wrong.part == 0 && !fences.empty()) return fences;
+  Error error{ErrorCode::kMalformedRecord,
+              (wrong.part == 0 ? "there is no plane in this file"
+                               : io::excerpt(wrong.text) + " is no plane") +
+                  "; give a direction inwards and an offset a line, as 0,0,1,10",
+              {.source = typed.text}};
+  if (wrong.part > 0) error.location.line = wrong.part;
+  return error;
 }
 
 }  // namespace beespace::cli

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <span>
 #include <utility>
 #include <variant>
 
@@ -22,6 +24,21 @@ Error refusal(std::string message) {
 bool same(const JoinRequest& a, const JoinRequest& b) {
   return a.position == b.position && a.radius_m == b.radius_m && a.figures == b.figures &&
          a.limits == b.limits;
+}
+
+// "branch 4294967297" of the Guide is "branch 1.1" in messages.
+std::string with_branch_texts(std::string_view text) {
+  constexpr std::string_view kBranch = "branch ";
+  std::string out;
+  for (std::size_t at = text.find(kBranch); at != std::string_view::npos; at = text.find(kBranch)) {
+    const std::size_t begin = at + kBranch.size();
+    const std::size_t end = std::min(text.find_first_not_of("0123456789", begin), text.size());
+    const auto number = io::parse_whole(text.substr(begin, end - begin));
+    out += text.substr(0, begin);
+    out += number ? io::branch_text(*number) : std::string(text.substr(begin, end - begin));
+    text.remove_prefix(end);
+  }
+  return out += text;
 }
 
 }  // namespace
@@ -57,8 +74,10 @@ Error GuidedFleet::in_its_words(Error error, std::string_view id, AgentId agent)
   error.location.record.reset();
   const std::string number = "agent " + std::to_string(agent);
   const std::size_t at = error.message.find(number);
-  if (at == std::string::npos) return error;
-  error.message.replace(at, number.size(), "agent '" + std::string(id) + "'");
+  if (at != std::string::npos) {
+    error.message.replace(at, number.size(), "agent '" + std::string(id) + "'");
+  }
+  error.message = with_branch_texts(error.message);
   return error;
 }
 
@@ -252,6 +271,14 @@ Status GuidedFleet::take_content(std::string_view id, const Acknowledgement& ack
 Status GuidedFleet::take_content(std::string_view /*id*/, const io::IntrudersMessage& message,
                                  std::string& /*out*/) {
   return guide_.set_intruders(message.intruders);
+}
+
+void GuidedFleet::lose_intruders() {
+  constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+  Intruder anywhere;
+  anywhere.mover.position = {kNowhere, kNowhere, kNowhere};
+  // That it is refused is known.
+  static_cast<void>(guide_.set_intruders(std::span(&anywhere, 1)));
 }
 
 void GuidedFleet::say_hello(Tick now, std::string& out) {

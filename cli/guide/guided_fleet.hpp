@@ -35,6 +35,10 @@ class GuidedFleet {
   // Appends what there is to say at once. An error is about this message alone.
   Status take(const io::FleetMessage& message, std::string& out);
 
+  // A list of intruders came and could not be read: they may be anywhere, and none is clear of them
+  // until the next list.
+  void lose_intruders();
+
   // One tick. Errors: the tick does not come after the one before; or the store cannot be written,
   // kWriteFailed, and nothing may be said any more.
   Status step(Tick now, std::string& out);

@@ -11,10 +11,13 @@
 namespace beespace::cli {
 namespace {
 
+// One system is one agent: "007" would be a second one of system 7.
 std::optional<std::uint8_t> system_of(std::string_view id) {
   constexpr std::uint64_t kMost = 254;  // 255 is the planner
   const auto number = io::parse_whole(id);
-  if (!number || *number == 0 || *number > kMost) return std::nullopt;
+  if (!number || *number == 0 || *number > kMost || id != std::to_string(*number)) {
+    return std::nullopt;
+  }
   return static_cast<std::uint8_t>(*number);
 }
 
@@ -24,7 +27,8 @@ Status SetpointLink::check(std::string_view id) {
   if (system_of(id)) return std::monostate{};
   return Error{
       ErrorCode::kInvalidArgument,
-      "with --format mavlink the id of an agent is its system in MAVLink, 1 to 254, and '" +
+      "with --format mavlink the id of an agent is its system in MAVLink, 1 to 254 without "
+      "zeros before it, and '" +
           std::string(id) + "' is none; name it so",
       {}};
 }

@@ -4,7 +4,7 @@
 /// An agent is kept near its nominal path by a loop: something measures how far it deviates, and
 /// something corrects it. From the bounds of its errors follows the radius of the *tube* around the
 /// nominal path that it never leaves, and what its corrections need. The derivation is in
-/// docs/prevention.md. Units: metres and seconds.
+/// docs/tube.md. Units: metres and seconds.
 ///
 /// Complexity: constant. Thread safety: no state is kept.
 #pragma once

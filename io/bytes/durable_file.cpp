@@ -7,6 +7,8 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
 
 namespace beespace::io {
 namespace {
@@ -51,8 +53,15 @@ bool sync_folder_of(const std::string& path) {
 
 }  // namespace
 
+std::string file_behind(const std::string& path) {
+  std::error_code problem;
+  const std::filesystem::path found = std::filesystem::canonical(path, problem);
+  return problem ? path : found.string();
+}
+
 Status write_durably(const std::string& path, std::string_view text) {
-  const std::string beside = path + ".new";
+  const std::string target = file_behind(path);
+  const std::string beside = target + ".new";
   constexpr mode_t kMode = 0644;
   {
     const Descriptor file(::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, kMode));
@@ -62,7 +71,7 @@ Status write_durably(const std::string& path, std::string_view text) {
       return error;
     }
   }
-  if (std::rename(beside.c_str(), path.c_str()) == 0 && sync_folder_of(path)) {
+  if (std::rename(beside.c_str(), target.c_str()) == 0 && sync_folder_of(target)) {
     return std::monostate{};
   }
   return problem(ErrorCode::kWriteFailed, "cannot write this file durably", path);

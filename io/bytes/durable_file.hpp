@@ -10,9 +10,13 @@
 
 namespace beespace::io {
 
-// Replaces the file: afterwards it holds all of the text, on the disk, even if the machine fails at
-// once; before, what it held. Errors: kWriteFailed.
+// Replaces the file (a link stays one): afterwards it holds all of the text, on the disk, even if
+// the machine fails at once; before, what it held. Errors: kWriteFailed.
 Status write_durably(const std::string& path, std::string_view text);
+
+// The file that a path leads to, through links; the path itself where there is none yet. Who works
+// with a file by two names works with one.
+std::string file_behind(const std::string& path);
 
 // All of a file; nothing where there is none. Errors: kReadFailed; kMalformedRecord where it is
 // larger.

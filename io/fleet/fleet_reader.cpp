@@ -226,9 +226,13 @@ Result<std::optional<FleetMessage>> FleetReader::take(std::string_view line) {
   ++lines_;
   bad_id_.clear();
   id_.clear();
+  event_.clear();
+  bad_intruders_ = false;
   auto read = this->read(line);
   if (read) return read;
   bad_id_ = id_;
+  bad_intruders_ =
+      event_.empty() ? line.find("\"intruders\"") != std::string_view::npos : event_ == "intruders";
   Error error = std::move(read).error();
   error.location.source = source_;
   error.location.line = lines_;
@@ -263,6 +267,7 @@ Result<std::optional<FleetMessage>> FleetReader::read(std::string_view line) {
                  "this object has no 'event' that says what it is; known are " + known_events(),
                  {}};
   }
+  event_ = word;
   if (std::find(kTold.begin(), kTold.end(), word) != kTold.end()) {
     return std::optional<FleetMessage>(FleetMessage{});
   }

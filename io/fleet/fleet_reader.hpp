@@ -41,6 +41,8 @@ class FleetReader {
 
   // Of a line that is an error: whom it is about, as far as that could be read; or empty.
   [[nodiscard]] std::string_view bad_id() const { return bad_id_; }
+  // Of the same: whether it is a list of intruders, or may be one where it is no whole object.
+  [[nodiscard]] bool bad_intruders() const { return bad_intruders_; }
   [[nodiscard]] std::uint64_t lines() const { return lines_; }
 
  private:
@@ -58,7 +60,9 @@ class FleetReader {
   JsonParser parser_;
   std::string padded_;
   std::string id_;
+  std::string event_;
   std::string bad_id_;
+  bool bad_intruders_ = false;
   std::uint64_t lines_ = 0;
 };
 

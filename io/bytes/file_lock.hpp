@@ -1,0 +1,33 @@
+// A file of which one process at a time may keep account: that of a planner, or of an agent.
+#pragma once
+
+#include <beespace/result.hpp>
+
+#include <string>
+
+namespace beespace::io {
+
+// Held until it goes, or its process ends, however that ends.
+class FileLock {
+ public:
+  // Holds nothing.
+  FileLock() = default;
+
+  // For the file `path`, which need not be there. What is locked is a file of its own beside it,
+  // PATH.lock, which stays: the file itself is replaced as often as it is written. Errors:
+  // kCannotOpen, that another `holder` works with it; of the disk.
+  static Result<FileLock> take(const std::string& path, const char* holder);
+
+  FileLock(FileLock&& other) noexcept;
+  FileLock& operator=(FileLock&& other) noexcept;
+  FileLock(const FileLock&) = delete;
+  FileLock& operator=(const FileLock&) = delete;
+  ~FileLock();
+
+ private:
+  explicit FileLock(int descriptor) : descriptor_(descriptor) {}
+
+  int descriptor_ = -1;
+};
+
+}  // namespace beespace::io
