@@ -55,7 +55,9 @@ FleetLoop::FleetLoop(scenes::Mission mission, const FleetOptions& options, const
       reports_(in_instants(options.reports, options.instants), options.seed + kReportSeed),
       replies_(in_instants(options.reports, options.instants), options.seed + kReplySeed),
       nearest_(4.0 * options.threshold_m),
-      checker_(check_options(options)) {
+      checker_(check_options(options)),
+      clearance_(mission_.obstacles.empty() ? nullptr : &obstacles_, options.clearance_m,
+                 options.link.period_s / options.instants) {
 }
 
 GuideOptions FleetLoop::guide_options() const {
@@ -132,6 +134,7 @@ Status FleetLoop::join(std::size_t index) {
   if (!answer) return std::move(answer).error();
   if (!answer->joined) {
     ++tally_.joins_refused;
+    agent.refused = std::move(answer).value();
     waiting_.push_back(index);
     return std::monostate{};
   }
@@ -155,6 +158,7 @@ Status FleetLoop::join(std::size_t index) {
   agent.truth.emplace(*follower, mission_.starts[index], loop, errors,
                       options_.seed * 1'000'003 + index);
   agent.truth->begin_at(instants(tick_));
+  agent.refused.reset();
   joined_.push_back(index);
   return guide_->set_goal(id, mission_.goals[index]);
 }
@@ -197,7 +201,10 @@ void FleetLoop::hear_and_report(std::int64_t instant) {
   commands_.deliver(instant, [&](const Command& command) {
     FleetAgent& agent = agents_[command.agent];
     if (agent.silent) return;
-    replies_.send(instant, command.agent, agent.truth->receive(command));
+    const Acknowledgement reply = agent.truth->receive(command);
+    if (reply.reply == CommandReply::kTaken) ++tally_.replies_taken;
+    if (reply.reply == CommandReply::kTooLate) ++tally_.replies_too_late;
+    replies_.send(instant, command.agent, reply);
   });
 }
 
@@ -254,7 +261,7 @@ Status FleetLoop::step() {
   hear_and_report(instants(tick_));
   if (Status guided = guide(); !guided) return guided;
   fly();
-  judge(time_s());
+  if (Status judged = judge(time_s()); !judged) return judged;
   ++tick_;
   return std::monostate{};
 }
@@ -284,11 +291,12 @@ void FleetLoop::fly() {
   }
 }
 
-bool FleetLoop::is_broken(const FleetAgent& agent) const {
-  return agent.left_tube_s || agent.named_s;
+// Who has left its tube without a reason has lost nothing by its own fault.
+bool FleetLoop::is_at_fault(const FleetAgent& agent) const {
+  return agent.weak && (agent.left_tube_s || agent.named_s);
 }
 
-void FleetLoop::judge(double begins_s) {
+Status FleetLoop::judge(double begins_s) {
   for (const std::size_t index : joined_) {
     FleetAgent& agent = agents_[index];
     const double deviation_m = agent.truth->deviation_m();
@@ -297,6 +305,11 @@ void FleetLoop::judge(double begins_s) {
     }
     if (!agent.left_tube_s && deviation_m > agent.tube_m) agent.left_tube_s = begins_s;
   }
+  judge_pairs(begins_s);
+  return judge_clearance();
+}
+
+void FleetLoop::judge_pairs(double begins_s) {
   radii_m_.assign(intruders_.size(), 0.0);
   for (const std::size_t index : joined_) radii_m_.push_back(agents_[index].radius_m);
   for (const TrueLoss& loss : checker_.look(begins_s, stretches_, radii_m_)) {
@@ -306,10 +319,20 @@ void FleetLoop::judge(double begins_s) {
     }
     const FleetAgent& first = agents_[joined_[loss.first - intruders_.size()]];
     const FleetAgent& second = agents_[joined_[loss.second - intruders_.size()]];
-    // Who has left its tube without a reason has lost nothing by its own fault.
-    const bool out = (first.weak && is_broken(first)) || (second.weak && is_broken(second));
-    ++(out ? tally_.losses_out : tally_.losses);
+    ++(is_at_fault(first) || is_at_fault(second) ? tally_.losses_out : tally_.losses);
   }
+}
+
+Status FleetLoop::judge_clearance() {
+  const auto each = static_cast<std::size_t>(options_.instants);
+  const auto flown = std::span<const Stretch>(stretches_).subspan(intruders_.size() * each);
+  const auto lost = clearance_.look(instants(tick_), flown, each);
+  if (!lost) return lost.error();
+  for (const std::size_t agent : *lost) {
+    const bool out = is_at_fault(agents_[joined_[agent]]);
+    ++(out ? tally_.clearance_losses_out : tally_.clearance_losses);
+  }
+  return std::monostate{};
 }
 
 void FleetLoop::look_at_guidance() {

@@ -10,6 +10,7 @@
 #include "sim/fleet_options.hpp"
 #include "sim/nearest_agents.hpp"
 #include "sim/true_agent.hpp"
+#include "sim/true_clearance.hpp"
 #include "sim/true_separation.hpp"
 
 #include <beespace/guide.hpp>
@@ -25,7 +26,8 @@ namespace beespace::sim {
 
 // One agent, and what came of it. Times in seconds of the simulation.
 struct FleetAgent {
-  std::optional<TrueAgent> truth = {};  // none: it has not joined
+  std::optional<TrueAgent> truth = {};     // none: it has not joined
+  std::optional<JoinAnswer> refused = {};  // the last answer by which it could not join
   double radius_m = 0.0;
   bool weak = false;
   std::optional<double> falls_silent_s = {};
@@ -44,13 +46,17 @@ struct FleetTally {
   std::uint64_t losses = 0;      // a pair and a tick: both in their contracts
   std::uint64_t losses_out = 0;  // of an agent that has left its tube, or is named
   std::uint64_t losses_to_intruders = 0;
-  std::uint64_t false_namings = 0;  // of agents that keep their contracts
+  std::uint64_t clearance_losses = 0;      // an agent that keeps its contract and a tick
+  std::uint64_t clearance_losses_out = 0;  // as losses_out
+  std::uint64_t false_namings = 0;         // of agents that keep their contracts
   std::uint64_t named = 0;
   std::uint64_t doubted = 0;  // of agents that keep them: no false alarm, no naming
   std::uint64_t commands = 0;
   std::uint64_t uncertified = 0;       // an agent and a tick
   std::uint64_t refused_messages = 0;  // by the Guide
   std::uint64_t joins_refused = 0;
+  std::uint64_t replies_taken = 0;
+  std::uint64_t replies_too_late = 0;
   double largest_deviation_m = 0.0;  // of agents in their contracts
   double guiding_s = 0.0;            // of the processor's clock, in Guide::step
   std::uint64_t guided = 0;          // an agent and a tick
@@ -75,6 +81,7 @@ class FleetLoop {
   [[nodiscard]] const TrueVerdict& verdict() const { return checker_.verdict(); }
   [[nodiscard]] const Guidance& guidance() const { return guidance_; }
   [[nodiscard]] const FleetOptions& options() const { return options_; }
+  [[nodiscard]] const ObstacleMap& obstacles() const { return obstacles_; }
   [[nodiscard]] const Tube& tube() const { return tube_; }
   // True flights of the last tick: of each body (intruders, then agents in the order in which they
   // joined) so many instants.
@@ -102,10 +109,12 @@ class FleetLoop {
   void tell_intruders();
   void fall_silent();
   void fly();
-  void judge(double begins_s);
+  Status judge(double begins_s);
+  void judge_pairs(double begins_s);
+  Status judge_clearance();
   void look_at_guidance();
   void look_at_agent(const AgentGuidance& told);
-  [[nodiscard]] bool is_broken(const FleetAgent& agent) const;
+  [[nodiscard]] bool is_at_fault(const FleetAgent& agent) const;
 
   [[nodiscard]] double seconds(Tick tick) const {
     return static_cast<double>(tick) * options_.link.period_s;
@@ -132,6 +141,7 @@ class FleetLoop {
   std::vector<Stretch> stretches_;
   std::vector<double> radii_m_;
   TrueSeparation checker_;
+  TrueClearance clearance_;
   Guidance guidance_;
   std::size_t arrived_ = 0;
   FleetTally tally_;

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -67,8 +68,12 @@ class Recording {
 };
 
 bool holds(const sim::FleetLoop& loop) {
-  return loop.tally().losses == 0 && loop.verdict().fence_losses == 0 &&
-         loop.tally().false_namings == 0 && loop.verdict().heights_left == 0;
+  const sim::FleetTally& tally = loop.tally();
+  // A true loss is a risk, by the fault of whom it may be.
+  return tally.losses == 0 && tally.losses_out == 0 && tally.losses_to_intruders == 0 &&
+         tally.clearance_losses == 0 && tally.clearance_losses_out == 0 &&
+         loop.verdict().fence_losses == 0 && tally.false_namings == 0 &&
+         loop.verdict().heights_left == 0;
 }
 
 std::string contracts_text(const sim::FleetLoop& loop, const FlightNames& names) {
@@ -94,16 +99,112 @@ std::string closest_text(const sim::FleetLoop& loop) {
 
 std::string losses_text(const sim::FleetLoop& loop) {
   const sim::FleetTally& tally = loop.tally();
+  const bool others = tally.losses_out > 0 || tally.losses_to_intruders > 0;
   std::string text =
       tally.losses == 0 ? bold("none") : red(io::grouped(tally.losses)) + ", a pair a step";
+  if (others) text += tally.losses == 0 ? " of those that keep their contracts" : ", of such bees";
   if (tally.losses_out > 0) {
-    text += "; of bees out of their contracts " + io::grouped(tally.losses_out);
+    text += "; " + red(io::grouped(tally.losses_out)) + " of bees out of theirs";
   }
   if (tally.losses_to_intruders > 0) {
-    text += "; to intruders " + io::grouped(tally.losses_to_intruders);
+    text += "; " + red(io::grouped(tally.losses_to_intruders)) + " to intruders";
+  }
+  if (loop.joined().size() < loop.agents().size()) {
+    text += ", of " + io::grouped(std::uint64_t{loop.joined().size()}) + " that flew";
   }
   return text;
 }
+
+std::string clearance_text(const sim::FleetTally& tally) {
+  std::string text = bold("none");
+  if (tally.clearance_losses > 0) {
+    text = red(io::grouped(tally.clearance_losses)) +
+           (tally.clearance_losses == 1 ? " bee" : " bees") + ", a step each";
+  }
+  if (tally.clearance_losses_out == 0) return text;
+  if (tally.clearance_losses == 0) text += " of those that keep their contracts";
+  return text + "; " + red(io::grouped(tally.clearance_losses_out)) + " of bees out of theirs";
+}
+
+// Who could not join, by the first that is in the way.
+struct NotJoined {
+  std::uint64_t beyond_fences = 0;
+  std::uint64_t near_obstacles = 0;
+  std::uint64_t near_claims = 0;
+  std::uint64_t not_asked = 0;
+};
+
+NotJoined count_not_joined(const sim::FleetLoop& loop) {
+  NotJoined count;
+  for (const sim::FleetAgent& agent : loop.agents()) {
+    if (agent.truth) continue;
+    if (!agent.refused) {
+      ++count.not_asked;
+    } else if (!agent.refused->fences.empty()) {
+      ++count.beyond_fences;
+    } else if (!agent.refused->obstacles.empty()) {
+      ++count.near_obstacles;
+    } else {
+      ++count.near_claims;
+    }
+  }
+  return count;
+}
+
+std::string not_joined_text(const sim::FleetLoop& loop) {
+  const NotJoined count = count_not_joined(loop);
+  std::string text = red(io::grouped(std::uint64_t{loop.agents().size() - loop.joined().size()}));
+  const char* between = ": ";
+  const auto add = [&](std::uint64_t bees, const char* why) {
+    if (bees == 0) return;
+    text += between + io::grouped(bees) + why;
+    between = ", ";
+  };
+  add(count.beyond_fences, " beyond a fence, or too close to it");
+  add(count.near_obstacles, " too close to obstacles");
+  add(count.near_claims, " too close to claims of others");
+  add(count.not_asked, " had not asked yet");
+  return text;
+}
+
+std::string scenario_text(const SimulateRequest& request) {
+  std::string text = printable(request.scenario);
+  if (!request.from_file) {
+    const double spacing_m = std::max(request.spacing_m, least_spacing_m(request));
+    text += ", about " + io::length(spacing_m) + " apart";
+  }
+  return text + ", seed " + std::to_string(request.seed);
+}
+
+// All that a flight is repeated with, beside what the other lines say.
+std::string errors_text(const sim::FleetOptions& fleet) {
+  const sim::DisturbanceBounds& wind = fleet.errors.disturbance;
+  std::string text = "noise " + io::exact(fleet.errors.report_error_m) + " m" +
+                     (wind.kind == sim::ErrorKind::kAdversarial ? " (adversarial)" : "") +
+                     ", gusts " + io::exact(wind.gust_mps) + " m/s, drift " +
+                     io::exact(wind.drift_mps) + " m/s";
+  if (fleet.errors.clock.bound_s > 0.0) {
+    text += ", clocks " + io::exact(fleet.errors.clock.bound_s) + " s off";
+  }
+  return text;
+}
+
+std::string messages_text(const sim::FleetOptions& fleet) {
+  std::string text = "taken after " + std::to_string(fleet.link.command_delay) +
+                     " steps, latency " + std::to_string(fleet.commands.least_latency) + ", loss " +
+                     io::percentage(fleet.commands.loss);
+  if (fleet.commands.loss > 0.0) {
+    text += ", at most " + std::to_string(fleet.link.longest_loss) + " in a row";
+  }
+  return text;
+}
+
+bool all_came_too_late(const sim::FleetTally& tally) {
+  return tally.replies_taken == 0 && tally.replies_too_late > 0;
+}
+
+constexpr const char* kTooLateNote =
+    "commands come too late for all; give a greater --command-delay";
 
 double guiding_us(const sim::FleetLoop& loop) {
   const auto guided = static_cast<double>(std::max<std::uint64_t>(1, loop.tally().guided));
@@ -116,8 +217,11 @@ std::string fleet_summary(const SimulateRequest& request, const sim::FleetLoop& 
   const auto bees = static_cast<double>(loop.agents().size());
   const Tube& tube = loop.tube();
   std::string out;
-  append_summary_line(out, "scenario", request.scenario);
+  append_summary_line(out, "scenario", scenario_text(request));
   append_summary_line(out, "bees", io::grouped(std::uint64_t{loop.agents().size()}));
+  append_summary_line(out, "loop", fleet.place == LoopPlace::kOnboard ? "onboard" : "ground");
+  append_summary_line(out, "errors", errors_text(fleet));
+  append_summary_line(out, "commands", messages_text(fleet));
   append_summary_line(out, "tube",
                       io::length(tube.radius_m) + ", planned with " +
                           io::exact(tube.planned.max_speed_mps) + " m/s, " +
@@ -125,11 +229,18 @@ std::string fleet_summary(const SimulateRequest& request, const sim::FleetLoop& 
   append_summary_line(out, "threshold",
                       io::exact(fleet.threshold_m) + " m; between nominal places " +
                           io::length(fleet.threshold_m + 2.0 * tube.radius_m));
+  const std::size_t obstacles = loop.obstacles().obstacles().size();
+  if (obstacles > 0) {
+    append_summary_line(out, "obstacles",
+                        io::grouped(std::uint64_t{obstacles}) + ", clearance " +
+                            io::exact(fleet.clearance_m) + " m");
+  }
   append_summary_line(
       out, "flown",
       io::grouped(loop.time_s(), 2) + " s in steps of " + io::exact(fleet.link.period_s) + " s");
   append_summary_line(out, "losses", losses_text(loop));
   append_summary_line(out, "closest", closest_text(loop));
+  if (obstacles > 0) append_summary_line(out, "clearance", clearance_text(loop.tally()));
   if (!fleet.fences.empty()) {
     append_summary_line(out, "fences",
                         loop.verdict().fence_losses == 0
@@ -140,14 +251,12 @@ std::string fleet_summary(const SimulateRequest& request, const sim::FleetLoop& 
                       io::grouped(std::uint64_t{loop.arrived()}) + " (" +
                           io::percentage(static_cast<double>(loop.arrived()) / bees) + ")");
   if (loop.joined().size() < loop.agents().size()) {
-    append_summary_line(
-        out, "not joined",
-        red(io::grouped(std::uint64_t{loop.agents().size() - loop.joined().size()})) +
-            ": their places are too close to claims of others");
+    append_summary_line(out, "not joined", not_joined_text(loop));
   }
   append_summary_line(out, "contracts", contracts_text(loop, flown.names));
   append_summary_line(out, "time",
                       "guidance " + io::grouped(guiding_us(loop), 2) + " us a bee a step");
+  if (all_came_too_late(loop.tally())) append_summary_line(out, "note", kTooLateNote);
   for (const std::string& note : flown.notes) append_summary_line(out, "note", printable(note));
   return out;
 }
@@ -171,6 +280,11 @@ std::string fleet_json(const SimulateRequest& request, const sim::FleetLoop& loo
   json.member("loss_count", tally.losses).member("out_loss_count", tally.losses_out);
   json.member("intruder_loss_count", tally.losses_to_intruders);
   json.member("fence_loss_count", loop.verdict().fence_losses);
+  json.member("obstacles", loop.obstacles().obstacles().size());
+  json.member("clearance_loss_count", tally.clearance_losses);
+  json.member("out_clearance_loss_count", tally.clearance_losses_out);
+  json.member("joined_count", loop.joined().size());
+  json.member("not_joined_count", loop.agents().size() - loop.joined().size());
   json.member("closest_m", loop.verdict().closest_m);
   json.member("false_naming_count", tally.false_namings);
   json.begin_array("out");
@@ -186,6 +300,27 @@ std::string fleet_json(const SimulateRequest& request, const sim::FleetLoop& loo
   json.member("guidance_us", guiding_us(loop));
   json.end();
   return out + '\n';
+}
+
+// The figures of an error of the library, with the options that they come from.
+std::string with_options(std::string message) {
+  constexpr std::pair<std::string_view, std::string_view> kFigures[] = {
+      {"deviation_mps", "--drift, --gust and --clock-error"},
+      {"correction_mps2", "--reserve"},
+      {"correction_mps", "--reserve"},
+      {"clock_error_s", "--clock-error"},
+      {"max_acceleration_mps2", "--acceleration"},
+      {"max_speed_mps", "--speed"}};
+  for (const auto& [figure, options] : kFigures) {
+    std::size_t at = message.find(figure);
+    // Of "correction_mps2" the begin is the name of another figure.
+    while (at != std::string::npos && message.compare(at + figure.size(), 1, "2") == 0) {
+      at = message.find(figure, at + 1);
+    }
+    if (at == std::string::npos) continue;
+    message.insert(at + figure.size(), " (" + std::string(options) + ")");
+  }
+  return message;
 }
 
 Status fly_loop(const SimulateRequest& request, sim::FleetLoop& loop, Recording& recording) {
@@ -216,7 +351,7 @@ Result<ExitCode> fly_fleet(const SimulateRequest& request, MissionToFly mission,
     }
   }
   auto made = sim::FleetLoop::make(mission.mission, request.fleet);
-  if (!made) return simulate_error(made.error().message);
+  if (!made) return simulate_error(with_options(made.error().message));
   sim::FleetLoop& loop = **made;
   Recording recording(request, mission.names, truth, nominal);
   const Status flown = fly_loop(request, loop, recording);

@@ -128,16 +128,15 @@ Status check_places(const SimulateRequest& request, const MissionToFly& flown) {
   return starts ? check(flown.mission.goals, {"want to stop", "wants to stop"}) : starts;
 }
 
-// How far apart bees begin at least: of a fleet that is not exact, with room for tubes and radii.
-double clear_of(const SimulateRequest& request) {
+}  // namespace
+
+double least_spacing_m(const SimulateRequest& request) {
   const double threshold_m = request.loop.advice.threshold_m;
   if (!request.has_fleet) return threshold_m * kRoom;
   const auto tube = stated_tube(request.fleet);
   const double free_m = std::max(threshold_m, 2.0 * request.fleet.most_radius_m);
   return (free_m + (tube ? 2.0 * tube->radius_m : 0.0)) * kRoom;
 }
-
-}  // namespace
 
 Result<MissionToFly> mission_to_fly(const SimulateRequest& request) {
   MissionToFly flown;
@@ -146,7 +145,7 @@ Result<MissionToFly> mission_to_fly(const SimulateRequest& request) {
     if (!loaded) return loaded.error();
     flown = std::move(loaded).value();
   } else {
-    const double clear_m = clear_of(request);
+    const double clear_m = least_spacing_m(request);
     const double spacing_m = std::max(request.spacing_m, clear_m);
     flown.mission = mission_of(request.scenario, {request.bees, spacing_m, clear_m, request.seed});
     flown.names.scenario_obstacles = flown.mission.obstacles.size();

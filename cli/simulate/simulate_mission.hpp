@@ -23,4 +23,8 @@ struct MissionToFly {
 // two goals, are closer than the threshold, or one is closer to an obstacle than the clearance.
 Result<MissionToFly> mission_to_fly(const SimulateRequest& request);
 
+// How far apart bees of a scenario begin at least, in metres: of a fleet that is not exact, with
+// room for tubes and radii.
+double least_spacing_m(const SimulateRequest& request);
+
 }  // namespace beespace::cli

@@ -9,8 +9,10 @@
 
 #include <beespace/point.hpp>
 
+#include <filesystem>
 #include <initializer_list>
 #include <memory>
+#include <system_error>
 #include <utility>
 
 namespace beespace::cli {
@@ -27,16 +29,18 @@ constexpr const char* kDetails =
     "step each is told a velocity with which no bee comes too close to another, nor to an "
     "obstacle: the\n"
     "one that is closest to its preferred one. All that is flown is checked by the checker of "
-    "'beespace "
-    "verify',\n"
-    "which knows nothing of how velocities are found. Ends when all have arrived (within half of "
-    "the\n"
-    "threshold of their goals) and stand, or after --steps. The summary goes to standard error; "
-    "the\n"
-    "recording is written with --output only: a table of time_s, id, x, y, z, vx, vy, vz (with\n"
-    "--acceleration none without velocities, as these jump), which 'beespace verify' and "
     "'beespace\n"
-    "replay' read.\n"
+    "verify', which knows nothing of how velocities are found; of a fleet that is not exact, "
+    "distances\n"
+    "between bees and from fences are checked by another one, which knows as little. Ends when "
+    "all have\n"
+    "arrived (within half of the threshold of their goals) and stand, or after --steps. The "
+    "summary goes\n"
+    "to standard error; the recording is written with --output only: a table of time_s, id, x, y, "
+    "z, vx,\n"
+    "vy, vz (with --acceleration none without velocities, as these jump), which 'beespace verify' "
+    "and\n"
+    "'beespace replay' read.\n"
     "\n"
     "Scenarios:\n"
     "  random-swap       a cube of bees who change places at random\n"
@@ -76,9 +80,10 @@ void add_flight_options(Command& simulate, SimulateRequest& request) {
   simulate.group("Scenario");
   simulate.option("--bees", "N", request.bees, whole(1, kMaxPoints),
                   "How many (default: 1000; head-on is always of two)");
-  simulate.option("--spacing", "LENGTH", request.spacing_m, length_from(kLeastLength_m),
-                  "About how far apart they begin (default: three\ntimes the threshold; of head-on "
-                  "20 times)");
+  simulate.option(
+      "--spacing", "LENGTH", request.spacing_m, length_from(kLeastLength_m),
+      "About how far apart they begin (default: three\ntimes the threshold, or more where "
+      "tubes need it; of\nhead-on 20 times)");
   simulate.option("--seed", "N", request.seed, read_seed,
                   "Another number, another swarm (default: 1)");
   simulate.group("Flight");
@@ -124,10 +129,26 @@ void add_output_options(Command& simulate, SimulateRequest& request) {
   add_quiet_option(simulate, request.quiet);
 }
 
+// By their names: neither needs to be there yet.
+bool are_same_file(const std::string& one, const std::string& other) {
+  const auto path = [](const std::string& name) {
+    std::error_code failed;
+    const auto full = std::filesystem::weakly_canonical(name, failed);
+    return failed ? std::filesystem::path(name) : full;
+  };
+  return one == other || (one != "-" && other != "-" && !other.empty() && path(one) == path(other));
+}
+
 // An option that would be ignored is a misunderstanding.
 Status check_fit(const Command& command, const SimulateRequest& request) {
   if (request.json && request.output == "-") {
     return simulate_error("--json and --output - would both write to standard output");
+  }
+  if (request.json && request.nominal == "-") {
+    return simulate_error("--json and --nominal - would both write to standard output");
+  }
+  if (!request.nominal.empty() && are_same_file(request.nominal, request.output)) {
+    return simulate_error("--nominal and --output are the same; name two files");
   }
   if (request.scenario == "-" && request.obstacles == "-") {
     return simulate_error("the mission and --obstacles cannot both be standard input");

@@ -142,6 +142,56 @@ TEST(FleetLoop, JoinsOneAfterTheOther) {
   EXPECT_GT(flown.arrived, kAgents / 4);
 }
 
+// One agent flies at a wall with nearly no strength to brake: it breaks its contract, and that is
+// seen. Who has its strength keeps clear.
+TEST(FleetLoop, LossesOfClearanceAreSeen) {
+  for (const bool weak : {false, true}) {
+    FleetOptions options = usual(ErrorKind::kUniform);
+    options.errors.strength = 1.0;
+    options.weak_share = weak ? 0.999 : 0.0;
+    options.weak_strength = 0.02;
+    options.errors.disturbance.drift_mps = 0.5;
+    scenes::Mission mission;
+    mission.starts = {{0.0, 0.0, 10.0}};
+    mission.goals = {{100.0, 0.0, 10.0}};
+    mission.obstacles = {Sphere{{40.0, 0.0, 10.0}, 10.0}};
+    auto made = FleetLoop::make(mission, options);
+    ASSERT_TRUE(made) << made.error().message;
+    for (int tick = 0; tick < 600; ++tick) ASSERT_TRUE((*made)->step());
+    EXPECT_EQ((*made)->tally().clearance_losses, 0U);
+    EXPECT_EQ((*made)->tally().clearance_losses_out > 0, weak);
+    EXPECT_GT((*made)->tally().replies_taken, 0U);
+  }
+}
+
+TEST(FleetLoop, RemembersWhyWhoCouldNotJoin) {
+  FleetOptions options = usual(ErrorKind::kUniform);
+  options.fences = {{{0.0, 0.0, 1.0}, 0.0}};
+  scenes::Mission mission;
+  mission.starts = {{0.0, 0.0, 50.0}, {0.0, 0.0, 51.0}, {50.0, 0.0, -5.0}, {90.0, 0.0, 50.0}};
+  mission.goals = mission.starts;
+  mission.obstacles = {Sphere{{90.0, 0.0, 50.0}, 1.0}};
+  auto made = FleetLoop::make(mission, options);
+  ASSERT_TRUE(made) << made.error().message;
+  const std::vector<FleetAgent>& agents = (*made)->agents();
+  EXPECT_FALSE(agents[0].refused);
+  ASSERT_TRUE(agents[1].refused && agents[2].refused && agents[3].refused);
+  EXPECT_EQ(agents[1].refused->touches, std::vector<AgentId>{0});
+  EXPECT_EQ(agents[2].refused->fences, std::vector<std::size_t>{0});
+  EXPECT_EQ(agents[3].refused->obstacles, std::vector<std::size_t>{0});
+  EXPECT_EQ((*made)->joined().size(), 1U);
+}
+
+// Commands that are as late as they take effect come too late for all.
+TEST(FleetLoop, CountsCommandsThatComeTooLate) {
+  FleetOptions options = usual(ErrorKind::kUniform);
+  options.commands.least_latency = options.commands.most_latency = 10;
+  options.reports = options.commands;
+  const Flown flown = fly(options);
+  EXPECT_EQ(flown.tally.replies_taken, 0U);
+  EXPECT_GT(flown.tally.replies_too_late, 0U);
+}
+
 TEST(FleetLoop, AnIdealFleetFliesWhereItShould) {
   const FleetOptions options = ideal_of(usual(ErrorKind::kUniform), 0.2);
   const Flown flown = fly(options);
