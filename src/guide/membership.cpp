@@ -11,12 +11,6 @@
 
 namespace beespace {
 
-namespace {
-
-using core::Vector3;
-
-}  // namespace
-
 Result<Tube> Guide::State::tube_for(const JoinRequest& request) const {
   return tube_of(request.figures.value_or(options_.figures), options_.link,
                  request.limits.value_or(options_.limits));

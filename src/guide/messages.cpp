@@ -12,8 +12,6 @@ namespace beespace {
 
 namespace {
 
-using core::Vector3;
-
 std::optional<Error> check_report(const AgentReport& report) {
   const Mover mover{report.position, report.velocity.value_or(Velocity{})};
   if (auto error = motion::check_mover(mover, report.agent)) return error;
