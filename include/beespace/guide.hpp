@@ -72,6 +72,9 @@ struct JoinRequest {
 };
 
 /// @brief Whether an agent may join.
+///
+/// One that may not is not planned for, and certificates do not count it: let it move, or give it
+/// as an intruder.
 struct JoinAnswer {
   bool joined = false;                      ///< Whether its place is reserved: it is in the fleet.
   std::vector<AgentId> touches = {};        ///< Whose claims it would touch, ascending.

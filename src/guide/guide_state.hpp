@@ -63,6 +63,8 @@ class __attribute__((visibility("hidden"))) Guide::State {
                                                     const Tube& tube) const;
   // That no root which was sent to it before it left can be taken any more.
   [[nodiscard]] Status check_left(const JoinRequest& request) const;
+  // Of a fleet in a plane: that it is in it.
+  [[nodiscard]] Status check_height(const JoinRequest& request) const;
   void add(const JoinRequest& request, const Tube& tube, guide::Branches&& branches, Tick heard);
   [[nodiscard]] double farthest_apart_m(double radius_m, double other_radius_m) const;
   [[nodiscard]] std::vector<PointId> near(const Point& place, double tube_m, double radius_m);

@@ -11,12 +11,6 @@
 
 namespace beespace {
 
-namespace {
-
-using core::Vector3;
-
-}  // namespace
-
 Result<Tube> Guide::State::tube_for(const JoinRequest& request) const {
   return tube_of(request.figures.value_or(options_.figures), options_.link,
                  request.limits.value_or(options_.limits));
@@ -60,6 +54,20 @@ double Guide::State::farthest_apart_m(double radius_m, double other_radius_m) co
     return apart_m * std::max(1.0, shape.vertical_factor);
   }
   return shape.shape == SeparationShape::kCylinder ? apart_m + shape.vertical_m : apart_m;
+}
+
+Status Guide::State::check_height(const JoinRequest& request) const {
+  if (!options_.planar || members_.empty()) return std::monostate{};
+  const double height_m = members_.front().branches.base_state(now_.value_or(0)).position.z;
+  if (request.position.z == height_m) return std::monostate{};
+  Error error{ErrorCode::kInvalidArgument,
+              "agent " + std::to_string(request.agent) + " stands at a height of " +
+                  std::to_string(request.position.z) + " m, and the fleet moves in a plane at " +
+                  std::to_string(height_m) + " m; give it the same",
+              {}};
+  error.location.array = "agents";
+  error.location.record = request.agent;
+  return error;
 }
 
 Status Guide::State::check_left(const JoinRequest& request) const {
@@ -157,6 +165,7 @@ Status Guide::State::find_touching(const JoinRequest& request, const Tube& tube,
 Result<JoinAnswer> Guide::State::join(const JoinRequest& request, bool for_good) {
   if (Status fine = check_new(request); !fine) return std::move(fine).error();
   if (Status fine = check_left(request); !fine) return std::move(fine).error();
+  if (Status fine = check_height(request); !fine) return std::move(fine).error();
   const Result<Tube> tube = tube_for(request);
   if (!tube) return tube.error();
   JoinAnswer answer;

@@ -12,8 +12,6 @@ namespace beespace {
 
 namespace {
 
-using core::Vector3;
-
 std::optional<Error> check_report(const AgentReport& report) {
   const Mover mover{report.position, report.velocity.value_or(Velocity{})};
   if (auto error = motion::check_mover(mover, report.agent)) return error;
@@ -42,6 +40,12 @@ std::optional<Error> check_intruder(const Intruder& intruder, std::size_t index)
     return error;
   }
   return std::nullopt;
+}
+
+// "3.17": the 17th branch of the third epoch.
+std::string branch_text(BranchNumber number) {
+  return std::to_string(epoch_of(number)) + '.' +
+         std::to_string(static_cast<std::uint32_t>(number));
 }
 
 Error about(Error error, AgentId agent) {
@@ -103,7 +107,8 @@ Status Guide::State::take(const AgentReport& report) {
   const double clock_s = member->figures.clock_error_s;
   // Until the step that it comes before; and as far as its clock may be ahead.
   const auto ahead = static_cast<Tick>(std::ceil(clock_s / options_.link.period_s)) + 1;
-  if (now_ && report.tick > *now_ + ahead) {
+  const double stamp = static_cast<double>(report.tick) + report.after_s / options_.link.period_s;
+  if (now_ && stamp > static_cast<double>(*now_ + ahead + 1)) {
     member->monitor.name(ContractReason::kFuture);
     return about({ErrorCode::kInvalidArgument,
                   "the report of agent " + std::to_string(report.agent) + " is of tick " +
@@ -125,7 +130,7 @@ Status Guide::State::take(const AgentReport& report) {
     member->monitor.name(ContractReason::kNoBranch);
     return about({ErrorCode::kInvalidArgument,
                   "agent " + std::to_string(report.agent) + " says that it is on branch " +
-                      std::to_string(report.held) + ", which was never sent to it",
+                      branch_text(report.held) + ", which was never sent to it",
                   {}},
                  report.agent);
   }
@@ -135,8 +140,8 @@ Status Guide::State::take(const AgentReport& report) {
     member->monitor.name(ContractReason::kNoBranch);
     return about({ErrorCode::kInvalidArgument,
                   "agent " + std::to_string(report.agent) + " says that it is on branch " +
-                      std::to_string(report.held) + ", after it acknowledged branch " +
-                      std::to_string(member->taken.number) + "; let it leave and join anew",
+                      branch_text(report.held) + ", after it acknowledged branch " +
+                      branch_text(member->taken.number) + "; let it leave and join anew",
                   {}},
                  report.agent);
   }
@@ -167,7 +172,7 @@ Status Guide::State::take(const Acknowledgement& acknowledgement) {
   if (!member->branches.knows(acknowledgement.number)) {
     return about({ErrorCode::kInvalidArgument,
                   "agent " + std::to_string(agent) + " acknowledges branch " +
-                      std::to_string(acknowledgement.number) + ", which was never sent to it",
+                      branch_text(acknowledgement.number) + ", which was never sent to it",
                   {}},
                  agent);
   }

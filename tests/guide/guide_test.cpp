@@ -231,6 +231,9 @@ TEST(Guide, RefusesWhatCannotBe) {
   const Status from_future = guide.take(future);
   ASSERT_FALSE(from_future);
   EXPECT_NE(from_future.error().message.find("agent 2"), std::string::npos);
+  AgentReport later = fleet.report(2);
+  later.after_s = 1e9;
+  EXPECT_FALSE(guide.take(later));
   AgentReport nowhere = fleet.report(2);
   nowhere.position.x = std::nan("");
   EXPECT_EQ(guide.take(nowhere).error().code, ErrorCode::kNotFinite);
@@ -250,6 +253,24 @@ TEST(Guide, RefusesWhatCannotBe) {
   options.figures = some_figures();
   options.figures.correction_mps = 0.1;
   EXPECT_FALSE(Guide::make(options));
+}
+
+TEST(Guide, APlaneHasOneHeight) {
+  GuideOptions options = small_options();
+  options.planar = true;
+  SmallFleet fleet(options);
+  fleet.join(1, {0, 0, 4});
+  EXPECT_FALSE(fleet.guide().join({.agent = 2, .position = {50, 0, 3}}));
+  fleet.join(2, {50, 0, 4});
+  ASSERT_TRUE(fleet.guide().set_goal(1, {50, 3, 4}));
+  ASSERT_TRUE(fleet.guide().set_goal(2, {0, 0, 4}));
+  for (int k = 0; k < 200; ++k) {
+    fleet.step();
+    EXPECT_TRUE(fleet.told(1).certified || fleet.now() < 3) << k;
+    EXPECT_EQ(fleet.place(1).z, 4.0);
+    ASSERT_GE(fleet.closest_m(), 5.0);
+  }
+  EXPECT_LE(distance(fleet.place(2), {0, 0, 4}), 1.0);
 }
 
 TEST(Guide, GivesWayToIntrudersAndNamesThoseThatCannotBe) {
