@@ -2,6 +2,8 @@
 // frame to look at. Plain values, put together by what asked the engine.
 #pragma once
 
+#include "report/fleet_facts.hpp"
+
 #include <beespace/conflict.hpp>
 #include <beespace/find_conflicts.hpp>
 #include <beespace/geodesy.hpp>
@@ -81,6 +83,7 @@ struct RecordingFacts {
   std::uint64_t pair_count = 0;          // in conflict
   std::optional<Conflict> closest = {};  // of the conflicts; where there is none, of all encounters
   std::vector<Separation> separation = {};
+  std::optional<FleetFacts> fleet = {};  // what its planner said of it, where that is known
 };
 
 }  // namespace beespace::report

@@ -1,5 +1,6 @@
 #include "report/recording_json.hpp"
 
+#include "report/fleet_json.hpp"
 #include "report/quantised.hpp"
 #include "report/shown_fixes.hpp"
 #include "report/swarm_json.hpp"
@@ -226,6 +227,7 @@ void write_swarm(io::JsonWriter& json, const RecordingFacts& facts, Columns& col
   write_at_risk(json, facts.at_risk, clock, columns);
   write_separation(json, facts.separation, time.begins_s, columns);
   write_risk(json, facts, time.begins_s);
+  if (facts.fleet) write_fleet(json, *facts.fleet, time.begins_s, columns);
   json.end();
 }
 

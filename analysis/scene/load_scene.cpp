@@ -1,5 +1,6 @@
 #include "analysis/scene/load_scene.hpp"
 
+#include "analysis/scene/fleet_facts.hpp"
 #include "analysis/scene/recording_facts.hpp"
 #include "analysis/scene/snapshot_facts.hpp"
 #include "analysis/snapshot/recording_check.hpp"
@@ -171,6 +172,29 @@ std::string title_of(const std::vector<std::string>& inputs) {
   return title;
 }
 
+// A recording, and what was said of its fleet, where that is asked for.
+Result<report::RecordingFacts> facts_of(const io::Recording& recording, const std::string& title,
+                                        const SceneRequest& request) {
+  auto facts = recording_facts(recording, title, request);
+  if (!facts || request.fleet_log.empty()) return facts;
+  const bool skip_bad = request.load.skip_bad;
+  const auto log = io::load_fleet_log(request.fleet_log, skip_bad, nullptr);
+  if (!log) return log.error();
+  auto fleet = fleet_facts(*log, recording, facts->tracks, skip_bad, facts->swarm.notes);
+  if (!fleet) return std::move(fleet).error();
+  facts->fleet = *std::move(fleet);
+  return facts;
+}
+
+Status check_moves(const SceneRequest& request, const std::string& title) {
+  if (request.fleet_log.empty()) return std::monostate{};
+  return Error{ErrorCode::kInvalidArgument,
+               "'" + title +
+                   "' is a snapshot, and the log of a fleet tells of a flight; give the recording "
+                   "of that flight, or leave the log out",
+               {}};
+}
+
 template <class Facts>
 Result<Scene> scene_from(Result<Facts> facts) {
   if (!facts) return std::move(facts).error();
@@ -180,11 +204,13 @@ Result<Scene> scene_from(Result<Facts> facts) {
 Result<Scene> scene_of(const Loaded& loaded, const std::string& title,
                        const SceneRequest& request) {
   if (const auto* points = std::get_if<io::LoadedPoints>(&loaded)) {
+    if (Status moves = check_moves(request, title); !moves) return std::move(moves).error();
     return scene_from(snapshot_facts(*points, title, request));
   }
   const auto& recording = std::get<io::Recording>(loaded);
-  return is_a_snapshot(recording) ? scene_from(snapshot_facts(recording, title, request))
-                                  : scene_from(recording_facts(recording, title, request));
+  if (!is_a_snapshot(recording)) return scene_from(facts_of(recording, title, request));
+  if (Status moves = check_moves(request, title); !moves) return std::move(moves).error();
+  return scene_from(snapshot_facts(recording, title, request));
 }
 
 }  // namespace
@@ -211,6 +237,7 @@ Result<std::vector<Scene>> load_scenes(const std::vector<std::vector<std::string
     auto scene = load_scene(files, like_the_first, progress);
     if (!scene) return std::move(scene).error();
     like_the_first.origin = swarm_of(*scene).origin;
+    like_the_first.fleet_log.clear();
     scenes.push_back(*std::move(scene));
   }
   return scenes;

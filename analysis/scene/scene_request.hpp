@@ -7,6 +7,7 @@
 #include <beespace/geodesy.hpp>
 
 #include <optional>
+#include <string>
 
 namespace beespace::analysis {
 
@@ -24,6 +25,9 @@ struct SceneRequest {
   unsigned threads = 0;                  // 0: all
   // Where east, north and up of geographic positions are 0; otherwise below the middle of all.
   std::optional<GeographicPosition> origin = {};
+
+  // What a planner said of the fleet that is seen, a file (io/fleet/fleet_log.hpp); empty: nothing.
+  std::string fleet_log = {};
 
   [[nodiscard]] std::optional<double> vertical_m() const {
     return vertical ? std::optional(vertical->metric) : std::nullopt;

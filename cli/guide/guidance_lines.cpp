@@ -1,7 +1,8 @@
 #include "cli/guide/guidance_lines.hpp"
 
 #include "cli/output/advice_words.hpp"
-#include "io/fleet/fleet_writer.hpp"
+#include "io/fleet/status_message.hpp"
+#include "io/json/json_writer.hpp"
 
 #include <array>
 #include <string_view>
@@ -9,23 +10,6 @@
 
 namespace beespace::cli {
 namespace {
-
-void append_status(std::string& out, Tick tick, const AgentGuidance& agent,
-                   const std::string& name) {
-  {
-    io::JsonWriter json(out);
-    json.begin_object().member("event", "status").member("id", name).member("tick", tick);
-    json.member("contract", name_of(agent.contract)).member("reason", name_of(agent.reason));
-    json.member("certified", agent.certified);
-    json.member("clear_of_intruders", agent.clear_of_intruders);
-    json.member("advice", name_of(agent.kind)).member("commanded", agent.commanded);
-    json.member("branches", agent.branches);
-    io::write_vector(json, "position", agent.nominal.position);
-    io::write_vector(json, "velocity", agent.nominal.velocity);
-    json.member("tube_m", agent.tube_m).member("deviation_m", agent.deviation_m).end();
-  }
-  out += '\n';
-}
 
 void append_pair(std::string& out, Tick tick, const UncertifiedPair& pair,
                  const AgentNames& names) {
@@ -83,36 +67,6 @@ void append_ticked(std::string& out, const Guidance& guidance) {
 
 }  // namespace
 
-const char* name_of(Contract contract) {
-  switch (contract) {
-    case Contract::kKept:
-      return "kept";
-    case Contract::kDoubted:
-      return "doubted";
-    case Contract::kOut:
-      return "out";
-  }
-  return "unknown";
-}
-
-const char* name_of(ContractReason reason) {
-  switch (reason) {
-    case ContractReason::kNone:
-      return "none";
-    case ContractReason::kDeviation:
-      return "deviation";
-    case ContractReason::kRate:
-      return "rate";
-    case ContractReason::kSilent:
-      return "silent";
-    case ContractReason::kNoBranch:
-      return "no_branch";
-    case ContractReason::kFuture:
-      return "future";
-  }
-  return "unknown";
-}
-
 bool GuidanceLines::is_new(const AgentGuidance& agent) {
   if (wanted_ != StatusLines::kChanges) return wanted_ == StatusLines::kAll;
   const Told now{agent.contract, agent.reason, agent.certified, agent.clear_of_intruders};
@@ -125,7 +79,8 @@ bool GuidanceLines::is_new(const AgentGuidance& agent) {
 void GuidanceLines::append(std::string& out, const Guidance& guidance, const AgentNames& names) {
   const Tick tick = guidance.tick;
   for (const AgentGuidance& agent : guidance.agents) {
-    if (is_new(agent)) append_status(out, tick, agent, names.name(agent.agent));
+    if (!is_new(agent)) continue;
+    io::append_status(out, names.name(agent.agent), name_of(agent.kind), tick, agent);
   }
   for (const UncertifiedPair& pair : guidance.pairs) append_pair(out, tick, pair, names);
   append_objects(out, tick, "near_obstacle", "obstacle", guidance.near_obstacle, names);

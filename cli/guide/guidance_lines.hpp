@@ -11,9 +11,6 @@
 
 namespace beespace::cli {
 
-const char* name_of(Contract contract);
-const char* name_of(ContractReason reason);
-
 class GuidanceLines {
  public:
   explicit GuidanceLines(StatusLines wanted) : wanted_(wanted) {}

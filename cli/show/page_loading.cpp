@@ -8,19 +8,23 @@
 
 namespace beespace::cli {
 
-Result<LoadedPage> load_page(const char* command, const ShowRequest& request,
-                             const std::string& compare, ProgressBar& progress) {
+Result<LoadedPage> load_page(const char* command, const ReportRequest& request,
+                             ProgressBar& progress) {
   if (const Status has = analysis::check_has_page(); !has) {
     return usage_error(command, has.error().message);
   }
-  const auto& inputs = request.moving.inputs;
-  if (compare == "-" && std::count(inputs.begin(), inputs.end(), "-") > 0) {
+  const std::vector<std::string>& inputs = request.show.moving.inputs;
+  std::vector<std::vector<std::string>> all{inputs};
+  if (!request.compare.empty()) all.push_back({request.compare});
+  std::vector<std::string> read = inputs;
+  read.insert(read.end(), {request.compare, request.fleet_log});
+  if (std::count(read.begin(), read.end(), "-") > 1) {
     return usage_error(command, "standard input can be read once");
   }
-  std::vector<std::vector<std::string>> all{inputs};
-  if (!compare.empty()) all.push_back({compare});
+  analysis::SceneRequest scene = scene_request(request.show);
+  scene.fleet_log = request.fleet_log;
   LoadedPage loaded;
-  auto scenes = load_scenes(all, scene_request(request), progress, loaded.timings);
+  auto scenes = load_scenes(all, scene, progress, loaded.timings);
   if (!scenes) return std::move(scenes).error();
   loaded.scenes = *std::move(scenes);
   progress.enter_stage("writing");

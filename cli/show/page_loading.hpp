@@ -4,8 +4,8 @@
 #include "analysis/scene/build_page.hpp"
 #include "analysis/scene/scene.hpp"
 #include "cli/console/progress_bar.hpp"
+#include "cli/show/report_command.hpp"
 #include "cli/show/scene_loading.hpp"
-#include "cli/show/show_request.hpp"
 
 #include <beespace/result.hpp>
 
@@ -20,10 +20,9 @@ struct LoadedPage {
   SceneTimings timings;  // until here
 };
 
-// `compare` is the file to show beside, or nothing. Errors: kInvalidArgument, with the way to the
-// help of `command`, where standard input is to be read twice, and where analysis::build_page
-// refuses; those of loading.
-Result<LoadedPage> load_page(const char* command, const ShowRequest& request,
-                             const std::string& compare, ProgressBar& progress);
+// Errors: kInvalidArgument, with the way to the help of `command`, where standard input is to be
+// read twice, and where analysis::build_page refuses; those of loading.
+Result<LoadedPage> load_page(const char* command, const ReportRequest& request,
+                             ProgressBar& progress);
 
 }  // namespace beespace::cli

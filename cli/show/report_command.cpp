@@ -53,11 +53,12 @@ Result<ExitCode> run_report(const ReportRequest& request) {
   }
   std::vector<std::string> inputs = moving.inputs;
   inputs.push_back(request.compare);
+  inputs.push_back(request.fleet_log);
   auto output = open_output(kName, moving.output, inputs);
   if (!output) return std::move(output).error();
   if (Status html = check_ending(moving.output); !html) return std::move(html).error();
   ProgressBar progress(!moving.quiet);
-  const auto loaded = load_page(kName, request.show, request.compare, progress);
+  const auto loaded = load_page(kName, request, progress);
   if (!loaded) return loaded.error();
   Stopwatch watch;
   analysis::write_page(loaded->page, [&](std::string_view text) { output->write(text); });

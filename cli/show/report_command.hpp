@@ -10,7 +10,8 @@ namespace beespace::cli {
 
 struct ReportRequest {
   ShowRequest show;
-  std::string compare;  // empty: nothing
+  std::string compare;    // empty: nothing
+  std::string fleet_log;  // the same
 };
 
 // What to read, what to compare it with, and what is too close: of `report` and `view`.

@@ -21,6 +21,7 @@ constexpr const char* kDetails =
     "  beespace report swarm.csv --threshold 5 -o report.html\n"
     "  beespace report show.skyc -o show.html\n"
     "  beespace report before.csv --compare after.csv --threshold 5 -o both.html\n"
+    "  beespace report flown.csv --fleet-log fleet.ndjson --threshold 5 -o fleet.html\n"
     "\n"
     "Exit status: 0 fine, 1 a bee is at risk (with --fail-on-risk), 2 wrong usage, 3 bad "
     "input,\n"
@@ -42,6 +43,9 @@ void add_page_input_options(Command& command, ReportRequest& request) {
   command.group("Input");
   command.option("--compare", "FILE", request.compare,
                  "Show this beside it: what came before on the left,\nthis on the right");
+  command.option("--fleet-log", "FILE", request.fleet_log,
+                 "What a planner said of the bees of FILES, as 'guide'\nand 'simulate --fleet-log' "
+                 "write it: where each should\nbe, its tube, its claim and its contract");
 }
 
 Command report_command() {

@@ -35,6 +35,7 @@ constexpr const char* kDetails =
     "  beespace view bees.csv\n"
     "  beespace view show.skyc --no-open\n"
     "  beespace view before.csv --compare after.csv --threshold 5\n"
+    "  beespace view flown.csv --fleet-log fleet.ndjson --threshold 5\n"
     "\n"
     "Exit status: 2 wrong usage, 3 bad input, 4 cannot open, read or serve, 130 ended by Ctrl-C, "
     "143\n"
@@ -59,7 +60,7 @@ struct ViewRequest {
 // served for long.
 Result<std::string> page_for(const ReportRequest& request) {
   ProgressBar progress(!request.show.moving.quiet);
-  const auto loaded = load_page(kName, request.show, request.compare, progress);
+  const auto loaded = load_page(kName, request, progress);
   if (!loaded) return loaded.error();
   std::string page;
   analysis::write_page(loaded->page, [&](std::string_view text) { page += text; });

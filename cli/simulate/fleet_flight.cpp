@@ -5,6 +5,7 @@
 #include "cli/console/summary_line.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/output/swarm_output.hpp"
+#include "cli/simulate/fleet_log_writer.hpp"
 #include "io/bytes/number_text.hpp"
 #include "io/json/json_writer.hpp"
 #include "sim/fleet_loop.hpp"
@@ -21,16 +22,19 @@
 namespace beespace::cli {
 namespace {
 
-// True flights, instant after instant, and nominal ones, tick after tick.
+// True flights, instant after instant, and nominal ones and what is said, tick after tick.
 class Recording {
  public:
-  Recording(const SimulateRequest& request, const FlightNames& names, io::AtomicOutput* truth,
-            io::AtomicOutput* nominal) {
-    if (truth != nullptr) truth_.emplace(*truth, request.format, names.ids, true);
-    if (nominal != nullptr) nominal_.emplace(*nominal, request.nominal_format, names.ids, true);
+  Recording(const SimulateRequest& request, const FlightNames& names, const FleetOutputs& to) {
+    if (to.truth != nullptr) truth_.emplace(*to.truth, request.format, names.ids, true);
+    if (to.nominal != nullptr) {
+      nominal_.emplace(*to.nominal, request.nominal_format, names.ids, true);
+    }
+    if (to.log != nullptr) log_.emplace(*to.log, names);
   }
 
   void add(const sim::FleetLoop& loop) {
+    if (log_) log_->add(loop);
     const auto instants = static_cast<std::size_t>(loop.options().instants);
     const double period_s = loop.options().link.period_s;
     const double begins_s = loop.time_s() - period_s;
@@ -59,12 +63,16 @@ class Recording {
     if (truth_) {
       if (Status written = truth_->finish(); !written) return written;
     }
-    return nominal_ ? nominal_->finish() : Status(std::monostate());
+    if (nominal_) {
+      if (Status written = nominal_->finish(); !written) return written;
+    }
+    return log_ ? log_->finish() : Status(std::monostate());
   }
 
  private:
   std::optional<FlightWriter> truth_;
   std::optional<FlightWriter> nominal_;
+  std::optional<FleetLogWriter> log_;
 };
 
 bool holds(const sim::FleetLoop& loop) {
@@ -339,7 +347,7 @@ Status fly_loop(const SimulateRequest& request, sim::FleetLoop& loop, Recording&
 }  // namespace
 
 Result<ExitCode> fly_fleet(const SimulateRequest& request, MissionToFly mission,
-                           io::AtomicOutput* truth, io::AtomicOutput* nominal) {
+                           const FleetOutputs& outputs) {
   if (!mission.mission.limits.empty()) {
     return simulate_error(
         "a fleet that is flown by commands has one limit for all; leave the "
@@ -353,9 +361,11 @@ Result<ExitCode> fly_fleet(const SimulateRequest& request, MissionToFly mission,
   auto made = sim::FleetLoop::make(mission.mission, request.fleet);
   if (!made) return simulate_error(with_options(made.error().message));
   sim::FleetLoop& loop = **made;
-  Recording recording(request, mission.names, truth, nominal);
+  Recording recording(request, mission.names, outputs);
   const Status flown = fly_loop(request, loop, recording);
-  if (!flown && truth != nullptr && truth->pipe_closed()) return ExitCode::kPipeClosed;
+  for (const io::AtomicOutput* output : {outputs.truth, outputs.nominal, outputs.log}) {
+    if (!flown && output != nullptr && output->pipe_closed()) return ExitCode::kPipeClosed;
+  }
   if (!flown) return flown.error();
   if (request.json) {
     const ExitCode written = print(fleet_json(request, loop, mission));

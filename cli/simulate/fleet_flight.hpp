@@ -10,8 +10,14 @@
 
 namespace beespace::cli {
 
-// Null for no recording. `truth` gets true positions, `nominal` nominal ones.
+// What is written of a flight; null for what is not.
+struct FleetOutputs {
+  io::AtomicOutput* truth = nullptr;    // true positions
+  io::AtomicOutput* nominal = nullptr;  // nominal ones
+  io::AtomicOutput* log = nullptr;      // what the planner said
+};
+
 Result<ExitCode> fly_fleet(const SimulateRequest& request, MissionToFly mission,
-                           io::AtomicOutput* truth, io::AtomicOutput* nominal);
+                           const FleetOutputs& outputs);
 
 }  // namespace beespace::cli

@@ -17,7 +17,8 @@ constexpr const char* kOptions[] = {
     "--loop",    "--noise", "--noise-kind",    "--gust",        "--drift",
     "--latency", "--loss",  "--loss-run",      "--clock-error", "--weak",
     "--silent",  "--joins", "--intruders",     "--radius",      "--shape",
-    "--fence",   "--plane", "--command-delay", "--reserve",     "--nominal"};
+    "--fence",   "--plane", "--command-delay", "--reserve",     "--nominal",
+    "--fleet-log"};
 
 Error not_that(const Typed& typed, const char* what) {
   return usage_error(typed.command,
@@ -176,6 +177,9 @@ void add_rules(Command& simulate, SimulateRequest& request) {
   simulate.flag("--plane", fleet.planar, "Bees keep their heights, which are all the same");
   simulate.option("--nominal", "FILE", request.nominal,
                   "Where the nominal flight goes; --output has the\ntrue one");
+  simulate.option("--fleet-log", "FILE", request.fleet_log,
+                  "Where commands and statuses go, as 'beespace guide'\nwrites them; for 'beespace "
+                  "report --fleet-log'");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "cli/console/standard_output.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/output/output_file.hpp"
+#include "cli/output/output_form.hpp"
 #include "cli/simulate/fleet_flight.hpp"
 #include "cli/simulate/simulate_json.hpp"
 #include "cli/simulate/simulate_mission.hpp"
@@ -18,6 +19,29 @@
 namespace beespace::cli {
 namespace {
 
+// Nothing where there is no name.
+Result<std::optional<io::AtomicOutput>> open_beside(const SimulateRequest& request,
+                                                    const std::string& name, io::Packing packing) {
+  std::optional<io::AtomicOutput> output;
+  if (name.empty()) return output;
+  auto opened = open_output("simulate", name, {request.output}, packing);
+  if (!opened) return std::move(opened).error();
+  output.emplace(std::move(opened).value());
+  return output;
+}
+
+Result<ExitCode> simulate_fleet(const SimulateRequest& request, MissionToFly mission,
+                                io::AtomicOutput* truth) {
+  auto nominal = open_beside(request, request.nominal, request.nominal_format.packing());
+  if (!nominal) return std::move(nominal).error();
+  const bool packed = file_ending(request.fleet_log).compressed;
+  auto log = open_beside(request, request.fleet_log,
+                         packed ? io::Packing::kGzip : io::Packing::kPlain);
+  if (!log) return std::move(log).error();
+  return fly_fleet(request, std::move(mission),
+                   {truth, *nominal ? &**nominal : nullptr, *log ? &**log : nullptr});
+}
+
 Result<ExitCode> simulate(const SimulateRequest& request) {
   std::optional<io::AtomicOutput> output;
   if (!request.output.empty()) {
@@ -32,15 +56,7 @@ Result<ExitCode> simulate(const SimulateRequest& request) {
   auto mission = mission_to_fly(request);
   if (!mission) return std::move(mission).error();
   if (request.has_fleet) {
-    std::optional<io::AtomicOutput> nominal;
-    if (!request.nominal.empty()) {
-      auto opened = open_output("simulate", request.nominal, {request.output},
-                                request.nominal_format.packing());
-      if (!opened) return std::move(opened).error();
-      nominal.emplace(std::move(opened).value());
-    }
-    return fly_fleet(request, std::move(mission).value(), output ? &*output : nullptr,
-                     nominal ? &*nominal : nullptr);
+    return simulate_fleet(request, std::move(mission).value(), output ? &*output : nullptr);
   }
   SimulatedFlight flight(request, std::move(mission).value(), output ? &*output : nullptr);
   const Status flown = flight.fly(progress);

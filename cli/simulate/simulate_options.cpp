@@ -147,8 +147,20 @@ Status check_fit(const Command& command, const SimulateRequest& request) {
   if (request.json && request.nominal == "-") {
     return simulate_error("--json and --nominal - would both write to standard output");
   }
-  if (!request.nominal.empty() && are_same_file(request.nominal, request.output)) {
-    return simulate_error("--nominal and --output are the same; name two files");
+  if (request.json && request.fleet_log == "-") {
+    return simulate_error("--json and --fleet-log - would both write to standard output");
+  }
+  const std::pair<const char*, const std::string&> outputs[] = {{"--fleet-log", request.fleet_log},
+                                                                {"--nominal", request.nominal},
+                                                                {"--output", request.output}};
+  for (std::size_t i = 0; i < std::size(outputs); ++i) {
+    for (std::size_t k = i + 1; k < std::size(outputs); ++k) {
+      const auto& [option, file] = outputs[i];
+      const auto& [other, other_file] = outputs[k];
+      if (file.empty() || !are_same_file(file, other_file)) continue;
+      return simulate_error(std::string(option) + " and " + other +
+                            " are the same; name two files");
+    }
   }
   if (request.scenario == "-" && request.obstacles == "-") {
     return simulate_error("the mission and --obstacles cannot both be standard input");

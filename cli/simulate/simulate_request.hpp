@@ -39,6 +39,7 @@ struct SimulateRequest {
   std::uint64_t intruders = 0;
   std::string nominal;  // empty: the nominal flight is not written
   SwarmFormat nominal_format;
+  std::string fleet_log;  // empty: what the planner says is not written
   bool json = false;
   bool fail_on_risk = false;
   bool quiet = false;

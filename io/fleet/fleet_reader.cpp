@@ -193,30 +193,7 @@ std::string known_events() {
   return list;
 }
 
-Error no_object(JsonElement root) {
-  return {
-      ErrorCode::kUnsupportedFormat,
-      "this line is " + std::string(json_kind(root)) + ", not an object; write one object a line",
-      {}};
-}
-
 }  // namespace
-
-bool read_fleet_id(JsonElement element, std::string& id) {
-  std::string_view text;
-  if (element.get(text)) {
-    id = text;
-    return !id.empty() && id.size() <= FleetReader::kLongestId;
-  }
-  if (std::uint64_t number = 0; element.get(number)) {
-    id = std::to_string(number);
-    return true;
-  }
-  std::int64_t number = 0;
-  if (!element.get(number)) return false;
-  id = std::to_string(number);
-  return true;
-}
 
 FleetReader::FleetReader(Defaults defaults, std::string source, std::string only)
     : defaults_(defaults), source_(std::move(source)), only_(std::move(only)) {
@@ -240,29 +217,11 @@ Result<std::optional<FleetMessage>> FleetReader::take(std::string_view line) {
 }
 
 Result<std::optional<FleetMessage>> FleetReader::read(std::string_view line) {
-  if (line.size() > kLongest) {
-    return Error{ErrorCode::kMalformedRecord,
-                 "the line has more than " + std::to_string(kLongest) +
-                     " bytes, which no message has; is the input text, an object a line?",
-                 {}};
-  }
-  if (line.find_first_not_of(" \t\r\n") == std::string_view::npos) {
-    return std::optional<FleetMessage>();
-  }
-  // The parser reads beyond the end; what lies there does not matter.
-  padded_.reserve(line.size() + JsonParser::kPadding);
-  padded_.assign(line);
-  JsonElement root;
-  const std::string_view problem = parser_.parse_padded(padded_, root);
-  if (!problem.empty()) {
-    Error error = json_syntax_error(line, problem, "each object must be whole in one line");
-    error.location.line.reset();
-    return error;
-  }
-  if (!root.is_object()) return no_object(root);
-  const auto event = json_member(root, "event");
-  std::string_view word;
-  if (!event || !event->get(word)) {
+  const auto read = events_.read(line);
+  if (!read) return read.error();
+  if (!*read) return std::optional<FleetMessage>();
+  const auto& [root, word] = **read;
+  if (word.empty()) {
     return Error{ErrorCode::kMissingColumn,
                  "this object has no 'event' that says what it is; known are " + known_events(),
                  {}};

@@ -4,6 +4,7 @@
 // the longest line that is taken. One thread at a time.
 #pragma once
 
+#include "io/fleet/event_line.hpp"
 #include "io/fleet/fleet_fields.hpp"
 #include "io/fleet/fleet_message.hpp"
 #include "io/json/json_value.hpp"
@@ -22,9 +23,8 @@ namespace beespace::io {
 
 class FleetReader {
  public:
-  // Longer lines are refused. A command of the most states and ancestors has some 10 kB.
-  static constexpr std::size_t kLongest = std::size_t{1} << 18;
-  static constexpr std::size_t kLongestId = 64;
+  static constexpr std::size_t kLongest = EventLines::kLongest;  // longer lines are refused
+  static constexpr std::size_t kLongestId = kLongestFleetId;
 
   struct Defaults {
     FleetFigures figures = {};  // what is absent in the figures and limits of one agent
@@ -57,16 +57,12 @@ class FleetReader {
   Defaults defaults_;
   std::string source_;
   std::string only_;
-  JsonParser parser_;
-  std::string padded_;
+  EventLines events_;
   std::string id_;
   std::string event_;
   std::string bad_id_;
   bool bad_intruders_ = false;
   std::uint64_t lines_ = 0;
 };
-
-// An id: a text that is not too long, or a whole number. False where it is neither.
-bool read_fleet_id(JsonElement element, std::string& id);
 
 }  // namespace beespace::io
