@@ -19,7 +19,7 @@ struct FleetBranch {
   Tick at = 0;
   Point place;            // there and then
   Point stop;             // where it stands at last,
-  double braking_s = 0.0;  // so long after that tick
+  double braking_s = 0.0;  // so long after that tick, or at the end of that period
   std::optional<std::uint32_t> parent = {};  // by its place in the list of its bee; none: not known
 };
 

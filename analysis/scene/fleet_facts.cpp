@@ -77,9 +77,10 @@ report::FleetBranch branch_of(const io::LoggedAgent& agent, std::size_t number, 
   found.at = last_tick(branch);
   Mover state = branch.states.back();
   found.place = state.position;
+  const Velocity& v = state.velocity;
+  found.braking_s = std::hypot(v.x, v.y, v.z) / branch.braking_mps2;
   for (int ticks = 0; ticks < kLongest && !stands(state); ++ticks) {
     brake(state, branch.braking_mps2 * period_s, period_s);
-    found.braking_s += period_s;
   }
   found.stop = state.position;
   for (std::size_t i = number; branch.parent != 0 && i > 0; --i) {

@@ -45,8 +45,8 @@ export function makeStage(
   const title = label ? element('p', { class: 'stage-title' }, element('strong', {}, label), ' ', nameElement(head.title)) : null;
   const words =
     swarm.kind === 'snapshot'
-      ? { risk: 'at risk', line: 'too close to each other', colours }
-      : { risk: 'in conflict now', line: 'in conflict with each other', colours };
+      ? { risk: 'at risk', line: 'too close to each other', colours, fleet: false }
+      : { risk: 'in conflict now', line: 'in conflict with each other', colours, fleet: swarm.fleet !== null };
   const scene = element('div', { class: 'scene' });
   let view: View | null = null;
   try {

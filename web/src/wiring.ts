@@ -2,6 +2,7 @@
 import { pairsOf } from './data/swarm';
 import { listenToKeys } from './keys';
 import { toggleTheme, type Layout } from './layout';
+import { contractPanel } from './panels/contracts';
 import { filterControls } from './panels/filter';
 import { histogramPanel } from './panels/histogram';
 import { notesPanel } from './panels/notes';
@@ -51,9 +52,11 @@ export function wirePanels({ shown, choices, times, room, help, version, notes }
   const line = moving ? timeline(shown, times, choices) : null;
   if (line) room.column.append(line.box);
   const histogram = histogramPanel(shown);
+  const contracts = contractPanel(shown, actions);
   room.panels.append(
     summaryPanel(shown, actions),
     selectionPanel(shown, choices, now, actions),
+    ...(contracts ? [contracts] : []),
     pairPanel(shown, choices, actions),
     ...(histogram ? [histogram] : []),
     notesPanel(shown, version, notes),

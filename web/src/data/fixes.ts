@@ -34,6 +34,10 @@ export class Fixes {
     return this.#from[bee + 1] - this.#from[bee];
   }
 
+  firstOf(bee: number): number {
+    return this.#from[bee];
+  }
+
   timeOf(fix: number): number {
     return this.time.offset + this.time.scale * this.time.raw[fix];
   }

@@ -57,6 +57,27 @@ export interface SnapshotHead extends SwarmHead {
   pairs: Places<'first' | 'second' | 'distance_m'>;
 }
 
+/** What the planner of the fleet said of each bee. */
+export interface FleetHead {
+  title: string;
+  tick_s: number;
+  states: Places<
+    | 'counts'
+    | 'time_s'
+    | 'x'
+    | 'y'
+    | 'z'
+    | 'absent_after'
+    | 'tube_m'
+    | 'contract'
+    | 'reason'
+    | 'certified'
+    | 'branches'
+    | 'newest'
+  >;
+  branches: Places<'counts' | 'time_s' | 'x' | 'y' | 'z' | 'braking_s' | 'back'> & { stop: Places<'x' | 'y' | 'z'> };
+}
+
 export interface RecordingHead extends SwarmHead {
   kind: 'recording';
   risk: RecordingRisk;
@@ -68,6 +89,7 @@ export interface RecordingHead extends SwarmHead {
   >;
   at_risk: Places<'bee' | 'begins_s' | 'ends_s'>;
   separation: Places<'time_s' | 'distance_m' | 'first' | 'second'>;
+  fleet?: FleetHead;
 }
 
 export type Head = SnapshotHead | RecordingHead;

@@ -1,6 +1,7 @@
 // A swarm that moves.
 import { readColumn, readCounts, readMeasures } from './column';
 import { Fixes } from './fixes';
+import { readFleet, type Fleet } from './fleet';
 import { Names } from './names';
 import type { RecordingHead } from './page';
 import { boxAround, readPositions, type Box } from './positions';
@@ -32,6 +33,7 @@ export interface Recording {
   conflicts: Conflicts;
   spans: Spans;
   separation: Separation;
+  fleet: Fleet | null;
 }
 
 async function readConflicts(places: RecordingHead['conflicts']): Promise<Conflicts> {
@@ -69,6 +71,7 @@ export async function readRecording(head: RecordingHead): Promise<Recording> {
       first: await readCounts(head.separation.first),
       second: await readCounts(head.separation.second),
     },
+    fleet: head.fleet ? await readFleet(head.fleet) : null,
   };
 }
 

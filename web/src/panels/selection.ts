@@ -1,5 +1,6 @@
 // The selected bee: its numbers, and the bees that are too close to it.
 import { geographicOf } from '../data/earth';
+import type { Fleet } from '../data/fleet';
 import { positionOf } from '../data/positions';
 import { counterpart, pairsOf } from '../data/swarm';
 import type { Choices, Selected } from '../state/choices';
@@ -54,6 +55,21 @@ function placeNow(shown: Shown, bee: number, now: Now): [number, number, number]
   return positionOf({ ...swarm.fixes.positions, x, y, z } as never, 0);
 }
 
+/** What the planner of the fleet says of a bee. */
+function fleetFacts(fleet: Fleet, bee: number, within: number, place: [number, number, number] | null): Fact[] {
+  const told = fleet.told(bee, within);
+  if (!told) return [['Contract', 'nothing is said of it now']];
+  const { contract, reason, certified, tube_m, branches } = told;
+  const facts: Fact[] = [
+    ['Contract', contract, contract === 'out' ? 'outcast' : ''],
+    ...(contract === 'kept' ? [] : [['Why', reason] satisfies Fact]),
+    ['Certified', certified ? 'yes' : 'no'],
+  ];
+  const deviation_m = place && fleet.deviation(bee, within, place);
+  if (deviation_m !== null) facts.push(['Off its nominal place', formatMetres(deviation_m, 3)]);
+  return [...facts, ['Tube', formatMetres(tube_m, 3)], ['Branches it may be on', formatCount(branches)]];
+}
+
 function factsOf(shown: Shown, bee: number, now: Now): Fact[] {
   const { swarm, company } = shown;
   const facts: Fact[] = [];
@@ -75,7 +91,9 @@ function factsOf(shown: Shown, bee: number, now: Now): Fact[] {
   if (group >= 0) {
     facts.push(['Conflict group', `${formatCount(company.groups.list[group].number)}, of ${formatCount(company.groups.list[group].bees.length)} bees`]);
   }
-  facts.push(...positionFacts(shown, placeNow(shown, bee, now)));
+  const place = placeNow(shown, bee, now);
+  if (swarm.kind === 'recording' && swarm.fleet) facts.push(...fleetFacts(swarm.fleet, bee, now.within(shown), place));
+  facts.push(...positionFacts(shown, place));
   return facts;
 }
 

@@ -118,6 +118,31 @@ export function lineMaterial(): RawShaderMaterial {
   });
 }
 
+/** Rings of so many pixels around places in metres of the scene, over everything else. */
+export function ringMaterial(pixels: number): RawShaderMaterial {
+  return new RawShaderMaterial({
+    glslVersion: GLSL3,
+    depthTest: false,
+    depthWrite: false,
+    transparent: true,
+    uniforms: { colour: { value: new Vector3() }, ratio: { value: 1 } },
+    vertexShader: `precision highp float;
+      in vec3 position; uniform float ratio;
+      uniform mat4 modelViewMatrix; uniform mat4 projectionMatrix;
+      void main() {
+        gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+        gl_PointSize = ${pixels.toFixed(1)} * ratio;
+      }`,
+    fragmentShader: `precision mediump float;
+      uniform vec3 colour; out vec4 fragment;
+      void main() {
+        float far = 2.0 * length(gl_PointCoord - 0.5);
+        if (far > 1.0 || far < ${(1 - 4 / pixels).toFixed(3)}) discard;
+        fragment = vec4(colour, 1.0);
+      }`,
+  });
+}
+
 /** Lines and faces in metres of the scene; `fade` fades them by the vertex. */
 export function shapeMaterial(fade: boolean, onTop: boolean): RawShaderMaterial {
   return new RawShaderMaterial({

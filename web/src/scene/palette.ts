@@ -14,6 +14,9 @@ export interface Palette {
   riskEdge: string;
   line: string;
   focus: string;
+  /** Of what a planner says: where the selected bee shall be; and who keeps its contract no longer. */
+  ghost: string;
+  out: string;
   grid: string;
   box: string;
 }
@@ -29,6 +32,8 @@ export const kPalettes: Record<Theme, Palette> = {
     riskEdge: '#2a0503',
     line: '#ff8f80',
     focus: '#ffffff',
+    ghost: '#d9a6ff',
+    out: '#ffb52e',
     grid: '#26313a',
     box: '#3a4853',
   },
@@ -40,6 +45,8 @@ export const kPalettes: Record<Theme, Palette> = {
     riskEdge: '#ffffff',
     line: '#c8102e',
     focus: '#111820',
+    ghost: '#7a1fc0',
+    out: '#a85b00',
     grid: '#dce2e7',
     box: '#b4bfc8',
   },

@@ -8,7 +8,9 @@ import { Orbit } from './camera';
 import { Cloud } from './cloud';
 import { Compass } from './compass';
 import type { Frame } from './frame';
+import { Guidance, type Guided } from './guidance';
 import { Markers } from './markers';
+import { Outcasts } from './outcasts';
 import type { Palette } from './palette';
 import { pickBee } from './picking';
 import type { Placement } from './placement';
@@ -42,6 +44,8 @@ export class View {
   readonly #axes: Axes;
   readonly #threshold: ThresholdShape;
   readonly #trails: Trails;
+  readonly #guidance: Guidance;
+  readonly #outcasts = new Outcasts();
   readonly #markers = new Markers();
   readonly #scale = new ScaleBar();
   readonly #compass: Compass;
@@ -80,8 +84,10 @@ export class View {
     this.#threshold = new ThresholdShape(subject.threshold_m, subject.vertical_m);
     this.#trails = new Trails(frame);
     this.#trails.hide();
+    this.#guidance = new Guidance(frame);
     this.#compass = new Compass(subject.axes);
     this.#scene.add(this.#axes.group, this.#trails.lines, this.#cloud.group, this.#threshold.group);
+    this.#scene.add(this.#guidance.group, this.#outcasts.rings);
     holder.prepend(this.canvas, this.#axes.labels, this.#markers.layer);
     holder.append(this.#scale.box, this.#compass.box);
     this.orbit.onChange(() => this.#moved());
@@ -94,7 +100,9 @@ export class View {
 
   colour(palette: Palette): void {
     this.#renderer.setClearColor(new Color(palette.ground));
-    for (const part of [this.#cloud, this.#axes, this.#threshold, this.#trails]) part.colour(palette);
+    for (const part of [this.#cloud, this.#axes, this.#threshold, this.#trails, this.#guidance, this.#outcasts]) {
+      part.colour(palette);
+    }
     this.invalidate();
   }
 
@@ -110,6 +118,18 @@ export class View {
     this.#marked = bees;
     this.#markers.name(names);
     this.#threshold.place(bees.length > 0 ? this.sceneOf(bees[0]) : null);
+    this.invalidate();
+  }
+
+  /** The first bee that is marked as its planner has it; null where that is not known. */
+  guide(guided: Guided | null): void {
+    this.#guidance.show(guided);
+    this.invalidate();
+  }
+
+  /** Bees that keep their contracts no longer. */
+  castOut(bees: number[]): void {
+    this.#outcasts.place(bees.map((bee) => this.sceneOf(bee)).filter((place) => place !== null));
     this.invalidate();
   }
 
@@ -219,6 +239,7 @@ export class View {
     this.#renderer.setSize(this.#width, this.#height, false);
     this.orbit.resize(this.#width, this.#height);
     this.#cloud.setSizes(this.orbit.homeDistance, this.#renderer.getPixelRatio());
+    for (const part of [this.#guidance, this.#outcasts]) part.setPixelRatio(this.#renderer.getPixelRatio());
     // The new canvas is empty until it is drawn on.
     if (this.#placement) this.draw();
   }
