@@ -10,7 +10,6 @@
 #include "io/fleet/status_message.hpp"
 
 #include <algorithm>
-#include <string_view>
 #include <unordered_map>
 #include <utility>
 
@@ -173,15 +172,19 @@ class Reading {
 
 }  // namespace
 
+Result<FleetLog> read_fleet_log(std::string_view content, std::string source, bool skip_bad) {
+  Reading reading(std::move(source));
+  if (Status read = reading.read(content, skip_bad); !read) return std::move(read).error();
+  return reading.finish();
+}
+
 Result<FleetLog> load_fleet_log(const std::string& path, bool skip_bad, Progress* progress) {
   const std::string source = source_name(path);
   auto bytes = open_bytes(path, progress);
   if (!bytes) return std::move(bytes).error();
   const auto content = unpacked(*std::move(bytes), source);
   if (!content) return content.error();
-  Reading reading(source);
-  if (Status read = reading.read(content->view, skip_bad); !read) return std::move(read).error();
-  return reading.finish();
+  return read_fleet_log(content->view, source, skip_bad);
 }
 
 }  // namespace beespace::io

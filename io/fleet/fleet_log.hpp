@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace beespace::io {
@@ -50,5 +51,7 @@ struct FleetLog {
 // that is wrong, with its number; kNoPoints where nothing is said of any agent; kMissingColumn
 // where the log holds no command, or tells of agents only when something changes.
 Result<FleetLog> load_fleet_log(const std::string& path, bool skip_bad, Progress* progress);
+// The same of what was read already; `source` is what errors blame.
+Result<FleetLog> read_fleet_log(std::string_view content, std::string source, bool skip_bad);
 
 }  // namespace beespace::io
