@@ -16,12 +16,14 @@ namespace {
 class TickCount {
  public:
   TickCount(const FleetFacts& fleet, double begins_s) : period_s_(fleet.period_s) {
-    first_ = std::numeric_limits<Tick>::max();
+    constexpr Tick kNone = std::numeric_limits<Tick>::max();
+    first_ = kNone;
     for (const FleetBee& bee : fleet.bees) {
       if (!bee.states.empty()) first_ = std::min(first_, bee.states.front().tick);
       // A branch may be older than what is said first.
       for (const FleetBranch& branch : bee.branches) first_ = std::min(first_, branch.at);
     }
+    if (first_ == kNone) first_ = 0;
     meaning_ = {period_s_, static_cast<double>(first_) * period_s_ - begins_s};
   }
 

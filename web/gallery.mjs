@@ -11,6 +11,7 @@ const kPictures = [
   { page: 'million', name: 'report-million', theme: 'dark', click: 'table tbody button', width: 1000, height: 640 },
   { page: 'flight', name: 'report-flight', theme: 'light', click: 'table tbody button' },
   { page: 'swap', name: 'report-swap', theme: 'light', click: 'table tbody button' },
+  { page: 'fleet', name: 'report-fleet', theme: 'light', bee: '53', steps: 75 },
   { page: 'flight', name: 'report-phone', theme: 'dark', width: 390, height: 844 },
 ];
 
@@ -18,7 +19,7 @@ const browser = await chromium.launch({
   executablePath: process.env.BEESPACE_CHROMIUM ?? '/usr/bin/chromium',
   args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
 });
-for (const { page: file, name, theme, click, width = 1280, height = 800 } of kPictures) {
+for (const { page: file, name, theme, click, bee, steps = 0, width = 1280, height = 800 } of kPictures) {
   const page = await browser.newPage({
     viewport: { width, height },
     colorScheme: theme,
@@ -27,6 +28,14 @@ for (const { page: file, name, theme, click, width = 1280, height = 800 } of kPi
   await page.goto(pathToFileURL(resolve(pages, `${file}.html`)).href);
   await page.waitForSelector('html[data-beespace="ready"]');
   if (click) await page.locator(click).first().click();
+  if (bee) {
+    // After so many steps from the beginning; then it flies there.
+    await page.keyboard.press('Home');
+    for (let step = 0; step < steps; ++step) await page.keyboard.press('.');
+    await page.fill('#search', bee);
+    await page.keyboard.press('Enter');
+    await page.locator('#search').blur();
+  }
   await page.waitForTimeout(500);
   await page.screenshot({ path: resolve(pictures, `${name}.png`) });
   await page.close();

@@ -41,6 +41,10 @@ awk 'BEGIN {print "id,time_s,x,y,z"; for (k = 0; k <= 120; ++k) if (k <= 40 || k
   for (k = 0; k <= 120; ++k) printf "c,%d,500,0,0\nd,%d,%d,0,0\n", k, k, 504 + (k - 70) * (k - 70)}' > "$data/again.csv"
 page again "$data/again.csv" --threshold 5 --max-gap 5
 page compared-recordings "$data/before.csv" --compare "$data/after.csv" --threshold 5
+# A fleet that is not exact, and what its planner said.
+quietly simulate random-swap --bees 20 --steps 200 --noise 0.1 --gust 0.3 --loss 20% --weak 10%:0.3 \
+  --output "$data/flown.csv" --fleet-log "$data/fleet.ndjson"
+page fleet "$data/flown.csv" --fleet-log "$data/fleet.ndjson" --threshold 5
 quietly generate --scene flight --points 1000 --size 400 --duration 1000 --interval 0.2 --seed 4 \
   --output "$data/long.csv"
 page long-recording "$data/long.csv" --threshold 5

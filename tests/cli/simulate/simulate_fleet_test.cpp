@@ -103,6 +103,45 @@ TEST(SimulateFleet, NominalAndOutputAreTwoFiles) {
   EXPECT_EQ(folder.names().size(), 2U);
 }
 
+TEST(SimulateFleet, TheLogOfTheFleetHasTheLinesOfGuide) {
+  const TemporaryFolder folder;
+  const Arguments fly{"simulate", "-", "--steps", "3", "--quiet"};
+  const char* const mission = "id,x,y,z,goal_x,goal_y,goal_z\nana,0,0,50,10,0,50\n";
+  const Finished finished = run(fly + Arguments{"--fleet-log", "-"}, mission);
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_TRUE(finished.out.starts_with(
+      R"({"event": "command", "id": "ana", "number": "1.1", "starts": -1, "path": [[)"))
+      << finished.out.substr(0, 200);
+  expect_parts(finished.out,
+               {R"("period_s": 0.1, "braking_mps2": 4})",
+                R"({"event": "status", "id": "ana", "tick": 0, "contract": "kept", "reason": )"
+                R"("none", "certified": )",
+                R"({"event": "status", "id": "ana", "tick": 2, )"});
+  // That it is written changes nothing.
+  const Arguments files{"--output", folder.path("one.csv"), "--drift", "0.1"};
+  EXPECT_EQ(run(fly + files, mission).exit_code, 0);
+  EXPECT_EQ(run(fly + Arguments{"--output", folder.path("other.csv"), "--fleet-log",
+                                folder.path("log.ndjson")},
+                mission)
+                .exit_code,
+            0);
+  EXPECT_EQ(folder.read("one.csv"), folder.read("other.csv"));
+}
+
+TEST(SimulateFleet, TheLogOfTheFleetIsAFileOfItsOwn) {
+  const TemporaryFolder folder;
+  const std::string file = folder.path("flown.csv");
+  const Arguments fly{"simulate", "head-on", "--quiet", "--fleet-log"};
+  expect_usage_error(fly + Arguments{file, "--output", file},
+                     "--fleet-log and --output are the same; name two files");
+  expect_usage_error(fly + Arguments{"-", "--nominal", "-"},
+                     "--fleet-log and --nominal are the same; name two files");
+  const Finished both = run(fly + Arguments{"-", "--json"});
+  EXPECT_EQ(both.exit_code, 2);
+  expect_parts(both.err, {"--json and --fleet-log - would both write to standard output"});
+  EXPECT_TRUE(folder.names().empty());
+}
+
 TEST(SimulateFleet, CommandsThatComeTooLateForAllAreNoted) {
   const Arguments fly{"simulate", "head-on", "--latency", "6", "--steps", "100"};
   const std::string note = "commands come too late for all; give a greater --command-delay";

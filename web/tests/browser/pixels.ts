@@ -9,11 +9,20 @@ export interface Clip {
 }
 
 /** Pixels of the red that stands for risk in the dark theme. */
-export async function redPixels(page: Page, clip: Clip): Promise<number> {
+export function redPixels(page: Page, clip: Clip): Promise<number> {
+  return pixels(page, clip, 'red');
+}
+
+/** Pixels of the violet of what a planner says of the selected bee, in the dark theme. */
+export function violetPixels(page: Page, clip: Clip): Promise<number> {
+  return pixels(page, clip, 'violet');
+}
+
+async function pixels(page: Page, clip: Clip, colour: 'red' | 'violet'): Promise<number> {
   const png = (await page.screenshot({ clip })).toString('base64');
   const blank = await page.context().newPage();
   try {
-    return await blank.evaluate(async (text) => {
+    return await blank.evaluate(async ([text, wanted]) => {
       const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
       const bitmap = await createImageBitmap(new Blob([bytes]));
       const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
@@ -21,12 +30,15 @@ export async function redPixels(page: Page, clip: Clip): Promise<number> {
       if (!context) return -1;
       context.drawImage(bitmap, 0, 0);
       const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
-      let red = 0;
+      let found = 0;
       for (let i = 0; i < data.length; i += 4) {
-        if (data[i] > 130 && data[i] > 2.2 * data[i + 1] && data[i] > 2.2 * data[i + 2]) ++red;
+        const [r, g, b] = [data[i], data[i + 1], data[i + 2]];
+        const red = r > 130 && r > 2.2 * g && r > 2.2 * b;
+        const violet = b > 50 && r > 1.15 * g && b > r;
+        if (wanted === 'red' ? red : violet) ++found;
       }
-      return red;
-    }, png);
+      return found;
+    }, [png, colour] as const);
   } finally {
     await blank.close();
   }
