@@ -26,21 +26,6 @@ bool same(const JoinRequest& a, const JoinRequest& b) {
          a.limits == b.limits;
 }
 
-// "branch 4294967297" of the Guide is "branch 1.1" in messages.
-std::string with_branch_texts(std::string_view text) {
-  constexpr std::string_view kBranch = "branch ";
-  std::string out;
-  for (std::size_t at = text.find(kBranch); at != std::string_view::npos; at = text.find(kBranch)) {
-    const std::size_t begin = at + kBranch.size();
-    const std::size_t end = std::min(text.find_first_not_of("0123456789", begin), text.size());
-    const auto number = io::parse_whole(text.substr(begin, end - begin));
-    out += text.substr(0, begin);
-    out += number ? io::branch_text(*number) : std::string(text.substr(begin, end - begin));
-    text.remove_prefix(end);
-  }
-  return out += text;
-}
-
 }  // namespace
 
 GuidedFleet::GuidedFleet(const GuideRequest& request, Guide guide, FleetStore store)
@@ -77,7 +62,6 @@ Error GuidedFleet::in_its_words(Error error, std::string_view id, AgentId agent)
   if (at != std::string::npos) {
     error.message.replace(at, number.size(), "agent '" + std::string(id) + "'");
   }
-  error.message = with_branch_texts(error.message);
   return error;
 }
 
