@@ -177,6 +177,13 @@ void add_fleet_options(Command& simulate, SimulateRequest& request) {
 
 namespace {
 
+// Of the options of a fleet; null: none.
+const char* first_given(const Command& command) {
+  const auto given = [&](const char* option) { return command.is_given(option); };
+  const auto* const first = std::find_if(std::begin(kOptions), std::end(kOptions), given);
+  return first == std::end(kOptions) ? nullptr : *first;
+}
+
 void settle_messages(const Command& command, SimulateRequest& request) {
   sim::FleetOptions& fleet = request.fleet;
   const auto latency = static_cast<std::int64_t>(request.latency);
@@ -196,12 +203,15 @@ void settle_messages(const Command& command, SimulateRequest& request) {
 
 }  // namespace
 
+bool asks_for_fleet(const Command& command) {
+  return first_given(command) != nullptr;
+}
+
 Result<bool> settle_fleet(const Command& command, SimulateRequest& request) {
-  const auto given = [&](const char* option) { return command.is_given(option); };
-  const auto first = std::find_if(std::begin(kOptions), std::end(kOptions), given);
-  if (first == std::end(kOptions)) return false;
+  const char* const first = first_given(command);
+  if (first == nullptr) return false;
   const auto refused = [&](const std::string& why) {
-    return simulate_error(std::string(*first) + " is of a fleet that is flown by commands, " + why);
+    return simulate_error(std::string(first) + " is of a fleet that is flown by commands, " + why);
   };
   const FlightLimits& limits = request.loop.limits;
   if (request.loop.method != sim::Method::kCertified) {

@@ -131,5 +131,26 @@ TEST(SimulateFleet, ErrorsOfFiguresNameTheOptions) {
                               "correction_mps (--reserve)"});
 }
 
+constexpr const char* kAcross =
+    "id,x,y,z,goal_x,goal_y,goal_z\n"
+    "maya,0,0,10,100,0,10\n";
+
+// Where bees begin is told by the scenario or the file; what noise and wind do is not.
+TEST(SimulateFleet, HasASeedWhereverItsBeesBegin) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("mission.csv", kAcross);
+  for (const std::string& scenario : {std::string("head-on"), file}) {
+    const Arguments fly{"simulate", scenario, "--steps", "20", "--output", "-", "--quiet"};
+    const auto flown = [&](const char* seed) {
+      return run(fly + Arguments{"--noise", "0.1", "--seed", seed});
+    };
+    const Finished first = flown("1");
+    EXPECT_EQ(first.exit_code, 0) << first.err;
+    EXPECT_EQ(first.out, flown("1").out);
+    EXPECT_NE(first.out, flown("2").out);
+    expect_usage_error(fly + Arguments{"--seed", "2"}, "--seed does not apply to ");
+  }
+}
+
 }  // namespace
 }  // namespace beespace::cli_test
