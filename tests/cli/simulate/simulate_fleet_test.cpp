@@ -106,9 +106,12 @@ TEST(SimulateFleet, NominalAndOutputAreTwoFiles) {
 TEST(SimulateFleet, CommandsThatComeTooLateForAllAreNoted) {
   const Arguments fly{"simulate", "head-on", "--latency", "6", "--steps", "100"};
   const std::string note = "commands come too late for all; give a greater --command-delay";
-  const Finished late = run(fly + Arguments{"--command-delay", "2"});
-  EXPECT_EQ(late.exit_code, 0) << late.err;
-  expect_parts(late.err, {"note       " + note});
+  for (const char* delay : {"2", "5", "6"}) {
+    const Finished late = run(fly + Arguments{"--command-delay", delay});
+    EXPECT_EQ(late.exit_code, 0) << late.err;
+    expect_parts(late.err, {"note       " + note});
+  }
+  EXPECT_EQ(run(fly + Arguments{"--command-delay", "7"}).err.find(note), std::string::npos);
   const Finished fine = run(fly);
   EXPECT_EQ(fine.err.find(note), std::string::npos) << fine.err;
 }
