@@ -12,6 +12,7 @@
 #include <beespace/version.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -171,7 +172,7 @@ std::string scenario_text(const SimulateRequest& request) {
   std::string text = printable(request.scenario);
   if (!request.from_file) {
     const double spacing_m = std::max(request.spacing_m, least_spacing_m(request));
-    text += ", about " + io::length(spacing_m) + " apart";
+    text += ", about " + io::exact(std::round(spacing_m * 1e3) / 1e3) + " m apart";
   }
   return text + ", seed " + std::to_string(request.seed);
 }
