@@ -200,7 +200,7 @@ complete -c beespace -n '__fish_seen_subcommand_from simulate' -x -l intruders -
 complete -c beespace -n '__fish_seen_subcommand_from simulate' -x -l radius -d 'Radii of bees in metres, as 1-4'
 complete -c beespace -n '__fish_seen_subcommand_from simulate' -x -l loop -a 'onboard ground' -d 'Who corrects deviations: bees themselves (the default), or the planner'
 complete -c beespace -n '__fish_seen_subcommand_from simulate' -x -l reserve -d 'What is kept for corrections, in m/s^2 and m/s (default: 1:1)'
-complete -c beespace -n '__fish_seen_subcommand_from simulate' -x -l command-delay -d 'After how many steps commands take effect (default: 2 more than the latency)'
+complete -c beespace -n '__fish_seen_subcommand_from simulate' -x -l command-delay -d 'After how many steps commands take effect (default: 2 more than the latency, and one more with losses)'
 complete -c beespace -n '__fish_seen_subcommand_from simulate' -x -l shape -a 'sphere' -d 'What must stay free: a sphere (the default), one stretched in height, or a cylinder'
 complete -c beespace -n '__fish_seen_subcommand_from simulate' -x -l fence -d 'Heights in metres that no bee leaves'
 complete -c beespace -n '__fish_seen_subcommand_from simulate' -f -l plane -d 'Bees keep their heights, which are all the same'

@@ -154,7 +154,8 @@ void add_rules(Command& simulate, SimulateRequest& request) {
           [&fleet](const TwoNumbers& reserve) { fleet.correction_mps = reserve.second; }),
       "What is kept for corrections, in m/s^2 and m/s\n(default: 1:1)");
   simulate.option("--command-delay", "TICKS", request.command_delay, whole(1, 32),
-                  "After how many steps commands take effect\n(default: 2 more than the latency)");
+                  "After how many steps commands take effect (default:\n2 more than the latency, "
+                  "and one more with losses)");
   simulate.option(
       "--shape", kShapes, fleet.separation, read_shape,
       "What must stay free: a sphere (the default), one\nstretched in height, or a cylinder");
