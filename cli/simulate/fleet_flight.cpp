@@ -200,8 +200,10 @@ std::string messages_text(const sim::FleetOptions& fleet) {
   return text;
 }
 
-bool all_came_too_late(const sim::FleetTally& tally) {
-  return tally.replies_taken == 0 && tally.replies_too_late > 0;
+// But the roots by which bees join, which may be taken a little later.
+bool all_came_too_late(const sim::FleetLoop& loop) {
+  const sim::FleetTally& tally = loop.tally();
+  return tally.replies_taken <= loop.joined().size() && tally.replies_too_late > 0;
 }
 
 constexpr const char* kTooLateNote =
@@ -257,7 +259,7 @@ std::string fleet_summary(const SimulateRequest& request, const sim::FleetLoop& 
   append_summary_line(out, "contracts", contracts_text(loop, flown.names));
   append_summary_line(out, "time",
                       "guidance " + io::grouped(guiding_us(loop), 2) + " us a bee a step");
-  if (all_came_too_late(loop.tally())) append_summary_line(out, "note", kTooLateNote);
+  if (all_came_too_late(loop)) append_summary_line(out, "note", kTooLateNote);
   for (const std::string& note : flown.notes) append_summary_line(out, "note", printable(note));
   return out;
 }

@@ -1,4 +1,5 @@
 // `beespace guide` and `beespace follow`: what they say to each other, refuse and remember.
+#include "tests/cli/guide/guide_runs.hpp"
 #include "tests/cli/run/command_run.hpp"
 #include "tests/cli/run/temporary_folder.hpp"
 
@@ -9,43 +10,6 @@
 
 namespace beespace::cli_test {
 namespace {
-
-Finished guide(const std::string& input, const Arguments& more = {}) {
-  Arguments arguments = {"guide", "--threshold",        "2", "--max-speed",
-                         "10",    "--max-acceleration", "5", "--ticks-from-input"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return run(arguments, input);
-}
-
-Finished follow(const std::string& input, const Arguments& more = {}) {
-  Arguments arguments = {
-      "follow", "--agent", "a",      "--planned-speed",   "10", "--planned-acceleration",
-      "5",      "--start", "0,0,30", "--ticks-from-input"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return run(arguments, input);
-}
-
-void expect_in(const std::string& text, const std::string& part) {
-  EXPECT_NE(text.find(part), std::string::npos) << part << " in:\n" << text;
-}
-
-std::string line_with(const std::string& text, const std::string& part) {
-  std::size_t begin = 0;
-  while (begin < text.size()) {
-    const std::size_t end = text.find('\n', begin);
-    const std::string line = text.substr(begin, end - begin);
-    if (line.find(part) != std::string::npos) return line;
-    if (end == std::string::npos) break;
-    begin = end + 1;
-  }
-  ADD_FAILURE() << part << " in:\n" << text;
-  return {};
-}
-
-const std::string kJoin = R"({"event": "join", "id": "a", "position": [0, 0, 30]})"
-                          "\n";
-const std::string kTick = R"({"event": "tick", "tick": 1})"
-                          "\n";
 
 TEST(Guide, SaysWhatFollowsFromTheFigures) {
   const Finished finished = guide(

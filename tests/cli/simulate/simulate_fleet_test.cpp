@@ -117,9 +117,12 @@ TEST(SimulateFleet, NominalAndOutputAreTwoFiles) {
 TEST(SimulateFleet, CommandsThatComeTooLateForAllAreNoted) {
   const Arguments fly{"simulate", "head-on", "--latency", "6", "--steps", "100"};
   const std::string note = "commands come too late for all; give a greater --command-delay";
-  const Finished late = run(fly + Arguments{"--command-delay", "2"});
-  EXPECT_EQ(late.exit_code, 0) << late.err;
-  expect_parts(late.err, {"note       " + note});
+  for (const char* delay : {"2", "5", "6"}) {
+    const Finished late = run(fly + Arguments{"--command-delay", delay});
+    EXPECT_EQ(late.exit_code, 0) << late.err;
+    expect_parts(late.err, {"note       " + note});
+  }
+  EXPECT_EQ(run(fly + Arguments{"--command-delay", "7"}).err.find(note), std::string::npos);
   const Finished fine = run(fly);
   EXPECT_EQ(fine.err.find(note), std::string::npos) << fine.err;
 }
@@ -140,6 +143,27 @@ TEST(SimulateFleet, ErrorsOfFiguresNameTheOptions) {
   EXPECT_EQ(finished.exit_code, 2);
   expect_parts(finished.err, {"deviation_mps (--drift, --gust and --clock-error) 2",
                               "correction_mps (--reserve)"});
+}
+
+constexpr const char* kAcross =
+    "id,x,y,z,goal_x,goal_y,goal_z\n"
+    "maya,0,0,10,100,0,10\n";
+
+// Where bees begin is told by the scenario or the file; what noise and wind do is not.
+TEST(SimulateFleet, HasASeedWhereverItsBeesBegin) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("mission.csv", kAcross);
+  for (const std::string& scenario : {std::string("head-on"), file}) {
+    const Arguments fly{"simulate", scenario, "--steps", "20", "--output", "-", "--quiet"};
+    const auto flown = [&](const char* seed) {
+      return run(fly + Arguments{"--noise", "0.1", "--seed", seed});
+    };
+    const Finished first = flown("1");
+    EXPECT_EQ(first.exit_code, 0) << first.err;
+    EXPECT_EQ(first.out, flown("1").out);
+    EXPECT_NE(first.out, flown("2").out);
+    expect_usage_error(fly + Arguments{"--seed", "2"}, "--seed does not apply to ");
+  }
 }
 
 }  // namespace
