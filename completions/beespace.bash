@@ -105,8 +105,9 @@ _beespace() {
         --method) values='certified orca mvp none' ;;
         --noise-kind) values='uniform adversarial' ;;
         --loop) values='onboard ground' ;;
+        --shape) values='sphere' ;;
         --obstacles | --nominal | -o | --output) files=yes ;;
-        --bees | --spacing | --seed | --speed | --step | --steps | --threshold | --clearance | --threads | --noise | --gust | --drift | --latency | --loss | --loss-run | --clock-error | --weak | --silent | --joins | --intruders | --radius | --reserve | --command-delay | --shape | --fence) return ;;
+        --bees | --spacing | --seed | --speed | --step | --steps | --threshold | --clearance | --threads | --noise | --gust | --drift | --latency | --loss | --loss-run | --clock-error | --weak | --silent | --joins | --intruders | --radius | --reserve | --command-delay | --fence) return ;;
         *) options='--bees --spacing --seed --speed --acceleration --step --steps --threshold --method --obstacles --clearance --threads --noise --noise-kind --gust --drift --latency --loss --loss-run --clock-error --weak --silent --joins --intruders --radius --loop --reserve --command-delay --shape --fence --plane --nominal --output --json --fail-on-risk --quiet --help --version' values='random-swap sphere-swap crossing-streams funnel pillars head-on density-sweep' files=yes ;;
       esac
       ;;

@@ -27,7 +27,8 @@ TrueSeparationOptions check_options(const FleetOptions& options) {
           .instants = static_cast<std::size_t>(options.instants),
           .fences = options.fences,
           .clearance_m = options.clearance_m,
-          .planar = options.planar};
+          .planar = options.planar,
+          .intruders = options.intruders};
 }
 
 }  // namespace

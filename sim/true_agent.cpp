@@ -6,6 +6,14 @@
 
 namespace beespace::sim {
 
+namespace {
+
+bool moves(const Setpoint& setpoint) {
+  return setpoint.nominal.velocity != Velocity{} || setpoint.correction != Velocity{};
+}
+
+}  // namespace
+
 TrueAgent::TrueAgent(const Follower& follower, const Point& start, const AgentLoop& loop,
                      const AgentErrors& errors, std::uint64_t seed)
     : follower_(follower),
@@ -54,6 +62,10 @@ AgentReport TrueAgent::report() {
   return report;
 }
 
+Vector3 TrueAgent::velocity() const {
+  return flies_ ? own_velocity_ + disturbance_.velocity() : Vector3{};
+}
+
 void TrueAgent::measure() {
   std::rotate(measured_.begin(), measured_.begin() + 1, measured_.end());
   measured_.back() = position_ + disturbance_.error(errors_.sensing_error_m) - own_way_;
@@ -71,9 +83,19 @@ void TrueAgent::correct(const Setpoint& now) {
 }
 
 void TrueAgent::fly(const Vector3& towards) {
-  const double lasts_s = instant_s();
   const Setpoint now = setpoint();
   const Setpoint next = setpoint_at(clock_.will_show_ns());
+  const bool on_board = loop_.place == LoopPlace::kOnboard;
+  flies_ = flies_ || on_board || moves(now) || moves(next);
+  if (flies_) fly_by(now, next, towards);
+  if (!flies_) stretch_ = {position_, {}, {}};
+  clock_.go_on();
+  ++instant_;
+  summed_s_ += instant_s();
+}
+
+void TrueAgent::fly_by(const Setpoint& now, const Setpoint& next, const Vector3& towards) {
+  const double lasts_s = instant_s();
   const bool on_board = loop_.place == LoopPlace::kOnboard;
   if (on_board) measure();
   if (on_board && instant_ % static_cast<std::uint64_t>(loop_.period) == 0) correct(now);
@@ -93,9 +115,6 @@ void TrueAgent::fly(const Vector3& towards) {
   position_ += stretch_.velocity * lasts_s + stretch_.acceleration * (0.5 * lasts_s * lasts_s);
   own_way_ += own_velocity_ * lasts_s + flown * (0.5 * lasts_s);
   own_velocity_ += flown;
-  clock_.go_on();
-  ++instant_;
-  summed_s_ += lasts_s;
 }
 
 }  // namespace beespace::sim

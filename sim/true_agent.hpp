@@ -73,7 +73,7 @@ class TrueAgent {
 
   [[nodiscard]] const Stretch& stretch() const { return stretch_; }  // of the last instant
   [[nodiscard]] const Vector3& position() const { return position_; }
-  [[nodiscard]] Vector3 velocity() const { return own_velocity_ + disturbance_.velocity(); }
+  [[nodiscard]] Vector3 velocity() const;
   // Where it should be now, by its own clock.
   [[nodiscard]] Setpoint setpoint() const;
   [[nodiscard]] double deviation_m() const;
@@ -86,6 +86,7 @@ class TrueAgent {
   [[nodiscard]] std::int64_t tick_ns() const { return loop_.instant_ns * loop_.instants_per_tick; }
   void measure();
   void correct(const Setpoint& now);
+  void fly_by(const Setpoint& now, const Setpoint& next, const Vector3& towards);
   [[nodiscard]] double instant_s() const { return static_cast<double>(loop_.instant_ns) * 1e-9; }
 
   Follower follower_;
@@ -97,6 +98,9 @@ class TrueAgent {
   std::uint64_t instant_ = 0;
   double summed_s_ = 0.0;  // for the fault, that of one who joins at the start
   bool began_ = false;
+  // Where the loop is closed on the ground nothing corrects it before its first command that says
+  // so: it stands until then (docs/tube.md).
+  bool flies_ = false;
 
   Vector3 position_;
   Vector3 own_velocity_;

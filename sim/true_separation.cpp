@@ -239,7 +239,7 @@ void TrueSeparation::look_at_fences(std::span<const Stretch> stretches) {
     const Real turn = a > 0 ? std::clamp(-v / a, Real{0}, lasts_s) : Real{0};
     return std::min({at(0), at(turn), at(lasts_s)}) < 0;
   };
-  for (std::size_t agent = 0; agent < boxes_.size(); ++agent) {
+  for (std::size_t agent = options_.intruders; agent < boxes_.size(); ++agent) {
     const auto flown = of(stretches, agent);
     for (const Fence& fence : options_.fences) {
       verdict_.fence_losses += std::any_of(flown.begin(), flown.end(),
@@ -248,9 +248,10 @@ void TrueSeparation::look_at_fences(std::span<const Stretch> stretches) {
                                    : 0U;
     }
     if (!options_.planar) continue;
-    if (heights_m_.size() <= agent) heights_m_.push_back(boxes_[agent].low.z);
+    const std::size_t index = agent - options_.intruders;
+    if (heights_m_.size() <= index) heights_m_.push_back(boxes_[agent].low.z);
     const bool left =
-        boxes_[agent].low.z != heights_m_[agent] || boxes_[agent].high.z != heights_m_[agent];
+        boxes_[agent].low.z != heights_m_[index] || boxes_[agent].high.z != heights_m_[index];
     verdict_.heights_left += left ? 1U : 0U;
   }
 }

@@ -65,6 +65,7 @@ struct TrueSeparationOptions {
   std::vector<Fence> fences = {};
   double clearance_m = 1.0;  // from fences
   bool planar = false;
+  std::size_t intruders = 0;  // the first of all: neither fences nor planes are theirs
 };
 
 class TrueSeparation {

@@ -5,6 +5,7 @@
 #include "analysis/recorded/tracks.hpp"
 #include "cli/console/standard_output.hpp"
 #include "cli/console/terminal.hpp"
+#include "cli/input/moving_output.hpp"
 #include "io/bytes/number_text.hpp"
 #include "io/json/json_writer.hpp"
 #include "io/load_recording.hpp"
@@ -155,7 +156,12 @@ Result<ExitCode> run_fleet(const FleetRequest& request) {
   const analysis::MaxGap max_gap = analysis::max_gap_of(*set, request.max_gap_s);
   const auto compared = compare(*flown, *set, max_gap.seconds);
   if (!compared) return compared.error();
-  return print(request.moving.json ? json_of(*compared) : text_of(*compared));
+  const ExitCode written = print(request.moving.json ? json_of(*compared) : text_of(*compared));
+  if (written != ExitCode::kFine || request.moving.quiet) return written;
+  MovingRequest of_set = request.moving;
+  of_set.inputs = {request.set};
+  say(input_summary(*flown, request.moving) + input_summary(*set, of_set));
+  return written;
 }
 
 }  // namespace beespace::cli

@@ -56,11 +56,14 @@ Status Following::load() {
                      "and remove the file",
                  {.source = request_.store}};
   }
-  Status restored = follower_.restore(adopt->stored);
-  if (restored) return restored;
-  Error error = std::move(restored).error();
-  error.location.source = request_.store;
-  return error;
+  if (follower_.restore(adopt->stored)) return std::monostate{};
+  return Error{ErrorCode::kMalformedRecord,
+               "agent '" + request_.agent +
+                   "' cannot be on the branch in this file with its --planned-speed of " +
+                   io::exact(request_.planned.max_speed_mps) +
+                   " m/s: give the same as before; or where the file is damaged, land it, remove "
+                   "the file, and let it join anew",
+               {.source = request_.store}};
 }
 
 io::AdoptMessage Following::to_be_adopted() const {

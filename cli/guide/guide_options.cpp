@@ -4,6 +4,7 @@
 #include "cli/guide/guide_request.hpp"
 #include "cli/guide/guide_values.hpp"
 #include "cli/input/moving_options.hpp"
+#include "cli/input/shape_value.hpp"
 
 #include <limits>
 #include <memory>
@@ -74,7 +75,7 @@ void add_separation_options(Command& guide, GuideRequest& request) {
               "True positions closer than this are too close")
       .required = true;
   guide.option(
-      "--shape", "sphere|ellipsoid:FACTOR|cylinder:HALF_HEIGHT", options.separation, read_shape,
+      "--shape", kShapes, options.separation, read_shape,
       "What must stay free: a sphere, one stretched in\nheight, or a cylinder: too close is "
       "who is closer\nhorizontally than the threshold, and in height\nthan this");
   guide.option("--obstacles", "FILE", request.obstacles,

@@ -5,14 +5,10 @@
 
 #include <beespace/advise.hpp>
 #include <beespace/result.hpp>
-#include <beespace/separation.hpp>
 
 #include <vector>
 
 namespace beespace::cli {
-
-// "sphere", "ellipsoid:3", "cylinder:3ft".
-Result<Separation> read_shape(const Typed& typed);
 
 // "0,0,1,10;0,0,-1,-120", or a file with such planes, one a line; directions of any length.
 Result<std::vector<Fence>> read_fences(const Typed& typed);

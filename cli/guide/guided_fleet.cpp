@@ -9,6 +9,7 @@
 #include <span>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace beespace::cli {
 namespace {
@@ -24,21 +25,6 @@ Error refusal(std::string message) {
 bool same(const JoinRequest& a, const JoinRequest& b) {
   return a.position == b.position && a.radius_m == b.radius_m && a.figures == b.figures &&
          a.limits == b.limits;
-}
-
-// "branch 4294967297" of the Guide is "branch 1.1" in messages.
-std::string with_branch_texts(std::string_view text) {
-  constexpr std::string_view kBranch = "branch ";
-  std::string out;
-  for (std::size_t at = text.find(kBranch); at != std::string_view::npos; at = text.find(kBranch)) {
-    const std::size_t begin = at + kBranch.size();
-    const std::size_t end = std::min(text.find_first_not_of("0123456789", begin), text.size());
-    const auto number = io::parse_whole(text.substr(begin, end - begin));
-    out += text.substr(0, begin);
-    out += number ? io::branch_text(*number) : std::string(text.substr(begin, end - begin));
-    text.remove_prefix(end);
-  }
-  return out += text;
 }
 
 }  // namespace
@@ -77,7 +63,6 @@ Error GuidedFleet::in_its_words(Error error, std::string_view id, AgentId agent)
   if (at != std::string::npos) {
     error.message.replace(at, number.size(), "agent '" + std::string(id) + "'");
   }
-  error.message = with_branch_texts(error.message);
   return error;
 }
 
@@ -270,15 +255,26 @@ Status GuidedFleet::take_content(std::string_view id, const Acknowledgement& ack
 
 Status GuidedFleet::take_content(std::string_view /*id*/, const io::IntrudersMessage& message,
                                  std::string& /*out*/) {
-  return guide_.set_intruders(message.intruders);
+  intruders_ = message.intruders;
+  intruders_at_.reset();
+  return guide_.set_intruders(intruders_);
 }
 
+// Those of the last list fly on, and are given way to; what the new one would have said of them is
+// not known.
 void GuidedFleet::lose_intruders() {
+  const double since_s =
+      intruders_at_ ? static_cast<double>(stepped_ + 1 - *intruders_at_) * period_s_ : 0.0;
+  std::vector<Intruder> all = intruders_;
+  for (Intruder& one : all) {
+    auto& [p, v] = one.mover;
+    p = {p.x + v.x * since_s, p.y + v.y * since_s, p.z + v.z * since_s};
+    one.position_error_m += one.speed_error_mps * since_s;
+  }
   constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
-  Intruder anywhere;
-  anywhere.mover.position = {kNowhere, kNowhere, kNowhere};
+  all.emplace_back().mover.position = {kNowhere, kNowhere, kNowhere};
   // That it is refused is known.
-  static_cast<void>(guide_.set_intruders(std::span(&anywhere, 1)));
+  static_cast<void>(guide_.set_intruders(all));
 }
 
 void GuidedFleet::say_hello(Tick now, std::string& out) {
@@ -303,6 +299,8 @@ Status GuidedFleet::step(Tick now, std::string& out) {
   if (Status done = guide_.step(now, guidance_); !done) return done;
   // Who is in the fleet is on the disk before the first command goes to it.
   if (Status done = store_.write(); !done) return done;
+  stepped_ = now;
+  if (!intruders_at_) intruders_at_ = now;
   ++counts_.ticks;
   counts_.commands += guidance_.commands.size();
   say_hello(now, out);

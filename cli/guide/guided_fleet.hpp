@@ -35,8 +35,8 @@ class GuidedFleet {
   // Appends what there is to say at once. An error is about this message alone.
   Status take(const io::FleetMessage& message, std::string& out);
 
-  // A list of intruders came and could not be read: they may be anywhere, and none is clear of them
-  // until the next list.
+  // A list of intruders came and could not be read: none is clear of them until the next list, and
+  // those of the last one are taken to fly on.
   void lose_intruders();
 
   // One tick. Errors: the tick does not come after the one before; or the store cannot be written,
@@ -98,6 +98,9 @@ class GuidedFleet {
   std::map<AgentId, Member> members_;
   std::map<AgentId, JoinRequest> missing_;  // who is in the fleet, and was not heard of since
   std::optional<Tick> hello_at_;
+  std::vector<Intruder> intruders_;   // of the last list
+  std::optional<Tick> intruders_at_;  // the first tick after that list; absent: not yet
+  Tick stepped_ = 0;                  // the last tick
   Guidance guidance_;
   GuidedCounts counts_;
 };

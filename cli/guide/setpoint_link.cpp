@@ -37,6 +37,14 @@ Status SetpointLink::take(const io::FleetMessage& message, GuidedFleet& fleet, s
   if (std::holds_alternative<io::JoinMessage>(message.content)) {
     if (Status fine = check(message.id); !fine) return fine;
   }
+  // Where it is on its branch is known here alone, and was lost with the planner before.
+  if (std::holds_alternative<io::AdoptMessage>(message.content)) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "with --format mavlink agents are not adopted: this command flies their branches "
+                 "itself; make sure where '" +
+                     std::string(message.id) + "' is, let it leave, and it joins anew",
+                 {}};
+  }
   if (std::holds_alternative<io::LeaveMessage>(message.content)) {
     if (const auto agent = agents_.find(message.id); agent != agents_.end()) agents_.erase(agent);
   }

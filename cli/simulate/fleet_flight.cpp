@@ -13,6 +13,7 @@
 #include <beespace/version.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -179,7 +180,7 @@ std::string scenario_text(const SimulateRequest& request) {
   std::string text = printable(request.scenario);
   if (!request.from_file) {
     const double spacing_m = std::max(request.spacing_m, least_spacing_m(request));
-    text += ", about " + io::length(spacing_m) + " apart";
+    text += ", about " + io::exact(std::round(spacing_m * 1e3) / 1e3) + " m apart";
   }
   return text + ", seed " + std::to_string(request.seed);
 }
@@ -207,8 +208,10 @@ std::string messages_text(const sim::FleetOptions& fleet) {
   return text;
 }
 
-bool all_came_too_late(const sim::FleetTally& tally) {
-  return tally.replies_taken == 0 && tally.replies_too_late > 0;
+// But the roots by which bees join, which may be taken a little later.
+bool all_came_too_late(const sim::FleetLoop& loop) {
+  const sim::FleetTally& tally = loop.tally();
+  return tally.replies_taken <= loop.joined().size() && tally.replies_too_late > 0;
 }
 
 constexpr const char* kTooLateNote =
@@ -264,7 +267,7 @@ std::string fleet_summary(const SimulateRequest& request, const sim::FleetLoop& 
   append_summary_line(out, "contracts", contracts_text(loop, flown.names));
   append_summary_line(out, "time",
                       "guidance " + io::grouped(guiding_us(loop), 2) + " us a bee a step");
-  if (all_came_too_late(loop.tally())) append_summary_line(out, "note", kTooLateNote);
+  if (all_came_too_late(loop)) append_summary_line(out, "note", kTooLateNote);
   for (const std::string& note : flown.notes) append_summary_line(out, "note", printable(note));
   return out;
 }

@@ -1,6 +1,7 @@
 #include "cli/simulate/fleet_options.hpp"
 
 #include "cli/command_line/option_values.hpp"
+#include "cli/input/shape_value.hpp"
 #include "io/bytes/number_text.hpp"
 
 #include <algorithm>
@@ -88,21 +89,6 @@ Result<std::vector<Fence>> read_band(const Typed& typed) {
   return not_that(typed, "two heights in metres, the lower one first, as 0:120");
 }
 
-Result<Separation> read_shape(const Typed& typed) {
-  const std::string_view text = typed.text;
-  if (text == "sphere") return Separation{};
-  const std::size_t at = text.find(':');
-  const auto value =
-      at == std::string_view::npos ? std::nullopt : io::parse_number(text.substr(at + 1));
-  if (value && *value > 0.0 && std::isfinite(*value)) {
-    if (text.substr(0, at) == "ellipsoid") return Separation{SeparationShape::kEllipsoid, *value};
-    if (text.substr(0, at) == "cylinder") {
-      return Separation{SeparationShape::kCylinder, 1.0, *value};
-    }
-  }
-  return not_that(typed, "a shape: sphere, ellipsoid:FACTOR or cylinder:HALF_HEIGHT");
-}
-
 template <class Into>
 auto two(Result<TwoNumbers> (*read)(const Typed&), Into into) {
   return [read, into](const Typed& typed) {
@@ -169,9 +155,11 @@ void add_rules(Command& simulate, SimulateRequest& request) {
           [&fleet](const TwoNumbers& reserve) { fleet.correction_mps = reserve.second; }),
       "What is kept for corrections, in m/s^2 and m/s\n(default: 1:1)");
   simulate.option("--command-delay", "TICKS", request.command_delay, whole(1, 32),
-                  "After how many steps commands take effect\n(default: 2 more than the latency)");
-  simulate.option("--shape", "SHAPE", fleet.separation, read_shape,
-                  "What must stay free: sphere, ellipsoid:FACTOR, or\ncylinder:HALF_HEIGHT");
+                  "After how many steps commands take effect (default:\n2 more than the latency, "
+                  "and one more with losses)");
+  simulate.option(
+      "--shape", kShapes, fleet.separation, read_shape,
+      "What must stay free: a sphere (the default), one\nstretched in height, or a cylinder");
   simulate.option("--fence", "LOW:HIGH", fleet.fences, read_band,
                   "Heights in metres that no bee leaves");
   simulate.flag("--plane", fleet.planar, "Bees keep their heights, which are all the same");
@@ -194,6 +182,13 @@ void add_fleet_options(Command& simulate, SimulateRequest& request) {
 
 namespace {
 
+// Of the options of a fleet; null: none.
+const char* first_given(const Command& command) {
+  const auto given = [&](const char* option) { return command.is_given(option); };
+  const auto* const first = std::find_if(std::begin(kOptions), std::end(kOptions), given);
+  return first == std::end(kOptions) ? nullptr : *first;
+}
+
 void settle_messages(const Command& command, SimulateRequest& request) {
   sim::FleetOptions& fleet = request.fleet;
   const auto latency = static_cast<std::int64_t>(request.latency);
@@ -213,12 +208,15 @@ void settle_messages(const Command& command, SimulateRequest& request) {
 
 }  // namespace
 
+bool asks_for_fleet(const Command& command) {
+  return first_given(command) != nullptr;
+}
+
 Result<bool> settle_fleet(const Command& command, SimulateRequest& request) {
-  const auto given = [&](const char* option) { return command.is_given(option); };
-  const auto first = std::find_if(std::begin(kOptions), std::end(kOptions), given);
-  if (first == std::end(kOptions)) return false;
+  const char* const first = first_given(command);
+  if (first == nullptr) return false;
   const auto refused = [&](const std::string& why) {
-    return simulate_error(std::string(*first) + " is of a fleet that is flown by commands, " + why);
+    return simulate_error(std::string(first) + " is of a fleet that is flown by commands, " + why);
   };
   const FlightLimits& limits = request.loop.limits;
   if (request.loop.method != sim::Method::kCertified) {

@@ -30,17 +30,16 @@ constexpr const char* kDetails =
     "obstacle: the\n"
     "one that is closest to its preferred one. All that is flown is checked by the checker of "
     "'beespace\n"
-    "verify', which knows nothing of how velocities are found; of a fleet that is not exact, "
-    "distances\n"
-    "between bees and from fences are checked by another one, which knows as little. Ends when "
-    "all have\n"
-    "arrived (within half of the threshold of their goals) and stand, or after --steps. The "
-    "summary goes\n"
-    "to standard error; the recording is written with --output only: a table of time_s, id, x, y, "
-    "z, vx,\n"
-    "vy, vz (with --acceleration none without velocities, as these jump), which 'beespace verify' "
-    "and\n"
-    "'beespace replay' read.\n"
+    "verify', which knows nothing of how velocities are found; of a fleet that is not exact, true\n"
+    "distances between bees and from fences are checked by another one, which knows as little. "
+    "Ends when\n"
+    "all have arrived (within half of the threshold of their goals; a fleet that is not exact, "
+    "within a\n"
+    "metre at most) and stand, or after --steps. The summary goes to standard error; the recording "
+    "is\n"
+    "written with --output only: a table of time_s, id, x, y, z, vx, vy, vz (with --acceleration "
+    "none\n"
+    "without velocities, as these jump), which 'beespace verify' and 'beespace replay' read.\n"
     "\n"
     "Scenarios:\n"
     "  random-swap       a cube of bees who change places at random\n"
@@ -68,6 +67,7 @@ constexpr const char* kDetails =
     "  beespace simulate sphere-swap --bees 200 --threshold 2 --speed 15 --acceleration none\n"
     "  beespace simulate mission.csv --obstacles city.json --clearance 2\n"
     "  beespace simulate density-sweep --method orca\n"
+    "  beespace simulate random-swap --bees 100 --noise 0.1 --gust 0.3 --latency 1 --loss 10%\n"
     "  beespace simulate head-on --output - | beespace replay --threshold 5\n"
     "  beespace simulate random-swap --json --quiet --fail-on-risk\n"
     "\n"
@@ -82,8 +82,8 @@ void add_flight_options(Command& simulate, SimulateRequest& request) {
                   "How many (default: 1000; head-on is always of two)");
   simulate.option(
       "--spacing", "LENGTH", request.spacing_m, length_from(kLeastLength_m),
-      "About how far apart they begin (default: three\ntimes the threshold, or more where "
-      "tubes need it; of\nhead-on 20 times)");
+      "About how far apart they begin (default: three\ntimes the threshold, of head-on 20 times); "
+      "farther\nwhere tubes need it");
   simulate.option("--seed", "N", request.seed, read_seed,
                   "Another number, another swarm (default: 1)");
   simulate.group("Flight");
@@ -114,7 +114,7 @@ void add_prevention_options(Command& simulate, SimulateRequest& request) {
                   "What stands in the way, beside the scenario's own:\nJSON, see below; - for "
                   "standard input");
   simulate.option("--clearance", "LENGTH", advice.clearance_m, length_from(kLeastLength_m),
-                  "Closer than this to an obstacle is too close\n(default: 1)");
+                  "Closer than this to an obstacle or a fence is too\nclose (default: 1)");
   simulate.option("--threads", "N", advice.threads, read_threads,
                   "How many threads work (default: 0, all)");
 }
@@ -167,7 +167,8 @@ Status check_fit(const Command& command, const SimulateRequest& request) {
   }
   if (command.is_given("--clearance") && request.obstacles.empty() &&
       request.scenario != kPillars && request.fleet.fences.empty()) {
-    return simulate_error("--clearance is of obstacles, and there are none; add --obstacles");
+    return simulate_error(
+        "--clearance is of obstacles and fences, and there are none; add --obstacles or --fence");
   }
   const auto none_of = [&](std::initializer_list<const char*> options,
                            const char* because) -> Status {
@@ -178,12 +179,19 @@ Status check_fit(const Command& command, const SimulateRequest& request) {
     }
     return std::monostate{};
   };
+  // Of a fleet noise, wind and losses differ from seed to seed.
+  const auto seed_does_not_apply = [&](const char* because) {
+    return asks_for_fleet(command) ? Status(std::monostate{}) : none_of({"--seed"}, because);
+  };
   if (request.from_file) {
-    return none_of({"--bees", "--spacing", "--seed"}, "a file, which tells who begins where");
+    constexpr const char* kTells = "a file, which tells who begins where";
+    return none_of({"--bees", "--spacing"}, kTells).and_then([&] {
+      return seed_does_not_apply(kTells);
+    });
   }
   if (request.scenario == kHeadOn) {
     return none_of({"--bees"}, "head-on, which is of two").and_then([&] {
-      return none_of({"--seed"}, "head-on, which is always the same");
+      return seed_does_not_apply("head-on, which is always the same");
     });
   }
   if (request.scenario == kDensitySweep) {

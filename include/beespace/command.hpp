@@ -118,7 +118,7 @@ struct AgentReport {
   BranchNumber held = 0;                  ///< The branch that it is on; 0: it lost it.
   Tick tick = 0;                          ///< Its tick as it was measured.
   double after_s = 0.0;                   ///< How long after that tick, in seconds; zero or more.
-  Point position;                         ///< Where it was measured to be, in metres.
+  Point position = {};                    ///< Where it was measured to be, in metres.
   std::optional<Velocity> velocity = {};  ///< How fast, in metres per second, where known.
 
   friend constexpr bool operator==(const AgentReport&, const AgentReport&) = default;

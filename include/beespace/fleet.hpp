@@ -27,7 +27,8 @@ enum class LoopPlace : std::uint8_t {
   kGround,
 };
 
-/// @brief The figures of a fleet, or of one agent: all of them bounds, none a mean.
+/// @brief The figures of a fleet, or of one agent: all of them bounds, none a mean. One that is not
+/// given is 0: perfect.
 struct FleetFigures {
   LoopPlace loop = LoopPlace::kOnboard;  ///< Where the loop is closed.
 
@@ -65,7 +66,8 @@ struct FleetFigures {
 /// @brief How the planner talks with a fleet.
 struct LinkFigures {
   double period_s = 0.1;  ///< A tick, in seconds; above zero.
-  /// @brief After how many ticks a command takes effect; the same for all, 1 to 32.
+  /// @brief After how many ticks a command takes effect; the same for all, 1 to 32. An agent takes
+  /// it only if it arrives before that tick begins, by the clock of the agent.
   int command_delay = 1;
   /// @brief How many commands or reports of an agent, one after the other, are lost at most. On the
   /// ground it must be zero.

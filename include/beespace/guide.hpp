@@ -61,7 +61,7 @@ struct GuideOptions {
 /// @brief An agent that wants to join. It stands, and will hold its place.
 struct JoinRequest {
   AgentId agent = 0;                         ///< The caller's number.
-  Point position;                            ///< Where it stands, in metres.
+  Point position = {};                       ///< Where it stands, in metres.
   double radius_m = 0.0;                     ///< Its own radius in metres; zero or more.
   std::optional<FleetFigures> figures = {};  ///< Its own figures, where they differ.
   std::optional<FlightLimits> limits = {};   ///< Its own limits, where they differ.
@@ -231,10 +231,15 @@ class BEESPACE_API Guide {
   Status set_preferred(AgentId agent, const Velocity& velocity);
 
   /// @brief Takes a report: in any order, any number of times.
+  ///
+  /// One of a tick that lies ahead waits until the next step, as a planner may have been held up.
+  /// If it lies ahead of that too, the agent is named (ContractReason::kFuture). One of a tick
+  /// before the agent joined is late, and names no agent.
+  ///
   /// @param report The report.
   /// @return Success; or ErrorCode::kInvalidArgument: an agent that is not known, a branch that was
-  ///   never sent, a tick that is after the last step; ErrorCode::kNotFinite,
-  ///   ErrorCode::kOutsideDomain. Where the agent is known it is named in the next step.
+  ///   never sent, a tick beyond 10^18; ErrorCode::kNotFinite, ErrorCode::kOutsideDomain. An agent
+  ///   that is on a branch that was never sent is named in the next step.
   Status take(const AgentReport& report);
   /// @brief Takes an acknowledgement: in any order, any number of times.
   /// @param acknowledgement The acknowledgement.
@@ -254,7 +259,7 @@ class BEESPACE_API Guide {
   /// until then.
   /// @param now The tick; after that of the call before.
   /// @param[out] guidance What to send, and what is known; overwritten, and empty after an error.
-  /// @param stop When a stop is requested, the call ends soon; it may be made again.
+  /// @param stop When a stop is requested, the call ends soon. The tick has passed all the same.
   /// @return Success; or ErrorCode::kTimeOrder: a tick that is not after the one before;
   ///   ErrorCode::kInvalidArgument: a tick beyond 10^18;
   ///   ErrorCode::kStopped.

@@ -54,9 +54,16 @@ bool sync_folder_of(const std::string& path) {
 }  // namespace
 
 std::string file_behind(const std::string& path) {
+  // As many as systems follow. A link may lead to a file that is not there yet.
+  constexpr int kMostLinks = 40;
+  std::filesystem::path found = path;
   std::error_code problem;
-  const std::filesystem::path found = std::filesystem::canonical(path, problem);
-  return problem ? path : found.string();
+  for (int links = 0; links < kMostLinks && std::filesystem::is_symlink(found, problem); ++links) {
+    const std::filesystem::path target = std::filesystem::read_symlink(found, problem);
+    if (problem) break;
+    found = found.parent_path() / target;
+  }
+  return found.string();
 }
 
 Status write_durably(const std::string& path, std::string_view text) {

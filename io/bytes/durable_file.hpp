@@ -14,8 +14,8 @@ namespace beespace::io {
 // the machine fails at once; before, what it held. Errors: kWriteFailed.
 Status write_durably(const std::string& path, std::string_view text);
 
-// The file that a path leads to, through links; the path itself where there is none yet. Who works
-// with a file by two names works with one.
+// The file that a path leads to, through links, whether it is there yet or not. Who works with a
+// file by two names works with one.
 std::string file_behind(const std::string& path);
 
 // All of a file; nothing where there is none. Errors: kReadFailed; kMalformedRecord where it is

@@ -84,7 +84,7 @@ std::optional<Error> check_losses(const FleetFigures& figures, const LinkFigures
                  ", and the loop is closed on the ground, where corrections are lost with the "
                  "commands: it must be 0; send each message several times in a period, choose a "
                  "period in which one surely arrives (" +
-                 number(link.period_s * (link.longest_loss + 1)) +
+                 number(link.period_s * (link.longest_loss + 1.0)) +
                  " s?), or let the agents hold their paths on board");
 }
 

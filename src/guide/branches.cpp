@@ -70,6 +70,13 @@ Result<Branches> Branches::adopted(const BranchOptions& options, const StoredBra
                                    std::to_string(epoch_of(branch.number)) +
                                    "; give this planner a greater one");
   }
+  // An agent takes no branch before it begins.
+  if (branch.starts > stored.tick) {
+    return cannot_adopt(
+        agent, "says at tick " + std::to_string(stored.tick) +
+                   " that it is on a branch that begins at tick " + std::to_string(branch.starts) +
+                   "; one of both is wrong: make sure where it is, and let it join");
+  }
   const auto path = branch.path();
   branches.trunk_ = {branch.number, true, branch.starts, {path.begin(), path.end()}};
   branches.is_confirmed_ = true;
@@ -136,8 +143,12 @@ std::optional<Mover> Branches::nominal_at(BranchNumber number, Tick tick, double
 
 // --- time ------------------------------------------------------------------------------------
 
+void Branches::begin(Tick now) {
+  if (is_rooted_) trunk_.starts = now - 1;
+  now_ = now;
+}
+
 void Branches::advance(Tick now) {
-  assert(now >= now_);
   now_ = now;
   forget_history();
 }

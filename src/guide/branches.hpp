@@ -55,7 +55,10 @@ class Branches {
   static Result<Branches> adopted(const BranchOptions& options, const StoredBranch& stored,
                                   Tick now);
 
-  // Sets the tick. It does not run backwards.
+  // The first tick of the planner, which was not known before: a root begins with it.
+  void begin(Tick now);
+  // Sets the tick. It does not run backwards, but where an agent that was adopted before the first
+  // tick has a clock that is ahead.
   void advance(Tick now);
 
   [[nodiscard]] Tick now() const { return now_; }

@@ -55,12 +55,18 @@ class __attribute__((visibility("hidden"))) Guide::State {
   [[nodiscard]] Member* find(AgentId agent);
   [[nodiscard]] const Member* find(AgentId agent) const;
   [[nodiscard]] static Error unknown_agent(AgentId agent);
+  // That ticks can be added to it and compared without overflow.
+  [[nodiscard]] static Status check_tick(Tick tick);
 
   // What an agent that wants to join would be.
   Result<Tube> tube_for(const JoinRequest& request) const;
   Status check_new(const JoinRequest& request) const;
   [[nodiscard]] guide::BranchOptions branch_options(const JoinRequest& request,
                                                     const Tube& tube) const;
+  // That an agent that is adopted says so of no tick that lies ahead.
+  [[nodiscard]] Status check_stored(AgentId agent, Tick tick) const;
+  // That its commands do not come too late, by its clock.
+  [[nodiscard]] Status check_clock(const FleetFigures& figures) const;
   // That no root which was sent to it before it left can be taken any more.
   [[nodiscard]] Status check_left(const JoinRequest& request) const;
   // Of a fleet in a plane: that it is in it.
@@ -70,7 +76,16 @@ class __attribute__((visibility("hidden"))) Guide::State {
   [[nodiscard]] std::vector<PointId> near(const Point& place, double tube_m, double radius_m);
   Status find_touching(const JoinRequest& request, const Tube& tube, JoinAnswer& answer);
 
+  // What a report says, where the next step is of tick `next`, or is this one.
+  Status hear(Member& member, const AgentReport& report, Tick next);
+  // Whether it says that of a tick that lies ahead, as far as its clock may be ahead.
+  [[nodiscard]] bool is_ahead(const Member& member, const AgentReport& report, Tick next) const;
+  // How many ticks the clock of an agent may be wrong, rounded up.
+  [[nodiscard]] Tick clock_ticks(const Member& member) const;
+
   // One tick.
+  void begin(Tick now);
+  void hear_early(Tick now);
   void prepare(Tick now);
   void prepare(Member& member, PointId index, Tick now);
   [[nodiscard]] UnknownAgent ball_of(const Member& member, Tick now, PointId index) const;
@@ -115,6 +130,7 @@ class __attribute__((visibility("hidden"))) Guide::State {
   std::vector<Intruder> intruders_;            // those that can be used
   std::vector<std::size_t> intruder_numbers_;  // as they were given
   bool intruder_anywhere_ = false;             // one that cannot be used
+  bool intruder_lost_ = false;                 // one may be anywhere by now
   std::optional<Tick> intruders_at_;           // none: since the next step
 
   // Of a step.
@@ -130,6 +146,7 @@ class __attribute__((visibility("hidden"))) Guide::State {
   std::vector<UnknownAgent> unknown_;  // those that are out of their tubes
   std::vector<Mover> intruder_movers_;
   std::vector<double> intruder_margins_m_;
+  std::vector<std::size_t> intruders_of_step_;  // as they were given
 };
 
 }  // namespace beespace

@@ -1,6 +1,8 @@
 // One tick of a Guide: claims of all, advice, commands.
+#include "fleet/check_figures.hpp"
 #include "guide/guide_state.hpp"
 #include "motion/flush.hpp"
+#include "motion/validate.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +15,6 @@ namespace beespace {
 namespace {
 
 constexpr double kMeetWithin_s = 2.0;
-// Ticks are added to and compared without overflow.
-constexpr double kMostTicks = 1e18;
-
 }  // namespace
 
 Guide::State::State(const GuideOptions& options)
@@ -41,20 +40,32 @@ Status Guide::State::check() {
   if (!std::isfinite(options_.limits.max_acceleration_mps2)) {
     return wrong("a Guide needs a greatest acceleration: give a finite one in limits");
   }
-  if (auto tube = tube_of(options_.figures, options_.link, options_.limits); !tube) {
-    return tube.error();
-  }
-  // An agent whose clock is a tick ahead would take no command that departs a tick after it is
-  // sent.
-  if (options_.figures.clock_error_s > 0.0 && options_.link.command_delay < 2) {
-    return wrong(
-        "command_delay is 1 tick, and clocks may be off: commands would come too late for "
-        "agents whose clocks are ahead; give a delay of 2 or more");
-  }
+  if (auto tube = tube_for({}); !tube) return std::move(tube).error();
   // The rest is checked by the Adviser.
   AdviseOptions options = advise_options_;
   options.fences = fences_;
+  options.unknown_horizon_s = unknown_horizon_s();
   return adviser_.advise({}, {}, std::span(&options_.limits, 1), options, advised_);
+}
+
+// An agent whose clock is a tick ahead takes no command that departs a tick after it is sent; and
+// one whose clock is behind by more than a tick, none that begins a tick before it is sent.
+Status Guide::State::check_clock(const FleetFigures& figures) const {
+  const auto wrong = [&](const std::string& what) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "clock_error_s is " + fleet::number(figures.clock_error_s) + what,
+                 {}};
+  };
+  if (!(figures.clock_error_s > 0.0)) return std::monostate{};
+  if (options_.link.command_delay < 2) {
+    return wrong(
+        ", and command_delay is 1 tick: commands would come too late for agents whose clocks are "
+        "ahead; give a delay of 2 or more");
+  }
+  if (figures.clock_error_s <= options_.link.period_s) return std::monostate{};
+  return wrong(", and period_s " + fleet::number(options_.link.period_s) +
+               ": commands would come too late or too early for agents whose clocks are off by "
+               "more than a tick; give a longer period, or better clocks");
 }
 
 Tick Guide::State::claims_from(const Member& member, Tick now) {
@@ -147,31 +158,67 @@ void Guide::State::prepare_intruders(Tick now) {
   const double since_s = seconds(now - *intruders_at_ + options_.link.command_delay);
   intruder_movers_.clear();
   intruder_margins_m_.clear();
-  for (const Intruder& intruder : intruders_) {
-    const auto& [p, v] = intruder.mover;
-    intruder_movers_.push_back(
-        {{p.x + v.x * since_s, p.y + v.y * since_s, p.z + v.z * since_s}, v});
+  intruders_of_step_.clear();
+  intruder_lost_ = false;
+  for (std::size_t index = 0; index < intruders_.size(); ++index) {
+    const auto& [p, v] = intruders_[index].mover;
+    const Mover mover =
+        motion::flushed(Mover{{p.x + v.x * since_s, p.y + v.y * since_s, p.z + v.z * since_s}, v});
     // What is uncertain of its velocity adds up until they meet: for some seconds, as a rule.
     const double ahead_s = since_s + std::min(kMeetWithin_s, options_.intruder_horizon_s);
-    intruder_margins_m_.push_back(intruder.radius_m + intruder.position_error_m +
-                                  intruder.speed_error_mps * ahead_s);
+    const double margin_m =
+        motion::flushed(intruders_[index].radius_m + intruders_[index].position_error_m +
+                        intruders_[index].speed_error_mps * ahead_s);
+    // Beyond what can be computed with: it may be anywhere. The others are not.
+    if (motion::check_mover(mover, index) || !motion::in_motion_domain(margin_m)) {
+      intruder_lost_ = true;
+      continue;
+    }
+    intruder_movers_.push_back(mover);
+    intruder_margins_m_.push_back(margin_m);
+    intruders_of_step_.push_back(intruder_numbers_[index]);
+  }
+}
+
+// Those that joined before the first tick was known join with it.
+void Guide::State::begin(Tick now) {
+  for (Member& member : members_) {
+    if (member.branches.awaits_root()) {
+      member.heard = now;
+      member.since = now + clock_ticks(member);
+    } else if (member.since > now + clock_ticks(member)) {
+      member.monitor.name(ContractReason::kFuture);
+    }
+    member.branches.begin(now);
+  }
+}
+
+// Reports that lay ahead. What still does comes from a wrong clock.
+void Guide::State::hear_early(Tick now) {
+  for (Member& member : members_) {
+    if (!member.early) continue;
+    const AgentReport report = *std::exchange(member.early, {});
+    if (is_ahead(member, report, now)) {
+      member.monitor.name(ContractReason::kFuture);
+    } else {
+      // What is wrong with it names the agent.
+      static_cast<void>(hear(member, report, now));
+    }
   }
 }
 
 Status Guide::State::step(Tick now, Guidance& guidance, const std::stop_token& stop) {
   guidance.clear();
-  if (std::abs(static_cast<double>(now)) > kMostTicks) {
-    return Error{
-        ErrorCode::kInvalidArgument,
-        "tick " + std::to_string(now) + " is beyond 10^18; count ticks from a time that is nearer",
-        {}};
-  }
+  if (Status fine = check_tick(now); !fine) return fine;
   if (now_ && now <= *now_) {
     return Error{ErrorCode::kTimeOrder,
                  "tick " + std::to_string(now) + " does not come after tick " +
                      std::to_string(*now_) + ", the last one",
                  {}};
   }
+  if (!now_) begin(now);
+  hear_early(now);
+  now_ = now;
   prepare(now);
   AdviseOptions options = advise_options_;
   options.fences = fences_;
@@ -185,7 +232,6 @@ Status Guide::State::step(Tick now, Guidance& guidance, const std::stop_token& s
   if (Status done = adviser_.advise(movers_, preferred_, limits_, options, advised_); !done) {
     return done;
   }
-  now_ = now;
   guidance.tick = now;
   for (const auto& [id, index] : by_id_) tell(index, now, guidance);
   tell_findings(guidance);
@@ -202,7 +248,7 @@ void Guide::State::tell(PointId index, Tick now, Guidance& guidance) {
   told.certified = advice.keeps_apart && advice.clear_of_unknown &&
                    told.contract != Contract::kOut && !member.branches.awaits_root() &&
                    expected_.empty();
-  told.clear_of_intruders = advice.clear_of_intruders && !intruder_anywhere_;
+  told.clear_of_intruders = advice.clear_of_intruders && !intruder_anywhere_ && !intruder_lost_;
   told.kind = advice.kind;
   told.tube_m = member.tube.radius_m;
   told.deviation_m = member.monitor.deviation_m();
@@ -252,7 +298,7 @@ void Guide::State::tell_findings(Guidance& guidance) const {
   }
   for (const IntruderConflict& conflict : advised_.intruder_conflicts) {
     guidance.intruder_conflicts.push_back(
-        {id(conflict.agent), intruder_numbers_[conflict.intruder], conflict.closest_m});
+        {id(conflict.agent), intruders_of_step_[conflict.intruder], conflict.closest_m});
   }
   std::sort(guidance.pairs.begin(), guidance.pairs.end(),
             [](const UncertifiedPair& a, const UncertifiedPair& b) {

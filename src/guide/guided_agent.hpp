@@ -32,6 +32,10 @@ struct GuidedAgent {
   // The newest report, by its stamp; and when it was last heard of, by the ticks of the planner.
   std::optional<AgentReport> last = {};
   Tick heard = 0;
+  // By its own clock it is guided since then: what it says of earlier ticks is of another life.
+  Tick since = 0;
+  // A report of a tick that lies ahead of the planner, until the next step; the latest.
+  std::optional<AgentReport> early = {};
   // Around its claim; none: not worked out since the last step. (What it says may make it smaller.)
   std::optional<Ball> around = {};
   struct Taken {

@@ -1,4 +1,5 @@
 // Who is in the fleet of a Guide.
+#include "fleet/check_command.hpp"
 #include "guide/guide_state.hpp"
 #include "motion/flush.hpp"
 #include "motion/validate.hpp"
@@ -12,8 +13,14 @@
 namespace beespace {
 
 Result<Tube> Guide::State::tube_for(const JoinRequest& request) const {
-  return tube_of(request.figures.value_or(options_.figures), options_.link,
-                 request.limits.value_or(options_.limits));
+  const FleetFigures figures = request.figures.value_or(options_.figures);
+  if (Status clock = check_clock(figures); !clock) return std::move(clock).error();
+  auto tube = tube_of(figures, options_.link, request.limits.value_or(options_.limits));
+  if (!tube) return tube;
+  if (auto error = fleet::check_planned(tube->planned, options_.link.period_s)) {
+    return *std::move(error);
+  }
+  return tube;
 }
 
 Status Guide::State::check_new(const JoinRequest& request) const {
@@ -188,18 +195,44 @@ Status Guide::State::adopt(const JoinRequest& request, const StoredBranch& store
   if (Status fine = check_new(known); !fine) return fine;
   const Result<Tube> tube = tube_for(request);
   if (!tube) return tube.error();
+  if (Status fine = check_stored(request.agent, stored.tick); !fine) return fine;
   auto branches =
       guide::Branches::adopted(branch_options(request, *tube), stored, now_.value_or(stored.tick));
   if (!branches) return branches.error();
   add(request, *tube, *std::move(branches), now_.value_or(stored.tick));
+  // It is on that branch or on a newer one since then.
+  members_.back().since = stored.tick;
+  members_.back().taken = {stored.branch.number, stored.tick};
   return std::monostate{};
+}
+
+Status Guide::State::check_stored(AgentId agent, Tick tick) const {
+  Status fine = check_tick(tick);
+  const FleetFigures& figures = options_.figures;
+  const auto ahead = static_cast<Tick>(std::ceil(figures.clock_error_s / options_.link.period_s));
+  if (fine && now_ && tick > *now_ + ahead + 1) {
+    fine = Error{ErrorCode::kInvalidArgument,
+                 "agent " + std::to_string(agent) + " says where it was at tick " +
+                     std::to_string(tick) + ", and the last step was of tick " +
+                     std::to_string(*now_) +
+                     ": its clock is wrong, or that of the planner; take its answer after the next "
+                     "step",
+                 {}};
+  }
+  if (fine) return fine;
+  Error error = std::move(fine).error();
+  error.location.array = "agents";
+  error.location.record = agent;
+  return error;
 }
 
 guide::BranchOptions Guide::State::branch_options(const JoinRequest& request,
                                                   const Tube& tube) const {
-  const std::uint32_t epoch = std::max(options_.epoch, request.promised);
   const auto left = sent_before_.find(request.agent);
-  const bool in_this_epoch = left != sent_before_.end() && left->second.epoch == epoch;
+  const std::uint32_t before = left != sent_before_.end() ? left->second.epoch : 0;
+  // None earlier than before: no number is used twice.
+  const std::uint32_t epoch = std::max({options_.epoch, request.promised, before});
+  const bool in_this_epoch = before == epoch;
   return {.agent = request.agent,
           .planned = tube.planned,
           .period_s = options_.link.period_s,
@@ -221,7 +254,9 @@ void Guide::State::add(const JoinRequest& request, const Tube& tube, guide::Bran
                       .radius_m = request.radius_m,
                       .branches = std::move(branches),
                       .monitor = guide::ContractMonitor(figures, options_.link, tube),
-                      .heard = heard});
+                      .heard = heard,
+                      .since = heard});
+  members_.back().since += clock_ticks(members_.back());
   if (figures.loop == LoopPlace::kGround) {
     members_.back().loop = {tube, figures, options_.link.period_s};
   }

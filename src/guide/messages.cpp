@@ -13,7 +13,7 @@ namespace beespace {
 namespace {
 
 std::optional<Error> check_report(const AgentReport& report) {
-  const Mover mover{report.position, report.velocity.value_or(Velocity{})};
+  const Mover mover = motion::flushed({report.position, report.velocity.value_or(Velocity{})});
   if (auto error = motion::check_mover(mover, report.agent)) return error;
   if (std::isfinite(report.after_s) && report.after_s >= 0.0) return std::nullopt;
   return Error{ErrorCode::kInvalidArgument,
@@ -98,36 +98,55 @@ Status Guide::State::set_preferred(AgentId agent, const Velocity& velocity) {
   return std::monostate{};
 }
 
-// What a report says is used only where it can be true. What cannot names the agent, and is an
-// error of the call: nothing else of it is believed.
+Status Guide::State::check_tick(Tick tick) {
+  constexpr Tick kMost = 1'000'000'000'000'000'000;
+  if (-kMost <= tick && tick <= kMost) return std::monostate{};
+  return Error{
+      ErrorCode::kInvalidArgument,
+      "tick " + std::to_string(tick) + " is beyond 10^18; count ticks from a time that is nearer",
+      {}};
+}
+
+Tick Guide::State::clock_ticks(const Member& member) const {
+  return static_cast<Tick>(std::ceil(member.figures.clock_error_s / options_.link.period_s));
+}
+
+bool Guide::State::is_ahead(const Member& member, const AgentReport& report, Tick next) const {
+  const double stamp = static_cast<double>(report.tick) + report.after_s / options_.link.period_s;
+  return stamp > static_cast<double>(next + clock_ticks(member) + 1);
+}
+
+// A planner that was held up has not counted its own ticks: a report that seems to lie ahead waits
+// until the next step tells the time.
 Status Guide::State::take(const AgentReport& report) {
   Member* const member = find(report.agent);
   if (member == nullptr) return unknown_agent(report.agent);
   if (auto error = check_report(report)) return about(*std::move(error), report.agent);
-  const double clock_s = member->figures.clock_error_s;
-  // Until the step that it comes before; and as far as its clock may be ahead.
-  const auto ahead = static_cast<Tick>(std::ceil(clock_s / options_.link.period_s)) + 1;
-  const double stamp = static_cast<double>(report.tick) + report.after_s / options_.link.period_s;
-  if (now_ && stamp > static_cast<double>(*now_ + ahead + 1)) {
-    member->monitor.name(ContractReason::kFuture);
-    return about({ErrorCode::kInvalidArgument,
-                  "the report of agent " + std::to_string(report.agent) + " is of tick " +
-                      std::to_string(report.tick) + ", and the last step was of tick " +
-                      std::to_string(*now_) + ": its clock is wrong, or that of the planner",
-                  {}},
-                 report.agent);
+  if (Status fine = check_tick(report.tick); !fine) {
+    return about(std::move(fine).error(), report.agent);
   }
+  AgentReport flushed = report;
+  flushed.position = motion::flushed(report.position);
+  if (now_ && !is_ahead(*member, flushed, *now_ + 1)) return hear(*member, flushed, *now_ + 1);
+  if (!member->early || member->early->tick <= report.tick) member->early = flushed;
+  return std::monostate{};
+}
+
+// What a report says is used only where it can be true. What cannot names the agent, and is an
+// error of the call: nothing else of it is believed.
+Status Guide::State::hear(Member& member, const AgentReport& report, Tick next) {
+  // Of another life, and come late: it names no agent.
+  const bool is_earlier = report.tick <= member.since;
   if (report.held == 0) {
     // Made before it took its root, and come later: old news.
-    const bool is_old = (member->taken.number != 0 && report.tick <= member->taken.tick) ||
-                        (member->last && report.tick <= member->last->tick);
-    if (!member->branches.awaits_root() && !is_old) {
-      member->monitor.name(ContractReason::kNoBranch);
-    }
+    const bool is_old = is_earlier ||
+                        (member.taken.number != 0 && report.tick <= member.taken.tick) ||
+                        (member.last && report.tick <= member.last->tick);
+    if (!member.branches.awaits_root() && !is_old) member.monitor.name(ContractReason::kNoBranch);
     return std::monostate{};
   }
-  if (!member->branches.knows(report.held)) {
-    member->monitor.name(ContractReason::kNoBranch);
+  if (!member.branches.knows(report.held)) {
+    if (!is_earlier) member.monitor.name(ContractReason::kNoBranch);
     return about({ErrorCode::kInvalidArgument,
                   "agent " + std::to_string(report.agent) + " says that it is on branch " +
                       branch_text(report.held) + ", which was never sent to it",
@@ -136,29 +155,29 @@ Status Guide::State::take(const AgentReport& report) {
   }
   // Its branches only grow newer. If it is on an older one than it took, it is not the same agent
   // any more, or its acknowledgement was forged: branches on which it may be have been ruled out.
-  if (report.held < member->taken.number && report.tick > member->taken.tick) {
-    member->monitor.name(ContractReason::kNoBranch);
+  if (report.held < member.taken.number && report.tick > member.taken.tick) {
+    member.monitor.name(ContractReason::kNoBranch);
     return about({ErrorCode::kInvalidArgument,
                   "agent " + std::to_string(report.agent) + " says that it is on branch " +
                       branch_text(report.held) + ", after it acknowledged branch " +
-                      branch_text(member->taken.number) + "; let it leave and join anew",
+                      branch_text(member.taken.number) + "; let it leave and join anew",
                   {}},
                  report.agent);
   }
-  if (now_) member->heard = std::max(member->heard, *now_ + 1);
+  if (is_earlier && !member.branches.lives(report.held)) return std::monostate{};
+  member.heard = std::max(member.heard, next);
   // Where it should be, before what it tells rules branches out.
-  const auto nominal = member->branches.nominal_at(report.held, report.tick, report.after_s);
-  member->branches.report(report.held, report.tick);
-  const auto& last = member->last;
+  const auto nominal = member.branches.nominal_at(report.held, report.tick, report.after_s);
+  member.branches.report(report.held, report.tick);
+  const auto& last = member.last;
   const bool is_newer = !last || report.tick > last->tick ||
                         (report.tick == last->tick && report.after_s > last->after_s);
-  if (is_newer) member->last = report;
+  if (is_newer) member.last = report;
   if (!nominal) return std::monostate{};
-  const Tick now = now_.value_or(report.tick) + 1;
-  const double age_s = std::max(0.0, seconds(now - report.tick) - report.after_s);
-  member->monitor.take(nominal->position, report, age_s);
-  if (is_newer && member->is_on_ground_loop()) {
-    member->corrections.measure(
+  const double age_s = std::max(0.0, seconds(next - report.tick) - report.after_s);
+  member.monitor.take(nominal->position, report, age_s);
+  if (is_newer && member.is_on_ground_loop()) {
+    member.corrections.measure(
         report.tick, report.after_s,
         core::vector_of(report.position) - core::vector_of(nominal->position));
   }
@@ -169,6 +188,9 @@ Status Guide::State::take(const Acknowledgement& acknowledgement) {
   const AgentId agent = acknowledgement.agent;
   Member* const member = find(agent);
   if (member == nullptr) return unknown_agent(agent);
+  if (Status fine = check_tick(acknowledgement.tick); !fine) {
+    return about(std::move(fine).error(), agent);
+  }
   if (!member->branches.knows(acknowledgement.number)) {
     return about({ErrorCode::kInvalidArgument,
                   "agent " + std::to_string(agent) + " acknowledges branch " +
@@ -177,13 +199,18 @@ Status Guide::State::take(const Acknowledgement& acknowledgement) {
                  agent);
   }
   if (acknowledgement.reply == CommandReply::kNoBranch) {
-    // Before it has its root it is on none.
-    if (!member->branches.awaits_root()) member->monitor.name(ContractReason::kNoBranch);
+    // Before it has its root it is on none; nor was it in another life.
+    const bool is_earlier = acknowledgement.tick <= member->since;
+    if (!member->branches.awaits_root() && !is_earlier) {
+      member->monitor.name(ContractReason::kNoBranch);
+    }
     return std::monostate{};
   }
   if (acknowledgement.reply == CommandReply::kTaken &&
       acknowledgement.number > member->taken.number) {
-    member->taken = {acknowledgement.number, acknowledgement.tick};
+    // By a clock that is no more ahead than it may be: later reports are held against it.
+    const Tick latest = now_.value_or(acknowledgement.tick) + 1 + clock_ticks(*member);
+    member->taken = {acknowledgement.number, std::min(acknowledgement.tick, latest)};
   }
   member->branches.acknowledge(acknowledgement);
   if (now_) member->heard = std::max(member->heard, *now_ + 1);

@@ -142,19 +142,23 @@ TEST(FleetLoop, JoinsOneAfterTheOther) {
   EXPECT_GT(flown.arrived, kAgents / 4);
 }
 
-// One agent flies at a wall with nearly no strength to brake: it breaks its contract, and that is
-// seen. Who has its strength keeps clear.
+// An agent in a cage of balls that has nearly no strength is carried into one of them: it breaks
+// its contract, and that is seen. One that has its strength keeps clear.
 TEST(FleetLoop, LossesOfClearanceAreSeen) {
   for (const bool weak : {false, true}) {
     FleetOptions options = usual(ErrorKind::kUniform);
     options.errors.strength = 1.0;
     options.weak_share = weak ? 0.999 : 0.0;
-    options.weak_strength = 0.02;
+    options.weak_strength = 0.001;
     options.errors.disturbance.drift_mps = 0.5;
     scenes::Mission mission;
     mission.starts = {{0.0, 0.0, 10.0}};
-    mission.goals = {{100.0, 0.0, 10.0}};
-    mission.obstacles = {Sphere{{40.0, 0.0, 10.0}, 10.0}};
+    mission.goals = {{0.5, 0.0, 10.0}};
+    for (const double at : {15.5, -15.5}) {
+      mission.obstacles.emplace_back(Sphere{{at, 0.0, 10.0}, 12.0});
+      mission.obstacles.emplace_back(Sphere{{0.0, at, 10.0}, 12.0});
+      mission.obstacles.emplace_back(Sphere{{0.0, 0.0, 10.0 + at}, 12.0});
+    }
     auto made = FleetLoop::make(mission, options);
     ASSERT_TRUE(made) << made.error().message;
     for (int tick = 0; tick < 600; ++tick) ASSERT_TRUE((*made)->step());

@@ -80,9 +80,25 @@ TEST(TrueAgent, WithoutErrorsIsWhereItShouldBe) {
 TEST(TrueAgent, IsCarriedByADrift) {
   AgentErrors errors;
   errors.disturbance.drift_mps = 0.5;
-  TrueAgent agent(follower_at_rest(), {}, loop_of(LoopPlace::kGround, 0.0), errors, 3);
+  TrueAgent agent(follower_at_rest(), {}, loop_of(LoopPlace::kOnboard, 0.0), errors, 3);
   fly(agent, 100);
   EXPECT_NEAR(length_of(agent.position()), 0.5 * (100 - 0.5) * kInstant_s, 1e-12);
+}
+
+// Nothing corrects it before, where the loop is closed on the ground.
+TEST(TrueAgent, StandsUntilItIsToldToFlyFromTheGround) {
+  AgentErrors errors;
+  errors.disturbance.drift_mps = 0.5;
+  TrueAgent agent(follower_at_rest(), {}, loop_of(LoopPlace::kGround, 0.0), errors, 3);
+  agent.look_at_clock();
+  ASSERT_EQ(agent.receive(hold()).reply, CommandReply::kTaken);
+  fly(agent, 100);
+  EXPECT_EQ(length_of(agent.position()), 0.0);
+  EXPECT_EQ(length_of(agent.velocity()), 0.0);
+  TrueAgent other(follower_at_rest(), {}, loop_of(LoopPlace::kGround, 0.0), errors, 3);
+  take(other, along_x(10, 3.0));
+  fly(other, 55);
+  EXPECT_GT(other.deviation_m(), 0.4);
 }
 
 // x' = u + w, u' = -k^2 x - 2 k u comes to rest at u = -w, x = 2 w / k.
@@ -102,7 +118,7 @@ TEST(TrueAgent, AGustStaysWithinItsBoundAndFlips) {
   AgentErrors errors;
   errors.disturbance.drift_mps = 0.1;
   errors.disturbance.gust_mps = 1.0;
-  TrueAgent agent(follower_at_rest(), {}, loop_of(LoopPlace::kGround, 0.0), errors, 4);
+  TrueAgent agent(follower_at_rest(), {}, loop_of(LoopPlace::kOnboard, 0.0), errors, 4);
   double along = 0.0;
   bool flipped = false;
   for (int i = 0; i < 1'000; ++i) {
@@ -120,7 +136,7 @@ TEST(TrueAgent, AnAdversaryPushesAlongTheWayToItsNeighbour) {
   AgentErrors errors;
   errors.disturbance = {.kind = ErrorKind::kAdversarial, .drift_mps = 0.1, .gust_mps = 0.5};
   errors.report_error_m = 0.3;
-  TrueAgent agent(follower_at_rest(), {}, loop_of(LoopPlace::kGround, 0.0), errors, 4);
+  TrueAgent agent(follower_at_rest(), {}, loop_of(LoopPlace::kOnboard, 0.0), errors, 4);
   agent.fly({0.0, 1.0, 0.0});
   EXPECT_EQ(agent.velocity().x, 0.0);
   EXPECT_NEAR(std::abs(agent.velocity().y - 0.1), 0.5, 1e-12);
@@ -149,7 +165,7 @@ TEST(TrueAgent, ReportsWithinTheErrorAndNotWithout) {
 TEST(TrueAgent, AWeakOneFallsBehind) {
   AgentErrors errors;
   errors.strength = 0.5;
-  TrueAgent agent(follower_at_rest(), {}, loop_of(LoopPlace::kGround, 0.0), errors, 1);
+  TrueAgent agent(follower_at_rest(), {}, loop_of(LoopPlace::kOnboard, 0.0), errors, 1);
   take(agent, along_x(10, 4.0));
   fly(agent, 55);
   EXPECT_NEAR(agent.velocity().x, 2.5, 1e-12);

@@ -151,6 +151,24 @@ TEST(TrueSeparation, CountsWhoGoesBeyondAFenceWithinAnInstant) {
   EXPECT_EQ(check.verdict().fence_losses, 1U);
 }
 
+// The first ones obey no rules of the fleet.
+TEST(TrueSeparation, FencesAndPlanesAreNotThoseOfIntruders) {
+  TrueSeparation check({.threshold_m = 1.0,
+                        .instants = 1,
+                        .fences = {{{0.0, 0.0, 1.0}, 0.0}},
+                        .planar = true,
+                        .intruders = 1});
+  const std::array radii = {0.0, 0.0};
+  const Stretch beyond{{0.0, 0.0, -5.0}, {0.0, 0.0, -1.0}, {}};
+  const Stretch level{{50.0, 0.0, 3.0}, {}, {}};
+  check.look(0.0, std::array{beyond, level}, radii);
+  check.look(1.0, std::array{beyond, level}, radii);
+  EXPECT_EQ(check.verdict().fence_losses + check.verdict().heights_left, 0U);
+  check.look(2.0, std::array{level, beyond}, radii);
+  EXPECT_EQ(check.verdict().fence_losses, 1U);
+  EXPECT_EQ(check.verdict().heights_left, 1U);
+}
+
 TEST(TrueSeparation, NoticesAHeightThatIsLeft) {
   TrueSeparation check({.instants = 1, .planar = true});
   const std::array level = {Stretch{{0.0, 0.0, 3.0}, {1.0, 2.0, 0.0}, {}}};

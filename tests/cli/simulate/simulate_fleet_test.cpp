@@ -12,36 +12,46 @@
 namespace beespace::cli_test {
 namespace {
 
-constexpr const char* kAtTheBall =
+constexpr const char* kInTheCage =
     "id,x,y,z,goal_x,goal_y,goal_z\n"
     "maya,0,0,10,100,0,10\n";
 
-constexpr const char* kBall =
-    R"({"obstacles": [{"kind": "sphere", "center": [40, 0, 10], "radius_m": 10}]})";
+// A cage: whoever cannot hold its place is carried into one of its balls.
+std::string cage() {
+  std::string text = R"({"obstacles": [)";
+  const char* between = "";
+  for (const char* at :
+       {"15.5, 0, 10", "-15.5, 0, 10", "0, 15.5, 10", "0, -15.5, 10", "0, 0, 25.5", "0, 0, -5.5"}) {
+    text +=
+        between + std::string(R"({"kind": "sphere", "center": [)") + at + R"(], "radius_m": 12})";
+    between = ", ";
+  }
+  return text + "]}";
+}
 
-const Arguments kWeak{"--weak", "99.9%:0.02", "--drift", "0.5", "--steps", "600"};
+const Arguments kWeak{"--weak", "99.9%:0.001", "--drift", "0.5", "--steps", "600"};
 
 TEST(SimulateFleet, BeesTooCloseToObstaclesAreARisk) {
   const TemporaryFolder folder;
-  const std::string file = folder.file("mission.csv", kAtTheBall);
-  const std::string ball = folder.file("ball.json", kBall);
+  const std::string file = folder.file("mission.csv", kInTheCage);
+  const std::string balls = folder.file("balls.json", cage());
   const std::string recording = folder.path("flown.csv");
   const Arguments fly =
-      Arguments{"simulate", file, "--noise", "0.1", "--obstacles", ball, "--fail-on-risk"};
+      Arguments{"simulate", file, "--noise", "0.1", "--obstacles", balls, "--fail-on-risk"};
   const Finished sound = run(fly);
   EXPECT_EQ(sound.exit_code, 0) << sound.err;
   expect_parts(sound.err,
-               {"obstacles  1, clearance 1 m\n", "clearance  none\n", "losses     none\n"});
+               {"obstacles  6, clearance 1 m\n", "clearance  none\n", "losses     none\n"});
   const Finished weak = run(fly + kWeak + Arguments{"--output", recording});
   EXPECT_EQ(weak.exit_code, 1) << weak.err;
   expect_parts(weak.err,
                {"clearance  none of those that keep their contracts; ", " of bees out of theirs"});
   // The checker of recordings says the same.
-  EXPECT_EQ(run({"verify", recording, "--obstacles", ball, "--fail-on-risk"}).exit_code, 1);
+  EXPECT_EQ(run({"verify", recording, "--threshold", "5", "--obstacles", balls}).exit_code, 1);
   const Finished json = run(fly + kWeak + Arguments{"--json", "--quiet"});
   EXPECT_EQ(json.exit_code, 1);
   EXPECT_TRUE(is_json(json.out)) << json.out;
-  expect_parts(json.out, {R"("obstacles": 1)", R"("clearance_loss_count": 0)",
+  expect_parts(json.out, {R"("obstacles": 6)", R"("clearance_loss_count": 0)",
                           R"("joined_count": 1)", R"("not_joined_count": 0)"});
   EXPECT_EQ(json.out.find(R"("out_clearance_loss_count": 0)"), std::string::npos) << json.out;
 }
@@ -94,8 +104,9 @@ TEST(SimulateFleet, NominalAndOutputAreTwoFiles) {
   expect_usage_error(fly + Arguments{"--nominal", folder.path("./flown.csv"), "--output", file},
                      message);
   EXPECT_TRUE(folder.names().empty());
-  expect_usage_error(fly + Arguments{"--nominal", "-", "--json"},
-                     "--json and --nominal - would both write to standard output");
+  const Finished both = run(fly + Arguments{"--nominal", "-", "--json"});
+  EXPECT_EQ(both.exit_code, 2);
+  expect_parts(both.out, {"--json and --nominal - would both write to standard output"});
   EXPECT_EQ(run(fly + Arguments{"--nominal", folder.path("nominal.csv"), "--output", file,
                                 "--steps", "10"})
                 .exit_code,
@@ -145,9 +156,12 @@ TEST(SimulateFleet, TheLogOfTheFleetIsAFileOfItsOwn) {
 TEST(SimulateFleet, CommandsThatComeTooLateForAllAreNoted) {
   const Arguments fly{"simulate", "head-on", "--latency", "6", "--steps", "100"};
   const std::string note = "commands come too late for all; give a greater --command-delay";
-  const Finished late = run(fly + Arguments{"--command-delay", "2"});
-  EXPECT_EQ(late.exit_code, 0) << late.err;
-  expect_parts(late.err, {"note       " + note});
+  for (const char* delay : {"2", "5", "6"}) {
+    const Finished late = run(fly + Arguments{"--command-delay", delay});
+    EXPECT_EQ(late.exit_code, 0) << late.err;
+    expect_parts(late.err, {"note       " + note});
+  }
+  EXPECT_EQ(run(fly + Arguments{"--command-delay", "7"}).err.find(note), std::string::npos);
   const Finished fine = run(fly);
   EXPECT_EQ(fine.err.find(note), std::string::npos) << fine.err;
 }
@@ -168,6 +182,27 @@ TEST(SimulateFleet, ErrorsOfFiguresNameTheOptions) {
   EXPECT_EQ(finished.exit_code, 2);
   expect_parts(finished.err, {"deviation_mps (--drift, --gust and --clock-error) 2",
                               "correction_mps (--reserve)"});
+}
+
+constexpr const char* kAcross =
+    "id,x,y,z,goal_x,goal_y,goal_z\n"
+    "maya,0,0,10,100,0,10\n";
+
+// Where bees begin is told by the scenario or the file; what noise and wind do is not.
+TEST(SimulateFleet, HasASeedWhereverItsBeesBegin) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("mission.csv", kAcross);
+  for (const std::string& scenario : {std::string("head-on"), file}) {
+    const Arguments fly{"simulate", scenario, "--steps", "20", "--output", "-", "--quiet"};
+    const auto flown = [&](const char* seed) {
+      return run(fly + Arguments{"--noise", "0.1", "--seed", seed});
+    };
+    const Finished first = flown("1");
+    EXPECT_EQ(first.exit_code, 0) << first.err;
+    EXPECT_EQ(first.out, flown("1").out);
+    EXPECT_NE(first.out, flown("2").out);
+    expect_usage_error(fly + Arguments{"--seed", "2"}, "--seed does not apply to ");
+  }
 }
 
 }  // namespace

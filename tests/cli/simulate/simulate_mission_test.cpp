@@ -157,7 +157,8 @@ TEST(SimulateMission, OptionsThatWouldBeIgnoredAreRefused) {
                        "does not apply to a file, which tells who begins where; leave it out");
   }
   expect_usage_error({"simulate", mission, "--clearance", "2"},
-                     "--clearance is of obstacles, and there are none; add --obstacles");
+                     "--clearance is of obstacles and fences, and there are none; add "
+                     "--obstacles or --fence");
   expect_usage_error({"simulate", "-", "--obstacles", "-"}, "cannot both be standard input");
   expect_usage_error({"simulate", "pillars", "--clearance", "0"},
                      "--clearance '0' is not a number of metres");
