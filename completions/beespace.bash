@@ -106,9 +106,9 @@ _beespace() {
         --noise-kind) values='uniform adversarial' ;;
         --loop) values='onboard ground' ;;
         --shape) values='sphere' ;;
-        --obstacles | --nominal | -o | --output) files=yes ;;
+        --obstacles | --nominal | --fleet-log | -o | --output) files=yes ;;
         --bees | --spacing | --seed | --speed | --step | --steps | --threshold | --clearance | --threads | --noise | --gust | --drift | --latency | --loss | --loss-run | --clock-error | --weak | --silent | --joins | --intruders | --radius | --reserve | --command-delay | --fence) return ;;
-        *) options='--bees --spacing --seed --speed --acceleration --step --steps --threshold --method --obstacles --clearance --threads --noise --noise-kind --gust --drift --latency --loss --loss-run --clock-error --weak --silent --joins --intruders --radius --loop --reserve --command-delay --shape --fence --plane --nominal --output --json --fail-on-risk --quiet --help --version' values='random-swap sphere-swap crossing-streams funnel pillars head-on density-sweep' files=yes ;;
+        *) options='--bees --spacing --seed --speed --acceleration --step --steps --threshold --method --obstacles --clearance --threads --noise --noise-kind --gust --drift --latency --loss --loss-run --clock-error --weak --silent --joins --intruders --radius --loop --reserve --command-delay --shape --fence --plane --nominal --fleet-log --output --json --fail-on-risk --quiet --help --version' values='random-swap sphere-swap crossing-streams funnel pillars head-on density-sweep' files=yes ;;
       esac
       ;;
     verify)
@@ -139,9 +139,9 @@ _beespace() {
         --time-unit) values='auto s ms us ns' ;;
         --heights) values='auto geometric pressure' ;;
         --max-gap) values='never' ;;
-        --compare | -o | --output) files=yes ;;
+        --compare | --fleet-log | -o | --output) files=yes ;;
         --columns | --units | --tolerance | --threshold | --vertical | --threads) return ;;
-        *) options='--crs --columns --time-unit --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --inclusive --threads --compare --output --json --fail-on-risk --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --inclusive --threads --compare --fleet-log --output --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     view)
@@ -150,9 +150,9 @@ _beespace() {
         --time-unit) values='auto s ms us ns' ;;
         --heights) values='auto geometric pressure' ;;
         --max-gap) values='never' ;;
-        --compare) files=yes ;;
+        --compare | --fleet-log) files=yes ;;
         --columns | --units | --tolerance | --threshold | --vertical | --threads | --port) return ;;
-        *) options='--crs --columns --time-unit --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --inclusive --threads --compare --no-open --port --json --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --inclusive --threads --compare --fleet-log --no-open --port --json --quiet --help --version' files=yes ;;
       esac
       ;;
     plot)

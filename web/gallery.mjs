@@ -11,7 +11,7 @@ const kPictures = [
   { page: 'million', name: 'report-million', theme: 'dark', click: 'table tbody button', width: 1000, height: 640 },
   { page: 'flight', name: 'report-flight', theme: 'light', click: 'table tbody button' },
   { page: 'swap', name: 'report-swap', theme: 'light', click: 'table tbody button' },
-  { page: 'fleet', name: 'report-fleet', theme: 'light', bee: '53', steps: 75 },
+  { page: 'fleet', name: 'report-fleet', theme: 'light', bee: '53', steps: 375 },
   { page: 'flight', name: 'report-phone', theme: 'dark', width: 390, height: 844 },
 ];
 

@@ -8,15 +8,20 @@ import { positionOf, readPositions, type Positions, type Triple } from './positi
 export const kContracts = ['kept', 'doubted', 'out'] as const;
 export type Contract = (typeof kContracts)[number];
 
-/** Why a contract is doubted or broken, by the numbers of the format. */
+/** Why a contract is broken, by the numbers of the format. */
 const kReasons = [
   '',
-  'too far from where it should be',
+  'too far from its nominal place',
   'drifts off faster than it may',
   'not heard of',
   'has lost its branch',
   'reports from the future',
 ];
+
+/** Why it is doubted: only what is known is said. */
+function reasonOf(contract: Contract, reason: number): string {
+  return contract === 'doubted' && reason === 1 ? 'perhaps too far from its nominal place' : (kReasons[reason] ?? '');
+}
 
 export interface Told {
   contract: Contract;
@@ -98,9 +103,10 @@ export class Fleet {
     const state = this.#stateAt(bee, time_s);
     if (state === null) return null;
     const { contract, reason, certified, tube_m, branches } = this.states;
+    const kind = kContracts[contract[state]] ?? 'kept';
     return {
-      contract: kContracts[contract[state]] ?? 'kept',
-      reason: kReasons[reason[state]] ?? '',
+      contract: kind,
+      reason: reasonOf(kind, reason[state]),
       certified: certified[state] === 1,
       tube_m: tube_m[state],
       branches: branches[state],
@@ -164,7 +170,7 @@ export class Fleet {
     const first = this.places.firstOf(bee);
     const at = this.states.contract.subarray(first, first + this.places.countOf(bee)).indexOf(code);
     if (at < 0) return null;
-    return { bee, time_s: this.places.timeOf(first + at), reason: kReasons[this.states.reason[first + at]] ?? '' };
+    return { bee, time_s: this.places.timeOf(first + at), reason: reasonOf(contract, this.states.reason[first + at]) };
   }
 }
 

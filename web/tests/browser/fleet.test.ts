@@ -19,7 +19,7 @@ pageTest('who was out of its contract is listed, and shown from when it was', 'f
   assert.equal(await page.locator('.selection .who-it-is').innerText(), await links.first().innerText());
   assert.ok((await kFact(page, 'Contract'))?.includes('out'));
   assert.equal(await kFact(page, 'Certified'), 'no');
-  assert.equal(await kFact(page, 'Why'), 'too far from where it should be');
+  assert.equal(await kFact(page, 'Why'), 'too far from its nominal place');
   assert.ok((await kMetres(page, 'Off its nominal place')) > (await kMetres(page, 'Tube')));
 });
 
