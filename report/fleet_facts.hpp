@@ -17,8 +17,8 @@ namespace beespace::report {
 // then straight on to a stop.
 struct FleetBranch {
   Tick at = 0;
-  Point place;            // there and then
-  Point stop;             // where it stands at last,
+  Point place;             // there and then
+  Point stop;              // where it stands at last,
   double braking_s = 0.0;  // so long after that tick, or at the end of that period
   std::optional<std::uint32_t> parent = {};  // by its place in the list of its bee; none: not known
 };
@@ -41,8 +41,8 @@ struct FleetBee {
 };
 
 struct FleetFacts {
-  std::string title;      // the file's name
-  double period_s = 0.0;  // a tick; tick 0 is at time 0 of the recording
+  std::string title;           // the file's name
+  double period_s = 0.0;       // a tick; tick 0 is at time 0 of the recording
   std::vector<FleetBee> bees;  // one for each of the recording
 };
 

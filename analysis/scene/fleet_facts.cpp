@@ -59,8 +59,8 @@ bool is_there(const Point& a, const Point& b) {
 
 // The base of a status: the newest branch that was sent and leads to where the agent shall be. One
 // that was ruled out has departed, and leads elsewhere.
-std::optional<std::uint32_t> newest_of(const io::LoggedStatus& status,
-                                       const io::LoggedAgent& agent, double period_s) {
+std::optional<std::uint32_t> newest_of(const io::LoggedStatus& status, const io::LoggedAgent& agent,
+                                       double period_s) {
   const std::size_t oldest = status.sent - std::min(status.sent, kLookedAt);
   for (std::size_t i = status.sent; i > oldest; --i) {
     const Point place = place_at(agent.branches[i - 1], status.tick, period_s);
@@ -137,7 +137,8 @@ Status check_times(const io::FleetLog& log, const std::vector<Track>& tracks) {
   if (told.begins_s <= flown.ends_s && flown.begins_s <= told.ends_s) return std::monostate{};
   return not_of_this(log, "this log is of the times from " + told.text() +
                               " (ticks times their period), and the recording of those from " +
-                              flown.text() + "; give the log of the same flight, by the same clock");
+                              flown.text() +
+                              "; give the log of the same flight, by the same clock");
 }
 
 Status check_fits(const io::FleetLog& log, io::Frame frame, const std::vector<Track>& tracks) {

@@ -15,11 +15,10 @@ namespace beespace::cli {
 namespace {
 
 constexpr const char* kOptions[] = {
-    "--loop",    "--noise", "--noise-kind",    "--gust",        "--drift",
-    "--latency", "--loss",  "--loss-run",      "--clock-error", "--weak",
-    "--silent",  "--joins", "--intruders",     "--radius",      "--shape",
-    "--fence",   "--plane", "--command-delay", "--reserve",     "--nominal",
-    "--fleet-log"};
+    "--loop",      "--noise",    "--noise-kind",  "--gust",  "--drift",  "--latency",
+    "--loss",      "--loss-run", "--clock-error", "--weak",  "--silent", "--joins",
+    "--intruders", "--radius",   "--shape",       "--fence", "--plane",  "--command-delay",
+    "--reserve",   "--nominal",  "--fleet-log"};
 
 Error not_that(const Typed& typed, const char* what) {
   return usage_error(typed.command,

@@ -35,8 +35,8 @@ Result<ExitCode> simulate_fleet(const SimulateRequest& request, MissionToFly mis
   auto nominal = open_beside(request, request.nominal, request.nominal_format.packing());
   if (!nominal) return std::move(nominal).error();
   const bool packed = file_ending(request.fleet_log).compressed;
-  auto log = open_beside(request, request.fleet_log,
-                         packed ? io::Packing::kGzip : io::Packing::kPlain);
+  auto log =
+      open_beside(request, request.fleet_log, packed ? io::Packing::kGzip : io::Packing::kPlain);
   if (!log) return std::move(log).error();
   return fly_fleet(request, std::move(mission),
                    {truth, *nominal ? &**nominal : nullptr, *log ? &**log : nullptr});

@@ -82,6 +82,7 @@ class Reading {
     }
     if ((**read).event == "status") return take_status((**read).object);
     if ((**read).event == "command") return take_command((**read).object);
+    if ((**read).event == "ticked") ++ticked_;
     return std::monostate{};
   }
 
@@ -111,10 +112,10 @@ class Reading {
     if (auto error = fields.error()) return *std::move(error);
     LoggedAgent& agent = agent_of(id);
     if (!agent.statuses.empty() && status.tick <= agent.statuses.back().tick) {
-      return wrong(ErrorCode::kTimeOrder,
-                   "tick " + std::to_string(status.tick) + " of agent '" + agent.id +
-                       "' is not after its tick " + std::to_string(agent.statuses.back().tick) +
-                       "; give the log of one flight, in its order");
+      return wrong(ErrorCode::kTimeOrder, "tick " + std::to_string(status.tick) + " of agent '" +
+                                              agent.id + "' is not after its tick " +
+                                              std::to_string(agent.statuses.back().tick) +
+                                              "; give the log of one flight, in its order");
     }
     agent.statuses.push_back({status.tick, status.told, agent.branches.size()});
     return std::monostate{};
@@ -133,9 +134,9 @@ class Reading {
                    "'period_s' and 'braking_mps2' of a command are above zero; correct them");
     }
     if (log_.period_s != 0.0 && period_s != log_.period_s) {
-      return wrong(ErrorCode::kMalformedRecord,
-                   "ticks of " + exact(period_s) + " s follow ticks of " + exact(log_.period_s) +
-                       " s; give the log of one flight");
+      return wrong(ErrorCode::kMalformedRecord, "ticks of " + exact(period_s) +
+                                                    " s follow ticks of " + exact(log_.period_s) +
+                                                    " s; give the log of one flight");
     }
     log_.period_s = period_s;
     LoggedAgent& agent = agent_of(id);
@@ -150,22 +151,23 @@ class Reading {
     return std::monostate{};
   }
 
-  // Whether anybody is told of in two ticks, one after the other; or nobody twice.
+  // Whether anybody is told of in two ticks, one after the other; or there is one tick only.
   [[nodiscard]] bool tells_each_tick() const {
-    bool twice = false;
+    bool several = ticked_ > 1;
     for (const LoggedAgent& agent : log_.agents) {
       for (std::size_t i = 1; i < agent.statuses.size(); ++i) {
-        twice = true;
+        several = true;
         if (agent.statuses[i].tick == agent.statuses[i - 1].tick + 1) return true;
       }
     }
-    return !twice;
+    return !several;
   }
 
   FleetLog log_;
   EventLines events_;
   std::unordered_map<std::string, std::size_t> numbers_;
   std::uint64_t line_ = 0;
+  std::uint64_t ticked_ = 0;
   bool has_status_ = false;
   bool has_branch_ = false;
 };

@@ -1,5 +1,5 @@
-// What is shown of a fleet is what its planner had: the branches on which a bee may be are those that
-// its claim is made of, though the log does not say so.
+// What is shown of a fleet is what its planner had: the branches on which a bee may be are those
+// that its claim is made of, though the log does not say so.
 #include "analysis/scene/fleet_facts.hpp"
 #include "io/fleet/fleet_writer.hpp"
 #include "io/fleet/status_message.hpp"

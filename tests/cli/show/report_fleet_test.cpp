@@ -28,10 +28,9 @@ class ReportFleet : public PageCommand {
     if (IsSkipped()) return;
     flown_ = folder_.path("flown.csv");
     log_ = folder_.path("fleet.ndjson");
-    const Finished finished =
-        run({"simulate", "random-swap", "--bees", "10", "--steps", "60", "--noise", "0.1",
-             "--gust", "0.3", "--loss", "20%", "--weak", "20%:0.3", "--output", flown_,
-             "--fleet-log", log_, "--quiet"});
+    const Finished finished = run({"simulate", "random-swap", "--bees", "10", "--steps", "60",
+                                   "--noise", "0.1", "--gust", "0.3", "--loss", "20%", "--weak",
+                                   "20%:0.3", "--output", flown_, "--fleet-log", log_, "--quiet"});
     ASSERT_EQ(finished.exit_code, 0) << finished.err;
   }
 
@@ -85,8 +84,9 @@ TEST_F(ReportFleet, WhatDoesNotFitIsSaidWithItsPlace) {
     EXPECT_FALSE(std::filesystem::exists(page));
   };
   const std::string two = folder_.file("two.csv", "id,time_s,x,y,z\n0,0,0,0,0\n0,9,1,0,0\n");
-  expect({two, "--fleet-log", log_}, kBadInput,
-         "fleet.ndjson:2: agent '1' is not in the recording; give the recording of the same flight");
+  expect(
+      {two, "--fleet-log", log_}, kBadInput,
+      "fleet.ndjson:2: agent '1' is not in the recording; give the recording of the same flight");
   const std::string late = folder_.file("late.csv", "id,time_s,x,y,z\n0,90,0,0,0\n0,99,1,0,0\n");
   expect({late, "--fleet-log", log_}, kBadInput,
          "fleet.ndjson: this log is of the times from 0 to 5.9 s (ticks times their period), and "
@@ -101,8 +101,8 @@ TEST_F(ReportFleet, WhatDoesNotFitIsSaidWithItsPlace) {
 }
 
 TEST_F(ReportFleet, AgentsThatTheRecordingLacksAreLeftOutWhenAsked) {
-  const Page page = reported({"--fleet-log", log_, "--skip-bad"},
-                             "id,time_s,x,y,z\n0,0,0,0,0\n0,9,1,0,0\n");
+  const Page page =
+      reported({"--fleet-log", log_, "--skip-bad"}, "id,time_s,x,y,z\n0,0,0,0,0\n0,9,1,0,0\n");
   const auto notes = report_test::texts_of(page.swarm()["notes"]);
   const char* const note = "agents of the fleet's log that the recording lacks, left out: 9";
   EXPECT_NE(std::find(notes.begin(), notes.end(), note), notes.end());

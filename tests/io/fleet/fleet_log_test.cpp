@@ -1,4 +1,5 @@
-// The log of a fleet: what is written of it is read, and what is wrong with it is said with its line.
+// The log of a fleet: what is written of it is read, and what is wrong with it is said with its
+// line.
 #include "io/fleet/fleet_log.hpp"
 #include "io/fleet/fleet_writer.hpp"
 #include "io/fleet/status_message.hpp"
@@ -143,12 +144,15 @@ TEST(FleetLog, LinesThatAreWrongAreLeftOutWhenAsked) {
 
 TEST(FleetLog, WhatALogLacksIsSaidWithHowToWriteIt) {
   const std::string how = "write the log by 'beespace guide --status all'";
-  for (const std::string& text : {std::string(), std::string("{\"event\": \"ticked\"}\n"),
-                                  command("7", 1, -1)}) {
+  for (const std::string& text :
+       {std::string(), std::string("{\"event\": \"ticked\"}\n"), command("7", 1, -1)}) {
     expect_error(text, "there is no 'status'; " + how);
   }
   expect_error(status("7", 0) + status("7", 1), "there is no 'command' in this log");
   expect_error(command("7", 1, -1) + status("7", 0) + status("7", 4) + status("7", 9),
+               "tells of agents only when something changes");
+  const std::string ticked = "{\"event\": \"ticked\", \"tick\": 0}\n";
+  expect_error(command("7", 1, -1) + status("7", 0) + ticked + ticked,
                "tells of agents only when something changes");
   EXPECT_EQ(read(command("7", 1, -1) + status("7", 0)).agents.size(), 1U);
 }
