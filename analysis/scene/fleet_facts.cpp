@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
@@ -17,20 +18,19 @@ namespace {
 // An agent is on one of the commands that were sent last.
 constexpr std::size_t kLookedAt = 64;
 
-// A tick of braking; true where it stands after it.
-bool brake(Mover& state, double change_mps, double period_s) {
-  Velocity& v = state.velocity;
+// Where braking leads to after so many ticks, straight on. In each the velocity falls evenly, by
+// the same; in the last one to zero.
+Point braked(const Mover& from, double braking_mps2, double period_s, double ticks) {
+  const Velocity& v = from.velocity;
   const double speed = std::hypot(v.x, v.y, v.z);
-  const double left = speed > change_mps ? (speed - change_mps) / speed : 0.0;
-  const double way_s = 0.5 * period_s * (1.0 + left);
-  Point& p = state.position;
-  p = {p.x + way_s * v.x, p.y + way_s * v.y, p.z + way_s * v.z};
-  v = {left * v.x, left * v.y, left * v.z};
-  return left == 0.0;
-}
-
-bool stands(const Mover& state) {
-  return state.velocity == Velocity{};
+  if (speed == 0.0) return from.position;
+  const double change_mps = braking_mps2 * period_s;
+  const double whole = std::min(ticks, std::floor(speed / change_mps));
+  double way_m = period_s * whole * (speed - 0.5 * change_mps * whole);
+  if (ticks > whole) way_m += 0.5 * period_s * std::max(0.0, speed - change_mps * whole);
+  const double share = way_m / speed;
+  const Point& p = from.position;
+  return {p.x + share * v.x, p.y + share * v.y, p.z + share * v.z};
 }
 
 Tick last_tick(const io::LoggedBranch& branch) {
@@ -44,11 +44,8 @@ Point place_at(const io::LoggedBranch& branch, Tick tick, double period_s) {
   if (tick < last) {
     return branch.states[static_cast<std::size_t>(tick - branch.starts)].position;
   }
-  Mover state = branch.states.back();
-  for (Tick t = last; t < tick && !stands(state); ++t) {
-    brake(state, branch.braking_mps2 * period_s, period_s);
-  }
-  return state.position;
+  return braked(branch.states.back(), branch.braking_mps2, period_s,
+                static_cast<double>(tick - last));
 }
 
 // Planner and this compute alike, but for the rounding.
@@ -70,24 +67,21 @@ std::optional<std::uint32_t> newest_of(const io::LoggedStatus& status, const io:
 }
 
 report::FleetBranch branch_of(const io::LoggedAgent& agent, std::size_t number, double period_s) {
-  // Nothing of a fleet brakes for longer; figures that say so are not drawn to the end.
-  constexpr int kLongest = 100'000;
   const io::LoggedBranch& branch = agent.branches[number];
+  const Mover& last = branch.states.back();
   report::FleetBranch found;
   found.at = last_tick(branch);
-  Mover state = branch.states.back();
-  found.place = state.position;
-  const Velocity& v = state.velocity;
+  found.place = last.position;
+  found.stop = braked(last, branch.braking_mps2, period_s, std::numeric_limits<double>::infinity());
+  const Velocity& v = last.velocity;
   found.braking_s = std::hypot(v.x, v.y, v.z) / branch.braking_mps2;
-  for (int ticks = 0; ticks < kLongest && !stands(state); ++ticks) {
-    brake(state, branch.braking_mps2 * period_s, period_s);
-  }
-  found.stop = state.position;
-  for (std::size_t i = number; branch.parent != 0 && i > 0; --i) {
-    if (agent.branches[i - 1].number == branch.parent) {
-      found.parent = static_cast<std::uint32_t>(i - 1);
-    }
-    if (agent.branches[i - 1].number <= branch.parent) break;
+  // Their numbers ascend.
+  const auto before = agent.branches.begin() + static_cast<std::ptrdiff_t>(number);
+  const auto parent = std::lower_bound(
+      agent.branches.begin(), before, branch.parent,
+      [](const io::LoggedBranch& one, BranchNumber wanted) { return one.number < wanted; });
+  if (parent != before && parent->number == branch.parent) {
+    found.parent = static_cast<std::uint32_t>(parent - agent.branches.begin());
   }
   return found;
 }

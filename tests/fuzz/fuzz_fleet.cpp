@@ -1,5 +1,6 @@
 // Fuzzes messages of a fleet: lines of anything. Beyond the sanitizers: errors have a line, and
-// what is read is written and read again as the same line.
+// what is read is written and read again as the same line. The same lines as the log of a fleet.
+#include "io/fleet/fleet_log.hpp"
 #include "io/fleet/fleet_reader.hpp"
 #include "io/fleet/fleet_writer.hpp"
 
@@ -38,6 +39,18 @@ void check_again(const FleetMessage& message) {
   require(last && last->has_value() && written(**last) == twice);
 }
 
+void check_log(std::string_view lines, bool skip_bad) {
+  const auto log = read_fleet_log(lines, "<stdin>", skip_bad);
+  if (!log) return require(!log.error().message.empty());
+  require(log->period_s > 0.0 && !log->agents.empty());
+  for (const LoggedAgent& agent : log->agents) {
+    for (const LoggedBranch& branch : agent.branches) require(!branch.states.empty());
+    for (const LoggedStatus& status : agent.statuses) {
+      require(status.sent <= agent.branches.size());
+    }
+  }
+}
+
 }  // namespace
 }  // namespace beespace::io
 
@@ -46,6 +59,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   FleetReader reader({}, "<stdin>", data[0] == 'o' ? "a" : "");
   std::string_view rest(reinterpret_cast<const char*>(data) + 1, size - 1);
+  check_log(rest, data[0] == 's');
   while (!rest.empty()) {
     const std::size_t end = rest.find('\n');
     const auto taken = reader.take(rest.substr(0, end));
