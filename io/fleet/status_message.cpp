@@ -27,17 +27,17 @@ constexpr std::array<Named<ContractReason>, 6> kReasons = {
      {ContractReason::kNoBranch, "no_branch"},
      {ContractReason::kFuture, "future"}}};
 
-template <class Value, std::size_t count>
-std::string_view name_among(const std::array<Named<Value>, count>& all, Value value) {
+template <class Value, std::size_t Count>
+std::string_view name_among(const std::array<Named<Value>, Count>& all, Value value) {
   for (const auto& named : all) {
     if (named.value == value) return named.name;
   }
   return "unknown";
 }
 
-template <class Value, std::size_t count>
+template <class Value, std::size_t Count>
 Value read_word(FleetFields& fields, std::string_view key,
-                const std::array<Named<Value>, count>& all) {
+                const std::array<Named<Value>, Count>& all) {
   const std::string_view word = fields.text(key);
   std::string known;
   for (const auto& named : all) {
