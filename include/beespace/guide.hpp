@@ -257,7 +257,9 @@ class BEESPACE_API Guide {
 
   /// @brief Guides the fleet for one tick: to be called at its begin, after the messages that came
   /// until then.
-  /// @param now The tick; after that of the call before.
+  /// @param now The tick; after that of the call before. Ticks may be left out where loops are
+  ///   closed on board; agents whose loop is closed on the ground are then named
+  ///   (ContractReason::kSilent), as corrections were missing.
   /// @param[out] guidance What to send, and what is known; overwritten, and empty after an error.
   /// @param stop When a stop is requested, the call ends soon. The tick has passed all the same.
   /// @return Success; or ErrorCode::kTimeOrder: a tick that is not after the one before;

@@ -3,7 +3,7 @@
 // The answer of the loop to what carries the agent off (at most w), and to the error of what it
 // takes for the deviation (at most e), is linear; so the most that x, u and a can be is the sum of
 // the magnitudes of their impulse responses, times w and e. They are numbers, not matrices, so the
-// same holds for vectors and their lengths. The sums are closed; docs/prevention.md derives them.
+// same holds for vectors and their lengths. The sums are closed; docs/tube.md derives them.
 #pragma once
 
 namespace beespace::fleet {

@@ -1,4 +1,4 @@
-// The tube that the figures of a fleet allow; derived in docs/prevention.md.
+// The tube that the figures of a fleet allow; derived in docs/tube.md.
 #include "fleet/check_figures.hpp"
 #include "fleet/loop_needs.hpp"
 

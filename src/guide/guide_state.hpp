@@ -63,6 +63,8 @@ class __attribute__((visibility("hidden"))) Guide::State {
   Status check_new(const JoinRequest& request) const;
   [[nodiscard]] guide::BranchOptions branch_options(const JoinRequest& request,
                                                     const Tube& tube) const;
+  // That each tick can have its command.
+  [[nodiscard]] Status check_ground(const FleetFigures& figures) const;
   // That an agent that is adopted says so of no tick that lies ahead.
   [[nodiscard]] Status check_stored(AgentId agent, Tick tick) const;
   // That its commands do not come too late, by its clock.
@@ -86,6 +88,7 @@ class __attribute__((visibility("hidden"))) Guide::State {
   // One tick.
   void begin(Tick now);
   void hear_early(Tick now);
+  void miss_ticks();
   void prepare(Tick now);
   void prepare(Member& member, PointId index, Tick now);
   [[nodiscard]] UnknownAgent ball_of(const Member& member, Tick now, PointId index) const;

@@ -68,6 +68,24 @@ Status Guide::State::check_clock(const FleetFigures& figures) const {
                "more than a tick; give a longer period, or better clocks");
 }
 
+// From the ground each tick needs a command, with a correction. A command counts as one that the
+// agent may be on until a report of a later one has come: so many are held at the same time.
+Status Guide::State::check_ground(const FleetFigures& figures) const {
+  if (figures.loop != LoopPlace::kGround) return std::monostate{};
+  constexpr double kRounding = 1e-9;
+  const double age_ticks = std::ceil(figures.report_age_s / options_.link.period_s - kRounding);
+  const double clocks = figures.clock_error_s > 0.0 ? 2.0 : 0.0;
+  constexpr auto kMost = static_cast<double>(guide::Branches::kMostLive);
+  if (age_ticks + clocks + options_.link.command_delay <= kMost) return std::monostate{};
+  return Error{ErrorCode::kInvalidArgument,
+               "the loop is closed on the ground, report_age_s is " +
+                   fleet::number(figures.report_age_s) + ", and command_delay " +
+                   std::to_string(options_.link.command_delay) +
+                   " ticks: together they may be 12 ticks, and 2 less where clocks are off; give a "
+                   "longer period, or faster messages",
+               {}};
+}
+
 Tick Guide::State::claims_from(const Member& member, Tick now) {
   return member.figures.clock_error_s > 0.0 ? now - 1 : now;
 }
@@ -120,6 +138,10 @@ void Guide::State::prepare(Member& member, PointId index, Tick now) {
   member.branches.advance(now);
   member.around.reset();
   if (!member.branches.awaits_root()) member.monitor.check_silence(silent_s(member, now));
+  // From the ground none can be left without a correction.
+  if (member.is_on_ground_loop() && member.branches.full()) {
+    member.monitor.name(ContractReason::kSilent);
+  }
   const Mover base = member.branches.base_state(now + options_.link.command_delay);
   movers_.push_back(base);
   preferred_.push_back(preferred(member, base.position));
@@ -193,6 +215,16 @@ void Guide::State::begin(Tick now) {
   }
 }
 
+// Ticks in which nothing was sent. On the ground they are corrections that are missing: as where a
+// message is lost, nothing is known of such an agent any more.
+void Guide::State::miss_ticks() {
+  for (Member& member : members_) {
+    if (member.is_on_ground_loop() && !member.branches.awaits_root()) {
+      member.monitor.name(ContractReason::kSilent);
+    }
+  }
+}
+
 // Reports that lay ahead. What still does comes from a wrong clock.
 void Guide::State::hear_early(Tick now) {
   for (Member& member : members_) {
@@ -218,6 +250,7 @@ Status Guide::State::step(Tick now, Guidance& guidance, const std::stop_token& s
   }
   if (!now_) begin(now);
   hear_early(now);
+  if (now_ && now > *now_ + 1) miss_ticks();
   now_ = now;
   prepare(now);
   AdviseOptions options = advise_options_;

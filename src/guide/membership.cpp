@@ -15,6 +15,7 @@ namespace beespace {
 Result<Tube> Guide::State::tube_for(const JoinRequest& request) const {
   const FleetFigures figures = request.figures.value_or(options_.figures);
   if (Status clock = check_clock(figures); !clock) return std::move(clock).error();
+  if (Status ground = check_ground(figures); !ground) return std::move(ground).error();
   auto tube = tube_of(figures, options_.link, request.limits.value_or(options_.limits));
   if (!tube) return tube;
   if (auto error = fleet::check_planned(tube->planned, options_.link.period_s)) {

@@ -2,7 +2,9 @@
 #include "tests/guide/small_fleet.hpp"
 
 #include <cmath>
+#include <deque>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace beespace {
@@ -110,6 +112,70 @@ TEST(GuideEnds, APlannerThatIsLateNamesNoAgent) {
   EXPECT_EQ(one.step(15).contract, Contract::kKept);
   ASSERT_TRUE(one.guide.take(one.report(30)));
   EXPECT_EQ(one.step(29).contract, Contract::kKept);
+}
+
+// But from the ground each tick needs its correction.
+TEST(GuideEnds, ATickThatWasLeftOutNamesWhoIsCorrectedFromTheGround) {
+  for (const bool ground : {false, true}) {
+    OneAgent one(ground ? ground_options() : small_options());
+    for (Tick tick = 10; tick < 20; ++tick) {
+      if (tick > 10) {
+        EXPECT_EQ(one.step(tick).contract, Contract::kKept);
+      }
+      ASSERT_TRUE(one.guide.take(one.report(tick)));
+    }
+    const AgentGuidance& told = one.step(21);
+    EXPECT_EQ(told.contract == Contract::kOut, ground);
+    EXPECT_EQ(told.reason == ContractReason::kSilent, ground);
+    EXPECT_EQ(told.certified, !ground);
+  }
+}
+
+// So many commands may be on the way, and reports of them; it cannot do with less.
+TEST(GuideEnds, FromTheGroundAllCommandsOnTheWayAreHeld) {
+  GuideOptions options = ground_options();
+  options.figures.report_age_s = 0.5;
+  options.figures.deviation_mps = 0.01;
+  for (const int delay : {7, 8}) {
+    options.link.command_delay = delay;
+    EXPECT_EQ(bool(Guide::make(options)), delay == 7);
+  }
+  options.figures.clock_error_s = 0.01;
+  for (const int delay : {5, 6}) {
+    options.link.command_delay = delay;
+    EXPECT_EQ(bool(Guide::make(options)), delay == 5);
+  }
+  // As late as they may be.
+  options.figures.clock_error_s = 0.0;
+  options.link.command_delay = 7;
+  Guide guide = Guide::make(options).value();
+  ASSERT_TRUE(guide.join({.agent = 1}).value().joined);
+  ASSERT_TRUE(guide.set_goal(1, {300, 0, 0}));
+  auto follower = Follower::make(1, guide.tube(1).value().planned, 0.1).value();
+  std::deque<std::pair<Tick, Command>> commands;
+  std::deque<std::pair<Tick, AgentReport>> reports;
+  Guidance guidance;
+  for (Tick tick = 0; tick < 200; ++tick) {
+    follower.advance(tick);
+    for (; !commands.empty() && commands.front().first <= tick; commands.pop_front()) {
+      EXPECT_EQ(follower.receive(commands.front().second).reply == CommandReply::kTaken,
+                commands.front().second.number > branch_number(1, 1) || tick == 6);
+    }
+    if (follower.held() != 0) {
+      const Point place = follower.setpoint(0.0).nominal.position;
+      reports.emplace_back(
+          tick + 5,
+          AgentReport{.agent = 1, .held = follower.held(), .tick = tick, .position = place});
+    }
+    for (; !reports.empty() && reports.front().first <= tick; reports.pop_front()) {
+      ASSERT_TRUE(guide.take(reports.front().second));
+    }
+    ASSERT_TRUE(guide.step(tick, guidance));
+    ASSERT_EQ(guidance.commands.size(), 1U) << tick;
+    ASSERT_NE(guidance.agents.at(0).contract, Contract::kOut) << tick;
+    commands.emplace_back(tick + 6, guidance.commands.at(0));
+  }
+  EXPECT_GT(guidance.agents.at(0).nominal.position.x, 50.0);
 }
 
 TEST(GuideEnds, ReportsFromTheFutureNameTheAgent) {

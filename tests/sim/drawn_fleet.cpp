@@ -126,7 +126,9 @@ class Drawing {
     FleetOptions& o = options();
     const int clock = o.errors.clock.bound_s > 0.0 ? 1 : 0;
     const int least = o.instants == 1 ? 2 + clock : 1 + clock;
-    o.link.command_delay = std::max(o.link.command_delay, least);
+    constexpr int kMostOnTheWay = 12;  // commands, and reports of them
+    const int most_delay = kMostOnTheWay - 3 * clock - static_cast<int>(o.reports.most_latency);
+    o.link.command_delay = std::clamp(o.link.command_delay, least, most_delay);
     const std::int64_t most = o.link.command_delay - 1 - clock;
     o.commands.most_latency = std::min(o.commands.most_latency, most);
     o.commands.least_latency = std::min(o.commands.least_latency, o.commands.most_latency);
