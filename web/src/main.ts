@@ -39,7 +39,8 @@ async function show(page: Page): Promise<void> {
   await progress('Drawing …');
 
   const moving = swarms.some(({ kind }) => kind === 'recording');
-  const help = helpDialog(moving);
+  const fleet = swarms.some((swarm) => swarm.kind === 'recording' && swarm.fleet !== null);
+  const help = helpDialog({ moving, fleet });
   const room = layout(page, choices, () => help.showModal());
   document.body.append(help);
   const frame = frameOf(swarms);

@@ -41,7 +41,18 @@ function keyTable(keys: [string, string][]): HTMLElement {
   );
 }
 
-export function helpDialog(moving: boolean): HTMLDialogElement {
+/** Where it is known what the planner of the fleet said. */
+function fleetHelp(): HTMLElement {
+  return element(
+    'p',
+    {},
+    'Of the selected bee the small ring is where its planner has it, and the ball around that its tube: it is not farther ' +
+      'from there while it keeps its contract. Lines lead along all branches on which it may be, each to a stop; the hull of ' +
+      'them all is its claim, of which others keep clear. A large ring is around a bee that is out of its contract.',
+  );
+}
+
+export function helpDialog({ moving, fleet }: { moving: boolean; fleet: boolean }): HTMLDialogElement {
   const dialog = element('dialog', { class: 'help', 'aria-labelledby': 'help-heading' });
   dialog.append(
     element(
@@ -57,6 +68,7 @@ export function helpDialog(moving: boolean): HTMLDialogElement {
       'Red diamonds are at risk and always drawn on top; lines join those who are too close. ',
       'The sphere or cylinder around the selected bee is what counts as too close to it.',
     ),
+    ...(fleet ? [fleetHelp()] : []),
     element('h3', {}, 'Keys'),
     keyTable(kKeys),
   );

@@ -24,6 +24,7 @@ function factsOf({ swarm }: Shown): [string, Node | string][] {
     const { begins_s, ends_s, since_1970 } = head.time;
     facts.push(['Time', `${formatTime(begins_s, since_1970)} to ${formatTime(ends_s, since_1970)}`]);
     facts.push(['Between fixes', 'bees move in straight lines']);
+    if (head.fleet) facts.push(["Planner's log", nameElement(head.fleet.title)]);
   }
   return facts;
 }
