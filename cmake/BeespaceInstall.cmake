@@ -20,6 +20,13 @@ install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/beespace"
   FILES_MATCHING PATTERN "*.hpp")
 install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 
+# The library for C, which the static one is inside of.
+if(TARGET beespace_c)
+  install(TARGETS beespace_c
+    LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+  install(FILES "${PROJECT_SOURCE_DIR}/include/beespace.h" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+endif()
+
 # find_package(beespace), or find_package(beespace COMPONENTS static)
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/beespace")
 configure_package_config_file(
@@ -43,15 +50,22 @@ file(RELATIVE_PATH pc_to_prefix "${pc_dir}" "${CMAKE_INSTALL_PREFIX}")
 string(REGEX REPLACE "/$" "" pc_to_prefix "${pc_to_prefix}")
 if(BUILD_SHARED_LIBS)
   set(pc_cflags "")
-  set(pc_libs "-L\${libdir} -lbeespace")
+  set(pc_libs "-L\${libdir} -lbeespace++")
 else()
   # An archive does not know what it needs, so the program that links it must name it. By its path:
-  # -lbeespace would take a shared library beside it.
+  # -lbeespace would take the library for C beside it.
   set(pc_cflags " -DBEESPACE_STATIC")
   set(pc_libs "\${libdir}/${CMAKE_STATIC_LIBRARY_PREFIX}beespace${CMAKE_STATIC_LIBRARY_SUFFIX} -pthread")
 endif()
-# "beespace" is the kind that was installed last.
-foreach(name IN ITEMS beespace beespace-${kind})
+set(pc_names beespace beespace-${kind})  # "beespace" is the kind that was installed last
+if(TARGET beespace_c)
+  list(APPEND pc_names beespace-c)
+endif()
+foreach(name IN LISTS pc_names)
+  if(name STREQUAL "beespace-c")
+    set(pc_cflags "")
+    set(pc_libs "-L\${libdir} -lbeespace")
+  endif()
   configure_file("${PROJECT_SOURCE_DIR}/cmake/beespace.pc.in" "${PROJECT_BINARY_DIR}/${name}.pc" @ONLY)
   install(FILES "${PROJECT_BINARY_DIR}/${name}.pc"
     DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")

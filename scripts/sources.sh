@@ -16,6 +16,11 @@ project_files() {
   fi
 }
 
+# The files of C, each ended by a NUL.
+c_files() {
+  project_files | { grep -zE '\.(c|h)$' || true; } | LC_ALL=C sort -z
+}
+
 # The C++ files below the given folders (none: all of them), each ended by a NUL.
 cpp_files() {
   local pattern='\.(cpp|hpp)$'

@@ -69,12 +69,12 @@ if [ "$kind" = shared ]; then
   # A static archive must not have been linked by mistake, and only beespace's own is exported.
   # (Not in a pipe to grep -q, which may end before ldd has written all.)
   used=$(LD_LIBRARY_PATH=$libraries ldd "$work/with-pkg-config")
-  grep -q "$prefix.*libbeespace.so" <<< "$used" ||
+  grep -q "$prefix.*libbeespace++.so" <<< "$used" ||
     fail "the program does not use the shared library"
-  leaked=$(nm -D --defined-only "$libraries/libbeespace.so" | awk '$2 !~ /^[VvWwu]$/ {print $3}' |
+  leaked=$(nm -D --defined-only "$libraries/libbeespace++.so" | awk '$2 !~ /^[VvWwu]$/ {print $3}' |
     grep -v beespace || true)
   [ -z "$leaked" ] || fail "the shared library exports names that are not beespace's: $leaked"
-  exported=$(nm -D --defined-only -C "$libraries/libbeespace.so")
+  exported=$(nm -D --defined-only -C "$libraries/libbeespace++.so")
   internals=$(grep -E 'beespace::(core|cpu|search|motion|geodesy|avoidance|verify)::' <<< "$exported" || true)
   [ -z "$internals" ] || fail "the shared library exports internals: $internals"
   grep -q 'beespace::find_at_risk' <<< "$exported" || fail "find_at_risk is not exported"
@@ -94,11 +94,17 @@ if [ "$kind" = shared ]; then
     for program in "$work/consumer-$wanted/consumer" "$work/with-pkg-config-$wanted"; do
       LD_LIBRARY_PATH=$libraries check_output "$program"
       used=$(LD_LIBRARY_PATH=$libraries ldd "$program")
-      if grep -q libbeespace.so <<< "$used"; then uses=shared; else uses=static; fi
+      if grep -qF libbeespace++.so <<< "$used"; then uses=shared; else uses=static; fi
       [ "$uses" = "$wanted" ] || fail "$program uses the $uses library, not the $wanted one"
     done
   done
 else
+  # The library for C, whatever is beside it.
+  read -ra flags <<< "$(pkg-config --cflags --libs beespace-c)"
+  cc -std=c99 "$source/examples/pairs_in_c.c" "${flags[@]}" -o "$work/in-c"
+  [ "$(LD_LIBRARY_PATH=$libraries "$work/in-c")" = '2 and 3 are 99.9 m apart' ] ||
+    fail "the example in C prints something else"
+
   installed_version=$("$prefix/bin/beespace" --version)
   [[ "$installed_version" == *"$version"* ]] ||
     fail "the installed command says '$installed_version', not $version"

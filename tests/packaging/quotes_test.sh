@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Proves that the C++ in the documents is that of examples/, which is compiled, and that the programs
+# Proves that the C++ and C in the documents are those of examples/, which are compiled, and that the programs
 # print what the documents say.
 #
 #   quotes_test.sh SOURCE_FOLDER PROGRAM_FOLDER DOCUMENT...
@@ -84,6 +84,8 @@ for document in "$@"; do
     printf '%s\n' "$text" >> "$scratch/all"
     case $text in
       "output of "*)
+        # Programs in C are run by tests/c/program_test.sh, with the shared library.
+        if [ -f "$source/examples/${text#output of }.c" ]; then continue; fi
         "$programs/${text#output of }" > "$scratch/printed" ||
           fail "$document: ${text#output of } ends with an error"
         diff "$quoted" "$scratch/printed" ||
@@ -100,10 +102,10 @@ for document in "$@"; do
   done
 done
 
-for example in "$source"/examples/*.cpp; do
-  name=$(basename "$example" .cpp)
-  grep -qE "^(part of )?examples/$name\.cpp$" "$scratch/all" ||
-    fail "no document quotes examples/$name.cpp"
+for example in "$source"/examples/*.cpp "$source"/examples/*.c; do
+  name=$(basename "${example%.*}")
+  grep -qE "^(part of )?examples/$name\.(cpp|c)$" "$scratch/all" ||
+    fail "no document quotes ${example##*/}"
   grep -qx "output of $name" "$scratch/all" || fail "no document shows what $name prints"
 done
 exit "$failed"

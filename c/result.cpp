@@ -1,0 +1,164 @@
+#include "c/result.hpp"
+
+#include <algorithm>
+
+namespace beespace::c {
+
+namespace {
+
+constexpr std::int64_t id_of(PointId id) {
+  return id == Nearest::kNone ? -1 : static_cast<std::int64_t>(id);
+}
+
+void write_entries(std::span<const Nearest> entries, beespace_result& result) {
+  result.ids.resize(entries.size());
+  result.distances_m.resize(entries.size());
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    result.ids[i] = id_of(entries[i].id);
+    result.distances_m[i] = entries[i].distance_m;
+  }
+}
+
+}  // namespace
+
+void write_ids(std::span<const PointId> ids, beespace_result& result) {
+  result.ids.resize(ids.size());
+  std::copy(ids.begin(), ids.end(), result.ids.data());
+}
+
+void write_counts(std::span<const std::uint32_t> counts, bool with_self, beespace_result& result) {
+  result.counts.resize(counts.size());
+  const std::int64_t self = with_self ? 1 : 0;
+  std::transform(counts.begin(), counts.end(), result.counts.data(),
+                 [self](std::uint32_t count) { return count + self; });
+}
+
+void write_pairs(std::span<const Pair> pairs, beespace_result& result) {
+  result.first.resize(pairs.size());
+  result.second.resize(pairs.size());
+  std::int64_t* const first = result.first.data();
+  std::int64_t* const second = result.second.data();
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    first[i] = pairs[i].first;
+    second[i] = pairs[i].second;
+  }
+}
+
+void write_rows(const IdRows& rows, std::size_t row_count, beespace_result& result) {
+  result.offsets.resize(row_count + 1);
+  result.offsets[0] = 0;  // of no row there are no offsets in C++
+  std::copy(rows.offsets.begin(), rows.offsets.end(), result.offsets.data());
+  write_ids(rows.ids, result);
+}
+
+void write_rows_with_self(const IdRows& rows, std::size_t row_count, beespace_result& result) {
+  result.offsets.resize(row_count + 1);
+  result.offsets[0] = 0;
+  result.ids.resize(rows.ids.size() + row_count);
+  std::int64_t* next = result.ids.data();
+  for (std::size_t row = 0; row < row_count; ++row) {
+    const std::span<const PointId> others = rows[row];
+    const auto behind = std::lower_bound(others.begin(), others.end(), row);
+    next = std::copy(others.begin(), behind, next);
+    *next++ = static_cast<std::int64_t>(row);
+    next = std::copy(behind, others.end(), next);
+    result.offsets[row + 1] = next - result.ids.data();
+  }
+}
+
+void write_nearest(std::span<const Nearest> nearest, beespace_result& result) {
+  write_entries(nearest, result);
+}
+
+void write_nearest_rows(std::span<const Nearest> entries, std::size_t length, std::size_t row_count,
+                        beespace_result& result) {
+  result.offsets.resize(row_count + 1);
+  for (std::size_t row = 0; row <= row_count; ++row) {
+    result.offsets[row] = static_cast<std::int64_t>(row * length);
+  }
+  write_entries(entries, result);
+}
+
+void write_pair_distances(const PointsView& points, const PointsView& others,
+                          beespace_result& result) {
+  const std::size_t size = result.first.size();
+  result.distances_m.resize(size);
+  for (std::size_t i = 0; i < size; ++i) {
+    result.distances_m[i] = distance(points[static_cast<std::size_t>(result.first[i])],
+                                     others[static_cast<std::size_t>(result.second[i])]);
+  }
+}
+
+void write_row_distances(const PointsView& points, const PointsView& others,
+                         beespace_result& result) {
+  result.distances_m.resize(result.ids.size());
+  for (std::size_t row = 0; row + 1 < result.offsets.size(); ++row) {
+    const Point point = points[row];
+    for (auto i = static_cast<std::size_t>(result.offsets[row]);
+         i < static_cast<std::size_t>(result.offsets[row + 1]); ++i) {
+      result.distances_m[i] = distance(point, others[static_cast<std::size_t>(result.ids[i])]);
+    }
+  }
+}
+
+}  // namespace beespace::c
+
+void beespace_result::clear() {
+  ids.clear();
+  offsets.clear();
+  first.clear();
+  second.clear();
+  counts.clear();
+  distances_m.clear();
+}
+
+extern "C" {
+
+beespace_result* beespace_result_create(void) {
+  try {
+    return new beespace_result;
+  } catch (...) {
+    return nullptr;
+  }
+}
+
+void beespace_result_free(beespace_result* result) {
+  delete result;
+}
+
+int64_t beespace_result_size(const beespace_result* result) {
+  if (result == nullptr) return 0;
+  return static_cast<int64_t>(
+      std::max({result->ids.size(), result->first.size(), result->counts.size()}));
+}
+
+int64_t beespace_result_rows(const beespace_result* result) {
+  if (result == nullptr || result->offsets.size() == 0) return 0;
+  return static_cast<int64_t>(result->offsets.size()) - 1;
+}
+
+const int64_t* beespace_result_ids(const beespace_result* result) {
+  return result == nullptr ? nullptr : result->ids.data();
+}
+
+const int64_t* beespace_result_offsets(const beespace_result* result) {
+  return result == nullptr ? nullptr : result->offsets.data();
+}
+
+const int64_t* beespace_result_first(const beespace_result* result) {
+  return result == nullptr ? nullptr : result->first.data();
+}
+
+const int64_t* beespace_result_second(const beespace_result* result) {
+  return result == nullptr ? nullptr : result->second.data();
+}
+
+const int64_t* beespace_result_counts(const beespace_result* result) {
+  return result == nullptr ? nullptr : result->counts.data();
+}
+
+const double* beespace_result_distances_m(const beespace_result* result) {
+  return result == nullptr ? nullptr : result->distances_m.data();
+}
+
+}  // extern "C"

@@ -1,0 +1,78 @@
+// What is behind beespace_result: columns that are written by a search and read in place.
+#pragma once
+
+#include <beespace.h>
+#include <beespace/id_rows.hpp>
+#include <beespace/nearest.hpp>
+#include <beespace/pairs.hpp>
+#include <beespace/point.hpp>
+#include <beespace/points_view.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+namespace beespace::c {
+
+// Numbers that are all written after resize(), so that they need not be zero before. Memory is
+// kept.
+template <class Number>
+class Column {
+ public:
+  void resize(std::size_t size) {
+    if (size > capacity_) {
+      numbers_.reset();  // first: never two at once
+      capacity_ = 0;
+      numbers_ = std::make_unique_for_overwrite<Number[]>(size);
+      capacity_ = size;
+    }
+    size_ = size;
+  }
+  void clear() { size_ = 0; }
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] Number* data() { return numbers_.get(); }
+  [[nodiscard]] const Number* data() const { return size_ == 0 ? nullptr : numbers_.get(); }
+  Number& operator[](std::size_t index) { return numbers_[index]; }
+
+ private:
+  std::unique_ptr<Number[]> numbers_;
+  std::size_t size_ = 0;
+  std::size_t capacity_ = 0;
+};
+
+}  // namespace beespace::c
+
+// NOLINTNEXTLINE(readability-identifier-naming): a name of C
+struct beespace_result {
+  beespace::c::Column<std::int64_t> ids;
+  beespace::c::Column<std::int64_t> offsets;
+  beespace::c::Column<std::int64_t> first;
+  beespace::c::Column<std::int64_t> second;
+  beespace::c::Column<std::int64_t> counts;
+  beespace::c::Column<double> distances_m;
+
+  void clear();
+};
+
+namespace beespace::c {
+
+// Each writes one answer into an empty result. Ids of C are 64 bits wide.
+void write_ids(std::span<const PointId> ids, beespace_result& result);
+void write_counts(std::span<const std::uint32_t> counts, bool with_self, beespace_result& result);
+void write_pairs(std::span<const Pair> pairs, beespace_result& result);
+void write_rows(const IdRows& rows, std::size_t row_count, beespace_result& result);
+// Each row with the number of the row itself among its ids.
+void write_rows_with_self(const IdRows& rows, std::size_t row_count, beespace_result& result);
+// One entry for each point: -1 and infinity where there is none.
+void write_nearest(std::span<const Nearest> nearest, beespace_result& result);
+void write_nearest_rows(std::span<const Nearest> entries, std::size_t length, std::size_t row_count,
+                        beespace_result& result);
+
+// The distances of what is in the result: of pairs, or of each row's point and the row's ids.
+void write_pair_distances(const PointsView& points, const PointsView& others,
+                          beespace_result& result);
+void write_row_distances(const PointsView& points, const PointsView& others,
+                         beespace_result& result);
+
+}  // namespace beespace::c

@@ -1,0 +1,44 @@
+// Structures whose first field is their size: read whatever the version of the caller's header.
+#pragma once
+
+#include "c/door.hpp"
+
+#include <beespace/result.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+
+namespace beespace::c {
+
+// No version of any structure will be as large: a size beyond it was never set.
+inline constexpr std::size_t kLargestStruct = 4096;
+
+template <class Struct>
+std::size_t size_of_struct(const Struct* given) {
+  std::size_t size = 0;
+  std::memcpy(&size, given, sizeof size);
+  return size;
+}
+
+// A copy of the caller's structure. A later version may be longer: what this one does not know must
+// be zero, which asks for nothing.
+template <class Struct>
+Result<Struct> read_struct(const Struct* given, const char* name) {
+  if (given == nullptr) return invalid("the pointer to this structure is NULL", name);
+  const std::size_t size = size_of_struct(given);
+  if (size < sizeof(Struct) || size > kLargestStruct) {
+    return invalid("struct_size is not the size of this structure: set it to sizeof", name);
+  }
+  const auto* const bytes = reinterpret_cast<const unsigned char*>(given);
+  if (std::any_of(bytes + sizeof(Struct), bytes + size, [](auto byte) { return byte != 0; })) {
+    return invalid("the structure is of a later version, and asks for what this one cannot do",
+                   name);
+  }
+  Struct copy;
+  std::memcpy(&copy, given, sizeof copy);
+  if (copy.reserved != 0) return invalid("the reserved field of this structure is not zero", name);
+  return copy;
+}
+
+}  // namespace beespace::c
