@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace beespace {
@@ -196,6 +197,37 @@ TEST(AdviceRefusal, SpansOfTheWrongLength) {
   EXPECT_FALSE(advise({}, {}, two, options));
   const Velocity wish;
   EXPECT_FALSE(advise({}, {&wish, 1}, two, options));
+}
+
+// A claim that cannot be is refused alone; the others are advised as without that agent.
+TEST(AdviceRefusal, AClaimThatCannotBe) {
+  const Point nowhere[] = {{20, 0, 0}, {20, kNan, 0}};
+  const std::vector<std::pair<Claim, std::string>> bad = {
+      {{.places = nowhere}, "claim: place 1: "},
+      {{.tube_m = -0.5}, "claim: the radius of the tube is -0.5 m; give a finite distance"},
+      {{.tube_m = kInfinity}, "claim: the radius of the tube is inf m"},
+      {{.radius_m = kNan}, "claim: the agent's radius is nan m"}};
+  for (const auto& [claim, words] : bad) {
+    Question question;
+    std::vector<Claim> claims(kBees);
+    claims[2] = claim;
+    question.options.claims = claims;
+    const auto& [movers, preferred, limits, options] = question;
+    const auto advised = advise(movers, preferred, limits, options);
+    ASSERT_TRUE(advised) << advised.error().message;
+    ASSERT_EQ(advised->refused.size(), 1U) << words;
+    EXPECT_EQ(advised->refused[0].index, 2U);
+    EXPECT_EQ(advised->refused[0].error.location.array, "claims");
+    EXPECT_TRUE(contains(advised->refused[0].error.message, words))
+        << advised->refused[0].error.message;
+    for (std::size_t bee = 0; bee < kBees; ++bee) {
+      EXPECT_EQ(advised->advice[bee].kind == AdviceKind::kNone, bee == 2) << words << bee;
+    }
+  }
+  Question question;
+  const std::vector<Claim> claims(kBees - 1);
+  question.options.claims = claims;
+  expect_refused(question, ErrorCode::kInvalidArgument, std::nullopt, "4 claims for 5 movers");
 }
 
 TEST(AdviceRefusal, HeightsApartFromPositions) {

@@ -180,6 +180,41 @@ TEST_P(Claims, StayApartInACrowdWithHostilePreferredVelocities) {
   }
 }
 
+// With planes that are remembered from tick to tick, too.
+TEST_P(Claims, AnyNumberOfThreadsGivesTheSameBits) {
+  for (const unsigned threads : {2U, 5U}) {
+    ClaimedFlock one = crowd(GetParam(), GetParam().planar ? 5 : 3, 7);
+    ClaimedFlock many = crowd(GetParam(), GetParam().planar ? 5 : 3, 7);
+    one.options.threads = 1;
+    many.options.threads = threads;
+    RandomStream for_one(8);
+    RandomStream for_many(8);
+    RandomStream random(9);
+    Adviser adviser_of_one;
+    Adviser adviser_of_many;
+    Advised by_one;
+    Advised by_many;
+    std::vector<Velocity> wishes(one.agents.size());
+    for (int tick = 0; tick < test::rounds(100); ++tick) {
+      for (Velocity& wish : wishes) {
+        if (tick % 25 == 0 || random.index(20) == 0) wish = test::random_velocity(random, 15.0);
+      }
+      one.prepare();
+      many.prepare();
+      const std::span limits(&one.limits, 1);
+      ASSERT_TRUE(adviser_of_one.advise(one.movers, wishes, limits, one.options, by_one));
+      ASSERT_TRUE(adviser_of_many.advise(many.movers, wishes, limits, many.options, by_many));
+      for (std::size_t k = 0; k < wishes.size(); ++k) {
+        ASSERT_EQ(by_one.advice[k].velocity, by_many.advice[k].velocity) << tick << ", " << k;
+        ASSERT_EQ(by_one.advice[k].kind, by_many.advice[k].kind) << tick << ", " << k;
+        ASSERT_EQ(by_one.advice[k].keeps_apart, by_many.advice[k].keeps_apart);
+      }
+      one.advance(by_one.advice, for_one);
+      many.advance(by_many.advice, for_many);
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Of, Claims, testing::ValuesIn(variants()),
                          [](const auto& about) { return about.param.name; });
 
