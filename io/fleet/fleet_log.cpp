@@ -23,6 +23,11 @@ Error wrong(ErrorCode code, std::string message) {
   return {code, std::move(message), {}};
 }
 
+// A period or an acceleration of anything that flies.
+bool can_be(double figure) {
+  return figure >= 1e-6 && figure <= 1e6;
+}
+
 class Reading {
  public:
   explicit Reading(std::string source) { log_.source = std::move(source); }
@@ -129,9 +134,9 @@ class Reading {
     const double braking_mps2 = fields.from_zero("braking_mps2");
     const std::string id = read_id(fields);
     if (auto error = fields.error()) return *std::move(error);
-    if (!(period_s > 0.0 && braking_mps2 > 0.0)) {
+    if (!can_be(period_s) || !can_be(braking_mps2)) {
       return wrong(ErrorCode::kMalformedRecord,
-                   "'period_s' and 'braking_mps2' of a command are above zero; correct them");
+                   "'period_s' and 'braking_mps2' of a command are from 1e-6 to 1e6; correct them");
     }
     if (log_.period_s != 0.0 && period_s != log_.period_s) {
       return wrong(ErrorCode::kMalformedRecord, "ticks of " + exact(period_s) +
