@@ -7,6 +7,10 @@ that no two come closer than the threshold and twice the tube, and that all arri
   tests/closed_loop/fly_fleet.py COMMAND [--agents 12] [--ticks 400] [--seed 1] [--loss 0.2] ...
 
 Time is that of tick messages, so that a seed flies the same way again; with --wall it is the clock.
+With --record the flight and what the guide said are kept, to be looked at:
+
+  beespace view FOLDER/flown.csv --fleet-log FOLDER/fleet.ndjson --threshold 2
+
 Exit status 0: all holds; 1: it does not, and what is said.
 """
 
@@ -119,9 +123,37 @@ class Relay:
             yield key, line
 
 
+class Record:
+    """What was flown, as the followers say, and what the guide said; or nothing, without a folder."""
+
+    def __init__(self, folder):
+        self.flown = self.said = None
+        if not folder:
+            return
+        os.makedirs(folder, exist_ok=True)
+        self.flown = open(os.path.join(folder, "flown.csv"), "w", encoding="ascii")
+        self.said = open(os.path.join(folder, "fleet.ndjson"), "wb")
+        self.flown.write("time_s,id,x,y,z,vx,vy,vz\n")
+
+    def fly(self, name, setpoint):
+        if self.flown and setpoint["held"] is not None:
+            numbers = [*setpoint["position"], *setpoint["velocity"]]
+            time_s = f"{setpoint['tick'] * PERIOD_S:.1f}"
+            self.flown.write(",".join([time_s, name, *map(repr, numbers)]) + "\n")
+
+    def say(self, line):
+        if self.said:
+            self.said.write(line + b"\n")
+
+    def close(self):
+        for file in filter(None, (self.flown, self.said)):
+            file.close()
+
+
 class Fleet:
     def __init__(self, options, folder):
         self.options = options
+        self.record = Record(options.record)
         self.folder = folder
         self.chance = random.Random(options.seed)
         self.names = [f"bee-{i}" for i in range(options.agents)]
@@ -159,6 +191,7 @@ class Fleet:
         words += ["--correction-acceleration", "1.5", "--correction-speed", "1.5"]
         words += ["--store", os.path.join(self.folder, "fleet.ndjson")]
         words += [] if o.wall else ["--ticks-from-input"]
+        words += ["--status", "all"] if o.record else []
         self.guide = Process(words)
         text = b""
         while b"--planned-acceleration" not in text:
@@ -187,6 +220,7 @@ class Fleet:
 
     def note_from_follower(self, now, name, line, message):
         if message["event"] == "setpoint":
+            self.record.fly(name, message)
             if message["held"] is not None:
                 self.at[name] = message["position"]
         else:
@@ -194,6 +228,7 @@ class Fleet:
 
     def note_from_guide(self, now, line, message):
         event = message["event"]
+        self.record.say(line)
         if event in ("command", "hello"):
             self.down.put(now, (message["id"], "down"), line.decode() + "\n")
         elif event == "joined":
@@ -286,6 +321,7 @@ class Fleet:
 
     def finish(self):
         codes = [process.finish() for process in [self.guide, *self.followers.values()]]
+        self.record.close()
         return codes
 
 
@@ -301,6 +337,7 @@ def main():
     parser.add_argument("--command-delay", type=int, default=4)
     parser.add_argument("--kills", action="store_true")
     parser.add_argument("--wall", type=float, default=0.0, help="seconds by the clock")
+    parser.add_argument("--record", metavar="FOLDER", help="where to keep the flight")
     parser.add_argument("--verbose", action="store_true")
     options = parser.parse_args()
 
