@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from beespace._library import library
+from beespace._library import at_once
 
 
 class Result:
@@ -16,32 +16,32 @@ class Result:
     __slots__ = ("handle",)
 
     def __init__(self) -> None:
-        self.handle = library.beespace_result_create()
+        self.handle = at_once.beespace_result_create()
         if not self.handle:
             raise MemoryError("beespace: no memory for a result")
 
     def ids(self) -> NDArray[np.int64]:
-        return self._integers(library.beespace_result_ids, self._size())
+        return self._integers(at_once.beespace_result_ids, self._size())
 
     def first(self) -> NDArray[np.int64]:
-        return self._integers(library.beespace_result_first, self._size())
+        return self._integers(at_once.beespace_result_first, self._size())
 
     def second(self) -> NDArray[np.int64]:
-        return self._integers(library.beespace_result_second, self._size())
+        return self._integers(at_once.beespace_result_second, self._size())
 
     def counts(self) -> NDArray[np.int64]:
-        return self._integers(library.beespace_result_counts, self._size())
+        return self._integers(at_once.beespace_result_counts, self._size())
 
     def offsets(self) -> NDArray[np.int64]:
-        rows = library.beespace_result_rows(self.handle)
-        return self._integers(library.beespace_result_offsets, rows + 1)
+        rows = at_once.beespace_result_rows(self.handle)
+        return self._integers(at_once.beespace_result_offsets, rows + 1)
 
     def distances(self) -> NDArray[np.float64]:
-        column = self._array(library.beespace_result_distances_m, self._size(), "<f8", np.float64)
+        column = self._array(at_once.beespace_result_distances_m, self._size(), "<f8", np.float64)
         return column
 
     def _size(self) -> int:
-        return int(library.beespace_result_size(self.handle))
+        return int(at_once.beespace_result_size(self.handle))
 
     def _integers(self, getter: Any, size: int) -> NDArray[np.int64]:
         return self._array(getter, size, "<i8", np.int64)

@@ -1,6 +1,6 @@
 """libbeespace.so, as its header <beespace.h> declares it.
 
-A call through ctypes releases the lock of the interpreter, so other threads go on meanwhile.
+Calls that may take long release the lock of the interpreter, so other threads go on meanwhile.
 """
 
 from __future__ import annotations
@@ -81,11 +81,11 @@ class CRun(ctypes.Structure):
     ]
 
 
-def _load() -> ctypes.CDLL:
+def _load() -> tuple[ctypes.CDLL, ctypes.PyDLL]:
     # The first is for the tests of a build that is not installed.
     path = os.environ.get("BEESPACE_LIBRARY") or str(Path(__file__).with_name("libbeespace.so"))
     try:
-        return ctypes.CDLL(path)
+        return ctypes.CDLL(path), ctypes.PyDLL(path)
     except OSError as error:
         raise ImportError(
             f"beespace cannot load its library, {path}: {error}. "
@@ -93,7 +93,9 @@ def _load() -> ctypes.CDLL:
         ) from error
 
 
-library = _load()
+# What takes long goes through the first, which gives the lock of the interpreter to others meanwhile.
+# What is over at once goes through the second and keeps it: to get it back may take milliseconds.
+library, at_once = _load()
 
 
 
@@ -120,11 +122,14 @@ def _handle(name: str) -> type[c_void_p]:
 CResult = _handle("result")
 CEngine = _handle("engine")
 CIndex = _handle("index")
+CStop = _handle("stop")
 
 _points, _search, _run = POINTER(CPoints), POINTER(CSearch), POINTER(CRun)
 _tail = [_run, c_void_p, POINTER(CError)]
 _signatures: dict[str, tuple[object, list[object]]] = {
     "version": (c_char_p, []),
+    "stop_create": (CStop, []),
+    "stop_request": (None, [c_void_p]),
     "code_name": (c_char_p, [c_int32]),
     "result_create": (CResult, []),
     "result_size": (c_int64, [c_void_p]),
@@ -162,9 +167,10 @@ _signatures: dict[str, tuple[object, list[object]]] = {
     "index_remove": (c_int32, [c_void_p, c_int64, POINTER(CError)]),
 }
 for _name, (_restype, _argtypes) in _signatures.items():
-    _function = getattr(library, f"beespace_{_name}")
-    _function.restype = _restype
-    _function.argtypes = _argtypes
+    for _from in (library, at_once):
+        _function = getattr(_from, f"beespace_{_name}")
+        _function.restype = _restype
+        _function.argtypes = _argtypes
 
 
 def version() -> str:

@@ -50,6 +50,9 @@ class Visit:
         self._chunk = chunk
         self._distances = bool(search.flags & _library.DISTANCES)
         self._ended = threading.Event()
+        self._stop = library.beespace_stop_create()
+        if not self._stop:
+            raise MemoryError("beespace: no memory for a search")
         # One piece is read while one waits and one is filled.
         self._pieces: queue.Queue[Pairs | BaseException | None] = queue.Queue(maxsize=1)
         self._piece = _Piece(chunk, self._distances)
@@ -69,6 +72,7 @@ class Visit:
                 yield piece
         finally:
             self._ended.set()
+            library.beespace_stop_request(self._stop)
             worker.join()
 
     def _run(self) -> None:
@@ -76,7 +80,7 @@ class Visit:
 
     def _search_all(self) -> BaseException | None:
         error = _library.new_error()
-        run = CRun(ctypes.sizeof(CRun), self._threads)
+        run = CRun(ctypes.sizeof(CRun), self._threads, 0, self._stop.value)
         try:
             code = library.beespace_visit_pairs(
                 None,
@@ -87,7 +91,7 @@ class Visit:
                 None,
                 ctypes.byref(error),
             )
-            if code != _library.OK:
+            if code != _library.OK and not self._ended.is_set():
                 _library.raise_error(error)
             if self._problem is not None:
                 return self._problem

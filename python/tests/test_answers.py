@@ -3,6 +3,8 @@ types of floats, one set and two."""
 
 from __future__ import annotations
 
+import time
+
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -191,7 +193,10 @@ def test_who_takes_one_piece_ends_the_search():
     pieces = beespace.iter_pairs(points, 0.9, chunk=1000, distances=False)
     piece = next(pieces)
     assert len(piece) == 1000 and piece.distance is None
+    began = time.monotonic()
     pieces.close()
+    assert time.monotonic() - began < 5  # all of them would take a minute
+    assert list(pieces) == []
 
 
 def test_answers_turn_into_what_others_use():
