@@ -41,10 +41,12 @@ class CAnswers : public testing::TestWithParam<SearchScene> {
   Owned<beespace_result> result_{beespace_result_create()};
 };
 
+// The smaller ones: that searches are right on all of them is for tests/contract to show.
 std::vector<SearchScene> scenes() {
   std::vector<SearchScene> all = plain_scenes();
   const std::vector<SearchScene> more = lattice_scenes();
   all.insert(all.end(), more.begin(), more.end());
+  std::erase_if(all, [](const SearchScene& scene) { return scene.points.size() > 300; });
   return all;
 }
 
