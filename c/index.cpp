@@ -84,7 +84,7 @@ beespace_code beespace_index_create(const beespace_points* points, const beespac
     Status status = call_watched(run, [&](const RunOptions& options) -> Status {
       Result<Index> built = Index::build(*view, options);
       if (!built) return std::move(built).error();
-      made.reset(new beespace_index{std::move(*built)});
+      made = std::make_unique<beespace_index>(beespace_index{std::move(*built)});
       return std::monostate{};
     });
     if (status) *index = made.release();
