@@ -1,12 +1,13 @@
 # The everyday commands. Each works on a brand-new Debian 12 or Ubuntu 24.04 machine.
 .DEFAULT_GOAL := help
-.PHONY: help demo test bench bench-prevention prevention-table compare docs format lint clean install install-lib
+.PHONY: help demo test python bench bench-prevention prevention-table compare docs format lint clean install install-lib
 
 PREFIX ?= /usr/local
 
 help: ## this list
 	@echo "make demo     build beespace, check swarms of 1,000 and 1,000,000 bees, fly one, show them"
 	@echo "make test     build everything and run all tests"
+	@echo "make python   build the Python package in build/wheel, and install it in build/python"
 	@echo "make bench    build and run the benchmarks"
 	@echo "make bench-prevention  fly whole missions with and without advice (takes long)"
 	@echo "make prevention-table  fly fleets that are not exact (takes long)"
@@ -27,6 +28,10 @@ test:
 	@scripts/install-packages build test
 	@scripts/build release -DBEESPACE_BUILD_TESTS=ON
 	@ctest --preset release --parallel "$$(nproc)"
+
+python:
+	@scripts/install-packages python
+	@scripts/build-wheel
 
 bench:
 	@scripts/install-packages build bench

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <utility>
 
 using namespace beespace::c;  // NOLINT(google-build-using-namespace): the functions are of C
@@ -79,12 +80,15 @@ beespace_code beespace_index_create(const beespace_points* points, const beespac
     if (index == nullptr) return invalid("the pointer to the index is NULL", "index");
     const Result<PointsView> view = view_of(points, "points");
     if (!view) return view.error();
-    return call_watched(run, [&](const RunOptions& options) -> Status {
+    std::unique_ptr<beespace_index> made;
+    Status status = call_watched(run, [&](const RunOptions& options) -> Status {
       Result<Index> built = Index::build(*view, options);
       if (!built) return std::move(built).error();
-      *index = new beespace_index{std::move(*built)};
+      made = std::make_unique<beespace_index>(beespace_index{std::move(*built)});
       return std::monostate{};
     });
+    if (status) *index = made.release();
+    return status;
   });
 }
 

@@ -25,6 +25,8 @@ Result<PointsView> view_of_numbers(const beespace_points& points, const char* na
     strides[2] = 0;
   }
   const auto count = static_cast<std::size_t>(points.count);
+  // From a single point no stride leads anywhere, whatever it is.
+  if (count == 1) strides = {};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (axes[axis] == nullptr) return invalid("x or y is NULL, but there are points", name);
     if (reinterpret_cast<std::uintptr_t>(axes[axis]) % alignof(Number) != 0 ||

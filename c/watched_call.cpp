@@ -67,10 +67,18 @@ Status poll_until_done(const beespace_run& run, RunOptions options, const Watche
   } catch (const std::system_error&) {
     return work(options);  // no thread to be had: the answer matters more than the poll
   }
+  bool asked = false;
   while (!worker->wait_for(kBetweenPolls)) {
-    if (run.poll(run.poll_data) != 0) source.request_stop();
+    if (!asked && run.poll(run.poll_data) != 0) {
+      asked = true;
+      source.request_stop();
+    }
   }
-  return worker->finish();
+  Status status = worker->finish();
+  // A poll may have taken a signal away to say so: the caller must hear of it, even where the
+  // answer was complete by then.
+  if (asked && status) return Error{ErrorCode::kStopped, "the poll ended the call", {}};
+  return status;
 }
 
 }  // namespace

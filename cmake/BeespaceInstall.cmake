@@ -20,6 +20,12 @@ install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/beespace"
   FILES_MATCHING PATTERN "*.hpp")
 install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 
+# A wheel has the library for C beside the modules that load it, and nothing else.
+if(SKBUILD)
+  install(TARGETS beespace_c LIBRARY DESTINATION beespace COMPONENT python)
+  return()
+endif()
+
 # The library for C, which the static one is inside of.
 if(TARGET beespace_c)
   install(TARGETS beespace_c

@@ -193,8 +193,9 @@ typedef struct beespace_run {
   uint32_t reserved;    ///< Zero.
   beespace_stop* stop;  ///< What other threads end the call with; or NULL.
   /// @brief Called on the calling thread some 20 times a second while the call takes long; a return
-  /// of other than 0 ends it. For languages that hear of Ctrl-C on one thread only. It must return
-  /// (not throw, not jump). The search then runs on other threads. Or NULL.
+  /// of other than 0 ends it, with BEESPACE_STOPPED in any case. For languages that hear of Ctrl-C
+  /// on one thread only. It must return (not throw, not jump). The search then runs on other
+  /// threads. Or NULL.
   int (*poll)(void* data);
   void* poll_data;  ///< What `poll` is called with.
 } beespace_run;

@@ -226,6 +226,9 @@ TEST_F(CArguments, AnyStridesFloatsAndPlanesAreRead) {
   const std::array<double, 3> wide_y = {0, 4, 0};
   points_ = beespace_points_separate(wide_x.data(), wide_y.data(), nullptr, 3);
   expect_one_pair();
+  points_ = beespace_points_interleaved(xyz_.data(), 1);
+  points_.x_stride = 13;
+  ASSERT_EQ(ask(), BEESPACE_OK) << error_.message;
   points_ = beespace_points_separate(nullptr, nullptr, nullptr, 0);
   ASSERT_EQ(ask(), BEESPACE_OK);
   EXPECT_EQ(columns(result_), Columns());

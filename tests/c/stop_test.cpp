@@ -85,6 +85,29 @@ TEST_F(CStop, PollsAreCalledOnTheCallingThreadAndEndTheCall) {
   EXPECT_FALSE(polls.elsewhere);
 }
 
+int poll_until_shown(void* data) {
+  static_cast<std::atomic<bool>*>(data)->store(true);
+  return 1;
+}
+
+int wait_for_poll(void* data, const std::int64_t* /*first*/, const std::int64_t* /*second*/,
+                  const double* /*distances*/, std::int64_t /*count*/) {
+  while (!static_cast<std::atomic<bool>*>(data)->load()) std::this_thread::yield();
+  return 1;
+}
+
+TEST_F(CStop, APollThatComesTooLateIsHeardAllTheSame) {
+  std::atomic<bool> polled = false;
+  run_.poll = poll_until_shown;
+  run_.poll_data = &polled;
+  const std::vector<Point> points(2);
+  const beespace_points given = c_points(points);
+  const beespace_search search = c_search(1.0);
+  // The only pair waits for the poll, so the search is complete when the stop comes.
+  EXPECT_EQ(beespace_visit_pairs(nullptr, &given, &search, &run_, wait_for_poll, &polled, &error_),
+            BEESPACE_STOPPED);
+}
+
 TEST_F(CStop, AStopEndsCallsThatArePolledToo) {
   Polls polls;
   polls.stop_at = 1'000'000;

@@ -1,0 +1,49 @@
+"""Which points are closer than a threshold to which others? Exact answers, fast.
+
+Points are positions in metres, in any Cartesian frame: an array of shape (n, 3), one of shape (n, 2),
+or a tuple of two or three arrays, one for each axis. They are read where they are. Distances are
+compared with the threshold as real numbers on the given values: no rounding, machine or number of
+threads changes an answer.
+
+>>> import beespace
+>>> drones = [[0, 0, 50], [80, 60, 50], [300, 0, 50], [300, 0, 149.9]]
+>>> beespace.at_risk(drones, 100)
+array([2, 3])
+"""
+
+from beespace._answers import ClosestPair, Groups, Nearest, Neighbors, Pairs
+from beespace._errors import BeespaceError
+from beespace._index import Index
+from beespace._library import version as _version
+from beespace._searches import Engine, Searches
+
+__version__ = _version()
+
+_searches = Searches()
+at_risk = _searches.at_risk
+pairs = _searches.pairs
+iter_pairs = _searches.iter_pairs
+neighbors = _searches.neighbors
+count = _searches.count
+groups = _searches.groups
+nearest = _searches.nearest
+closest_pair = _searches.closest_pair
+
+__all__ = [
+    "BeespaceError",
+    "ClosestPair",
+    "Engine",
+    "Groups",
+    "Index",
+    "Nearest",
+    "Neighbors",
+    "Pairs",
+    "at_risk",
+    "closest_pair",
+    "count",
+    "groups",
+    "iter_pairs",
+    "nearest",
+    "neighbors",
+    "pairs",
+]

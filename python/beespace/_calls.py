@@ -1,0 +1,107 @@
+"""How a question is asked: options, Ctrl-C, errors."""
+
+from __future__ import annotations
+
+import ctypes
+import operator
+import signal
+import threading
+from typing import Any
+
+from beespace import _library
+from beespace._errors import BeespaceError, invalid
+from beespace._library import CRun, CSearch, library
+
+# With fewer points a call is over before Ctrl-C matters, and a thread would cost more than it.
+_MANY = 5_000
+
+try:
+    # Whether SIGINT has come, as the interpreter's own code asks: no Python code runs in the call, in
+    # which an exception could be lost.
+    _interrupted: Any = _library.POLL(
+        ctypes.PYFUNCTYPE(ctypes.c_int, ctypes.c_void_p)(
+            ("PyOS_InterruptOccurred", ctypes.pythonapi)
+        )
+    )
+except AttributeError:  # an interpreter that is not CPython
+    _interrupted = None
+
+_search_size = ctypes.sizeof(CSearch)
+_run_size = ctypes.sizeof(CRun)
+_main_thread = threading.main_thread
+
+
+def search_of(
+    threshold: Any,
+    vertical: Any = None,
+    inclusive: bool = False,
+    max_results: Any = None,
+    distances: bool = False,
+    with_self: bool = False,
+) -> CSearch:
+    """The C structure of a search within a threshold."""
+    flags = 0
+    if inclusive:
+        flags |= _library.INCLUSIVE
+    if distances:
+        flags |= _library.DISTANCES
+    if with_self:
+        flags |= _library.WITH_SELF
+    height = 0.0
+    if vertical is not None:
+        flags |= _library.VERTICAL
+        height = _length(vertical, "vertical")
+    most = 0
+    if max_results is not None:
+        flags |= _library.MAX_RESULTS
+        most = whole(max_results, "max_results")
+    return CSearch(_search_size, flags, 0, _length(threshold, "threshold"), height, most)
+
+
+def run_of(threads: Any, points: int) -> CRun | None:
+    """The C structure of a run: its threads, and that Ctrl-C ends it."""
+    watched = (
+        points >= _MANY
+        and _interrupted is not None
+        and threading.current_thread() is _main_thread()
+    )
+    if threads == 1 and not watched:
+        return None
+    number = whole(threads, "threads")
+    run = CRun(_run_size, _library.ALL_PROCESSORS if number == 0 else min(number, 256))
+    if watched:
+        run.poll = _interrupted
+    return run
+
+
+def check(code: int, error: _library.CError) -> None:
+    """Raises the error of a call, if it has one; after Ctrl-C, what the handler of SIGINT raises."""
+    if code == _library.OK:
+        return
+    if code == _library.STOPPED:
+        # The poll has taken the signal away: give it back to the handler, which runs here.
+        signal.raise_signal(signal.SIGINT)
+    _library.raise_error(error)
+
+
+def whole(number: Any, place: str) -> int:
+    """A number of something."""
+    try:
+        value = operator.index(number)
+    except TypeError:
+        raise invalid(f"this is a whole number, not {number!r}", place) from None
+    if not 0 <= value < 2**63:
+        raise invalid(f"this is zero or more, not {value}", place)
+    return value
+
+
+def _length(number: Any, place: str) -> float:
+    try:
+        return float(number)
+    except (TypeError, ValueError):
+        raise BeespaceError(
+            "a threshold is one number for all points, in metres", "invalid_threshold", place
+        ) from None
+
+
+__all__ = ["check", "library", "run_of", "search_of", "whole"]

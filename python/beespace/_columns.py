@@ -1,0 +1,68 @@
+"""Columns of a result of the library as arrays, without a copy."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from beespace._library import at_once
+
+
+class Result:
+    """A result of the library. It lives as long as an array that is made of it."""
+
+    __slots__ = ("handle",)
+
+    def __init__(self) -> None:
+        self.handle = at_once.beespace_result_create()
+        if not self.handle:
+            raise MemoryError("beespace: no memory for a result")
+
+    def ids(self) -> NDArray[np.int64]:
+        return self._integers(at_once.beespace_result_ids, self._size())
+
+    def first(self) -> NDArray[np.int64]:
+        return self._integers(at_once.beespace_result_first, self._size())
+
+    def second(self) -> NDArray[np.int64]:
+        return self._integers(at_once.beespace_result_second, self._size())
+
+    def counts(self) -> NDArray[np.int64]:
+        return self._integers(at_once.beespace_result_counts, self._size())
+
+    def offsets(self) -> NDArray[np.int64]:
+        rows = at_once.beespace_result_rows(self.handle)
+        return self._integers(at_once.beespace_result_offsets, rows + 1)
+
+    def distances(self) -> NDArray[np.float64]:
+        column = self._array(at_once.beespace_result_distances_m, self._size(), "<f8", np.float64)
+        return column
+
+    def _size(self) -> int:
+        return int(at_once.beespace_result_size(self.handle))
+
+    def _integers(self, getter: Any, size: int) -> NDArray[np.int64]:
+        return self._array(getter, size, "<i8", np.int64)
+
+    def _array(self, getter: Any, size: int, code: str, dtype: Any) -> NDArray[Any]:
+        address = getter(self.handle)
+        if address is None:
+            return np.empty(0, dtype)
+        return np.asarray(_Column(self, address, size, code))
+
+
+class _Column:
+    """What NumPy makes an array of: it keeps this, and this keeps the result."""
+
+    __slots__ = ("__array_interface__", "result")
+
+    def __init__(self, result: Result, address: int, size: int, code: str) -> None:
+        self.result = result
+        self.__array_interface__ = {
+            "shape": (size,),
+            "typestr": code,
+            "data": (address, False),
+            "version": 3,
+        }

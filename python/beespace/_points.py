@@ -1,0 +1,157 @@
+"""What callers give as points, as the library reads them: in place, wherever that is possible."""
+
+from __future__ import annotations
+
+import ctypes
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from beespace._errors import invalid
+from beespace._library import FLOAT32, FLOAT64, CPoints
+
+PointsLike = ArrayLike  # or a tuple of arrays, a data frame, anything that DLPack knows
+
+_types = {np.dtype(np.float64): FLOAT64, np.dtype(np.float32): FLOAT32}
+_size = ctypes.sizeof(CPoints)
+
+
+class Points:
+    """The C structure of points, and what must stay alive as long as it."""
+
+    __slots__ = ("count", "keep", "struct")
+
+    def __init__(self, points: Any, place: str, copy: bool = False) -> None:
+        if type(points) is np.ndarray and not copy and _is_readable(points):
+            self._of_rows(points)
+            return
+        axes = _axes_of(points, place)
+        if axes is None:
+            rows = _numbers(_array_of(points, place), place, copy)
+            if rows.ndim == 1 and rows.size == 0:
+                rows = rows.reshape(0, 3)
+            if rows.ndim != 2 or rows.shape[1] not in (2, 3):
+                raise invalid(
+                    f"points have the shape (n, 3) or (n, 2), not {rows.shape}; one array an axis "
+                    "is given as a tuple",
+                    place,
+                )
+            self._of_rows(rows)
+            return
+        self._of_axes([_numbers(axis, place, copy) for axis in axes], place)
+
+    def _of_rows(self, rows: np.ndarray[Any, Any]) -> None:
+        address = rows.__array_interface__["data"][0]
+        count, axes = rows.shape
+        row, column = rows.strides
+        self.keep: object = rows
+        self.count = count
+        self.struct = CPoints(
+            _size,
+            _types[rows.dtype],
+            0,
+            count,
+            address,
+            address + column,
+            address + 2 * column if axes == 3 else None,
+            row,
+            row,
+            row,
+        )
+
+    def _of_axes(self, axes: list[np.ndarray[Any, Any]], place: str) -> None:
+        if any(axis.ndim != 1 for axis in axes):
+            raise invalid("each array of a tuple is one axis, of one dimension", place)
+        if len({len(axis) for axis in axes}) != 1:
+            lengths = ", ".join(str(len(axis)) for axis in axes)
+            raise invalid(f"the axes differ in length: {lengths}", place)
+        if len({axis.dtype for axis in axes}) != 1:
+            axes = [axis.astype(np.float64) for axis in axes]
+        addresses = [axis.__array_interface__["data"][0] for axis in axes]
+        strides = [axis.strides[0] for axis in axes]
+        if len(axes) == 2:
+            addresses.append(None)
+            strides.append(0)
+        self.keep = axes
+        self.count = len(axes[0])
+        self.struct = CPoints(_size, _types[axes[0].dtype], 0, self.count, *addresses, *strides)
+
+
+def position(point: Any, place: str = "position") -> ctypes.Array[ctypes.c_double]:
+    """One position of two or three coordinates."""
+    numbers = _numbers(_array_of(point, place), place, False)
+    if numbers.shape not in ((2,), (3,)):
+        raise invalid("a position has two or three coordinates", place)
+    return (ctypes.c_double * 3)(*(float(number) for number in numbers))
+
+
+def _is_readable(array: np.ndarray[Any, Any]) -> bool:
+    # Of a dtype of foreign bytes there is no entry either.
+    return (
+        array.dtype in _types
+        and array.ndim == 2
+        and array.shape[1] in (2, 3)
+        and bool(array.flags.aligned)
+    )
+
+
+def _axes_of(points: Any, place: str) -> list[np.ndarray[Any, Any]] | None:
+    """One array an axis, of a tuple or of a data frame; None of anything else."""
+    if isinstance(points, tuple) and points and all(_is_column(axis) for axis in points):
+        columns = list(points)
+    elif hasattr(points, "get_columns"):  # polars
+        columns = list(points.get_columns())
+    elif hasattr(points, "iloc") and getattr(points, "ndim", 0) == 2:  # pandas
+        columns = [points.iloc[:, each] for each in range(points.shape[1])]
+    else:
+        return None
+    if len(columns) not in (2, 3):
+        raise invalid(
+            f"points have two or three axes, not {len(columns)}: choose the columns, as in "
+            'frame[["x", "y", "z"]]',
+            place,
+        )
+    return [_array_of(column, place) for column in columns]
+
+
+def _is_column(axis: Any) -> bool:
+    if isinstance(axis, (list, tuple, int, float)):
+        return False
+    shape = getattr(axis, "shape", None)
+    if shape is not None:
+        return len(shape) == 1
+    return hasattr(axis, "__array__") or hasattr(axis, "__dlpack__")
+
+
+def _array_of(points: Any, place: str) -> np.ndarray[Any, Any]:
+    if isinstance(points, np.ma.MaskedArray):
+        if np.ma.is_masked(points):
+            raise invalid("some values are masked: leave those points out", place)
+        return np.asarray(points.data)
+    if isinstance(points, np.ndarray):
+        return np.asarray(points)
+    try:
+        if hasattr(points, "__dlpack__") and not hasattr(points, "__array__"):
+            return np.from_dlpack(points)
+        return np.asarray(points)
+    except (TypeError, ValueError, RuntimeError, BufferError) as error:
+        raise invalid(f"this is no array of numbers: {error}", place) from error
+
+
+def _numbers(array: np.ndarray[Any, Any], place: str, copy: bool) -> np.ndarray[Any, Any]:
+    """The same as native, aligned doubles or floats; a copy only where these are not, or if asked."""
+    if array.dtype in _types:
+        if copy or not array.flags.aligned:
+            return array.copy()
+        return array
+    kind = array.dtype.kind
+    if kind == "f" and array.dtype.itemsize <= 8:
+        # Halves, and foreign bytes.
+        return array.astype(np.float32 if array.dtype.itemsize <= 4 else np.float64)
+    if kind in "iu":
+        doubles = array.astype(np.float64)
+        if array.dtype.itemsize == 8 and bool((np.abs(doubles) >= 2.0**53).any()):
+            raise invalid("not all integers beyond 2**53 are doubles: convert them first", place)
+        return doubles
+    raise invalid(f"coordinates are floats or integers, not {array.dtype}", place)

@@ -1,0 +1,133 @@
+"""Pairs in pieces: a search on a thread of its own, which goes on as pieces are taken."""
+
+from __future__ import annotations
+
+import ctypes
+import queue
+import threading
+from collections.abc import Iterator
+
+import numpy as np
+
+from beespace import _library
+from beespace._answers import Pairs
+from beespace._errors import BeespaceError
+from beespace._library import CRun, CSearch, library
+from beespace._points import Points
+
+
+class _Piece:
+    """Room for a number of pairs."""
+
+    def __init__(self, size: int, distances: bool) -> None:
+        self.size = size
+        self.filled = 0
+        self.columns = [np.empty(size, np.int64), np.empty(size, np.int64)]
+        if distances:
+            self.columns.append(np.empty(size, np.float64))
+
+    def take(self, addresses: list[int], begin: int, count: int) -> int:
+        """Copies as many pairs as fit, from the one at `begin` on; says how many."""
+        taken = min(count - begin, self.size - self.filled)
+        for column, address in zip(self.columns, addresses):
+            into = column.__array_interface__["data"][0] + 8 * self.filled
+            ctypes.memmove(into, address + 8 * begin, 8 * taken)
+        self.filled += taken
+        return taken
+
+    def pairs(self, points: int) -> Pairs:
+        i, j, *distance = (column[: self.filled] for column in self.columns)
+        return Pairs(i, j, distance[0] if distance else None, (points, points), False)
+
+
+class Visit:
+    """One search whose pairs come in pieces of at most `chunk`."""
+
+    def __init__(self, points: Points, search: CSearch, threads: int, chunk: int) -> None:
+        self._points = points
+        self._search = search
+        self._threads = threads
+        self._chunk = chunk
+        self._distances = bool(search.flags & _library.DISTANCES)
+        self._ended = threading.Event()
+        self._stop = library.beespace_stop_create()
+        if not self._stop:
+            raise MemoryError("beespace: no memory for a search")
+        # One piece is read while one waits and one is filled.
+        self._pieces: queue.Queue[Pairs | BaseException | None] = queue.Queue(maxsize=1)
+        self._piece = _Piece(chunk, self._distances)
+        self._problem: BaseException | None = None
+
+    def pieces(self) -> Iterator[Pairs]:
+        """The pieces. Who does not take them all ends the search."""
+        worker = threading.Thread(target=self._run, name="beespace.iter_pairs", daemon=True)
+        worker.start()
+        try:
+            while True:
+                piece = self._pieces.get()
+                if piece is None:
+                    return
+                if isinstance(piece, BaseException):
+                    raise piece
+                yield piece
+        finally:
+            self._ended.set()
+            library.beespace_stop_request(self._stop)
+            worker.join()
+
+    def _run(self) -> None:
+        self._put(self._search_all())
+
+    def _search_all(self) -> BaseException | None:
+        error = _library.new_error()
+        run = CRun(ctypes.sizeof(CRun), self._threads, 0, self._stop.value)
+        try:
+            code = library.beespace_visit_pairs(
+                None,
+                ctypes.byref(self._points.struct),
+                ctypes.byref(self._search),
+                ctypes.byref(run),
+                _library.VISITOR(self._see),
+                None,
+                ctypes.byref(error),
+            )
+            if code != _library.OK and not self._ended.is_set():
+                _library.raise_error(error)
+            if self._problem is not None:
+                return self._problem
+            if self._piece.filled:
+                self._put(self._piece.pairs(self._points.count))
+        except (BeespaceError, MemoryError) as problem:
+            return problem
+        return None
+
+    def _see(
+        self, _data: int | None, first: int, second: int, distances: int | None, count: int
+    ) -> int:
+        # What is raised here would be lost, and the search would look complete.
+        try:
+            addresses = [first, second] if distances is None else [first, second, distances]
+            return 1 if self._take(addresses, count) else 0
+        except BaseException as problem:
+            self._problem = problem
+            return 0
+
+    def _take(self, addresses: list[int], count: int) -> bool:
+        seen = 0
+        while seen < count:
+            seen += self._piece.take(addresses, seen, count)
+            if self._piece.filled == self._chunk:
+                if not self._put(self._piece.pairs(self._points.count)):
+                    return False
+                self._piece = _Piece(self._chunk, self._distances)
+        return not self._ended.is_set()
+
+    def _put(self, piece: Pairs | BaseException | None) -> bool:
+        """Waits until there is room; false where none is wanted any more."""
+        while not self._ended.is_set():
+            try:
+                self._pieces.put(piece, timeout=0.05)
+                return True
+            except queue.Full:
+                continue
+        return False

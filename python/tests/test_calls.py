@@ -1,0 +1,202 @@
+"""What a call does besides its answer: errors, Ctrl-C, threads, memory."""
+
+from __future__ import annotations
+
+import pickle
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import beespace
+
+points = np.random.default_rng(3).uniform(0, 30, (2000, 3))
+
+
+def test_errors_say_what_where_and_which():
+    wrong = points.copy()
+    wrong[17, 1] = np.nan
+    for call, code, place, record in [
+        (lambda: beespace.pairs(wrong, 1), "not_finite", "points", 17),
+        (lambda: beespace.pairs(points, 1, others=wrong), "not_finite", "others", 17),
+        (lambda: beespace.Index(points).nearest(wrong), "not_finite", "places", 17),
+        (lambda: beespace.pairs(wrong * 1e200, 1), "outside_domain", "points", 0),
+        (lambda: beespace.pairs(points, 0), "invalid_threshold", None, None),
+        (lambda: beespace.pairs(points, np.nan), "invalid_threshold", None, None),
+        (lambda: beespace.pairs(points, 1, vertical=-1), "invalid_threshold", None, None),
+        (lambda: beespace.pairs(points, 1, max_results=2), "too_many_results", None, None),
+        (lambda: beespace.neighbors(points, 1, max_results=2), "too_many_results", None, None),
+        (lambda: list(beespace.iter_pairs(wrong, 1)), "not_finite", "points", 17),
+        # One radius for each point is not what the search can do; nothing is guessed.
+        (lambda: beespace.pairs(points, np.ones(2000)), "invalid_threshold", "threshold", None),
+        (lambda: beespace.pairs(points, "near"), "invalid_threshold", "threshold", None),
+        (lambda: beespace.nearest(points, -1), "invalid_argument", "k", None),
+        (lambda: beespace.nearest(points, 1.5), "invalid_argument", "k", None),
+        (lambda: beespace.nearest(points, 2, within=1), "invalid_argument", "k", None),
+        (lambda: beespace.nearest(points, vertical=1), "invalid_argument", None, None),
+        (lambda: beespace.pairs(points, 1, threads=-1), "invalid_argument", "threads", None),
+        (lambda: beespace.iter_pairs(points, 1, chunk=0), "invalid_argument", "chunk", None),
+        (
+            lambda: beespace.neighbors(points, 1, others=points, include_self=True),
+            "invalid_argument",
+            "search",
+            None,
+        ),
+    ]:
+        with pytest.raises(beespace.BeespaceError) as caught:
+            call()
+        error = caught.value
+        assert (error.code, error.record) == (code, record), str(error)
+        assert place is None or error.place == place
+        again = pickle.loads(pickle.dumps(error))
+        assert (str(again), again.code, again.place, again.record) == (
+            str(error),
+            error.code,
+            error.place,
+            error.record,
+        )
+
+
+def test_max_results_never_cuts():
+    whole = beespace.pairs(points, 1)
+    assert len(beespace.pairs(points, 1, max_results=len(whole))) == len(whole)
+    with pytest.raises(beespace.BeespaceError):
+        beespace.pairs(points, 1, max_results=len(whole) - 1)
+
+
+def test_arrays_outlive_what_made_them():
+    i = beespace.pairs(points, 2).i
+    copy = i.copy()
+    for _ in range(50):
+        beespace.pairs(points[::-1], 2)
+    assert (i == copy).all()
+    assert i.flags.writeable
+
+
+def test_an_engine_keeps_no_answer():
+    engine = beespace.Engine()
+    first = engine.pairs(points, 2)
+    kept = first.i.copy()
+    engine.pairs(points[:100], 1)
+    engine.release_memory()
+    assert (first.i == kept).all()
+    assert len(engine.pairs(points, 2)) == len(first)
+
+
+def test_eight_threads_have_the_same_answers():
+    shared = beespace.Engine()
+    expected = beespace.pairs(points, 2)
+    same = []
+
+    def ask(engine):
+        for _ in range(20):
+            found = engine.pairs(points, 2)
+            same.append(bool((found.j == expected.j).all()))
+
+    threads = [
+        threading.Thread(target=ask, args=(engine,)) for engine in [beespace, shared] * 4
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len(same) == 160 and all(same)
+
+
+def test_other_threads_go_on_meanwhile():
+    crowd = np.random.default_rng(5).uniform(0, 1, (20_000, 3))
+    turns = 0
+    done = threading.Event()
+
+    def search():
+        beespace.pairs(crowd, 0.3, distances=False)
+        done.set()
+
+    thread = threading.Thread(target=search)
+    thread.start()
+    while not done.is_set():
+        turns += 1
+        time.sleep(0.001)
+    thread.join()
+    assert turns > 20
+
+
+_interrupted = """
+import time, numpy, beespace
+crowd = numpy.random.default_rng(5).uniform(0, 1, (100_000, 3))
+print("ready", flush=True)
+began = time.monotonic()
+try:
+    {call}
+except {error}:
+    print("ended", time.monotonic() - began < 20)
+"""
+
+
+@pytest.mark.parametrize(
+    ("call", "error"),
+    [
+        ("for piece in beespace.iter_pairs(crowd, 0.9): pass", "KeyboardInterrupt"),
+        ("while True: beespace.count(crowd, 0.4)", "KeyboardInterrupt"),
+        (
+            "import signal; signal.signal(signal.SIGINT, lambda *_: 1 / 0)\n"
+            "    while True: beespace.pairs(crowd, 0.05)",
+            "ZeroDivisionError",
+        ),
+    ],
+)
+def test_ctrl_c_ends_a_long_search(call, error):
+    program = subprocess.Popen(
+        [sys.executable, "-c", _interrupted.format(call=call, error=error)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    assert program.stdout.readline() == "ready\n"
+    time.sleep(0.4)
+    program.send_signal(signal.SIGINT)
+    printed, complaint = program.communicate(timeout=60)
+    assert printed == "ended True\n", complaint
+    assert complaint == ""
+
+
+_many_calls = """
+import os, numpy, beespace
+
+points = numpy.random.default_rng(3).uniform(0, 30, (50, 3))
+
+def resident_bytes():
+    with open("/proc/self/statm") as statm:
+        return int(statm.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+
+def call():
+    for _ in range(2000):
+        beespace.pairs(points, 5)
+        beespace.nearest(points, 2)
+        try:
+            beespace.at_risk(points, 0)
+        except beespace.BeespaceError:
+            pass
+
+call()
+before = resident_bytes()
+for _ in range(3):
+    call()
+print(resident_bytes() - before)
+"""
+
+
+def test_nothing_leaks():
+    # In a process of its own: what other tests leave behind in the heap is not asked here.
+    printed = subprocess.run(
+        [sys.executable, "-c", _many_calls], capture_output=True, text=True, check=True
+    ).stdout
+    assert int(printed) < 2**19  # 27 bytes a call
+
+
+def test_the_version_is_that_of_the_library():
+    assert beespace.__version__.count(".") == 2
