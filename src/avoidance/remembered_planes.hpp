@@ -11,8 +11,8 @@
 namespace beespace::avoidance {
 
 // Agents are remembered by the numbers that they were given, and have others here where some were
-// left out.
-class RememberedPlanes {
+// left out. No more visible than what it refers to.
+class __attribute__((visibility("hidden"))) RememberedPlanes {
  public:
   using Wall = PlaneMemory::State::Wall;
 
