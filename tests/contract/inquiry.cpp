@@ -2,6 +2,7 @@
 
 #include "tests/support/exact_oracle.hpp"
 #include "tests/support/random_scenes.hpp"
+#include "tests/support/rounds.hpp"
 #include "tests/support/search_scenes.hpp"
 
 #include <beespace/brute_force.hpp>
@@ -167,7 +168,11 @@ std::vector<Inquiry> make_inquiries() {
     const double middle = subject.thresholds[subject.thresholds.size() / 2];
     add_questions_of_limits(subject, {middle, true}, all);
   }
-  return all;
+  if (!kSanitized) return all;
+  // Brute force takes most of their time there.
+  std::vector<Inquiry> some;
+  for (std::size_t i = 0; i < all.size(); i += 3) some.push_back(all[i]);
+  return some;
 }
 
 }  // namespace
