@@ -6,7 +6,7 @@ namespace beespace::sim {
 
 namespace {
 
-// Nobody can state that places are exact: the truth is integrated, and rounded otherwise.
+// None can state that places are exact: the truth is integrated, and rounded otherwise.
 constexpr double kRounding_m = 1e-6;
 
 double seconds_of(const FleetOptions& options, std::int64_t ticks) {

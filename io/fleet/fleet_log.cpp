@@ -156,7 +156,7 @@ class Reading {
     return std::monostate{};
   }
 
-  // Whether anybody is told of in two ticks, one after the other; or there is one tick only.
+  // Whether any agent is told of in two ticks, one after the other; or there is one tick only.
   [[nodiscard]] bool tells_each_tick() const {
     bool several = ticked_ > 1;
     for (const LoggedAgent& agent : log_.agents) {

@@ -4,7 +4,7 @@
 // the figures hold, it is never farther from it than the radius of its tube, and that deviation
 // changes no faster than what carries it off and what corrects it, together. What contradicts this
 // names the agent, so no agent is named that keeps its figures. (A velocity that is reported names
-// nobody: the figures do not say how exact it is.)
+// no agent: the figures do not say how exact it is.)
 //
 // Deviations are those from the branch that the report says it is on. They go on from one branch
 // to the next, since an agent changes branches only where both lead the same way.

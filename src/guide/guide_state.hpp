@@ -66,7 +66,7 @@ class __attribute__((visibility("hidden"))) Guide::State {
   // That each tick can have its command.
   [[nodiscard]] Status check_ground(const FleetFigures& figures) const;
   // That an agent that is adopted says so of no tick that lies ahead.
-  [[nodiscard]] Status check_stored(AgentId agent, Tick tick) const;
+  [[nodiscard]] Status check_stored(const JoinRequest& request, Tick tick) const;
   // That its commands do not come too late, by its clock.
   [[nodiscard]] Status check_clock(const FleetFigures& figures) const;
   // That no root which was sent to it before it left can be taken any more.
@@ -83,7 +83,7 @@ class __attribute__((visibility("hidden"))) Guide::State {
   // Whether it says that of a tick that lies ahead, as far as its clock may be ahead.
   [[nodiscard]] bool is_ahead(const Member& member, const AgentReport& report, Tick next) const;
   // How many ticks the clock of an agent may be wrong, rounded up.
-  [[nodiscard]] Tick clock_ticks(const Member& member) const;
+  [[nodiscard]] Tick clock_ticks(const FleetFigures& figures) const;
 
   // One tick.
   void begin(Tick now);

@@ -15,6 +15,7 @@ namespace beespace {
 namespace {
 
 constexpr double kMeetWithin_s = 2.0;
+
 }  // namespace
 
 Guide::State::State(const GuideOptions& options)
@@ -80,9 +81,10 @@ Status Guide::State::check_ground(const FleetFigures& figures) const {
   return Error{ErrorCode::kInvalidArgument,
                "the loop is closed on the ground, report_age_s is " +
                    fleet::number(figures.report_age_s) + ", and command_delay " +
-                   std::to_string(options_.link.command_delay) +
-                   " ticks: together they may be 12 ticks, and 2 less where clocks are off; give a "
-                   "longer period, or faster messages",
+                   std::to_string(options_.link.command_delay) + " ticks: together they may be " +
+                   std::to_string(guide::Branches::kMostLive) +
+                   " ticks, and 2 less where clocks are off; give a longer period, or faster "
+                   "messages",
                {}};
 }
 
@@ -207,8 +209,8 @@ void Guide::State::begin(Tick now) {
   for (Member& member : members_) {
     if (member.branches.awaits_root()) {
       member.heard = now;
-      member.since = now + clock_ticks(member);
-    } else if (member.since > now + clock_ticks(member)) {
+      member.since = now + clock_ticks(member.figures);
+    } else if (member.since > now + clock_ticks(member.figures)) {
       member.monitor.name(ContractReason::kFuture);
     }
     member.branches.begin(now);

@@ -196,7 +196,7 @@ Status Guide::State::adopt(const JoinRequest& request, const StoredBranch& store
   if (Status fine = check_new(known); !fine) return fine;
   const Result<Tube> tube = tube_for(request);
   if (!tube) return tube.error();
-  if (Status fine = check_stored(request.agent, stored.tick); !fine) return fine;
+  if (Status fine = check_stored(request, stored.tick); !fine) return fine;
   auto branches =
       guide::Branches::adopted(branch_options(request, *tube), stored, now_.value_or(stored.tick));
   if (!branches) return branches.error();
@@ -207,13 +207,12 @@ Status Guide::State::adopt(const JoinRequest& request, const StoredBranch& store
   return std::monostate{};
 }
 
-Status Guide::State::check_stored(AgentId agent, Tick tick) const {
+Status Guide::State::check_stored(const JoinRequest& request, Tick tick) const {
   Status fine = check_tick(tick);
-  const FleetFigures& figures = options_.figures;
-  const auto ahead = static_cast<Tick>(std::ceil(figures.clock_error_s / options_.link.period_s));
+  const Tick ahead = clock_ticks(request.figures.value_or(options_.figures));
   if (fine && now_ && tick > *now_ + ahead + 1) {
     fine = Error{ErrorCode::kInvalidArgument,
-                 "agent " + std::to_string(agent) + " says where it was at tick " +
+                 "agent " + std::to_string(request.agent) + " says where it was at tick " +
                      std::to_string(tick) + ", and the last step was of tick " +
                      std::to_string(*now_) +
                      ": its clock is wrong, or that of the planner; take its answer after the next "
@@ -223,7 +222,7 @@ Status Guide::State::check_stored(AgentId agent, Tick tick) const {
   if (fine) return fine;
   Error error = std::move(fine).error();
   error.location.array = "agents";
-  error.location.record = agent;
+  error.location.record = request.agent;
   return error;
 }
 
@@ -257,7 +256,7 @@ void Guide::State::add(const JoinRequest& request, const Tube& tube, guide::Bran
                       .monitor = guide::ContractMonitor(figures, options_.link, tube),
                       .heard = heard,
                       .since = heard});
-  members_.back().since += clock_ticks(members_.back());
+  members_.back().since += clock_ticks(figures);
   if (figures.loop == LoopPlace::kGround) {
     members_.back().loop = {tube, figures, options_.link.period_s};
   }

@@ -107,13 +107,13 @@ Status Guide::State::check_tick(Tick tick) {
       {}};
 }
 
-Tick Guide::State::clock_ticks(const Member& member) const {
-  return static_cast<Tick>(std::ceil(member.figures.clock_error_s / options_.link.period_s));
+Tick Guide::State::clock_ticks(const FleetFigures& figures) const {
+  return static_cast<Tick>(std::ceil(figures.clock_error_s / options_.link.period_s));
 }
 
 bool Guide::State::is_ahead(const Member& member, const AgentReport& report, Tick next) const {
   const double stamp = static_cast<double>(report.tick) + report.after_s / options_.link.period_s;
-  return stamp > static_cast<double>(next + clock_ticks(member) + 1);
+  return stamp > static_cast<double>(next + clock_ticks(member.figures) + 1);
 }
 
 // A planner that was held up has not counted its own ticks: a report that seems to lie ahead waits
@@ -209,7 +209,7 @@ Status Guide::State::take(const Acknowledgement& acknowledgement) {
   if (acknowledgement.reply == CommandReply::kTaken &&
       acknowledgement.number > member->taken.number) {
     // By a clock that is no more ahead than it may be: later reports are held against it.
-    const Tick latest = now_.value_or(acknowledgement.tick) + 1 + clock_ticks(*member);
+    const Tick latest = now_.value_or(acknowledgement.tick) + 1 + clock_ticks(member->figures);
     member->taken = {acknowledgement.number, std::min(acknowledgement.tick, latest)};
   }
   member->branches.acknowledge(acknowledgement);

@@ -1,5 +1,6 @@
 // A flock with claims, flown by hand: each agent has a path of a few states ahead, at whose end the
-// advice takes effect; some commands are not sent, and of some nobody knows whether they arrived.
+// advice takes effect; some commands are not sent, and of some it is not known whether they
+// arrived.
 #pragma once
 
 #include "tests/avoidance/flock.hpp"

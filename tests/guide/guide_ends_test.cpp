@@ -284,6 +284,20 @@ TEST(GuideEnds, WhoIsAdoptedIsOnABranchThatHasBegun) {
   EXPECT_TRUE(guidance.agents.at(0).certified);
 }
 
+// By its own figures, where they differ from those of the others.
+TEST(GuideEnds, TheClockOfAnAgentThatIsAdoptedMayBeOffByWhatItsFiguresSay) {
+  GuideOptions options = small_options();
+  options.epoch = 2;
+  Guide guide = Guide::make(options).value();
+  Guidance guidance;
+  ASSERT_TRUE(guide.step(1, guidance));
+  FleetFigures figures = options.figures;
+  figures.clock_error_s = 0.1;
+  EXPECT_FALSE(guide.adopt({.agent = 1}, standing(1, 2, 3)));
+  EXPECT_FALSE(guide.adopt({.agent = 1, .figures = figures}, standing(1, 2, 4)));
+  EXPECT_TRUE(guide.adopt({.agent = 1, .figures = figures}, standing(1, 2, 3)));
+}
+
 // Before the first tick it cannot be told whether its clock is right; then it can.
 TEST(GuideEnds, AnAgentThatIsAdoptedWithAWrongClockIsNamed) {
   GuideOptions options = small_options();

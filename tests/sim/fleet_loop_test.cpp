@@ -96,7 +96,7 @@ INSTANTIATE_TEST_SUITE_P(
              (std::get<1>(chosen.param) == ErrorKind::kUniform ? "AtRandom" : "Adversarial");
     });
 
-TEST_P(Rows, LoseNoTrueSeparationAndNameNobodyFalsely) {
+TEST_P(Rows, LoseNoTrueSeparationAndNameNoAgentFalsely) {
   FleetOptions options = usual(std::get<1>(GetParam()));
   std::get<0>(GetParam()).change(options);
   const Flown flown = fly(options);
@@ -107,7 +107,7 @@ TEST_P(Rows, LoseNoTrueSeparationAndNameNobodyFalsely) {
   EXPECT_LE(flown.tally.largest_deviation_m, stated_tube(options).value().radius_m);
 }
 
-TEST(FleetLoop, NamesTheWeakAndNobodyElse) {
+TEST(FleetLoop, NamesTheWeakAndNoOthers) {
   FleetOptions options = usual(ErrorKind::kAdversarial);
   options.weak_share = 0.1;
   auto made = FleetLoop::make(swap_for(options), options);
@@ -125,7 +125,7 @@ TEST(FleetLoop, NamesTheWeakAndNobodyElse) {
   }
 }
 
-TEST(FleetLoop, TheSilentHoldAndNobodyComesTooClose) {
+TEST(FleetLoop, TheSilentHoldAndNoneComesTooClose) {
   FleetOptions options = usual(ErrorKind::kAdversarial);
   options.silent_share = 0.2;
   const Flown flown = fly(options);

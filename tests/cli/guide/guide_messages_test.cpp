@@ -86,7 +86,7 @@ TEST(GuideMavlink, ASystemHasOneName) {
 }
 
 // Where it is on its branch was known to the planner before alone.
-TEST(GuideMavlink, NobodyIsAdopted) {
+TEST(GuideMavlink, NoAgentIsAdopted) {
   const TemporaryFolder folder;
   const std::string log = folder.path("log.ndjson");
   const std::string adopt =

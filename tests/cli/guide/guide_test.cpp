@@ -98,7 +98,7 @@ TEST(Guide, AReportFromTheFutureNamesTheAgent) {
             R"("contract": "out", "reason": "future", "certified": false)");
 }
 
-TEST(Guide, ALineOfTenMegabytesStopsNobody) {
+TEST(Guide, ALineOfTenMegabytesStopsNoAgent) {
   const Finished finished =
       guide(kJoin + R"({"event": "goal", "id": ")" + std::string(10'000'000, 'x') + "\n" + kTick);
   EXPECT_EQ(finished.exit_code, 0);

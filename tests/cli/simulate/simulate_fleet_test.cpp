@@ -16,7 +16,7 @@ constexpr const char* kInTheCage =
     "id,x,y,z,goal_x,goal_y,goal_z\n"
     "maya,0,0,10,100,0,10\n";
 
-// A cage: whoever cannot hold its place is carried into one of its balls.
+// A cage: a bee that cannot hold its place is carried into one of its balls.
 std::string cage() {
   std::string text = R"({"obstacles": [)";
   const char* between = "";
