@@ -13,7 +13,6 @@ int main() {
     std::cerr << beespace::to_string(at_risk.error()) << '\n';
     return 1;
   }
-
   std::cout << at_risk->size() << " of " << drones.size() << " drones are at risk:";
   for (const beespace::PointId id : *at_risk) std::cout << ' ' << id;
   std::cout << '\n';

@@ -8,12 +8,6 @@
 namespace beespace::cli {
 namespace {
 
-std::string joined(const std::vector<std::string>& words, const char* between) {
-  std::string text;
-  for (const std::string& word : words) (text += text.empty() ? "" : between) += word;
-  return text;
-}
-
 // Those in lower case of "SECONDS|never".
 std::vector<std::string> words_of(std::string_view value) {
   std::vector<std::string> words;
@@ -29,6 +23,12 @@ std::vector<std::string> words_of(std::string_view value) {
 }
 
 }  // namespace
+
+std::string joined(const std::vector<std::string>& words, const char* between) {
+  std::string text;
+  for (const std::string& word : words) (text += text.empty() ? "" : between) += word;
+  return text;
+}
 
 Command::Command(std::string name, std::string summary, std::string details, Run run)
     : name_(std::move(name)),

@@ -136,4 +136,7 @@ class Command {
 void allow_only(Option& option, std::vector<std::string> words,
                 std::function<bool(const std::string&)> otherwise = {}, std::string hint = {});
 
+// "a, b, c" with ", " between.
+std::string joined(const std::vector<std::string>& words, const char* between);
+
 }  // namespace beespace::cli

@@ -18,12 +18,6 @@ std::string cat(std::initializer_list<std::string_view> parts) {
   return text;
 }
 
-std::string joined(const std::vector<std::string>& words, const char* between) {
-  std::string text;
-  for (const std::string& word : words) (text += text.empty() ? "" : between) += word;
-  return text;
-}
-
 std::string replaced(std::string text, std::string_view old, std::string_view by) {
   for (std::size_t at = 0; (at = text.find(old, at)) != std::string::npos; at += by.size()) {
     text.replace(at, old.size(), by);

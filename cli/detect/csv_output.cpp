@@ -23,7 +23,7 @@ std::string listed(std::span<const PointId> bees, const analysis::ShownIds& ids,
   return text;
 }
 
-void write_cell(io::TableWriter& table, const Cell& cell, const analysis::ShownIds& ids) {
+void write_csv_cell(io::TableWriter& table, const Cell& cell, const analysis::ShownIds& ids) {
   if (const auto* number = std::get_if<std::uint64_t>(&cell)) {
     table.field(*number);
   } else if (const auto* far = std::get_if<DistanceCell>(&cell)) {
@@ -35,7 +35,7 @@ void write_cell(io::TableWriter& table, const Cell& cell, const analysis::ShownI
   }
 }
 
-void write_rows(const BeeTable& rows, const Answer& answer, io::AtomicOutput& output) {
+void write_csv_rows(const BeeTable& rows, const Answer& answer, io::AtomicOutput& output) {
   const io::LoadedPoints& ours = answer.inputs.ours;
   // Without an id column the row is the id, which the record itself does not say.
   const bool with_rows = !io::has_id_column(ours) &&
@@ -54,14 +54,14 @@ void write_rows(const BeeTable& rows, const Answer& answer, io::AtomicOutput& ou
     table.next() += record.text;
     if (with_rows) table.field(record.row);
     for (const Column& column : rows.columns) {
-      write_cell(table, column.cell(record.point), answer.ids.theirs());
+      write_csv_cell(table, column.cell(record.point), answer.ids.theirs());
     }
     table.end_row();
     out.pass_on();
   });
 }
 
-void write_rows(const PairTable& rows, const Answer& answer, io::AtomicOutput& output) {
+void write_csv_rows(const PairTable& rows, const Answer& answer, io::AtomicOutput& output) {
   const Inputs& inputs = answer.inputs;
   BlockWriter out(output);
   io::TableWriter table(out.text, io::delimiter(inputs.ours));
@@ -74,14 +74,14 @@ void write_rows(const PairTable& rows, const Answer& answer, io::AtomicOutput& o
   }
 }
 
-void write_rows(const GroupTable& rows, const Answer& answer, io::AtomicOutput& output) {
-  write_rows(rows.members, answer, output);
+void write_csv_rows(const GroupTable& rows, const Answer& answer, io::AtomicOutput& output) {
+  write_csv_rows(rows.members, answer, output);
 }
 
 }  // namespace
 
 void write_csv(const Answer& answer, io::AtomicOutput& output) {
-  std::visit([&](const auto& rows) { write_rows(rows, answer, output); },
+  std::visit([&](const auto& rows) { write_csv_rows(rows, answer, output); },
              answer.detection.table.rows);
 }
 

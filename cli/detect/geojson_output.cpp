@@ -32,8 +32,8 @@ class Positions {
   std::vector<GeographicPosition> positions_;
 };
 
-void write_rows(const BeeTable& table, const Answer& answer, BlockWriter& out,
-                io::JsonWriter& json) {
+void write_geojson_rows(const BeeTable& table, const Answer& answer, BlockWriter& out,
+                        io::JsonWriter& json) {
   io::for_each_record(answer.inputs.ours, table.bees, [&](const io::Record& record) {
     io::write_geojson_feature(
         json, io::JsonLayout::kLine, [&] { io::write_geojson_point(json, record.geographic); },
@@ -45,8 +45,8 @@ void write_rows(const BeeTable& table, const Answer& answer, BlockWriter& out,
   });
 }
 
-void write_rows(const PairTable& table, const Answer& answer, BlockWriter& out,
-                io::JsonWriter& json) {
+void write_geojson_rows(const PairTable& table, const Answer& answer, BlockWriter& out,
+                        io::JsonWriter& json) {
   const Inputs& inputs = answer.inputs;
   std::vector<PointId> firsts;
   std::vector<PointId> seconds;
@@ -65,9 +65,9 @@ void write_rows(const PairTable& table, const Answer& answer, BlockWriter& out,
   }
 }
 
-void write_rows(const GroupTable& table, const Answer& answer, BlockWriter& out,
-                io::JsonWriter& json) {
-  write_rows(table.members, answer, out, json);
+void write_geojson_rows(const GroupTable& table, const Answer& answer, BlockWriter& out,
+                        io::JsonWriter& json) {
+  write_geojson_rows(table.members, answer, out, json);
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ void write_geojson(const Answer& answer, io::AtomicOutput& output) {
   io::JsonWriter json(out.text);
   json.begin_object().member("type", "FeatureCollection");
   json.begin_array("features", io::JsonLayout::kFlush);
-  std::visit([&](const auto& rows) { write_rows(rows, answer, out, json); },
+  std::visit([&](const auto& rows) { write_geojson_rows(rows, answer, out, json); },
              answer.detection.table.rows);
   json.end().end();
   out.text += '\n';

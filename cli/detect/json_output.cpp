@@ -4,6 +4,7 @@
 #include "cli/detect/json_cell.hpp"
 #include "cli/output/block_writer.hpp"
 #include "cli/output/json_units.hpp"
+#include "io/bytes/byte_source.hpp"
 
 #include <beespace/version.hpp>
 
@@ -14,10 +15,6 @@ namespace {
 
 std::string_view name_of(io::Frame frame) {
   return frame == io::Frame::kWgs84 ? "wgs84" : "metres";
-}
-
-std::string source_of(const std::string& path) {
-  return path == "-" ? "<stdin>" : path;
 }
 
 void write_skipped(io::JsonWriter& json, const std::vector<Error>& skipped) {
@@ -38,7 +35,7 @@ void write_repeated(io::JsonWriter& json, const io::RepeatedIds& repeated) {
 void write_input(io::JsonWriter& json, const char* key, const io::LoadedPoints& loaded,
                  const std::string& path, const io::RepeatedIds& repeated) {
   const std::string_view datum = datum_text(loaded.heights);
-  json.begin_object(key, io::JsonLayout::kLines).member("file", source_of(path));
+  json.begin_object(key, io::JsonLayout::kLines).member("file", io::source_name(path));
   json.member("format", loaded.format_description).member("frame", name_of(loaded.frame));
   json.member("reason", loaded.frame_reason);
   write_units(json.key("units"), loaded.units);
@@ -60,8 +57,8 @@ void write_closest(io::JsonWriter& json, const Answer& answer) {
   json.end();
 }
 
-void write_rows(const BeeTable& table, const Answer& answer, BlockWriter& out,
-                io::JsonWriter& json) {
+void write_json_rows(const BeeTable& table, const Answer& answer, BlockWriter& out,
+                     io::JsonWriter& json) {
   const bool bare = table.columns.empty();
   json.begin_array(bare ? io::JsonLayout::kLine : io::JsonLayout::kRows);
   if (!bare) json.new_line();
@@ -79,8 +76,8 @@ void write_rows(const BeeTable& table, const Answer& answer, BlockWriter& out,
   json.end();
 }
 
-void write_rows(const PairTable& table, const Answer& answer, BlockWriter& out,
-                io::JsonWriter& json) {
+void write_json_rows(const PairTable& table, const Answer& answer, BlockWriter& out,
+                     io::JsonWriter& json) {
   json.begin_array(io::JsonLayout::kRows);
   for (const Pair& pair : table.pairs) {
     json.begin_object();
@@ -91,8 +88,8 @@ void write_rows(const PairTable& table, const Answer& answer, BlockWriter& out,
   json.end();
 }
 
-void write_rows(const GroupTable& table, const Answer& answer, BlockWriter& out,
-                io::JsonWriter& json) {
+void write_json_rows(const GroupTable& table, const Answer& answer, BlockWriter& out,
+                     io::JsonWriter& json) {
   json.begin_array(io::JsonLayout::kRows);
   for (std::size_t i = 0; i < table.groups.size(); ++i) {
     json.begin_object().member("group", i).member("size", table.groups[i].size());
@@ -116,7 +113,7 @@ void write_row_count(io::JsonWriter& json, const Table& table) {
 void write_table(const Answer& answer, BlockWriter& out, io::JsonWriter& json) {
   write_row_count(json, answer.detection.table);
   json.key(answer.request.report->key);
-  std::visit([&](const auto& rows) { write_rows(rows, answer, out, json); },
+  std::visit([&](const auto& rows) { write_json_rows(rows, answer, out, json); },
              answer.detection.table.rows);
 }
 

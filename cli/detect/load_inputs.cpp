@@ -25,12 +25,12 @@
 namespace beespace::cli {
 namespace {
 
-std::string source_of(const std::string& path) {
+std::string quoted_source(const std::string& path) {
   return path == "-" ? "standard input" : "'" + path + "'";
 }
 
 std::string taken_for(const io::LoadedPoints& loaded, const std::string& path) {
-  return source_of(path) + " was taken for " +
+  return quoted_source(path) + " was taken for " +
          (loaded.frame == io::Frame::kWgs84 ? "degrees" : "metres") + " (" + loaded.frame_reason +
          ")";
 }
@@ -83,8 +83,8 @@ std::optional<Error> height_problem(const Inputs& inputs, const io::LoadedPoints
   const bool degrees = others.frame == io::Frame::kWgs84;
   return usage_error(
       "detect",
-      "the two swarms cannot be compared: " + source_of(without) + " has no " +
-          (degrees ? "height" : "z") + " column, and " + source_of(with) +
+      "the two swarms cannot be compared: " + quoted_source(without) + " has no " +
+          (degrees ? "height" : "z") + " column, and " + quoted_source(with) +
           " has one; add it to the first, or take it from the second to compare both at 0 m");
 }
 
@@ -119,11 +119,12 @@ std::optional<Error> columns_problem(const Inputs& inputs, const io::LoadedPoint
     const io::Role role = io::read_column_name(schema, ours[number - 1]).role;
     const bool alike = role == io::read_column_name(schema, theirs[number - 1]).role;
     if (alike && role != io::Role::kNone) continue;
-    return usage_error(
-        "detect", "--columns goes to both files, but column " + wanted.column + " is " +
-                      io::excerpt(ours[number - 1]) + " in " + source_of(request.input) + " and " +
-                      io::excerpt(theirs[number - 1]) + " in " + source_of(*request.others) +
-                      "; name the columns instead of numbering them, or leave --columns out");
+    return usage_error("detect",
+                       "--columns goes to both files, but column " + wanted.column + " is " +
+                           io::excerpt(ours[number - 1]) + " in " + quoted_source(request.input) +
+                           " and " + io::excerpt(theirs[number - 1]) + " in " +
+                           quoted_source(*request.others) +
+                           "; name the columns instead of numbering them, or leave --columns out");
   }
   return std::nullopt;
 }

@@ -32,7 +32,7 @@ void write_ids(io::TableWriter& table, std::span<const PointId> bees,
   for (const PointId bee : bees) ids.append(table.next(), bee);
 }
 
-void write_cell(io::TableWriter& table, const Cell& cell, const analysis::ShownIds& ids) {
+void write_text_cell(io::TableWriter& table, const Cell& cell, const analysis::ShownIds& ids) {
   if (const auto* bees = std::get_if<std::span<const PointId>>(&cell)) {
     write_ids(table, *bees, ids);
   } else if (const auto* number = std::get_if<std::uint64_t>(&cell)) {
@@ -46,7 +46,7 @@ void write_cell(io::TableWriter& table, const Cell& cell, const analysis::ShownI
   }
 }
 
-void write_rows(const BeeTable& rows, const Answer& answer, io::AtomicOutput& output) {
+void write_text_rows(const BeeTable& rows, const Answer& answer, io::AtomicOutput& output) {
   const analysis::ShownIds& ids = answer.ids.ours();
   if (rows.columns.empty() && ids.are_point_numbers()) return write_numbers(rows.bees, output);
   BlockWriter out(output);
@@ -60,14 +60,14 @@ void write_rows(const BeeTable& rows, const Answer& answer, io::AtomicOutput& ou
   for (const PointId bee : rows.bees) {
     ids.append(table.next(), bee);
     for (const Column& column : rows.columns) {
-      write_cell(table, column.cell(bee), answer.ids.theirs());
+      write_text_cell(table, column.cell(bee), answer.ids.theirs());
     }
     table.end_row();
     out.pass_on();
   }
 }
 
-void write_rows(const PairTable& rows, const Answer& answer, io::AtomicOutput& output) {
+void write_text_rows(const PairTable& rows, const Answer& answer, io::AtomicOutput& output) {
   const Inputs& inputs = answer.inputs;
   BlockWriter out(output);
   io::TableWriter table(out.text, kTab);
@@ -81,7 +81,7 @@ void write_rows(const PairTable& rows, const Answer& answer, io::AtomicOutput& o
   }
 }
 
-void write_rows(const GroupTable& rows, const Answer& answer, io::AtomicOutput& output) {
+void write_text_rows(const GroupTable& rows, const Answer& answer, io::AtomicOutput& output) {
   BlockWriter out(output);
   io::TableWriter table(out.text, kTab);
   table.header("group,size,members").end_row();
@@ -96,7 +96,7 @@ void write_rows(const GroupTable& rows, const Answer& answer, io::AtomicOutput& 
 }  // namespace
 
 void write_text(const Answer& answer, io::AtomicOutput& output) {
-  std::visit([&](const auto& rows) { write_rows(rows, answer, output); },
+  std::visit([&](const auto& rows) { write_text_rows(rows, answer, output); },
              answer.detection.table.rows);
 }
 

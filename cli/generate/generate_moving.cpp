@@ -12,7 +12,7 @@ namespace beespace::cli {
 namespace {
 
 // So small that bees meet within a minute.
-constexpr double kDefaultSide_m = 1'000.0;
+constexpr double kMovingSide_m = 1'000.0;
 // The horizon of predict.
 constexpr double kDefaultWithin_s = 60.0;
 // How far the pairs of known encounters keep from each other, beyond what they miss.
@@ -41,7 +41,7 @@ bool is_moving_scene(std::string_view scene) {
 Result<MovingSwarm> make_moving_swarm(const GenerateRequest& request) {
   const auto recorded = fix_times_of(request);
   if (!recorded) return recorded.error();
-  const Point size = request.size.value_or(Point{kDefaultSide_m, kDefaultSide_m, kDefaultSide_m});
+  const Point size = request.size.value_or(Point{kMovingSide_m, kMovingSide_m, kMovingSide_m});
   const scenes::Speeds& speeds = request.speeds;
   const std::string& scene = request.scene;
   const std::size_t count = request.points;

@@ -287,7 +287,7 @@ void GuidedFleet::say_hello(Tick now, std::string& out) {
 }
 
 void GuidedFleet::say_commands(std::string& out) {
-  for (const Command& command : guidance_.commands) {
+  for (const beespace::Command& command : guidance_.commands) {
     const Member& member = members_.at(command.agent);
     io::append_message(
         out, names_.name(command.agent),

@@ -46,7 +46,9 @@ class GuidedFleet {
   [[nodiscard]] const GuidedCounts& counts() const { return counts_; }
   [[nodiscard]] std::size_t size() const { return guide_.size(); }
   // Of the last step.
-  [[nodiscard]] const std::vector<Command>& commands() const { return guidance_.commands; }
+  [[nodiscard]] const std::vector<beespace::Command>& commands() const {
+    return guidance_.commands;
+  }
   // Of an agent that one of these commands is for.
   [[nodiscard]] const std::string& name(AgentId agent) const { return names_.name(agent); }
   [[nodiscard]] const FlightLimits& planned(AgentId agent) const {

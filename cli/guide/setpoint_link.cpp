@@ -72,7 +72,7 @@ void SetpointLink::advance(Tick now) {
 }
 
 Status SetpointLink::take_commands(Tick now, GuidedFleet& fleet, std::string& lines) {
-  for (const Command& command : fleet.commands()) {
+  for (const beespace::Command& command : fleet.commands()) {
     const std::string& id = fleet.name(command.agent);
     const auto system = system_of(id);
     if (!system) continue;

@@ -21,7 +21,7 @@
 namespace beespace::cli {
 namespace {
 
-constexpr const char* kName = "predict";
+constexpr const char* kPredict = "predict";
 
 // Those of the horizon, and of the bees that are known for the present moment only those of now:
 // between movers and snapshot.present().
@@ -177,7 +177,7 @@ void write_outlook(io::JsonWriter& json, const Prediction& prediction,
 
 Result<ExitCode> run_predict(const PredictRequest& request) {
   const MovingRequest& moving = request.moving;
-  auto output = open_output(kName, moving.output, moving.inputs, moving.form.packing);
+  auto output = open_output(kPredict, moving.output, moving.inputs, moving.form.packing);
   if (!output) return std::move(output).error();
   ProgressBar progress(!moving.quiet);
   io::RecordingOptions load = moving.load;

@@ -6,9 +6,10 @@
 namespace beespace::cli {
 namespace {
 
-constexpr const char* kDescription = "Tell which bees are about to come too close to each other";
+constexpr const char* kPredictDescription =
+    "Tell which bees are about to come too close to each other";
 
-constexpr const char* kDetails =
+constexpr const char* kPredictDetails =
     "Reads where bees are and how fast they fly: text tables with columns named x, y, z, vx, vy, "
     "vz\n"
     "(metres, metres per second) or lon, lat, height, ve, vn, vu (degrees; east, north, up), and "
@@ -38,7 +39,7 @@ constexpr const char* kDetails =
 Command predict_command() {
   const auto request = std::make_shared<PredictRequest>();
   MovingRequest& moving = request->moving;
-  Command predict("predict", kDescription, kDetails, [request](const Command&) {
+  Command predict("predict", kPredictDescription, kPredictDetails, [request](const Command&) {
     return settle_answer(request->moving, "predict").and_then([&] {
       return run_predict(*request);
     });

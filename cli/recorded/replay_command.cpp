@@ -28,7 +28,7 @@
 namespace beespace::cli {
 namespace {
 
-constexpr const char* kName = "replay";
+constexpr const char* kReplay = "replay";
 
 // A show: no drone is out of sight in it.
 bool is_plan(const io::Recording& recording) {
@@ -139,16 +139,16 @@ Status check_every(const ReplayRequest& request, const std::vector<Track>& track
   const auto time = analysis::time_of(tracks);
   if (request.report != "separation" || !time) return std::monostate{};
   if ((time->ends_s - time->begins_s) / request.every_s <= kMostRows) return std::monostate{};
-  return usage_error(kName, "--every " + io::exact(request.every_s) + " is more than " +
-                                io::grouped(static_cast<std::uint64_t>(kMostRows)) +
-                                " rows for this recording; look less often");
+  return usage_error(kReplay, "--every " + io::exact(request.every_s) + " is more than " +
+                                  io::grouped(static_cast<std::uint64_t>(kMostRows)) +
+                                  " rows for this recording; look less often");
 }
 
 }  // namespace
 
 Result<ExitCode> run_replay(const ReplayRequest& request) {
   const MovingRequest& moving = request.moving;
-  auto output = open_output(kName, moving.output, moving.inputs, moving.form.packing);
+  auto output = open_output(kReplay, moving.output, moving.inputs, moving.form.packing);
   if (!output) return std::move(output).error();
   ProgressBar progress(!moving.quiet);
   Stopwatch watch;

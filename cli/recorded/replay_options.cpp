@@ -6,10 +6,10 @@
 namespace beespace::cli {
 namespace {
 
-constexpr const char* kDescription =
+constexpr const char* kReplayDescription =
     "Tell whether a recording, or a drone show, keeps its distance";
 
-constexpr const char* kDetails =
+constexpr const char* kReplayDetails =
     "Reads recordings: text tables with columns named id, time_s, x, y, z (metres) or lon, lat, "
     "height\n"
     "(degrees), several files, folders or zips with a table a bee, and Skybrush shows (.skyc, or "
@@ -89,7 +89,7 @@ Status settle(const Command& command, ReplayRequest& request) {
 Command replay_command() {
   const auto request = std::make_shared<ReplayRequest>();
   MovingRequest& moving = request->moving;
-  Command replay("replay", kDescription, kDetails, [request](const Command& command) {
+  Command replay("replay", kReplayDescription, kReplayDetails, [request](const Command& command) {
     return settle(command, *request).and_then([&] { return run_replay(*request); });
   });
   replay.arguments("FILES", moving.inputs,

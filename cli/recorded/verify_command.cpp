@@ -23,7 +23,7 @@
 namespace beespace::cli {
 namespace {
 
-constexpr const char* kName = "verify";
+constexpr const char* kVerify = "verify";
 // Where neither an option nor the input says what is too close.
 constexpr double kDefaultVerified_m = 5.0;
 
@@ -69,7 +69,7 @@ Result<ExitCode> run_verify(const VerifyRequest& request) {
   const MovingRequest& moving = request.moving;
   std::vector<std::string> inputs = moving.inputs;
   inputs.push_back(request.obstacles);
-  auto output = open_output(kName, moving.output, inputs, moving.form.packing);
+  auto output = open_output(kVerify, moving.output, inputs, moving.form.packing);
   if (!output) return std::move(output).error();
   const auto obstacles = request.obstacles.empty() ? Result<ObstacleMap>(ObstacleMap())
                                                    : load_obstacle_map(request.obstacles);

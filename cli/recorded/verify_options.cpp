@@ -6,10 +6,10 @@
 namespace beespace::cli {
 namespace {
 
-constexpr const char* kDescription =
+constexpr const char* kVerifyDescription =
     "Check that a flight kept its distance, and that each bee flew as it can";
 
-constexpr const char* kDetails =
+constexpr const char* kVerifyDetails =
     "Reads recordings as 'beespace replay' does, of bees that all have fixes at the same times "
     "(replay\n"
     "takes others). Where all fixes have velocities, a bee flies from one to the next on the curve "
@@ -82,7 +82,7 @@ Status settle(const Command& command, VerifyRequest& request) {
 Command verify_command() {
   const auto request = std::make_shared<VerifyRequest>();
   MovingRequest& moving = request->moving;
-  Command verify("verify", kDescription, kDetails, [request](const Command& command) {
+  Command verify("verify", kVerifyDescription, kVerifyDetails, [request](const Command& command) {
     return settle(command, *request).and_then([&] { return run_verify(*request); });
   });
   verify.arguments("FILES", moving.inputs,

@@ -23,7 +23,7 @@
 namespace beespace::cli {
 namespace {
 
-constexpr const char* kName = "export";
+constexpr const char* kExport = "export";
 
 bool is_format(const std::string& ending) {
   return ending == "kml" || ending == "czml" || ending == "geojson" || ending == "csv";
@@ -34,24 +34,25 @@ Result<std::string> format_of(const ExportRequest& request) {
   const FileEnding of = output == "-" ? FileEnding{} : file_ending(output);
   if (!request.format.empty()) {
     if (!is_format(of.ending) || of.ending == request.format) return request.format;
-    return usage_error(kName, "--format " + request.format + " contradicts the ending of '" +
-                                  printable(output) + "'; correct one of them");
+    return usage_error(kExport, "--format " + request.format + " contradicts the ending of '" +
+                                    printable(output) + "'; correct one of them");
   }
   if (output == "-") {
-    return usage_error(kName, "say in which format: --format kml, czml, geojson or csv");
+    return usage_error(kExport, "say in which format: --format kml, czml, geojson or csv");
   }
   if (is_format(of.ending)) return of.ending;
-  return usage_error(kName, "the name of the file ends in .kml, .czml, .geojson or .csv, unlike '" +
-                                printable(output) + "'; or say which with --format" +
-                                written_elsewhere(kName, of.ending));
+  return usage_error(kExport,
+                     "the name of the file ends in .kml, .czml, .geojson or .csv, unlike '" +
+                         printable(output) + "'; or say which with --format" +
+                         written_elsewhere(kExport, of.ending));
 }
 
 Status check_fit(const analysis::Scene& scene, const std::string& format) {
   const report::SwarmFacts& swarm = analysis::swarm_of(scene);
   if (swarm.origin || format == "csv") return std::monostate{};
-  return usage_error(kName, format + " is for the Earth and needs longitudes and latitudes, but '" +
-                                printable(swarm.title) +
-                                "' is in metres; --format csv takes metres as well");
+  return usage_error(
+      kExport, format + " is for the Earth and needs longitudes and latitudes, but '" +
+                   printable(swarm.title) + "' is in metres; --format csv takes metres as well");
 }
 
 // Returns what had to be left out.
@@ -71,7 +72,7 @@ std::vector<std::string> write(const Facts& facts, const std::string& format,
 Result<ExitCode> export_to(const ShowRequest& request, const std::string& format) {
   const MovingRequest& moving = request.moving;
   auto output =
-      open_output(kName, moving.output, moving.inputs,
+      open_output(kExport, moving.output, moving.inputs,
                   file_ending(moving.output).compressed ? io::Packing::kGzip : io::Packing::kPlain);
   if (!output) return std::move(output).error();
   ProgressBar progress(!moving.quiet);

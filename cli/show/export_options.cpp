@@ -5,9 +5,10 @@
 namespace beespace::cli {
 namespace {
 
-constexpr const char* kDescription = "Write who is too close for globes, maps and spreadsheets";
+constexpr const char* kExportDescription =
+    "Write who is too close for globes, maps and spreadsheets";
 
-constexpr const char* kDetails =
+constexpr const char* kExportDetails =
     "Reads what 'beespace report' reads. The ending of FILE, or --format, says what is written:\n"
     "  kml       for globes: those at risk and pairs; of recordings the paths in time, and\n"
     "            conflicts where they are closest, for as long as they last\n"
@@ -49,7 +50,7 @@ void add_file_options(Command& command, ExportRequest& request) {
 
 Command export_command() {
   const auto request = std::make_shared<ExportRequest>();
-  Command command("export", kDescription, kDetails, [request](const Command&) {
+  Command command("export", kExportDescription, kExportDetails, [request](const Command&) {
     return settle(request->show.moving, "export").and_then([&] { return run_export(*request); });
   });
   add_scene_options(command, request->show);

@@ -22,22 +22,22 @@
 namespace beespace::cli {
 namespace {
 
-constexpr const char* kName = "plot";
+constexpr const char* kPlot = "plot";
 
 Result<bool> read_png(const std::string& output) {
   if (output == "-") {
     if (!output_is_terminal()) return false;
-    return usage_error(kName, "a picture is nothing for a terminal; give it a name: -o bees.svg");
+    return usage_error(kPlot, "a picture is nothing for a terminal; give it a name: -o bees.svg");
   }
   const FileEnding of = file_ending(output);
   if (of.ending == "svg" && !of.compressed) return false;
   if (of.ending != "png" || of.compressed) {
-    return usage_error(kName, "a picture's name ends in .svg or .png, unlike '" +
-                                  printable(output) + "'" + written_elsewhere(kName, of.ending));
+    return usage_error(kPlot, "a picture's name ends in .svg or .png, unlike '" +
+                                  printable(output) + "'" + written_elsewhere(kPlot, of.ending));
   }
   const std::string lacking = report::why_no_png();
   if (lacking.empty()) return true;
-  return usage_error(kName, lacking + "; or give a name that ends in .svg");
+  return usage_error(kPlot, lacking + "; or give a name that ends in .svg");
 }
 
 // The bytes of the picture; what must be said of it goes to `note`.
@@ -65,7 +65,7 @@ Result<ExitCode> run_plot(const PlotRequest& request) {
   const MovingRequest& moving = request.show.moving;
   const auto png = read_png(moving.output);
   if (!png) return png.error();
-  auto output = open_output(kName, moving.output, moving.inputs);
+  auto output = open_output(kPlot, moving.output, moving.inputs);
   if (!output) return std::move(output).error();
   ProgressBar progress(!moving.quiet);
   SceneTimings timings;

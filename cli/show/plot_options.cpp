@@ -8,9 +8,9 @@
 namespace beespace::cli {
 namespace {
 
-constexpr const char* kDescription = "Draw a picture of who is too close, where and when";
+constexpr const char* kPlotDescription = "Draw a picture of who is too close, where and when";
 
-constexpr const char* kDetails =
+constexpr const char* kPlotDetails =
     "Reads what 'beespace report' reads. Draws, in one picture for papers and slides, the swarm\n"
     "from above and from the side with those at risk, and how far each bee's nearest other bee\n"
     "is; of recordings the paths with their parts in conflict, and how far apart the closest two\n"
@@ -59,7 +59,7 @@ void add_picture_options(Command& plot, PlotRequest& request) {
 
 Command plot_command() {
   const auto request = std::make_shared<PlotRequest>();
-  Command plot("plot", kDescription, kDetails, [request](const Command&) {
+  Command plot("plot", kPlotDescription, kPlotDetails, [request](const Command&) {
     return settle(request->show.moving, "plot").and_then([&] { return run_plot(*request); });
   });
   add_scene_options(plot, request->show);

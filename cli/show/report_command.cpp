@@ -18,7 +18,7 @@
 namespace beespace::cli {
 namespace {
 
-constexpr const char* kName = "report";
+constexpr const char* kReport = "report";
 
 // A page under the name of something else would be opened by what cannot read it.
 Status check_ending(const std::string& output) {
@@ -26,8 +26,8 @@ Status check_ending(const std::string& output) {
   const FileEnding of = file_ending(output);
   const std::string& ending = of.ending;
   const auto misnamed = [&](const std::string& otherwise) {
-    return usage_error(kName, "a page is HTML, unlike what its name '" + printable(output) +
-                                  "' says; let it end in .html, or " + otherwise);
+    return usage_error(kReport, "a page is HTML, unlike what its name '" + printable(output) +
+                                    "' says; let it end in .html, or " + otherwise);
   };
   if (ending == "svg" || ending == "png") {
     return misnamed("let 'beespace plot' draw the picture");
@@ -49,16 +49,16 @@ Status check_ending(const std::string& output) {
 Result<ExitCode> run_report(const ReportRequest& request) {
   const MovingRequest& moving = request.show.moving;
   if (moving.output == "-" && output_is_terminal()) {
-    return usage_error(kName, "a page is nothing for a terminal; give it a name: -o report.html");
+    return usage_error(kReport, "a page is nothing for a terminal; give it a name: -o report.html");
   }
   std::vector<std::string> inputs = moving.inputs;
   inputs.push_back(request.compare);
   inputs.push_back(request.fleet_log);
-  auto output = open_output(kName, moving.output, inputs);
+  auto output = open_output(kReport, moving.output, inputs);
   if (!output) return std::move(output).error();
   if (Status html = check_ending(moving.output); !html) return std::move(html).error();
   ProgressBar progress(!moving.quiet);
-  const auto loaded = load_page(kName, request, progress);
+  const auto loaded = load_page(kReport, request, progress);
   if (!loaded) return loaded.error();
   Stopwatch watch;
   analysis::write_page(loaded->page, [&](std::string_view text) { output->write(text); });

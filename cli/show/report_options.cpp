@@ -5,9 +5,10 @@
 namespace beespace::cli {
 namespace {
 
-constexpr const char* kDescription = "Write a page that shows who is too close, where and when";
+constexpr const char* kReportDescription =
+    "Write a page that shows who is too close, where and when";
 
-constexpr const char* kDetails =
+constexpr const char* kReportDetails =
     "Reads snapshots as 'beespace detect' does, and recordings as 'beespace replay' does; of\n"
     "aircraft at one instant each, where they are at the last of them. Writes one HTML file that\n"
     "needs nothing else and no network: the swarm in three dimensions, who is at risk, the worst\n"
@@ -50,7 +51,7 @@ void add_page_input_options(Command& command, ReportRequest& request) {
 
 Command report_command() {
   const auto request = std::make_shared<ReportRequest>();
-  Command report("report", kDescription, kDetails, [request](const Command&) {
+  Command report("report", kReportDescription, kReportDetails, [request](const Command&) {
     return settle(request->show.moving, "report").and_then([&] { return run_report(*request); });
   });
   add_page_input_options(report, *request);

@@ -21,11 +21,11 @@
 namespace beespace::cli {
 namespace {
 
-constexpr const char* kName = "view";
+constexpr const char* kView = "view";
 
-constexpr const char* kDescription = "Look at a swarm in the browser";
+constexpr const char* kViewDescription = "Look at a swarm in the browser";
 
-constexpr const char* kDetails =
+constexpr const char* kViewDetails =
     "Reads what 'beespace report' reads and makes the same page, but serves it to the browsers of\n"
     "this machine instead of writing a file: on a free port of 127.0.0.1, until Ctrl-C. Opens the\n"
     "browser where there is a desktop, and prints the address to standard output. Other users of\n"
@@ -60,7 +60,7 @@ struct ViewRequest {
 // served for long.
 Result<std::string> page_for(const ReportRequest& request) {
   ProgressBar progress(!request.show.moving.quiet);
-  const auto loaded = load_page(kName, request, progress);
+  const auto loaded = load_page(kView, request, progress);
   if (!loaded) return loaded.error();
   std::string page;
   analysis::write_page(loaded->page, [&](std::string_view text) { page += text; });
@@ -99,8 +99,8 @@ Result<ExitCode> run_view(const ViewRequest& request) {
 Command view_command() {
   const auto request = std::make_shared<ViewRequest>();
   MovingRequest& moving = request->page.show.moving;
-  Command view(kName, kDescription, kDetails, [request](const Command&) {
-    return settle(request->page.show.moving, kName).and_then([&] { return run_view(*request); });
+  Command view(kView, kViewDescription, kViewDetails, [request](const Command&) {
+    return settle(request->page.show.moving, kView).and_then([&] { return run_view(*request); });
   });
   add_page_input_options(view, request->page);
   view.group("Output");

@@ -176,7 +176,7 @@ std::string not_joined_text(const sim::FleetLoop& loop) {
   return text;
 }
 
-std::string scenario_text(const SimulateRequest& request) {
+std::string fleet_scenario_text(const SimulateRequest& request) {
   std::string text = printable(request.scenario);
   if (!request.from_file) {
     const double spacing_m = std::max(request.spacing_m, least_spacing_m(request));
@@ -228,7 +228,7 @@ std::string fleet_summary(const SimulateRequest& request, const sim::FleetLoop& 
   const auto bees = static_cast<double>(loop.agents().size());
   const Tube& tube = loop.tube();
   std::string out;
-  append_summary_line(out, "scenario", scenario_text(request));
+  append_summary_line(out, "scenario", fleet_scenario_text(request));
   append_summary_line(out, "bees", io::grouped(std::uint64_t{loop.agents().size()}));
   append_summary_line(out, "loop", fleet.place == LoopPlace::kOnboard ? "onboard" : "ground");
   append_summary_line(out, "errors", errors_text(fleet));

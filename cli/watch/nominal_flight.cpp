@@ -11,7 +11,7 @@ namespace {
 // Reports are compared with the path so far back.
 constexpr std::size_t kMostNodes = 8;
 // Steps: after a longer silence a bee is anywhere, and its path need not take longer.
-constexpr Tick kMost = 64;
+constexpr Tick kMostAhead = 64;
 
 double length(double x, double y, double z) {
   return std::hypot(x, y, z);
@@ -66,7 +66,7 @@ void NominalFlight::anchor(double time_s, const Mover& mover, const AdviceTicks&
       std::exchange(nodes_, std::deque<Node>{{time_s, 0.0, mover, tick, false}});
   for (const Node& node : before) {
     if (node.tick <= tick || node.lasts_s == 0.0) continue;
-    if (node.tick - end_tick() > kMost) break;
+    if (node.tick - end_tick() > kMostAhead) break;
     while (end_tick() + 1 < node.tick) add(end().velocity, false, ticks, max_acceleration_mps2);
     add(node.told ? node.mover.velocity : end().velocity, node.told, ticks, max_acceleration_mps2);
   }
@@ -74,9 +74,9 @@ void NominalFlight::anchor(double time_s, const Mover& mover, const AdviceTicks&
 
 void NominalFlight::extend(Tick until, bool advised, const AdviceTicks& ticks,
                            double max_acceleration_mps2) {
-  if (until - end_tick() > kMost) {
+  if (until - end_tick() > kMostAhead) {
     Node& last = nodes_.back();
-    last.tick = until - kMost;
+    last.tick = until - kMostAhead;
     last.time_s = ticks.time_of(last.tick);
     nodes_.erase(nodes_.begin(), std::prev(nodes_.end()));
   }

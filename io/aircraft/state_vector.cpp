@@ -12,6 +12,7 @@ namespace beespace::io {
 namespace {
 
 // The places, by the documentation of OpenSky's REST interface.
+namespace place {
 constexpr std::size_t kAddress = 0;
 constexpr std::size_t kCallsign = 1;
 constexpr std::size_t kTimePosition = 3;
@@ -23,6 +24,7 @@ constexpr std::size_t kSpeed = 9;
 constexpr std::size_t kTrack = 10;
 constexpr std::size_t kClimb = 11;
 constexpr std::size_t kEllipsoidHeight = 13;
+}  // namespace place
 constexpr std::size_t kPlaces = 14;  // as many as are needed; there may be more
 
 }  // namespace
@@ -42,14 +44,14 @@ std::optional<Error> read_state_vector(JsonElement state, AircraftReport& report
     if (place < kPlaces) values[place++] = item;
   }
   std::string_view text;
-  if (!values[kAddress].get(text) || text.empty()) {
+  if (!values[place::kAddress].get(text) || text.empty()) {
     return Error{ErrorCode::kMalformedRecord,
                  "its first value is no address; give it as a text such as \"4b1814\"",
                  {}};
   }
   report.id = normal_address(text);
-  if (values[kCallsign].get(text)) report.label = without_padding(text);
-  if (bool on_ground = false; values[kOnGround].get(on_ground)) {
+  if (values[place::kCallsign].get(text)) report.label = without_padding(text);
+  if (bool on_ground = false; values[place::kOnGround].get(on_ground)) {
     report.on_ground = on_ground;
   }
   struct Wanted {
@@ -57,14 +59,15 @@ std::optional<Error> read_state_vector(JsonElement state, AircraftReport& report
     double* value;
     const char* name;
   };
-  for (const Wanted& wanted : {Wanted{kTimePosition, &report.time_s, "time_position"},
-                               {kLongitude, &report.longitude_deg, "longitude"},
-                               {kLatitude, &report.latitude_deg, "latitude"},
-                               {kPressureHeight, &report.pressure_height, "baro_altitude"},
-                               {kSpeed, &report.ground_speed_mps, "velocity"},
-                               {kTrack, &report.track_deg, "true_track"},
-                               {kClimb, &report.pressure_climb_mps, "vertical_rate"},
-                               {kEllipsoidHeight, &report.ellipsoid_height, "geo_altitude"}}) {
+  for (const Wanted& wanted :
+       {Wanted{place::kTimePosition, &report.time_s, "time_position"},
+        {place::kLongitude, &report.longitude_deg, "longitude"},
+        {place::kLatitude, &report.latitude_deg, "latitude"},
+        {place::kPressureHeight, &report.pressure_height, "baro_altitude"},
+        {place::kSpeed, &report.ground_speed_mps, "velocity"},
+        {place::kTrack, &report.track_deg, "true_track"},
+        {place::kClimb, &report.pressure_climb_mps, "vertical_rate"},
+        {place::kEllipsoidHeight, &report.ellipsoid_height, "geo_altitude"}}) {
     const JsonElement value = values[wanted.place];
     if (value.is_null() || read_json(value, *wanted.value)) continue;
     return json_number_problem(value, excerpt(wanted.name));

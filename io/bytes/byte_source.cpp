@@ -1,5 +1,7 @@
 #include "io/bytes/byte_source.hpp"
 
+#include "io/bytes/descriptor.hpp"
+
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
@@ -47,21 +49,6 @@ Error read_error(const std::string& path, int error_number) {
               "; check the disk or the connection and try again",
           {source_name(path)}};
 }
-
-class Descriptor {
- public:
-  Descriptor(int number, bool owned) : number_(number), owned_(owned) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (owned_ && number_ >= 0) ::close(number_);
-  }
-  [[nodiscard]] int number() const { return number_; }
-
- private:
-  int number_;
-  bool owned_;
-};
 
 Result<Bytes> read_to_end(int descriptor, const std::string& path, Progress* progress) {
   GrowingBytes bytes;
@@ -138,18 +125,17 @@ Result<Bytes> open_bytes(const std::string& path, Progress* progress) {
     if (number >= 0) break;
     if (errno != EINTR) return open_error(path, errno);
   }
-  const Descriptor descriptor(number, !standard_input);
+  const Descriptor owned(standard_input ? -1 : number);
   struct stat status = {};
-  if (::fstat(descriptor.number(), &status) != 0) return open_error(path, errno);
+  if (::fstat(number, &status) != 0) return open_error(path, errno);
   if (S_ISDIR(status.st_mode)) return open_error(path, EISDIR);
   // A size of 0 is also what /proc says of files that have content. Standard input may stand in
   // the middle of a file; then the rest is read.
-  if (S_ISREG(status.st_mode) && status.st_size > 0 &&
-      ::lseek(descriptor.number(), 0, SEEK_CUR) == 0) {
+  if (S_ISREG(status.st_mode) && status.st_size > 0 && ::lseek(number, 0, SEEK_CUR) == 0) {
     const auto size = static_cast<std::size_t>(status.st_size);
-    if (auto mapped = map_file(descriptor.number(), size)) return *std::move(mapped);
+    if (auto mapped = map_file(number, size)) return *std::move(mapped);
   }
-  return read_to_end(descriptor.number(), path, progress);
+  return read_to_end(number, path, progress);
 }
 
 }  // namespace beespace::io

@@ -1,5 +1,7 @@
 #include "io/bytes/durable_file.hpp"
 
+#include "io/bytes/descriptor.hpp"
+
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -12,22 +14,6 @@
 
 namespace beespace::io {
 namespace {
-
-// Closed when it goes.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  [[nodiscard]] int number() const { return number_; }
-  [[nodiscard]] bool open() const { return number_ >= 0; }
-
- private:
-  int number_;
-};
 
 Error problem(ErrorCode code, const char* what, const std::string& path) {
   return {code, std::string(what) + ": " + std::strerror(errno), {.source = path}};
@@ -48,7 +34,7 @@ bool sync_folder_of(const std::string& path) {
   const std::size_t end = path.rfind('/');
   const std::string folder = end == std::string::npos ? "." : path.substr(0, end + 1);
   const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  return opened.open() && ::fsync(opened.number()) == 0;
+  return opened.is_open() && ::fsync(opened.number()) == 0;
 }
 
 }  // namespace
@@ -72,9 +58,9 @@ Status write_durably(const std::string& path, std::string_view text) {
   constexpr mode_t kMode = 0644;
   {
     const Descriptor file(::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, kMode));
-    if (!file.open() || !write_all(file.number(), text) || ::fsync(file.number()) != 0) {
+    if (!file.is_open() || !write_all(file.number(), text) || ::fsync(file.number()) != 0) {
       Error error = problem(ErrorCode::kWriteFailed, "cannot write this file durably", path);
-      if (file.open()) ::unlink(beside.c_str());
+      if (file.is_open()) ::unlink(beside.c_str());
       return error;
     }
   }
@@ -86,8 +72,8 @@ Status write_durably(const std::string& path, std::string_view text) {
 
 Result<std::optional<std::string>> read_small_file(const std::string& path, std::size_t most) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (!file.open() && errno == ENOENT) return std::optional<std::string>();
-  if (!file.open()) return problem(ErrorCode::kReadFailed, "cannot open this file", path);
+  if (!file.is_open() && errno == ENOENT) return std::optional<std::string>();
+  if (!file.is_open()) return problem(ErrorCode::kReadFailed, "cannot open this file", path);
   std::string text;
   std::array<char, 4096> block;
   for (;;) {

@@ -4,23 +4,21 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
-#include <utility>
 
 namespace beespace::io {
 
 Result<FileLock> FileLock::take(const std::string& path, const char* holder) {
   constexpr mode_t kMode = 0644;
   const std::string beside = file_behind(path) + ".lock";
-  FileLock lock(::open(beside.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, kMode));
-  const char* problem = lock.descriptor_ < 0 ? std::strerror(errno) : nullptr;
+  FileLock lock(Descriptor(::open(beside.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, kMode)));
+  const char* problem = lock.file_.is_open() ? nullptr : std::strerror(errno);
   if (problem == nullptr) {
     int done = -1;
     do {
-      done = ::flock(lock.descriptor_, LOCK_EX | LOCK_NB);
+      done = ::flock(lock.file_.number(), LOCK_EX | LOCK_NB);
     } while (done != 0 && errno == EINTR);
     if (done == 0) return lock;
     if (errno == EWOULDBLOCK) {
@@ -34,18 +32,6 @@ Result<FileLock> FileLock::take(const std::string& path, const char* holder) {
       ErrorCode::kWriteFailed,
       std::string("cannot lock this file, by another beside it that ends in .lock: ") + problem,
       {.source = path}};
-}
-
-FileLock::FileLock(FileLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {
-}
-
-FileLock& FileLock::operator=(FileLock&& other) noexcept {
-  std::swap(descriptor_, other.descriptor_);
-  return *this;
-}
-
-FileLock::~FileLock() {
-  if (descriptor_ >= 0) ::close(descriptor_);
 }
 
 }  // namespace beespace::io

@@ -1,9 +1,12 @@
 // A file of which one process at a time may keep account: that of a planner, or of an agent.
 #pragma once
 
+#include "io/bytes/descriptor.hpp"
+
 #include <beespace/result.hpp>
 
 #include <string>
+#include <utility>
 
 namespace beespace::io {
 
@@ -18,16 +21,10 @@ class FileLock {
   // kCannotOpen, that another `holder` works with it; of the disk.
   static Result<FileLock> take(const std::string& path, const char* holder);
 
-  FileLock(FileLock&& other) noexcept;
-  FileLock& operator=(FileLock&& other) noexcept;
-  FileLock(const FileLock&) = delete;
-  FileLock& operator=(const FileLock&) = delete;
-  ~FileLock();
-
  private:
-  explicit FileLock(int descriptor) : descriptor_(descriptor) {}
+  explicit FileLock(Descriptor file) : file_(std::move(file)) {}
 
-  int descriptor_ = -1;
+  Descriptor file_;
 };
 
 }  // namespace beespace::io

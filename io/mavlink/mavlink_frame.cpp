@@ -4,7 +4,6 @@ namespace beespace::io {
 namespace {
 
 constexpr unsigned kVersion1 = 0xFE;
-constexpr unsigned kVersion2 = 0xFD;
 constexpr std::size_t kHeader1 = 6;
 constexpr std::size_t kHeader2 = 10;
 constexpr std::size_t kChecksumSize = 2;
@@ -36,7 +35,7 @@ Checksum check(std::string_view bytes, std::size_t header, const MavlinkFrame& f
 
 bool is_mavlink_magic(char byte) {
   const auto value = static_cast<unsigned char>(byte);
-  return value == kVersion1 || value == kVersion2;
+  return value == kVersion1 || value == kMavlink2;
 }
 
 std::uint16_t mavlink_checksum(std::string_view bytes, std::uint16_t crc) {
@@ -50,7 +49,7 @@ std::uint16_t mavlink_checksum(std::string_view bytes, std::uint16_t crc) {
 
 std::optional<MavlinkFrame> read_mavlink_frame(std::string_view bytes) {
   if (bytes.empty() || !is_mavlink_magic(bytes.front())) return std::nullopt;
-  const bool second = byte_at(bytes, 0) == kVersion2;
+  const bool second = byte_at(bytes, 0) == kMavlink2;
   const std::size_t header = second ? kHeader2 : kHeader1;
   if (bytes.size() < header) return std::nullopt;
   const std::size_t length = byte_at(bytes, 1);

@@ -19,6 +19,9 @@ namespace beespace::io {
 inline constexpr std::uint32_t kLocalPositionNed = 32;
 inline constexpr std::uint32_t kGlobalPositionInt = 33;
 
+// The first byte of a frame of version 2.
+inline constexpr std::uint8_t kMavlink2 = 0xFD;
+
 enum class Checksum : std::uint8_t {
   kRight,
   kWrong,

@@ -10,7 +10,6 @@ namespace {
 
 constexpr std::uint32_t kSetPositionTargetLocalNed = 84;
 constexpr char kExtra = static_cast<char>(143);  // what its meaning adds to the checksum
-constexpr char kVersion2 = static_cast<char>(0xFD);
 // A planner on the ground, as mavlink.io proposes.
 constexpr std::uint8_t kSystem = 255;
 constexpr std::uint8_t kComponent = 190;
@@ -55,7 +54,7 @@ std::string payload_of(const SetpointFrame& frame) {
 void append_setpoint_frame(std::string& out, const SetpointFrame& frame) {
   const std::string payload = payload_of(frame);
   const std::size_t begin = out.size();
-  out += kVersion2;
+  out += static_cast<char>(kMavlink2);
   append_number(out, static_cast<std::uint32_t>(payload.size()), 1);
   append_number(out, 0, 2);  // no flags
   append_number(out, frame.sequence, 1);

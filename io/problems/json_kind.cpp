@@ -6,7 +6,7 @@
 namespace beespace::io {
 namespace {
 
-constexpr std::size_t kLookedAt = std::size_t{1} << 16;
+constexpr std::size_t kFrontOfJson = std::size_t{1} << 16;
 
 struct Kind {
   std::string_view key;  // in quotes
@@ -38,7 +38,7 @@ constexpr std::array<Kind, 11> kKinds = {{
 }  // namespace
 
 std::string json_words(std::string_view text) {
-  const std::string_view front = text.substr(0, kLookedAt);
+  const std::string_view front = text.substr(0, kFrontOfJson);
   for (const Kind& kind : kKinds) {
     if (front.find(kind.key) != std::string_view::npos) return std::string(kind.words);
   }

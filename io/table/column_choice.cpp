@@ -4,6 +4,7 @@
 #include "io/problems/excerpt.hpp"
 #include "io/table/coordinate_units.hpp"
 #include "io/table/position_columns.hpp"
+#include "io/table/record_problems.hpp"
 #include "io/table/table_sources.hpp"
 
 #include <algorithm>
@@ -15,10 +16,6 @@ namespace {
 
 constexpr std::array<Role, 3> kGeographic = {Role::kLongitude, Role::kLatitude, Role::kHeight};
 constexpr std::array<Role, 3> kMetric = {Role::kX, Role::kY, Role::kZ};
-
-Error missing(std::string message) {
-  return {ErrorCode::kMissingColumn, std::move(message), {}};
-}
 
 // "--columns lon=2,lat=1"
 std::string columns_text(const Header& header,
@@ -93,8 +90,8 @@ std::string say_which(const Header& header) {
 }
 
 Error several(Role role, const Header& header) {
-  return missing("several columns look like " + std::string(header.schema().name_of(role)) + "; " +
-                 say_which(header));
+  return missing_column("several columns look like " + std::string(header.schema().name_of(role)) +
+                        "; " + say_which(header));
 }
 
 // The third coordinate by its name, or the reason why it cannot be told.
@@ -108,15 +105,15 @@ Result<std::optional<std::size_t>> find_third(const Header& header, bool geograp
     const std::string name = excerpt(table.names[column]);
     if (resembles(header.schema(), table.names[column], axes[2]) ||
         header.meaning(column).role != Role::kNone) {
-      return missing("column " + name + " may or may not be the " + third + "; " +
-                     say_which(header));
+      return missing_column("column " + name + " may or may not be the " + third + "; " +
+                            say_which(header));
     }
-    return missing("no column names the " + third + ", and " + name +
-                   " may or may not be it; say " +
-                   columns_text(header, {{axes[0], header.columns(axes[0]).front()},
-                                         {axes[1], header.columns(axes[1]).front()}}) +
-                   " if there is none, and add " + third + "=N for column N that holds it (" +
-                   list_columns(table) + ")");
+    return missing_column("no column names the " + third + ", and " + name +
+                          " may or may not be it; say " +
+                          columns_text(header, {{axes[0], header.columns(axes[0]).front()},
+                                                {axes[1], header.columns(axes[1]).front()}}) +
+                          " if there is none, and add " + third +
+                          "=N for column N that holds it (" + list_columns(table) + ")");
   };
   for (const Role role : {axes[2], others[2]}) {
     if (header.columns(role).size() > 1) return several(axes[2], header);
@@ -158,9 +155,9 @@ Result<ColumnChoice> choose_by_names(const Header& header, bool geographic) {
   const ColumnMeaning& first = header.meaning(choice.axes[0]);
   const ColumnMeaning& second = header.meaning(choice.axes[1]);
   if (first.prefix != second.prefix) {
-    return missing("columns " + excerpt(table.names[choice.axes[0]]) + " and " +
-                   excerpt(table.names[choice.axes[1]]) + " may not belong together; " +
-                   say_which(header));
+    return missing_column("columns " + excerpt(table.names[choice.axes[0]]) + " and " +
+                          excerpt(table.names[choice.axes[1]]) + " may not belong together; " +
+                          say_which(header));
   }
   const auto third = find_third(header, geographic, first);
   if (!third) return third.error();
@@ -194,13 +191,14 @@ Result<ColumnChoice> choose_in_order(const Header& header) {
     const bool hint = header.meaning(i).says_position && header.options().frame != Frame::kMetres;
     if (role == Role::kId || (role == Role::kNone && !hint)) continue;
     if (third && columns.size() == 3 && columns[2] == i) continue;
-    return missing("the header names " + excerpt(table.names[i]) +
-                   " but not the columns that belong to it; " + say_which(header));
+    return missing_column("the header names " + excerpt(table.names[i]) +
+                          " but not the columns that belong to it; " + say_which(header));
   }
   if (columns.size() != 2 && columns.size() != 3) {
-    return missing(std::string(columns.size() < 2 ? "a position needs two or three columns"
-                                                  : "cannot tell which columns hold the position") +
-                   "; " + say_which(header));
+    return missing_column(std::string(columns.size() < 2
+                                          ? "a position needs two or three columns"
+                                          : "cannot tell which columns hold the position") +
+                          "; " + say_which(header));
   }
   ColumnChoice choice;
   choice.naming = Naming::kNone;
@@ -214,7 +212,7 @@ Result<ColumnChoice> choose_by_header(const Header& header) {
   const bool geographic = header.has(Role::kLongitude) && header.has(Role::kLatitude);
   const bool metres = header.has(Role::kX) && header.has(Role::kY);
   if (geographic && metres && frame == Frame::kAuto) {
-    return missing(
+    return missing_column(
         "the header names both longitude, latitude and x, y; say which to take with --crs wgs84 "
         "or --crs metres");
   }

@@ -2,6 +2,7 @@
 
 #include "io/bytes/characters.hpp"
 #include "io/problems/excerpt.hpp"
+#include "io/table/record_problems.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -9,10 +10,6 @@
 
 namespace beespace::io {
 namespace {
-
-Error missing(std::string message) {
-  return {ErrorCode::kMissingColumn, std::move(message), {}};
-}
 
 Error invalid(std::string message) {
   return {ErrorCode::kInvalidArgument, "--columns: " + std::move(message), {}};
@@ -112,7 +109,7 @@ Result<std::optional<std::size_t>> only_column(const ColumnOverride& wanted,
       std::string text = "columns " + std::to_string(*found + 1);
       text.append(" and ").append(std::to_string(i + 1)).append(" are both named ");
       text.append(excerpt(wanted.column)).append("; give the number: ");
-      return missing(text.append(choice(*found)).append(" or ").append(choice(i)));
+      return missing_column(text.append(choice(*found)).append(" or ").append(choice(i)));
     }
     found = i;
   }
@@ -126,7 +123,7 @@ Result<std::size_t> find_column(const ColumnOverride& wanted, const TableLayout&
   const auto parsed = std::from_chars(text.data(), end, number);
   if (parsed.ptr == end) {
     if (parsed.ec == std::errc() && number >= 1 && number <= table.columns) return number - 1;
-    return missing("there is no column " + text + "; " + list_columns(table));
+    return missing_column("there is no column " + text + "; " + list_columns(table));
   }
   const auto exact =
       only_column(wanted, table, [&text](const std::string& name) { return name == text; });
@@ -137,7 +134,7 @@ Result<std::size_t> find_column(const ColumnOverride& wanted, const TableLayout&
   });
   if (!near) return near.error();
   if (near.value()) return *near.value();
-  return missing("there is no column named " + excerpt(text) + "; " + list_columns(table));
+  return missing_column("there is no column named " + excerpt(text) + "; " + list_columns(table));
 }
 
 }  // namespace

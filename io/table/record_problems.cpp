@@ -21,6 +21,10 @@ Error count_error(std::size_t count, const TableLayout& layout, std::string_view
 
 }  // namespace
 
+Error missing_column(std::string message) {
+  return {ErrorCode::kMissingColumn, std::move(message), {}};
+}
+
 Error at_column(ErrorCode code, std::string message, std::size_t column) {
   Error error{code, std::move(message), {}};
   error.location.column = column + 1;

@@ -16,6 +16,9 @@ namespace beespace::io {
 
 Error at_column(ErrorCode code, std::string message, std::size_t column);
 
+// kMissingColumn, of a table as a whole.
+Error missing_column(std::string message);
+
 // kMalformedRecord: beyond the limit of fields.hpp.
 Error long_line(std::string_view line);
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kBins = 44.0;
 // Wider spreads than this, from the lowest percent to the highest, are shown by powers of ten.
-constexpr double kWideSpread = 60.0;
+constexpr double kWideSpreadOfNearest = 60.0;
 // Of the greatest distance; what is closer still is in the first bin.
 constexpr double kLeastShare = 1e-9;
 
@@ -86,7 +86,7 @@ std::optional<Histogram> nearest_histogram(const SnapshotFacts& facts) {
       std::min(threshold_m, std::max(quantile(distances_m, 0.01), least_above_zero(distances_m)));
   const double high_m = std::max(threshold_m, quantile(distances_m, 0.99));
   Histogram histogram;
-  histogram.logarithmic = high_m > kWideSpread * low_m;
+  histogram.logarithmic = high_m > kWideSpreadOfNearest * low_m;
   const double least_m = histogram.logarithmic ? least_above_zero(distances_m) : 0.0;
   const double begin_m = std::min(threshold_m, std::max(least_m, kLeastShare * most_m));
   histogram.edges_m = edges_of(histogram.logarithmic ? 0.8 * begin_m : 0.0, most_m, threshold_m,

@@ -20,8 +20,6 @@ constexpr std::size_t kFewCorners = 60'000;
 constexpr std::size_t kFewConflicts = 300;
 constexpr std::size_t kFewStarts = 300;
 constexpr std::size_t kMostFixes = 1'000'000;
-constexpr double kCell = 3.0;
-constexpr double kRiskCell = 12.0;
 constexpr double kFinest = 0.7;  // corners closer than this to each other look like one
 
 // A path as a view shows it: not more corners than can be seen.
@@ -63,13 +61,8 @@ bool are_few(const std::vector<std::vector<Spot>>& paths) {
   return paths.size() <= kFewPaths && corners <= kFewCorners;
 }
 
-Density density_of(const View& view, double side) {
-  const Box& box = view.panel.box;
-  return {{box.left, box.top}, box.width, box.height, side};
-}
-
 Density ways_of(const std::vector<std::vector<Spot>>& paths, const View& view) {
-  Density density = density_of(view, kCell);
+  Density density = density_over(view, kDensityCell);
   for (const auto& path : paths) {
     for (std::size_t i = 1; i < path.size(); ++i) density.add_way(path[i - 1], path[i]);
   }
@@ -116,7 +109,7 @@ std::vector<Diamond> closest_points(const RecordingFacts& facts, const View& vie
 }
 
 Density conflicts_of(const RecordingFacts& facts, const View& view) {
-  Density density = density_of(view, kRiskCell);
+  Density density = density_over(view, kRiskCell);
   for (const Conflict& conflict : facts.conflicts) {
     const auto at = position_at(facts.tracks[conflict.first], conflict.closest_s);
     if (at) density.add(view.spot_of(*at));

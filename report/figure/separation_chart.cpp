@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kDay_s = 86'400.0;
 // Separations over more powers of ten than lines can show are drawn by them.
-constexpr double kWideSpread = 100.0;
+constexpr double kWideSpreadOverTime = 100.0;
 
 TimeSpan time_of(const RecordingFacts& facts) {
   TimeSpan time{HUGE_VAL, -HUGE_VAL};
@@ -58,7 +58,7 @@ Axis distance_axis(const RecordingFacts& facts, const Box& box) {
     if (at.closest.distance_m > 0.0) least_m = std::min(least_m, at.closest.distance_m);
     most_m = std::max(most_m, at.closest.distance_m);
   }
-  if (most_m > kWideSpread * threshold_m) {
+  if (most_m > kWideSpreadOverTime * threshold_m) {
     const Range range{0.8 * std::max(least_m, 1e-9 * most_m), 1.25 * most_m};
     return {Scale(range, box.bottom(), box.top, Scale::Kind::kLogarithmic),
             logarithmic_ticks(range, 7), "Distance (m), by powers of ten"};

@@ -16,8 +16,6 @@ namespace {
 constexpr std::size_t kFewBees = 4'000;
 constexpr std::size_t kFewAtRisk = 1'500;
 constexpr std::size_t kFewPairs = 2'000;
-constexpr double kCell = 3.0;
-constexpr double kRiskCell = 12.0;
 
 bool are_few(const SnapshotFacts& facts) {
   return facts.positions.size() <= kFewBees;
@@ -37,19 +35,14 @@ double radius_of_a_bee(const SnapshotFacts& facts) {
   return facts.positions.size() <= 1'000 ? 2.4 : 1.7;
 }
 
-Density density_of(const View& view, double side) {
-  const Box& box = view.panel.box;
-  return {{box.left, box.top}, box.width, box.height, side};
-}
-
 Density all_bees(const SnapshotFacts& facts, const View& view) {
-  Density density = density_of(view, kCell);
+  Density density = density_over(view, kDensityCell);
   for (const Point& position : facts.positions) density.add(view.spot_of(position));
   return density;
 }
 
 Density those_at_risk(const SnapshotFacts& facts, const View& view) {
-  Density density = density_of(view, kRiskCell);
+  Density density = density_over(view, kRiskCell);
   for (const PointId bee : facts.at_risk) density.add(view.spot_of(facts.positions[bee]));
   return density;
 }

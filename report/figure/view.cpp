@@ -72,6 +72,11 @@ void Extent::add(const Point& point) {
   high_ = {std::max(high_.x, point.x), std::max(high_.y, point.y), std::max(high_.z, point.z)};
 }
 
+Density density_over(const View& view, double side) {
+  const Box& box = view.panel.box;
+  return {{box.left, box.top}, box.width, box.height, side};
+}
+
 std::vector<View> views_of(const Extent& extent, const SwarmFacts& swarm, Spot corner,
                            double width) {
   const Point low = extent.empty() ? Point{} : extent.low();

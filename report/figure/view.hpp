@@ -3,6 +3,7 @@
 #pragma once
 
 #include "report/facts.hpp"
+#include "report/figure/density.hpp"
 #include "report/figure/panel.hpp"
 
 #include <beespace/point.hpp>
@@ -37,6 +38,12 @@ struct View {
             panel.upwards.scale(from == From::kAbove ? point.y : point.z)};
   }
 };
+
+// The sides of the squares in which a view counts bees, and those at risk.
+inline constexpr double kDensityCell = 3.0;
+inline constexpr double kRiskCell = 12.0;
+// Empty squares all over the view's panel.
+Density density_over(const View& view, double side);
 
 // From above with the same scale on both axes; from the side with heights drawn larger or smaller
 // where they would be a line or a tower, which its heading then says. Widths and heights of panels

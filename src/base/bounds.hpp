@@ -7,6 +7,7 @@
 #include <beespace/result.hpp>
 
 #include <array>
+#include <limits>
 
 namespace beespace::core {
 
@@ -14,6 +15,13 @@ struct Bounds {
   std::array<double, 3> low{};
   std::array<double, 3> high{};
 };
+
+// Of nothing: what it is extended by, it becomes.
+inline constexpr Bounds kNoBox = {
+    {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
+     std::numeric_limits<double>::infinity()},
+    {-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+     -std::numeric_limits<double>::infinity()}};
 
 // The box of the points, or the error for the first point outside the coordinate domain.
 // All zero for no points.

@@ -11,7 +11,7 @@ namespace {
 
 constexpr unsigned kMostBucketBits = 12;  // open write streams that the L2 cache bears
 constexpr unsigned kPairsABucketBits = 8;
-constexpr std::size_t kFew = 24;  // below this, a comparison sort is the fastest
+constexpr std::size_t kFewPairs = 24;  // below this, a comparison sort is the fastest
 
 // The same where a bucket has this many times more ids than pairs: counting by id would take more
 // time and memory than sorting the pairs.
@@ -21,7 +21,7 @@ constexpr std::size_t kSparse = 8;
 constexpr std::size_t kLong = 32;
 
 constexpr unsigned kDigitBits = 10;
-constexpr std::size_t kDigits = std::size_t{1} << kDigitBits;
+constexpr std::size_t kDigitValues = std::size_t{1} << kDigitBits;
 
 template <class Visit>
 void for_each_pair(const FoundPairs& found, Direction direction, Visit&& visit) {
@@ -57,7 +57,7 @@ class BucketOrder {
         spare_(memory, largest) {}
 
   void sort(Pair* pairs, std::size_t size) {
-    if (size <= kFew || mask_ > kSparse * size) return std::sort(pairs, pairs + size);
+    if (size <= kFewPairs || mask_ > kSparse * size) return std::sort(pairs, pairs + size);
     if (size > kLong * mask_) return sort_by_digits(pairs, size);
     std::uint64_t* next = next_.data();
     std::fill_n(next, mask_ + 2, std::uint64_t{0});
@@ -83,7 +83,7 @@ class BucketOrder {
     const auto pass = [&](const auto& id_of, unsigned bits) {
       for (unsigned shift = 0; shift < bits; shift += kDigitBits) {
         counting_pass(from, to, size,
-                      [&](const Pair& pair) { return id_of(pair) >> shift & (kDigits - 1); });
+                      [&](const Pair& pair) { return id_of(pair) >> shift & (kDigitValues - 1); });
         std::swap(from, to);
       }
     };
@@ -96,7 +96,7 @@ class BucketOrder {
 
   template <class DigitOf>
   static void counting_pass(const Pair* from, Pair* to, std::size_t size, const DigitOf& digit_of) {
-    std::array<std::size_t, kDigits> next{};
+    std::array<std::size_t, kDigitValues> next{};
     for (std::size_t i = 0; i < size; ++i) ++next[digit_of(from[i])];
     std::size_t sum = 0;
     for (std::size_t& place : next) sum += std::exchange(place, sum);
@@ -104,7 +104,7 @@ class BucketOrder {
   }
 
   static void sort_by_second(Pair* pairs, std::size_t size) {
-    if (size > kFew) {
+    if (size > kFewPairs) {
       std::sort(pairs, pairs + size,
                 [](const Pair& a, const Pair& b) { return a.second < b.second; });
       return;

@@ -13,7 +13,7 @@ namespace {
 constexpr unsigned kDigits = sizeof(PointId);
 
 // Below this, insertion is done before counters are cleared.
-constexpr std::size_t kFew = 24;
+constexpr std::size_t kFewIds = 24;
 
 // Up to this many, about as many buckets as ids, which leave next to nothing to be sorted, are
 // faster than a pass a digit.
@@ -73,7 +73,7 @@ Counts count_digits(const PointId* ids, std::size_t count) {
 }  // namespace
 
 PointId* sort_ids(PointId* ids, PointId* spare, std::size_t count) {
-  if (count <= kFew) {
+  if (count <= kFewIds) {
     insert_in_order(ids, count);
     return ids;
   }
@@ -94,7 +94,7 @@ PointId* sort_ids(PointId* ids, PointId* spare, std::size_t count) {
 }
 
 void sort_ids(std::vector<PointId>& ids, std::size_t count) {
-  if (count > kFew && ids.size() < 2 * count) ids.resize(2 * count);
+  if (count > kFewIds && ids.size() < 2 * count) ids.resize(2 * count);
   const PointId* const sorted = sort_ids(ids.data(), ids.data() + count, count);
   if (sorted != ids.data()) std::copy_n(sorted, count, ids.data());
   ids.resize(count);

@@ -10,12 +10,11 @@ namespace beespace::core {
 
 namespace {
 
-constexpr std::size_t kAxes = Upright::kAxes;
 constexpr unsigned kMostHalvings = 16;
 
 struct Extent {
-  std::array<double, kAxes> low;
-  std::array<double, kAxes> high;
+  std::array<double, Upright::kAxes> low;
+  std::array<double, Upright::kAxes> high;
 
   static Extent none() {
     Extent extent{};
@@ -24,7 +23,7 @@ struct Extent {
     return extent;
   }
   void add(const Upright& place) {
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    for (std::size_t axis = 0; axis < Upright::kAxes; ++axis) {
       low[axis] = std::min(low[axis], place.at[axis]);
       high[axis] = std::max(high[axis], place.at[axis]);
     }
@@ -39,12 +38,12 @@ class Cells {
   Cells(const Extent& extent, const CylinderSize& size, unsigned halvings,
         Vector<std::uint32_t>& tables)
       : low_(extent.low), tables_(tables) {
-    std::array<double, kAxes> width;  // in thresholds
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    std::array<double, Upright::kAxes> width;  // in thresholds
+    for (std::size_t axis = 0; axis < Upright::kAxes; ++axis) {
       width[axis] = (extent.high[axis] - extent.low[axis]) / size.along(axis);
     }
     std::array<std::uint8_t, kMostHalvings> axis_of;
-    std::array<unsigned, kAxes> bits{};
+    std::array<unsigned, Upright::kAxes> bits{};
     for (unsigned k = 0; k < halvings; ++k) {
       const auto widest =
           static_cast<std::size_t>(std::max_element(width.begin(), width.end()) - width.begin());
@@ -53,7 +52,7 @@ class Cells {
       width[widest] /= 2;
     }
     std::size_t used = 0;
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    for (std::size_t axis = 0; axis < Upright::kAxes; ++axis) {
       const std::uint32_t cells = std::uint32_t{1} << bits[axis];
       last_[axis] = static_cast<double>(cells - 1);
       const double whole = extent.high[axis] - extent.low[axis];
@@ -62,13 +61,13 @@ class Cells {
       used += cells;
     }
     tables_.resize(used);
-    for (std::size_t axis = 0; axis < kAxes; ++axis)
+    for (std::size_t axis = 0; axis < Upright::kAxes; ++axis)
       fill_table(axis, bits[axis], axis_of, halvings);
   }
 
   [[nodiscard]] std::uint32_t key(const Upright& place) const {
     std::uint32_t key = 0;
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    for (std::size_t axis = 0; axis < Upright::kAxes; ++axis) {
       const double cell = std::min((place.at[axis] - low_[axis]) * cells_per_m_[axis], last_[axis]);
       key |= tables_[table_[axis] + static_cast<std::size_t>(static_cast<std::int32_t>(cell))];
     }
@@ -92,10 +91,10 @@ class Cells {
     }
   }
 
-  std::array<double, kAxes> low_;
-  std::array<double, kAxes> cells_per_m_{};
-  std::array<double, kAxes> last_{};
-  std::array<std::size_t, kAxes> table_{};
+  std::array<double, Upright::kAxes> low_;
+  std::array<double, Upright::kAxes> cells_per_m_{};
+  std::array<double, Upright::kAxes> last_{};
+  std::array<std::size_t, Upright::kAxes> table_{};
   Vector<std::uint32_t>& tables_;
 };
 
@@ -172,7 +171,7 @@ Extent extent_of(const UprightPoints& points, const Resources& with) {
   });
   Extent whole = Extent::none();
   for (const Extent& part : parts) {
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    for (std::size_t axis = 0; axis < Upright::kAxes; ++axis) {
       whole.low[axis] = std::min(whole.low[axis], part.low[axis]);
       whole.high[axis] = std::max(whole.high[axis], part.high[axis]);
     }

@@ -8,27 +8,7 @@ namespace beespace::core {
 
 namespace {
 
-constexpr std::size_t kAxes = Upright::kAxes;
 constexpr double kMostCells = 0x1p+20;  // along an axis
-
-// Cells along an axis: at least as wide as the threshold, and at most so many.
-class Cells {
- public:
-  Cells() = default;
-  Cells(double low, double high, double threshold, double most)
-      : low_(low), width_(std::max(threshold * (1.0 + 0x1p-20), (high - low) / most)) {
-    count_ = of(high) + 1;
-  }
-  [[nodiscard]] std::size_t of(double coordinate) const {
-    return static_cast<std::size_t>((coordinate - low_) / width_);
-  }
-  [[nodiscard]] std::size_t count() const { return count_; }
-
- private:
-  double low_ = 0.0;
-  double width_ = 1.0;
-  std::size_t count_ = 1;
-};
 
 }  // namespace
 
@@ -86,12 +66,31 @@ class CylinderRows::Builder {
   }
 
  private:
+  // Cells along an axis: at least as wide as the threshold, and at most so many.
+  class AxisCells {
+   public:
+    AxisCells() = default;
+    AxisCells(double low, double high, double threshold, double most)
+        : low_(low), width_(std::max(threshold * (1.0 + 0x1p-20), (high - low) / most)) {
+      count_ = of(high) + 1;
+    }
+    [[nodiscard]] std::size_t of(double coordinate) const {
+      return static_cast<std::size_t>((coordinate - low_) / width_);
+    }
+    [[nodiscard]] std::size_t count() const { return count_; }
+
+   private:
+    double low_ = 0.0;
+    double width_ = 1.0;
+    std::size_t count_ = 1;
+  };
+
   void measure() {
     low_.fill(std::numeric_limits<double>::infinity());
     high_.fill(-std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const Upright place = points_[i];
-      for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      for (std::size_t axis = 0; axis < Upright::kAxes; ++axis) {
         low_[axis] = std::min(low_[axis], place.at[axis]);
         high_[axis] = std::max(high_[axis], place.at[axis]);
       }
@@ -108,7 +107,7 @@ class CylinderRows::Builder {
   void choose_cells(const CylinderSize& size) {
     const auto points = static_cast<double>(points_.size());
     const auto cells = [&](std::size_t axis, double most) {
-      return Cells(low_[axis], high_[axis], size.along(axis), std::min(most, kMostCells));
+      return AxisCells(low_[axis], high_[axis], size.along(axis), std::min(most, kMostCells));
     };
     along_ = cells(axes_[0], std::max(4.0, points));
     // As many rows as there may be: fewer where the swarm is thin.
@@ -166,12 +165,12 @@ class CylinderRows::Builder {
   CylinderRows& rows_;
   const UprightPoints& points_;
   const Resources& with_;
-  std::array<double, kAxes> low_;
-  std::array<double, kAxes> high_;
+  std::array<double, Upright::kAxes> low_;
+  std::array<double, Upright::kAxes> high_;
   std::array<std::size_t, 3> axes_{1, 2, 3};
-  Cells along_;
-  Cells across_;
-  Cells height_;
+  AxisCells along_;
+  AxisCells across_;
+  AxisCells height_;
 };
 
 CylinderRows::CylinderRows(const UprightPoints& points, const CylinderSize& size, bool wanted,

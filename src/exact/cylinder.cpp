@@ -9,7 +9,7 @@ namespace beespace::core {
 namespace {
 
 // Of two lines: 3 axes of 3 products each, and the height of 10; 2 components a product.
-using Sum = Expansion<76>;
+using CylinderSum = Expansion<76>;
 
 struct Parts {
   double high;
@@ -29,7 +29,7 @@ Parts product_of(double a, double b) {
 
 // Exact: heights are multiples of 2^-452 and units of 2^-72, so the parts are multiples of 2^-524,
 // and their products of 2^-1048.
-void add_height(Sum& sum, double a, double b, double unit, double sign) {
+void add_height(CylinderSum& sum, double a, double b, double unit, double sign) {
   const Parts difference = difference_of(a, b);
   const Parts high = product_of(difference.high, unit);
   const Parts low = product_of(difference.low, unit);
@@ -43,7 +43,7 @@ void add_height(Sum& sum, double a, double b, double unit, double sign) {
   }
 }
 
-void add_line(Sum& sum, const Upright& p, const Upright& q, double unit, double sign) {
+void add_line(CylinderSum& sum, const Upright& p, const Upright& q, double unit, double sign) {
   for (std::size_t axis = 1; axis < Upright::kAxes; ++axis) {
     sum.add_squared_difference(p.at[axis], q.at[axis], sign);
   }
@@ -58,7 +58,7 @@ int StraightLine::compare(const Upright& p, const Upright& q, const Upright& r,
   const double second = squared(r, s);
   if (first < second * (1.0 - 0x1p-48)) return -1;  // 9 u + 9 u + 1 u < 32 u
   if (first > second * (1.0 + 0x1p-48)) return 1;
-  Sum difference;
+  CylinderSum difference;
   add_line(difference, p, q, unit_, 1.0);
   add_line(difference, r, s, unit_, -1.0);
   return difference.sign();

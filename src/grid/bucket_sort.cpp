@@ -22,7 +22,7 @@ constexpr unsigned kPointsABucketBits = 9;
 constexpr unsigned kMostPointsABucketBits = 13;
 
 // Below this, a comparison sort is done before a counting sort has cleared its counters.
-constexpr std::size_t kFew = 32;
+constexpr std::size_t kFewToSort = 32;
 
 constexpr unsigned kMostDigitBits = 10;
 
@@ -137,7 +137,7 @@ Buckets scatter_into_buckets(const Selection& selected, const Lattice& lattice,
 
 void BucketSorter::sort(std::size_t first, std::size_t size, unsigned bits) {
   if (bits != 0 && size > kLarge) return split(first, size, bits);
-  if (bits != 0 && size > kFew) return sort_by_digits(first, size, bits);
+  if (bits != 0 && size > kFewToSort) return sort_by_digits(first, size, bits);
   CellRecord* from = records_ + first;
   if (bits != 0) std::sort(from, from + size, order_);
   for (std::size_t i = 0; i < size; ++i) to_.put(first + i, from[i]);

@@ -19,7 +19,7 @@ namespace beespace::core {
 
 namespace {
 
-constexpr std::size_t kFew = 256;           // compared each with each
+constexpr std::size_t kFewPoints = 256;     // compared each with each
 constexpr std::size_t kRun = 16;            // points that are drawn together
 constexpr std::size_t kRunShare = 8;        // one run of so many is drawn
 constexpr double kSieveCellInBounds = 8.0;  // wide cells: few of their points are near a face
@@ -113,7 +113,7 @@ IdPair closest_within(const PointsView& points, const Bounds& bounds, double bou
 }  // namespace
 
 IdPair closest_pair(const PointsView& points, const Bounds& bounds, const Resources& with) {
-  if (points.size() <= kFew) {
+  if (points.size() <= kFewPoints) {
     Closest closest(points);
     const auto size = static_cast<PointId>(points.size());
     for (PointId i = 0; i < size; ++i) {

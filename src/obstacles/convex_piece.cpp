@@ -4,14 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <variant>
 
 namespace beespace::obstacles {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Zero times infinity is no number, so an end that is not looked at must not be multiplied.
 double support_of(const Heights& heights, double normal) {

@@ -8,11 +8,6 @@ namespace beespace::obstacles {
 
 namespace {
 
-struct Edge {
-  Corner from;
-  Corner to;
-};
-
 bool overlap(double a, double b, double c, double d) {
   return std::max(a, b) >= std::min(c, d) && std::max(c, d) >= std::min(a, b);
 }

@@ -2,14 +2,11 @@
 
 #include <beespace/mover.hpp>
 
-#include <limits>
 #include <numeric>
 
 namespace beespace::obstacles {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Vector3 smaller(const Vector3& a, const Vector3& b) {
   return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};

@@ -30,11 +30,6 @@ std::vector<Corner> without_straight_ones(std::span<const Corner> corners) {
   return kept;
 }
 
-struct Edge {
-  Corner from;
-  Corner to;
-};
-
 // The nearest place of an edge: between its ends, or one of them.
 struct Foot {
   Corner point;

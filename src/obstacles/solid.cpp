@@ -4,13 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace beespace::obstacles {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // In the very centre all directions are alike; so near to it their squares would underflow.
 constexpr double kInTheCenter = 0x1p-400;

@@ -6,9 +6,12 @@
 
 #include <beespace/obstacle.hpp>
 
+#include <limits>
 #include <variant>
 
 namespace beespace::obstacles {
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 using core::Vector3;
 using core::vector_of;

@@ -105,12 +105,12 @@ struct Check {
   std::optional<Error> operator()(const Box& box) const {
     if (auto error = check_point(box.low, "the lowest corner")) return error;
     if (auto error = check_point(box.high, "the highest corner")) return error;
-    constexpr const char* kAxes[] = {"x", "y", "z"};
+    constexpr const char* kAxisNames[] = {"x", "y", "z"};
     const double low[] = {box.low.x, box.low.y, box.low.z};
     const double high[] = {box.high.x, box.high.y, box.high.z};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (low[axis] <= high[axis]) continue;
-      return invalid(std::string("the box goes from ") + kAxes[axis] + " " + shown(low[axis]) +
+      return invalid(std::string("the box goes from ") + kAxisNames[axis] + " " + shown(low[axis]) +
                      " m to " + shown(high[axis]) + " m; give the lowest corner first");
     }
     return std::nullopt;

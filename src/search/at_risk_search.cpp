@@ -15,7 +15,7 @@ namespace beespace::search {
 namespace {
 
 // Above this many expected_neighbors in a point's proof cell, proofs settle nearly all points.
-constexpr double kCrowded = 2.0;
+constexpr double kCrowdedForProofs = 2.0;
 
 // The measured cost of looking around a point, as a multiple of what one cell mate adds to the
 // sweep of a point.
@@ -54,7 +54,7 @@ struct Search {
     bool prove = !domain.has_others() && tuning.method != Method::kSweep;
     if (prove) {
       expected_neighbors = domain.expected_neighbors(core::proof_cell_side(options.threshold_m));
-      if (tuning.method == Method::kAutomatic) prove = expected_neighbors > kCrowded;
+      if (tuning.method == Method::kAutomatic) prove = expected_neighbors > kCrowdedForProofs;
     }
     if (!prove) return sweep(at_risk.data());
     const core::Vector<PointId> undecided =

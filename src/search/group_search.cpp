@@ -20,7 +20,7 @@ constexpr std::uint32_t kNone = 0xFFFF'FFFFU;
 
 // Measured: from about this many others in a cube of the threshold on, boxes are joined faster than
 // pairs.
-constexpr double kCrowded = 25.0;
+constexpr double kCrowdedForGroups = 25.0;
 
 using Roots = core::Buffer<std::uint32_t>;  // by id
 
@@ -58,7 +58,7 @@ void find_roots_in_tree(const PointsView& points, const SearchDomain& domain,
 
 void find_roots(const SearchDomain& domain, const PairOptions& options, const core::Resources& with,
                 const TuningOverrides& tuning, Roots& root_of) {
-  if (!is_crowded(domain, options.threshold_m, kCrowded, tuning)) {
+  if (!is_crowded(domain, options.threshold_m, kCrowdedForGroups, tuning)) {
     return find_roots_in_grid(domain, options, with, tuning, root_of);
   }
   if (!has_duplicates(domain, options.threshold_m)) {

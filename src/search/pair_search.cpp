@@ -19,7 +19,7 @@ namespace {
 
 // Measured: from about this many others in a cube of the threshold on, boxes are counted faster
 // than pairs.
-constexpr double kCrowded = 260.0;
+constexpr double kCrowdedForCounts = 260.0;
 
 // From about this many others in a cube of the threshold on, rows that are sorted one by one are
 // faster than pairs that are brought into order. Measured.
@@ -168,7 +168,7 @@ void count_neighbors(const SearchDomain& domain, const PairOptions& options,
                      const core::Resources& with, const TuningOverrides& tuning,
                      std::vector<std::uint32_t>& counts) {
   core::resize_for(counts, domain.points().size());
-  if (is_crowded(domain, options.threshold_m, kCrowded, tuning)) {
+  if (is_crowded(domain, options.threshold_m, kCrowdedForCounts, tuning)) {
     return count_in_crowds(domain, options, with, tuning, counts.data());
   }
   const QueryGrids grids(domain, options, with, tuning);

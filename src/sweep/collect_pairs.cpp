@@ -19,15 +19,15 @@ void collect(const SweepQuery& question, std::uint32_t begin, std::uint32_t end,
   });
 }
 
-class Collector {
+class PairCollector {
  public:
-  Collector(core::FoundPairs& found, std::atomic<std::uint64_t>& total, std::uint64_t most)
+  PairCollector(core::FoundPairs& found, std::atomic<std::uint64_t>& total, std::uint64_t most)
       : found_(found), total_(total), most_(most) {
     open();
   }
-  Collector(const Collector&) = delete;
-  Collector& operator=(const Collector&) = delete;
-  ~Collector() = default;
+  PairCollector(const PairCollector&) = delete;
+  PairCollector& operator=(const PairCollector&) = delete;
+  ~PairCollector() = default;
 
   PairSink& sink() { return sink_; }
 
@@ -40,7 +40,7 @@ class Collector {
   void open() {
     chunk_ = &found_.open_chunk();
     const auto make_room = [](void* context) {
-      auto& self = *static_cast<Collector*>(context);
+      auto& self = *static_cast<PairCollector*>(context);
       const bool go_on = self.close() && !core::is_stopping();
       self.open();
       return go_on;
@@ -102,7 +102,7 @@ core::Vector<core::FoundPairs> collect_pairs(const SweepQuery& question,
   with.crew.split(question.asked.grid.size,
                   [&](std::size_t begin, std::size_t end, unsigned worker) {
                     if (begin == end) return;
-                    Collector collector(found[worker], total, most);
+                    PairCollector collector(found[worker], total, most);
                     collect(question, static_cast<std::uint32_t>(begin),
                             static_cast<std::uint32_t>(end), collector.sink());
                     (void)collector.close();

@@ -8,17 +8,17 @@ namespace beespace::cpu {
 namespace {
 
 // One worker's rows on their way into chunks.
-class Collector {
+class RowCollector {
  public:
-  Collector(core::FoundRows& found, std::atomic<std::uint64_t>& total, std::uint64_t most)
+  RowCollector(core::FoundRows& found, std::atomic<std::uint64_t>& total, std::uint64_t most)
       : found_(found), total_(total), most_(most) {}
-  Collector(const Collector&) = delete;
-  Collector& operator=(const Collector&) = delete;
-  ~Collector() = default;
+  RowCollector(const RowCollector&) = delete;
+  RowCollector& operator=(const RowCollector&) = delete;
+  ~RowCollector() = default;
 
   RowSink& open(std::uint32_t* lengths, Which which) {
     const auto make_room = [](void* context) {
-      auto& self = *static_cast<Collector*>(context);
+      auto& self = *static_cast<RowCollector*>(context);
       const bool go_on = self.close();
       self.next_chunk();
       return go_on;
@@ -60,7 +60,7 @@ core::AllFoundRows collect_rows(const SweepQuery& question, Which which,
     if (begin == end) return;
     std::uint32_t* const lengths = found.lengths.data();
     std::fill(lengths + begin, lengths + end, 0U);  // of rows that no sweep asks about
-    Collector collector(found.parts[worker], count, most);
+    RowCollector collector(found.parts[worker], count, most);
     RowSink& sink = collector.open(lengths, which);
     RowSweeps(question, decided_by(question), RowSweeps::Around::kOwnRowToo)
         .for_each(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end),

@@ -2,16 +2,9 @@
 
 #include "tree/point_tree_order.hpp"
 
-#include <limits>
-
 namespace beespace::core {
 
 namespace {
-
-Bounds no_box() {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  return {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
-}
 
 std::size_t leaves_of(std::size_t points) {
   return (points + kLeafPoints - 1) / kLeafPoints;
@@ -63,7 +56,7 @@ CrowdTree::CrowdTree(const PointsView& points, const Bounds& bounds, const Latti
   });
   for (unsigned level = 1; level <= top_; ++level) {
     for (std::size_t node = 0; node < nodes(level); ++node) {
-      Bounds around = no_box();
+      Bounds around = kNoBox;
       for (std::size_t child = first_child(node); child < end_child(level, node); ++child) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
           const Bounds& part = box(level - 1, child);

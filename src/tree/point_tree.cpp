@@ -17,11 +17,6 @@ std::size_t groups_of(std::size_t count) {
   return (count + kFanOut - 1) / kFanOut;
 }
 
-Bounds no_box() {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  return {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
-}
-
 void extend(Bounds& bounds, const Bounds& other) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     bounds.low[axis] = std::min(bounds.low[axis], other.low[axis]);
@@ -161,7 +156,7 @@ class PointTree::Builder {
  private:
   void set_node(std::size_t index, unsigned level, const Bounds* children, std::size_t count) {
     TreeNode& node = tree_.nodes_[index];
-    boxes_[index] = no_box();
+    boxes_[index] = kNoBox;
     for (std::size_t child = 0; child < count; ++child) extend(boxes_[index], children[child]);
     if (level == 0) {
       set_frame_around(node, boxes_[index]);
@@ -180,7 +175,7 @@ class PointTree::Builder {
     std::array<Bounds, kFanOut> boxes;
     const std::size_t leaves = groups_of(end - begin);
     for (std::size_t leaf = 0; leaf < leaves; ++leaf) {
-      Bounds box = no_box();
+      Bounds box = kNoBox;
       const std::size_t first = begin + leaf * kFanOut;
       for (std::size_t slot = first; slot < std::min(first + kFanOut, end); ++slot) {
         tree_.points_[slot] = points_[order[slot]];
