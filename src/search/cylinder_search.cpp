@@ -55,9 +55,8 @@ bool CylinderSearch::is_empty() const {
 std::optional<core::CylinderRows> CylinderSearch::rows() const {
   if (others_ || is_empty() || tuning_.crowds == TuningOverrides::Crowds::kAlways) return {};
   const bool wanted = tuning_.crowds == TuningOverrides::Crowds::kNever;
-  std::optional<core::CylinderRows> rows;
-  rows.emplace(points_, size_of(options_), wanted, with_);
-  if (!rows->finished()) rows.reset();
+  core::CylinderRows rows(points_, size_of(options_), wanted, with_);
+  if (!rows.finished()) return {};
   return rows;
 }
 
