@@ -12,7 +12,8 @@ array([2, 3])
 """
 
 from beespace._answers import ClosestPair, Groups, Nearest, Neighbors, Pairs
-from beespace._errors import BeespaceError
+from beespace._errors import BeespaceError, BeespaceFileError, BeespaceOSError
+from beespace._files import FilePoints, FileRecording, read, read_recording
 from beespace._index import Index
 from beespace._library import version as _version
 from beespace._searches import Engine, Searches
@@ -31,8 +32,12 @@ closest_pair = _searches.closest_pair
 
 __all__ = [
     "BeespaceError",
+    "BeespaceFileError",
+    "BeespaceOSError",
     "ClosestPair",
     "Engine",
+    "FilePoints",
+    "FileRecording",
     "Groups",
     "Index",
     "Nearest",
@@ -46,4 +51,6 @@ __all__ = [
     "nearest",
     "neighbors",
     "pairs",
+    "read",
+    "read_recording",
 ]
