@@ -216,7 +216,7 @@ typedef struct beespace_io_recording beespace_io_recording;
 ///
 /// @param paths Files that are read as one recording; or one folder.
 /// @param path_count How many paths there are.
-/// @param options How to read them; or NULL. `format` and `threads` say nothing of recordings.
+/// @param options How to read them; or NULL. `format` is refused here, `threads` says nothing.
 /// @param[out] recording The recording; NULL after an error.
 /// @param[out] error What went wrong; or NULL.
 /// @return BEESPACE_OK or the code of the error: as beespace_io_read_points(), and
@@ -291,6 +291,93 @@ BEESPACE_C_API int64_t beespace_io_recording_missing(const beespace_io_recording
 /// @return The facts, which end with the recording; NULL of NULL.
 BEESPACE_C_API const beespace_io_facts* beespace_io_recording_facts(
     const beespace_io_recording* recording);
+
+/* ---- Pages ---------------------------------------------------------------------------------- */
+
+/// @brief What a page shows. There is no default for the threshold. Texts may be NULL.
+typedef struct beespace_io_page_options {
+  size_t struct_size;  ///< sizeof(beespace_io_page_options)
+  uint32_t flags;      ///< BEESPACE_INCLUSIVE, or 0.
+  uint32_t threads;    ///< How many threads may search; 0 is 1, or BEESPACE_ALL_PROCESSORS.
+  uint64_t reserved;   ///< Zero.
+  double threshold_m;  ///< The threshold in metres, above zero.
+  double max_gap_s;  ///< Of recordings: between fixes farther apart in time nothing is known. 0 is
+                     ///< five times the typical interval, infinity joins all fixes.
+  const char* vertical;  ///< A vertical threshold, in metres or with its unit: "50", "1000ft".
+  const char* title;     ///< What the page is called; NULL for the name of the file.
+} beespace_io_page_options;
+
+/// @brief A page about points or a recording: one file of HTML that opens without a network, in
+/// three dimensions, with the worst pairs and, of recordings, the time. It is what `beespace
+/// report` writes.
+typedef struct beespace_io_page beespace_io_page;
+
+/// @brief Makes a page about what is in files: points or a recording, whichever they hold.
+/// @param paths One file; or files or a folder that are one recording.
+/// @param path_count How many paths there are.
+/// @param options How to read them; or NULL. `format` is refused here, `threads` says nothing.
+/// @param page_options What to show.
+/// @param[out] page The page; NULL after an error.
+/// @param[out] error What went wrong; or NULL.
+/// @return BEESPACE_OK or the code of the error: as beespace_io_read_points() and
+///   beespace_io_read_recording(); BEESPACE_INVALID_THRESHOLD; BEESPACE_INVALID_ARGUMENT also where
+///   this build has no pages (BEESPACE_WEB=OFF).
+BEESPACE_C_API beespace_code beespace_io_page_of_files(const char* const* paths, int64_t path_count,
+                                                       const beespace_io_options* options,
+                                                       const beespace_io_page_options* page_options,
+                                                       beespace_io_page** page,
+                                                       beespace_io_error* error);
+/// @brief Makes a page about points that were read.
+/// @param points The points. A vertical threshold is for those in metres.
+/// @param page_options What to show.
+/// @param[out] page The page; NULL after an error.
+/// @param[out] error What went wrong; or NULL.
+/// @return BEESPACE_OK or the code of the error: as beespace_io_page_of_files().
+BEESPACE_C_API beespace_code beespace_io_page_of_read(const beespace_io_points* points,
+                                                      const beespace_io_page_options* page_options,
+                                                      beespace_io_page** page,
+                                                      beespace_io_error* error);
+/// @brief Makes a page about points in memory.
+/// @param points The points, in metres; z is up.
+/// @param ids What each point is called; or NULL, for their indices.
+/// @param page_options What to show.
+/// @param[out] page The page; NULL after an error.
+/// @param[out] error What went wrong; or NULL.
+/// @return BEESPACE_OK or the code of the error: as beespace_at_risk(), and
+///   BEESPACE_INVALID_ARGUMENT where this build has no pages.
+BEESPACE_C_API beespace_code
+beespace_io_page_of_points(const beespace_points* points, const char* const* ids,
+                           const beespace_io_page_options* page_options, beespace_io_page** page,
+                           beespace_io_error* error);
+/// @brief Frees a page.
+/// @param page The page; NULL does nothing.
+BEESPACE_C_API void beespace_io_page_free(beespace_io_page* page);
+/// @brief Gives the page as text.
+/// @param page The page.
+/// @param[out] size How many bytes it has, without the zero at the end; NULL is fine.
+/// @return HTML in UTF-8; empty of NULL.
+BEESPACE_C_API const char* beespace_io_page_html(const beespace_io_page* page, size_t* size);
+/// @brief Writes the page into a file, which is there whole or not at all.
+/// @param page The page.
+/// @param path The file; one that is there is replaced, but not one that the page was read from.
+/// @param[out] error What went wrong; or NULL.
+/// @return BEESPACE_OK, BEESPACE_WRITE_FAILED or BEESPACE_INVALID_ARGUMENT.
+BEESPACE_C_API beespace_code beespace_io_page_write(const beespace_io_page* page, const char* path,
+                                                    beespace_io_error* error);
+/// @brief Says whether the page shows a danger: points at risk, conflicts, or gaps that may hide
+/// one.
+/// @param page The page.
+/// @return 1 if it does; 0 if what is known is not at risk.
+BEESPACE_C_API int32_t beespace_io_page_risky(const beespace_io_page* page);
+/// @brief Says how many sentences the page has about how the input was read and what is left out.
+/// @param page The page.
+/// @return The number of notes.
+BEESPACE_C_API int64_t beespace_io_page_note_count(const beespace_io_page* page);
+/// @brief Gives a note.
+/// @param page The page.
+/// @param index Which, from 0.
+/// @return The note; NULL where there is none.
+BEESPACE_C_API const char* beespace_io_page_note(const beespace_io_page* page, int64_t index);
 
 #ifdef __cplusplus
 }

@@ -29,7 +29,9 @@ class TestFolder {
 struct FreeRead {
   void operator()(beespace_io_points* points) const { beespace_io_points_free(points); }
   void operator()(beespace_io_recording* recording) const { beespace_io_recording_free(recording); }
+  void operator()(beespace_io_page* page) const { beespace_io_page_free(page); }
 };
+using Page = std::unique_ptr<beespace_io_page, FreeRead>;
 using Recording = std::unique_ptr<beespace_io_recording, FreeRead>;
 using Points = std::unique_ptr<beespace_io_points, FreeRead>;
 
