@@ -16,6 +16,7 @@ from beespace._errors import BeespaceError, BeespaceFileError, BeespaceOSError
 from beespace._files import FilePoints, FileRecording, read, read_recording
 from beespace._index import Index
 from beespace._library import version as _version
+from beespace._report import Report, report
 from beespace._searches import Engine, Searches
 
 __version__ = _version()
@@ -43,6 +44,7 @@ __all__ = [
     "Nearest",
     "Neighbors",
     "Pairs",
+    "Report",
     "at_risk",
     "closest_pair",
     "count",
@@ -53,4 +55,5 @@ __all__ = [
     "pairs",
     "read",
     "read_recording",
+    "report",
 ]

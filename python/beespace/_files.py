@@ -276,7 +276,7 @@ def read(
 
     Ctrl-C is heard when the file is read.
     """
-    options = _options(
+    options = reading_options(
         skip_bad, False, threads, frame=frame, columns=columns, units=units, heights=heights,
         format=format,
     )
@@ -284,7 +284,7 @@ def read(
     io = _io_library.load()
     handle = io.handles["points"]()
     code = io.library.beespace_io_read_points(
-        _path(path), options, ctypes.byref(handle), ctypes.byref(error)
+        encoded_path(path), options, ctypes.byref(handle), ctypes.byref(error)
     )
     _io_library.check(code, error)
     return FilePoints(os.fsdecode(path), handle)
@@ -328,7 +328,7 @@ def read_recording(
     BeespaceFileError, BeespaceOSError, ImportError
         As `read`.
     """
-    options = _options(
+    options = reading_options(
         skip_bad, grounded, 1, frame=frame, columns=columns, units=units, heights=heights,
         time_unit=time_unit,
     )
@@ -346,17 +346,17 @@ def read_recording(
 def paths_of(path: PathLike | Iterable[PathLike]) -> ctypes.Array[ctypes.c_char_p]:
     """One path, or several, as an array of C."""
     several = [path] if isinstance(path, (str, bytes, os.PathLike)) else list(path)
-    return (ctypes.c_char_p * len(several))(*(_path(each) for each in several))
+    return (ctypes.c_char_p * len(several))(*(encoded_path(each) for each in several))
 
 
-def _path(path: PathLike) -> bytes:
+def encoded_path(path: PathLike) -> bytes:
     encoded = os.fsencode(path)
     if b"\0" in encoded:
         raise ValueError("a path has no zero byte in it")
     return encoded
 
 
-def _options(skip_bad: bool, grounded: bool, threads: Any, **texts: str | None) -> Any:
+def reading_options(skip_bad: bool, grounded: bool, threads: Any, **texts: str | None) -> Any:
     options = _io_library.COptions(ctypes.sizeof(_io_library.COptions))
     if skip_bad:
         options.flags |= _io_library.SKIP_BAD

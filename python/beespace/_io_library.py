@@ -8,7 +8,7 @@ import ctypes
 import errno
 import functools
 import os
-from ctypes import POINTER, c_char, c_char_p, c_int32, c_int64, c_size_t, c_uint32, c_uint64, c_void_p
+from ctypes import POINTER, c_char, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32, c_uint64, c_void_p
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -48,7 +48,21 @@ class COptions(ctypes.Structure):
     ]
 
 
+class CPageOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("flags", c_uint32),
+        ("threads", c_uint32),
+        ("reserved", c_uint64),
+        ("threshold_m", c_double),
+        ("max_gap_s", c_double),
+        ("vertical", c_char_p),
+        ("title", c_char_p),
+    ]
+
+
 _options, _error = POINTER(COptions), POINTER(CFileError)
+_page_tail = [POINTER(CPageOptions), c_void_p, _error]
 _signatures: dict[str, tuple[object, list[object]]] = {
     "error_text": (c_size_t, [_error, c_char_p, c_size_t]),
     "facts_frame": (c_char_p, [c_void_p]),
@@ -79,8 +93,16 @@ _signatures: dict[str, tuple[object, list[object]]] = {
     "recording_since_1970": (c_int32, [c_void_p]),
     "recording_missing": (c_int64, [c_void_p]),
     "recording_facts": (c_void_p, [c_void_p]),
+    "page_of_files": (c_int32, [c_void_p, c_int64, _options, *_page_tail]),
+    "page_of_read": (c_int32, [c_void_p, *_page_tail]),
+    "page_of_points": (c_int32, [POINTER(_library.CPoints), c_void_p, *_page_tail]),
+    "page_html": (c_void_p, [c_void_p, POINTER(c_size_t)]),
+    "page_write": (c_int32, [c_void_p, c_char_p, _error]),
+    "page_risky": (c_int32, [c_void_p]),
+    "page_note_count": (c_int64, [c_void_p]),
+    "page_note": (c_char_p, [c_void_p, c_int64]),
 }
-_handles = ("points", "recording")
+_handles = ("points", "recording", "page")
 
 
 class IoLibrary(NamedTuple):
@@ -91,25 +113,31 @@ class IoLibrary(NamedTuple):
     handles: dict[str, type[c_void_p]]
 
 
+def _find() -> str:
+    """The library that is asked for, the one beside this, or that of the system."""
+    asked = os.environ.get("BEESPACE_IO_LIBRARY")
+    if asked:
+        return asked
+    beside = Path(__file__).with_name("libbeespace_io.so")
+    return str(beside) if beside.exists() else "libbeespace_io.so.1"
+
+
 @functools.lru_cache(maxsize=None)
 def load() -> IoLibrary:
-    # The first is for the tests of a build that is not installed.
-    path = os.environ.get("BEESPACE_IO_LIBRARY") or str(
-        Path(__file__).with_name("libbeespace_io.so")
-    )
+    path = _find()
     try:
         library, at_once = ctypes.CDLL(path), ctypes.PyDLL(path)
-    except OSError as error:
+        for name, (restype, argtypes) in _signatures.items():
+            for each in (library, at_once):
+                function = getattr(each, f"beespace_io_{name}")
+                function.restype = restype
+                function.argtypes = argtypes
+    except (OSError, AttributeError) as error:  # none, or one of an older version
         raise ImportError(
-            "this installation of beespace cannot read files or make reports, as it has no "
-            f"libbeespace_io.so: {error}. Build it with 'make install' in a clone of beespace, and "
-            "set BEESPACE_IO_LIBRARY to its path."
+            "this installation of beespace cannot read files or make reports, as it finds no "
+            f"libbeespace_io.so that fits: {error}. Type 'make install' in a clone of beespace, and "
+            "set BEESPACE_IO_LIBRARY to the path of the library where the system does not find it."
         ) from error
-    for name, (restype, argtypes) in _signatures.items():
-        for each in (library, at_once):
-            function = getattr(each, f"beespace_io_{name}")
-            function.restype = restype
-            function.argtypes = argtypes
     handles = {name: _library.handle_of(library, f"io_{name}") for name in _handles}
     return IoLibrary(library, at_once, handles)
 
