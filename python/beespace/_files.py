@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from beespace import _io_library, _library
 from beespace._calls import whole
 from beespace._errors import BeespaceFileError
+from beespace._file_columns import array_of, text_of, texts_of
 
 PathLike = str | bytes | os.PathLike[str] | os.PathLike[bytes]
 
@@ -54,12 +55,12 @@ class Facts:
     def _take(self, path: str, facts: Any) -> None:
         at_once = _io_library.load().at_once
         self.path = path
-        self.frame = _text(at_once.beespace_io_facts_frame(facts))
-        self.frame_reason = _text(at_once.beespace_io_facts_frame_reason(facts))
-        self.format = _text(at_once.beespace_io_facts_format(facts))
-        self.heights = _text(at_once.beespace_io_facts_heights(facts))
+        self.frame = text_of(at_once.beespace_io_facts_frame(facts))
+        self.frame_reason = text_of(at_once.beespace_io_facts_frame_reason(facts))
+        self.format = text_of(at_once.beespace_io_facts_format(facts))
+        self.heights = text_of(at_once.beespace_io_facts_heights(facts))
         notes = range(at_once.beespace_io_facts_note_count(facts))
-        self.notes = tuple(_text(at_once.beespace_io_facts_note(facts, each)) for each in notes)
+        self.notes = tuple(text_of(at_once.beespace_io_facts_note(facts, each)) for each in notes)
         self.skipped_count = int(at_once.beespace_io_facts_skipped(facts))
         self.skipped: tuple[BeespaceFileError, ...] = tuple(_skipped(facts, self.skipped_count))
 
@@ -104,25 +105,25 @@ class FilePoints(Facts):
     @property
     def positions(self) -> NDArray[np.float64]:
         address = _io_library.load().at_once.beespace_io_points_xyz(self._handle)
-        return _array(self._handle, address, (len(self), 3), np.float64)
+        return array_of(self._handle, address, (len(self), 3), np.float64)
 
     @property
     def degrees(self) -> NDArray[np.float64] | None:
         address = _io_library.load().at_once.beespace_io_points_degrees(self._handle)
         if address is None and self.frame != "wgs84":
             return None
-        return _array(self._handle, address, (len(self), 3), np.float64)
+        return array_of(self._handle, address, (len(self), 3), np.float64)
 
     @property
     def rows(self) -> NDArray[np.int64]:
         address = _io_library.load().at_once.beespace_io_points_rows(self._handle)
-        return _array(self._handle, address, (len(self),), np.int64)
+        return array_of(self._handle, address, (len(self),), np.int64)
 
     @property
     def ids(self) -> NDArray[Any]:
         if self._ids is None:
             get = _io_library.load().at_once.beespace_io_points_ids
-            texts = _texts(get, self._handle, len(self))
+            texts = texts_of(get, self._handle, len(self))
             self._ids = self.rows if texts is None else texts
         return self._ids
 
@@ -178,10 +179,10 @@ class FileRecording(Facts):
         agents = int(at_once.beespace_io_recording_agents(handle))
         self._sizes = agents, int(at_once.beespace_io_recording_fixes(handle))
         self._take(path, at_once.beespace_io_recording_facts(handle))
-        ids = _texts(at_once.beespace_io_recording_ids, handle, agents)
+        ids = texts_of(at_once.beespace_io_recording_ids, handle, agents)
         self.ids: NDArray[Any] = np.empty(0, object) if ids is None else ids
         self.labels = tuple(
-            _text(at_once.beespace_io_recording_label(handle, each)) for each in range(agents)
+            text_of(at_once.beespace_io_recording_label(handle, each)) for each in range(agents)
         )
         self.since_1970 = bool(at_once.beespace_io_recording_since_1970(handle))
         self.missing_count = int(at_once.beespace_io_recording_missing(handle))
@@ -191,7 +192,7 @@ class FileRecording(Facts):
 
     def _column(self, name: str, shape: tuple[int, ...], dtype: Any) -> NDArray[Any]:
         get = getattr(_io_library.load().at_once, f"beespace_io_recording_{name}")
-        return _array(self._handle, get(self._handle), shape, dtype)
+        return array_of(self._handle, get(self._handle), shape, dtype)
 
     @property
     def indptr(self) -> NDArray[np.int64]:
@@ -376,47 +377,3 @@ def _skipped(facts: Any, count: int) -> Iterable[BeespaceFileError]:
         if at_once.beespace_io_facts_skipped_error(facts, each, error) == _library.OK:
             return  # only the first ones are kept
         yield _io_library.error_of(error)
-
-
-def _text(text: bytes) -> str:
-    return text.decode(errors="replace")
-
-
-def _texts(get: Any, handle: ctypes.c_void_p, count: int) -> NDArray[Any] | None:
-    """Texts that lie one behind the other; None where there are none at all."""
-    offsets = ctypes.c_void_p()
-    address = get(handle, ctypes.byref(offsets))
-    if address is None:
-        return None
-    ends = _array(handle, offsets.value, (count + 1,), np.int64)
-    texts = np.empty(count, object)
-    if count:
-        several = ctypes.string_at(address, int(ends[-1])).decode(errors="backslashreplace")
-        texts[:] = several.split("\0")[:-1]
-    texts.flags.writeable = False
-    return texts
-
-
-class _Memory:
-    """What NumPy makes an array of: it keeps this, and this keeps the handle."""
-
-    __slots__ = ("__array_interface__", "handle")
-
-    def __init__(
-        self, handle: ctypes.c_void_p, address: int, shape: tuple[int, ...], code: str
-    ) -> None:
-        self.handle = handle
-        self.__array_interface__ = {
-            "shape": shape,
-            "typestr": code,
-            "data": (address, True),
-            "version": 3,
-        }
-
-
-def _array(
-    handle: ctypes.c_void_p, address: int | None, shape: tuple[int, ...], dtype: Any
-) -> NDArray[Any]:
-    if address is None:
-        return np.empty(shape, dtype)
-    return np.asarray(_Memory(handle, address, shape, np.dtype(dtype).str))

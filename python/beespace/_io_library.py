@@ -8,7 +8,8 @@ import ctypes
 import errno
 import functools
 import os
-from ctypes import POINTER, c_char, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32, c_uint64, c_void_p
+from ctypes import POINTER, c_char, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32
+from ctypes import c_uint64, c_void_p
 from pathlib import Path
 from typing import Any, NamedTuple
 
