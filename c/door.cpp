@@ -8,8 +8,6 @@
 
 namespace beespace::c {
 
-namespace {
-
 // C++ may number its codes anew; C may not. The compiler names a code that is missing here.
 beespace_code code_of(ErrorCode code) {
   switch (code) {
@@ -62,6 +60,8 @@ beespace_code code_of(ErrorCode code) {
   }
   return BEESPACE_INTERNAL;
 }
+
+namespace {
 
 template <std::size_t Size>
 void write_text(char (&into)[Size], std::string_view text) {

@@ -10,6 +10,8 @@
 
 namespace beespace::c {
 
+beespace_code code_of(ErrorCode code);
+
 // Fills the caller's error, as far as it is one; returns the code.
 beespace_code refuse(beespace_error* error, const Error& cause);
 beespace_code refuse_out_of_memory(beespace_error* error);

@@ -33,6 +33,14 @@ if(TARGET beespace_c)
   install(FILES "${PROJECT_SOURCE_DIR}/include/beespace.h" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
 endif()
 
+# The library for C that reads files, where the command is built.
+if(TARGET beespace_c_io)
+  install(TARGETS beespace_c_io
+    LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+  install(FILES "${PROJECT_SOURCE_DIR}/include/beespace_io.h"
+    DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+endif()
+
 # find_package(beespace), or find_package(beespace COMPONENTS static)
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/beespace")
 configure_package_config_file(
@@ -67,10 +75,16 @@ set(pc_names beespace beespace-${kind})  # "beespace" is the kind that was insta
 if(TARGET beespace_c)
   list(APPEND pc_names beespace-c)
 endif()
+if(TARGET beespace_c_io)
+  list(APPEND pc_names beespace-io)
+endif()
 foreach(name IN LISTS pc_names)
   if(name STREQUAL "beespace-c")
     set(pc_cflags "")
     set(pc_libs "-L\${libdir} -lbeespace")
+  elseif(name STREQUAL "beespace-io")
+    set(pc_cflags "")
+    set(pc_libs "-L\${libdir} -lbeespace_io -lbeespace")
   endif()
   configure_file("${PROJECT_SOURCE_DIR}/cmake/beespace.pc.in" "${PROJECT_BINARY_DIR}/${name}.pc" @ONLY)
   install(FILES "${PROJECT_BINARY_DIR}/${name}.pc"

@@ -18,6 +18,22 @@ std::string text_of(const io::RepeatedIds& repeated) {
          std::to_string(repeated.second_row);
 }
 
+std::string_view datum_text(io::HeightDatum datum) {
+  switch (datum) {
+    case io::HeightDatum::kUnstated:
+      return "";
+    case io::HeightDatum::kEllipsoid:
+      return "above the WGS84 ellipsoid";
+    case io::HeightDatum::kMeanSeaLevel:
+      return "above mean sea level";
+    case io::HeightDatum::kPressure:
+      return "pressure altitude";
+    case io::HeightDatum::kHome:
+      return "above the place of take-off";
+  }
+  return "";
+}
+
 void note_units(const std::vector<io::UnitTaken>& units,
                 const std::optional<io::StatedLength>& vertical, io::Unit height_unit,
                 std::vector<std::string>& notes) {

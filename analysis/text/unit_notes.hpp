@@ -2,11 +2,13 @@
 #pragma once
 
 #include "io/points/repeated_ids.hpp"
+#include "io/units/heights.hpp"
 #include "io/units/stated_length.hpp"
 #include "io/units/unit_taken.hpp"
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace beespace::analysis {
@@ -16,6 +18,9 @@ std::string text_of(const io::UnitTaken& taken);
 
 // "3 records have the id of another one before: the first is 'a', of data rows 0 and 5".
 std::string text_of(const io::RepeatedIds& repeated);
+
+// What heights are counted from; empty where that is not said.
+std::string_view datum_text(io::HeightDatum datum);
 
 // Which units were taken, and how the vertical threshold is compared, where that is not in metres.
 void note_units(const std::vector<io::UnitTaken>& units,

@@ -24,22 +24,6 @@ void append_units(std::string& out, const std::vector<io::UnitTaken>& units) {
   }
 }
 
-std::string_view datum_text(io::HeightDatum datum) {
-  switch (datum) {
-    case io::HeightDatum::kUnstated:
-      return "";
-    case io::HeightDatum::kEllipsoid:
-      return "above the WGS84 ellipsoid";
-    case io::HeightDatum::kMeanSeaLevel:
-      return "above mean sea level";
-    case io::HeightDatum::kPressure:
-      return "pressure altitude";
-    case io::HeightDatum::kHome:
-      return "above the place of take-off";
-  }
-  return "";
-}
-
 void append_vertical(std::string& out, const std::optional<io::StatedLength>& vertical,
                      io::Unit height_unit) {
   const std::string note = vertical_note(vertical, height_unit);

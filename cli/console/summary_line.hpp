@@ -1,7 +1,6 @@
 // The lines of a summary, alike for all subcommands.
 #pragma once
 
-#include "io/units/heights.hpp"
 #include "io/units/stated_length.hpp"
 #include "io/units/unit_taken.hpp"
 
@@ -17,9 +16,6 @@ void append_summary_line(std::string& out, std::string_view label, std::string_v
 
 // Which units were taken and why, a line each.
 void append_units(std::string& out, const std::vector<io::UnitTaken>& units);
-
-// What heights are counted from; empty where that is not said.
-std::string_view datum_text(io::HeightDatum datum);
 
 // How the vertical threshold is compared, where that is not in metres.
 void append_vertical(std::string& out, const std::optional<io::StatedLength>& vertical,

@@ -1,3 +1,4 @@
+#include "analysis/text/unit_notes.hpp"
 #include "cli/console/error_json.hpp"
 #include "cli/console/summary_line.hpp"
 #include "cli/detect/answer_output.hpp"
@@ -34,7 +35,7 @@ void write_repeated(io::JsonWriter& json, const io::RepeatedIds& repeated) {
 
 void write_input(io::JsonWriter& json, const char* key, const io::LoadedPoints& loaded,
                  const std::string& path, const io::RepeatedIds& repeated) {
-  const std::string_view datum = datum_text(loaded.heights);
+  const std::string_view datum = analysis::datum_text(loaded.heights);
   json.begin_object(key, io::JsonLayout::kLines).member("file", io::source_name(path));
   json.member("format", loaded.format_description).member("frame", name_of(loaded.frame));
   json.member("reason", loaded.frame_reason);

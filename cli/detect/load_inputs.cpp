@@ -69,8 +69,8 @@ std::optional<Error> datum_problem(const io::LoadedPoints& ours, const io::Loade
     return std::nullopt;
   }
   return usage_error("detect", "the heights of the two swarms cannot be compared: ours are " +
-                                   std::string(datum_text(ours.heights)) + ", theirs " +
-                                   std::string(datum_text(others.heights)) +
+                                   std::string(analysis::datum_text(ours.heights)) + ", theirs " +
+                                   std::string(analysis::datum_text(others.heights)) +
                                    "; take the same of both with --heights or --columns");
 }
 

@@ -84,7 +84,7 @@ void append_input(std::string& out, std::string_view label, const io::LoadedPoin
   append_summary_line(out, label, input_line(loaded, path));
   append_summary_line(out, "frame", frame_line(loaded));
   append_units(out, loaded.units);
-  const std::string_view datum = datum_text(loaded.heights);
+  const std::string_view datum = analysis::datum_text(loaded.heights);
   if (!datum.empty()) append_summary_line(out, "heights", datum);
   for (const std::string& note : loaded.notes) append_summary_line(out, "note", printable(note));
   if (loaded.skipped_count > 0) append_skipped(out, loaded);

@@ -2,6 +2,7 @@
 
 #include "analysis/text/bee_name.hpp"
 #include "analysis/text/moment_text.hpp"
+#include "analysis/text/unit_notes.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/output/block_writer.hpp"
 #include "cli/output/json_units.hpp"
@@ -34,7 +35,7 @@ void append_skipped(std::string& out, const io::Recording& recording) {
 
 void write_input(io::JsonWriter& json, const io::Recording& recording,
                  const MovingRequest& request) {
-  const std::string_view datum = datum_text(recording.heights);
+  const std::string_view datum = analysis::datum_text(recording.heights);
   json.begin_object("input", io::JsonLayout::kLines).begin_array("files");
   for (const std::string& file : request.inputs) json.value(file == "-" ? "<stdin>" : file);
   json.end();
@@ -57,7 +58,7 @@ void append_frame_lines(std::string& out, io::Frame frame, const std::string& re
   std::string text = degrees ? "WGS84 longitude, latitude, height" : "metres";
   if (!reason.empty()) text += ": " + printable(reason);
   append_summary_line(out, "frame", text);
-  const std::string_view datum = datum_text(heights);
+  const std::string_view datum = analysis::datum_text(heights);
   if (!datum.empty()) append_summary_line(out, "heights", datum);
 }
 

@@ -12,9 +12,11 @@ array([2, 3])
 """
 
 from beespace._answers import ClosestPair, Groups, Nearest, Neighbors, Pairs
-from beespace._errors import BeespaceError
+from beespace._errors import BeespaceError, BeespaceFileError, BeespaceOSError
+from beespace._files import FilePoints, FileRecording, read, read_recording
 from beespace._index import Index
 from beespace._library import version as _version
+from beespace._report import Report, report
 from beespace._searches import Engine, Searches
 
 __version__ = _version()
@@ -31,13 +33,18 @@ closest_pair = _searches.closest_pair
 
 __all__ = [
     "BeespaceError",
+    "BeespaceFileError",
+    "BeespaceOSError",
     "ClosestPair",
     "Engine",
+    "FilePoints",
+    "FileRecording",
     "Groups",
     "Index",
     "Nearest",
     "Neighbors",
     "Pairs",
+    "Report",
     "at_risk",
     "closest_pair",
     "count",
@@ -46,4 +53,7 @@ __all__ = [
     "nearest",
     "neighbors",
     "pairs",
+    "read",
+    "read_recording",
+    "report",
 ]

@@ -1,4 +1,4 @@
-"""The one error of beespace."""
+"""The errors of beespace: one, and two more of files."""
 
 from __future__ import annotations
 
@@ -52,6 +52,76 @@ def _restore(
     error.code = code
     error.place = place
     error.record = record
+    return error
+
+
+class BeespaceFileError(BeespaceError):
+    """What is wrong with a file, where in it, and what to do about it.
+
+    Attributes
+    ----------
+    code : str
+        The kind of the error: "not_a_number", "unknown_frame", "truncated", ...
+    file : str or None
+        The file that it is about; of an archive with the name in it, "show.skyc!drone1.json".
+    line : int or None
+        The line of the file, from 1.
+    column : int or None
+        The field of the record, from 1.
+    record : int or None
+        The row of data, from 0; or the index into `place`.
+    place : str or None
+        The argument that it is about, where it is about one: "options", "path".
+    """
+
+    file: str | None
+    line: int | None
+    column: int | None
+
+    def __init__(
+        self,
+        text: str,
+        code: str,
+        place: str | None = None,
+        record: int | None = None,
+        file: str | None = None,
+        line: int | None = None,
+        column: int | None = None,
+    ) -> None:
+        super().__init__(text, code)
+        self.place = place
+        self.record = record
+        self.file = file
+        self.line = line
+        self.column = column
+
+    def __reduce__(self) -> tuple[object, ...]:
+        where = (self.place, self.record, self.file, self.line, self.column)
+        return (_restore_of_file, (type(self), self.args[0], self.code, *where, self._more()))
+
+    def _more(self) -> dict[str, object]:
+        """The attributes, those that were added, too."""
+        return dict(self.__dict__)
+
+
+class BeespaceOSError(BeespaceFileError, OSError):
+    """A file that the system does not open, read or write: also an OSError, with `filename`, and
+    with `errno` where that is known."""
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+    def _more(self) -> dict[str, object]:
+        return {**super()._more(), "errno": self.errno, "filename": self.filename}
+
+
+def _restore_of_file(
+    kind: type[BeespaceFileError], text: str, code: str, *rest: object
+) -> BeespaceFileError:
+    *where, attributes = rest
+    error = kind(text, code, *where)  # type: ignore[arg-type]
+    for name, value in attributes.items():  # type: ignore[attr-defined]
+        setattr(error, name, value)
     return error
 
 

@@ -111,12 +111,16 @@ def _method_of_c(function: object) -> object:
     return bind(function)
 
 
-def _handle(name: str) -> type[c_void_p]:
-    """A pointer to what the library has made, freed with the last reference to it."""
-    free = library[f"beespace_{name}_free"]
+def handle_of(of: ctypes.CDLL, name: str) -> type[c_void_p]:
+    """A pointer to what a library has made, freed with the last reference to it."""
+    free = of[f"beespace_{name}_free"]
     free.restype = None
     free.argtypes = [c_void_p]
     return type(f"C{name.title()}", (c_void_p,), {"__del__": _method_of_c(free)})
+
+
+def _handle(name: str) -> type[c_void_p]:
+    return handle_of(library, name)
 
 
 CResult = _handle("result")

@@ -16,6 +16,7 @@ from beespace._calls import check, run_of, search_of, whole
 from beespace._columns import Result
 from beespace._errors import invalid
 from beespace._library import library
+from beespace._frames import check_frames
 from beespace._points import Points, PointsLike
 from beespace._visits import Visit
 
@@ -121,7 +122,7 @@ class Searches:
         >>> beespace.at_risk(drones, 100, others=[[0, 0, 0]])
         array([0])
         """
-        first, second = _sets(points, others, copy)
+        first, second = _sets(points, others, copy, vertical)
         search = search_of(threshold, vertical, inclusive)
         result = self._ask(
             library.beespace_at_risk, first, second, (ctypes.byref(search),), threads
@@ -175,7 +176,7 @@ class Searches:
         >>> pairs.i, pairs.j
         (array([0, 2]), array([1, 3]))
         """
-        first, second = _sets(points, others, copy)
+        first, second = _sets(points, others, copy, vertical)
         search = search_of(threshold, vertical, inclusive, max_results, distances)
         result = self._ask(library.beespace_pairs, first, second, (ctypes.byref(search),), threads)
         return Pairs(
@@ -225,7 +226,7 @@ class Searches:
         999
         """
         # Checked here, not when the first piece is asked for.
-        first, _ = _sets(points, None, copy)
+        first, _ = _sets(points, None, copy, vertical)
         most = whole(chunk, "chunk")
         if most == 0:
             raise invalid("a piece has at least one pair", "chunk")
@@ -278,7 +279,7 @@ class Searches:
         >>> beespace.neighbors([[0, 0], [3, 4], [6, 8]], 6, include_self=True)[1]
         array([0, 1, 2])
         """
-        first, second = _sets(points, others, copy)
+        first, second = _sets(points, others, copy, vertical)
         search = search_of(threshold, vertical, inclusive, max_results, distances, include_self)
         result = self._ask(
             library.beespace_neighbors, first, second, (ctypes.byref(search),), threads
@@ -324,7 +325,7 @@ class Searches:
         >>> beespace.count([[0, 0], [3, 4], [6, 8]], 6)
         array([1, 2, 1])
         """
-        first, second = _sets(points, others, copy)
+        first, second = _sets(points, others, copy, vertical)
         search = search_of(threshold, vertical, inclusive, with_self=include_self)
         return self._ask(
             library.beespace_count, first, second, (ctypes.byref(search),), threads
@@ -362,7 +363,7 @@ class Searches:
         >>> groups[0], groups.labels
         (array([0, 1, 3]), array([ 0,  0, -1,  0]))
         """
-        first, _ = _sets(points, None, copy)
+        first, _ = _sets(points, None, copy, vertical)
         search = search_of(threshold, vertical, inclusive)
         result = self._ask(
             library.beespace_groups, first, None, (ctypes.byref(search),), threads, two_sets=False
@@ -414,7 +415,7 @@ class Searches:
         >>> beespace.nearest([[0, 0], [3, 4], [6, 9]], within=5.5).distances[:, 0]
         array([ 5.,  5., inf])
         """
-        first, second = _sets(points, others, copy)
+        first, second = _sets(points, others, copy, vertical)
         number = whole(k, "k")
         if within is not None:
             if number != 1:
@@ -518,6 +519,9 @@ def nearest_of(result: Result, rows: int, k: int) -> Nearest:
     return Nearest(all_ids, all_distances)
 
 
-def _sets(points: Any, others: Any, copy: bool) -> tuple[Points, Points | None]:
+def _sets(
+    points: Any, others: Any, copy: bool, vertical: Any = None
+) -> tuple[Points, Points | None]:
+    check_frames(points, others, vertical)
     first = Points(points, "points", copy)
     return first, None if others is None else Points(others, "others", copy)

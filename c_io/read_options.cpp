@@ -1,0 +1,159 @@
+#include "c_io/read_options.hpp"
+
+#include "c/door.hpp"
+#include "c/structs.hpp"
+#include "io/units/unit_overrides.hpp"
+
+#include <initializer_list>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace beespace::c_io {
+
+namespace {
+
+constexpr const char* kOptions = "options";
+
+Error refused(std::string message) {
+  Error error{ErrorCode::kInvalidArgument, std::move(message), {}};
+  error.location.array = kOptions;
+  return error;
+}
+
+std::string_view text_of(const char* text) {
+  return text == nullptr ? std::string_view() : std::string_view(text);
+}
+
+template <class Value>
+struct Word {
+  std::string_view name;
+  Value value;
+};
+
+// The value of a word; of none the first one, which "auto" names.
+template <class Value>
+Status choose(std::string_view option, const char* given, std::initializer_list<Word<Value>> words,
+              Value& into) {
+  const std::string_view text = text_of(given);
+  std::string known;
+  for (const Word<Value>& word : words) {
+    if (text == word.name || (text.empty() && word.name == "auto")) {
+      into = word.value;
+      return std::monostate{};
+    }
+    known.append(known.empty() ? "" : ", ").append(word.name);
+  }
+  return refused(std::string(option) + " is one of " + known + ", not '" + std::string(text) + "'");
+}
+
+Status choose_unit(const char* given, io::Unit& into) {
+  return choose<io::Unit>("time_unit", given,
+                          {{"auto", io::Unit::kUnstated},
+                           {"s", io::Unit::kSecond},
+                           {"ms", io::Unit::kMillisecond},
+                           {"us", io::Unit::kMicrosecond},
+                           {"ns", io::Unit::kNanosecond}},
+                          into);
+}
+
+// What both kinds of input have in common.
+Status read_columns(const beespace_io_options& given, std::uint32_t known,
+                    io::ColumnOptions& options) {
+  if ((given.flags & ~known) != 0) {
+    return refused("flags ask for what this function cannot do");
+  }
+  Status chosen = choose<io::Frame>(
+      "frame", given.frame,
+      {{"auto", io::Frame::kAuto}, {"wgs84", io::Frame::kWgs84}, {"metres", io::Frame::kMetres}},
+      options.frame);
+  if (!chosen) return chosen;
+  chosen = choose<io::HeightSource>("heights", given.heights,
+                                    {{"auto", io::HeightSource::kAuto},
+                                     {"geometric", io::HeightSource::kGeometric},
+                                     {"pressure", io::HeightSource::kPressure}},
+                                    options.heights);
+  if (!chosen) return chosen;
+  const auto units = io::read_unit_overrides(text_of(given.units));
+  if (!units) return refused(units.error().message);
+  options.units = *units;
+  options.columns = text_of(given.columns);
+  options.skip_bad = (given.flags & BEESPACE_IO_SKIP_BAD) != 0;
+  return std::monostate{};
+}
+
+// All default where there are none.
+Result<beespace_io_options> given_or_default(const beespace_io_options* options) {
+  if (options != nullptr) return c::read_struct(options, kOptions);
+  return beespace_io_options{};
+}
+
+}  // namespace
+
+Result<io::LoadOptions> points_options(const beespace_io_options* options) {
+  const Result<beespace_io_options> given = given_or_default(options);
+  if (!given) return given.error();
+  io::LoadOptions read;
+  if (Status common = read_columns(*given, BEESPACE_IO_SKIP_BAD, read); !common) {
+    return std::move(common).error();
+  }
+  Status chosen = choose<io::Format>("format", given->format,
+                                     {{"auto", io::Format::kAuto},
+                                      {"text", io::Format::kText},
+                                      {"npy", io::Format::kNpy},
+                                      {"bin", io::Format::kRawFloat64}},
+                                     read.format);
+  if (!chosen) return std::move(chosen).error();
+  if (const auto unit = text_of(given->time_unit); !unit.empty() && unit != "auto") {
+    return refused("time_unit is for recordings: points have no times; leave it out");
+  }
+  read.format_can_be_said = true;
+  read.threads = threads_of(given->threads);
+  return read;
+}
+
+Result<io::RecordingOptions> recording_options(const beespace_io_options* options) {
+  const Result<beespace_io_options> given = given_or_default(options);
+  if (!given) return given.error();
+  io::RecordingOptions read;
+  Status common = read_columns(*given, BEESPACE_IO_SKIP_BAD | BEESPACE_IO_GROUNDED, read);
+  if (!common) return std::move(common).error();
+  if (Status chosen = choose_unit(given->time_unit, read.time_unit); !chosen) {
+    return std::move(chosen).error();
+  }
+  if (const auto format = text_of(given->format); !format.empty() && format != "auto") {
+    return refused("format is for points: recordings tell it themselves; leave it out");
+  }
+  read.grounded = (given->flags & BEESPACE_IO_GROUNDED) != 0;
+  return read;
+}
+
+Result<std::string> path_of(const char* path, const char* name) {
+  if (path == nullptr) return c::invalid("the pointer to the path is NULL", name);
+  const std::string_view text(path);
+  if (text.empty()) return c::invalid("the path is empty; name a file", name);
+  return text == "-" ? std::string("./-") : std::string(text);
+}
+
+Result<std::vector<std::string>> paths_of(const char* const* paths, std::int64_t count) {
+  if (paths == nullptr) return c::invalid("the pointer to the paths is NULL", "paths");
+  if (count < 1) return c::invalid("there is no path; name a file", "paths");
+  std::vector<std::string> names;
+  for (std::int64_t i = 0; i < count; ++i) {
+    auto name = path_of(paths[i], "paths");
+    if (!name) {
+      Error error = std::move(name).error();
+      error.location.record = static_cast<std::uint64_t>(i);
+      return error;
+    }
+    names.push_back(*std::move(name));
+  }
+  return names;
+}
+
+unsigned threads_of(std::uint32_t threads) {
+  if (threads == BEESPACE_ALL_PROCESSORS) return 0;
+  return threads == 0 ? 1 : threads;
+}
+
+}  // namespace beespace::c_io

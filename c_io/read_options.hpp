@@ -1,0 +1,29 @@
+// The caller's beespace_io_options as those of the readers.
+#pragma once
+
+#include "io/points/load_options.hpp"
+#include "io/recording/recording_options.hpp"
+
+#include <beespace_io.h>
+#include <beespace/result.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace beespace::c_io {
+
+// Errors: kInvalidArgument; also of options that the other kind of input alone has.
+Result<io::LoadOptions> points_options(const beespace_io_options* options);
+Result<io::RecordingOptions> recording_options(const beespace_io_options* options);
+
+// The path as the readers take it, to whom "-" means standard input.
+Result<std::string> path_of(const char* path, const char* name = "path");
+
+// Those that are read as one input. Errors: kInvalidArgument, with the index of the path.
+Result<std::vector<std::string>> paths_of(const char* const* paths, std::int64_t count);
+
+// How many threads the library is to take: 0 of C is one, and 0 of the library is all.
+unsigned threads_of(std::uint32_t threads);
+
+}  // namespace beespace::c_io

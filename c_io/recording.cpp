@@ -1,0 +1,174 @@
+#include "analysis/recorded/coverage.hpp"
+#include "analysis/recorded/tracks.hpp"
+#include "c/door.hpp"
+#include "c_io/door.hpp"
+#include "c_io/facts.hpp"
+#include "c_io/read_options.hpp"
+#include "c_io/texts.hpp"
+#include "io/load_recording.hpp"
+
+#include <beespace_io.h>
+#include <beespace/track.hpp>
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace beespace::c_io;  // NOLINT(google-build-using-namespace): the functions are of C
+using beespace::Fix;
+using beespace::Result;
+using beespace::Status;
+using beespace::Track;
+using beespace::c::invalid;
+namespace analysis = beespace::analysis;
+namespace io = beespace::io;
+
+// NOLINTNEXTLINE(readability-identifier-naming): a name of C
+struct beespace_io_recording {
+  Texts ids;
+  Texts labels;
+  std::vector<std::int64_t> offsets = {0};
+  std::vector<std::int64_t> agent;
+  std::vector<double> times_s;
+  std::vector<double> xyz;
+  std::vector<double> degrees;  // none of metres
+  bool since_1970 = false;
+  std::int64_t missing = 0;
+  beespace_io_facts facts;
+};
+
+namespace {
+
+constexpr double kTolerance_m = 0.001;  // of curves that become straight lines
+
+void append(const beespace::Point& point, std::vector<double>& numbers) {
+  numbers.insert(numbers.end(), {point.x, point.y, point.z});
+}
+
+void append(const Track& track, beespace_io_recording& recording) {
+  const auto agent = static_cast<std::int64_t>(recording.offsets.size() - 1);
+  for (const Fix& fix : track.fixes) {
+    recording.agent.push_back(agent);
+    recording.times_s.push_back(fix.time_s);
+    append(fix.position, recording.xyz);
+  }
+  recording.offsets.push_back(static_cast<std::int64_t>(recording.times_s.size()));
+}
+
+Result<std::unique_ptr<beespace_io_recording>> columns_of(const io::Recording& loaded) {
+  const auto tracks = analysis::tracks_of(loaded, analysis::Geometry::kSpace, kTolerance_m);
+  if (!tracks) return tracks.error();
+  auto recording = std::make_unique<beespace_io_recording>();
+  recording->since_1970 = loaded.since_1970;
+  recording->missing = static_cast<std::int64_t>(loaded.missing.count);
+  recording->facts = facts_of(loaded);
+  const std::string missing = analysis::missing_text(loaded.missing);
+  if (!missing.empty()) {
+    recording->facts.notes.push_back("what is said is of those that are known: " + missing);
+  }
+  for (std::size_t bee = 0; bee < loaded.bees.size(); ++bee) {
+    recording->ids.add(loaded.bees[bee].id);
+    recording->labels.add(loaded.bees[bee].label);
+    append((*tracks)[bee], *recording);
+    if (loaded.frame != io::Frame::kWgs84) continue;
+    for (const Fix& fix : loaded.bees[bee].fixes) append(fix.position, recording->degrees);
+  }
+  return recording;
+}
+
+Result<std::unique_ptr<beespace_io_recording>> read_recording(const char* const* paths,
+                                                              std::int64_t path_count,
+                                                              const beespace_io_options* options) {
+  auto names = paths_of(paths, path_count);
+  if (!names) return std::move(names).error();
+  const auto asked = recording_options(options);
+  if (!asked) return asked.error();
+  const auto loaded = io::load_recording(*names, *asked);
+  if (!loaded) return loaded.error();
+  return columns_of(*loaded);
+}
+
+template <class Number>
+const Number* first_of(const std::vector<Number>& numbers) {
+  return numbers.empty() ? nullptr : numbers.data();
+}
+
+}  // namespace
+
+extern "C" {
+
+beespace_code beespace_io_read_recording(const char* const* paths, int64_t path_count,
+                                         const beespace_io_options* options,
+                                         beespace_io_recording** recording,
+                                         beespace_io_error* error) {
+  if (recording != nullptr) *recording = nullptr;
+  return enter(error, [&]() -> Status {
+    if (recording == nullptr) return invalid("the pointer to the recording is NULL", "recording");
+    auto read = read_recording(paths, path_count, options);
+    if (!read) return std::move(read).error();
+    *recording = (*read).release();
+    return std::monostate{};
+  });
+}
+
+void beespace_io_recording_free(beespace_io_recording* recording) {
+  delete recording;
+}
+
+int64_t beespace_io_recording_agents(const beespace_io_recording* recording) {
+  return recording == nullptr ? 0 : static_cast<int64_t>(recording->ids.size());
+}
+
+int64_t beespace_io_recording_fixes(const beespace_io_recording* recording) {
+  return recording == nullptr ? 0 : static_cast<int64_t>(recording->times_s.size());
+}
+
+const int64_t* beespace_io_recording_offsets(const beespace_io_recording* recording) {
+  return recording == nullptr ? nullptr : recording->offsets.data();
+}
+
+const int64_t* beespace_io_recording_agent(const beespace_io_recording* recording) {
+  return recording == nullptr ? nullptr : first_of(recording->agent);
+}
+
+const double* beespace_io_recording_times_s(const beespace_io_recording* recording) {
+  return recording == nullptr ? nullptr : first_of(recording->times_s);
+}
+
+const double* beespace_io_recording_xyz(const beespace_io_recording* recording) {
+  return recording == nullptr ? nullptr : first_of(recording->xyz);
+}
+
+const double* beespace_io_recording_degrees(const beespace_io_recording* recording) {
+  return recording == nullptr ? nullptr : first_of(recording->degrees);
+}
+
+const char* beespace_io_recording_id(const beespace_io_recording* recording, int64_t agent) {
+  return recording == nullptr ? nullptr : recording->ids.find(agent);
+}
+
+const char* beespace_io_recording_ids(const beespace_io_recording* recording,
+                                      const int64_t** offsets) {
+  if (offsets != nullptr) *offsets = recording == nullptr ? nullptr : recording->ids.offsets();
+  return recording == nullptr ? nullptr : recording->ids.bytes();
+}
+
+const char* beespace_io_recording_label(const beespace_io_recording* recording, int64_t agent) {
+  return recording == nullptr ? nullptr : recording->labels.find(agent);
+}
+
+int32_t beespace_io_recording_since_1970(const beespace_io_recording* recording) {
+  return recording != nullptr && recording->since_1970 ? 1 : 0;
+}
+
+int64_t beespace_io_recording_missing(const beespace_io_recording* recording) {
+  return recording == nullptr ? 0 : recording->missing;
+}
+
+const beespace_io_facts* beespace_io_recording_facts(const beespace_io_recording* recording) {
+  return recording == nullptr ? nullptr : &recording->facts;
+}
+
+}  // extern "C"

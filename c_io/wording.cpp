@@ -1,0 +1,53 @@
+#include "c_io/wording.hpp"
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <utility>
+
+namespace beespace::c_io {
+
+namespace {
+
+struct Wording {
+  std::string_view command;
+  std::string_view program;
+};
+
+// Longer ones first, where one begins as another one.
+constexpr std::array<Wording, 15> kWordings = {{
+    {"ask 'beespace replay' about it", "read it as a recording"},
+    {"ask 'beespace detect'", "read it as points"},
+    {"is for 'beespace replay'", "is read as a recording"},
+    {"--time-unit", "time_unit"},
+    {"--skip-bad", "skip_bad"},
+    {"--columns", "columns"},
+    {"--crs", "frame"},
+    {"--units", "units"},
+    {"--heights", "heights"},
+    {"--format", "format"},
+    {"--grounded", "grounded"},
+    {"--threshold", "threshold"},
+    {"--vertical", "vertical"},
+    {"--inclusive", "inclusive"},
+    {"--max-gap", "max_gap"},
+}};
+
+}  // namespace
+
+std::string in_words_of_programs(std::string text) {
+  for (const Wording& wording : kWordings) {
+    for (std::size_t at = text.find(wording.command); at != std::string::npos;
+         at = text.find(wording.command, at + wording.program.size())) {
+      text.replace(at, wording.command.size(), wording.program);
+    }
+  }
+  return text;
+}
+
+Error in_words_of_programs(Error error) {
+  error.message = in_words_of_programs(std::move(error.message));
+  return error;
+}
+
+}  // namespace beespace::c_io

@@ -1,0 +1,386 @@
+/// @file
+/// @brief Files for C: points and recordings out of what other programs write, and pages about
+/// them. A library of its own, libbeespace_io.so, beside that of <beespace.h>.
+///
+/// C99. What is read, and how, is what the command `beespace` does: tables of text in any layout,
+/// arrays of NumPy, raw doubles, drone shows, telemetry logs, reports of aircraft; each plain or
+/// gzip-compressed. Nothing is guessed: where a file does not say whether it holds degrees or
+/// metres, or in which unit, reading it is an error that says how to say it.
+///
+/// Units: metres and seconds, whatever the file has. Longitude, latitude and height become metres
+/// of ECEF (earth-centred, earth-fixed), so their z is not a height.
+///
+/// The conventions are those of <beespace.h>: structures begin with their size, zero means the
+/// default, a function that can fail returns a #beespace_code and fills the caller's error. What a
+/// function makes belongs to the caller, until the `..._free` function of its type; to free NULL
+/// does nothing. What an accessor returns belongs to the handle, is UTF-8 where the file is, ends
+/// with a zero byte where it is text, and is valid until the handle is freed. Accessors take NULL
+/// as a handle of nothing. Any number of threads may call at the same time; a handle does not
+/// change once it is made, so it may be read by many.
+///
+/// A path names a file: "-" is a file of that name. Standard input is read where it is asked for,
+/// as "/dev/stdin". Reading cannot be stopped.
+#ifndef BEESPACE_IO_H
+#define BEESPACE_IO_H
+
+#include <beespace.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// @brief Says the version of this library. That of libbeespace.so may be another one.
+/// @return "MAJOR.MINOR.PATCH". Valid for ever.
+BEESPACE_C_API const char* beespace_io_version(void);
+
+/* ---- Errors --------------------------------------------------------------------------------- */
+
+/// @brief What went wrong with a file, where in it, and what to do about it. The caller's; a call
+/// that fails fills it, a call that succeeds leaves it as it was. The codes are those of
+/// <beespace.h>, which also names them: beespace_code_name().
+///
+/// What is too long for its array is cut, with "..." in place of what is missing: at the front of
+/// `file`, at the end of `message`.
+typedef struct beespace_io_error {
+  size_t struct_size;  ///< sizeof(beespace_io_error), set by the caller.
+  beespace_code code;  ///< The kind of the error.
+  int32_t reserved;    ///< Zero.
+  int64_t record;      ///< The row of data, or the index into `place`, from 0; -1 where unknown.
+  int64_t line;        ///< The line of the file, from 1; 0 where unknown.
+  int64_t column;      ///< The field of the record, from 1; 0 where unknown.
+  char place[32];      ///< The argument that it is about: "path", "options", ...; or empty.
+  char file[1024];     ///< The file that it is about; or empty. In archives "show.skyc!drone1.json"
+  char message[1024];  ///< One sentence: what is wrong and what to do. Options are named as the
+                       ///< fields of beespace_io_options, flags in small letters: "skip_bad".
+} beespace_io_error;
+
+/// @brief Writes an error in one line, as compilers do: "bees.csv:3:2: 'abc' is not a number ...".
+/// @param error The error.
+/// @param[out] text Where to; ends with a zero byte, where `size` is not 0.
+/// @param size How many bytes there are.
+/// @return How many bytes the whole line has, without the zero: `size` or more where it was cut.
+BEESPACE_C_API size_t beespace_io_error_text(const beespace_io_error* error, char* text,
+                                             size_t size);
+
+/* ---- How a file is read --------------------------------------------------------------------- */
+
+/// @brief The flags of beespace_io_options::flags, to be joined by `|`.
+enum {
+  BEESPACE_IO_SKIP_BAD = 1,  ///< Bad records are left out and listed, instead of being an error.
+  BEESPACE_IO_GROUNDED = 2   ///< Of recordings: drones and aircraft on the ground count, too.
+};
+
+/// @brief How a file is to be read, where it does not say so itself. NULL is as good as one of
+/// zeros: all is told by the file, and what it does not tell is an error. Texts may be NULL.
+typedef struct beespace_io_options {
+  size_t struct_size;     ///< sizeof(beespace_io_options)
+  uint32_t flags;         ///< BEESPACE_IO_SKIP_BAD | ...
+  uint32_t threads;       ///< How many threads may read; 0 is 1, or BEESPACE_ALL_PROCESSORS.
+  uint64_t reserved;      ///< Zero.
+  const char* frame;      ///< "wgs84": longitude and latitude in degrees; "metres"; "auto".
+  const char* columns;    ///< Of tables, by number or name: "id=1,lon=2,lat=3,height=4".
+  const char* units;      ///< What no header names: "position=km,height=ft,speed=kt,climb=ft/min".
+  const char* heights;    ///< Of several: "geometric", "pressure"; "auto".
+  const char* format;     ///< Of points: "text", "npy", "bin" (raw float64); "auto".
+  const char* time_unit;  ///< Of recordings: "s", "ms", "us", "ns"; "auto".
+} beespace_io_options;
+
+/* ---- What is to be said of what was read ---------------------------------------------------- */
+
+/// @brief What a file was taken for, and why: what the command prints before its answer. It belongs
+/// to the handle that it is asked of.
+typedef struct beespace_io_facts beespace_io_facts;
+
+/// @brief Says what coordinates were taken for.
+/// @param facts The facts.
+/// @return "wgs84" or "metres".
+BEESPACE_C_API const char* beespace_io_facts_frame(const beespace_io_facts* facts);
+/// @brief Says why they were taken for that.
+/// @param facts The facts.
+/// @return A phrase: "the header names longitude and latitude".
+BEESPACE_C_API const char* beespace_io_facts_frame_reason(const beespace_io_facts* facts);
+/// @brief Says how the file is written.
+/// @param facts The facts.
+/// @return A phrase: "text, comma-separated, gzip-compressed".
+BEESPACE_C_API const char* beespace_io_facts_format(const beespace_io_facts* facts);
+/// @brief Says what heights are counted from.
+/// @param facts The facts.
+/// @return "above mean sea level", ...; empty where the file does not say.
+BEESPACE_C_API const char* beespace_io_facts_heights(const beespace_io_facts* facts);
+/// @brief Says how many sentences there are about units and about what else was decided. They must
+/// be shown to people who rely on the answer.
+/// @param facts The facts.
+/// @return The number of notes.
+BEESPACE_C_API int64_t beespace_io_facts_note_count(const beespace_io_facts* facts);
+/// @brief Gives a note.
+/// @param facts The facts.
+/// @param index Which, from 0.
+/// @return "heights in ft: the header names it: 'alt_ft'", ...; NULL where there is none.
+BEESPACE_C_API const char* beespace_io_facts_note(const beespace_io_facts* facts, int64_t index);
+/// @brief Says how many bad records were left out, with BEESPACE_IO_SKIP_BAD. An answer is of the
+/// others: none at risk does not mean that none of these is.
+/// @param facts The facts.
+/// @return The number of records.
+BEESPACE_C_API int64_t beespace_io_facts_skipped(const beespace_io_facts* facts);
+/// @brief Gives why a record was left out, of the first 20.
+/// @param facts The facts.
+/// @param index Which of those that were left out, from 0.
+/// @param[out] error What is wrong with it.
+/// @return Its code; BEESPACE_OK where there is none of this index, or it is not kept.
+BEESPACE_C_API beespace_code beespace_io_facts_skipped_error(const beespace_io_facts* facts,
+                                                             int64_t index,
+                                                             beespace_io_error* error);
+
+/* ---- Points --------------------------------------------------------------------------------- */
+
+/// @brief The points of a file: where all were at one moment.
+typedef struct beespace_io_points beespace_io_points;
+
+/// @brief Reads points from a file: a table of text, an array of NumPy (.npy) or raw doubles
+/// (.bin).
+///
+/// A recording, in which something is at more than one place, is an error: each fix would count as
+/// a point. Memory: the file, while it is read; then about 40 bytes a point and its id.
+///
+/// @param path The file.
+/// @param options How to read it; or NULL.
+/// @param[out] points The points; NULL after an error.
+/// @param[out] error What went wrong; or NULL.
+/// @return BEESPACE_OK or the code of the error: BEESPACE_CANNOT_OPEN, BEESPACE_READ_FAILED,
+///   BEESPACE_INVALID_ARGUMENT of options, and those from BEESPACE_NOT_FINITE to
+///   BEESPACE_CORRUPT of what is in the file.
+BEESPACE_C_API beespace_code beespace_io_read_points(const char* path,
+                                                     const beespace_io_options* options,
+                                                     beespace_io_points** points,
+                                                     beespace_io_error* error);
+/// @brief Frees points.
+/// @param points The points; NULL does nothing.
+BEESPACE_C_API void beespace_io_points_free(beespace_io_points* points);
+/// @brief Says how many points there are.
+/// @param points The points.
+/// @return The number of points.
+BEESPACE_C_API int64_t beespace_io_points_count(const beespace_io_points* points);
+/// @brief Gives the positions: x0 y0 z0 x1 y1 z1 ... in metres, of degrees those of ECEF.
+/// @param points The points.
+/// @return 3 * count coordinates; NULL where there is no point.
+BEESPACE_C_API const double* beespace_io_points_xyz(const beespace_io_points* points);
+/// @brief Gives longitude and latitude in degrees and the height in metres of each point:
+/// lon0 lat0 height0 lon1 ...
+/// @param points The points.
+/// @return 3 * count numbers; NULL of points that were in metres.
+BEESPACE_C_API const double* beespace_io_points_degrees(const beespace_io_points* points);
+/// @brief Gives the row of data that each point was in, from 0; records that were left out count.
+/// @param points The points.
+/// @return `count` rows, ascending; NULL where there is no point.
+BEESPACE_C_API const int64_t* beespace_io_points_rows(const beespace_io_points* points);
+/// @brief Gives what the file calls a point.
+/// @param points The points.
+/// @param index Which point, from 0.
+/// @return Its id; empty where that is empty; NULL where the file has no ids, or no such point.
+BEESPACE_C_API const char* beespace_io_points_id(const beespace_io_points* points, int64_t index);
+/// @brief Gives all ids, one after the other, each with a zero byte at its end.
+/// @param points The points.
+/// @param[out] offsets Where each begins, and after the last one the size of all: count + 1
+///   numbers. NULL is fine.
+/// @return The texts; NULL where the file has no ids.
+BEESPACE_C_API const char* beespace_io_points_ids(const beespace_io_points* points,
+                                                  const int64_t** offsets);
+/// @brief Gives what the file was taken for.
+/// @param points The points.
+/// @return The facts, which end with the points; NULL of NULL.
+BEESPACE_C_API const beespace_io_facts* beespace_io_points_facts(const beespace_io_points* points);
+
+/// @brief The points for a question of <beespace.h>. Nothing is copied.
+///
+/// A vertical threshold is for points in metres: z of ECEF is not a height.
+///
+/// @param points The points; they must outlive the structure.
+/// @return The structure.
+static inline beespace_points beespace_io_points_view(const beespace_io_points* points) {
+  return beespace_points_interleaved(beespace_io_points_xyz(points),
+                                     beespace_io_points_count(points));
+}
+
+/* ---- Recordings ----------------------------------------------------------------------------- */
+
+/// @brief A recording: where each of many agents (bees, drones, aircraft) was when. Fixes stand in
+/// columns, agent by agent, those of each in ascending order of time.
+typedef struct beespace_io_recording beespace_io_recording;
+
+/// @brief Reads a recording: a table of fixes, or many; a drone show; a telemetry log; reports of
+/// aircraft.
+///
+/// Where nothing is known, between fixes far apart in time or of records that were left out,
+/// nothing is made up: no fix is interpolated. Curves of drone shows become straight lines between
+/// fixes, at most 1 mm away from the curve.
+///
+/// @param paths Files that are read as one recording; or one folder.
+/// @param path_count How many paths there are.
+/// @param options How to read them; or NULL. `format` is refused here, `threads` says nothing.
+/// @param[out] recording The recording; NULL after an error.
+/// @param[out] error What went wrong; or NULL.
+/// @return BEESPACE_OK or the code of the error: as beespace_io_read_points(), and
+///   BEESPACE_TIME_ORDER.
+BEESPACE_C_API beespace_code beespace_io_read_recording(const char* const* paths,
+                                                        int64_t path_count,
+                                                        const beespace_io_options* options,
+                                                        beespace_io_recording** recording,
+                                                        beespace_io_error* error);
+/// @brief Frees a recording.
+/// @param recording The recording; NULL does nothing.
+BEESPACE_C_API void beespace_io_recording_free(beespace_io_recording* recording);
+/// @brief Says how many agents there are.
+/// @param recording The recording.
+/// @return The number of agents.
+BEESPACE_C_API int64_t beespace_io_recording_agents(const beespace_io_recording* recording);
+/// @brief Says how many fixes there are, of all agents together.
+/// @param recording The recording.
+/// @return The number of fixes.
+BEESPACE_C_API int64_t beespace_io_recording_fixes(const beespace_io_recording* recording);
+/// @brief Gives where the fixes of each agent begin: those of agent a are offsets[a] to
+/// offsets[a + 1] - 1. An agent may have none.
+/// @param recording The recording.
+/// @return beespace_io_recording_agents() + 1 offsets; NULL of NULL.
+BEESPACE_C_API const int64_t* beespace_io_recording_offsets(const beespace_io_recording* recording);
+/// @brief Gives whose each fix is: the index of the agent.
+/// @param recording The recording.
+/// @return beespace_io_recording_fixes() indices; NULL where there is no fix.
+BEESPACE_C_API const int64_t* beespace_io_recording_agent(const beespace_io_recording* recording);
+/// @brief Gives the time of each fix in seconds: since 1970 in UTC, or from a zero of the file's.
+/// @param recording The recording.
+/// @return beespace_io_recording_fixes() times; NULL where there is no fix.
+BEESPACE_C_API const double* beespace_io_recording_times_s(const beespace_io_recording* recording);
+/// @brief Gives the position of each fix: x0 y0 z0 x1 ... in metres, of degrees those of ECEF.
+/// @param recording The recording.
+/// @return 3 * beespace_io_recording_fixes() coordinates; NULL where there is no fix.
+BEESPACE_C_API const double* beespace_io_recording_xyz(const beespace_io_recording* recording);
+/// @brief Gives longitude and latitude in degrees and the height in metres of each fix.
+/// @param recording The recording.
+/// @return 3 * beespace_io_recording_fixes() numbers; NULL of recordings in metres.
+BEESPACE_C_API const double* beespace_io_recording_degrees(const beespace_io_recording* recording);
+/// @brief Gives what the input calls an agent.
+/// @param recording The recording.
+/// @param agent Its index, from 0.
+/// @return Its id; NULL where there is no such agent.
+BEESPACE_C_API const char* beespace_io_recording_id(const beespace_io_recording* recording,
+                                                    int64_t agent);
+/// @brief Gives all ids, one after the other, each with a zero byte at its end.
+/// @param recording The recording.
+/// @param[out] offsets Where each begins, and after the last one the size of all. NULL is fine.
+/// @return The texts; NULL of NULL.
+BEESPACE_C_API const char* beespace_io_recording_ids(const beespace_io_recording* recording,
+                                                     const int64_t** offsets);
+/// @brief Gives what an agent is called beside its id, as the flight of an aircraft.
+/// @param recording The recording.
+/// @param agent Its index, from 0.
+/// @return The label, or an empty text; NULL where there is no such agent.
+BEESPACE_C_API const char* beespace_io_recording_label(const beespace_io_recording* recording,
+                                                       int64_t agent);
+/// @brief Says whether times are seconds since 1970 (UTC).
+/// @param recording The recording.
+/// @return 1 if they are; 0 if they have a zero of their own.
+BEESPACE_C_API int32_t beespace_io_recording_since_1970(const beespace_io_recording* recording);
+/// @brief Says how many records are left out since their place, height or time is missing or bad,
+/// skipped ones among them. An answer is of the others: no conflict does not mean that there is
+/// none with these.
+/// @param recording The recording.
+/// @return The number of records.
+BEESPACE_C_API int64_t beespace_io_recording_missing(const beespace_io_recording* recording);
+/// @brief Gives what the input was taken for.
+/// @param recording The recording.
+/// @return The facts, which end with the recording; NULL of NULL.
+BEESPACE_C_API const beespace_io_facts* beespace_io_recording_facts(
+    const beespace_io_recording* recording);
+
+/* ---- Pages ---------------------------------------------------------------------------------- */
+
+/// @brief What a page shows. There is no default for the threshold. Texts may be NULL.
+typedef struct beespace_io_page_options {
+  size_t struct_size;  ///< sizeof(beespace_io_page_options)
+  uint32_t flags;      ///< BEESPACE_INCLUSIVE, or 0.
+  uint32_t threads;    ///< How many threads may search; 0 is 1, or BEESPACE_ALL_PROCESSORS.
+  uint64_t reserved;   ///< Zero.
+  double threshold_m;  ///< The threshold in metres, above zero.
+  double max_gap_s;  ///< Of recordings: between fixes farther apart in time nothing is known. 0 is
+                     ///< five times the typical interval, infinity joins all fixes.
+  const char* vertical;  ///< A vertical threshold, in metres or with its unit: "50", "1000ft".
+  const char* title;     ///< What the page is called; NULL for the name of the file.
+} beespace_io_page_options;
+
+/// @brief A page about points or a recording: one file of HTML that opens without a network, in
+/// three dimensions, with the worst pairs and, of recordings, the time. It is what `beespace
+/// report` writes.
+typedef struct beespace_io_page beespace_io_page;
+
+/// @brief Makes a page about what is in files: points or a recording, whichever they hold.
+/// @param paths One file; or files or a folder that are one recording.
+/// @param path_count How many paths there are.
+/// @param options How to read them; or NULL. `format` is refused here, `threads` says nothing.
+/// @param page_options What to show.
+/// @param[out] page The page; NULL after an error.
+/// @param[out] error What went wrong; or NULL.
+/// @return BEESPACE_OK or the code of the error: as beespace_io_read_points() and
+///   beespace_io_read_recording(); BEESPACE_INVALID_THRESHOLD; BEESPACE_INVALID_ARGUMENT also where
+///   this build has no pages (BEESPACE_WEB=OFF).
+BEESPACE_C_API beespace_code beespace_io_page_of_files(const char* const* paths, int64_t path_count,
+                                                       const beespace_io_options* options,
+                                                       const beespace_io_page_options* page_options,
+                                                       beespace_io_page** page,
+                                                       beespace_io_error* error);
+/// @brief Makes a page about points that were read.
+/// @param points The points. A vertical threshold is for those in metres.
+/// @param page_options What to show.
+/// @param[out] page The page; NULL after an error.
+/// @param[out] error What went wrong; or NULL.
+/// @return BEESPACE_OK or the code of the error: as beespace_io_page_of_files().
+BEESPACE_C_API beespace_code beespace_io_page_of_read(const beespace_io_points* points,
+                                                      const beespace_io_page_options* page_options,
+                                                      beespace_io_page** page,
+                                                      beespace_io_error* error);
+/// @brief Makes a page about points in memory.
+/// @param points The points, in metres; z is up.
+/// @param ids What each point is called; or NULL, for their indices.
+/// @param page_options What to show.
+/// @param[out] page The page; NULL after an error.
+/// @param[out] error What went wrong; or NULL.
+/// @return BEESPACE_OK or the code of the error: as beespace_at_risk(), and
+///   BEESPACE_INVALID_ARGUMENT where this build has no pages.
+BEESPACE_C_API beespace_code
+beespace_io_page_of_points(const beespace_points* points, const char* const* ids,
+                           const beespace_io_page_options* page_options, beespace_io_page** page,
+                           beespace_io_error* error);
+/// @brief Frees a page.
+/// @param page The page; NULL does nothing.
+BEESPACE_C_API void beespace_io_page_free(beespace_io_page* page);
+/// @brief Gives the page as text.
+/// @param page The page.
+/// @param[out] size How many bytes it has, without the zero at the end; NULL is fine.
+/// @return HTML in UTF-8; empty of NULL.
+BEESPACE_C_API const char* beespace_io_page_html(const beespace_io_page* page, size_t* size);
+/// @brief Writes the page into a file, which is there whole or not at all.
+/// @param page The page.
+/// @param path The file; one that is there is replaced, but not one that the page was read from.
+/// @param[out] error What went wrong; or NULL.
+/// @return BEESPACE_OK, BEESPACE_WRITE_FAILED or BEESPACE_INVALID_ARGUMENT.
+BEESPACE_C_API beespace_code beespace_io_page_write(const beespace_io_page* page, const char* path,
+                                                    beespace_io_error* error);
+/// @brief Says whether the page shows a danger: points at risk, conflicts, or gaps that may hide
+/// one.
+/// @param page The page.
+/// @return 1 if it does; 0 if what is known is not at risk.
+BEESPACE_C_API int32_t beespace_io_page_risky(const beespace_io_page* page);
+/// @brief Says how many sentences the page has about how the input was read and what is left out.
+/// @param page The page.
+/// @return The number of notes.
+BEESPACE_C_API int64_t beespace_io_page_note_count(const beespace_io_page* page);
+/// @brief Gives a note.
+/// @param page The page.
+/// @param index Which, from 0.
+/// @return The note; NULL where there is none.
+BEESPACE_C_API const char* beespace_io_page_note(const beespace_io_page* page, int64_t index);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,379 @@
+"""Points and recordings out of files."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from beespace import _io_library, _library
+from beespace._calls import whole
+from beespace._errors import BeespaceFileError
+from beespace._file_columns import array_of, text_of, texts_of
+
+PathLike = str | bytes | os.PathLike[str] | os.PathLike[bytes]
+
+
+class Facts:
+    """What a file was taken for, and why: what people must be told who rely on an answer.
+
+    Attributes
+    ----------
+    path : str
+        The file as it was given; of several, the first.
+    frame : str
+        "wgs84": longitude and latitude in degrees, which became metres; or "metres".
+    frame_reason : str
+        Why it was taken for that.
+    format : str
+        How the file is written: "text, comma-separated".
+    heights : str
+        What heights are counted from: "above mean sea level"; empty where the file does not say.
+    notes : tuple of str
+        Which units were taken, and what else was decided.
+    skipped : tuple of BeespaceFileError
+        With `skip_bad`: why records were left out, of the first 20.
+    skipped_count : int
+        How many were. None at risk does not mean that none of these is.
+    """
+
+    __slots__ = (
+        "format",
+        "frame",
+        "frame_reason",
+        "heights",
+        "notes",
+        "path",
+        "skipped",
+        "skipped_count",
+    )
+
+    def _take(self, path: str, facts: Any) -> None:
+        at_once = _io_library.load().at_once
+        self.path = path
+        self.frame = text_of(at_once.beespace_io_facts_frame(facts))
+        self.frame_reason = text_of(at_once.beespace_io_facts_frame_reason(facts))
+        self.format = text_of(at_once.beespace_io_facts_format(facts))
+        self.heights = text_of(at_once.beespace_io_facts_heights(facts))
+        notes = range(at_once.beespace_io_facts_note_count(facts))
+        self.notes = tuple(text_of(at_once.beespace_io_facts_note(facts, each)) for each in notes)
+        self.skipped_count = int(at_once.beespace_io_facts_skipped(facts))
+        self.skipped: tuple[BeespaceFileError, ...] = tuple(_skipped(facts, self.skipped_count))
+
+    def _said(self) -> str:
+        """What comes after "3 points" where this is shown."""
+        said = f" of {os.path.basename(self.path)!r}, {self.frame} ({self.frame_reason})"
+        if self.skipped_count:
+            records = "record" if self.skipped_count == 1 else "records"
+            said += f"; {self.skipped_count:,} bad {records} left out"
+        return said + "".join(f"\n  {note}" for note in self.notes)
+
+
+class FilePoints(Facts):
+    """The points of a file, as `read` gives them. They are points for all questions:
+    ``beespace.at_risk(points, 50)``; ids of an answer are indices of `ids` and `positions`.
+
+    Besides the attributes of what the file was taken for (`frame`, `notes`, ...) it has these:
+
+    Attributes
+    ----------
+    positions : ndarray of float64, shape (n, 3)
+        Metres; of degrees those of ECEF, whose z is not a height. Read-only, and not copied.
+    ids : ndarray, shape (n,)
+        What the file calls each point, as str objects; rows as int64 where it has no ids.
+    rows : ndarray of int64, shape (n,)
+        The row of data of each point, from 0; records that were left out count.
+    degrees : ndarray of float64, shape (n, 3), or None
+        Longitude and latitude in degrees and the height in metres; None of points in metres.
+    """
+
+    __slots__ = ("_handle", "_ids")
+
+    def __init__(self, path: str, handle: ctypes.c_void_p) -> None:
+        at_once = _io_library.load().at_once
+        self._handle = handle
+        self._ids: NDArray[Any] | None = None
+        self._take(path, at_once.beespace_io_points_facts(handle))
+
+    def __len__(self) -> int:
+        return int(_io_library.load().at_once.beespace_io_points_count(self._handle))
+
+    @property
+    def positions(self) -> NDArray[np.float64]:
+        address = _io_library.load().at_once.beespace_io_points_xyz(self._handle)
+        return array_of(self._handle, address, (len(self), 3), np.float64)
+
+    @property
+    def degrees(self) -> NDArray[np.float64] | None:
+        address = _io_library.load().at_once.beespace_io_points_degrees(self._handle)
+        if address is None and self.frame != "wgs84":
+            return None
+        return array_of(self._handle, address, (len(self), 3), np.float64)
+
+    @property
+    def rows(self) -> NDArray[np.int64]:
+        address = _io_library.load().at_once.beespace_io_points_rows(self._handle)
+        return array_of(self._handle, address, (len(self),), np.int64)
+
+    @property
+    def ids(self) -> NDArray[Any]:
+        if self._ids is None:
+            get = _io_library.load().at_once.beespace_io_points_ids
+            texts = texts_of(get, self._handle, len(self))
+            self._ids = self.rows if texts is None else texts
+        return self._ids
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
+        positions = self.positions
+        if dtype is not None and np.dtype(dtype) != positions.dtype:
+            if copy is False:
+                raise ValueError("positions are float64; another type is a copy")
+            return positions.astype(dtype)
+        return positions.copy() if copy else positions
+
+    def __repr__(self) -> str:
+        count = len(self)
+        return f"<FilePoints: {count:,} {'point' if count == 1 else 'points'}{self._said()}>"
+
+
+class FileRecording(Facts):
+    """The recording of a file, as `read_recording` gives it: fixes in columns, agent by agent, those
+    of each in ascending order of time.
+
+    Besides the attributes of what the file was taken for (`frame`, `notes`, ...) it has these:
+
+    Attributes
+    ----------
+    ids : ndarray of str objects, shape (a,)
+        What the file calls each agent.
+    labels : tuple of str
+        What each is called beside that, as the flight of an aircraft; or empty.
+    indptr : ndarray of int64, shape (a + 1,)
+        The fixes of agent a are ``indptr[a]`` to ``indptr[a + 1] - 1``.
+    agents : ndarray of int64, shape (n,)
+        Whose each fix is: an index of `ids`.
+    times : ndarray of float64, shape (n,)
+        Seconds: since 1970 in UTC where `since_1970`, otherwise from a zero of the file's.
+    positions : ndarray of float64, shape (n, 3)
+        Metres; of degrees those of ECEF, whose z is not a height.
+    degrees : ndarray of float64, shape (n, 3), or None
+        Longitude and latitude in degrees and the height in metres; None of those in metres.
+    since_1970 : bool
+        Whether times are seconds since 1970.
+    missing_count : int
+        How many records are left out since their place, height or time is missing or bad. No
+        conflict does not mean that there is none with these.
+
+    The arrays are read-only, and not copied.
+    """
+
+    __slots__ = ("_handle", "_sizes", "ids", "labels", "missing_count", "since_1970")
+
+    def __init__(self, path: str, handle: ctypes.c_void_p) -> None:
+        at_once = _io_library.load().at_once
+        self._handle = handle
+        agents = int(at_once.beespace_io_recording_agents(handle))
+        self._sizes = agents, int(at_once.beespace_io_recording_fixes(handle))
+        self._take(path, at_once.beespace_io_recording_facts(handle))
+        ids = texts_of(at_once.beespace_io_recording_ids, handle, agents)
+        self.ids: NDArray[Any] = np.empty(0, object) if ids is None else ids
+        self.labels = tuple(
+            text_of(at_once.beespace_io_recording_label(handle, each)) for each in range(agents)
+        )
+        self.since_1970 = bool(at_once.beespace_io_recording_since_1970(handle))
+        self.missing_count = int(at_once.beespace_io_recording_missing(handle))
+
+    def __len__(self) -> int:
+        return self._sizes[1]
+
+    def _column(self, name: str, shape: tuple[int, ...], dtype: Any) -> NDArray[Any]:
+        get = getattr(_io_library.load().at_once, f"beespace_io_recording_{name}")
+        return array_of(self._handle, get(self._handle), shape, dtype)
+
+    @property
+    def indptr(self) -> NDArray[np.int64]:
+        return self._column("offsets", (self._sizes[0] + 1,), np.int64)
+
+    @property
+    def agents(self) -> NDArray[np.int64]:
+        return self._column("agent", (len(self),), np.int64)
+
+    @property
+    def times(self) -> NDArray[np.float64]:
+        return self._column("times_s", (len(self),), np.float64)
+
+    @property
+    def positions(self) -> NDArray[np.float64]:
+        return self._column("xyz", (len(self), 3), np.float64)
+
+    @property
+    def degrees(self) -> NDArray[np.float64] | None:
+        if self.frame != "wgs84":
+            return None
+        return self._column("degrees", (len(self), 3), np.float64)
+
+    def __repr__(self) -> str:
+        agents, fixes = self._sizes
+        return (
+            f"<FileRecording: {fixes:,} {'fix' if fixes == 1 else 'fixes'} of {agents:,} "
+            f"{'agent' if agents == 1 else 'agents'}{self._said()}>"
+        )
+
+
+def read(
+    path: PathLike,
+    *,
+    frame: str | None = None,
+    columns: str | None = None,
+    units: str | None = None,
+    heights: str | None = None,
+    format: str | None = None,
+    skip_bad: bool = False,
+    threads: int = 1,
+) -> FilePoints:
+    """Reads points from a file: a table of text, an array of NumPy (.npy) or raw doubles (.bin), each
+    plain or gzip-compressed.
+
+    Nothing is guessed: where the file does not say whether it holds degrees or metres, or in which
+    unit, that is an error which says how to say it. A recording is an error, too, as each fix would
+    count as a point: that is for `read_recording`.
+
+    Parameters
+    ----------
+    path : str or path
+        The file. "-" is a file of that name; standard input is "/dev/stdin".
+    frame : {"wgs84", "metres"}, optional
+        Whether coordinates are longitude and latitude in degrees, or metres.
+    columns : str, optional
+        Which columns of a table count, by number or name: "id=1,lon=2,lat=3,height=4".
+    units : str, optional
+        Units that the header does not name: "position=km,height=ft".
+    heights : {"geometric", "pressure"}, optional
+        Which heights count, of several.
+    format : {"text", "npy", "bin"}, optional
+        How the file is written, where its content does not tell.
+    skip_bad : bool
+        Whether bad records are left out and listed in `skipped`, instead of being an error.
+    threads : int
+        How many threads may read; 0 for one per processor.
+
+    Returns
+    -------
+    FilePoints
+        Positions in metres, ids, and what the file was taken for.
+
+    Raises
+    ------
+    BeespaceFileError
+        What is wrong with the file, with `file`, `line`, `column` and `record`.
+    BeespaceOSError
+        The same, and an OSError: the file is missing or cannot be read.
+    ImportError
+        This installation has no readers.
+
+    Ctrl-C is heard when the file is read.
+    """
+    options = reading_options(
+        skip_bad, False, threads, frame=frame, columns=columns, units=units, heights=heights,
+        format=format,
+    )
+    error = _io_library.new_error()
+    io = _io_library.load()
+    handle = io.handles["points"]()
+    code = io.library.beespace_io_read_points(
+        encoded_path(path), options, ctypes.byref(handle), ctypes.byref(error)
+    )
+    _io_library.check(code, error)
+    return FilePoints(os.fsdecode(path), handle)
+
+
+def read_recording(
+    path: PathLike | Sequence[PathLike],
+    *,
+    frame: str | None = None,
+    columns: str | None = None,
+    units: str | None = None,
+    heights: str | None = None,
+    time_unit: str | None = None,
+    skip_bad: bool = False,
+    grounded: bool = False,
+) -> FileRecording:
+    """Reads a recording, which says where each of many agents was when: a table of fixes, or many; a
+    drone show (.skyc); a MAVLink log (.tlog); reports of aircraft.
+
+    No fix is interpolated. Curves of drone shows become straight lines between fixes, at most 1 mm
+    away from the curve.
+
+    Parameters
+    ----------
+    path : str or path, or a sequence of them
+        A file or a folder; or files that are read as one recording.
+    frame, columns, units, heights, skip_bad
+        As in `read`; columns may have a time, "id=1,time=2,x=3,y=4,z=5".
+    time_unit : {"s", "ms", "us", "ns"}, optional
+        Of times, where the file does not say.
+    grounded : bool
+        Whether drones and aircraft on the ground count, too.
+
+    Returns
+    -------
+    FileRecording
+        Columns of agents, times and positions, ids, and what the file was taken for.
+
+    Raises
+    ------
+    BeespaceFileError, BeespaceOSError, ImportError
+        As `read`.
+    """
+    options = reading_options(
+        skip_bad, grounded, 1, frame=frame, columns=columns, units=units, heights=heights,
+        time_unit=time_unit,
+    )
+    paths = paths_of(path)
+    error = _io_library.new_error()
+    io = _io_library.load()
+    handle = io.handles["recording"]()
+    code = io.library.beespace_io_read_recording(
+        paths, len(paths), options, ctypes.byref(handle), ctypes.byref(error)
+    )
+    _io_library.check(code, error)
+    return FileRecording(os.fsdecode(paths[0]), handle)
+
+
+def paths_of(path: PathLike | Iterable[PathLike]) -> ctypes.Array[ctypes.c_char_p]:
+    """One path, or several, as an array of C."""
+    several = [path] if isinstance(path, (str, bytes, os.PathLike)) else list(path)
+    return (ctypes.c_char_p * len(several))(*(encoded_path(each) for each in several))
+
+
+def encoded_path(path: PathLike) -> bytes:
+    encoded = os.fsencode(path)
+    if b"\0" in encoded:
+        raise ValueError("a path has no zero byte in it")
+    return encoded
+
+
+def reading_options(skip_bad: bool, grounded: bool, threads: Any, **texts: str | None) -> Any:
+    options = _io_library.COptions(ctypes.sizeof(_io_library.COptions))
+    if skip_bad:
+        options.flags |= _io_library.SKIP_BAD
+    if grounded:
+        options.flags |= _io_library.GROUNDED
+    number = whole(threads, "threads")
+    options.threads = _library.ALL_PROCESSORS if number == 0 else min(number, 256)
+    for name, text in texts.items():
+        setattr(options, name, _io_library.encoded(text))
+    return ctypes.byref(options)
+
+
+def _skipped(facts: Any, count: int) -> Iterable[BeespaceFileError]:
+    at_once = _io_library.load().at_once
+    for each in range(count):
+        error = _io_library.new_error()
+        if at_once.beespace_io_facts_skipped_error(facts, each, error) == _library.OK:
+            return  # only the first ones are kept
+        yield _io_library.error_of(error)

@@ -1,0 +1,192 @@
+"""libbeespace_io.so, as its header <beespace_io.h> declares it: loaded by the first call that needs it,
+as not each installation has it.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import errno
+import functools
+import os
+from ctypes import POINTER, c_char, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32
+from ctypes import c_uint64, c_void_p
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from beespace import _library
+from beespace._errors import BeespaceFileError, BeespaceOSError
+
+SKIP_BAD = 1
+GROUNDED = 2
+
+
+class CFileError(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("code", c_int32),
+        ("reserved", c_int32),
+        ("record", c_int64),
+        ("line", c_int64),
+        ("column", c_int64),
+        ("place", c_char * 32),
+        ("file", c_char * 1024),
+        ("message", c_char * 1024),
+    ]
+
+
+class COptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("flags", c_uint32),
+        ("threads", c_uint32),
+        ("reserved", c_uint64),
+        ("frame", c_char_p),
+        ("columns", c_char_p),
+        ("units", c_char_p),
+        ("heights", c_char_p),
+        ("format", c_char_p),
+        ("time_unit", c_char_p),
+    ]
+
+
+class CPageOptions(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("flags", c_uint32),
+        ("threads", c_uint32),
+        ("reserved", c_uint64),
+        ("threshold_m", c_double),
+        ("max_gap_s", c_double),
+        ("vertical", c_char_p),
+        ("title", c_char_p),
+    ]
+
+
+_options, _error = POINTER(COptions), POINTER(CFileError)
+_page_tail = [POINTER(CPageOptions), c_void_p, _error]
+_signatures: dict[str, tuple[object, list[object]]] = {
+    "error_text": (c_size_t, [_error, c_char_p, c_size_t]),
+    "facts_frame": (c_char_p, [c_void_p]),
+    "facts_frame_reason": (c_char_p, [c_void_p]),
+    "facts_format": (c_char_p, [c_void_p]),
+    "facts_heights": (c_char_p, [c_void_p]),
+    "facts_note_count": (c_int64, [c_void_p]),
+    "facts_note": (c_char_p, [c_void_p, c_int64]),
+    "facts_skipped": (c_int64, [c_void_p]),
+    "facts_skipped_error": (c_int32, [c_void_p, c_int64, _error]),
+    "read_points": (c_int32, [c_char_p, _options, c_void_p, _error]),
+    "points_count": (c_int64, [c_void_p]),
+    "points_xyz": (c_void_p, [c_void_p]),
+    "points_degrees": (c_void_p, [c_void_p]),
+    "points_rows": (c_void_p, [c_void_p]),
+    "points_ids": (c_void_p, [c_void_p, c_void_p]),
+    "points_facts": (c_void_p, [c_void_p]),
+    "read_recording": (c_int32, [c_void_p, c_int64, _options, c_void_p, _error]),
+    "recording_agents": (c_int64, [c_void_p]),
+    "recording_fixes": (c_int64, [c_void_p]),
+    "recording_offsets": (c_void_p, [c_void_p]),
+    "recording_agent": (c_void_p, [c_void_p]),
+    "recording_times_s": (c_void_p, [c_void_p]),
+    "recording_xyz": (c_void_p, [c_void_p]),
+    "recording_degrees": (c_void_p, [c_void_p]),
+    "recording_ids": (c_void_p, [c_void_p, c_void_p]),
+    "recording_label": (c_char_p, [c_void_p, c_int64]),
+    "recording_since_1970": (c_int32, [c_void_p]),
+    "recording_missing": (c_int64, [c_void_p]),
+    "recording_facts": (c_void_p, [c_void_p]),
+    "page_of_files": (c_int32, [c_void_p, c_int64, _options, *_page_tail]),
+    "page_of_read": (c_int32, [c_void_p, *_page_tail]),
+    "page_of_points": (c_int32, [POINTER(_library.CPoints), c_void_p, *_page_tail]),
+    "page_html": (c_void_p, [c_void_p, POINTER(c_size_t)]),
+    "page_write": (c_int32, [c_void_p, c_char_p, _error]),
+    "page_risky": (c_int32, [c_void_p]),
+    "page_note_count": (c_int64, [c_void_p]),
+    "page_note": (c_char_p, [c_void_p, c_int64]),
+}
+_handles = ("points", "recording", "page")
+
+
+class IoLibrary(NamedTuple):
+    """The library, as _library has the other one: for calls that take long, and for the others."""
+
+    library: ctypes.CDLL
+    at_once: ctypes.PyDLL
+    handles: dict[str, type[c_void_p]]
+
+
+def _find() -> str:
+    """The library that is asked for, the one beside this, or that of the system."""
+    asked = os.environ.get("BEESPACE_IO_LIBRARY")
+    if asked:
+        return asked
+    beside = Path(__file__).with_name("libbeespace_io.so")
+    return str(beside) if beside.exists() else "libbeespace_io.so.1"
+
+
+@functools.lru_cache(maxsize=None)
+def load() -> IoLibrary:
+    path = _find()
+    try:
+        library, at_once = ctypes.CDLL(path), ctypes.PyDLL(path)
+        for name, (restype, argtypes) in _signatures.items():
+            for each in (library, at_once):
+                function = getattr(each, f"beespace_io_{name}")
+                function.restype = restype
+                function.argtypes = argtypes
+    except (OSError, AttributeError) as error:  # none, or one of an older version
+        raise ImportError(
+            "this installation of beespace cannot read files or make reports, as it finds no "
+            f"libbeespace_io.so that fits: {error}. Type 'make install' in a clone of beespace, and "
+            "set BEESPACE_IO_LIBRARY to the path of the library where the system does not find it."
+        ) from error
+    handles = {name: _library.handle_of(library, f"io_{name}") for name in _handles}
+    return IoLibrary(library, at_once, handles)
+
+
+def new_error() -> CFileError:
+    """An error for one call to fill."""
+    return CFileError(ctypes.sizeof(CFileError))
+
+
+def error_of(error: CFileError) -> BeespaceFileError:
+    """What the library said is wrong with a file, as an exception."""
+    at_once = load().at_once
+    text = ctypes.create_string_buffer(at_once.beespace_io_error_text(error, None, 0) + 1)
+    at_once.beespace_io_error_text(error, text, len(text))
+    code = _library.library.beespace_code_name(error.code).decode()
+    file = os.fsdecode(error.file) or None
+    of_system = code in ("cannot_open", "read_failed", "write_failed")
+    raised = (BeespaceOSError if of_system else BeespaceFileError)(
+        text.value.decode(errors="replace"),
+        code,
+        error.place.decode() or None,
+        None if error.record < 0 else int(error.record),
+        file,
+        int(error.line) or None,
+        int(error.column) or None,
+    )
+    if isinstance(raised, BeespaceOSError):
+        raised.filename = file
+        if code == "cannot_open" and file is not None and not os.path.lexists(file):
+            raised.errno = errno.ENOENT
+    return raised
+
+
+def check(code: int, error: CFileError) -> None:
+    """Raises the error of a call, if it has one."""
+    if code == _library.OK:
+        return
+    if code == _library.OUT_OF_MEMORY:
+        raise MemoryError(error.message.decode())
+    raise error_of(error)
+
+
+def encoded(text: Any) -> bytes | None:
+    """A text of an option; None of None."""
+    if text is None:
+        return None
+    if not isinstance(text, str):
+        raise TypeError(f"options of reading are texts, not {text!r}")
+    if "\0" in text:
+        raise ValueError("a text of an option has no zero byte in it")
+    return text.encode()
