@@ -95,17 +95,19 @@ class Ranks(NamedTuple):
 
 
 def ranks(k: Any) -> Ranks:
-    if isinstance(k, (int, np.integer)):
-        if k < 1:
-            raise ValueError(f"k counts the nearest neighbours from 1: {k} is none")
-        return Ranks(int(k), None, k == 1)
-    if isinstance(k, (list, tuple, np.ndarray)):
-        given = np.asarray(k)
-        if given.dtype.kind in "fiu" or given.size == 0:
-            # Some versions of SciPy read outside of their arrays where there is a rank of 0.
-            if not (given.size and (given >= 1).all()):
-                raise ValueError(f"k counts the nearest neighbours from 1: {k} has none or a lower one")
-            if given.ndim == 1 and given.dtype.kind != "f":
-                chosen = given.astype(np.intp)
-                return Ranks(int(chosen.max()), chosen, False)
-    raise HandOver(REFUSED)
+    if type(k) not in (list, tuple, np.ndarray):
+        try:
+            count = operator.index(k)
+        except TypeError:
+            raise HandOver(REFUSED) from None
+        if count < 1:
+            raise ValueError(f"k counts the nearest neighbours from 1: {count} is none")
+        return Ranks(count, None, count == 1)
+    given: NDArray[Any] = np.asarray(k)
+    if given.size == 0 or given.dtype.kind in "fiu" and not (given >= 1).all():
+        # Some versions of SciPy read outside of their arrays where there is a rank of 0.
+        raise ValueError(f"k counts the nearest neighbours from 1: not so {k}")
+    if given.ndim != 1 or given.dtype.kind not in "iu":
+        raise HandOver(REFUSED)
+    chosen = given.astype(np.intp)
+    return Ranks(int(chosen.max()), chosen, False)

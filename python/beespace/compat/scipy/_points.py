@@ -76,7 +76,7 @@ class TreePoints:
         self, places: NDArray[Any], radius: float | NDArray[np.float64], threads: int = 1
     ) -> Neighbors:
         """The points within a radius of each place."""
-        if np.ndim(radius) == 0 and radius != 0.0 and self._asked_by_many(places):
+        if isinstance(radius, float) and radius and self._asked_by_many(places):
             return beespace.neighbors(
                 places, radius, others=self.data, distances=False, inclusive=True, threads=threads
             )
@@ -86,10 +86,8 @@ class TreePoints:
         self, places: NDArray[Any], radius: float | NDArray[np.float64], threads: int = 1
     ) -> NDArray[np.int64]:
         """How many points are within a radius of each place."""
-        if np.ndim(radius) == 0 and radius != 0.0 and self._asked_by_many(places):
-            return beespace.count(
-                places, radius, others=self.data, inclusive=True, threads=threads
-            )
+        if isinstance(radius, float) and radius and self._asked_by_many(places):
+            return beespace.count(places, radius, others=self.data, inclusive=True, threads=threads)
         return np.diff(self.around(places, radius, threads).indptr)
 
     def pairs(self, radius: float) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
