@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <span>
 #include <utility>
 
 using namespace beespace::c;  // NOLINT(google-build-using-namespace): the functions are of C
@@ -125,6 +126,31 @@ beespace_code beespace_index_around(const beespace_index* index, const beespace_
     const AroundOptions around{asked->options.threshold_m, asked->options.inclusive,
                                options.threads, asked->options.max_results, options.stop};
     const Result<IdRows> rows = index->index.find_around(view, around);
+    if (!rows) return rows.error();
+    write_rows(*rows, view.size(), *result);
+    return std::monostate{};
+  };
+  return answer_of(index, places, run, result, error, ask);
+}
+
+beespace_code beespace_index_around_each(const beespace_index* index, const beespace_points* places,
+                                         const double* radii_m, const beespace_search* search,
+                                         const beespace_run* run, beespace_result* result,
+                                         beespace_error* error) {
+  const auto ask = [&](const PointsView& view, const RunOptions& options) -> Status {
+    const Result<Search> asked = search_of(search, BEESPACE_INCLUSIVE | BEESPACE_MAX_RESULTS);
+    if (!asked) return asked.error();
+    if (asked->options.threshold_m != 0.0) {
+      return invalid("there is a radius for each place: threshold_m must be 0", "search");
+    }
+    if (radii_m == nullptr && !view.empty()) return invalid("the pointer is NULL", "radii");
+    AroundOptions around;
+    around.inclusive = asked->options.inclusive;
+    around.threads = options.threads;
+    around.max_results = asked->options.max_results;
+    around.stop = options.stop;
+    const Result<IdRows> rows =
+        index->index.find_around(view, std::span(radii_m, view.size()), around);
     if (!rows) return rows.error();
     write_rows(*rows, view.size(), *result);
     return std::monostate{};

@@ -505,6 +505,20 @@ BEESPACE_C_API beespace_code beespace_index_around(const beespace_index* index,
                                                    const beespace_search* search,
                                                    const beespace_run* run, beespace_result* result,
                                                    beespace_error* error);
+/// @brief Which points are around each of many positions, with a radius for each?
+/// @param index The index.
+/// @param places The positions, each of which has a row.
+/// @param radii_m A radius in metres for each position: 0 or more, `places->count` of them.
+/// @param search `threshold_m` must be 0. Flags: BEESPACE_INCLUSIVE, BEESPACE_MAX_RESULTS.
+/// @param run Threads, and what ends the call early; or NULL.
+/// @param[out] result A row of ids for each position, ascending.
+/// @param[out] error What went wrong; or NULL.
+/// @return BEESPACE_OK or the code of the error: as beespace_index_around();
+///   BEESPACE_INVALID_THRESHOLD with the place "radii" and the radius in beespace_error::record.
+BEESPACE_C_API beespace_code
+beespace_index_around_each(const beespace_index* index, const beespace_points* places,
+                           const double* radii_m, const beespace_search* search,
+                           const beespace_run* run, beespace_result* result, beespace_error* error);
 /// @brief Which are the k nearest points of each of many positions?
 /// @param index The index.
 /// @param places The positions, each of which has a row.

@@ -22,6 +22,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -31,7 +32,7 @@ namespace beespace {
 /// referred to.
 struct AroundOptions {
   /// @brief The radius in metres: zero or more, inside the coordinate domain (see Point). Must be
-  /// given: there is no default.
+  /// given where there is not one for each position: there is no default.
   double radius_m = kNotGiven;
 
   /// @brief Whether points exactly as far as the radius are found, too.
@@ -143,6 +144,17 @@ class BEESPACE_API Index {
   ///   AroundOptions::max_results; ErrorCode::kStopped when a stop was requested.
   [[nodiscard]] Result<IdRows> find_around(const PointsView& places,
                                            const AroundOptions& options) const;
+  /// @brief The same with a radius for each position.
+  /// @param places The positions in metres; read in place.
+  /// @param radii_m A radius in metres for each position: zero or more.
+  /// @param options How to search. AroundOptions::radius_m must not be given.
+  /// @return As above; ErrorCode::kInvalidArgument when there are more or fewer radii than
+  /// positions
+  ///   or when there is one for all, too. ErrorLocation::record of a radius is its index in
+  ///   "radii".
+  [[nodiscard]] Result<IdRows> find_around(const PointsView& places,
+                                           std::span<const double> radii_m,
+                                           const AroundOptions& options = {}) const;
 
   /// @brief Finds the `k` nearest points of one position.
   ///

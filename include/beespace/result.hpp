@@ -67,9 +67,9 @@ struct ErrorLocation {
   std::optional<std::uint64_t> record = {};  ///< The 0-based row of data, or index into
                                              ///< `array`; of "agents" an AgentId.
   /// @brief The array of a call that the error is about, by the name of its parameter or option:
-  /// "points", "others", "places", "movers", "preferred", "limits", "intruders", "unknown",
-  /// "obstacles", "tracks", "pieces"; or "agents", those of a Swarm. Empty where the error is about
-  /// a file, or about no array.
+  /// "points", "others", "places", "radii", "movers", "preferred", "limits", "intruders",
+  /// "unknown", "obstacles", "tracks", "pieces"; or "agents", those of a Swarm. Empty where the
+  /// error is about a file, or about no array.
   std::string array = {};
 };
 

@@ -12,6 +12,7 @@ from beespace import _library
 from beespace._answers import Nearest, Neighbors
 from beespace._calls import check, run_of, search_of, whole
 from beespace._columns import Result
+from beespace._errors import invalid
 from beespace._library import library
 from beespace._points import Points, PointsLike, position
 from beespace._searches import nearest_of
@@ -82,7 +83,7 @@ class Index:
     def around(
         self,
         places: PointsLike,
-        radius: float,
+        radius: float | ArrayLike,
         *,
         inclusive: bool = False,
         max_results: int | None = None,
@@ -96,8 +97,8 @@ class Index:
         ----------
         places : array of shape (m, 3) or (m, 2), tuple of arrays, or data frame
             Positions in metres.
-        radius : float
-            In metres; zero or more.
+        radius : float, or array of shape (m,)
+            In metres; zero or more. One for all positions, or one for each.
         inclusive : bool
             Whether exactly the radius away counts as closer.
         max_results : int, optional
@@ -110,10 +111,21 @@ class Index:
         Neighbors
             A row of ids, ascending, for each position; without distances.
         """
-        search = search_of(radius, None, inclusive, max_results)
-        given, result = self._ask(
-            library.beespace_index_around, places, (ctypes.byref(search),), threads
-        )
+        if np.ndim(radius) == 0:
+            search = search_of(radius, None, inclusive, max_results)
+            _, result = self._ask(
+                library.beespace_index_around, places, (ctypes.byref(search),), threads
+            )
+        else:
+            search = search_of(0.0, None, inclusive, max_results)
+            radii = np.ascontiguousarray(radius, np.float64)
+            _, result = self._ask(
+                library.beespace_index_around_each,
+                places,
+                (_address_of(radii), ctypes.byref(search)),
+                threads,
+                radii.shape,
+            )
         ids = result.ids()
         # Ids of removed points are not used again, so there may be higher ones than points.
         others = max(len(self), int(ids.max()) + 1 if len(ids) else 0)
@@ -168,9 +180,16 @@ class Index:
         )
 
     def _ask(
-        self, function: Any, places: Any, arguments: tuple[Any, ...], threads: int
+        self,
+        function: Any,
+        places: Any,
+        arguments: tuple[Any, ...],
+        threads: int,
+        shape: tuple[int, ...] | None = None,
     ) -> tuple[Points, Result]:
         given = Points(places, "places")
+        if shape is not None and shape != (given.count,):
+            raise invalid(f"{given.count} places need as many radii, not {shape}", "radii")
         error = _library.new_error()
         result = Result()
         run = run_of(threads, given.count)
@@ -184,3 +203,7 @@ class Index:
         )
         check(code, error)
         return given, result
+
+
+def _address_of(numbers: NDArray[np.float64]) -> Any:
+    return numbers.ctypes.data_as(ctypes.POINTER(ctypes.c_double))

@@ -162,6 +162,7 @@ _signatures: dict[str, tuple[object, list[object]]] = {
     "index_size": (c_int64, [c_void_p]),
     "index_position": (c_int32, [c_void_p, c_int64, POINTER(c_double), POINTER(CError)]),
     "index_around": (c_int32, [c_void_p, _points, _search, *_tail]),
+    "index_around_each": (c_int32, [c_void_p, _points, POINTER(c_double), _search, *_tail]),
     "index_nearest": (c_int32, [c_void_p, _points, c_int64, *_tail]),
     "index_insert": (
         c_int32,

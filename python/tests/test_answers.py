@@ -153,8 +153,30 @@ def test_an_index_answers_about_any_place(points, places, threshold):
     assert [row.tolist() for row in around] == [
         [j for i, j in expected if i == row] for row in range(3)
     ]
+    each = [0.0, threshold, 2 * threshold]
+    assert [row.tolist() for row in index.around(places, each, inclusive=True)] == [
+        [
+            j
+            for j, other in enumerate(oracle.exact(given_points))
+            if oracle.is_closer(place, other, radius, True, None)
+        ]
+        for place, radius in zip(oracle.exact(places), each)
+    ]
     assert index.nearest(places, 2).ids.tolist() == oracle.nearest(places, 2, given_points)
     assert len(index) == len(points)
+
+
+def test_an_index_wants_one_radius_or_one_for_each_place():
+    index = beespace.Index([[0, 0, 0], [10, 0, 0]])
+    for radii, code, place, record in (
+        ([1.0], "invalid_argument", "radii", None),
+        ([[1.0, 2.0]], "invalid_argument", "radii", None),
+        ([1.0, -2.0], "invalid_threshold", "radii", 1),
+    ):
+        with pytest.raises(beespace.BeespaceError) as caught:
+            index.around([[0, 0, 0], [1, 0, 0]], radii)
+        error = caught.value
+        assert (error.code, error.place, error.record) == (code, place, record)
 
 
 def test_an_index_changes():

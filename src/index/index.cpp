@@ -10,6 +10,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <span>
+#include <string>
 #include <utility>
 
 namespace beespace {
@@ -38,6 +41,46 @@ Result<core::Bounds> measure(const PointsView& points, const char* name,
   Result<core::Bounds> bounds = core::measure(points, with);
   if (!bounds) bounds.error().location.array = name;
   return bounds;
+}
+
+// What is wrong with one radius for each place.
+std::optional<Error> check_radii(const PointsView& places, std::span<const double> radii_m,
+                                 const AroundOptions& options) {
+  if (!std::isnan(options.radius_m)) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "there is a radius for each place and one for all: give either",
+                 {}};
+  }
+  if (radii_m.size() != places.size()) {
+    Error error{ErrorCode::kInvalidArgument,
+                "there are " + std::to_string(radii_m.size()) + " radii for " +
+                    std::to_string(places.size()) + " places; give one for each",
+                {}};
+    error.location.array = "radii";
+    return error;
+  }
+  for (std::size_t i = 0; i < radii_m.size(); ++i) {
+    if (auto error = search::check_radius(radii_m[i])) {
+      error->location.array = "radii";
+      error->location.record = i;
+      return error;
+    }
+  }
+  return std::nullopt;
+}
+
+// The points around all places, whose radii are checked.
+Result<IdRows> answer_around(const search::IndexLevels& levels, Crew* lent,
+                             const PointsView& places, std::span<const double> radii_m,
+                             const AroundOptions& options) {
+  core::KeptCrew crew(lent);
+  core::StoppableCrew stoppable(crew.of(options.threads, places.size()), options.stop);
+  core::Memory memory;
+  return core::unless_stopped([&]() -> Result<IdRows> {
+    const Result<core::Bounds> bounds = measure(places, core::kPlacesName, {stoppable, memory});
+    if (!bounds) return bounds.error();
+    return search::find_around_all(levels, places, radii_m, *bounds, options, stoppable);
+  });
 }
 
 Error no_such_point(PointId id) {
@@ -153,14 +196,13 @@ Result<std::vector<Nearest>> Index::k_nearest_of(PointId id, std::size_t k) cons
 Result<IdRows> Index::find_around(const PointsView& places, const AroundOptions& options) const {
   if (std::isnan(options.radius_m)) return core::threshold_not_given();
   if (auto error = search::check_radius(options.radius_m)) return *std::move(error);
-  core::KeptCrew crew(levels_->lent);
-  core::StoppableCrew stoppable(crew.of(options.threads, places.size()), options.stop);
-  core::Memory memory;
-  return core::unless_stopped([&]() -> Result<IdRows> {
-    const Result<core::Bounds> bounds = measure(places, core::kPlacesName, {stoppable, memory});
-    if (!bounds) return bounds.error();
-    return search::find_around_all(*levels_, places, *bounds, options, stoppable);
-  });
+  return answer_around(*levels_, levels_->lent, places, {}, options);
+}
+
+Result<IdRows> Index::find_around(const PointsView& places, std::span<const double> radii_m,
+                                  const AroundOptions& options) const {
+  if (auto error = check_radii(places, radii_m, options)) return *std::move(error);
+  return answer_around(*levels_, levels_->lent, places, radii_m, options);
 }
 
 Result<NearestRows> Index::k_nearest(const PointsView& places, std::size_t k,

@@ -9,6 +9,7 @@
 #include <beespace/index.hpp>
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace beespace {
@@ -33,10 +34,11 @@ class IndexLevels {
 
 std::optional<Error> check_radius(double radius_m);
 
-// The answers to many queries, all in the domain and in this box.
+// The answers to many queries, all in the domain and in this box. The radii, one for each place,
+// take precedence over that of the options, unless there are none.
 Result<IdRows> find_around_all(const IndexLevels& levels, const PointsView& places,
-                               const core::Bounds& bounds, const AroundOptions& options,
-                               Crew& crew);
+                               std::span<const double> radii_m, const core::Bounds& bounds,
+                               const AroundOptions& options, Crew& crew);
 NearestRows find_nearest_of_all(const IndexLevels& levels, const PointsView& places,
                                 const core::Bounds& bounds, std::size_t k, Crew& crew);
 

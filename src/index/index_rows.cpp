@@ -8,6 +8,7 @@
 #include <atomic>
 #include <limits>
 #include <new>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -32,10 +33,11 @@ void share_out(std::size_t count, Crew& crew, Work&& work) {
 
 class AroundAll {
  public:
-  AroundAll(const IndexLevels& levels, const OrderedPlaces& places, const AroundOptions& options,
-            Crew& crew)
+  AroundAll(const IndexLevels& levels, const OrderedPlaces& places, std::span<const double> radii_m,
+            const AroundOptions& options, Crew& crew)
       : levels_(levels),
         places_(places),
+        radii_m_(radii_m),
         options_(options),
         crew_(crew),
         found_(crew.size()),
@@ -69,7 +71,8 @@ class AroundAll {
   };
 
   void probe_neighbors(std::size_t i, Found& mine) {
-    levels_.find_around({places_.places[i], options_.radius_m, options_.inclusive}, mine.row);
+    const double radius_m = radii_m_.empty() ? options_.radius_m : radii_m_[places_.index[i]];
+    levels_.find_around({places_.places[i], radius_m, options_.inclusive}, mine.row);
     sizes_[i] = static_cast<std::uint32_t>(mine.row.size());
     mine.ids.insert(mine.ids.end(), mine.row.begin(), mine.row.end());
   }
@@ -97,6 +100,7 @@ class AroundAll {
 
   const IndexLevels& levels_;
   const OrderedPlaces& places_;
+  std::span<const double> radii_m_;  // in the caller's order; or none
   const AroundOptions& options_;
   Crew& crew_;
   std::vector<Found> found_;  // by worker
@@ -108,11 +112,11 @@ class AroundAll {
 }  // namespace
 
 Result<IdRows> find_around_all(const IndexLevels& levels, const PointsView& places,
-                               const core::Bounds& bounds, const AroundOptions& options,
-                               Crew& crew) {
+                               std::span<const double> radii_m, const core::Bounds& bounds,
+                               const AroundOptions& options, Crew& crew) {
   if (places.empty()) return IdRows{};
   const OrderedPlaces ordered = place_order(places, bounds, crew);
-  return AroundAll(levels, ordered, options, crew).find();
+  return AroundAll(levels, ordered, radii_m, options, crew).find();
 }
 
 NearestRows find_nearest_of_all(const IndexLevels& levels, const PointsView& places,

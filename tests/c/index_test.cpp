@@ -34,6 +34,14 @@ void expect_same_answers(Both& both, const std::vector<Point>& places) {
       BEESPACE_OK);
   EXPECT_EQ(columns(both.result),
             columns_of(*both.reference.find_around(places, {.radius_m = 30.0, .inclusive = true})));
+  std::vector<double> radii;
+  for (std::size_t i = 0; i < places.size(); ++i) radii.push_back(static_cast<double>(i % 40));
+  const beespace_search each = c_search(0.0, BEESPACE_INCLUSIVE);
+  ASSERT_EQ(beespace_index_around_each(both.index.get(), &given, radii.data(), &each, nullptr,
+                                       both.result.get(), nullptr),
+            BEESPACE_OK);
+  EXPECT_EQ(columns(both.result),
+            columns_of(*both.reference.find_around(places, radii, {.inclusive = true})));
   ASSERT_EQ(
       beespace_index_nearest(both.index.get(), &given, 3, nullptr, both.result.get(), nullptr),
       BEESPACE_OK);
@@ -104,6 +112,25 @@ TEST(CIndex, RefusesNullAndWhatIsNoPosition) {
                                   nullptr),
             BEESPACE_INVALID_ARGUMENT);
   EXPECT_EQ(beespace_index_size(nullptr), 0);
+}
+
+TEST(CIndex, RefusesRadiiThatMakeNoSense) {
+  Both both({{1, 2, 3}, {4, 5, 6}});
+  const std::vector<Point> places = {{1, 2, 3}, {4, 5, 6}};
+  const beespace_points given = c_points(places);
+  const beespace_search none = c_search(0.0);
+  const beespace_search one = c_search(1.0);
+  const double radii[2] = {1.0, -1.0};
+  beespace_error error = c_error();
+  const auto ask = [&](const double* each, const beespace_search& search) {
+    return beespace_index_around_each(both.index.get(), &given, each, &search, nullptr,
+                                      both.result.get(), &error);
+  };
+  EXPECT_EQ(ask(radii, none), BEESPACE_INVALID_THRESHOLD);
+  EXPECT_STREQ(error.place, "radii");
+  EXPECT_EQ(error.record, 1);
+  EXPECT_EQ(ask(nullptr, none), BEESPACE_INVALID_ARGUMENT);
+  EXPECT_EQ(ask(radii, one), BEESPACE_INVALID_ARGUMENT);
 }
 
 }  // namespace

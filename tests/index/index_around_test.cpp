@@ -117,6 +117,47 @@ TEST(IndexAround, FillsTheCallersVectorAnew) {
   EXPECT_TRUE(found.empty());
 }
 
+TEST(IndexAround, HasARadiusForEachPlaceWhereThatIsGiven) {
+  for (const test::SearchScene& scene : test::search_scenes()) {
+    SCOPED_TRACE(scene.name);
+    const Index index = test::built(scene.points);
+    const test::PlainIndex plain(scene.points);
+    const std::vector<Point> places = test::places_around(scene, 40);
+    std::vector<double> radii;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const double radius = 0.25 * static_cast<double>(i % 9) * scene.threshold_m;
+      radii.push_back(radius >= kSmallestCoordinate_m && radius <= kLargestCoordinate_m ? radius
+                                                                                        : 0);
+    }
+    for (const bool inclusive : {false, true}) {
+      const auto rows = index.find_around(places, radii, {.inclusive = inclusive, .threads = 2});
+      ASSERT_TRUE(rows.has_value());
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        const auto row = (*rows)[i];
+        EXPECT_EQ(std::vector<PointId>(row.begin(), row.end()),
+                  plain.find_around(places[i], radii[i], inclusive))
+            << "place " << i << ", radius " << radii[i];
+      }
+    }
+  }
+}
+
+TEST(IndexAround, RefusesRadiiThatMakeNoSense) {
+  const std::vector<Point> points = {{1, 2, 3}, {4, 5, 6}};
+  const Index index = test::built(points);
+  const auto negative = index.find_around(points, std::vector<double>{1.0, -1.0});
+  ASSERT_FALSE(negative.has_value());
+  EXPECT_EQ(negative.error().code, ErrorCode::kInvalidThreshold);
+  EXPECT_EQ(negative.error().location.array, "radii");
+  EXPECT_EQ(negative.error().location.record, 1U);
+  const auto few = index.find_around(points, std::vector<double>{1.0});
+  ASSERT_FALSE(few.has_value());
+  EXPECT_EQ(few.error().code, ErrorCode::kInvalidArgument);
+  const auto both = index.find_around(points, std::vector<double>{1.0, 1.0}, {.radius_m = 1.0});
+  ASSERT_FALSE(both.has_value());
+  EXPECT_EQ(both.error().code, ErrorCode::kInvalidArgument);
+}
+
 TEST(IndexAround, AllocatesNothingWhereTheCallersVectorHasRoom) {
   const std::vector<Point> points = test::SceneMaker(2).box(5000, {0, 0, 0}, {9, 9, 9});
   const Index index = test::built(points);
