@@ -35,8 +35,6 @@ function(beespace_compile_by_room target)
   target_precompile_headers(${target} PRIVATE
     <algorithm> <cmath> <functional> <map> <memory> <optional> <span> <string> <string_view> <utility>
     <variant> <vector> <beespace/result.hpp>)
-  # The first is for ccache. The others let functions be inlined as in small units: of large ones,
-  # GCC bounds the growth as a whole.
-  target_compile_options(${target} PRIVATE
-    -fpch-preprocess --param=large-unit-insns=1000000 --param=inline-unit-growth=400)
+  # For ccache.
+  target_compile_options(${target} PRIVATE -fpch-preprocess)
 endfunction()
