@@ -22,7 +22,9 @@ def _public():
             yield f"{name}.{member}", value
 
 
-@pytest.mark.parametrize(("name", "thing"), _public(), ids=lambda value: value if type(value) is str else "")
+@pytest.mark.parametrize(
+    ("name", "thing"), [pytest.param(name, thing, id=name) for name, thing in _public()]
+)
 def test_it_has_an_example(name, thing):
     text = inspect.getdoc(thing)
     assert text, f"{name} has no docstring"
