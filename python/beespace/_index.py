@@ -130,7 +130,7 @@ class Index:
         [[1], []]
         """
         search = search_of(radius, None, inclusive, max_results)
-        given, result = self._ask(
+        _, result = self._ask(
             library.beespace_index_around, places, (ctypes.byref(search),), threads
         )
         ids = result.ids()
