@@ -127,8 +127,7 @@ beespace_code beespace_index_around(const beespace_index* index, const beespace_
                                options.threads, asked->options.max_results, options.stop};
     const Result<IdRows> rows = index->index.find_around(view, around);
     if (!rows) return rows.error();
-    write_rows(*rows, view.size(), *result);
-    return std::monostate{};
+    return write_rows(*rows, view.size(), options.stop, *result);
   };
   return answer_of(index, places, run, result, error, ask);
 }
@@ -166,8 +165,7 @@ beespace_code beespace_index_nearest(const beespace_index* index, const beespace
     const Result<NearestRows> rows =
         index->index.k_nearest(view, static_cast<std::size_t>(k), options);
     if (!rows) return rows.error();
-    write_nearest_rows(rows->entries, rows->length, view.size(), *result);
-    return std::monostate{};
+    return write_nearest_rows(rows->entries, rows->length, view.size(), options.stop, *result);
   };
   return answer_of(index, places, run, result, error, ask);
 }

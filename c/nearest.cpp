@@ -32,9 +32,9 @@ Status find_one(const PointSets& sets, beespace_engine& used, const RunOptions& 
   const std::size_t count = sets.points.size();
   // All have one, or there is no point to be had.
   const bool found = count != 0 && used.nearest.front().id != Nearest::kNone;
-  write_nearest_rows(found ? std::span<const Nearest>(used.nearest) : std::span<const Nearest>(),
-                     found ? 1 : 0, count, into);
-  return status;
+  return write_nearest_rows(
+      found ? std::span<const Nearest>(used.nearest) : std::span<const Nearest>(), found ? 1 : 0,
+      count, run.stop, into);
 }
 
 Status find_many(const PointSets& sets, std::size_t k, beespace_engine& used, const RunOptions& run,
@@ -58,8 +58,8 @@ Status find_many(const PointSets& sets, std::size_t k, beespace_engine& used, co
     status = used.engine.find_k_nearest(sets.points, k, used.nearest_rows, run);
     if (!status) return status;
   }
-  write_nearest_rows(used.nearest_rows.entries, used.nearest_rows.length, sets.points.size(), into);
-  return status;
+  return write_nearest_rows(used.nearest_rows.entries, used.nearest_rows.length, sets.points.size(),
+                            run.stop, into);
 }
 
 }  // namespace
@@ -89,7 +89,8 @@ beespace_code beespace_closest_pair(beespace_engine* engine, const beespace_poin
     if (!closest) return closest.error();
     if (*closest) {
       const std::array pair = {Pair{(*closest)->first, (*closest)->second}};
-      write_pairs(pair, into);
+      Status status = write_pairs(pair, options.stop, into);
+      if (!status) return status;
       into.distances_m.resize(1);
       into.distances_m[0] = (*closest)->distance_m;
     }

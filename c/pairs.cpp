@@ -47,15 +47,10 @@ Status find_rows(const Search& asked, const PointSets& sets, beespace_engine& us
                                                                    options, used.rows)
                               : used.engine.find_neighbors(sets.points, options, used.rows);
   if (!status) return status;
-  if (asked.with_self) {
-    write_rows_with_self(used.rows, count, into);
-  } else {
-    write_rows(used.rows, count, into);
-  }
-  if (asked.distances) {
-    write_row_distances(sets.points, sets.others ? *sets.others : sets.points, into);
-  }
-  return status;
+  status = asked.with_self ? write_rows_with_self(used.rows, count, run.stop, into)
+                           : write_rows(used.rows, count, run.stop, into);
+  if (!status || !asked.distances) return status;
+  return write_row_distances(sets.points, sets.others ? *sets.others : sets.points, run.stop, into);
 }
 
 // A batch of pairs in the widths of C.
@@ -100,11 +95,10 @@ beespace_code beespace_pairs(beespace_engine* engine, const beespace_points* poi
         sets.others ? used.engine.find_pairs_between(sets.points, *sets.others, within, used.pairs)
                     : used.engine.find_pairs(sets.points, within, used.pairs);
     if (!status) return status;
-    write_pairs(used.pairs, into);
-    if (asked->distances) {
-      write_pair_distances(sets.points, sets.others ? *sets.others : sets.points, into);
-    }
-    return status;
+    status = write_pairs(used.pairs, options.stop, into);
+    if (!status || !asked->distances) return status;
+    return write_pair_distances(sets.points, sets.others ? *sets.others : sets.points, options.stop,
+                                into);
   };
   return answer(engine, points, others, run, result, error, ask);
 }

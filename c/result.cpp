@@ -10,13 +10,49 @@ constexpr std::int64_t id_of(PointId id) {
   return id == Nearest::kNone ? -1 : static_cast<std::int64_t>(id);
 }
 
-void write_entries(std::span<const Nearest> entries, beespace_result& result) {
+// How many entries are written between two looks at the stop: a few milliseconds.
+constexpr std::size_t kStretch = std::size_t{1} << 20;
+
+// Calls write(begin, end) for all entries [0, size), a stretch at a time.
+template <class Write>
+Status write_all(std::size_t size, const std::stop_token& stop, Write&& write) {
+  for (std::size_t begin = 0; begin < size; begin += kStretch) {
+    if (stop.stop_requested()) {
+      return Error{ErrorCode::kStopped, "a stop was requested before the answer was complete", {}};
+    }
+    write(begin, std::min(begin + kStretch, size));
+  }
+  return std::monostate{};
+}
+
+// The same, for rows whose entries begin at offsets[row]: in stretches of whole rows.
+template <class Offset, class Write>
+Status write_all_rows(std::size_t row_count, const Offset* offsets, const std::stop_token& stop,
+                      Write&& write) {
+  std::size_t row = 0;
+  while (row < row_count) {
+    const std::size_t begin = row;
+    const auto full = static_cast<Offset>(offsets[begin] + static_cast<Offset>(kStretch));
+    Status status = write_all(1, stop, [&](std::size_t, std::size_t) {
+      do {
+        write(row++);
+      } while (row < row_count && row - begin < kStretch && offsets[row] < full);
+    });
+    if (!status) return status;
+  }
+  return std::monostate{};
+}
+
+Status write_entries(std::span<const Nearest> entries, const std::stop_token& stop,
+                     beespace_result& result) {
   result.ids.resize(entries.size());
   result.distances_m.resize(entries.size());
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    result.ids[i] = id_of(entries[i].id);
-    result.distances_m[i] = entries[i].distance_m;
-  }
+  return write_all(entries.size(), stop, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      result.ids[i] = id_of(entries[i].id);
+      result.distances_m[i] = entries[i].distance_m;
+    }
+  });
 }
 
 }  // namespace
@@ -33,72 +69,87 @@ void write_counts(std::span<const std::uint32_t> counts, bool with_self, beespac
                  [self](std::uint32_t count) { return count + self; });
 }
 
-void write_pairs(std::span<const Pair> pairs, beespace_result& result) {
+Status write_pairs(std::span<const Pair> pairs, const std::stop_token& stop,
+                   beespace_result& result) {
   result.first.resize(pairs.size());
   result.second.resize(pairs.size());
   std::int64_t* const first = result.first.data();
   std::int64_t* const second = result.second.data();
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    first[i] = pairs[i].first;
-    second[i] = pairs[i].second;
-  }
+  return write_all(pairs.size(), stop, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      first[i] = pairs[i].first;
+      second[i] = pairs[i].second;
+    }
+  });
 }
 
-void write_rows(const IdRows& rows, std::size_t row_count, beespace_result& result) {
+Status write_rows(const IdRows& rows, std::size_t row_count, const std::stop_token& stop,
+                  beespace_result& result) {
   result.offsets.resize(row_count + 1);
   result.offsets[0] = 0;  // of no row there are no offsets in C++
   std::copy(rows.offsets.begin(), rows.offsets.end(), result.offsets.data());
-  write_ids(rows.ids, result);
+  result.ids.resize(rows.ids.size());
+  const PointId* const ids = rows.ids.data();
+  return write_all(rows.ids.size(), stop, [&](std::size_t begin, std::size_t end) {
+    std::copy(ids + begin, ids + end, result.ids.data() + begin);
+  });
 }
 
-void write_rows_with_self(const IdRows& rows, std::size_t row_count, beespace_result& result) {
+Status write_rows_with_self(const IdRows& rows, std::size_t row_count, const std::stop_token& stop,
+                            beespace_result& result) {
   result.offsets.resize(row_count + 1);
   result.offsets[0] = 0;
   result.ids.resize(rows.ids.size() + row_count);
   std::int64_t* next = result.ids.data();
-  for (std::size_t row = 0; row < row_count; ++row) {
+  const auto write_row = [&](std::size_t row) {
     const std::span<const PointId> others = rows[row];
     const auto behind = std::lower_bound(others.begin(), others.end(), row);
     next = std::copy(others.begin(), behind, next);
     *next++ = static_cast<std::int64_t>(row);
     next = std::copy(behind, others.end(), next);
     result.offsets[row + 1] = next - result.ids.data();
-  }
+  };
+  return write_all_rows(row_count, rows.offsets.data(), stop, write_row);
 }
 
-void write_nearest(std::span<const Nearest> nearest, beespace_result& result) {
-  write_entries(nearest, result);
+Status write_nearest(std::span<const Nearest> nearest, const std::stop_token& stop,
+                     beespace_result& result) {
+  return write_entries(nearest, stop, result);
 }
 
-void write_nearest_rows(std::span<const Nearest> entries, std::size_t length, std::size_t row_count,
-                        beespace_result& result) {
+Status write_nearest_rows(std::span<const Nearest> entries, std::size_t length,
+                          std::size_t row_count, const std::stop_token& stop,
+                          beespace_result& result) {
   result.offsets.resize(row_count + 1);
   for (std::size_t row = 0; row <= row_count; ++row) {
     result.offsets[row] = static_cast<std::int64_t>(row * length);
   }
-  write_entries(entries, result);
+  return write_entries(entries, stop, result);
 }
 
-void write_pair_distances(const PointsView& points, const PointsView& others,
-                          beespace_result& result) {
+Status write_pair_distances(const PointsView& points, const PointsView& others,
+                            const std::stop_token& stop, beespace_result& result) {
   const std::size_t size = result.first.size();
   result.distances_m.resize(size);
-  for (std::size_t i = 0; i < size; ++i) {
-    result.distances_m[i] = distance(points[static_cast<std::size_t>(result.first[i])],
-                                     others[static_cast<std::size_t>(result.second[i])]);
-  }
+  return write_all(size, stop, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      result.distances_m[i] = distance(points[static_cast<std::size_t>(result.first[i])],
+                                       others[static_cast<std::size_t>(result.second[i])]);
+    }
+  });
 }
 
-void write_row_distances(const PointsView& points, const PointsView& others,
-                         beespace_result& result) {
+Status write_row_distances(const PointsView& points, const PointsView& others,
+                           const std::stop_token& stop, beespace_result& result) {
   result.distances_m.resize(result.ids.size());
-  for (std::size_t row = 0; row + 1 < result.offsets.size(); ++row) {
+  const std::size_t row_count = result.offsets.size() == 0 ? 0 : result.offsets.size() - 1;
+  return write_all_rows(row_count, result.offsets.data(), stop, [&](std::size_t row) {
     const Point point = points[row];
     for (auto i = static_cast<std::size_t>(result.offsets[row]);
          i < static_cast<std::size_t>(result.offsets[row + 1]); ++i) {
       result.distances_m[i] = distance(point, others[static_cast<std::size_t>(result.ids[i])]);
     }
-  }
+  });
 }
 
 }  // namespace beespace::c

@@ -7,11 +7,13 @@
 #include <beespace/pairs.hpp>
 #include <beespace/point.hpp>
 #include <beespace/points_view.hpp>
+#include <beespace/result.hpp>
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <stop_token>
 
 namespace beespace::c {
 
@@ -57,22 +59,28 @@ struct beespace_result {
 
 namespace beespace::c {
 
-// Each writes one answer into an empty result. Ids of C are 64 bits wide.
+// Each writes one answer into an empty result. Ids of C are 64 bits wide. What may be gigabytes
+// ends early, with an error, where a stop is requested.
 void write_ids(std::span<const PointId> ids, beespace_result& result);
 void write_counts(std::span<const std::uint32_t> counts, bool with_self, beespace_result& result);
-void write_pairs(std::span<const Pair> pairs, beespace_result& result);
-void write_rows(const IdRows& rows, std::size_t row_count, beespace_result& result);
+Status write_pairs(std::span<const Pair> pairs, const std::stop_token& stop,
+                   beespace_result& result);
+Status write_rows(const IdRows& rows, std::size_t row_count, const std::stop_token& stop,
+                  beespace_result& result);
 // Each row with the number of the row itself among its ids.
-void write_rows_with_self(const IdRows& rows, std::size_t row_count, beespace_result& result);
+Status write_rows_with_self(const IdRows& rows, std::size_t row_count, const std::stop_token& stop,
+                            beespace_result& result);
 // One entry for each point: -1 and infinity where there is none.
-void write_nearest(std::span<const Nearest> nearest, beespace_result& result);
-void write_nearest_rows(std::span<const Nearest> entries, std::size_t length, std::size_t row_count,
-                        beespace_result& result);
+Status write_nearest(std::span<const Nearest> nearest, const std::stop_token& stop,
+                     beespace_result& result);
+Status write_nearest_rows(std::span<const Nearest> entries, std::size_t length,
+                          std::size_t row_count, const std::stop_token& stop,
+                          beespace_result& result);
 
 // The distances of what is in the result: of pairs, or of each row's point and the row's ids.
-void write_pair_distances(const PointsView& points, const PointsView& others,
-                          beespace_result& result);
-void write_row_distances(const PointsView& points, const PointsView& others,
-                         beespace_result& result);
+Status write_pair_distances(const PointsView& points, const PointsView& others,
+                            const std::stop_token& stop, beespace_result& result);
+Status write_row_distances(const PointsView& points, const PointsView& others,
+                           const std::stop_token& stop, beespace_result& result);
 
 }  // namespace beespace::c

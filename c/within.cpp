@@ -57,8 +57,8 @@ beespace_code beespace_groups(beespace_engine* engine, const beespace_points* po
     if (!asked) return asked.error();
     Status status =
         used.engine.find_conflict_groups(sets.points, asked->points(options), used.rows);
-    if (status) write_rows(used.rows, used.rows.size(), into);
-    return status;
+    if (!status) return status;
+    return write_rows(used.rows, used.rows.size(), options.stop, into);
   };
   return answer(engine, points, nullptr, run, result, error, ask);
 }
@@ -76,8 +76,8 @@ beespace_code beespace_nearest_within(beespace_engine* engine, const beespace_po
                         ? used.engine.find_nearest_within_between(sets.points, *sets.others, within,
                                                                   used.nearest)
                         : used.engine.find_nearest_within(sets.points, within, used.nearest);
-    if (status) write_nearest(used.nearest, into);
-    return status;
+    if (!status) return status;
+    return write_nearest(used.nearest, options.stop, into);
   };
   return answer(engine, points, others, run, result, error, ask);
 }

@@ -18,6 +18,14 @@ def _plural(count: int, one: str) -> str:
     return f"{count:,} {one}" if count == 1 else f"{count:,} {one}s"
 
 
+def _range(distances: NDArray[np.float64] | None, how: str) -> str:
+    """What a `repr` says of distances; those that are infinite stand for none."""
+    if distances is None:
+        return ""
+    found = distances[np.isfinite(distances)]
+    return f", {found.min():.6g} to {found.max():.6g} m {how}" if found.size else ""
+
+
 class Pairs:
     """Pairs of points that are closer than the threshold, each once, in ascending order.
 
@@ -31,6 +39,17 @@ class Pairs:
         The distance of each pair in metres; None where it was not asked for.
     shape : tuple of two ints
         How many points `i` and `j` are indices of.
+
+    Examples
+    --------
+    >>> import beespace
+    >>> pairs = beespace.pairs([[0, 0], [3, 4], [6, 8]], 6)
+    >>> pairs
+    <Pairs: 2 pairs of 3 points, 5 to 5 m apart>
+    >>> len(pairs), pairs.i, pairs.j, pairs.distance
+    (2, array([0, 1]), array([1, 2]), array([5., 5.]))
+    >>> beespace.pairs([[0, 0], [3, 4]], 6, others=[[0, 1], [9, 9], [0, 0]], distances=False)
+    <Pairs: 4 pairs of 2 x 3 points>
     """
 
     __slots__ = ("_between", "distance", "i", "j", "shape")
@@ -54,15 +73,29 @@ class Pairs:
 
     def __repr__(self) -> str:
         of = " x ".join(f"{size:,}" for size in self.shape) if self._between else f"{self.shape[0]:,}"
-        nearest = ""
-        if self.distance is not None and len(self):
-            nearest = f", {self.distance.min():.6g} to {self.distance.max():.6g} m apart"
-        return f"<Pairs: {_plural(len(self), 'pair')} of {of} points{nearest}>"
+        points = "point" if of == "1" else "points"
+        return (
+            f"<Pairs: {_plural(len(self), 'pair')} of {of} {points}{_range(self.distance, 'apart')}>"
+        )
 
     def to_csr(self) -> scipy.sparse.csr_matrix:
         """As a sparse matrix of SciPy: distances, or True where there are none.
 
         Of one set it is symmetric. Points at one place have an entry that is stored, and zero.
+        SciPy must be installed.
+
+        Returns
+        -------
+        scipy.sparse.csr_matrix
+            Of the shape `shape`.
+
+        Examples
+        --------
+        >>> import beespace
+        >>> beespace.pairs([[0, 0], [3, 4], [9, 9]], 6).to_csr().toarray()
+        array([[0., 5., 0.],
+               [5., 0., 0.],
+               [0., 0., 0.]])
         """
         from scipy.sparse import coo_matrix
 
@@ -79,13 +112,38 @@ class Pairs:
         return columns
 
     def to_pandas(self) -> pandas.DataFrame:
-        """As a data frame of pandas, which must be installed: columns i, j, distance."""
+        """As a data frame of pandas, which must be installed: columns i, j, distance.
+
+        Returns
+        -------
+        pandas.DataFrame
+            A row for each pair, without a copy; no column `distance` where it was not asked for.
+
+        Examples
+        --------
+        >>> import beespace
+        >>> frame = beespace.pairs([[0, 0], [3, 4]], 6).to_pandas()
+        >>> frame.columns.tolist()
+        ['i', 'j', 'distance']
+        """
         import pandas
 
         return pandas.DataFrame(self._columns(), copy=False)
 
     def to_polars(self) -> polars.DataFrame:
-        """As a data frame of Polars, which must be installed: columns i, j, distance."""
+        """As a data frame of Polars, which must be installed: columns i, j, distance.
+
+        Returns
+        -------
+        polars.DataFrame
+            A row for each pair; no column `distance` where it was not asked for.
+
+        Examples
+        --------
+        >>> import beespace
+        >>> beespace.pairs([[0, 0], [3, 4]], 6).to_polars().columns
+        ['i', 'j', 'distance']
+        """
         import polars
 
         return polars.DataFrame(self._columns())
@@ -125,6 +183,17 @@ class Neighbors(_Rows):
         The neighbours of all points, ascending in each row.
     distances : ndarray of float64 or None
         The distance of each neighbour in metres; None where it was not asked for.
+
+    Examples
+    --------
+    >>> import beespace
+    >>> neighbors = beespace.neighbors([[0, 0], [3, 4], [6, 8]], 6)
+    >>> neighbors
+    <Neighbors: 4 neighbours of 3 points, 5 to 5 m away>
+    >>> neighbors[1], neighbors.indptr
+    (array([0, 2]), array([0, 1, 3, 4]))
+    >>> [row.tolist() for row in neighbors]
+    [[1], [0, 2], [1]]
     """
 
     __slots__ = ("_others", "distances")
@@ -143,12 +212,26 @@ class Neighbors(_Rows):
     def __repr__(self) -> str:
         return (
             f"<Neighbors: {_plural(len(self.indices), 'neighbour')} of "
-            f"{_plural(len(self), 'point')}>"
+            f"{_plural(len(self), 'point')}{_range(self.distances, 'away')}>"
         )
 
     def to_csr(self) -> scipy.sparse.csr_matrix:
-        """As a sparse matrix of SciPy: distances, or True where there are none; without a copy of
-        the values."""
+        """As a sparse matrix of SciPy: distances, or True where there are none.
+
+        Without a copy of the values. SciPy must be installed.
+
+        Returns
+        -------
+        scipy.sparse.csr_matrix
+            A row for each point, a column for each point or each of the others.
+
+        Examples
+        --------
+        >>> import beespace
+        >>> beespace.neighbors([[0, 0], [3, 4]], 6, others=[[0, 1]]).to_csr().toarray().round(3)
+        array([[1.   ],
+               [4.243]])
+        """
         from scipy.sparse import csr_matrix
 
         values = np.ones(len(self.indices), bool) if self.distances is None else self.distances
@@ -167,6 +250,15 @@ class Groups(_Rows):
         The members of all groups, ascending in each group.
     labels : ndarray of int64, shape (n,)
         For each point the number of its group; -1 where it is in none.
+
+    Examples
+    --------
+    >>> import beespace
+    >>> groups = beespace.groups([[0, 0], [3, 4], [100, 0], [6, 8]], 6)
+    >>> groups
+    <Groups: 1 group with 3 of 4 points, the largest of 3>
+    >>> [members.tolist() for members in groups], groups.labels
+    ([[0, 1, 3]], array([ 0,  0, -1,  0]))
     """
 
     __slots__ = ("_count",)
@@ -179,14 +271,16 @@ class Groups(_Rows):
 
     @property
     def labels(self) -> NDArray[np.int64]:
+        """For each point the number of its group; -1 where it is in none. Made at each call."""
         labels = np.full(self._count, -1, np.int64)
         labels[self.indices] = np.repeat(np.arange(len(self)), np.diff(self.indptr))
         return labels
 
     def __repr__(self) -> str:
+        largest = f", the largest of {np.diff(self.indptr).max():,}" if len(self) else ""
         return (
             f"<Groups: {_plural(len(self), 'group')} with {len(self.indices):,} of "
-            f"{_plural(self._count, 'point')}>"
+            f"{_plural(self._count, 'point')}{largest}>"
         )
 
 
@@ -199,6 +293,16 @@ class Nearest(NamedTuple):
         The nearest points; -1 where there are fewer.
     distances : ndarray of float64, shape (n, k)
         Their distances in metres; infinite where there are fewer.
+
+    Examples
+    --------
+    >>> import beespace
+    >>> nearest = beespace.nearest([[0, 0], [3, 4], [6, 9]])
+    >>> nearest
+    <Nearest: 1 of 3 points, 5 to 5.83095 m away>
+    >>> ids, distances = nearest
+    >>> ids[:, 0]
+    array([1, 0, 1])
     """
 
     ids: NDArray[np.int64]
@@ -206,11 +310,26 @@ class Nearest(NamedTuple):
 
     def __repr__(self) -> str:
         rows, k = self.ids.shape
-        return f"<Nearest: {k:,} of {_plural(rows, 'point')}>"
+        return f"<Nearest: {k:,} of {_plural(rows, 'point')}{_range(self.distances, 'away')}>"
 
 
 class ClosestPair(NamedTuple):
-    """The two points that are closest to each other, and their distance in metres."""
+    """The two points that are closest to each other, and their distance.
+
+    Attributes
+    ----------
+    i, j : int
+        The two points, ``i < j``; between two sets, `j` is a point of the other set.
+    distance : float
+        Their distance in metres.
+
+    Examples
+    --------
+    >>> import beespace
+    >>> i, j, distance = beespace.closest_pair([[0, 0], [3, 4], [6, 9]])
+    >>> i, j, distance
+    (0, 1, 5.0)
+    """
 
     i: int
     j: int

@@ -37,19 +37,19 @@ class Result:
         return self._integers(at_once.beespace_result_offsets, rows + 1)
 
     def distances(self) -> NDArray[np.float64]:
-        column = self._array(at_once.beespace_result_distances_m, self._size(), "<f8", np.float64)
+        column = self._array(at_once.beespace_result_distances_m, self._size(), "<f8")
         return column
 
     def _size(self) -> int:
         return int(at_once.beespace_result_size(self.handle))
 
     def _integers(self, getter: Any, size: int) -> NDArray[np.int64]:
-        return self._array(getter, size, "<i8", np.int64)
+        return self._array(getter, size, "<i8")
 
-    def _array(self, getter: Any, size: int, code: str, dtype: Any) -> NDArray[Any]:
+    def _array(self, getter: Any, size: int, code: str) -> NDArray[Any]:
         address = getter(self.handle)
         if address is None:
-            return np.empty(0, dtype)
+            return np.empty(0, code)
         return np.asarray(_Column(self, address, size, code))
 
 

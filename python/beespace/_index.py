@@ -71,7 +71,14 @@ class Index:
         return f"<beespace.Index: {count:,} point{'' if count == 1 else 's'}>"
 
     def __getitem__(self, id: int) -> NDArray[np.float64]:
-        """The position of a point, as three coordinates."""
+        """The position of a point, as three coordinates.
+
+        Examples
+        --------
+        >>> import beespace
+        >>> beespace.Index([[0, 0], [3, 4]])[1]
+        array([3., 4., 0.])
+        """
         coordinates = (ctypes.c_double * 3)()
         error = _library.new_error()
         code = library.beespace_index_position(
@@ -110,6 +117,18 @@ class Index:
         -------
         Neighbors
             A row of ids, ascending, for each position; without distances.
+
+        Raises
+        ------
+        BeespaceError
+            A radius or positions that make no sense; more than `max_results`.
+
+        Examples
+        --------
+        >>> import beespace
+        >>> index = beespace.Index([[0, 0], [3, 4], [6, 9]])
+        >>> [ids.tolist() for ids in index.around([[3, 3], [50, 50]], 4)]
+        [[1], []]
         """
         if np.ndim(radius) == 0:
             search = search_of(radius, None, inclusive, max_results)
@@ -149,13 +168,45 @@ class Index:
         -------
         Nearest
             As of `beespace.nearest`.
+
+        Examples
+        --------
+        >>> import beespace
+        >>> index = beespace.Index([[0, 0], [3, 4], [6, 9]])
+        >>> index.nearest([[3, 3]], k=4)
+        <Nearest: 4 of 1 point, 1 to 6.7082 m away>
+        >>> index.nearest([[3, 3]], k=4).ids
+        array([[ 1,  0,  2, -1]])
         """
         number = whole(k, "k")
         given, result = self._ask(library.beespace_index_nearest, places, (number,), threads)
         return nearest_of(result, given.count, number)
 
     def insert(self, point: ArrayLike) -> int:
-        """Adds a point, of two or three coordinates; returns its id, which was never used before."""
+        """Adds a point.
+
+        Parameters
+        ----------
+        point : array of shape (3,) or (2,)
+            Its position in metres.
+
+        Returns
+        -------
+        int
+            Its id, which was never used before.
+
+        Raises
+        ------
+        BeespaceError
+            What is no position. The index is as it was.
+
+        Examples
+        --------
+        >>> import beespace
+        >>> index = beespace.Index([[0, 0], [3, 4]])
+        >>> index.insert([9, 9])
+        2
+        """
         id = ctypes.c_int64()
         error = _library.new_error()
         code = library.beespace_index_insert(
@@ -165,7 +216,28 @@ class Index:
         return id.value
 
     def move(self, id: int, point: ArrayLike) -> None:
-        """Moves a point to a position of two or three coordinates."""
+        """Moves a point.
+
+        Parameters
+        ----------
+        id : int
+            The id of the point.
+        point : array of shape (3,) or (2,)
+            Where it is now, in metres.
+
+        Raises
+        ------
+        BeespaceError
+            There is no such point, or this is no position. The index is as it was.
+
+        Examples
+        --------
+        >>> import beespace
+        >>> index = beespace.Index([[0, 0], [3, 4]])
+        >>> index.move(1, [9, 9])
+        >>> index[1]
+        array([9., 9., 0.])
+        """
         error = _library.new_error()
         code = library.beespace_index_move(
             self._handle, whole(id, "id"), position(point), ctypes.byref(error)
@@ -173,7 +245,28 @@ class Index:
         check(code, error)
 
     def remove(self, id: int) -> None:
-        """Removes a point; its id is not used again."""
+        """Removes a point; its id is not used again.
+
+        Parameters
+        ----------
+        id : int
+            The id of the point.
+
+        Raises
+        ------
+        BeespaceError
+            There is no such point.
+
+        Examples
+        --------
+        >>> import beespace
+        >>> index = beespace.Index([[0, 0], [3, 4]])
+        >>> index.remove(0)
+        >>> index
+        <beespace.Index: 1 point>
+        >>> index.insert([1, 1])
+        2
+        """
         error = _library.new_error()
         check(
             library.beespace_index_remove(self._handle, whole(id, "id"), ctypes.byref(error)), error

@@ -6,7 +6,7 @@ import ctypes
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from beespace._errors import invalid
 from beespace._library import FLOAT32, FLOAT64, CPoints
@@ -15,6 +15,7 @@ PointsLike = ArrayLike  # or a tuple of arrays, a data frame, anything that DLPa
 
 _types = {np.dtype(np.float64): FLOAT64, np.dtype(np.float32): FLOAT32}
 _size = ctypes.sizeof(CPoints)
+_masked: Any = np.ma  # of whose types NumPy says little
 
 
 class Points:
@@ -23,7 +24,7 @@ class Points:
     __slots__ = ("count", "keep", "struct")
 
     def __init__(self, points: Any, place: str, copy: bool = False) -> None:
-        if type(points) is np.ndarray and not copy and _is_readable(points):
+        if not copy and _is_readable(points):
             self._of_rows(points)
             return
         axes = _axes_of(points, place)
@@ -41,7 +42,7 @@ class Points:
             return
         self._of_axes([_numbers(axis, place, copy) for axis in axes], place)
 
-    def _of_rows(self, rows: np.ndarray[Any, Any]) -> None:
+    def _of_rows(self, rows: NDArray[Any]) -> None:
         address = rows.__array_interface__["data"][0]
         count, axes = rows.shape
         row, column = rows.strides
@@ -60,7 +61,7 @@ class Points:
             row,
         )
 
-    def _of_axes(self, axes: list[np.ndarray[Any, Any]], place: str) -> None:
+    def _of_axes(self, axes: list[NDArray[Any]], place: str) -> None:
         if any(axis.ndim != 1 for axis in axes):
             raise invalid("each array of a tuple is one axis, of one dimension", place)
         if len({len(axis) for axis in axes}) != 1:
@@ -86,20 +87,30 @@ def position(point: Any, place: str = "position") -> ctypes.Array[ctypes.c_doubl
     return (ctypes.c_double * 3)(*(float(number) for number in numbers))
 
 
-def _is_readable(array: np.ndarray[Any, Any]) -> bool:
+def _is_readable(array: Any) -> bool:
     # Of a dtype of foreign bytes there is no entry either.
     return (
-        array.dtype in _types
+        _is_plain(array)
+        and array.dtype in _types
         and array.ndim == 2
         and array.shape[1] in (2, 3)
         and bool(array.flags.aligned)
     )
 
 
-def _axes_of(points: Any, place: str) -> list[np.ndarray[Any, Any]] | None:
+def _is_plain(array: Any) -> bool:
+    return type(array) is np.ndarray
+
+
+def _is_a(thing: Any, kind: type) -> bool:
+    return isinstance(thing, kind)
+
+
+def _axes_of(points: Any, place: str) -> list[NDArray[Any]] | None:
     """One array an axis, of a tuple or of a data frame; None of anything else."""
-    if isinstance(points, tuple) and points and all(_is_column(axis) for axis in points):
-        columns = list(points)
+    columns: list[Any]
+    if _are_columns(points):
+        columns = [*points]
     elif hasattr(points, "get_columns"):  # polars
         columns = list(points.get_columns())
     elif hasattr(points, "iloc") and getattr(points, "ndim", 0) == 2:  # pandas
@@ -115,6 +126,10 @@ def _axes_of(points: Any, place: str) -> list[np.ndarray[Any, Any]] | None:
     return [_array_of(column, place) for column in columns]
 
 
+def _are_columns(points: Any) -> bool:
+    return _is_a(points, tuple) and bool(points) and all(map(_is_column, points))
+
+
 def _is_column(axis: Any) -> bool:
     if isinstance(axis, (list, tuple, int, float)):
         return False
@@ -124,13 +139,11 @@ def _is_column(axis: Any) -> bool:
     return hasattr(axis, "__array__") or hasattr(axis, "__dlpack__")
 
 
-def _array_of(points: Any, place: str) -> np.ndarray[Any, Any]:
-    if isinstance(points, np.ma.MaskedArray):
-        if np.ma.is_masked(points):
+def _array_of(points: Any, place: str) -> NDArray[Any]:
+    if isinstance(points, _masked.MaskedArray):
+        if _masked.is_masked(points):
             raise invalid("some values are masked: leave those points out", place)
-        return np.asarray(points.data)
-    if isinstance(points, np.ndarray):
-        return np.asarray(points)
+        return np.asarray(_masked.getdata(points))
     try:
         if hasattr(points, "__dlpack__") and not hasattr(points, "__array__"):
             return np.from_dlpack(points)
@@ -139,7 +152,7 @@ def _array_of(points: Any, place: str) -> np.ndarray[Any, Any]:
         raise invalid(f"this is no array of numbers: {error}", place) from error
 
 
-def _numbers(array: np.ndarray[Any, Any], place: str, copy: bool) -> np.ndarray[Any, Any]:
+def _numbers(array: NDArray[Any], place: str, copy: bool) -> NDArray[Any]:
     """The same as native, aligned doubles or floats; a copy only where these are not, or if asked."""
     if array.dtype in _types:
         if copy or not array.flags.aligned:

@@ -483,25 +483,41 @@ class Engine(Searches):
     0 []
     1 []
     2 [0 1]
+    >>> engine
+    <beespace.Engine: 3 calls so far>
     """
 
-    __slots__ = ("_handle", "_lock")
+    __slots__ = ("_calls", "_handle", "_lock")
 
     def __init__(self) -> None:
         self._handle = library.beespace_engine_create()
         if not self._handle:
             raise MemoryError("beespace: no memory for an engine")
         self._lock = threading.Lock()
+        self._calls = 0
 
     def __repr__(self) -> str:
-        return "<beespace.Engine>"
+        calls = "1 call" if self._calls == 1 else f"{self._calls:,} calls"
+        return f"<beespace.Engine: {calls} so far{', one now' if self._lock.locked() else ''}>"
 
     def _call(self, function: Any, arguments: tuple[Any, ...]) -> int:
         with self._lock:
+            self._calls += 1
             return int(function(self._handle, *arguments))
 
     def release_memory(self) -> None:
-        """Gives the working memory back to the system. The engine can still be used."""
+        """Gives the working memory back to the system. The engine can still be used.
+
+        Examples
+        --------
+        >>> import beespace
+        >>> engine = beespace.Engine()
+        >>> engine.count([[0, 0], [3, 4]], 6)
+        array([1, 1])
+        >>> engine.release_memory()
+        >>> engine.count([[0, 0], [3, 4]], 6)
+        array([1, 1])
+        """
         with self._lock:
             library.beespace_engine_release_memory(self._handle)
 

@@ -6,8 +6,10 @@ import ctypes
 import queue
 import threading
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from beespace import _library
 from beespace._answers import Pairs
@@ -22,7 +24,7 @@ class _Piece:
     def __init__(self, size: int, distances: bool) -> None:
         self.size = size
         self.filled = 0
-        self.columns = [np.empty(size, np.int64), np.empty(size, np.int64)]
+        self.columns: list[NDArray[Any]] = [np.empty(size, np.int64), np.empty(size, np.int64)]
         if distances:
             self.columns.append(np.empty(size, np.float64))
 

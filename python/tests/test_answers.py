@@ -232,8 +232,18 @@ def test_answers_turn_into_what_others_use():
     assert beespace.pairs(points, 3, distances=False).to_csr().dtype == bool
     assert repr(found).startswith(f"<Pairs: {len(found):,} pairs of 60 points, ")
     assert repr(beespace.groups(points, 3)).startswith("<Groups: ")
-    assert repr(beespace.neighbors(points, 3)).endswith(" of 60 points>")
-    assert repr(beespace.nearest(points, 2)) == "<Nearest: 2 of 60 points>"
+    assert " of 60 points, " in repr(beespace.neighbors(points, 3))
+    assert repr(beespace.nearest(points, 2)).startswith("<Nearest: 2 of 60 points, ")
+    for call, said in [
+        (lambda: beespace.pairs(points[:1], 3), "<Pairs: 0 pairs of 1 point>"),
+        (lambda: beespace.pairs(points[:0], 3), "<Pairs: 0 pairs of 0 points>"),
+        (lambda: beespace.neighbors(points[:0], 3), "<Neighbors: 0 neighbours of 0 points>"),
+        (lambda: beespace.groups(points[:1], 3), "<Groups: 0 groups with 0 of 1 point>"),
+        (lambda: beespace.nearest(points[:1], 2), "<Nearest: 2 of 1 point>"),
+        (lambda: beespace.Index(points[:1]), "<beespace.Index: 1 point>"),
+        (beespace.Engine, "<beespace.Engine: 0 calls so far>"),
+    ]:
+        assert repr(call()) == said
 
 
 def test_of_pandas():

@@ -1,5 +1,7 @@
 #include "base/pair_order.hpp"
 
+#include "base/stopping.hpp"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -26,6 +28,7 @@ constexpr std::size_t kDigitValues = std::size_t{1} << kDigitBits;
 template <class Visit>
 void for_each_pair(const FoundPairs& found, Direction direction, Visit&& visit) {
   for (const FoundPairs::Chunk& chunk : found.chunks()) {
+    if (is_stopping()) return;
     const PointId* first = chunk.first.data();
     const PointId* second = chunk.second.data();
     const std::uint32_t size = chunk.size;
@@ -77,7 +80,9 @@ class BucketOrder {
   // Digit by digit, from the lowest of the second id to the highest of the first.
   void sort_by_digits(Pair* pairs, std::size_t size) {
     PointId highest = 0;
-    for (std::size_t i = 0; i < size; ++i) highest = std::max(highest, pairs[i].second);
+    in_stretches(size, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) highest = std::max(highest, pairs[i].second);
+    });
     Pair* from = pairs;
     Pair* to = spare_.data();
     const auto pass = [&](const auto& id_of, unsigned bits) {
@@ -91,16 +96,24 @@ class BucketOrder {
          static_cast<unsigned>(std::bit_width(highest)));
     pass([this](const Pair& pair) { return pair.first & mask_; },
          static_cast<unsigned>(std::bit_width(mask_)));
-    if (from != pairs) std::copy_n(from, size, pairs);
+    if (from == pairs) return;
+    in_stretches(size, [&](std::size_t begin, std::size_t end) {
+      std::copy(from + begin, from + end, pairs + begin);
+    });
   }
 
   template <class DigitOf>
   static void counting_pass(const Pair* from, Pair* to, std::size_t size, const DigitOf& digit_of) {
     std::array<std::size_t, kDigitValues> next{};
-    for (std::size_t i = 0; i < size; ++i) ++next[digit_of(from[i])];
+    in_stretches(size, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) ++next[digit_of(from[i])];
+    });
     std::size_t sum = 0;
     for (std::size_t& place : next) sum += std::exchange(place, sum);
-    for (std::size_t i = 0; i < size; ++i) to[next[digit_of(from[i])]++] = from[i];
+    // Once stopped, every stretch is left out: none is written by counts that are incomplete.
+    in_stretches(size, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) to[next[digit_of(from[i])]++] = from[i];
+    });
   }
 
   static void sort_by_second(Pair* pairs, std::size_t size) {
@@ -174,7 +187,7 @@ void order_pairs(const Vector<FoundPairs>& found, Direction direction, std::uint
     BucketOrder order(low_bits, largest, with.memory.of(worker));
     // A worker sorts the buckets that start in its share.
     auto bucket = std::lower_bound(begin_of.begin(), begin_of.end() - 1, begin);
-    for (; bucket + 1 != begin_of.end() && *bucket < end; ++bucket) {
+    for (; bucket + 1 != begin_of.end() && *bucket < end && !is_stopping(); ++bucket) {
       order.sort(out + *bucket, bucket[1] - bucket[0]);
     }
   });

@@ -24,6 +24,13 @@ class FoundPairs {
   };
 
   explicit FoundPairs(Memory& memory) : memory_(memory), chunks_(&memory) {}
+  FoundPairs(FoundPairs&&) noexcept = default;
+  FoundPairs(const FoundPairs&) = delete;
+  FoundPairs& operator=(const FoundPairs&) = delete;
+  FoundPairs& operator=(FoundPairs&&) = delete;
+  ~FoundPairs() {
+    while (!chunks_.empty()) chunks_.pop_back();  // what was lent last is found first
+  }
 
   // An empty chunk of kChunk places, to be filled and given its size before the next one.
   Chunk& open_chunk() {

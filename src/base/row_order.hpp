@@ -5,6 +5,7 @@
 #include "base/buffer.hpp"
 #include "base/resources.hpp"
 #include "base/sort_ids.hpp"
+#include "base/stopping.hpp"
 
 #include <beespace/point.hpp>
 
@@ -24,6 +25,13 @@ class FoundRows {
   };
 
   explicit FoundRows(Memory& memory) : memory_(memory), chunks_(&memory) {}
+  FoundRows(FoundRows&&) noexcept = default;
+  FoundRows(const FoundRows&) = delete;
+  FoundRows& operator=(const FoundRows&) = delete;
+  FoundRows& operator=(FoundRows&&) = delete;
+  ~FoundRows() {
+    while (!chunks_.empty()) chunks_.pop_back();  // what was lent last is found first
+  }
 
   // An empty chunk of kChunk places, to be filled and given its size before the next one.
   Chunk& open_chunk() {
@@ -88,7 +96,7 @@ void for_each_row(const AllFoundRows& found, const Resources& with, const Visit&
     Buffer<PointId> row(with.memory.of(worker), longest);
     Buffer<PointId> spare(with.memory.of(worker), longest);
     FoundRows::Reader reader(found.parts[worker]);
-    for (std::size_t point = begin; point < end; ++point) {
+    for (std::size_t point = begin; point < end && !is_stopping(); ++point) {
       reader.take(lengths[point], row.data());
       visit(point, sort_ids(row.data(), spare.data(), lengths[point]), lengths[point]);
     }

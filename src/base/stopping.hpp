@@ -8,6 +8,8 @@
 #include <beespace/crew.hpp>
 #include <beespace/result.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <stop_token>
 #include <utility>
 
@@ -20,6 +22,16 @@ Error stopped_error();
 
 // For loops that work on a piece of a task: whether the call that this thread works for is to end.
 bool is_stopping();
+
+// Calls work(begin, end) for one stretch of [0, size) after the other: some milliseconds of work
+// that takes nanoseconds each. Ends early, with stretches missing, where the call is to end.
+template <class Work>
+void in_stretches(std::size_t size, Work&& work) {
+  constexpr std::size_t kStretch = std::size_t{1} << 20;
+  for (std::size_t begin = 0; begin < size && !is_stopping(); begin += kStretch) {
+    work(begin, std::min(begin + kStretch, size));
+  }
+}
 
 // While it lives, this thread works for no call that can be stopped: around calls of the caller's
 // functions, which may search themselves.

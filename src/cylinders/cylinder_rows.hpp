@@ -92,7 +92,7 @@ void CylinderRows::look_at_row(std::size_t row, const CylinderTests& tests, Task
   const std::size_t begin = begins_[row];
   const std::size_t end = begins_[row + 1];
   if (begin == end) return;
-  for (std::size_t i = begin; i < end; ++i) look(i, i + 1, end, tests, task);
+  for (std::size_t i = begin; i < end && !is_stopping(); ++i) look(i, i + 1, end, tests, task);
   const std::size_t at = row % across_;
   std::size_t behind[4];
   std::size_t count = 0;
@@ -105,7 +105,7 @@ void CylinderRows::look_at_row(std::size_t row, const CylinderTests& tests, Task
   for (std::size_t k = 0; k < count; ++k) {
     std::size_t first = begins_[behind[k]];
     const std::size_t last = begins_[behind[k] + 1];
-    for (std::size_t i = begin; i < end && first < last; ++i) {
+    for (std::size_t i = begin; i < end && first < last && !is_stopping(); ++i) {
       const double along = places_[i].along;
       while (first < last && along - places_[first].along > reach_) ++first;
       look(i, first, last, tests, task);

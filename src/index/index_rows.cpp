@@ -1,4 +1,5 @@
 // Many queries at once: in an order that suits the caches, in chunks, which free threads take.
+#include "base/resize_for.hpp"
 #include "base/stopping.hpp"
 #include "exact/validate.hpp"
 #include "index/index_levels.hpp"
@@ -40,7 +41,7 @@ class AroundAll {
         radii_m_(radii_m),
         options_(options),
         crew_(crew),
-        found_(crew.size()),
+        rows_(crew.size()),
         chunks_(places.size() / kChunk + 1),
         sizes_(places.size()) {}
 
@@ -48,33 +49,22 @@ class AroundAll {
     share_out(places_.size(), crew_,
               [&](std::size_t chunk, std::size_t begin, std::size_t end, unsigned worker) {
                 if (total_ > options_.max_results) return;
-                Found& mine = found_[worker];
-                chunks_[chunk] = {mine.ids.size(), worker};
-                for (std::size_t i = begin; i < end; ++i) probe_neighbors(i, mine);
-                total_ += mine.ids.size() - chunks_[chunk].begin;
+                std::vector<PointId>& ids = chunks_[chunk];
+                for (std::size_t i = begin; i < end && !core::is_stopping(); ++i) {
+                  probe_neighbors(i, rows_[worker], ids);
+                }
+                total_ += ids.size();
               });
     if (total_ > options_.max_results) return core::too_many_results(options_.max_results);
     return together();
   }
 
  private:
-  // The results of one worker, chunk after chunk.
-  struct Found {
-    std::vector<PointId> ids;
-    std::vector<PointId> row;
-  };
-
-  // Where the ids of a chunk begin.
-  struct Chunk {
-    std::size_t begin;
-    unsigned worker;
-  };
-
-  void probe_neighbors(std::size_t i, Found& mine) {
+  void probe_neighbors(std::size_t i, std::vector<PointId>& row, std::vector<PointId>& ids) {
     const double radius_m = radii_m_.empty() ? options_.radius_m : radii_m_[places_.index[i]];
-    levels_.find_around({places_.places[i], radius_m, options_.inclusive}, mine.row);
-    sizes_[i] = static_cast<std::uint32_t>(mine.row.size());
-    mine.ids.insert(mine.ids.end(), mine.row.begin(), mine.row.end());
+    levels_.find_around({places_.places[i], radius_m, options_.inclusive}, row);
+    sizes_[i] = static_cast<std::uint32_t>(row.size());
+    ids.insert(ids.end(), row.begin(), row.end());
   }
 
   // The rows one behind the other, in the caller's order.
@@ -84,12 +74,11 @@ class AroundAll {
     for (std::size_t i = 0; i < sizes_.size(); ++i) rows.offsets[places_.index[i]] = sizes_[i];
     std::uint64_t before = 0;
     for (std::uint64_t& offset : rows.offsets) before += std::exchange(offset, before);
-    rows.ids.resize(before);
+    core::resize_for(rows.ids, before, crew_);
     share_out(places_.size(), crew_,
               [&](std::size_t chunk, std::size_t begin, std::size_t end, unsigned) {
-                const Chunk& its = chunks_[chunk];
-                const PointId* from = found_[its.worker].ids.data() + its.begin;
-                for (std::size_t i = begin; i < end; ++i) {
+                const PointId* from = chunks_[chunk].data();
+                for (std::size_t i = begin; i < end && !core::is_stopping(); ++i) {
                   PointId* const to = rows.ids.data() + rows.offsets[places_.index[i]];
                   std::copy_n(from, sizes_[i], to);
                   from += sizes_[i];
@@ -103,9 +92,9 @@ class AroundAll {
   std::span<const double> radii_m_;  // in the caller's order; or none
   const AroundOptions& options_;
   Crew& crew_;
-  std::vector<Found> found_;  // by worker
-  std::vector<Chunk> chunks_;
-  std::vector<std::uint32_t> sizes_;  // of the rows, in the order of the search
+  std::vector<std::vector<PointId>> rows_;    // of one place, by worker
+  std::vector<std::vector<PointId>> chunks_;  // the rows of a chunk, one behind the other
+  std::vector<std::uint32_t> sizes_;          // of the rows, in the order of the search
   std::atomic<std::uint64_t> total_{0};
 };
 
@@ -124,12 +113,12 @@ NearestRows find_nearest_of_all(const IndexLevels& levels, const PointsView& pla
   if (k == 0 || places.empty()) return {};
   NearestRows rows{k, {}};
   if (places.size() > rows.entries.max_size() / k) throw std::bad_alloc();
-  rows.entries.resize(places.size() * k);
+  core::resize_for(rows.entries, places.size() * k, crew);
   const OrderedPlaces ordered = place_order(places, bounds, crew);
   share_out(places.size(), crew, [&](std::size_t, std::size_t begin, std::size_t end, unsigned) {
     core::NearestList list;
     double reach_m = std::numeric_limits<double>::infinity();
-    for (std::size_t i = begin; i < end; ++i) {
+    for (std::size_t i = begin; i < end && !core::is_stopping(); ++i) {
       const Point& place = ordered.places[i];
       // As many points as around the place before lie within their distance plus the distance of
       // the two places. Distances and sums are off by a few 2^-53.

@@ -159,7 +159,7 @@ Status CylinderSearch::find_pairs(std::vector<Pair>& pairs) const {
   const auto found = collect(options_.max_results);
   const std::uint64_t size = core::size_of(found);
   if (size > options_.max_results) return core::too_many_results(options_.max_results);
-  core::resize_for(pairs, size);
+  core::resize_for(pairs, size, with_.crew);
   const auto direction = others_ ? core::Direction::kAsFound : core::Direction::kAscending;
   core::order_pairs(found, direction, points_.size(), with_, pairs.data());
   return std::monostate{};

@@ -1,6 +1,8 @@
 #include "search/k_nearest_search.hpp"
 
 #include "base/dynamic_schedule.hpp"
+#include "base/resize_for.hpp"
+#include "base/stopping.hpp"
 #include "kernels/tree_walk.hpp"
 #include "tree/point_tree.hpp"
 
@@ -33,7 +35,7 @@ void find_k_nearest(const PointsView& points, const core::Bounds& bounds, std::s
   rows.length = size == 0 ? 0 : std::min(k, size - 1);
   if (rows.length == 0) return rows.entries.clear();
   if (size > rows.entries.max_size() / rows.length) throw std::bad_alloc();
-  rows.entries.resize(size * rows.length);
+  core::resize_for(rows.entries, size * rows.length, with.crew);
   if (lists.size() < with.crew.size()) lists.resize(with.crew.size());
   const std::size_t wanted = rows.length + 1;  // the point itself is found, too
   core::PerWorker<Nearest> found(with);
@@ -43,7 +45,7 @@ void find_k_nearest(const PointsView& points, const core::Bounds& bounds, std::s
   cpu::schedule(with.crew, size, kChunk, [&](std::size_t begin, std::size_t end, unsigned worker) {
     core::NearestList& list = lists[worker];
     double reach_m = std::numeric_limits<double>::infinity();
-    for (std::size_t slot = begin; slot < end; ++slot) {
+    for (std::size_t slot = begin; slot < end && !core::is_stopping(); ++slot) {
       const auto place = static_cast<std::uint32_t>(slot);
       const Point& point = tree.point(place);
       // As many as are around the point before, are no farther from here than from

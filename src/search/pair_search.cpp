@@ -79,7 +79,7 @@ Status find_crowded_pairs(const SearchDomain& domain, const PairOptions& options
   if (rows.size() > options.max_results) return core::too_many_results(options.max_results);
   core::Buffer<std::uint64_t> offsets(with.memory, domain.points().size() + 1);
   rows.write_offsets(offsets.data());
-  core::resize_for(pairs, rows.size());
+  core::resize_for(pairs, rows.size(), with.crew);
   rows.for_each([&](PointId id, const PointId* row, std::size_t length) {
     Pair* const to = pairs.data() + offsets[id];
     for (std::size_t k = 0; k < length; ++k) to[k] = {id, row[k]};
@@ -92,9 +92,9 @@ Status find_crowded_neighbors(const SearchDomain& domain, const PairOptions& opt
                               IdRows& neighbors) {
   const LongRows rows(domain, options, cpu::Which::kAll, with, tuning);
   if (rows.size() > options.max_results) return core::too_many_results(options.max_results);
-  core::resize_for(neighbors.offsets, domain.points().size() + 1);
+  core::resize_for(neighbors.offsets, domain.points().size() + 1, with.crew);
   rows.write_offsets(neighbors.offsets.data());
-  core::resize_for(neighbors.ids, rows.size());
+  core::resize_for(neighbors.ids, rows.size(), with.crew);
   rows.for_each([&](PointId id, const PointId* row, std::size_t length) {
     std::copy_n(row, length, neighbors.ids.data() + neighbors.offsets[id]);
   });
@@ -105,15 +105,17 @@ Status find_crowded_neighbors(const SearchDomain& domain, const PairOptions& opt
 
 void write_rows(const core::Buffer<Pair>& pairs, std::size_t size, std::size_t row_count,
                 const core::Resources& with, IdRows& rows) {
-  core::resize_for(rows.offsets, row_count + 1);
-  core::resize_for(rows.ids, size);
+  core::resize_for(rows.offsets, row_count + 1, with.crew);
+  core::resize_for(rows.ids, size, with.crew);
   with.crew.split(size, [&](std::size_t begin, std::size_t end, unsigned) {
     // Each pair that is the first of its row starts the rows since the pair before.
     std::uint64_t next_row = begin == 0 ? 0 : std::uint64_t{pairs[begin - 1].first} + 1;
-    for (std::size_t i = begin; i < end; ++i) {
-      rows.ids[i] = pairs[i].second;
-      for (; next_row <= pairs[i].first; ++next_row) rows.offsets[next_row] = i;
-    }
+    core::in_stretches(end - begin, [&](std::size_t from, std::size_t to) {
+      for (std::size_t i = begin + from; i < begin + to; ++i) {
+        rows.ids[i] = pairs[i].second;
+        for (; next_row <= pairs[i].first; ++next_row) rows.offsets[next_row] = i;
+      }
+    });
   });
   std::uint64_t next_row = size == 0 ? 0 : std::uint64_t{pairs[size - 1].first} + 1;
   for (; next_row <= row_count; ++next_row) rows.offsets[next_row] = size;
@@ -129,7 +131,7 @@ Status find_pairs(const SearchDomain& domain, const PairOptions& options,
   const auto found = collect(domain, options, with, tuning, options.max_results);
   const std::uint64_t size = core::size_of(found);
   if (size > options.max_results) return core::too_many_results(options.max_results);
-  core::resize_for(pairs, size);
+  core::resize_for(pairs, size, with.crew);
   core::order_pairs(found,
                     domain.has_others() ? core::Direction::kAsFound : core::Direction::kAscending,
                     domain.points().size(), with, pairs.data());
@@ -167,7 +169,7 @@ Status find_neighbors(const SearchDomain& domain, const PairOptions& options,
 void count_neighbors(const SearchDomain& domain, const PairOptions& options,
                      const core::Resources& with, const TuningOverrides& tuning,
                      std::vector<std::uint32_t>& counts) {
-  core::resize_for(counts, domain.points().size());
+  core::resize_for(counts, domain.points().size(), with.crew);
   if (is_crowded(domain, options.threshold_m, kCrowdedForCounts, tuning)) {
     return count_in_crowds(domain, options, with, tuning, counts.data());
   }

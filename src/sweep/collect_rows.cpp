@@ -19,7 +19,7 @@ class RowCollector {
   RowSink& open(std::uint32_t* lengths, Which which) {
     const auto make_room = [](void* context) {
       auto& self = *static_cast<RowCollector*>(context);
-      const bool go_on = self.close();
+      const bool go_on = self.close() && !core::is_stopping();
       self.next_chunk();
       return go_on;
     };

@@ -70,7 +70,7 @@ class NearestAll {
   }
 
   void write(Range points) {
-    for (std::uint32_t i = points.begin; i < points.end; ++i) {
+    for (std::uint32_t i = points.begin; i < points.end && !core::is_stopping(); ++i) {
       const std::uint32_t place = i - points.begin;
       const float best = batch_.best[place];
       if (best == kFar) {

@@ -42,8 +42,9 @@ struct SweepQuery {
 
 // The query decides unsure pairs; it must outlive this object.
 inline Unsure decided_by(const SweepQuery& question) {
+  // Where a crowd is exactly as far off as the threshold, nothing else is done for seconds.
   const auto decide = [](void* asking, std::uint32_t i, std::uint32_t j) {
-    return static_cast<const SweepQuery*>(asking)->decide(i, j);
+    return !core::is_stopping() && static_cast<const SweepQuery*>(asking)->decide(i, j);
   };
   return {decide, const_cast<SweepQuery*>(&question)};
 }
@@ -84,8 +85,7 @@ class RowSweeps {
       find_targets(asked_.row_number[row]);
       begin = sweep_.points.end;
       if (has_no_candidates()) continue;
-      if (core::is_stopping()) return;
-      if (!visit(static_cast<const Sweep&>(sweep_))) return;
+      if (!visit_in_parts(visit)) return;
     }
   }
 
@@ -113,6 +113,26 @@ class RowSweeps {
     return static_cast<std::size_t>(std::upper_bound(begins.begin(), begins.end(), point) -
                                     begins.begin()) -
            1;
+  }
+
+  // A row may hold all points, whose comparisons take minutes: it is swept part by part, and given
+  // up between two of them.
+  template <class Visit>
+  bool visit_in_parts(Visit&& visit) {
+    std::uint64_t candidates = sweep_.own.end - sweep_.own.begin;
+    for (unsigned k = 0; k < sweep_.target_count; ++k) {
+      candidates += sweep_.targets[k].points.end - sweep_.targets[k].points.begin;
+    }
+    const Range row = sweep_.points;
+    const std::uint32_t at_once =
+        candidates * (row.end - row.begin) < kManyComparisons ? row.end - row.begin : kPart;
+    while (sweep_.points.begin < row.end) {
+      sweep_.points.end = sweep_.points.begin + std::min(at_once, row.end - sweep_.points.begin);
+      if (core::is_stopping()) return false;
+      if (!visit(static_cast<const Sweep&>(sweep_))) return false;
+      sweep_.points.begin = sweep_.points.end;
+    }
+    return true;
   }
 
   void find_targets(std::uint64_t number) {
@@ -151,6 +171,10 @@ class RowSweeps {
   [[nodiscard]] bool has_no_candidates() const {
     return sweep_.target_count == 0 && sweep_.own.end - sweep_.own.begin < 2;
   }
+
+  // Some tens of milliseconds; and so many points that what a sweep does first does not count.
+  static constexpr std::uint64_t kManyComparisons = std::uint64_t{1} << 25;
+  static constexpr std::uint32_t kPart = 512;
 
   const core::SortedGrid& asked_;
   const core::SortedGrid& others_;

@@ -139,6 +139,27 @@ TEST_F(CArguments, PointsThatCannotBeAreRefused) {
   expect_one_pair();
 }
 
+TEST_F(CArguments, ReservedFieldsMustBeZeroAndStridesMustNotOverflow) {
+  search_.reserved = 1;
+  expect_refused("search");
+  search_.reserved = 0;
+  beespace_run run{};
+  run.struct_size = sizeof run;
+  run.reserved = 1;
+  run_ = &run;
+  expect_refused("run");
+  run_ = nullptr;
+  for (const std::ptrdiff_t stride : {std::numeric_limits<std::ptrdiff_t>::max() / 8 * 8,
+                                      std::numeric_limits<std::ptrdiff_t>::max() / 16 * 8,
+                                      -(std::numeric_limits<std::ptrdiff_t>::max() / 16 * 8)}) {
+    points_.z_stride = stride;
+    expect_refused("points");
+  }
+  points_.z_stride = 24;
+  points_.x = nullptr;
+  expect_refused("points");
+}
+
 TEST_F(CArguments, TooManyPointsAreRefusedBeforeOneIsRead) {
   points_.count = std::int64_t{1} << 33;
   points_.x_stride = points_.y_stride = points_.z_stride = 0;

@@ -8,11 +8,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <ctime>
+#include <functional>
 #include <thread>
+#include <utility>
 #include <vector>
+
+#include <pthread.h>
 
 namespace beespace::test {
 namespace {
@@ -130,6 +136,98 @@ TEST_F(CStop, ShortCallsWithAPollHaveTheirAnswer) {
   polls.stop_at = 1'000'000;
   ASSERT_EQ(find_pairs_of(points), BEESPACE_OK);
   EXPECT_EQ(columns(result_), columns_of(*expected));
+}
+
+// Time that one thread has worked, whatever else the machine does.
+class WorkOfThisThread {
+ public:
+  WorkOfThisThread() { pthread_getcpuclockid(pthread_self(), &clock_); }
+  // Any thread may ask.
+  [[nodiscard]] double seconds() const {
+    timespec now{};
+    clock_gettime(clock_, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  }
+
+ private:
+  clockid_t clock_{};
+};
+
+// Calls ask(run) with a stop that is requested when this thread has worked so long; says how long
+// it works after that, or less than 0 where the answer was complete before.
+template <class Ask>
+double work_after_stop(double requested_after, const Ask& ask) {
+  const WorkOfThisThread work;
+  const Owned<beespace_stop> stop(beespace_stop_create());
+  beespace_run run{};
+  run.struct_size = sizeof run;
+  run.stop = stop.get();
+  std::atomic<bool> over = false;
+  std::atomic<double> requested = 0.0;
+  const double begin = work.seconds();
+  std::thread other([&] {
+    while (!over && work.seconds() - begin < requested_after)
+      std::this_thread::sleep_for(std::chrono::microseconds(200));
+    beespace_stop_request(stop.get());
+    requested = work.seconds();
+  });
+  const beespace_code code = ask(&run);
+  const double end = work.seconds();
+  over = true;
+  other.join();
+  return code == BEESPACE_STOPPED ? end - requested : -1.0;
+}
+
+// All points in one cell, each near each other one: one row of the grid has all the work, and more
+// is written than searched.
+TEST(CStopOfACrowd, EndsAtAnyMomentWithLittleMoreWork) {
+  const std::vector<Point> crowd(5000, Point{0.5, 0.5, 0.5});
+  const beespace_points given = c_points(crowd);
+  const beespace_search search = c_search(1.0, BEESPACE_DISTANCES);
+  const beespace_search around = c_search(1.0);
+  beespace_search upright = search;
+  upright.flags |= BEESPACE_VERTICAL;
+  upright.vertical_m = 1.0;
+  const Owned<beespace_engine> engine(beespace_engine_create());
+  const Owned<beespace_result> result(beespace_result_create());
+  beespace_index* made = nullptr;
+  ASSERT_EQ(beespace_index_create(&given, nullptr, &made, nullptr), BEESPACE_OK);
+  const Owned<beespace_index> index(made);
+  using Ask = std::function<beespace_code(const beespace_run*)>;
+  const auto pairs_of = [&](const beespace_points* others, const beespace_search& asked) -> Ask {
+    return [&, others](const beespace_run* run) {
+      return beespace_pairs(engine.get(), &given, others, &asked, run, result.get(), nullptr);
+    };
+  };
+  const std::vector<std::pair<const char*, Ask>> questions = {
+      {"pairs", pairs_of(nullptr, search)},
+      {"pairs of two sets", pairs_of(&given, search)},
+      {"pairs in cylinders", pairs_of(nullptr, upright)},
+      {"neighbours",
+       [&](const beespace_run* run) {
+         return beespace_neighbors(engine.get(), &given, nullptr, &search, run, result.get(),
+                                   nullptr);
+       }},
+      {"around",
+       [&](const beespace_run* run) {
+         return beespace_index_around(index.get(), &given, &around, run, result.get(), nullptr);
+       }},
+  };
+  for (const auto& [name, ask] : questions) {
+    ASSERT_EQ(ask(nullptr), BEESPACE_OK);  // memory is there from now on
+    const WorkOfThisThread work;
+    const double begin = work.seconds();
+    ASSERT_EQ(ask(nullptr), BEESPACE_OK);
+    const double all = work.seconds() - begin;
+    int stopped = 0;
+    for (const double moment : {0.25, 0.5, 0.75}) {
+      const double more = work_after_stop(all * moment, ask);
+      if (more < 0.0) continue;
+      ++stopped;
+      EXPECT_LT(more, std::max(all / 6.0, 0.02)) << name << ", of " << all << " s";
+    }
+    EXPECT_GT(stopped, 0) << name;
+  }
 }
 
 TEST(CThreads, EachWithHandlesOfItsOwnHaveTheirAnswers) {

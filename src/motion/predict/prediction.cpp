@@ -129,7 +129,7 @@ Status predict_pairs(const MoversView& movers, const PredictOptions& options,
   core::Vector<core::FoundPairs> found(&with.memory);
   std::size_t found_in = 0;  // so many steps
   const auto settle = [&] {
-    core::resize_for(pairs, core::size_of(found));
+    core::resize_for(pairs, core::size_of(found), with.crew);
     core::order_pairs(found, core::Direction::kAscending, movers.size(), with, pairs.data());
     if (found_in > 1) pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     return pairs.size() <= options.max_results;
