@@ -44,6 +44,24 @@ void write_pairs(std::span<const Pair> pairs, beespace_result& result) {
   }
 }
 
+void write_conflicts(std::span<const Conflict> conflicts, beespace_result& result) {
+  const std::size_t size = conflicts.size();
+  for (auto* const ids : {&result.first, &result.second}) ids->resize(size);
+  for (auto* const numbers :
+       {&result.begins_s, &result.closest_s, &result.ends_s, &result.distances_m}) {
+    numbers->resize(size);
+  }
+  for (std::size_t i = 0; i < size; ++i) {
+    const Conflict& conflict = conflicts[i];
+    result.first[i] = conflict.first;
+    result.second[i] = conflict.second;
+    result.begins_s[i] = conflict.begins_s;
+    result.closest_s[i] = conflict.closest_s;
+    result.ends_s[i] = conflict.ends_s;
+    result.distances_m[i] = conflict.closest_m;
+  }
+}
+
 void write_rows(const IdRows& rows, std::size_t row_count, beespace_result& result) {
   result.offsets.resize(row_count + 1);
   result.offsets[0] = 0;  // of no row there are no offsets in C++
@@ -110,6 +128,9 @@ void beespace_result::clear() {
   second.clear();
   counts.clear();
   distances_m.clear();
+  begins_s.clear();
+  closest_s.clear();
+  ends_s.clear();
 }
 
 extern "C" {
@@ -128,8 +149,8 @@ void beespace_result_free(beespace_result* result) {
 
 int64_t beespace_result_size(const beespace_result* result) {
   if (result == nullptr) return 0;
-  return static_cast<int64_t>(
-      std::max({result->ids.size(), result->first.size(), result->counts.size()}));
+  return static_cast<int64_t>(std::max(
+      {result->ids.size(), result->first.size(), result->counts.size(), result->closest_s.size()}));
 }
 
 int64_t beespace_result_rows(const beespace_result* result) {
@@ -159,6 +180,18 @@ const int64_t* beespace_result_counts(const beespace_result* result) {
 
 const double* beespace_result_distances_m(const beespace_result* result) {
   return result == nullptr ? nullptr : result->distances_m.data();
+}
+
+const double* beespace_result_begins_s(const beespace_result* result) {
+  return result == nullptr ? nullptr : result->begins_s.data();
+}
+
+const double* beespace_result_closest_s(const beespace_result* result) {
+  return result == nullptr ? nullptr : result->closest_s.data();
+}
+
+const double* beespace_result_ends_s(const beespace_result* result) {
+  return result == nullptr ? nullptr : result->ends_s.data();
 }
 
 }  // extern "C"

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <beespace.h>
+#include <beespace/conflict.hpp>
 #include <beespace/id_rows.hpp>
 #include <beespace/nearest.hpp>
 #include <beespace/pairs.hpp>
@@ -51,6 +52,9 @@ struct beespace_result {
   beespace::c::Column<std::int64_t> second;
   beespace::c::Column<std::int64_t> counts;
   beespace::c::Column<double> distances_m;
+  beespace::c::Column<double> begins_s;
+  beespace::c::Column<double> closest_s;
+  beespace::c::Column<double> ends_s;
 
   void clear();
 };
@@ -61,6 +65,7 @@ namespace beespace::c {
 void write_ids(std::span<const PointId> ids, beespace_result& result);
 void write_counts(std::span<const std::uint32_t> counts, bool with_self, beespace_result& result);
 void write_pairs(std::span<const Pair> pairs, beespace_result& result);
+void write_conflicts(std::span<const Conflict> conflicts, beespace_result& result);
 void write_rows(const IdRows& rows, std::size_t row_count, beespace_result& result);
 // Each row with the number of the row itself among its ids.
 void write_rows_with_self(const IdRows& rows, std::size_t row_count, beespace_result& result);
