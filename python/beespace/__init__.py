@@ -12,9 +12,12 @@ array([2, 3])
 """
 
 from beespace._answers import ClosestPair, Groups, Nearest, Neighbors, Pairs
+from beespace._conflicts import Approaches, Conflicts
 from beespace._errors import BeespaceError
+from beespace._geodesy import to_ecef
 from beespace._index import Index
 from beespace._library import version as _version
+from beespace._motion import closest_approach
 from beespace._searches import Engine, Searches
 
 __version__ = _version()
@@ -28,10 +31,14 @@ count = _searches.count
 groups = _searches.groups
 nearest = _searches.nearest
 closest_pair = _searches.closest_pair
+predict = _searches.predict
+predict_pairs = _searches.predict_pairs
 
 __all__ = [
+    "Approaches",
     "BeespaceError",
     "ClosestPair",
+    "Conflicts",
     "Engine",
     "Groups",
     "Index",
@@ -39,6 +46,7 @@ __all__ = [
     "Neighbors",
     "Pairs",
     "at_risk",
+    "closest_approach",
     "closest_pair",
     "count",
     "groups",
@@ -46,4 +54,7 @@ __all__ = [
     "nearest",
     "neighbors",
     "pairs",
+    "predict",
+    "predict_pairs",
+    "to_ecef",
 ]
