@@ -22,7 +22,7 @@ namespace {
 
 constexpr MoverNames kOtherMovers = {"other_positions", "other_velocities"};
 // Often enough to end soon, seldom enough to cost nothing.
-constexpr std::size_t kBetweenStops = 1024;
+constexpr std::size_t kApproachesBetweenStops = 1024;
 
 struct TwoMovers {
   MoversView first;
@@ -77,7 +77,7 @@ Status write_approaches(const TwoMovers& movers, const AskedApproach& asked, con
     return any ? Status(std::monostate{}) : Status(any.error());
   }
   for (std::size_t i = 0; i < size; ++i) {
-    if (i % kBetweenStops == 0 && run.stop.stop_requested()) {
+    if (i % kApproachesBetweenStops == 0 && run.stop.stop_requested()) {
       return Error{beespace::ErrorCode::kStopped, "a stop was requested", {}};
     }
     const Result<Approach> found =

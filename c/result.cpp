@@ -62,6 +62,17 @@ void write_conflicts(std::span<const Conflict> conflicts, beespace_result& resul
   }
 }
 
+void write_gaps(std::span<const Gap> gaps, beespace_result& result) {
+  result.gap_agents.resize(gaps.size());
+  result.gap_begins_s.resize(gaps.size());
+  result.gap_ends_s.resize(gaps.size());
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    result.gap_agents[i] = gaps[i].track;
+    result.gap_begins_s[i] = gaps[i].begins_s;
+    result.gap_ends_s[i] = gaps[i].ends_s;
+  }
+}
+
 void write_rows(const IdRows& rows, std::size_t row_count, beespace_result& result) {
   result.offsets.resize(row_count + 1);
   result.offsets[0] = 0;  // of no row there are no offsets in C++
@@ -131,6 +142,9 @@ void beespace_result::clear() {
   begins_s.clear();
   closest_s.clear();
   ends_s.clear();
+  gap_agents.clear();
+  gap_begins_s.clear();
+  gap_ends_s.clear();
 }
 
 extern "C" {
@@ -192,6 +206,22 @@ const double* beespace_result_closest_s(const beespace_result* result) {
 
 const double* beespace_result_ends_s(const beespace_result* result) {
   return result == nullptr ? nullptr : result->ends_s.data();
+}
+
+int64_t beespace_result_gaps(const beespace_result* result) {
+  return result == nullptr ? 0 : static_cast<int64_t>(result->gap_agents.size());
+}
+
+const int64_t* beespace_result_gap_agents(const beespace_result* result) {
+  return result == nullptr ? nullptr : result->gap_agents.data();
+}
+
+const double* beespace_result_gap_begins_s(const beespace_result* result) {
+  return result == nullptr ? nullptr : result->gap_begins_s.data();
+}
+
+const double* beespace_result_gap_ends_s(const beespace_result* result) {
+  return result == nullptr ? nullptr : result->gap_ends_s.data();
 }
 
 }  // extern "C"

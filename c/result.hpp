@@ -3,6 +3,7 @@
 
 #include <beespace.h>
 #include <beespace/conflict.hpp>
+#include <beespace/find_conflicts.hpp>
 #include <beespace/id_rows.hpp>
 #include <beespace/nearest.hpp>
 #include <beespace/pairs.hpp>
@@ -55,6 +56,9 @@ struct beespace_result {
   beespace::c::Column<double> begins_s;
   beespace::c::Column<double> closest_s;
   beespace::c::Column<double> ends_s;
+  beespace::c::Column<std::int64_t> gap_agents;
+  beespace::c::Column<double> gap_begins_s;
+  beespace::c::Column<double> gap_ends_s;
 
   void clear();
 };
@@ -66,6 +70,7 @@ void write_ids(std::span<const PointId> ids, beespace_result& result);
 void write_counts(std::span<const std::uint32_t> counts, bool with_self, beespace_result& result);
 void write_pairs(std::span<const Pair> pairs, beespace_result& result);
 void write_conflicts(std::span<const Conflict> conflicts, beespace_result& result);
+void write_gaps(std::span<const Gap> gaps, beespace_result& result);
 void write_rows(const IdRows& rows, std::size_t row_count, beespace_result& result);
 // Each row with the number of the row itself among its ids.
 void write_rows_with_self(const IdRows& rows, std::size_t row_count, beespace_result& result);
