@@ -12,12 +12,13 @@ array([2, 3])
 """
 
 from beespace._answers import ClosestPair, Groups, Nearest, Neighbors, Pairs
-from beespace._conflicts import Approaches, Conflicts
+from beespace._conflicts import Approaches, Conflicts, Encounter, Gaps, RecordedConflicts
 from beespace._errors import BeespaceError
 from beespace._geodesy import to_ecef
 from beespace._index import Index
 from beespace._library import version as _version
 from beespace._motion import closest_approach
+from beespace._recording import Recording
 from beespace._searches import Engine, Searches
 
 __version__ = _version()
@@ -39,12 +40,16 @@ __all__ = [
     "BeespaceError",
     "ClosestPair",
     "Conflicts",
+    "Encounter",
     "Engine",
+    "Gaps",
     "Groups",
     "Index",
     "Nearest",
     "Neighbors",
     "Pairs",
+    "RecordedConflicts",
+    "Recording",
     "at_risk",
     "closest_approach",
     "closest_pair",

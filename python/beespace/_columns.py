@@ -48,6 +48,20 @@ class Result:
     def ends(self) -> NDArray[np.float64]:
         return self._reals(at_once.beespace_result_ends_s)
 
+    def gap_agents(self) -> NDArray[np.int64]:
+        return self._integers(at_once.beespace_result_gap_agents, self._gaps())
+
+    def gap_begins(self) -> NDArray[np.float64]:
+        return self._array(
+            at_once.beespace_result_gap_begins_s, self._gaps(), "<f8", np.float64
+        )
+
+    def gap_ends(self) -> NDArray[np.float64]:
+        return self._array(at_once.beespace_result_gap_ends_s, self._gaps(), "<f8", np.float64)
+
+    def _gaps(self) -> int:
+        return int(at_once.beespace_result_gaps(self.handle))
+
     def _size(self) -> int:
         return int(at_once.beespace_result_size(self.handle))
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -100,6 +100,109 @@ class Conflicts(_Table):
             "closest_time": self.closest_time,
             "closest_distance": self.closest_distance,
         }
+
+
+class Gaps(_Table):
+    """Times between two fixes in which it is unknown where an agent is, in ascending order.
+
+    Attributes
+    ----------
+    id : ndarray, shape (g,)
+        The agent of each gap.
+    begin, end : ndarray of float64, shape (g,)
+        The times of the fixes before and after it, in seconds.
+    """
+
+    __slots__ = ("begin", "end", "id")
+
+    def __init__(
+        self, id: NDArray[Any], begin: NDArray[np.float64], end: NDArray[np.float64]
+    ) -> None:
+        self.id = id
+        self.begin = begin
+        self.end = end
+
+    def __len__(self) -> int:
+        return len(self.id)
+
+    def __repr__(self) -> str:
+        return f"<Gaps: {self._told()}>"
+
+    def _told(self) -> str:
+        if not len(self):
+            return "no gaps"
+        agents = _plural(len(np.unique(self.id)), "agent")
+        lasting = (self.end - self.begin).sum()
+        return (
+            f"{_plural(len(self), 'gap')} of {agents}, {lasting:.6g} s in all, of which nothing is "
+            "known"
+        )
+
+    def _columns(self) -> dict[str, NDArray[Any]]:
+        return {"id": self.id, "begin": self.begin, "end": self.end}
+
+
+class RecordedConflicts(Conflicts):
+    """Conflicts of a recording, and the times of which it says nothing.
+
+    Without conflicts, agents kept their distance, but for what may have been in the gaps.
+
+    Attributes
+    ----------
+    i, j : ndarray, shape (m,)
+        The ids of both agents, as they were given; ``i < j``.
+    begin, end, closest_time, closest_distance
+        As of `Conflicts`; a pair may be in conflict several times.
+    gaps : Gaps
+        Where fixes of an agent are farther apart in time than `max_gap`.
+    """
+
+    __slots__ = ("gaps",)
+
+    def __init__(
+        self,
+        i: NDArray[Any],
+        j: NDArray[Any],
+        begin: NDArray[np.float64],
+        end: NDArray[np.float64],
+        closest_time: NDArray[np.float64],
+        closest_distance: NDArray[np.float64],
+        count: int,
+        gaps: Gaps,
+    ) -> None:
+        super().__init__(i, j, begin, end, closest_time, closest_distance, count)
+        self.gaps = gaps
+
+    def __repr__(self) -> str:
+        return f"<RecordedConflicts: {self._told('agent')}; {self.gaps._told()}>"
+
+
+class Encounter(NamedTuple):
+    """The two agents that came closest to each other.
+
+    Attributes
+    ----------
+    i, j : int or str
+        Their ids, as they were given; ``i < j``.
+    time : float
+        When they were closest, in seconds.
+    distance : float
+        Their straight-line distance then, in metres.
+    gaps : Gaps
+        Times in which agents may have been closer.
+    """
+
+    i: Any
+    j: Any
+    time: float
+    distance: float
+    gaps: Gaps
+
+    def __repr__(self) -> str:
+        return (
+            f"<Encounter: {self.i} and {self.j}, {self.distance:.6g} m at {self.time:.6g} s; "
+            f"{self.gaps._told()}>"
+        )
 
 
 class Approaches(_Table):
