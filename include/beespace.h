@@ -675,7 +675,7 @@ typedef struct beespace_recording beespace_recording;
 /// agent ascend.
 ///
 /// Between two of its fixes an agent moves in the straight line through both, at constant velocity;
-/// before the first and behind the last it is absent. 32 bytes a fix, and some ten nanoseconds.
+/// before the first and behind the last it is absent. 32 bytes and some hundred nanoseconds a fix.
 ///
 /// @param fixes The agent and the time of each fix; copied.
 /// @param positions The position of each fix, in metres; copied. How many there are says how many
