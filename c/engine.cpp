@@ -19,6 +19,7 @@ void beespace_engine_release_memory(beespace_engine* engine) {
   engine->engine.release_memory();
   engine->ids = {};
   engine->pairs = {};
+  engine->conflicts = {};
   engine->counts = {};
   engine->nearest = {};
   engine->rows = {};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <beespace.h>
+#include <beespace/conflict.hpp>
 #include <beespace/engine.hpp>
 #include <beespace/id_rows.hpp>
 #include <beespace/nearest.hpp>
@@ -16,6 +17,7 @@ struct beespace_engine {
   beespace::Engine engine;
   std::vector<beespace::PointId> ids;
   std::vector<beespace::Pair> pairs;
+  std::vector<beespace::Conflict> conflicts;
   std::vector<std::uint32_t> counts;
   std::vector<beespace::Nearest> nearest;
   beespace::IdRows rows;

@@ -151,8 +151,7 @@ beespace_code beespace_index_around_each(const beespace_index* index, const bees
     const Result<IdRows> rows =
         index->index.find_around(view, std::span(radii_m, view.size()), around);
     if (!rows) return rows.error();
-    write_rows(*rows, view.size(), *result);
-    return std::monostate{};
+    return write_rows(*rows, view.size(), options.stop, *result);
   };
   return answer_of(index, places, run, result, error, ask);
 }

@@ -35,14 +35,24 @@ class CallEngine {
   beespace_engine* used_ = nullptr;
 };
 
+// Calls work(), which returns a Status and writes into the result.
+template <class Work>
+beespace_code answer_into(beespace_result* result, beespace_error* error, Work&& work) {
+  const beespace_code code = enter(error, [&]() -> Status {
+    if (result == nullptr) return invalid("the pointer to the result is NULL", "result");
+    result->clear();
+    return work();
+  });
+  if (code != BEESPACE_OK && result != nullptr) result->clear();
+  return code;
+}
+
 // Asks ask(sets, engine, run options, result), which returns a Status.
 template <class Ask>
 beespace_code answer(beespace_engine* engine, const beespace_points* points,
                      const beespace_points* others, const beespace_run* run,
                      beespace_result* result, beespace_error* error, Ask&& ask) {
-  const beespace_code code = enter(error, [&]() -> Status {
-    if (result == nullptr) return invalid("the pointer to the result is NULL", "result");
-    result->clear();
+  return answer_into(result, error, [&]() -> Status {
     const Result<PointSets> sets = sets_of(points, others);
     if (!sets) return sets.error();
     CallEngine used(engine);
@@ -50,8 +60,6 @@ beespace_code answer(beespace_engine* engine, const beespace_points* points,
       return ask(*sets, *used, options, *result);
     });
   });
-  if (code != BEESPACE_OK && result != nullptr) result->clear();
-  return code;
 }
 
 }  // namespace beespace::c

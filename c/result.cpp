@@ -83,6 +83,38 @@ Status write_pairs(std::span<const Pair> pairs, const std::stop_token& stop,
   });
 }
 
+Status write_conflicts(std::span<const Conflict> conflicts, const std::stop_token& stop,
+                       beespace_result& result) {
+  const std::size_t size = conflicts.size();
+  for (auto* const ids : {&result.first, &result.second}) ids->resize(size);
+  for (auto* const numbers :
+       {&result.begins_s, &result.closest_s, &result.ends_s, &result.distances_m}) {
+    numbers->resize(size);
+  }
+  return write_all(size, stop, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Conflict& conflict = conflicts[i];
+      result.first[i] = conflict.first;
+      result.second[i] = conflict.second;
+      result.begins_s[i] = conflict.begins_s;
+      result.closest_s[i] = conflict.closest_s;
+      result.ends_s[i] = conflict.ends_s;
+      result.distances_m[i] = conflict.closest_m;
+    }
+  });
+}
+
+void write_gaps(std::span<const Gap> gaps, beespace_result& result) {
+  result.gap_agents.resize(gaps.size());
+  result.gap_begins_s.resize(gaps.size());
+  result.gap_ends_s.resize(gaps.size());
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    result.gap_agents[i] = gaps[i].track;
+    result.gap_begins_s[i] = gaps[i].begins_s;
+    result.gap_ends_s[i] = gaps[i].ends_s;
+  }
+}
+
 Status write_rows(const IdRows& rows, std::size_t row_count, const std::stop_token& stop,
                   beespace_result& result) {
   result.offsets.resize(row_count + 1);
@@ -161,6 +193,12 @@ void beespace_result::clear() {
   second.clear();
   counts.clear();
   distances_m.clear();
+  begins_s.clear();
+  closest_s.clear();
+  ends_s.clear();
+  gap_agents.clear();
+  gap_begins_s.clear();
+  gap_ends_s.clear();
 }
 
 extern "C" {
@@ -179,8 +217,8 @@ void beespace_result_free(beespace_result* result) {
 
 int64_t beespace_result_size(const beespace_result* result) {
   if (result == nullptr) return 0;
-  return static_cast<int64_t>(
-      std::max({result->ids.size(), result->first.size(), result->counts.size()}));
+  return static_cast<int64_t>(std::max(
+      {result->ids.size(), result->first.size(), result->counts.size(), result->closest_s.size()}));
 }
 
 int64_t beespace_result_rows(const beespace_result* result) {
@@ -210,6 +248,34 @@ const int64_t* beespace_result_counts(const beespace_result* result) {
 
 const double* beespace_result_distances_m(const beespace_result* result) {
   return result == nullptr ? nullptr : result->distances_m.data();
+}
+
+const double* beespace_result_begins_s(const beespace_result* result) {
+  return result == nullptr ? nullptr : result->begins_s.data();
+}
+
+const double* beespace_result_closest_s(const beespace_result* result) {
+  return result == nullptr ? nullptr : result->closest_s.data();
+}
+
+const double* beespace_result_ends_s(const beespace_result* result) {
+  return result == nullptr ? nullptr : result->ends_s.data();
+}
+
+int64_t beespace_result_gaps(const beespace_result* result) {
+  return result == nullptr ? 0 : static_cast<int64_t>(result->gap_agents.size());
+}
+
+const int64_t* beespace_result_gap_agents(const beespace_result* result) {
+  return result == nullptr ? nullptr : result->gap_agents.data();
+}
+
+const double* beespace_result_gap_begins_s(const beespace_result* result) {
+  return result == nullptr ? nullptr : result->gap_begins_s.data();
+}
+
+const double* beespace_result_gap_ends_s(const beespace_result* result) {
+  return result == nullptr ? nullptr : result->gap_ends_s.data();
 }
 
 }  // extern "C"

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <beespace.h>
+#include <beespace/conflict.hpp>
+#include <beespace/find_conflicts.hpp>
 #include <beespace/id_rows.hpp>
 #include <beespace/nearest.hpp>
 #include <beespace/pairs.hpp>
@@ -53,6 +55,12 @@ struct beespace_result {
   beespace::c::Column<std::int64_t> second;
   beespace::c::Column<std::int64_t> counts;
   beespace::c::Column<double> distances_m;
+  beespace::c::Column<double> begins_s;
+  beespace::c::Column<double> closest_s;
+  beespace::c::Column<double> ends_s;
+  beespace::c::Column<std::int64_t> gap_agents;
+  beespace::c::Column<double> gap_begins_s;
+  beespace::c::Column<double> gap_ends_s;
 
   void clear();
 };
@@ -67,6 +75,9 @@ Status write_pairs(std::span<const Pair> pairs, const std::stop_token& stop,
                    beespace_result& result);
 Status write_rows(const IdRows& rows, std::size_t row_count, const std::stop_token& stop,
                   beespace_result& result);
+Status write_conflicts(std::span<const Conflict> conflicts, const std::stop_token& stop,
+                       beespace_result& result);
+void write_gaps(std::span<const Gap> gaps, beespace_result& result);
 // Each row with the number of the row itself among its ids.
 Status write_rows_with_self(const IdRows& rows, std::size_t row_count, const std::stop_token& stop,
                             beespace_result& result);

@@ -5,7 +5,8 @@
 /// C99. The comparisons are those of the C++ library: of real numbers, on the given values. No
 /// rounding, machine or number of threads changes an answer.
 ///
-/// Units: metres, in any Cartesian frame. Ids are indices of the caller's points, from 0.
+/// Units: metres, in any Cartesian frame; seconds, metres per second. Ids are indices of the
+/// caller's points, from 0.
 ///
 /// Structures begin with their size, so that they can grow in later versions. Fill the rest with
 /// zeros: zero means the default wherever there is one.
@@ -254,8 +255,38 @@ BEESPACE_C_API const int64_t* beespace_result_counts(const beespace_result* resu
 /// @brief Gives the distance in metres of each pair or neighbour: the root of the sum of three
 /// squares, each step rounded to the nearest double.
 /// @param result The result.
-/// @return beespace_result_size() distances; NULL where they were not asked for.
+/// @return beespace_result_size() distances; NULL where they were not asked for. Of movers: how
+///   close they are when they are closest.
 BEESPACE_C_API const double* beespace_result_distances_m(const beespace_result* result);
+/// @brief Gives when each conflict begins, in seconds.
+/// @param result The result.
+/// @return beespace_result_size() times, NaN where there is no conflict; NULL of an answer that is
+///   not of movers, or of approaches without a threshold.
+BEESPACE_C_API const double* beespace_result_begins_s(const beespace_result* result);
+/// @brief Gives when two movers are closest, in seconds.
+/// @param result The result.
+/// @return beespace_result_size() times; NULL of an answer that is not of movers.
+BEESPACE_C_API const double* beespace_result_closest_s(const beespace_result* result);
+/// @brief Gives when each conflict ends, in seconds.
+/// @param result The result.
+/// @return As beespace_result_begins_s().
+BEESPACE_C_API const double* beespace_result_ends_s(const beespace_result* result);
+/// @brief Says how many gaps a recording has: times in which an agent is somewhere unknown.
+/// @param result The result of a question about a recording.
+/// @return The number of gaps; 0 of another answer.
+BEESPACE_C_API int64_t beespace_result_gaps(const beespace_result* result);
+/// @brief Gives the agent of each gap, in ascending order of agent and time.
+/// @param result The result.
+/// @return beespace_result_gaps() ids of agents; NULL where there is none.
+BEESPACE_C_API const int64_t* beespace_result_gap_agents(const beespace_result* result);
+/// @brief Gives when each gap begins: the time of the fix before it, in seconds.
+/// @param result The result.
+/// @return beespace_result_gaps() times; NULL where there is none.
+BEESPACE_C_API const double* beespace_result_gap_begins_s(const beespace_result* result);
+/// @brief Gives when each gap ends: the time of the fix behind it, in seconds.
+/// @param result The result.
+/// @return beespace_result_gaps() times; NULL where there is none.
+BEESPACE_C_API const double* beespace_result_gap_ends_s(const beespace_result* result);
 
 /* ---- Questions ------------------------------------------------------------------------------ */
 
@@ -556,6 +587,192 @@ BEESPACE_C_API beespace_code beespace_index_move(beespace_index* index, int64_t 
 /// @return BEESPACE_OK; or BEESPACE_INVALID_ARGUMENT where there is no such point.
 BEESPACE_C_API beespace_code beespace_index_remove(beespace_index* index, int64_t id,
                                                    beespace_error* error);
+
+/* ---- Movers --------------------------------------------------------------------------------- */
+
+/// @brief When are two movers closest, how close, and when closer than the threshold? Of many twos:
+/// each mover and the other mover of the same index.
+///
+/// Each moves on in a straight line at constant velocity, from 0 s to the horizon. Whether two are
+/// in conflict is decided as real numbers on the given values; times and distances are doubles for
+/// reading. Some hundred nanoseconds a two, on one thread.
+///
+/// Positions, velocities, thresholds and the horizon are 0 or of magnitudes up to 2^100 (about
+/// 1.3e+30); what is smaller than 2^-100 counts as 0.
+///
+/// @param positions Where the movers are, in metres.
+/// @param velocities Their velocities, in metres per second; as many as positions.
+/// @param other_positions Where the other movers are; as many. Strides of 0 repeat one.
+/// @param other_velocities Their velocities.
+/// @param search The threshold. Flags: BEESPACE_INCLUSIVE, BEESPACE_VERTICAL. Or NULL: only when
+///   they are closest and how close.
+/// @param horizon_s How far to look ahead, in seconds; zero or more.
+/// @param run What ends the call early; or NULL.
+/// @param[out] result For each two when they are closest (of several such instants the first) and
+///   their straight-line distance then; with a threshold, when their conflict begins and ends
+///   within the horizon, NaN where there is none.
+/// @param[out] error What went wrong; or NULL.
+/// @return BEESPACE_OK or the code of the error:
+///   - BEESPACE_INVALID_THRESHOLD: of `threshold_m` or `vertical_m`;
+///   - BEESPACE_NOT_FINITE, BEESPACE_OUTSIDE_DOMAIN: a coordinate; beespace_error::place says of
+///     which of the four arguments, beespace_error::record which one;
+///   - BEESPACE_INVALID_ARGUMENT: a horizon that makes no sense, arrays that differ in number;
+///   - BEESPACE_STOPPED, BEESPACE_OUT_OF_MEMORY.
+BEESPACE_C_API beespace_code beespace_closest_approach(
+    const beespace_points* positions, const beespace_points* velocities,
+    const beespace_points* other_positions, const beespace_points* other_velocities,
+    const beespace_search* search, double horizon_s, const beespace_run* run,
+    beespace_result* result, beespace_error* error);
+
+/// @brief Which movers come closer than the threshold to each other within the horizon, and when?
+///
+/// All move on in straight lines at constant velocity. No pair is missed, however fast. Time grows
+/// with the number of movers and of pairs that may pass each other.
+///
+/// @param engine Keeps memory and threads for the next call; or NULL.
+/// @param positions Where the movers are, in metres.
+/// @param velocities Their velocities, in metres per second; as many as positions.
+/// @param search The threshold. Flags: BEESPACE_INCLUSIVE, BEESPACE_VERTICAL, BEESPACE_MAX_RESULTS.
+/// @param horizon_s How far to look ahead, in seconds; zero or more.
+/// @param run Threads, and what ends the call early; or NULL.
+/// @param[out] result first and second in ascending order, each pair once; when they come closer
+///   than the threshold (0 where they are), when they are closest and how close, when they are
+///   apart again (the horizon where they are not).
+/// @param[out] error What went wrong; or NULL.
+/// @return BEESPACE_OK or the code of the error: as beespace_closest_approach(), and
+///   BEESPACE_TOO_MANY_POINTS, BEESPACE_TOO_MANY_RESULTS.
+BEESPACE_C_API beespace_code beespace_predict(beespace_engine* engine,
+                                              const beespace_points* positions,
+                                              const beespace_points* velocities,
+                                              const beespace_search* search, double horizon_s,
+                                              const beespace_run* run, beespace_result* result,
+                                              beespace_error* error);
+
+/// @brief Which movers come closer than the threshold to each other within the horizon?
+///
+/// As beespace_predict(), without when and how close: over a short time little more than
+/// beespace_pairs().
+///
+/// @param engine Keeps memory and threads for the next call; or NULL.
+/// @param positions As of beespace_predict().
+/// @param velocities As of beespace_predict().
+/// @param search As of beespace_predict().
+/// @param horizon_s As of beespace_predict().
+/// @param run Threads, and what ends the call early; or NULL.
+/// @param[out] result first and second in ascending order, each pair once.
+/// @param[out] error What went wrong; or NULL.
+/// @return BEESPACE_OK or the code of the error: as beespace_predict().
+BEESPACE_C_API beespace_code beespace_predict_pairs(beespace_engine* engine,
+                                                    const beespace_points* positions,
+                                                    const beespace_points* velocities,
+                                                    const beespace_search* search, double horizon_s,
+                                                    const beespace_run* run,
+                                                    beespace_result* result, beespace_error* error);
+
+/* ---- Recordings ----------------------------------------------------------------------------- */
+
+/// @brief What is known of agents besides their positions: which one, and when. Nothing is copied;
+/// strides are as of beespace_points.
+typedef struct beespace_fixes {
+  size_t struct_size;       ///< sizeof(beespace_fixes)
+  int64_t reserved;         ///< Zero.
+  const int64_t* agents;    ///< The agent of each fix: any number is an id.
+  const double* times_s;    ///< The time of each fix, in seconds from any moment.
+  ptrdiff_t agents_stride;  ///< Bytes from one agent to the next.
+  ptrdiff_t times_stride;   ///< Bytes from one time to the next.
+} beespace_fixes;
+
+/// @brief Where agents were and when, in memory of its own. Many threads may ask at the same time.
+typedef struct beespace_recording beespace_recording;
+
+/// @brief Makes a recording of fixes, which may be of many agents in any order; the times of each
+/// agent ascend.
+///
+/// Between two of its fixes an agent moves in the straight line through both, at constant velocity;
+/// before the first and behind the last it is absent. 32 bytes and some hundred nanoseconds a fix.
+///
+/// @param fixes The agent and the time of each fix; copied.
+/// @param positions The position of each fix, in metres; copied. How many there are says how many
+///   fixes there are. In the motion domain, as beespace_closest_approach() says.
+/// @param run What ends the call early; or NULL.
+/// @param[out] recording The recording, to be freed by beespace_recording_free(); NULL after an
+///   error.
+/// @param[out] error What went wrong; or NULL.
+/// @return BEESPACE_OK or the code of the error:
+///   - BEESPACE_TIME_ORDER: a time that does not come after the one before it of the same agent,
+///     also where it is the same; with the fix in beespace_error::record;
+///   - BEESPACE_NOT_FINITE, BEESPACE_OUTSIDE_DOMAIN: a time or a coordinate; likewise;
+///   - BEESPACE_INVALID_ARGUMENT, BEESPACE_STOPPED, BEESPACE_OUT_OF_MEMORY.
+BEESPACE_C_API beespace_code beespace_recording_create(const beespace_fixes* fixes,
+                                                       const beespace_points* positions,
+                                                       const beespace_run* run,
+                                                       beespace_recording** recording,
+                                                       beespace_error* error);
+/// @brief Frees a recording; no call may be using it.
+/// @param recording The recording; NULL does nothing.
+BEESPACE_C_API void beespace_recording_free(beespace_recording* recording);
+/// @brief Says how many agents have a fix.
+/// @param recording The recording.
+/// @return The number of agents; 0 of NULL.
+BEESPACE_C_API int64_t beespace_recording_agents(const beespace_recording* recording);
+
+/// @brief Which agents came closer than the threshold to each other, when, and how close?
+///
+/// A pass between two fixes is found as well. Whether two are in conflict at some instant is
+/// decided as real numbers; times and distances are doubles for reading.
+///
+/// @param recording The recording.
+/// @param search The threshold. Flags: BEESPACE_INCLUSIVE, BEESPACE_VERTICAL, BEESPACE_MAX_RESULTS.
+/// @param max_gap_s The longest time in seconds between two fixes of an agent that is bridged by a
+///   straight line; above zero, INFINITY for all. Where fixes are farther apart, it is unknown
+///   where the agent is: it is compared with none, and the gap is in the result.
+/// @param run Threads, and what ends the call early; or NULL.
+/// @param[out] result first and second are the ids of agents, in ascending order, first < second;
+///   a pair may be in conflict several times. When each conflict begins, is closest and ends, and
+///   how close it is. And the gaps: without conflicts, agents kept their distance but for what may
+///   have been in these.
+/// @param[out] error What went wrong; or NULL.
+/// @return BEESPACE_OK or the code of the error: BEESPACE_INVALID_THRESHOLD,
+///   BEESPACE_INVALID_ARGUMENT, BEESPACE_TOO_MANY_RESULTS, BEESPACE_TOO_MANY_POINTS,
+///   BEESPACE_STOPPED, BEESPACE_OUT_OF_MEMORY.
+BEESPACE_C_API beespace_code beespace_recording_conflicts(const beespace_recording* recording,
+                                                          const beespace_search* search,
+                                                          double max_gap_s, const beespace_run* run,
+                                                          beespace_result* result,
+                                                          beespace_error* error);
+
+/// @brief Which two agents came closest to each other, when, and how close?
+/// @param recording The recording.
+/// @param max_gap_s As of beespace_recording_conflicts().
+/// @param run Threads, and what ends the call early; or NULL.
+/// @param[out] result One pair, all three of whose times are the closest instant; none where no two
+///   are known to be there at the same time. And the gaps.
+/// @param[out] error What went wrong; or NULL.
+/// @return BEESPACE_OK or the code of the error: as beespace_recording_conflicts(), but for the
+///   threshold and the number of results.
+BEESPACE_C_API beespace_code beespace_recording_closest(const beespace_recording* recording,
+                                                        double max_gap_s, const beespace_run* run,
+                                                        beespace_result* result,
+                                                        beespace_error* error);
+
+/* ---- Geodesy -------------------------------------------------------------------------------- */
+
+/// @brief Converts WGS84 positions to metres in an Earth-centred, Earth-fixed frame (ECEF).
+///
+/// x points towards 0 N 0 E, y towards 0 N 90 E, z towards the north pole. Every machine returns
+/// the same bits, which differ from exact arithmetic by less than 1e-8 m. Some nanoseconds a point.
+///
+/// @param positions As x the longitudes in degrees, -360 to 360, east positive; as y the latitudes
+///   in degrees, -90 to 90, north positive; as z the heights in metres above the ellipsoid, -12,000
+///   to 1,000,000, which must be given.
+/// @param[out] xyz The coordinates in metres, interleaved: room for 3 * count of them, which
+///   beespace_points_interleaved() reads. Unspecified after an error.
+/// @param[out] error What went wrong; or NULL.
+/// @return BEESPACE_OK or the code of the error, with its position in beespace_error::record:
+///   BEESPACE_NOT_FINITE, BEESPACE_INVALID_LATITUDE, BEESPACE_INVALID_LONGITUDE,
+///   BEESPACE_INVALID_HEIGHT; or BEESPACE_INVALID_ARGUMENT.
+BEESPACE_C_API beespace_code beespace_to_ecef(const beespace_points* positions, double* xyz,
+                                              beespace_error* error);
 
 #ifdef __cplusplus
 }

@@ -12,10 +12,14 @@ array([2, 3])
 """
 
 from beespace._answers import ClosestPair, Groups, Nearest, Neighbors, Pairs
+from beespace._conflicts import Approaches, Conflicts, Encounter, Gaps, RecordedConflicts
 from beespace._errors import BeespaceError, BeespaceFileError, BeespaceOSError
 from beespace._files import FilePoints, FileRecording, read, read_recording
+from beespace._geodesy import to_ecef
 from beespace._index import Index
 from beespace._library import version as _version
+from beespace._motion import closest_approach
+from beespace._recording import Recording
 from beespace._report import Report, report
 from beespace._searches import Engine, Searches
 
@@ -30,22 +34,31 @@ count = _searches.count
 groups = _searches.groups
 nearest = _searches.nearest
 closest_pair = _searches.closest_pair
+predict = _searches.predict
+predict_pairs = _searches.predict_pairs
 
 __all__ = [
+    "Approaches",
     "BeespaceError",
     "BeespaceFileError",
     "BeespaceOSError",
     "ClosestPair",
+    "Conflicts",
+    "Encounter",
     "Engine",
     "FilePoints",
     "FileRecording",
+    "Gaps",
     "Groups",
     "Index",
     "Nearest",
     "Neighbors",
     "Pairs",
+    "RecordedConflicts",
+    "Recording",
     "Report",
     "at_risk",
+    "closest_approach",
     "closest_pair",
     "count",
     "groups",
@@ -53,7 +66,10 @@ __all__ = [
     "nearest",
     "neighbors",
     "pairs",
+    "predict",
+    "predict_pairs",
     "read",
     "read_recording",
     "report",
+    "to_ecef",
 ]

@@ -95,6 +95,14 @@ def whole(number: Any, place: str) -> int:
     return value
 
 
+def seconds(number: Any, place: str) -> float:
+    """A length of time."""
+    try:
+        return float(number)
+    except (TypeError, ValueError):
+        raise invalid(f"this is a number of seconds, not {number!r}", place) from None
+
+
 def _length(number: Any, place: str) -> float:
     try:
         return float(number)
@@ -104,4 +112,4 @@ def _length(number: Any, place: str) -> float:
         ) from None
 
 
-__all__ = ["check", "library", "run_of", "search_of", "whole"]
+__all__ = ["check", "library", "run_of", "search_of", "seconds", "whole"]

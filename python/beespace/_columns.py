@@ -37,11 +37,34 @@ class Result:
         return self._integers(at_once.beespace_result_offsets, rows + 1)
 
     def distances(self) -> NDArray[np.float64]:
-        column = self._array(at_once.beespace_result_distances_m, self._size(), "<f8")
-        return column
+        return self._reals(at_once.beespace_result_distances_m)
+
+    def begins(self) -> NDArray[np.float64]:
+        return self._reals(at_once.beespace_result_begins_s)
+
+    def closest_times(self) -> NDArray[np.float64]:
+        return self._reals(at_once.beespace_result_closest_s)
+
+    def ends(self) -> NDArray[np.float64]:
+        return self._reals(at_once.beespace_result_ends_s)
+
+    def gap_agents(self) -> NDArray[np.int64]:
+        return self._integers(at_once.beespace_result_gap_agents, self._gaps())
+
+    def gap_begins(self) -> NDArray[np.float64]:
+        return self._array(at_once.beespace_result_gap_begins_s, self._gaps(), "<f8")
+
+    def gap_ends(self) -> NDArray[np.float64]:
+        return self._array(at_once.beespace_result_gap_ends_s, self._gaps(), "<f8")
+
+    def _gaps(self) -> int:
+        return int(at_once.beespace_result_gaps(self.handle))
 
     def _size(self) -> int:
         return int(at_once.beespace_result_size(self.handle))
+
+    def _reals(self, getter: Any) -> NDArray[np.float64]:
+        return self._array(getter, self._size(), "<f8")
 
     def _integers(self, getter: Any, size: int) -> NDArray[np.int64]:
         return self._array(getter, size, "<i8")

@@ -66,6 +66,17 @@ class CSearch(ctypes.Structure):
     ]
 
 
+class CFixes(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("reserved", c_int64),
+        ("agents", c_void_p),
+        ("times_s", c_void_p),
+        ("agents_stride", c_ssize_t),
+        ("times_stride", c_ssize_t),
+    ]
+
+
 POLL = ctypes.CFUNCTYPE(c_int, c_void_p)
 VISITOR = ctypes.CFUNCTYPE(c_int, c_void_p, c_void_p, c_void_p, c_void_p, c_int64)
 
@@ -126,6 +137,7 @@ def _handle(name: str) -> type[c_void_p]:
 CResult = _handle("result")
 CEngine = _handle("engine")
 CIndex = _handle("index")
+CRecording = _handle("recording")
 CStop = _handle("stop")
 
 _points, _search, _run = POINTER(CPoints), POINTER(CSearch), POINTER(CRun)
@@ -144,6 +156,9 @@ _signatures: dict[str, tuple[object, list[object]]] = {
     "result_second": (c_void_p, [c_void_p]),
     "result_counts": (c_void_p, [c_void_p]),
     "result_distances_m": (c_void_p, [c_void_p]),
+    "result_begins_s": (c_void_p, [c_void_p]),
+    "result_closest_s": (c_void_p, [c_void_p]),
+    "result_ends_s": (c_void_p, [c_void_p]),
     "engine_create": (CEngine, []),
     "engine_release_memory": (None, [c_void_p]),
     "at_risk": (c_int32, [c_void_p, _points, _points, _search, *_tail]),
@@ -158,6 +173,24 @@ _signatures: dict[str, tuple[object, list[object]]] = {
     "nearest": (c_int32, [c_void_p, _points, _points, c_int64, *_tail]),
     "nearest_within": (c_int32, [c_void_p, _points, _points, _search, *_tail]),
     "closest_pair": (c_int32, [c_void_p, _points, _points, *_tail]),
+    "closest_approach": (
+        c_int32,
+        [_points, _points, _points, _points, _search, c_double, *_tail],
+    ),
+    "predict": (c_int32, [c_void_p, _points, _points, _search, c_double, *_tail]),
+    "predict_pairs": (c_int32, [c_void_p, _points, _points, _search, c_double, *_tail]),
+    "recording_create": (
+        c_int32,
+        [POINTER(CFixes), _points, _run, POINTER(CRecording), POINTER(CError)],
+    ),
+    "recording_agents": (c_int64, [c_void_p]),
+    "recording_conflicts": (c_int32, [c_void_p, _search, c_double, *_tail]),
+    "recording_closest": (c_int32, [c_void_p, c_double, *_tail]),
+    "result_gaps": (c_int64, [c_void_p]),
+    "result_gap_agents": (c_void_p, [c_void_p]),
+    "result_gap_begins_s": (c_void_p, [c_void_p]),
+    "result_gap_ends_s": (c_void_p, [c_void_p]),
+    "to_ecef": (c_int32, [_points, c_void_p, POINTER(CError)]),
     "index_create": (c_int32, [_points, _run, POINTER(CIndex), POINTER(CError)]),
     "index_size": (c_int64, [c_void_p]),
     "index_position": (c_int32, [c_void_p, c_int64, POINTER(c_double), POINTER(CError)]),

@@ -15,13 +15,14 @@ from beespace._answers import ClosestPair, Groups, Nearest, Neighbors, Pairs
 from beespace._calls import check, run_of, search_of, whole
 from beespace._columns import Result
 from beespace._errors import invalid
-from beespace._library import library
 from beespace._frames import check_frames
+from beespace._library import library
+from beespace._motion import Predictions
 from beespace._points import Points, PointsLike
 from beespace._visits import Visit
 
 
-class Searches:
+class Searches(Predictions):
     """The questions about points. Each call stands alone: any number of threads may ask at once.
 
     All have these arguments in common:

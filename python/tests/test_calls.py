@@ -142,6 +142,12 @@ except {error}:
     [
         ("for piece in beespace.iter_pairs(crowd, 0.9): pass", "KeyboardInterrupt"),
         ("while True: beespace.count(crowd, 0.4)", "KeyboardInterrupt"),
+        ("while True: beespace.predict(crowd, crowd, 0.2, within=9)", "KeyboardInterrupt"),
+        (
+            "recording = beespace.Recording(range(100_000), [0] * 100_000, crowd)\n"
+            "    while True: recording.conflicts(0.2)",
+            "KeyboardInterrupt",
+        ),
         (
             "import signal; signal.signal(signal.SIGINT, lambda *_: 1 / 0)\n"
             "    while True: beespace.pairs(crowd, 0.05)",

@@ -1,5 +1,6 @@
 #include "motion/passing/passing_search.hpp"
 
+#include "base/stopping.hpp"
 #include "motion/passing/oversized_balls.hpp"
 #include "motion/passing/pass_check.hpp"
 #include "search/query_grids.hpp"
@@ -99,11 +100,12 @@ class Passes {
       chunk_->size = kept_;
       const bool go_on = total_.add(kept_);
       open();
-      return go_on;
+      return go_on && !core::is_stopping();
     }
     sink_.size = kept_;
     sink_.capacity = kept_ + kLookAt;
-    return true;
+    // A row may be all of the swarm, and is swept at once.
+    return !core::is_stopping();
   }
 
   void keep_those_who_pass() {

@@ -1,0 +1,254 @@
+"""What questions about movers answer."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from beespace._answers import _plural
+
+if TYPE_CHECKING:
+    import pandas
+    import polars
+
+
+class _Table:
+    """Columns of one length."""
+
+    __slots__ = ()
+
+    def _columns(self) -> dict[str, NDArray[Any]]:
+        raise NotImplementedError
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """As a data frame of pandas, which must be installed, with a column for each array."""
+        import pandas
+
+        return pandas.DataFrame(self._columns(), copy=False)
+
+    def to_polars(self) -> polars.DataFrame:
+        """As a data frame of Polars, which must be installed, with a column for each array."""
+        import polars
+
+        return polars.DataFrame(self._columns())
+
+
+class Conflicts(_Table):
+    """Pairs of movers that come closer than the threshold, in ascending order of `i`, `j`, `begin`.
+
+    Attributes
+    ----------
+    i : ndarray, shape (m,)
+        The first mover of each pair.
+    j : ndarray, shape (m,)
+        The second mover of each pair; above `i`.
+    begin : ndarray of float64, shape (m,)
+        When they come closer than the threshold, in seconds.
+    end : ndarray of float64, shape (m,)
+        When they are apart again, in seconds.
+    closest_time : ndarray of float64, shape (m,)
+        When they are closest between `begin` and `end`, in seconds.
+    closest_distance : ndarray of float64, shape (m,)
+        Their straight-line distance then, in metres.
+    """
+
+    __slots__ = ("_count", "begin", "closest_distance", "closest_time", "end", "i", "j")
+
+    def __init__(
+        self,
+        i: NDArray[Any],
+        j: NDArray[Any],
+        begin: NDArray[np.float64],
+        end: NDArray[np.float64],
+        closest_time: NDArray[np.float64],
+        closest_distance: NDArray[np.float64],
+        count: int,
+    ) -> None:
+        self.i = i
+        self.j = j
+        self.begin = begin
+        self.end = end
+        self.closest_time = closest_time
+        self.closest_distance = closest_distance
+        self._count = count
+
+    def __len__(self) -> int:
+        return len(self.i)
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__}: {self._told('mover')}>"
+
+    def _told(self, mover: str) -> str:
+        told = f"{_plural(len(self), 'conflict')} of {_plural(self._count, mover)}"
+        if not len(self):
+            return told
+        worst = int(self.closest_distance.argmin())
+        return (
+            f"{told}, from {self.begin.min():.6g} to {self.end.max():.6g} s, closest "
+            f"{self.i[worst]} and {self.j[worst]}: {self.closest_distance[worst]:.6g} m at "
+            f"{self.closest_time[worst]:.6g} s"
+        )
+
+    def _columns(self) -> dict[str, NDArray[Any]]:
+        return {
+            "i": self.i,
+            "j": self.j,
+            "begin": self.begin,
+            "end": self.end,
+            "closest_time": self.closest_time,
+            "closest_distance": self.closest_distance,
+        }
+
+
+class Gaps(_Table):
+    """Times between two fixes in which it is unknown where an agent is, in ascending order.
+
+    Attributes
+    ----------
+    id : ndarray, shape (g,)
+        The agent of each gap.
+    begin, end : ndarray of float64, shape (g,)
+        The times of the fixes before and after it, in seconds.
+    """
+
+    __slots__ = ("begin", "end", "id")
+
+    def __init__(
+        self, id: NDArray[Any], begin: NDArray[np.float64], end: NDArray[np.float64]
+    ) -> None:
+        self.id = id
+        self.begin = begin
+        self.end = end
+
+    def __len__(self) -> int:
+        return len(self.id)
+
+    def __repr__(self) -> str:
+        return f"<Gaps: {self._told()}>"
+
+    def _told(self) -> str:
+        if not len(self):
+            return "no gaps"
+        agents = _plural(len(np.unique(self.id)), "agent")
+        lasting = (self.end - self.begin).sum()
+        return (
+            f"{_plural(len(self), 'gap')} of {agents}, {lasting:.6g} s in all, of which nothing is "
+            "known"
+        )
+
+    def _columns(self) -> dict[str, NDArray[Any]]:
+        return {"id": self.id, "begin": self.begin, "end": self.end}
+
+
+class RecordedConflicts(Conflicts):
+    """Conflicts of a recording, and the times of which it says nothing.
+
+    Without conflicts, agents kept their distance, but for what may have been in the gaps.
+
+    Attributes
+    ----------
+    i, j : ndarray, shape (m,)
+        The ids of both agents, as they were given; ``i < j``.
+    begin, end, closest_time, closest_distance
+        As of `Conflicts`; a pair may be in conflict several times.
+    gaps : Gaps
+        Where fixes of an agent are farther apart in time than `max_gap`.
+    """
+
+    __slots__ = ("gaps",)
+
+    def __init__(
+        self,
+        i: NDArray[Any],
+        j: NDArray[Any],
+        begin: NDArray[np.float64],
+        end: NDArray[np.float64],
+        closest_time: NDArray[np.float64],
+        closest_distance: NDArray[np.float64],
+        count: int,
+        gaps: Gaps,
+    ) -> None:
+        super().__init__(i, j, begin, end, closest_time, closest_distance, count)
+        self.gaps = gaps
+
+    def __repr__(self) -> str:
+        return f"<RecordedConflicts: {self._told('agent')}; {self.gaps._told()}>"
+
+
+class Encounter(NamedTuple):
+    """The two agents that came closest to each other.
+
+    Attributes
+    ----------
+    i, j : int or str
+        Their ids, as they were given; ``i < j``.
+    time : float
+        When they were closest, in seconds.
+    distance : float
+        Their straight-line distance then, in metres.
+    gaps : Gaps
+        Times in which agents may have been closer.
+    """
+
+    i: Any
+    j: Any
+    time: float
+    distance: float
+    gaps: Gaps
+
+    def __repr__(self) -> str:
+        return (
+            f"<Encounter: {self.i} and {self.j}, {self.distance:.6g} m at {self.time:.6g} s; "
+            f"{self.gaps._told()}>"
+        )
+
+
+class Approaches(_Table):
+    """When movers are closest, two by two.
+
+    Attributes
+    ----------
+    closest_time : ndarray of float64, shape (n,)
+        When the two are closest, in seconds from now; of several such instants the first.
+    closest_distance : ndarray of float64, shape (n,)
+        Their straight-line distance then, in metres.
+    begin, end : ndarray of float64, shape (n,), or None
+        From when to when they are closer than the threshold, in seconds; NaN where they never are.
+        None without a threshold.
+    """
+
+    __slots__ = ("begin", "closest_distance", "closest_time", "end")
+
+    def __init__(
+        self,
+        closest_time: NDArray[np.float64],
+        closest_distance: NDArray[np.float64],
+        begin: NDArray[np.float64] | None,
+        end: NDArray[np.float64] | None,
+    ) -> None:
+        self.closest_time = closest_time
+        self.closest_distance = closest_distance
+        self.begin = begin
+        self.end = end
+
+    def __len__(self) -> int:
+        return len(self.closest_time)
+
+    def __repr__(self) -> str:
+        told = f"{len(self):,} approach{'' if len(self) == 1 else 'es'}"
+        if self.begin is not None:
+            told += f", {np.count_nonzero(~np.isnan(self.begin)):,} in conflict"
+        if len(self):
+            worst = int(self.closest_distance.argmin())
+            told += (
+                f", closest {self.closest_distance[worst]:.6g} m at {self.closest_time[worst]:.6g} s"
+            )
+        return f"<Approaches: {told}>"
+
+    def _columns(self) -> dict[str, NDArray[Any]]:
+        columns = {"closest_time": self.closest_time, "closest_distance": self.closest_distance}
+        if self.begin is not None and self.end is not None:
+            columns |= {"begin": self.begin, "end": self.end}
+        return columns

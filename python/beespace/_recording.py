@@ -1,0 +1,303 @@
+"""Recordings: where agents were and when, and which came too close."""
+
+from __future__ import annotations
+
+import ctypes
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from beespace import _library
+from beespace._calls import check, run_of, search_of, seconds
+from beespace._columns import Result
+from beespace._conflicts import Encounter, Gaps, RecordedConflicts
+from beespace._errors import BeespaceError, invalid
+from beespace._library import CFixes, library
+from beespace._points import Points, PointsLike
+
+
+class Recording:
+    """Where agents were and when: which came closer than a threshold, and when?
+
+    Between two of its fixes an agent moves in the straight line through both, at constant velocity;
+    before the first and after the last it is absent. So a pass between two fixes is found, too.
+    Fixes need neither be at common times nor regular. Any number of threads may ask at once.
+
+    Parameters
+    ----------
+    ids : array of shape (n,)
+        The agent of each fix: integers or texts. Rows of agents may stand in any order.
+    times : array of shape (n,)
+        The time of each fix, in seconds from any moment. Those of one agent must ascend: sort rows
+        by time first.
+    positions : array of shape (n, 3) or (n, 2), tuple of arrays, or data frame
+        The position of each fix, in metres; copied.
+
+    Raises
+    ------
+    BeespaceError
+        With `place` ("ids", "times" or "positions") and, as `record`, the row: "time_order" where a
+        time does not come after the one before it of the same agent, also where it is the same;
+        "not_finite", "outside_domain".
+
+    Examples
+    --------
+    >>> import beespace
+    >>> recording = beespace.Recording(
+    ...     ids=["ann", "bob", "ann", "bob"],
+    ...     times=[0, 0, 10, 10],
+    ...     positions=[[0, 0], [100, 3], [100, 0], [0, 3]],
+    ... )
+    >>> recording
+    <beespace.Recording: 4 fixes of 2 agents, 0 to 10 s>
+    >>> recording.conflicts(5)
+    <RecordedConflicts: 1 conflict of 2 agents, from 4.8 to 5.2 s, closest ann and bob: 3 m at 5 s; no gaps>
+    """
+
+    __slots__ = ("_agents", "_fixes", "_handle", "_labels", "_span")
+
+    def __init__(self, ids: ArrayLike, times: ArrayLike, positions: PointsLike) -> None:
+        self._handle = _library.CRecording()
+        given = Points(positions, "positions")
+        agents, self._labels = _agents_of(ids, given.count)
+        clock = _times_of(times, given.count)
+        fixes = CFixes(
+            ctypes.sizeof(CFixes),
+            0,
+            agents.__array_interface__["data"][0],
+            clock.__array_interface__["data"][0],
+            agents.strides[0],
+            clock.strides[0],
+        )
+        error = _library.new_error()
+        run = run_of(1, given.count)
+        code = library.beespace_recording_create(
+            ctypes.byref(fixes),
+            ctypes.byref(given.struct),
+            None if run is None else ctypes.byref(run),
+            ctypes.byref(self._handle),
+            ctypes.byref(error),
+        )
+        check(code, error)
+        self._fixes = given.count
+        self._agents = int(library.beespace_recording_agents(self._handle))
+        self._span = (float(clock.min()), float(clock.max())) if given.count else (0.0, 0.0)
+
+    @classmethod
+    def from_frame(
+        cls,
+        frame: Any,
+        *,
+        id: str,
+        time: str,
+        x: str,
+        y: str,
+        z: str | None = None,
+    ) -> Recording:
+        """A recording of the rows of a data frame: of pandas, Polars, or what has columns by name.
+
+        Parameters
+        ----------
+        frame : data frame
+            A row for each fix. Columns of float64 or float32 are read without a conversion.
+        id, time, x, y, z : str
+            The names of the columns: agent, time in seconds, coordinates in metres; without `z`,
+            heights are 0. None is guessed.
+
+        Returns
+        -------
+        Recording
+
+        Examples
+        --------
+        >>> import beespace
+        >>> frame = {"callsign": ["A1", "B2"], "t": [0, 0], "east": [0, 3], "north": [0, 4]}
+        >>> beespace.Recording.from_frame(frame, id="callsign", time="t", x="east", y="north")
+        <beespace.Recording: 2 fixes of 2 agents, at 0 s>
+        """
+        names = {"id": id, "time": time, "x": x, "y": y} | ({} if z is None else {"z": z})
+        columns = {role: _column_of(frame, name, role) for role, name in names.items()}
+        axes = tuple(columns[axis] for axis in ("x", "y", "z") if axis in columns)
+        return cls(columns["id"], columns["time"], axes)
+
+    def __len__(self) -> int:
+        """How many fixes there are."""
+        return self._fixes
+
+    def __repr__(self) -> str:
+        told = f"{self._fixes:,} fix{'' if self._fixes == 1 else 'es'} of {self._agents:,} agent"
+        told += "" if self._agents == 1 else "s"
+        begins, ends = self._span
+        if self._fixes:
+            told += f", at {begins:.6g} s" if begins == ends else f", {begins:.6g} to {ends:.6g} s"
+        return f"<beespace.Recording: {told}>"
+
+    def conflicts(
+        self,
+        threshold: float,
+        *,
+        max_gap: float | None = None,
+        vertical: float | None = None,
+        inclusive: bool = False,
+        max_results: int | None = None,
+        threads: int = 1,
+    ) -> RecordedConflicts:
+        """Which agents came closer than the threshold to each other, when, and how close?
+
+        Whether two did at some instant is decided as real numbers; times and distances are rounded,
+        for reading.
+
+        Parameters
+        ----------
+        threshold, vertical, inclusive, threads
+            As `Searches` says.
+        max_gap : float, optional
+            The longest time between two fixes of an agent, in seconds, that is bridged by a straight
+            line; without it all are. In a longer one it is unknown where the agent is: it is
+            compared with none, and the gap is among the `gaps` of the answer.
+        max_results : int, optional
+            More conflicts than this are an error, "too_many_results". An answer is never cut.
+
+        Returns
+        -------
+        RecordedConflicts
+            `i` and `j` are ids of agents as they were given. A pair may be in conflict several times.
+
+        Examples
+        --------
+        >>> import beespace
+        >>> recording = beespace.Recording(
+        ...     [1, 2, 1, 2], [0, 0, 10, 10], [[0, 0], [100, 3], [100, 0], [0, 3]]
+        ... )
+        >>> recording.conflicts(5, max_gap=2)
+        <RecordedConflicts: 0 conflicts of 2 agents; 2 gaps of 2 agents, 20 s in all, of which nothing is known>
+        """
+        search = search_of(threshold, vertical, inclusive, max_results)
+        result = self._ask(
+            library.beespace_recording_conflicts, (ctypes.byref(search),), max_gap, threads
+        )
+        return RecordedConflicts(
+            self._named(result.first()),
+            self._named(result.second()),
+            result.begins(),
+            result.ends(),
+            result.closest_times(),
+            result.distances(),
+            self._agents,
+            self._gaps_of(result),
+        )
+
+    def closest(self, *, max_gap: float | None = None, threads: int = 1) -> Encounter | None:
+        """Which two agents came closest to each other, when, and how close?
+
+        Parameters
+        ----------
+        max_gap
+            As of `conflicts`.
+        threads
+            As `Searches` says.
+
+        Returns
+        -------
+        Encounter or None
+            With the gaps in which others may have been closer. None where no two agents are known to
+            be there at the same time.
+
+        Examples
+        --------
+        >>> import beespace
+        >>> recording = beespace.Recording(
+        ...     [1, 2, 1, 2], [0, 0, 10, 10], [[0, 0], [100, 3], [100, 0], [0, 3]]
+        ... )
+        >>> recording.closest()
+        <Encounter: 1 and 2, 3 m at 5 s; no gaps>
+        """
+        result = self._ask(library.beespace_recording_closest, (), max_gap, threads)
+        i = self._named(result.first())
+        if not len(i):
+            return None
+        return Encounter(
+            i.tolist()[0],
+            self._named(result.second()).tolist()[0],
+            float(result.closest_times()[0]),
+            float(result.distances()[0]),
+            self._gaps_of(result),
+        )
+
+    def _ask(self, function: Any, search: tuple[Any, ...], max_gap: Any, threads: int) -> Result:
+        error = _library.new_error()
+        result = Result()
+        run = run_of(threads, self._fixes)
+        code = function(
+            self._handle,
+            *search,
+            np.inf if max_gap is None else seconds(max_gap, "max_gap"),
+            None if run is None else ctypes.byref(run),
+            result.handle,
+            ctypes.byref(error),
+        )
+        check(code, error)
+        return result
+
+    def _gaps_of(self, result: Result) -> Gaps:
+        return Gaps(self._named(result.gap_agents()), result.gap_begins(), result.gap_ends())
+
+    def _named(self, ids: NDArray[np.int64]) -> NDArray[Any]:
+        return ids if self._labels is None else self._labels[ids]
+
+
+def _agents_of(ids: Any, count: int) -> tuple[NDArray[np.int64], NDArray[Any] | None]:
+    """The agent of each fix as a number; and what the numbers mean, where they are not ids."""
+    given = np.asarray(ids)
+    if given.ndim != 1 or len(given) != count:
+        raise invalid(f"there are {given.shape} ids for {count:,} positions", "ids")
+    if not count:
+        return np.empty(0, np.int64), None
+    if given.dtype.kind in "iu":
+        fits = given.dtype.kind == "i" or given.dtype.itemsize < 8 or given.max() < 2**63
+        if fits:
+            return np.ascontiguousarray(given, np.int64), None
+    elif given.dtype.kind == "O" or given.dtype.kind == "T":
+        _check_texts(given)
+    elif given.dtype.kind not in "US":
+        raise invalid(f"ids of agents are integers or texts, not {given.dtype}", "ids")
+    labels, numbers = np.unique(given, return_inverse=True)
+    return np.ascontiguousarray(numbers, np.int64), labels
+
+
+def _check_texts(ids: NDArray[Any]) -> None:
+    for row, id in enumerate(ids):
+        if not isinstance(id, str):
+            message = f"this id is {id!r}; ids are integers, or all of them texts"
+            raise BeespaceError(message, "invalid_argument", "ids", row)
+
+
+def _times_of(times: Any, count: int) -> NDArray[np.float64]:
+    given = np.asarray(times)
+    if given.dtype.kind in "mM":
+        raise invalid(
+            "times are numbers of seconds, not dates: subtract a moment and divide by "
+            'numpy.timedelta64(1, "s")',
+            "times",
+        )
+    if given.dtype.kind not in "iuf" or (given.dtype.kind == "f" and given.dtype.itemsize > 8):
+        raise invalid(f"times are numbers of seconds, not {given.dtype}", "times")
+    if given.ndim != 1 or len(given) != count:
+        raise invalid(f"there are {given.shape} times for {count:,} positions", "times")
+    clock = np.ascontiguousarray(given, np.float64)
+    if given.dtype.kind in "iu" and count and bool((np.abs(clock) >= 2.0**53).any()):
+        raise invalid("not all integers beyond 2**53 are doubles: are these nanoseconds?", "times")
+    return clock
+
+
+def _column_of(frame: Any, name: str, role: str) -> Any:
+    names = list(frame.columns) if hasattr(frame, "columns") else list(frame)
+    if names.count(name) != 1:
+        problem = "has no column" if name not in names else "has several columns"
+        told = ", ".join(map(str, names))
+        raise BeespaceError(
+            f"the frame {problem} {name!r} for {role}; it has: {told}", "missing_column", role
+        )
+    column = frame[name]
+    return column if hasattr(column, "shape") else np.asarray(column)
