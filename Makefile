@@ -67,7 +67,7 @@ lint:
 
 install:
 	@scripts/install-packages build
-	@scripts/build-command
+	@scripts/build-command beespace_c beespace_c_io
 	@cmake --install build/release --prefix "$(PREFIX)"
 
 install-lib:

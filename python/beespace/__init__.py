@@ -13,6 +13,7 @@ array([2, 3])
 
 from beespace._answers import ClosestPair, Groups, Nearest, Neighbors, Pairs
 from beespace._conflicts import Approaches, Conflicts, Encounter, Gaps, RecordedConflicts
+from beespace._engine import Engine
 from beespace._errors import BeespaceError, BeespaceFileError, BeespaceOSError
 from beespace._files import FilePoints, FileRecording, read, read_recording
 from beespace._geodesy import to_ecef
@@ -21,7 +22,7 @@ from beespace._library import version as _version
 from beespace._motion import closest_approach
 from beespace._recording import Recording
 from beespace._report import Report, report
-from beespace._searches import Engine, Searches
+from beespace._searches import Searches
 
 __version__ = _version()
 
