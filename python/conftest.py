@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import importlib.util
+import os
 
 import pytest
 
 _needs = {"to_pandas": "pandas", "to_polars": "polars"}
+_readers = ("_files.", "_report.", "FileError", "OSError")
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
@@ -14,3 +16,6 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         needed = _needs.get(item.name.rpartition(".")[2])
         if needed is not None and importlib.util.find_spec(needed) is None:
             item.add_marker(pytest.mark.skip(reason=f"{needed} is not installed"))
+        of_files = type(item).__name__ == "DoctestItem" and any(each in item.name for each in _readers)
+        if of_files and "BEESPACE_IO_LIBRARY" not in os.environ:
+            item.add_marker(pytest.mark.skip(reason="there is no library that reads files"))

@@ -8,14 +8,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from beespace._tables import Table, plural
+
 if TYPE_CHECKING:
-    import pandas
-    import polars
     import scipy.sparse
-
-
-def _plural(count: int, one: str) -> str:
-    return f"{count:,} {one}" if count == 1 else f"{count:,} {one}s"
 
 
 def _range(distances: NDArray[np.float64] | None, how: str) -> str:
@@ -26,7 +22,7 @@ def _range(distances: NDArray[np.float64] | None, how: str) -> str:
     return f", {found.min():.6g} to {found.max():.6g} m {how}" if found.size else ""
 
 
-class Pairs:
+class Pairs(Table):
     """Pairs of points that are closer than the threshold, each once, in ascending order.
 
     Attributes
@@ -75,7 +71,7 @@ class Pairs:
         of = " x ".join(f"{size:,}" for size in self.shape) if self._between else f"{self.shape[0]:,}"
         points = "point" if of == "1" else "points"
         return (
-            f"<Pairs: {_plural(len(self), 'pair')} of {of} {points}{_range(self.distance, 'apart')}>"
+            f"<Pairs: {plural(len(self), 'pair')} of {of} {points}{_range(self.distance, 'apart')}>"
         )
 
     def to_csr(self) -> scipy.sparse.csr_matrix:
@@ -105,48 +101,19 @@ class Pairs:
         rows, columns = np.concatenate([self.i, self.j]), np.concatenate([self.j, self.i])
         return coo_matrix((np.concatenate([values, values]), (rows, columns)), self.shape).tocsr()
 
-    def _columns(self) -> dict[str, NDArray[Any]]:
+    def columns(self) -> dict[str, NDArray[Any]]:
+        """Each array by its name: i, j, and distance where it was asked for.
+
+        Examples
+        --------
+        >>> import beespace
+        >>> list(beespace.pairs([[0, 0], [3, 4]], 6, distances=False).columns())
+        ['i', 'j']
+        """
         columns: dict[str, NDArray[Any]] = {"i": self.i, "j": self.j}
         if self.distance is not None:
             columns["distance"] = self.distance
         return columns
-
-    def to_pandas(self) -> pandas.DataFrame:
-        """As a data frame of pandas, which must be installed: columns i, j, distance.
-
-        Returns
-        -------
-        pandas.DataFrame
-            A row for each pair, without a copy; no column `distance` where it was not asked for.
-
-        Examples
-        --------
-        >>> import beespace
-        >>> frame = beespace.pairs([[0, 0], [3, 4]], 6).to_pandas()
-        >>> frame.columns.tolist()
-        ['i', 'j', 'distance']
-        """
-        import pandas
-
-        return pandas.DataFrame(self._columns(), copy=False)
-
-    def to_polars(self) -> polars.DataFrame:
-        """As a data frame of Polars, which must be installed: columns i, j, distance.
-
-        Returns
-        -------
-        polars.DataFrame
-            A row for each pair; no column `distance` where it was not asked for.
-
-        Examples
-        --------
-        >>> import beespace
-        >>> beespace.pairs([[0, 0], [3, 4]], 6).to_polars().columns
-        ['i', 'j', 'distance']
-        """
-        import polars
-
-        return polars.DataFrame(self._columns())
 
 
 class _Rows:
@@ -164,7 +131,7 @@ class _Rows:
     def __getitem__(self, row: int) -> NDArray[np.int64]:
         size = len(self)
         if not -size <= row < size:
-            raise IndexError(f"there are {_plural(size, 'row')}")
+            raise IndexError(f"there are {plural(size, 'row')}")
         row %= size
         return self.indices[self.indptr[row] : self.indptr[row + 1]]
 
@@ -211,8 +178,8 @@ class Neighbors(_Rows):
 
     def __repr__(self) -> str:
         return (
-            f"<Neighbors: {_plural(len(self.indices), 'neighbour')} of "
-            f"{_plural(len(self), 'point')}{_range(self.distances, 'away')}>"
+            f"<Neighbors: {plural(len(self.indices), 'neighbour')} of "
+            f"{plural(len(self), 'point')}{_range(self.distances, 'away')}>"
         )
 
     def to_csr(self) -> scipy.sparse.csr_matrix:
@@ -279,8 +246,8 @@ class Groups(_Rows):
     def __repr__(self) -> str:
         largest = f", the largest of {np.diff(self.indptr).max():,}" if len(self) else ""
         return (
-            f"<Groups: {_plural(len(self), 'group')} with {len(self.indices):,} of "
-            f"{_plural(self._count, 'point')}{largest}>"
+            f"<Groups: {plural(len(self), 'group')} with {len(self.indices):,} of "
+            f"{plural(self._count, 'point')}{largest}>"
         )
 
 
@@ -310,7 +277,7 @@ class Nearest(NamedTuple):
 
     def __repr__(self) -> str:
         rows, k = self.ids.shape
-        return f"<Nearest: {k:,} of {_plural(rows, 'point')}{_range(self.distances, 'away')}>"
+        return f"<Nearest: {k:,} of {plural(rows, 'point')}{_range(self.distances, 'away')}>"
 
 
 class ClosestPair(NamedTuple):

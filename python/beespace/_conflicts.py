@@ -2,40 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from beespace._answers import _plural
-
-if TYPE_CHECKING:
-    import pandas
-    import polars
+from beespace._tables import Table, plural
 
 
-class _Table:
-    """Columns of one length."""
-
-    __slots__ = ()
-
-    def _columns(self) -> dict[str, NDArray[Any]]:
-        raise NotImplementedError
-
-    def to_pandas(self) -> pandas.DataFrame:
-        """As a data frame of pandas, which must be installed, with a column for each array."""
-        import pandas
-
-        return pandas.DataFrame(self._columns(), copy=False)
-
-    def to_polars(self) -> polars.DataFrame:
-        """As a data frame of Polars, which must be installed, with a column for each array."""
-        import polars
-
-        return polars.DataFrame(self._columns())
-
-
-class Conflicts(_Table):
+class Conflicts(Table):
     """Pairs of movers that come closer than the threshold, in ascending order of `i`, `j`, `begin`.
 
     Attributes
@@ -52,6 +27,15 @@ class Conflicts(_Table):
         When they are closest between `begin` and `end`, in seconds.
     closest_distance : ndarray of float64, shape (m,)
         Their straight-line distance then, in metres.
+
+    Examples
+    --------
+    >>> import beespace
+    >>> conflicts = beespace.predict([[0, 0], [100, 0]], [[5, 0], [-5, 0]], 20, within=60)
+    >>> conflicts
+    <Conflicts: 1 conflict of 2 movers, from 8 to 12 s, closest 0 and 1: 0 m at 10 s>
+    >>> len(conflicts), conflicts.closest_time
+    (1, array([10.]))
     """
 
     __slots__ = ("_count", "begin", "closest_distance", "closest_time", "end", "i", "j")
@@ -81,7 +65,7 @@ class Conflicts(_Table):
         return f"<{type(self).__name__}: {self._told('mover')}>"
 
     def _told(self, mover: str) -> str:
-        told = f"{_plural(len(self), 'conflict')} of {_plural(self._count, mover)}"
+        told = f"{plural(len(self), 'conflict')} of {plural(self._count, mover)}"
         if not len(self):
             return told
         worst = int(self.closest_distance.argmin())
@@ -91,7 +75,16 @@ class Conflicts(_Table):
             f"{self.closest_time[worst]:.6g} s"
         )
 
-    def _columns(self) -> dict[str, NDArray[Any]]:
+    def columns(self) -> dict[str, NDArray[Any]]:
+        """Each array by its name.
+
+        Examples
+        --------
+        >>> import beespace
+        >>> conflicts = beespace.predict([[0, 0], [100, 0]], [[5, 0], [-5, 0]], 20, within=60)
+        >>> list(conflicts.columns())
+        ['i', 'j', 'begin', 'end', 'closest_time', 'closest_distance']
+        """
         return {
             "i": self.i,
             "j": self.j,
@@ -102,7 +95,7 @@ class Conflicts(_Table):
         }
 
 
-class Gaps(_Table):
+class Gaps(Table):
     """Times between two fixes in which it is unknown where an agent is, in ascending order.
 
     Attributes
@@ -111,6 +104,15 @@ class Gaps(_Table):
         The agent of each gap.
     begin, end : ndarray of float64, shape (g,)
         The times of the fixes before and after it, in seconds.
+
+    Examples
+    --------
+    >>> import beespace
+    >>> found = beespace.Recording([1, 1], [0, 10], [[0, 0], [100, 0]]).conflicts(5, max_gap=2)
+    >>> found.gaps
+    <Gaps: 1 gap of 1 agent, 10 s in all, of which nothing is known>
+    >>> found.gaps.begin, found.gaps.end
+    (array([0.]), array([10.]))
     """
 
     __slots__ = ("begin", "end", "id")
@@ -126,20 +128,28 @@ class Gaps(_Table):
         return len(self.id)
 
     def __repr__(self) -> str:
-        return f"<Gaps: {self._told()}>"
+        return f"<Gaps: {_told_of(self)}>"
 
-    def _told(self) -> str:
-        if not len(self):
-            return "no gaps"
-        agents = _plural(len(np.unique(self.id)), "agent")
-        lasting = (self.end - self.begin).sum()
-        return (
-            f"{_plural(len(self), 'gap')} of {agents}, {lasting:.6g} s in all, of which nothing is "
-            "known"
-        )
+    def columns(self) -> dict[str, NDArray[Any]]:
+        """Each array by its name.
 
-    def _columns(self) -> dict[str, NDArray[Any]]:
+        Examples
+        --------
+        >>> import beespace
+        >>> found = beespace.Recording([1, 1], [0, 10], [[0, 0], [100, 0]]).conflicts(5, max_gap=2)
+        >>> gaps = found.gaps
+        >>> list(gaps.columns())
+        ['id', 'begin', 'end']
+        """
         return {"id": self.id, "begin": self.begin, "end": self.end}
+
+
+def _told_of(gaps: Gaps) -> str:
+    if not len(gaps):
+        return "no gaps"
+    agents = plural(len(np.unique(gaps.id)), "agent")
+    lasting = (gaps.end - gaps.begin).sum()
+    return f"{plural(len(gaps), 'gap')} of {agents}, {lasting:.6g} s in all, of which nothing is known"
 
 
 class RecordedConflicts(Conflicts):
@@ -155,6 +165,16 @@ class RecordedConflicts(Conflicts):
         As of `Conflicts`; a pair may be in conflict several times.
     gaps : Gaps
         Where fixes of an agent are farther apart in time than `max_gap`.
+
+    Examples
+    --------
+    >>> import beespace
+    >>> recording = beespace.Recording(
+    ...     ["a", "b", "a", "b"], [0, 0, 10, 10], [[0, 0], [100, 3], [100, 0], [0, 3]]
+    ... )
+    >>> found = recording.conflicts(5)
+    >>> found.i, found.j, found.begin, found.end
+    (array(['a'], dtype='<U1'), array(['b'], dtype='<U1'), array([4.8]), array([5.2]))
     """
 
     __slots__ = ("gaps",)
@@ -174,7 +194,7 @@ class RecordedConflicts(Conflicts):
         self.gaps = gaps
 
     def __repr__(self) -> str:
-        return f"<RecordedConflicts: {self._told('agent')}; {self.gaps._told()}>"
+        return f"<RecordedConflicts: {self._told('agent')}; {_told_of(self.gaps)}>"
 
 
 class Encounter(NamedTuple):
@@ -190,6 +210,16 @@ class Encounter(NamedTuple):
         Their straight-line distance then, in metres.
     gaps : Gaps
         Times in which agents may have been closer.
+
+    Examples
+    --------
+    >>> import beespace
+    >>> recording = beespace.Recording(
+    ...     [7, 9, 7, 9], [0, 0, 10, 10], [[0, 0], [10, 3], [10, 0], [0, 3]]
+    ... )
+    >>> encounter = recording.closest()
+    >>> encounter.i, encounter.j, encounter.time, encounter.distance
+    (7, 9, 5.0, 3.0)
     """
 
     i: Any
@@ -201,11 +231,11 @@ class Encounter(NamedTuple):
     def __repr__(self) -> str:
         return (
             f"<Encounter: {self.i} and {self.j}, {self.distance:.6g} m at {self.time:.6g} s; "
-            f"{self.gaps._told()}>"
+            f"{_told_of(self.gaps)}>"
         )
 
 
-class Approaches(_Table):
+class Approaches(Table):
     """When movers are closest, two by two.
 
     Attributes
@@ -217,6 +247,13 @@ class Approaches(_Table):
     begin, end : ndarray of float64, shape (n,), or None
         From when to when they are closer than the threshold, in seconds; NaN where they never are.
         None without a threshold.
+
+    Examples
+    --------
+    >>> import beespace
+    >>> found = beespace.closest_approach([0, 0], [5, 0], [[100, 30], [0, 9]], [-5, 0])
+    >>> found.closest_time, found.closest_distance
+    (array([10.,  0.]), array([30.,  9.]))
     """
 
     __slots__ = ("begin", "closest_distance", "closest_time", "end")
@@ -247,7 +284,16 @@ class Approaches(_Table):
             )
         return f"<Approaches: {told}>"
 
-    def _columns(self) -> dict[str, NDArray[Any]]:
+    def columns(self) -> dict[str, NDArray[Any]]:
+        """Each array by its name.
+
+        Examples
+        --------
+        >>> import beespace
+        >>> found = beespace.closest_approach([0, 0], [5, 0], [100, 30], [-5, 0])
+        >>> list(found.columns())
+        ['closest_time', 'closest_distance']
+        """
         columns = {"closest_time": self.closest_time, "closest_distance": self.closest_distance}
         if self.begin is not None and self.end is not None:
             columns |= {"begin": self.begin, "end": self.end}

@@ -72,6 +72,15 @@ class BeespaceFileError(BeespaceError):
         The row of data, from 0; or the index into `place`.
     place : str or None
         The argument that it is about, where it is about one: "options", "path".
+
+    Examples
+    --------
+    >>> import beespace
+    >>> try:
+    ...     beespace.read("../examples/data/cage.csv", columns="x=1,y=2,z=9")
+    ... except beespace.BeespaceFileError as error:
+    ...     print(error.code)
+    missing_column
     """
 
     file: str | None
@@ -96,8 +105,7 @@ class BeespaceFileError(BeespaceError):
         self.column = column
 
     def __reduce__(self) -> tuple[object, ...]:
-        where = (self.place, self.record, self.file, self.line, self.column)
-        return (_restore_of_file, (type(self), self.args[0], self.code, *where, self._more()))
+        return (_restore_of_file, (type(self), self.args[0], self.code, self._more()))
 
     def _more(self) -> dict[str, object]:
         """The attributes, those that were added, too."""
@@ -106,7 +114,17 @@ class BeespaceFileError(BeespaceError):
 
 class BeespaceOSError(BeespaceFileError, OSError):
     """A file that the system does not open, read or write: also an OSError, with `filename`, and
-    with `errno` where that is known."""
+    with `errno` where that is known.
+
+    Examples
+    --------
+    >>> import beespace
+    >>> try:
+    ...     beespace.read("not-there.csv")
+    ... except OSError as error:
+    ...     print(error)
+    not-there.csv: there is no such file; check the name and the folder
+    """
 
     def __str__(self) -> str:
         return str(self.args[0])
@@ -116,11 +134,10 @@ class BeespaceOSError(BeespaceFileError, OSError):
 
 
 def _restore_of_file(
-    kind: type[BeespaceFileError], text: str, code: str, *rest: object
+    kind: type[BeespaceFileError], text: str, code: str, attributes: dict[str, object]
 ) -> BeespaceFileError:
-    *where, attributes = rest
-    error = kind(text, code, *where)  # type: ignore[arg-type]
-    for name, value in attributes.items():  # type: ignore[attr-defined]
+    error = kind(text, code)
+    for name, value in attributes.items():
         setattr(error, name, value)
     return error
 

@@ -89,6 +89,13 @@ class FilePoints(Facts):
         The row of data of each point, from 0; records that were left out count.
     degrees : ndarray of float64, shape (n, 3), or None
         Longitude and latitude in degrees and the height in metres; None of points in metres.
+
+    Examples
+    --------
+    >>> import beespace
+    >>> bees = beespace.read("../examples/data/swarm.csv")
+    >>> len(bees), bees.frame, bees.positions.shape
+    (5, 'metres', (5, 3))
     """
 
     __slots__ = ("_handle", "_ids")
@@ -98,6 +105,11 @@ class FilePoints(Facts):
         self._handle = handle
         self._ids: NDArray[Any] | None = None
         self._take(path, at_once.beespace_io_points_facts(handle))
+
+    @property
+    def _as_parameter_(self) -> ctypes.c_void_p:
+        """What ctypes hands to C."""
+        return self._handle
 
     def __len__(self) -> int:
         return int(_io_library.load().at_once.beespace_io_points_count(self._handle))
@@ -169,6 +181,13 @@ class FileRecording(Facts):
         conflict does not mean that there is none with these.
 
     The arrays are read-only, and not copied.
+
+    Examples
+    --------
+    >>> import beespace
+    >>> cage = beespace.read_recording("../examples/data/cage.csv")
+    >>> cage.ids[:3].tolist(), cage.times[:3]
+    (['b01', 'b02', 'b03'], array([0. , 0.2, 0.4]))
     """
 
     __slots__ = ("_handle", "_sizes", "ids", "labels", "missing_count", "since_1970")
@@ -276,6 +295,13 @@ def read(
         This installation has no readers.
 
     Ctrl-C is heard when the file is read.
+
+    Examples
+    --------
+    >>> import beespace
+    >>> bees = beespace.read("../examples/data/swarm.csv")
+    >>> bees.ids[beespace.at_risk(bees, 5)]
+    array(['cora', 'dora'], dtype=object)
     """
     options = reading_options(
         skip_bad, False, threads, frame=frame, columns=columns, units=units, heights=heights,
@@ -328,6 +354,13 @@ def read_recording(
     ------
     BeespaceFileError, BeespaceOSError, ImportError
         As `read`.
+
+    Examples
+    --------
+    >>> import beespace
+    >>> cage = beespace.read_recording("../examples/data/cage.csv")
+    >>> cage.indptr[:2], cage.agents[:2]
+    (array([  0, 101]), array([0, 0]))
     """
     options = reading_options(
         skip_bad, grounded, 1, frame=frame, columns=columns, units=units, heights=heights,

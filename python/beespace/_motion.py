@@ -273,11 +273,13 @@ def _movers(
     return places, speeds
 
 
+_IN_ROWS: Any = (list, tuple, np.ndarray)
+
+
 def _rows(given: Any) -> Any:
     """One position as an array of one."""
-    if isinstance(given, (list, tuple, np.ndarray)) and len(given) and np.ndim(given[0]) == 0:
-        return np.asarray(given)[np.newaxis]
-    return given
+    is_row = isinstance(given, _IN_ROWS) and len(given) and np.ndim(given[0]) == 0
+    return np.asarray(given)[np.newaxis] if is_row else given
 
 
 def _spread(given: list[tuple[Points, str]]) -> int:

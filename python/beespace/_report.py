@@ -27,6 +27,13 @@ class Report:
     risky : bool
         Whether it shows a danger: points at risk, conflicts, or gaps and records left out that may
         hide one.
+
+    Examples
+    --------
+    >>> import beespace
+    >>> page = beespace.report([[0, 0, 0], [3, 4, 0], [99, 0, 0]], 10)
+    >>> page.risky, page.html[:15]
+    (True, '<!doctype html>')
     """
 
     __slots__ = ("_handle", "notes", "risky")
@@ -61,6 +68,14 @@ class Report:
         ------
         BeespaceOSError
             The file cannot be written.
+
+        Examples
+        --------
+        >>> import beespace, os, tempfile
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     beespace.report([[0, 0, 0], [3, 4, 0]], 10).save(f"{folder}/page.html")
+        ...     print(os.listdir(folder))
+        ['page.html']
         """
         error = _io_library.new_error()
         code = _io_library.load().library.beespace_io_page_write(
@@ -139,6 +154,12 @@ def report(
     ------
     BeespaceFileError, BeespaceOSError, ImportError
         As `read`.
+
+    Examples
+    --------
+    >>> import beespace
+    >>> beespace.report([[0, 0, 0], [300, 400, 0]], 10)
+    <Report: no danger in what is known>
     """
     io = _io_library.load()
     page_options = _page_options(threshold, title, vertical, inclusive, max_gap, threads)
@@ -159,7 +180,7 @@ def report(
             if given:
                 raise invalid("this says how a file is read, and these points are read", name)
         if isinstance(points, FilePoints) and ids is None:
-            code = io.library.beespace_io_page_of_read(points._handle, *tail)
+            code = io.library.beespace_io_page_of_read(points, *tail)
         else:
             code = _page_of_points(io, points, ids, tail)
     _io_library.check(code, error)
@@ -191,9 +212,10 @@ def _name(name: object) -> bytes:
 
 def _are_paths(points: Any) -> bool:
     kinds = (str, bytes, os.PathLike)
-    if isinstance(points, kinds):
-        return True
-    return isinstance(points, (list, tuple)) and any(isinstance(each, kinds) for each in points)
+    several: Any = (list, tuple)
+    if isinstance(points, several):
+        return any(isinstance(each, kinds) for each in points)
+    return isinstance(points, kinds)
 
 
 def _page_options(
