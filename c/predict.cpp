@@ -8,7 +8,6 @@
 #include <beespace/closest_approach.hpp>
 
 using namespace beespace::c;  // NOLINT(google-build-using-namespace): the functions are of C
-using beespace::Error;
 using beespace::MoversView;
 using beespace::PredictOptions;
 using beespace::Result;

@@ -18,7 +18,6 @@
 using namespace beespace::c;  // NOLINT(google-build-using-namespace): the functions are of C
 using beespace::Conflict;
 using beespace::ConflictOptions;
-using beespace::Gap;
 using beespace::RecordedConflicts;
 using beespace::Result;
 using beespace::RunOptions;
