@@ -188,6 +188,9 @@ TEST(CStopOfACrowd, EndsAtAnyMomentWithLittleMoreWork) {
   beespace_search upright = search;
   upright.flags |= BEESPACE_VERTICAL;
   upright.vertical_m = 1.0;
+  // As far off as the threshold: nothing is near, and each two are decided exactly.
+  const std::vector<Point> beside(1500, Point{1.5, 0.5, 0.5});
+  const beespace_points given_beside = c_points(beside);
   const Owned<beespace_engine> engine(beespace_engine_create());
   const Owned<beespace_result> result(beespace_result_create());
   beespace_index* made = nullptr;
@@ -203,6 +206,7 @@ TEST(CStopOfACrowd, EndsAtAnyMomentWithLittleMoreWork) {
       {"pairs", pairs_of(nullptr, search)},
       {"pairs of two sets", pairs_of(&given, search)},
       {"pairs in cylinders", pairs_of(nullptr, upright)},
+      {"pairs exactly the threshold apart", pairs_of(&given_beside, search)},
       {"neighbours",
        [&](const beespace_run* run) {
          return beespace_neighbors(engine.get(), &given, nullptr, &search, run, result.get(),
