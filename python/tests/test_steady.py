@@ -133,14 +133,18 @@ crowd = numpy.random.default_rng(5).uniform(0, 1, (60_000, 3))
 engine, index = beespace.Engine(), beespace.Index(crowd)
 right = engine.count(crowd[:6000], 0.05), index.around(crowd[:6000], 0.05).indices
 for each in ({calls}):
+    asking = threading.Event()
     def press():
+        asking.wait()
         time.sleep(0.3)
         signal.raise_signal(signal.SIGINT)
-    threading.Thread(target=press).start()
+    thread = threading.Thread(target=press)
+    thread.start()
     try:
+        asking.set()
         while True: each()
     except KeyboardInterrupt:
-        pass
+        thread.join()
     assert (engine.count(crowd[:6000], 0.05) == right[0]).all()
     assert (index.around(crowd[:6000], 0.05).indices == right[1]).all()
 print("as before")
