@@ -13,7 +13,7 @@ function(beespace_target target)
 endfunction()
 
 # Compiles the files of a room (a directory) as one unit, and what nearly all of them include once:
-# a target from nothing in a third of the time. Clang goes without both, so that CI sees a file that
+# a target from nothing in less than half of the time. Clang goes without both, so that CI sees a file that
 # does not include what it uses. Rooms named after the target, and files with options of their own,
 # are compiled file by file.
 function(beespace_compile_by_room target)

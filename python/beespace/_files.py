@@ -310,7 +310,7 @@ def read(
     error = _io_library.new_error()
     io = _io_library.load()
     handle = io.handles["points"]()
-    code = io.library.beespace_io_read_points(
+    code = io.unlocked.beespace_io_read_points(
         encoded_path(path), options, ctypes.byref(handle), ctypes.byref(error)
     )
     _io_library.check(code, error)
@@ -370,7 +370,7 @@ def read_recording(
     error = _io_library.new_error()
     io = _io_library.load()
     handle = io.handles["recording"]()
-    code = io.library.beespace_io_read_recording(
+    code = io.unlocked.beespace_io_read_recording(
         paths, len(paths), options, ctypes.byref(handle), ctypes.byref(error)
     )
     _io_library.check(code, error)

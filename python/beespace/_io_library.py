@@ -107,9 +107,9 @@ _handles = ("points", "recording", "page")
 
 
 class IoLibrary(NamedTuple):
-    """The library, as _library has the other one: for calls that take long, and for the others."""
+    """The library twice: for calls that take long, without the interpreter's lock, and for others."""
 
-    library: ctypes.CDLL
+    unlocked: ctypes.CDLL
     at_once: ctypes.PyDLL
     handles: dict[str, type[c_void_p]]
 
@@ -127,9 +127,9 @@ def _find() -> str:
 def load() -> IoLibrary:
     path = _find()
     try:
-        library, at_once = ctypes.CDLL(path), ctypes.PyDLL(path)
+        unlocked, at_once = ctypes.CDLL(path), ctypes.PyDLL(path)
         for name, (restype, argtypes) in _signatures.items():
-            for each in (library, at_once):
+            for each in (unlocked, at_once):
                 function = getattr(each, f"beespace_io_{name}")
                 function.restype = restype
                 function.argtypes = argtypes
@@ -139,8 +139,8 @@ def load() -> IoLibrary:
             f"libbeespace_io.so that fits: {error}. Type 'make install' in a clone of beespace, and "
             "set BEESPACE_IO_LIBRARY to the path of the library where the system does not find it."
         ) from error
-    handles = {name: _library.handle_of(library, f"io_{name}") for name in _handles}
-    return IoLibrary(library, at_once, handles)
+    handles = {name: _library.handle_of(unlocked, f"io_{name}") for name in _handles}
+    return IoLibrary(unlocked, at_once, handles)
 
 
 def new_error() -> CFileError:
@@ -153,7 +153,7 @@ def error_of(error: CFileError) -> BeespaceFileError:
     at_once = load().at_once
     text = ctypes.create_string_buffer(at_once.beespace_io_error_text(error, None, 0) + 1)
     at_once.beespace_io_error_text(error, text, len(text))
-    code = _library.library.beespace_code_name(error.code).decode()
+    code = _library.at_once.beespace_code_name(error.code).decode()
     file = os.fsdecode(error.file) or None
     of_system = code in ("cannot_open", "read_failed", "write_failed")
     raised = (BeespaceOSError if of_system else BeespaceFileError)(

@@ -78,7 +78,7 @@ class Report:
         ['page.html']
         """
         error = _io_library.new_error()
-        code = _io_library.load().library.beespace_io_page_write(
+        code = _io_library.load().unlocked.beespace_io_page_write(
             self._handle, encoded_path(path), ctypes.byref(error)
         )
         _io_library.check(code, error)
@@ -174,13 +174,13 @@ def report(
             raise invalid("files have ids of their own: name their column with columns=", "ids")
         paths = paths_of(points)  # type: ignore[arg-type]
         options = reading_options(skip_bad, grounded, 1, **texts)
-        code = io.library.beespace_io_page_of_files(paths, len(paths), options, *tail)
+        code = io.unlocked.beespace_io_page_of_files(paths, len(paths), options, *tail)
     else:
         for name, given in {**texts, "skip_bad": skip_bad, "grounded": grounded}.items():
             if given:
                 raise invalid("this says how a file is read, and these points are read", name)
         if isinstance(points, FilePoints) and ids is None:
-            code = io.library.beespace_io_page_of_read(points, *tail)
+            code = io.unlocked.beespace_io_page_of_read(points, *tail)
         else:
             code = _page_of_points(io, points, ids, tail)
     _io_library.check(code, error)
@@ -200,7 +200,7 @@ def _page_of_points(io: Any, points: Any, ids: Any, tail: tuple[Any, ...]) -> in
         if len(texts) != given.count:
             raise invalid(f"there are {given.count} points and {len(texts)} ids", "ids")
         names = (ctypes.c_char_p * len(texts))(*texts)
-    return int(io.library.beespace_io_page_of_points(ctypes.byref(given.struct), names, *tail))
+    return int(io.unlocked.beespace_io_page_of_points(ctypes.byref(given.struct), names, *tail))
 
 
 def _name(name: object) -> bytes:

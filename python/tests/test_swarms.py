@@ -132,3 +132,19 @@ def test_thresholds_are_where_floats_cannot_tell():
     for _, points, threshold in _scenes():
         unsure += _near(points, points, threshold, False, None)[1]
     assert unsure > 1000  # or the scenes prove nothing about the threshold itself
+
+
+def test_a_row_of_the_grid_that_is_searched_part_by_part():
+    # All are in one row, which has more comparisons than are made at once. Whole numbers: distances
+    # are compared exactly, and many are the threshold itself.
+    places = np.random.default_rng(8).integers(0, [4000, 2, 2], (7000, 3))
+    counts = np.full(len(places), 0)
+    for start in range(0, len(places), 500):
+        offsets = places[start : start + 500, None, :] - places[None, :, :]
+        near = (offsets**2).sum(axis=2) < 25**2
+        counts[start : start + 500] = near.sum(axis=1) - 1
+    points = places.astype(float)
+    assert (beespace.count(points, 25) == counts).all()
+    found = beespace.pairs(points, 25, distances=False)
+    assert (np.bincount(np.r_[found.i, found.j], minlength=len(points)) == counts).all()
+    assert (np.diff(beespace.neighbors(points, 25, distances=False).indptr) == counts).all()
