@@ -1,8 +1,8 @@
 // From degrees to metres.
 #include <beespace/geodesy.hpp>
 
-#include "c/door.hpp"
-#include "c/points.hpp"
+#include "c/door/door.hpp"
+#include "c/door/points.hpp"
 
 #include <beespace/point.hpp>
 

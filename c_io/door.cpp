@@ -1,7 +1,7 @@
 #include "c_io/door.hpp"
 
-#include "c/door.hpp"
-#include "c/structs.hpp"
+#include "c/door/door.hpp"
+#include "c/door/structs.hpp"
 #include "c_io/wording.hpp"
 
 #include <algorithm>

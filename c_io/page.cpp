@@ -1,6 +1,6 @@
 #include "analysis/scene/build_page.hpp"
-#include "c/door.hpp"
-#include "c/points.hpp"
+#include "c/door/door.hpp"
+#include "c/door/points.hpp"
 #include "c_io/door.hpp"
 #include "c_io/page_scene.hpp"
 #include "c_io/read_options.hpp"

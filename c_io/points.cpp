@@ -1,7 +1,7 @@
 #include "c_io/points.hpp"
 
 #include "analysis/snapshot/recording_check.hpp"
-#include "c/door.hpp"
+#include "c/door/door.hpp"
 #include "c_io/door.hpp"
 #include "c_io/read_options.hpp"
 #include "io/load_points.hpp"

@@ -1,7 +1,7 @@
 #include "c_io/read_options.hpp"
 
-#include "c/door.hpp"
-#include "c/structs.hpp"
+#include "c/door/door.hpp"
+#include "c/door/structs.hpp"
 #include "io/units/unit_overrides.hpp"
 
 #include <initializer_list>

@@ -1,6 +1,6 @@
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/tracks.hpp"
-#include "c/door.hpp"
+#include "c/door/door.hpp"
 #include "c_io/door.hpp"
 #include "c_io/facts.hpp"
 #include "c_io/read_options.hpp"

@@ -31,6 +31,8 @@ if(TARGET beespace_c)
   install(TARGETS beespace_c
     LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
   install(FILES "${PROJECT_SOURCE_DIR}/include/beespace.h" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/beespace/c"
+    DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/beespace")
 endif()
 
 # The library for C that reads files, where the command is built.

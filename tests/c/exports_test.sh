@@ -8,8 +8,8 @@ source=$1 library=$2
 
 mapfile -t declared < <(awk '/^BEESPACE_C_API/ {inside = 1; text = ""}
   inside {text = text " " $0}
-  inside && /;$/ {if (match(text, /beespace_[a-z_]+\(/)) print substr(text, RSTART, RLENGTH - 1); inside = 0}' \
-  "$source/include/beespace.h" | sort)
+  inside && /;$/ {if (match(text, /beespace_[a-z0-9_]+\(/)) print substr(text, RSTART, RLENGTH - 1); inside = 0}' \
+  "$source"/include/beespace/c/*.h | sort)
 exported=$(nm -D --defined-only "$library" | awk '$2 != "A" {print $3}' | sort)
 if ! difference=$(diff <(printf '%s@@BEESPACE_1\n' "${declared[@]}") <(printf '%s\n' "$exported")); then
   printf 'declared (<) and exported (>) differ:\n%s\n' "$difference" >&2

@@ -1,8 +1,8 @@
 // Questions whose answer grows with the pairs: pairs, pairs shown to a visitor, rows of neighbours.
 #include <beespace/pairs.hpp>
 
-#include "c/options.hpp"
-#include "c/question.hpp"
+#include "c/door/options.hpp"
+#include "c/door/question.hpp"
 
 #include <beespace/nearest.hpp>
 

@@ -1,6 +1,6 @@
-#include "c/door.hpp"
+#include "c/door/door.hpp"
 
-#include "c/structs.hpp"
+#include "c/door/structs.hpp"
 
 #include <algorithm>
 #include <cstring>

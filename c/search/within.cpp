@@ -1,7 +1,7 @@
 // Questions with a threshold whose answer has an entry a point: at risk, counts, groups, and the
 // nearest within it.
-#include "c/options.hpp"
-#include "c/question.hpp"
+#include "c/door/options.hpp"
+#include "c/door/question.hpp"
 
 using namespace beespace::c;  // NOLINT(google-build-using-namespace): the functions are of C
 using beespace::Result;

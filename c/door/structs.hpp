@@ -1,7 +1,7 @@
 // Structures whose first field is their size: read whatever the version of the caller's header.
 #pragma once
 
-#include "c/door.hpp"
+#include "c/door/door.hpp"
 
 #include <beespace/result.hpp>
 

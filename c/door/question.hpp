@@ -2,11 +2,11 @@
 // complete or empty.
 #pragma once
 
-#include "c/door.hpp"
-#include "c/engine.hpp"
-#include "c/points.hpp"
-#include "c/result.hpp"
-#include "c/watched_call.hpp"
+#include "c/door/door.hpp"
+#include "c/door/engine.hpp"
+#include "c/door/points.hpp"
+#include "c/door/result.hpp"
+#include "c/door/watched_call.hpp"
 
 #include <beespace/result.hpp>
 

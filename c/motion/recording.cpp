@@ -1,9 +1,9 @@
 // Recordings: what moved when, and what came too close.
 #include <beespace/find_conflicts.hpp>
 
-#include "c/fixes.hpp"
-#include "c/options.hpp"
-#include "c/question.hpp"
+#include "c/door/options.hpp"
+#include "c/door/question.hpp"
+#include "c/motion/fixes.hpp"
 
 #include <beespace/conflict.hpp>
 #include <beespace/track.hpp>

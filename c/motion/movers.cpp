@@ -1,7 +1,7 @@
-#include "c/movers.hpp"
+#include "c/motion/movers.hpp"
 
-#include "c/door.hpp"
-#include "c/points.hpp"
+#include "c/door/door.hpp"
+#include "c/door/points.hpp"
 
 #include <beespace/points_view.hpp>
 

@@ -1,11 +1,11 @@
 // The index: questions about any position.
 #include <beespace/index.hpp>
 
-#include "c/door.hpp"
-#include "c/options.hpp"
-#include "c/points.hpp"
-#include "c/result.hpp"
-#include "c/watched_call.hpp"
+#include "c/door/door.hpp"
+#include "c/door/options.hpp"
+#include "c/door/points.hpp"
+#include "c/door/result.hpp"
+#include "c/door/watched_call.hpp"
 
 #include <cstdint>
 #include <limits>

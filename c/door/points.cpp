@@ -1,7 +1,7 @@
-#include "c/points.hpp"
+#include "c/door/points.hpp"
 
-#include "c/door.hpp"
-#include "c/structs.hpp"
+#include "c/door/door.hpp"
+#include "c/door/structs.hpp"
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // Questions without a threshold: the nearest points, and the closest pair.
 #include <beespace/nearest.hpp>
 
-#include "c/question.hpp"
+#include "c/door/question.hpp"
 
 #include <beespace/index.hpp>
 

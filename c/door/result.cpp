@@ -1,4 +1,4 @@
-#include "c/result.hpp"
+#include "c/door/result.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
-#include "c/options.hpp"
+#include "c/door/options.hpp"
 
-#include "c/door.hpp"
-#include "c/structs.hpp"
+#include "c/door/door.hpp"
+#include "c/door/structs.hpp"
 
 namespace beespace::c {
 

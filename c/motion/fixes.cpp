@@ -1,8 +1,8 @@
-#include "c/fixes.hpp"
+#include "c/motion/fixes.hpp"
 
-#include "c/door.hpp"
-#include "c/points.hpp"
-#include "c/structs.hpp"
+#include "c/door/door.hpp"
+#include "c/door/points.hpp"
+#include "c/door/structs.hpp"
 
 #include <beespace/mover.hpp>
 #include <beespace/points_view.hpp>

@@ -1,7 +1,7 @@
 // The caller's beespace_search as the options of the C++ library.
 #pragma once
 
-#include "c/watched_call.hpp"
+#include "c/door/watched_call.hpp"
 
 #include <beespace.h>
 #include <beespace/result.hpp>

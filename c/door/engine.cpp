@@ -1,4 +1,4 @@
-#include "c/engine.hpp"
+#include "c/door/engine.hpp"
 
 extern "C" {
 

@@ -1,7 +1,7 @@
-#include "c/watched_call.hpp"
+#include "c/door/watched_call.hpp"
 
-#include "c/door.hpp"
-#include "c/structs.hpp"
+#include "c/door/door.hpp"
+#include "c/door/structs.hpp"
 
 #include <chrono>
 #include <condition_variable>
