@@ -27,6 +27,7 @@
 #ifndef BEESPACE_H
 #define BEESPACE_H
 
+#include <beespace/c/advise.h>
 #include <beespace/c/basics.h>
 #include <beespace/c/geodesy.h>
 #include <beespace/c/index.h>

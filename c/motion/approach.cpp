@@ -3,7 +3,7 @@
 
 #include "c/door/options.hpp"
 #include "c/door/question.hpp"
-#include "c/motion/movers.hpp"
+#include "c/door/movers.hpp"
 
 #include <cstddef>
 #include <limits>

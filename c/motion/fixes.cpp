@@ -1,6 +1,7 @@
 #include "c/motion/fixes.hpp"
 
 #include "c/door/door.hpp"
+#include "c/door/number_column.hpp"
 #include "c/door/points.hpp"
 #include "c/door/structs.hpp"
 
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -21,36 +21,6 @@ namespace beespace::c {
 namespace {
 
 constexpr std::size_t kFixesBetweenStops = 4096;
-
-// One number a fix, of any stride.
-template <class Number>
-class NumberColumn {
- public:
-  NumberColumn(const Number* first, std::ptrdiff_t stride) : first_(first), stride_(stride) {}
-
-  // What is wrong with it, if anything is.
-  [[nodiscard]] const char* problem(std::size_t size) const {
-    if (first_ == nullptr) return "this is NULL, but there are positions";
-    constexpr auto kAlignment = static_cast<std::ptrdiff_t>(alignof(Number));
-    if (reinterpret_cast<std::uintptr_t>(first_) % alignof(Number) != 0 ||
-        (size > 1 && stride_ % kAlignment != 0)) {
-      return "these are not aligned as their type is: copy them first";
-    }
-    const std::ptrdiff_t farthest =
-        std::numeric_limits<std::ptrdiff_t>::max() / static_cast<std::ptrdiff_t>(size);
-    const bool beyond = stride_ > farthest || stride_ < -farthest;
-    return size > 1 && beyond ? "a stride is so large that the last one is beyond all memory"
-                              : nullptr;
-  }
-  Number operator[](std::size_t index) const {
-    const auto* const bytes = reinterpret_cast<const std::byte*>(first_);
-    return *reinterpret_cast<const Number*>(bytes + static_cast<std::ptrdiff_t>(index) * stride_);
-  }
-
- private:
-  const Number* first_;
-  std::ptrdiff_t stride_;
-};
 
 // What is too small for exact comparison counts as 0 (see mover.hpp).
 double flushed(double value) {

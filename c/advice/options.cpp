@@ -1,0 +1,183 @@
+#include "c/advice/options.hpp"
+
+#include <beespace/not_given.hpp>
+
+#include "c/door/door.hpp"
+#include "c/door/number_column.hpp"
+#include "c/door/points.hpp"
+#include "c/door/structs.hpp"
+#include "c/door/movers.hpp"
+
+#include <limits>
+#include <optional>
+#include <span>
+#include <variant>
+
+namespace beespace::c {
+
+namespace {
+
+constexpr MoverNames kIntruders = {"intruder_positions", "intruder_velocities"};
+
+// The numbers of the caller, one for each of `size`; or a refusal.
+template <class Number>
+Result<NumberColumn<Number>> column_of(const Number* first, std::size_t size, const char* name) {
+  const NumberColumn<Number> column(first);
+  if (const char* const problem = size == 0 ? nullptr : column.problem(size)) {
+    return invalid(problem, name);
+  }
+  return column;
+}
+
+Status read_intruders(const beespace_advise_options& given, AdviseOptions& options) {
+  if (given.intruder_positions == nullptr) {
+    if (given.intruder_velocities == nullptr && given.intruder_margins_m == nullptr) {
+      return std::monostate{};
+    }
+    return invalid("this is NULL, but there is more about intruders", kIntruders.positions);
+  }
+  const Result<MoversView> movers =
+      movers_of(given.intruder_positions, given.intruder_velocities, kIntruders);
+  if (!movers) return movers.error();
+  options.intruders = *movers;
+  if (given.intruder_margins_m == nullptr) return std::monostate{};
+  const auto margins = column_of(given.intruder_margins_m, movers->size(), "intruder_margins");
+  if (!margins) return margins.error();
+  options.intruder_margins_m = std::span<const double>(given.intruder_margins_m, movers->size());
+  return std::monostate{};
+}
+
+Result<std::optional<PointId>> agent_of(std::int64_t agent, std::size_t record) {
+  if (agent == -1) return std::optional<PointId>();
+  if (agent >= 0 && agent <= std::numeric_limits<PointId>::max()) {
+    return std::optional<PointId>(static_cast<PointId>(agent));
+  }
+  Error error = invalid("this is no index of an agent; give one, or -1 for none", "unknown_agents");
+  error.location.record = record;
+  return error;
+}
+
+Status read_unknown(const beespace_advise_options& given, std::vector<UnknownAgent>& unknown) {
+  unknown.clear();
+  if (given.unknown_centers == nullptr) {
+    if (given.unknown_radii_m == nullptr && given.unknown_growths_mps == nullptr &&
+        given.unknown_agents == nullptr) {
+      return std::monostate{};
+    }
+    return invalid("this is NULL, but there is more about unknown agents", "unknown_centers");
+  }
+  const Result<PointsView> centers = view_of(given.unknown_centers, "unknown_centers");
+  if (!centers) return centers.error();
+  const std::size_t size = centers->size();
+  const auto radii = column_of(given.unknown_radii_m, size, "unknown_radii");
+  if (!radii) return radii.error();
+  const auto growths = column_of(given.unknown_growths_mps, size, "unknown_growths");
+  if (!growths) return growths.error();
+  const bool some_are_agents = given.unknown_agents != nullptr;
+  const auto agents = column_of(given.unknown_agents, some_are_agents ? size : 0, "unknown_agents");
+  if (!agents) return agents.error();
+  for (std::size_t k = 0; k < size; ++k) {
+    const auto agent = agent_of(some_are_agents ? (*agents)[k] : -1, k);
+    if (!agent) return agent.error();
+    unknown.push_back({(*centers)[k], (*radii)[k], (*growths)[k], *agent});
+  }
+  return std::monostate{};
+}
+
+}  // namespace
+
+double given_or_not(double value) {
+  return value == 0.0 ? kNotGiven : value;
+}
+
+double given_or(double value, double otherwise) {
+  return value == 0.0 ? otherwise : value;
+}
+
+Velocity velocity_of(const Point& numbers) {
+  return {numbers.x, numbers.y, numbers.z};
+}
+
+// A number that is no shape is none of C++ either, which says so.
+Separation separation_of(std::int32_t shape, double vertical_factor, double vertical_m) {
+  constexpr std::int32_t kNoShape = 255;
+  const bool is_shape = shape >= BEESPACE_SPHERE && shape <= BEESPACE_CYLINDER;
+  return {static_cast<SeparationShape>(is_shape ? shape : kNoShape), given_or(vertical_factor, 1.0),
+          given_or_not(vertical_m)};
+}
+
+Status read_fences(const beespace_points* directions, const double* offsets_m,
+                   std::vector<Fence>& fences) {
+  fences.clear();
+  if (directions == nullptr) {
+    if (offsets_m == nullptr) return std::monostate{};
+    return invalid("this is NULL, but there are offsets", "fence_directions");
+  }
+  const Result<PointsView> inward = view_of(directions, "fence_directions");
+  if (!inward) return inward.error();
+  const auto offsets = column_of(offsets_m, inward->size(), "fence_offsets");
+  if (!offsets) return offsets.error();
+  for (std::size_t k = 0; k < inward->size(); ++k) fences.push_back({(*inward)[k], (*offsets)[k]});
+  return std::monostate{};
+}
+
+Status read_limits(const beespace_limits* limits, std::size_t agents,
+                   std::vector<FlightLimits>& into) {
+  const Result<beespace_limits> given = read_struct(limits, "limits");
+  if (!given) return given.error();
+  const bool limited = given->max_accelerations_mps2 != nullptr;
+  const bool for_all =
+      given->max_speeds_stride == 0 && (!limited || given->max_accelerations_stride == 0);
+  const std::size_t size = for_all ? 1 : agents;
+  const NumberColumn speeds(given->max_speeds_mps, given->max_speeds_stride);
+  const NumberColumn accelerations(given->max_accelerations_mps2, given->max_accelerations_stride);
+  into.clear();
+  if (agents == 0) {
+    into.emplace_back();  // any will do
+    return std::monostate{};
+  }
+  if (const char* const problem = speeds.problem(size)) return invalid(problem, "limits");
+  if (const char* const problem = limited ? accelerations.problem(size) : nullptr) {
+    return invalid(problem, "limits");
+  }
+  for (std::size_t i = 0; i < size; ++i) {
+    into.push_back({speeds[i], limited ? accelerations[i] : FlightLimits().max_acceleration_mps2});
+  }
+  return std::monostate{};
+}
+
+Result<AdviseOptions> advise_options_of(const beespace_advise_options* options,
+                                        const RunOptions& run, AdviseArrays& arrays) {
+  const Result<beespace_advise_options> given = read_struct(options, "options");
+  if (!given) return given.error();
+  if ((given->flags & ~static_cast<std::uint32_t>(BEESPACE_PLANAR)) != 0) {
+    return invalid("flags ask for what this function cannot do", "options");
+  }
+  if (given->method < BEESPACE_CERTIFIED || given->method > BEESPACE_MVP) {
+    return invalid("method is none of BEESPACE_CERTIFIED, BEESPACE_ORCA and BEESPACE_MVP",
+                   "options");
+  }
+  Status fences = read_fences(given->fence_directions, given->fence_offsets_m, arrays.fences);
+  if (!fences) return std::move(fences).error();
+  Status unknown = read_unknown(*given, arrays.unknown);
+  if (!unknown) return std::move(unknown).error();
+  AdviseOptions all;
+  Status intruders = read_intruders(*given, all);
+  if (!intruders) return std::move(intruders).error();
+  all.threshold_m = given->threshold_m;
+  all.separation = separation_of(given->shape, given->vertical_factor, given->vertical_m);
+  all.step_s = given_or(given->step_s, all.step_s);
+  all.fences = arrays.fences;
+  all.planar = (given->flags & BEESPACE_PLANAR) != 0;
+  all.uncertainty_m = given->uncertainty_m;
+  all.clearance_m = given_or_not(given->clearance_m);
+  all.intruder_horizon_s = given_or(given->intruder_horizon_s, all.intruder_horizon_s);
+  all.unknown = arrays.unknown;
+  all.unknown_horizon_s = given_or(given->unknown_horizon_s, all.unknown_horizon_s);
+  all.method = static_cast<AdviseMethod>(given->method);
+  all.threads = run.threads;
+  all.stop = run.stop;
+  return all;
+}
+
+}  // namespace beespace::c

@@ -1,0 +1,427 @@
+// Advice of C is that of C++ bit by bit, with all that there may be around; what callers get wrong
+// becomes an error that says where, and what is wrong about one agent is listed and clears no
+// other.
+#include "tests/c/advice_scenes.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+
+namespace beespace::test {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+template <class Found, class RowOf>
+void expect_list(const beespace_advice* advice, std::int32_t what, const std::vector<Found>& all,
+                 bool with_times, RowOf&& row_of) {
+  const beespace_findings list = c_findings(advice, what);
+  ASSERT_EQ(list.count, static_cast<std::int64_t>(all.size()));
+  EXPECT_EQ(list.times_s != nullptr, with_times && !all.empty());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto [first, second, distance_m, time_s] = row_of(all[i]);
+    EXPECT_EQ(list.first[i], static_cast<std::int64_t>(first));
+    EXPECT_EQ(list.second[i], static_cast<std::int64_t>(second));
+    EXPECT_EQ(list.distances_m[i], distance_m);
+    if (with_times) {
+      EXPECT_EQ(list.times_s[i], time_s);
+    }
+  }
+}
+
+void expect_same(const beespace_advice* advice, const Advised& expected) {
+  ASSERT_EQ(beespace_advice_size(advice), static_cast<std::int64_t>(expected.advice.size()));
+  for (std::size_t i = 0; i < expected.advice.size(); ++i) {
+    const Advice& one = expected.advice[i];
+    EXPECT_EQ(
+        std::memcmp(beespace_advice_velocities(advice) + 3 * i, &one.velocity, sizeof one.velocity),
+        0);
+    EXPECT_EQ(beespace_advice_kinds(advice)[i], static_cast<int>(one.kind));
+    EXPECT_EQ(beespace_advice_certified(advice)[i], one.certified ? 1 : 0);
+    EXPECT_EQ(beespace_advice_keeps_apart(advice)[i], one.keeps_apart ? 1 : 0);
+    EXPECT_EQ(beespace_advice_clear_of_intruders(advice)[i], one.clear_of_intruders ? 1 : 0);
+    EXPECT_EQ(beespace_advice_clear_of_unknown(advice)[i], one.clear_of_unknown ? 1 : 0);
+    EXPECT_EQ(beespace_advice_clear_of_unknown_s(advice)[i], one.clear_of_unknown_s);
+  }
+  expect_list(advice, BEESPACE_TOO_CLOSE, expected.too_close, true, [](const TooClose& c) {
+    return std::tuple(c.pair.first, c.pair.second, c.gap_m, c.clear_s);
+  });
+  expect_list(advice, BEESPACE_NEAR_OBSTACLE, expected.near_obstacle, false,
+              [](const NearObstacle& n) { return std::tuple(n.agent, n.obstacle, n.gap_m, 0.0); });
+  expect_list(advice, BEESPACE_NEAR_FENCE, expected.near_fence, false,
+              [](const NearFence& n) { return std::tuple(n.agent, n.fence, n.gap_m, 0.0); });
+  expect_list(advice, BEESPACE_INTRUDER_CONFLICTS, expected.intruder_conflicts, true,
+              [](const IntruderConflict& c) {
+                return std::tuple(c.agent, c.intruder, c.closest_m, c.begins_s);
+              });
+  expect_list(advice, BEESPACE_NEAR_UNKNOWN, expected.near_unknown, true, [](const NearUnknown& n) {
+    return std::tuple(n.agent, n.unknown, n.gap_m, n.clear_s);
+  });
+  ASSERT_EQ(beespace_advice_refused_count(advice),
+            static_cast<std::int64_t>(expected.refused.size()));
+  for (std::size_t i = 0; i < expected.refused.size(); ++i) {
+    const Refused& one = expected.refused[i];
+    beespace_error why = c_error();
+    EXPECT_EQ(beespace_advice_refused(advice, static_cast<std::int64_t>(i), &why),
+              static_cast<int>(one.kind));
+    EXPECT_EQ(why.record, static_cast<std::int64_t>(one.index));
+    EXPECT_EQ(why.message, one.error.message);
+    EXPECT_STREQ(beespace_code_name(why.code), to_string(one.error.code).data());
+  }
+}
+
+class CAdvice : public testing::Test {
+ protected:
+  beespace_code ask(const beespace_run* run = nullptr) {
+    const beespace_points positions = c_vectors(flock_.positions);
+    const beespace_points velocities = c_vectors(flock_.velocities);
+    const beespace_points preferred = c_vectors(flock_.preferred);
+    const beespace_limits limits = c_limits(flock_.limits);
+    error_ = c_error();
+    return beespace_advise(adviser_.get(), &positions, &velocities, &preferred, &limits, &options_,
+                           run, advice_.get(), &error_);
+  }
+  void expect_as_cpp(const AdviseOptions& options) {
+    const auto expected = advise(flock_.movers(), flock_.preferred, flock_.limits, options);
+    ASSERT_TRUE(expected) << expected.error().message;
+    ASSERT_EQ(ask(), BEESPACE_OK) << error_.message;
+    expect_same(advice_.get(), *expected);
+  }
+  void expect_refused(const std::string& place, beespace_code code = BEESPACE_INVALID_ARGUMENT) {
+    EXPECT_EQ(ask(), code) << place;
+    EXPECT_EQ(error_.place, place) << error_.message;
+    EXPECT_STRNE(error_.message, "");
+    EXPECT_EQ(beespace_advice_size(advice_.get()), 0);
+    EXPECT_EQ(beespace_advice_velocities(advice_.get()), nullptr);
+    EXPECT_EQ(beespace_advice_refused_count(advice_.get()), 0);
+  }
+  [[nodiscard]] std::size_t certified() const {
+    const std::uint8_t* const flags = beespace_advice_certified(advice_.get());
+    return static_cast<std::size_t>(
+        std::count(flags, flags + beespace_advice_size(advice_.get()), 1));
+  }
+
+  Flock flock_{7, 60, 30.0};
+  beespace_advise_options options_ = c_advise_options(2.0);
+  AdviseOptions cpp_{.threshold_m = 2.0};
+  beespace_error error_ = c_error();
+  OwnedAdvice<beespace_adviser> adviser_{beespace_adviser_create()};
+  OwnedAdvice<beespace_advice> advice_{beespace_advice_create()};
+};
+
+TEST_F(CAdvice, IsThatOfCppStepAfterStep) {
+  for (int step = 0; step < 20; ++step) {
+    expect_as_cpp(cpp_);
+    if (step == 0) {
+      EXPECT_GT(c_findings(advice_.get(), BEESPACE_TOO_CLOSE).count, 0);
+    }
+    const double* const advised = beespace_advice_velocities(advice_.get());
+    for (std::size_t i = 0; i < flock_.positions.size(); ++i) {
+      Velocity& old = flock_.velocities[i];
+      const Velocity now{advised[3 * i], advised[3 * i + 1], advised[3 * i + 2]};
+      flock_.positions[i].x += (old.x + now.x) / 2.0 * 0.1;
+      flock_.positions[i].y += (old.y + now.y) / 2.0 * 0.1;
+      flock_.positions[i].z += (old.z + now.z) / 2.0 * 0.1;
+      old = now;
+    }
+  }
+}
+
+TEST_F(CAdvice, ShapesStepsMethodsAndLimitsAreThoseOfCpp) {
+  options_.step_s = cpp_.step_s = 0.25;
+  options_.uncertainty_m = cpp_.uncertainty_m = 0.125;
+  options_.shape = BEESPACE_ELLIPSOID;
+  options_.vertical_factor = 3.0;
+  cpp_.separation = {SeparationShape::kEllipsoid, 3.0};
+  expect_as_cpp(cpp_);
+  options_.shape = BEESPACE_CYLINDER;
+  options_.vertical_m = 1.5;
+  cpp_.separation = {SeparationShape::kCylinder, 3.0, 1.5};
+  expect_as_cpp(cpp_);
+  flock_.limits = {{.max_speed_mps = 4.0}};
+  const beespace_points positions = c_vectors(flock_.positions);
+  const beespace_points velocities = c_vectors(flock_.velocities);
+  const beespace_points preferred = c_vectors(flock_.preferred);
+  beespace_limits limits = c_limits(flock_.limits);
+  limits.max_accelerations_mps2 = nullptr;  // without a limit
+  ASSERT_EQ(beespace_advise(nullptr, &positions, &velocities, &preferred, &limits, &options_,
+                            nullptr, advice_.get(), &error_),
+            BEESPACE_OK)
+      << error_.message;
+  expect_same(advice_.get(), *advise(flock_.movers(), flock_.preferred, flock_.limits, cpp_));
+  for (const std::int32_t method : {BEESPACE_ORCA, BEESPACE_MVP}) {
+    options_.method = method;
+    cpp_.method = static_cast<AdviseMethod>(method);
+    expect_as_cpp(cpp_);
+    EXPECT_EQ(certified(), 0U);
+  }
+}
+
+TEST_F(CAdvice, FencesIntrudersAndUnknownAgentsAreThoseOfCpp) {
+  const std::vector<Point> inward = {{0.0, 0.0, 1.0}, {0.6, 0.8, 0.0}};
+  const std::vector<double> offsets_m = {5.0, 8.0};
+  const std::vector<Fence> fences = {{inward[0], 5.0}, {inward[1], 8.0}};
+  const std::vector<Mover> intruders = {{{15.0, 15.0, 0.0}, {0.0, 1.0, 5.0}},
+                                        {{0.0, 0.0, 15.0}, {3.0, 3.0, 0.0}}};
+  const std::vector<Point> intruder_positions = {intruders[0].position, intruders[1].position};
+  const std::vector<Velocity> intruder_velocities = {intruders[0].velocity, intruders[1].velocity};
+  const std::vector<double> margins_m = {0.5, 1.0};
+  const std::vector<Point> centers = {{20.0, 20.0, 20.0}, {10.0, 20.0, 10.0}};
+  const std::vector<double> radii_m = {1.0, 2.0};
+  const std::vector<double> growths_mps = {0.0, 0.5};
+  const std::vector<std::int64_t> agents = {-1, 4};
+  const std::vector<UnknownAgent> unknown = {{centers[0], 1.0, 0.0, {}}, {centers[1], 2.0, 0.5, 4}};
+  const beespace_points c_inward = c_vectors(inward);
+  const beespace_points c_positions = c_vectors(intruder_positions);
+  const beespace_points c_velocities = c_vectors(intruder_velocities);
+  const beespace_points c_centers = c_vectors(centers);
+  options_.fence_directions = &c_inward;
+  options_.fence_offsets_m = offsets_m.data();
+  options_.clearance_m = cpp_.clearance_m = 1.0;
+  options_.intruder_positions = &c_positions;
+  options_.intruder_velocities = &c_velocities;
+  options_.intruder_margins_m = margins_m.data();
+  options_.intruder_horizon_s = cpp_.intruder_horizon_s = 6.0;
+  options_.unknown_centers = &c_centers;
+  options_.unknown_radii_m = radii_m.data();
+  options_.unknown_growths_mps = growths_mps.data();
+  options_.unknown_agents = agents.data();
+  options_.unknown_horizon_s = cpp_.unknown_horizon_s = 4.0;
+  cpp_.fences = fences;
+  cpp_.intruders = intruders;
+  cpp_.intruder_margins_m = margins_m;
+  cpp_.unknown = unknown;
+  expect_as_cpp(cpp_);
+  EXPECT_GT(c_findings(advice_.get(), BEESPACE_NEAR_FENCE).count, 0);
+  EXPECT_GT(c_findings(advice_.get(), BEESPACE_INTRUDER_CONFLICTS).count, 0);
+  EXPECT_GT(c_findings(advice_.get(), BEESPACE_NEAR_UNKNOWN).count, 0);
+  EXPECT_EQ(beespace_advice_kinds(advice_.get())[4], BEESPACE_NO_ADVICE);
+  options_.unknown_agents = nullptr;
+  options_.intruder_margins_m = nullptr;
+  std::vector<UnknownAgent> none = unknown;
+  none[1].agent.reset();
+  cpp_.unknown = none;
+  cpp_.intruder_margins_m = std::span<const double>();
+  expect_as_cpp(cpp_);
+}
+
+TEST_F(CAdvice, InAPlaneIsThatOfCpp) {
+  for (Point& place : flock_.positions) place.z = 10.0;
+  for (Velocity& velocity : flock_.velocities) velocity.z = 0.0;
+  flock_.positions[3].z = 11.0;
+  options_.flags = BEESPACE_PLANAR;
+  cpp_.planar = true;
+  expect_as_cpp(cpp_);
+  beespace_error why = c_error();
+  ASSERT_EQ(beespace_advice_refused(advice_.get(), 0, &why), BEESPACE_REFUSED_STATE);
+  EXPECT_STREQ(why.place, "positions");
+  EXPECT_EQ(why.record, 3);
+}
+
+// One that may be anywhere clears none; what is refused says of which array.
+TEST_F(CAdvice, AStateThatCannotBeUsedIsListedAndCertifiesNoOther) {
+  expect_as_cpp(cpp_);
+  ASSERT_GT(certified(), 0U);
+  const auto expect_listed = [&](std::int32_t kind, const char* place, beespace_code code) {
+    expect_as_cpp(cpp_);
+    beespace_error why = c_error();
+    ASSERT_EQ(beespace_advice_refused_count(advice_.get()), 1);
+    EXPECT_EQ(beespace_advice_refused(advice_.get(), 0, &why), kind);
+    EXPECT_STREQ(why.place, place);
+    EXPECT_EQ(why.code, code);
+    EXPECT_EQ(why.record, 9);
+    if (kind == BEESPACE_REFUSED_STATE) {
+      EXPECT_EQ(certified(), 0U);
+      EXPECT_EQ(beespace_advice_kinds(advice_.get())[9], BEESPACE_NO_ADVICE);
+    }
+  };
+  const Flock good = flock_;
+  flock_.positions[9].y = kNaN;
+  expect_listed(BEESPACE_REFUSED_STATE, "positions", BEESPACE_NOT_FINITE);
+  flock_ = good;
+  flock_.velocities[9].x = 1e200;
+  expect_listed(BEESPACE_REFUSED_STATE, "velocities", BEESPACE_OUTSIDE_DOMAIN);
+  flock_ = good;
+  flock_.limits[9].max_speed_mps = -1.0;
+  expect_listed(BEESPACE_REFUSED_STATE, "limits", BEESPACE_INVALID_ARGUMENT);
+  flock_ = good;
+  flock_.preferred[9].z = std::numeric_limits<double>::infinity();
+  expect_listed(BEESPACE_REFUSED_PREFERRED, "preferred", BEESPACE_NOT_FINITE);
+  beespace_error why = c_error();
+  EXPECT_EQ(beespace_advice_refused(advice_.get(), 1, &why), -1);
+  EXPECT_EQ(beespace_advice_refused(advice_.get(), -1, &why), -1);
+  EXPECT_EQ(beespace_advice_refused(nullptr, 0, &why), -1);
+}
+
+TEST_F(CAdvice, OptionsThatMakeNoSenseAreRefused) {
+  const beespace_advise_options good = options_;
+  const auto refuse = [&](auto&& change, const char* place,
+                          beespace_code code = BEESPACE_INVALID_ARGUMENT) {
+    options_ = good;
+    change(options_);
+    expect_refused(place, code);
+  };
+  using Options = beespace_advise_options;
+  refuse([](Options& o) { o.struct_size = 0; }, "options");
+  refuse([](Options& o) { o.struct_size -= 8; }, "options");
+  refuse([](Options& o) { o.reserved = 1; }, "options");
+  refuse([](Options& o) { o.flags = 2; }, "options");
+  refuse([](Options& o) { o.method = 3; }, "options");
+  refuse([](Options& o) { o.shape = 3; }, "");
+  refuse([](Options& o) { o.shape = BEESPACE_CYLINDER; }, "");
+  refuse([](Options& o) { o.step_s = -0.1; }, "");
+  refuse([](Options& o) { o.uncertainty_m = kNaN; }, "");
+  refuse([](Options& o) { o.threshold_m = 0.0; }, "", BEESPACE_INVALID_THRESHOLD);
+  refuse([](Options& o) { o.threshold_m = kNaN; }, "", BEESPACE_INVALID_THRESHOLD);
+  const std::vector<Point> one = {{0.0, 0.0, 2.0}};
+  const beespace_points points = c_vectors(one);
+  const double number = -1.0;
+  const std::int64_t far = 60;
+  refuse([&](Options& o) { o.fence_directions = &points; }, "fence_offsets");
+  refuse([&](Options& o) { o.fence_offsets_m = &number; }, "fence_directions");
+  refuse(
+      [&](Options& o) {
+        o.fence_directions = &points;
+        o.fence_offsets_m = &number;
+        o.clearance_m = 1.0;
+      },
+      "fence_directions");
+  refuse([&](Options& o) { o.intruder_positions = &points; }, "intruder_velocities");
+  refuse([&](Options& o) { o.intruder_velocities = &points; }, "intruder_positions");
+  refuse([&](Options& o) { o.intruder_margins_m = &number; }, "intruder_positions");
+  refuse(
+      [&](Options& o) {
+        o.intruder_positions = o.intruder_velocities = &points;
+        o.intruder_margins_m = &number;
+      },
+      "intruder_margins");
+  refuse([&](Options& o) { o.unknown_centers = &points; }, "unknown_radii");
+  refuse([&](Options& o) { o.unknown_agents = &far; }, "unknown_centers");
+  refuse(
+      [&](Options& o) {
+        o.unknown_centers = &points;
+        o.unknown_radii_m = &number;
+      },
+      "unknown_growths");
+  refuse(
+      [&](Options& o) {
+        o.unknown_centers = &points;
+        o.unknown_radii_m = o.unknown_growths_mps = &number;
+        o.unknown_agents = &far;
+      },
+      "unknown_agents");
+}
+
+TEST_F(CAdvice, ArraysThatDoNotFitAreRefused) {
+  const Flock good = flock_;
+  flock_.velocities.pop_back();
+  expect_refused("velocities");
+  flock_ = good;
+  flock_.preferred.pop_back();
+  expect_refused("preferred");
+  flock_ = good;
+  flock_.limits = {{.max_speed_mps = -1.0}};
+  expect_refused("limits");
+  flock_ = good;
+  beespace_points points = c_vectors(flock_.positions);
+  beespace_limits limits = c_limits(flock_.limits);
+  const auto refused = [&](const beespace_points* p, const beespace_limits* l, const char* place) {
+    error_ = c_error();
+    EXPECT_EQ(beespace_advise(adviser_.get(), p, &points, &points, l, &options_, nullptr,
+                              advice_.get(), &error_),
+              BEESPACE_INVALID_ARGUMENT);
+    EXPECT_STREQ(error_.place, place);
+  };
+  refused(nullptr, &limits, "positions");
+  refused(&points, nullptr, "limits");
+  limits.max_speeds_mps = nullptr;
+  refused(&points, &limits, "limits");
+  limits = c_limits(flock_.limits);
+  limits.max_accelerations_stride = 4;
+  refused(&points, &limits, "limits");
+  limits.max_accelerations_stride = std::numeric_limits<std::ptrdiff_t>::max() - 7;
+  refused(&points, &limits, "limits");
+  limits = c_limits(flock_.limits);
+  limits.reserved = 1;
+  refused(&points, &limits, "limits");
+  EXPECT_EQ(beespace_advise(adviser_.get(), &points, &points, &points, &limits, nullptr, nullptr,
+                            nullptr, nullptr),
+            BEESPACE_INVALID_ARGUMENT);
+}
+
+TEST_F(CAdvice, NoAgentAndNoPointerAreNoCrash) {
+  const beespace_points none = beespace_points_interleaved(nullptr, 0);
+  beespace_limits limits{};
+  limits.struct_size = sizeof limits;
+  ASSERT_EQ(beespace_advise(adviser_.get(), &none, &none, &none, &limits, &options_, nullptr,
+                            advice_.get(), &error_),
+            BEESPACE_OK)
+      << error_.message;
+  EXPECT_EQ(beespace_advice_size(advice_.get()), 0);
+  EXPECT_EQ(beespace_advice_size(nullptr), 0);
+  EXPECT_EQ(beespace_advice_velocities(nullptr), nullptr);
+  EXPECT_EQ(beespace_advice_refused_count(nullptr), 0);
+  beespace_findings list{};
+  EXPECT_EQ(beespace_advice_findings(advice_.get(), 0, &list, nullptr), BEESPACE_INVALID_ARGUMENT);
+  list.struct_size = sizeof list;
+  EXPECT_EQ(beespace_advice_findings(nullptr, 0, &list, nullptr), BEESPACE_INVALID_ARGUMENT);
+  for (const std::int32_t what : {-1, 5}) {
+    EXPECT_EQ(beespace_advice_findings(advice_.get(), what, &list, nullptr),
+              BEESPACE_INVALID_ARGUMENT);
+  }
+}
+
+TEST_F(CAdvice, AStopEndsIt) {
+  const Owned<beespace_stop> stop(beespace_stop_create());
+  beespace_stop_request(stop.get());
+  beespace_run run{};
+  run.struct_size = sizeof run;
+  run.stop = stop.get();
+  EXPECT_EQ(ask(&run), BEESPACE_STOPPED);
+  EXPECT_EQ(beespace_advice_size(advice_.get()), 0);
+  run.stop = nullptr;
+  run.threads = 2;
+  ASSERT_EQ(ask(&run), BEESPACE_OK);
+  expect_same(advice_.get(), *advise(flock_.movers(), flock_.preferred, flock_.limits, cpp_));
+}
+
+TEST_F(CAdvice, VelocitiesToGoalsAreThoseOfCpp) {
+  const std::size_t size = flock_.positions.size();
+  const std::vector<Point> goals(flock_.positions.rbegin(), flock_.positions.rend());
+  const beespace_points positions = c_vectors(flock_.positions);
+  beespace_points to = c_vectors(goals);
+  const beespace_limits limits = c_limits(flock_.limits);
+  std::vector<Velocity> found(size);
+  ASSERT_EQ(beespace_velocity_to_goal(&positions, &to, &limits, 0.0, &found.front().x, &error_),
+            BEESPACE_OK);
+  for (std::size_t i = 0; i < size; ++i) {
+    EXPECT_EQ(found[i], *velocity_to_goal(flock_.positions[i], goals[i], flock_.limits[i], 0.1));
+  }
+  const auto refused = [&](const beespace_points& at, double step_s, const char* place,
+                           std::int64_t record) {
+    error_ = c_error();
+    EXPECT_NE(
+        beespace_velocity_to_goal(&positions, &at, &limits, step_s, &found.front().x, &error_),
+        BEESPACE_OK);
+    EXPECT_STREQ(error_.place, place) << error_.message;
+    EXPECT_EQ(error_.record, record);
+  };
+  refused(to, -1.0, "", -1);
+  flock_.limits[7].max_speed_mps = kNaN;
+  refused(to, 0.1, "limits", 7);
+  const Point nowhere{0.0, kNaN, 0.0};
+  to.x = &nowhere.x;
+  to.y = &nowhere.y;
+  to.z = &nowhere.z;
+  to.x_stride = to.y_stride = to.z_stride = 0;
+  refused(to, 0.1, "goals", 0);
+  to.count = 3;
+  refused(to, 0.1, "goals", -1);
+  EXPECT_EQ(beespace_velocity_to_goal(&positions, &positions, &limits, 0.1, nullptr, nullptr),
+            BEESPACE_INVALID_ARGUMENT);
+}
+
+}  // namespace
+}  // namespace beespace::test
