@@ -3,11 +3,11 @@
 
 #include "c/door/door.hpp"
 #include "c/door/points.hpp"
+#include "c/door/structs.hpp"
 
 #include <beespace/point.hpp>
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 
 using namespace beespace::c;  // NOLINT(google-build-using-namespace): the functions are of C
@@ -32,7 +32,7 @@ beespace_code beespace_to_ecef(const beespace_points* positions, double* xyz,
                      "positions");
     }
     if (xyz == nullptr) return invalid("the pointer to the coordinates is NULL", "xyz");
-    if (reinterpret_cast<std::uintptr_t>(xyz) % alignof(double) != 0) {
+    if (!is_aligned(xyz)) {
       return invalid("coordinates are not aligned as doubles are", "xyz");
     }
     Status status = beespace::to_ecef(*view, {reinterpret_cast<Point*>(xyz), view->size()});

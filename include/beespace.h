@@ -32,6 +32,7 @@
 #include <beespace/c/geodesy.h>
 #include <beespace/c/index.h>
 #include <beespace/c/motion.h>
+#include <beespace/c/obstacles.h>
 #include <beespace/c/recording.h>
 #include <beespace/c/search.h>
 

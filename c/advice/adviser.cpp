@@ -4,9 +4,9 @@
 #include "c/advice/advice.hpp"
 #include "c/advice/options.hpp"
 #include "c/door/door.hpp"
+#include "c/door/movers.hpp"
 #include "c/door/points.hpp"
 #include "c/door/watched_call.hpp"
-#include "c/door/movers.hpp"
 
 #include <cstddef>
 #include <optional>

@@ -4,10 +4,10 @@
 #include "c/advice/options.hpp"
 #include "c/door/door.hpp"
 #include "c/door/points.hpp"
+#include "c/door/structs.hpp"
 
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <variant>
 #include <vector>
 
@@ -82,7 +82,7 @@ beespace_code beespace_velocity_to_goal(const beespace_points* positions,
     if (!any) return any.error();
     if (from->empty()) return std::monostate{};
     if (xyz == nullptr) return invalid("the pointer to the velocities is NULL", "xyz");
-    if (reinterpret_cast<std::uintptr_t>(xyz) % alignof(double) != 0) {
+    if (!is_aligned(xyz)) {
       return invalid("the memory for velocities is not aligned as doubles are", "xyz");
     }
     return write_velocities(*from, *to, all_limits, step, xyz);

@@ -3,10 +3,11 @@
 #include <beespace/not_given.hpp>
 
 #include "c/door/door.hpp"
+#include "c/door/movers.hpp"
 #include "c/door/number_column.hpp"
 #include "c/door/points.hpp"
 #include "c/door/structs.hpp"
-#include "c/door/movers.hpp"
+#include "c/obstacles/obstacles.hpp"
 
 #include <limits>
 #include <optional>
@@ -101,7 +102,7 @@ Velocity velocity_of(const Point& numbers) {
 // A number that is no shape is none of C++ either, which says so.
 Separation separation_of(std::int32_t shape, double vertical_factor, double vertical_m) {
   constexpr std::int32_t kNoShape = 255;
-  const bool is_shape = shape >= BEESPACE_SPHERE && shape <= BEESPACE_CYLINDER;
+  const bool is_shape = shape >= BEESPACE_FREE_SPHERE && shape <= BEESPACE_FREE_CYLINDER;
   return {static_cast<SeparationShape>(is_shape ? shape : kNoShape), given_or(vertical_factor, 1.0),
           given_or_not(vertical_m)};
 }
@@ -167,6 +168,7 @@ Result<AdviseOptions> advise_options_of(const beespace_advise_options* options,
   all.threshold_m = given->threshold_m;
   all.separation = separation_of(given->shape, given->vertical_factor, given->vertical_m);
   all.step_s = given_or(given->step_s, all.step_s);
+  if (given->obstacles != nullptr) all.obstacles = &given->obstacles->map;
   all.fences = arrays.fences;
   all.planar = (given->flags & BEESPACE_PLANAR) != 0;
   all.uncertainty_m = given->uncertainty_m;

@@ -1,8 +1,9 @@
 // The caller's numbers, one for each of something, with all checks that pointers allow.
 #pragma once
 
+#include "c/door/structs.hpp"
+
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 
 namespace beespace::c {
@@ -20,8 +21,7 @@ class NumberColumn {
   [[nodiscard]] const char* problem(std::size_t size) const {
     if (first_ == nullptr) return "this is NULL, but there must be one for each of the others";
     constexpr auto kAlignment = static_cast<std::ptrdiff_t>(alignof(Number));
-    if (reinterpret_cast<std::uintptr_t>(first_) % alignof(Number) != 0 ||
-        (size > 1 && stride_ % kAlignment != 0)) {
+    if (!is_aligned(first_) || (size > 1 && stride_ % kAlignment != 0)) {
       return "these are not aligned as their type is: copy them first";
     }
     const std::ptrdiff_t farthest =

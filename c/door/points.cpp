@@ -4,7 +4,6 @@
 #include "c/door/structs.hpp"
 
 #include <array>
-#include <cstdint>
 #include <limits>
 
 namespace beespace::c {
@@ -29,7 +28,7 @@ Result<PointsView> view_of_numbers(const beespace_points& points, const char* na
   if (count == 1) strides = {};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (axes[axis] == nullptr) return invalid("x or y is NULL, but there are points", name);
-    if (reinterpret_cast<std::uintptr_t>(axes[axis]) % alignof(Number) != 0 ||
+    if (!is_aligned(axes[axis]) ||
         strides[axis] % static_cast<std::ptrdiff_t>(alignof(Number)) != 0) {
       return invalid("coordinates are not aligned as their type is: copy them first", name);
     }

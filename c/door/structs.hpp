@@ -8,9 +8,15 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 
 namespace beespace::c {
+
+template <class Type>
+bool is_aligned(const Type* pointer) {
+  return reinterpret_cast<std::uintptr_t>(pointer) % alignof(Type) == 0;
+}
 
 // No version of any structure will be as large: a size beyond it was never set.
 inline constexpr std::size_t kLargestStruct = 4096;

@@ -3,11 +3,13 @@
 // other.
 #include "tests/c/advice_scenes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
 #include <string>
+#include <tuple>
 
 namespace beespace::test {
 namespace {
@@ -132,11 +134,11 @@ TEST_F(CAdvice, IsThatOfCppStepAfterStep) {
 TEST_F(CAdvice, ShapesStepsMethodsAndLimitsAreThoseOfCpp) {
   options_.step_s = cpp_.step_s = 0.25;
   options_.uncertainty_m = cpp_.uncertainty_m = 0.125;
-  options_.shape = BEESPACE_ELLIPSOID;
+  options_.shape = BEESPACE_FREE_ELLIPSOID;
   options_.vertical_factor = 3.0;
   cpp_.separation = {SeparationShape::kEllipsoid, 3.0};
   expect_as_cpp(cpp_);
-  options_.shape = BEESPACE_CYLINDER;
+  options_.shape = BEESPACE_FREE_CYLINDER;
   options_.vertical_m = 1.5;
   cpp_.separation = {SeparationShape::kCylinder, 3.0, 1.5};
   expect_as_cpp(cpp_);
@@ -207,6 +209,27 @@ TEST_F(CAdvice, FencesIntrudersAndUnknownAgentsAreThoseOfCpp) {
   expect_as_cpp(cpp_);
 }
 
+TEST_F(CAdvice, ObstaclesAreThoseOfCpp) {
+  const std::vector<Obstacle> all = {Sphere{{15.0, 15.0, 15.0}, 4.0}, Ground{1.0}};
+  const ObstacleMap map = *ObstacleMap::of(all);
+  std::array<beespace_obstacle, 2> given{};
+  for (beespace_obstacle& one : given) one.struct_size = sizeof one;
+  given[0].kind = BEESPACE_SPHERE;
+  std::fill(std::begin(given[0].center), std::end(given[0].center), 15.0);
+  given[0].radius_m = 4.0;
+  given[1].kind = BEESPACE_GROUND;
+  given[1].high[2] = 1.0;
+  beespace_obstacles* made = nullptr;
+  ASSERT_EQ(beespace_obstacles_create(given.data(), 2, &made, nullptr), BEESPACE_OK);
+  const Owned<beespace_obstacles> kept(made);
+  options_.obstacles = made;
+  expect_refused("");  // no clearance
+  options_.clearance_m = cpp_.clearance_m = 1.5;
+  cpp_.obstacles = &map;
+  expect_as_cpp(cpp_);
+  EXPECT_GT(c_findings(advice_.get(), BEESPACE_NEAR_OBSTACLE).count, 0);
+}
+
 TEST_F(CAdvice, InAPlaneIsThatOfCpp) {
   for (Point& place : flock_.positions) place.z = 10.0;
   for (Velocity& velocity : flock_.velocities) velocity.z = 0.0;
@@ -270,7 +293,7 @@ TEST_F(CAdvice, OptionsThatMakeNoSenseAreRefused) {
   refuse([](Options& o) { o.flags = 2; }, "options");
   refuse([](Options& o) { o.method = 3; }, "options");
   refuse([](Options& o) { o.shape = 3; }, "");
-  refuse([](Options& o) { o.shape = BEESPACE_CYLINDER; }, "");
+  refuse([](Options& o) { o.shape = BEESPACE_FREE_CYLINDER; }, "");
   refuse([](Options& o) { o.step_s = -0.1; }, "");
   refuse([](Options& o) { o.uncertainty_m = kNaN; }, "");
   refuse([](Options& o) { o.threshold_m = 0.0; }, "", BEESPACE_INVALID_THRESHOLD);

@@ -17,6 +17,7 @@ struct Free {
   void operator()(beespace_result* result) const { beespace_result_free(result); }
   void operator()(beespace_stop* stop) const { beespace_stop_free(stop); }
   void operator()(beespace_index* index) const { beespace_index_free(index); }
+  void operator()(beespace_obstacles* obstacles) const { beespace_obstacles_free(obstacles); }
 };
 template <class Handle>
 using Owned = std::unique_ptr<Handle, Free>;

@@ -13,7 +13,7 @@
 #ifndef BEESPACE_C_ADVISE_H
 #define BEESPACE_C_ADVISE_H
 
-#include <beespace/c/basics.h>
+#include <beespace/c/obstacles.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -36,9 +36,10 @@ typedef struct beespace_limits {
 /// @brief The shapes of what must stay free around an agent, whose horizontal semi-axis is the
 /// threshold.
 enum {
-  BEESPACE_SPHERE = 0,     ///< Closer than the threshold, in any direction.
-  BEESPACE_ELLIPSOID = 1,  ///< A sphere, stretched upwards and downwards: for rotor wash.
-  BEESPACE_CYLINDER = 2    ///< Closer horizontally than the threshold and vertically than a height.
+  BEESPACE_FREE_SPHERE = 0,     ///< Closer than the threshold, in any direction.
+  BEESPACE_FREE_ELLIPSOID = 1,  ///< A sphere, stretched upwards and downwards: for rotor wash.
+  BEESPACE_FREE_CYLINDER =
+      2  ///< Closer horizontally than the threshold and vertically than a height.
 };
 
 /// @brief The methods that keep agents apart. All but the first promise nothing, certify no agent,
@@ -63,7 +64,7 @@ typedef struct beespace_advise_options {
   uint32_t reserved;       ///< Zero.
   double threshold_m;      ///< The threshold in metres, above zero. There is no default.
   double step_s;           ///< The time until the next advice, in seconds; 0 is 0.1.
-  int32_t shape;           ///< BEESPACE_SPHERE, ...
+  int32_t shape;           ///< BEESPACE_FREE_SPHERE, ...
   int32_t method;          ///< BEESPACE_CERTIFIED, ...
   double vertical_factor;  ///< Of an ellipsoid: its vertical semi-axis as a multiple of the other;
                            ///< 0 is 1.
@@ -74,6 +75,7 @@ typedef struct beespace_advise_options {
   /// @brief No agent's centre shall come closer to an obstacle, or to the plane of a fence, than
   /// this, in metres. Must be given where there are any.
   double clearance_m;
+  const beespace_obstacles* obstacles;  ///< The static obstacles; or NULL.
   /// @brief Half-spaces that no agent leaves: for each the direction inwards, of length 1. All
   /// places p with `direction . p >= offset` are inside. Or NULL.
   const beespace_points* fence_directions;
