@@ -11,6 +11,8 @@ threads changes an answer.
 array([2, 3])
 """
 
+from beespace._advice import Adviser, velocity_to_goal
+from beespace._advice_answers import Advice, Findings
 from beespace._answers import ClosestPair, Groups, Nearest, Neighbors, Pairs
 from beespace._conflicts import Approaches, Conflicts, Encounter, Gaps, RecordedConflicts
 from beespace._engine import Engine
@@ -39,6 +41,8 @@ predict = _searches.predict
 predict_pairs = _searches.predict_pairs
 
 __all__ = [
+    "Advice",
+    "Adviser",
     "Approaches",
     "BeespaceError",
     "BeespaceFileError",
@@ -49,6 +53,7 @@ __all__ = [
     "Engine",
     "FilePoints",
     "FileRecording",
+    "Findings",
     "Gaps",
     "Groups",
     "Index",
@@ -73,4 +78,5 @@ __all__ = [
     "read_recording",
     "report",
     "to_ecef",
+    "velocity_to_goal",
 ]

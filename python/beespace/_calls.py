@@ -50,12 +50,12 @@ def search_of(
     height = 0.0
     if vertical is not None:
         flags |= _library.VERTICAL
-        height = _length(vertical, "vertical")
+        height = length(vertical, "vertical")
     most = 0
     if max_results is not None:
         flags |= _library.MAX_RESULTS
         most = whole(max_results, "max_results")
-    return CSearch(_search_size, flags, 0, _length(threshold, "threshold"), height, most)
+    return CSearch(_search_size, flags, 0, length(threshold, "threshold"), height, most)
 
 
 def run_of(threads: Any, points: int) -> CRun | None:
@@ -103,7 +103,8 @@ def seconds(number: Any, place: str) -> float:
         raise invalid(f"this is a number of seconds, not {number!r}", place) from None
 
 
-def _length(number: Any, place: str) -> float:
+def length(number: Any, place: str) -> float:
+    """A threshold."""
     try:
         return float(number)
     except (TypeError, ValueError):
@@ -112,4 +113,4 @@ def _length(number: Any, place: str) -> float:
         ) from None
 
 
-__all__ = ["check", "library", "run_of", "search_of", "seconds", "whole"]
+__all__ = ["check", "length", "library", "run_of", "search_of", "seconds", "whole"]

@@ -70,19 +70,23 @@ class Result:
         return self._array(getter, size, "<i8")
 
     def _array(self, getter: Any, size: int, code: str) -> NDArray[Any]:
-        address = getter(self.handle)
-        if address is None:
-            return np.empty(0, code)
-        return np.asarray(_Column(self, address, size, code))
+        return column(self, getter(self.handle), size, code)
+
+
+def column(owner: object, address: int | None, size: int, code: str) -> NDArray[Any]:
+    """An array of what stands there; `owner` lives as long as it."""
+    if address is None:
+        return np.empty(0, code)
+    return np.asarray(_Column(owner, address, size, code))
 
 
 class _Column:
-    """What NumPy makes an array of: it keeps this, and this keeps the result."""
+    """What NumPy makes an array of: it keeps this, and this keeps the owner of the memory."""
 
-    __slots__ = ("__array_interface__", "result")
+    __slots__ = ("__array_interface__", "owner")
 
-    def __init__(self, result: Result, address: int, size: int, code: str) -> None:
-        self.result = result
+    def __init__(self, owner: object, address: int, size: int, code: str) -> None:
+        self.owner = owner
         self.__array_interface__ = {
             "shape": (size,),
             "typestr": code,

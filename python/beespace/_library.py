@@ -204,11 +204,18 @@ _signatures: dict[str, tuple[object, list[object]]] = {
     "index_move": (c_int32, [c_void_p, c_int64, POINTER(c_double), POINTER(CError)]),
     "index_remove": (c_int32, [c_void_p, c_int64, POINTER(CError)]),
 }
-for _name, (_restype, _argtypes) in _signatures.items():
-    for _from in (library, at_once):
-        _function = getattr(_from, f"beespace_{_name}")
-        _function.restype = _restype
-        _function.argtypes = _argtypes
+
+
+def declare(signatures: dict[str, tuple[object, list[object]]]) -> None:
+    """Says what functions of the library take and return."""
+    for name, (restype, argtypes) in signatures.items():
+        for each in (library, at_once):
+            function = getattr(each, f"beespace_{name}")
+            function.restype = restype
+            function.argtypes = argtypes
+
+
+declare(_signatures)
 
 
 def version() -> str:
@@ -225,7 +232,12 @@ def raise_error(error: CError) -> None:
     """Raises what the library said is wrong."""
     if error.code == OUT_OF_MEMORY:
         raise MemoryError(error.message.decode())
+    raise error_of(error)
+
+
+def error_of(error: CError) -> BeespaceError:
+    """What the library said is wrong, as an exception."""
     code = library.beespace_code_name(error.code).decode()
     place = error.place.decode() or None
     record = None if error.record < 0 else int(error.record)
-    raise BeespaceError(error.message.decode(), code, place, record)
+    return BeespaceError(error.message.decode(), code, place, record)

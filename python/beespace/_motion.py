@@ -134,7 +134,7 @@ class Predictions:
         threads: int,
         copy: bool,
     ) -> tuple[Result, int]:
-        places, speeds = _movers(positions, velocities, "positions", "velocities", copy)
+        places, speeds = movers_of(positions, velocities, "positions", "velocities", copy)
         error = _library.new_error()
         result = Result()
         run = run_of(threads, places.count)
@@ -209,10 +209,10 @@ def closest_approach(
     elif vertical is not None or inclusive:
         raise invalid("vertical and inclusive need a threshold")
     given = [
-        *_movers(_rows(positions), _rows(velocities), "positions", "velocities", copy, True),
-        *_movers(
-            _rows(other_positions),
-            _rows(other_velocities),
+        *movers_of(rows_of(positions), rows_of(velocities), "positions", "velocities", copy, True),
+        *movers_of(
+            rows_of(other_positions),
+            rows_of(other_velocities),
             "other_positions",
             "other_velocities",
             copy,
@@ -220,7 +220,7 @@ def closest_approach(
         ),
     ]
     places = ("positions", "velocities", "other_positions", "other_velocities")
-    count = _spread(list(zip(given, places)))
+    count = spread(list(zip(given, places)))
     error = _library.new_error()
     result = Result()
     run = run_of(1, count)
@@ -254,7 +254,7 @@ def conflicts_of(result: Result, count: int) -> Conflicts:
     )
 
 
-def _movers(
+def movers_of(
     positions: Any,
     velocities: Any,
     positions_name: str,
@@ -276,13 +276,13 @@ def _movers(
 _IN_ROWS: Any = (list, tuple, np.ndarray)
 
 
-def _rows(given: Any) -> Any:
+def rows_of(given: Any) -> Any:
     """One position as an array of one."""
     is_row = isinstance(given, _IN_ROWS) and len(given) and np.ndim(given[0]) == 0
     return np.asarray(given)[np.newaxis] if is_row else given
 
 
-def _spread(given: list[tuple[Points, str]]) -> int:
+def spread(given: list[tuple[Points, str]]) -> int:
     """Repeats what there is one of; says how many there are."""
     count = next((points.count for points, _ in given if points.count != 1), 1)
     for points, place in given:
