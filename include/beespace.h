@@ -29,7 +29,9 @@
 
 #include <beespace/c/advise.h>
 #include <beespace/c/basics.h>
+#include <beespace/c/fleet.h>
 #include <beespace/c/geodesy.h>
+#include <beespace/c/guide.h>
 #include <beespace/c/index.h>
 #include <beespace/c/motion.h>
 #include <beespace/c/obstacles.h>

@@ -179,9 +179,7 @@ beespace_code beespace_advice_findings(const beespace_advice* advice, int32_t wh
   using beespace::c::invalid;
   return beespace::c::enter(error, [&]() -> beespace::Status {
     if (advice == nullptr) return invalid("the pointer to the advice is NULL", "advice");
-    const auto place = static_cast<std::size_t>(what);
-    const bool is_list = what >= 0 && place < advice->findings.size();
-    return Findings::show(is_list ? &advice->findings[place] : nullptr, findings);
+    return Findings::show(Findings::of(advice->findings, what), findings);
   });
 }
 

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace beespace::c {
@@ -41,6 +42,11 @@ struct Findings {
     }
   }
   void clear();
+  // The list of a number; null where there is none.
+  static const Findings* of(std::span<const Findings> lists, std::int32_t what) {
+    const bool is_list = what >= 0 && static_cast<std::size_t>(what) < lists.size();
+    return is_list ? &lists[static_cast<std::size_t>(what)] : nullptr;
+  }
   // What the caller sees of it; of an absent list, a refusal.
   static Status show(const Findings* list, beespace_findings* into);
 };
