@@ -18,9 +18,22 @@ from beespace._conflicts import Approaches, Conflicts, Encounter, Gaps, Recorded
 from beespace._engine import Engine
 from beespace._errors import BeespaceError, BeespaceFileError, BeespaceOSError
 from beespace._files import FilePoints, FileRecording, read, read_recording
+from beespace._fleet import FleetFigures, LinkFigures, Tube, tube_of
+from beespace._follower import Follower
 from beespace._geodesy import to_ecef
+from beespace._guidance import Guidance, JoinAnswer
+from beespace._guide import Guide
 from beespace._index import Index
 from beespace._library import version as _version
+from beespace._messages import (
+    Acknowledgement,
+    AgentReport,
+    Ancestor,
+    BranchState,
+    Command,
+    Setpoint,
+    StoredBranch,
+)
 from beespace._motion import closest_approach
 from beespace._recording import Recording
 from beespace._report import Report, report
@@ -41,28 +54,42 @@ predict = _searches.predict
 predict_pairs = _searches.predict_pairs
 
 __all__ = [
+    "Acknowledgement",
     "Advice",
     "Adviser",
+    "AgentReport",
+    "Ancestor",
     "Approaches",
     "BeespaceError",
     "BeespaceFileError",
     "BeespaceOSError",
+    "BranchState",
     "ClosestPair",
+    "Command",
     "Conflicts",
     "Encounter",
     "Engine",
     "FilePoints",
     "FileRecording",
     "Findings",
+    "FleetFigures",
+    "Follower",
     "Gaps",
     "Groups",
+    "Guidance",
+    "Guide",
     "Index",
+    "JoinAnswer",
+    "LinkFigures",
     "Nearest",
     "Neighbors",
     "Pairs",
     "RecordedConflicts",
     "Recording",
     "Report",
+    "Setpoint",
+    "StoredBranch",
+    "Tube",
     "at_risk",
     "closest_approach",
     "closest_pair",
@@ -78,5 +105,6 @@ __all__ = [
     "read_recording",
     "report",
     "to_ecef",
+    "tube_of",
     "velocity_to_goal",
 ]

@@ -18,6 +18,8 @@ from beespace._library import library
 from beespace._motion import movers_of, rows_of, spread
 from beespace._points import Points, PointsLike
 
+PLANAR = _c.PLANAR
+
 _methods = {"certified": 0, "orca": 1, "mvp": 2}
 
 
@@ -175,11 +177,10 @@ class Adviser:
                 "preferred",
             )
         limits = Limits(max_speed, max_acceleration, places.count)
-        kept: list[object] = []
         flat = places.count > 0 and places.struct.z is None
         options = _c.CAdviseOptions(
             ctypes.sizeof(_c.CAdviseOptions),
-            _c.PLANAR if planar or flat else 0,
+            PLANAR if planar or flat else 0,
             0,
             length(threshold, "threshold"),
             above_zero(step, "step"),
@@ -192,7 +193,7 @@ class Adviser:
         )
         options.uncertainty_m = metres(uncertainty, "uncertainty")
         options.clearance_m = 0.0 if clearance is None else above_zero(clearance, "clearance")
-        read = _Reader(kept, copy)
+        read = ArrayReader(copy)
         options.fence_directions = read.points(fence_directions, "fence_directions")
         count = read.count
         options.fence_offsets_m = read.numbers(fence_offsets, "fence_offsets", count)
@@ -334,11 +335,13 @@ def numbers_of(given: Any, place: str, kind: Any = np.float64) -> NDArray[Any]:
         raise invalid(f"this is no array of numbers: {error}", place) from error
 
 
-class _Reader:
-    """Reads arrays of options, and keeps them alive."""
+class ArrayReader:
+    """Reads arrays of options, and keeps them alive as long as itself."""
 
-    def __init__(self, kept: list[object], copy: bool) -> None:
-        self._kept = kept
+    __slots__ = ("_copy", "_kept", "count")
+
+    def __init__(self, copy: bool) -> None:
+        self._kept: list[object] = []
         self._copy = copy
         self.count = 0
 

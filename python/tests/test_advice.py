@@ -143,6 +143,19 @@ def test_one_that_cannot_be_used_clears_no_other():
     assert np.isfinite(advice.clear_of_unknown_time[np.arange(10) != 4]).all()
 
 
+def test_each_agent_has_limits_of_its_own():
+    places = np.arange(12.0).reshape(4, 3) * 30
+    speeds, accelerations = np.array([1.0, 2, 3, 4]), np.array([0.5, 1, 1.5, 2])
+    wanted = np.tile([9.0, 0, 0], (4, 1))
+    adviser = beespace.Adviser()
+    advised = adviser.advise(places, places * 0, wanted, 2.0, max_speed=speeds)
+    assert advised.velocities[:, 0].tolist() == pytest.approx(speeds)
+    advised = adviser.advise(
+        places, places * 0, wanted, 2.0, max_speed=speeds, max_acceleration=accelerations
+    )
+    assert advised.velocities[:, 0].tolist() == pytest.approx(accelerations * STEP)
+
+
 def test_fences_and_intruders_are_named():
     places = np.array([[0.0, 0, 1.5], [0, 0, 30]])
     advice = beespace.Adviser().advise(

@@ -1,0 +1,110 @@
+"""What all calls of a guide have in common."""
+
+from __future__ import annotations
+
+import ctypes
+import threading
+from typing import Any
+
+from beespace import _fleet_library as _c
+from beespace import _library
+from beespace._advice import PLANAR, ArrayReader, above_zero, metres
+from beespace._calls import check, length, whole
+from beespace._fleet import FleetFigures, LinkFigures, c_figures, c_link, integer
+from beespace._guidance import JoinAnswer
+from beespace._library import at_once
+from beespace._messages import three
+
+
+class GuideCalls:
+    """The handle of a guide, for one call at a time."""
+
+    __slots__ = ("_handle", "_limits", "_lock", "_threshold")
+
+    def __init__(
+        self,
+        threshold: Any,
+        limits: tuple[float, float],
+        figures: FleetFigures,
+        link: LinkFigures,
+        shape: tuple[int, float, float],
+        planar: bool,
+        clearance: Any,
+        fences: tuple[Any, Any],
+        intruder_horizon: Any,
+        epoch: Any,
+        threads: Any,
+    ) -> None:
+        self._threshold = length(threshold, "threshold")
+        self._limits = limits
+        number = whole(threads, "threads")
+        options = _c.CGuideOptions(
+            ctypes.sizeof(_c.CGuideOptions),
+            PLANAR if planar else 0,
+            0,
+            integer(epoch, "epoch", 1, 2**32 - 1),
+            _library.ALL_PROCESSORS if number == 0 else min(number, 256),
+            self._threshold,
+        )
+        options.shape, options.vertical_factor, options.vertical_m = shape
+        options.figures = ctypes.pointer(c_figures(figures))
+        options.link = ctypes.pointer(c_link(link))
+        options.max_speed_mps, options.max_acceleration_mps2 = self._limits
+        options.clearance_m = 0.0 if clearance is None else above_zero(clearance, "clearance")
+        read = ArrayReader(False)
+        options.fence_directions = read.points(fences[0], "fence_directions")
+        options.fence_offsets_m = read.numbers(fences[1], "fence_offsets", read.count)
+        options.intruder_horizon_s = above_zero(intruder_horizon, "intruder_horizon")
+        self._handle = _c.CGuide()
+        self._lock = threading.Lock()
+        error = _library.new_error()
+        code = at_once.beespace_guide_create(
+            ctypes.byref(options), ctypes.byref(self._handle), ctypes.byref(error)
+        )
+        check(code, error)
+
+    def _request(
+        self,
+        agent: int,
+        position: Any,
+        radius: float,
+        figures: FleetFigures | None,
+        max_speed: float | None,
+        max_acceleration: float | None,
+    ) -> _c.CJoinRequest:
+        request = _c.CJoinRequest(ctypes.sizeof(_c.CJoinRequest))
+        request.agent = integer(agent, "agent")
+        request.position = three(position, "position")
+        request.radius_m = metres(radius, "radius")
+        if figures is not None:
+            request.figures = ctypes.pointer(c_figures(figures))
+        if max_speed is not None or max_acceleration is not None:
+            speed, acceleration = self._limits
+            request.max_speed_mps = speed if max_speed is None else metres(max_speed, "max_speed")
+            request.max_acceleration_mps2 = (
+                acceleration
+                if max_acceleration is None
+                else above_zero(max_acceleration, "max_acceleration")
+            )
+        return request
+
+    def _ask_to_join(self, function: Any, request: _c.CJoinRequest) -> JoinAnswer:
+        answer = _c.CJoinAnswer(ctypes.sizeof(_c.CJoinAnswer))
+        error = _library.new_error()
+        with self._lock:
+            code = function(
+                self._handle, ctypes.byref(request), ctypes.byref(answer), ctypes.byref(error)
+            )
+            check(code, error)
+            return JoinAnswer(
+                bool(answer.joined),
+                tuple(answer.touches[: answer.touch_count]),
+                tuple(answer.obstacles[: answer.obstacle_count]),
+                tuple(answer.fences[: answer.fence_count]),
+            )
+
+    def _tell(self, function: Any, *arguments: Any) -> None:
+        error = _library.new_error()
+        with self._lock:
+            code = function(self._handle, *arguments, ctypes.byref(error))
+        check(code, error)
