@@ -86,6 +86,68 @@ TEST_F(CGuide, WhoIsInTheFleetIsSaid) {
           BEESPACE_INVALID_ARGUMENT);
 }
 
+// Each changes the tube, or whether there is one, as it does in C++.
+TEST_F(CGuide, EachFigureCounts) {
+  const auto tube_now = [&](FleetFigures figures, const LinkFigures& link) {
+    auto found = sized<beespace_tube>();
+    const beespace_code code = beespace_tube_of(&figures_, &link_, 6.0, 4.0, &found, &error_);
+    const Result<Tube> expected = tube_of(figures, link, {6.0, 4.0});
+    EXPECT_EQ(code == BEESPACE_OK, expected.has_value());
+    if (!expected) return Tube{};
+    const Tube same{found.radius_m,
+                    found.clock_m,
+                    found.error_m,
+                    found.gain_per_s,
+                    found.correction_mps2,
+                    found.correction_mps,
+                    {found.planned_speed_mps, found.planned_acceleration_mps2}};
+    EXPECT_EQ(same, *expected);
+    return same;
+  };
+  const Tube usual = tube_now(kFigures, kLink);
+  const auto expect_counts = [&](double beespace_fleet_figures::*of_c, double FleetFigures::*of_cpp,
+                                 bool on_ground) {
+    figures_ = c_figures();
+    link_ = c_link();
+    FleetFigures figures = kFigures;
+    LinkFigures link = kLink;
+    if (on_ground) {
+      figures_.loop = BEESPACE_LOOP_GROUND;
+      figures.loop = LoopPlace::kGround;
+      link_.longest_loss = link.longest_loss = 0;
+    }
+    const Tube before = tube_now(figures, link);
+    figures_.*of_c = figures.*of_cpp = figures_.*of_c * 0.875;
+    EXPECT_NE(tube_now(figures, link), before);
+  };
+  using C = beespace_fleet_figures;
+  using Cpp = FleetFigures;
+  expect_counts(&C::report_error_m, &Cpp::report_error_m, true);
+  expect_counts(&C::report_age_s, &Cpp::report_age_s, true);
+  expect_counts(&C::sensing_error_m, &Cpp::sensing_error_m, false);
+  expect_counts(&C::loop_period_s, &Cpp::loop_period_s, false);
+  expect_counts(&C::loop_delay_s, &Cpp::loop_delay_s, false);
+  expect_counts(&C::deviation_mps, &Cpp::deviation_mps, false);
+  expect_counts(&C::clock_error_s, &Cpp::clock_error_s, false);
+  expect_counts(&C::correction_mps2, &Cpp::correction_mps2, false);
+  expect_counts(&C::correction_mps, &Cpp::correction_mps, false);
+  figures_ = c_figures();
+  link_ = c_link();
+  figures_.loop = BEESPACE_LOOP_GROUND;
+  FleetFigures ground = kFigures;
+  ground.loop = LoopPlace::kGround;
+  EXPECT_EQ(tube_now(ground, kLink), Tube{});  // messages get lost
+  link_.longest_loss = 0;
+  LinkFigures slow = kLink;
+  slow.longest_loss = 0;
+  const Tube at_once = tube_now(ground, slow);
+  EXPECT_NE(at_once, Tube{});
+  link_.period_s = slow.period_s = 0.15;
+  link_.command_delay = slow.command_delay = 3;
+  EXPECT_NE(tube_now(ground, slow), at_once);
+  EXPECT_NE(usual, at_once);
+}
+
 TEST_F(CGuide, OptionsThatMakeNoSenseAreRefused) {
   const beespace_guide_options good = options_;
   const auto refuse = [&](auto&& change, const char* place,
