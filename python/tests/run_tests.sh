@@ -11,7 +11,7 @@
 set -euo pipefail
 source=$1 library=$2
 shift 2
-documents=(../docs/python.md)
+documents=(../docs/python.md ../docs/python-prevention.md)
 if [ -n "${BEESPACE_IO_LIBRARY:-}" ]; then documents+=(../docs/python-files.md); fi
 
 for python in python3 /usr/bin/python3; do
