@@ -9,6 +9,8 @@
 #include "c/door/watched_call.hpp"
 
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -70,6 +72,12 @@ void beespace_adviser_free(beespace_adviser* adviser) {
   delete adviser;
 }
 
+void beespace_adviser_forget(beespace_adviser* adviser, int64_t agent) {
+  constexpr std::int64_t kMost = std::numeric_limits<beespace::PointId>::max();
+  if (adviser == nullptr || agent < 0 || agent > kMost) return;
+  adviser->arrays.planes.forget(static_cast<beespace::PointId>(agent));
+}
+
 beespace_code beespace_advise(beespace_adviser* adviser, const beespace_points* positions,
                               const beespace_points* velocities, const beespace_points* preferred,
                               const beespace_limits* limits, const beespace_advise_options* options,
@@ -88,7 +96,8 @@ beespace_code beespace_advise(beespace_adviser* adviser, const beespace_points* 
     read = read_limits(limits, movers->size(), used.arrays.limits);
     if (!read) return read;
     Status status = call_watched(run, [&](const RunOptions& run_options) -> Status {
-      const Result<AdviseOptions> all = advise_options_of(options, run_options, used.arrays);
+      const Result<AdviseOptions> all =
+          advise_options_of(options, movers->size(), run_options, used.arrays);
       if (!all) return all.error();
       Status done = used.adviser.advise(*movers, used.arrays.preferred, used.arrays.limits, *all,
                                         used.advised);

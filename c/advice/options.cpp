@@ -85,6 +85,84 @@ Status read_unknown(const beespace_advise_options& given, std::vector<UnknownAge
   return std::monostate{};
 }
 
+// One of the caller's for each agent, or `otherwise`.
+template <class Number>
+struct ForEach {
+  const Number* numbers;
+  Number otherwise;
+  Number operator[](std::size_t agent) const {
+    return numbers == nullptr ? otherwise : NumberColumn<Number>(numbers)[agent];
+  }
+};
+
+template <class Number>
+Result<ForEach<Number>> for_each_agent(const Number* numbers, std::size_t agents,
+                                       const char* name) {
+  const auto column = column_of(numbers, numbers == nullptr ? 0 : agents, name);
+  if (!column) return column.error();
+  return ForEach<Number>{numbers, 0};
+}
+
+// Where the places of each agent begin; checked.
+Status check_offsets(const NumberColumn<std::int64_t>& offsets, std::size_t agents,
+                     std::size_t places) {
+  std::int64_t before = 0;
+  for (std::size_t i = 0; i <= agents; ++i) {
+    const bool is_first = i == 0 && offsets[i] != 0;
+    const bool is_last = i == agents && offsets[i] != static_cast<std::int64_t>(places);
+    if (offsets[i] < before || is_first || is_last) {
+      Error error = invalid("these ascend, from 0 to the number of places", "claim_offsets");
+      error.location.record = i;
+      return error;
+    }
+    before = offsets[i];
+  }
+  return std::monostate{};
+}
+
+// The places of all agents into the arrays, and where those of each are.
+Status read_claim_places(const beespace_advise_options& given, AdviseArrays& arrays) {
+  arrays.claim_places.clear();
+  if (given.claim_places == nullptr) {
+    if (given.claim_offsets == nullptr) return std::monostate{};
+    return invalid("this is NULL, but there are offsets", "claim_places");
+  }
+  const Result<PointsView> places = view_of(given.claim_places, "claim_places");
+  if (!places) return places.error();
+  const std::size_t agents = arrays.claims.size();
+  const auto offsets = column_of(given.claim_offsets, agents + 1, "claim_offsets");
+  if (!offsets) return offsets.error();
+  Status fine = check_offsets(*offsets, agents, places->size());
+  if (!fine) return fine;
+  for (std::size_t k = 0; k < places->size(); ++k) arrays.claim_places.push_back((*places)[k]);
+  const std::span<const Point> all = arrays.claim_places;
+  for (std::size_t i = 0; i < agents; ++i) {
+    const auto begin = static_cast<std::size_t>((*offsets)[i]);
+    const auto end = static_cast<std::size_t>((*offsets)[i + 1]);
+    arrays.claims[i].places = all.subspan(begin, end - begin);
+  }
+  return std::monostate{};
+}
+
+// One claim for each agent, where there is anything of claims at all.
+Status read_claims(const beespace_advise_options& given, std::size_t agents, AdviseArrays& arrays) {
+  arrays.claims.clear();
+  if (given.radii_m == nullptr && given.tubes_m == nullptr && given.claim_places == nullptr &&
+      given.claim_offsets == nullptr && given.holds == nullptr) {
+    return std::monostate{};
+  }
+  const auto radii = for_each_agent(given.radii_m, agents, "radii");
+  if (!radii) return radii.error();
+  const auto tubes = for_each_agent(given.tubes_m, agents, "tubes");
+  if (!tubes) return tubes.error();
+  const auto holds = for_each_agent(given.holds, agents, "holds");
+  if (!holds) return holds.error();
+  for (std::size_t i = 0; i < agents; ++i) {
+    arrays.claims.push_back({{}, (*tubes)[i], (*radii)[i], (*holds)[i] != 0});
+  }
+  return read_claim_places(given, arrays);
+}
+
 }  // namespace
 
 double given_or_not(double value) {
@@ -147,11 +225,12 @@ Status read_limits(const beespace_limits* limits, std::size_t agents,
   return std::monostate{};
 }
 
-Result<AdviseOptions> advise_options_of(const beespace_advise_options* options,
+Result<AdviseOptions> advise_options_of(const beespace_advise_options* options, std::size_t agents,
                                         const RunOptions& run, AdviseArrays& arrays) {
   const Result<beespace_advise_options> given = read_struct(options, "options");
   if (!given) return given.error();
-  if ((given->flags & ~static_cast<std::uint32_t>(BEESPACE_PLANAR)) != 0) {
+  constexpr std::uint32_t kKnown = BEESPACE_PLANAR | BEESPACE_REMEMBER;
+  if ((given->flags & ~kKnown) != 0) {
     return invalid("flags ask for what this function cannot do", "options");
   }
   if (given->method < BEESPACE_CERTIFIED || given->method > BEESPACE_MVP) {
@@ -162,6 +241,8 @@ Result<AdviseOptions> advise_options_of(const beespace_advise_options* options,
   if (!fences) return std::move(fences).error();
   Status unknown = read_unknown(*given, arrays.unknown);
   if (!unknown) return std::move(unknown).error();
+  Status claims = read_claims(*given, agents, arrays);
+  if (!claims) return std::move(claims).error();
   AdviseOptions all;
   Status intruders = read_intruders(*given, all);
   if (!intruders) return std::move(intruders).error();
@@ -175,6 +256,8 @@ Result<AdviseOptions> advise_options_of(const beespace_advise_options* options,
   all.clearance_m = given_or_not(given->clearance_m);
   all.intruder_horizon_s = given_or(given->intruder_horizon_s, all.intruder_horizon_s);
   all.unknown = arrays.unknown;
+  all.claims = arrays.claims;
+  if ((given->flags & BEESPACE_REMEMBER) != 0) all.planes = &arrays.planes;
   all.unknown_horizon_s = given_or(given->unknown_horizon_s, all.unknown_horizon_s);
   all.method = static_cast<AdviseMethod>(given->method);
   all.threads = run.threads;

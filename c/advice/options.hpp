@@ -21,6 +21,9 @@ struct AdviseArrays {
   std::vector<FlightLimits> limits;
   std::vector<Fence> fences;
   std::vector<UnknownAgent> unknown;
+  std::vector<Claim> claims;
+  std::vector<Point> claim_places;
+  PlaneMemory planes;
 };
 
 // A number that has no default: zero stands for one that is not given.
@@ -38,7 +41,7 @@ Status read_limits(const beespace_limits* limits, std::size_t agents,
 Velocity velocity_of(const Point& numbers);
 
 // Refers to `arrays`, and to the caller's.
-Result<AdviseOptions> advise_options_of(const beespace_advise_options* options,
+Result<AdviseOptions> advise_options_of(const beespace_advise_options* options, std::size_t agents,
                                         const RunOptions& run, AdviseArrays& arrays);
 
 }  // namespace beespace::c

@@ -1,7 +1,7 @@
 // Advice of C is that of C++ bit by bit, with all that there may be around; what callers get wrong
 // becomes an error that says where, and what is wrong about one agent is listed and clears no
 // other.
-#include "tests/c/advice_scenes.hpp"
+#include "tests/c/advice_cases.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,103 +15,6 @@ namespace beespace::test {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-template <class Found, class RowOf>
-void expect_list(const beespace_advice* advice, std::int32_t what, const std::vector<Found>& all,
-                 bool with_times, RowOf&& row_of) {
-  const beespace_findings list = c_findings(advice, what);
-  ASSERT_EQ(list.count, static_cast<std::int64_t>(all.size()));
-  EXPECT_EQ(list.times_s != nullptr, with_times && !all.empty());
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const auto [first, second, distance_m, time_s] = row_of(all[i]);
-    EXPECT_EQ(list.first[i], static_cast<std::int64_t>(first));
-    EXPECT_EQ(list.second[i], static_cast<std::int64_t>(second));
-    EXPECT_EQ(list.distances_m[i], distance_m);
-    if (with_times) {
-      EXPECT_EQ(list.times_s[i], time_s);
-    }
-  }
-}
-
-void expect_same(const beespace_advice* advice, const Advised& expected) {
-  ASSERT_EQ(beespace_advice_size(advice), static_cast<std::int64_t>(expected.advice.size()));
-  for (std::size_t i = 0; i < expected.advice.size(); ++i) {
-    const Advice& one = expected.advice[i];
-    EXPECT_EQ(
-        std::memcmp(beespace_advice_velocities(advice) + 3 * i, &one.velocity, sizeof one.velocity),
-        0);
-    EXPECT_EQ(beespace_advice_kinds(advice)[i], static_cast<int>(one.kind));
-    EXPECT_EQ(beespace_advice_certified(advice)[i], one.certified ? 1 : 0);
-    EXPECT_EQ(beespace_advice_keeps_apart(advice)[i], one.keeps_apart ? 1 : 0);
-    EXPECT_EQ(beespace_advice_clear_of_intruders(advice)[i], one.clear_of_intruders ? 1 : 0);
-    EXPECT_EQ(beespace_advice_clear_of_unknown(advice)[i], one.clear_of_unknown ? 1 : 0);
-    EXPECT_EQ(beespace_advice_clear_of_unknown_s(advice)[i], one.clear_of_unknown_s);
-  }
-  expect_list(advice, BEESPACE_TOO_CLOSE, expected.too_close, true, [](const TooClose& c) {
-    return std::tuple(c.pair.first, c.pair.second, c.gap_m, c.clear_s);
-  });
-  expect_list(advice, BEESPACE_NEAR_OBSTACLE, expected.near_obstacle, false,
-              [](const NearObstacle& n) { return std::tuple(n.agent, n.obstacle, n.gap_m, 0.0); });
-  expect_list(advice, BEESPACE_NEAR_FENCE, expected.near_fence, false,
-              [](const NearFence& n) { return std::tuple(n.agent, n.fence, n.gap_m, 0.0); });
-  expect_list(advice, BEESPACE_INTRUDER_CONFLICTS, expected.intruder_conflicts, true,
-              [](const IntruderConflict& c) {
-                return std::tuple(c.agent, c.intruder, c.closest_m, c.begins_s);
-              });
-  expect_list(advice, BEESPACE_NEAR_UNKNOWN, expected.near_unknown, true, [](const NearUnknown& n) {
-    return std::tuple(n.agent, n.unknown, n.gap_m, n.clear_s);
-  });
-  ASSERT_EQ(beespace_advice_refused_count(advice),
-            static_cast<std::int64_t>(expected.refused.size()));
-  for (std::size_t i = 0; i < expected.refused.size(); ++i) {
-    const Refused& one = expected.refused[i];
-    beespace_error why = c_error();
-    EXPECT_EQ(beespace_advice_refused(advice, static_cast<std::int64_t>(i), &why),
-              static_cast<int>(one.kind));
-    EXPECT_EQ(why.record, static_cast<std::int64_t>(one.index));
-    EXPECT_EQ(why.message, one.error.message);
-    EXPECT_STREQ(beespace_code_name(why.code), to_string(one.error.code).data());
-  }
-}
-
-class CAdvice : public testing::Test {
- protected:
-  beespace_code ask(const beespace_run* run = nullptr) {
-    const beespace_points positions = c_vectors(flock_.positions);
-    const beespace_points velocities = c_vectors(flock_.velocities);
-    const beespace_points preferred = c_vectors(flock_.preferred);
-    const beespace_limits limits = c_limits(flock_.limits);
-    error_ = c_error();
-    return beespace_advise(adviser_.get(), &positions, &velocities, &preferred, &limits, &options_,
-                           run, advice_.get(), &error_);
-  }
-  void expect_as_cpp(const AdviseOptions& options) {
-    const auto expected = advise(flock_.movers(), flock_.preferred, flock_.limits, options);
-    ASSERT_TRUE(expected) << expected.error().message;
-    ASSERT_EQ(ask(), BEESPACE_OK) << error_.message;
-    expect_same(advice_.get(), *expected);
-  }
-  void expect_refused(const std::string& place, beespace_code code = BEESPACE_INVALID_ARGUMENT) {
-    EXPECT_EQ(ask(), code) << place;
-    EXPECT_EQ(error_.place, place) << error_.message;
-    EXPECT_STRNE(error_.message, "");
-    EXPECT_EQ(beespace_advice_size(advice_.get()), 0);
-    EXPECT_EQ(beespace_advice_velocities(advice_.get()), nullptr);
-    EXPECT_EQ(beespace_advice_refused_count(advice_.get()), 0);
-  }
-  [[nodiscard]] std::size_t certified() const {
-    const std::uint8_t* const flags = beespace_advice_certified(advice_.get());
-    return static_cast<std::size_t>(
-        std::count(flags, flags + beespace_advice_size(advice_.get()), 1));
-  }
-
-  Flock flock_{7, 60, 30.0};
-  beespace_advise_options options_ = c_advise_options(2.0);
-  AdviseOptions cpp_{.threshold_m = 2.0};
-  beespace_error error_ = c_error();
-  OwnedAdvice<beespace_adviser> adviser_{beespace_adviser_create()};
-  OwnedAdvice<beespace_advice> advice_{beespace_advice_create()};
-};
 
 TEST_F(CAdvice, IsThatOfCppStepAfterStep) {
   for (int step = 0; step < 20; ++step) {
@@ -230,6 +133,76 @@ TEST_F(CAdvice, ObstaclesAreThoseOfCpp) {
   EXPECT_GT(c_findings(advice_.get(), BEESPACE_NEAR_OBSTACLE).count, 0);
 }
 
+// Each claims its place, one behind it and one above that.
+TEST_F(CAdvice, ClaimsRadiiAndRememberedPlanesAreThoseOfCpp) {
+  const std::size_t size = flock_.positions.size();
+  std::vector<double> radii_m(size, 0.5);
+  std::vector<double> tubes_m(size, 0.25);
+  std::vector<std::uint8_t> holds(size, 0);
+  std::vector<Point> places;
+  std::vector<std::int64_t> offsets = {0};
+  for (std::size_t i = 0; i < size; ++i) {
+    radii_m[i] += 0.03125 * static_cast<double>(i % 50);
+    holds[i] = i % 7 == 0 ? 1 : 0;
+    Point place = flock_.positions[i];
+    for (std::size_t k = 0; k < i % 3; ++k) {
+      place.z += 0.25;
+      places.push_back(place);
+    }
+    offsets.push_back(static_cast<std::int64_t>(places.size()));
+  }
+  const beespace_points c_places = c_vectors(places);
+  options_.radii_m = radii_m.data();
+  std::vector<Claim> claims(size);
+  for (std::size_t i = 0; i < size; ++i) claims[i].radius_m = radii_m[i];
+  cpp_.claims = claims;
+  expect_as_cpp(cpp_);
+  options_.tubes_m = tubes_m.data();
+  options_.holds = holds.data();
+  options_.claim_places = &c_places;
+  options_.claim_offsets = offsets.data();
+  options_.flags = BEESPACE_REMEMBER;
+  for (std::size_t i = 0; i < size; ++i) {
+    const auto begin = static_cast<std::size_t>(offsets[i]);
+    claims[i] = {std::span(places).subspan(begin, i % 3), 0.25, radii_m[i], holds[i] != 0};
+  }
+  PlaneMemory planes;
+  cpp_.planes = &planes;
+  for (int step = 0; step < 8; ++step) {
+    if (step == 5) {
+      beespace_adviser_forget(adviser_.get(), 3);
+      planes.forget(3);
+    }
+    expect_as_cpp(cpp_);
+    EXPECT_EQ(beespace_advice_kinds(advice_.get())[7], BEESPACE_BRAKING);
+    for (std::size_t i = 0; i < size; ++i) flock_.preferred[i].x = -flock_.preferred[i].x;
+  }
+  beespace_adviser_forget(nullptr, 3);
+  beespace_adviser_forget(adviser_.get(), -1);
+  beespace_adviser_forget(adviser_.get(), std::numeric_limits<std::int64_t>::max());
+  radii_m[4] = kNaN;
+  ASSERT_EQ(ask(), BEESPACE_OK);
+  beespace_error why = c_error();
+  EXPECT_EQ(beespace_advice_refused(advice_.get(), 0, &why), BEESPACE_REFUSED_STATE);
+  EXPECT_STREQ(why.place, "claims");
+  EXPECT_EQ(why.record, 4);
+  EXPECT_EQ(certified(), 0U);
+  offsets[4] = 1000;
+  expect_refused("claim_offsets");
+  EXPECT_EQ(error_.record, 5);  // from there on they do not ascend
+  offsets[4] = offsets[3];
+  offsets[0] = -1;
+  expect_refused("claim_offsets");
+  offsets[0] = 0;
+  offsets.back() += 1;
+  expect_refused("claim_offsets");
+  options_.claim_offsets = nullptr;
+  expect_refused("claim_offsets");
+  options_.claim_offsets = offsets.data();
+  options_.claim_places = nullptr;
+  expect_refused("claim_places");
+}
+
 TEST_F(CAdvice, InAPlaneIsThatOfCpp) {
   for (Point& place : flock_.positions) place.z = 10.0;
   for (Velocity& velocity : flock_.velocities) velocity.z = 0.0;
@@ -276,124 +249,6 @@ TEST_F(CAdvice, AStateThatCannotBeUsedIsListedAndCertifiesNoOther) {
   EXPECT_EQ(beespace_advice_refused(advice_.get(), 1, &why), -1);
   EXPECT_EQ(beespace_advice_refused(advice_.get(), -1, &why), -1);
   EXPECT_EQ(beespace_advice_refused(nullptr, 0, &why), -1);
-}
-
-TEST_F(CAdvice, OptionsThatMakeNoSenseAreRefused) {
-  const beespace_advise_options good = options_;
-  const auto refuse = [&](auto&& change, const char* place,
-                          beespace_code code = BEESPACE_INVALID_ARGUMENT) {
-    options_ = good;
-    change(options_);
-    expect_refused(place, code);
-  };
-  using Options = beespace_advise_options;
-  refuse([](Options& o) { o.struct_size = 0; }, "options");
-  refuse([](Options& o) { o.struct_size -= 8; }, "options");
-  refuse([](Options& o) { o.reserved = 1; }, "options");
-  refuse([](Options& o) { o.flags = 2; }, "options");
-  refuse([](Options& o) { o.method = 3; }, "options");
-  refuse([](Options& o) { o.shape = 3; }, "");
-  refuse([](Options& o) { o.shape = BEESPACE_FREE_CYLINDER; }, "");
-  refuse([](Options& o) { o.step_s = -0.1; }, "");
-  refuse([](Options& o) { o.uncertainty_m = kNaN; }, "");
-  refuse([](Options& o) { o.threshold_m = 0.0; }, "", BEESPACE_INVALID_THRESHOLD);
-  refuse([](Options& o) { o.threshold_m = kNaN; }, "", BEESPACE_INVALID_THRESHOLD);
-  const std::vector<Point> one = {{0.0, 0.0, 2.0}};
-  const beespace_points points = c_vectors(one);
-  const double number = -1.0;
-  const std::int64_t far = 60;
-  refuse([&](Options& o) { o.fence_directions = &points; }, "fence_offsets");
-  refuse([&](Options& o) { o.fence_offsets_m = &number; }, "fence_directions");
-  refuse(
-      [&](Options& o) {
-        o.fence_directions = &points;
-        o.fence_offsets_m = &number;
-        o.clearance_m = 1.0;
-      },
-      "fence_directions");
-  refuse([&](Options& o) { o.intruder_positions = &points; }, "intruder_velocities");
-  refuse([&](Options& o) { o.intruder_velocities = &points; }, "intruder_positions");
-  refuse([&](Options& o) { o.intruder_margins_m = &number; }, "intruder_positions");
-  refuse(
-      [&](Options& o) {
-        o.intruder_positions = o.intruder_velocities = &points;
-        o.intruder_margins_m = &number;
-      },
-      "intruder_margins");
-  refuse([&](Options& o) { o.unknown_centers = &points; }, "unknown_radii");
-  refuse([&](Options& o) { o.unknown_agents = &far; }, "unknown_centers");
-  refuse(
-      [&](Options& o) {
-        o.unknown_centers = &points;
-        o.unknown_radii_m = &number;
-      },
-      "unknown_growths");
-  refuse(
-      [&](Options& o) {
-        o.unknown_centers = &points;
-        o.unknown_radii_m = o.unknown_growths_mps = &number;
-        o.unknown_agents = &far;
-      },
-      "unknown_agents");
-}
-
-TEST_F(CAdvice, ArraysThatDoNotFitAreRefused) {
-  const Flock good = flock_;
-  flock_.velocities.pop_back();
-  expect_refused("velocities");
-  flock_ = good;
-  flock_.preferred.pop_back();
-  expect_refused("preferred");
-  flock_ = good;
-  flock_.limits = {{.max_speed_mps = -1.0}};
-  expect_refused("limits");
-  flock_ = good;
-  beespace_points points = c_vectors(flock_.positions);
-  beespace_limits limits = c_limits(flock_.limits);
-  const auto refused = [&](const beespace_points* p, const beespace_limits* l, const char* place) {
-    error_ = c_error();
-    EXPECT_EQ(beespace_advise(adviser_.get(), p, &points, &points, l, &options_, nullptr,
-                              advice_.get(), &error_),
-              BEESPACE_INVALID_ARGUMENT);
-    EXPECT_STREQ(error_.place, place);
-  };
-  refused(nullptr, &limits, "positions");
-  refused(&points, nullptr, "limits");
-  limits.max_speeds_mps = nullptr;
-  refused(&points, &limits, "limits");
-  limits = c_limits(flock_.limits);
-  limits.max_accelerations_stride = 4;
-  refused(&points, &limits, "limits");
-  limits.max_accelerations_stride = std::numeric_limits<std::ptrdiff_t>::max() - 7;
-  refused(&points, &limits, "limits");
-  limits = c_limits(flock_.limits);
-  limits.reserved = 1;
-  refused(&points, &limits, "limits");
-  EXPECT_EQ(beespace_advise(adviser_.get(), &points, &points, &points, &limits, nullptr, nullptr,
-                            nullptr, nullptr),
-            BEESPACE_INVALID_ARGUMENT);
-}
-
-TEST_F(CAdvice, NoAgentAndNoPointerAreNoCrash) {
-  const beespace_points none = beespace_points_interleaved(nullptr, 0);
-  beespace_limits limits{};
-  limits.struct_size = sizeof limits;
-  ASSERT_EQ(beespace_advise(adviser_.get(), &none, &none, &none, &limits, &options_, nullptr,
-                            advice_.get(), &error_),
-            BEESPACE_OK)
-      << error_.message;
-  EXPECT_EQ(beespace_advice_size(advice_.get()), 0);
-  EXPECT_EQ(beespace_advice_size(nullptr), 0);
-  EXPECT_EQ(beespace_advice_velocities(nullptr), nullptr);
-  EXPECT_EQ(beespace_advice_refused_count(nullptr), 0);
-  beespace_findings list{};
-  EXPECT_EQ(beespace_advice_findings(advice_.get(), 0, &list, nullptr), BEESPACE_INVALID_ARGUMENT);
-  list.struct_size = sizeof list;
-  EXPECT_EQ(beespace_advice_findings(nullptr, 0, &list, nullptr), BEESPACE_INVALID_ARGUMENT);
-  for (const std::int32_t what : {-1, 5}) {
-    EXPECT_EQ(beespace_advice_findings(advice_.get(), what, &list, nullptr),
-              BEESPACE_INVALID_ARGUMENT);
-  }
 }
 
 TEST_F(CAdvice, AStopEndsIt) {

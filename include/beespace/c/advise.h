@@ -50,17 +50,24 @@ enum {
   BEESPACE_MVP = 2         ///< Modified voltage potential.
 };
 
-/// @brief The flag of beespace_advise_options::flags and beespace_guide_options::flags.
+/// @brief The flags of beespace_advise_options::flags, to be joined by `|`;
+/// beespace_guide_options::flags has the first.
 enum {
   /// @brief All agents move in one horizontal plane: robots on a floor, ships. One whose height is
   /// not that of most, or whose vertical velocity is not zero, is refused.
-  BEESPACE_PLANAR = 1
+  BEESPACE_PLANAR = 1,
+  /// @brief The adviser remembers the planes between agents from one call with this flag to the
+  /// next:
+  /// one that certified a pair does so again. Should be set where there are claims. Agents must
+  /// keep
+  /// their indices; see beespace_adviser_forget().
+  BEESPACE_REMEMBER = 2
 };
 
 /// @brief What advice needs to know. Arrays are read during the call.
 typedef struct beespace_advise_options {
   size_t struct_size;      ///< sizeof(beespace_advise_options)
-  uint32_t flags;          ///< BEESPACE_PLANAR
+  uint32_t flags;          ///< BEESPACE_PLANAR | BEESPACE_REMEMBER
   uint32_t reserved;       ///< Zero.
   double threshold_m;      ///< The threshold in metres, above zero. There is no default.
   double step_s;           ///< The time until the next advice, in seconds; 0 is 0.1.
@@ -97,6 +104,20 @@ typedef struct beespace_advise_options {
   /// and it gets no advice. Or NULL: none of them is.
   const int64_t* unknown_agents;
   double unknown_horizon_s;  ///< How far to look ahead for them, in seconds; 0 is 10.
+  /// @brief The agents' own radii in metres, one each; or NULL: each is half of the threshold. What
+  /// stays free between two is the threshold, or the sum of both radii where that is more.
+  const double* radii_m;
+  /// @brief How far each agent may be from its nominal place, in metres, one each; or NULL: 0.
+  const double* tubes_m;
+  /// @brief Where each agent may be from now on if nothing more is told to it, beyond its way to a
+  /// stop: its *claim* is the hull of both. The places of all agents, agent after agent; or NULL.
+  const beespace_points* claim_places;
+  /// @brief Where the places of each agent begin: one number more than agents, from 0 to the number
+  /// of places. NULL without places.
+  const int64_t* claim_offsets;
+  /// @brief 1 of an agent that gets no new advice: it stays within its claim, and others get all of
+  /// the free space; else 0. Or NULL.
+  const uint8_t* holds;
 } beespace_advise_options;
 
 /* ---- Advice --------------------------------------------------------------------------------- */
@@ -148,6 +169,11 @@ BEESPACE_C_API beespace_adviser* beespace_adviser_create(void);
 /// @brief Frees an adviser, with its memory and its threads; no call may be using it.
 /// @param adviser The adviser; NULL does nothing.
 BEESPACE_C_API void beespace_adviser_free(beespace_adviser* adviser);
+
+/// @brief Forgets all planes of one agent: its index is another one's from now on.
+/// @param adviser The adviser; NULL does nothing.
+/// @param agent The index of the agent; one that never was does nothing.
+BEESPACE_C_API void beespace_adviser_forget(beespace_adviser* adviser, int64_t agent);
 
 /// @brief Advice for all agents, in columns. Each call that is given it overwrites it. Arrays
 /// belong to it, and are valid until its next call or end.
