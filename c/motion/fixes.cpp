@@ -1,6 +1,7 @@
 #include "c/motion/fixes.hpp"
 
 #include "c/door/door.hpp"
+#include "c/door/number_column.hpp"
 #include "c/door/points.hpp"
 #include "c/door/structs.hpp"
 
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -21,35 +21,6 @@ namespace beespace::c {
 namespace {
 
 constexpr std::size_t kFixesBetweenStops = 4096;
-
-// One number a fix, of any stride.
-template <class Number>
-class NumberColumn {
- public:
-  NumberColumn(const Number* first, std::ptrdiff_t stride) : first_(first), stride_(stride) {}
-
-  // What is wrong with it, if anything is.
-  [[nodiscard]] const char* problem(std::size_t size) const {
-    if (first_ == nullptr) return "this is NULL, but there are positions";
-    constexpr auto kAlignment = static_cast<std::ptrdiff_t>(alignof(Number));
-    if (!is_aligned(first_) || (size > 1 && stride_ % kAlignment != 0)) {
-      return "these are not aligned as their type is: copy them first";
-    }
-    const std::ptrdiff_t farthest =
-        std::numeric_limits<std::ptrdiff_t>::max() / static_cast<std::ptrdiff_t>(size);
-    const bool beyond = stride_ > farthest || stride_ < -farthest;
-    return size > 1 && beyond ? "a stride is so large that the last one is beyond all memory"
-                              : nullptr;
-  }
-  Number operator[](std::size_t index) const {
-    const auto* const bytes = reinterpret_cast<const std::byte*>(first_);
-    return *reinterpret_cast<const Number*>(bytes + static_cast<std::ptrdiff_t>(index) * stride_);
-  }
-
- private:
-  const Number* first_;
-  std::ptrdiff_t stride_;
-};
 
 // What is too small for exact comparison counts as 0 (see mover.hpp).
 double flushed(double value) {
@@ -81,6 +52,13 @@ Result<Fix> fix_of(double time_s, const Point& position, std::size_t record) {
   return Fix{flushed(time_s), {flushed(position.x), flushed(position.y), flushed(position.z)}};
 }
 
+// Of a recording in which heights are apart: the height of a fix.
+Status append_height(Track& track, double height, std::size_t record) {
+  if (auto error = check_value(height, "heights", record)) return *std::move(error);
+  track.heights_m.push_back(flushed(height));
+  return std::monostate{};
+}
+
 Status append(Track& track, const Fix& fix, std::size_t record) {
   if (!track.fixes.empty() && !(track.fixes.back().time_s < fix.time_s)) {
     const bool same = track.fixes.back().time_s == fix.time_s;
@@ -101,6 +79,8 @@ Agents ordered(Agents agents) {
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return agents.ids[a] < agents.ids[b]; });
   Agents sorted;
+  sorted.heights_apart = agents.heights_apart;
+  sorted.height_unit_m = agents.height_unit_m;
   for (const std::size_t i : order) {
     sorted.ids.push_back(agents.ids[i]);
     sorted.tracks.push_back(std::move(agents.tracks[i]));
@@ -110,33 +90,62 @@ Agents ordered(Agents agents) {
 
 }  // namespace
 
-Result<Agents> agents_of(const beespace_fixes* fixes, const beespace_points* positions,
-                         const std::stop_token& stop) {
+Result<FixColumns> columns_of(const beespace_fixes* fixes, std::size_t size) {
   const Result<beespace_fixes> given = read_struct(fixes, "fixes");
   if (!given) return given.error();
+  const FixColumns columns{{given->agents, given->agents_stride},
+                           {given->times_s, given->times_stride},
+                           {given->heights_m, given->heights_stride},
+                           {given->climbs_mps, given->climbs_stride},
+                           given->height_unit_m};
+  if (const char* const problem = columns.agents.problem(size)) return invalid(problem, "agents");
+  if (const char* const problem = columns.times_s.problem(size)) return invalid(problem, "times");
+  for (const auto& [column, name] :
+       {std::pair(columns.heights_m, "heights"), std::pair(columns.climbs_mps, "climbs")}) {
+    if (!column.is_given()) continue;
+    if (const char* const problem = column.problem(size)) return invalid(problem, name);
+  }
+  return columns;
+}
+
+Result<Agents> agents_of(const beespace_fixes* fixes, const beespace_points* positions,
+                         const std::stop_token& stop) {
   const Result<PointsView> places = view_of(positions, "positions");
   if (!places) return places.error();
-  const NumberColumn<std::int64_t> ids(given->agents, given->agents_stride);
-  const NumberColumn<double> times(given->times_s, given->times_stride);
   const std::size_t size = places->size();
-  if (size != 0) {
-    if (const char* const problem = ids.problem(size)) return invalid(problem, "agents");
-    if (const char* const problem = times.problem(size)) return invalid(problem, "times");
+  const Result<FixColumns> columns = columns_of(fixes, size);
+  if (!columns) return columns.error();
+  if (columns->climbs_mps.is_given()) {
+    return invalid("climb rates are for live swarms: the heights of a recording say how it climbs",
+                   "climbs");
   }
+  const bool heights_apart = columns->heights_m.is_given();
   Agents agents;
+  if (columns->height_unit_m != 0.0) {
+    if (!heights_apart) return invalid("there is a unit of heights, but no heights", "heights");
+    if (!(columns->height_unit_m >= kSmallestInMotion &&
+          columns->height_unit_m <= kLargestInMotion)) {
+      return invalid("the unit of heights is a length in metres, above zero: 0.3048 for feet",
+                     "heights");
+    }
+    agents.height_unit_m = columns->height_unit_m;
+  }
+  agents.heights_apart = heights_apart && size != 0;
   std::unordered_map<std::int64_t, std::size_t> known;
   for (std::size_t row = 0; row < size; ++row) {
     if (row % kFixesBetweenStops == 0 && stop.stop_requested()) {
       return Error{ErrorCode::kStopped, "a stop was requested", {}};
     }
-    const Result<Fix> fix = fix_of(times[row], (*places)[row], row);
+    const Result<Fix> fix = fix_of(columns->times_s[row], (*places)[row], row);
     if (!fix) return fix.error();
-    const auto [at, is_new] = known.try_emplace(ids[row], agents.ids.size());
+    const auto [at, is_new] = known.try_emplace(columns->agents[row], agents.ids.size());
     if (is_new) {
       agents.ids.push_back(at->first);
       agents.tracks.emplace_back();
     }
-    Status status = append(agents.tracks[at->second], *fix, row);
+    Track& track = agents.tracks[at->second];
+    Status status = append(track, *fix, row);
+    if (status && heights_apart) status = append_height(track, columns->heights_m[row], row);
     if (!status) return std::move(status).error();
   }
   return ordered(std::move(agents));

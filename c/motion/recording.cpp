@@ -103,8 +103,9 @@ beespace_code beespace_recording_conflicts(const beespace_recording* recording,
                                            const beespace_run* run, beespace_result* result,
                                            beespace_error* error) {
   const auto ask = [&](const Agents& agents, const RunOptions& run_options) -> Status {
-    const Result<ConflictOptions> options = conflict_options_of(search, max_gap_s, run_options);
+    Result<ConflictOptions> options = conflict_options_of(search, max_gap_s, run_options);
     if (!options) return options.error();
+    options->height_unit_m = agents.height_unit_m;
     const Result<RecordedConflicts> found = beespace::find_conflicts(agents.tracks, *options);
     if (!found) return found.error();
     write_gaps(found->gaps, *result);
@@ -117,6 +118,12 @@ beespace_code beespace_recording_closest(const beespace_recording* recording, do
                                          const beespace_run* run, beespace_result* result,
                                          beespace_error* error) {
   const auto ask = [&](const Agents& agents, const RunOptions& options) -> Status {
+    if (agents.heights_apart) {
+      return invalid(
+          "the recording has heights apart from its positions, and the closest is asked "
+          "of positions in space: make one without heights",
+          "recording");
+    }
     const Result<std::optional<Conflict>> closest =
         beespace::find_closest_encounter(agents.tracks, max_gap_s, options);
     if (!closest) return closest.error();
