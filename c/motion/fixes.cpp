@@ -122,7 +122,9 @@ Result<Agents> agents_of(const beespace_fixes* fixes, const beespace_points* pos
   const bool heights_apart = columns->heights_m.is_given();
   Agents agents;
   if (columns->height_unit_m != 0.0) {
-    if (!heights_apart) return invalid("there is a unit of heights, but no heights", "heights");
+    if (!heights_apart && size != 0) {
+      return invalid("there is a unit of heights, but no heights", "heights");
+    }
     if (!(columns->height_unit_m >= kSmallestInMotion &&
           columns->height_unit_m <= kLargestInMotion)) {
       return invalid("the unit of heights is a length in metres, above zero: 0.3048 for feet",
