@@ -50,12 +50,12 @@ def search_of(
     height = 0.0
     if vertical is not None:
         flags |= _library.VERTICAL
-        height = _length(vertical, "vertical")
+        height = threshold_of(vertical, "vertical")
     most = 0
     if max_results is not None:
         flags |= _library.MAX_RESULTS
         most = whole(max_results, "max_results")
-    return CSearch(_search_size, flags, 0, _length(threshold, "threshold"), height, most)
+    return CSearch(_search_size, flags, 0, threshold_of(threshold, "threshold"), height, most)
 
 
 def run_of(threads: Any, points: int) -> CRun | None:
@@ -67,8 +67,7 @@ def run_of(threads: Any, points: int) -> CRun | None:
     )
     if threads == 1 and not watched:
         return None
-    number = whole(threads, "threads")
-    run = CRun(_run_size, _library.ALL_PROCESSORS if number == 0 else min(number, 256))
+    run = CRun(_run_size, threads_of(threads))
     if watched:
         run.poll = _interrupted
     return run
@@ -103,7 +102,16 @@ def seconds(number: Any, place: str) -> float:
         raise invalid(f"this is a number of seconds, not {number!r}", place) from None
 
 
-def _length(number: Any, place: str) -> float:
+def length(number: Any, place: str) -> float:
+    """A number of metres that is no threshold, or of another unit."""
+    try:
+        return float(number)
+    except (TypeError, ValueError):
+        raise invalid(f"this is a number, not {number!r}", place) from None
+
+
+def threshold_of(number: Any, place: str) -> float:
+    """A threshold, in metres."""
     try:
         return float(number)
     except (TypeError, ValueError):
@@ -112,4 +120,20 @@ def _length(number: Any, place: str) -> float:
         ) from None
 
 
-__all__ = ["check", "library", "run_of", "search_of", "seconds", "whole"]
+def threads_of(threads: Any) -> int:
+    """A number of threads as the library counts them."""
+    number = whole(threads, "threads")
+    return _library.ALL_PROCESSORS if number == 0 else min(number, 256)
+
+
+__all__ = [
+    "check",
+    "length",
+    "library",
+    "run_of",
+    "search_of",
+    "seconds",
+    "threads_of",
+    "threshold_of",
+    "whole",
+]

@@ -10,15 +10,31 @@ from numpy.typing import NDArray
 from beespace._library import at_once
 
 
-class Result:
-    """A result of the library. It lives as long as an array that is made of it."""
+class Columns:
+    """What the library answers into. It lives as long as an array that is made of it."""
 
     __slots__ = ("handle",)
 
-    def __init__(self) -> None:
-        self.handle = at_once.beespace_result_create()
+    def __init__(self, create: Any) -> None:
+        self.handle = create()
         if not self.handle:
             raise MemoryError("beespace: no memory for a result")
+
+    def array(self, getter: Any, size: int, code: str) -> NDArray[Any]:
+        """The column of a getter, of so many numbers of a type as NumPy calls it."""
+        address = getter(self.handle)
+        if address is None:
+            return np.empty(0, code)
+        return np.asarray(_Column(self, address, size, code))
+
+
+class Result(Columns):
+    """A result of the library."""
+
+    __slots__ = ()
+
+    def __init__(self) -> None:
+        super().__init__(at_once.beespace_result_create)
 
     def ids(self) -> NDArray[np.int64]:
         return self._integers(at_once.beespace_result_ids, self._size())
@@ -52,10 +68,10 @@ class Result:
         return self._integers(at_once.beespace_result_gap_agents, self._gaps())
 
     def gap_begins(self) -> NDArray[np.float64]:
-        return self._array(at_once.beespace_result_gap_begins_s, self._gaps(), "<f8")
+        return self.array(at_once.beespace_result_gap_begins_s, self._gaps(), "<f8")
 
     def gap_ends(self) -> NDArray[np.float64]:
-        return self._array(at_once.beespace_result_gap_ends_s, self._gaps(), "<f8")
+        return self.array(at_once.beespace_result_gap_ends_s, self._gaps(), "<f8")
 
     def _gaps(self) -> int:
         return int(at_once.beespace_result_gaps(self.handle))
@@ -64,16 +80,10 @@ class Result:
         return int(at_once.beespace_result_size(self.handle))
 
     def _reals(self, getter: Any) -> NDArray[np.float64]:
-        return self._array(getter, self._size(), "<f8")
+        return self.array(getter, self._size(), "<f8")
 
     def _integers(self, getter: Any, size: int) -> NDArray[np.int64]:
-        return self._array(getter, size, "<i8")
-
-    def _array(self, getter: Any, size: int, code: str) -> NDArray[Any]:
-        address = getter(self.handle)
-        if address is None:
-            return np.empty(0, code)
-        return np.asarray(_Column(self, address, size, code))
+        return self.array(getter, size, "<i8")
 
 
 class _Column:
@@ -81,7 +91,7 @@ class _Column:
 
     __slots__ = ("__array_interface__", "result")
 
-    def __init__(self, result: Result, address: int, size: int, code: str) -> None:
+    def __init__(self, result: Columns, address: int, size: int, code: str) -> None:
         self.result = result
         self.__array_interface__ = {
             "shape": (size,),
