@@ -15,6 +15,7 @@ from beespace._answers import ClosestPair, Groups, Nearest, Neighbors, Pairs
 from beespace._conflicts import Approaches, Conflicts, Encounter, Gaps, RecordedConflicts
 from beespace._engine import Engine
 from beespace._errors import BeespaceError, BeespaceFileError, BeespaceOSError
+from beespace._events import Event, Events, KnownAgents, SwarmCounts
 from beespace._files import FilePoints, FileRecording, read, read_recording
 from beespace._geodesy import to_ecef
 from beespace._index import Index
@@ -23,6 +24,7 @@ from beespace._motion import closest_approach
 from beespace._recording import Recording
 from beespace._report import Report, report
 from beespace._searches import Searches
+from beespace._swarm import Swarm
 
 __version__ = _version()
 
@@ -47,17 +49,22 @@ __all__ = [
     "Conflicts",
     "Encounter",
     "Engine",
+    "Event",
+    "Events",
     "FilePoints",
     "FileRecording",
     "Gaps",
     "Groups",
     "Index",
+    "KnownAgents",
     "Nearest",
     "Neighbors",
     "Pairs",
     "RecordedConflicts",
     "Recording",
     "Report",
+    "Swarm",
+    "SwarmCounts",
     "at_risk",
     "closest_approach",
     "closest_pair",
