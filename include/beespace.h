@@ -35,5 +35,6 @@
 #include <beespace/c/recording.h>
 #include <beespace/c/search.h>
 #include <beespace/c/swarm.h>
+#include <beespace/c/verify.h>
 
 #endif

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 
 namespace beespace::c {
 
@@ -25,6 +26,15 @@ std::size_t size_of_struct(const Struct* given) {
   std::size_t size = 0;
   std::memcpy(&size, given, sizeof size);
   return size;
+}
+
+// What is wrong with a structure of the caller's that is to be filled, if anything is.
+template <class Struct>
+std::optional<Error> check_out(const Struct* given, const char* name) {
+  if (given == nullptr) return invalid("the pointer to this structure is NULL", name);
+  const std::size_t size = size_of_struct(given);
+  if (size >= sizeof(Struct) && size <= kLargestStruct) return std::nullopt;
+  return invalid("struct_size is not the size of this structure: set it to sizeof", name);
 }
 
 // A copy of the caller's structure. A later version may be longer: what this one does not know must

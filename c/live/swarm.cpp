@@ -229,10 +229,7 @@ beespace_code beespace_swarm_counts(const beespace_swarm* swarm, beespace_counts
                                     beespace_error* error) {
   return enter(error, [&]() -> Status {
     if (swarm == nullptr) return no_swarm();
-    if (counts == nullptr) return invalid("the pointer to the counts is NULL", "counts");
-    if (size_of_struct(counts) < sizeof *counts || size_of_struct(counts) > kLargestStruct) {
-      return invalid("struct_size is not the size of this structure: set it to sizeof", "counts");
-    }
+    if (auto wrong = check_out(counts, "counts")) return *std::move(wrong);
     const SwarmCounts now = swarm->swarm.counts();
     counts->taken = now.taken;
     counts->repeated = now.repeated;
