@@ -1,4 +1,4 @@
-// One number a row, of any stride, in the caller's memory.
+// The caller's numbers, one for each of something, with all checks that pointers allow.
 #pragma once
 
 #include "c/door/structs.hpp"
@@ -8,17 +8,18 @@
 
 namespace beespace::c {
 
+// Of any stride; 0 repeats one.
 template <class Number>
 class NumberColumn {
  public:
   NumberColumn(const Number* first, std::ptrdiff_t stride) : first_(first), stride_(stride) {}
+  // One after the other.
+  explicit NumberColumn(const Number* first)
+      : NumberColumn(first, static_cast<std::ptrdiff_t>(sizeof(Number))) {}
 
-  [[nodiscard]] bool is_given() const { return first_ != nullptr; }
-
-  // What is wrong with it, if anything is.
+  // What is wrong with it, if anything is, where there are `size` numbers, one or more.
   [[nodiscard]] const char* problem(std::size_t size) const {
-    if (size == 0) return nullptr;
-    if (first_ == nullptr) return "this is NULL, but there are positions";
+    if (first_ == nullptr) return "this is NULL, but there must be one for each of the others";
     constexpr auto kAlignment = static_cast<std::ptrdiff_t>(alignof(Number));
     if (!is_aligned(first_) || (size > 1 && stride_ % kAlignment != 0)) {
       return "these are not aligned as their type is: copy them first";

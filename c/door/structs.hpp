@@ -1,4 +1,5 @@
-// Structures whose first field is their size: read whatever the version of the caller's header.
+// Structures whose first field is their size: read and written whatever the version of the caller's
+// header.
 #pragma once
 
 #include "c/door/door.hpp"
@@ -9,7 +10,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <optional>
 
 namespace beespace::c {
 
@@ -26,15 +26,6 @@ std::size_t size_of_struct(const Struct* given) {
   std::size_t size = 0;
   std::memcpy(&size, given, sizeof size);
   return size;
-}
-
-// What is wrong with a structure of the caller's that is to be filled, if anything is.
-template <class Struct>
-std::optional<Error> check_out(const Struct* given, const char* name) {
-  if (given == nullptr) return invalid("the pointer to this structure is NULL", name);
-  const std::size_t size = size_of_struct(given);
-  if (size >= sizeof(Struct) && size <= kLargestStruct) return std::nullopt;
-  return invalid("struct_size is not the size of this structure: set it to sizeof", name);
 }
 
 // A copy of the caller's structure. A later version may be longer: what this one does not know must
@@ -55,6 +46,21 @@ Result<Struct> read_struct(const Struct* given, const char* name) {
   std::memcpy(&copy, given, sizeof copy);
   if (copy.reserved != 0) return invalid("the reserved field of this structure is not zero", name);
   return copy;
+}
+
+// Fills the caller's structure. Of a later version, what this one does not know becomes zero.
+template <class Struct>
+Status write_struct(Struct* given, Struct value, const char* name) {
+  if (given == nullptr) return invalid("the pointer to this structure is NULL", name);
+  const std::size_t size = size_of_struct(given);
+  if (size < sizeof(Struct) || size > kLargestStruct) {
+    return invalid("struct_size is not the size of this structure: set it to sizeof", name);
+  }
+  value.struct_size = size;
+  auto* const bytes = reinterpret_cast<unsigned char*>(given);
+  std::memcpy(bytes, &value, sizeof value);
+  std::fill(bytes + sizeof value, bytes + size, static_cast<unsigned char>(0));
+  return std::monostate{};
 }
 
 }  // namespace beespace::c

@@ -16,10 +16,10 @@ namespace {
 
 std::optional<Error> check_columns(const FixColumns& columns, std::size_t size,
                                    bool heights_apart) {
-  if (heights_apart && !columns.heights_m.is_given() && size != 0) {
+  if (heights_apart && !columns.heights_m && size != 0) {
     return invalid("this is NULL, but the swarm has heights apart from positions", "heights");
   }
-  if (!heights_apart && (columns.heights_m.is_given() || columns.climbs_mps.is_given())) {
+  if (!heights_apart && (columns.heights_m || columns.climbs_mps)) {
     return invalid(
         "the swarm has no heights apart from positions: make it with "
         "BEESPACE_SWARM_HEIGHTS_APART, or give these as z",
@@ -48,8 +48,8 @@ PositionReport Reports::operator[](std::size_t row) const {
     const bool unknown = std::isnan(v.x) && std::isnan(v.y) && (planar || std::isnan(v.z));
     if (!unknown) report.velocity = Velocity{v.x, v.y, v.z};
   }
-  if (columns.heights_m.is_given()) report.height_m = columns.heights_m[row];
-  if (columns.climbs_mps.is_given()) report.climb_mps = columns.climbs_mps[row];
+  if (columns.heights_m) report.height_m = (*columns.heights_m)[row];
+  if (columns.climbs_mps) report.climb_mps = (*columns.climbs_mps)[row];
   return report;
 }
 

@@ -147,6 +147,21 @@ Status keep(Result<std::vector<SwarmEvent>> made, std::vector<SwarmEvent>& event
   return std::monostate{};
 }
 
+beespace_counts counts_of(const SwarmCounts& now) {
+  beespace_counts counts{};
+  counts.taken = now.taken;
+  counts.repeated = now.repeated;
+  counts.late = now.late;
+  counts.contrary = now.contrary;
+  counts.refused = now.refused;
+  counts.agents = now.agents;
+  counts.stale = now.stale;
+  counts.heard_once = now.heard_once;
+  counts.predicted = now.predicted;
+  counts.unknown_s = now.unknown_s;
+  return counts;
+}
+
 std::optional<Error> check_moment(double time_s) {
   if (std::abs(time_s) <= beespace::kLargestInMotion) return std::nullopt;
   Error error{std::isfinite(time_s) ? ErrorCode::kOutsideDomain : ErrorCode::kNotFinite,
@@ -229,19 +244,7 @@ beespace_code beespace_swarm_counts(const beespace_swarm* swarm, beespace_counts
                                     beespace_error* error) {
   return enter(error, [&]() -> Status {
     if (swarm == nullptr) return no_swarm();
-    if (auto wrong = check_out(counts, "counts")) return *std::move(wrong);
-    const SwarmCounts now = swarm->swarm.counts();
-    counts->taken = now.taken;
-    counts->repeated = now.repeated;
-    counts->late = now.late;
-    counts->contrary = now.contrary;
-    counts->refused = now.refused;
-    counts->agents = now.agents;
-    counts->stale = now.stale;
-    counts->heard_once = now.heard_once;
-    counts->predicted = now.predicted;
-    counts->unknown_s = now.unknown_s;
-    return std::monostate{};
+    return write_struct(counts, counts_of(swarm->swarm.counts()), "counts");
   });
 }
 

@@ -1,9 +1,9 @@
 // When two movers are closest, of many twos.
 #include <beespace/closest_approach.hpp>
 
+#include "c/door/movers.hpp"
 #include "c/door/options.hpp"
 #include "c/door/question.hpp"
-#include "c/motion/movers.hpp"
 
 #include <cstddef>
 #include <limits>

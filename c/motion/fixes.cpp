@@ -93,17 +93,23 @@ Agents ordered(Agents agents) {
 Result<FixColumns> columns_of(const beespace_fixes* fixes, std::size_t size) {
   const Result<beespace_fixes> given = read_struct(fixes, "fixes");
   if (!given) return given.error();
-  const FixColumns columns{{given->agents, given->agents_stride},
-                           {given->times_s, given->times_stride},
-                           {given->heights_m, given->heights_stride},
-                           {given->climbs_mps, given->climbs_stride},
-                           given->height_unit_m};
+  FixColumns columns{{given->agents, given->agents_stride},
+                     {given->times_s, given->times_stride},
+                     {},
+                     {},
+                     given->height_unit_m};
+  if (given->heights_m != nullptr)
+    columns.heights_m.emplace(given->heights_m, given->heights_stride);
+  if (given->climbs_mps != nullptr) {
+    columns.climbs_mps.emplace(given->climbs_mps, given->climbs_stride);
+  }
+  if (size == 0) return columns;
   if (const char* const problem = columns.agents.problem(size)) return invalid(problem, "agents");
   if (const char* const problem = columns.times_s.problem(size)) return invalid(problem, "times");
   for (const auto& [column, name] :
        {std::pair(columns.heights_m, "heights"), std::pair(columns.climbs_mps, "climbs")}) {
-    if (!column.is_given()) continue;
-    if (const char* const problem = column.problem(size)) return invalid(problem, name);
+    const char* const problem = column ? column->problem(size) : nullptr;
+    if (problem != nullptr) return invalid(problem, name);
   }
   return columns;
 }
@@ -115,11 +121,11 @@ Result<Agents> agents_of(const beespace_fixes* fixes, const beespace_points* pos
   const std::size_t size = places->size();
   const Result<FixColumns> columns = columns_of(fixes, size);
   if (!columns) return columns.error();
-  if (columns->climbs_mps.is_given()) {
+  if (columns->climbs_mps) {
     return invalid("climb rates are for live swarms: the heights of a recording say how it climbs",
                    "climbs");
   }
-  const bool heights_apart = columns->heights_m.is_given();
+  const bool heights_apart = columns->heights_m.has_value();
   Agents agents;
   if (columns->height_unit_m != 0.0) {
     if (!heights_apart && size != 0) {
@@ -147,7 +153,7 @@ Result<Agents> agents_of(const beespace_fixes* fixes, const beespace_points* pos
     }
     Track& track = agents.tracks[at->second];
     Status status = append(track, *fix, row);
-    if (status && heights_apart) status = append_height(track, columns->heights_m[row], row);
+    if (status && heights_apart) status = append_height(track, (*columns->heights_m)[row], row);
     if (!status) return std::move(status).error();
   }
   return ordered(std::move(agents));

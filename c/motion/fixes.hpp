@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -19,8 +20,8 @@ namespace beespace::c {
 struct FixColumns {
   NumberColumn<std::int64_t> agents;
   NumberColumn<double> times_s;
-  NumberColumn<double> heights_m;
-  NumberColumn<double> climbs_mps;
+  std::optional<NumberColumn<double>> heights_m;
+  std::optional<NumberColumn<double>> climbs_mps;
   double height_unit_m;
 };
 Result<FixColumns> columns_of(const beespace_fixes* fixes, std::size_t size);

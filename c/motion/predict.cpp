@@ -1,9 +1,9 @@
 // Which movers are about to come closer than the threshold.
 #include <beespace/predict_conflicts.hpp>
 
+#include "c/door/movers.hpp"
 #include "c/door/options.hpp"
 #include "c/door/question.hpp"
-#include "c/motion/movers.hpp"
 
 #include <beespace/closest_approach.hpp>
 

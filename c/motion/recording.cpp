@@ -3,7 +3,7 @@
 
 #include "c/door/options.hpp"
 #include "c/door/question.hpp"
-#include "c/motion/fixes.hpp"
+#include "c/motion/recording.hpp"
 
 #include <beespace/conflict.hpp>
 #include <beespace/track.hpp>
@@ -22,11 +22,6 @@ using beespace::RecordedConflicts;
 using beespace::Result;
 using beespace::RunOptions;
 using beespace::Status;
-
-// NOLINTNEXTLINE(readability-identifier-naming): a name of C
-struct beespace_recording {
-  Agents agents;
-};
 
 namespace {
 

@@ -2,22 +2,29 @@
 #include <beespace/verify.hpp>
 
 #include "c/door/door.hpp"
+#include "c/door/movers.hpp"
 #include "c/door/points.hpp"
 #include "c/door/structs.hpp"
 #include "c/door/watched_call.hpp"
-#include "c/motion/movers.hpp"
+#include "c/motion/recording.hpp"
 #include "c/obstacles/obstacles.hpp"
-#include "c/verify/findings.hpp"
+#include "c/verify/violations.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 using namespace beespace::c;  // NOLINT(google-build-using-namespace): the functions are of C
 using beespace::Error;
+using beespace::ErrorCode;
+using beespace::Fix;
+using beespace::Mover;
 using beespace::MoversView;
 using beespace::ObstacleMap;
 using beespace::PointsView;
@@ -125,8 +132,7 @@ Status add_moment(beespace_verifier& to, double time_s, const MoversView& movers
   Status status = to.verifier.add(time_s, movers, run);
   if (!status) {
     Error error = std::move(status).error();
-    const bool of_time = error.code == beespace::ErrorCode::kTimeOrder ||
-                         error.code == beespace::ErrorCode::kNotFinite;
+    const bool of_time = error.code == ErrorCode::kTimeOrder || error.code == ErrorCode::kNotFinite;
     error.location.array = error.location.record ? "movers" : of_time ? "time" : "positions";
     return with_array(std::move(error), movers, kMovers);
   }
@@ -136,10 +142,56 @@ Status add_moment(beespace_verifier& to, double time_s, const MoversView& movers
   return status;
 }
 
-void write_verdict(const beespace_verifier& from, beespace_verdict& into) {
+void skip(beespace_verifier& verifier) {
+  if (verifier.moments == 0) return;
+  verifier.verifier.skip();
+  if (!std::exchange(verifier.skipped, true)) ++verifier.unseen;
+}
+
+// The first agent whose fixes are not at the times of those of the first one.
+std::optional<Error> check_common_times(const Agents& agents) {
+  const auto same = [](const Fix& a, const Fix& b) { return a.time_s == b.time_s; };
+  for (std::size_t i = 1; i < agents.tracks.size(); ++i) {
+    const std::vector<Fix>& first = agents.tracks.front().fixes;
+    const std::vector<Fix>& fixes = agents.tracks[i].fixes;
+    if (std::equal(first.begin(), first.end(), fixes.begin(), fixes.end(), same)) continue;
+    Error error{ErrorCode::kInvalidArgument,
+                "the fixes of agent " + std::to_string(agents.ids[i]) +
+                    " are not all at the times of those of agent " +
+                    std::to_string(agents.ids.front()) +
+                    "; check conflicts instead, which needs no common times",
+                {}};
+    error.location.array = "recording";
+    error.location.record = i;
+    return error;
+  }
+  return std::nullopt;
+}
+
+Status add_all(beespace_verifier& to, const Agents& agents, double max_gap_s,
+               const RunOptions& run) {
+  if (agents.tracks.empty()) return std::monostate{};
+  std::vector<Mover> movers(agents.tracks.size());
+  const std::vector<Fix>& moments = agents.tracks.front().fixes;
+  for (std::size_t fix = 0; fix < moments.size(); ++fix) {
+    if (run.stop.stop_requested()) {
+      return Error{ErrorCode::kStopped, "a stop was requested", {}};
+    }
+    const double time_s = moments[fix].time_s;
+    if (fix > 0 && !(time_s - moments[fix - 1].time_s <= max_gap_s)) skip(to);
+    for (std::size_t i = 0; i < movers.size(); ++i) {
+      movers[i].position = agents.tracks[i].fixes[fix].position;
+    }
+    Status status = add_moment(to, time_s, movers, run);
+    if (!status) return status;
+  }
+  return std::monostate{};
+}
+
+beespace_verdict verdict_of(const beespace_verifier& from) {
   const Verdict& verdict = from.verifier.verdict();
+  beespace_verdict into{};
   into.holds = verdict.steps > 0 && verdict.holds() && from.unseen == 0 ? 1 : 0;
-  into.reserved = 0;
   into.moments = from.moments;
   into.steps = verdict.steps;
   into.unseen = from.unseen;
@@ -152,6 +204,7 @@ void write_verdict(const beespace_verifier& from, beespace_verdict& into) {
   into.closest_step_s = verdict.closest_m ? verdict.closest_step_s : kNothing;
   into.peak_speed_mps = verdict.peak_speed_mps;
   into.peak_acceleration_mps2 = from.straight ? kNothing : verdict.peak_acceleration_mps2;
+  return into;
 }
 
 }  // namespace
@@ -190,28 +243,47 @@ beespace_code beespace_verifier_add(beespace_verifier* verifier, double time_s,
 }
 
 void beespace_verifier_skip(beespace_verifier* verifier) {
-  if (verifier == nullptr || verifier->moments == 0) return;
-  verifier->verifier.skip();
-  if (!std::exchange(verifier->skipped, true)) ++verifier->unseen;
+  if (verifier != nullptr) skip(*verifier);
+}
+
+beespace_code beespace_verifier_add_recording(beespace_verifier* verifier,
+                                              const beespace_recording* recording, double max_gap_s,
+                                              const beespace_run* run, beespace_error* error) {
+  return enter(error, [&]() -> Status {
+    if (verifier == nullptr) return no_verifier();
+    if (recording == nullptr) return invalid("the pointer to the recording is NULL", "recording");
+    if (!(max_gap_s > 0.0)) return invalid("the longest gap is a time above zero", "max_gap");
+    if (!verifier->straight) {
+      return invalid("a recording has no velocities, which takes BEESPACE_VERIFY_STRAIGHT",
+                     "recording");
+    }
+    if (recording->agents.heights_apart) {
+      return invalid("the recording has heights apart from its positions: make one without them",
+                     "recording");
+    }
+    if (auto wrong = check_common_times(recording->agents)) return *std::move(wrong);
+    return call_watched(run, [&](const RunOptions& options) -> Status {
+      return add_all(*verifier, recording->agents, max_gap_s, options);
+    });
+  });
 }
 
 beespace_code beespace_verifier_verdict(const beespace_verifier* verifier,
                                         beespace_verdict* verdict, beespace_error* error) {
   return enter(error, [&]() -> Status {
     if (verifier == nullptr) return no_verifier();
-    if (auto wrong = check_out(verdict, "verdict")) return *std::move(wrong);
-    write_verdict(*verifier, *verdict);
-    return std::monostate{};
+    return write_struct(verdict, verdict_of(*verifier), "verdict");
   });
 }
 
-beespace_code beespace_verifier_findings(const beespace_verifier* verifier,
-                                         beespace_findings* findings, beespace_error* error) {
-  if (findings != nullptr) findings->resize(0);
+beespace_code beespace_verifier_violations(const beespace_verifier* verifier,
+                                           beespace_violations* violations, beespace_error* error) {
+  if (violations != nullptr) violations->resize(0);
   return enter(error, [&]() -> Status {
     if (verifier == nullptr) return no_verifier();
-    if (findings == nullptr) return invalid("the pointer to the findings is NULL", "findings");
-    write_findings(verifier->verifier.verdict(), verifier->breach_ends_s, *findings);
+    if (violations == nullptr)
+      return invalid("the pointer to the violations is NULL", "violations");
+    write_violations(verifier->verifier.verdict(), verifier->breach_ends_s, *violations);
     return std::monostate{};
   });
 }

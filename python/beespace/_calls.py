@@ -50,12 +50,12 @@ def search_of(
     height = 0.0
     if vertical is not None:
         flags |= _library.VERTICAL
-        height = threshold_of(vertical, "vertical")
+        height = length(vertical, "vertical")
     most = 0
     if max_results is not None:
         flags |= _library.MAX_RESULTS
         most = whole(max_results, "max_results")
-    return CSearch(_search_size, flags, 0, threshold_of(threshold, "threshold"), height, most)
+    return CSearch(_search_size, flags, 0, length(threshold, "threshold"), height, most)
 
 
 def run_of(threads: Any, points: int) -> CRun | None:
@@ -103,21 +103,21 @@ def seconds(number: Any, place: str) -> float:
 
 
 def length(number: Any, place: str) -> float:
-    """A number of metres that is no threshold, or of another unit."""
-    try:
-        return float(number)
-    except (TypeError, ValueError):
-        raise invalid(f"this is a number, not {number!r}", place) from None
-
-
-def threshold_of(number: Any, place: str) -> float:
-    """A threshold, in metres."""
+    """A threshold."""
     try:
         return float(number)
     except (TypeError, ValueError):
         raise BeespaceError(
             "a threshold is one number for all points, in metres", "invalid_threshold", place
         ) from None
+
+
+def number_of(number: Any, place: str) -> float:
+    """Any other number."""
+    try:
+        return float(number)
+    except (TypeError, ValueError):
+        raise invalid(f"this is a number, not {number!r}", place) from None
 
 
 def threads_of(threads: Any) -> int:
@@ -130,10 +130,10 @@ __all__ = [
     "check",
     "length",
     "library",
+    "number_of",
     "run_of",
     "search_of",
     "seconds",
     "threads_of",
-    "threshold_of",
     "whole",
 ]

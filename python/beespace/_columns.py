@@ -22,10 +22,7 @@ class Columns:
 
     def array(self, getter: Any, size: int, code: str) -> NDArray[Any]:
         """The column of a getter, of so many numbers of a type as NumPy calls it."""
-        address = getter(self.handle)
-        if address is None:
-            return np.empty(0, code)
-        return np.asarray(_Column(self, address, size, code))
+        return column(self, getter(self.handle), size, code)
 
 
 class Result(Columns):
@@ -86,13 +83,20 @@ class Result(Columns):
         return self.array(getter, size, "<i8")
 
 
+def column(owner: object, address: int | None, size: int, code: str) -> NDArray[Any]:
+    """An array of what stands there; `owner` lives as long as it."""
+    if address is None:
+        return np.empty(0, code)
+    return np.asarray(_Column(owner, address, size, code))
+
+
 class _Column:
-    """What NumPy makes an array of: it keeps this, and this keeps the result."""
+    """What NumPy makes an array of: it keeps this, and this keeps the owner of the memory."""
 
-    __slots__ = ("__array_interface__", "result")
+    __slots__ = ("__array_interface__", "owner")
 
-    def __init__(self, result: Columns, address: int, size: int, code: str) -> None:
-        self.result = result
+    def __init__(self, owner: object, address: int, size: int, code: str) -> None:
+        self.owner = owner
         self.__array_interface__ = {
             "shape": (size,),
             "typestr": code,

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from beespace import _live_library  # noqa: F401  (it says what the functions below return)
 from beespace._columns import Columns
 from beespace._library import at_once
 from beespace._tables import Table, plural

@@ -26,11 +26,6 @@ MAX_RESULTS = 4
 DISTANCES = 8
 WITH_SELF = 16
 
-SWARM_VERTICAL = 1
-SWARM_HEIGHTS_APART = 2
-SWARM_HORIZON = 4
-SWARM_MAX_SPEED = 8
-
 ALL_PROCESSORS = 0xFFFFFFFF
 
 
@@ -84,40 +79,6 @@ class CFixes(ctypes.Structure):
         ("heights_stride", c_ssize_t),
         ("climbs_stride", c_ssize_t),
         ("height_unit_m", c_double),
-    ]
-
-
-class CSwarmOptions(ctypes.Structure):
-    _fields_ = [
-        ("struct_size", c_size_t),
-        ("flags", c_uint32),
-        ("threads", c_uint32),
-        ("threshold_m", c_double),
-        ("vertical_m", c_double),
-        ("leave_factor", c_double),
-        ("horizon_s", c_double),
-        ("max_age_s", c_double),
-        ("height_unit_m", c_double),
-        ("max_speed_mps", c_double),
-        ("max_agents", c_uint64),
-        ("max_pairs", c_uint64),
-        ("reserved", c_uint64),
-    ]
-
-
-class CCounts(ctypes.Structure):
-    _fields_ = [
-        ("struct_size", c_size_t),
-        ("taken", c_uint64),
-        ("repeated", c_uint64),
-        ("late", c_uint64),
-        ("contrary", c_uint64),
-        ("refused", c_uint64),
-        ("agents", c_uint64),
-        ("stale", c_uint64),
-        ("heard_once", c_uint64),
-        ("predicted", c_uint64),
-        ("unknown_s", c_double),
     ]
 
 
@@ -183,9 +144,6 @@ CEngine = _handle("engine")
 CIndex = _handle("index")
 CRecording = _handle("recording")
 CStop = _handle("stop")
-CSwarm = _handle("swarm")
-CEvents = _handle("events")
-CMovers = _handle("movers")
 
 _points, _search, _run = POINTER(CPoints), POINTER(CSearch), POINTER(CRun)
 _tail = [_run, c_void_p, POINTER(CError)]
@@ -237,27 +195,6 @@ _signatures: dict[str, tuple[object, list[object]]] = {
     "result_gap_agents": (c_void_p, [c_void_p]),
     "result_gap_begins_s": (c_void_p, [c_void_p]),
     "result_gap_ends_s": (c_void_p, [c_void_p]),
-    "swarm_create": (
-        c_int32,
-        [POINTER(CSwarmOptions), POINTER(CSwarm), POINTER(CError)],
-    ),
-    "swarm_update": (
-        c_int32,
-        [c_void_p, POINTER(CFixes), _points, _points, POINTER(c_int64), POINTER(CError)],
-    ),
-    "swarm_remove": (c_int32, [c_void_p, c_void_p, c_int64, POINTER(CError)]),
-    "swarm_lose": (c_int32, [c_void_p, c_void_p, c_int64, POINTER(CError)]),
-    "swarm_advance": (c_int32, [c_void_p, c_double, c_void_p, POINTER(CError)]),
-    "swarm_finish": (c_int32, [c_void_p, c_double, c_void_p, POINTER(CError)]),
-    "swarm_begin_anew": (c_int32, [c_void_p, c_double, c_double, c_void_p, POINTER(CError)]),
-    "swarm_counts": (c_int32, [c_void_p, POINTER(CCounts), POINTER(CError)]),
-    "swarm_movers": (c_int32, [c_void_p, c_double, c_void_p, POINTER(CError)]),
-    "event_name": (c_char_p, [c_int32]),
-    "bound_name": (c_char_p, [c_int32]),
-    "events_create": (CEvents, []),
-    "events_size": (c_int64, [c_void_p]),
-    "movers_create": (CMovers, []),
-    "movers_size": (c_int64, [c_void_p]),
     "to_ecef": (c_int32, [_points, c_void_p, POINTER(CError)]),
     "index_create": (c_int32, [_points, _run, POINTER(CIndex), POINTER(CError)]),
     "index_size": (c_int64, [c_void_p]),
@@ -272,18 +209,18 @@ _signatures: dict[str, tuple[object, list[object]]] = {
     "index_move": (c_int32, [c_void_p, c_int64, POINTER(c_double), POINTER(CError)]),
     "index_remove": (c_int32, [c_void_p, c_int64, POINTER(CError)]),
 }
-_columns = {
-    "events": "kinds times_s first second distances_m closest_s since_s left_out bounds",
-    "movers": "ids positions velocities heard_s heard_at stale move unknown_s",
-}
-for _of, _names in _columns.items():
-    for _name in _names.split():
-        _signatures[f"{_of}_{_name}"] = (c_void_p, [c_void_p])
-for _name, (_restype, _argtypes) in _signatures.items():
-    for _from in (library, at_once):
-        _function = getattr(_from, f"beespace_{_name}")
-        _function.restype = _restype
-        _function.argtypes = _argtypes
+
+
+def declare(signatures: dict[str, tuple[object, list[object]]]) -> None:
+    """Says what functions of the library take and return."""
+    for name, (restype, argtypes) in signatures.items():
+        for each in (library, at_once):
+            function = getattr(each, f"beespace_{name}")
+            function.restype = restype
+            function.argtypes = argtypes
+
+
+declare(_signatures)
 
 
 def version() -> str:
@@ -300,7 +237,12 @@ def raise_error(error: CError) -> None:
     """Raises what the library said is wrong."""
     if error.code == OUT_OF_MEMORY:
         raise MemoryError(error.message.decode())
+    raise error_of(error)
+
+
+def error_of(error: CError) -> BeespaceError:
+    """What the library said is wrong, as an exception."""
     code = library.beespace_code_name(error.code).decode()
     place = error.place.decode() or None
     record = None if error.record < 0 else int(error.record)
-    raise BeespaceError(error.message.decode(), code, place, record)
+    return BeespaceError(error.message.decode(), code, place, record)

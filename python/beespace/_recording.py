@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from beespace import _library
-from beespace._calls import check, length, run_of, search_of, seconds
+from beespace._calls import check, number_of, run_of, search_of, seconds
 from beespace._columns import Result
 from beespace._conflicts import Encounter, Gaps, RecordedConflicts
 from beespace._errors import BeespaceError
@@ -80,7 +80,7 @@ class Recording:
         fixes = Fixes(agents, clock)
         if heights is not None:
             fixes.set_heights(numbers_of(heights, given.count, "heights"))
-            fixes.struct.height_unit_m = length(height_unit, "height_unit")
+            fixes.struct.height_unit_m = number_of(height_unit, "height_unit")
         error = _library.new_error()
         run = run_of(1, given.count)
         code = library.beespace_recording_create(

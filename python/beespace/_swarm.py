@@ -10,12 +10,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from beespace import _library
-from beespace._calls import length, seconds, threads_of, threshold_of, whole
+from beespace import _live_library as _c
+from beespace._calls import length, number_of, seconds, threads_of, whole
 from beespace._columns import Columns
 from beespace._errors import BeespaceError
 from beespace._events import Events, KnownAgents, SwarmCounts
 from beespace._fixes import Fixes, integers_of, numbers_of, seconds_of
-from beespace._library import CCounts, CSwarmOptions, at_once, library
+from beespace._library import at_once, library
 from beespace._points import Points, PointsLike
 
 
@@ -91,24 +92,24 @@ class Swarm:
         max_pairs: int = 500_000,
         threads: int = 1,
     ) -> None:
-        options = CSwarmOptions(ctypes.sizeof(CSwarmOptions), _library.SWARM_HORIZON)
+        options = _c.CSwarmOptions(ctypes.sizeof(_c.CSwarmOptions), _c.SWARM_HORIZON)
         options.threads = threads_of(threads)
-        options.threshold_m = threshold_of(threshold, "threshold")
+        options.threshold_m = length(threshold, "threshold")
         options.horizon_s = seconds(horizon, "horizon")
         for name, value in (("leave_factor", leave_factor), ("height_unit", height_unit)):
-            setattr(options, _fields[name], _above_zero(length(value, name), name))
+            setattr(options, _fields[name], _above_zero(number_of(value, name), name))
         options.max_age_s = _above_zero(seconds(max_age, "max_age"), "max_age")
         for name, number in (("max_agents", max_agents), ("max_pairs", max_pairs)):
             setattr(options, name, _above_zero(whole(number, name), name))
         if vertical is not None:
-            options.flags |= _library.SWARM_VERTICAL
-            options.vertical_m = threshold_of(vertical, "vertical")
+            options.flags |= _c.SWARM_VERTICAL
+            options.vertical_m = length(vertical, "vertical")
         if heights_apart:
-            options.flags |= _library.SWARM_HEIGHTS_APART
+            options.flags |= _c.SWARM_HEIGHTS_APART
         if max_speed is not None:
-            options.flags |= _library.SWARM_MAX_SPEED
-            options.max_speed_mps = length(max_speed, "max_speed")
-        self._handle = _library.CSwarm()
+            options.flags |= _c.SWARM_MAX_SPEED
+            options.max_speed_mps = number_of(max_speed, "max_speed")
+        self._handle = _c.CSwarm()
         self._lock = threading.Lock()
         self._heights_apart = heights_apart
         error = _library.new_error()
@@ -351,14 +352,14 @@ class Swarm:
     @property
     def counts(self) -> SwarmCounts:
         """What became of the reports, and how many agents are known and stale."""
-        counts = CCounts(ctypes.sizeof(CCounts))
+        counts = _c.CCounts(ctypes.sizeof(_c.CCounts))
         error = _library.new_error()
         with self._lock:
             code = at_once.beespace_swarm_counts(
                 self._handle, ctypes.byref(counts), ctypes.byref(error)
             )
         _check(code, error)
-        return SwarmCounts(*(getattr(counts, field[0]) for field in CCounts._fields_[1:]))
+        return SwarmCounts(*(getattr(counts, field[0]) for field in _c.CCounts._fields_[1:]))
 
     def __repr__(self) -> str:
         counts = self.counts

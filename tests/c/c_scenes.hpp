@@ -22,7 +22,7 @@ struct Free {
   void operator()(beespace_events* events) const { beespace_events_free(events); }
   void operator()(beespace_movers* movers) const { beespace_movers_free(movers); }
   void operator()(beespace_verifier* verifier) const { beespace_verifier_free(verifier); }
-  void operator()(beespace_findings* findings) const { beespace_findings_free(findings); }
+  void operator()(beespace_violations* violations) const { beespace_violations_free(violations); }
 };
 template <class Handle>
 using Owned = std::unique_ptr<Handle, Free>;

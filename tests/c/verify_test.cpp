@@ -85,17 +85,27 @@ class CVerifier : public testing::Test {
     EXPECT_EQ(beespace_verifier_verdict(verifier_.get(), &verdict, nullptr), BEESPACE_OK);
     return verdict;
   }
-  std::vector<Row> findings() {
-    EXPECT_EQ(beespace_verifier_findings(verifier_.get(), findings_.get(), nullptr), BEESPACE_OK);
-    const beespace_findings* const from = findings_.get();
+  std::vector<Row> violations() {
+    EXPECT_EQ(beespace_verifier_violations(verifier_.get(), violations_.get(), nullptr),
+              BEESPACE_OK);
+    const beespace_violations* const from = violations_.get();
     std::vector<Row> rows;
-    for (std::int64_t i = 0; i < beespace_findings_size(from); ++i) {
-      rows.emplace_back(beespace_finding_name(beespace_findings_kinds(from)[i]),
-                        beespace_findings_first(from)[i], beespace_findings_second(from)[i],
-                        beespace_findings_begins_s(from)[i], beespace_findings_ends_s(from)[i],
-                        beespace_findings_values(from)[i]);
+    for (std::int64_t i = 0; i < beespace_violations_size(from); ++i) {
+      rows.emplace_back(beespace_violation_name(beespace_violations_kinds(from)[i]),
+                        beespace_violations_first(from)[i], beespace_violations_second(from)[i],
+                        beespace_violations_begins_s(from)[i], beespace_violations_ends_s(from)[i],
+                        beespace_violations_values(from)[i]);
     }
     return rows;
+  }
+  std::vector<std::string> violations_told() {
+    std::vector<std::string> told;
+    for (const auto& [kind, first, second, begins_s, ends_s, value] : violations()) {
+      told.push_back(kind + " " + std::to_string(first) + " " + std::to_string(second) + " from " +
+                     std::to_string(static_cast<int>(begins_s)) + " to " +
+                     std::to_string(static_cast<int>(ends_s)));
+    }
+    return told;
   }
   void expect_no_verifier(beespace_code code, const std::string& words) {
     auto* made = reinterpret_cast<beespace_verifier*>(this);
@@ -111,7 +121,7 @@ class CVerifier : public testing::Test {
   beespace_verify_options options_{};
   Owned<beespace_obstacles> obstacles_;
   Owned<beespace_verifier> verifier_;
-  Owned<beespace_findings> findings_{beespace_findings_create()};
+  Owned<beespace_violations> violations_{beespace_violations_create()};
   beespace_error error_ = c_error();
 };
 
@@ -189,7 +199,7 @@ TEST_F(CVerifier, FindsWhatTheOneOfCppFinds) {
     }
     const Verdict& expected = verifier.verdict();
     const beespace_verdict told = verdict();
-    EXPECT_EQ(findings(), rows_of(expected));
+    EXPECT_EQ(violations(), rows_of(expected));
     EXPECT_EQ(told.moments, 8U);
     EXPECT_EQ(told.steps, 6U);
     EXPECT_EQ(told.unseen, 1U);
@@ -208,7 +218,7 @@ TEST_F(CVerifier, FindsWhatTheOneOfCppFinds) {
     } else {
       EXPECT_EQ(told.peak_acceleration_mps2, expected.peak_acceleration_mps2);
     }
-    for (const Row& row : findings()) seen.insert(std::get<0>(row));
+    for (const Row& row : violations()) seen.insert(std::get<0>(row));
   }
   if (kSanitized) return;
   EXPECT_EQ(seen, (std::set<std::string>{"loss", "clearance", "speed", "acceleration"}));
@@ -234,9 +244,9 @@ TEST_F(CVerifier, HoldsOnlyWhatWasSeen) {
   EXPECT_EQ(verdict().holds, 0);
   EXPECT_EQ(verdict().unseen, 1U);
   EXPECT_EQ(verdict().steps, 2U);
-  EXPECT_EQ(beespace_verifier_findings(verifier_.get(), findings_.get(), nullptr), BEESPACE_OK);
-  EXPECT_EQ(beespace_findings_size(findings_.get()), 0);
-  EXPECT_EQ(beespace_findings_kinds(findings_.get()), nullptr);
+  EXPECT_EQ(beespace_verifier_violations(verifier_.get(), violations_.get(), nullptr), BEESPACE_OK);
+  EXPECT_EQ(beespace_violations_size(violations_.get()), 0);
+  EXPECT_EQ(beespace_violations_kinds(violations_.get()), nullptr);
 }
 
 TEST_F(CVerifier, OptionsThatMakeNoSenseAreRefused) {
@@ -307,15 +317,71 @@ TEST_F(CVerifier, WhatCannotBeIsRefusedAndLeavesItAsItWas) {
   EXPECT_EQ(small.moments, 0U);
   EXPECT_EQ(beespace_verifier_verdict(verifier_.get(), nullptr, nullptr),
             BEESPACE_INVALID_ARGUMENT);
-  EXPECT_EQ(beespace_verifier_findings(verifier_.get(), nullptr, nullptr),
+  EXPECT_EQ(beespace_verifier_violations(verifier_.get(), nullptr, nullptr),
             BEESPACE_INVALID_ARGUMENT);
-  EXPECT_EQ(beespace_verifier_findings(nullptr, findings_.get(), nullptr),
+  EXPECT_EQ(beespace_verifier_violations(nullptr, violations_.get(), nullptr),
             BEESPACE_INVALID_ARGUMENT);
-  EXPECT_STREQ(beespace_finding_name(4), "unknown");
-  EXPECT_EQ(beespace_findings_size(nullptr), 0);
+  EXPECT_STREQ(beespace_violation_name(4), "unknown");
+  EXPECT_EQ(beespace_violations_size(nullptr), 0);
   beespace_verifier_skip(nullptr);
   beespace_verifier_free(nullptr);
-  beespace_findings_free(nullptr);
+  beespace_violations_free(nullptr);
+}
+
+TEST_F(CVerifier, TakesARecordingOfCommonTimes) {
+  // Rows by time; two that pass each other between 1 s and 2 s, and a gap from 2 s to 9 s.
+  struct Fix {
+    std::int64_t agent;
+    double time_s;
+    Point position;
+  };
+  std::vector<Fix> rows = {{7, 0, {0, 0, 0}},  {-3, 0, {9, 0, 0}}, {7, 1, {3, 0, 0}},
+                           {-3, 1, {6, 0, 0}}, {7, 2, {6, 0, 0}},  {-3, 2, {3, 0, 0}},
+                           {7, 9, {50, 0, 0}}, {-3, 9, {0, 0, 0}}};
+  const auto take = [&](double max_gap_s) {
+    constexpr auto kStride = static_cast<std::ptrdiff_t>(sizeof(Fix));
+    beespace_fixes fixes{};
+    fixes.struct_size = sizeof fixes;
+    fixes.agents = &rows[0].agent;
+    fixes.times_s = &rows[0].time_s;
+    fixes.agents_stride = fixes.times_stride = kStride;
+    beespace_points places = beespace_points_separate(
+        &rows[0].position.x, &rows[0].position.y, nullptr, static_cast<std::int64_t>(rows.size()));
+    places.x_stride = places.y_stride = kStride;
+    beespace_recording* made = nullptr;
+    EXPECT_EQ(beespace_recording_create(&fixes, &places, nullptr, &made, nullptr), BEESPACE_OK);
+    error_ = c_error();
+    const beespace_code code =
+        beespace_verifier_add_recording(verifier_.get(), made, max_gap_s, nullptr, &error_);
+    beespace_recording_free(made);
+    return code;
+  };
+  options_.flags = BEESPACE_VERIFY_STRAIGHT;
+  begin();
+  ASSERT_EQ(take(INFINITY), BEESPACE_OK) << error_.message;
+  EXPECT_EQ(verdict().steps, 3U);
+  EXPECT_EQ(verdict().unseen, 0U);
+  EXPECT_EQ(violations_told(), (std::vector<std::string>{"loss 0 1 from 1 to 2"}));
+  begin();
+  ASSERT_EQ(take(1.0), BEESPACE_OK) << error_.message;
+  EXPECT_EQ(verdict().steps, 2U);
+  EXPECT_EQ(verdict().unseen, 1U);
+  EXPECT_EQ(verdict().moments, 4U);
+  begin();
+  EXPECT_EQ(take(0.0), BEESPACE_INVALID_ARGUMENT);
+  EXPECT_STREQ(error_.place, "max_gap");
+  rows[2].time_s = 1.5;
+  EXPECT_EQ(take(INFINITY), BEESPACE_INVALID_ARGUMENT);
+  EXPECT_STREQ(error_.place, "recording");
+  EXPECT_EQ(error_.record, 1);  // -3 is the first
+  EXPECT_NE(std::string(error_.message).find("agent 7"), std::string::npos) << error_.message;
+  EXPECT_EQ(verdict().moments, 0U);
+  rows[2].time_s = 1.0;
+  EXPECT_EQ(beespace_verifier_add_recording(verifier_.get(), nullptr, 1.0, nullptr, nullptr),
+            BEESPACE_INVALID_ARGUMENT);
+  options_.flags = 0;
+  begin();
+  EXPECT_EQ(take(INFINITY), BEESPACE_INVALID_ARGUMENT);  // of curves
 }
 
 TEST_F(CVerifier, AStopEndsOneCallAndTheSameCanBeMadeAgain) {

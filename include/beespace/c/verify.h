@@ -8,6 +8,7 @@
 
 #include <beespace/c/basics.h>
 #include <beespace/c/obstacles.h>
+#include <beespace/c/recording.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -75,6 +76,23 @@ BEESPACE_C_API beespace_code beespace_verifier_add(beespace_verifier* verifier, 
                                                    const beespace_points* positions,
                                                    const beespace_points* velocities,
                                                    const beespace_run* run, beespace_error* error);
+/// @brief Takes a recording whose agents all have fixes at the same times, one time after the
+/// other: as beespace_verifier_add() of each, with the agents in ascending order of their ids.
+/// @param verifier The verifier, of straight lines (BEESPACE_VERIFY_STRAIGHT).
+/// @param recording The recording, without heights apart.
+/// @param max_gap_s The longest step in seconds that was seen; above zero, INFINITY for all. What
+/// is
+///   longer is skipped.
+/// @param run As of beespace_verifier_add().
+/// @param[out] error What went wrong; or NULL. beespace_error::record is that of an agent.
+/// @return BEESPACE_OK or the code of the error: as beespace_verifier_add(); and
+///   BEESPACE_INVALID_ARGUMENT, of the agent that lacks a fix which the first one has, or has one
+///   more. After an error, beespace_verdict::moments says how many times were taken.
+BEESPACE_C_API beespace_code beespace_verifier_add_recording(beespace_verifier* verifier,
+                                                             const beespace_recording* recording,
+                                                             double max_gap_s,
+                                                             const beespace_run* run,
+                                                             beespace_error* error);
 /// @brief Says that it was not seen what agents did from the last time on until the next one: no
 /// step is checked in between, and the verdict does not hold. There may be other agents then.
 /// @param verifier The verifier; NULL does nothing.
@@ -112,69 +130,69 @@ BEESPACE_C_API beespace_code beespace_verifier_verdict(const beespace_verifier* 
                                                        beespace_verdict* verdict,
                                                        beespace_error* error);
 
-/// @brief The kinds of findings.
+/// @brief The kinds of violations.
 enum {
-  BEESPACE_FINDING_LOSS = 0,         ///< Two agents closer than the threshold.
-  BEESPACE_FINDING_CLEARANCE = 1,    ///< An agent closer to an obstacle than the clearance.
-  BEESPACE_FINDING_SPEED = 2,        ///< An agent faster than `max_speed_mps`.
-  BEESPACE_FINDING_ACCELERATION = 3  ///< An agent that accelerates more than it may.
+  BEESPACE_VIOLATION_LOSS = 0,         ///< Two agents closer than the threshold.
+  BEESPACE_VIOLATION_CLEARANCE = 1,    ///< An agent closer to an obstacle than the clearance.
+  BEESPACE_VIOLATION_SPEED = 2,        ///< An agent faster than `max_speed_mps`.
+  BEESPACE_VIOLATION_ACCELERATION = 3  ///< An agent that accelerates more than it may.
 };
 
-/// @brief Names a kind of finding as the command does: "loss", "clearance", "speed",
+/// @brief Names a kind of violation as the command does: "loss", "clearance", "speed",
 /// "acceleration".
-/// @param kind BEESPACE_FINDING_LOSS ...
+/// @param kind BEESPACE_VIOLATION_LOSS ...
 /// @return Its name; "unknown" for a number that is no kind. Valid for ever.
-BEESPACE_C_API const char* beespace_finding_name(int32_t kind);
+BEESPACE_C_API const char* beespace_violation_name(int32_t kind);
 
-/// @brief Findings, each in one step, in columns; as beespace_events.
-typedef struct beespace_findings beespace_findings;
+/// @brief Violations, each in one step, in columns; as beespace_events.
+typedef struct beespace_violations beespace_violations;
 
-/// @brief Makes a handle without findings.
+/// @brief Makes a handle without violations.
 /// @return The handle; NULL when there is no memory.
-BEESPACE_C_API beespace_findings* beespace_findings_create(void);
-/// @brief Frees findings and their arrays.
-/// @param findings The findings; NULL does nothing.
-BEESPACE_C_API void beespace_findings_free(beespace_findings* findings);
-/// @brief Says how many findings there are.
-/// @param findings The findings.
+BEESPACE_C_API beespace_violations* beespace_violations_create(void);
+/// @brief Frees violations and their arrays.
+/// @param violations The violations; NULL does nothing.
+BEESPACE_C_API void beespace_violations_free(beespace_violations* violations);
+/// @brief Says how many violations there are.
+/// @param violations The violations.
 /// @return Their number; 0 of NULL.
-BEESPACE_C_API int64_t beespace_findings_size(const beespace_findings* findings);
-/// @brief Gives what was found: BEESPACE_FINDING_LOSS ...
-/// @param findings The findings.
+BEESPACE_C_API int64_t beespace_violations_size(const beespace_violations* violations);
+/// @brief Gives what was found: BEESPACE_VIOLATION_LOSS ...
+/// @param violations The violations.
 /// @return The kinds.
-BEESPACE_C_API const int32_t* beespace_findings_kinds(const beespace_findings* findings);
-/// @brief Gives the agent of each finding; of a loss the one of the smaller index.
-/// @param findings The findings.
+BEESPACE_C_API const int32_t* beespace_violations_kinds(const beespace_violations* violations);
+/// @brief Gives the agent of each violation; of a loss the one of the smaller index.
+/// @param violations The violations.
 /// @return The indices.
-BEESPACE_C_API const int64_t* beespace_findings_first(const beespace_findings* findings);
+BEESPACE_C_API const int64_t* beespace_violations_first(const beespace_violations* violations);
 /// @brief Gives, of a loss, the other agent; of clearance, the first obstacle to which the agent
 /// came too close.
-/// @param findings The findings.
-/// @return The indices; -1 of other findings.
-BEESPACE_C_API const int64_t* beespace_findings_second(const beespace_findings* findings);
-/// @brief Gives when the step of each finding begins, in seconds.
-/// @param findings The findings.
+/// @param violations The violations.
+/// @return The indices; -1 of other violations.
+BEESPACE_C_API const int64_t* beespace_violations_second(const beespace_violations* violations);
+/// @brief Gives when the step of each violation begins, in seconds.
+/// @param violations The violations.
 /// @return The times.
-BEESPACE_C_API const double* beespace_findings_begins_s(const beespace_findings* findings);
-/// @brief Gives when the step of each finding ends, in seconds.
-/// @param findings The findings.
+BEESPACE_C_API const double* beespace_violations_begins_s(const beespace_violations* violations);
+/// @brief Gives when the step of each violation ends, in seconds.
+/// @param violations The violations.
 /// @return The times.
-BEESPACE_C_API const double* beespace_findings_ends_s(const beespace_findings* findings);
+BEESPACE_C_API const double* beespace_violations_ends_s(const beespace_violations* violations);
 /// @brief Gives how close they came in the step, in metres, below zero inside of an obstacle; or
 /// the greatest speed or acceleration, in metres per second or per second squared.
-/// @param findings The findings.
+/// @param violations The violations.
 /// @return The values.
-BEESPACE_C_API const double* beespace_findings_values(const beespace_findings* findings);
+BEESPACE_C_API const double* beespace_violations_values(const beespace_violations* violations);
 
 /// @brief Gives what was found: losses, losses of clearance and breaches, one kind after the other,
 /// each in the order of time. Of each of the three the first 1000; the verdict counts all.
 /// @param verifier The verifier.
-/// @param[out] findings The findings; none after an error.
+/// @param[out] violations The violations; none after an error.
 /// @param[out] error What went wrong; or NULL.
 /// @return BEESPACE_OK; or BEESPACE_INVALID_ARGUMENT, BEESPACE_OUT_OF_MEMORY.
-BEESPACE_C_API beespace_code beespace_verifier_findings(const beespace_verifier* verifier,
-                                                        beespace_findings* findings,
-                                                        beespace_error* error);
+BEESPACE_C_API beespace_code beespace_verifier_violations(const beespace_verifier* verifier,
+                                                          beespace_violations* violations,
+                                                          beespace_error* error);
 
 #ifdef __cplusplus
 }

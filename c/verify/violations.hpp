@@ -1,4 +1,4 @@
-// What is behind beespace_findings.
+// What is behind beespace_violations.
 #pragma once
 
 #include "c/door/result.hpp"
@@ -11,7 +11,7 @@
 #include <span>
 
 // NOLINTNEXTLINE(readability-identifier-naming): a name of C
-struct beespace_findings {
+struct beespace_violations {
   beespace::c::Column<std::int32_t> kinds;
   beespace::c::Column<std::int64_t> first;
   beespace::c::Column<std::int64_t> second;
@@ -25,7 +25,7 @@ struct beespace_findings {
 namespace beespace::c {
 
 // `breach_ends_s` has an entry for each breach of the verdict.
-void write_findings(const Verdict& verdict, std::span<const double> breach_ends_s,
-                    beespace_findings& into);
+void write_violations(const Verdict& verdict, std::span<const double> breach_ends_s,
+                      beespace_violations& into);
 
 }  // namespace beespace::c

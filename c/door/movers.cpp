@@ -1,4 +1,4 @@
-#include "c/motion/movers.hpp"
+#include "c/door/movers.hpp"
 
 #include "c/door/door.hpp"
 #include "c/door/points.hpp"
