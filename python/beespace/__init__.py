@@ -21,10 +21,13 @@ from beespace._geodesy import to_ecef
 from beespace._index import Index
 from beespace._library import version as _version
 from beespace._motion import closest_approach
+from beespace._obstacles import Box, Cylinder, Ground, Obstacles, Prism, Sphere
 from beespace._recording import Recording
 from beespace._report import Report, report
 from beespace._searches import Searches
 from beespace._swarm import Swarm
+from beespace._verdict import Breaches, ClearanceLosses, Losses, Verdict
+from beespace._verify import Verifier, verify
 
 __version__ = _version()
 
@@ -45,8 +48,12 @@ __all__ = [
     "BeespaceError",
     "BeespaceFileError",
     "BeespaceOSError",
+    "Box",
+    "Breaches",
+    "ClearanceLosses",
     "ClosestPair",
     "Conflicts",
+    "Cylinder",
     "Encounter",
     "Engine",
     "Event",
@@ -54,17 +61,24 @@ __all__ = [
     "FilePoints",
     "FileRecording",
     "Gaps",
+    "Ground",
     "Groups",
     "Index",
     "KnownAgents",
+    "Losses",
     "Nearest",
     "Neighbors",
+    "Obstacles",
     "Pairs",
+    "Prism",
     "RecordedConflicts",
     "Recording",
     "Report",
+    "Sphere",
     "Swarm",
     "SwarmCounts",
+    "Verdict",
+    "Verifier",
     "at_risk",
     "closest_approach",
     "closest_pair",
@@ -80,4 +94,5 @@ __all__ = [
     "read_recording",
     "report",
     "to_ecef",
+    "verify",
 ]

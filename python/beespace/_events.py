@@ -8,22 +8,14 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from beespace import _live_library  # noqa: F401  (it says what the functions below return)
 from beespace._columns import Columns
 from beespace._library import at_once
+from beespace._live_library import BOUND_NAMES, EVENT_NAMES
 from beespace._tables import Table, plural
 
 
-def _names_of(function: Any) -> NDArray[np.str_]:
-    """All names of a kind of number of the library, by the number."""
-    names: list[str] = []
-    while (name := function(len(names)).decode()) != "unknown":
-        names.append(name)
-    return np.array(names)
-
-
-_kinds = _names_of(at_once.beespace_event_name)
-_bounds = _names_of(at_once.beespace_bound_name)
+_kinds = np.array(EVENT_NAMES)
+_bounds = np.array(BOUND_NAMES)
 
 
 class Event(NamedTuple):

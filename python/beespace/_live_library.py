@@ -5,8 +5,9 @@ from __future__ import annotations
 import ctypes
 from ctypes import POINTER, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32, c_uint64
 from ctypes import c_void_p
+from typing import Any
 
-from beespace._library import CError, CFixes, CPoints, declare, handle_of, library
+from beespace._library import CError, CFixes, CPoints, at_once, declare, handle_of, library
 
 SWARM_VERTICAL = 1
 SWARM_HEIGHTS_APART = 2
@@ -87,3 +88,15 @@ declare(
         for name in names.split()
     }
 )
+
+
+def _names_of(function: Any) -> list[str]:
+    """All names of a kind of number, by the number."""
+    names: list[str] = []
+    while (name := function(len(names)).decode()) != "unknown":
+        names.append(name)
+    return names
+
+
+EVENT_NAMES = _names_of(at_once.beespace_event_name)
+BOUND_NAMES = _names_of(at_once.beespace_bound_name)

@@ -10,12 +10,15 @@ from numpy.typing import ArrayLike, NDArray
 
 from beespace import _library
 from beespace._calls import check, number_of, run_of, search_of, seconds
+from beespace._checks import Check, gap_of
 from beespace._columns import Result
 from beespace._conflicts import Encounter, Gaps, RecordedConflicts
 from beespace._errors import BeespaceError
 from beespace._fixes import Fixes, agents_of, numbers_of, seconds_of
 from beespace._library import library
+from beespace._obstacles import Obstacles
 from beespace._points import Points, PointsLike
+from beespace._verdict import Verdict
 
 
 class Recording:
@@ -62,7 +65,7 @@ class Recording:
     <RecordedConflicts: 1 conflict of 2 agents, from 4.8 to 5.2 s, closest ann and bob: 3 m at 5 s; no gaps>
     """
 
-    __slots__ = ("_agents", "_fixes", "_handle", "_labels", "_span")
+    __slots__ = ("_agents", "_fixes", "_handle", "_ids", "_labels", "_span")
 
     def __init__(
         self,
@@ -92,6 +95,7 @@ class Recording:
         )
         check(code, error)
         self._fixes = given.count
+        self._ids = np.unique(agents) if self._labels is None else self._labels
         self._agents = int(library.beespace_recording_agents(self._handle))
         self._span = (float(clock.min()), float(clock.max())) if given.count else (0.0, 0.0)
 
@@ -249,6 +253,43 @@ class Recording:
             float(result.distances()[0]),
             gaps,
         )
+
+    def verify(
+        self,
+        threshold: float,
+        *,
+        max_gap: float | None = None,
+        max_speed: float | None = None,
+        obstacles: Obstacles | None = None,
+        clearance: float | None = None,
+        threads: int = 1,
+    ) -> Verdict:
+        """Did agents that all have fixes at the same times keep apart, and within their limits?
+
+        As the function `verify`, in straight lines.
+
+        Parameters
+        ----------
+        threshold, max_gap, max_speed, obstacles, clearance, threads
+            As of `verify`.
+
+        Returns
+        -------
+        Verdict
+            Its agents are ids as they were given.
+
+        Examples
+        --------
+        >>> import beespace
+        >>> recording = beespace.Recording(
+        ...     [1, 2, 1, 2], [0, 0, 10, 10], [[0, 0], [100, 3], [100, 0], [0, 3]]
+        ... )
+        >>> recording.verify(2, max_speed=20)
+        <Verdict: holds; 1 step, closest 1 and 2: 3 m>
+        """
+        checked = Check(threshold, max_speed, None, obstacles, clearance, True, threads)
+        checked.add_recording(self._handle, self._fixes, gap_of(max_gap))
+        return checked.verdict(self._ids)
 
     def _ask(self, function: Any, search: tuple[Any, ...], max_gap: Any, threads: int) -> Result:
         error = _library.new_error()
