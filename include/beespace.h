@@ -22,8 +22,8 @@
 /// and not kept; they must not change while a call reads them.
 ///
 /// Thread safety: any number of threads may call at the same time, with handles of their own. An
-/// engine and a result serve one call at a time. An index may be asked by many threads at the same
-/// time, while none changes it. A stop may be used by all threads.
+/// engine, a swarm, a verifier and a result serve one call at a time. An index may be asked by many
+/// threads at the same time, while none changes it. A stop may be used by all threads.
 #ifndef BEESPACE_H
 #define BEESPACE_H
 
@@ -37,5 +37,7 @@
 #include <beespace/c/obstacles.h>
 #include <beespace/c/recording.h>
 #include <beespace/c/search.h>
+#include <beespace/c/swarm.h>
+#include <beespace/c/verify.h>
 
 #endif

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <cstdint>
 #include <exception>
 #include <mutex>
 #include <new>
@@ -83,16 +84,17 @@ Status poll_until_done(const beespace_run& run, RunOptions options, const Watche
 
 }  // namespace
 
+unsigned threads_of(std::uint32_t threads) {
+  if (threads == BEESPACE_ALL_PROCESSORS) return 0;
+  return threads == 0 ? 1 : threads;
+}
+
 Status call_watched(const beespace_run* run, const WatchedWork& work) {
   if (run == nullptr) return work(RunOptions());
   const Result<beespace_run> given = read_struct(run, "run");
   if (!given) return given.error();
   RunOptions options;
-  if (given->threads == BEESPACE_ALL_PROCESSORS) {
-    options.threads = 0;
-  } else if (given->threads > 1) {
-    options.threads = given->threads;
-  }
+  options.threads = threads_of(given->threads);
   if (given->stop != nullptr) options.stop = given->stop->source.get_token();
   return given->poll == nullptr ? work(options) : poll_until_done(*given, options, work);
 }

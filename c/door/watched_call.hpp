@@ -5,6 +5,7 @@
 #include <beespace/result.hpp>
 #include <beespace/search_options.hpp>
 
+#include <cstdint>
 #include <functional>
 #include <stop_token>
 
@@ -14,6 +15,9 @@ struct beespace_stop {
 };
 
 namespace beespace::c {
+
+// As C++ counts them: 0 is one for each processor.
+unsigned threads_of(std::uint32_t threads);
 
 using WatchedWork = std::function<Status(const RunOptions&)>;
 

@@ -52,6 +52,13 @@ Result<Fix> fix_of(double time_s, const Point& position, std::size_t record) {
   return Fix{flushed(time_s), {flushed(position.x), flushed(position.y), flushed(position.z)}};
 }
 
+// Of a recording in which heights are apart: the height of a fix.
+Status append_height(Track& track, double height, std::size_t record) {
+  if (auto error = check_value(height, "heights", record)) return *std::move(error);
+  track.heights_m.push_back(flushed(height));
+  return std::monostate{};
+}
+
 Status append(Track& track, const Fix& fix, std::size_t record) {
   if (!track.fixes.empty() && !(track.fixes.back().time_s < fix.time_s)) {
     const bool same = track.fixes.back().time_s == fix.time_s;
@@ -72,6 +79,8 @@ Agents ordered(Agents agents) {
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return agents.ids[a] < agents.ids[b]; });
   Agents sorted;
+  sorted.heights_apart = agents.heights_apart;
+  sorted.height_unit_m = agents.height_unit_m;
   for (const std::size_t i : order) {
     sorted.ids.push_back(agents.ids[i]);
     sorted.tracks.push_back(std::move(agents.tracks[i]));
@@ -81,33 +90,70 @@ Agents ordered(Agents agents) {
 
 }  // namespace
 
-Result<Agents> agents_of(const beespace_fixes* fixes, const beespace_points* positions,
-                         const std::stop_token& stop) {
+Result<FixColumns> columns_of(const beespace_fixes* fixes, std::size_t size) {
   const Result<beespace_fixes> given = read_struct(fixes, "fixes");
   if (!given) return given.error();
+  FixColumns columns{{given->agents, given->agents_stride},
+                     {given->times_s, given->times_stride},
+                     {},
+                     {},
+                     given->height_unit_m};
+  if (given->heights_m != nullptr)
+    columns.heights_m.emplace(given->heights_m, given->heights_stride);
+  if (given->climbs_mps != nullptr) {
+    columns.climbs_mps.emplace(given->climbs_mps, given->climbs_stride);
+  }
+  if (size == 0) return columns;
+  if (const char* const problem = columns.agents.problem(size)) return invalid(problem, "agents");
+  if (const char* const problem = columns.times_s.problem(size)) return invalid(problem, "times");
+  for (const auto& [column, name] :
+       {std::pair(columns.heights_m, "heights"), std::pair(columns.climbs_mps, "climbs")}) {
+    const char* const problem = column ? column->problem(size) : nullptr;
+    if (problem != nullptr) return invalid(problem, name);
+  }
+  return columns;
+}
+
+Result<Agents> agents_of(const beespace_fixes* fixes, const beespace_points* positions,
+                         const std::stop_token& stop) {
   const Result<PointsView> places = view_of(positions, "positions");
   if (!places) return places.error();
-  const NumberColumn<std::int64_t> ids(given->agents, given->agents_stride);
-  const NumberColumn<double> times(given->times_s, given->times_stride);
   const std::size_t size = places->size();
-  if (size != 0) {
-    if (const char* const problem = ids.problem(size)) return invalid(problem, "agents");
-    if (const char* const problem = times.problem(size)) return invalid(problem, "times");
+  const Result<FixColumns> columns = columns_of(fixes, size);
+  if (!columns) return columns.error();
+  if (columns->climbs_mps) {
+    return invalid("climb rates are for live swarms: the heights of a recording say how it climbs",
+                   "climbs");
   }
+  const bool heights_apart = columns->heights_m.has_value();
   Agents agents;
+  if (columns->height_unit_m != 0.0) {
+    if (!heights_apart && size != 0) {
+      return invalid("there is a unit of heights, but no heights", "heights");
+    }
+    if (!(columns->height_unit_m >= kSmallestInMotion &&
+          columns->height_unit_m <= kLargestInMotion)) {
+      return invalid("the unit of heights is a length in metres, above zero: 0.3048 for feet",
+                     "heights");
+    }
+    agents.height_unit_m = columns->height_unit_m;
+  }
+  agents.heights_apart = heights_apart && size != 0;
   std::unordered_map<std::int64_t, std::size_t> known;
   for (std::size_t row = 0; row < size; ++row) {
     if (row % kFixesBetweenStops == 0 && stop.stop_requested()) {
       return Error{ErrorCode::kStopped, "a stop was requested", {}};
     }
-    const Result<Fix> fix = fix_of(times[row], (*places)[row], row);
+    const Result<Fix> fix = fix_of(columns->times_s[row], (*places)[row], row);
     if (!fix) return fix.error();
-    const auto [at, is_new] = known.try_emplace(ids[row], agents.ids.size());
+    const auto [at, is_new] = known.try_emplace(columns->agents[row], agents.ids.size());
     if (is_new) {
       agents.ids.push_back(at->first);
       agents.tracks.emplace_back();
     }
-    Status status = append(agents.tracks[at->second], *fix, row);
+    Track& track = agents.tracks[at->second];
+    Status status = append(track, *fix, row);
+    if (status && heights_apart) status = append_height(track, (*columns->heights_m)[row], row);
     if (!status) return std::move(status).error();
   }
   return ordered(std::move(agents));

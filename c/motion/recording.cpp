@@ -3,7 +3,7 @@
 
 #include "c/door/options.hpp"
 #include "c/door/question.hpp"
-#include "c/motion/fixes.hpp"
+#include "c/motion/recording.hpp"
 
 #include <beespace/conflict.hpp>
 #include <beespace/track.hpp>
@@ -22,11 +22,6 @@ using beespace::RecordedConflicts;
 using beespace::Result;
 using beespace::RunOptions;
 using beespace::Status;
-
-// NOLINTNEXTLINE(readability-identifier-naming): a name of C
-struct beespace_recording {
-  Agents agents;
-};
 
 namespace {
 
@@ -103,8 +98,9 @@ beespace_code beespace_recording_conflicts(const beespace_recording* recording,
                                            const beespace_run* run, beespace_result* result,
                                            beespace_error* error) {
   const auto ask = [&](const Agents& agents, const RunOptions& run_options) -> Status {
-    const Result<ConflictOptions> options = conflict_options_of(search, max_gap_s, run_options);
+    Result<ConflictOptions> options = conflict_options_of(search, max_gap_s, run_options);
     if (!options) return options.error();
+    options->height_unit_m = agents.height_unit_m;
     const Result<RecordedConflicts> found = beespace::find_conflicts(agents.tracks, *options);
     if (!found) return found.error();
     write_gaps(found->gaps, *result);
@@ -117,6 +113,12 @@ beespace_code beespace_recording_closest(const beespace_recording* recording, do
                                          const beespace_run* run, beespace_result* result,
                                          beespace_error* error) {
   const auto ask = [&](const Agents& agents, const RunOptions& options) -> Status {
+    if (agents.heights_apart) {
+      return invalid(
+          "the recording has heights apart from its positions, and the closest is asked "
+          "of positions in space: make one without heights",
+          "recording");
+    }
     const Result<std::optional<Conflict>> closest =
         beespace::find_closest_encounter(agents.tracks, max_gap_s, options);
     if (!closest) return closest.error();

@@ -18,6 +18,7 @@
 #include <beespace/obstacle.hpp>
 #include <beespace/pairs.hpp>
 #include <beespace/result.hpp>
+#include <beespace/search_options.hpp>
 
 #include <cstdint>
 #include <limits>
@@ -169,6 +170,16 @@ class BEESPACE_API Verifier {
   ///     the agent in ErrorLocation::record;
   ///   - ErrorCode::kStopped: a stop was requested (VerifyOptions::stop).
   Status add(double time_s, const MoversView& movers);
+  /// @brief The same with threads and a stop of this call, in place of those of the options.
+  /// @param time_s The time in seconds.
+  /// @param movers The agents, in metres and metres per second.
+  /// @param run How many threads may work, and what ends the call early.
+  /// @return Success, or the same errors.
+  Status add(double time_s, const MoversView& movers, const RunOptions& run);
+
+  /// @brief Says that it was not seen what agents did from the last time on until the next one: no
+  /// step is checked in between, and what was found so far stays. There may be other agents then.
+  void skip();
 
   /// @brief Says what was found so far.
   /// @return The verdict, in the memory of this; changed by add().

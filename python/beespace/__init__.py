@@ -17,6 +17,7 @@ from beespace._answers import ClosestPair, Groups, Nearest, Neighbors, Pairs
 from beespace._conflicts import Approaches, Conflicts, Encounter, Gaps, RecordedConflicts
 from beespace._engine import Engine
 from beespace._errors import BeespaceError, BeespaceFileError, BeespaceOSError
+from beespace._events import Event, Events, KnownAgents, SwarmCounts
 from beespace._files import FilePoints, FileRecording, read, read_recording
 from beespace._fleet import FleetFigures, LinkFigures, Tube, tube_of
 from beespace._follower import Follower
@@ -35,9 +36,13 @@ from beespace._messages import (
     StoredBranch,
 )
 from beespace._motion import closest_approach
+from beespace._obstacles import Box, Cylinder, Ground, Obstacles, Prism, Sphere
 from beespace._recording import Recording
 from beespace._report import Report, report
 from beespace._searches import Searches
+from beespace._swarm import Swarm
+from beespace._verdict import Breaches, ClearanceLosses, Losses, Verdict
+from beespace._verify import Verifier, verify
 
 __version__ = _version()
 
@@ -63,33 +68,49 @@ __all__ = [
     "BeespaceError",
     "BeespaceFileError",
     "BeespaceOSError",
+    "Box",
     "BranchState",
+    "Breaches",
+    "ClearanceLosses",
     "ClosestPair",
     "Command",
     "Conflicts",
+    "Cylinder",
     "Encounter",
     "Engine",
+    "Event",
+    "Events",
     "FilePoints",
     "FileRecording",
     "Findings",
     "FleetFigures",
     "Follower",
     "Gaps",
+    "Ground",
     "Groups",
     "Guidance",
     "Guide",
     "Index",
     "JoinAnswer",
+    "KnownAgents",
     "LinkFigures",
+    "Losses",
     "Nearest",
     "Neighbors",
+    "Obstacles",
     "Pairs",
+    "Prism",
     "RecordedConflicts",
     "Recording",
     "Report",
     "Setpoint",
+    "Sphere",
     "StoredBranch",
+    "Swarm",
+    "SwarmCounts",
     "Tube",
+    "Verdict",
+    "Verifier",
     "at_risk",
     "closest_approach",
     "closest_pair",
@@ -107,4 +128,5 @@ __all__ = [
     "to_ecef",
     "tube_of",
     "velocity_to_goal",
+    "verify",
 ]

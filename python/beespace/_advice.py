@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from beespace import _advice_library as _c
 from beespace import _library
 from beespace._advice_answers import Advice, advice_of
-from beespace._calls import check, length, run_of
+from beespace._calls import check, length, number_of, run_of
 from beespace._errors import invalid
 from beespace._library import library
 from beespace._motion import movers_of, rows_of, spread
@@ -191,7 +191,7 @@ class Adviser:
         options.shape, options.vertical_factor, options.vertical_m = shape_of(
             vertical, vertical_factor
         )
-        options.uncertainty_m = metres(uncertainty, "uncertainty")
+        options.uncertainty_m = number_of(uncertainty, "uncertainty")
         options.clearance_m = 0.0 if clearance is None else above_zero(clearance, "clearance")
         read = ArrayReader(copy)
         options.fence_directions = read.points(fence_directions, "fence_directions")
@@ -308,17 +308,9 @@ def shape_of(vertical: Any, vertical_factor: Any) -> tuple[int, float, float]:
     return _c.FREE_SPHERE, 0.0, 0.0
 
 
-def metres(number: Any, place: str) -> float:
-    """A length, or another number that the library looks at."""
-    try:
-        return float(number)
-    except (TypeError, ValueError):
-        raise invalid(f"this is a number, not {number!r}", place) from None
-
-
 def above_zero(number: Any, place: str) -> float:
-    """The same of what must not be zero, which stands for a default in C."""
-    value = metres(number, place)
+    """A number that must not be zero, which stands for a default in C."""
+    value = number_of(number, place)
     if value == 0.0:
         raise invalid("this is above zero, not 0", place)
     return value

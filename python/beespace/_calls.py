@@ -67,8 +67,7 @@ def run_of(threads: Any, points: int) -> CRun | None:
     )
     if threads == 1 and not watched:
         return None
-    number = whole(threads, "threads")
-    run = CRun(_run_size, _library.ALL_PROCESSORS if number == 0 else min(number, 256))
+    run = CRun(_run_size, threads_of(threads))
     if watched:
         run.poll = _interrupted
     return run
@@ -113,4 +112,28 @@ def length(number: Any, place: str) -> float:
         ) from None
 
 
-__all__ = ["check", "length", "library", "run_of", "search_of", "seconds", "whole"]
+def number_of(number: Any, place: str) -> float:
+    """Any other number."""
+    try:
+        return float(number)
+    except (TypeError, ValueError):
+        raise invalid(f"this is a number, not {number!r}", place) from None
+
+
+def threads_of(threads: Any) -> int:
+    """A number of threads as the library counts them."""
+    number = whole(threads, "threads")
+    return _library.ALL_PROCESSORS if number == 0 else min(number, 256)
+
+
+__all__ = [
+    "check",
+    "length",
+    "library",
+    "number_of",
+    "run_of",
+    "search_of",
+    "seconds",
+    "threads_of",
+    "whole",
+]

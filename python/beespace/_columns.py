@@ -10,15 +10,28 @@ from numpy.typing import NDArray
 from beespace._library import at_once
 
 
-class Result:
-    """A result of the library. It lives as long as an array that is made of it."""
+class Columns:
+    """What the library answers into. It lives as long as an array that is made of it."""
 
     __slots__ = ("handle",)
 
-    def __init__(self) -> None:
-        self.handle = at_once.beespace_result_create()
+    def __init__(self, create: Any) -> None:
+        self.handle = create()
         if not self.handle:
             raise MemoryError("beespace: no memory for a result")
+
+    def array(self, getter: Any, size: int, code: str) -> NDArray[Any]:
+        """The column of a getter, of so many numbers of a type as NumPy calls it."""
+        return column(self, getter(self.handle), size, code)
+
+
+class Result(Columns):
+    """A result of the library."""
+
+    __slots__ = ()
+
+    def __init__(self) -> None:
+        super().__init__(at_once.beespace_result_create)
 
     def ids(self) -> NDArray[np.int64]:
         return self._integers(at_once.beespace_result_ids, self._size())
@@ -52,10 +65,10 @@ class Result:
         return self._integers(at_once.beespace_result_gap_agents, self._gaps())
 
     def gap_begins(self) -> NDArray[np.float64]:
-        return self._array(at_once.beespace_result_gap_begins_s, self._gaps(), "<f8")
+        return self.array(at_once.beespace_result_gap_begins_s, self._gaps(), "<f8")
 
     def gap_ends(self) -> NDArray[np.float64]:
-        return self._array(at_once.beespace_result_gap_ends_s, self._gaps(), "<f8")
+        return self.array(at_once.beespace_result_gap_ends_s, self._gaps(), "<f8")
 
     def _gaps(self) -> int:
         return int(at_once.beespace_result_gaps(self.handle))
@@ -64,13 +77,10 @@ class Result:
         return int(at_once.beespace_result_size(self.handle))
 
     def _reals(self, getter: Any) -> NDArray[np.float64]:
-        return self._array(getter, self._size(), "<f8")
+        return self.array(getter, self._size(), "<f8")
 
     def _integers(self, getter: Any, size: int) -> NDArray[np.int64]:
-        return self._array(getter, size, "<i8")
-
-    def _array(self, getter: Any, size: int, code: str) -> NDArray[Any]:
-        return column(self, getter(self.handle), size, code)
+        return self.array(getter, size, "<i8")
 
 
 def column(owner: object, address: int | None, size: int, code: str) -> NDArray[Any]:

@@ -200,13 +200,15 @@ class RecordedConflicts(Conflicts):
 class Encounter(NamedTuple):
     """The two agents that came closest to each other.
 
+    Where no two are known to have been there at the same time, all but the gaps is None.
+
     Attributes
     ----------
-    i, j : int or str
+    i, j : int, str or None
         Their ids, as they were given; ``i < j``.
-    time : float
+    time : float or None
         When they were closest, in seconds.
-    distance : float
+    distance : float or None
         Their straight-line distance then, in metres.
     gaps : Gaps
         Times in which agents may have been closer.
@@ -224,11 +226,13 @@ class Encounter(NamedTuple):
 
     i: Any
     j: Any
-    time: float
-    distance: float
+    time: float | None
+    distance: float | None
     gaps: Gaps
 
     def __repr__(self) -> str:
+        if self.time is None or self.distance is None:
+            return f"<Encounter: no two agents are known at the same time; {_told_of(self.gaps)}>"
         return (
             f"<Encounter: {self.i} and {self.j}, {self.distance:.6g} m at {self.time:.6g} s; "
             f"{_told_of(self.gaps)}>"

@@ -9,8 +9,7 @@ from typing import Any
 
 from beespace import _fleet_library as _c
 from beespace import _library
-from beespace._advice import metres
-from beespace._calls import check
+from beespace._calls import check, number_of
 from beespace._errors import invalid
 from beespace._library import at_once
 
@@ -160,8 +159,8 @@ def tube_of(
     code = at_once.beespace_tube_of(
         ctypes.byref(c_figures(figures)),
         ctypes.byref(c_link(link or LinkFigures())),
-        metres(max_speed, "max_speed"),
-        metres(max_acceleration, "max_acceleration"),
+        number_of(max_speed, "max_speed"),
+        number_of(max_acceleration, "max_acceleration"),
         ctypes.byref(into),
         ctypes.byref(error),
     )
@@ -198,12 +197,12 @@ def c_figures(figures: FleetFigures) -> _c.CFleetFigures:
         ctypes.sizeof(_c.CFleetFigures),
         _c.LOOPS[figures.loop],
         0,
-        *(metres(number, "figures") for number in numbers),
+        *(number_of(number, "figures") for number in numbers),
     )
 
 
 def c_link(link: LinkFigures) -> _c.CLinkFigures:
-    period = metres(link.period, "period")
+    period = number_of(link.period, "period")
     delay = integer(link.command_delay, "command_delay", 0, 2**31 - 1)
     if period == 0.0 or delay == 0:  # which stand for the defaults in C
         raise invalid("a period and a command delay are above zero", "link")

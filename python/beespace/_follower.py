@@ -7,8 +7,7 @@ import threading
 
 from beespace import _fleet_library as _c
 from beespace import _library
-from beespace._advice import metres
-from beespace._calls import check
+from beespace._calls import check, number_of
 from beespace._fleet import integer
 from beespace._library import at_once
 from beespace._messages import (
@@ -65,9 +64,9 @@ class Follower:
         error = _library.new_error()
         code = at_once.beespace_follower_create(
             self.agent,
-            metres(planned_speed, "planned_speed"),
-            metres(planned_acceleration, "planned_acceleration"),
-            metres(period, "period"),
+            number_of(planned_speed, "planned_speed"),
+            number_of(planned_acceleration, "planned_acceleration"),
+            number_of(period, "period"),
             ctypes.byref(self._handle),
             ctypes.byref(error),
         )
@@ -204,7 +203,7 @@ class Follower:
         error = _library.new_error()
         with self._lock:
             code = at_once.beespace_follower_setpoint(
-                self._handle, metres(after, "after"), ctypes.byref(into), ctypes.byref(error)
+                self._handle, number_of(after, "after"), ctypes.byref(into), ctypes.byref(error)
             )
         check(code, error)
         return setpoint_from(into)

@@ -11,8 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from beespace import _fleet_library as _c
 from beespace import _library
-from beespace._advice import ArrayReader, metres, shape_of
-from beespace._calls import check, run_of
+from beespace._advice import ArrayReader, shape_of
+from beespace._calls import check, number_of, run_of
 from beespace._fleet import FleetFigures, LinkFigures, Tube, integer, tube_from
 from beespace._guidance import Guidance, JoinAnswer
 from beespace._guide_calls import GuideCalls
@@ -108,7 +108,7 @@ class Guide(GuideCalls):
     ) -> None:
         super().__init__(
             threshold,
-            (metres(max_speed, "max_speed"), metres(max_acceleration, "max_acceleration")),
+            (number_of(max_speed, "max_speed"), number_of(max_acceleration, "max_acceleration")),
             figures or FleetFigures(),
             link or LinkFigures(),
             shape_of(vertical, vertical_factor),

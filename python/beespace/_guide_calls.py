@@ -8,8 +8,8 @@ from typing import Any
 
 from beespace import _fleet_library as _c
 from beespace import _library
-from beespace._advice import PLANAR, ArrayReader, above_zero, metres
-from beespace._calls import check, length, whole
+from beespace._advice import PLANAR, ArrayReader, above_zero
+from beespace._calls import check, length, number_of, threads_of
 from beespace._fleet import FleetFigures, LinkFigures, c_figures, c_link, integer
 from beespace._guidance import JoinAnswer
 from beespace._library import at_once
@@ -37,13 +37,12 @@ class GuideCalls:
     ) -> None:
         self._threshold = length(threshold, "threshold")
         self._limits = limits
-        number = whole(threads, "threads")
         options = _c.CGuideOptions(
             ctypes.sizeof(_c.CGuideOptions),
             PLANAR if planar else 0,
             0,
             integer(epoch, "epoch", 1, 2**32 - 1),
-            _library.ALL_PROCESSORS if number == 0 else min(number, 256),
+            threads_of(threads),
             self._threshold,
         )
         options.shape, options.vertical_factor, options.vertical_m = shape
@@ -75,12 +74,12 @@ class GuideCalls:
         request = _c.CJoinRequest(ctypes.sizeof(_c.CJoinRequest))
         request.agent = integer(agent, "agent")
         request.position = three(position, "position")
-        request.radius_m = metres(radius, "radius")
+        request.radius_m = number_of(radius, "radius")
         if figures is not None:
             request.figures = ctypes.pointer(c_figures(figures))
         if max_speed is not None or max_acceleration is not None:
             speed, acceleration = self._limits
-            request.max_speed_mps = speed if max_speed is None else metres(max_speed, "max_speed")
+            request.max_speed_mps = speed if max_speed is None else number_of(max_speed, "max_speed")
             request.max_acceleration_mps2 = (
                 acceleration
                 if max_acceleration is None

@@ -74,6 +74,11 @@ class CFixes(ctypes.Structure):
         ("times_s", c_void_p),
         ("agents_stride", c_ssize_t),
         ("times_stride", c_ssize_t),
+        ("heights_m", c_void_p),
+        ("climbs_mps", c_void_p),
+        ("heights_stride", c_ssize_t),
+        ("climbs_stride", c_ssize_t),
+        ("height_unit_m", c_double),
     ]
 
 

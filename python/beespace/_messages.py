@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from beespace import _fleet_library as _c
-from beespace._advice import metres
+from beespace._calls import number_of
 from beespace._errors import invalid
 from beespace._fleet import integer
 
@@ -271,7 +271,7 @@ def c_report(report: AgentReport) -> _c.CAgentReport:
         integer(report.agent, "agent"),
         branch(report.held, "held"),
         integer(report.tick, "tick"),
-        metres(report.after, "after"),
+        number_of(report.after, "after"),
         three(report.position, "position"),
     )
     if report.velocity is not None:

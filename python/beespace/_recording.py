@@ -9,12 +9,16 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from beespace import _library
-from beespace._calls import check, run_of, search_of, seconds
+from beespace._calls import check, number_of, run_of, search_of, seconds
+from beespace._checks import Check, gap_of
 from beespace._columns import Result
 from beespace._conflicts import Encounter, Gaps, RecordedConflicts
-from beespace._errors import BeespaceError, invalid
-from beespace._library import CFixes, library
+from beespace._errors import BeespaceError
+from beespace._fixes import Fixes, agents_of, numbers_of, seconds_of
+from beespace._library import library
+from beespace._obstacles import Obstacles
 from beespace._points import Points, PointsLike
+from beespace._verdict import Verdict
 
 
 class Recording:
@@ -33,11 +37,17 @@ class Recording:
         by time first.
     positions : array of shape (n, 3) or (n, 2), tuple of arrays, or data frame
         The position of each fix, in metres; copied.
+    heights : array of shape (n,), optional
+        The height of each fix, kept apart from its position, which is then horizontal: for a
+        vertical threshold between agents whose third axis is not the height, as those of `to_ecef`
+        (of positions at height 0). `conflicts` must then be asked with `vertical`.
+    height_unit : float
+        The length in metres of one unit of these heights, and of `vertical`: 0.3048 for feet.
 
     Raises
     ------
     BeespaceError
-        With `place` ("ids", "times" or "positions") and, as `record`, the row: "time_order" where a
+        With `place` ("ids", "times", "positions" or "heights") and, as `record`, the row: "time_order" where a
         time does not come after the one before it of the same agent, also where it is the same;
         "not_finite", "outside_domain".
 
@@ -55,25 +65,29 @@ class Recording:
     <RecordedConflicts: 1 conflict of 2 agents, from 4.8 to 5.2 s, closest ann and bob: 3 m at 5 s; no gaps>
     """
 
-    __slots__ = ("_agents", "_fixes", "_handle", "_labels", "_span")
+    __slots__ = ("_agents", "_fixes", "_handle", "_ids", "_labels", "_span")
 
-    def __init__(self, ids: ArrayLike, times: ArrayLike, positions: PointsLike) -> None:
+    def __init__(
+        self,
+        ids: ArrayLike,
+        times: ArrayLike,
+        positions: PointsLike,
+        *,
+        heights: ArrayLike | None = None,
+        height_unit: float = 1.0,
+    ) -> None:
         self._handle = _library.CRecording()
         given = Points(positions, "positions")
-        agents, self._labels = _agents_of(ids, given.count)
-        clock = _times_of(times, given.count)
-        fixes = CFixes(
-            ctypes.sizeof(CFixes),
-            0,
-            agents.__array_interface__["data"][0],
-            clock.__array_interface__["data"][0],
-            agents.strides[0],
-            clock.strides[0],
-        )
+        agents, self._labels = agents_of(ids, given.count)
+        clock = seconds_of(times, given.count)
+        fixes = Fixes(agents, clock)
+        if heights is not None:
+            fixes.set_heights(numbers_of(heights, given.count, "heights"))
+            fixes.struct.height_unit_m = number_of(height_unit, "height_unit")
         error = _library.new_error()
         run = run_of(1, given.count)
         code = library.beespace_recording_create(
-            ctypes.byref(fixes),
+            ctypes.byref(fixes.struct),
             ctypes.byref(given.struct),
             None if run is None else ctypes.byref(run),
             ctypes.byref(self._handle),
@@ -81,6 +95,7 @@ class Recording:
         )
         check(code, error)
         self._fixes = given.count
+        self._ids = np.unique(agents) if self._labels is None else self._labels
         self._agents = int(library.beespace_recording_agents(self._handle))
         self._span = (float(clock.min()), float(clock.max())) if given.count else (0.0, 0.0)
 
@@ -94,6 +109,8 @@ class Recording:
         x: str,
         y: str,
         z: str | None = None,
+        height: str | None = None,
+        height_unit: float = 1.0,
     ) -> Recording:
         """A recording of the rows of a data frame: of pandas, Polars, or what has columns by name.
 
@@ -104,6 +121,10 @@ class Recording:
         id, time, x, y, z : str
             The names of the columns: agent, time in seconds, coordinates in metres; without `z`,
             heights are 0. None is guessed.
+        height : str, optional
+            The name of the column of heights that are kept apart from positions.
+        height_unit : float
+            As of `Recording`.
 
         Returns
         -------
@@ -116,10 +137,17 @@ class Recording:
         >>> beespace.Recording.from_frame(frame, id="callsign", time="t", x="east", y="north")
         <beespace.Recording: 2 fixes of 2 agents, at 0 s>
         """
-        names = {"id": id, "time": time, "x": x, "y": y} | ({} if z is None else {"z": z})
+        names = {"id": id, "time": time, "x": x, "y": y}
+        names |= {role: name for role, name in (("z", z), ("height", height)) if name is not None}
         columns = {role: _column_of(frame, name, role) for role, name in names.items()}
         axes = tuple(columns[axis] for axis in ("x", "y", "z") if axis in columns)
-        return cls(columns["id"], columns["time"], axes)
+        return cls(
+            columns["id"],
+            columns["time"],
+            axes,
+            heights=columns.get("height"),
+            height_unit=height_unit,
+        )
 
     def __len__(self) -> int:
         """How many fixes there are."""
@@ -188,7 +216,7 @@ class Recording:
             self._gaps_of(result),
         )
 
-    def closest(self, *, max_gap: float | None = None, threads: int = 1) -> Encounter | None:
+    def closest(self, *, max_gap: float | None = None, threads: int = 1) -> Encounter:
         """Which two agents came closest to each other, when, and how close?
 
         Parameters
@@ -200,9 +228,9 @@ class Recording:
 
         Returns
         -------
-        Encounter or None
-            With the gaps in which others may have been closer. None where no two agents are known to
-            be there at the same time.
+        Encounter
+            With the gaps in which others may have been closer. Its `i`, `j`, `time` and `distance`
+            are None where no two agents are known to be there at the same time.
 
         Examples
         --------
@@ -215,15 +243,53 @@ class Recording:
         """
         result = self._ask(library.beespace_recording_closest, (), max_gap, threads)
         i = self._named(result.first())
+        gaps = self._gaps_of(result)
         if not len(i):
-            return None
+            return Encounter(None, None, None, None, gaps)
         return Encounter(
             i.tolist()[0],
             self._named(result.second()).tolist()[0],
             float(result.closest_times()[0]),
             float(result.distances()[0]),
-            self._gaps_of(result),
+            gaps,
         )
+
+    def verify(
+        self,
+        threshold: float,
+        *,
+        max_gap: float | None = None,
+        max_speed: float | None = None,
+        obstacles: Obstacles | None = None,
+        clearance: float | None = None,
+        threads: int = 1,
+    ) -> Verdict:
+        """Did agents that all have fixes at the same times keep apart, and within their limits?
+
+        As the function `verify`, in straight lines.
+
+        Parameters
+        ----------
+        threshold, max_gap, max_speed, obstacles, clearance, threads
+            As of `verify`.
+
+        Returns
+        -------
+        Verdict
+            Its agents are ids as they were given.
+
+        Examples
+        --------
+        >>> import beespace
+        >>> recording = beespace.Recording(
+        ...     [1, 2, 1, 2], [0, 0, 10, 10], [[0, 0], [100, 3], [100, 0], [0, 3]]
+        ... )
+        >>> recording.verify(2, max_speed=20)
+        <Verdict: holds; 1 step, closest 1 and 2: 3 m>
+        """
+        checked = Check(threshold, max_speed, None, obstacles, clearance, True, threads)
+        checked.add_recording(self._handle, self._fixes, gap_of(max_gap))
+        return checked.verdict(self._ids)
 
     def _ask(self, function: Any, search: tuple[Any, ...], max_gap: Any, threads: int) -> Result:
         error = _library.new_error()
@@ -245,50 +311,6 @@ class Recording:
 
     def _named(self, ids: NDArray[np.int64]) -> NDArray[Any]:
         return ids if self._labels is None else self._labels[ids]
-
-
-def _agents_of(ids: Any, count: int) -> tuple[NDArray[np.int64], NDArray[Any] | None]:
-    """The agent of each fix as a number; and what the numbers mean, where they are not ids."""
-    given = np.asarray(ids)
-    if given.ndim != 1 or len(given) != count:
-        raise invalid(f"there are {given.shape} ids for {count:,} positions", "ids")
-    if not count:
-        return np.empty(0, np.int64), None
-    if given.dtype.kind in "iu":
-        fits = given.dtype.kind == "i" or given.dtype.itemsize < 8 or given.max() < 2**63
-        if fits:
-            return np.ascontiguousarray(given, np.int64), None
-    elif given.dtype.kind == "O" or given.dtype.kind == "T":
-        _check_texts(given)
-    elif given.dtype.kind not in "US":
-        raise invalid(f"ids of agents are integers or texts, not {given.dtype}", "ids")
-    labels, numbers = np.unique(given, return_inverse=True)
-    return np.ascontiguousarray(numbers, np.int64), labels
-
-
-def _check_texts(ids: NDArray[Any]) -> None:
-    for row, id in enumerate(ids):
-        if not isinstance(id, str):
-            message = f"this id is {id!r}; ids are integers, or all of them texts"
-            raise BeespaceError(message, "invalid_argument", "ids", row)
-
-
-def _times_of(times: Any, count: int) -> NDArray[np.float64]:
-    given = np.asarray(times)
-    if given.dtype.kind in "mM":
-        raise invalid(
-            "times are numbers of seconds, not dates: subtract a moment and divide by "
-            'numpy.timedelta64(1, "s")',
-            "times",
-        )
-    if given.dtype.kind not in "iuf" or (given.dtype.kind == "f" and given.dtype.itemsize > 8):
-        raise invalid(f"times are numbers of seconds, not {given.dtype}", "times")
-    if given.ndim != 1 or len(given) != count:
-        raise invalid(f"there are {given.shape} times for {count:,} positions", "times")
-    clock = np.ascontiguousarray(given, np.float64)
-    if given.dtype.kind in "iu" and count and bool((np.abs(clock) >= 2.0**53).any()):
-        raise invalid("not all integers beyond 2**53 are doubles: are these nanoseconds?", "times")
-    return clock
 
 
 def _column_of(frame: Any, name: str, role: str) -> Any:

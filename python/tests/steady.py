@@ -23,7 +23,8 @@ broken = points.copy()
 broken[7, 1] = np.nan
 others = points[:20] + 1.0
 floats = tuple(points.astype(np.float32).T)
-kept = [points, broken, others, *floats]
+ids = np.arange(50)
+kept = [points, broken, others, ids, *floats]
 engine = beespace.Engine()
 index = beespace.Index(points)
 
@@ -46,6 +47,16 @@ def _come_and_go():
     id = index.insert([1, 2, 3])
     index.move(id, [3, 2, 1])
     index.remove(id)
+
+
+def _live():
+    swarm = beespace.Swarm(5, max_agents=40)
+    for time in range(2):
+        _refused(lambda: swarm.update(ids, time, points, broken))
+    swarm.remove(ids[:5])
+    assert len(swarm.finish(1)) + len(swarm.movers(1)) + swarm.counts.taken > 0
+    _refused(lambda: beespace.Swarm(0))
+    _refused(lambda: swarm.update(ids[1:], 0, points))
 
 
 calls = [
@@ -72,6 +83,7 @@ calls = [
     lambda: _refused(lambda: beespace.Index(broken)),
     lambda: _refused(lambda: list(beespace.iter_pairs(broken, 5))),
     _come_and_go,
+    _live,
     lambda: beespace.Engine().count(points, 5),
     lambda: beespace.Index(points),
 ]

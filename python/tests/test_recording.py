@@ -68,13 +68,14 @@ def test_the_closest_two_are_as_close_as_fractions_say(max_gap):
             limit = math.inf if max_gap is None else max_gap
             least = recording_oracle.least_squared_distance(tracks, limit)
             found = beespace.Recording(ids, times, positions).closest(max_gap=max_gap)
-            assert (found is None) == (least is None)
-            if found is None:
+            gaps = list(zip(found.gaps.id, found.gaps.begin, found.gaps.end))
+            assert gaps == recording_oracle.gaps(tracks, limit)
+            assert (found.distance is None) == (least is None)
+            if found.distance is None:
+                assert found[:4] == (None,) * 4
                 continue
             assert math.isclose(found.distance, math.sqrt(least), rel_tol=1e-12, abs_tol=1e-12)
-            assert found.i < found.j and len(found.gaps) == len(
-                recording_oracle.gaps(tracks, limit)
-            )
+            assert found.i < found.j
 
 
 def test_a_pass_between_two_fixes_at_the_threshold_and_one_ulp_beside_it():
@@ -108,6 +109,54 @@ def test_a_gap_is_unknown_and_the_answer_says_so():
     assert (unknown.gaps.begin.tolist(), unknown.gaps.end.tolist()) == ([0, 0], [10, 10])
     assert "nothing is known" in repr(unknown)
     assert "no gaps" in repr(bridged)
+
+
+def test_where_no_two_are_known_together_the_gaps_say_why():
+    recording = beespace.Recording([1, 2, 1, 2], [0, 1, 10, 9], [[0, 0], [9, 3], [9, 0], [0, 3]])
+    closest = recording.closest(max_gap=2)
+    assert closest[:4] == (None,) * 4
+    assert (closest.gaps.id.tolist(), closest.gaps.begin.tolist()) == ([1, 2], [0, 1])
+    assert "2 gaps of 2 agents, 18 s in all, of which nothing is known" in repr(closest)
+
+
+@pytest.mark.parametrize("unit", [1.0, 0.3048])
+def test_heights_apart_are_compared_as_they_are(unit):
+    # Two fly side by side, 3 m apart; in height they come within 2 of each other and pass.
+    ids, times = [1, 2, 1, 2], [0, 0, 10, 10]
+    positions = [[6378137, 0, 0], [6378137, 3, 0], [6378137, 900, 70], [6378137, 903, 70]]
+    recording = beespace.Recording(
+        ids, times, positions, heights=[0, 10, 20, 10], height_unit=unit
+    )
+    found = recording.conflicts(5, vertical=2)
+    assert np.allclose([found.begin, found.end, found.closest_time], [[4], [6], [5]])
+    assert np.allclose(found.closest_distance, 3)
+    assert len(recording.conflicts(3, vertical=2)) == 0
+    frame = {"who": ids, "t": times, "h": [0, 10, 20, 10]}
+    frame |= dict(zip("xyz", np.array(positions, float).T))
+    names = {"id": "who", "time": "t", "x": "x", "y": "y", "z": "z", "height": "h"}
+    again = beespace.Recording.from_frame(frame, **names, height_unit=unit).conflicts(5, vertical=2)
+    assert np.array_equal(again.begin, found.begin)
+    for ask in (lambda: recording.conflicts(5), recording.closest):
+        with pytest.raises(beespace.BeespaceError) as caught:
+            ask()
+        assert caught.value.code == "invalid_argument" and "heights" in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("heights", "unit", "code", "record"),
+    [
+        ([0, 1, math.nan, 3], 1.0, "not_finite", 2),
+        ([0, 1, 2, 1e31], 1.0, "outside_domain", 3),
+        ([0, 1, 2], 1.0, "invalid_argument", None),
+        (["a", "b", "c", "d"], 1.0, "invalid_argument", None),
+        ([0, 1, 2, 3], -1.0, "invalid_argument", None),
+        ([0, 1, 2, 3], math.nan, "invalid_argument", None),
+    ],
+)
+def test_heights_that_cannot_be_are_named(heights, unit, code, record):
+    with pytest.raises(beespace.BeespaceError) as caught:
+        beespace.Recording([1, 2, 1, 2], [0, 0, 1, 1], [[0, 0]] * 4, heights=heights, height_unit=unit)
+    assert (caught.value.code, caught.value.place, caught.value.record) == (code, "heights", record)
 
 
 def test_ids_are_those_that_were_given():
@@ -200,7 +249,9 @@ def test_frames_of_libraries_are_read(library):
 
 def test_answers_tell_what_is_in_them():
     assert repr(beespace.Recording([], [], [])) == "<beespace.Recording: 0 fixes of 0 agents>"
-    assert beespace.Recording([], [], []).closest() is None
+    assert repr(beespace.Recording([], [], []).closest()) == (
+        "<Encounter: no two agents are known at the same time; no gaps>"
+    )
     assert len(beespace.Recording([], [], []).conflicts(5)) == 0
     one = beespace.Recording(["a"], [3], [[0, 0]])
     assert repr(one) == "<beespace.Recording: 1 fix of 1 agent, at 3 s>"

@@ -71,12 +71,12 @@ class __attribute__((visibility("hidden"))) Verifier::State {
  public:
   explicit State(const VerifyOptions& options) : options_(options) {}
 
-  Status add(double time_s, const MoversView& movers) {
+  Status add(double time_s, const MoversView& movers, const RunOptions& run) {
     if (auto error = check(time_s, movers)) return *std::move(error);
     now_.clear();
     for (std::size_t i = 0; i < movers.size(); ++i) now_.push_back(movers[i]);
     if (time_s_) {
-      if (Status looked = look_at_step(*time_s_, time_s); !looked) return looked;
+      if (Status looked = look_at_step(*time_s_, time_s, run); !looked) return looked;
       ++verdict_.steps;
     }
     time_s_ = time_s;
@@ -84,6 +84,9 @@ class __attribute__((visibility("hidden"))) Verifier::State {
     return std::monostate{};
   }
 
+  void skip() { time_s_.reset(); }
+
+  [[nodiscard]] const VerifyOptions& options() const { return options_; }
   [[nodiscard]] const Verdict& verdict() const { return verdict_; }
 
  private:
@@ -142,7 +145,7 @@ class __attribute__((visibility("hidden"))) Verifier::State {
     return std::nullopt;
   }
 
-  Status look_at_step(double begin_s, double end_s) {
+  Status look_at_step(double begin_s, double end_s, const RunOptions& run) {
     const double lasts_s = end_s - begin_s;
     curves_.clear();
     chords_.resize(now_.size());
@@ -166,8 +169,8 @@ class __attribute__((visibility("hidden"))) Verifier::State {
     around.threshold_m =
         2.0 * options_.threshold_m + 2.0 * bulge_m + 4.0 * rounded_m + 0x1p-98 * (1.0 + lasts_s);
     around.horizon_s = lasts_s * (1.0 + 0x1p-50);
-    around.threads = options_.threads;
-    around.stop = options_.stop;
+    around.threads = run.threads;
+    around.stop = run.stop;
     if (Status found = engine_.predict_pairs(chords_, around, pairs_); !found) return found;
     check_limits(begin_s, lasts_s, rounded_m,
                  0x1p-52 * std::max(std::abs(begin_s), std::abs(end_s)));
@@ -262,7 +265,15 @@ Verifier& Verifier::operator=(Verifier&&) noexcept = default;
 Verifier::~Verifier() = default;
 
 Status Verifier::add(double time_s, const MoversView& movers) {
-  return state_->add(time_s, movers);
+  return add(time_s, movers, {state_->options().threads, state_->options().stop});
+}
+
+Status Verifier::add(double time_s, const MoversView& movers, const RunOptions& run) {
+  return state_->add(time_s, movers, run);
+}
+
+void Verifier::skip() {
+  state_->skip();
 }
 
 const Verdict& Verifier::verdict() const {

@@ -18,6 +18,11 @@ struct Free {
   void operator()(beespace_stop* stop) const { beespace_stop_free(stop); }
   void operator()(beespace_index* index) const { beespace_index_free(index); }
   void operator()(beespace_obstacles* obstacles) const { beespace_obstacles_free(obstacles); }
+  void operator()(beespace_swarm* swarm) const { beespace_swarm_free(swarm); }
+  void operator()(beespace_events* events) const { beespace_events_free(events); }
+  void operator()(beespace_movers* movers) const { beespace_movers_free(movers); }
+  void operator()(beespace_verifier* verifier) const { beespace_verifier_free(verifier); }
+  void operator()(beespace_violations* violations) const { beespace_violations_free(violations); }
 };
 template <class Handle>
 using Owned = std::unique_ptr<Handle, Free>;

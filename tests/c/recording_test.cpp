@@ -29,16 +29,22 @@ struct Row {
   std::int64_t agent;
   double time_s;
   Point position;
+  double height = 0.0;
 };
 
 struct CRows {
-  explicit CRows(const std::vector<Row>& rows) {
+  explicit CRows(const std::vector<Row>& rows, bool heights_apart = false) {
     constexpr auto kStride = static_cast<std::ptrdiff_t>(sizeof(Row));
     fixes.struct_size = sizeof fixes;
     positions.struct_size = sizeof positions;
     if (rows.empty()) return;
     const Row& first = rows.front();
-    fixes = {sizeof fixes, 0, &first.agent, &first.time_s, kStride, kStride};
+    fixes = {
+        sizeof fixes, 0, &first.agent, &first.time_s, kStride, kStride, nullptr, nullptr, 0, 0, 0};
+    if (heights_apart) {
+      fixes.heights_m = &first.height;
+      fixes.heights_stride = kStride;
+    }
     positions = {sizeof positions,
                  BEESPACE_FLOAT64,
                  0,
@@ -68,7 +74,9 @@ std::vector<Row> rows_of(const Tracks& tracks) {
     for (std::size_t track = 0; track < tracks.size(); ++track) {
       const auto& fixes = tracks[track].fixes;
       if (i >= fixes.size()) continue;
-      rows.push_back({id_of_track(track), fixes[i].time_s, fixes[i].position});
+      const auto& heights_m = tracks[track].heights_m;
+      rows.push_back({id_of_track(track), fixes[i].time_s, fixes[i].position,
+                      heights_m.empty() ? 0.0 : heights_m[i]});
       more = true;
     }
   }
@@ -140,8 +148,10 @@ Told told(const beespace_result* from) {
   return all;
 }
 
-OwnedRecording recording_of(const std::vector<Row>& rows) {
-  const CRows given(rows);
+// With heights apart these are in feet.
+OwnedRecording recording_of(const std::vector<Row>& rows, bool heights_apart = false) {
+  CRows given(rows, heights_apart);
+  if (heights_apart) given.fixes.height_unit_m = 0.3048;
   beespace_recording* recording = nullptr;
   beespace_error error = c_error();
   EXPECT_EQ(beespace_recording_create(&given.fixes, &given.positions, nullptr, &recording, &error),
@@ -177,6 +187,21 @@ TEST_P(CRecordings, ConflictsAndGapsAreThoseOfBruteForce) {
       EXPECT_EQ(told(result_.get()), told(found.conflicts, found.gaps, expected.ids));
     }
   }
+}
+
+TEST_P(CRecordings, HeightsApartAreComparedAsTheyAre) {
+  const RecordingScene& scene = GetParam();
+  const NamedTracks expected = named(scene.of(Shape::kHeightsApart));
+  const OwnedRecording recording = recording_of(rows_of(scene.of(Shape::kHeightsApart)), true);
+  ConflictOptions options = scene.options(Shape::kHeightsApart, false);
+  options.height_unit_m = 0.3048;
+  beespace_search search = c_search(options.threshold_m, BEESPACE_VERTICAL);
+  search.vertical_m = *options.vertical_m;
+  ASSERT_EQ(beespace_recording_conflicts(recording.get(), &search, scene.max_gap_s, nullptr,
+                                         result_.get(), nullptr),
+            BEESPACE_OK);
+  const auto found = *brute_force::find_conflicts(expected.tracks, options);
+  EXPECT_EQ(told(result_.get()), told(found.conflicts, found.gaps, expected.ids));
 }
 
 TEST_P(CRecordings, TheClosestTwoAreThoseOfTheLibrary) {
@@ -314,6 +339,34 @@ TEST_F(CRecordingArguments, QuestionsThatMakeNoSenseAreRefused) {
   EXPECT_EQ(told(result_.get()), Told());
   search_ = c_search(3.5, BEESPACE_DISTANCES);
   EXPECT_EQ(ask(recording, INFINITY), BEESPACE_INVALID_ARGUMENT);
+}
+
+TEST_F(CRecordingArguments, HeightsThatMakeNoSenseAreRefused) {
+  CRows given(rows_, true);
+  given.fixes.climbs_mps = given.fixes.heights_m;
+  given.fixes.climbs_stride = given.fixes.heights_stride;
+  expect_refused(given, BEESPACE_INVALID_ARGUMENT, "climbs");
+  for (const double unit_m : {-1.0, 1e31, 0x1p-120, static_cast<double>(NAN)}) {
+    given = CRows(rows_, true);
+    given.fixes.height_unit_m = unit_m;
+    expect_refused(given, BEESPACE_INVALID_ARGUMENT, "heights");
+  }
+  given = CRows(rows_);
+  given.fixes.height_unit_m = 0.3048;
+  expect_refused(given, BEESPACE_INVALID_ARGUMENT, "heights");
+  given = CRows(rows_, true);
+  given.fixes.heights_stride = 2;
+  expect_refused(given, BEESPACE_INVALID_ARGUMENT, "heights");
+  rows_[3].height = NAN;
+  expect_refused(CRows(rows_, true), BEESPACE_NOT_FINITE, "heights", 3);
+  rows_[3].height = 1e31;
+  expect_refused(CRows(rows_, true), BEESPACE_OUTSIDE_DOMAIN, "heights", 3);
+  rows_[3].height = 0.0;
+  const OwnedRecording recording = recording_of(rows_, true);
+  EXPECT_EQ(ask(recording, INFINITY), BEESPACE_INVALID_ARGUMENT);  // without a vertical threshold
+  EXPECT_EQ(beespace_recording_closest(recording.get(), 1.0, nullptr, result_.get(), &error_),
+            BEESPACE_INVALID_ARGUMENT);
+  EXPECT_STREQ(error_.place, "recording");
 }
 
 TEST_F(CRecordingArguments, NoFixesAreARecordingOfNoAgents) {

@@ -21,6 +21,16 @@ typedef struct beespace_fixes {
   const double* times_s;    ///< The time of each fix, in seconds from any moment.
   ptrdiff_t agents_stride;  ///< Bytes from one agent to the next.
   ptrdiff_t times_stride;   ///< Bytes from one time to the next.
+  /// @brief The height of each fix, kept apart from its position, which is then horizontal: for a
+  /// vertical threshold between agents whose third axis is not the height. In metres or in
+  /// `height_unit_m`. Or NULL.
+  const double* heights_m;
+  /// @brief Of reports to a live swarm, with heights: the climb rate of each, in the unit of
+  /// heights per second; NULL where all fly level. Else NULL.
+  const double* climbs_mps;
+  ptrdiff_t heights_stride;  ///< Bytes from one height to the next.
+  ptrdiff_t climbs_stride;   ///< Bytes from one climb rate to the next.
+  double height_unit_m;  ///< Of a recording: the length in metres of one unit of heights; 0 is 1.
 } beespace_fixes;
 
 /// @brief Where agents were and when, in memory of its own. Many threads may ask at the same time.
@@ -42,7 +52,7 @@ typedef struct beespace_recording beespace_recording;
 /// @return BEESPACE_OK or the code of the error:
 ///   - BEESPACE_TIME_ORDER: a time that does not come after the one before it of the same agent,
 ///     also where it is the same; with the fix in beespace_error::record;
-///   - BEESPACE_NOT_FINITE, BEESPACE_OUTSIDE_DOMAIN: a time or a coordinate; likewise;
+///   - BEESPACE_NOT_FINITE, BEESPACE_OUTSIDE_DOMAIN: a time, a coordinate or a height; likewise;
 ///   - BEESPACE_INVALID_ARGUMENT, BEESPACE_STOPPED, BEESPACE_OUT_OF_MEMORY.
 BEESPACE_C_API beespace_code beespace_recording_create(const beespace_fixes* fixes,
                                                        const beespace_points* positions,
@@ -64,6 +74,7 @@ BEESPACE_C_API int64_t beespace_recording_agents(const beespace_recording* recor
 ///
 /// @param recording The recording.
 /// @param search The threshold. Flags: BEESPACE_INCLUSIVE, BEESPACE_VERTICAL, BEESPACE_MAX_RESULTS.
+///   A recording with heights apart must be asked with a vertical threshold, in their unit.
 /// @param max_gap_s The longest time in seconds between two fixes of an agent that is bridged by a
 ///   straight line; above zero, INFINITY for all. Where fixes are farther apart, it is unknown
 ///   where the agent is: it is compared with none, and the gap is in the result.
@@ -83,7 +94,7 @@ BEESPACE_C_API beespace_code beespace_recording_conflicts(const beespace_recordi
                                                           beespace_error* error);
 
 /// @brief Which two agents came closest to each other, when, and how close?
-/// @param recording The recording.
+/// @param recording The recording; one with heights apart has no answer.
 /// @param max_gap_s As of beespace_recording_conflicts().
 /// @param run Threads, and what ends the call early; or NULL.
 /// @param[out] result One pair, all three of whose times are the closest instant; none where no two
