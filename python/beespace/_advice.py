@@ -12,10 +12,11 @@ from numpy.typing import ArrayLike, NDArray
 from beespace import _advice_library as _c
 from beespace import _library
 from beespace._advice_answers import Advice, advice_of
-from beespace._calls import check, length, number_of, run_of
+from beespace._calls import check, length, number_of, run_of, whole
 from beespace._errors import invalid
-from beespace._library import library
+from beespace._library import at_once, library
 from beespace._motion import movers_of, rows_of, spread
+from beespace._obstacles import Obstacles, handle_of_obstacles
 from beespace._points import Points, PointsLike
 
 PLANAR = _c.PLANAR
@@ -81,6 +82,7 @@ class Adviser:
         planar: bool = False,
         uncertainty: float = 0.0,
         clearance: float | None = None,
+        obstacles: Obstacles | None = None,
         fence_directions: PointsLike | None = None,
         fence_offsets: ArrayLike | None = None,
         intruder_positions: PointsLike | None = None,
@@ -92,6 +94,12 @@ class Adviser:
         unknown_growths: ArrayLike | None = None,
         unknown_agents: ArrayLike | None = None,
         unknown_horizon: float = 10.0,
+        radii: ArrayLike | None = None,
+        tubes: ArrayLike | None = None,
+        claim_places: PointsLike | None = None,
+        claim_indptr: ArrayLike | None = None,
+        holds: ArrayLike | None = None,
+        remember: bool = False,
         method: str = "certified",
         threads: int = 1,
         copy: bool = False,
@@ -129,7 +137,9 @@ class Adviser:
         uncertainty : float
             How far at most an agent is from where it should be, in metres, if it does as advised.
         clearance : float, optional
-            How far to stay from fences, in metres. Must be given with them.
+            How far to stay from obstacles and fences, in metres. Must be given with them.
+        obstacles : Obstacles, optional
+            What stands in the way.
         fence_directions, fence_offsets : arrays of shape (m, 3) and (m,), optional
             Half-spaces that no agent leaves: inside are the places p with ``direction @ p >= offset``.
             Directions are of length 1.
@@ -146,6 +156,19 @@ class Adviser:
         unknown_agents : array of ints, optional
             Which of the agents each of them is, -1 where none. Its position is then ignored, and it
             gets no advice.
+        radii : array of shape (n,), optional
+            The agents' own radii in metres: what stays free between two is the threshold, or the sum
+            of both where that is more.
+        tubes : array of shape (n,), optional
+            How far each agent may be from its nominal place, in metres.
+        claim_places, claim_indptr : arrays of shape (m, 3) and (n + 1,), optional
+            Where each agent may be from now on if nothing more is told to it: the places of agent i
+            are ``claim_places[claim_indptr[i]:claim_indptr[i + 1]]``.
+        holds : array of bool, shape (n,), optional
+            Which agents get no new advice, and stay within their claims.
+        remember : bool
+            Whether the planes between agents are remembered from call to call, as they should be with
+            claims. Agents must keep their indices; see `forget`.
         method : str
             "certified"; or, to be compared with, "orca" and "mvp", which certify no agent.
         threads : int
@@ -180,7 +203,7 @@ class Adviser:
         flat = places.count > 0 and places.struct.z is None
         options = _c.CAdviseOptions(
             ctypes.sizeof(_c.CAdviseOptions),
-            PLANAR if planar or flat else 0,
+            (PLANAR if planar or flat else 0) | (_c.REMEMBER if remember else 0),
             0,
             length(threshold, "threshold"),
             above_zero(step, "step"),
@@ -193,6 +216,7 @@ class Adviser:
         )
         options.uncertainty_m = number_of(uncertainty, "uncertainty")
         options.clearance_m = 0.0 if clearance is None else above_zero(clearance, "clearance")
+        options.obstacles = handle_of_obstacles(obstacles)
         read = ArrayReader(copy)
         options.fence_directions = read.points(fence_directions, "fence_directions")
         count = read.count
@@ -208,6 +232,13 @@ class Adviser:
         options.unknown_growths_mps = read.numbers(unknown_growths, "unknown_growths", count)
         options.unknown_agents = read.numbers(unknown_agents, "unknown_agents", count, np.int64)
         options.unknown_horizon_s = above_zero(unknown_horizon, "unknown_horizon")
+        options.radii_m = read.numbers(radii, "radii", places.count)
+        options.tubes_m = read.numbers(tubes, "tubes", places.count)
+        options.claim_places = read.points(claim_places, "claim_places")
+        options.claim_offsets = read.numbers(
+            claim_indptr, "claim_indptr", places.count + 1, np.int64
+        )
+        options.holds = read.numbers(holds, "holds", places.count, np.bool_)
         into = _new_advice()
         error = _library.new_error()
         run = run_of(threads, places.count)
@@ -225,6 +256,20 @@ class Adviser:
             )
         check(code, error)
         return advice_of(into, 2 if flat else 3)
+
+    def forget(self, agent: int) -> None:
+        """Forgets the planes of one agent: its index is another one's from now on.
+
+        Examples
+        --------
+        >>> import beespace
+        >>> adviser = beespace.Adviser()
+        >>> adviser.forget(3)
+        >>> adviser
+        <beespace.Adviser>
+        """
+        with self._lock:
+            at_once.beespace_adviser_forget(self._handle, whole(agent, "agent"))
 
 
 def velocity_to_goal(
@@ -320,8 +365,9 @@ def numbers_of(given: Any, place: str, kind: Any = np.float64) -> NDArray[Any]:
     """Numbers as a contiguous array that the library reads."""
     try:
         array = np.asarray(given)
-        if kind is np.int64 and array.size and array.dtype.kind not in "iu":
-            raise invalid(f"these are whole numbers, not {array.dtype}", place)
+        allowed = {np.int64: "iu", np.bool_: "b"}.get(kind, "iuf")
+        if array.size and array.dtype.kind not in allowed:
+            raise invalid(f"these are not the numbers that belong here: {array.dtype}", place)
         return np.ascontiguousarray(array, dtype=kind)
     except (TypeError, ValueError, OverflowError) as error:
         raise invalid(f"this is no array of numbers: {error}", place) from error

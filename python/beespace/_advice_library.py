@@ -13,6 +13,7 @@ FREE_ELLIPSOID = 1
 FREE_CYLINDER = 2
 
 PLANAR = 1
+REMEMBER = 2
 
 TOO_CLOSE = 0
 NEAR_OBSTACLE = 1
@@ -57,6 +58,11 @@ class CAdviseOptions(ctypes.Structure):
         ("unknown_growths_mps", c_void_p),
         ("unknown_agents", c_void_p),
         ("unknown_horizon_s", c_double),
+        ("radii_m", c_void_p),
+        ("tubes_m", c_void_p),
+        ("claim_places", POINTER(CPoints)),
+        ("claim_offsets", c_void_p),
+        ("holds", c_void_p),
     ]
 
 
@@ -78,6 +84,7 @@ _points, _limits, _error = POINTER(CPoints), POINTER(CLimits), POINTER(CError)
 _library.declare(
     {
         "adviser_create": (CAdviser, []),
+        "adviser_forget": (None, [c_void_p, c_int64]),
         "advice_create": (CAdvice, []),
         "advise": (
             c_int32,

@@ -15,7 +15,7 @@ from beespace._calls import check, length, number_of, run_of, seconds
 from beespace._columns import Columns
 from beespace._errors import invalid
 from beespace._library import at_once, library
-from beespace._obstacles import Obstacles
+from beespace._obstacles import handle_of_obstacles
 from beespace._points import Points
 from beespace._verdict import Breaches, ClearanceLosses, Losses, Verdict
 
@@ -48,10 +48,7 @@ class Check:
             options.max_acceleration_mps2 = number_of(max_acceleration, "max_acceleration")
         if straight:
             options.flags |= _c.STRAIGHT
-        if obstacles is not None:
-            if not isinstance(obstacles, Obstacles):
-                raise invalid("these are Obstacles, made of what stands in the way", "obstacles")
-            options.obstacles = obstacles.handle
+        options.obstacles = handle_of_obstacles(obstacles)
         if clearance is not None:
             options.clearance_m = number_of(clearance, "clearance")
         self._threads = threads

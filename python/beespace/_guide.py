@@ -27,6 +27,7 @@ from beespace._messages import (
     three,
 )
 from beespace._motion import movers_of
+from beespace._obstacles import Obstacles
 from beespace._points import PointsLike
 
 
@@ -51,7 +52,9 @@ class Guide(GuideCalls):
         Of each agent that has none of its own; without them the fleet is perfect.
     link : LinkFigures, optional
         The tick, and how messages go.
-    vertical, vertical_factor, planar, clearance, fence_directions, fence_offsets, intruder_horizon
+    vertical, vertical_factor, planar : optional
+        As of `Adviser.advise`.
+    clearance, obstacles, fence_directions, fence_offsets, intruder_horizon : optional
         As of `Adviser.advise`.
     epoch : int
         Greater than that of every planner that guided this fleet before.
@@ -100,6 +103,7 @@ class Guide(GuideCalls):
         vertical_factor: float | None = None,
         planar: bool = False,
         clearance: float | None = None,
+        obstacles: Obstacles | None = None,
         fence_directions: PointsLike | None = None,
         fence_offsets: ArrayLike | None = None,
         intruder_horizon: float = 10.0,
@@ -114,6 +118,7 @@ class Guide(GuideCalls):
             shape_of(vertical, vertical_factor),
             planar,
             clearance,
+            obstacles,
             (fence_directions, fence_offsets),
             intruder_horizon,
             epoch,

@@ -14,6 +14,7 @@ from beespace._fleet import FleetFigures, LinkFigures, c_figures, c_link, intege
 from beespace._guidance import JoinAnswer
 from beespace._library import at_once
 from beespace._messages import three
+from beespace._obstacles import handle_of_obstacles
 
 
 class GuideCalls:
@@ -30,6 +31,7 @@ class GuideCalls:
         shape: tuple[int, float, float],
         planar: bool,
         clearance: Any,
+        obstacles: Any,
         fences: tuple[Any, Any],
         intruder_horizon: Any,
         epoch: Any,
@@ -50,6 +52,7 @@ class GuideCalls:
         options.link = ctypes.pointer(c_link(link))
         options.max_speed_mps, options.max_acceleration_mps2 = self._limits
         options.clearance_m = 0.0 if clearance is None else above_zero(clearance, "clearance")
+        options.obstacles = handle_of_obstacles(obstacles)
         read = ArrayReader(False)
         options.fence_directions = read.points(fences[0], "fence_directions")
         options.fence_offsets_m = read.numbers(fences[1], "fence_offsets", read.count)

@@ -188,6 +188,15 @@ class Obstacles:
         return self._handle
 
 
+def handle_of_obstacles(obstacles: Any) -> ctypes.c_void_p | None:
+    """What an option of C that takes obstacles holds; None of None."""
+    if obstacles is None:
+        return None
+    if not isinstance(obstacles, Obstacles):
+        raise invalid("these are Obstacles, made of what stands in the way", "obstacles")
+    return obstacles.handle
+
+
 _names: dict[type, str] = {
     Sphere: "sphere",
     Box: "box",

@@ -156,6 +156,55 @@ def test_each_agent_has_limits_of_its_own():
     assert advised.velocities[:, 0].tolist() == pytest.approx(accelerations * STEP)
 
 
+def test_obstacles_are_kept_clear_of():
+    mast = beespace.Obstacles([beespace.Cylinder(0, 0, 2), beespace.Ground(0)])
+    places, goals = crossing(8, 8)
+    swarm = fly(
+        beespace.Adviser(), places, goals, 200, 2.0, lambda advice, _: advice.velocities,
+        obstacles=mast, clearance=1.5,
+    )
+    for advice, least, now in swarm:
+        assert advice.certified.all() and least > 2.0 - 1e-9
+        assert np.hypot(now[:, 0], now[:, 1]).min() > 3.5 - 1e-9
+        assert now[:, 2].min() > 1.5
+    near = beespace.Adviser().advise(
+        [[3, 0, 9]], [[0, 0, 0]], [[0, 0, 0]], 2, max_speed=5, obstacles=mast, clearance=1.5
+    ).near_obstacle
+    assert (near.first.tolist(), near.second.tolist(), near.distance.tolist()) == ([0], [0], [1])
+    with pytest.raises(beespace.BeespaceError, match="obstacles"):
+        beespace.Adviser().advise(
+            [[3, 0, 9]], [[0, 0, 0]], [[0, 0, 0]], 2, max_speed=5, obstacles=[beespace.Ground(0)]
+        )
+
+
+def test_agents_have_radii_tubes_and_claims():
+    places = np.array([[0.0, 0, 0], [5, 0, 0], [0, 40, 0]])
+    still = places * 0
+    adviser = beespace.Adviser()
+
+    def close(**options):
+        advice = adviser.advise(places, still, still, 2.0, max_speed=5, **options)
+        return list(zip(advice.too_close.first.tolist(), advice.too_close.second.tolist())), advice
+
+    assert close()[0] == []
+    assert close(radii=[3.0, 1, 1])[0] == []
+    assert close(radii=[3.0, 2.5, 1])[0] == [(0, 1)]
+    assert close(tubes=[2.0, 2, 0])[0] == [(0, 1)]
+    claim = {"claim_places": [[0, 0, 0], [0, 39, 0]], "claim_indptr": [0, 2, 2, 2]}
+    pairs, advice = close(**claim, holds=[True, False, False], remember=True)
+    assert pairs == [(0, 2)]
+    assert advice.kind.tolist()[0] == "braking" and advice.certified.tolist() == [False, True, False]
+    for change, place in (
+        ({"radii": [1.0]}, "radii"),
+        ({"holds": [1, 0, 0]}, "holds"),
+        ({"claim_indptr": [0, 0, 0, 0]}, "claim_places"),
+        ({**claim, "claim_indptr": [0, 2, 1, 2]}, "claim_offsets"),
+    ):
+        with pytest.raises(beespace.BeespaceError) as raised:
+            close(**change)
+        assert raised.value.place == place
+
+
 def test_fences_and_intruders_are_named():
     places = np.array([[0.0, 0, 1.5], [0, 0, 30]])
     advice = beespace.Adviser().advise(

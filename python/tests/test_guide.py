@@ -112,6 +112,11 @@ def test_fences_intruders_and_own_figures_count():
         2, fence_directions=[[0, 0, 1]], fence_offsets=[0.0], clearance=3, link=LINK, **LIMITS
     )
     assert guide.join(1, [0, 0, 1]).fences == (0,)
+    city = beespace.Obstacles([beespace.Ground(0), beespace.Sphere((0, 0, 20), 5)])
+    among = beespace.Guide(2, obstacles=city, clearance=3, link=LINK, **LIMITS)
+    del city
+    gc.collect()
+    assert among.join(1, [0, 0, 13]).obstacles == (1,)
     assert guide.join(1, [0, 0, 10], figures=FIGURES, max_speed=3).joined
     assert guide.tube(1) == beespace.tube_of(FIGURES, LINK, max_speed=3, max_acceleration=4)
     assert not guide.may_join(2, [0, 1, 10]) and guide.may_join(-2, [0, 30, 10])
