@@ -317,7 +317,7 @@ def velocity_to_goal(
         ctypes.byref(ends.struct),
         ctypes.byref(limits.struct),
         above_zero(step, "step"),
-        velocities.ctypes.data,
+        address_of(velocities),
         ctypes.byref(error),
     )
     check(code, error)
@@ -401,7 +401,12 @@ class ArrayReader:
         if self._copy:
             array = array.copy()
         self._kept.append(array)
-        return int(array.ctypes.data)
+        return address_of(array)
+
+
+def address_of(array: NDArray[Any]) -> int:
+    """Where its numbers begin."""
+    return int(array.__array_interface__["data"][0])
 
 
 def _for_each(given: Any, place: str, count: int) -> NDArray[np.float64]:
@@ -414,7 +419,7 @@ def _for_each(given: Any, place: str, count: int) -> NDArray[np.float64]:
 
 
 def _address(array: NDArray[np.float64]) -> tuple[int, int]:
-    return array.ctypes.data, 0 if array.ndim == 0 else array.itemsize
+    return address_of(array), 0 if array.ndim == 0 else array.itemsize
 
 
 def _new_advice() -> Any:

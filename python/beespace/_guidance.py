@@ -122,8 +122,7 @@ class Guidance(Table):
     def __init__(self, handle: Any) -> None:
         size = int(at_once.beespace_guidance_size(handle))
 
-        def numbers(name: str, code: str, each: int = 1) -> NDArray[Any]:
-            getter = getattr(at_once, f"beespace_guidance_{name}")
+        def numbers(getter: Any, code: str, each: int = 1) -> NDArray[Any]:
             return column(handle, getter(handle), each * size, code)
 
         def findings(what: int) -> Findings:
@@ -134,18 +133,26 @@ class Guidance(Table):
             command_from(at_once.beespace_guidance_command(handle, k).contents)
             for k in range(int(at_once.beespace_guidance_command_count(handle)))
         )
-        self.agents: NDArray[np.int64] = numbers("agents", "<i8")
-        self.contract: NDArray[np.str_] = _contracts[numbers("contracts", "<i4")]
-        self.reason: NDArray[np.str_] = _reasons[numbers("reasons", "<i4")]
-        self.certified: NDArray[np.bool_] = numbers("certified", "|b1")
-        self.clear_of_intruders: NDArray[np.bool_] = numbers("clear_of_intruders", "|b1")
-        self.kind: NDArray[np.str_] = kinds_of(numbers("kinds", "<i4"))
-        self.commanded: NDArray[np.bool_] = numbers("commanded", "|b1")
-        self.branches: NDArray[np.int32] = numbers("branches", "<i4")
-        self.positions: NDArray[np.float64] = numbers("positions", "<f8", 3).reshape(size, 3)
-        self.velocities: NDArray[np.float64] = numbers("velocities", "<f8", 3).reshape(size, 3)
-        self.tube: NDArray[np.float64] = numbers("tubes_m", "<f8")
-        self.deviation: NDArray[np.float64] = numbers("deviations_m", "<f8")
+        self.agents: NDArray[np.int64] = numbers(at_once.beespace_guidance_agents, "<i8")
+        self.contract: NDArray[np.str_] = _contracts[
+            numbers(at_once.beespace_guidance_contracts, "<i4")
+        ]
+        self.reason: NDArray[np.str_] = _reasons[numbers(at_once.beespace_guidance_reasons, "<i4")]
+        self.certified: NDArray[np.bool_] = numbers(at_once.beespace_guidance_certified, "|b1")
+        self.clear_of_intruders: NDArray[np.bool_] = numbers(
+            at_once.beespace_guidance_clear_of_intruders, "|b1"
+        )
+        self.kind: NDArray[np.str_] = kinds_of(numbers(at_once.beespace_guidance_kinds, "<i4"))
+        self.commanded: NDArray[np.bool_] = numbers(at_once.beespace_guidance_commanded, "|b1")
+        self.branches: NDArray[np.int32] = numbers(at_once.beespace_guidance_branches, "<i4")
+        self.positions: NDArray[np.float64] = numbers(
+            at_once.beespace_guidance_positions, "<f8", 3
+        ).reshape(size, 3)
+        self.velocities: NDArray[np.float64] = numbers(
+            at_once.beespace_guidance_velocities, "<f8", 3
+        ).reshape(size, 3)
+        self.tube: NDArray[np.float64] = numbers(at_once.beespace_guidance_tubes_m, "<f8")
+        self.deviation: NDArray[np.float64] = numbers(at_once.beespace_guidance_deviations_m, "<f8")
         self.too_close = findings(_advice.TOO_CLOSE)
         self.near_obstacle = findings(_advice.NEAR_OBSTACLE)
         self.near_fence = findings(_advice.NEAR_FENCE)

@@ -59,6 +59,32 @@ def _live():
     _refused(lambda: swarm.update(ids[1:], 0, points))
 
 
+adviser = beespace.Adviser()
+_still = others * 0.0
+_limits = {"max_speed": 5.0, "max_acceleration": 3.0}
+
+
+def _advised():
+    advice = adviser.advise(others, _still, _still, 12.0, **_limits)
+    assert len(advice.too_close) and len(advice.velocities) == len(others)
+    listed = adviser.advise(broken[:20], _still, _still, 2.0, **_limits).refused
+    assert listed[0].place == "positions"
+
+
+def _guided():
+    guide = beespace.Guide(2, **_limits)
+    follower = beespace.Follower(1, *_limits.values(), 0.1)
+    assert guide.join(1, [0, 0, 0]).joined and not guide.join(2, [1, 0, 0]).joined
+    guide.set_goal(1, [9, 0, 0])
+    for tick in (1, 2, 3):
+        follower.advance(tick)
+        for command in guide.step(tick).commands:
+            guide.take(follower.receive(command))
+    _refused(lambda: guide.step(3))
+    _refused(lambda: guide.take(beespace.AgentReport(1, 99, 3, (0, 0, 0))))
+    follower.restore(follower.stored())
+
+
 calls = [
     lambda: beespace.at_risk(points, 5),
     lambda: beespace.at_risk(points, 5, mask=True, others=others),
@@ -84,6 +110,8 @@ calls = [
     lambda: _refused(lambda: list(beespace.iter_pairs(broken, 5))),
     _come_and_go,
     _live,
+    _advised,
+    _guided,
     lambda: beespace.Engine().count(points, 5),
     lambda: beespace.Index(points),
 ]

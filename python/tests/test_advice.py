@@ -4,7 +4,6 @@ be used is named and clears no other."""
 from __future__ import annotations
 
 import gc
-import os
 import threading
 
 import numpy as np
@@ -309,28 +308,3 @@ def test_threads_share_an_adviser_and_answers_outlive_it():
     assert (velocities == kept).all()
     assert len(answers) == 200
     assert all((each.velocities == kept).all() for each in answers)
-
-
-def test_thousands_of_calls_leave_nothing():
-    places, goals = crossing(20, 6)
-    broken = places.copy()
-    broken[3] = np.nan
-    adviser = beespace.Adviser()
-
-    def ask(times):
-        for number in range(times):
-            given = broken if number % 3 == 0 else places
-            advice = adviser.advise(given, places * 0, goals, 2.0, max_speed=6)
-            assert len(advice.refused) == (number % 3 == 0)
-            with pytest.raises(beespace.BeespaceError):
-                adviser.advise(places, places * 0, goals, -2.0, max_speed=6)
-
-    def resident():
-        gc.collect()
-        with open("/proc/self/statm") as statm:
-            return int(statm.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
-
-    ask(1000)
-    before = resident()
-    ask(4000)
-    assert resident() - before < 2_000_000

@@ -4,7 +4,6 @@ keeps its figures; one that does not is named. What makes no sense is an error t
 from __future__ import annotations
 
 import gc
-import os
 import pickle
 import threading
 
@@ -211,21 +210,3 @@ def test_threads_share_a_guide():
     del guide
     gc.collect()
     assert kept[:, 0].tolist() == [10.0 * k for k in range(100)]
-
-
-def test_hundreds_of_fleets_leave_nothing():
-    def resident():
-        gc.collect()
-        with open("/proc/self/statm") as statm:
-            return int(statm.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
-
-    def fly(times):
-        for seed in range(times):
-            fleet = Fleet(3, seed)
-            for tick in range(1, 12):
-                fleet.tick(tick)
-
-    fly(30)
-    before = resident()
-    fly(150)
-    assert resident() - before < 2_000_000
