@@ -107,7 +107,7 @@ def of_matscipy() -> list[Way]:
 
 def of_freud() -> list[Way]:
     from freud.box import Box
-    from freud.locality import AABBQuery, LinkCell
+    from freud.locality import AABBQuery
     from freud.parallel import set_num_threads
 
     set_num_threads(1)
@@ -121,7 +121,7 @@ def of_freud() -> list[Way]:
 
     def ask(points: Points, x: float) -> Any:
         box, centred = box_of(points, x)
-        query = LinkCell(box, centred, x)
+        query = AABBQuery(box, centred)
         return query.query(centred, {"r_max": x, "exclude_ii": True}).toNeighborList()
 
     def pairs(points: Points, x: float, distances: bool) -> Any:
@@ -145,12 +145,12 @@ def of_freud() -> list[Way]:
         return Way(name, how, question, ask_it, read, floats=True)
 
     return [
-        way("LinkCell", "at_risk", lambda p, x: ask(p, x).neighbor_counts > 0, as_flags),
-        way("LinkCell", "pairs", lambda p, x: pairs(p, x, False), _pairs),
-        way("LinkCell", "pairs_m", lambda p, x: pairs(p, x, True), _pairs),
-        way("LinkCell", "counts", lambda p, x: ask(p, x).neighbor_counts, as_it_is),
-        way("LinkCell", "neighbors", lambda p, x: rows(p, x, False), _rows),
-        way("LinkCell", "neighbors_m", lambda p, x: rows(p, x, True), _rows),
+        way("AABBQuery", "at_risk", lambda p, x: ask(p, x).neighbor_counts > 0, as_flags),
+        way("AABBQuery", "pairs", lambda p, x: pairs(p, x, False), _pairs),
+        way("AABBQuery", "pairs_m", lambda p, x: pairs(p, x, True), _pairs),
+        way("AABBQuery", "counts", lambda p, x: ask(p, x).neighbor_counts, as_it_is),
+        way("AABBQuery", "neighbors", lambda p, x: rows(p, x, False), _rows),
+        way("AABBQuery", "neighbors_m", lambda p, x: rows(p, x, True), _rows),
         way("AABBQuery", "nearest", lambda p, x: nearest(p, x, 1), of_nearest),
         way("AABBQuery", "nearest_8", lambda p, x: nearest(p, x, 8), of_nearest),
     ]

@@ -19,8 +19,8 @@ import numpy as np
 
 from ways import Points, Way
 
-# A peer that takes so many times as long as the fastest is asked once: it decides nothing.
-_HOPELESS = 4.0
+# A peer whose first run takes so many times as long as that of the fastest is not asked again.
+_HOPELESS = 2.0
 
 
 @dataclass

@@ -159,7 +159,7 @@ def write(results: Path, folder: Path) -> None:
         "number of neighbours, but for the border. Processor time on one core, from the array of points to",
         "arrays of NumPy: the tree or the list of cells included, of the fastest way that a package has to",
         f"ask. Medians of {max(len(w['seconds']) for r in rows for w in r['ways'].values())} runs in turn; "
-        "what took four times as long as the fastest peer was asked once.",
+        "what took twice as long as the fastest peer was asked once.",
         f"{versions}; Python {sys.version.split()[0]}; {_processor()}, {os.cpu_count()} cores, shared, "
         f"at a load of {min(loads):.1f} to {max(loads):.1f}.",
         "",
