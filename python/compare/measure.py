@@ -15,8 +15,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from ways import Points, Way
 
 # A peer whose first run takes so many times as long as that of the fastest is not asked again.
@@ -66,13 +64,14 @@ def alternate(
 
 
 def bytes_of(found: Any) -> int:
-    """The memory of the arrays of an answer."""
-    if isinstance(found, np.ndarray):
-        return found.nbytes
+    """The memory of the arrays of an answer: one, some, or an object that has them."""
     if isinstance(found, (tuple, list)):
         return sum(bytes_of(each) for each in found)
+    if hasattr(found, "nbytes"):
+        return int(found.nbytes)
     names = ("i", "j", "distance", "indptr", "indices", "distances", "data")
-    return sum(bytes_of(getattr(found, name, None)) for name in names)
+    each = [getattr(found, name, None) for name in names]
+    return sum(int(array.nbytes) for array in each if array is not None)
 
 
 def peak_of(way: Way, points: Points, threshold_m: float) -> int:

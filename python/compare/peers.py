@@ -10,20 +10,21 @@ import own
 import trees
 from ways import Way
 
-_PEERS: dict[str, Callable[[], list[Way]]] = {
-    "scipy": trees.of_scipy,
-    "scikit-learn": trees.of_scikit_learn,
-    "pykdtree": trees.of_pykdtree,
-    "vesin": lists.of_vesin,
-    "matscipy": lists.of_matscipy,
-    "freud-analysis": lists.of_freud,
+# By the name that their ways have.
+_PEERS: dict[str, tuple[str, Callable[[], list[Way]]]] = {
+    "SciPy cKDTree": ("scipy", trees.of_scipy),
+    "scikit-learn": ("scikit-learn", trees.of_scikit_learn),
+    "pykdtree": ("pykdtree", trees.of_pykdtree),
+    "vesin": ("vesin", lists.of_vesin),
+    "matscipy": ("matscipy", lists.of_matscipy),
+    "freud": ("freud-analysis", lists.of_freud),
 }
 
 
 def versions() -> dict[str, str]:
     """Of what is installed, of those that are compared and of NumPy."""
     found: dict[str, str] = {}
-    for package in (*_PEERS, "numpy"):
+    for package in (*(package for package, _ in _PEERS.values()), "numpy"):
         try:
             found[package] = importlib.metadata.version(package)
         except importlib.metadata.PackageNotFoundError:
@@ -31,11 +32,11 @@ def versions() -> dict[str, str]:
     return found
 
 
-def ways_of(question: str) -> list[Way]:
-    """All ways to ask a question; beespace's is the first."""
+def ways_of(question: str, only: str | None = None) -> list[Way]:
+    """All ways to ask a question, or those of one peer; beespace's is the first."""
     installed = versions()
     found = own.ways()
-    for package, ways in _PEERS.items():
-        if package in installed:
+    for name, (package, ways) in _PEERS.items():
+        if package in installed and only in (None, name):
             found += ways()
-    return [way for way in found if way.question == question]
+    return [way for way in found if way.question == question and only in (None, way.peer)]
