@@ -8,8 +8,6 @@
 // Engine of its own, as a call of a function has.
 #include <beespace/engine.hpp>
 
-#include <sys/resource.h>
-
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -101,10 +99,16 @@ double processor_seconds() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
+// Not of getrusage: there a child begins with the peak of its parent.
 std::int64_t peak_bytes() {
-  rusage usage = {};
-  getrusage(RUSAGE_SELF, &usage);
-  return 1024 * static_cast<std::int64_t>(usage.ru_maxrss);
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;) {
+    if (word != "VmHWM:") continue;
+    std::int64_t kilobytes = 0;
+    status >> kilobytes;
+    return 1024 * kilobytes;
+  }
+  return 0;
 }
 
 std::vector<Point> read_points(const char* path) {

@@ -33,6 +33,7 @@ _DOCUMENTS = _PROJECT / "docs" / "benchmarks"
 _SCENES = [Scene(points, lam) for points in (100_000, 1_000_000) for lam in (2.0, 50.0)]
 # Of fewer points, memory is what the interpreter and its modules take.
 _MANY = 1_000_000
+_OF_MEMORY = ("at_risk", "pairs_m", "neighbors_m", "nearest")
 _SMALL = [Scene(2_000, 2.0), Scene(2_000, 50.0)]
 
 Row = dict[str, Any]
@@ -64,11 +65,6 @@ def compare(scene: Scene, question: str, folder: Path, options: argparse.Namespa
     ways = ways_of(question)
     first, wrong = check(ways, points, scene.side_m)
     costs = alternate(ways, points, THRESHOLD_M, first, options.runs)
-    peaks: dict[str, int | None] = {}
-    if options.memory and (options.smoke or scene.points >= _MANY):
-        fastest = {costs[way.name].median: way for way in reversed(ways)}
-        each = {fastest[cost].peer: fastest[cost] for cost in sorted(fastest, reverse=True)}
-        peaks = {way.name: peak_in_child(Path(__file__), way, path) for way in each.values()}
     row: Row = {
         "points": scene.points,
         "neighbours": scene.neighbours,
@@ -79,7 +75,6 @@ def compare(scene: Scene, question: str, folder: Path, options: argparse.Namespa
                 "how": way.how,
                 "floats": way.floats,
                 "seconds": costs[way.name].seconds,
-                "peak_bytes": peaks.get(way.name),
             }
             for way in ways
         },
@@ -91,9 +86,21 @@ def compare(scene: Scene, question: str, folder: Path, options: argparse.Namespa
         row["library"] = {
             "found": library.found,
             "seconds": library.cost.seconds,
-            "peak_bytes": library.peak_bytes,
         }
     return row
+
+
+def measure_memory(row: Row, scene: Scene, options: argparse.Namespace) -> Row:
+    """The memory of the fastest way of each peer, of a question that was compared."""
+    path = scene.write(options.folder)
+    peaks = {
+        way["peer"]: peak_in_child(Path(__file__), row["question"], f"{way['peer']}: {way['how']}", path)
+        for way in report.by_peer(row).values()
+    }
+    library = ask_library(options.library, row["question"], path, 1)
+    if library is not None:
+        peaks["C++"] = library.peak_bytes
+    return {**{key: row[key] for key in ("points", "neighbours", "question")}, "peaks": peaks}
 
 
 def parse_arguments() -> argparse.Namespace:
@@ -106,6 +113,7 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--folder", type=Path, default=_PROJECT / "build" / "compare-python")
     parser.add_argument("--only", nargs="+", default=list(QUESTIONS), choices=list(QUESTIONS))
     parser.add_argument("--points", nargs="+", type=int, help="scenes of so many points only")
+    parser.add_argument("--neighbours", nargs="+", type=float, help="scenes of this λ only")
     parser.add_argument("--peak", nargs=3, metavar=("QUESTION", "WAY", "POINTS"))
     return parser.parse_args()
 
@@ -132,7 +140,9 @@ def main() -> int:
     with results.open("w") as file:
         file.write(json.dumps({"versions": versions()}) + "\n")
         for scene in _SMALL if options.smoke else _SCENES:
-            if options.points and scene.points not in options.points:
+            if scene.points not in (options.points or [scene.points]):
+                continue
+            if scene.neighbours not in (options.neighbours or [scene.neighbours]):
                 continue
             for question in options.only:
                 row = compare(scene, question, options.folder, options)
@@ -140,6 +150,9 @@ def main() -> int:
                 file.flush()
                 wrong += row["wrong"]
                 print(f"{scene.name}, {question}: {report.summary(row)}", flush=True)
+                if scene.points >= _MANY or options.smoke:
+                    if options.memory and question in _OF_MEMORY:
+                        file.write(json.dumps(measure_memory(row, scene, options)) + "\n")
     for line in wrong:
         print(f"wrong: {line}", file=sys.stderr)
     if not wrong:

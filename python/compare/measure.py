@@ -5,7 +5,6 @@ from __future__ import annotations
 import gc
 import json
 import os
-import resource
 import statistics
 import subprocess
 import sys
@@ -81,15 +80,20 @@ def peak_of(way: Way, points: Points, threshold_m: float) -> int:
     return _peak() - before - bytes_of(found)
 
 
-def peak_in_child(program: Path, way: Way, points: Path) -> int | None:
+def peak_in_child(program: Path, question: str, way: str, points: Path) -> int | None:
     """The same in a process of its own; None where it fails."""
-    command = [sys.executable, "-B", str(program), "--peak", way.question, way.name, str(points)]
+    command = [sys.executable, "-B", str(program), "--peak", question, way, str(points)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     return None if done.returncode else int(json.loads(done.stdout))
 
 
 def _peak() -> int:
-    return 1024 * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    """The most memory that this process has had. Not of getrusage: there a child begins with the peak
+    of its parent."""
+    for line in Path("/proc/self/status").read_text().splitlines():
+        if line.startswith("VmHWM:"):
+            return 1024 * int(line.split()[1])
+    raise OSError("/proc/self/status has no VmHWM")
 
 
 def load() -> str:

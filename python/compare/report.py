@@ -32,7 +32,7 @@ def _seconds(way: Row) -> float:
     return statistics.median(way["seconds"])
 
 
-def _by_peer(row: Row) -> dict[str, Row]:
+def by_peer(row: Row) -> dict[str, Row]:
     """The fastest way of each peer."""
     best: dict[str, Row] = {}
     for way in row["ways"].values():
@@ -43,7 +43,7 @@ def _by_peer(row: Row) -> dict[str, Row]:
 
 
 def _fastest_peer(row: Row) -> Row | None:
-    peers = [way for peer, way in _by_peer(row).items() if peer != _OURS]
+    peers = [way for peer, way in by_peer(row).items() if peer != _OURS]
     return min(peers, key=_seconds, default=None)
 
 
@@ -60,7 +60,7 @@ def _factor(factor: float) -> str:
 def summary(row: Row) -> str:
     """A row, for those who wait for the next."""
     peer = _fastest_peer(row)
-    ours = _seconds(_by_peer(row)[_OURS])
+    ours = _seconds(by_peer(row)[_OURS])
     text = f"{_short(ours)}"
     if peer is not None:
         text += f", {peer['peer']} {_short(_seconds(peer))}, {_factor(_seconds(peer) / ours)} times"
@@ -70,13 +70,13 @@ def summary(row: Row) -> str:
 
 
 def _table(rows: list[Row]) -> list[str]:
-    peers = [name for name in _COLOURS if any(name in _by_peer(row) for row in rows)]
+    peers = [name for name in _COLOURS if any(name in by_peer(row) for row in rows)]
     lines = [
         "| question | " + " | ".join(peers) + " | times as fast as the fastest | aim |",
         "|---|" + "---|" * (len(peers) + 2),
     ]
     for row in rows:
-        best = _by_peer(row)
+        best = by_peer(row)
         cells = [_short(_seconds(best[name])) if name in best else "–" for name in peers]
         peer = _fastest_peer(row)
         ratio = "–" if peer is None else f"**{_factor(_seconds(peer) / _seconds(best[_OURS]))}**"
@@ -94,7 +94,7 @@ def _against_library(rows: list[Row]) -> list[str]:
     for row in rows:
         if "library" not in row:
             continue
-        ours, library = _by_peer(row)[_OURS], row["library"]
+        ours, library = by_peer(row)[_OURS], row["library"]
         least = min(ours["seconds"]) / min(library["seconds"])
         lines.append(
             f"| {row['points']:,} | {row['neighbours']:g} | {QUESTIONS[row['question']][0]} "
@@ -105,23 +105,19 @@ def _against_library(rows: list[Row]) -> list[str]:
 
 
 def _memory(rows: list[Row]) -> list[str]:
-    measured = [row for row in rows if any(way["peak_bytes"] for way in row["ways"].values())]
-    if not measured:
+    if not rows:
         return []
-    peers = [name for name in _COLOURS if any(name in _by_peer(row) for row in measured)]
+    names = ["C++", *_COLOURS]
+    names = [name for name in names if any(name in row["peaks"] for row in rows)]
     lines = [
-        "| points | λ | question | C++ | " + " | ".join(peers) + " |",
-        "|---|---|---|---|" + "---|" * len(peers),
+        "| points | λ | question | " + " | ".join(names) + " |",
+        "|---|---|---|" + "---|" * len(names),
     ]
-    for row in measured:
-        best = _by_peer(row)
-        cells = [_megabytes(best.get(name, {}).get("peak_bytes")) for name in peers]
-        library = _megabytes(row.get("library", {}).get("peak_bytes"))
+    for row in rows:
+        cells = [_megabytes(row["peaks"].get(name)) for name in names]
         title = QUESTIONS[row["question"]][0]
         lines.append(
-            f"| {row['points']:,} | {row['neighbours']:g} | {title} | {library} | "
-            + " | ".join(cells)
-            + " |"
+            f"| {row['points']:,} | {row['neighbours']:g} | {title} | " + " | ".join(cells) + " |"
         )
     return lines
 
@@ -134,7 +130,7 @@ def _hows(rows: list[Row]) -> list[str]:
     """Which function of each peer was the fastest, by question."""
     seen: dict[str, set[str]] = {}
     for row in rows:
-        for peer, way in _by_peer(row).items():
+        for peer, way in by_peer(row).items():
             seen.setdefault(peer, set()).add(way["how"])
     return [f"- {peer}: {', '.join(sorted(seen[peer]))}" for peer in _COLOURS if peer in seen]
 
@@ -149,7 +145,7 @@ def _processor() -> str:
 def write(results: Path, folder: Path) -> None:
     """Writes the page and its chart."""
     first, *rest = [json.loads(line) for line in results.read_text().splitlines()]
-    rows: list[Row] = rest
+    rows: list[Row] = [row for row in rest if "ways" in row]
     loads = [float(row["load"]) for row in rows]
     versions = ", ".join(f"{name} {version}" for name, version in first["versions"].items())
     lines = [
@@ -185,7 +181,7 @@ def write(results: Path, folder: Path) -> None:
             "",
             *against,
         ]
-    memory = _memory(rows)
+    memory = _memory([row for row in rest if "peaks" in row])
     if memory:
         lines += [
             "",
@@ -210,13 +206,13 @@ def _chart(rows: list[Row]) -> str:
         for row in rows:
             if (row["points"], row["neighbours"]) != key:
                 continue
-            best = _by_peer(row)
+            best = by_peer(row)
             peer = _fastest_peer(row)
             remark = f"× {_factor(_seconds(peer) / _seconds(best[_OURS]))}" if peer else ""
             values = {name: _seconds(best[name]) for name in _COLOURS if name in best}
             dots.append(dot_chart.Row(QUESTIONS[row["question"]][0], values, remark))
         groups.append((f"{key[0]:,} points, λ = {key[1]:g}", dots))
-    shown = {name for row in rows for name in _by_peer(row)}
+    shown = {name for row in rows for name in by_peer(row)}
     return dot_chart.svg(
         dot_chart.DotChart(
             "Python packages, question by question",
