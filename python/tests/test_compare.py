@@ -30,6 +30,7 @@ def test_right_answers_are_right_in_any_order() -> None:
     [
         of_pairs(i[:1], j[:1], 3),
         of_pairs(np.array([0, 0, 1]), np.array([1, 2, 2]), 3),
+        of_pairs(np.array([0, 0, 1]), np.array([1, 1, 2]), 3),
         of_pairs(i, j, 3, apart + 0.001),
     ],
 )
