@@ -7,7 +7,6 @@ import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
-from measure import Cost
 from scenes import THRESHOLD_M
 
 
@@ -15,8 +14,7 @@ from scenes import THRESHOLD_M
 class OfLibrary:
     """What `bench/answer_benchmark.cpp` says: vectors of the C++ library."""
 
-    found: int
-    cost: Cost
+    seconds: list[float]
     peak_bytes: int  # beyond the answer, of the first call
 
 
@@ -26,4 +24,4 @@ def ask_library(program: Path | None, question: str, points: Path, runs: int) ->
         return None
     command = [str(program), question, str(points), str(THRESHOLD_M), str(runs)]
     said = json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
-    return OfLibrary(said["found"], Cost(said["seconds"]), said["peak_bytes"])
+    return OfLibrary(said["seconds"], said["peak_bytes"])

@@ -45,10 +45,15 @@ def seconds_of(ask: Callable[[], Any]) -> float:
 
 
 def alternate(
-    ways: list[Way], points: Points, threshold_m: float, first: dict[str, float], runs: int
+    ways: list[Way],
+    points: Points,
+    threshold_m: float,
+    first: dict[str, float],
+    runs: int,
+    beside: Callable[[], None],
 ) -> dict[str, Cost]:
     """Costs by the names of ways, asked in turn, as often each; those that are hopeless once, with
-    the cost of their first run."""
+    the cost of their first run. `beside` is called in each turn, too."""
     peers = [first[way.name] for way in ways if way.peer != ways[0].peer]
     limit = _HOPELESS * min(peers, default=float("inf"))
     costs = {way.name: Cost([first[way.name]]) for way in ways}
@@ -59,6 +64,7 @@ def alternate(
         for way in rounds:
             taken = seconds_of(lambda asked=way: asked.ask(points, threshold_m))
             costs[way.name].seconds.append(taken)
+        beside()
     return costs
 
 

@@ -177,7 +177,7 @@ def write(results: Path, folder: Path) -> None:
             "",
             "`answer_benchmark` asks the C++ library for vectors: `Engine::find_pairs` and",
             "`pair_distances`, ids of 32 bits. Each call has an engine of its own, as a function of the",
-            "package has. Processor time, in turn with nothing: look at the least of each, too.",
+            "package has. Processor time, in turn. The machine is shared: look at the least of each, too.",
             "",
             *against,
         ]
