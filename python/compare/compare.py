@@ -23,6 +23,7 @@ import numpy as np
 import report
 from library import ask_library
 from measure import alternate, load, peak_in_child, peak_of, seconds_of
+from own import NAME as OURS
 from peers import versions, ways_of
 from questions import QUESTIONS, difference
 from scenes import THRESHOLD_M, Scene
@@ -62,7 +63,7 @@ def compare(scene: Scene, question: str, folder: Path, options: argparse.Namespa
     """One row of the results."""
     path = scene.write(folder)
     points = np.fromfile(path).reshape(-1, 3)
-    ways = ways_of(question)
+    ways = [way for way in ways_of(question) if way.peer in (OURS, *(options.peers or [way.peer]))]
     first, wrong = check(ways, points, scene.side_m)
     library: list[float] = []
 
@@ -117,6 +118,7 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--only", nargs="+", default=list(QUESTIONS), choices=list(QUESTIONS))
     parser.add_argument("--points", nargs="+", type=int, help="scenes of so many points only")
     parser.add_argument("--neighbours", nargs="+", type=float, help="scenes of this λ only")
+    parser.add_argument("--peers", nargs="+", help="these only, beside beespace")
     parser.add_argument("--peak", nargs=3, metavar=("QUESTION", "WAY", "POINTS"))
     return parser.parse_args()
 
