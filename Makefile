@@ -1,6 +1,6 @@
 # The everyday commands. Each works on a brand-new Debian 12 or Ubuntu 24.04 machine.
 .DEFAULT_GOAL := help
-.PHONY: help demo test python bench bench-prevention prevention-table compare docs format lint clean install install-lib
+.PHONY: help demo test python bench bench-prevention prevention-table compare compare-python docs format lint clean install install-lib
 
 PREFIX ?= /usr/local
 
@@ -12,6 +12,7 @@ help: ## this list
 	@echo "make bench-prevention  fly whole missions with and without advice (takes long)"
 	@echo "make prevention-table  fly fleets that are not exact (takes long)"
 	@echo "make compare  compare with other libraries and the paper's methods (about 25 minutes)"
+	@echo "make compare-python  compare the Python package with others (about 25 minutes)"
 	@echo "make docs     build the reference of the C++ interface in build/docs"
 	@echo "make format   format the sources with clang-format 14"
 	@echo "make lint     format, include and header checks, clang-tidy"
@@ -50,6 +51,10 @@ prevention-table:
 compare:
 	@scripts/install-packages build compare
 	@scripts/compare
+
+compare-python:
+	@scripts/install-packages build bench python
+	@scripts/compare-python
 
 docs:
 	@scripts/install-packages docs

@@ -159,18 +159,6 @@ Status write_nearest_rows(std::span<const Nearest> entries, std::size_t length,
   return write_entries(entries, stop, result);
 }
 
-Status write_pair_distances(const PointsView& points, const PointsView& others,
-                            const std::stop_token& stop, beespace_result& result) {
-  const std::size_t size = result.first.size();
-  result.distances_m.resize(size);
-  return write_all(size, stop, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      result.distances_m[i] = distance(points[static_cast<std::size_t>(result.first[i])],
-                                       others[static_cast<std::size_t>(result.second[i])]);
-    }
-  });
-}
-
 Status write_row_distances(const PointsView& points, const PointsView& others,
                            const std::stop_token& stop, beespace_result& result) {
   result.distances_m.resize(result.ids.size());

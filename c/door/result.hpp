@@ -88,9 +88,7 @@ Status write_nearest_rows(std::span<const Nearest> entries, std::size_t length,
                           std::size_t row_count, const std::stop_token& stop,
                           beespace_result& result);
 
-// The distances of what is in the result: of pairs, or of each row's point and the row's ids.
-Status write_pair_distances(const PointsView& points, const PointsView& others,
-                            const std::stop_token& stop, beespace_result& result);
+// The distances of each row's point and the row's ids, which are in the result.
 Status write_row_distances(const PointsView& points, const PointsView& others,
                            const std::stop_token& stop, beespace_result& result);
 

@@ -4,6 +4,7 @@
 #include "c/door/options.hpp"
 #include "c/door/question.hpp"
 
+#include <beespace/columns.hpp>
 #include <beespace/nearest.hpp>
 
 #include <array>
@@ -12,9 +13,11 @@
 
 using namespace beespace::c;  // NOLINT(google-build-using-namespace): the functions are of C
 using beespace::Pair;
+using beespace::PairColumns;
 using beespace::PairOptions;
 using beespace::PointsView;
 using beespace::Result;
+using beespace::RowColumns;
 using beespace::RunOptions;
 using beespace::Status;
 
@@ -36,21 +39,28 @@ Result<PairOptions> leave_room_for_self(PairOptions options, std::size_t points)
 
 Status find_rows(const Search& asked, const PointSets& sets, beespace_engine& used,
                  const RunOptions& run, beespace_result& into) {
-  PairOptions options = asked.pairs(run);
+  const PairOptions options = asked.pairs(run);
+  const auto room = [&](std::uint64_t rows, std::uint64_t size) {
+    into.offsets.resize(rows + 1);
+    into.ids.resize(size);
+    if (asked.distances) into.distances_m.resize(size);
+    return RowColumns{into.offsets.data(), into.ids.data(),
+                      asked.distances ? into.distances_m.data() : nullptr};
+  };
+  return sets.others ? used.engine.find_neighbors_between(sets.points, *sets.others, options, room)
+                     : used.engine.find_neighbors(sets.points, options, room);
+}
+
+// The same of one set, with each point in its own row.
+Status find_rows_with_self(const Search& asked, const PointSets& sets, beespace_engine& used,
+                           const RunOptions& run, beespace_result& into) {
   const std::size_t count = sets.points.size();
-  if (asked.with_self) {
-    const Result<PairOptions> less = leave_room_for_self(options, count);
-    if (!less) return less.error();
-    options = *less;
-  }
-  Status status = sets.others ? used.engine.find_neighbors_between(sets.points, *sets.others,
-                                                                   options, used.rows)
-                              : used.engine.find_neighbors(sets.points, options, used.rows);
-  if (!status) return status;
-  status = asked.with_self ? write_rows_with_self(used.rows, count, run.stop, into)
-                           : write_rows(used.rows, count, run.stop, into);
+  const Result<PairOptions> options = leave_room_for_self(asked.pairs(run), count);
+  if (!options) return options.error();
+  Status status = used.engine.find_neighbors(sets.points, *options, used.rows);
+  if (status) status = write_rows_with_self(used.rows, count, run.stop, into);
   if (!status || !asked.distances) return status;
-  return write_row_distances(sets.points, sets.others ? *sets.others : sets.points, run.stop, into);
+  return write_row_distances(sets.points, sets.points, run.stop, into);
 }
 
 // A batch of pairs in the widths of C.
@@ -91,14 +101,15 @@ beespace_code beespace_pairs(beespace_engine* engine, const beespace_points* poi
     const Result<Search> asked = search_of(search, kOfPairs);
     if (!asked) return asked.error();
     const PairOptions within = asked->pairs(options);
-    Status status =
-        sets.others ? used.engine.find_pairs_between(sets.points, *sets.others, within, used.pairs)
-                    : used.engine.find_pairs(sets.points, within, used.pairs);
-    if (!status) return status;
-    status = write_pairs(used.pairs, options.stop, into);
-    if (!status || !asked->distances) return status;
-    return write_pair_distances(sets.points, sets.others ? *sets.others : sets.points, options.stop,
-                                into);
+    const auto room = [&](std::uint64_t size) {
+      into.first.resize(size);
+      into.second.resize(size);
+      if (asked->distances) into.distances_m.resize(size);
+      return PairColumns{into.first.data(), into.second.data(),
+                         asked->distances ? into.distances_m.data() : nullptr};
+    };
+    return sets.others ? used.engine.find_pairs_between(sets.points, *sets.others, within, room)
+                       : used.engine.find_pairs(sets.points, within, room);
   };
   return answer(engine, points, others, run, result, error, ask);
 }
@@ -133,7 +144,8 @@ beespace_code beespace_neighbors(beespace_engine* engine, const beespace_points*
     const Result<Search> asked =
         search_of(search, sets.others ? kOfPairs : kOfPairs | BEESPACE_WITH_SELF);
     if (!asked) return asked.error();
-    return find_rows(*asked, sets, used, options, into);
+    return asked->with_self ? find_rows_with_self(*asked, sets, used, options, into)
+                            : find_rows(*asked, sets, used, options, into);
   };
   return answer(engine, points, others, run, result, error, ask);
 }

@@ -8,6 +8,7 @@
 #include <beespace/bezier_path.hpp>
 #include <beespace/brute_force.hpp>
 #include <beespace/closest_approach.hpp>
+#include <beespace/columns.hpp>
 #include <beespace/command.hpp>
 #include <beespace/conflict.hpp>
 #include <beespace/conflict_groups.hpp>

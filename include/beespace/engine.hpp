@@ -8,6 +8,7 @@
 #pragma once
 
 #include <beespace/closest_approach.hpp>
+#include <beespace/columns.hpp>
 #include <beespace/conflict.hpp>
 #include <beespace/crew.hpp>
 #include <beespace/export.hpp>
@@ -86,6 +87,20 @@ class BEESPACE_API Engine {
   /// @return Success, or an error of beespace::find_pairs_between.
   Status find_pairs_between(const PointsView& points, const PointsView& others,
                             const PairOptions& options, std::vector<Pair>& pairs);
+  /// @brief As beespace::find_pairs, in columns of the caller's.
+  /// @param points The positions in metres.
+  /// @param options The threshold and how to search.
+  /// @param room Gives the memory for the answer, which is undefined where there is an error.
+  /// @return Success, or an error of beespace::find_pairs.
+  Status find_pairs(const PointsView& points, const PairOptions& options, const PairRoom& room);
+  /// @brief As beespace::find_pairs_between, in columns of the caller's.
+  /// @param points The positions in metres of the first of each pair.
+  /// @param others The positions in metres of the second of each pair.
+  /// @param options The threshold and how to search.
+  /// @param room Gives the memory for the answer, which is undefined where there is an error.
+  /// @return Success, or an error of beespace::find_pairs_between.
+  Status find_pairs_between(const PointsView& points, const PointsView& others,
+                            const PairOptions& options, const PairRoom& room);
   /// @brief As beespace::visit_pairs.
   /// @param points The positions in metres.
   /// @param options The threshold and how to search.
@@ -109,6 +124,20 @@ class BEESPACE_API Engine {
   /// @return Success, or an error of beespace::find_neighbors_between.
   Status find_neighbors_between(const PointsView& points, const PointsView& others,
                                 const PairOptions& options, IdRows& neighbors);
+  /// @brief As beespace::find_neighbors, in columns of the caller's.
+  /// @param points The positions in metres.
+  /// @param options The threshold and how to search.
+  /// @param room Gives the memory for the answer, which is undefined where there is an error.
+  /// @return Success, or an error of beespace::find_neighbors.
+  Status find_neighbors(const PointsView& points, const PairOptions& options, const RowRoom& room);
+  /// @brief As beespace::find_neighbors_between, in columns of the caller's.
+  /// @param points The positions in metres, each of which has a row.
+  /// @param others The positions in metres of the other set.
+  /// @param options The threshold and how to search.
+  /// @param room Gives the memory for the answer, which is undefined where there is an error.
+  /// @return Success, or an error of beespace::find_neighbors_between.
+  Status find_neighbors_between(const PointsView& points, const PointsView& others,
+                                const PairOptions& options, const RowRoom& room);
   /// @brief As beespace::count_neighbors.
   /// @param points The positions in metres.
   /// @param options The threshold and how to search.

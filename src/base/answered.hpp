@@ -29,9 +29,14 @@ inline void empty(IdRows& answer) {
 // Returns what ask() does, a Status; or the error of a call that was stopped.
 template <class Answer, class Ask>
 Status answered(Answer& answer, Ask&& ask) {
-  Status status = unless_stopped(std::forward<Ask>(ask));
-  if (!status) empty(answer);
-  return status;
+  try {
+    Status status = unless_stopped(std::forward<Ask>(ask));
+    if (!status) empty(answer);
+    return status;
+  } catch (...) {
+    empty(answer);
+    throw;
+  }
 }
 
 }  // namespace beespace::core

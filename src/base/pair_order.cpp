@@ -140,7 +140,7 @@ class BucketOrder {
 }  // namespace
 
 void order_pairs(const Vector<FoundPairs>& found, Direction direction, std::uint64_t first_ids,
-                 const Resources& with, Pair* out) {
+                 const Resources& with, Pair* out, const TakeSorted& take) {
   std::uint64_t size = size_of(found);
   if (direction == Direction::kBothWays) size *= 2;
   if (size == 0) return;
@@ -184,11 +184,17 @@ void order_pairs(const Vector<FoundPairs>& found, Direction direction, std::uint
   for (std::size_t b = 0; b < buckets; ++b)
     largest = std::max(largest, begin_of[b + 1] - begin_of[b]);
   with.crew.split(size, [&](std::size_t begin, std::size_t end, unsigned worker) {
+    if (begin == end) return;
     BucketOrder order(low_bits, largest, with.memory.of(worker));
-    // A worker sorts the buckets that start in its share.
+    // A worker sorts the buckets that start in its share; the last one has empty ones behind it.
     auto bucket = std::lower_bound(begin_of.begin(), begin_of.end() - 1, begin);
-    for (; bucket + 1 != begin_of.end() && *bucket < end && !is_stopping(); ++bucket) {
+    for (; bucket + 1 != begin_of.end() && (*bucket < end || end == size) && !is_stopping();
+         ++bucket) {
       order.sort(out + *bucket, bucket[1] - bucket[0]);
+      if (!take) continue;
+      const auto id = static_cast<std::uint64_t>(bucket - begin_of.begin()) << low_bits;
+      const std::uint64_t end_id = id + (std::uint64_t{1} << low_bits);
+      take({out, *bucket, bucket[1], std::min(id, first_ids), std::min(end_id, first_ids)});
     }
   });
 }

@@ -7,7 +7,10 @@
 #include <beespace/pairs.hpp>
 #include <beespace/point.hpp>
 
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <functional>
 
 namespace beespace::core {
 
@@ -64,11 +67,31 @@ enum class Direction : std::uint8_t {
   kBothWays,   // (a, b) and (b, a)
 };
 
+// Some of the pairs that are written, in their final order and place.
+struct SortedPairs {
+  const Pair* pairs;  // the first of all, of these and of others
+  std::size_t begin;  // these
+  std::size_t end;
+  std::uint64_t first_id;  // all pairs whose first ids are in [first_id, end_id), and no others
+  std::uint64_t end_id;
+};
+
+// One of them; also where what took the ones before has written something else over these.
+inline Pair pair_at(const Pair* pairs, std::size_t i) {
+  Pair pair;
+  std::memcpy(&pair, pairs + i, sizeof pair);
+  return pair;
+}
+
+// Sees them while they are in the nearest cache, and may overwrite them. Called by several workers
+// at once; if there is any pair, the calls share all ids below `first_ids` among them.
+using TakeSorted = std::function<void(const SortedPairs&)>;
+
 // Writes the pairs of all workers in ascending order; `first_ids` is above every first id. `out`
 // has room for all of them (twice for kBothWays). Cost: one scatter of 8 bytes a pair, then buckets
 // of a few hundred in the nearest cache. Working memory: 8 bytes for each pair of the fullest
 // bucket.
 void order_pairs(const Vector<FoundPairs>& found, Direction direction, std::uint64_t first_ids,
-                 const Resources& with, Pair* out);
+                 const Resources& with, Pair* out, const TakeSorted& take = {});
 
 }  // namespace beespace::core

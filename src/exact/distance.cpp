@@ -2,12 +2,10 @@
 
 #include <beespace/nearest.hpp>
 
-#include <cmath>
-
 namespace beespace {
 
 double distance(const Point& a, const Point& b) {
-  return std::sqrt(core::squared_distance(a, b));
+  return core::rounded_distance(a, b);
 }
 
 }  // namespace beespace

@@ -6,6 +6,8 @@
 
 #include <beespace/point.hpp>
 
+#include <cmath>
+
 namespace beespace::core {
 
 // Rounded like doubles; relative error at most 5 u + O(u^2) with u = 2^-53: one rounding in each
@@ -15,6 +17,11 @@ inline double squared_distance(const Point& p, const Point& q) {
   const double dy = p.y - q.y;
   const double dz = p.z - q.z;
   return dx * dx + dy * dy + dz * dz;
+}
+
+// beespace::distance, for loops.
+inline double rounded_distance(const Point& p, const Point& q) {
+  return std::sqrt(squared_distance(p, q));
 }
 
 // The sign (-1, 0, 1) of |p - q| - distance, exactly. Slow: for what rounding left open.

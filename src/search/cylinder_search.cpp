@@ -154,30 +154,16 @@ core::Vector<core::FoundPairs> CylinderSearch::collect(std::uint64_t most) const
   return found;
 }
 
-Status CylinderSearch::find_pairs(std::vector<Pair>& pairs) const {
-  pairs.clear();
-  const auto found = collect(options_.max_results);
-  const std::uint64_t size = core::size_of(found);
-  if (size > options_.max_results) return core::too_many_results(options_.max_results);
-  core::resize_for(pairs, size, with_.crew);
+Status CylinderSearch::find_pairs(PairAnswer& answer) const {
   const auto direction = others_ ? core::Direction::kAsFound : core::Direction::kAscending;
-  core::order_pairs(found, direction, points_.size(), with_, pairs.data());
-  return std::monostate{};
+  return take_pairs(collect(options_.max_results), direction, points_.size(), options_.max_results,
+                    with_, answer);
 }
 
-Status CylinderSearch::find_neighbors(IdRows& neighbors) const {
-  neighbors.offsets.clear();
-  neighbors.ids.clear();
-  if (points_.size() == 0) return std::monostate{};
-  const std::uint64_t rows_a_pair = others_ ? 1 : 2;
-  const auto found = collect(options_.max_results / rows_a_pair);
-  const std::uint64_t size = rows_a_pair * core::size_of(found);
-  if (size > options_.max_results) return core::too_many_results(options_.max_results);
-  core::Buffer<Pair> pairs(with_.memory, size);
+Status CylinderSearch::find_neighbors(PairAnswer& answer) const {
   const auto direction = others_ ? core::Direction::kAsFound : core::Direction::kBothWays;
-  core::order_pairs(found, direction, points_.size(), with_, pairs.data());
-  write_rows(pairs, size, points_.size(), with_, neighbors);
-  return std::monostate{};
+  return take_pairs(collect(options_.max_results / (others_ ? 1 : 2)), direction, points_.size(),
+                    options_.max_results, with_, answer);
 }
 
 Result<bool> CylinderSearch::visit_pairs(const PairVisitor& visit) const {

@@ -7,6 +7,7 @@
 #include "base/resources.hpp"
 #include "cylinders/cylinder_join.hpp"
 #include "cylinders/cylinder_rows.hpp"
+#include "search/pair_answer.hpp"
 #include "search/tuning_overrides.hpp"
 
 #include <beespace/id_rows.hpp>
@@ -31,8 +32,8 @@ class CylinderSearch {
                  const core::Resources& with, const TuningOverrides& tuning);
 
   Status find_at_risk(std::vector<PointId>& at_risk) const;
-  Status find_pairs(std::vector<Pair>& pairs) const;
-  Status find_neighbors(IdRows& neighbors) const;
+  Status find_pairs(PairAnswer& answer) const;
+  Status find_neighbors(PairAnswer& answer) const;
   Status count_neighbors(std::vector<std::uint32_t>& counts) const;
   // The nearest by the straight line among those in the cylinder.
   Status find_nearest(std::vector<Nearest>& nearest) const;

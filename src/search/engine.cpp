@@ -1,4 +1,4 @@
-// The queries of an Engine on snapshots.
+// The queries of an Engine on snapshots, but for pairs and neighbours.
 #include <beespace/engine.hpp>
 
 #include "base/answered.hpp"
@@ -23,11 +23,6 @@ namespace {
 
 constexpr std::monostate kDone{};
 
-bool is_vertical(const PairOptions& options, const PointsView& points,
-                 const PointsView& others = {}) {
-  return options.vertical_m || points.has_heights() || others.has_heights();
-}
-
 }  // namespace
 
 Engine::Engine() : state_(std::make_unique<EngineState>(nullptr)) {
@@ -45,7 +40,7 @@ void Engine::release_memory() {
 Status Engine::find_at_risk(const PointsView& points, const SearchOptions& options,
                             std::vector<PointId>& at_risk) {
   return core::answered(at_risk, [&]() -> Status {
-    if (is_vertical(options, points)) {
+    if (EngineState::is_vertical(options, points)) {
       return state_->run_cylinder(points, nullptr, options,
                                   [&](const auto& search) { return search.find_at_risk(at_risk); });
     }
@@ -60,7 +55,7 @@ Status Engine::find_at_risk(const PointsView& points, const SearchOptions& optio
 Status Engine::find_at_risk_between(const PointsView& points, const PointsView& others,
                                     const SearchOptions& options, std::vector<PointId>& at_risk) {
   return core::answered(at_risk, [&]() -> Status {
-    if (is_vertical(options, points, others)) {
+    if (EngineState::is_vertical(options, points, others)) {
       return state_->run_cylinder(points, &others, options,
                                   [&](const auto& search) { return search.find_at_risk(at_risk); });
     }
@@ -68,34 +63,6 @@ Status Engine::find_at_risk_between(const PointsView& points, const PointsView& 
     return state_->run(points, others, options, [&](const auto& domain, const auto& with) {
       search::find_at_risk(domain, options, with, state_->tuning, at_risk);
       return kDone;
-    });
-  });
-}
-
-Status Engine::find_pairs(const PointsView& points, const PairOptions& options,
-                          std::vector<Pair>& pairs) {
-  return core::answered(pairs, [&]() -> Status {
-    if (is_vertical(options, points)) {
-      return state_->run_cylinder(points, nullptr, options,
-                                  [&](const auto& search) { return search.find_pairs(pairs); });
-    }
-    if (auto error = core::check_options(options)) return *std::move(error);
-    return state_->run(points, options, [&](const auto& domain, const auto& with) {
-      return search::find_pairs(domain, options, with, state_->tuning, pairs);
-    });
-  });
-}
-
-Status Engine::find_pairs_between(const PointsView& points, const PointsView& others,
-                                  const PairOptions& options, std::vector<Pair>& pairs) {
-  return core::answered(pairs, [&]() -> Status {
-    if (is_vertical(options, points, others)) {
-      return state_->run_cylinder(points, &others, options,
-                                  [&](const auto& search) { return search.find_pairs(pairs); });
-    }
-    if (auto error = core::check_options(options)) return *std::move(error);
-    return state_->run(points, others, options, [&](const auto& domain, const auto& with) {
-      return search::find_pairs(domain, options, with, state_->tuning, pairs);
     });
   });
 }
@@ -112,7 +79,7 @@ Result<bool> Engine::visit_pairs(const PointsView& points, const SearchOptions& 
     return goes_on && !core::is_stopping();
   };
   return core::unless_stopped([&]() -> Result<bool> {
-    if (is_vertical(options, points)) {
+    if (EngineState::is_vertical(options, points)) {
       return state_->run_cylinder(points, nullptr, options, [&](const auto& search) {
         return search.visit_pairs(visit_freely);
       });
@@ -128,40 +95,10 @@ Result<bool> Engine::visit_pairs(const PointsView& points, const SearchOptions& 
   });
 }
 
-Status Engine::find_neighbors(const PointsView& points, const PairOptions& options,
-                              IdRows& neighbors) {
-  return core::answered(neighbors, [&]() -> Status {
-    if (is_vertical(options, points)) {
-      return state_->run_cylinder(points, nullptr, options, [&](const auto& search) {
-        return search.find_neighbors(neighbors);
-      });
-    }
-    if (auto error = core::check_options(options)) return *std::move(error);
-    return state_->run(points, options, [&](const auto& domain, const auto& with) {
-      return search::find_neighbors(domain, options, with, state_->tuning, neighbors);
-    });
-  });
-}
-
-Status Engine::find_neighbors_between(const PointsView& points, const PointsView& others,
-                                      const PairOptions& options, IdRows& neighbors) {
-  return core::answered(neighbors, [&]() -> Status {
-    if (is_vertical(options, points, others)) {
-      return state_->run_cylinder(points, &others, options, [&](const auto& search) {
-        return search.find_neighbors(neighbors);
-      });
-    }
-    if (auto error = core::check_options(options)) return *std::move(error);
-    return state_->run(points, others, options, [&](const auto& domain, const auto& with) {
-      return search::find_neighbors(domain, options, with, state_->tuning, neighbors);
-    });
-  });
-}
-
 Status Engine::count_neighbors(const PointsView& points, const SearchOptions& options,
                                std::vector<std::uint32_t>& counts) {
   return core::answered(counts, [&]() -> Status {
-    if (is_vertical(options, points)) {
+    if (EngineState::is_vertical(options, points)) {
       return state_->run_cylinder(points, nullptr, options, [&](const auto& search) {
         return search.count_neighbors(counts);
       });
@@ -178,7 +115,7 @@ Status Engine::count_neighbors_between(const PointsView& points, const PointsVie
                                        const SearchOptions& options,
                                        std::vector<std::uint32_t>& counts) {
   return core::answered(counts, [&]() -> Status {
-    if (is_vertical(options, points, others)) {
+    if (EngineState::is_vertical(options, points, others)) {
       return state_->run_cylinder(points, &others, options, [&](const auto& search) {
         return search.count_neighbors(counts);
       });
@@ -194,7 +131,7 @@ Status Engine::count_neighbors_between(const PointsView& points, const PointsVie
 Status Engine::find_conflict_groups(const PointsView& points, const SearchOptions& options,
                                     IdRows& groups) {
   return core::answered(groups, [&]() -> Status {
-    if (is_vertical(options, points)) {
+    if (EngineState::is_vertical(options, points)) {
       return state_->run_cylinder(points, nullptr, options,
                                   [&](const auto& search) { return search.find_groups(groups); });
     }
@@ -234,7 +171,7 @@ Status Engine::find_k_nearest(const PointsView& points, std::size_t k, NearestRo
 Status Engine::find_nearest_within(const PointsView& points, const SearchOptions& options,
                                    std::vector<Nearest>& nearest) {
   return core::answered(nearest, [&]() -> Status {
-    if (is_vertical(options, points)) {
+    if (EngineState::is_vertical(options, points)) {
       return state_->run_cylinder(points, nullptr, options,
                                   [&](const auto& search) { return search.find_nearest(nearest); });
     }
@@ -262,7 +199,7 @@ Status Engine::find_nearest_within_between(const PointsView& points, const Point
                                            const SearchOptions& options,
                                            std::vector<Nearest>& nearest) {
   return core::answered(nearest, [&]() -> Status {
-    if (is_vertical(options, points, others)) {
+    if (EngineState::is_vertical(options, points, others)) {
       return state_->run_cylinder(points, &others, options,
                                   [&](const auto& search) { return search.find_nearest(nearest); });
     }

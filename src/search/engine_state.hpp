@@ -6,6 +6,7 @@
 #include "base/stopping.hpp"
 #include "exact/validate.hpp"
 #include "search/cylinder_search.hpp"
+#include "search/pair_answer.hpp"
 #include "search/search_domain.hpp"
 #include "search/tuning_overrides.hpp"
 #include "tree/nearest_list.hpp"
@@ -71,6 +72,17 @@ class Engine::EngineState {
     const core::Resources with = resources(options, most);
     return search(search::CylinderSearch(points, others, options, with, tuning));
   }
+
+  static bool is_vertical(const PairOptions& options, const PointsView& points,
+                          const PointsView& others = {}) {
+    return options.vertical_m || points.has_heights() || others.has_heights();
+  }
+
+  // Pairs, and rows of neighbours, in one swarm or, with `others`, between two.
+  Status find_pairs(const PointsView& points, const PointsView* others, const PairOptions& options,
+                    search::PairAnswer& answer);
+  Status find_neighbors(const PointsView& points, const PointsView* others,
+                        const PairOptions& options, search::PairAnswer& answer);
 
   const search::TuningOverrides tuning = {};
   std::vector<Nearest> nearest;                  // of the closest pair between two swarms

@@ -10,7 +10,6 @@
 #include "sweep/collect_rows.hpp"
 #include "sweep/sweep_all.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace beespace::search {
@@ -71,71 +70,44 @@ class LongRows {
   core::AllFoundRows found_;
 };
 
-Status find_crowded_pairs(const SearchDomain& domain, const PairOptions& options,
-                          const core::Resources& with, const TuningOverrides& tuning,
-                          std::vector<Pair>& pairs) {
-  const auto which = domain.has_others() ? cpu::Which::kAll : cpu::Which::kAboveOnly;
+Status find_crowded(const SearchDomain& domain, const PairOptions& options, cpu::Which which,
+                    const core::Resources& with, const TuningOverrides& tuning,
+                    PairAnswer& answer) {
   const LongRows rows(domain, options, which, with, tuning);
   if (rows.size() > options.max_results) return core::too_many_results(options.max_results);
   core::Buffer<std::uint64_t> offsets(with.memory, domain.points().size() + 1);
   rows.write_offsets(offsets.data());
-  core::resize_for(pairs, rows.size(), with.crew);
+  answer.open(rows.size(), with);
   rows.for_each([&](PointId id, const PointId* row, std::size_t length) {
-    Pair* const to = pairs.data() + offsets[id];
-    for (std::size_t k = 0; k < length; ++k) to[k] = {id, row[k]};
-  });
-  return std::monostate{};
-}
-
-Status find_crowded_neighbors(const SearchDomain& domain, const PairOptions& options,
-                              const core::Resources& with, const TuningOverrides& tuning,
-                              IdRows& neighbors) {
-  const LongRows rows(domain, options, cpu::Which::kAll, with, tuning);
-  if (rows.size() > options.max_results) return core::too_many_results(options.max_results);
-  core::resize_for(neighbors.offsets, domain.points().size() + 1, with.crew);
-  rows.write_offsets(neighbors.offsets.data());
-  core::resize_for(neighbors.ids, rows.size(), with.crew);
-  rows.for_each([&](PointId id, const PointId* row, std::size_t length) {
-    std::copy_n(row, length, neighbors.ids.data() + neighbors.offsets[id]);
+    answer.take_row(offsets[id], id, row, length);
   });
   return std::monostate{};
 }
 
 }  // namespace
 
-void write_rows(const core::Buffer<Pair>& pairs, std::size_t size, std::size_t row_count,
-                const core::Resources& with, IdRows& rows) {
-  core::resize_for(rows.offsets, row_count + 1, with.crew);
-  core::resize_for(rows.ids, size, with.crew);
-  with.crew.split(size, [&](std::size_t begin, std::size_t end, unsigned) {
-    // Each pair that is the first of its row starts the rows since the pair before.
-    std::uint64_t next_row = begin == 0 ? 0 : std::uint64_t{pairs[begin - 1].first} + 1;
-    core::in_stretches(end - begin, [&](std::size_t from, std::size_t to) {
-      for (std::size_t i = begin + from; i < begin + to; ++i) {
-        rows.ids[i] = pairs[i].second;
-        for (; next_row <= pairs[i].first; ++next_row) rows.offsets[next_row] = i;
-      }
-    });
-  });
-  std::uint64_t next_row = size == 0 ? 0 : std::uint64_t{pairs[size - 1].first} + 1;
-  for (; next_row <= row_count; ++next_row) rows.offsets[next_row] = size;
+Status take_pairs(const core::Vector<core::FoundPairs>& found, core::Direction direction,
+                  std::size_t points, std::uint64_t most, const core::Resources& with,
+                  PairAnswer& answer) {
+  const std::uint64_t a_pair = direction == core::Direction::kBothWays ? 2 : 1;
+  const std::uint64_t size = a_pair * core::size_of(found);
+  if (size > most) return core::too_many_results(most);
+  answer.open(size, with);
+  core::order_pairs(found, direction, points, with, answer.place(),
+                    [&](const core::SortedPairs& sorted) { answer.take(sorted); });
+  return std::monostate{};
 }
 
 Status find_pairs(const SearchDomain& domain, const PairOptions& options,
-                  const core::Resources& with, const TuningOverrides& tuning,
-                  std::vector<Pair>& pairs) {
-  pairs.clear();
+                  const core::Resources& with, const TuningOverrides& tuning, PairAnswer& answer) {
   if (is_crowded(domain, options.threshold_m, kLongRows, tuning)) {
-    return find_crowded_pairs(domain, options, with, tuning, pairs);
+    const auto which = domain.has_others() ? cpu::Which::kAll : cpu::Which::kAboveOnly;
+    return find_crowded(domain, options, which, with, tuning, answer);
   }
-  const auto found = collect(domain, options, with, tuning, options.max_results);
-  const std::uint64_t size = core::size_of(found);
-  if (size > options.max_results) return core::too_many_results(options.max_results);
-  core::resize_for(pairs, size, with.crew);
-  core::order_pairs(found,
-                    domain.has_others() ? core::Direction::kAsFound : core::Direction::kAscending,
-                    domain.points().size(), with, pairs.data());
-  return std::monostate{};
+  const auto direction =
+      domain.has_others() ? core::Direction::kAsFound : core::Direction::kAscending;
+  return take_pairs(collect(domain, options, with, tuning, options.max_results), direction,
+                    domain.points().size(), options.max_results, with, answer);
 }
 
 bool visit_pairs(const SearchDomain& domain, const PairOptions& options,
@@ -147,23 +119,15 @@ bool visit_pairs(const SearchDomain& domain, const PairOptions& options,
 
 Status find_neighbors(const SearchDomain& domain, const PairOptions& options,
                       const core::Resources& with, const TuningOverrides& tuning,
-                      IdRows& neighbors) {
-  neighbors.offsets.clear();
-  neighbors.ids.clear();
-  if (domain.points().empty()) return std::monostate{};
+                      PairAnswer& answer) {
   if (is_crowded(domain, options.threshold_m, kLongRows, tuning)) {
-    return find_crowded_neighbors(domain, options, with, tuning, neighbors);
+    return find_crowded(domain, options, cpu::Which::kAll, with, tuning, answer);
   }
-  const std::uint64_t rows_a_pair = domain.has_others() ? 1 : 2;
-  const auto found = collect(domain, options, with, tuning, options.max_results / rows_a_pair);
-  const std::uint64_t size = rows_a_pair * core::size_of(found);
-  if (size > options.max_results) return core::too_many_results(options.max_results);
-  core::Buffer<Pair> pairs(with.memory, size);
-  core::order_pairs(found,
-                    domain.has_others() ? core::Direction::kAsFound : core::Direction::kBothWays,
-                    domain.points().size(), with, pairs.data());
-  write_rows(pairs, size, domain.points().size(), with, neighbors);
-  return std::monostate{};
+  const auto direction =
+      domain.has_others() ? core::Direction::kAsFound : core::Direction::kBothWays;
+  const std::uint64_t most = options.max_results / (domain.has_others() ? 1 : 2);
+  return take_pairs(collect(domain, options, with, tuning, most), direction, domain.points().size(),
+                    options.max_results, with, answer);
 }
 
 void count_neighbors(const SearchDomain& domain, const PairOptions& options,

@@ -2,11 +2,12 @@
 // their tuning open to tests and benchmarks.
 #pragma once
 
+#include "base/pair_order.hpp"
 #include "base/resources.hpp"
+#include "search/pair_answer.hpp"
 #include "search/search_domain.hpp"
 #include "search/tuning_overrides.hpp"
 
-#include <beespace/id_rows.hpp>
 #include <beespace/pairs.hpp>
 #include <beespace/result.hpp>
 #include <beespace/search_options.hpp>
@@ -17,8 +18,7 @@
 namespace beespace::search {
 
 Status find_pairs(const SearchDomain& domain, const PairOptions& options,
-                  const core::Resources& with, const TuningOverrides& tuning,
-                  std::vector<Pair>& pairs);
+                  const core::Resources& with, const TuningOverrides& tuning, PairAnswer& answer);
 
 // Of a domain without others.
 bool visit_pairs(const SearchDomain& domain, const PairOptions& options,
@@ -27,11 +27,12 @@ bool visit_pairs(const SearchDomain& domain, const PairOptions& options,
 
 Status find_neighbors(const SearchDomain& domain, const PairOptions& options,
                       const core::Resources& with, const TuningOverrides& tuning,
-                      IdRows& neighbors);
+                      PairAnswer& answer);
 
-// The rows that sorted pairs make up, of so many points.
-void write_rows(const core::Buffer<Pair>& pairs, std::size_t size, std::size_t row_count,
-                const core::Resources& with, IdRows& rows);
+// Brings found pairs of so many points into order; an error where they are more than `most`.
+Status take_pairs(const core::Vector<core::FoundPairs>& found, core::Direction direction,
+                  std::size_t points, std::uint64_t most, const core::Resources& with,
+                  PairAnswer& answer);
 
 void count_neighbors(const SearchDomain& domain, const PairOptions& options,
                      const core::Resources& with, const TuningOverrides& tuning,

@@ -316,5 +316,24 @@ TEST(CVisitor, EndsTheSearchWithoutAnError) {
   EXPECT_LE(visited.pairs.size(), kMostPairsAtOnce);
 }
 
+// The column of the first answer has room for one distance only.
+TEST(CColumns, AResultUsedAgainHasNoDistancesThatAreNotAskedFor) {
+  const std::vector<Point> two = {{0, 0, 0}, {0, 0, 1}};
+  const std::vector<Point> many(600);
+  const beespace_points few_given = c_points(two);
+  const beespace_points many_given = c_points(many);
+  const beespace_search measured = c_search(2.0, BEESPACE_DISTANCES);
+  const beespace_search plain = c_search(2.0);
+  beespace_result* const result = beespace_result_create();
+  for (const auto ask : {beespace_pairs, beespace_neighbors}) {
+    EXPECT_EQ(ask(nullptr, &few_given, nullptr, &measured, nullptr, result, nullptr), BEESPACE_OK);
+    EXPECT_EQ(beespace_result_distances_m(result)[0], 1.0);
+    EXPECT_EQ(ask(nullptr, &many_given, nullptr, &plain, nullptr, result, nullptr), BEESPACE_OK);
+    EXPECT_EQ(beespace_result_size(result), ask == beespace_pairs ? 600 * 599 / 2 : 600 * 599);
+    EXPECT_EQ(beespace_result_distances_m(result), nullptr);
+  }
+  beespace_result_free(result);
+}
+
 }  // namespace
 }  // namespace beespace::test

@@ -170,10 +170,12 @@ Answers by_method(const CylinderScene& scene, const SearchOptions& options,
   std::vector<Nearest> nearest;
   IdRows neighbors;
   IdRows groups;
+  search::PairVector pair_answer(pairs);
+  search::RowVectors row_answer(neighbors, points.size());
   Answers answers = {{"at risk", flat_if(search.find_at_risk(ids), ids)},
                      {"counts", flat_if(search.count_neighbors(counts), counts)},
-                     {"pairs", flat_if(search.find_pairs(pairs), pairs)},
-                     {"neighbours", flat_if(search.find_neighbors(neighbors), neighbors)},
+                     {"pairs", flat_if(search.find_pairs(pair_answer), pairs)},
+                     {"neighbours", flat_if(search.find_neighbors(row_answer), neighbors)},
                      {"nearest", flat_if(search.find_nearest(nearest), nearest)}};
   if (scene.two_sets) return answers;
   answers["groups"] = flat_if(search.find_groups(groups), groups);
@@ -360,7 +362,8 @@ TEST_P(CornerEncounters, AreAllFound) {
       const PointsView points = scene.view();
       std::vector<Pair> pairs;
       const search::CylinderSearch search(points, nullptr, options, with, tuning);
-      ASSERT_TRUE(search.find_pairs(pairs));
+      search::PairVector answer(pairs);
+      ASSERT_TRUE(search.find_pairs(answer));
       found += pairs.size() == 1 ? 1 : 0;
     }
   }
@@ -404,7 +407,8 @@ TEST(CylinderContract, AtTheBordersOfCells) {
         const SearchOptions options = scene.options(false);
         std::vector<Pair> pairs;
         const search::CylinderSearch search(points, nullptr, options, with, tuning);
-        ASSERT_TRUE(search.find_pairs(pairs));
+        search::PairVector answer(pairs);
+        ASSERT_TRUE(search.find_pairs(answer));
         ASSERT_TRUE(std::count(pairs.begin(), pairs.end(), Pair{2, 3}) == 1)
             << "axis " << axis << ", cell " << cell << ", wider by " << wider;
       }

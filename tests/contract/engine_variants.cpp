@@ -1,5 +1,6 @@
 // Engines that live through all inquiries: nothing that one call leaves behind, in its buffers or
 // in the caller's containers, may show in the answer of another.
+#include "tests/contract/columns.hpp"
 #include "tests/contract/variants.hpp"
 
 #include <beespace/engine.hpp>
@@ -34,11 +35,17 @@ class EngineAndAnswers {
       case Question::kAtRisk:
         return flat_if(engine_.find_at_risk(points, options.without_limit(), ids_), ids_);
       case Question::kPairs:
-        return flat_if(engine_.find_pairs(points, options, pairs_), pairs_);
+        return agreed(flat_if(engine_.find_pairs(points, options, pairs_), pairs_),
+                      pairs_in_columns(points, points, [&](const auto& room) {
+                        return engine_.find_pairs(points, options, room);
+                      }));
       case Question::kVisitedPairs:
         return visited_pairs(points, options);
       case Question::kNeighbors:
-        return flat_if(engine_.find_neighbors(points, options, rows_), rows_);
+        return agreed(flat_if(engine_.find_neighbors(points, options, rows_), rows_),
+                      rows_in_columns(points, points, [&](const auto& room) {
+                        return engine_.find_neighbors(points, options, room);
+                      }));
       case Question::kCounts:
         return flat_if(engine_.count_neighbors(points, options.without_limit(), ids_), ids_);
       case Question::kGroups:
@@ -60,9 +67,16 @@ class EngineAndAnswers {
         return flat_if(engine_.find_at_risk_between(points, others, options.without_limit(), ids_),
                        ids_);
       case Question::kPairsBetween:
-        return flat_if(engine_.find_pairs_between(points, others, options, pairs_), pairs_);
+        return agreed(flat_if(engine_.find_pairs_between(points, others, options, pairs_), pairs_),
+                      pairs_in_columns(points, others, [&](const auto& room) {
+                        return engine_.find_pairs_between(points, others, options, room);
+                      }));
       case Question::kNeighborsBetween:
-        return flat_if(engine_.find_neighbors_between(points, others, options, rows_), rows_);
+        return agreed(
+            flat_if(engine_.find_neighbors_between(points, others, options, rows_), rows_),
+            rows_in_columns(points, others, [&](const auto& room) {
+              return engine_.find_neighbors_between(points, others, options, room);
+            }));
       case Question::kCountsBetween:
         return flat_if(
             engine_.count_neighbors_between(points, others, options.without_limit(), ids_), ids_);
@@ -75,6 +89,19 @@ class EngineAndAnswers {
       default:
         return flat(engine_.find_closest_pair_between(points, others, threads_));
     }
+  }
+
+  template <class Find>
+  static Answer pairs_in_columns(const PointsView& points, const PointsView& others, Find&& find) {
+    Columns columns;
+    const Status status = find(columns.for_pairs());
+    return status ? columns.pairs(points, others) : flat(status.error());
+  }
+  template <class Find>
+  static Answer rows_in_columns(const PointsView& points, const PointsView& others, Find&& find) {
+    Columns columns;
+    const Status status = find(columns.for_rows());
+    return status ? columns.rows(points, others) : flat(status.error());
   }
 
   Answer visited_pairs(const PointsView& points, const PairOptions& options) {

@@ -2,12 +2,15 @@
 // set of this processor, narrow and wide rows, folded axes, crowds taken as a whole or never, every
 // way to find points at risk.
 #include "tests/contract/backward_crew.hpp"
+#include "tests/contract/columns.hpp"
 #include "tests/contract/variants.hpp"
 
 #include "base/memory.hpp"
 #include "search/at_risk_search.hpp"
+#include "search/column_answer.hpp"
 #include "search/group_search.hpp"
 #include "search/nearest_search.hpp"
+#include "search/pair_answer.hpp"
 #include "search/pair_search.hpp"
 #include "search/search_domain.hpp"
 #include "search/tuning_overrides.hpp"
@@ -52,12 +55,12 @@ class ForcedSearch {
         return flat(ids_);
       case Question::kPairs:
       case Question::kPairsBetween:
-        return flat_if(search::find_pairs(domain, options, with_, tuning_, pairs_), pairs_);
+        return pairs(domain, options);
       case Question::kVisitedPairs:
         return visited_pairs(domain, options);
       case Question::kNeighbors:
       case Question::kNeighborsBetween:
-        return flat_if(search::find_neighbors(domain, options, with_, tuning_, rows_), rows_);
+        return neighbors(domain, options);
       case Question::kCounts:
       case Question::kCountsBetween:
         search::count_neighbors(domain, options, with_, tuning_, ids_);
@@ -79,6 +82,28 @@ class ForcedSearch {
         return flat(search::find_closest_between(domain, with_, tuning_, nearest_));
     }
     return {};
+  }
+
+  Answer pairs(const search::SearchDomain& domain, const PairOptions& options) {
+    search::PairVector in_vector(pairs_);
+    const Status status = search::find_pairs(domain, options, with_, tuning_, in_vector);
+    if (!status) return flat(status.error());
+    Columns columns;
+    const PairRoom room = columns.for_pairs();
+    search::PairColumnsAnswer in_columns(room, domain.points(), domain.others());
+    if (!search::find_pairs(domain, options, with_, tuning_, in_columns)) return kBadColumns;
+    return agreed(flat(pairs_), columns.pairs(domain.points(), domain.others()));
+  }
+
+  Answer neighbors(const search::SearchDomain& domain, const PairOptions& options) {
+    search::RowVectors in_vectors(rows_, domain.points().size());
+    const Status status = search::find_neighbors(domain, options, with_, tuning_, in_vectors);
+    if (!status) return flat(status.error());
+    Columns columns;
+    const RowRoom room = columns.for_rows();
+    search::RowColumnsAnswer in_columns(room, domain.points(), domain.others());
+    if (!search::find_neighbors(domain, options, with_, tuning_, in_columns)) return kBadColumns;
+    return agreed(flat(rows_), columns.rows(domain.points(), domain.others()));
   }
 
   Answer visited_pairs(const search::SearchDomain& domain, const PairOptions& options) {

@@ -32,16 +32,18 @@ class ForcedCylinders {
     memory_.start_call();
     const search::CylinderSearch search(points, inquiry.subject->two_sets ? &others : nullptr,
                                         inquiry.options, with_, tuning_);
+    search::PairVector pair_answer(pairs_);
+    search::RowVectors row_answer(rows_, points.size());
     switch (inquiry.question) {
       case Question::kAtRisk:
       case Question::kAtRiskBetween:
         return flat_if(search.find_at_risk(ids_), ids_);
       case Question::kPairs:
       case Question::kPairsBetween:
-        return flat_if(search.find_pairs(pairs_), pairs_);
+        return flat_if(search.find_pairs(pair_answer), pairs_);
       case Question::kNeighbors:
       case Question::kNeighborsBetween:
-        return flat_if(search.find_neighbors(rows_), rows_);
+        return flat_if(search.find_neighbors(row_answer), rows_);
       case Question::kCounts:
       case Question::kCountsBetween:
         return flat_if(search.count_neighbors(ids_), ids_);

@@ -36,6 +36,14 @@ double speed_on(const Piece& piece) {
          lasts;
 }
 
+// What this part of the values is below.
+double quantile(std::vector<double>& values, double part) {
+  const auto found =
+      values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size()));
+  std::nth_element(values.begin(), found, values.end());
+  return *found;
+}
+
 class RecordingSearch {
  public:
   RecordingSearch(const std::vector<TrackSegment>& segments, const Separation& separation,
@@ -106,10 +114,36 @@ class RecordingSearch {
     return end > begin && step < left ? std::min(end, last_s_) : last_s_;
   }
 
+  // How bees move, but for few.
+  struct BeeMotion {
+    double speed;    // the most, in metres a second
+    double turn;     // by how much the velocity changes behind a piece
+    double lasts_s;  // a piece
+  };
+
+  // By how much the velocity of a bee changes behind its piece.
+  double turn_behind(const ActiveSegment& active) const {
+    const TrackSegment& segment = segments_[active.segment];
+    if (active.piece + 1 >= segment.pieces()) return 0.0;
+    const Piece piece = piece_of(segment, active.piece);
+    const Piece next = piece_of(segment, active.piece + 1);
+    if (piece.instant() || next.instant()) return 0.0;
+    const Point& p = piece.from.position;
+    const Point& q = piece.to.position;
+    const Point& r = next.to.position;
+    const double before_s = piece.lasts_s();
+    const double after_s = next.lasts_s();
+    const double x = (r.x - q.x) / after_s - (q.x - p.x) / before_s;
+    const double y = (r.y - q.y) / after_s - (q.y - p.y) / before_s;
+    const double z = (r.z - q.z) / after_s - (q.z - p.z) / before_s;
+    return std::sqrt(x * x + y * y + z * z);
+  }
+
   // The step with the least cost per time: short steps sort often, long ones compare many pairs.
   double cheapest_step(double begin, double left) {
     core::Buffer<Point> places(with_.memory, active_.size());
     std::vector<double> speeds;
+    std::vector<double> turns;
     double lasts_s = 0.0;
     const std::size_t stride = active_.size() / 128 + 1;
     for (std::size_t i = 0; i < active_.size(); ++i) {
@@ -117,37 +151,54 @@ class RecordingSearch {
       places[i] = position_on(piece, std::max(begin, piece.from.time_s));
       if (i % stride != 0) continue;
       speeds.push_back(speed_on(piece));
+      turns.push_back(turn_behind(active_[i]));
       lasts_s += piece.lasts_s();
     }
     // Balls that enclose many pieces decide little.
     constexpr double kPieces = 4.0;
     const double mean_s = lasts_s / static_cast<double>(speeds.size());
     if (mean_s > 0.0) left = std::min(left, kPieces * mean_s);
-    const auto most = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() * 9 / 10);
-    std::nth_element(speeds.begin(), most, speeds.end());
+    const BeeMotion motion{quantile(speeds, 0.9), quantile(turns, 0.5), mean_s};
     const core::DensitySample sample(std::span<const Point>(places.data(), active_.size()),
                                      with_.memory);
-    // Measured, in nanoseconds: the cost of a step, of enclosing and sorting a bee, and of
-    // comparing it with one other.
-    constexpr double kStep = 30'000.0;
-    constexpr double kSorting = 150.0;
-    constexpr double kComparing = 0.25;
-    const auto bees = static_cast<double>(active_.size());
     double best = left;
     double best_cost = 0.0;
     double step = left;
     while (step > 0.0) {
-      const double reach = clearance_m_ + *most * step;
-      const double met = std::min(bees, sample.expected_neighbors(2.6 * reach));
-      const double cost = (kStep + bees * (kSorting + 0.5 * kComparing * met)) / step;
+      const double cost = cost_of(step, motion, sample) / step;
       if (step == left || cost < best_cost) {
         best = step;
         best_cost = cost;
       }
-      if (*most * step < 0.25 * clearance_m_) break;
+      if (motion.speed * step < 0.25 * clearance_m_) break;
       step *= 0.7;
     }
     return best;
+  }
+
+  // What such a step costs, in nanoseconds.
+  double cost_of(double step, const BeeMotion& motion, const core::DensitySample& sample) const {
+    // Measured: the cost of a step, of enclosing and sorting a bee, and of comparing it with one
+    // other.
+    constexpr double kStep = 30'000.0;
+    constexpr double kSorting = 150.0;
+    constexpr double kComparing = 0.25;
+    // And of walking along a piece with one whose ball it meets. A ball has about this part of the
+    // changes of velocity in a step as its radius; this cube is as large as a ball of radius 1.
+    constexpr double kWalking = 100.0;
+    constexpr double kRadius = 0.25;
+    constexpr double kCube = 1.6;
+    const auto bees = static_cast<double>(active_.size());
+    const double reach = clearance_m_ + motion.speed * step;
+    const double met = std::min(bees, sample.expected_neighbors(2.6 * reach));
+    double with_others = 0.5 * kComparing * met;
+    // Of smaller balls, few are walked but those that are near in steps of any length.
+    const double bend = 2.0 * kRadius * motion.turn * std::min(step, 2.0 * motion.lasts_s);
+    if (bend > clearance_m_) {
+      const double walked = std::min(bees, sample.expected_neighbors(kCube * bend));
+      with_others += 0.5 * kWalking * walked * step / motion.lasts_s;
+    }
+    return kStep + bees * (kSorting + with_others);
   }
 
   void take_step(const TimeSpan& time) {

@@ -15,6 +15,9 @@ from beespace.compat.scipy._handing import HandOver
 REFUSED = "arguments that SciPy refuses, or knows better"
 RADIUS = "a radius that is negative, infinite or no number"
 
+_numbers = (float, int)
+_array: type[Any] = np.ndarray
+
 
 def check_norm(p: Any, eps: Any) -> None:
     """Goes on with the Euclidean norm alone, and with exact answers."""
@@ -22,6 +25,29 @@ def check_norm(p: Any, eps: Any) -> None:
         raise HandOver("p is not 2")
     if number(eps) != 0.0:
         raise HandOver("eps is not 0")
+
+
+def one_place(x: Any, m: int, p: Any, eps: Any, workers: Any) -> list[float] | None:
+    """The coordinates of one place where arguments are as most calls give them: an array of doubles,
+    the Euclidean norm, one thread. None where they need a closer look."""
+    if (
+        type(x) is _array
+        and x.shape == (m,)
+        and x.dtype == np.float64
+        and type(p) in _numbers
+        and p == 2
+        and type(eps) in _numbers
+        and eps == 0
+        and (workers is None or type(workers) is int and workers == 1)
+    ):
+        coordinates: list[float] = x.tolist()
+        return coordinates
+    return None
+
+
+def plain_radius(r: Any) -> float | None:
+    """A radius as most calls give it; None of one that needs a closer look."""
+    return float(r) if type(r) in _numbers and 0 <= r < math.inf else None
 
 
 def number(value: Any) -> float:

@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 import beespace
-from beespace import BeespaceError, Index, Neighbors, Pairs
+from beespace import BeespaceError, Neighbors, Pairs
+from beespace._one_place import PlaceIndex
 from beespace.compat.scipy._handing import HandOver
 
 # An index is asked place by place; a search of its own sorts all points first, and is faster from about
@@ -39,16 +40,23 @@ class TreePoints:
 
     def __init__(self, data: NDArray[np.float64]) -> None:
         self.data = data
-        self._index: Index | None = None
+        self._index: PlaceIndex | None = None
 
     def __len__(self) -> int:
         return len(self.data)
 
     @property
-    def index(self) -> Index:
+    def index(self) -> PlaceIndex:
         if self._index is None:
-            self._index = Index(self.data)
+            self._index = PlaceIndex(self.data)
         return self._index
+
+    def index_or_none(self) -> PlaceIndex | None:
+        """The index; None where there can be none of these points."""
+        try:
+            return self.index
+        except BeespaceError:
+            return None
 
     def nearest(
         self, places: NDArray[Any], k: int, threads: int

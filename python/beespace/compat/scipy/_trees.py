@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from beespace.compat.scipy import _arguments
 from beespace.compat.scipy._arguments import REFUSED, check_norm
 from beespace.compat.scipy._counting import count_pairs
-from beespace.compat.scipy._handing import HandOver
+from beespace.compat.scipy._handing import HandOver, note_answered
 from beespace.compat.scipy._points import in_lists
 from beespace.compat.scipy._tree import Tree
 
@@ -69,6 +69,13 @@ class cKDTree(Tree):
             The indices of the points; of equally far ones the lower first, `n` where there are fewer.
         """
 
+        if type(k) is int and 1 <= k <= self.n and type(distance_upper_bound) is float:
+            place = _arguments.one_place(x, self.m, p, eps, workers)
+            if place is not None and distance_upper_bound == math.inf:
+                one = self._nearest_of_one(place, k)
+                if one is not None:
+                    return one
+
         def ask() -> tuple[Any, Any]:
             check_norm(p, eps)
             bound = _arguments.number(distance_upper_bound)
@@ -120,6 +127,15 @@ class cKDTree(Tree):
         list of ints, or ndarray of lists of the shape (...)
             The indices of the points. With `return_length` their number, as intp.
         """
+
+        place = None if return_length else _arguments.one_place(x, self.m, p, eps, workers)
+        radius_of_one = _arguments.plain_radius(r)
+        if place is not None and radius_of_one is not None and not self._reason:
+            index = self._points.index_or_none()
+            one = None if index is None else index.around_one(place, radius_of_one)
+            if one is not None:
+                note_answered("query_ball_point")
+                return one
 
         def ask() -> Any:
             check_norm(p, eps)
@@ -299,6 +315,22 @@ class cKDTree(Tree):
         all_d = np.full((len(places), k), math.inf)
         all_i[:, :found], all_d[:, :found] = i, d
         return all_i, all_d
+
+    def _nearest_of_one(self, place: list[float], k: int) -> tuple[Any, Any] | None:
+        """The same of one place and no bound, without what only many places need. None where it is
+        for SciPy, or an error."""
+        index = None if self._reason else self._points.index_or_none()
+        if index is None:
+            return None
+        if k == 1:
+            one = index.nearest_of_one(place)
+            answer = None if one is None else (one[1], self._single(one[0]))
+        else:
+            many = index.k_nearest_of_one(place, k)
+            answer = None if many is None else (many[1], many[0])
+        if answer is not None:
+            note_answered("query")
+        return answer
 
     def _single(self, i: int) -> Any:
         return i
