@@ -136,8 +136,9 @@ def load() -> IoLibrary:
     except (OSError, AttributeError) as error:  # none, or one of an older version
         raise ImportError(
             "this installation of beespace cannot read files or make reports, as it finds no "
-            f"libbeespace_io.so that fits: {error}. Type 'make install' in a clone of beespace, and "
-            "set BEESPACE_IO_LIBRARY to the path of the library where the system does not find it."
+            f"libbeespace_io.so that fits: {error}. Install the wheel that 'make python' makes in a "
+            "clone of beespace; or set BEESPACE_IO_LIBRARY to the path of a libbeespace_io.so, as "
+            "'make install' has one."
         ) from error
     handles = {name: _library.handle_of(unlocked, f"io_{name}") for name in _handles}
     return IoLibrary(unlocked, at_once, handles)
