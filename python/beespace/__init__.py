@@ -20,8 +20,9 @@ from beespace._geodesy import to_ecef
 from beespace._index import Index
 from beespace._library import version as _version
 from beespace._motion import closest_approach
+from beespace._plot import plot
 from beespace._recording import Recording
-from beespace._report import Report, report
+from beespace._report import Report, report, view
 from beespace._searches import Searches
 
 __version__ = _version()
@@ -67,10 +68,12 @@ __all__ = [
     "nearest",
     "neighbors",
     "pairs",
+    "plot",
     "predict",
     "predict_pairs",
     "read",
     "read_recording",
     "report",
     "to_ecef",
+    "view",
 ]

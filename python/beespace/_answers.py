@@ -67,6 +67,11 @@ class Pairs(Table):
     def __len__(self) -> int:
         return len(self.i)
 
+    @property
+    def is_between(self) -> bool:
+        """Whether `j` are points of another set."""
+        return self._between
+
     def __repr__(self) -> str:
         of = " x ".join(f"{size:,}" for size in self.shape) if self._between else f"{self.shape[0]:,}"
         points = "point" if of == "1" else "points"

@@ -16,6 +16,7 @@ from beespace._errors import invalid
 from beespace._library import library
 from beespace._points import Points, PointsLike, position
 from beespace._searches import nearest_of
+from beespace._units import METRES, without_unit
 
 
 class Index:
@@ -137,7 +138,7 @@ class Index:
             )
         else:
             search = search_of(0.0, None, inclusive, max_results)
-            radii = np.ascontiguousarray(radius, np.float64)
+            radii = np.ascontiguousarray(without_unit(radius, "radii", METRES), np.float64)
             _, result = self._ask(
                 library.beespace_index_around_each,
                 places,

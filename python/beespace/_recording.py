@@ -15,6 +15,7 @@ from beespace._conflicts import Encounter, Gaps, RecordedConflicts
 from beespace._errors import BeespaceError, invalid
 from beespace._library import CFixes, library
 from beespace._points import Points, PointsLike
+from beespace._units import SECONDS, without_unit
 
 
 class Recording:
@@ -274,7 +275,7 @@ def _check_texts(ids: NDArray[Any]) -> None:
 
 
 def _times_of(times: Any, count: int) -> NDArray[np.float64]:
-    given = np.asarray(times)
+    given = np.asarray(without_unit(times, "times", SECONDS))
     if given.dtype.kind in "mM":
         raise invalid(
             "times are numbers of seconds, not dates: subtract a moment and divide by "

@@ -13,6 +13,7 @@ from beespace._calls import whole
 from beespace._errors import invalid
 from beespace._files import FilePoints, PathLike, encoded_path, paths_of, reading_options
 from beespace._points import Points, PointsLike
+from beespace._view import is_notebook, show_in_browser, show_in_notebook
 
 
 class Report:
@@ -82,6 +83,30 @@ class Report:
             self._handle, encoded_path(path), ctypes.byref(error)
         )
         _io_library.check(code, error)
+
+    def view(self) -> None:
+        """Shows the page: in a notebook below the cell, elsewhere in a browser.
+
+        The browser fetches it from this process, on this machine; it can be loaded anew as long as
+        the process is there. To keep it, `save` it.
+
+        Raises
+        ------
+        BeespaceError
+            No browser has fetched it within a minute.
+
+        Examples
+        --------
+        >>> import beespace
+        >>> page = beespace.report([[0, 0, 0], [3, 4, 0]], 10)
+        >>> page.view()  # doctest: +SKIP
+        >>> page
+        <Report: a danger is shown>
+        """
+        if is_notebook():
+            show_in_notebook(self)
+        else:
+            show_in_browser(self.html)
 
     def _repr_html_(self) -> str:
         # In a frame of its own, whose scripts see nothing of the notebook.
@@ -188,6 +213,34 @@ def report(
     if output is not None:
         made.save(output)
     return made
+
+
+def view(points: Any, threshold: float, **options: Any) -> None:
+    """Shows a page about points or a recording: in a notebook below the cell, elsewhere in a browser.
+
+    Parameters
+    ----------
+    points, threshold
+        As of `report`.
+    **options
+        All others of `report`.
+
+    Raises
+    ------
+    BeespaceError
+        As `report` and `Report.view`.
+
+    Examples
+    --------
+    >>> import beespace
+    >>> beespace.view([[0, 0, 0], [3, 4, 0]], 10, title="Two drones")  # doctest: +SKIP
+    >>> try:
+    ...     beespace.view([[0, 0, 0], [3, 4, 0]], -1)
+    ... except beespace.BeespaceError as error:
+    ...     print(error.code)
+    invalid_threshold
+    """
+    report(points, threshold, **options).view()
 
 
 def _page_of_points(io: Any, points: Any, ids: Any, tail: tuple[Any, ...]) -> int:

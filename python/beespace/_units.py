@@ -1,0 +1,48 @@
+"""Units that arrays carry along: what is not in the unit that is asked for is refused, as its numbers
+would be taken for metres."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from beespace._errors import invalid
+
+# What each is called: the first to people, the others by astropy, pint, unyt, xarray (CF).
+METRES = ("m", "meter", "meters", "metre", "metres")
+SPEEDS = ("m/s", "m / s", "meter / second", "meters/second", "metres/second", "m s-1", "m s^-1", "m s**-1")
+SECONDS = ("s", "sec", "second", "seconds")
+DEGREES = (
+    "deg", "degree", "degrees", "degrees_east", "degrees_north", "degree_east", "degree_north",
+    "degrees_E", "degrees_N", "degree_E", "degree_N", "°",
+)
+
+_none = ("", "1", "dimensionless")
+
+
+def without_unit(given: Any, place: str, units: tuple[str, ...]) -> Any:
+    """The same without its unit; an array that says that it is in another one is refused."""
+    unit = _unit_of(given)
+    if unit is None:
+        return given
+    if unit not in units and unit not in _none:
+        raise invalid(
+            f"this says that it is in {unit}, where {units[0]} are taken: convert it first, as by "
+            f'.to("{units[0]}") of astropy or pint',
+            place,
+        )
+    return given.magnitude if hasattr(given, "m_as") else given
+
+
+def _unit_of(given: Any) -> str | None:
+    unit: Any = None
+    if hasattr(given, "to_value"):  # astropy, unyt
+        unit = getattr(given, "unit", getattr(given, "units", None))
+    elif hasattr(given, "m_as"):  # pint
+        unit = given.units
+    elif hasattr(given, "dtype"):
+        unit = getattr(given.dtype, "units", None)  # pandas with pint
+        attributes = getattr(given, "attrs", None)
+        if unit is None and isinstance(attributes, Mapping):  # xarray, pandas
+            unit = attributes.get("units")  # type: ignore[union-attr]
+    return None if unit is None else str(unit)
