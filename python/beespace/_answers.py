@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -134,6 +135,7 @@ class _Rows:
         return len(self.indptr) - 1
 
     def __getitem__(self, row: int) -> NDArray[np.int64]:
+        row = operator.index(row)
         size = len(self)
         if not -size <= row < size:
             raise IndexError(f"there are {plural(size, 'row')}")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import math
 import operator
 import signal
 import threading
@@ -50,12 +51,12 @@ def search_of(
     height = 0.0
     if vertical is not None:
         flags |= _library.VERTICAL
-        height = _length(vertical, "vertical")
+        height = metres(vertical, "vertical")
     most = 0
     if max_results is not None:
         flags |= _library.MAX_RESULTS
         most = whole(max_results, "max_results")
-    return CSearch(_search_size, flags, 0, _length(threshold, "threshold"), height, most)
+    return CSearch(_search_size, flags, 0, metres(threshold, "threshold"), height, most)
 
 
 def run_of(threads: Any, points: int) -> CRun | None:
@@ -97,19 +98,30 @@ def whole(number: Any, place: str) -> int:
 
 def seconds(number: Any, place: str) -> float:
     """A length of time."""
-    try:
-        return float(number)
-    except (TypeError, ValueError):
-        raise invalid(f"this is a number of seconds, not {number!r}", place) from None
+    value = _real(number)
+    if value is None:
+        raise invalid(f"this is a number of seconds, not {number!r}", place)
+    return value
 
 
-def _length(number: Any, place: str) -> float:
-    try:
-        return float(number)
-    except (TypeError, ValueError):
+def metres(number: Any, place: str) -> float:
+    """A threshold."""
+    value = _real(number)
+    if value is None:
         raise BeespaceError(
             "a threshold is one number for all points, in metres", "invalid_threshold", place
-        ) from None
+        )
+    return value
 
 
-__all__ = ["check", "library", "run_of", "search_of", "seconds", "whole"]
+def _real(number: Any) -> float | None:
+    """As a double, where it is a number: a text may have a unit."""
+    try:
+        return None if isinstance(number, (str, bytes)) else float(number)
+    except (TypeError, ValueError):
+        return None
+    except OverflowError:
+        return math.inf
+
+
+__all__ = ["check", "library", "metres", "run_of", "search_of", "seconds", "whole"]

@@ -13,7 +13,7 @@ from beespace._calls import check
 from beespace._errors import invalid
 from beespace._library import library
 from beespace._points import Points
-from beespace._units import DEGREES, METRES, without_unit
+from beespace._units import DEGREES, METRES, plain
 
 
 def to_ecef(lon: ArrayLike, lat: ArrayLike, height: ArrayLike) -> NDArray[np.float64]:
@@ -46,9 +46,9 @@ def to_ecef(lon: ArrayLike, lat: ArrayLike, height: ArrayLike) -> NDArray[np.flo
     array([67.91])
     """
     given = {
-        "lon": without_unit(lon, "lon", DEGREES),
-        "lat": without_unit(lat, "lat", DEGREES),
-        "height": without_unit(height, "height", METRES),
+        "lon": plain(lon, "lon", DEGREES),
+        "lat": plain(lat, "lat", DEGREES),
+        "height": plain(height, "height", METRES),
     }
     counts = {name: _length(value, name) for name, value in given.items()}
     lengths = {length for length in counts.values() if length is not None}

@@ -12,13 +12,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from beespace._errors import invalid
 from beespace._library import FLOAT32, FLOAT64, CPoints
-from beespace._units import METRES, SPEEDS, without_unit
+from beespace._units import METRES, SPEEDS, plain
 
 PointsLike = ArrayLike  # or a tuple of arrays, a data frame, anything that DLPack knows
 
 _types = {np.dtype(np.float64): FLOAT64, np.dtype(np.float32): FLOAT32}
 _size = ctypes.sizeof(CPoints)
-_masked: Any = np.ma  # of whose types NumPy says little
 
 
 class Points:
@@ -154,11 +153,7 @@ def _is_column(axis: Any) -> bool:
 
 
 def _array_of(points: Any, place: str) -> NDArray[Any]:
-    points = without_unit(points, place, SPEEDS if place.endswith("velocities") else METRES)
-    if isinstance(points, _masked.MaskedArray):
-        if _masked.is_masked(points):
-            raise invalid("some values are masked: leave those points out", place)
-        return np.asarray(_masked.getdata(points))
+    points = plain(points, place, SPEEDS if place.endswith("velocities") else METRES)
     if getattr(points, "num_chunks", 0) == 1:  # pyarrow, which would copy it as a whole
         points = points.chunk(0)
     try:
@@ -177,6 +172,8 @@ def _hint(points: Any) -> str | None:
     """What to give instead of what is no array."""
     if isinstance(points, (str, bytes, os.PathLike)):
         return "this is a text: points of a file are given by beespace.read"
+    if hasattr(points, "times") and hasattr(points, "agents"):
+        return "this is a recording: choose fixes of one moment, as in r.positions[r.times == 10]"
     if hasattr(points, "collect"):
         return "this is a query that is not answered yet: give its .collect()"
     if isinstance(points, Mapping) or getattr(getattr(points, "dtype", None), "names", None):

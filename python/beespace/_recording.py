@@ -15,7 +15,7 @@ from beespace._conflicts import Encounter, Gaps, RecordedConflicts
 from beespace._errors import BeespaceError, invalid
 from beespace._library import CFixes, library
 from beespace._points import Points, PointsLike
-from beespace._units import SECONDS, without_unit
+from beespace._units import SECONDS, plain
 
 
 class Recording:
@@ -250,7 +250,7 @@ class Recording:
 
 def _agents_of(ids: Any, count: int) -> tuple[NDArray[np.int64], NDArray[Any] | None]:
     """The agent of each fix as a number; and what the numbers mean, where they are not ids."""
-    given = np.asarray(ids)
+    given = np.asarray(plain(ids, "ids", ()))
     if given.ndim != 1 or len(given) != count:
         raise invalid(f"there are {given.shape} ids for {count:,} positions", "ids")
     if not count:
@@ -275,7 +275,7 @@ def _check_texts(ids: NDArray[Any]) -> None:
 
 
 def _times_of(times: Any, count: int) -> NDArray[np.float64]:
-    given = np.asarray(without_unit(times, "times", SECONDS))
+    given = np.asarray(plain(times, "times", SECONDS))
     if given.dtype.kind in "mM":
         raise invalid(
             "times are numbers of seconds, not dates: subtract a moment and divide by "

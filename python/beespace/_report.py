@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from beespace import _io_library, _library
-from beespace._calls import whole
+from beespace._calls import metres, seconds, whole
 from beespace._errors import invalid
 from beespace._files import FilePoints, PathLike, encoded_path, paths_of, reading_options
 from beespace._points import Points, PointsLike
@@ -278,13 +278,13 @@ def _page_options(
     options.flags = _library.INCLUSIVE if inclusive else 0
     number = whole(threads, "threads")
     options.threads = _library.ALL_PROCESSORS if number == 0 else min(number, 256)
-    options.threshold_m = float(threshold)
+    options.threshold_m = metres(threshold, "threshold")
     if max_gap is not None:
-        options.max_gap_s = float(max_gap)
+        options.max_gap_s = seconds(max_gap, "max_gap")
         if not options.max_gap_s > 0:
             raise invalid("a gap is longer than zero; infinity for none", "max_gap")
     if vertical is not None:
-        text = vertical if isinstance(vertical, str) else repr(float(vertical))
+        text = vertical if isinstance(vertical, str) else repr(metres(vertical, "vertical"))
         options.vertical = _io_library.encoded(text)
     options.title = _io_library.encoded(title)
     return ctypes.byref(options)

@@ -1,10 +1,12 @@
-"""Units that arrays carry along: what is not in the unit that is asked for is refused, as its numbers
-would be taken for metres."""
+"""Units and masks that arrays carry along, and NumPy drops: what is not in the unit that is taken is
+refused, as its numbers would be taken for metres; so is what is masked."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from typing import Any
+
+import numpy as np
 
 from beespace._errors import invalid
 
@@ -17,11 +19,17 @@ DEGREES = (
     "degrees_E", "degrees_N", "degree_E", "degree_N", "°",
 )
 
+_masked: Any = np.ma  # of whose types NumPy says little
 _none = ("", "1", "dimensionless")
 
 
-def without_unit(given: Any, place: str, units: tuple[str, ...]) -> Any:
-    """The same without its unit; an array that says that it is in another one is refused."""
+def plain(given: Any, place: str, units: tuple[str, ...]) -> Any:
+    """The same without its unit and its mask; an array that says that it is in another unit is refused,
+    and one of which values are masked."""
+    if isinstance(given, _masked.MaskedArray):
+        if _masked.is_masked(given):
+            raise invalid("some values are masked: leave them out", place)
+        given = _masked.getdata(given)
     unit = _unit_of(given)
     if unit is None:
         return given
