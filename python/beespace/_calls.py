@@ -80,9 +80,13 @@ def check(code: int, error: _library.CError) -> None:
     if code == _library.OK:
         return
     if code == _library.STOPPED:
-        # The poll has taken the signal away: give it back to the handler, which runs here.
-        signal.raise_signal(signal.SIGINT)
+        after_ctrl_c()
     _library.raise_error(error)
+
+
+def after_ctrl_c() -> None:
+    """The poll has taken the signal away: gives it back to the handler, which runs here."""
+    signal.raise_signal(signal.SIGINT)
 
 
 def whole(number: Any, place: str) -> int:
@@ -124,4 +128,4 @@ def _real(number: Any) -> float | None:
         return math.inf
 
 
-__all__ = ["check", "library", "metres", "run_of", "search_of", "seconds", "whole"]
+__all__ = ["after_ctrl_c", "check", "library", "metres", "run_of", "search_of", "seconds", "whole"]

@@ -15,14 +15,6 @@ from beespace._searches import Searches
 _engines: weakref.WeakSet[Engine] = weakref.WeakSet()
 
 
-def _renew_all() -> None:
-    for engine in list(_engines):
-        engine._renew()
-
-
-os.register_at_fork(after_in_child=_renew_all)
-
-
 class Engine(Searches):
     """The questions about points, with memory and threads that are kept from call to call.
 
@@ -62,6 +54,14 @@ class Engine(Searches):
         ever for threads that the child does not have."""
         self._handle.value = None  # so that it is not freed
         self._begin()
+
+    @staticmethod
+    def _renew_all() -> None:
+        for engine in list(_engines):
+            engine._renew()
+
+    if hasattr(os, "register_at_fork"):
+        os.register_at_fork(after_in_child=_renew_all)
 
     def __repr__(self) -> str:
         calls = "1 call" if self._calls == 1 else f"{self._calls:,} calls"

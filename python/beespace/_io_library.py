@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from beespace import _library
+from beespace._calls import after_ctrl_c
 from beespace._errors import BeespaceFileError, BeespaceOSError
 
 SKIP_BAD = 1
@@ -59,6 +60,7 @@ class CPageOptions(ctypes.Structure):
         ("max_gap_s", c_double),
         ("vertical", c_char_p),
         ("title", c_char_p),
+        ("run", POINTER(_library.CRun)),
     ]
 
 
@@ -179,6 +181,8 @@ def check(code: int, error: CFileError) -> None:
         return
     if code == _library.OUT_OF_MEMORY:
         raise MemoryError(error.message.decode())
+    if code == _library.STOPPED:
+        after_ctrl_c()
     raise error_of(error)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
@@ -83,9 +84,7 @@ def plot(
         _check_pairs(pairs, first, second)
         ids = np.unique(pairs.i if second is not None else np.concatenate([pairs.i, pairs.j]))
     flags = _flags(ids, len(first.places))
-    ax = _axes(ax, projection)
-    depth = 3 if getattr(ax, "name", "") == "3d" else 2
-    canvas = _Canvas(ax, depth)
+    canvas = _Canvas(_axes(ax, projection))
     if pairs is not None and len(pairs):
         canvas.lines(first.places[pairs.i], (second or first).places[pairs.j], len(pairs))
     canvas.dots(first.places[~flags], _calm, plural(len(flags), "point"))
@@ -94,7 +93,7 @@ def plot(
     if second is not None:
         canvas.dots(second.places, _calm, plural(len(second.places), "other"), "x")
     canvas.finish(first, second)
-    return ax
+    return canvas.ax
 
 
 class _Drawn:
@@ -151,11 +150,10 @@ def _axes(ax: Any, projection: str | None) -> Any:
         raise invalid(f'this is "3d" or left out, not {projection!r}', "projection")
     if ax is None:
         try:
-            from matplotlib import pyplot
+            pyplot: Any = importlib.import_module("matplotlib.pyplot")
         except ImportError as error:
             raise ImportError("plot needs Matplotlib: pip install beespace[plot]") from error
-        make: Any = pyplot.figure().add_subplot
-        return make(projection=projection)
+        return pyplot.figure().add_subplot(projection=projection)
     if projection is not None and ax.name != "3d":
         raise invalid('these axes are flat: make them with projection="3d"', "ax")
     return ax
@@ -164,9 +162,9 @@ def _axes(ax: Any, projection: str | None) -> Any:
 class _Canvas:
     """Axes of two or three dimensions."""
 
-    def __init__(self, ax: Any, depth: int) -> None:
+    def __init__(self, ax: Any) -> None:
         self.ax = ax
-        self.depth = depth
+        self.depth = 3 if ax.name == "3d" else 2
 
     def dots(self, places: NDArray[Any], color: str, label: str, marker: str = "o") -> None:
         many = len(places) > _many
@@ -188,11 +186,10 @@ class _Canvas:
             begins, ends, label = begins[:0], ends[:0], f"{label}, too many to draw"
         segments = np.stack([begins, ends], axis=1)[:, :, : self.depth]
         if self.depth == 3:
-            from mpl_toolkits.mplot3d.art3d import Line3DCollection as Lines  # pyright: ignore
+            lines: Any = importlib.import_module("mpl_toolkits.mplot3d.art3d").Line3DCollection
         else:
-            from matplotlib.collections import LineCollection as Lines  # pyright: ignore
-        made: Any = Lines
-        collection = made(segments, colors=_danger, linewidths=1.5, zorder=2, label=label)
+            lines = importlib.import_module("matplotlib.collections").LineCollection
+        collection = lines(segments, colors=_danger, linewidths=1.5, zorder=2, label=label)
         self.ax.add_collection(collection)
 
     def finish(self, first: _Drawn, second: _Drawn | None) -> None:

@@ -47,9 +47,8 @@ class Points:
     def rows(self) -> NDArray[np.float64]:
         """The same as an array of shape (n, 3)."""
         keep: Any = self.keep
-        axes = list(keep) if isinstance(keep, list) else list(keep.T)
         rows = np.zeros((self.count, 3))
-        for axis, numbers in enumerate(axes):
+        for axis, numbers in enumerate(keep if _is_a(keep, list) else keep.T):
             rows[:, axis] = numbers
         return rows
 

@@ -9,11 +9,14 @@ from collections.abc import Sequence
 from typing import Any
 
 from beespace import _io_library, _library
-from beespace._calls import metres, seconds, whole
+from beespace._calls import metres, run_of, seconds, whole
 from beespace._errors import invalid
 from beespace._files import FilePoints, PathLike, encoded_path, paths_of, reading_options
 from beespace._points import Points, PointsLike
 from beespace._view import is_notebook, show_in_browser, show_in_notebook
+
+# How many points a file has, before it is read: enough to be watched for Ctrl-C.
+_unknown = 2**62
 
 
 class Report:
@@ -175,6 +178,8 @@ def report(
     Report
         The page. `_repr_html_` shows it in a notebook.
 
+    Ctrl-C ends the search for what is on it; it is not heard while a file is read.
+
     Raises
     ------
     BeespaceFileError, BeespaceOSError, ImportError
@@ -287,4 +292,7 @@ def _page_options(
         text = vertical if isinstance(vertical, str) else repr(metres(vertical, "vertical"))
         options.vertical = _io_library.encoded(text)
     options.title = _io_library.encoded(title)
+    run = run_of(1, _unknown)
+    if run is not None:
+        options.run = ctypes.pointer(run)
     return ctypes.byref(options)

@@ -3,7 +3,6 @@ refused, as its numbers would be taken for metres; so is what is masked."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -50,7 +49,7 @@ def _unit_of(given: Any) -> str | None:
         unit = given.units
     elif hasattr(given, "dtype"):
         unit = getattr(given.dtype, "units", None)  # pandas with pint
-        attributes = getattr(given, "attrs", None)
-        if unit is None and isinstance(attributes, Mapping):  # xarray, pandas
-            unit = attributes.get("units")  # type: ignore[union-attr]
+        attributes: Any = getattr(given, "attrs", None)
+        if unit is None and hasattr(attributes, "get"):  # xarray, pandas
+            unit = attributes.get("units")
     return None if unit is None else str(unit)

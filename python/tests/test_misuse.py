@@ -175,6 +175,12 @@ def test_what_is_nearly_points_says_what_to_give(given, hint):
     assert (caught.value.code, caught.value.place) == ("invalid_argument", "points")
 
 
+def test_without_matplotlib_it_says_so(monkeypatch):
+    monkeypatch.setitem(sys.modules, "matplotlib.pyplot", None)
+    with pytest.raises(ImportError, match=r"pip install beespace\[plot\]"):
+        beespace.plot(points[:9], 1.0)
+
+
 def test_signals_of_the_user_are_left_alone():
     before = signal.getsignal(signal.SIGINT)
     beespace.pairs(points, 1.0, threads=2)
