@@ -153,8 +153,6 @@ def _is_column(axis: Any) -> bool:
 
 def _array_of(points: Any, place: str) -> NDArray[Any]:
     points = plain(points, place, SPEEDS if place.endswith("velocities") else METRES)
-    if getattr(points, "num_chunks", 0) == 1:  # pyarrow, which would copy it as a whole
-        points = points.chunk(0)
     try:
         if hasattr(points, "__dlpack__") and not hasattr(points, "__array__"):
             array = np.from_dlpack(points)
