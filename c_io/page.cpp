@@ -1,6 +1,7 @@
 #include "analysis/scene/build_page.hpp"
 #include "c/door/door.hpp"
 #include "c/door/points.hpp"
+#include "c/door/watched_call.hpp"
 #include "c_io/door.hpp"
 #include "c_io/page_scene.hpp"
 #include "c_io/read_options.hpp"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -23,6 +25,7 @@
 using namespace beespace::c_io;  // NOLINT(google-build-using-namespace): the functions are of C
 using beespace::PointsView;
 using beespace::Result;
+using beespace::RunOptions;
 using beespace::Status;
 using beespace::c::invalid;
 namespace analysis = beespace::analysis;
@@ -48,6 +51,19 @@ std::vector<std::string> reword_notes(analysis::Scene& scene) {
       scene);
 }
 
+// The scene of(request), which those may end who the request names.
+template <class Of>
+Result<analysis::Scene> watched_scene(PageRequest request, Of& of) {
+  std::optional<Result<analysis::Scene>> scene;
+  Status watched = beespace::c::call_watched(request.run, [&](const RunOptions& run) -> Status {
+    request.scene.stop = run.stop;
+    scene.emplace(of(request));
+    return *scene ? Status(std::monostate{}) : Status(scene->error());
+  });
+  if (!watched) return std::move(watched).error();
+  return *std::move(scene);
+}
+
 // Makes the scene by of(request), and the page of it.
 template <class Of>
 beespace_code make_page(const beespace_io_page_options* options, beespace_io_page** page,
@@ -58,7 +74,7 @@ beespace_code make_page(const beespace_io_page_options* options, beespace_io_pag
     if (Status has = analysis::check_has_page(); !has) return has;
     const auto request = page_request(options);
     if (!request) return request.error();
-    Result<analysis::Scene> scene = of(*request);
+    Result<analysis::Scene> scene = watched_scene(*request, of);
     if (!scene) return std::move(scene).error();
     auto made = std::make_unique<beespace_io_page>();
     made->notes = reword_notes(*scene);

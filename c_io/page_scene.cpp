@@ -90,6 +90,7 @@ Result<PageRequest> page_request(const beespace_io_page_options* options) {
     request.scene.vertical = *vertical;
   }
   if (given->title != nullptr) request.title = given->title;
+  request.run = given->run;
   return request;
 }
 

@@ -16,7 +16,8 @@ namespace beespace::c_io {
 
 struct PageRequest {
   analysis::SceneRequest scene;
-  std::string title;  // empty: that of the input
+  std::string title;                  // empty: that of the input
+  const beespace_run* run = nullptr;  // who may end the search
 };
 
 // Errors: kInvalidArgument.

@@ -20,9 +20,9 @@ install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/beespace"
   FILES_MATCHING PATTERN "*.hpp")
 install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 
-# A wheel has the library for C beside the modules that load it, and nothing else.
+# A wheel has the libraries for C beside the modules that load them, and nothing else.
 if(SKBUILD)
-  install(TARGETS beespace_c LIBRARY DESTINATION beespace COMPONENT python)
+  install(TARGETS ${beespace_python_libraries} LIBRARY DESTINATION beespace COMPONENT python)
   return()
 endif()
 

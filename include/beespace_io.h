@@ -19,7 +19,7 @@
 /// change once it is made, so it may be read by many.
 ///
 /// A path names a file: "-" is a file of that name. Standard input is read where it is asked for,
-/// as "/dev/stdin". Reading cannot be stopped.
+/// as "/dev/stdin". Reading cannot be stopped; the search for a page can.
 #ifndef BEESPACE_IO_H
 #define BEESPACE_IO_H
 
@@ -303,8 +303,10 @@ typedef struct beespace_io_page_options {
   double threshold_m;  ///< The threshold in metres, above zero.
   double max_gap_s;  ///< Of recordings: between fixes farther apart in time nothing is known. 0 is
                      ///< five times the typical interval, infinity joins all fixes.
-  const char* vertical;  ///< A vertical threshold, in metres or with its unit: "50", "1000ft".
-  const char* title;     ///< What the page is called; NULL for the name of the file.
+  const char* vertical;     ///< A vertical threshold, in metres or with its unit: "50", "1000ft".
+  const char* title;        ///< What the page is called; NULL for the name of the file.
+  const beespace_run* run;  ///< Who may end the search, with BEESPACE_STOPPED: by its stop, or its
+                            ///< poll. Its threads say nothing; or NULL.
 } beespace_io_page_options;
 
 /// @brief A page about points or a recording: one file of HTML that opens without a network, in
@@ -320,8 +322,8 @@ typedef struct beespace_io_page beespace_io_page;
 /// @param[out] page The page; NULL after an error.
 /// @param[out] error What went wrong; or NULL.
 /// @return BEESPACE_OK or the code of the error: as beespace_io_read_points() and
-///   beespace_io_read_recording(); BEESPACE_INVALID_THRESHOLD; BEESPACE_INVALID_ARGUMENT also where
-///   this build has no pages (BEESPACE_WEB=OFF).
+///   beespace_io_read_recording(); BEESPACE_INVALID_THRESHOLD; BEESPACE_STOPPED;
+///   BEESPACE_INVALID_ARGUMENT also where this build has no pages (BEESPACE_WEB=OFF).
 BEESPACE_C_API beespace_code beespace_io_page_of_files(const char* const* paths, int64_t path_count,
                                                        const beespace_io_options* options,
                                                        const beespace_io_page_options* page_options,

@@ -7,7 +7,7 @@ import os
 
 import pytest
 
-_needs = {"to_pandas": "pandas", "to_polars": "polars"}
+_needs = {"to_pandas": "pandas", "to_polars": "polars", "plot": "matplotlib"}
 _readers = ("_files.", "_report.", "FileError", "OSError")
 
 

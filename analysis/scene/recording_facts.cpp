@@ -111,7 +111,7 @@ Result<std::optional<Conflict>> closest_of(const RecordedConflicts& recorded,
                                            const SceneRequest& request) {
   const auto& conflicts = recorded.conflicts;
   if (conflicts.empty()) {
-    return find_closest_encounter(in_space, max_gap_s, request.threads);
+    return find_closest_encounter(in_space, max_gap_s, {request.threads, request.stop});
   }
   return std::optional(*std::min_element(
       conflicts.begin(), conflicts.end(),
@@ -182,7 +182,8 @@ Result<report::RecordingFacts> recording_facts(const io::Recording& recording,
                               .inclusive = request.inclusive,
                               .max_gap_s = max_gap.seconds,
                               .threads = request.threads,
-                              .height_unit_m = height_unit_m(geometry, recording.height_unit)});
+                              .height_unit_m = height_unit_m(geometry, recording.height_unit),
+                              .stop = request.stop});
   if (!recorded) return std::move(recorded).error();
   const auto closest = closest_of(*recorded, *in_space, max_gap.seconds, request);
   if (!closest) return closest.error();

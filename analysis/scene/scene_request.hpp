@@ -7,6 +7,7 @@
 #include <beespace/geodesy.hpp>
 
 #include <optional>
+#include <stop_token>
 #include <string>
 
 namespace beespace::analysis {
@@ -23,6 +24,7 @@ struct SceneRequest {
   std::optional<double> max_gap_s = {};  // absent: from the data
   double tolerance_m = 0.001;            // of curves that become straight lines
   unsigned threads = 0;                  // 0: all
+  std::stop_token stop = {};             // ends the search, not the reading before it
   // Where east, north and up of geographic positions are 0; otherwise below the middle of all.
   std::optional<GeographicPosition> origin = {};
 

@@ -75,33 +75,34 @@ Status find_closest_in_conflict(Engine& engine, const PointsView& places,
   return std::monostate{};
 }
 
-Status find_closest_pair(Engine& engine, const std::vector<Point>& points, unsigned threads,
+Status find_closest_pair(Engine& engine, const std::vector<Point>& points, const RunOptions& run,
                          report::SnapshotFacts& facts) {
   if (facts.swarm.vertical_m && !facts.pairs.empty()) {
     const Pair& pair = facts.pairs.front();
     facts.closest = ClosestPair{pair.first, pair.second, facts.distances_m.front()};
     return std::monostate{};
   }
-  auto closest = engine.find_closest_pair(points, threads);
+  auto closest = engine.find_closest_pair(points, run);
   if (!closest) return std::move(closest).error();
   facts.closest = *closest;
   return std::monostate{};
 }
 
 // Asks the engine.
-Status search(const std::vector<Point>& points, const GroundPlaces& apart, unsigned threads,
+Status search(const std::vector<Point>& points, const GroundPlaces& apart, const RunOptions& run,
               report::SnapshotFacts& facts) {
   SearchOptions options;
   options.threshold_m = facts.swarm.threshold_m;
   options.vertical_m = apart.vertical_m;
   options.inclusive = facts.swarm.inclusive;
-  options.threads = threads;
+  options.threads = run.threads;
+  options.stop = run.stop;
   const PointsView places = apart.view(points);
   Engine engine;
   Status found = engine.find_at_risk(places, options, facts.at_risk);
   IdRows groups;
   if (found) found = engine.find_conflict_groups(places, options, groups);
-  if (found) found = engine.find_nearest(points, facts.nearest, threads);
+  if (found) found = engine.find_nearest(points, facts.nearest, run);
   if (found) found = find_closest_in_conflict(engine, places, points, options, facts);
   if (!found) return found;
   facts.group_count = groups.size();
@@ -117,7 +118,7 @@ Status search(const std::vector<Point>& points, const GroundPlaces& apart, unsig
     facts.swarm.notes.push_back("of " + io::grouped(facts.pair_count) + " pairs, the closest " +
                                 io::grouped(facts.pairs.size()) + " are kept");
   }
-  return find_closest_pair(engine, points, threads, facts);
+  return find_closest_pair(engine, points, run, facts);
 }
 
 void place(const std::vector<Point>& points, io::Frame frame, report::SnapshotFacts& facts) {
@@ -186,7 +187,7 @@ Result<report::SnapshotFacts> snapshot_facts(const io::LoadedPoints& loaded,
   facts.unknown = missing_text(missing);
   note_unknown(facts.unknown, swarm.notes);
   const GroundPlaces apart = ground_places(loaded, request.vertical, loaded.height_unit);
-  const Status found = search(loaded.points, apart, request.threads, facts);
+  const Status found = search(loaded.points, apart, {request.threads, request.stop}, facts);
   if (!found) return found.error();
   swarm.names = names_of(loaded, facts.pairs);
   if (!swarm.names.bees.empty()) {
@@ -223,7 +224,7 @@ Result<report::SnapshotFacts> snapshot_facts(const io::Recording& recording,
     for (const Mover& mover : on_ground->movers) apart.ground.push_back(mover.position);
     apart.heights_m = std::move(on_ground->heights_m);
   }
-  const Status found = search(points, apart, request.threads, facts);
+  const Status found = search(points, apart, {request.threads, request.stop}, facts);
   if (!found) return found.error();
   for (const std::uint32_t bee : snapshot->bees) {
     swarm.names.texts.push_back(text_of(name_of(bee, recording)));

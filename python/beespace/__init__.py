@@ -37,8 +37,9 @@ from beespace._messages import (
 )
 from beespace._motion import closest_approach
 from beespace._obstacles import Box, Cylinder, Ground, Obstacles, Prism, Sphere
+from beespace._plot import plot
 from beespace._recording import Recording
-from beespace._report import Report, report
+from beespace._report import Report, report, view
 from beespace._searches import Searches
 from beespace._swarm import Swarm
 from beespace._verdict import Breaches, ClearanceLosses, Losses, Verdict
@@ -120,6 +121,7 @@ __all__ = [
     "nearest",
     "neighbors",
     "pairs",
+    "plot",
     "predict",
     "predict_pairs",
     "read",
@@ -129,4 +131,5 @@ __all__ = [
     "tube_of",
     "velocity_to_goal",
     "verify",
+    "view",
 ]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -67,6 +68,11 @@ class Pairs(Table):
     def __len__(self) -> int:
         return len(self.i)
 
+    @property
+    def is_between(self) -> bool:
+        """Whether `j` are points of another set."""
+        return self._between
+
     def __repr__(self) -> str:
         of = " x ".join(f"{size:,}" for size in self.shape) if self._between else f"{self.shape[0]:,}"
         points = "point" if of == "1" else "points"
@@ -129,6 +135,7 @@ class _Rows:
         return len(self.indptr) - 1
 
     def __getitem__(self, row: int) -> NDArray[np.int64]:
+        row = operator.index(row)
         size = len(self)
         if not -size <= row < size:
             raise IndexError(f"there are {plural(size, 'row')}")

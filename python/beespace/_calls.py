@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import math
 import operator
 import signal
 import threading
@@ -78,9 +79,13 @@ def check(code: int, error: _library.CError) -> None:
     if code == _library.OK:
         return
     if code == _library.STOPPED:
-        # The poll has taken the signal away: give it back to the handler, which runs here.
-        signal.raise_signal(signal.SIGINT)
+        after_ctrl_c()
     _library.raise_error(error)
+
+
+def after_ctrl_c() -> None:
+    """The poll has taken the signal away: gives it back to the handler, which runs here."""
+    signal.raise_signal(signal.SIGINT)
 
 
 def whole(number: Any, place: str) -> int:
@@ -96,28 +101,28 @@ def whole(number: Any, place: str) -> int:
 
 def seconds(number: Any, place: str) -> float:
     """A length of time."""
-    try:
-        return float(number)
-    except (TypeError, ValueError):
-        raise invalid(f"this is a number of seconds, not {number!r}", place) from None
+    value = _real(number)
+    if value is None:
+        raise invalid(f"this is a number of seconds, not {number!r}", place)
+    return value
 
 
 def length(number: Any, place: str) -> float:
     """A threshold."""
-    try:
-        return float(number)
-    except (TypeError, ValueError):
+    value = _real(number)
+    if value is None:
         raise BeespaceError(
             "a threshold is one number for all points, in metres", "invalid_threshold", place
-        ) from None
+        )
+    return value
 
 
 def number_of(number: Any, place: str) -> float:
     """Any other number."""
-    try:
-        return float(number)
-    except (TypeError, ValueError):
-        raise invalid(f"this is a number, not {number!r}", place) from None
+    value = _real(number)
+    if value is None:
+        raise invalid(f"this is a number, not {number!r}", place)
+    return value
 
 
 def threads_of(threads: Any) -> int:
@@ -126,7 +131,18 @@ def threads_of(threads: Any) -> int:
     return _library.ALL_PROCESSORS if number == 0 else min(number, 256)
 
 
+def _real(number: Any) -> float | None:
+    """As a double, where it is a number: a text may have a unit."""
+    try:
+        return None if isinstance(number, (str, bytes)) else float(number)
+    except (TypeError, ValueError):
+        return None
+    except OverflowError:
+        return math.inf
+
+
 __all__ = [
+    "after_ctrl_c",
     "check",
     "length",
     "library",

@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+import os
 import threading
+import weakref
 from typing import Any
 
 from beespace._library import library
 from beespace._searches import Searches
+
+
+# For the child of a fork, which has the memory of its engines, but not their threads.
+_engines: weakref.WeakSet[Engine] = weakref.WeakSet()
 
 
 class Engine(Searches):
@@ -30,18 +36,40 @@ class Engine(Searches):
     <beespace.Engine: 3 calls so far>
     """
 
-    __slots__ = ("_calls", "_handle", "_lock")
+    __slots__ = ("__weakref__", "_calls", "_handle", "_lock")
 
     def __init__(self) -> None:
+        self._calls = 0
+        self._begin()
+        _engines.add(self)
+
+    def _begin(self) -> None:
         self._handle = library.beespace_engine_create()
         if not self._handle:
             raise MemoryError("beespace: no memory for an engine")
         self._lock = threading.Lock()
-        self._calls = 0
+
+    def _renew(self) -> None:
+        """Begins anew in the child of a fork, where a call, or the end of the engine, would wait for
+        ever for threads that the child does not have."""
+        self._handle.value = None  # so that it is not freed
+        self._begin()
+
+    @staticmethod
+    def _renew_all() -> None:
+        for engine in list(_engines):
+            engine._renew()
+
+    if hasattr(os, "register_at_fork"):
+        os.register_at_fork(after_in_child=_renew_all)
 
     def __repr__(self) -> str:
         calls = "1 call" if self._calls == 1 else f"{self._calls:,} calls"
         return f"<beespace.Engine: {calls} so far{', one now' if self._lock.locked() else ''}>"
+
+    def __reduce__(self) -> tuple[type[Engine], tuple[()]]:
+        """Of an engine, a copy is a new one: it has nothing but memory."""
+        return (Engine, ())
 
     def _call(self, function: Any, arguments: tuple[Any, ...]) -> int:
         with self._lock:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from beespace._errors import BeespaceError, invalid
 from beespace._library import CFixes
+from beespace._units import SECONDS, plain
 
 
 class Fixes:
@@ -76,7 +77,7 @@ def agents_of(ids: Any, count: int) -> tuple[NDArray[np.int64], NDArray[Any] | N
 
 def seconds_of(times: Any, count: int) -> NDArray[np.float64]:
     """A time for each."""
-    given = np.asarray(times)
+    given = np.asarray(plain(times, "times", SECONDS))
     if given.dtype.kind in "mM":
         raise invalid(
             "times are numbers of seconds, not dates: subtract a moment and divide by "
@@ -89,16 +90,18 @@ def seconds_of(times: Any, count: int) -> NDArray[np.float64]:
     return clock
 
 
-def numbers_of(numbers: Any, count: int, place: str) -> NDArray[np.float64]:
+def numbers_of(
+    numbers: Any, count: int, place: str, units: tuple[str, ...] | None = None
+) -> NDArray[np.float64]:
     """A number for each."""
-    given = np.asarray(numbers)
+    given = np.asarray(plain(numbers, place, units))
     if given.dtype.kind not in "iuf" or (given.dtype.kind == "f" and given.dtype.itemsize > 8):
         raise invalid(f"{place} are numbers, not {given.dtype}", place)
     return np.ascontiguousarray(_one_each(given, count, place), np.float64)
 
 
 def _one_each(column: Any, count: int, place: str) -> NDArray[Any]:
-    given = np.asarray(column)
+    given = np.asarray(plain(column, place, None))
     if given.ndim != 1 or len(given) != count:
         raise invalid(f"there are {given.shape} {place} for {count:,} positions", place)
     return given

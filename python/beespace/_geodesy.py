@@ -13,6 +13,7 @@ from beespace._calls import check
 from beespace._errors import invalid
 from beespace._library import library
 from beespace._points import Points
+from beespace._units import DEGREES, METRES, plain
 
 
 def to_ecef(lon: ArrayLike, lat: ArrayLike, height: ArrayLike) -> NDArray[np.float64]:
@@ -44,7 +45,11 @@ def to_ecef(lon: ArrayLike, lat: ArrayLike, height: ArrayLike) -> NDArray[np.flo
     >>> beespace.pairs(beespace.to_ecef([13.4, 13.401], [52.5, 52.5], 120), 100).distance.round(2)
     array([67.91])
     """
-    given = {"lon": lon, "lat": lat, "height": height}
+    given = {
+        "lon": plain(lon, "lon", DEGREES),
+        "lat": plain(lat, "lat", DEGREES),
+        "height": plain(height, "height", METRES),
+    }
     counts = {name: _length(value, name) for name, value in given.items()}
     lengths = {length for length in counts.values() if length is not None}
     if len(lengths) > 1:
@@ -55,7 +60,7 @@ def to_ecef(lon: ArrayLike, lat: ArrayLike, height: ArrayLike) -> NDArray[np.flo
     axes = tuple(
         np.broadcast_to(np.float64(_number(value, name)), (count,))
         if counts[name] is None
-        else value if hasattr(value, "shape") else np.asarray(value)
+        else np.asarray(value)
         for name, value in given.items()
     )
     points = Points(axes, "positions")

@@ -16,6 +16,7 @@ from beespace._errors import invalid
 from beespace._library import library
 from beespace._points import Points, PointsLike, position
 from beespace._searches import nearest_of
+from beespace._units import METRES, plain
 
 
 class Index:
@@ -137,7 +138,11 @@ class Index:
             )
         else:
             search = search_of(0.0, None, inclusive, max_results)
-            radii = np.ascontiguousarray(radius, np.float64)
+            given = plain(radius, "radii", METRES)
+            try:
+                radii = np.ascontiguousarray(given, np.float64)
+            except (TypeError, ValueError, OverflowError) as error:
+                raise invalid(f"these are no numbers: {error}", "radii") from error
             _, result = self._ask(
                 library.beespace_index_around_each,
                 places,

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from beespace import _library
+from beespace._calls import after_ctrl_c
 from beespace._errors import BeespaceFileError, BeespaceOSError
 
 SKIP_BAD = 1
@@ -59,6 +60,7 @@ class CPageOptions(ctypes.Structure):
         ("max_gap_s", c_double),
         ("vertical", c_char_p),
         ("title", c_char_p),
+        ("run", POINTER(_library.CRun)),
     ]
 
 
@@ -136,8 +138,9 @@ def load() -> IoLibrary:
     except (OSError, AttributeError) as error:  # none, or one of an older version
         raise ImportError(
             "this installation of beespace cannot read files or make reports, as it finds no "
-            f"libbeespace_io.so that fits: {error}. Type 'make install' in a clone of beespace, and "
-            "set BEESPACE_IO_LIBRARY to the path of the library where the system does not find it."
+            f"libbeespace_io.so that fits: {error}. Install the wheel that 'make python' makes in a "
+            "clone of beespace; or set BEESPACE_IO_LIBRARY to the path of a libbeespace_io.so, as "
+            "'make install' has one."
         ) from error
     handles = {name: _library.handle_of(unlocked, f"io_{name}") for name in _handles}
     return IoLibrary(unlocked, at_once, handles)
@@ -178,6 +181,8 @@ def check(code: int, error: CFileError) -> None:
         return
     if code == _library.OUT_OF_MEMORY:
         raise MemoryError(error.message.decode())
+    if code == _library.STOPPED:
+        after_ctrl_c()
     raise error_of(error)
 
 

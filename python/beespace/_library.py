@@ -127,12 +127,21 @@ def _method_of_c(function: object) -> object:
     return bind(function)
 
 
+def _refuse_to_copy(self: object) -> object:
+    # ctypes would copy the address, and what is there would be freed twice.
+    raise TypeError(
+        "what the library of beespace keeps can be neither copied nor pickled: pickle what it was made "
+        "of, such as the points or the path of the file, and make it anew"
+    )
+
+
 def handle_of(of: ctypes.CDLL, name: str) -> type[c_void_p]:
     """A pointer to what a library has made, freed with the last reference to it."""
     free = of[f"beespace_{name}_free"]
     free.restype = None
     free.argtypes = [c_void_p]
-    return type(f"C{name.title()}", (c_void_p,), {"__del__": _method_of_c(free)})
+    members = {"__del__": _method_of_c(free), "__reduce__": _refuse_to_copy}
+    return type(f"C{name.title()}", (c_void_p,), members)
 
 
 def _handle(name: str) -> type[c_void_p]:

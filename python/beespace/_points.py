@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import ctypes
+import os
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -10,12 +12,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from beespace._errors import invalid
 from beespace._library import FLOAT32, FLOAT64, CPoints
+from beespace._units import METRES, SPEEDS, plain
 
 PointsLike = ArrayLike  # or a tuple of arrays, a data frame, anything that DLPack knows
 
 _types = {np.dtype(np.float64): FLOAT64, np.dtype(np.float32): FLOAT32}
 _size = ctypes.sizeof(CPoints)
-_masked: Any = np.ma  # of whose types NumPy says little
 
 
 class Points:
@@ -41,6 +43,14 @@ class Points:
             self._of_rows(rows)
             return
         self._of_axes([_numbers(axis, place, copy) for axis in axes], place)
+
+    def rows(self) -> NDArray[np.float64]:
+        """The same as an array of shape (n, 3)."""
+        keep: Any = self.keep
+        rows = np.zeros((self.count, 3))
+        for axis, numbers in enumerate(keep if _is_a(keep, list) else keep.T):
+            rows[:, axis] = numbers
+        return rows
 
     def _of_rows(self, rows: NDArray[Any]) -> None:
         address = rows.__array_interface__["data"][0]
@@ -111,6 +121,8 @@ def _axes_of(points: Any, place: str) -> list[NDArray[Any]] | None:
     columns: list[Any]
     if _are_columns(points):
         columns = [*points]
+    elif hasattr(points, "column_names") and hasattr(points, "itercolumns"):  # pyarrow
+        columns = list(points.columns)
     elif hasattr(points, "get_columns"):  # polars
         columns = list(points.get_columns())
     elif hasattr(points, "iloc") and getattr(points, "ndim", 0) == 2:  # pandas
@@ -140,16 +152,35 @@ def _is_column(axis: Any) -> bool:
 
 
 def _array_of(points: Any, place: str) -> NDArray[Any]:
-    if isinstance(points, _masked.MaskedArray):
-        if _masked.is_masked(points):
-            raise invalid("some values are masked: leave those points out", place)
-        return np.asarray(_masked.getdata(points))
+    points = plain(points, place, SPEEDS if place.endswith("velocities") else METRES)
     try:
         if hasattr(points, "__dlpack__") and not hasattr(points, "__array__"):
-            return np.from_dlpack(points)
-        return np.asarray(points)
+            array = np.from_dlpack(points)
+        else:
+            array = np.asarray(points)
     except (TypeError, ValueError, RuntimeError, BufferError) as error:
         raise invalid(f"this is no array of numbers: {error}", place) from error
+    if array.dtype.kind not in "fiu" and (hint := _hint(points)):
+        raise invalid(hint, place)
+    return array
+
+
+def _hint(points: Any) -> str | None:
+    """What to give instead of what is no array."""
+    if isinstance(points, (str, bytes, os.PathLike)):
+        return "this is a text: points of a file are given by beespace.read"
+    if hasattr(points, "times") and hasattr(points, "agents"):
+        return "this is a recording: choose fixes of one moment, as in r.positions[r.times == 10]"
+    if hasattr(points, "collect"):
+        return "this is a query that is not answered yet: give its .collect()"
+    if isinstance(points, Mapping) or getattr(getattr(points, "dtype", None), "names", None):
+        return (
+            "this has columns by name: give a tuple of them, as in "
+            '(table["x"], table["y"], table["z"])'
+        )
+    if hasattr(points, "__next__"):
+        return "this can be gone through only once: give a list of it"
+    return None
 
 
 def _numbers(array: NDArray[Any], place: str, copy: bool) -> NDArray[Any]:

@@ -18,6 +18,7 @@ from beespace._fixes import Fixes, agents_of, numbers_of, seconds_of
 from beespace._library import library
 from beespace._obstacles import Obstacles
 from beespace._points import Points, PointsLike
+from beespace._units import METRES
 from beespace._verdict import Verdict
 
 
@@ -82,7 +83,8 @@ class Recording:
         clock = seconds_of(times, given.count)
         fixes = Fixes(agents, clock)
         if heights is not None:
-            fixes.set_heights(numbers_of(heights, given.count, "heights"))
+            units = METRES if height_unit == 1 else None
+            fixes.set_heights(numbers_of(heights, given.count, "heights", units))
             fixes.struct.height_unit_m = number_of(height_unit, "height_unit")
         error = _library.new_error()
         run = run_of(1, given.count)

@@ -9,10 +9,14 @@ from collections.abc import Sequence
 from typing import Any
 
 from beespace import _io_library, _library
-from beespace._calls import whole
+from beespace._calls import length, run_of, seconds, whole
 from beespace._errors import invalid
 from beespace._files import FilePoints, PathLike, encoded_path, paths_of, reading_options
 from beespace._points import Points, PointsLike
+from beespace._view import is_notebook, show_in_browser, show_in_notebook
+
+# How many points a file has, before it is read: enough to be watched for Ctrl-C.
+_unknown = 2**62
 
 
 class Report:
@@ -83,6 +87,30 @@ class Report:
         )
         _io_library.check(code, error)
 
+    def view(self) -> None:
+        """Shows the page: in a notebook below the cell, elsewhere in a browser.
+
+        The browser fetches it from this process, on this machine; it can be loaded anew as long as
+        the process is there. To keep it, `save` it.
+
+        Raises
+        ------
+        BeespaceError
+            No browser has fetched it within a minute.
+
+        Examples
+        --------
+        >>> import beespace
+        >>> page = beespace.report([[0, 0, 0], [3, 4, 0]], 10)
+        >>> page.view()  # doctest: +SKIP
+        >>> page
+        <Report: a danger is shown>
+        """
+        if is_notebook():
+            show_in_notebook(self)
+        else:
+            show_in_browser(self.html)
+
     def _repr_html_(self) -> str:
         # In a frame of its own, whose scripts see nothing of the notebook.
         return (
@@ -150,6 +178,8 @@ def report(
     Report
         The page. `_repr_html_` shows it in a notebook.
 
+    Ctrl-C ends the search for what is on it; it is not heard while a file is read.
+
     Raises
     ------
     BeespaceFileError, BeespaceOSError, ImportError
@@ -190,6 +220,34 @@ def report(
     return made
 
 
+def view(points: Any, threshold: float, **options: Any) -> None:
+    """Shows a page about points or a recording: in a notebook below the cell, elsewhere in a browser.
+
+    Parameters
+    ----------
+    points, threshold
+        As of `report`.
+    **options
+        All others of `report`.
+
+    Raises
+    ------
+    BeespaceError
+        As `report` and `Report.view`.
+
+    Examples
+    --------
+    >>> import beespace
+    >>> beespace.view([[0, 0, 0], [3, 4, 0]], 10, title="Two drones")  # doctest: +SKIP
+    >>> try:
+    ...     beespace.view([[0, 0, 0], [3, 4, 0]], -1)
+    ... except beespace.BeespaceError as error:
+    ...     print(error.code)
+    invalid_threshold
+    """
+    report(points, threshold, **options).view()
+
+
 def _page_of_points(io: Any, points: Any, ids: Any, tail: tuple[Any, ...]) -> int:
     if getattr(points, "frame", None) == "wgs84":
         raise invalid("points in degrees have their own ids: leave ids out", "ids")
@@ -225,13 +283,16 @@ def _page_options(
     options.flags = _library.INCLUSIVE if inclusive else 0
     number = whole(threads, "threads")
     options.threads = _library.ALL_PROCESSORS if number == 0 else min(number, 256)
-    options.threshold_m = float(threshold)
+    options.threshold_m = length(threshold, "threshold")
     if max_gap is not None:
-        options.max_gap_s = float(max_gap)
+        options.max_gap_s = seconds(max_gap, "max_gap")
         if not options.max_gap_s > 0:
             raise invalid("a gap is longer than zero; infinity for none", "max_gap")
     if vertical is not None:
-        text = vertical if isinstance(vertical, str) else repr(float(vertical))
+        text = vertical if isinstance(vertical, str) else repr(length(vertical, "vertical"))
         options.vertical = _io_library.encoded(text)
     options.title = _io_library.encoded(title)
+    run = run_of(1, _unknown)
+    if run is not None:
+        options.run = ctypes.pointer(run)
     return ctypes.byref(options)

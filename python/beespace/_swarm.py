@@ -18,6 +18,7 @@ from beespace._events import Events, KnownAgents, SwarmCounts
 from beespace._fixes import Fixes, integers_of, numbers_of, seconds_of
 from beespace._library import at_once, library
 from beespace._points import Points, PointsLike
+from beespace._units import SECONDS, plain
 
 
 class Swarm:
@@ -170,7 +171,7 @@ class Swarm:
         """
         places = Points(positions, "positions")
         speeds = None if velocities is None else Points(velocities, "velocities")
-        when = np.asarray(times)
+        when = np.asarray(plain(times, "times", SECONDS))
         when = np.broadcast_to(when, (places.count,)) if when.ndim == 0 else when
         fixes = Fixes(integers_of(ids, places.count), seconds_of(when, places.count))
         if heights is not None:

@@ -6,7 +6,10 @@ import base64
 import json
 import os
 import re
+import signal
 import subprocess
+import sys
+import time
 import zlib
 from html.parser import HTMLParser
 from pathlib import Path
@@ -176,3 +179,34 @@ def test_arguments_that_make_no_sense_are_refused(tmp_path):
         with pytest.raises(beespace.BeespaceError) as caught:
             call()
         assert (caught.value.code, caught.value.place) == (code, place)
+
+
+_interrupted = """
+import signal, sys, time, numpy, beespace
+crowd = numpy.random.default_rng(5).uniform(0, 1, (100_000, 3))
+moves = numpy.repeat(crowd, 2, axis=0) + numpy.tile([[0, 0, 0], [1, 1, 1]], (100_000, 1))
+with open(sys.argv[1], "w") as file:
+    file.write("id,time_s,x [m],y [m],z [m]\\n")
+    file.writelines(f"{{i // 2}},{{i % 2}},{{x}},{{y}},{{z}}\\n" for i, (x, y, z) in enumerate(moves.tolist()))
+print("ready", flush=True)
+began = time.monotonic()
+try:
+    while True: beespace.report({what}, 0.9)
+except KeyboardInterrupt:
+    print("ended", time.monotonic() - began < 20)
+"""
+
+
+@pytest.mark.parametrize("what", ["crowd", "sys.argv[1]"])
+def test_ctrl_c_ends_the_search_for_a_page(tmp_path, what):
+    program = subprocess.Popen(
+        [sys.executable, "-c", _interrupted.format(what=what), tmp_path / "moves.csv"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    assert program.stdout.readline() == "ready\n"
+    time.sleep(1)  # by then the file is read
+    program.send_signal(signal.SIGINT)
+    printed, complaint = program.communicate(timeout=60)
+    assert printed == "ended True\n", complaint

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -173,6 +174,33 @@ TEST_F(CPage, IsWrittenButNotOverItsInput) {
             BEESPACE_WRITE_FAILED);
   EXPECT_EQ(beespace_io_page_write(nullptr, output.c_str(), &error), BEESPACE_INVALID_ARGUMENT);
   EXPECT_EQ(beespace_io_page_write(made.page.get(), nullptr, &error), BEESPACE_INVALID_ARGUMENT);
+}
+
+TEST_F(CPage, OfACrowdEndsWhenAStopIsRequested) {
+  // All within the threshold of all: the worst pairs of so many take minutes.
+  std::vector<double> crowd;
+  for (int i = 0; i < 300'000; ++i) crowd.insert(crowd.end(), {1e-6 * i, 0.0, 0.0});
+  beespace_run run = {};
+  run.struct_size = sizeof run;
+  int asked = 0;
+  run.poll = [](void* data) { return ++*static_cast<int*>(data) == 3 ? 1 : 0; };
+  run.poll_data = &asked;
+  options_.run = &run;
+  const MadePage polled = of_memory(crowd);
+  EXPECT_EQ(polled.code, BEESPACE_STOPPED) << polled.error.message;
+  EXPECT_EQ(polled.page, nullptr);
+  EXPECT_GE(asked, 3);
+
+  const std::unique_ptr<beespace_stop, decltype(&beespace_stop_free)> stop(beespace_stop_create(),
+                                                                           &beespace_stop_free);
+  beespace_stop_request(stop.get());
+  run = {};
+  run.struct_size = sizeof run;
+  run.stop = stop.get();
+  EXPECT_EQ(of_memory(crowd).code, BEESPACE_STOPPED);
+  EXPECT_EQ(of_memory({0, 0, 0, 0, 0, 1}).code, BEESPACE_STOPPED);
+  run.struct_size = 1;
+  EXPECT_EQ(of_memory({0, 0, 0, 0, 0, 1}).code, BEESPACE_INVALID_ARGUMENT);
 }
 
 TEST_F(CPage, ArgumentsThatMakeNoSenseAreRefused) {

@@ -4,8 +4,9 @@ An import line is all that changes:
 
 >>> from beespace.compat.scipy import KDTree  # was: from scipy.spatial import KDTree
 >>> tree = KDTree([[0.0, 0.0], [3.0, 4.0], [6.0, 9.0]])
->>> tree.query([3.0, 3.0])
-(1.0, 1)
+>>> distance, id = tree.query([3.0, 3.0])
+>>> print(distance, id)
+1.0 1
 >>> sorted(tree.query_pairs(6))
 [(0, 1), (1, 2)]
 
