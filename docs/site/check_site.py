@@ -54,6 +54,17 @@ def dead_links(site: Path) -> list[str]:
     return found
 
 
+def missing_frames(site: Path) -> list[str]:
+    """Notebooks that show no page of beespace, though they make one."""
+    found = []
+    for notebook in (root / "docs/notebooks").glob("*.ipynb"):
+        page = site / f"docs/notebooks/{notebook.stem}.html"
+        makes = "beespace.report(" in notebook.read_text()
+        if makes and '<iframe sandbox="allow-scripts' not in page.read_text():
+            found.append(f"{page} does not show the page that the notebook makes")
+    return found
+
+
 def names_of(site: Path) -> set[str]:
     """All names that the site describes, from the index that it offers to other sites."""
     inventory = (site / "objects.inv").read_bytes()
@@ -63,7 +74,7 @@ def names_of(site: Path) -> set[str]:
 
 
 def public_names() -> set[str]:
-    """Those of Python, of the headers of C++ and, as the libraries export them, of C."""
+    """Those of Python and, as the libraries export them, of C. (Of C++, doxygen misses none.)"""
     names = set(python_pages.public())
     for name, thing in python_pages.public().items():
         names.update(python_pages.members(name, thing))
@@ -79,6 +90,7 @@ def public_names() -> set[str]:
 def main() -> int:
     site = Path(sys.argv[1]).resolve()
     problems = dead_links(site)
+    problems += missing_frames(site)
     problems += [f"the site says nothing of {each}" for each in sorted(public_names() - names_of(site))]
     print("\n".join(problems), file=sys.stderr, end="\n" if problems else "")
     return 1 if problems else 0

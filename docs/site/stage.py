@@ -205,7 +205,9 @@ def main() -> None:
         if file.startswith("docs/site/") or file == "docs/README.md":
             continue
         stage.document(file, behind=below.get(file, ""))
-    for path in [*(root / "docs").rglob("*.ipynb"), *(root / "examples").glob("*.c*")]:
+    # What notebooks read, and what the first page shows.
+    read = [*(root / "examples/data").glob("*.csv"), *(root / "examples").glob("*.c*")]
+    for path in [*(root / "docs").rglob("*.ipynb"), *read]:
         stage.copy(str(path.relative_to(root)))
     write_headers(stage)
     for page, text in python_pages.pages().items():
