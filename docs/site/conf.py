@@ -48,6 +48,7 @@ napoleon_use_rtype = False
 # The headers for C and C++, as doxygen read them.
 breathe_projects = {"beespace": str(root / "build/docs/headers/xml")}
 breathe_default_project = "beespace"
+breathe_show_include = False
 breathe_default_members = ("members",)
 # Each header has a page, and each page opens the namespace; doxygen tells of each structure for C as
 # a structure and as a type. What is said twice is found by doxygen, whose warnings are errors.

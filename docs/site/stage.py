@@ -1,6 +1,6 @@
 """Lays out what Sphinx makes the site of: the documents as they are, and pages that are made here.
 
-    stage.py FOLDER
+    stage.py FOLDER DOXYGEN_XML
 
 Documents keep their places, so that what links one to another in the repository does so in the
 site. A link to a header goes to its page in the reference; one to another file or folder of the
@@ -15,6 +15,7 @@ import shutil
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from xml.etree import ElementTree
 
 import manual
 import python_pages
@@ -144,10 +145,32 @@ def header_page(file: str) -> str:
 
 def brief_of(file: str) -> str:
     """What a header says first: its question."""
-    found = re.search(r"@brief (.*?)(?:\n\s*(?:///|\*)?\s*\n|\n\s*\*/)", (root / file).read_text(), re.DOTALL)
-    if found is None:
+    words: list[str] = []
+    for line in (root / file).read_text().splitlines():
+        text = line.strip().removeprefix("///").removeprefix("*").strip()
+        if "@brief" in text:
+            words = text.partition("@brief")[2].split()
+        elif words and (line == line.lstrip(" /*") or not text):
+            break
+        elif words:
+            words += text.split()
+    if not words:
         sys.exit(f"{file}: no @brief says what the header is for")
-    return " ".join(re.sub(r"\n\s*(///|\*)", " ", found[1]).split())
+    return " ".join(words)
+
+
+def without_private(described: Path) -> None:
+    """Takes out of what doxygen wrote what it leaves out of its own pages."""
+    for file in described.glob("*.xml"):
+        tree = ElementTree.parse(file)
+        gone = False
+        for compound in tree.iter("compounddef"):
+            for section in compound.findall("sectiondef"):
+                if section.get("kind", "").startswith("private"):
+                    compound.remove(section)
+                    gone = True
+        if gone:
+            tree.write(file, encoding="utf-8", xml_declaration=True)
 
 
 def write_headers(stage: Stage) -> None:
@@ -187,8 +210,8 @@ def contents(pages: list[str]) -> str:
 
 
 def main() -> None:
-    into = Path(sys.argv[1]).resolve()
-    stage = Stage(into)
+    stage = Stage(Path(sys.argv[1]).resolve())
+    without_private(Path(sys.argv[2]))
     index = (root / "docs/site/index.md").read_text()
     # Its links are those of a document in the root.
     stage.write("index.md", stage.with_links(index, "index.md"))
