@@ -58,6 +58,8 @@ html_theme = "furo"
 html_static_path = [str(here / "static")]
 html_css_files = ["site.css"]
 html_copy_source = False
+# Its search works from files, too, where a page cannot read another one.
+html_show_search_summary = False
 html_show_sphinx = False
 html_show_copyright = False
 html_theme_options = {

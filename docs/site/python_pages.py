@@ -57,8 +57,13 @@ def _is_inherited_from_python(thing: type, member: str) -> bool:
 def pages() -> dict[str, str]:
     made = {f"{folder}/index.md": _index(), f"{folder}/arguments.md": _arguments()}
     for name, thing in public().items():
-        made[f"{folder}/{name}.md"] = _page(name, thing)
+        made[f"{folder}/{_page_name(name, thing)}.md"] = _page(name, thing)
     return made
+
+
+def _page_name(name: str, thing: Any) -> str:
+    """Names differ also where files are found without regard to case: `nearest`, `Nearest`."""
+    return f"{name}-class" if inspect.isclass(thing) else name
 
 
 def _page(name: str, thing: Any) -> str:
@@ -94,9 +99,10 @@ def _index() -> str:
         for name, thing in public().items():
             if not belongs(thing):
                 continue
-            entries.append(f"/{folder}/{name}")
+            page = _page_name(name, thing)
+            entries.append(f"/{folder}/{page}")
             shown = name.removeprefix("beespace.")
-            text += f"| [`{shown}`]({name}.md) | {_first_sentence(name, thing)} |\n"
+            text += f"| [`{shown}`]({page}.md) | {_first_sentence(name, thing)} |\n"
     return text + "\n```{toctree}\n:hidden:\n\n" + "\n".join(entries) + "\n```\n"
 
 
