@@ -13,7 +13,7 @@ help: ## this list
 	@echo "make prevention-table  fly fleets that are not exact (takes long)"
 	@echo "make compare  compare with other libraries and the paper's methods (about 25 minutes)"
 	@echo "make compare-python  compare the Python package with others (about 25 minutes)"
-	@echo "make docs     build the reference of the C++ interface in build/docs"
+	@echo "make docs     build the site of the documents in build/docs/site"
 	@echo "make format   format the sources with clang-format 14"
 	@echo "make lint     format, include and header checks, clang-tidy"
 	@echo "make install  install under PREFIX ($(PREFIX)); DESTDIR is honoured"
@@ -57,10 +57,9 @@ compare-python:
 	@scripts/compare-python
 
 docs:
-	@scripts/install-packages docs
-	@mkdir -p build
-	@doxygen docs/Doxyfile
-	@echo "The reference: build/docs/index.html"
+	@scripts/install-packages build docs
+	@scripts/build-docs
+	@echo "The site: build/docs/site/index.html"
 
 format:
 	@scripts/install-packages ci

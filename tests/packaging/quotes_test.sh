@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Proves that the C++ and C in the documents are those of examples/, which are compiled, and that the programs
-# print what the documents say.
+# Proves that the C++, C and Lua in the documents are those of examples/, which are compiled or run, and
+# that the programs print what the documents say.
 #
 #   quotes_test.sh SOURCE_FOLDER PROGRAM_FOLDER DOCUMENT...
 #
@@ -84,8 +84,9 @@ for document in "$@"; do
     printf '%s\n' "$text" >> "$scratch/all"
     case $text in
       "output of "*)
-        # Programs in C are run by tests/c/program_test.sh, with the shared library.
+        # Programs in C and Lua are run by tests in tests/c, with the shared library.
         if [ -f "$source/examples/${text#output of }.c" ]; then continue; fi
+        if [ -f "$source/examples/${text#output of }.lua" ]; then continue; fi
         "$programs/${text#output of }" > "$scratch/printed" ||
           fail "$document: ${text#output of } ends with an error"
         diff "$quoted" "$scratch/printed" ||
@@ -102,9 +103,9 @@ for document in "$@"; do
   done
 done
 
-for example in "$source"/examples/*.cpp "$source"/examples/*.c; do
+for example in "$source"/examples/*.cpp "$source"/examples/*.c "$source"/examples/*.lua; do
   name=$(basename "${example%.*}")
-  grep -qE "^(part of )?examples/$name\.(cpp|c)$" "$scratch/all" ||
+  grep -qE "^(part of )?examples/$name\.(cpp|c|lua)$" "$scratch/all" ||
     fail "no document quotes ${example##*/}"
   grep -qx "output of $name" "$scratch/all" || fail "no document shows what $name prints"
 done
