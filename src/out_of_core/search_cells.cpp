@@ -1,0 +1,96 @@
+#include "out_of_core/search_cells.hpp"
+
+#include "base/stopping.hpp"
+#include "out_of_core/cells.hpp"
+#include "out_of_core/cut.hpp"
+#include "out_of_core/temporary_file.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace beespace::out_of_core {
+
+namespace {
+
+// Cells are cut for this share of what can be searched at a time: a sample errs, and halos come to
+// it.
+constexpr double kShareOfCell = 0.7;
+
+Reach reach_of(const SearchOptions& options) {
+  return {options.threshold_m, options.threshold_m,
+          options.vertical_m.value_or(options.threshold_m)};
+}
+
+double share_of(std::uint64_t part, std::uint64_t whole) {
+  return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
+}
+
+// Of the temporary file of all cells.
+std::uint64_t expected_bytes(const std::vector<Point>& sample, const Cut& cut, std::uint64_t size) {
+  std::uint64_t copies = 0;
+  for (const Point& point : sample) {
+    cut.for_each_cell(point, [&](CellNumber /*cell*/, bool home) { copies += home ? 0 : 1; });
+  }
+  return static_cast<std::uint64_t>(static_cast<double>(size) *
+                                    (1.0 + share_of(copies, sample.size())) *
+                                    static_cast<double>(Cells::kBytesOnDisk));
+}
+
+// Tells the caller, but not all the time.
+std::function<void(std::uint64_t)> progress_of(const Workplace& at, OutOfCoreProgress::Phase phase,
+                                               std::uint64_t size) {
+  if (!at.progress) return [](std::uint64_t /*done*/) {};
+  return [&at, phase, size,
+          last = std::chrono::steady_clock::time_point()](std::uint64_t done) mutable {
+    constexpr std::chrono::milliseconds kPause(100);
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last < kPause && done < size) return;
+    last = now;
+    at.progress({phase, done, size});
+  };
+}
+
+Result<Cells> distribute(const StoredPoints& points, const SearchOptions& options,
+                         const Workplace& at) {
+  auto sample = points.sample(at.plan.sample);
+  if (!sample) return std::move(sample).error();
+  const auto most = static_cast<std::size_t>(kShareOfCell * static_cast<double>(at.plan.cell) *
+                                             share_of(sample->size(), points.size()));
+  const Cut cut = Cut::of_sample(*sample, most, reach_of(options));
+  auto file = TemporaryFile::make(at.folder, expected_bytes(*sample, cut, points.size()));
+  if (!file) return std::move(file).error();
+  *sample = {};
+
+  Cells cells(*std::move(file), cut.cells());
+  core::StoppableCrew workers(at.crew, options.stop);
+  auto status =
+      cells.distribute(points, cut, at.plan.batch, workers,
+                       progress_of(at, OutOfCoreProgress::Phase::kDistributing, points.size()));
+  if (!status) return std::move(status).error();
+  return cells;
+}
+
+}  // namespace
+
+Status search_cells(StoredPoints& points, const SearchOptions& options, const Workplace& at,
+                    CellQuestion& question, OutOfCoreFacts& facts) {
+  facts = {};
+  if (auto status = points.flush(); !status) return status;
+  return core::unless_stopped([&]() -> Status {
+    const auto cells = distribute(points, options, at);
+    if (!cells) return cells.error();
+    for (std::size_t cell = 0; cell < cells->size(); ++cell) {
+      if (cells->home_count(cell) > 0) ++facts.cells;
+      facts.copies += cells->count(cell) - cells->home_count(cell);
+      facts.largest_cell = std::max(facts.largest_cell, cells->count(cell));
+    }
+    return walk_cells(*cells, at.plan.cell, question, options.stop,
+                      progress_of(at, OutOfCoreProgress::Phase::kSearching, points.size()),
+                      facts.crowded_cells);
+  });
+}
+
+}  // namespace beespace::out_of_core
