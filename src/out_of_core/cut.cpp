@@ -2,16 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <span>
 #include <utility>
 
 namespace beespace::out_of_core {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Each side of a plane has at least this share of the points, and at most the next one of them is
 // in halos because of it.
@@ -52,9 +48,9 @@ class Cut::Builder {
     const std::size_t axis = plane.axis;
     const double reach = reach_[axis];
     const auto left = static_cast<std::uint32_t>(cut_.nodes_.size());
-    // Rounded outwards: no point that is within reach of the other side is left out.
-    cut_.nodes_[index] = {plane.value, std::nextafter(plane.value - reach, -kInfinity),
-                          std::nextafter(plane.value + reach, kInfinity), left,
+    // Rounding keeps order: what lies within reach of a point on the other side is not beyond the
+    // rounded sum either.
+    cut_.nodes_[index] = {plane.value, plane.value - reach, plane.value + reach, left,
                           static_cast<std::uint8_t>(axis)};
     cut_.nodes_.resize(cut_.nodes_.size() + 2);
     const auto middle = std::partition(sample.begin(), sample.end(), [&](const Point& point) {

@@ -131,7 +131,9 @@ TEST_F(DistributedCells, HaveEachPointAtOneHomeInAscendingOrder) {
       EXPECT_EQ(points.size(), cells_->count(cell));
       for (std::size_t index = 0; index < points.size(); ++index) {
         const std::uint64_t id = points.id(index);
-        if (index > 0) EXPECT_LT(points.id(index - 1), id);
+        if (index > 0) {
+          EXPECT_LT(points.id(index - 1), id);
+        }
         EXPECT_EQ(points.view()[index], points_[id]);
         if (points.is_home(index)) ++homes[id];
       }

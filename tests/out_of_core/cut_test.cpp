@@ -95,6 +95,22 @@ TEST(Cut, HalosAreCompleteWhereCoordinatesAreCoarse) {
   }
 }
 
+// On both sides of each plane there are points just within reach of it.
+TEST(Cut, HalosReachToTheEnd) {
+  constexpr double kStep = 0x1p-10;
+  const Reach reach = {1.0, 1.0, 1.0};
+  std::vector<Point> sample;
+  for (int index = 0; index < 20'000; ++index) sample.push_back({index * kStep, 0, 0});
+  const auto points = sample;
+  const Cut cut = Cut::of_sample(sample, 3000, reach);
+  EXPECT_GE(cut.cells(), 4U);
+  for (const Point& point : points) {
+    const CellNumber home = where(cut, point).home;
+    ASSERT_TRUE(where(cut, {point.x + 1.0, 0, 0}).all.contains(home)) << point.x;
+    ASSERT_TRUE(where(cut, {point.x - 1.0, 0, 0}).all.contains(home)) << point.x;
+  }
+}
+
 TEST(Cut, APointOnAPlaneBelongsToOneSide) {
   std::vector<Point> points;
   for (int x = 0; x < 40; ++x) {
