@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <string>
@@ -69,13 +70,21 @@ struct OutOfCoreOptions {
 
 /// @brief Sees ids in ascending order, those of one cell a call. Must not throw.
 using LargeIdVisitor = std::function<void(std::span<const LargeId>)>;
-/// @brief Sees pairs, each once, in no particular order; called by one thread at a time, not always
-/// the same. Must not throw.
-using LargePairVisitor = std::function<void(std::span<const LargePair>)>;
+/// @brief Sees pairs, each once, in no particular order, and the distance of each in metres, as
+/// beespace::distance says; called by one thread at a time, not always the same. Must not throw.
+using LargePairVisitor = std::function<void(std::span<const LargePair>, std::span<const double>)>;
 /// @brief Sees ids of one cell in ascending order, and how many neighbours each of them has. Must
 /// not throw.
 using LargeCountVisitor =
     std::function<void(std::span<const LargeId>, std::span<const std::uint64_t>)>;
+
+/// @brief The two of many points that are closest to each other, as ClosestPair.
+struct LargeClosestPair {
+  LargePair pair;           ///< Of equally close pairs the lowest first, then second.
+  double distance_m = 0.0;  ///< Their distance in metres, as beespace::distance says.
+
+  friend constexpr bool operator==(const LargeClosestPair&, const LargeClosestPair&) = default;
+};
 
 /// @brief How a search out of core was cut.
 struct OutOfCoreFacts {
@@ -143,6 +152,11 @@ class BEESPACE_API OutOfCore {
   /// @param visit Sees the counts.
   /// @return As find_at_risk().
   Status count_neighbors(const SearchOptions& options, const LargeCountVisitor& visit);
+
+  /// @brief Finds the two points that are closest to each other, as beespace::find_closest_pair.
+  /// @return The closest pair, absent when there are fewer than two points; or an error as
+  ///   find_at_risk(), but for those of the threshold.
+  Result<std::optional<LargeClosestPair>> find_closest_pair();
 
   /// @brief Says how the last search was cut.
   /// @return The facts.

@@ -41,8 +41,7 @@ class Cut {
   static constexpr std::uint8_t kLeaf = 3;
 
   // A plane across `axis`: what is below `value` belongs to the left child, the rest to the right
-  // one, which follows it. Points from `low` on may be near the right one, up to `high` near the
-  // left one.
+  // one, which follows it. Points from `low` to `high` may be within reach of both.
   struct Node {
     double value = 0.0;
     double low = 0.0;
@@ -57,10 +56,12 @@ class Cut {
     const Node* node = &nodes_[index];
     while (node->axis != kLeaf) {
       const double coordinate = at[node->axis];
-      const bool right = coordinate >= node->value;
-      const bool near_other = right ? coordinate <= node->high : coordinate >= node->low;
-      if (near_other) descend(node->left + (right ? 0U : 1U), at, false, visit);
-      node = &nodes_[node->left + (right ? 1U : 0U)];
+      // Without a branch on the side, which no processor can foretell.
+      const auto right = static_cast<std::uint32_t>(coordinate >= node->value);
+      if (coordinate >= node->low && coordinate <= node->high) {
+        descend(node->left + 1 - right, at, false, visit);
+      }
+      node = &nodes_[node->left + right];
     }
     visit(node->left, home);
   }

@@ -64,6 +64,21 @@ class OutOfCore::State {
     });
   }
 
+  Result<std::optional<LargeClosestPair>> find_closest_pair() {
+    facts_ = {};
+    const auto plan = plan_of();
+    if (!plan) return plan.error();
+    const RunOptions run(options_.threads, options_.stop);
+    const Workplace at = workplace(*plan);
+    const auto reach = reach_of_closest_pair(stored_, run, at);
+    if (!reach) return reach.error();
+    ClosestPairQuestion question(engine_, run);
+    if (auto status = search_cells(stored_, *reach, at, question, facts_); !status) {
+      return std::move(status).error();
+    }
+    return question.closest();
+  }
+
  private:
   Crew& crew() { return crew_.of(options_.threads, std::numeric_limits<std::size_t>::max()); }
 
@@ -90,8 +105,11 @@ class OutOfCore::State {
     how.threads = options_.threads;
     how.stop = options_.stop;
     auto question = make_question(how, *plan);
-    return search_cells(stored_, how, {*plan, options_.folder, crew(), options_.progress}, question,
-                        facts_);
+    return search_cells(stored_, reach_of(how), workplace(*plan), question, facts_);
+  }
+
+  Workplace workplace(const Plan& plan) {
+    return {plan, options_.folder, crew(), options_.stop, options_.progress};
   }
 
   OutOfCoreOptions options_;
@@ -129,6 +147,10 @@ Status OutOfCore::visit_pairs(const SearchOptions& options, const LargePairVisit
 
 Status OutOfCore::count_neighbors(const SearchOptions& options, const LargeCountVisitor& visit) {
   return state_->count_neighbors(options, visit);
+}
+
+Result<std::optional<LargeClosestPair>> OutOfCore::find_closest_pair() {
+  return state_->find_closest_pair();
 }
 
 OutOfCoreFacts OutOfCore::facts() const {

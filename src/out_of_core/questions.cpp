@@ -1,5 +1,6 @@
 #include "out_of_core/questions.hpp"
 
+#include "exact/exact_distance.hpp"
 #include "out_of_core/stored_points.hpp"
 
 #include <algorithm>
@@ -119,16 +120,24 @@ Status CountQuestion::ask_crowded(const CrowdedCell& cell) {
   return std::monostate{};
 }
 
+void PairsQuestion::keep(const CellPoints& points, std::size_t first, const CellPoints& others,
+                         std::size_t second) {
+  if (!points.is_home(first)) return;
+  pairs_.push_back({points.id(first), others.id(second)});
+  distances_m_.push_back(distance(points.view()[first], others.view()[second]));
+}
+
+void PairsQuestion::tell() {
+  if (!pairs_.empty()) visit_(pairs_, distances_m_);
+  pairs_.clear();
+  distances_m_.clear();
+}
+
 Status PairsQuestion::ask(const CellPoints& points) {
   // Ids ascend, so the first of a pair is that with the lower id.
   const auto done = engine_.visit_pairs(points.view(), options_, [&](std::span<const Pair> found) {
-    pairs_.clear();
-    for (const Pair& pair : found) {
-      if (points.is_home(pair.first)) {
-        pairs_.push_back({points.id(pair.first), points.id(pair.second)});
-      }
-    }
-    if (!pairs_.empty()) visit_(pairs_);
+    for (const Pair& pair : found) keep(points, pair.first, points, pair.second);
+    tell();
     return true;
   });
   if (!done) return done.error();
@@ -162,13 +171,55 @@ Status PairsQuestion::ask_some(const CellPoints& points, std::size_t begin, std:
     if (auto first = ask_some(points, begin, middle, others); !first) return first;
     return ask_some(points, middle, end, others);
   }
-  pairs_.clear();
-  for (const Pair& pair : found_) {
-    const std::size_t first = begin + pair.first;
-    if (points.is_home(first)) pairs_.push_back({points.id(first), others.id(pair.second)});
-  }
-  if (!pairs_.empty()) visit_(pairs_);
+  for (const Pair& pair : found_) keep(points, begin + pair.first, others, pair.second);
+  tell();
   return std::monostate{};
+}
+
+Status ClosestPairQuestion::ask(const CellPoints& points) {
+  // Ids ascend, so that of equally close pairs that with the lowest ids is found.
+  const auto found = engine_.find_closest_pair(points.view(), run_);
+  if (!found) return found.error();
+  if (!*found) return std::monostate{};
+  const auto& [first, second, distance_m] = **found;
+  offer({{points.id(first), points.id(second)}, points.view()[first], points.view()[second]});
+  return std::monostate{};
+}
+
+Status ClosestPairQuestion::ask_between(const CellPoints& points, const CellPoints& others) {
+  const auto found = engine_.find_closest_pair_between(points.view(), others.view(), run_);
+  if (!found) return found.error();
+  const auto& [first, second, distance_m] = **found;
+  offer({{points.id(first), others.id(second)}, points.view()[first], others.view()[second]});
+  return std::monostate{};
+}
+
+Status ClosestPairQuestion::ask_crowded(const CrowdedCell& cell) {
+  CellPoints points;
+  CellPoints others;
+  for (std::size_t piece = 0; piece < cell.pieces(); ++piece) {
+    if (auto status = cell.read(piece, points); !status) return status;
+    if (auto status = ask(points); !status) return status;
+    for (std::size_t other = piece + 1; other < cell.pieces(); ++other) {
+      if (auto status = cell.read(other, others); !status) return status;
+      if (auto status = ask_between(points, others); !status) return status;
+    }
+  }
+  return std::monostate{};
+}
+
+void ClosestPairQuestion::offer(const Candidate& candidate) {
+  if (best_) {
+    const int sign =
+        core::compare_distances(candidate.first, candidate.second, best_->first, best_->second);
+    if (sign > 0 || (sign == 0 && candidate.pair > best_->pair)) return;
+  }
+  best_ = candidate;
+}
+
+std::optional<LargeClosestPair> ClosestPairQuestion::closest() const {
+  if (!best_) return std::nullopt;
+  return LargeClosestPair{best_->pair, distance(best_->first, best_->second)};
 }
 
 }  // namespace beespace::out_of_core

@@ -4,12 +4,14 @@
 #include "out_of_core/cell_walk.hpp"
 
 #include <beespace/engine.hpp>
+#include <beespace/nearest.hpp>
 #include <beespace/out_of_core.hpp>
 #include <beespace/pairs.hpp>
 #include <beespace/search_options.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace beespace::out_of_core {
@@ -82,6 +84,9 @@ class PairsQuestion final : public CellQuestion {
   // Of the points [begin, end) of the first.
   Status ask_some(const CellPoints& points, std::size_t begin, std::size_t end,
                   const CellPoints& others);
+  void keep(const CellPoints& points, std::size_t first, const CellPoints& others,
+            std::size_t second);
+  void tell();
 
   Engine& engine_;
   const SearchOptions& options_;
@@ -89,6 +94,34 @@ class PairsQuestion final : public CellQuestion {
   const LargePairVisitor& visit_;
   std::vector<Pair> found_;
   std::vector<LargePair> pairs_;
+  std::vector<double> distances_m_;
+};
+
+// The closest pair. The reach of halos is the distance of any two points, or more.
+class ClosestPairQuestion final : public CellQuestion {
+ public:
+  // All must outlive this.
+  ClosestPairQuestion(Engine& engine, const RunOptions& run) : engine_(engine), run_(run) {}
+
+  Status ask(const CellPoints& points) override;
+  // Each piece with each.
+  Status ask_crowded(const CrowdedCell& cell) override;
+
+  [[nodiscard]] std::optional<LargeClosestPair> closest() const;
+
+ private:
+  struct Candidate {
+    LargePair pair;
+    Point first;
+    Point second;
+  };
+
+  Status ask_between(const CellPoints& points, const CellPoints& others);
+  void offer(const Candidate& candidate);
+
+  Engine& engine_;
+  const RunOptions& run_;
+  std::optional<Candidate> best_;
 };
 
 }  // namespace beespace::out_of_core

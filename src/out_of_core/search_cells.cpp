@@ -2,8 +2,10 @@
 
 #include "base/stopping.hpp"
 #include "out_of_core/cells.hpp"
-#include "out_of_core/cut.hpp"
 #include "out_of_core/temporary_file.hpp"
+
+#include <beespace/nearest.hpp>
+#include <beespace/point.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -18,11 +20,6 @@ namespace {
 // Cells are cut for this share of what can be searched at a time: a sample errs, and halos come to
 // it.
 constexpr double kShareOfCell = 0.7;
-
-Reach reach_of(const SearchOptions& options) {
-  return {options.threshold_m, options.threshold_m,
-          options.vertical_m.value_or(options.threshold_m)};
-}
 
 double share_of(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
@@ -53,21 +50,28 @@ std::function<void(std::uint64_t)> progress_of(const Workplace& at, OutOfCorePro
   };
 }
 
-Result<Cells> distribute(const StoredPoints& points, const SearchOptions& options,
-                         const Workplace& at) {
+// A batch is small, so that it is sorted in the caches, and large enough that what it has for each
+// cell is read without much seeking.
+std::size_t batch_for(std::size_t cells, std::size_t most) {
+  constexpr std::size_t kSmall = std::size_t{1} << 17U;
+  constexpr std::size_t kForEachCell = 4096;
+  return std::min(most, std::max(kSmall, cells * kForEachCell));
+}
+
+Result<Cells> distribute(const StoredPoints& points, const Reach& reach, const Workplace& at) {
   auto sample = points.sample(at.plan.sample);
   if (!sample) return std::move(sample).error();
   const auto most = static_cast<std::size_t>(kShareOfCell * static_cast<double>(at.plan.cell) *
                                              share_of(sample->size(), points.size()));
-  const Cut cut = Cut::of_sample(*sample, most, reach_of(options));
+  const Cut cut = Cut::of_sample(*sample, most, reach);
   auto file = TemporaryFile::make(at.folder, expected_bytes(*sample, cut, points.size()));
   if (!file) return std::move(file).error();
   *sample = {};
 
   Cells cells(*std::move(file), cut.cells());
-  core::StoppableCrew workers(at.crew, options.stop);
+  core::StoppableCrew workers(at.crew, at.stop);
   auto status =
-      cells.distribute(points, cut, at.plan.batch, workers,
+      cells.distribute(points, cut, batch_for(cut.cells(), at.plan.batch), workers,
                        progress_of(at, OutOfCoreProgress::Phase::kDistributing, points.size()));
   if (!status) return std::move(status).error();
   return cells;
@@ -75,19 +79,37 @@ Result<Cells> distribute(const StoredPoints& points, const SearchOptions& option
 
 }  // namespace
 
-Status search_cells(StoredPoints& points, const SearchOptions& options, const Workplace& at,
+Reach reach_of(const SearchOptions& options) {
+  return {options.threshold_m, options.threshold_m,
+          options.vertical_m.value_or(options.threshold_m)};
+}
+
+Result<Reach> reach_of_closest_pair(StoredPoints& points, const RunOptions& run,
+                                    const Workplace& at) {
+  if (auto status = points.flush(); !status) return std::move(status).error();
+  const auto sample = points.sample(at.plan.sample);
+  if (!sample) return sample.error();
+  const auto closest = find_closest_pair(*sample, run);
+  if (!closest) return closest.error();
+  // Above zero, and not below the true distance, which is rounded four times.
+  const double distance_m = *closest ? (*closest)->distance_m : 0.0;
+  const double reach = std::max(kSmallestCoordinate_m, distance_m * (1.0 + 0x1p-40));
+  return Reach{reach, reach, reach};
+}
+
+Status search_cells(StoredPoints& points, const Reach& reach, const Workplace& at,
                     CellQuestion& question, OutOfCoreFacts& facts) {
   facts = {};
   if (auto status = points.flush(); !status) return status;
   return core::unless_stopped([&]() -> Status {
-    const auto cells = distribute(points, options, at);
+    const auto cells = distribute(points, reach, at);
     if (!cells) return cells.error();
     for (std::size_t cell = 0; cell < cells->size(); ++cell) {
       if (cells->home_count(cell) > 0) ++facts.cells;
       facts.copies += cells->count(cell) - cells->home_count(cell);
       facts.largest_cell = std::max(facts.largest_cell, cells->count(cell));
     }
-    return walk_cells(*cells, at.plan.cell, question, options.stop,
+    return walk_cells(*cells, at.plan.cell, question, at.stop,
                       progress_of(at, OutOfCoreProgress::Phase::kSearching, points.size()),
                       facts.crowded_cells);
   });

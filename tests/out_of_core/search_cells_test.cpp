@@ -13,6 +13,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -102,6 +103,7 @@ struct Searched {
   std::vector<PointId> at_risk;
   std::vector<Pair> pairs;
   std::vector<std::uint32_t> counts;
+  std::optional<ClosestPair> closest;
   OutOfCoreFacts facts;
 };
 
@@ -115,7 +117,8 @@ Searched search(const Scene& scene, std::size_t cell, unsigned threads, bool on_
   const std::string temporary = folder();
   ThreadCrew crew(threads);
   const std::function<void(const OutOfCoreProgress&)> silent;
-  const Workplace at = {plan, temporary, crew, silent};
+  const std::stop_token never;
+  const Workplace at = {plan, temporary, crew, never, silent};
   StoredPoints points;
   if (on_disk) {
     EXPECT_TRUE(points.copy(scene.points, temporary, plan.batch));
@@ -133,15 +136,19 @@ Searched search(const Scene& scene, std::size_t cell, unsigned threads, bool on_
     for (const LargeId id : ids) found.at_risk.push_back(narrow(id));
   };
   AtRiskQuestion at_risk(engine, options, see_ids);
-  EXPECT_TRUE(search_cells(points, options, at, at_risk, found.facts));
+  EXPECT_TRUE(search_cells(points, reach_of(options), at, at_risk, found.facts));
 
-  const LargePairVisitor see_pairs = [&](std::span<const LargePair> pairs) {
-    for (const LargePair& pair : pairs) {
-      found.pairs.push_back({narrow(pair.first), narrow(pair.second)});
+  const LargePairVisitor see_pairs = [&](std::span<const LargePair> pairs,
+                                         std::span<const double> distances_m) {
+    ASSERT_EQ(pairs.size(), distances_m.size());
+    for (std::size_t index = 0; index < pairs.size(); ++index) {
+      const auto [first, second] = pairs[index];
+      found.pairs.push_back({narrow(first), narrow(second)});
+      EXPECT_EQ(distances_m[index], distance(scene.points[first], scene.points[second]));
     }
   };
   PairsQuestion pairs(engine, options, plan.pairs, see_pairs);
-  EXPECT_TRUE(search_cells(points, options, at, pairs, found.facts));
+  EXPECT_TRUE(search_cells(points, reach_of(options), at, pairs, found.facts));
 
   const LargeCountVisitor see_counts = [&](std::span<const LargeId> ids,
                                            std::span<const std::uint64_t> counts) {
@@ -151,7 +158,16 @@ Searched search(const Scene& scene, std::size_t cell, unsigned threads, bool on_
     }
   };
   CountQuestion counts(engine, options, see_counts);
-  EXPECT_TRUE(search_cells(points, options, at, counts, found.facts));
+  EXPECT_TRUE(search_cells(points, reach_of(options), at, counts, found.facts));
+
+  const RunOptions run(threads);
+  const auto reach = reach_of_closest_pair(points, run, at);
+  EXPECT_TRUE(reach);
+  ClosestPairQuestion closest(engine, run);
+  EXPECT_TRUE(search_cells(points, *reach, at, closest, found.facts));
+  if (const auto pair = closest.closest()) {
+    found.closest = {narrow(pair->pair.first), narrow(pair->pair.second), pair->distance_m};
+  }
 
   // The order of cells is no promise; that nothing comes twice is one.
   std::sort(found.at_risk.begin(), found.at_risk.end());
@@ -166,6 +182,7 @@ TEST(SearchCells, AnswersAreThoseOfTheReference) {
     const auto at_risk = brute_force::find_at_risk(scene.points, scene.options);
     const auto pairs = brute_force::find_pairs(scene.points, scene.options);
     const auto counts = brute_force::count_neighbors(scene.points, scene.options);
+    const auto closest = brute_force::find_closest_pair(scene.points);
     for (const std::size_t cell : {8U, 60U, 400U, 100'000U}) {
       for (const unsigned threads : {1U, 3U}) {
         SCOPED_TRACE(scene.name + ", cells of " + std::to_string(cell) + ", threads " +
@@ -174,6 +191,7 @@ TEST(SearchCells, AnswersAreThoseOfTheReference) {
         EXPECT_EQ(found.at_risk, *at_risk);
         EXPECT_EQ(found.pairs, *pairs);
         EXPECT_EQ(found.counts, *counts);
+        EXPECT_EQ(found.closest, *closest);
         most_cells = std::max(most_cells, found.facts.cells);
         most_crowded = std::max(most_crowded, found.facts.crowded_cells);
       }
