@@ -86,6 +86,18 @@ struct LargeClosestPair {
   friend constexpr bool operator==(const LargeClosestPair&, const LargeClosestPair&) = default;
 };
 
+/// @brief One of the nearest points of a point.
+struct LargeNearest {
+  LargeId id = 0;           ///< The other point.
+  double distance_m = 0.0;  ///< Its distance in metres, as beespace::distance says.
+
+  friend constexpr bool operator==(const LargeNearest&, const LargeNearest&) = default;
+};
+/// @brief Sees ids, and a row of neighbours for each of them, one row behind the other, all of one
+/// length. Must not throw.
+using LargeNearestVisitor =
+    std::function<void(std::span<const LargeId>, std::span<const LargeNearest>)>;
+
 /// @brief How a search out of core was cut.
 struct OutOfCoreFacts {
   std::uint64_t cells = 0;   ///< Cells with points.
@@ -157,6 +169,18 @@ class BEESPACE_API OutOfCore {
   /// @return The closest pair, absent when there are fewer than two points; or an error as
   ///   find_at_risk(), but for those of the threshold.
   Result<std::optional<LargeClosestPair>> find_closest_pair();
+
+  /// @brief Finds for each point the `k` nearest other points, however far, as
+  /// beespace::find_k_nearest.
+  ///
+  /// Points whose neighbours are much farther than those of most points are looked for in all cells
+  /// that may have them, in a second round.
+  ///
+  /// @param k How many neighbours to find for each point.
+  /// @param visit Sees the rows, which have `k` entries, or one fewer than there are points where
+  ///   that is less. It is not called where `k` is 0 or there are fewer than two points.
+  /// @return As find_closest_pair().
+  Status find_k_nearest(std::size_t k, const LargeNearestVisitor& visit);
 
   /// @brief Says how the last search was cut.
   /// @return The facts.

@@ -90,18 +90,18 @@ Status walk_cells(const Cells& cells, std::size_t most, CellQuestion& question,
     if (auto status = reading.finish(); !status) return status;
     if (at + 1 < whole.size()) readings[(at + 1) % 2].start(cells.segments(whole[at + 1]));
     if (stop.stop_requested()) return core::stopped_error();
-    if (auto status = question.ask(reading.points()); !status) return status;
+    if (auto status = question.ask(reading.points(), cells); !status) return status;
     searched += cells.home_count(whole[at]);
     done(searched);
   }
   for (auto& reading : readings) reading.points().release();
   for (const std::size_t cell : too_full) {
     const CrowdedCell pieces(cells, cell, most / 2, stop);
-    if (auto status = question.ask_crowded(pieces); !status) return status;
+    if (auto status = question.ask_crowded(pieces, cells); !status) return status;
     searched += cells.home_count(cell);
     done(searched);
   }
-  return std::monostate{};
+  return question.finish(cells);
 }
 
 }  // namespace beespace::out_of_core

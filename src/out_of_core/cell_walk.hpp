@@ -39,8 +39,11 @@ class CellQuestion {
   CellQuestion& operator=(const CellQuestion&) = delete;
   virtual ~CellQuestion() = default;
 
-  virtual Status ask(const CellPoints& points) = 0;
-  virtual Status ask_crowded(const CrowdedCell& cell) = 0;
+  // Of one of the cells, which are all there.
+  virtual Status ask(const CellPoints& points, const Cells& cells) = 0;
+  virtual Status ask_crowded(const CrowdedCell& cell, const Cells& cells) = 0;
+  // After all cells.
+  virtual Status finish(const Cells& /*cells*/) { return std::monostate{}; }
 };
 
 // Calls `done(points)` with how many points were searched at home, on the calling thread. Says in

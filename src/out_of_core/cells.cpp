@@ -110,7 +110,7 @@ class Cells::Sorter {
   std::vector<std::byte> bytes_;
 };
 
-Status Cells::distribute(const StoredPoints& points, const Cut& cut, std::size_t batch, Crew& crew,
+Status Cells::distribute(const StoredPoints& points, std::size_t batch, Crew& crew,
                          const std::function<void(std::uint64_t)>& done) {
   const std::vector<Stretch> stretches = points.stretches(batch);
   std::mutex mutex;
@@ -138,7 +138,7 @@ Status Cells::distribute(const StoredPoints& points, const Cut& cut, std::size_t
         if (wrong->location.record) *wrong->location.record += stretch.first_id;
         return fail(*std::move(wrong));
       }
-      sorter.sort(*view, cut);
+      sorter.sort(*view, cut_);
       const auto written = file_.append(sorter.bytes());
       if (!written) return fail(written.error());
 

@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace beespace::out_of_core {
@@ -62,15 +63,20 @@ class Cells {
   // The memory that distributing takes for each point of a batch, halos included.
   static constexpr std::size_t kBytesABatchPoint = 72;
 
-  explicit Cells(TemporaryFile file, std::size_t cells)
-      : file_(std::move(file)), segments_(cells), counts_(cells) {}
+  Cells(TemporaryFile file, Cut cut)
+      : file_(std::move(file)),
+        cut_(std::move(cut)),
+        segments_(cut_.cells()),
+        counts_(cut_.cells()) {}
 
   // Distributes all points, batch after batch of at most so many. Calls `done(points)` on the
   // calling thread. Errors: kNotFinite, kOutsideDomain; those of the files.
-  Status distribute(const StoredPoints& points, const Cut& cut, std::size_t batch, Crew& crew,
+  Status distribute(const StoredPoints& points, std::size_t batch, Crew& crew,
                     const std::function<void(std::uint64_t)>& done);
 
   [[nodiscard]] std::size_t size() const { return segments_.size(); }
+  // Where its home points are.
+  [[nodiscard]] const Box& box(std::size_t cell) const { return cut_.boxes()[cell]; }
   // Points of a cell, its halo included; and those at home.
   [[nodiscard]] std::uint64_t count(std::size_t cell) const { return counts_[cell].all; }
   [[nodiscard]] std::uint64_t home_count(std::size_t cell) const { return counts_[cell].home; }
@@ -89,6 +95,7 @@ class Cells {
   class Sorter;
 
   TemporaryFile file_;
+  Cut cut_;
   std::vector<std::vector<Segment>> segments_;  // of each cell, ascending by first_id
   std::vector<Counts> counts_;
 };

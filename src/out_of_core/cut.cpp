@@ -33,16 +33,17 @@ class Cut::Builder {
   Builder(std::size_t most, const Reach& reach) : most_(most), reach_(reach) {}
 
   Cut build(std::span<Point> sample) {
-    cut_.cells_ = 0;
-    split(0, sample);
+    cut_.boxes_.clear();
+    split(0, sample, kEverywhere);
     return std::move(cut_);
   }
 
  private:
-  void split(std::uint32_t index, std::span<Point> sample) {
+  void split(std::uint32_t index, std::span<Point> sample, const Box& box) {
     Plane plane;
     if (sample.size() <= most_ || !find_plane(sample, plane)) {
-      cut_.nodes_[index].left = static_cast<std::uint32_t>(cut_.cells_++);
+      cut_.nodes_[index].left = static_cast<std::uint32_t>(cut_.boxes_.size());
+      cut_.boxes_.push_back(box);
       return;
     }
     const std::size_t axis = plane.axis;
@@ -57,8 +58,12 @@ class Cut::Builder {
       return along(point, axis) < plane.value;
     });
     const auto lower = static_cast<std::size_t>(middle - sample.begin());
-    split(left, sample.first(lower));
-    split(left + 1, sample.subspan(lower));
+    Box below = box;
+    Box above = box;
+    below.high[axis] = plane.value;
+    above.low[axis] = plane.value;
+    split(left, sample.first(lower), below);
+    split(left + 1, sample.subspan(lower), above);
   }
 
   // Across the axis along which the points reach farthest, or else the next one: where few points

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace beespace::out_of_core {
@@ -16,10 +17,16 @@ using CellNumber = std::uint32_t;
 // How far apart two points in conflict can be along each axis.
 using Reach = std::array<double, 3>;
 
+// Of a cell: where its home points are. It may reach to infinity.
+struct Box {
+  std::array<double, 3> low{};
+  std::array<double, 3> high{};
+};
+
 class Cut {
  public:
   // All of space is one cell.
-  Cut() { nodes_.push_back({}); }
+  Cut() : nodes_(1), boxes_{kEverywhere} {}
 
   // Cuts so that no cell has more than `most` points of the sample, as far as that helps: a cell
   // stays whole where each plane would put most of its points into halos. Coordinates are finite.
@@ -27,7 +34,8 @@ class Cut {
   static Cut of_sample(std::vector<Point>& sample, std::size_t most, const Reach& reach);
 
   // Numbered from 0.
-  [[nodiscard]] std::size_t cells() const { return cells_; }
+  [[nodiscard]] std::size_t cells() const { return boxes_.size(); }
+  [[nodiscard]] const std::vector<Box>& boxes() const { return boxes_; }
 
   // Calls visit(cell, is_home) for the home of the point, and for each cell in whose halo it is: at
   // least for all whose points can be within reach of it.
@@ -39,6 +47,9 @@ class Cut {
 
  private:
   static constexpr std::uint8_t kLeaf = 3;
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  static constexpr Box kEverywhere = {{-kInfinity, -kInfinity, -kInfinity},
+                                      {kInfinity, kInfinity, kInfinity}};
 
   // A plane across `axis`: what is below `value` belongs to the left child, the rest to the right
   // one, which follows it. Points from `low` to `high` may be within reach of both.
@@ -69,7 +80,7 @@ class Cut {
   class Builder;
 
   std::vector<Node> nodes_;
-  std::size_t cells_ = 1;
+  std::vector<Box> boxes_;
 };
 
 }  // namespace beespace::out_of_core

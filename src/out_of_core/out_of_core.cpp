@@ -3,6 +3,7 @@
 
 #include "base/kept_crew.hpp"
 #include "exact/validate.hpp"
+#include "out_of_core/nearest_question.hpp"
 #include "out_of_core/plan.hpp"
 #include "out_of_core/questions.hpp"
 #include "out_of_core/search_cells.hpp"
@@ -10,6 +11,8 @@
 
 #include <beespace/engine.hpp>
 
+#include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -19,6 +22,14 @@ namespace beespace {
 namespace {
 
 using namespace out_of_core;  // NOLINT(google-build-using-namespace): its own room
+
+// Points that wait for their nearest ones, in the memory of the cell that is not read meanwhile.
+std::size_t waiting_within(const Plan& plan, std::size_t length) {
+  constexpr std::size_t kBytesOfPoint = 128;
+  constexpr std::size_t kBytesOfEntry = 40;
+  return std::max<std::size_t>(
+      1, plan.cell * CellPoints::kBytesAPoint / (kBytesOfPoint + kBytesOfEntry * length));
+}
 
 Error invalid_option(const std::string& what) {
   return {ErrorCode::kInvalidArgument, what, {}};
@@ -77,6 +88,23 @@ class OutOfCore::State {
       return std::move(status).error();
     }
     return question.closest();
+  }
+
+  Status find_k_nearest(std::size_t k, const LargeNearestVisitor& visit) {
+    facts_ = {};
+    const auto plan = plan_of();
+    if (!plan) return plan.error();
+    const auto length = static_cast<std::size_t>(
+        std::min<std::uint64_t>(k, std::max<std::uint64_t>(size(), 1) - 1));
+    if (length == 0) return std::monostate{};
+    const RunOptions run(options_.threads, options_.stop);
+    const Workplace at = workplace(*plan);
+    const auto reach = reach_of_nearest(stored_, length, run, at);
+    if (!reach) return reach.error();
+    const NearestQuestion::Setting setting = {run, length, reach->front(), plan->cell / 2,
+                                              waiting_within(*plan, length)};
+    NearestQuestion question(engine_, setting, visit);
+    return search_cells(stored_, *reach, at, question, facts_);
   }
 
  private:
@@ -147,6 +175,10 @@ Status OutOfCore::visit_pairs(const SearchOptions& options, const LargePairVisit
 
 Status OutOfCore::count_neighbors(const SearchOptions& options, const LargeCountVisitor& visit) {
   return state_->count_neighbors(options, visit);
+}
+
+Status OutOfCore::find_k_nearest(std::size_t k, const LargeNearestVisitor& visit) {
+  return state_->find_k_nearest(k, visit);
 }
 
 Result<std::optional<LargeClosestPair>> OutOfCore::find_closest_pair() {

@@ -13,7 +13,7 @@ void AtRiskQuestion::tell() {
   ids_.clear();
 }
 
-Status AtRiskQuestion::ask(const CellPoints& points) {
+Status AtRiskQuestion::ask(const CellPoints& points, const Cells& /*cells*/) {
   if (auto status = engine_.find_at_risk(points.view(), options_, found_); !status) return status;
   for (const PointId point : found_) {
     if (points.is_home(point)) ids_.push_back(points.id(point));
@@ -22,7 +22,7 @@ Status AtRiskQuestion::ask(const CellPoints& points) {
   return std::monostate{};
 }
 
-Status AtRiskQuestion::ask_crowded(const CrowdedCell& cell) {
+Status AtRiskQuestion::ask_crowded(const CrowdedCell& cell, const Cells& /*cells*/) {
   CellPoints points;
   open_.clear();
   open_points_.clear();
@@ -95,13 +95,13 @@ void CountQuestion::tell(const CellPoints& points) {
   if (kept > 0) visit_(ids_, std::span(sums_).first(kept));
 }
 
-Status CountQuestion::ask(const CellPoints& points) {
+Status CountQuestion::ask(const CellPoints& points, const Cells& /*cells*/) {
   if (auto status = count(points); !status) return status;
   tell(points);
   return std::monostate{};
 }
 
-Status CountQuestion::ask_crowded(const CrowdedCell& cell) {
+Status CountQuestion::ask_crowded(const CrowdedCell& cell, const Cells& /*cells*/) {
   CellPoints points;
   CellPoints others;
   for (std::size_t piece = 0; piece < cell.pieces(); ++piece) {
@@ -133,7 +133,7 @@ void PairsQuestion::tell() {
   distances_m_.clear();
 }
 
-Status PairsQuestion::ask(const CellPoints& points) {
+Status PairsQuestion::ask(const CellPoints& points, const Cells& /*cells*/) {
   // Ids ascend, so the first of a pair is that with the lower id.
   const auto done = engine_.visit_pairs(points.view(), options_, [&](std::span<const Pair> found) {
     for (const Pair& pair : found) keep(points, pair.first, points, pair.second);
@@ -144,12 +144,12 @@ Status PairsQuestion::ask(const CellPoints& points) {
   return std::monostate{};
 }
 
-Status PairsQuestion::ask_crowded(const CrowdedCell& cell) {
+Status PairsQuestion::ask_crowded(const CrowdedCell& cell, const Cells& cells) {
   CellPoints points;
   CellPoints others;
   for (std::size_t piece = 0; piece < cell.pieces(); ++piece) {
     if (auto status = cell.read(piece, points); !status) return status;
-    if (auto status = ask(points); !status) return status;
+    if (auto status = ask(points, cells); !status) return status;
     for (std::size_t other = piece + 1; other < cell.pieces(); ++other) {
       if (auto status = cell.read(other, others); !status) return status;
       if (auto status = ask_some(points, 0, points.size(), others); !status) return status;
@@ -176,7 +176,7 @@ Status PairsQuestion::ask_some(const CellPoints& points, std::size_t begin, std:
   return std::monostate{};
 }
 
-Status ClosestPairQuestion::ask(const CellPoints& points) {
+Status ClosestPairQuestion::ask(const CellPoints& points, const Cells& /*cells*/) {
   // Ids ascend, so that of equally close pairs that with the lowest ids is found.
   const auto found = engine_.find_closest_pair(points.view(), run_);
   if (!found) return found.error();
@@ -194,12 +194,12 @@ Status ClosestPairQuestion::ask_between(const CellPoints& points, const CellPoin
   return std::monostate{};
 }
 
-Status ClosestPairQuestion::ask_crowded(const CrowdedCell& cell) {
+Status ClosestPairQuestion::ask_crowded(const CrowdedCell& cell, const Cells& cells) {
   CellPoints points;
   CellPoints others;
   for (std::size_t piece = 0; piece < cell.pieces(); ++piece) {
     if (auto status = cell.read(piece, points); !status) return status;
-    if (auto status = ask(points); !status) return status;
+    if (auto status = ask(points, cells); !status) return status;
     for (std::size_t other = piece + 1; other < cell.pieces(); ++other) {
       if (auto status = cell.read(other, others); !status) return status;
       if (auto status = ask_between(points, others); !status) return status;

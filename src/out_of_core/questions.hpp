@@ -22,9 +22,9 @@ class AtRiskQuestion final : public CellQuestion {
   AtRiskQuestion(Engine& engine, const SearchOptions& options, const LargeIdVisitor& visit)
       : engine_(engine), options_(options), visit_(visit) {}
 
-  Status ask(const CellPoints& points) override;
+  Status ask(const CellPoints& points, const Cells& cells) override;
   // In two passes over a crowd: nearly all of its points are at risk within their own piece.
-  Status ask_crowded(const CrowdedCell& cell) override;
+  Status ask_crowded(const CrowdedCell& cell, const Cells& cells) override;
 
  private:
   // A point that is not at risk within its own piece.
@@ -53,9 +53,9 @@ class CountQuestion final : public CellQuestion {
   CountQuestion(Engine& engine, const SearchOptions& options, const LargeCountVisitor& visit)
       : engine_(engine), options_(options), visit_(visit) {}
 
-  Status ask(const CellPoints& points) override;
+  Status ask(const CellPoints& points, const Cells& cells) override;
   // Each piece with each.
-  Status ask_crowded(const CrowdedCell& cell) override;
+  Status ask_crowded(const CrowdedCell& cell, const Cells& cells) override;
 
  private:
   Status count(const CellPoints& points);
@@ -76,9 +76,9 @@ class PairsQuestion final : public CellQuestion {
                 const LargePairVisitor& visit)
       : engine_(engine), options_(options), most_(most), visit_(visit) {}
 
-  Status ask(const CellPoints& points) override;
+  Status ask(const CellPoints& points, const Cells& cells) override;
   // Each piece with each.
-  Status ask_crowded(const CrowdedCell& cell) override;
+  Status ask_crowded(const CrowdedCell& cell, const Cells& cells) override;
 
  private:
   // Of the points [begin, end) of the first.
@@ -103,9 +103,9 @@ class ClosestPairQuestion final : public CellQuestion {
   // All must outlive this.
   ClosestPairQuestion(Engine& engine, const RunOptions& run) : engine_(engine), run_(run) {}
 
-  Status ask(const CellPoints& points) override;
+  Status ask(const CellPoints& points, const Cells& cells) override;
   // Each piece with each.
-  Status ask_crowded(const CrowdedCell& cell) override;
+  Status ask_crowded(const CrowdedCell& cell, const Cells& cells) override;
 
   [[nodiscard]] std::optional<LargeClosestPair> closest() const;
 

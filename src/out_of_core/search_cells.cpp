@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -20,6 +22,9 @@ namespace {
 // Cells are cut for this share of what can be searched at a time: a sample errs, and halos come to
 // it.
 constexpr double kShareOfCell = 0.7;
+
+// Halos are so many times as wide as the nearest ones of a usual point are far.
+constexpr double kNearestInReach = 3.0;
 
 double share_of(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
@@ -63,15 +68,16 @@ Result<Cells> distribute(const StoredPoints& points, const Reach& reach, const W
   if (!sample) return std::move(sample).error();
   const auto most = static_cast<std::size_t>(kShareOfCell * static_cast<double>(at.plan.cell) *
                                              share_of(sample->size(), points.size()));
-  const Cut cut = Cut::of_sample(*sample, most, reach);
+  Cut cut = Cut::of_sample(*sample, most, reach);
   auto file = TemporaryFile::make(at.folder, expected_bytes(*sample, cut, points.size()));
   if (!file) return std::move(file).error();
   *sample = {};
 
-  Cells cells(*std::move(file), cut.cells());
+  const std::size_t batch = batch_for(cut.cells(), at.plan.batch);
+  Cells cells(*std::move(file), std::move(cut));
   core::StoppableCrew workers(at.crew, at.stop);
   auto status =
-      cells.distribute(points, cut, batch_for(cut.cells(), at.plan.batch), workers,
+      cells.distribute(points, batch, workers,
                        progress_of(at, OutOfCoreProgress::Phase::kDistributing, points.size()));
   if (!status) return std::move(status).error();
   return cells;
@@ -94,6 +100,27 @@ Result<Reach> reach_of_closest_pair(StoredPoints& points, const RunOptions& run,
   // Above zero, and not below the true distance, which is rounded four times.
   const double distance_m = *closest ? (*closest)->distance_m : 0.0;
   const double reach = std::max(kSmallestCoordinate_m, distance_m * (1.0 + 0x1p-40));
+  return Reach{reach, reach, reach};
+}
+
+Result<Reach> reach_of_nearest(StoredPoints& points, std::size_t k, const RunOptions& run,
+                               const Workplace& at) {
+  if (auto status = points.flush(); !status) return std::move(status).error();
+  const auto sample = points.sample(at.plan.sample);
+  if (!sample) return sample.error();
+  // Of the k nearest of all, so many are in the sample; distances go with the third root.
+  const double among = static_cast<double>(k) * share_of(sample->size(), points.size());
+  const auto found = find_k_nearest(*sample, static_cast<std::size_t>(std::ceil(among)), run);
+  if (!found) return found.error();
+  std::vector<double> farthest;
+  for (const auto row : *found) farthest.push_back(row.back().distance_m);
+  double reach = 0.0;
+  if (!farthest.empty()) {
+    const auto middle = farthest.begin() + static_cast<std::ptrdiff_t>(farthest.size() / 2);
+    std::nth_element(farthest.begin(), middle, farthest.end());
+    reach = kNearestInReach * *middle * std::cbrt(among / std::ceil(among));
+  }
+  reach = std::max(kSmallestCoordinate_m, reach);
   return Reach{reach, reach, reach};
 }
 

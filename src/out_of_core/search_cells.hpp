@@ -34,6 +34,10 @@ Reach reach_of(const SearchOptions& options);
 Result<Reach> reach_of_closest_pair(StoredPoints& points, const RunOptions& run,
                                     const Workplace& at);
 
+// Halos that have the k nearest ones of most points. Errors: as reach_of_closest_pair().
+Result<Reach> reach_of_nearest(StoredPoints& points, std::size_t k, const RunOptions& run,
+                               const Workplace& at);
+
 // Errors: those of the points, the files and the question; kStopped.
 Status search_cells(StoredPoints& points, const Reach& reach, const Workplace& at,
                     CellQuestion& question, OutOfCoreFacts& facts);

@@ -106,14 +106,14 @@ class DistributedCells : public testing::Test {
   // Cells of a row of points, of some 100 each.
   void distribute(std::size_t batch, unsigned threads) {
     auto sample = points_;
-    const Cut cut = Cut::of_sample(sample, 100, {1.0, 1.0, 1.0});
+    Cut cut = Cut::of_sample(sample, 100, {1.0, 1.0, 1.0});
     StoredPoints stored;
     ASSERT_TRUE(stored.refer(points_));
     auto file = TemporaryFile::make(folder(), 1);
     ASSERT_TRUE(file);
-    cells_.emplace(*std::move(file), cut.cells());
+    cells_.emplace(*std::move(file), std::move(cut));
     ThreadCrew crew(threads);
-    ASSERT_TRUE(cells_->distribute(stored, cut, batch, crew, [](std::uint64_t) {}));
+    ASSERT_TRUE(cells_->distribute(stored, batch, crew, [](std::uint64_t) {}));
   }
 
   std::vector<Point> points_ = row_of_points(1000);

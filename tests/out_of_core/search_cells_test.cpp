@@ -1,6 +1,7 @@
 // The answers beyond memory are those of the reference, whatever the cells.
 #include "out_of_core/search_cells.hpp"
 
+#include "out_of_core/nearest_question.hpp"
 #include "out_of_core/questions.hpp"
 
 #include <beespace/brute_force.hpp>
@@ -49,7 +50,7 @@ std::vector<Scene> scenes() {
   std::vector<Scene> all;
   all.push_back({"none", {}, within(1.0)});
   all.push_back({"one", {{1, 2, 3}}, within(1.0)});
-  all.push_back({"uniform", uniform(1500, 20, 20, 20), within(1.0)});
+  all.push_back({"uniform", uniform(700, 15, 15, 15), within(1.0)});
   all.push_back({"dense", uniform(600, 20, 20, 20), within(5.0)});
   all.push_back({"threshold beyond all", uniform(300, 1, 1, 1), within(50.0)});
   all.push_back({"plane", uniform(1500, 60, 60, 0), within(1.0)});
@@ -104,6 +105,8 @@ struct Searched {
   std::vector<Pair> pairs;
   std::vector<std::uint32_t> counts;
   std::optional<ClosestPair> closest;
+  NearestRows nearest;
+  NearestRows four_nearest;
   OutOfCoreFacts facts;
 };
 
@@ -169,6 +172,30 @@ Searched search(const Scene& scene, std::size_t cell, unsigned threads, bool on_
     found.closest = {narrow(pair->pair.first), narrow(pair->pair.second), pair->distance_m};
   }
 
+  for (const std::size_t k : {std::size_t{1}, std::size_t{4}}) {
+    const std::size_t size = scene.points.size();
+    NearestRows& rows = k == 1 ? found.nearest : found.four_nearest;
+    if (size < 2) continue;
+    rows.length = std::min(k, size - 1);
+    rows.entries.assign(size * rows.length, {});
+    const LargeNearestVisitor see_rows = [&](std::span<const LargeId> ids,
+                                             std::span<const LargeNearest> entries) {
+      ASSERT_EQ(entries.size(), ids.size() * rows.length);
+      for (std::size_t entry = 0; entry < entries.size(); ++entry) {
+        Nearest& to = rows.entries[ids[entry / rows.length] * rows.length + entry % rows.length];
+        EXPECT_EQ(to.id, Nearest::kNone) << "told twice";
+        to = {narrow(entries[entry].id), entries[entry].distance_m};
+      }
+    };
+    const auto near = reach_of_nearest(points, rows.length, run, at);
+    EXPECT_TRUE(near);
+    // With few that wait at a time, and with halos that are too narrow for most.
+    const double halo = threads == 3 ? near->front() : near->front() / 4;
+    const NearestQuestion::Setting setting = {run, rows.length, halo, cell / 2 + 1, 100};
+    NearestQuestion nearest(engine, setting, see_rows);
+    EXPECT_TRUE(search_cells(points, {halo, halo, halo}, at, nearest, found.facts));
+  }
+
   // The order of cells is no promise; that nothing comes twice is one.
   std::sort(found.at_risk.begin(), found.at_risk.end());
   std::sort(found.pairs.begin(), found.pairs.end());
@@ -183,7 +210,10 @@ TEST(SearchCells, AnswersAreThoseOfTheReference) {
     const auto pairs = brute_force::find_pairs(scene.points, scene.options);
     const auto counts = brute_force::count_neighbors(scene.points, scene.options);
     const auto closest = brute_force::find_closest_pair(scene.points);
+    const auto nearest = brute_force::find_k_nearest(scene.points, 1);
+    const auto four_nearest = brute_force::find_k_nearest(scene.points, 4);
     for (const std::size_t cell : {8U, 60U, 400U, 100'000U}) {
+      if (cell == 8 && scene.points.size() > 800) continue;
       for (const unsigned threads : {1U, 3U}) {
         SCOPED_TRACE(scene.name + ", cells of " + std::to_string(cell) + ", threads " +
                      std::to_string(threads));
@@ -192,6 +222,8 @@ TEST(SearchCells, AnswersAreThoseOfTheReference) {
         EXPECT_EQ(found.pairs, *pairs);
         EXPECT_EQ(found.counts, *counts);
         EXPECT_EQ(found.closest, *closest);
+        EXPECT_EQ(found.nearest, *nearest);
+        EXPECT_EQ(found.four_nearest, *four_nearest);
         most_cells = std::max(most_cells, found.facts.cells);
         most_crowded = std::max(most_crowded, found.facts.crowded_cells);
       }
