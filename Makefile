@@ -1,6 +1,6 @@
 # The everyday commands. Each works on a brand-new Debian 12 or Ubuntu 24.04 machine.
 .DEFAULT_GOAL := help
-.PHONY: help demo test python bench bench-prevention prevention-table compare compare-python docs format lint clean install install-lib
+.PHONY: help demo test python bench bench-prevention prevention-table bench-out-of-core compare compare-python docs format lint clean install install-lib
 
 PREFIX ?= /usr/local
 
@@ -11,6 +11,7 @@ help: ## this list
 	@echo "make bench    build and run the benchmarks"
 	@echo "make bench-prevention  fly whole missions with and without advice (takes long)"
 	@echo "make prevention-table  fly fleets that are not exact (takes long)"
+	@echo "make bench-out-of-core  search 300 million points with 4 GB (needs 16 GB of disk)"
 	@echo "make compare  compare with other libraries and the paper's methods (about 25 minutes)"
 	@echo "make compare-python  compare the Python package with others (about 25 minutes)"
 	@echo "make docs     build the site of the documents in build/docs/site"
@@ -47,6 +48,11 @@ prevention-table:
 	@scripts/install-packages build bench
 	@scripts/build release -DBEESPACE_BUILD_BENCHMARKS=ON
 	@build/release/prevention_table
+
+bench-out-of-core:
+	@scripts/install-packages build bench
+	@scripts/build release -DBEESPACE_BUILD_BENCHMARKS=ON
+	@build/release/out_of_core_benchmark
 
 compare:
 	@scripts/install-packages build compare

@@ -6,9 +6,11 @@
 #include <beespace/point.hpp>
 
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 namespace beespace::cli {
@@ -161,6 +163,31 @@ Result<unsigned> read_threads(const Typed& typed) {
 
 Result<std::uint64_t> read_max_results(const Typed& typed) {
   return whole_without_commas(1, std::numeric_limits<std::uint64_t>::max())(typed);
+}
+
+Result<std::uint64_t> read_memory(const Typed& typed) {
+  constexpr struct {
+    std::string_view unit;
+    std::uint64_t bytes;
+  } kUnits[] = {{"MB", 1'000'000},
+                {"GB", 1'000'000'000},
+                {"TB", 1'000'000'000'000},
+                {"MiB", std::uint64_t{1} << 20U},
+                {"GiB", std::uint64_t{1} << 30U},
+                {"TiB", std::uint64_t{1} << 40U}};
+  double number = 0.0;
+  const char* const end = typed.text.data() + typed.text.size();
+  const auto read = std::from_chars(typed.text.data(), end, number);
+  std::string_view rest(read.ptr, static_cast<std::size_t>(end - read.ptr));
+  while (rest.starts_with(' ')) rest.remove_prefix(1);
+  for (const auto& [unit, bytes] : kUnits) {
+    const double size = number * static_cast<double>(bytes);
+    if (read.ec == std::errc() && rest == unit && size >= 1.0 && size < 0x1p60) {
+      return static_cast<std::uint64_t>(size);
+    }
+  }
+  return wrong(typed,
+               "is no size of memory; give a number and its unit: MB, GB, TB, MiB, GiB or TiB");
 }
 
 Result<std::uint64_t> read_seed(const Typed& typed) {

@@ -30,6 +30,9 @@ inline Result<std::string> take_text(const Typed& typed) {
 Result<double> read_threshold(const Typed& typed);
 Result<double> read_threshold_in_motion(const Typed& typed);
 
+// Bytes: 500MB, 4GB, 2GiB; a thousand or 1024 a step.
+Result<std::uint64_t> read_memory(const Typed& typed);
+
 // A vertical threshold, as typed; of `..._in_motion` one that what moves can be computed with.
 Result<io::StatedLength> read_vertical(const Typed& typed);
 Result<io::StatedLength> read_vertical_in_motion(const Typed& typed);

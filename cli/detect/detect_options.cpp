@@ -1,6 +1,7 @@
 #include "cli/command_line/option_values.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/detect/detect_command.hpp"
+#include "cli/detect/detect_out_of_core.hpp"
 #include "cli/detect/detection.hpp"
 #include "cli/input/moving_options.hpp"
 
@@ -40,6 +41,7 @@ constexpr const char* kDetails =
     "  beespace detect traffic.csv --threshold 5NM --vertical 1000ft\n"
     "  beespace detect ours.csv --others towers.csv --report closest-pair\n"
     "  zcat swarm.txt.gz | beespace detect --columns id=1,lon=2,lat=3,height=4 --json\n"
+    "  beespace detect archive.npy --crs metres --memory 4GB --output at-risk.txt\n"
     "  beespace detect swarm.npy --crs metres --quiet --fail-on-risk --output /dev/null\n"
     "  [ $? -eq 1 ] && echo danger\n"
     "\n"
@@ -92,6 +94,11 @@ void add_search_options(Command& detect, DetectRequest& request) {
                 "Fail beyond so many (pairs, neighbors; default: no limit)");
   detect.option("--threads", "N", request.search.threads, read_threads,
                 "How many threads work (default: 0, all)");
+  detect.option("--memory", "SIZE", request.memory_bytes, read_memory,
+                "Use so much memory and temporary files, for files\nthat do not fit: 500MB, 4GB "
+                "(text of at-risk,\npairs in no order, closest-pair)");
+  detect.option("--temporary", "FOLDER", request.temporary, take_text,
+                "Where temporary files go, which have no name\n(default: $TMPDIR, or /var/tmp)");
 }
 
 void add_output_options(Command& detect, DetectRequest& request) {
@@ -144,7 +151,10 @@ Status settle(DetectRequest& request) {
   if (request.vertical) search.vertical_m = request.vertical->metric;
   request.load.threads = search.threads;
   request.load.format_can_be_said = true;
-  return check_fit(request);
+  if (auto status = check_fit(request); !status) return status;
+  if (request.memory_bytes) return check_out_of_core(request);
+  if (!request.temporary.empty()) return wrong("--temporary goes with --memory");
+  return std::monostate{};
 }
 
 }  // namespace
@@ -152,7 +162,9 @@ Status settle(DetectRequest& request) {
 Command detect_command() {
   const auto request = std::make_shared<DetectRequest>();
   Command detect("detect", kDescription, kDetails, [request](const Command&) {
-    return settle(*request).and_then([&] { return run_detect(*request); });
+    return settle(*request).and_then([&] {
+      return request->memory_bytes ? run_detect_out_of_core(*request) : run_detect(*request);
+    });
   });
   add_input_options(detect, *request);
   add_search_options(detect, *request);

@@ -28,9 +28,11 @@ struct DetectRequest {
   std::string output = "-";
   io::LoadOptions load;  // of both inputs
   const Report* report = &reports().front();
-  std::optional<double> threshold_m;         // absent: the default
-  std::optional<io::StatedLength> vertical;  // as typed
-  std::optional<std::uint64_t> max_results;  // absent: no limit
+  std::optional<double> threshold_m;          // absent: the default
+  std::optional<io::StatedLength> vertical;   // as typed
+  std::optional<std::uint64_t> max_results;   // absent: no limit
+  std::optional<std::uint64_t> memory_bytes;  // absent: all that it takes
+  std::string temporary;                      // the folder of temporary files, with memory_bytes
   bool unique_ids = false;
   bool at_risk_only = false;
   bool csv = false;

@@ -27,6 +27,7 @@
 #include <beespace/neighbors.hpp>
 #include <beespace/not_given.hpp>
 #include <beespace/obstacle.hpp>
+#include <beespace/out_of_core.hpp>
 #include <beespace/pairs.hpp>
 #include <beespace/point.hpp>
 #include <beespace/points_view.hpp>

@@ -1,0 +1,193 @@
+// What waits on the disk comes back as it was, or is an error.
+#include "out_of_core/cells.hpp"
+
+#include "out_of_core/temporary_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace beespace::out_of_core {
+namespace {
+
+std::string folder() {
+  return std::filesystem::temp_directory_path().string();
+}
+
+std::vector<Point> row_of_points(std::size_t count) {
+  std::vector<Point> points(count);
+  for (std::size_t index = 0; index < count; ++index) {
+    points[index] = {static_cast<double>(index), -1.0, 0.5};
+  }
+  return points;
+}
+
+// Changes a byte of the newest file without a name that this process has open.
+void damage_last_temporary_file(std::uint64_t offset) {
+  int newest = -1;
+  for (int descriptor = 3; descriptor < 256; ++descriptor) {
+    std::error_code none;
+    const auto target =
+        std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(descriptor), none);
+    if (!none && target.string().find("(deleted)") != std::string::npos) newest = descriptor;
+  }
+  ASSERT_GE(newest, 0);
+  char byte = 0;
+  ASSERT_EQ(::pread(newest, &byte, 1, static_cast<off_t>(offset)), 1);
+  byte = static_cast<char>(byte ^ 4);
+  ASSERT_EQ(::pwrite(newest, &byte, 1, static_cast<off_t>(offset)), 1);
+}
+
+TEST(TemporaryFile, HasNoNameAndGivesBackWhatWasWritten) {
+  const auto names = [] {
+    std::size_t count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder())) {
+      if (entry.path().filename().string().starts_with("beespace-")) ++count;
+    }
+    return count;
+  };
+  const std::size_t before = names();
+  auto file = TemporaryFile::make(folder(), 100);
+  ASSERT_TRUE(file);
+  EXPECT_EQ(names(), before);
+  std::vector<int> written(1000);
+  std::iota(written.begin(), written.end(), 0);
+  EXPECT_EQ(*file->append(std::as_bytes(std::span(written))), 0U);
+  EXPECT_EQ(*file->append(std::as_bytes(std::span(written))), 4000U);
+  std::vector<int> first(10);
+  std::vector<int> rest(20);
+  std::array<iovec, 3> parts = {{{first.data(), 40}, {nullptr, 0}, {rest.data(), 80}}};
+  ASSERT_TRUE(file->read(4000 + 400, parts));
+  EXPECT_EQ(first.front(), 100);
+  EXPECT_EQ(rest.back(), 129);
+  std::array<iovec, 1> beyond = {{{rest.data(), 80}}};
+  EXPECT_EQ(file->read(7960, beyond).error().code, ErrorCode::kCorrupt);
+}
+
+TEST(TemporaryFile, SaysWhyThereIsNone) {
+  const auto missing = TemporaryFile::make("/no/such/folder", 1);
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().code, ErrorCode::kWriteFailed);
+  EXPECT_NE(missing.error().message.find("/no/such/folder"), std::string::npos);
+  const auto too_large = TemporaryFile::make(folder(), std::numeric_limits<std::uint64_t>::max());
+  ASSERT_FALSE(too_large);
+  EXPECT_EQ(too_large.error().code, ErrorCode::kWriteFailed);
+  EXPECT_NE(too_large.error().message.find("more room"), std::string::npos);
+}
+
+TEST(TemporaryFile, AFullDiskIsAnError) {
+  auto file = TemporaryFile::make(folder(), 1);
+  ASSERT_TRUE(file);
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  rlimit small = before;
+  small.rlim_cur = 1000;
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+  const std::vector<std::byte> bytes(5000);
+  const auto written = file->append(bytes);
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+  std::signal(SIGXFSZ, handler);
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.error().code, ErrorCode::kWriteFailed);
+}
+
+class DistributedCells : public testing::Test {
+ protected:
+  // Cells of a row of points, of some 100 each.
+  void distribute(std::size_t batch, unsigned threads) {
+    auto sample = points_;
+    Cut cut = Cut::of_sample(sample, 100, {1.0, 1.0, 1.0});
+    StoredPoints stored;
+    ASSERT_TRUE(stored.refer(points_));
+    auto file = TemporaryFile::make(folder(), 1);
+    ASSERT_TRUE(file);
+    cells_.emplace(*std::move(file), std::move(cut));
+    ThreadCrew crew(threads);
+    ASSERT_TRUE(cells_->distribute(stored, batch, crew, [](std::uint64_t) {}));
+  }
+
+  std::vector<Point> points_ = row_of_points(1000);
+  std::optional<Cells> cells_;
+};
+
+TEST_F(DistributedCells, HaveEachPointAtOneHomeInAscendingOrder) {
+  for (const unsigned threads : {1U, 4U}) {
+    distribute(37, threads);
+    ASSERT_GE(cells_->size(), 10U);
+    std::vector<int> homes(points_.size());
+    for (std::size_t cell = 0; cell < cells_->size(); ++cell) {
+      CellPoints points;
+      ASSERT_TRUE(cells_->read(cells_->segments(cell), points));
+      EXPECT_EQ(points.size(), cells_->count(cell));
+      for (std::size_t index = 0; index < points.size(); ++index) {
+        const std::uint64_t id = points.id(index);
+        if (index > 0) {
+          EXPECT_LT(points.id(index - 1), id);
+        }
+        EXPECT_EQ(points.view()[index], points_[id]);
+        if (points.is_home(index)) ++homes[id];
+      }
+    }
+    EXPECT_EQ(homes, std::vector<int>(points_.size(), 1));
+  }
+}
+
+TEST_F(DistributedCells, TellDamage) {
+  for (const std::uint64_t offset : {0U, 9U, 2403U, 5000U, 20'000U}) {
+    distribute(1000, 1);
+    CellPoints points;
+    damage_last_temporary_file(offset);
+    std::size_t damaged = 0;
+    for (std::size_t cell = 0; cell < cells_->size(); ++cell) {
+      const auto status = cells_->read(cells_->segments(cell), points);
+      if (status) continue;
+      EXPECT_EQ(status.error().code, ErrorCode::kCorrupt);
+      ++damaged;
+    }
+    EXPECT_EQ(damaged, 1U) << offset;
+  }
+}
+
+TEST(StoredPoints, TellDamage) {
+  StoredPoints stored;
+  ASSERT_TRUE(stored.copy(row_of_points(1000), folder(), 300));
+  ASSERT_TRUE(stored.flush());
+  damage_last_temporary_file(100);
+  std::vector<Point> memory;
+  const auto stretches = stored.stretches(1000);
+  ASSERT_EQ(stretches.size(), 4U);
+  EXPECT_EQ(stored.view(stretches[0], memory).error().code, ErrorCode::kCorrupt);
+  EXPECT_TRUE(stored.view(stretches[1], memory));
+}
+
+TEST(StoredPoints, TakeNothingOfACallThatFails) {
+  StoredPoints stored;
+  ASSERT_TRUE(stored.copy(row_of_points(150), folder(), 100));
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  rlimit small = before;
+  small.rlim_cur = 5000;
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+  EXPECT_FALSE(stored.copy(row_of_points(500), folder(), 100));
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_EQ(stored.size(), 150U);
+  ASSERT_TRUE(stored.flush());
+  std::size_t count = 0;
+  for (const Stretch& stretch : stored.stretches(1000)) count += stretch.count;
+  EXPECT_EQ(count, 150U);
+}
+
+}  // namespace
+}  // namespace beespace::out_of_core
