@@ -46,22 +46,22 @@ class Cut::Builder {
       cut_.boxes_.push_back(box);
       return;
     }
-    const std::size_t axis = plane.axis;
+    const auto [axis, value] = plane;
     const double reach = reach_[axis];
     const auto left = static_cast<std::uint32_t>(cut_.nodes_.size());
     // Rounding keeps order: what lies within reach of a point on the other side is not beyond the
     // rounded sum either.
-    cut_.nodes_[index] = {plane.value, plane.value - reach, plane.value + reach, left,
+    cut_.nodes_[index] = {value, value - reach, value + reach, left,
                           static_cast<std::uint8_t>(axis)};
     cut_.nodes_.resize(cut_.nodes_.size() + 2);
-    const auto middle = std::partition(sample.begin(), sample.end(), [&](const Point& point) {
-      return along(point, axis) < plane.value;
-    });
+    const auto middle = std::partition(
+        sample.begin(), sample.end(),
+        [axis = axis, value = value](const Point& point) { return along(point, axis) < value; });
     const auto lower = static_cast<std::size_t>(middle - sample.begin());
     Box below = box;
     Box above = box;
-    below.high[axis] = plane.value;
-    above.low[axis] = plane.value;
+    below.high[axis] = value;
+    above.low[axis] = value;
     split(left, sample.first(lower), below);
     split(left + 1, sample.subspan(lower), above);
   }
