@@ -1,0 +1,21 @@
+// Compiled into the library that is described for scripts/check-abi, and into no other: functions
+// that each take an enumeration of <beespace.h>. All others take numbers of a fixed width, from
+// which no description tells what a number means.
+#include <beespace.h>
+
+// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): a name is made of another one
+#define BEESPACE_DESCRIBE(enumeration)                                        \
+  extern "C" BEESPACE_C_API void described_##enumeration(enumeration number); \
+  void described_##enumeration(enumeration /*number*/) {                      \
+  }
+
+BEESPACE_DESCRIBE(beespace_codes)
+BEESPACE_DESCRIBE(beespace_number_types)
+BEESPACE_DESCRIBE(beespace_search_flags)
+BEESPACE_DESCRIBE(beespace_obstacle_kinds)
+BEESPACE_DESCRIBE(beespace_obstacle_flags)
+BEESPACE_DESCRIBE(beespace_swarm_flags)
+BEESPACE_DESCRIBE(beespace_event_kinds)
+BEESPACE_DESCRIBE(beespace_bounds)
+BEESPACE_DESCRIBE(beespace_verify_flags)
+BEESPACE_DESCRIBE(beespace_violation_kinds)
