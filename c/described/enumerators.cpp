@@ -3,10 +3,12 @@
 // which no description tells what a number means.
 #include <beespace.h>
 
+// It returns its name, so that the compiler makes no two of them one.
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage): a name is made of another one
-#define BEESPACE_DESCRIBE(enumeration)                                        \
-  extern "C" BEESPACE_C_API void described_##enumeration(enumeration number); \
-  void described_##enumeration(enumeration /*number*/) {                      \
+#define BEESPACE_DESCRIBE(enumeration)                                               \
+  extern "C" BEESPACE_C_API const char* described_##enumeration(enumeration number); \
+  const char* described_##enumeration(enumeration /*number*/) {                      \
+    return #enumeration;                                                             \
   }
 
 BEESPACE_DESCRIBE(beespace_codes)
