@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import sys
 import threading
 from typing import Any
 
@@ -140,7 +141,7 @@ def _set_tables(verdict: Verdict, columns: Columns, names: NDArray[Any] | None) 
     size = int(at_once.beespace_violations_size(columns.handle))
 
     def column(name: str, code: str) -> NDArray[Any]:
-        return columns.array(getattr(at_once, f"beespace_violations_{name}"), size, code)
+        return columns.array(getattr(at_once, sys.intern(f"beespace_violations_{name}")), size, code)
 
     def named(agents: NDArray[np.int64]) -> NDArray[Any]:
         return agents if names is None else names[agents]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
@@ -106,7 +107,7 @@ class Events(Table):
         size = int(at_once.beespace_events_size(columns.handle))
 
         def column(name: str, code: str) -> NDArray[Any]:
-            return columns.array(getattr(at_once, f"beespace_events_{name}"), size, code)
+            return columns.array(getattr(at_once, sys.intern(f"beespace_events_{name}")), size, code)
 
         self._kinds = column("kinds", "<i4")
         self.time: NDArray[np.float64] = column("times_s", "<f8")
@@ -192,7 +193,8 @@ class KnownAgents(Table):
         size = int(at_once.beespace_movers_size(columns.handle))
 
         def column(name: str, code: str, width: int = 1) -> NDArray[Any]:
-            return columns.array(getattr(at_once, f"beespace_movers_{name}"), width * size, code)
+            getter = getattr(at_once, sys.intern(f"beespace_movers_{name}"))
+            return columns.array(getter, width * size, code)
 
         self.id: NDArray[np.int64] = column("ids", "<i8")
         self.position: NDArray[np.float64] = column("positions", "<f8", 3).reshape(size, 3)

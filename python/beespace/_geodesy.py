@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any
+from typing import Any, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,11 +12,21 @@ from beespace import _library
 from beespace._calls import check
 from beespace._errors import invalid
 from beespace._library import library
-from beespace._points import Points
+from beespace._points import Points, PointsLike
 from beespace._units import DEGREES, METRES, plain
 
 
-def to_ecef(lon: ArrayLike, lat: ArrayLike, height: ArrayLike) -> NDArray[np.float64]:
+@overload
+def to_ecef(lon: ArrayLike, lat: ArrayLike, height: ArrayLike) -> NDArray[np.float64]: ...
+@overload
+def to_ecef(
+    lon: ArrayLike, lat: ArrayLike, height: ArrayLike, velocities: PointsLike
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+
+
+def to_ecef(
+    lon: ArrayLike, lat: ArrayLike, height: ArrayLike, velocities: PointsLike | None = None
+) -> NDArray[np.float64] | tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Converts WGS84 positions to metres in an Earth-centred, Earth-fixed frame (ECEF).
 
     x points towards 0 N 0 E, y towards 0 N 90 E, z towards the north pole; straight-line distances
@@ -31,11 +41,14 @@ def to_ecef(lon: ArrayLike, lat: ArrayLike, height: ArrayLike) -> NDArray[np.flo
         Latitudes in degrees, -90 to 90, north positive.
     height : array of shape (n,), or one number
         Heights above the ellipsoid in metres, -12,000 to 1,000,000. One number serves for all.
+    velocities : array of shape (n, 3) or (n, 2), tuple of arrays, or data frame, optional
+        Velocities towards the east, the north and upwards, in metres per second.
 
     Returns
     -------
     ndarray of float64, shape (n, 3)
-        Coordinates in metres; of shape (3,) where all three are single numbers.
+        Coordinates in metres; of shape (3,) where all three are single numbers. With velocities a
+        tuple: coordinates, and velocities along the same axes, in metres per second.
 
     Examples
     --------
@@ -44,6 +57,8 @@ def to_ecef(lon: ArrayLike, lat: ArrayLike, height: ArrayLike) -> NDArray[np.flo
     array([6378237.,       0.,       0.])
     >>> beespace.pairs(beespace.to_ecef([13.4, 13.401], [52.5, 52.5], 120), 100).distance.round(2)
     array([67.91])
+    >>> beespace.to_ecef([90], [0], [0], velocities=[[8, 0, 3]])[1].round(9) + 0
+    array([[-8.,  3.,  0.]])
     """
     given = {
         "lon": plain(lon, "lon", DEGREES),
@@ -64,15 +79,24 @@ def to_ecef(lon: ArrayLike, lat: ArrayLike, height: ArrayLike) -> NDArray[np.flo
         for name, value in given.items()
     )
     points = Points(axes, "positions")
-    xyz = np.empty((count, 3))
-    error = _library.new_error()
-    code = library.beespace_to_ecef(
-        ctypes.byref(points.struct), xyz.ctypes.data, ctypes.byref(error)
-    )
-    if code != _library.OK and error.record >= 0:
-        error.place = _place_of(axes, error.record).encode()
-    check(code, error)
-    return xyz[0] if all(length is None for length in counts.values()) else xyz
+    one = all(length is None for length in counts.values())
+
+    def converted(function: Any, *arguments: Any) -> NDArray[np.float64]:
+        xyz = np.empty((count, 3))
+        error = _library.new_error()
+        code = function(
+            ctypes.byref(points.struct), *arguments, xyz.ctypes.data, ctypes.byref(error)
+        )
+        if code != _library.OK and error.record >= 0 and error.place == b"positions":
+            error.place = _place_of(axes, error.record).encode()
+        check(code, error)
+        return xyz[0] if one else xyz
+
+    xyz = converted(library.beespace_to_ecef)
+    if velocities is None:
+        return xyz
+    speeds = Points([velocities] if one else velocities, "velocities")
+    return xyz, converted(library.beespace_to_ecef_velocity, ctypes.byref(speeds.struct))
 
 
 def _place_of(axes: tuple[Any, ...], record: int) -> str:

@@ -204,6 +204,7 @@ _signatures: dict[str, tuple[object, list[object]]] = {
     "result_gap_agents": (c_void_p, [c_void_p]),
     "result_gap_begins_s": (c_void_p, [c_void_p]),
     "result_gap_ends_s": (c_void_p, [c_void_p]),
+    "to_ecef_velocity": (c_int32, [_points, _points, c_void_p, POINTER(CError)]),
     "to_ecef": (c_int32, [_points, c_void_p, POINTER(CError)]),
     "index_create": (c_int32, [_points, _run, POINTER(CIndex), POINTER(CError)]),
     "index_size": (c_int64, [c_void_p]),

@@ -85,6 +85,18 @@ def _guided():
     follower.restore(follower.stored())
 
 
+def _check():
+    masts = beespace.Obstacles([beespace.Cylinder(5, 5, 1), beespace.Prism([(0, 0), (9, 0), (0, 9)])])
+    _refused(lambda: beespace.Obstacles([beespace.Sphere((0, 0, 0), -1)]))
+    verifier = beespace.Verifier(5, obstacles=masts, clearance=1, straight=True)
+    verifier.add(0, points)
+    _refused(lambda: verifier.add(1, broken))
+    verifier.add(1, points, points)
+    assert len(verifier.verdict().losses)
+    assert not beespace.verify(ids % 25, ids // 25, points, 5, velocities=points, max_speed=1)
+    _refused(lambda: beespace.verify(ids, ids, points, 5))
+
+
 calls = [
     lambda: beespace.at_risk(points, 5),
     lambda: beespace.at_risk(points, 5, mask=True, others=others),
@@ -112,6 +124,7 @@ calls = [
     _live,
     _advised,
     _guided,
+    _check,
     lambda: beespace.Engine().count(points, 5),
     lambda: beespace.Index(points),
 ]

@@ -275,6 +275,40 @@ def test_degrees_become_metres():
     assert beespace.to_ecef([13], [52], 0).shape == (1, 3)
 
 
+def test_velocities_turn_as_the_places_do():
+    # Against the places a little earlier and later, in long doubles.
+    random = np.random.default_rng(5)
+    lon, lat = random.uniform(-180, 180, 200), random.uniform(-80, 80, 200)
+    height = random.uniform(0, 20_000, 200)
+    speeds = random.uniform(-300, 300, (200, 3))
+    xyz, velocities = beespace.to_ecef(lon, lat, height, velocities=speeds)
+    assert np.array_equal(xyz, beespace.to_ecef(lon, lat, height))
+    rad, e2 = np.pi / 180, 6.69437999014e-3
+    sine = np.sin(lat * rad) ** 2
+    normal = 6378137 / np.sqrt(1 - e2 * sine)
+    meridian = normal * (1 - e2) / (1 - e2 * sine)
+    turned = speeds[:, 0] / ((normal + height) * np.cos(lat * rad)) / rad
+    raised = speeds[:, 1] / (meridian + height) / rad
+    s = 1e-3
+    ends = [
+        exact_ecef(lon + t * turned, lat + t * raised, height + t * speeds[:, 2]) for t in (-s, s)
+    ]
+    assert np.abs(velocities - (ends[1] - ends[0]) / (2 * s)).max() < 1e-4
+    assert np.allclose(np.linalg.norm(velocities, axis=1), np.linalg.norm(speeds, axis=1))
+    level = beespace.to_ecef(lon, lat, 0, tuple(speeds[:, :2].T))[1]
+    assert np.array_equal(level, beespace.to_ecef(lon, lat, 0, speeds * [1, 1, 0])[1])
+    one = beespace.to_ecef(lon[3], lat[3], height[3], speeds[3])
+    assert np.array_equal(one[1], velocities[3]) and one[1].shape == (3,)
+    for wrong, code, place, record in [
+        (speeds[1:], "invalid_argument", "velocities", None),
+        (np.where(speeds == speeds[7, 1], np.nan, speeds), "not_finite", "velocities", 7),
+    ]:
+        with pytest.raises(beespace.BeespaceError) as caught:
+            beespace.to_ecef(lon, lat, height, wrong)
+        error = caught.value
+        assert (error.code, error.place, error.record) == (code, place, record)
+
+
 def test_degrees_that_cannot_be_are_refused():
     lon, lat, height = [13.0, 14.0], [52.0, 53.0], [0.0, 0.0]
     for given, code, place, record in [

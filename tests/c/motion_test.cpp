@@ -306,6 +306,45 @@ TEST(CGeodesy, ConvertsAsTheLibraryDoes) {
   EXPECT_EQ(error.record, 3);
 }
 
+TEST(CGeodesy, TurnsVelocitiesAsTheLibraryDoes) {
+  std::array<double, 6> degrees = {13.4, 52.5, 34.5, 90, 0, 100};
+  std::array<double, 6> speeds = {1, 2, 3, -4, 5, -6};
+  const beespace_points places = beespace_points_interleaved(degrees.data(), 2);
+  beespace_points velocities = beespace_points_interleaved(speeds.data(), 2);
+  std::array<double, 7> xyz{};
+  beespace_error error = c_error();
+  const auto turn = [&] {
+    return beespace_to_ecef_velocity(&places, &velocities, xyz.data(), &error);
+  };
+  ASSERT_EQ(turn(), BEESPACE_OK) << error.message;
+  const Velocity first = *to_ecef_velocity({13.4, 52.5, 34.5}, {1, 2, 3});
+  const Velocity second = *to_ecef_velocity({90, 0, 100}, {-4, 5, -6});
+  EXPECT_EQ((Velocity{xyz[0], xyz[1], xyz[2]}), first);
+  EXPECT_EQ((Velocity{xyz[3], xyz[4], xyz[5]}), second);
+  EXPECT_EQ(xyz[6], 0.0);
+  speeds[4] = NAN;
+  EXPECT_EQ(turn(), BEESPACE_NOT_FINITE);
+  EXPECT_STREQ(error.place, "velocities");
+  EXPECT_EQ(error.record, 1);
+  degrees[4] = NAN;
+  EXPECT_EQ(turn(), BEESPACE_NOT_FINITE);
+  EXPECT_STREQ(error.place, "positions");
+  degrees[4] = 91;
+  EXPECT_EQ(turn(), BEESPACE_INVALID_LATITUDE);
+  EXPECT_EQ(error.record, 1);
+  velocities.count = 1;
+  EXPECT_EQ(turn(), BEESPACE_INVALID_ARGUMENT);
+  EXPECT_STREQ(error.place, "velocities");
+  EXPECT_EQ(beespace_to_ecef_velocity(&places, nullptr, xyz.data(), &error),
+            BEESPACE_INVALID_ARGUMENT);
+  EXPECT_EQ(beespace_to_ecef_velocity(nullptr, &velocities, xyz.data(), &error),
+            BEESPACE_INVALID_ARGUMENT);
+  velocities.count = 2;
+  EXPECT_EQ(beespace_to_ecef_velocity(&places, &velocities, nullptr, &error),
+            BEESPACE_INVALID_ARGUMENT);
+  EXPECT_STREQ(error.place, "xyz");
+}
+
 TEST(CGeodesy, RefusesWhatCannotBe) {
   const std::array<double, 3> degrees = {13.4, 52.5, 34.5};
   std::array<double, 6> xyz{};

@@ -19,7 +19,6 @@ namespace beespace::test {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 beespace_obstacle plain(std::int32_t kind) {
   beespace_obstacle obstacle{};

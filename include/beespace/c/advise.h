@@ -35,7 +35,7 @@ typedef struct beespace_limits {
 
 /// @brief The shapes of what must stay free around an agent, whose horizontal semi-axis is the
 /// threshold.
-enum {
+enum beespace_free_shapes {
   BEESPACE_FREE_SPHERE = 0,     ///< Closer than the threshold, in any direction.
   BEESPACE_FREE_ELLIPSOID = 1,  ///< A sphere, stretched upwards and downwards: for rotor wash.
   BEESPACE_FREE_CYLINDER =
@@ -44,7 +44,7 @@ enum {
 
 /// @brief The methods that keep agents apart. All but the first promise nothing, certify no agent,
 /// and ignore obstacles and intruders: they are there to be compared with.
-enum {
+enum beespace_advise_methods {
   BEESPACE_CERTIFIED = 0,  ///< The certified method of beespace.
   BEESPACE_ORCA = 1,       ///< Optimal reciprocal collision avoidance, in space.
   BEESPACE_MVP = 2         ///< Modified voltage potential.
@@ -52,7 +52,7 @@ enum {
 
 /// @brief The flags of beespace_advise_options::flags, to be joined by `|`;
 /// beespace_guide_options::flags has the first.
-enum {
+enum beespace_advise_flags {
   /// @brief All agents move in one horizontal plane: robots on a floor, ships. One whose height is
   /// not that of most, or whose vertical velocity is not zero, is refused.
   BEESPACE_PLANAR = 1,
@@ -123,7 +123,7 @@ typedef struct beespace_advise_options {
 /* ---- Advice --------------------------------------------------------------------------------- */
 
 /// @brief How an advised velocity relates to the preferred one.
-enum {
+enum beespace_kinds_of_advice {
   BEESPACE_AS_PREFERRED = 0,  ///< The preferred one, or as near to it as the agent's limits allow.
   BEESPACE_DEFLECTED = 1,     ///< Another one, because of other agents or obstacles.
   BEESPACE_BRAKING = 2,       ///< It brakes as hard as it can: there is no better velocity.
@@ -132,7 +132,7 @@ enum {
 };
 
 /// @brief What beespace_advice_findings() and beespace_guidance_findings() list.
-enum {
+enum beespace_finding_lists {
   /// @brief Agents whose ways to a stop (or claims) come closer than what must stay free: two
   /// agents, the gap between those, and when they are clear if both do as advised (infinite:
   /// never).
@@ -260,7 +260,7 @@ BEESPACE_C_API beespace_code beespace_advice_findings(const beespace_advice* adv
                                                       beespace_error* error);
 
 /// @brief What was refused, and what that means.
-enum {
+enum beespace_refused_kinds {
   /// @brief The state or the limits of an agent: no advice for it. It may be anywhere, so no other
   /// agent is certified, unless it is given as an unknown agent.
   BEESPACE_REFUSED_STATE = 0,

@@ -25,7 +25,7 @@ extern "C" {
 typedef int32_t beespace_code;
 
 /// @brief The codes. A number never changes its meaning; later versions may add some.
-enum {
+enum beespace_codes {
   BEESPACE_OK = 0,                   ///< The call succeeded.
   BEESPACE_INVALID_THRESHOLD = 1,    ///< A threshold that is not given, not finite, or not above 0.
   BEESPACE_INVALID_ARGUMENT = 2,     ///< Any other argument that makes no sense.
@@ -77,7 +77,7 @@ BEESPACE_C_API const char* beespace_version(void);
 /* ---- What is asked -------------------------------------------------------------------------- */
 
 /// @brief The types of coordinates, for beespace_points::type.
-enum {
+enum beespace_number_types {
   BEESPACE_FLOAT64 = 0,  ///< double
   BEESPACE_FLOAT32 = 1   ///< float; converted to double when it is read, which is exact.
 };
@@ -136,7 +136,7 @@ static inline beespace_points beespace_points_separate(const double* x, const do
 }
 
 /// @brief The flags of beespace_search::flags, to be joined by `|`.
-enum {
+enum beespace_search_flags {
   BEESPACE_INCLUSIVE = 1,    ///< Points exactly the threshold apart count, too: "<=", not "<".
   BEESPACE_VERTICAL = 2,     ///< beespace_search::vertical_m holds a vertical threshold.
   BEESPACE_MAX_RESULTS = 4,  ///< beespace_search::max_results holds a limit.

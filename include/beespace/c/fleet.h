@@ -19,7 +19,7 @@ extern "C" {
 /* ---- Figures -------------------------------------------------------------------------------- */
 
 /// @brief Where the loop that keeps an agent on its path is closed.
-enum {
+enum beespace_loop_places {
   BEESPACE_LOOP_ONBOARD = 0,  ///< The agent measures where it is, and corrects.
   BEESPACE_LOOP_GROUND = 1    ///< The planner does, by reports and commands. What is promised ends
                               ///< where these do.
@@ -116,7 +116,7 @@ typedef struct beespace_command {
 } beespace_command;
 
 /// @brief What an agent did with a command.
-enum {
+enum beespace_command_replies {
   BEESPACE_REPLY_TAKEN = 1,        ///< It is on that branch now.
   BEESPACE_REPLY_OLDER = 2,        ///< It is on that branch or a newer one, or refuses its epoch.
   BEESPACE_REPLY_TOO_LATE = 3,     ///< The branch that it is on has departed from it.
@@ -138,7 +138,7 @@ typedef struct beespace_acknowledgement {
 } beespace_acknowledgement;
 
 /// @brief The flag of beespace_agent_report::flags.
-enum {
+enum beespace_report_flags {
   BEESPACE_WITH_VELOCITY = 1  ///< beespace_agent_report::velocity holds one.
 };
 

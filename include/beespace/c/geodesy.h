@@ -26,6 +26,19 @@ extern "C" {
 BEESPACE_C_API beespace_code beespace_to_ecef(const beespace_points* positions, double* xyz,
                                               beespace_error* error);
 
+/// @brief Converts velocities along the parallel, the meridian and the normal of the ellipsoid to
+/// the frame of beespace_to_ecef().
+/// @param positions Where the agents are, as of beespace_to_ecef().
+/// @param velocities As x towards the east, as y towards the north, as z upwards, in metres per
+///   second; as many as positions. z may be NULL: none climbs.
+/// @param[out] xyz The velocities in metres per second, interleaved: room for 3 * count of them.
+///   Unspecified after an error.
+/// @param[out] error What went wrong; or NULL.
+/// @return BEESPACE_OK or the code of the error: as beespace_to_ecef(), of positions or velocities.
+BEESPACE_C_API beespace_code beespace_to_ecef_velocity(const beespace_points* positions,
+                                                       const beespace_points* velocities,
+                                                       double* xyz, beespace_error* error);
+
 #ifdef __cplusplus
 }
 #endif

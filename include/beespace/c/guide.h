@@ -247,13 +247,13 @@ BEESPACE_C_API beespace_code beespace_guide_step(beespace_guide* guide, int64_t 
                                                  beespace_error* error);
 
 /// @brief Whether an agent keeps the contract of its figures.
-enum {
+enum beespace_contract_states {
   BEESPACE_CONTRACT_KEPT = 0,     ///< As far as reports tell.
   BEESPACE_CONTRACT_DOUBTED = 1,  ///< It may have left its tube.
   BEESPACE_CONTRACT_OUT = 2       ///< It surely has left it, or deviates faster than it can.
 };
 /// @brief Why a contract is doubted or broken.
-enum {
+enum beespace_contract_reasons {
   BEESPACE_REASON_NONE = 0,       ///< It is kept.
   BEESPACE_REASON_DEVIATION = 1,  ///< It is too far from where it should be.
   BEESPACE_REASON_RATE = 2,       ///< Its deviation changes faster than the figures allow.

@@ -13,7 +13,7 @@ extern "C" {
 #endif
 
 /// @brief The kinds of obstacles, for beespace_obstacle::kind.
-enum {
+enum beespace_obstacle_kinds {
   BEESPACE_SPHERE = 1,    ///< A sphere: `center`, `radius_m`.
   BEESPACE_BOX = 2,       ///< A box along the axes: `low` and `high`, two of its corners.
   BEESPACE_GROUND = 3,    ///< All space below a height: `high[2]`.
@@ -24,7 +24,7 @@ enum {
 
 /// @brief The flags of beespace_obstacle::flags: how high a cylinder or prism goes. Without one it
 /// has no end there.
-enum {
+enum beespace_obstacle_flags {
   BEESPACE_LOWEST = 1,  ///< It begins at the height `low[2]`.
   BEESPACE_HIGHEST = 2  ///< It ends at the height `high[2]`.
 };

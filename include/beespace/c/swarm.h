@@ -18,7 +18,7 @@ extern "C" {
 
 /// @brief The flags of beespace_swarm_options::flags: what is given. A value whose flag is not set
 /// must be zero.
-enum {
+enum beespace_swarm_flags {
   BEESPACE_SWARM_VERTICAL = 1,       ///< `vertical_m`: a vertical threshold.
   BEESPACE_SWARM_HEIGHTS_APART = 2,  ///< With that: heights are those that reports give apart from
                                      ///< positions (beespace_fixes::heights_m), not z.
@@ -112,7 +112,7 @@ BEESPACE_C_API beespace_code beespace_swarm_lose(beespace_swarm* swarm, const in
 /* ---- Events --------------------------------------------------------------------------------- */
 
 /// @brief The kinds of events, in the order in which those of one instant are reported.
-enum {
+enum beespace_event_kinds {
   BEESPACE_EVENT_PREDICTED = 0,       ///< A conflict lies ahead, or is there now.
   BEESPACE_EVENT_POSSIBLE = 1,        ///< A stale agent may be in conflict with another one.
   BEESPACE_EVENT_HEARD = 2,           ///< A stale agent has been heard of again.
@@ -126,7 +126,7 @@ enum {
 };
 
 /// @brief The bound that was reached where a swarm is overloaded.
-enum {
+enum beespace_bounds {
   BEESPACE_BOUND_NONE = 0,       ///< None.
   BEESPACE_BOUND_AGENTS = 1,     ///< `max_agents`: reports of others were refused.
   BEESPACE_BOUND_PAIRS = 2,      ///< `max_pairs`, of pairs in conflict.

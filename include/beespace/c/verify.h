@@ -15,7 +15,7 @@ extern "C" {
 #endif
 
 /// @brief The flags of beespace_verify_options::flags. A value whose flag is not set must be zero.
-enum {
+enum beespace_verify_flags {
   BEESPACE_VERIFY_MAX_SPEED = 1,         ///< `max_speed_mps` is to be kept.
   BEESPACE_VERIFY_MAX_ACCELERATION = 2,  ///< `max_acceleration_mps2` is to be kept.
   BEESPACE_VERIFY_STRAIGHT = 4  ///< Agents fly in straight lines from one time to the next;
@@ -131,7 +131,7 @@ BEESPACE_C_API beespace_code beespace_verifier_verdict(const beespace_verifier* 
                                                        beespace_error* error);
 
 /// @brief The kinds of violations.
-enum {
+enum beespace_violation_kinds {
   BEESPACE_VIOLATION_LOSS = 0,         ///< Two agents closer than the threshold.
   BEESPACE_VIOLATION_CLEARANCE = 1,    ///< An agent closer to an obstacle than the clearance.
   BEESPACE_VIOLATION_SPEED = 2,        ///< An agent faster than `max_speed_mps`.
