@@ -132,11 +132,11 @@ Result<ObstacleMap> map_of(const beespace_obstacle* obstacles, std::int64_t coun
   std::vector<Obstacle> all;
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
     const auto* const next = reinterpret_cast<const beespace_obstacle*>(bytes + i * size);
-    const Result<beespace_obstacle> given = read_struct(next, "obstacles");
-    if (!given) return at_obstacle(given.error(), i);
-    if (given->struct_size != size) {
+    if (size_of_struct(next) != size) {
       return at_obstacle(invalid("struct_size differs from that of the first one", "obstacles"), i);
     }
+    const Result<beespace_obstacle> given = read_struct(next, "obstacles");
+    if (!given) return at_obstacle(given.error(), i);
     Result<Obstacle> obstacle = GivenObstacle(*given).read();
     if (!obstacle) return at_obstacle(std::move(obstacle).error(), i);
     all.push_back(*std::move(obstacle));

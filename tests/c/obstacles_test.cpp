@@ -1,4 +1,4 @@
-// Obstacles of C: each kind is the one of C++, and what is none is refused by its index.
+// Obstacles of C: what is none is refused by its index. (What each kind is, verify_test.cpp shows.)
 #include "tests/c/c_scenes.hpp"
 
 #include <beespace.h>

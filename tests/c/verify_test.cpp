@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <set>
 #include <string>
@@ -56,9 +57,10 @@ class CVerifier : public testing::Test {
     ASSERT_EQ(beespace_verifier_create(&options_, &made, &error_), BEESPACE_OK) << error_.message;
     verifier_.reset(made);
   }
-  // Obstacles of C: a sphere, and the ground below 1 m.
+  // One of each kind, as in map_of_all().
   void set_obstacles() {
-    std::array<beespace_obstacle, 2> all{};
+    std::array<beespace_obstacle, 5> all{};
+    static constexpr std::array<double, 6> kOutline = {8, 1, 12, 1, 8, 4};
     for (beespace_obstacle& each : all) each.struct_size = sizeof each;
     all[0].kind = BEESPACE_SPHERE;
     all[0].center[0] = 5.0;
@@ -66,8 +68,23 @@ class CVerifier : public testing::Test {
     all[0].radius_m = 1.0;
     all[1].kind = BEESPACE_GROUND;
     all[1].high[2] = 1.0;
+    all[2].kind = BEESPACE_BOX;
+    std::iota(all[2].low, all[2].low + 3, 1.0);
+    std::iota(all[2].high, all[2].high + 3, 2.0);
+    all[3].kind = BEESPACE_CYLINDER;
+    all[3].flags = BEESPACE_HIGHEST;
+    all[3].center[0] = 10.0;
+    all[3].center[1] = 10.0;
+    all[3].radius_m = 1.0;
+    all[3].high[2] = 3.0;
+    all[4].kind = BEESPACE_PRISM;
+    all[4].flags = BEESPACE_LOWEST | BEESPACE_HIGHEST;
+    all[4].outline = kOutline.data();
+    all[4].corners = 3;
+    all[4].low[2] = 4.0;
+    all[4].high[2] = 6.0;
     beespace_obstacles* made = nullptr;
-    ASSERT_EQ(beespace_obstacles_create(all.data(), 2, &made, &error_), BEESPACE_OK);
+    ASSERT_EQ(beespace_obstacles_create(all.data(), 5, &made, &error_), BEESPACE_OK);
     obstacles_.reset(made);
     options_.obstacles = made;
     options_.clearance_m = 0.5;
@@ -143,6 +160,12 @@ std::vector<Row> rows_of(const Verdict& verdict) {
   return rows;
 }
 
+ObstacleMap map_of_all() {
+  return *ObstacleMap::of({Sphere{{5, 0, 4}, 1.0}, Ground{1.0}, Box{{1, 2, 3}, {2, 3, 4}},
+                           UprightCylinder{10, 10, 1.0, {-INFINITY, 3.0}},
+                           UprightPrism{{{8, 1}, {12, 1}, {8, 4}}, {4.0, 6.0}}});
+}
+
 std::vector<Mover> random_flock(std::mt19937_64& random) {
   std::uniform_real_distribution<double> place(0.0, 12.0);
   std::uniform_real_distribution<double> speed(-2.0, 2.0);
@@ -156,8 +179,9 @@ std::vector<Mover> random_flock(std::mt19937_64& random) {
 
 TEST_F(CVerifier, FindsWhatTheOneOfCppFinds) {
   std::mt19937_64 random(1234);
-  const ObstacleMap map = *ObstacleMap::of({Sphere{{5, 0, 4}, 1.0}, Ground{1.0}});
+  const ObstacleMap map = map_of_all();
   std::set<std::string> seen;
+  std::set<std::int64_t> obstacles;
   for (int round = 0; round < rounds(40); ++round) {
     SCOPED_TRACE(round);
     options_ = {};
@@ -218,10 +242,14 @@ TEST_F(CVerifier, FindsWhatTheOneOfCppFinds) {
     } else {
       EXPECT_EQ(told.peak_acceleration_mps2, expected.peak_acceleration_mps2);
     }
-    for (const Row& row : violations()) seen.insert(std::get<0>(row));
+    for (const Row& row : violations()) {
+      seen.insert(std::get<0>(row));
+      if (std::get<0>(row) == "clearance") obstacles.insert(std::get<2>(row));
+    }
   }
   if (kSanitized) return;
   EXPECT_EQ(seen, (std::set<std::string>{"loss", "clearance", "speed", "acceleration"}));
+  EXPECT_EQ(obstacles, (std::set<std::int64_t>{0, 1, 2, 3, 4}));
 }
 
 // A verdict holds only where something was checked, and all of it.
