@@ -17,7 +17,7 @@ QUESTIONS = {
     "pairs_m": ("pairs with distances", 10.0),
     "counts": ("counts", 10.0),
     "neighbors": ("neighbours in CSR", 10.0),
-    "neighbors_m": ("neighbours in CSR with distances", 10.0),
+    "neighbors_m": ("CSR, with distances", 10.0),
     "nearest": ("nearest, k = 1", 5.0),
     "nearest_8": ("nearest, k = 8", 5.0),
 }

@@ -135,6 +135,11 @@ def _hows(rows: list[Row]) -> list[str]:
     return [f"- {peer}: {', '.join(sorted(seen[peer]))}" for peer in _COLOURS if peer in seen]
 
 
+def _runs(rows: list[Row]) -> str:
+    runs = [len(row["ways"][name]["seconds"]) for row in rows for name in list(row["ways"])[:1]]
+    return f"{min(runs)} to {max(runs)}" if min(runs) < max(runs) else str(runs[0])
+
+
 def _processor() -> str:
     for line in Path("/proc/cpuinfo").read_text().splitlines():
         if line.startswith("model name"):
@@ -154,8 +159,8 @@ def write(results: Path, folder: Path) -> None:
         "Written by `make compare-python`. Uniform points in a cube, a threshold of 100 m; λ is the mean",
         "number of neighbours, but for the border. Processor time on one core, from the array of points to",
         "arrays of NumPy: the tree or the list of cells included, of the fastest way that a package has to",
-        f"ask. Medians of {max(len(w['seconds']) for r in rows for w in r['ways'].values())} runs in turn; "
-        "what took twice as long as the fastest peer was asked once.",
+        f"ask. Medians of {_runs(rows)} runs in turn; what took twice as long as the fastest peer was",
+        "asked once. A dash is for what a package does not answer, or was not asked.",
         f"{versions}; Python {sys.version.split()[0]}; {_processor()}, {os.cpu_count()} cores, shared, "
         f"at a load of {min(loads):.1f} to {max(loads):.1f}.",
         "",
@@ -177,7 +182,7 @@ def write(results: Path, folder: Path) -> None:
             "",
             "`answer_benchmark` asks the C++ library for vectors: `Engine::find_pairs` and",
             "`pair_distances`, ids of 32 bits. Each call has an engine of its own, as a function of the",
-            "package has. Processor time, in turn. The machine is shared: look at the least of each, too.",
+            "package has. Processor time. The machine is shared: look at the least of each, too.",
             "",
             *against,
         ]
