@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from decimal import Decimal, localcontext
+from decimal import Context, Decimal, localcontext
 from fractions import Fraction
 from typing import Any
 
@@ -92,12 +92,12 @@ def conflict_span(
 
 
 def decimal(number: Fraction) -> Decimal:
-    with localcontext(prec=120):
+    with localcontext(Context(prec=120)):
         return Decimal(number.numerator) / Decimal(number.denominator)
 
 
 def root(number: Fraction) -> Decimal:
-    with localcontext(prec=120):
+    with localcontext(Context(prec=120)):
         return decimal(number).sqrt()
 
 
