@@ -213,6 +213,10 @@ def main() -> None:
     stage = Stage(Path(sys.argv[1]).resolve())
     without_private(Path(sys.argv[2]))
     index = (root / "docs/site/index.md").read_text()
+    # Guides that it does not name stand behind those that it names.
+    guides = [each.removesuffix(".md") for each in documents_in("docs")]
+    others = [each for each in guides if each not in index.splitlines()]
+    index = index.replace("{others}\n", "".join(f"{each}\n" for each in others))
     # Its links are those of a document in the root.
     stage.write("index.md", stage.with_links(index, "index.md"))
     readme = (root / "README.md").read_text()
