@@ -114,14 +114,21 @@ TEST_F(StreamedPoints, OfArraysLieInTheFile) {
   numbers.assign(numbers.size(), 8.0);
   const std::string geographic =
       file("places.bin", {reinterpret_cast<const char*>(numbers.data()), bytes.size()});
-  EXPECT_FALSE(PointStream::open(geographic, degrees)->in_place());
-  EXPECT_EQ(*stream(geographic, degrees, 240), load_points(geographic, degrees)->points);
+  const auto opened_places = PointStream::open(geographic, degrees);
+  ASSERT_TRUE(opened_places);
+  EXPECT_FALSE(opened_places->in_place());
+  const auto streamed = stream(geographic, degrees, 240);
+  const auto places = load_points(geographic, degrees);
+  ASSERT_TRUE(streamed);
+  EXPECT_EQ(*streamed, places->points);
 }
 
 TEST_F(StreamedPoints, AskForWhatOnlyAllValuesCouldTell) {
   EXPECT_EQ(error_of(file("bare.csv", "1,2,3\n"), {}, 100).code, ErrorCode::kUnknownFrame);
   EXPECT_EQ(error_of(file("axes.csv", "x,y,z\n1,2,3\n"), {}, 100).code, ErrorCode::kUnknownFrame);
-  EXPECT_EQ(stream(file("bare.csv", "1,2,3\n"), in_metres(), 100)->size(), 1U);
+  const auto said = stream(file("bare.csv", "1,2,3\n"), in_metres(), 100);
+  ASSERT_TRUE(said);
+  EXPECT_EQ(said->size(), 1U);
   EXPECT_EQ(error_of(file("ids.csv", "id,x_m,y_m,z_m\na,2,3,4\n"), {}, 100).code,
             ErrorCode::kUnsupportedFormat);
   EXPECT_EQ(error_of(file("packed.gz", "\x1f\x8b..."), {}, 100).code,
