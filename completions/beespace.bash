@@ -35,8 +35,8 @@ _beespace() {
         --format) values='auto text npy bin' ;;
         --report) values='at-risk pairs neighbors counts nearest groups closest-pair' ;;
         --others | -o | --output) files=yes ;;
-        --columns | --units | --threshold | --vertical | --max-results | --threads) return ;;
-        *) options='--others --crs --columns --units --heights --format --skip-bad --unique-ids --report --threshold --vertical --inclusive --at-risk-only --max-results --threads --output --csv --json --geojson --fail-on-risk --quiet --help --version' files=yes ;;
+        --columns | --units | --threshold | --vertical | --max-results | --threads | --memory | --temporary) return ;;
+        *) options='--others --crs --columns --units --heights --format --skip-bad --unique-ids --report --threshold --vertical --inclusive --at-risk-only --max-results --threads --memory --temporary --output --csv --json --geojson --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     predict)

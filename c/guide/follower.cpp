@@ -9,7 +9,6 @@
 #include <utility>
 
 using namespace beespace::c;  // NOLINT(google-build-using-namespace): the functions are of C
-using beespace::Acknowledgement;
 using beespace::Command;
 using beespace::Follower;
 using beespace::Result;

@@ -40,7 +40,7 @@ Result<LinkFigures> link_of(const beespace_link_figures* link);
 
 Result<Command> command_of(const beespace_command* command, const char* name);
 beespace_command c_command_of(const Command& command);
-Result<Acknowledgement> acknowledgement_of(const beespace_acknowledgement* given);
+Result<Acknowledgement> acknowledgement_of(const beespace_acknowledgement* acknowledgement);
 beespace_acknowledgement c_acknowledgement_of(const Acknowledgement& acknowledgement);
 Result<AgentReport> report_of(const beespace_agent_report* report);
 Result<StoredBranch> stored_of(const beespace_stored_branch* stored);

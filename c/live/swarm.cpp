@@ -19,7 +19,6 @@
 using namespace beespace::c;  // NOLINT(google-build-using-namespace): the functions are of C
 using beespace::Error;
 using beespace::ErrorCode;
-using beespace::LiveMover;
 using beespace::PositionReport;
 using beespace::Result;
 using beespace::Status;

@@ -13,6 +13,7 @@
 #include <beespace/points_view.hpp>
 #include <beespace/result.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -44,7 +45,7 @@ class CellPoints {
 
   std::size_t size_ = 0;
   std::size_t capacity_ = 0;
-  core::Buffer<double> axes_[3];
+  std::array<core::Buffer<double>, 3> axes_;
   core::Buffer<std::uint64_t> ids_;
 };
 

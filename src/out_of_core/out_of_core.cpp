@@ -37,7 +37,7 @@ Error invalid_option(const std::string& what) {
 
 }  // namespace
 
-class OutOfCore::State {
+class __attribute__((visibility("hidden"))) OutOfCore::State {
  public:
   explicit State(const OutOfCoreOptions& options) : options_(options), crew_(nullptr) {}
 

@@ -163,8 +163,8 @@ Status PairsQuestion::ask_some(const CellPoints& points, std::size_t begin, std:
   PairOptions options = options_;
   // Of a single point there are never more than others.
   if (end - begin > 1) options.max_results = most_;
-  const auto status = engine_.find_pairs_between(part_of(points.view(), begin, end - begin),
-                                                 others.view(), options, found_);
+  auto status = engine_.find_pairs_between(part_of(points.view(), begin, end - begin),
+                                           others.view(), options, found_);
   if (!status) {
     if (status.error().code != ErrorCode::kTooManyResults) return status;
     const std::size_t middle = begin + (end - begin) / 2;

@@ -20,7 +20,7 @@
 
 namespace beespace {
 
-class Engine::EngineState {
+class __attribute__((visibility("hidden"))) Engine::EngineState {
  public:
   explicit EngineState(Crew* lent) : crew_(lent) {}
 
