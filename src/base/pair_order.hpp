@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/buffer.hpp"
+#include "base/chunk_places.hpp"
 #include "base/resources.hpp"
 
 #include <beespace/pairs.hpp>
@@ -18,11 +19,10 @@ namespace beespace::core {
 // their own, a chunk at a time, so that nothing is copied as their number grows.
 class FoundPairs {
  public:
-  static constexpr std::uint32_t kChunk = 1U << 15;
-
   struct Chunk {
     Buffer<PointId> first;
     Buffer<PointId> second;
+    std::uint32_t capacity = 0;
     std::uint32_t size = 0;
   };
 
@@ -35,9 +35,11 @@ class FoundPairs {
     while (!chunks_.empty()) chunks_.pop_back();  // what was lent last is found first
   }
 
-  // An empty chunk of kChunk places, to be filled and given its size before the next one.
+  // An empty chunk, to be filled and given its size before the next one.
   Chunk& open_chunk() {
-    chunks_.push_back({Buffer<PointId>(memory_, kChunk), Buffer<PointId>(memory_, kChunk), 0});
+    const std::uint32_t places = chunk_places(chunks_.size());
+    chunks_.push_back(
+        {Buffer<PointId>(memory_, places), Buffer<PointId>(memory_, places), places, 0});
     return chunks_.back();
   }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/buffer.hpp"
+#include "base/chunk_places.hpp"
 #include "base/resources.hpp"
 #include "base/sort_ids.hpp"
 #include "base/stopping.hpp"
@@ -17,10 +18,9 @@ namespace beespace::core {
 // The rows of one worker, one behind the other in chunks of memory: a row may go on in the next.
 class FoundRows {
  public:
-  static constexpr std::uint32_t kChunk = 1U << 16;
-
   struct Chunk {
     Buffer<PointId> ids;
+    std::uint32_t capacity = 0;
     std::uint32_t size = 0;
   };
 
@@ -33,9 +33,10 @@ class FoundRows {
     while (!chunks_.empty()) chunks_.pop_back();  // what was lent last is found first
   }
 
-  // An empty chunk of kChunk places, to be filled and given its size before the next one.
+  // An empty chunk, to be filled and given its size before the next one.
   Chunk& open_chunk() {
-    chunks_.push_back({Buffer<PointId>(memory_, kChunk), 0});
+    const std::uint32_t places = chunk_places(chunks_.size());
+    chunks_.push_back({Buffer<PointId>(memory_, places), places, 0});
     return chunks_.back();
   }
 

@@ -35,7 +35,7 @@ class KeepPairs {
 
   [[nodiscard]] bool enough() const { return all_.enough(); }
   void take(PointId first, PointId second) {
-    if (chunk_ == nullptr || chunk_->size == core::FoundPairs::kChunk) {
+    if (chunk_ == nullptr || chunk_->size == chunk_->capacity) {
       if (chunk_ != nullptr) all_.total += chunk_->size;
       chunk_ = &found_.open_chunk();
     }

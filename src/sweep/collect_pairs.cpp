@@ -45,8 +45,7 @@ class PairCollector {
       self.open();
       return go_on;
     };
-    sink_ = {
-        chunk_->first.data(), chunk_->second.data(), 0, core::FoundPairs::kChunk, make_room, this};
+    sink_ = {chunk_->first.data(), chunk_->second.data(), 0, chunk_->capacity, make_room, this};
   }
 
   core::FoundPairs& found_;

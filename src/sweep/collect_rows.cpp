@@ -23,8 +23,7 @@ class RowCollector {
       self.next_chunk();
       return go_on;
     };
-    sink_ = {nullptr,   0,   core::FoundRows::kChunk, lengths, which == Which::kAboveOnly,
-             make_room, this};
+    sink_ = {nullptr, 0, 0, lengths, which == Which::kAboveOnly, make_room, this};
     next_chunk();
     return sink_;
   }
@@ -40,6 +39,7 @@ class RowCollector {
     chunk_ = &found_.open_chunk();
     sink_.ids = chunk_->ids.data();
     sink_.size = 0;
+    sink_.capacity = chunk_->capacity;
   }
 
   core::FoundRows& found_;

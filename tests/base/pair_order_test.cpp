@@ -21,7 +21,7 @@ void write_down(const Pairs& pairs, FoundPairs& found) {
   std::size_t next = 0;
   while (next < pairs.size()) {
     FoundPairs::Chunk& chunk = found.open_chunk();
-    const std::size_t wanted = std::min<std::size_t>(FoundPairs::kChunk, pairs.size() - next);
+    const std::size_t wanted = std::min<std::size_t>(chunk.capacity, pairs.size() - next);
     for (; chunk.size < wanted; ++chunk.size) {
       chunk.first[chunk.size] = pairs[next + chunk.size].first;
       chunk.second[chunk.size] = pairs[next + chunk.size].second;
@@ -122,9 +122,21 @@ TEST(FoundPairs, KnowHowManyTheyAre) {
   Memory memory;
   FoundPairs found(memory);
   EXPECT_EQ(found.size(), 0U);
-  write_down(Drawing(1).pairs(FoundPairs::kChunk + 9, 0, 100), found);
-  EXPECT_EQ(found.size(), FoundPairs::kChunk + 9);
+  write_down(Drawing(1).pairs(kFirstChunk + 9, 0, 100), found);
+  EXPECT_EQ(found.size(), kFirstChunk + 9);
   EXPECT_EQ(found.chunks().size(), 2U);
+}
+
+// Enough for chunks of the later size.
+TEST(FoundPairs, AreOrderedFromChunksOfAnySize) {
+  const std::size_t many = kFirstChunks * kFirstChunk + kLaterChunk + 1000;
+  const Pairs pairs = Drawing(2).pairs(many, 0, 1U << 20);
+  Memory memory;
+  FoundPairs found(memory);
+  write_down(pairs, found);
+  EXPECT_EQ(found.chunks().size(), kFirstChunks + 2);
+  EXPECT_EQ(found.size(), many);
+  expect_order(pairs, 1U << 20);
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ class SearchBeyond {
       for (const PointId far : beyond_) {
         if (is_beyond && far <= id) continue;  // once a pair
         if (!may_pass(id, far) || (decide_ && !decide_(id, far))) continue;
-        if (chunk == nullptr || chunk->size == core::FoundPairs::kChunk) {
+        if (chunk == nullptr || chunk->size == chunk->capacity) {
           if (chunk != nullptr && !total_.add(chunk->size)) return;
           chunk = &found.open_chunk();
         }

@@ -96,7 +96,7 @@ class Passes {
 
   bool make_room() {
     keep_those_who_pass();
-    if (kept_ + kLookAt + PassCheck::kAtOnce > core::FoundPairs::kChunk) {
+    if (kept_ + kLookAt + PassCheck::kAtOnce > chunk_->capacity) {
       chunk_->size = kept_;
       const bool go_on = total_.add(kept_);
       open();

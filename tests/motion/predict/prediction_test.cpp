@@ -210,7 +210,7 @@ TEST(ManyPairs, ArePredictedAsByBruteForceInEveryWay) {
     const test::MoverScene scene{"", test::flying(make, 400, {110, 110, 110}, 12.0), 100, 80, 2};
     const PredictOptions options = scene.options(shape, false);
     const Conflicts expected = *brute_force::predict_conflicts(scene.movers, options);
-    EXPECT_GT(expected.size(), core::FoundPairs::kChunk + core::FoundPairs::kChunk / 2);
+    EXPECT_GT(expected.size(), core::kFirstChunk + core::kFirstChunk / 2);
     const Pairs expected_pairs = test::pairs_of(expected);
     ways.for_each(scene, shape, options, [&](const Answer& found) {
       ASSERT_TRUE(found.full.has_value());
