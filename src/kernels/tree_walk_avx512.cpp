@@ -61,7 +61,7 @@ void find_nearest_of_leaf(const TreeView& tree, std::size_t leaf, std::size_t wa
 
 }  // namespace
 
-FindNearestOfLeaf leaf_walk_avx512() {
+FindNearestOfLeaf tree_walk_of_leaf_avx512() {
   return find_nearest_of_leaf;
 }
 
