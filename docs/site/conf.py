@@ -97,12 +97,7 @@ def with_public_links(_app: Any, tree: Any) -> None:
         if reference.get("refdomain") != "py":
             continue
         target = reference["reftarget"].removeprefix("beespace.")
-        if target == python_pages.common:
-            page = f"/{python_pages.folder}/arguments"
-            reference.attributes.update(
-                refdomain="std", reftype="doc", reftarget=page, refexplicit=True
-            )
-        elif target not in public:
+        if target not in public:
             reference.replace_self(reference.children)
     for name in tree.findall(nodes.field_name):
         if name.astext() == "Variables":

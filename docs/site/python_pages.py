@@ -11,7 +11,6 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "python"))
 
 import beespace  # noqa: E402
 import beespace.compat.scipy  # noqa: E402
-from beespace._searches import Searches  # noqa: E402
 
 folder = "reference/python"
 kinds = {
@@ -21,8 +20,6 @@ kinds = {
     "Errors": lambda thing: inspect.isclass(thing) and issubclass(thing, BaseException),
 }
 modules = (beespace, beespace.compat.scipy)
-# The class that is not public, whose docstring says what all questions have in common.
-common = Searches.__name__
 
 
 def public() -> dict[str, Any]:
@@ -55,7 +52,7 @@ def _is_inherited_from_python(thing: type, member: str) -> bool:
 
 
 def pages() -> dict[str, str]:
-    made = {f"{folder}/index.md": _index(), f"{folder}/arguments.md": _arguments()}
+    made = {f"{folder}/index.md": _index()}
     for name, thing in public().items():
         made[f"{folder}/{_page_name(name, thing)}.md"] = _page(name, thing)
     return made
@@ -79,21 +76,14 @@ def _page(name: str, thing: Any) -> str:
     return f"# {title}\n\n```{{eval-rst}}\n{described}```\n"
 
 
-def _arguments() -> str:
-    described = inspect.getdoc(Searches)
-    return (
-        f"# {common}: arguments in common\n\n```{{eval-rst}}\n.. currentmodule:: beespace\n\n{described}\n```\n"
-    )
-
-
 def _index() -> str:
     text = (
         "# The Python interface\n\n"
         "[beespace for Python](../../docs/python.md) says how to begin, what points may be, and what "
         "holds for all functions; [files](../../docs/python-files.md) how to read and show them. "
-        "Most questions have [arguments in common](arguments.md).\n"
+        "Arguments that most questions have are described with [`at_risk`](beespace.at_risk.md).\n"
     )
-    entries = [f"/{folder}/arguments"]
+    entries = []
     for kind, belongs in kinds.items():
         text += f"\n## {kind}\n\n| name | |\n|---|---|\n"
         for name, thing in public().items():

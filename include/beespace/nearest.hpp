@@ -127,7 +127,7 @@ BEESPACE_API Result<std::vector<Nearest>> find_nearest(const PointsView& points,
 /// @brief Finds for each point the `k` nearest other points, however far.
 ///
 /// A point is not its own neighbour; of points at one position each has the others. Complexity:
-/// some hundred nanoseconds a point, and about a hundred a neighbour. Working memory: 46 bytes a
+/// some hundred nanoseconds a point, and some tens a neighbour. Working memory: 46 bytes a
 /// point, beyond the answer of 16 bytes a neighbour. Thread safety: no state is kept.
 ///
 /// @param points The positions in metres; read in place, not kept.

@@ -10,12 +10,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from beespace import _library
 from beespace._answers import Nearest, Neighbors
+from beespace._asking import nearest_of
 from beespace._calls import check, run_of, search_of, whole
 from beespace._columns import Result
 from beespace._errors import invalid
 from beespace._library import library
 from beespace._points import Points, PointsLike, position
-from beespace._searches import nearest_of
 from beespace._units import METRES, plain
 
 

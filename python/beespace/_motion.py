@@ -9,6 +9,7 @@ import numpy as np
 
 from beespace import _library
 from beespace._answers import Pairs
+from beespace._asking import Asking
 from beespace._calls import check, run_of, search_of, seconds
 from beespace._columns import Result
 from beespace._conflicts import Approaches, Conflicts
@@ -20,13 +21,10 @@ from beespace._points import Points, PointsLike
 _for_ever = 2.0**100
 
 
-class Predictions:
+class Predictions(Asking):
     """The questions about movers that an engine answers, too."""
 
     __slots__ = ()
-
-    def _call(self, function: Any, arguments: tuple[Any, ...]) -> int:
-        raise NotImplementedError
 
     def predict(
         self,
@@ -55,7 +53,7 @@ class Predictions:
         velocities : as positions
             Their velocities in metres per second, along the axes of the positions.
         threshold, vertical, inclusive, threads, copy
-            As `Searches` says.
+            As `at_risk` says.
         within : float
             How far to look ahead, in seconds.
         max_results : int, optional
@@ -185,7 +183,7 @@ def closest_approach(
         How close is too close, in metres: then `begin` and `end` say from when to when the two are.
         That they are is decided as real numbers; the times are rounded, for reading.
     vertical, inclusive
-        As `Searches` says, of the threshold.
+        As `at_risk` says, of the threshold.
     copy : bool
         Whether arrays are copied first, because another thread changes them meanwhile.
 

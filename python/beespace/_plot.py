@@ -48,7 +48,7 @@ def plot(
     others : points, optional
         Another set, drawn as crosses: pairs are those between both.
     vertical, inclusive
-        Of a threshold, as `Searches` says.
+        Of a threshold, as `at_risk` says.
     projection : "3d", optional
         Three dimensions; otherwise x and y. Seen from above, points above each other look close.
     ax : matplotlib.axes.Axes, optional

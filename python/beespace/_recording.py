@@ -181,7 +181,7 @@ class Recording:
         Parameters
         ----------
         threshold, vertical, inclusive, threads
-            As `Searches` says.
+            As `at_risk` says.
         max_gap : float, optional
             The longest time between two fixes of an agent, in seconds, that is bridged by a straight
             line; without it all are. In a longer one it is unknown where the agent is: it is
@@ -226,7 +226,7 @@ class Recording:
         max_gap
             As of `conflicts`.
         threads
-            As `Searches` says.
+            As `at_risk` says.
 
         Returns
         -------

@@ -11,77 +11,21 @@ from numpy.typing import NDArray
 
 from beespace import _library
 from beespace._answers import ClosestPair, Groups, Nearest, Neighbors, Pairs
-from beespace._calls import check, run_of, search_of, whole
-from beespace._columns import Result
+from beespace._asking import nearest_of, sets_of
+from beespace._calls import search_of, whole
 from beespace._errors import invalid
-from beespace._frames import check_frames
 from beespace._library import library
 from beespace._motion import Predictions
-from beespace._points import Points, PointsLike
+from beespace._points import PointsLike
 from beespace._visits import Visit
 
 
 class Searches(Predictions):
-    """The questions about points. Each call stands alone: any number of threads may ask at once.
-
-    All have these arguments in common:
-
-    points : array of shape (n, 3) or (n, 2), tuple of two or three arrays, or data frame
-        Positions in metres. float64 and float32 of any strides are read without a copy, in NumPy,
-        pandas, Polars and what speaks DLPack; integers and halves are converted. In two dimensions
-        heights are 0. Ids are indices of these points. They must not change during the call, unless
-        `copy` is true.
-    threshold : float
-        How close is too close, in metres. Exactly the threshold apart is not closer.
-    others : as points, optional
-        The points of another set. If they are given, only points of different sets are compared.
-    vertical : float, optional
-        A vertical threshold in metres: two points conflict when they are closer than `threshold` in
-        x and y, and closer than this in z.
-    inclusive : bool
-        Whether exactly the threshold apart counts as closer.
-    threads : int
-        How many threads may work; 0 for one per processor. The answer is always the same.
-    copy : bool
-        Whether points are copied first, because another thread changes them meanwhile.
-
-    Raises `BeespaceError` for what makes no sense, with `code`, `place` and `record`; MemoryError
-    where the system gives no more. Ctrl-C ends a long search.
+    """The questions about points, with arguments as `at_risk` has them. Each call stands alone: any
+    number of threads may ask at once.
     """
 
     __slots__ = ()
-
-    def _ask(
-        self,
-        function: Any,
-        points: Points,
-        others: Points | None,
-        arguments: tuple[Any, ...],
-        threads: int,
-        two_sets: bool = True,
-    ) -> Result:
-        error = _library.new_error()
-        result = Result()
-        run = run_of(threads, points.count + (0 if others is None else others.count))
-        sets: tuple[Any, ...] = (ctypes.byref(points.struct),)
-        if two_sets:
-            sets += (None if others is None else ctypes.byref(others.struct),)
-        code = self._call(
-            function,
-            (
-                *sets,
-                *arguments,
-                None if run is None else ctypes.byref(run),
-                result.handle,
-                ctypes.byref(error),
-            ),
-        )
-        if code != _library.OK:
-            check(code, error)
-        return result
-
-    def _call(self, function: Any, arguments: tuple[Any, ...]) -> int:
-        return int(function(None, *arguments))
 
     def at_risk(
         self,
@@ -101,15 +45,39 @@ class Searches(Predictions):
 
         Parameters
         ----------
-        points, threshold, others, vertical, inclusive, threads, copy
-            As `Searches` says.
+        points : array of shape (n, 3) or (n, 2), tuple of two or three arrays, or data frame
+            Positions in metres. float64 and float32 of any strides are read without a copy, in NumPy,
+            pandas, Polars and what speaks DLPack; integers and halves are converted. In two
+            dimensions heights are 0. Ids are indices of these points. They must not change during the
+            call, unless `copy` is true.
+        threshold : float
+            How close is too close, in metres. Exactly the threshold apart is not closer.
+        others : as points, optional
+            The points of another set. If they are given, only points of different sets are compared.
+        vertical : float, optional
+            A vertical threshold in metres: two points conflict when they are closer than `threshold`
+            in x and y, and closer than this in z.
+        inclusive : bool
+            Whether exactly the threshold apart counts as closer.
         mask : bool
             Whether to return one flag a point, instead of ids.
+        threads : int
+            How many threads may work; 0 for one per processor. The answer is always the same. Ctrl-C
+            ends a long search.
+        copy : bool
+            Whether points are copied first, because another thread changes them meanwhile.
 
         Returns
         -------
         ndarray
             The ids of the points at risk, ascending, as int64; or with `mask` a bool for each point.
+
+        Raises
+        ------
+        BeespaceError
+            What makes no sense, with `code`, `place` and, as `record`, the point.
+        MemoryError
+            The system gives no more.
 
         Examples
         --------
@@ -122,7 +90,7 @@ class Searches(Predictions):
         >>> beespace.at_risk(drones, 100, others=[[0, 0, 0]])
         array([0])
         """
-        first, second = _sets(points, others, copy, vertical)
+        first, second = sets_of(points, others, copy, vertical)
         search = search_of(threshold, vertical, inclusive)
         result = self._ask(
             library.beespace_at_risk, first, second, (ctypes.byref(search),), threads
@@ -155,7 +123,7 @@ class Searches(Predictions):
         Parameters
         ----------
         points, threshold, others, vertical, inclusive, threads, copy
-            As `Searches` says.
+            As `at_risk` says.
         distances : bool
             Whether to compute the distance of each pair, too.
         max_results : int, optional
@@ -176,7 +144,7 @@ class Searches(Predictions):
         >>> pairs.i, pairs.j
         (array([0, 2]), array([1, 3]))
         """
-        first, second = _sets(points, others, copy, vertical)
+        first, second = sets_of(points, others, copy, vertical)
         search = search_of(threshold, vertical, inclusive, max_results, distances)
         result = self._ask(library.beespace_pairs, first, second, (ctypes.byref(search),), threads)
         return Pairs(
@@ -207,7 +175,7 @@ class Searches(Predictions):
         Parameters
         ----------
         points, threshold, vertical, inclusive, threads, copy
-            As `Searches` says.
+            As `at_risk` says.
         chunk : int
             The most pairs of one piece.
         distances : bool
@@ -226,7 +194,7 @@ class Searches(Predictions):
         999
         """
         # Checked here, not when the first piece is asked for.
-        first, _ = _sets(points, None, copy, vertical)
+        first, _ = sets_of(points, None, copy, vertical)
         most = whole(chunk, "chunk")
         if most == 0:
             raise invalid("a piece has at least one pair", "chunk")
@@ -257,7 +225,7 @@ class Searches(Predictions):
         Parameters
         ----------
         points, threshold, others, vertical, inclusive, threads, copy
-            As `Searches` says.
+            As `at_risk` says.
         include_self : bool
             Whether each point is a neighbour of itself. Not with `others`.
         distances : bool
@@ -279,7 +247,7 @@ class Searches(Predictions):
         >>> beespace.neighbors([[0, 0], [3, 4], [6, 8]], 6, include_self=True)[1]
         array([0, 1, 2])
         """
-        first, second = _sets(points, others, copy, vertical)
+        first, second = sets_of(points, others, copy, vertical)
         search = search_of(threshold, vertical, inclusive, max_results, distances, include_self)
         result = self._ask(
             library.beespace_neighbors, first, second, (ctypes.byref(search),), threads
@@ -310,7 +278,7 @@ class Searches(Predictions):
         Parameters
         ----------
         points, threshold, others, vertical, inclusive, threads, copy
-            As `Searches` says.
+            As `at_risk` says.
         include_self : bool
             Whether each point counts itself. Not with `others`.
 
@@ -325,7 +293,7 @@ class Searches(Predictions):
         >>> beespace.count([[0, 0], [3, 4], [6, 8]], 6)
         array([1, 2, 1])
         """
-        first, second = _sets(points, others, copy, vertical)
+        first, second = sets_of(points, others, copy, vertical)
         search = search_of(threshold, vertical, inclusive, with_self=include_self)
         return self._ask(
             library.beespace_count, first, second, (ctypes.byref(search),), threads
@@ -348,7 +316,7 @@ class Searches(Predictions):
         Parameters
         ----------
         points, threshold, vertical, inclusive, threads, copy
-            As `Searches` says.
+            As `at_risk` says.
 
         Returns
         -------
@@ -363,7 +331,7 @@ class Searches(Predictions):
         >>> groups[0], groups.labels
         (array([0, 1, 3]), array([ 0,  0, -1,  0]))
         """
-        first, _ = _sets(points, None, copy, vertical)
+        first, _ = sets_of(points, None, copy, vertical)
         search = search_of(threshold, vertical, inclusive)
         result = self._ask(
             library.beespace_groups, first, None, (ctypes.byref(search),), threads, two_sets=False
@@ -385,18 +353,18 @@ class Searches(Predictions):
         """Which are the k nearest points of each point?
 
         However far, or the nearest one of those that are closer than `within`. A point is not its
-        own neighbour. One to three hundred nanoseconds a point, and about a hundred a neighbour.
+        own neighbour. One to three hundred nanoseconds a point for up to eight neighbours.
 
         Parameters
         ----------
         points, others, threads, copy
-            As `Searches` says.
+            As `at_risk` says.
         k : int
             How many to find for each point.
         within : float, optional
             Looks only among points that are closer than this, in metres; for one neighbour.
         vertical, inclusive
-            As `Searches` says, of `within`.
+            As `at_risk` says, of `within`.
 
         Returns
         -------
@@ -415,7 +383,7 @@ class Searches(Predictions):
         >>> beespace.nearest([[0, 0], [3, 4], [6, 9]], within=5.5).distances[:, 0]
         array([ 5.,  5., inf])
         """
-        first, second = _sets(points, others, copy, vertical)
+        first, second = sets_of(points, others, copy, vertical)
         number = whole(k, "k")
         if within is not None:
             if number != 1:
@@ -445,7 +413,7 @@ class Searches(Predictions):
         Parameters
         ----------
         points, others, threads, copy
-            As `Searches` says.
+            As `at_risk` says.
 
         Returns
         -------
@@ -458,30 +426,10 @@ class Searches(Predictions):
         >>> beespace.closest_pair([[0, 0], [3, 4], [6, 9]])
         ClosestPair(i=0, j=1, distance=5.0)
         """
-        first, second = _sets(points, others, copy)
+        first, second = sets_of(points, others, copy)
         result = self._ask(library.beespace_closest_pair, first, second, (), threads)
         i = result.first()
         if not len(i):
             return None
         return ClosestPair(int(i[0]), int(result.second()[0]), float(result.distances()[0]))
 
-
-def nearest_of(result: Result, rows: int, k: int) -> Nearest:
-    """Rows of k entries, filled up where there are fewer."""
-    ids, distances = result.ids(), result.distances()
-    if len(ids) == rows * k:
-        return Nearest(ids.reshape(rows, k), distances.reshape(rows, k))
-    found = len(ids) // rows
-    all_ids = np.full((rows, k), -1, np.int64)
-    all_distances = np.full((rows, k), np.inf)
-    all_ids[:, :found] = ids.reshape(rows, found)
-    all_distances[:, :found] = distances.reshape(rows, found)
-    return Nearest(all_ids, all_distances)
-
-
-def _sets(
-    points: Any, others: Any, copy: bool, vertical: Any = None
-) -> tuple[Points, Points | None]:
-    check_frames(points, others, vertical)
-    first = Points(points, "points", copy)
-    return first, None if others is None else Points(others, "others", copy)

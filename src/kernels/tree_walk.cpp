@@ -7,6 +7,7 @@ namespace beespace::cpu {
 TreeWalks tree_walks_baseline();
 #if defined(BEESPACE_X86_KERNELS)
 TreeWalks tree_walks_avx2();
+FindNearestOfLeaf tree_walk_of_leaf_avx512();
 #endif
 
 bool Ball::holds(const Point& point) const {
@@ -17,8 +18,12 @@ TreeWalks tree_walks(InstructionSet set) {
   switch (set) {
 #if defined(BEESPACE_X86_KERNELS)
     case InstructionSet::kAvx2:
-    case InstructionSet::kAvx512:
       return tree_walks_avx2();
+    case InstructionSet::kAvx512: {
+      TreeWalks walks = tree_walks_avx2();
+      walks.find_nearest_of_leaf = tree_walk_of_leaf_avx512();
+      return walks;
+    }
 #else
     case InstructionSet::kAvx2:
     case InstructionSet::kAvx512:

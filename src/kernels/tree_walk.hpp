@@ -30,15 +30,30 @@ struct Ball {
   [[nodiscard]] bool holds(const Point& point) const;
 };
 
+// For each point of a leaf, what may be among its nearest others.
+struct LeafNeighbors {
+  static constexpr std::size_t kMostWanted = 192;  // so many others of each can be asked for
+
+  std::uint32_t*
+      slots;  // a row of `room` for each place of the leaf, the nearest first, as floats tell
+  std::size_t room;
+  std::uint32_t counts[core::kFanOut];  // how many of the row are used; 0 where the walk gave up
+};
+
+using FindNearestOfLeaf = void (*)(const core::TreeView& tree, std::size_t leaf, std::size_t wanted,
+                                   LeafNeighbors& found);
+
 struct TreeWalks {
   // Adds the ids of all points in the ball.
   void (*collect)(const core::TreeView& tree, const Ball& ball, IdSink& sink);
   // Offers the list all points that it may still take.
   void (*find_nearest)(const core::TreeView& tree, const Point& place, core::NearestList& list);
+  // Finds all that may be among the `wanted` nearest others of each point of a leaf. Gives up where
+  // that are many, as in crowds and where a dense part borders on an empty one.
+  FindNearestOfLeaf find_nearest_of_leaf;
 };
 
-// The walks of an available instruction set. AVX-512 has none of its own: comparing 16 boxes or
-// points at once instead of twice 8 was measured to be no faster, as memory sets the pace.
+// The walks of an available instruction set.
 TreeWalks tree_walks(InstructionSet set);
 
 }  // namespace beespace::cpu

@@ -1,3 +1,4 @@
+#include "kernels/leaf_walk_kernel.hpp"
 #include "kernels/tree_walk_kernel.hpp"
 
 #include <immintrin.h>
@@ -32,6 +33,12 @@ class Lanes {
     const __m256 zero = _mm256_setzero_ps();
     return {_mm256_max_ps(low_, zero), _mm256_max_ps(high_, zero)};
   }
+  [[nodiscard]] Lanes one_where_above(float value) const {
+    const __m256 values = _mm256_set1_ps(value);
+    const __m256 one = _mm256_set1_ps(1.0F);
+    return {_mm256_and_ps(_mm256_cmp_ps(low_, values, _CMP_GT_OQ), one),
+            _mm256_and_ps(_mm256_cmp_ps(high_, values, _CMP_GT_OQ), one)};
+  }
   [[nodiscard]] std::uint32_t at_most(float limit) const {
     const __m256 limits = _mm256_set1_ps(limit);
     return bits(_mm256_cmp_ps(low_, limits, _CMP_LE_OQ), _mm256_cmp_ps(high_, limits, _CMP_LE_OQ));
@@ -39,6 +46,15 @@ class Lanes {
   [[nodiscard]] std::uint32_t below(float limit) const {
     const __m256 limits = _mm256_set1_ps(limit);
     return bits(_mm256_cmp_ps(low_, limits, _CMP_LT_OQ), _mm256_cmp_ps(high_, limits, _CMP_LT_OQ));
+  }
+
+  void store_chosen(std::uint32_t lanes, float* to) const {
+    alignas(64) float values[kFanOut];
+    store(values);
+    for (; lanes != 0; lanes &= lanes - 1) *to++ = values[first_bit(lanes)];
+  }
+  static void store_chosen_slots(std::uint32_t lanes, std::uint32_t first, std::uint32_t* to) {
+    for (; lanes != 0; lanes &= lanes - 1) *to++ = first + first_bit(lanes);
   }
 
  private:
@@ -61,10 +77,15 @@ void find_nearest(const TreeView& tree, const Point& place, core::NearestList& l
   nearest_around<Lanes>(tree, place, list);
 }
 
+void find_nearest_of_leaf(const TreeView& tree, std::size_t leaf, std::size_t wanted,
+                          LeafNeighbors& found) {
+  LeafWalk<Lanes>(tree, leaf, static_cast<unsigned>(wanted), found).run();
+}
+
 }  // namespace
 
 TreeWalks tree_walks_avx2() {
-  return {collect, find_nearest};
+  return {collect, find_nearest, find_nearest_of_leaf};
 }
 
 }  // namespace beespace::cpu

@@ -1,5 +1,6 @@
 // The walks for every processor: GNU vectors of four lanes, which are SSE2 on x86-64 and NEON on
 // ARM64.
+#include "kernels/leaf_walk_kernel.hpp"
 #include "kernels/tree_walk_kernel.hpp"
 
 #include <cstring>
@@ -54,11 +55,32 @@ class Lanes {
     }
     return above;
   }
+  [[nodiscard]] Lanes one_where_above(float value) const {
+    Lanes ones;
+    for (unsigned k = 0; k < kParts; ++k) {
+      const Masks above = parts_[k] > value;
+      const Floats one{1.0F, 1.0F, 1.0F, 1.0F};
+      Masks bits;
+      std::memcpy(&bits, &one, sizeof bits);
+      bits &= above;
+      std::memcpy(&ones.parts_[k], &bits, sizeof bits);
+    }
+    return ones;
+  }
   [[nodiscard]] std::uint32_t at_most(float limit) const {
     return bits([&](const Floats& part) -> Masks { return part <= limit; });
   }
   [[nodiscard]] std::uint32_t below(float limit) const {
     return bits([&](const Floats& part) -> Masks { return part < limit; });
+  }
+
+  void store_chosen(std::uint32_t lanes, float* to) const {
+    alignas(64) float values[kFanOut];
+    store(values);
+    for (; lanes != 0; lanes &= lanes - 1) *to++ = values[first_bit(lanes)];
+  }
+  static void store_chosen_slots(std::uint32_t lanes, std::uint32_t first, std::uint32_t* to) {
+    for (; lanes != 0; lanes &= lanes - 1) *to++ = first + first_bit(lanes);
   }
 
  private:
@@ -82,10 +104,15 @@ void find_nearest(const TreeView& tree, const Point& place, core::NearestList& l
   nearest_around<Lanes>(tree, place, list);
 }
 
+void find_nearest_of_leaf(const TreeView& tree, std::size_t leaf, std::size_t wanted,
+                          LeafNeighbors& found) {
+  LeafWalk<Lanes>(tree, leaf, static_cast<unsigned>(wanted), found).run();
+}
+
 }  // namespace
 
 TreeWalks tree_walks_baseline() {
-  return {collect, find_nearest};
+  return {collect, find_nearest, find_nearest_of_leaf};
 }
 
 }  // namespace beespace::cpu

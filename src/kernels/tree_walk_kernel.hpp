@@ -9,7 +9,12 @@
 //   load(const float*), store(float*), all(float)
 //   a - b, a + b, a * b                 rounded like floats; contraction does no harm here
 //   above_zero()                        max(a, 0), and 0 for what is not a number
+//   one_where_above(float)              1 in lanes above the value, and 0 elsewhere
 //   at_most(float), below(float)        one bit a lane; no bit for what is not a number
+//   store_chosen(bits, float*)          the lanes with a bit, one behind the other; what follows,
+//   up
+//                                       to 16 in all, may be written over
+//   store_chosen_slots(bits, first, std::uint32_t*)  the same of first, first + 1, ... first + 15
 //
 // What the floats promise. Write u = 2^-24. In the frame of a node of level 0 all points p have
 // coordinates in [-1, 1]; their floats are off by at most u. The place q can be anywhere; its
@@ -73,6 +78,20 @@ constexpr double kLargestNear = 0x1p+118;
   return static_cast<float>(squared < kLargestNear ? squared : kLargestNear);
 }
 
+// How far boxes are, on one axis, from the stretch between two places, or from a place: one of the
+// two is not above zero.
+template <class Lanes>
+[[gnu::always_inline]] inline Lanes gap(const float* its_low, const float* its_high,
+                                        const Lanes& low, const Lanes& high) {
+  return (Lanes::load(its_low) - high).above_zero() + (low - Lanes::load(its_high)).above_zero();
+}
+
+template <class Lanes>
+[[gnu::always_inline]] inline Lanes gap(const float* its_low, const float* its_high,
+                                        const Lanes& at) {
+  return gap(its_low, its_high, at, at);
+}
+
 // A place in the frame of a node.
 template <class Lanes>
 struct LocalPlace {
@@ -108,20 +127,16 @@ struct LocalPlace {
     if (value < -kFarthest) value = -kFarthest;
     return Lanes::all(static_cast<float>(value));
   }
-  // One of the two is not above zero.
-  [[gnu::always_inline]] static Lanes gap(const float* low, const float* high, const Lanes& at) {
-    return (Lanes::load(low) - at).above_zero() + (at - Lanes::load(high)).above_zero();
-  }
 };
+
+[[gnu::always_inline]] inline unsigned first_bit(std::uint32_t bits) {
+  return static_cast<unsigned>(__builtin_ctz(bits));
+}
 
 template <class Record>
 [[gnu::always_inline]] inline void prefetch(const Record& record) {
   const auto* const bytes = reinterpret_cast<const char*>(&record);
   for (unsigned at = 0; at < sizeof(Record); at += 64) __builtin_prefetch(bytes + at);
-}
-
-[[gnu::always_inline]] inline unsigned first_bit(std::uint32_t bits) {
-  return static_cast<unsigned>(__builtin_ctz(bits));
 }
 
 template <class Lanes>
@@ -193,21 +208,30 @@ template <class Lanes>
   return dx * dx + dy * dy + dz * dz;
 }
 
-// An upper limit of squares beyond which no point is among the `count` nearest, given the squares
-// of the points in a leaf. With s = kSlack, and k the count-th smallest of them, it is above
-// ((sqrt(k) + s) (1 + s) + s)^2 (1 + s)^2, which is the upper limit of the distance that surely
-// holds as many.
+// The count-th smallest of the squares of the points in a leaf.
 template <class Lanes>
-[[gnu::always_inline]] inline float limit_in_leaf(const Lanes& squares, std::size_t count) {
+[[gnu::always_inline]] inline float square_in_leaf(const Lanes& squares, std::size_t count) {
   alignas(64) float values[kFanOut];
   squares.store(values);
-  float limit = 0.0F;
-  for (const float value : values) {
-    const auto smaller = static_cast<unsigned>(__builtin_popcount(squares.below(value)));
-    const bool counts = smaller < count && value > limit;
-    limit = counts ? value : limit;
+  Lanes smaller = Lanes::all(0.0F);  // how many are smaller than each
+  for (const float value : values) smaller = smaller + squares.one_where_above(value);
+  const auto before = static_cast<float>(count - 1);
+  const std::uint32_t few_smaller = smaller.at_most(before);
+  const std::uint32_t exactly = few_smaller & ~smaller.below(before);
+  if (exactly != 0) return values[first_bit(exactly)];
+  float found = 0.0F;  // one of several equal ones: the largest that few are smaller than
+  for (std::uint32_t left = few_smaller; left != 0; left &= left - 1) {
+    const float value = values[first_bit(left)];
+    found = value > found ? value : found;
   }
-  return limit + 0x1p-17F * (1.0F + limit);
+  return found;
+}
+
+// The square beyond which no point is among the wanted ones, if as many have squares of at most
+// `enough`: with s = kSlack, it is above ((sqrt(enough) + s) (1 + s) + s)^2 (1 + s)^2, the upper
+// limit of the distance that surely holds as many.
+[[gnu::always_inline]] inline float limit_beyond(float enough) {
+  return enough + 0x1p-17F * (1.0F + enough);
 }
 
 template <class Lanes>
@@ -219,7 +243,7 @@ template <class Lanes>
   std::uint32_t within = squares.at_most(far_squared);
   if (within == 0) return;
   if (list.most <= kFanOut && !list.is_full) {
-    within &= squares.at_most(limit_in_leaf(squares, list.most));
+    within &= squares.at_most(limit_beyond(square_in_leaf(squares, list.most)));
   }
   for (; within != 0; within &= within - 1) {
     const unsigned at = first_bit(within);

@@ -9,9 +9,7 @@ namespace beespace::core {
 
 namespace {
 
-// Two squared_distances (each right to 5 u + O(u^2), u = 2^-53) that differ by more than this
-// factor are in the order of the distances: 11 u < 16 u.
-constexpr double kMore = 1.0 + 0x1p-49;
+constexpr double kMore = 1.0 + 0x1p-49;  // as in is_surely_nearer
 
 }  // namespace
 
@@ -27,8 +25,8 @@ void NearestList::start(const Point& place, std::size_t count, double reach_with
 }
 
 bool NearestList::is_before(const Candidate& a, const Candidate& b) const {
-  if (a.squared * kMore < b.squared) return true;
-  if (b.squared * kMore < a.squared) return false;
+  if (is_surely_nearer(a.squared, b.squared)) return true;
+  if (is_surely_nearer(b.squared, a.squared)) return false;
   if (*a.point == *b.point) return a.id < b.id;
   const int order = compare_distances(*a.point, place_, *b.point, place_);
   return order != 0 ? order < 0 : a.id < b.id;

@@ -10,8 +10,17 @@
 
 namespace beespace::core {
 
+// Whether a point is surely nearer than another one, by their squared_distances (each right to
+// 5 u + O(u^2), u = 2^-53): those that differ by more than 11 u are in the order of the distances.
+inline bool is_surely_nearer(double squared, double other_squared) {
+  return squared * (1.0 + 0x1p-49) < other_squared;
+}
+
 class NearestList {
  public:
+  // Room for so many, so that looking for them allocates nothing.
+  void reserve(std::size_t count) { found_.reserve(count); }
+
   // Looks for the `count` nearest to `place`, at least one. Points farther away than
   // `reach_within_m` may be left out: give a distance within which there surely are as many, or
   // infinity.

@@ -129,7 +129,7 @@ TEST(FoundPairs, KnowHowManyTheyAre) {
 
 // Enough for chunks of the later size.
 TEST(FoundPairs, AreOrderedFromChunksOfAnySize) {
-  const std::size_t many = kFirstChunks * kFirstChunk + kLaterChunk + 1000;
+  const std::size_t many = kFirstChunks * kFirstChunk + kLaterChunk + 999;
   const Pairs pairs = Drawing(2).pairs(many, 0, 1U << 20);
   Memory memory;
   FoundPairs found(memory);

@@ -154,7 +154,7 @@ BEESPACE_C_API beespace_code beespace_groups(beespace_engine* engine, const bees
 
 /// @brief Which are the k nearest points of each point, however far?
 ///
-/// Some hundred nanoseconds a point and about a hundred a neighbour; at most 104 bytes a point,
+/// Some hundred nanoseconds a point and some tens a neighbour; at most 104 bytes a point,
 /// besides 16 bytes a neighbour and the answer.
 ///
 /// @param engine Keeps memory and threads for the next call; or NULL.

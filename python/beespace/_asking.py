@@ -1,0 +1,74 @@
+"""How questions about points reach the library, and what comes back."""
+
+from __future__ import annotations
+
+import ctypes
+from typing import Any
+
+import numpy as np
+
+from beespace import _library
+from beespace._answers import Nearest
+from beespace._calls import check, run_of
+from beespace._columns import Result
+from beespace._frames import check_frames
+from beespace._points import Points
+
+
+class Asking:
+    """Asks functions of the library: by itself without an engine."""
+
+    __slots__ = ()
+
+    def _ask(
+        self,
+        function: Any,
+        points: Points,
+        others: Points | None,
+        arguments: tuple[Any, ...],
+        threads: int,
+        two_sets: bool = True,
+    ) -> Result:
+        error = _library.new_error()
+        result = Result()
+        run = run_of(threads, points.count + (0 if others is None else others.count))
+        sets: tuple[Any, ...] = (ctypes.byref(points.struct),)
+        if two_sets:
+            sets += (None if others is None else ctypes.byref(others.struct),)
+        code = self._call(
+            function,
+            (
+                *sets,
+                *arguments,
+                None if run is None else ctypes.byref(run),
+                result.handle,
+                ctypes.byref(error),
+            ),
+        )
+        if code != _library.OK:
+            check(code, error)
+        return result
+
+    def _call(self, function: Any, arguments: tuple[Any, ...]) -> int:
+        return int(function(None, *arguments))
+
+
+def nearest_of(result: Result, rows: int, k: int) -> Nearest:
+    """Rows of k entries, filled up where there are fewer."""
+    ids, distances = result.ids(), result.distances()
+    if len(ids) == rows * k:
+        return Nearest(ids.reshape(rows, k), distances.reshape(rows, k))
+    found = len(ids) // rows
+    all_ids = np.full((rows, k), -1, np.int64)
+    all_distances = np.full((rows, k), np.inf)
+    all_ids[:, :found] = ids.reshape(rows, found)
+    all_distances[:, :found] = distances.reshape(rows, found)
+    return Nearest(all_ids, all_distances)
+
+
+def sets_of(
+    points: Any, others: Any, copy: bool, vertical: Any = None
+) -> tuple[Points, Points | None]:
+    check_frames(points, others, vertical)
+    first = Points(points, "points", copy)
+    return first, None if others is None else Points(others, "others", copy)
