@@ -69,7 +69,8 @@ void beespace_guidance::clear() {
 void beespace_guidance::resize(std::size_t size) {
   agents.resize(size);
   for (auto* const numbers : {&contracts, &reasons, &kinds, &branches}) numbers->resize(size);
-  for (auto* const flags : {&certified, &clear_of_intruders, &commanded}) flags->resize(size);
+  for (auto* const flags : {&certified, &keeps_apart, &clear_of_intruders, &commanded})
+    flags->resize(size);
   for (auto* const threes : {&positions, &velocities}) threes->resize(3 * size);
   for (auto* const lengths : {&tubes_m, &deviations_m}) lengths->resize(size);
 }
@@ -83,6 +84,7 @@ void beespace_guidance::write() {
     contracts[i] = beespace::c::contract_of(agent.contract);
     reasons[i] = beespace::c::reason_of(agent.reason);
     certified[i] = agent.certified ? 1 : 0;
+    keeps_apart[i] = agent.keeps_apart ? 1 : 0;
     clear_of_intruders[i] = agent.clear_of_intruders ? 1 : 0;
     kinds[i] = beespace::c::kind_of(agent.kind);
     commanded[i] = agent.commanded ? 1 : 0;
@@ -142,6 +144,10 @@ const int32_t* beespace_guidance_reasons(const beespace_guidance* guidance) {
 
 const uint8_t* beespace_guidance_certified(const beespace_guidance* guidance) {
   return guidance == nullptr ? nullptr : guidance->certified.data();
+}
+
+const uint8_t* beespace_guidance_keeps_apart(const beespace_guidance* guidance) {
+  return guidance == nullptr ? nullptr : guidance->keeps_apart.data();
 }
 
 const uint8_t* beespace_guidance_clear_of_intruders(const beespace_guidance* guidance) {

@@ -18,6 +18,7 @@ struct beespace_guidance {
   beespace::c::Column<std::int32_t> contracts;
   beespace::c::Column<std::int32_t> reasons;
   beespace::c::Column<std::uint8_t> certified;
+  beespace::c::Column<std::uint8_t> keeps_apart;
   beespace::c::Column<std::uint8_t> clear_of_intruders;
   beespace::c::Column<std::int32_t> kinds;
   beespace::c::Column<std::uint8_t> commanded;

@@ -69,7 +69,8 @@ void append_ticked(std::string& out, const Guidance& guidance) {
 
 bool GuidanceLines::is_new(const AgentGuidance& agent) {
   if (wanted_ != StatusLines::kChanges) return wanted_ == StatusLines::kAll;
-  const Told now{agent.contract, agent.reason, agent.certified, agent.clear_of_intruders};
+  const Told now{agent.contract, agent.reason, agent.certified, agent.keeps_apart,
+                 agent.clear_of_intruders};
   const auto [told, first] = told_.try_emplace(agent.agent, now);
   if (!first && told->second == now) return false;
   told->second = now;

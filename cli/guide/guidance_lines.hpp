@@ -25,6 +25,7 @@ class GuidanceLines {
     Contract contract = Contract::kKept;
     ContractReason reason = ContractReason::kNone;
     bool certified = false;
+    bool keeps_apart = false;
     bool clear_of_intruders = false;
 
     friend bool operator==(const Told&, const Told&) = default;

@@ -340,8 +340,8 @@ struct NearFence {
 struct IntruderConflict {
   PointId agent = 0;         ///< The index of the agent.
   std::size_t intruder = 0;  ///< The index of the intruder.
-  double begins_s = 0.0;     ///< When the conflict begins, in seconds.
-  double closest_m = 0.0;    ///< How close they come, in metres.
+  double begins_s = 0.0;     ///< When the conflict begins at the earliest, in seconds.
+  double closest_m = 0.0;    ///< They stay so far apart, in metres, and hardly come less close.
 
   friend constexpr bool operator==(const IntruderConflict&, const IntruderConflict&) = default;
 };

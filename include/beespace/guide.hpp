@@ -104,11 +104,15 @@ struct AgentGuidance {
   AgentId agent = 0;                              ///< Who.
   Contract contract = Contract::kKept;            ///< Whether its figures hold.
   ContractReason reason = ContractReason::kNone;  ///< Why not.
+  /// @brief The all-clear: `keeps_apart`, `clear_of_intruders`, and a contract that is kept.
+  bool certified = false;
   /// @brief Proven: as long as all keep the contract, it keeps the threshold from all others that
   /// keep it, and the clearance, for ever. Whether they do says `contract`: never of one that is
   /// out, and of one that is doubted its reports alone do not prove it.
-  bool certified = false;
-  bool clear_of_intruders = false;      ///< As Advice::clear_of_intruders.
+  bool keeps_apart = false;
+  /// @brief Predicted, not proven, for GuideOptions::intruder_horizon_s: no intruder comes too
+  /// close, if all fly straight on, and the agent on its newest branch and as it is told now.
+  bool clear_of_intruders = false;
   AdviceKind kind = AdviceKind::kNone;  ///< How it flies, compared with what is preferred.
   bool commanded = false;               ///< Whether there is a command for it in this tick.
   std::uint32_t branches = 0;           ///< On how many branches it can be.

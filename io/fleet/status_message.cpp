@@ -66,7 +66,7 @@ void append_status(std::string& out, std::string_view id, std::string_view advic
     json.begin_object().member("event", "status").member("id", id);
     write_tick(json, "tick", tick);
     json.member("contract", name_of(told.contract)).member("reason", name_of(told.reason));
-    json.member("certified", told.certified);
+    json.member("certified", told.certified).member("keeps_apart", told.keeps_apart);
     json.member("clear_of_intruders", told.clear_of_intruders);
     json.member("advice", advice).member("commanded", told.commanded);
     json.member("branches", told.branches);
@@ -84,6 +84,7 @@ StatusMessage read_status(FleetFields& fields) {
   told.contract = read_word(fields, "contract", kContracts);
   told.reason = read_word(fields, "reason", kReasons);
   told.certified = fields.flag("certified");
+  told.keeps_apart = fields.flag("keeps_apart");
   told.clear_of_intruders = fields.flag("clear_of_intruders");
   fields.text("advice");
   told.commanded = fields.flag("commanded");

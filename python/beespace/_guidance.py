@@ -66,11 +66,14 @@ class Guidance(Table):
     reason : ndarray of str, shape (n,)
         Why not: "none", "deviation", "rate", "silent", "no_branch" or "future".
     certified : ndarray of bool, shape (n,)
+        The all-clear: `keeps_apart`, `clear_of_intruders`, and a contract that is kept.
+    keeps_apart : ndarray of bool, shape (n,)
         Proven: as long as all keep the contract, it keeps the threshold from all others that keep
         it, and the clearance, for ever. Of one whose contract is doubted or out that condition does
         not hold.
     clear_of_intruders : ndarray of bool, shape (n,)
-        As of `Advice`.
+        Predicted: no intruder comes too close, if all fly straight on, and the agent on its newest
+        branch and as it is told now.
     kind : ndarray of str, shape (n,)
         As of `Advice`.
     commanded : ndarray of bool, shape (n,)
@@ -108,6 +111,7 @@ class Guidance(Table):
         "contract",
         "deviation",
         "intruder_conflicts",
+        "keeps_apart",
         "kind",
         "near_fence",
         "near_obstacle",
@@ -139,6 +143,9 @@ class Guidance(Table):
         ]
         self.reason: NDArray[np.str_] = _reasons[numbers(at_once.beespace_guidance_reasons, "<i4")]
         self.certified: NDArray[np.bool_] = numbers(at_once.beespace_guidance_certified, "|b1")
+        self.keeps_apart: NDArray[np.bool_] = numbers(
+            at_once.beespace_guidance_keeps_apart, "|b1"
+        )
         self.clear_of_intruders: NDArray[np.bool_] = numbers(
             at_once.beespace_guidance_clear_of_intruders, "|b1"
         )
@@ -189,13 +196,14 @@ class Guidance(Table):
         >>> guide = beespace.Guide(3, max_speed=6, max_acceleration=4)
         >>> joined = guide.join(7, [0, 0, 30])
         >>> list(guide.step(1).columns())[:5]
-        ['agent', 'contract', 'reason', 'certified', 'clear_of_intruders']
+        ['agent', 'contract', 'reason', 'certified', 'keeps_apart']
         """
         return {
             "agent": self.agents,
             "contract": self.contract,
             "reason": self.reason,
             "certified": self.certified,
+            "keeps_apart": self.keeps_apart,
             "clear_of_intruders": self.clear_of_intruders,
             "kind": self.kind,
             "commanded": self.commanded,

@@ -1,7 +1,7 @@
 #include <beespace/advise.hpp>
-#include <beespace/closest_approach.hpp>
 #include <beespace/crew.hpp>
 
+#include "avoidance/advised_flight.hpp"
 #include "avoidance/agent_states.hpp"
 #include "avoidance/constraint_builder.hpp"
 #include "avoidance/intake.hpp"
@@ -266,7 +266,7 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     std::sort(advised.too_close.begin(), advised.too_close.end(),
               [](const TooClose& a, const TooClose& b) { return a.pair < b.pair; });
     for (TooClose& close : advised.too_close) {
-      close.clear_s = time_to_clear(close.pair, advised);
+      close.clear_s = time_to_clear(close.pair, options, advised);
     }
     keep_nearest_pieces(advised.near_obstacle);
     std::sort(advised.near_fence.begin(), advised.near_fence.end(),
@@ -290,36 +290,30 @@ class __attribute__((visibility("hidden"))) Adviser::State {
     advice.certified = advice.keeps_apart && advice.clear_of_intruders && advice.clear_of_unknown;
   }
 
-  // Conflicts with intruders, from a bee's position and its advised velocity.
-  [[nodiscard]] Mover as_advised(PointId bee, const Advised& advised) const {
-    const Vector3& p = agents_[bee].position;
-    return {{p.x, p.y, p.z}, advised.advice[bee].velocity};
+  [[nodiscard]] avoidance::AdvisedFlight as_advised(PointId bee, const Advised& advised) const {
+    return {agents_[bee], advised.advice[bee].velocity};
   }
 
-  [[nodiscard]] double time_to_clear(const Pair& pair, const Advised& advised) const {
-    constexpr double kForever_s = 1e9;
-    const auto approach =
-        closest_approach(as_advised(pair.first, advised), as_advised(pair.second, advised),
-                         {.threshold_m = agents_.asked_m(pair), .horizon_s = kForever_s});
-    if (!approach || !approach->conflict) return 0.0;
-    const double end_s = approach->conflict->ends_s;
-    return end_s < kForever_s ? end_s : std::numeric_limits<double>::infinity();
+  [[nodiscard]] double time_to_clear(const Pair& pair, const AdviseOptions& options,
+                                     const Advised& advised) const {
+    const auto meeting = avoidance::AdvisedFlight::meeting(
+        as_advised(pair.first, advised), as_advised(pair.second, advised), agents_.asked_m(pair),
+        options.step_s, std::numeric_limits<double>::infinity());
+    return meeting ? meeting->ends_s : 0.0;
   }
 
   void collect_intruders(PointId bee, const ConstraintBuilder& constraint_builder,
                          const AdviseOptions& options, Advised& advised) const {
-    const Mover mover = as_advised(bee, advised);
+    const avoidance::AdvisedFlight flight = as_advised(bee, advised);
     for (std::size_t k = 0; k < options.intruders.size(); ++k) {
       if (!constraint_builder.may_come_close(bee, k)) continue;
-      const auto approach =
-          closest_approach(mover, options.intruders[k],
-                           {.threshold_m = agents_.apart_from(0.0, bee).asked_m +
-                                           constraint_builder.intruder_margin_m(k),
-                            .horizon_s = options.intruder_horizon_s});
-      if (!approach || !approach->conflict) continue;
+      const auto meeting = avoidance::AdvisedFlight::meeting(
+          flight, avoidance::AdvisedFlight(options.intruders[k]),
+          agents_.apart_from(0.0, bee).asked_m + constraint_builder.intruder_margin_m(k),
+          options.step_s, options.intruder_horizon_s);
+      if (!meeting) continue;
       advised.advice[bee].clear_of_intruders = false;
-      advised.intruder_conflicts.push_back(
-          {bee, k, approach->conflict->begins_s, approach->closest_m});
+      advised.intruder_conflicts.push_back({bee, k, meeting->begins_s, meeting->closest_m});
     }
   }
 

@@ -98,6 +98,7 @@ class __attribute__((visibility("hidden"))) Guide::State {
   [[nodiscard]] static bool is_unknown(const Member& member);
   [[nodiscard]] Velocity preferred(const Member& member, const Point& from) const;
   void tell(PointId index, Tick now, Guidance& guidance);
+  [[nodiscard]] bool meets_before_departing(PointId index, Tick now);
   static bool command(Member& member, const Advice& advice, Guidance& guidance);
   void tell_findings(Guidance& guidance) const;
   // How far ahead to keep clear of agents that are out of their tubes, which are looked at anew in
@@ -150,6 +151,7 @@ class __attribute__((visibility("hidden"))) Guide::State {
   std::vector<Mover> intruder_movers_;
   std::vector<double> intruder_margins_m_;
   std::vector<std::size_t> intruders_of_step_;  // as they were given
+  std::vector<AgentAndObject> met_early_;       // intruders, before commands of the step depart
 };
 
 }  // namespace beespace

@@ -1,4 +1,5 @@
 // One tick of a Guide: claims of all, advice, commands.
+#include "avoidance/advised_flight.hpp"
 #include "fleet/check_figures.hpp"
 #include "guide/guide_state.hpp"
 #include "motion/flush.hpp"
@@ -204,6 +205,35 @@ void Guide::State::prepare_intruders(Tick now) {
   }
 }
 
+// The adviser looks from where commands depart. Whether an intruder comes too close on the way
+// there; then it is added to the conflicts.
+bool Guide::State::meets_before_departing(PointId index, Tick now) {
+  const Member& member = members_[index];
+  const double apart_m =
+      farthest_apart_m(member.radius_m, 0.5 * options_.threshold_m) + member.tube.radius_m;
+  const Tick departs = now + options_.link.command_delay;
+  bool meets = false;
+  for (std::size_t k = 0; k < intruder_movers_.size(); ++k) {
+    const Mover& there = intruder_movers_[k];
+    std::optional<double> closest_m;
+    for (Tick tick = now; tick < departs; ++tick) {
+      const Mover from = member.branches.base_state(tick);
+      const avoidance::AdvisedFlight agent(from, member.branches.base_state(tick + 1).velocity);
+      const double before_s = seconds(departs - tick);
+      const auto& [p, v] = there;
+      const avoidance::AdvisedFlight intruder(
+          Mover{{p.x - v.x * before_s, p.y - v.y * before_s, p.z - v.z * before_s}, v});
+      const auto meeting = avoidance::AdvisedFlight::meeting(
+          agent, intruder, apart_m + intruder_margins_m_[k], seconds(1), seconds(1));
+      if (meeting) closest_m = std::min(meeting->closest_m, closest_m.value_or(meeting->closest_m));
+    }
+    if (!closest_m) continue;
+    meets = true;
+    met_early_.push_back({member.id, intruders_of_step_[k], *closest_m});
+  }
+  return meets;
+}
+
 // Those that joined before the first tick was known join with it.
 void Guide::State::begin(Tick now) {
   for (Member& member : members_) {
@@ -268,6 +298,7 @@ Status Guide::State::step(Tick now, Guidance& guidance, const std::stop_token& s
     return done;
   }
   guidance.tick = now;
+  met_early_.clear();
   for (const auto& [id, index] : by_id_) tell(index, now, guidance);
   tell_findings(guidance);
   return std::monostate{};
@@ -280,10 +311,12 @@ void Guide::State::tell(PointId index, Tick now, Guidance& guidance) {
   told.agent = member.id;
   told.contract = member.monitor.contract();
   told.reason = member.monitor.reason();
-  told.certified = advice.keeps_apart && advice.clear_of_unknown &&
-                   told.contract != Contract::kOut && !member.branches.awaits_root() &&
-                   expected_.empty();
-  told.clear_of_intruders = advice.clear_of_intruders && !intruder_anywhere_ && !intruder_lost_;
+  told.keeps_apart = advice.keeps_apart && advice.clear_of_unknown &&
+                     told.contract != Contract::kOut && !member.branches.awaits_root() &&
+                     expected_.empty();
+  told.clear_of_intruders = advice.clear_of_intruders && !intruder_anywhere_ && !intruder_lost_ &&
+                            !meets_before_departing(index, now);
+  told.certified = told.keeps_apart && told.clear_of_intruders && told.contract == Contract::kKept;
   told.kind = advice.kind;
   told.tube_m = member.tube.radius_m;
   told.deviation_m = member.monitor.deviation_m();
@@ -331,7 +364,13 @@ void Guide::State::tell_findings(Guidance& guidance) const {
   for (const NearFence& near : advised_.near_fence) {
     guidance.near_fence.push_back({id(near.agent), near.fence, near.gap_m});
   }
+  // Of one that is met before and after, the first is as near.
+  for (const AgentAndObject& met : met_early_) guidance.intruder_conflicts.push_back(met);
   for (const IntruderConflict& conflict : advised_.intruder_conflicts) {
+    const auto is_met = [&](const AgentAndObject& met) {
+      return met.agent == id(conflict.agent) && met.object == intruders_of_step_[conflict.intruder];
+    };
+    if (std::any_of(met_early_.begin(), met_early_.end(), is_met)) continue;
     guidance.intruder_conflicts.push_back(
         {id(conflict.agent), intruders_of_step_[conflict.intruder], conflict.closest_m});
   }

@@ -2,7 +2,6 @@
 #include "tests/avoidance/flock.hpp"
 #include "tests/avoidance/intruder.hpp"
 #include "tests/support/rounds.hpp"
-#include "tests/verify/curve_oracle.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,19 +16,6 @@ namespace {
 using scenes::RandomStream;
 using test::Flock;
 
-double closest_in_step(Mover from, const Mover& to, const Mover& intruder, bool at_once,
-                       double step_s) {
-  if (at_once) from.velocity = to.velocity;
-  const Mover later{test::moved(intruder.position, intruder.velocity, step_s), intruder.velocity};
-  // The minimum of a smooth distance, so a few samples find its neighbourhood.
-  const auto distance = [&](long double u) {
-    const auto a = test::place_at(from, to, step_s, u);
-    const auto b = test::place_at(intruder, later, step_s, u);
-    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-  };
-  return static_cast<double>(test::least_of(distance, 4));
-}
-
 // One bee with a constant preferred velocity, and intruders that fly straight on: the closest
 // distance to any of them.
 double closest_of_all(Flock& flock, const Velocity& wish, std::vector<Mover> intruders, int steps) {
@@ -41,8 +27,9 @@ double closest_of_all(Flock& flock, const Velocity& wish, std::vector<Mover> int
     const Mover before = flock.movers[0];
     test::fly_a_step(flock, adviser, {wish}, advised);
     for (const Mover& intruder : intruders) {
-      closest_m = std::min(closest_m, closest_in_step(before, flock.movers[0], intruder,
-                                                      flock.at_once(0), flock.options.step_s));
+      closest_m =
+          std::min(closest_m, test::closest_in_step(before, flock.movers[0], intruder,
+                                                    flock.at_once(0), flock.options.step_s));
     }
     test::fly_on(intruders, flock.options.step_s);
   }
@@ -135,6 +122,73 @@ TEST(Intruders, ABeeThatIsTooCloseGetsAway) {
       EXPECT_GE(test::distance_of(flock.movers[0].position, {at.x + far_m, at.y, at.z}), 5.0);
     }
   }
+}
+
+// A step is long enough to come too close in it, on the way from one velocity to the other.
+TEST(Intruders, AreMetWithinTheStepToo) {
+  Flock flock = one_bee(6.0, {3, 0, 0});
+  flock.options.threshold_m = 2.0;
+  flock.options.step_s = 1.0;
+  flock.limits = {{6.0, 6.0}};
+  flock.movers = {{{0, 0, 0}, {3, 0, 0}}};
+  flock.options.intruders = std::vector<Mover>{{{2.2, 0, 0}, {}}};
+  const auto advised =
+      advise(flock.movers, std::vector<Velocity>{{-3, 0, 0}}, flock.limits, flock.options);
+  ASSERT_TRUE(advised);
+  const double closest_m = test::closest_as_advised(flock.movers[0], advised->advice[0].velocity,
+                                                    flock.options.intruders[0], false, 1.0, 10.0);
+  ASSERT_LT(closest_m, 2.0);  // 1.45
+  EXPECT_FALSE(advised->advice[0].clear_of_intruders);
+  EXPECT_FALSE(advised->advice[0].certified);
+  ASSERT_EQ(advised->intruder_conflicts.size(), 1U);
+  EXPECT_LE(advised->intruder_conflicts[0].closest_m, closest_m);
+}
+
+TEST(Intruders, AreMetWhereTheArcOfTheStepSaysSo) {
+  RandomStream random(7);
+  int met = 0;
+  int clear = 0;
+  int in_doubt = 0;
+  for (int round = 0; round < test::rounds(4000); ++round) {
+    const double acceleration = round % 5 == 0 ? test::kNoLimit : random.uniform(0.5, 20.0);
+    Flock flock = one_bee(acceleration, {});
+    flock.options.threshold_m = 2.0;
+    flock.options.step_s = round % 2 == 0 ? random.uniform(0.01, 3.0) : 0.1;
+    flock.options.intruder_horizon_s = round % 7 == 0 ? 0.05 : 8.0;
+    const auto any = [&](double size) {
+      const auto [x, y, z] = scenes::random_direction(random);
+      return test::scaled({x, y, z}, random.uniform(0.0, size));
+    };
+    flock.movers = {{test::moved({}, any(1.0), 1.0), any(10.0)}};
+    const std::vector<Mover> intruders{{test::moved({}, any(20.0), 1.0), any(12.0)}};
+    flock.options.intruders = intruders;
+    const auto advised =
+        advise(flock.movers, std::vector<Velocity>{any(10.0)}, flock.limits, flock.options);
+    ASSERT_TRUE(advised);
+    const Advice& advice = advised->advice[0];
+    const double closest_m = test::closest_as_advised(
+        flock.movers[0], advice.velocity, intruders[0], std::isinf(acceleration),
+        std::min(flock.options.step_s, flock.options.intruder_horizon_s),
+        flock.options.intruder_horizon_s);
+    if (flock.options.step_s > flock.options.intruder_horizon_s) continue;  // an arc cut short
+    const Velocity& v = flock.movers[0].velocity;
+    const Velocity change{advice.velocity.x - v.x, advice.velocity.y - v.y,
+                          advice.velocity.z - v.z};
+    const double strays_m =
+        std::isinf(acceleration) ? 0.0 : test::length_of(change) * flock.options.step_s / 8.0;
+    if (closest_m < 2.0 - 1e-9) {
+      ++met;
+      EXPECT_FALSE(advice.clear_of_intruders) << "round " << round << ": " << closest_m;
+    } else if (closest_m > 2.0 + 2.0 * strays_m + 1e-9) {
+      ++clear;
+      EXPECT_TRUE(advice.clear_of_intruders) << "round " << round << ": " << closest_m;
+    } else {
+      ++in_doubt;
+    }
+  }
+  EXPECT_GT(met, test::rounds(4000) / 20);
+  EXPECT_GT(clear, test::rounds(4000) / 4);
+  EXPECT_LT(in_doubt, test::rounds(4000) / 5);
 }
 
 // Away from two at once: between the two directions.

@@ -51,6 +51,7 @@ void expect_same(const beespace_guidance* found, const Guidance& expected) {
     EXPECT_EQ(beespace_guidance_contracts(found)[i], static_cast<int>(one.contract));
     EXPECT_EQ(beespace_guidance_reasons(found)[i], static_cast<int>(one.reason));
     EXPECT_EQ(beespace_guidance_certified(found)[i], one.certified ? 1 : 0);
+    EXPECT_EQ(beespace_guidance_keeps_apart(found)[i], one.keeps_apart ? 1 : 0);
     EXPECT_EQ(beespace_guidance_clear_of_intruders(found)[i], one.clear_of_intruders ? 1 : 0);
     EXPECT_EQ(beespace_guidance_kinds(found)[i], static_cast<int>(one.kind));
     EXPECT_EQ(beespace_guidance_commanded(found)[i], one.commanded ? 1 : 0);
@@ -222,7 +223,7 @@ TEST_F(CGuide, SaysWhatThatOfCppSaysWhateverBecomesOfMessages) {
     }
     if (tick == 110) {
       EXPECT_TRUE(std::all_of(expected.agents.begin(), expected.agents.end(),
-                              [](const AgentGuidance& a) { return a.certified; }));
+                              [](const AgentGuidance& a) { return a.keeps_apart; }));
     }
   }
   EXPECT_GT(commands, 100U);

@@ -337,8 +337,9 @@ TEST(GuideEnds, IntrudersThatGrowWithoutBoundVoidNoAnswer) {
     ASSERT_TRUE(guide.set_intruders({{intruder}}));
     for (const Tick tick : {Tick{2}, Tick{3}, kMost}) {
       ASSERT_TRUE(guide.step(tick, guidance)) << tick;
-      EXPECT_TRUE(guidance.agents.at(0).certified);
+      EXPECT_TRUE(guidance.agents.at(0).keeps_apart);
       EXPECT_FALSE(guidance.agents.at(0).clear_of_intruders);
+      EXPECT_FALSE(guidance.agents.at(0).certified);
     }
     ASSERT_TRUE(guide.set_intruders({}));
   }

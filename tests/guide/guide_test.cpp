@@ -289,6 +289,56 @@ TEST(Guide, GivesWayToIntrudersAndNamesThoseThatCannotBe) {
   EXPECT_TRUE(fleet.told(1).clear_of_intruders);
 }
 
+// What flies across an agent's way now is met before a command of now takes effect.
+TEST(Guide, SeesIntrudersOnTheWayToWhereCommandsDepart) {
+  GuideOptions options = small_options();
+  options.threshold_m = 2.0;
+  options.link = {.period_s = 0.5, .command_delay = 3, .longest_loss = 4};
+  options.limits = {6.0, 6.0};
+  std::mt19937 random(5);
+  const auto any = [&](double most) {
+    return std::uniform_real_distribution<double>(-most, most)(random);
+  };
+  int met = 0;
+  int early = 0;
+  for (int round = 0; round < 300; ++round) {
+    SmallFleet fleet(options);
+    fleet.join(1, {0, 0, 0});
+    const double apart_m = 2.0 + fleet.guide().tube(1).value().radius_m;
+    for (int k = 0; k < 14; ++k) {
+      if (k % 7 == 1) {
+        ASSERT_TRUE(fleet.guide().set_goal(1, Point{any(20), any(20), any(20)}));
+      }
+      fleet.step();
+    }
+    const Point here = fleet.place(1);
+    const Mover intruder{{here.x + any(4), here.y + any(4), here.z + any(4)},
+                         {any(8), any(8), any(8)}};
+    ASSERT_TRUE(fleet.guide().set_intruders({{{.mover = intruder}}}));
+    fleet.step();
+    const bool said_clear = fleet.told(1).clear_of_intruders;
+    const bool said_conflict = !fleet.guidance().intruder_conflicts.empty();
+    EXPECT_EQ(said_clear, !said_conflict);
+    EXPECT_FALSE(fleet.told(1).certified && said_conflict);
+    // Its places at the ticks of the delay, where a command cannot change them any more.
+    double closest = 1e9;
+    for (int k = 0; k <= 3; ++k) {
+      if (k > 0) fleet.step();
+      const double s = 0.5 * k;
+      const auto& [p, v] = intruder;
+      closest = std::min(closest,
+                         distance(fleet.place(1), {p.x + v.x * s, p.y + v.y * s, p.z + v.z * s}));
+    }
+    if (closest < apart_m - 1e-9) {
+      ++met;
+      EXPECT_FALSE(said_clear) << round << ": " << closest;
+    }
+    early += said_conflict ? 1 : 0;
+  }
+  EXPECT_GT(met, 25);
+  EXPECT_LT(early, 290);
+}
+
 // An acknowledgement that the agent never sent rules out the branch that it is on.
 TEST(Guide, AForgedAcknowledgementNamesTheAgent) {
   SmallFleet fleet(small_options());

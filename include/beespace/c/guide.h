@@ -282,12 +282,18 @@ BEESPACE_C_API const int32_t* beespace_guidance_contracts(const beespace_guidanc
 /// @param guidance The guidance.
 /// @return As beespace_guidance_contracts().
 BEESPACE_C_API const int32_t* beespace_guidance_reasons(const beespace_guidance* guidance);
-/// @brief Gives what is proven: as long as all keep the contract, the agent keeps the threshold
-/// from all others that keep it, and the clearance, for ever.
+/// @brief Gives the all-clear: what beespace_guidance_keeps_apart() and
+/// beespace_guidance_clear_of_intruders() give, and a contract that is kept.
 /// @param guidance The guidance.
 /// @return 1 or 0 for each agent; NULL of no agent.
 BEESPACE_C_API const uint8_t* beespace_guidance_certified(const beespace_guidance* guidance);
-/// @brief Gives what is predicted: as beespace_advice_clear_of_intruders().
+/// @brief Gives what is proven: as long as all keep the contract, the agent keeps the threshold
+/// from all others that keep it, and the clearance, for ever.
+/// @param guidance The guidance.
+/// @return As beespace_guidance_certified().
+BEESPACE_C_API const uint8_t* beespace_guidance_keeps_apart(const beespace_guidance* guidance);
+/// @brief Gives what is predicted: no intruder comes too close, if all fly straight on, and the
+/// agent on its newest branch and as it is told now.
 /// @param guidance The guidance.
 /// @return As beespace_guidance_certified().
 BEESPACE_C_API const uint8_t* beespace_guidance_clear_of_intruders(
