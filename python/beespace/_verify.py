@@ -20,7 +20,9 @@ class Verifier:
 
     In a step an agent flies on the cubic curve that has its positions and velocities at both ends,
     which is how it flies where it accelerates evenly; or, with `straight`, in a straight line. All of
-    the time in between is looked at, not samples of it. What rounding cannot exclude counts as found.
+    the time in between is looked at, not samples of it. What rounding cannot exclude counts as found; of speeds and
+    accelerations, what it may explain does not count: with times from 1970 and fixes 0.02 s apart, a
+    tenth of a metre per second squared. Let times begin with the flight.
 
     One call at a time: a thread waits until the call of another has ended.
 
@@ -149,7 +151,9 @@ def verify(
 
     Between two fixes an agent flies on the cubic curve that has its positions and velocities at both,
     which is how it flies where it accelerates evenly; without velocities in a straight line. All of
-    the time in between is looked at, not samples of it. What rounding cannot exclude counts as found.
+    the time in between is looked at, not samples of it. What rounding cannot exclude counts as found; of speeds and
+    accelerations, what it may explain does not count: with times from 1970 and fixes 0.02 s apart, a
+    tenth of a metre per second squared. Let times begin with the flight.
     For agents with times of their own there is `Recording.conflicts`.
 
     Parameters
