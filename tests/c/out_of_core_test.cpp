@@ -152,14 +152,15 @@ TEST_F(COutOfCore, AnswersAsASearchInMemory) {
   }
   EXPECT_EQ(counts, wide(*count_neighbors(points_, options)));
 
+  // So many that the rows of a block come in several calls.
   Seen near;
-  ASSERT_EQ(beespace_out_of_core_nearest(search_.get(), 3, nullptr, see_nearest, &near, &error_),
+  ASSERT_EQ(beespace_out_of_core_nearest(search_.get(), 20, nullptr, see_nearest, &near, &error_),
             BEESPACE_OK);
-  ASSERT_EQ(near.length, 3);
+  ASSERT_EQ(near.length, 20);
   ASSERT_EQ(near.ids.size(), points_.size());
-  const NearestRows expected = *find_k_nearest(points_, 3);
+  const NearestRows expected = *find_k_nearest(points_, 20);
   for (std::size_t entry = 0; entry < near.counts.size(); ++entry) {
-    const Nearest& wanted = expected[static_cast<std::size_t>(near.ids[entry / 3])][entry % 3];
+    const Nearest& wanted = expected[static_cast<std::size_t>(near.ids[entry / 20])][entry % 20];
     ASSERT_EQ(near.counts[entry], static_cast<std::int64_t>(wanted.id));
     ASSERT_EQ(near.distances_m[entry], wanted.distance_m);
   }
