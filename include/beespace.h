@@ -19,11 +19,13 @@
 ///
 /// Ownership: what a `..._create` function returns belongs to the caller, until the `..._free`
 /// function of its type; to free NULL does nothing. Points and structures are read during the call
-/// and not kept; they must not change while a call reads them.
+/// and not kept, but for those of beespace_out_of_core_refer(); they must not change while a call
+/// reads them.
 ///
 /// Thread safety: any number of threads may call at the same time, with handles of their own. An
-/// engine, a swarm, a verifier and a result serve one call at a time. An index may be asked by many
-/// threads at the same time, while none changes it. A stop may be used by all threads.
+/// engine, a swarm, a verifier, a search out of core and a result serve one call at a time. An
+/// index may be asked by many threads at the same time, while none changes it. A stop may be used
+/// by all threads.
 #ifndef BEESPACE_H
 #define BEESPACE_H
 
@@ -35,6 +37,7 @@
 #include <beespace/c/index.h>
 #include <beespace/c/motion.h>
 #include <beespace/c/obstacles.h>
+#include <beespace/c/out_of_core.h>
 #include <beespace/c/recording.h>
 #include <beespace/c/search.h>
 #include <beespace/c/swarm.h>

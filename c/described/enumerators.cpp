@@ -14,6 +14,7 @@
 BEESPACE_DESCRIBE(beespace_codes)
 BEESPACE_DESCRIBE(beespace_number_types)
 BEESPACE_DESCRIBE(beespace_search_flags)
+BEESPACE_DESCRIBE(beespace_out_of_core_phases)
 BEESPACE_DESCRIBE(beespace_obstacle_kinds)
 BEESPACE_DESCRIBE(beespace_obstacle_flags)
 BEESPACE_DESCRIBE(beespace_swarm_flags)

@@ -37,6 +37,7 @@ from beespace._messages import (
 )
 from beespace._motion import closest_approach
 from beespace._obstacles import Box, Cylinder, Ground, Obstacles, Prism, Sphere
+from beespace._out_of_core import OutOfCore, OutOfCoreFacts
 from beespace._plot import plot
 from beespace._recording import Recording
 from beespace._report import Report, report, view
@@ -99,6 +100,8 @@ __all__ = [
     "Nearest",
     "Neighbors",
     "Obstacles",
+    "OutOfCore",
+    "OutOfCoreFacts",
     "Pairs",
     "Prism",
     "RecordedConflicts",

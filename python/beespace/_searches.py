@@ -201,7 +201,12 @@ class Searches(Predictions):
         search = search_of(threshold, vertical, inclusive, distances=distances)
         number = whole(threads, "threads")
         threads = _library.ALL_PROCESSORS if number == 0 else min(number, 256)
-        return Visit(first, search, threads, most).pieces()
+
+        def ask(*arguments: Any) -> int:
+            given = ctypes.byref(first.struct), ctypes.byref(search)
+            return int(library.beespace_visit_pairs(None, *given, *arguments))
+
+        return Visit(ask, first.count, distances, threads, most).pieces()
 
     def neighbors(
         self,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import ctypes
 import queue
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
@@ -13,9 +13,10 @@ from numpy.typing import NDArray
 
 from beespace import _library
 from beespace._answers import Pairs
-from beespace._errors import BeespaceError
-from beespace._library import CRun, CSearch, library
-from beespace._points import Points
+from beespace._library import CRun, library
+
+# What shows pairs to a visitor: called with the run, the visitor, its data and the error.
+Ask = Callable[[Any, Any, None, Any], int]
 
 
 class _Piece:
@@ -45,12 +46,12 @@ class _Piece:
 class Visit:
     """One search whose pairs come in pieces of at most `chunk`."""
 
-    def __init__(self, points: Points, search: CSearch, threads: int, chunk: int) -> None:
+    def __init__(self, ask: Ask, points: int, distances: bool, threads: int, chunk: int) -> None:
+        self._ask = ask
         self._points = points
-        self._search = search
         self._threads = threads
         self._chunk = chunk
-        self._distances = bool(search.flags & _library.DISTANCES)
+        self._distances = distances
         self._ended = threading.Event()
         self._stop = library.beespace_stop_create()
         if not self._stop:
@@ -84,22 +85,16 @@ class Visit:
         error = _library.new_error()
         run = CRun(ctypes.sizeof(CRun), self._threads, 0, self._stop.value)
         try:
-            code = library.beespace_visit_pairs(
-                None,
-                ctypes.byref(self._points.struct),
-                ctypes.byref(self._search),
-                ctypes.byref(run),
-                _library.VISITOR(self._see),
-                None,
-                ctypes.byref(error),
+            code = self._ask(
+                ctypes.byref(run), _library.VISITOR(self._see), None, ctypes.byref(error)
             )
             if code != _library.OK and not self._ended.is_set():
                 _library.raise_error(error)
             if self._problem is not None:
                 return self._problem
             if self._piece.filled:
-                self._put(self._piece.pairs(self._points.count))
-        except (BeespaceError, MemoryError) as problem:
+                self._put(self._piece.pairs(self._points))
+        except BaseException as problem:
             return problem
         return None
 
@@ -119,7 +114,7 @@ class Visit:
         while seen < count:
             seen += self._piece.take(addresses, seen, count)
             if self._piece.filled == self._chunk:
-                if not self._put(self._piece.pairs(self._points.count)):
+                if not self._put(self._piece.pairs(self._points)):
                     return False
                 self._piece = _Piece(self._chunk, self._distances)
         return not self._ended.is_set()
