@@ -80,14 +80,9 @@ Result<Closest> closest_pair_between(Engine& engine, const PointsView& points,
   return Closest({static_cast<PointId>(best - nearest.begin()), best->id, best->distance_m});
 }
 
-// The library speaks to those who call it; here --max-results is what they can turn.
+// The library speaks to those who call it.
 Error in_words_of_the_command(Error error, const DetectRequest& request) {
-  if (error.code != ErrorCode::kTooManyResults) return error;
-  const bool pairs = std::string_view(request.report->name) == "pairs";
-  error.message = std::string("there are more than ") + io::grouped(request.search.max_results) +
-                  (pairs ? " pairs" : " neighbours") +
-                  "; raise --max-results, or lower the threshold";
-  return error;
+  return error.code == ErrorCode::kTooManyResults ? too_many_results(request) : error;
 }
 
 // The closest pair that is told: of all; with a vertical threshold, where some are at risk, of
@@ -113,6 +108,14 @@ Result<Closest> told_pair(const Question& question, const Inputs& inputs,
 }
 
 }  // namespace
+
+Error too_many_results(const DetectRequest& request) {
+  const bool pairs = std::string_view(request.report->name) == "pairs";
+  return {ErrorCode::kTooManyResults,
+          "there are more than " + io::grouped(request.search.max_results) +
+              (pairs ? " pairs" : " neighbours") + "; raise --max-results, or lower the threshold",
+          {}};
+}
 
 Result<Detection> search(const Inputs& inputs, const DetectRequest& request) {
   Engine engine;

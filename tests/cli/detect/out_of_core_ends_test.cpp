@@ -1,0 +1,108 @@
+// `beespace detect --memory`: too little room, full disks, signals. Nothing is left behind.
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "tests/cli/detect/out_of_core_runs.hpp"
+
+namespace beespace::cli_test {
+namespace {
+
+class OutOfCoreEnds : public OutOfCoreRuns {
+ protected:
+  // A run that has written to its temporary files, and waits for more input.
+  [[nodiscard]] Arguments waiting() const {
+    return {"detect",      "-",
+            "--memory",    "17MB",
+            "--threads",   "1",
+            "--crs",       "metres",
+            "--temporary", scratch_.path(""),
+            "--output",    folder_.path("answer.txt")};
+  }
+  static void send_much(const Running& running) {
+    std::string text = "id,x_m,y_m,z_m\n";
+    for (int row = 0; row < 300'000; ++row) text += std::to_string(row) + ",1.25,2.5,3.75\n";
+    // What is read of a pipe that holds 64 KiB is more than waits in memory.
+    running.send(text);
+  }
+};
+
+TEST_F(OutOfCoreEnds, TooLittleRoomIsKnownBeforeTheSearch) {
+  const std::string file = folder_.file("holes.bin", "");
+  std::error_code cannot;
+  std::filesystem::resize_file(file, 12'000'000'000'000, cannot);
+  if (cannot) GTEST_SKIP() << "no file of 12 TB with holes can be made here";
+  const Finished finished = small({file, "--crs", "metres"});
+  EXPECT_EQ(finished.exit_code, 4);
+  EXPECT_EQ(finished.out, "");
+  expect_parts(finished.err, {"needs 14.0 TB", scratch_.path(""), "--temporary"});
+}
+
+TEST_F(OutOfCoreEnds, AFullDiskIsAnErrorThatLeavesNothing) {
+  const std::string file = swarm("swarm.csv", 50'000);
+  const std::string array = swarm("swarm.npy", 50'000);
+  Surroundings narrow;
+  narrow.file_bytes = 1'000'000;
+  for (const std::string& input : {file, array}) {
+    const Finished finished = small({input, "--crs", "metres", "--threshold", "1.5", "--report",
+                                     "pairs", "--output", folder_.path("answer.txt")},
+                                    {}, narrow);
+    EXPECT_EQ(finished.exit_code, 4);
+    expect_parts(finished.err,
+                 {"cannot write a temporary file in", scratch_.path(""), "too large"});
+  }
+  // Cells fit, but not the rows of the answer.
+  narrow.file_bytes = 2'000'000;
+  const Finished rows = small({array, "--crs", "metres", "--threshold", "1.5", "--report", "pairs",
+                               "--output", folder_.path("answer.txt")},
+                              {}, narrow);
+  EXPECT_EQ(rows.exit_code, 4);
+  expect_parts(rows.err, {"cannot write a temporary file in"});
+  EXPECT_EQ(folder_.names(), (std::vector<std::string>{"swarm.csv", "swarm.npy"}));
+  EXPECT_TRUE(scratch_.names().empty());
+}
+
+TEST_F(OutOfCoreEnds, CtrlCEndsWith130AndLeavesNothing) {
+  for (const auto& [signal, exit_code] : {std::pair(SIGINT, 130), std::pair(SIGTERM, 143)}) {
+    folder_.file("answer.txt", "old");
+    Running running(waiting());
+    send_much(running);
+    EXPECT_EQ(folder_.names().size(), 2U);
+    running.signal(signal);
+    const Finished finished = running.finish();
+    EXPECT_EQ(finished.exit_code, exit_code);
+    EXPECT_EQ(finished.out, "");
+    EXPECT_EQ(folder_.names(), std::vector<std::string>{"answer.txt"});
+    EXPECT_EQ(folder_.read("answer.txt"), "old");
+    EXPECT_TRUE(scratch_.names().empty());
+  }
+}
+
+TEST_F(OutOfCoreEnds, KilledItLeavesNoTemporaryFilesAndNoAnswer) {
+  folder_.file("answer.txt", "old");
+  Running running(waiting());
+  send_much(running);
+  running.signal(SIGKILL);
+  EXPECT_EQ(running.finish().exit_code, -1);
+  EXPECT_EQ(folder_.read("answer.txt"), "old");
+  EXPECT_TRUE(scratch_.names().empty());
+}
+
+TEST_F(OutOfCoreEnds, AClosedPipeEndsItQuietly) {
+  const std::string file = swarm("swarm.csv", 20'000);
+  Surroundings closed;
+  closed.output = Surroundings::Output::kClosedPipe;
+  for (const std::string form : {"--csv", "--json", "--output=-"}) {
+    const Finished finished =
+        small({file, "--threshold", "1", "--report", "pairs", form}, {}, closed);
+    EXPECT_EQ(finished.exit_code, 141);
+    EXPECT_EQ(finished.err, "");
+  }
+}
+
+}  // namespace
+}  // namespace beespace::cli_test
