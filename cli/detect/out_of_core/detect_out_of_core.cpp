@@ -59,6 +59,7 @@ class Detecting {
     timings_.search_s = watch_.lap();
     // What was searched where it is, was it the same all the time?
     if (status = input_.check_unchanged(); !status) return std::move(status).error();
+    search_.release();
     bar_.enter_stage("writing");
     if (status = write(); !status) return std::move(status).error();
     status = output_.commit();
@@ -82,14 +83,15 @@ class Detecting {
     const LargeInputSinks sinks = {search_.points(), input_.own_ids() ? &ids_ : nullptr,
                                    writes_records() ? &records_ : nullptr};
     if (auto status = input_.read(sinks, bar_); !status) return status;
-    ids_.finish(memory_.texts / 2);
-    records_.finish(memory_.texts / 2);
+    const std::size_t texts = memory_.texts / (writes_records() ? 2 : 1);
+    ids_.finish(texts);
+    records_.finish(texts);
     for (const TextStore* const store : {&ids_, &records_}) {
       if (!store->status()) return store->status();
     }
     if (input_.own_ids() && (!request_.quiet || request_.unique_ids || in_json())) {
       bar_.enter_stage("comparing ids");
-      auto repeated = shown_.find_repeated(search_.points().size(), folder_, memory_.rows);
+      auto repeated = shown_.find_repeated(search_.size(), folder_, memory_.rows);
       if (!repeated) return std::move(repeated).error();
       repeated_ = *std::move(repeated);
       if (request_.unique_ids && repeated_.count > 0) return repeated_error();
@@ -145,8 +147,7 @@ class Detecting {
     write_search(json, request_, input_.height_unit());
     const std::uint64_t at_risk = search_.at_risk()->count();
     json.member("at_risk_count", at_risk);
-    json.member("share",
-                static_cast<double>(at_risk) / static_cast<double>(search_.points().size()));
+    json.member("share", static_cast<double>(at_risk) / static_cast<double>(search_.size()));
     if (const auto& closest = search_.closest()) {
       json.begin_object("closest_pair");
       write_pair(json, shown_, closest->pair, closest->distance_m);
@@ -175,12 +176,12 @@ class Detecting {
           out, "", "and " + io::counted(files.size() - kFilesShown, "file", "files") + " more");
     }
     if (files.size() > 1) {
-      append_summary_line(out, "all points", io::grouped(search_.points().size()));
+      append_summary_line(out, "all points", io::grouped(search_.size()));
       append_repeated(out, repeated_);
     }
     append_search(out, request_, input_.height_unit());
     if (const PointFlags* const at_risk = search_.at_risk()) {
-      append_summary_line(out, "at risk", at_risk_text(at_risk->count(), search_.points().size()));
+      append_summary_line(out, "at risk", at_risk_text(at_risk->count(), search_.size()));
     }
     const std::string finding = search_.finding();
     if (!finding.empty()) append_summary_line(out, request_.report->label, finding);
@@ -202,7 +203,7 @@ class Detecting {
   }
 
   [[nodiscard]] std::string memory_text() const {
-    const OutOfCoreFacts facts = search_.points().facts();
+    const OutOfCoreFacts facts = search_.facts();
     std::string text =
         io::byte_count(*request_.memory_bytes) + ", " + io::counted(facts.cells, "cell", "cells");
     if (facts.crowded_cells > 0) {
@@ -268,7 +269,7 @@ Result<ExitCode> run_detect_out_of_core(const DetectRequest& request) {
   auto output = open_output("detect", request.output, request.inputs, request.form.packing);
   if (!output) return std::move(output).error();
   ProgressBar bar(!request.quiet);
-  const LargeMemory memory = LargeMemory::of(*request.memory_bytes, request.search.threads);
+  const LargeMemory memory = LargeMemory::of(request);
   auto input = LargeInput::open(request, memory.block);
   if (!input) return std::move(input).error();
   if (auto status = check_vertical(request, *input); !status) return std::move(status).error();

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <limits>
 #include <string_view>
 #include <utility>
@@ -32,13 +33,18 @@ OutOfCoreOptions options_of(const DetectRequest& request, const std::string& fol
 
 }  // namespace
 
-LargeMemory LargeMemory::of(std::uint64_t memory_bytes, unsigned threads) {
+LargeMemory LargeMemory::of(const DetectRequest& request) {
+  const std::uint64_t memory_bytes = *request.memory_bytes;
   constexpr std::size_t kLeastBlock = std::size_t{1} << 18U;
   constexpr std::size_t kMostBlock = std::size_t{1} << 25U;
   // What OutOfCore needs; below that it says so.
-  const std::uint64_t least = (std::uint64_t{16} << 20U) * io::thread_count(threads);
+  const std::uint64_t least = (std::uint64_t{16} << 20U) * io::thread_count(request.search.threads);
+  // The nearest take more than other questions; and several questions keep what each of them took.
+  const bool takes_more =
+      request.form.form == Form::kJson || std::string_view(request.report->name) == "nearest";
   LargeMemory memory{};
-  memory.search = std::max(std::min(memory_bytes, least), memory_bytes - memory_bytes / 4);
+  memory.search = std::max(std::min(memory_bytes, least),
+                           takes_more ? memory_bytes / 2 : memory_bytes - memory_bytes / 4);
   memory.rows = static_cast<std::size_t>(memory_bytes / 8);
   memory.texts = static_cast<std::size_t>(memory_bytes / 16);
   memory.block = std::clamp(static_cast<std::size_t>(memory_bytes / 64), kLeastBlock, kMostBlock);
@@ -48,7 +54,8 @@ LargeMemory LargeMemory::of(std::uint64_t memory_bytes, unsigned threads) {
 LargeSearch::LargeSearch(const DetectRequest& request, const std::string& folder,
                          const LargeMemory& memory, ProgressBar& bar)
     : request_(request),
-      points_(options_of(request, folder, memory, bar, stop_)),
+      bar_(bar),
+      points_(std::in_place, options_of(request, folder, memory, bar, stop_)),
       rows_(folder, memory.rows) {
 }
 
@@ -57,7 +64,7 @@ bool LargeSearch::is(const char* report) const {
 }
 
 Status LargeSearch::find() {
-  at_risk_.resize(points_.size());
+  at_risk_.resize(size());
   Status status = std::monostate{};
   if (is("pairs") || is("neighbors")) status = find_pairs(is("neighbors"));
   if (is("counts")) status = find_counts();
@@ -84,14 +91,14 @@ Status LargeSearch::ended(Status status) const {
 
 Status LargeSearch::find_at_risk() {
   knows_at_risk_ = true;
-  return points_.find_at_risk(request_.search.without_limit(), [&](std::span<const LargeId> ids) {
+  return points_->find_at_risk(request_.search.without_limit(), [&](std::span<const LargeId> ids) {
     for (const LargeId id : ids) at_risk_.set(id);
   });
 }
 
 Status LargeSearch::find_pairs(bool both_ways) {
   knows_at_risk_ = true;
-  return ended(points_.visit_pairs(
+  return ended(points_->visit_pairs(
       request_.search.without_limit(),
       [&](std::span<const LargePair> pairs, std::span<const double> distances_m) {
         pairs_ += pairs.size();
@@ -110,7 +117,7 @@ Status LargeSearch::find_pairs(bool both_ways) {
 
 Status LargeSearch::find_counts() {
   knows_at_risk_ = true;
-  return ended(points_.count_neighbors(
+  return ended(points_->count_neighbors(
       request_.search.without_limit(),
       [&](std::span<const LargeId> ids, std::span<const std::uint64_t> counts) {
         for (std::size_t at = 0; at < ids.size(); ++at) {
@@ -125,7 +132,7 @@ Status LargeSearch::find_counts() {
 }
 
 Status LargeSearch::find_nearest() {
-  return ended(points_.find_k_nearest(
+  return ended(points_->find_k_nearest(
       1, [&](std::span<const LargeId> ids, std::span<const LargeNearest> nearest) {
         for (std::size_t at = 0; at < ids.size(); ++at) {
           rows_.add({ids[at], nearest[at].id, nearest[at].distance_m});
@@ -136,17 +143,23 @@ Status LargeSearch::find_nearest() {
 }
 
 Status LargeSearch::find_closest() {
-  const auto closest = points_.find_closest_pair();
+  const auto closest = points_->find_closest_pair();
   if (!closest) return closest.error();
   closest_ = *closest;
   knows_closest_ = true;
   return std::monostate{};
 }
 
+void LargeSearch::release() {
+  size_ = points_->size();
+  facts_ = points_->facts();
+  points_.reset();
+}
+
 std::string LargeSearch::finding() const {
   if (is("pairs")) return pairs_ == 0 ? "none" : io::grouped(pairs_);
   if (is("neighbors") || is("counts")) {
-    return neighbor_finding(neighbors_, points_.size(), most_neighbors_);
+    return neighbor_finding(neighbors_, size(), most_neighbors_);
   }
   if (is("nearest")) {
     return rows_.size() == 0 ? "none" : io::length(farthest_m_) + " the farthest";
@@ -154,15 +167,28 @@ std::string LargeSearch::finding() const {
   return {};
 }
 
+// Rows come by their first point.
+void LargeSearch::show_share(LargeId id) {
+  if (++shown_ % 4096 == 0) bar_.set_share(static_cast<double>(id) / static_cast<double>(size()));
+}
+
+void LargeSearch::for_each_row(const std::function<void(const LargeRow&)>& visit) {
+  rows_.for_each([&](const LargeRow& row) {
+    show_share(row.first);
+    visit(row);
+  });
+}
+
 Status LargeSearch::write(LargeTable& table) {
   if (is("at-risk")) {
     table.begin_bees({});
-    at_risk_.for_each([&](LargeId id) { table.bee(id, {}); });
+    at_risk_.for_each([&](LargeId id) {
+      show_share(id);
+      table.bee(id, {});
+    });
   } else if (is("pairs")) {
     table.begin_pairs();
-    rows_.for_each([&](const LargeRow& row) {
-      table.pair({row.first, row.second}, row.distance_m);
-    });
+    for_each_row([&](const LargeRow& row) { table.pair({row.first, row.second}, row.distance_m); });
   } else if (is("closest-pair")) {
     table.begin_pairs();
     if (closest_) table.pair(closest_->pair, closest_->distance_m);
@@ -187,11 +213,11 @@ void LargeSearch::write_counts(LargeTable& table) {
   table.begin_bees({{"neighbor_count", false}});
   const std::array<LargeCell, 1> none = {std::uint64_t{0}};
   LargeId next = 0;
-  rows_.for_each([&](const LargeRow& row) {
+  for_each_row([&](const LargeRow& row) {
     write_lonely(table, next, row.first, none);
     table.bee(row.first, std::array<LargeCell, 1>{row.second});
   });
-  write_lonely(table, next, points_.size(), none);
+  write_lonely(table, next, size(), none);
 }
 
 void LargeSearch::write_neighbors(LargeTable& table) {
@@ -208,23 +234,23 @@ void LargeSearch::write_neighbors(LargeTable& table) {
     most_neighbors_ = std::max<std::uint64_t>(most_neighbors_, neighbors.size());
     neighbors.clear();
   };
-  rows_.for_each([&](const LargeRow& row) {
+  for_each_row([&](const LargeRow& row) {
     if (row.first != bee) write_bee();
     bee = row.first;
     neighbors.push_back(row.second);
   });
   write_bee();
-  write_lonely(table, next, points_.size(), none);
+  write_lonely(table, next, size(), none);
 }
 
 void LargeSearch::write_nearest(LargeTable& table) {
   table.begin_bees({{"nearest", true}, {"distance_m", false}});
-  rows_.for_each([&](const LargeRow& row) {
+  for_each_row([&](const LargeRow& row) {
     if (request_.at_risk_only && !at_risk_[row.first]) return;
     table.bee(row.first,
               std::array<LargeCell, 2>{LargeBeeCell{row.second}, DistanceCell{row.distance_m}});
   });
-  if (points_.size() > 1 || request_.at_risk_only) return;
+  if (size() > 1 || request_.at_risk_only) return;
   // A bee that is alone.
   table.bee(0, std::array<LargeCell, 2>{LargeBeeCell{},
                                         DistanceCell{std::numeric_limits<double>::infinity()}});

@@ -12,6 +12,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -27,8 +28,7 @@ struct LargeMemory {
   std::size_t texts;     // ids and records, as they are looked up
   std::size_t block;     // of a file, as it is read
 
-  // With so many threads; 0 are all.
-  static LargeMemory of(std::uint64_t memory_bytes, unsigned threads);
+  static LargeMemory of(const DetectRequest& request);
 };
 
 // A flag for each point.
@@ -68,8 +68,9 @@ class LargeSearch {
   LargeSearch(const DetectRequest& request, const std::string& folder, const LargeMemory& memory,
               ProgressBar& bar);
 
-  [[nodiscard]] OutOfCore& points() { return points_; }
-  [[nodiscard]] const OutOfCore& points() const { return points_; }
+  // Where all points go, before find().
+  [[nodiscard]] OutOfCore& points() { return *points_; }
+  [[nodiscard]] std::uint64_t size() const { return points_ ? points_->size() : size_; }
 
   // Once, when all points are there. Errors: those of OutOfCore and of temporary files;
   // kTooManyResults.
@@ -83,6 +84,11 @@ class LargeSearch {
   [[nodiscard]] std::uint64_t pairs() const { return pairs_; }
   // Of the report, for the summary; empty where nothing is to be said.
   [[nodiscard]] std::string finding() const;
+
+  // Gives the memory and the files of the search back, once it has found.
+  void release();
+  // How the last search was cut, after release().
+  [[nodiscard]] const OutOfCoreFacts& facts() const { return facts_; }
 
   // The rows of the report. Once. Errors: those of temporary files.
   Status write(LargeTable& table);
@@ -98,6 +104,8 @@ class LargeSearch {
   Status ended(Status status) const;
   void stop_on_failure();
 
+  void show_share(LargeId id);
+  void for_each_row(const std::function<void(const LargeRow&)>& visit);
   void write_counts(LargeTable& table);
   void write_neighbors(LargeTable& table);
   void write_nearest(LargeTable& table);
@@ -106,8 +114,11 @@ class LargeSearch {
                     std::span<const LargeCell> cells) const;
 
   const DetectRequest& request_;
+  ProgressBar& bar_;
   std::stop_source stop_;
-  OutOfCore points_;
+  std::optional<OutOfCore> points_;
+  std::uint64_t size_ = 0;
+  OutOfCoreFacts facts_;
   SortedRows rows_;
   PointFlags at_risk_;
   std::optional<LargeClosestPair> closest_;
@@ -117,6 +128,7 @@ class LargeSearch {
   std::uint64_t pairs_ = 0;
   std::uint64_t neighbors_ = 0;       // of all bees together
   std::uint64_t most_neighbors_ = 0;  // of one
+  std::uint64_t shown_ = 0;           // rows
   double farthest_m_ = 0.0;           // of the nearest
 };
 

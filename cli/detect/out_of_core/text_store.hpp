@@ -16,7 +16,7 @@
 
 namespace beespace::cli {
 
-// Memory: a sixteenth of a byte a point, and what finish() allows. The first error is kept, and all
+// Memory: an eighth of a byte a point, and what finish() allows. The first error is kept, and all
 // that comes later does nothing.
 class TextStore {
  public:
@@ -34,7 +34,7 @@ class TextStore {
   [[nodiscard]] const Status& status() const { return status_; }
 
  private:
-  static constexpr std::size_t kPointsInBlock = 256;
+  static constexpr std::size_t kPointsInBlock = 128;
 
   // A block as it was read.
   struct Kept {
