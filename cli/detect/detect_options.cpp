@@ -43,6 +43,8 @@ constexpr const char* kDetails =
     "  beespace detect ours.csv --others towers.csv --report closest-pair\n"
     "  zcat swarm.txt.gz | beespace detect --columns id=1,lon=2,lat=3,height=4 --json\n"
     "  beespace detect archive.npy --crs metres --memory 4GB --output at-risk.txt\n"
+    "  beespace detect part-*.csv.gz --memory 2GB --temporary /scratch --output pairs.csv \\\n"
+    "    --report pairs\n"
     "  beespace detect swarm.npy --crs metres --quiet --fail-on-risk --output /dev/null\n"
     "  [ $? -eq 1 ] && echo danger\n"
     "\n"
