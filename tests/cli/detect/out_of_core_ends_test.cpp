@@ -1,9 +1,11 @@
 // `beespace detect --memory`: too little room, full disks, signals. Nothing is left behind.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -23,9 +25,9 @@ class OutOfCoreEnds : public OutOfCoreRuns {
             "--temporary", scratch_.path(""),
             "--output",    folder_.path("answer.txt")};
   }
-  static void send_much(const Running& running) {
-    std::string text = "id,x_m,y_m,z_m\n";
-    for (int row = 0; row < 300'000; ++row) text += std::to_string(row) + ",1.25,2.5,3.75\n";
+  static void send_much(const Running& running, std::string text = "id,x_m,y_m,z_m\n",
+                        std::string_view row = "a,1.25,2.5,3.75\n") {
+    for (int count = 0; count < 300'000; ++count) text += row;
     // What is read of a pipe that holds 64 KiB is more than waits in memory.
     running.send(text);
   }
@@ -90,6 +92,29 @@ TEST_F(OutOfCoreEnds, KilledItLeavesNoTemporaryFilesAndNoAnswer) {
   EXPECT_EQ(running.finish().exit_code, -1);
   EXPECT_EQ(folder_.read("answer.txt"), "old");
   EXPECT_TRUE(scratch_.names().empty());
+}
+
+// Points that are searched where they are must stay as they are.
+TEST_F(OutOfCoreEnds, AnArrayThatChangesMeanwhileIsAnErrorWithoutAnAnswer) {
+  for (const bool shorter : {false, true}) {
+    const std::string array = swarm("swarm.npy", 20'000);
+    Running running({"detect", array, "-", "--memory", "17MB", "--threads", "1", "--crs", "metres",
+                     "--temporary", scratch_.path(""), "--output", folder_.path("answer.txt")});
+    send_much(running, "x_m,y_m,z_m\n", "1,2,3\n");  // when this is read, the array is mapped
+    if (shorter) {
+      std::filesystem::resize_file(array, 200);
+    } else {
+      std::filesystem::last_write_time(
+          array, std::filesystem::last_write_time(array) - std::chrono::seconds(5));
+    }
+    running.close_input();
+    const Finished finished = running.finish();
+    EXPECT_EQ(finished.exit_code, 4);
+    EXPECT_NE(finished.err.find(shorter ? "a file became shorter" : "was written to while"),
+              std::string::npos)
+        << finished.err;
+    EXPECT_EQ(folder_.names(), std::vector<std::string>{"swarm.npy"});
+  }
 }
 
 TEST_F(OutOfCoreEnds, AClosedPipeEndsItQuietly) {
