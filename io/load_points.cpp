@@ -277,10 +277,7 @@ Result<LoadedPoints> load_bytes(Bytes bytes, const std::string& path, const Load
   if (loaded.points.empty()) {
     std::string message = "no record is left";
     if (!loaded.skipped.empty()) {
-      message = loaded.skipped_count == 1 ? "the only record is bad: "
-                                          : "all " + std::to_string(loaded.skipped_count) +
-                                                " records are bad; the first: ";
-      message += loaded.skipped.front().message;
+      message = all_bad_text(loaded.skipped_count, loaded.skipped.front());
     }
     return placed({ErrorCode::kNoPoints, std::move(message), {}});
   }
@@ -305,6 +302,11 @@ Result<TableBeginning> find_points_table(std::string_view bytes, const LoadOptio
   auto layout = find_layout(text, options);
   if (!layout) return std::move(layout).error();
   return TableBeginning{*std::move(layout), text};
+}
+
+std::string all_bad_text(std::uint64_t records, const Error& first) {
+  const std::string all = "all " + std::to_string(records) + " records are bad; the first: ";
+  return (records == 1 ? "the only record is bad: " : all) + first.message;
 }
 
 Result<LoadedPoints> load_points(const std::string& path, const LoadOptions& options) {

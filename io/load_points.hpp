@@ -11,6 +11,7 @@
 
 #include <beespace/result.hpp>
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -28,6 +29,9 @@ Result<LoadedPoints> load_points_from_memory(std::string_view content, const std
 
 // How unpacked bytes that begin so are to be read: never kAuto.
 Format format_of(std::string_view bytes, const std::string& path, Format asked);
+
+// What is wrong where so many records were left out, and no other is there.
+std::string all_bad_text(std::uint64_t records, const Error& first);
 
 struct TableBeginning {
   TableLayout layout;          // of `text`

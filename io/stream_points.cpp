@@ -56,7 +56,6 @@ PointStream::PointStream(std::string path, const LoadOptions& options, std::size
       block_bytes_(block_bytes),
       stream_(std::move(stream)) {
   options_.progress = nullptr;
-  options_.skip_bad = false;
 }
 
 Result<PointStream> PointStream::open(const std::string& path, const LoadOptions& options,
@@ -79,6 +78,8 @@ void PointStream::keep_first(LoadedPoints first) {
   auto points = std::exchange(first.points, {});
   auto records = std::exchange(first.records, nullptr);
   facts_ = first;
+  facts_.skipped.clear();
+  facts_.skipped_count = 0;
   if (array_) facts_.format_description = array_->description;
   if (stream_.is_compressed()) facts_.format_description += ", gzip-compressed";
   const auto read = static_cast<double>(first.bytes);
@@ -160,6 +161,12 @@ Status PointStream::settle_table() {
 Status PointStream::settle_array(Format format) {
   if (!options_.columns.empty()) {
     return Error{ErrorCode::kInvalidArgument, "--columns is for text tables", {}};
+  }
+  if (options_.skip_bad) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "of arrays no records are left out where they are not in memory together; leave "
+                 "--skip-bad out",
+                 {}};
   }
   const bool npy = format == Format::kNpy;
   if (npy && !is_npy(pending())) {
@@ -249,7 +256,7 @@ Result<std::optional<LoadedPoints>> PointStream::next_of_table() {
     auto block = load_lines(*std::move(lines), *table_, frame_, options_);
     if (!block) return std::move(block).error();
     table_->lines_before += count;
-    if (block->points.empty()) continue;  // blank lines
+    if (block->points.empty() && block->skipped_count == 0) continue;  // blank lines
     look_at_values(*block);
     return std::optional(*std::move(block));
   }
@@ -311,8 +318,25 @@ Result<std::optional<LoadedPoints>> PointStream::next() {
     return placed(std::move(error));
   }
   row_ = rows_;
-  if (*block) rows_ += (*block)->points.size();
+  if (!*block) {
+    if (auto problem = nothing_left()) return placed(*std::move(problem));
+    return block;
+  }
+  LoadedPoints& points = **block;
+  for (Error& error : points.skipped) {
+    *error.location.record += rows_;
+    error = placed(std::move(error));
+  }
+  if (!bad_ && !points.skipped.empty()) bad_ = points.skipped.front();
+  points_ += points.points.size();
+  rows_ += points.points.size() + points.skipped_count;
   return block;
+}
+
+// At the end: as load_points() says it.
+std::optional<Error> PointStream::nothing_left() const {
+  if (points_ > 0 || !bad_) return std::nullopt;
+  return Error{ErrorCode::kNoPoints, all_bad_text(rows_, *bad_), {}};
 }
 
 void PointStream::look_at_values(const LoadedPoints& block) {

@@ -27,10 +27,10 @@ namespace beespace::io {
 
 class PointStream {
  public:
-  // Blocks have about so many bytes, or a line where that is longer. Bad records are errors,
-  // whatever the options say. Errors: those of load_points; kUnknownFrame where values would have
-  // to tell the frame; kUnsupportedFormat for arrays that lie column by column in what cannot be
-  // mapped; kReadFailed where the file is written to meanwhile.
+  // Blocks have about so many bytes, or a line where that is longer. Errors: those of load_points;
+  // kUnknownFrame where values would have to tell the frame; kUnsupportedFormat for arrays that lie
+  // column by column in what cannot be mapped; kInvalidArgument for arrays of which bad records are
+  // to be left out; kReadFailed where the file is written to meanwhile.
   static Result<PointStream> open(const std::string& path, const LoadOptions& options,
                                   std::size_t block_bytes = std::size_t{1} << 25U);
 
@@ -49,10 +49,11 @@ class PointStream {
   // Errors: kReadFailed where the file was written to since it was opened.
   [[nodiscard]] Status check_unchanged() const { return stream_.file().check_unchanged(); }
 
-  // The next points and their records, of which the rows are counted from row(); nothing at the
-  // end. They live as long as this. Errors: those of load_points.
+  // The next points and their records, of which the rows are counted from row(), and bad records
+  // where these are left out, perhaps no others; nothing at the end. They live as long as this.
+  // Errors: those of load_points.
   Result<std::optional<LoadedPoints>> next();
-  // How many points came before those of the last block.
+  // How many records came before those of the last block.
   [[nodiscard]] std::uint64_t row() const { return row_; }
 
  private:
@@ -76,6 +77,7 @@ class PointStream {
   // Whether values contradict what names say: all of them, at the end.
   void look_at_values(const LoadedPoints& block);
   [[nodiscard]] std::optional<Error> contradiction() const;
+  [[nodiscard]] std::optional<Error> nothing_left() const;
   [[nodiscard]] Error placed(Error error) const;
 
   std::string path_;
@@ -98,6 +100,8 @@ class PointStream {
   std::optional<LoadedPoints> first_;  // the first block, as long as it waits
   std::uint64_t row_ = 0;
   std::uint64_t rows_ = 0;        // that were read
+  std::uint64_t points_ = 0;      // among these
+  std::optional<Error> bad_;      // the first record that was left out
   std::optional<Extent> extent_;  // where values may contradict names,
   std::optional<Point> witness_;  // and one that does, if any
 };

@@ -100,7 +100,7 @@ void add_search_options(Command& detect, DetectRequest& request) {
                 "How many threads work (default: 0, all)");
   detect.option("--memory", "SIZE", request.memory_bytes, read_memory,
                 "Use so much memory and temporary files, for files\nthat do not fit: 500MB, 4GB "
-                "(no groups, --others,\n--skip-bad and --geojson)");
+                "(no groups, --others\nand --geojson)");
   detect.option("--temporary", "FOLDER", request.temporary, take_text,
                 "Where temporary files go, which have no name\n(default: $TMPDIR, or /var/tmp)");
 }

@@ -33,14 +33,6 @@ std::string frame_line(const io::LoadedPoints& loaded) {
   return frame + ": " + printable(loaded.frame_reason);
 }
 
-std::string at_risk_line(const Inputs& inputs, const Detection& detection) {
-  if (const std::uint64_t skipped = inputs.skipped(); detection.at_risk.empty() && skipped > 0) {
-    return bold("none of those that are known") + "; " + io::grouped(skipped) +
-           (skipped == 1 ? " record was left out" : " records were left out");
-  }
-  return at_risk_text(detection.at_risk.size(), inputs.ours.points.size());
-}
-
 std::string closest_line(const Inputs& inputs, const ClosestPair& pair) {
   const std::vector<PointId> first = {pair.first};
   const std::vector<PointId> second = {pair.second};
@@ -94,7 +86,11 @@ void append_repeated(std::string& out, const io::RepeatedIds& repeated) {
   append_summary_line(out, "repeated", red(analysis::text_of(repeated)));
 }
 
-std::string at_risk_text(std::uint64_t at_risk, std::uint64_t points) {
+std::string at_risk_text(std::uint64_t at_risk, std::uint64_t points, std::uint64_t skipped) {
+  if (at_risk == 0 && skipped > 0) {
+    return bold("none of those that are known") + "; " + io::grouped(skipped) +
+           (skipped == 1 ? " record was left out" : " records were left out");
+  }
   const double share = static_cast<double>(at_risk) / static_cast<double>(points);
   if (at_risk == 0) return bold("none");
   return red(io::grouped(at_risk) + " (" + io::percentage(share) + ")");
@@ -119,7 +115,9 @@ std::string summary(const Inputs& inputs, const Detection& detection,
         {*request.others, *inputs.others, inputs.others->points.size(), &inputs.their_repeated});
   }
   append_search(out, request, inputs.height_unit());
-  append_summary_line(out, "at risk", at_risk_line(inputs, detection));
+  append_summary_line(
+      out, "at risk",
+      at_risk_text(detection.at_risk.size(), inputs.ours.points.size(), inputs.skipped()));
   if (!detection.table.finding.empty()) {
     append_summary_line(out, request.report->label, detection.table.finding);
   }

@@ -19,6 +19,8 @@
 #include <beespace/version.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <cstdlib>
 #include <string>
 #include <string_view>
@@ -49,7 +51,8 @@ class Detecting {
         search_(request, folder_, memory, bar),
         ids_(folder_),
         records_(folder_),
-        shown_(input.own_ids() ? &ids_ : nullptr) {}
+        positions_(folder_),
+        shown_(input.own_ids() ? &ids_ : nullptr, input.skipped()) {}
 
   Result<ExitCode> run() {
     if (auto status = input_.check_room(folder_, writes_records()); !status) return status.error();
@@ -68,7 +71,8 @@ class Detecting {
     timings_.write_s = watch_.lap();
     bar_.finish();
     if (!request_.quiet) say(summary());
-    const bool is_risky = search_.at_risk() != nullptr && search_.at_risk()->count() > 0;
+    const bool finds_risk = search_.at_risk() != nullptr && search_.at_risk()->count() > 0;
+    const bool is_risky = finds_risk || skipped() > 0;
     return request_.fail_on_risk && is_risky ? ExitCode::kRiskFound : ExitCode::kFine;
   }
 
@@ -79,14 +83,24 @@ class Detecting {
     return request_.form.form == Form::kCsv && report != "pairs" && report != "closest-pair";
   }
 
+  // Whether how far a pair is apart is told of them.
+  [[nodiscard]] bool needs_positions() const {
+    return input_.heights_are_apart() && std::string_view(request_.report->name) == "pairs";
+  }
+
+  [[nodiscard]] std::array<TextStore*, 3> stores() { return {&ids_, &records_, &positions_}; }
+
+  [[nodiscard]] std::uint64_t skipped() const { return input_.skipped().rows.size(); }
+
   Status read() {
     const LargeInputSinks sinks = {search_.points(), input_.own_ids() ? &ids_ : nullptr,
-                                   writes_records() ? &records_ : nullptr};
+                                   writes_records() ? &records_ : nullptr,
+                                   needs_positions() ? &positions_ : nullptr};
+    search_.set_heights(input_.height_unit(), sinks.positions);
     if (auto status = input_.read(sinks, bar_); !status) return status;
-    const std::size_t texts = memory_.texts / (writes_records() ? 2 : 1);
-    ids_.finish(texts);
-    records_.finish(texts);
-    for (const TextStore* const store : {&ids_, &records_}) {
+    const std::size_t texts = memory_.texts / (writes_records() || needs_positions() ? 2 : 1);
+    for (TextStore* const store : stores()) {
+      store->finish(texts);
       if (!store->status()) return store->status();
     }
     if (input_.own_ids() && (!request_.quiet || request_.unique_ids || in_json())) {
@@ -126,7 +140,7 @@ class Detecting {
     } else {
       status = search_.write(*table);
     }
-    for (const TextStore* const store : {&ids_, &records_}) {
+    for (const TextStore* const store : stores()) {
       if (status) status = store->status();
     }
     return status;
@@ -181,7 +195,8 @@ class Detecting {
     }
     append_search(out, request_, input_.height_unit());
     if (const PointFlags* const at_risk = search_.at_risk()) {
-      append_summary_line(out, "at risk", at_risk_text(at_risk->count(), search_.size()));
+      append_summary_line(out, "at risk",
+                          at_risk_text(at_risk->count(), search_.size(), skipped()));
     }
     const std::string finding = search_.finding();
     if (!finding.empty()) append_summary_line(out, request_.report->label, finding);
@@ -222,6 +237,7 @@ class Detecting {
   LargeSearch search_;
   TextStore ids_;
   TextStore records_;
+  TextStore positions_;
   LargeIds shown_;
   io::RepeatedIds repeated_;
   Stopwatch watch_;
@@ -252,7 +268,6 @@ Status check_out_of_core(const DetectRequest& request) {
     const char* what;
     bool fits;
   } table[] = {{"--others", !request.others},
-               {"--skip-bad", !request.load.skip_bad},
                {"--vertical with nearest", !request.vertical || report != "nearest"},
                {"--vertical with --json: name another form",
                 !request.vertical || request.form.form != Form::kJson},

@@ -41,7 +41,7 @@ class Alike {
 
 void LargeIds::append(std::string& out, LargeId point) const {
   const std::string_view id = store_ == nullptr ? std::string_view() : store_->text(point);
-  if (analysis::is_empty_id(id)) return io::append_exact(out, point);
+  if (analysis::is_empty_id(id)) return io::append_exact(out, row(point));
   analysis::append_id(out, id);
 }
 
@@ -54,7 +54,7 @@ std::string LargeIds::text(LargeId point) const {
 void LargeIds::write(io::JsonWriter& json, LargeId point) const {
   const std::string_view id = store_ == nullptr ? std::string_view() : store_->text(point);
   if (analysis::is_empty_id(id)) {
-    json.value(point);
+    json.value(row(point));
   } else {
     json.value(id);
   }
@@ -90,7 +90,9 @@ Result<io::RepeatedIds> LargeIds::find_repeated(std::uint64_t points, const std:
   });
   if (!store_->status()) return store_->status().error();
   if (!hashes.status()) return hashes.status().error();
-  if (repeated.count == 0) repeated.second_row = 0;
+  if (repeated.count == 0) return io::RepeatedIds();
+  repeated.first_row = row(repeated.first_row);
+  repeated.second_row = row(repeated.second_row);
   return repeated;
 }
 

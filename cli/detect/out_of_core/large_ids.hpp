@@ -5,6 +5,7 @@
 #include "cli/detect/out_of_core/text_store.hpp"
 #include "io/json/json_writer.hpp"
 #include "io/points/repeated_ids.hpp"
+#include "io/problems/skipped_records.hpp"
 
 #include <beespace/out_of_core.hpp>
 #include <beespace/result.hpp>
@@ -17,8 +18,12 @@ namespace beespace::cli {
 
 class LargeIds {
  public:
-  // Null: the files have no ids. Must outlive this.
-  explicit LargeIds(TextStore* store) : store_(store) {}
+  // A null store: the files have no ids. Both must outlive this.
+  LargeIds(TextStore* store, const io::SkippedRecords& skipped)
+      : store_(store), skipped_(&skipped) {}
+
+  // The number of the record, those included that were left out.
+  [[nodiscard]] std::uint64_t row(LargeId point) const { return skipped_->row_of(point); }
 
   // For people and lines of text.
   void append(std::string& out, LargeId point) const;
@@ -34,6 +39,7 @@ class LargeIds {
 
  private:
   TextStore* store_;
+  const io::SkippedRecords* skipped_;
 };
 
 }  // namespace beespace::cli

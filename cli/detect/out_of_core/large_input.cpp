@@ -1,5 +1,6 @@
 #include "cli/detect/out_of_core/large_input.hpp"
 
+#include "analysis/geometry/ground_places.hpp"
 #include "analysis/snapshot/shown_ids.hpp"
 #include "analysis/text/unit_notes.hpp"
 #include "cli/command_line/option_values.hpp"
@@ -104,6 +105,11 @@ std::optional<Error> LargeInput::mix_problem(const LargeFile& file) const {
   return std::nullopt;
 }
 
+bool LargeInput::heights_are_apart() const {
+  return request_->vertical && (front().facts.frame == io::Frame::kWgs84 ||
+                                io::compares_as_stated(request_->vertical, height_unit()));
+}
+
 io::Unit LargeInput::height_unit() const {
   const io::Unit unit = front().facts.height_unit;
   const bool alike = std::all_of(files_.begin(), files_.end(), [unit](const LargeFile& file) {
@@ -150,9 +156,31 @@ Status LargeInput::read(const LargeInputSinks& sinks, ProgressBar& bar) {
     file.first_point = first_point;
     if (auto status = read_file(file, sinks, progress); !status) return status;
     first_point += file.points;
+    rows_before_ += file.points + file.facts.skipped_count;
     if (!file.in_place) file.stream.reset();
   }
   return std::monostate{};
+}
+
+Status LargeInput::skip(LargeFile& file, std::uint64_t row, io::LoadedPoints& block) {
+  if (block.skipped_count == 0) return std::monostate{};
+  for (const std::uint64_t skipped : io::skipped_rows(block)) {
+    skipped_.rows.push_back(rows_before_ + row + skipped);
+  }
+  file.facts.skipped_count += block.skipped_count;
+  for (Error& error : block.skipped) {
+    if (file.facts.skipped.size() == io::kMostSkippedListed) break;
+    file.facts.skipped.push_back(std::move(error));
+  }
+  if (skipped_.rows.size() * sizeof(std::uint64_t) <= *request_->memory_bytes / 16) {
+    return std::monostate{};
+  }
+  Error error{ErrorCode::kMalformedRecord,
+              "too many records are bad, " + io::grouped(skipped_.rows.size()) +
+                  " up to here, to remember them within --memory; correct the file",
+              {}};
+  error.location.source = io::source_name(file.path);
+  return error;
 }
 
 Status LargeInput::read_file(LargeFile& file, const LargeInputSinks& sinks,
@@ -172,8 +200,9 @@ Status LargeInput::read_file(LargeFile& file, const LargeInputSinks& sinks,
     auto block = stream.next();
     if (!block) return std::move(block).error();
     if (!*block) break;
-    const io::LoadedPoints& points = **block;
+    io::LoadedPoints& points = **block;
     recording_.add(points);
+    if (auto status = skip(file, stream.row(), points); !status) return status;
     if (auto problem = recording_.problem(file.path)) return *std::move(problem);
     if (sinks.ids != nullptr || sinks.records != nullptr) {
       all.resize(points.points.size());
@@ -187,11 +216,18 @@ Status LargeInput::read_file(LargeFile& file, const LargeInputSinks& sinks,
         if (sinks.records != nullptr) sinks.records->add(record.text);
       });
     }
-    for (const TextStore* const store : {sinks.ids, sinks.records}) {
+    if (sinks.positions != nullptr) {
+      for (const Point& point : points.points) {
+        sinks.positions->add({reinterpret_cast<const char*>(&point), sizeof point});
+      }
+    }
+    for (const TextStore* const store : {sinks.ids, sinks.records, sinks.positions}) {
       if (store != nullptr && !store->status()) return store->status();
     }
     if (!in_place) {
-      if (auto status = sinks.search.add(points.points); !status) return status;
+      const analysis::GroundPlaces places =
+          analysis::ground_places(points, request_->vertical, height_unit());
+      if (auto status = sinks.search.add(places.view(points.points)); !status) return status;
       file.points += points.points.size();
     }
     progress.done = bytes_before + stream.bytes_read();

@@ -5,6 +5,7 @@
 #include "cli/console/progress_bar.hpp"
 #include "cli/detect/detection.hpp"
 #include "cli/detect/out_of_core/text_store.hpp"
+#include "io/problems/skipped_records.hpp"
 #include "io/stream_points.hpp"
 
 #include <beespace/out_of_core.hpp>
@@ -35,8 +36,9 @@ struct LargeFile {
 // Where points and what is to be known of them go.
 struct LargeInputSinks {
   OutOfCore& search;
-  TextStore* ids;      // null: not wanted
-  TextStore* records;  // null: not wanted
+  TextStore* ids;        // null: not wanted, as these
+  TextStore* records;    // as they stand
+  TextStore* positions;  // as the bytes of Point
 };
 
 class LargeInput {
@@ -51,6 +53,12 @@ class LargeInput {
   [[nodiscard]] bool own_ids() const { return front().own_ids; }
   // Of all heights; where files differ in it they are compared in metres.
   [[nodiscard]] io::Unit height_unit() const;
+
+  // Whether the search is asked about positions at height 0, with heights apart from them.
+  [[nodiscard]] bool heights_are_apart() const;
+
+  // Bad records that were left out, of all files; rows are counted on from file to file.
+  [[nodiscard]] const io::SkippedRecords& skipped() const { return skipped_; }
 
   // Errors: kWriteFailed where the folder surely has too little room.
   [[nodiscard]] Status check_room(const std::string& folder, bool records) const;
@@ -69,12 +77,16 @@ class LargeInput {
 
   Result<LargeFile> open_file(const std::string& path) const;
   [[nodiscard]] std::optional<Error> mix_problem(const LargeFile& file) const;
+  // What was left out of a block.
+  Status skip(LargeFile& file, std::uint64_t row, io::LoadedPoints& block);
   Status read_file(LargeFile& file, const LargeInputSinks& sinks, io::Progress& progress);
 
   const DetectRequest* request_;
   std::size_t block_bytes_;
   std::vector<LargeFile> files_;
   std::vector<std::optional<std::uint64_t>> likely_sizes_;  // of each
+  std::uint64_t rows_before_ = 0;                           // of files that were read
+  io::SkippedRecords skipped_;
   analysis::RecordingCheck recording_{kBeesToWatch};
 
   // Some megabytes of names.

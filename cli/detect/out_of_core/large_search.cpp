@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <functional>
 #include <limits>
 #include <string_view>
@@ -54,9 +55,17 @@ LargeMemory LargeMemory::of(const DetectRequest& request) {
 LargeSearch::LargeSearch(const DetectRequest& request, const std::string& folder,
                          const LargeMemory& memory, ProgressBar& bar)
     : request_(request),
+      options_(request.search.without_limit()),
       bar_(bar),
       points_(std::in_place, options_of(request, folder, memory, bar, stop_)),
       rows_(folder, memory.rows) {
+}
+
+void LargeSearch::set_heights(io::Unit height_unit, TextStore* positions) {
+  if (io::compares_as_stated(request_.vertical, height_unit)) {
+    options_.vertical_m = request_.vertical->value;
+  }
+  positions_ = positions;
 }
 
 bool LargeSearch::is(const char* report) const {
@@ -91,7 +100,7 @@ Status LargeSearch::ended(Status status) const {
 
 Status LargeSearch::find_at_risk() {
   knows_at_risk_ = true;
-  return points_->find_at_risk(request_.search.without_limit(), [&](std::span<const LargeId> ids) {
+  return points_->find_at_risk(options_, [&](std::span<const LargeId> ids) {
     for (const LargeId id : ids) at_risk_.set(id);
   });
 }
@@ -99,8 +108,7 @@ Status LargeSearch::find_at_risk() {
 Status LargeSearch::find_pairs(bool both_ways) {
   knows_at_risk_ = true;
   return ended(points_->visit_pairs(
-      request_.search.without_limit(),
-      [&](std::span<const LargePair> pairs, std::span<const double> distances_m) {
+      options_, [&](std::span<const LargePair> pairs, std::span<const double> distances_m) {
         pairs_ += pairs.size();
         neighbors_ += 2 * pairs.size();
         is_beyond_limit_ = (both_ways ? neighbors_ : pairs_) > request_.search.max_results;
@@ -118,8 +126,7 @@ Status LargeSearch::find_pairs(bool both_ways) {
 Status LargeSearch::find_counts() {
   knows_at_risk_ = true;
   return ended(points_->count_neighbors(
-      request_.search.without_limit(),
-      [&](std::span<const LargeId> ids, std::span<const std::uint64_t> counts) {
+      options_, [&](std::span<const LargeId> ids, std::span<const std::uint64_t> counts) {
         for (std::size_t at = 0; at < ids.size(); ++at) {
           if (counts[at] == 0) continue;
           at_risk_.set(ids[at]);
@@ -165,6 +172,18 @@ std::string LargeSearch::finding() const {
     return rows_.size() == 0 ? "none" : io::length(farthest_m_) + " the farthest";
   }
   return {};
+}
+
+// Where heights are apart, the search knows no straight line between the two.
+double LargeSearch::distance_of(const LargeRow& pair) {
+  if (positions_ == nullptr) return pair.distance_m;
+  std::array<Point, 2> places;
+  for (std::size_t at = 0; at < 2; ++at) {
+    const std::string_view bytes = positions_->text(at == 0 ? pair.first : pair.second);
+    if (bytes.size() != sizeof(Point)) return 0.0;  // said by its status
+    std::memcpy(&places[at], bytes.data(), sizeof(Point));
+  }
+  return distance(places[0], places[1]);
 }
 
 // Rows come by their first point.

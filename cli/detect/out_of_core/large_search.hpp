@@ -72,6 +72,11 @@ class LargeSearch {
   [[nodiscard]] OutOfCore& points() { return *points_; }
   [[nodiscard]] std::uint64_t size() const { return points_ ? points_->size() : size_; }
 
+  // What is asked, once that is known: heights that are apart from positions are compared in the
+  // unit of `height_unit`, and pairs are as far apart as `positions` are, where these are not null.
+  // They must outlive this.
+  void set_heights(io::Unit height_unit, TextStore* positions);
+
   // Once, when all points are there. Errors: those of OutOfCore and of temporary files;
   // kTooManyResults.
   Status find();
@@ -113,7 +118,12 @@ class LargeSearch {
   void write_lonely(LargeTable& table, LargeId& next, LargeId end,
                     std::span<const LargeCell> cells) const;
 
+  // In metres.
+  [[nodiscard]] double distance_of(const LargeRow& pair);
+
   const DetectRequest& request_;
+  SearchOptions options_;
+  TextStore* positions_ = nullptr;
   ProgressBar& bar_;
   std::stop_source stop_;
   std::optional<OutOfCore> points_;

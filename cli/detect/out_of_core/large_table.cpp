@@ -88,7 +88,7 @@ class LargeCsvTable final : public LargeTable {
 
   void bee(LargeId id, std::span<const LargeCell> cells) override {
     table_.next() += records_->text(id);
-    if (with_rows_) table_.field(id);
+    if (with_rows_) table_.field(ids_.row(id));
     for (const LargeCell& cell : cells) write(cell);
     table_.end_row();
     out_.pass_on();

@@ -169,6 +169,46 @@ TEST_F(OutOfCoreFiles, WhatIsWrongSaysWhere) {
   expect_parts(outside.err, {"second.bin", "83"});
 }
 
+TEST_F(OutOfCoreFiles, BadRecordsAreLeftOutAsWithoutMemory) {
+  for (const bool own_ids : {false, true}) {
+    const std::string name = own_ids ? "named.csv" : "plain.csv";
+    ASSERT_NE(own_ids ? named(30'000) : swarm("plain.csv", 30'000), "");
+    std::istringstream in(folder_.read(name));
+    std::string text;
+    int row = 0;
+    for (std::string line; std::getline(in, line); ++row) {
+      if (row == 1 || row == 7 || row % 5000 == 3000) line = row % 2 == 0 ? "nothing" : line + ",9";
+      if (row > 0 && row % 4000 == 0) line.replace(line.rfind(',') + 1, 3, "1e999");
+      text += line + "\n\n";
+    }
+    const std::string bad = folder_.file("bad.csv", text);
+    for (const std::string report : {"at-risk", "pairs", "nearest", "counts"}) {
+      for (const std::string form : {"--csv", "--json", "--output=-"}) {
+        expect_same({bad, "--skip-bad", "--threshold", "0.8", "--report", report, form});
+      }
+    }
+    const std::size_t half = text.find("\n\n", text.size() / 2) + 2;
+    const std::string first = folder_.file("first.csv", text.substr(0, half));
+    const std::string header = text.substr(0, text.find('\n') + 1);
+    const std::string second = folder_.file("second.csv", header + text.substr(half));
+    expect_answer({first, second, "--skip-bad", "--report", "pairs", "--threshold", "1"},
+                  {bad, "--skip-bad", "--report", "pairs", "--threshold", "1"});
+    expect_refused({bad}, 3, "bad.csv:3");
+  }
+  const std::string far = folder_.file("far.csv", "x_m,y_m,z_m\n1,2,3\n500,x,3\n900,2,3\n");
+  const Finished none = small({far, "--skip-bad", "--fail-on-risk"});
+  EXPECT_EQ(none.exit_code, 1);
+  expect_parts(none.err, {"none of those that are known; 1 record was left out", "far.csv:3:2"});
+  const std::string all = folder_.file("all.csv", "x_m,y_m,z_m\n1,2,a\n500,x,3\n");
+  const Finished nothing = small({all, "--skip-bad"});
+  EXPECT_EQ(nothing.exit_code, 3);
+  EXPECT_EQ(nothing.err, run({"detect", all, "--skip-bad"}).err);
+  std::string much = "x_m,y_m,z_m\n1,2,3\n";
+  for (int row = 0; row < 150'000; ++row) much += "a,b,c\n";
+  expect_refused({folder_.file("much.csv", much), "--skip-bad"}, 3, "too many records are bad");
+  expect_refused({swarm("swarm.npy", 10), "--crs", "metres", "--skip-bad"}, 2, "--skip-bad");
+}
+
 // In a recording every fix would count as a bee.
 TEST_F(OutOfCoreFiles, ARecordingIsRefused) {
   std::string text = "time_s,id,x_m,y_m,z_m\n";

@@ -157,7 +157,6 @@ TEST_F(OutOfCoreCommand, WhatItDoesNotTake) {
   const Arguments metres = {plain, "--crs", "metres"};
   expect_refused(metres + Arguments{"--report", "groups"}, 2, "groups");
   expect_refused(metres + Arguments{"--geojson"}, 2, "--csv or --json");
-  expect_refused(metres + Arguments{"--skip-bad"}, 2, "--skip-bad");
   expect_refused(metres + Arguments{"--others", plain}, 2, "--others");
   expect_refused(metres + Arguments{"--vertical", "5", "--report", "nearest"}, 2, "--vertical");
   expect_refused({folder_.file("bad.csv", "x_m,y_m,z_m\n1,2,3\n1,nan,3\n"), "--crs", "metres"}, 3,
