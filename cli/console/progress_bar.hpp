@@ -46,7 +46,7 @@ class ProgressBar {
   };
 
   void run();
-  void draw(const Stage& stage);
+  void draw(const Stage& at);
 
   io::Progress reading_;
   std::atomic<double> share_{kUnknown};

@@ -7,78 +7,24 @@
 namespace beespace::cli {
 namespace {
 
-constexpr const char* kPairHeader = "first,second,distance_m";
-
-class LargeTextTable final : public LargeTable {
+// Fields between tabs, or records as they stand with fields behind them.
+class LargeFieldTable final : public LargeTable {
  public:
-  explicit LargeTextTable(const LargeTableParts& parts)
-      : out_(parts.out), ids_(parts.ids), table_(parts.out.text, '\t') {}
-
-  void begin_bees(const std::vector<LargeColumn>& columns) override {
-    // A plain list of ids needs no header.
-    if (columns.empty()) return;
-    table_.field("id");
-    for (const LargeColumn& column : columns) table_.field(column.name);
-    table_.end_row();
-  }
-
-  void bee(LargeId id, std::span<const LargeCell> cells) override {
-    ids_.append(table_.next(), id);
-    for (const LargeCell& cell : cells) write(cell);
-    table_.end_row();
-    out_.pass_on();
-  }
-
-  void begin_pairs() override { table_.header(kPairHeader).end_row(); }
-
-  void pair(const LargePair& pair, double distance_m) override {
-    ids_.append(table_.next(), pair.first);
-    ids_.append(table_.next(), pair.second);
-    table_.field(distance_m).end_row();
-    out_.pass_on();
-  }
-
- private:
-  void write(const LargeCell& cell) {
-    if (const auto* number = std::get_if<std::uint64_t>(&cell)) {
-      table_.field(*number);
-    } else if (const auto* far = std::get_if<DistanceCell>(&cell)) {
-      table_.field(far->distance_m);
-    } else if (const auto* other = std::get_if<LargeBeeCell>(&cell)) {
-      if (!other->id) {
-        table_.empty_field();
-      } else {
-        ids_.append(table_.next(), *other->id);
-      }
-    } else {
-      for (const LargeId one : std::get<std::span<const LargeId>>(cell)) {
-        ids_.append(table_.next(), one);
-      }
-    }
-  }
-
-  BlockWriter& out_;
-  const LargeIds& ids_;
-  io::TableWriter table_;
-};
-
-class LargeCsvTable final : public LargeTable {
- public:
-  explicit LargeCsvTable(const LargeTableParts& parts)
+  LargeFieldTable(const LargeTableParts& parts, bool csv)
       : out_(parts.out),
         ids_(parts.ids),
         file_(parts.file),
         records_(parts.records),
-        table_(parts.out.text, parts.file.delimiter) {}
+        table_(parts.out.text, csv ? parts.file.delimiter : '\t'),
+        csv_(csv) {}
 
   void begin_bees(const std::vector<LargeColumn>& columns) override {
     // Without an id column the row is the id, which the record itself does not say.
-    with_rows_ =
-        !file_.own_ids && std::any_of(columns.begin(), columns.end(),
-                                      [](const LargeColumn& column) { return column.names_bees; });
-    const bool degrees = file_.facts.frame == io::Frame::kWgs84;
-    const std::string_view of_array = degrees ? "longitude,latitude,height" : "x,y,z";
-    const std::string_view header = file_.is_table ? std::string_view(file_.header) : of_array;
+    with_rows_ = csv_ && !file_.own_ids &&
+                 std::any_of(columns.begin(), columns.end(),
+                             [](const LargeColumn& column) { return column.names_bees; });
+    // A plain list of ids needs no header.
+    const std::string_view header = csv_ ? record_header() : columns.empty() ? "" : "id";
     if (header.empty()) return;
     table_.next() += header;
     if (with_rows_) table_.field("row");
@@ -87,38 +33,69 @@ class LargeCsvTable final : public LargeTable {
   }
 
   void bee(LargeId id, std::span<const LargeCell> cells) override {
-    table_.next() += records_->text(id);
+    if (csv_) {
+      table_.next() += records_->text(id);
+    } else {
+      write_id(id);
+    }
     if (with_rows_) table_.field(ids_.row(id));
     for (const LargeCell& cell : cells) write(cell);
     table_.end_row();
     out_.pass_on();
   }
 
-  void begin_pairs() override { table_.header(kPairHeader).end_row(); }
+  void begin_pairs() override { table_.header("first,second,distance_m").end_row(); }
 
   void pair(const LargePair& pair, double distance_m) override {
-    table_.field(ids_.text(pair.first)).field(ids_.text(pair.second)).field(distance_m);
-    table_.end_row();
+    write_id(pair.first);
+    write_id(pair.second);
+    table_.field(distance_m).end_row();
     out_.pass_on();
   }
 
  private:
+  [[nodiscard]] std::string_view record_header() const {
+    if (file_.is_table) return file_.header;
+    return file_.facts.frame == io::Frame::kWgs84 ? "longitude,latitude,height" : "x,y,z";
+  }
+
+  void write_id(LargeId id) {
+    if (csv_) {
+      table_.field(ids_.text(id));
+    } else {
+      ids_.append(table_.next(), id);
+    }
+  }
+
   void write(const LargeCell& cell) {
     if (const auto* number = std::get_if<std::uint64_t>(&cell)) {
       table_.field(*number);
     } else if (const auto* far = std::get_if<DistanceCell>(&cell)) {
       table_.field(far->distance_m);
     } else if (const auto* other = std::get_if<LargeBeeCell>(&cell)) {
-      table_.field(other->id ? ids_.text(*other->id) : std::string());
-    } else {
-      const char between = table_.delimiter() == ';' ? ',' : ';';
-      std::string listed;
-      for (const LargeId one : std::get<std::span<const LargeId>>(cell)) {
-        if (!listed.empty()) listed += between;
-        ids_.append(listed, one);
+      if (other->id) {
+        write_id(*other->id);
+      } else {
+        table_.empty_field();
       }
-      table_.field(listed);
+    } else {
+      write_ids(std::get<std::span<const LargeId>>(cell));
     }
+  }
+
+  // Each a field of its own, or all one.
+  void write_ids(std::span<const LargeId> bees) {
+    const char between = table_.delimiter() == ';' ? ',' : ';';
+    std::string listed;
+    for (const LargeId one : bees) {
+      if (!csv_) {
+        write_id(one);
+        continue;
+      }
+      if (!listed.empty()) listed += between;
+      ids_.append(listed, one);
+    }
+    if (csv_) table_.field(listed);
   }
 
   BlockWriter& out_;
@@ -126,6 +103,7 @@ class LargeCsvTable final : public LargeTable {
   const LargeFile& file_;
   TextStore* records_;
   io::TableWriter table_;
+  bool csv_;
   bool with_rows_ = false;
 };
 
@@ -192,8 +170,7 @@ class LargeJsonTable final : public LargeTable {
 
 std::unique_ptr<LargeTable> LargeTable::make(Form form, const LargeTableParts& parts) {
   if (form == Form::kJson) return std::make_unique<LargeJsonTable>(parts);
-  if (form == Form::kCsv) return std::make_unique<LargeCsvTable>(parts);
-  return std::make_unique<LargeTextTable>(parts);
+  return std::make_unique<LargeFieldTable>(parts, form == Form::kCsv);
 }
 
 void write_pair(io::JsonWriter& json, const LargeIds& ids, const LargePair& pair,
