@@ -52,11 +52,16 @@ struct OutOfCoreProgress {
 
 /// @brief What a search out of core needs to know. Plain values; nothing is referred to.
 struct OutOfCoreOptions {
-  /// @brief How much memory it may use, in bytes: 16 MiB or more. Must be given: there is no
-  /// default. Points that are searched where they are (OutOfCore::refer) do not count.
+  /// @brief The least memory of a search, for each of its threads.
+  static constexpr std::uint64_t kLeastMemory_bytes = std::uint64_t{16} << 20U;
+
+  /// @brief How much memory it may use, in bytes: #kLeastMemory_bytes a thread, or more. Must be
+  /// given: there is no default. Points that are searched where they are (OutOfCore::refer) do not
+  /// count.
   std::uint64_t memory_bytes = 0;
   /// @brief The folder of the temporary file; it must have room for some 30 bytes a point, and for
-  /// another 24 bytes of each that was added by OutOfCore::add. Must be given.
+  /// another 24 bytes of each that was added by OutOfCore::add; of points with heights apart from
+  /// their positions for 8 more, each time. Must be given.
   std::string folder = {};
   /// @brief How many threads may work, the calling one included; 0 means one per processor. The
   /// answer is the same for every number.
@@ -71,7 +76,9 @@ struct OutOfCoreOptions {
 /// @brief Sees ids in ascending order, those of one cell a call. Must not throw.
 using LargeIdVisitor = std::function<void(std::span<const LargeId>)>;
 /// @brief Sees pairs, each once, in no particular order, and the distance of each in metres, as
-/// beespace::distance says; called by one thread at a time, not always the same. Must not throw.
+/// beespace::distance says (of points with heights apart from their positions the straight line, as
+/// PointsView::with_heights says); called by one thread at a time, not always the same. Must not
+/// throw.
 using LargePairVisitor = std::function<void(std::span<const LargePair>, std::span<const double>)>;
 /// @brief Sees ids of one cell in ascending order, and how many neighbours each of them has. Must
 /// not throw.
@@ -129,27 +136,36 @@ class BEESPACE_API OutOfCore {
   ~OutOfCore();
 
   /// @brief Adds points, which are copied to the disk. Ids go on from those before.
-  /// @param points The positions in metres; without heights of their own.
+  /// @param points The positions in metres, all with heights apart from their positions
+  ///   (PointsView::with_heights), or none.
   /// @return Success, or an error, in which case none was added:
-  ///   - ErrorCode::kNotFinite, ErrorCode::kOutsideDomain: a coordinate, with the id in
-  ///     ErrorLocation::record;
+  ///   - ErrorCode::kNotFinite, ErrorCode::kOutsideDomain: a coordinate or a height, with its place
+  ///     among `points` in ErrorLocation::record;
   ///   - ErrorCode::kWriteFailed: the disk is full, or the folder cannot be written;
-  ///   - ErrorCode::kInvalidArgument: the options; arrays that do not fit together.
+  ///   - ErrorCode::kInvalidArgument: the options; arrays that do not fit together; heights where
+  ///     points before have none, or none where these have.
   Status add(const PointsView& points);
   /// @brief Adds points that stay where they are: in a mapped file, say.
-  /// @param points The positions in metres; they must outlive this, and not change.
-  /// @return As add(); coordinates are checked by the first search.
+  /// @param points As of add(); they and their heights must outlive this, and not change.
+  /// @return As add(); coordinates and heights are checked by the searches, which name the id.
   Status refer(const PointsView& points);
   /// @brief How many points there are.
   /// @return The number.
   [[nodiscard]] std::uint64_t size() const;
+
+  /// @brief Says with how many threads the calls that follow work, and what ends them: instead of
+  /// what the options said. A stop that was requested ends all later calls, too, until another one
+  /// is given.
+  /// @param run The threads and the stop.
+  void set_run(const RunOptions& run);
 
   /// @brief Finds the points that are closer than the threshold to any other point, as
   /// beespace::find_at_risk.
   /// @param options The threshold and how to compare; `threads` and `stop` are those of this.
   /// @param visit Sees the ids.
   /// @return Success, or an error, in which case `visit` may have seen some:
-  ///   - those of beespace::find_at_risk;
+  ///   - those of beespace::find_at_risk; of a coordinate or height that is none, with the id in
+  ///     ErrorLocation::record;
   ///   - ErrorCode::kWriteFailed, ErrorCode::kReadFailed: of the temporary file;
   ///   - ErrorCode::kCorrupt: it does not hold what was written;
   ///   - ErrorCode::kInvalidArgument: less memory than the threads need.
@@ -167,7 +183,8 @@ class BEESPACE_API OutOfCore {
 
   /// @brief Finds the two points that are closest to each other, as beespace::find_closest_pair.
   /// @return The closest pair, absent when there are fewer than two points; or an error as
-  ///   find_at_risk(), but for those of the threshold.
+  ///   find_at_risk(), but for those of the threshold; ErrorCode::kInvalidArgument of points with
+  ///   heights apart from their positions.
   Result<std::optional<LargeClosestPair>> find_closest_pair();
 
   /// @brief Finds for each point the `k` nearest other points, however far, as

@@ -35,14 +35,18 @@ Error invalid(std::string message) {
   return {ErrorCode::kInvalidArgument, std::move(message), {}};
 }
 
-std::optional<Error> check_heights(std::span<const double> heights, std::size_t points,
-                                   const char* name) {
-  if (heights.size() != points) {
-    Error error = invalid(std::to_string(heights.size()) + " heights for " +
-                          std::to_string(points) + " points; give one for each, or none");
-    error.location.array = name;
-    return error;
-  }
+std::optional<Error> check_height_count_of(std::span<const double> heights, std::size_t points,
+                                           const char* name) {
+  if (heights.size() == points) return std::nullopt;
+  Error error = invalid(std::to_string(heights.size()) + " heights for " + std::to_string(points) +
+                        " points; give one for each, or none");
+  error.location.array = name;
+  return error;
+}
+
+std::optional<Error> check_heights_of(std::span<const double> heights, std::size_t points,
+                                      const char* name) {
+  if (auto error = check_height_count_of(heights, points, name)) return error;
   for (std::size_t i = 0; i < heights.size(); ++i) {
     const double height = heights[i];
     if (in_domain(height)) continue;
@@ -58,10 +62,11 @@ std::optional<Error> check_heights(std::span<const double> heights, std::size_t 
   return std::nullopt;
 }
 
+}  // namespace
+
 // What does not depend on the points: for so many of them in all, of which some may have heights
 // that are kept apart. Where there are no points, nor are there heights.
-std::optional<Error> check_vertical_for(std::size_t points, bool apart,
-                                        const PairOptions& options) {
+std::optional<Error> check_vertical(const PairOptions& options, std::size_t points, bool apart) {
   if (!options.vertical_m) {
     if (!apart) return std::nullopt;
     return invalid(
@@ -86,25 +91,36 @@ std::optional<Error> check_vertical_for(std::size_t points, bool apart,
   return std::nullopt;
 }
 
-}  // namespace
+std::optional<Error> check_height_count(const PointsView& points) {
+  if (!points.has_heights()) return std::nullopt;
+  return check_height_count_of(points.heights_m(), points.size(), kPointsName);
+}
+
+std::optional<Error> check_heights(const PointsView& points) {
+  if (!points.has_heights()) return std::nullopt;
+  return check_heights_of(points.heights_m(), points.size(), kPointsName);
+}
 
 std::optional<Error> check_vertical(const PairOptions& options, const PointsView& points) {
-  if (auto error = check_vertical_for(points.size(), points.has_heights(), options)) return error;
-  if (!points.has_heights()) return std::nullopt;
-  return check_heights(points.heights_m(), points.size(), kPointsName);
+  if (auto error = check_vertical(options, points.size(), points.has_heights())) return error;
+  return check_heights(points);
 }
 
 std::optional<Error> check_vertical(const PairOptions& options, const PointsView& points,
                                     const PointsView& others) {
   const bool apart = points.has_heights() || others.has_heights();
-  if (auto error = check_vertical_for(points.size() + others.size(), apart, options)) return error;
+  if (auto error = check_vertical(options, points.size() + others.size(), apart)) return error;
   if (!apart) return std::nullopt;
-  if (auto error = check_heights(points.heights_m(), points.size(), kPointsName)) return error;
-  return check_heights(others.heights_m(), others.size(), kOthersName);
+  if (auto error = check_heights_of(points.heights_m(), points.size(), kPointsName)) return error;
+  return check_heights_of(others.heights_m(), others.size(), kOthersName);
 }
 
 std::optional<Error> check_no_heights(const PointsView& points, const char* name) {
-  if (!points.has_heights()) return std::nullopt;
+  return check_no_heights(points.has_heights(), name);
+}
+
+std::optional<Error> check_no_heights(bool apart, const char* name) {
+  if (!apart) return std::nullopt;
   Error error = invalid(
       "there are heights apart from the positions, which this search does not compare; give "
       "positions in space");

@@ -5,6 +5,7 @@
 #include <beespace/result.hpp>
 #include <beespace/search_options.hpp>
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -23,6 +24,12 @@ std::optional<Error> check_vertical(const PairOptions& options, const PointsView
 std::optional<Error> check_vertical(const PairOptions& options, const PointsView& points,
                                     const PointsView& others);
 std::optional<Error> check_no_heights(const PointsView& points, const char* name);
+// The same of so many points that are not in memory, or come part by part.
+std::optional<Error> check_vertical(const PairOptions& options, std::size_t points, bool apart);
+std::optional<Error> check_no_heights(bool apart, const char* name);
+// That of points with heights each has one; and that these lie in the domain, too.
+std::optional<Error> check_height_count(const PointsView& points);
+std::optional<Error> check_heights(const PointsView& points);
 std::optional<Error> check_size(std::size_t size);
 // Checks that its arrays fit together, and their size: before any element is read.
 std::optional<Error> check_size(const PointsView& points);

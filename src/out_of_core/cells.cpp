@@ -17,6 +17,11 @@ namespace {
 
 constexpr std::uint32_t kHaloBit = std::uint32_t{1} << 31U;
 
+// Of doubles, a point.
+constexpr std::size_t columns_of(bool heights) {
+  return heights ? 4 : 3;
+}
+
 template <class T>
 std::span<const std::byte> bytes_of(const T* data, std::size_t count) {
   return std::as_bytes(std::span(data, count));
@@ -24,26 +29,32 @@ std::span<const std::byte> bytes_of(const T* data, std::size_t count) {
 
 }  // namespace
 
-void CellPoints::resize(std::size_t count) {
+void CellPoints::resize(std::size_t count, bool heights) {
   size_ = count;
-  if (count <= capacity_) return;
+  if (count <= capacity_ && heights == heights_) return;
   capacity_ = 0;
-  for (auto& axis : axes_) axis = {};
+  heights_ = heights;
+  for (auto& column : columns_) column = {};
   ids_ = {};
-  for (auto& axis : axes_) axis = core::Buffer<double>(count);
+  for (std::size_t at = 0; at < columns_of(heights); ++at) {
+    columns_[at] = core::Buffer<double>(count);
+  }
   ids_ = core::Buffer<std::uint64_t>(count);
   capacity_ = count;
 }
 
 PointsView CellPoints::view() const {
-  return PointsView::strided({axes_[0].data(), axes_[1].data(), axes_[2].data()}, size_,
-                             {sizeof(double), sizeof(double), sizeof(double)});
+  const PointsView positions =
+      PointsView::strided({columns_[0].data(), columns_[1].data(), columns_[2].data()}, size_,
+                          {sizeof(double), sizeof(double), sizeof(double)});
+  if (!heights_) return positions;
+  return positions.with_heights(std::span(columns_[3].data(), size_));
 }
 
 // Sorts one batch after the other by cell; one for each worker.
 class Cells::Sorter {
  public:
-  explicit Sorter(std::size_t cells) : counts_(cells), homes_(cells) {}
+  Sorter(std::size_t cells, bool heights) : heights_(heights), counts_(cells), homes_(cells) {}
 
   [[nodiscard]] std::size_t cells() const { return counts_.size(); }
   [[nodiscard]] std::uint32_t count(std::size_t cell) const { return counts_[cell]; }
@@ -62,22 +73,23 @@ class Cells::Sorter {
     }
     begins_.assign(1, 0);
     for (const std::uint32_t count : counts_) begins_.push_back(begins_.back() + count);
-    bytes_.resize(entries_.size() * kBytesOnDisk);
+    bytes_.resize(entries_.size() * bytes_on_disk(heights_));
     next_.assign(begins_.begin(), begins_.end() - 1);
-    for (const Entry& entry : entries_) place(entry, points[entry.index & ~kHaloBit]);
+    for (const Entry& entry : entries_) place(entry, points);
   }
 
   [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
   // Of the cell, in bytes().
   [[nodiscard]] std::uint64_t offset(std::size_t cell) const {
-    return begins_[cell] * kBytesOnDisk;
+    return begins_[cell] * bytes_on_disk(heights_);
   }
   [[nodiscard]] std::uint64_t checksum(std::size_t cell) const {
     const std::byte* const data = bytes_.data() + offset(cell);
-    const std::size_t axis = counts_[cell] * sizeof(double);
+    const std::size_t columns = columns_of(heights_);
+    const std::size_t column = counts_[cell] * sizeof(double);
     Checksum sum;
-    for (std::size_t part = 0; part < 3; ++part) sum.add({data + part * axis, axis});
-    sum.add({data + 3 * axis, counts_[cell] * sizeof(std::uint32_t)});
+    for (std::size_t at = 0; at < columns; ++at) sum.add({data + at * column, column});
+    sum.add({data + columns * column, counts_[cell] * sizeof(std::uint32_t)});
     return sum.value();
   }
 
@@ -87,21 +99,25 @@ class Cells::Sorter {
     std::uint32_t index;  // in the batch
   };
 
-  // All x of a cell, all y, all z, then where they stood.
-  void place(const Entry& entry, const Point& point) {
+  // All x of a cell, all y, all z, all heights, then where they stood.
+  void place(const Entry& entry, const PointsView& points) {
     std::byte* const data = bytes_.data() + offset(entry.cell);
     const std::size_t count = counts_[entry.cell];
     const std::size_t at = next_[entry.cell]++ - begins_[entry.cell];
-    const auto put = [&](std::size_t part, double coordinate) {
-      std::memcpy(data + (part * count + at) * sizeof(double), &coordinate, sizeof coordinate);
+    const auto put = [&](std::size_t column, double number) {
+      std::memcpy(data + (column * count + at) * sizeof(double), &number, sizeof number);
     };
+    const std::size_t index = entry.index & ~kHaloBit;
+    const Point point = points[index];
     put(0, point.x);
     put(1, point.y);
     put(2, point.z);
-    std::memcpy(data + 3 * count * sizeof(double) + at * sizeof(std::uint32_t), &entry.index,
-                sizeof entry.index);
+    if (heights_) put(3, points.heights_m()[index]);
+    std::memcpy(data + columns_of(heights_) * count * sizeof(double) + at * sizeof(std::uint32_t),
+                &entry.index, sizeof entry.index);
   }
 
+  bool heights_;
   std::vector<std::uint32_t> counts_;
   std::vector<std::uint32_t> homes_;
   std::vector<Entry> entries_;
@@ -120,8 +136,8 @@ Status Cells::distribute(const StoredPoints& points, std::size_t batch, Crew& cr
   std::atomic<std::size_t> next = 0;
 
   crew.run([&](unsigned worker) {
-    Sorter sorter(segments_.size());
-    std::vector<Point> memory;
+    Sorter sorter(segments_.size(), heights_);
+    PointMemory memory;
     for (std::size_t at = next++; at < stretches.size() && !core::is_stopping(); at = next++) {
       const Stretch& stretch = stretches[at];
       const auto fail = [&](Error why) {
@@ -134,7 +150,9 @@ Status Cells::distribute(const StoredPoints& points, std::size_t batch, Crew& cr
       };
       const auto view = points.view(stretch, memory);
       if (!view) return fail(view.error());
-      if (auto wrong = core::check_points(*view, 0, view->size())) {
+      auto wrong = core::check_points(*view, 0, view->size());
+      if (!wrong) wrong = core::check_heights(*view);
+      if (wrong) {
         if (wrong->location.record) *wrong->location.record += stretch.first_id;
         return fail(*std::move(wrong));
       }
@@ -166,21 +184,26 @@ Status Cells::distribute(const StoredPoints& points, std::size_t batch, Crew& cr
 Status Cells::read(std::span<const Segment> segments, CellPoints& points) const {
   std::size_t total = 0;
   for (const Segment& segment : segments) total += segment.count;
-  points.resize(total);
+  points.resize(total, heights_);
+  const std::size_t columns = columns_of(heights_);
   std::vector<std::uint32_t> places;
   std::size_t at = 0;
   for (const Segment& segment : segments) {
     const std::size_t count = segment.count;
     places.resize(count);
-    std::array<iovec, 4> parts{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      parts[axis] = {points.axes_[axis].data() + at, count * sizeof(double)};
+    std::array<iovec, 5> parts{};
+    for (std::size_t column = 0; column < columns; ++column) {
+      parts[column] = {points.columns_[column].data() + at, count * sizeof(double)};
     }
-    parts[3] = {places.data(), count * sizeof(std::uint32_t)};
-    if (auto status = file_.read(segment.offset, parts); !status) return status;
+    parts[columns] = {places.data(), count * sizeof(std::uint32_t)};
+    if (auto status = file_.read(segment.offset, std::span(parts).first(columns + 1)); !status) {
+      return status;
+    }
 
     Checksum sum;
-    for (const auto& axis : points.axes_) sum.add(bytes_of(axis.data() + at, count));
+    for (std::size_t column = 0; column < columns; ++column) {
+      sum.add(bytes_of(points.columns_[column].data() + at, count));
+    }
     sum.add(bytes_of(places.data(), count));
     if (sum.value() != segment.checksum) {
       return Error{

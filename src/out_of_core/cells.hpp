@@ -26,7 +26,8 @@ namespace beespace::out_of_core {
 // Some or all points of a cell and of its halo, ascending by id. Keeps its memory.
 class CellPoints {
  public:
-  void resize(std::size_t count);
+  // For so many points, with heights or without.
+  void resize(std::size_t count, bool heights);
   // Gives its memory back.
   void release() { *this = CellPoints(); }
 
@@ -37,7 +38,9 @@ class CellPoints {
   [[nodiscard]] bool is_home(std::size_t index) const { return (ids_[index] & kHaloFlag) == 0; }
 
   // The memory of a point, besides what is read into it.
-  static constexpr std::size_t kBytesAPoint = 3 * sizeof(double) + sizeof(std::uint64_t);
+  static constexpr std::size_t bytes_a_point(bool heights) {
+    return (heights ? 4 : 3) * sizeof(double) + sizeof(std::uint64_t);
+  }
 
  private:
   friend class Cells;
@@ -45,7 +48,8 @@ class CellPoints {
 
   std::size_t size_ = 0;
   std::size_t capacity_ = 0;
-  std::array<core::Buffer<double>, 3> axes_;
+  bool heights_ = false;
+  std::array<core::Buffer<double>, 4> columns_;  // x, y, z, and heights if there are any
   core::Buffer<std::uint64_t> ids_;
 };
 
@@ -59,13 +63,18 @@ struct Segment {
 
 class Cells {
  public:
-  // The bytes of a point on the disk: its coordinates, and its place in the batch.
-  static constexpr std::size_t kBytesOnDisk = 3 * sizeof(double) + sizeof(std::uint32_t);
+  // The bytes of a point on the disk: its coordinates, its height if it has one, and its place in
+  // the batch.
+  static constexpr std::size_t bytes_on_disk(bool heights) {
+    return (heights ? 4 : 3) * sizeof(double) + sizeof(std::uint32_t);
+  }
   // The memory that distributing takes for each point of a batch, halos included.
-  static constexpr std::size_t kBytesABatchPoint = 72;
+  static constexpr std::size_t bytes_a_batch_point(bool heights) { return heights ? 88 : 72; }
 
-  Cells(TemporaryFile file, Cut cut)
-      : file_(std::move(file)),
+  // Of points that all have heights, or none.
+  Cells(TemporaryFile file, Cut cut, bool heights)
+      : heights_(heights),
+        file_(std::move(file)),
         cut_(std::move(cut)),
         segments_(cut_.cells()),
         counts_(cut_.cells()) {}
@@ -95,6 +104,7 @@ class Cells {
   };
   class Sorter;
 
+  bool heights_;
   TemporaryFile file_;
   Cut cut_;
   std::vector<std::vector<Segment>> segments_;  // of each cell, ascending by first_id

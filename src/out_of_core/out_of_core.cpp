@@ -28,7 +28,7 @@ std::size_t waiting_within(const Plan& plan, std::size_t length) {
   constexpr std::size_t kBytesOfPoint = 128;
   constexpr std::size_t kBytesOfEntry = 40;
   return std::max<std::size_t>(
-      1, plan.cell * CellPoints::kBytesAPoint / (kBytesOfPoint + kBytesOfEntry * length));
+      1, plan.cell * CellPoints::bytes_a_point(false) / (kBytesOfPoint + kBytesOfEntry * length));
 }
 
 Error invalid_option(const std::string& what) {
@@ -44,6 +44,7 @@ class __attribute__((visibility("hidden"))) OutOfCore::State {
   Status add(const PointsView& points) {
     if (auto error = wrong_points(points)) return *std::move(error);
     if (auto error = core::check_points(points, 0, points.size())) return *std::move(error);
+    if (auto error = core::check_heights(points)) return *std::move(error);
     const auto plan = plan_of();
     if (!plan) return plan.error();
     return stored_.copy(points, options_.folder, plan->batch);
@@ -55,6 +56,10 @@ class __attribute__((visibility("hidden"))) OutOfCore::State {
   }
 
   [[nodiscard]] std::uint64_t size() const { return stored_.size(); }
+  void set_run(const RunOptions& run) {
+    options_.threads = run.threads;
+    options_.stop = run.stop;
+  }
   [[nodiscard]] const OutOfCoreFacts& facts() const { return facts_; }
 
   Status find_at_risk(const SearchOptions& options, const LargeIdVisitor& visit) {
@@ -77,6 +82,7 @@ class __attribute__((visibility("hidden"))) OutOfCore::State {
 
   Result<std::optional<LargeClosestPair>> find_closest_pair() {
     facts_ = {};
+    if (auto error = wrong_heights()) return *std::move(error);
     const auto plan = plan_of();
     if (!plan) return plan.error();
     const RunOptions run(options_.threads, options_.stop);
@@ -92,6 +98,7 @@ class __attribute__((visibility("hidden"))) OutOfCore::State {
 
   Status find_k_nearest(std::size_t k, const LargeNearestVisitor& visit) {
     facts_ = {};
+    if (auto error = wrong_heights()) return *std::move(error);
     const auto plan = plan_of();
     if (!plan) return plan.error();
     const auto length = static_cast<std::size_t>(
@@ -113,27 +120,40 @@ class __attribute__((visibility("hidden"))) OutOfCore::State {
   Result<Plan> plan_of() {
     if (options_.folder.empty())
       return invalid_option("a folder for temporary files must be named");
-    return plan_for(options_.memory_bytes, crew().size());
+    return plan_for(options_.memory_bytes, crew().size(), stored_.have_heights());
   }
 
-  static std::optional<Error> wrong_points(const PointsView& points) {
-    if (auto error = core::check_no_heights(points, core::kPointsName)) return error;
+  [[nodiscard]] std::optional<Error> wrong_points(const PointsView& points) const {
     if (!points.fits()) return core::check_size(points);
-    return std::nullopt;
+    if (auto error = core::check_height_count(points)) return error;
+    if (size() == 0 || points.empty() || points.has_heights() == stored_.have_heights()) {
+      return std::nullopt;
+    }
+    return invalid_option(points.has_heights()
+                              ? "these points have heights apart from their positions, and those "
+                                "that came before have none; give them to all, or to none"
+                              : "these points have no heights apart from their positions, and "
+                                "those that came before have; give them to all, or to none");
+  }
+
+  // Of questions without a threshold: the straight line is that of positions.
+  [[nodiscard]] std::optional<Error> wrong_heights() const {
+    return core::check_no_heights(stored_.have_heights(), core::kPointsName);
   }
 
   template <class MakeQuestion>
   Status search(const SearchOptions& options, const MakeQuestion& make_question) {
     facts_ = {};
     if (auto error = core::check_options(options)) return *std::move(error);
-    if (auto error = core::check_vertical(options, PointsView())) return *std::move(error);
+    const bool heights = stored_.have_heights();
+    if (auto error = core::check_vertical(options, size(), heights)) return *std::move(error);
     const auto plan = plan_of();
     if (!plan) return plan.error();
     SearchOptions how = options;
     how.threads = options_.threads;
     how.stop = options_.stop;
     auto question = make_question(how, *plan);
-    return search_cells(stored_, reach_of(how), workplace(*plan), question, facts_);
+    return search_cells(stored_, reach_of(how, heights), workplace(*plan), question, facts_);
   }
 
   Workplace workplace(const Plan& plan) {
@@ -163,6 +183,10 @@ Status OutOfCore::refer(const PointsView& points) {
 
 std::uint64_t OutOfCore::size() const {
   return state_->size();
+}
+
+void OutOfCore::set_run(const RunOptions& run) {
+  state_->set_run(run);
 }
 
 Status OutOfCore::find_at_risk(const SearchOptions& options, const LargeIdVisitor& visit) {

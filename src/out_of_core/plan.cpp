@@ -2,6 +2,7 @@
 
 #include "out_of_core/cells.hpp"
 
+#include <beespace/out_of_core.hpp>
 #include <beespace/pairs.hpp>
 
 #include <algorithm>
@@ -11,12 +12,9 @@ namespace beespace::out_of_core {
 
 namespace {
 
-constexpr std::uint64_t kLeast = std::uint64_t{16} << 20U;
-
 // The working memory of a search in memory, a point, and its answer; where points spread widely
-// (docs of find_at_risk). Cells are read while the one before is searched, so there are two.
+// (docs of find_at_risk).
 constexpr std::uint64_t kBytesOfSearch = 124;
-constexpr std::uint64_t kBytesInCell = 2 * CellPoints::kBytesAPoint + kBytesOfSearch;
 
 // What the program, its threads and the segments take besides.
 constexpr std::uint64_t kShareOfTheRest = 8;
@@ -27,8 +25,8 @@ constexpr std::uint64_t kBytesInSample = 48;
 
 }  // namespace
 
-Result<Plan> plan_for(std::uint64_t memory_bytes, unsigned workers) {
-  const std::uint64_t least = kLeast * workers;
+Result<Plan> plan_for(std::uint64_t memory_bytes, unsigned workers, bool heights) {
+  const std::uint64_t least = OutOfCoreOptions::kLeastMemory_bytes * workers;
   if (memory_bytes < least) {
     return Error{ErrorCode::kInvalidArgument,
                  "a search out of core with " + std::to_string(workers) +
@@ -38,12 +36,15 @@ Result<Plan> plan_for(std::uint64_t memory_bytes, unsigned workers) {
                  {}};
   }
   const std::uint64_t used = memory_bytes - memory_bytes / kShareOfTheRest;
+  // Cells are read while the one before is searched, so there are two.
+  const std::uint64_t in_cell = 2 * CellPoints::bytes_a_point(heights) + kBytesOfSearch;
   Plan plan;
-  plan.cell = static_cast<std::size_t>(
-      std::min<std::uint64_t>(used / kBytesInCell, std::uint64_t{1} << 31U));
+  plan.cell =
+      static_cast<std::size_t>(std::min<std::uint64_t>(used / in_cell, std::uint64_t{1} << 31U));
   // So that a segment is never more than a part of a cell.
-  plan.batch = static_cast<std::size_t>(std::min(
-      {used / (Cells::kBytesABatchPoint * workers), kLargestBatch, std::uint64_t{plan.cell} / 4}));
+  plan.batch =
+      static_cast<std::size_t>(std::min({used / (Cells::bytes_a_batch_point(heights) * workers),
+                                         kLargestBatch, std::uint64_t{plan.cell} / 4}));
   plan.sample = static_cast<std::size_t>(std::min(used / (2 * kBytesInSample), kLargestSample));
   plan.pairs = static_cast<std::size_t>(used / 8 / sizeof(Pair));
   return plan;

@@ -15,7 +15,8 @@ struct Plan {
   std::size_t pairs = 0;   // pairs that are found at a time between two pieces of a crowded cell
 };
 
-// Errors: kInvalidArgument where the memory is too little for so many workers.
-Result<Plan> plan_for(std::uint64_t memory_bytes, unsigned workers);
+// For points with heights apart from their positions, or without. Errors: kInvalidArgument where
+// the memory is too little for so many workers.
+Result<Plan> plan_for(std::uint64_t memory_bytes, unsigned workers, bool heights);
 
 }  // namespace beespace::out_of_core

@@ -1,12 +1,29 @@
 #include "out_of_core/questions.hpp"
 
 #include "exact/exact_distance.hpp"
-#include "out_of_core/stored_points.hpp"
 
 #include <algorithm>
 #include <span>
 
 namespace beespace::out_of_core {
+
+namespace {
+
+void append(PointMemory& to, const PointsView& points, std::size_t index) {
+  to.points.push_back(points[index]);
+  if (points.has_heights()) to.heights.push_back(points.heights_m()[index]);
+}
+
+void clear(PointMemory& memory) {
+  memory.points.clear();
+  memory.heights.clear();
+}
+
+PointsView view_of(const PointMemory& memory) {
+  return PointsView(memory.points).with_heights(memory.heights);
+}
+
+}  // namespace
 
 void AtRiskQuestion::tell() {
   if (!ids_.empty()) visit_(ids_);
@@ -25,7 +42,7 @@ Status AtRiskQuestion::ask(const CellPoints& points, const Cells& /*cells*/) {
 Status AtRiskQuestion::ask_crowded(const CrowdedCell& cell, const Cells& /*cells*/) {
   CellPoints points;
   open_.clear();
-  open_points_.clear();
+  clear(open_points_);
   for (std::size_t piece = 0; piece < cell.pieces(); ++piece) {
     if (auto status = cell.read(piece, points); !status) return status;
     if (auto status = engine_.find_at_risk(points.view(), options_, found_); !status) return status;
@@ -38,7 +55,7 @@ Status AtRiskQuestion::ask_crowded(const CrowdedCell& cell, const Cells& /*cells
         ids_.push_back(points.id(index));
       } else {
         open_.push_back({points.id(index), piece});
-        open_points_.push_back(points.view()[index]);
+        append(open_points_, points.view(), index);
       }
     }
     tell();
@@ -54,18 +71,18 @@ Status AtRiskQuestion::ask_open(const CrowdedCell& cell) {
   CellPoints others;
   open_at_risk_.assign(open_.size(), false);
   std::vector<std::size_t> asked;
-  std::vector<Point> places;
+  PointMemory places;
   for (std::size_t piece = 0; piece < cell.pieces(); ++piece) {
     asked.clear();
-    places.clear();
+    clear(places);
     for (std::size_t at = 0; at < open_.size(); ++at) {
       if (open_[at].piece == piece || open_at_risk_[at]) continue;
       asked.push_back(at);
-      places.push_back(open_points_[at]);
+      append(places, view_of(open_points_), at);
     }
     if (asked.empty()) continue;
     if (auto status = cell.read(piece, others); !status) return status;
-    auto status = engine_.find_at_risk_between(places, others.view(), options_, found_);
+    auto status = engine_.find_at_risk_between(view_of(places), others.view(), options_, found_);
     if (!status) return status;
     for (const PointId place : found_) open_at_risk_[asked[place]] = true;
   }
@@ -74,7 +91,7 @@ Status AtRiskQuestion::ask_open(const CrowdedCell& cell) {
   }
   tell();
   open_.clear();
-  open_points_.clear();
+  clear(open_points_);
   return std::monostate{};
 }
 
@@ -124,7 +141,13 @@ void PairsQuestion::keep(const CellPoints& points, std::size_t first, const Cell
                          std::size_t second) {
   if (!points.is_home(first)) return;
   pairs_.push_back({points.id(first), others.id(second)});
-  distances_m_.push_back(distance(points.view()[first], others.view()[second]));
+  distances_m_.push_back(distance_of(points.view(), first, others.view(), second));
+}
+
+double PairsQuestion::distance_of(const PointsView& points, std::size_t first,
+                                  const PointsView& others, std::size_t second) const {
+  if (!points.has_heights()) return distance(points[first], others[second]);
+  return line_.length(core::upright(points, true)[first], core::upright(others, true)[second]);
 }
 
 void PairsQuestion::tell() {

@@ -1,12 +1,15 @@
 // The questions that can be asked of points beyond memory.
 #pragma once
 
+#include "exact/cylinder.hpp"
 #include "out_of_core/cell_walk.hpp"
+#include "out_of_core/stored_points.hpp"
 
 #include <beespace/engine.hpp>
 #include <beespace/nearest.hpp>
 #include <beespace/out_of_core.hpp>
 #include <beespace/pairs.hpp>
+#include <beespace/points_view.hpp>
 #include <beespace/search_options.hpp>
 
 #include <cstddef>
@@ -43,7 +46,7 @@ class AtRiskQuestion final : public CellQuestion {
   std::vector<PointId> found_;
   std::vector<LargeId> ids_;
   std::vector<Open> open_;
-  std::vector<Point> open_points_;
+  PointMemory open_points_;
   std::vector<bool> open_at_risk_;
 };
 
@@ -74,7 +77,11 @@ class PairsQuestion final : public CellQuestion {
   // All must outlive this. At most so many pairs of two pieces are found at a time.
   PairsQuestion(Engine& engine, const SearchOptions& options, std::size_t most,
                 const LargePairVisitor& visit)
-      : engine_(engine), options_(options), most_(most), visit_(visit) {}
+      : engine_(engine),
+        options_(options),
+        line_(options.height_unit_m),
+        most_(most),
+        visit_(visit) {}
 
   Status ask(const CellPoints& points, const Cells& cells) override;
   // Each piece with each.
@@ -86,10 +93,13 @@ class PairsQuestion final : public CellQuestion {
                   const CellPoints& others);
   void keep(const CellPoints& points, std::size_t first, const CellPoints& others,
             std::size_t second);
+  [[nodiscard]] double distance_of(const PointsView& points, std::size_t first,
+                                   const PointsView& others, std::size_t second) const;
   void tell();
 
   Engine& engine_;
   const SearchOptions& options_;
+  core::StraightLine line_;
   std::size_t most_;
   const LargePairVisitor& visit_;
   std::vector<Pair> found_;

@@ -31,14 +31,15 @@ double share_of(std::uint64_t part, std::uint64_t whole) {
 }
 
 // Of the temporary file of all cells.
-std::uint64_t expected_bytes(const std::vector<Point>& sample, const Cut& cut, std::uint64_t size) {
+std::uint64_t expected_bytes(const std::vector<Point>& sample, const Cut& cut,
+                             const StoredPoints& points) {
   std::uint64_t copies = 0;
   for (const Point& point : sample) {
     cut.for_each_cell(point, [&](CellNumber /*cell*/, bool home) { copies += home ? 0 : 1; });
   }
-  return static_cast<std::uint64_t>(static_cast<double>(size) *
-                                    (1.0 + share_of(copies, sample.size())) *
-                                    static_cast<double>(Cells::kBytesOnDisk));
+  return static_cast<std::uint64_t>(
+      static_cast<double>(points.size()) * (1.0 + share_of(copies, sample.size())) *
+      static_cast<double>(Cells::bytes_on_disk(points.have_heights())));
 }
 
 // Tells the caller, but not all the time.
@@ -69,12 +70,12 @@ Result<Cells> distribute(const StoredPoints& points, const Reach& reach, const W
   const auto most = static_cast<std::size_t>(kShareOfCell * static_cast<double>(at.plan.cell) *
                                              share_of(sample->size(), points.size()));
   Cut cut = Cut::of_sample(*sample, most, reach);
-  auto file = TemporaryFile::make(at.folder, expected_bytes(*sample, cut, points.size()));
+  auto file = TemporaryFile::make(at.folder, expected_bytes(*sample, cut, points));
   if (!file) return std::move(file).error();
   *sample = {};
 
   const std::size_t batch = batch_for(cut.cells(), at.plan.batch);
-  Cells cells(*std::move(file), std::move(cut));
+  Cells cells(*std::move(file), std::move(cut), points.have_heights());
   core::StoppableCrew workers(at.crew, at.stop);
   auto status =
       cells.distribute(points, batch, workers,
@@ -85,9 +86,9 @@ Result<Cells> distribute(const StoredPoints& points, const Reach& reach, const W
 
 }  // namespace
 
-Reach reach_of(const SearchOptions& options) {
-  return {options.threshold_m, options.threshold_m,
-          options.vertical_m.value_or(options.threshold_m)};
+Reach reach_of(const SearchOptions& options, bool heights) {
+  const double level = options.threshold_m;
+  return {level, level, heights ? level : options.vertical_m.value_or(level)};
 }
 
 Result<Reach> reach_of_closest_pair(StoredPoints& points, const RunOptions& run,

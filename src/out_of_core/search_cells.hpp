@@ -26,8 +26,10 @@ struct Workplace {
   const std::function<void(const OutOfCoreProgress&)>& progress;  // may be empty
 };
 
-// The halos of a search with valid options.
-Reach reach_of(const SearchOptions& options);
+// The halos of a search with valid options, of points with heights apart from their positions, or
+// without. Who is closer than the threshold is so along each axis; heights apart are no axis, and
+// only take pairs away.
+Reach reach_of(const SearchOptions& options, bool heights);
 
 // Halos that are wide enough for the closest pair: as wide as that of a sample. Errors: those of
 // the files; kStopped.

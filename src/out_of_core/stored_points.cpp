@@ -15,9 +15,10 @@ namespace {
 // A sample is taken in runs of neighbours, as single points would each read a page.
 constexpr std::size_t kSampleRun = 32;
 
-std::uint64_t checksum_of(std::span<const Point> points) {
+std::uint64_t checksum_of(const PointMemory& memory) {
   Checksum checksum;
-  checksum.add(std::as_bytes(points));
+  checksum.add(std::as_bytes(std::span(memory.points)));
+  checksum.add(std::as_bytes(std::span(memory.heights)));
   return checksum.value();
 }
 
@@ -36,32 +37,37 @@ PointsView part_of(const PointsView& points, std::size_t begin, std::size_t coun
          reinterpret_cast<const Number*>(axes[2])},
         count, strides);
   };
-  return points.holds_floats() ? of(static_cast<const float*>(nullptr))
-                               : of(static_cast<const double*>(nullptr));
+  const PointsView part = points.holds_floats() ? of(static_cast<const float*>(nullptr))
+                                                : of(static_cast<const double*>(nullptr));
+  return points.has_heights() ? part.with_heights(points.heights_m().subspan(begin, count)) : part;
 }
 
 Status StoredPoints::refer(const PointsView& points) {
   if (points.empty()) return std::monostate{};
   if (auto status = flush(); !status) return status;
-  pieces_.push_back({points, 0, 0, points.size(), false});
+  pieces_.push_back({points, 0, 0, 0, points.size(), false});
   size_ += points.size();
+  have_heights_ = points.has_heights();
   return std::monostate{};
 }
 
 Status StoredPoints::copy(const PointsView& points, const std::string& folder,
                           std::size_t at_a_time) {
   if (points.empty()) return std::monostate{};
-  const std::uint64_t bytes = std::uint64_t{points.size()} * sizeof(Point);
+  const bool apart = points.has_heights();
+  const std::uint64_t bytes =
+      std::uint64_t{points.size()} * (sizeof(Point) + (apart ? sizeof(double) : 0));
   if (!file_) {
     auto made = TemporaryFile::make(folder, bytes);
     if (!made) return std::move(made).error();
     file_.emplace(*std::move(made));
   }
   const std::size_t pieces_before = pieces_.size();
-  const std::vector<Point> waiting_before = waiting_;
+  const PointMemory waiting_before = waiting_;
   for (std::size_t index = 0; index < points.size(); ++index) {
-    waiting_.push_back(points[index]);
-    if (waiting_.size() < at_a_time) continue;
+    waiting_.points.push_back(points[index]);
+    if (apart) waiting_.heights.push_back(points.heights_m()[index]);
+    if (waiting_.points.size() < at_a_time) continue;
     if (auto status = flush(); !status) {
       pieces_.resize(pieces_before);
       waiting_ = waiting_before;
@@ -70,15 +76,20 @@ Status StoredPoints::copy(const PointsView& points, const std::string& folder,
   }
   size_ += points.size();
   bytes_on_disk_ += bytes;
+  have_heights_ = apart;
   return std::monostate{};
 }
 
 Status StoredPoints::flush() {
-  if (waiting_.empty()) return std::monostate{};
-  const auto written = file_->append(std::as_bytes(std::span(waiting_)));
+  if (waiting_.points.empty()) return std::monostate{};
+  const auto written = file_->append(std::as_bytes(std::span(waiting_.points)));
   if (!written) return written.error();
-  pieces_.push_back({{}, *written, checksum_of(waiting_), waiting_.size(), true});
-  waiting_.clear();
+  const auto heights_at = file_->append(std::as_bytes(std::span(waiting_.heights)));
+  if (!heights_at) return heights_at.error();
+  pieces_.push_back(
+      {{}, *written, *heights_at, checksum_of(waiting_), waiting_.points.size(), true});
+  waiting_.points.clear();
+  waiting_.heights.clear();
   return std::monostate{};
 }
 
@@ -97,22 +108,28 @@ std::vector<Stretch> StoredPoints::stretches(std::size_t most) const {
   return all;
 }
 
-Result<PointsView> StoredPoints::view(const Stretch& stretch, std::vector<Point>& memory) const {
+Result<PointsView> StoredPoints::view(const Stretch& stretch, PointMemory& memory) const {
   const Piece& piece = pieces_[stretch.piece];
   if (!piece.on_disk) return part_of(piece.points, stretch.begin, stretch.count);
-  memory.resize(piece.count);
-  std::array<iovec, 1> parts = {{{memory.data(), piece.count * sizeof(Point)}}};
-  if (auto status = file_->read(piece.offset, parts); !status) return std::move(status).error();
+  memory.points.resize(piece.count);
+  memory.heights.resize(have_heights_ ? piece.count : 0);
+  std::array<iovec, 1> points = {{{memory.points.data(), piece.count * sizeof(Point)}}};
+  if (auto status = file_->read(piece.offset, points); !status) return std::move(status).error();
+  std::array<iovec, 1> heights = {
+      {{memory.heights.data(), memory.heights.size() * sizeof(double)}}};
+  if (auto status = file_->read(piece.heights_at, heights); !status) {
+    return std::move(status).error();
+  }
   if (checksum_of(memory) != piece.checksum) {
     return Error{ErrorCode::kCorrupt, "a temporary file does not hold what was written to it", {}};
   }
-  return PointsView(memory);
+  return PointsView(memory.points).with_heights(memory.heights);
 }
 
 Result<std::vector<Point>> StoredPoints::sample(std::size_t count) const {
   std::vector<Point> sample;
   sample.reserve(std::min<std::uint64_t>(size_, count + kSampleRun));
-  std::vector<Point> memory;
+  PointMemory memory;
   const std::uint64_t runs = std::max<std::uint64_t>(1, count / kSampleRun);
   const double step =
       std::max(1.0, static_cast<double>(size_) / static_cast<double>(runs * kSampleRun));

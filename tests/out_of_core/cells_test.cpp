@@ -108,15 +108,21 @@ class DistributedCells : public testing::Test {
     auto sample = points_;
     Cut cut = Cut::of_sample(sample, 100, {1.0, 1.0, 1.0});
     StoredPoints stored;
-    ASSERT_TRUE(stored.refer(points_));
+    ASSERT_TRUE(stored.refer(PointsView(points_).with_heights(heights_)));
     auto file = TemporaryFile::make(folder(), 1);
     ASSERT_TRUE(file);
-    cells_.emplace(*std::move(file), std::move(cut));
+    cells_.emplace(*std::move(file), std::move(cut), stored.have_heights());
     ThreadCrew crew(threads);
     ASSERT_TRUE(cells_->distribute(stored, batch, crew, [](std::uint64_t) {}));
   }
 
+  // Above 1000, and each another.
+  void give_heights() {
+    for (const Point& point : points_) heights_.push_back(1000.5 + point.x);
+  }
+
   std::vector<Point> points_ = row_of_points(1000);
+  std::vector<double> heights_;
   std::optional<Cells> cells_;
 };
 
@@ -142,6 +148,33 @@ TEST_F(DistributedCells, HaveEachPointAtOneHomeInAscendingOrder) {
   }
 }
 
+TEST_F(DistributedCells, HaveEachPointsHeight) {
+  give_heights();
+  distribute(37, 4);
+  for (std::size_t cell = 0; cell < cells_->size(); ++cell) {
+    CellPoints points;
+    ASSERT_TRUE(cells_->read(cells_->segments(cell), points));
+    const PointsView view = points.view();
+    ASSERT_EQ(view.heights_m().size(), points.size());
+    for (std::size_t index = 0; index < points.size(); ++index) {
+      EXPECT_EQ(view[index], points_[points.id(index)]);
+      EXPECT_EQ(view.heights_m()[index], heights_[points.id(index)]);
+    }
+  }
+}
+
+// A segment has all x, all y, all z, then all heights.
+TEST_F(DistributedCells, TellADamagedHeight) {
+  give_heights();
+  distribute(1000, 1);
+  const Segment& first = cells_->segments(0)[0];
+  damage_last_temporary_file(first.offset + 3 * 8 * first.count + 9);
+  CellPoints points;
+  const auto status = cells_->read(cells_->segments(0), points);
+  ASSERT_FALSE(status);
+  EXPECT_EQ(status.error().code, ErrorCode::kCorrupt);
+}
+
 TEST_F(DistributedCells, TellDamage) {
   for (const std::uint64_t offset : {0U, 9U, 2403U, 5000U, 20'000U}) {
     distribute(1000, 1);
@@ -163,11 +196,36 @@ TEST(StoredPoints, TellDamage) {
   ASSERT_TRUE(stored.copy(row_of_points(1000), folder(), 300));
   ASSERT_TRUE(stored.flush());
   damage_last_temporary_file(100);
-  std::vector<Point> memory;
+  PointMemory memory;
   const auto stretches = stored.stretches(1000);
   ASSERT_EQ(stretches.size(), 4U);
   EXPECT_EQ(stored.view(stretches[0], memory).error().code, ErrorCode::kCorrupt);
   EXPECT_TRUE(stored.view(stretches[1], memory));
+}
+
+TEST(StoredPoints, KeepHeights) {
+  const auto points = row_of_points(1000);
+  std::vector<double> heights;
+  for (const Point& point : points) heights.push_back(-point.x);
+  StoredPoints stored;
+  ASSERT_TRUE(stored.copy(PointsView(points).with_heights(heights), folder(), 300));
+  ASSERT_TRUE(stored.flush());
+  EXPECT_EQ(stored.bytes_on_disk(), 1000U * 32U);
+  PointMemory memory;
+  std::size_t seen = 0;
+  for (const Stretch& stretch : stored.stretches(1000)) {
+    const auto view = stored.view(stretch, memory);
+    ASSERT_TRUE(view);
+    ASSERT_EQ(view->heights_m().size(), stretch.count);
+    for (std::size_t index = 0; index < stretch.count; ++index) {
+      EXPECT_EQ((*view)[index], points[seen]);
+      EXPECT_EQ(view->heights_m()[index], heights[seen++]);
+    }
+  }
+  EXPECT_EQ(seen, points.size());
+  // The heights of a part stand behind its points.
+  damage_last_temporary_file(300 * 24 + 10);
+  EXPECT_EQ(stored.view(stored.stretches(1000)[0], memory).error().code, ErrorCode::kCorrupt);
 }
 
 TEST(StoredPoints, TakeNothingOfACallThatFails) {

@@ -72,14 +72,65 @@ TEST(OutOfCoreErrors, PointsThatAreNoPlace) {
   EXPECT_EQ(status.error().location.array, "points");
 }
 
+// All have heights, or none has; and a question that does not compare them is refused.
 TEST(OutOfCoreErrors, HeightsApart) {
-  const std::vector<Point> points = {{0, 0, 0}};
-  const std::vector<double> heights = {1.0};
+  const std::vector<Point> points = {{0, 0, 0}, {5, 0, 0}};
+  const std::vector<double> heights = {1.0, 2.0};
+  const PointsView level = points;
+  const PointsView upright = level.with_heights(heights);
+  SearchOptions cylinder{.threshold_m = 1.0};
+  cylinder.vertical_m = 1.0;
+
+  OutOfCore with(enough());
+  ASSERT_TRUE(with.add(upright));
+  for (const auto& added : {with.add(level), with.refer(level)}) {
+    ASSERT_FALSE(added);
+    EXPECT_EQ(added.error().code, ErrorCode::kInvalidArgument);
+    EXPECT_NE(added.error().message.find("to all, or to none"), std::string::npos);
+  }
+  EXPECT_TRUE(with.add(PointsView()));
+  EXPECT_EQ(with.size(), 2U);
+  EXPECT_TRUE(with.find_at_risk(cylinder, [](auto) { ADD_FAILURE() << "an answer"; }));
+  EXPECT_EQ(code_of(with, {.threshold_m = 1.0}), ErrorCode::kInvalidArgument);
+  EXPECT_EQ(with.find_closest_pair().error().code, ErrorCode::kInvalidArgument);
+  EXPECT_EQ(with.find_k_nearest(1, [](auto, auto) {}).error().code, ErrorCode::kInvalidArgument);
+
+  OutOfCore without(enough());
+  ASSERT_TRUE(without.refer(level));
+  EXPECT_EQ(without.add(upright).error().code, ErrorCode::kInvalidArgument);
+  EXPECT_EQ(without.refer(upright).error().code, ErrorCode::kInvalidArgument);
+  cylinder.height_unit_m = 0.3048;
+  EXPECT_EQ(code_of(without, cylinder), ErrorCode::kInvalidArgument);
+}
+
+TEST(OutOfCoreErrors, HeightsThatAreNone) {
+  const std::vector<Point> points(70'000, {0, 0, 0});
+  std::vector<double> heights(points.size());
   OutOfCore search(enough());
-  EXPECT_EQ(search.add(PointsView(points).with_heights(heights)).error().code,
-            ErrorCode::kInvalidArgument);
-  EXPECT_EQ(search.refer(PointsView(points).with_heights(heights)).error().code,
-            ErrorCode::kInvalidArgument);
+  const std::vector<double> fewer(10);
+  for (const auto& added : {search.add(PointsView(points).with_heights(fewer)),
+                            search.refer(PointsView(points).with_heights(fewer))}) {
+    ASSERT_FALSE(added);
+    EXPECT_EQ(added.error().code, ErrorCode::kInvalidArgument);
+    EXPECT_NE(added.error().message.find("10 heights for 70000 points"), std::string::npos);
+  }
+  ASSERT_TRUE(search.add(PointsView(points).with_heights(heights)));
+
+  heights[69'999] = std::numeric_limits<double>::infinity();
+  const auto added = search.add(PointsView(points).with_heights(heights));
+  ASSERT_FALSE(added);
+  EXPECT_EQ(added.error().code, ErrorCode::kNotFinite);
+  EXPECT_EQ(added.error().location.record, 69'999U);
+  EXPECT_EQ(search.size(), 70'000U);
+
+  heights[69'999] = 0x1p401;
+  ASSERT_TRUE(search.refer(PointsView(points).with_heights(heights)));
+  SearchOptions cylinder{.threshold_m = 1.0};
+  cylinder.vertical_m = 1.0;
+  const auto status = search.find_at_risk(cylinder, [](auto) {});
+  ASSERT_FALSE(status);
+  EXPECT_EQ(status.error().code, ErrorCode::kOutsideDomain);
+  EXPECT_EQ(status.error().location.record, 139'999U);
 }
 
 TEST(OutOfCoreErrors, AStopEndsIt) {

@@ -30,12 +30,72 @@ struct Scene {
   std::string name;
   std::vector<Point> points;
   SearchOptions options;
+  std::vector<double> heights = {};  // apart from the positions, or none
+
+  [[nodiscard]] PointsView view() const { return PointsView(points).with_heights(heights); }
 };
 
 SearchOptions within(double threshold, bool inclusive = false) {
   SearchOptions options{.threshold_m = threshold};
   options.inclusive = inclusive;
   return options;
+}
+
+SearchOptions in_cylinder(double threshold, double vertical, bool inclusive = false) {
+  SearchOptions options = within(threshold, inclusive);
+  options.vertical_m = vertical;
+  return options;
+}
+
+// Cylinders of heights that are z, and of heights apart from positions in space.
+void add_cylinders(std::vector<Scene>& all, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  const auto numbers = [&](std::size_t count, double most) {
+    std::vector<double> made(count);
+    for (double& number : made) number = most * unit(random);
+    return made;
+  };
+  const auto uniform = [&](std::size_t count, double x, double y, double z) {
+    std::vector<Point> points(count);
+    for (Point& point : points) point = {x * unit(random), y * unit(random), z * unit(random)};
+    return points;
+  };
+  all.push_back({"cylinder, flat", uniform(1500, 30, 30, 5), in_cylinder(2.0, 0.25)});
+  all.push_back({"cylinder, tall", uniform(1000, 20, 20, 60), in_cylinder(0.5, 20.0)});
+
+  // Neighbours at both thresholds, and an ulp to either side of each.
+  std::vector<Point> lattice;
+  std::vector<Point> level;
+  std::vector<double> heights;
+  for (int x = 0; x < 8; ++x) {
+    for (int y = 0; y < 8; ++y) {
+      for (int step = 0; step < 5; ++step) {
+        lattice.push_back({3.0 * x, 3.0 * y, 2.0 * step});
+        // In a plane that stands upright, so that z is horizontal.
+        level.push_back({100.0, 3.0 * x, 3.0 * y});
+        heights.push_back(2.0 * step);
+      }
+    }
+  }
+  const auto beside = [](double number, int ulps) {
+    return ulps == 0 ? number : std::nextafter(number, ulps < 0 ? 0.0 : 2.0 * number);
+  };
+  for (const int across : {-1, 0, 1}) {
+    for (const int up : {-1, 0, 1}) {
+      const SearchOptions options = in_cylinder(beside(3.0, across), beside(2.0, up), across == 0);
+      all.push_back({"lattice of cylinders", lattice, options});
+      all.push_back({"lattice of heights apart", level, options, heights});
+    }
+  }
+
+  all.push_back(
+      {"heights apart", uniform(900, 20, 20, 20), in_cylinder(2.0, 0.25), numbers(900, 1.0)});
+  auto feet = in_cylinder(2.0, 500.0);
+  feet.height_unit_m = 0.3048;
+  all.push_back({"heights in feet", uniform(700, 15, 15, 15), feet, numbers(700, 3000.0)});
+  // A crowd in pieces, of which a few have nothing at their own height in their own piece.
+  all.push_back({"one place, heights apart", std::vector<Point>(600, {7, 7, 7}),
+                 in_cylinder(1.0, 0.5), numbers(600, 500.0)});
 }
 
 std::vector<Scene> scenes() {
@@ -84,12 +144,7 @@ std::vector<Scene> scenes() {
   twice.insert(twice.end(), lattice.begin(), lattice.end());
   all.push_back({"lattice, twice", twice, within(3.0)});
 
-  auto flat = within(2.0);
-  flat.vertical_m = 0.25;
-  all.push_back({"cylinder, flat", uniform(1500, 30, 30, 5), flat});
-  auto tall = within(0.5);
-  tall.vertical_m = 20.0;
-  all.push_back({"cylinder, tall", uniform(1000, 20, 20, 60), tall});
+  add_cylinders(all, random);
 
   // Far from the origin, a few ulps apart.
   auto far_off = uniform(800, 40, 40, 40);
@@ -114,6 +169,17 @@ PointId narrow(LargeId id) {
   return static_cast<PointId>(id);
 }
 
+double straight_line(const Scene& scene, LargeId first, LargeId second) {
+  const Point& a = scene.points[first];
+  const Point& b = scene.points[second];
+  if (scene.heights.empty()) return distance(a, b);
+  const double x = a.x - b.x;
+  const double y = a.y - b.y;
+  const double z = a.z - b.z;
+  const double up = (scene.heights[first] - scene.heights[second]) * scene.options.height_unit_m;
+  return std::sqrt(x * x + y * y + z * z + up * up);
+}
+
 // By cells of at most `cell` points, in batches of a quarter of that.
 Searched search(const Scene& scene, std::size_t cell, unsigned threads, bool on_disk) {
   const Plan plan = {std::max<std::size_t>(1, cell / 4), cell, 100'000, 5};
@@ -124,10 +190,11 @@ Searched search(const Scene& scene, std::size_t cell, unsigned threads, bool on_
   const Workplace at = {plan, temporary, crew, never, silent};
   StoredPoints points;
   if (on_disk) {
-    EXPECT_TRUE(points.copy(scene.points, temporary, plan.batch));
+    EXPECT_TRUE(points.copy(scene.view(), temporary, plan.batch));
   } else {
-    EXPECT_TRUE(points.refer(scene.points));
+    EXPECT_TRUE(points.refer(scene.view()));
   }
+  const bool heights = points.have_heights();
   SearchOptions options = scene.options;
   options.threads = threads;
   Engine engine;
@@ -139,7 +206,7 @@ Searched search(const Scene& scene, std::size_t cell, unsigned threads, bool on_
     for (const LargeId id : ids) found.at_risk.push_back(narrow(id));
   };
   AtRiskQuestion at_risk(engine, options, see_ids);
-  EXPECT_TRUE(search_cells(points, reach_of(options), at, at_risk, found.facts));
+  EXPECT_TRUE(search_cells(points, reach_of(options, heights), at, at_risk, found.facts));
 
   const LargePairVisitor see_pairs = [&](std::span<const LargePair> pairs,
                                          std::span<const double> distances_m) {
@@ -147,11 +214,11 @@ Searched search(const Scene& scene, std::size_t cell, unsigned threads, bool on_
     for (std::size_t index = 0; index < pairs.size(); ++index) {
       const auto [first, second] = pairs[index];
       found.pairs.push_back({narrow(first), narrow(second)});
-      EXPECT_EQ(distances_m[index], distance(scene.points[first], scene.points[second]));
+      EXPECT_EQ(distances_m[index], straight_line(scene, first, second));
     }
   };
   PairsQuestion pairs(engine, options, plan.pairs, see_pairs);
-  EXPECT_TRUE(search_cells(points, reach_of(options), at, pairs, found.facts));
+  EXPECT_TRUE(search_cells(points, reach_of(options, heights), at, pairs, found.facts));
 
   const LargeCountVisitor see_counts = [&](std::span<const LargeId> ids,
                                            std::span<const std::uint64_t> counts) {
@@ -161,7 +228,12 @@ Searched search(const Scene& scene, std::size_t cell, unsigned threads, bool on_
     }
   };
   CountQuestion counts(engine, options, see_counts);
-  EXPECT_TRUE(search_cells(points, reach_of(options), at, counts, found.facts));
+  EXPECT_TRUE(search_cells(points, reach_of(options, heights), at, counts, found.facts));
+
+  // The order of cells is no promise; that nothing comes twice is one.
+  std::sort(found.at_risk.begin(), found.at_risk.end());
+  std::sort(found.pairs.begin(), found.pairs.end());
+  if (heights) return found;
 
   const RunOptions run(threads);
   const auto reach = reach_of_closest_pair(points, run, at);
@@ -195,10 +267,6 @@ Searched search(const Scene& scene, std::size_t cell, unsigned threads, bool on_
     NearestQuestion nearest(engine, setting, see_rows);
     EXPECT_TRUE(search_cells(points, {halo, halo, halo}, at, nearest, found.facts));
   }
-
-  // The order of cells is no promise; that nothing comes twice is one.
-  std::sort(found.at_risk.begin(), found.at_risk.end());
-  std::sort(found.pairs.begin(), found.pairs.end());
   return found;
 }
 
@@ -206,9 +274,9 @@ TEST(SearchCells, AnswersAreThoseOfTheReference) {
   std::uint64_t most_cells = 0;
   std::uint64_t most_crowded = 0;
   for (const Scene& scene : scenes()) {
-    const auto at_risk = brute_force::find_at_risk(scene.points, scene.options);
-    const auto pairs = brute_force::find_pairs(scene.points, scene.options);
-    const auto counts = brute_force::count_neighbors(scene.points, scene.options);
+    const auto at_risk = brute_force::find_at_risk(scene.view(), scene.options);
+    const auto pairs = brute_force::find_pairs(scene.view(), scene.options);
+    const auto counts = brute_force::count_neighbors(scene.view(), scene.options);
     const auto closest = brute_force::find_closest_pair(scene.points);
     const auto nearest = brute_force::find_k_nearest(scene.points, 1);
     const auto four_nearest = brute_force::find_k_nearest(scene.points, 4);
@@ -221,11 +289,12 @@ TEST(SearchCells, AnswersAreThoseOfTheReference) {
         EXPECT_EQ(found.at_risk, *at_risk);
         EXPECT_EQ(found.pairs, *pairs);
         EXPECT_EQ(found.counts, *counts);
+        most_cells = std::max(most_cells, found.facts.cells);
+        most_crowded = std::max(most_crowded, found.facts.crowded_cells);
+        if (!scene.heights.empty()) continue;
         EXPECT_EQ(found.closest, *closest);
         EXPECT_EQ(found.nearest, *nearest);
         EXPECT_EQ(found.four_nearest, *four_nearest);
-        most_cells = std::max(most_cells, found.facts.cells);
-        most_crowded = std::max(most_crowded, found.facts.crowded_cells);
       }
     }
   }
@@ -257,6 +326,50 @@ TEST(OutOfCore, SaysWhatWasCut) {
   EXPECT_EQ(search.facts().crowded_cells, 0U);
   EXPECT_GT(search.facts().copies, 0U);
   EXPECT_LT(search.facts().copies, points.size() / 5);
+}
+
+// In parts, on the disk and where they are; with a memory that makes cells of it.
+TEST(OutOfCore, HeightsApartAreThoseOfASearchInMemory) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> place(0.0, 60.0);
+  std::vector<Point> points(200'000);
+  std::vector<double> heights(points.size());
+  for (Point& point : points) point = {place(random), place(random), place(random)};
+  for (double& height : heights) height = 10.0 * place(random);
+  const PointsView all = PointsView(points).with_heights(heights);
+  SearchOptions options = in_cylinder(2.0, 40.0);
+  options.height_unit_m = 0.3048;
+
+  OutOfCore search({.memory_bytes = std::uint64_t{32} << 20U, .folder = folder(), .threads = 2});
+  ASSERT_TRUE(search.add(part_of(all, 0, 70'000)));
+  ASSERT_TRUE(search.refer(part_of(all, 70'000, 60'000)));
+  ASSERT_TRUE(search.add(part_of(all, 130'000, 70'000)));
+
+  std::vector<PointId> at_risk;
+  ASSERT_TRUE(search.find_at_risk(options, [&](std::span<const LargeId> ids) {
+    for (const LargeId id : ids) at_risk.push_back(narrow(id));
+  }));
+  std::sort(at_risk.begin(), at_risk.end());
+  EXPECT_EQ(at_risk, *find_at_risk(all, options));
+  EXPECT_GT(at_risk.size(), 1000U);
+  EXPECT_LT(at_risk.size(), points.size() - 1000U);
+  EXPECT_GE(search.facts().cells, 2U);
+
+  std::vector<Pair> pairs;
+  ASSERT_TRUE(search.visit_pairs(options, [&](std::span<const LargePair> seen, auto) {
+    for (const LargePair& pair : seen) pairs.push_back({narrow(pair.first), narrow(pair.second)});
+  }));
+  std::sort(pairs.begin(), pairs.end());
+  EXPECT_EQ(pairs, *find_pairs(all, options));
+
+  std::vector<std::uint32_t> counts(points.size(), 0xFFFFFFFFU);
+  ASSERT_TRUE(search.count_neighbors(
+      options, [&](std::span<const LargeId> ids, std::span<const std::uint64_t> seen) {
+        for (std::size_t index = 0; index < ids.size(); ++index) {
+          counts[ids[index]] = static_cast<std::uint32_t>(seen[index]);
+        }
+      }));
+  EXPECT_EQ(counts, *count_neighbors(all, options));
 }
 
 TEST(OutOfCore, TellsHowFarItIs) {
