@@ -244,22 +244,6 @@ class Detecting {
   Timings timings_;
 };
 
-// Whether heights can be compared within positions, as they are kept.
-Status check_vertical(const DetectRequest& request, const LargeInput& input) {
-  if (!request.vertical) return std::monostate{};
-  if (input.front().facts.frame == io::Frame::kWgs84) {
-    return usage_error("detect", "--memory takes --vertical of positions in metres only");
-  }
-  if (io::compares_as_stated(request.vertical, input.height_unit())) {
-    return usage_error("detect",
-                       "--memory compares heights in metres, and these are in " +
-                           std::string(io::symbol_of(input.height_unit())) +
-                           " as --vertical is: say --vertical in metres, to which they are "
-                           "rounded");
-  }
-  return std::monostate{};
-}
-
 }  // namespace
 
 Status check_out_of_core(const DetectRequest& request) {
@@ -287,7 +271,6 @@ Result<ExitCode> run_detect_out_of_core(const DetectRequest& request) {
   const LargeMemory memory = LargeMemory::of(request);
   auto input = LargeInput::open(request, memory.block);
   if (!input) return std::move(input).error();
-  if (auto status = check_vertical(request, *input); !status) return std::move(status).error();
   return Detecting(request, *input, memory, *output, bar).run();
 }
 

@@ -123,7 +123,8 @@ Status LargeInput::check_room(const std::string& folder, bool records) const {
   for (std::size_t number = 0; number < files_.size(); ++number) {
     const LargeFile& file = files_[number];
     const std::uint64_t points = likely_sizes_[number].value_or(0);
-    needed += points * (kBytesInCells + (file.in_place ? 0 : kBytesOfCopy));
+    const std::uint64_t height = heights_are_apart() ? sizeof(double) : 0;
+    needed += points * (kBytesInCells + height + (file.in_place ? 0 : kBytesOfCopy + height));
     if (records) needed += file.facts.bytes;
   }
   const auto free = io::free_bytes_in(folder);

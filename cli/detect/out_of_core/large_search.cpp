@@ -207,7 +207,9 @@ Status LargeSearch::write(LargeTable& table) {
     });
   } else if (is("pairs")) {
     table.begin_pairs();
-    for_each_row([&](const LargeRow& row) { table.pair({row.first, row.second}, row.distance_m); });
+    for_each_row([&](const LargeRow& row) {
+      table.pair({row.first, row.second}, distance_of(row));
+    });
   } else if (is("closest-pair")) {
     table.begin_pairs();
     if (closest_) table.pair(closest_->pair, closest_->distance_m);

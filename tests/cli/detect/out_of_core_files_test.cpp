@@ -166,7 +166,7 @@ TEST_F(OutOfCoreFiles, WhatIsWrongSaysWhere) {
       folder_.file("second.bin", std::string(reinterpret_cast<const char*>(numbers.data()), 2400));
   const Finished outside = small({first, second, "--crs", "metres"});
   EXPECT_EQ(outside.exit_code, 3);
-  expect_parts(outside.err, {"second.bin", "83"});
+  expect_parts(outside.err, {"second.bin: point 83:"});
 }
 
 TEST_F(OutOfCoreFiles, BadRecordsAreLeftOutAsWithoutMemory) {

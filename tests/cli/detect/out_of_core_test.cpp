@@ -131,10 +131,35 @@ TEST_F(OutOfCoreCommand, DegreesAndHeightsInTheirUnits) {
   for (const std::string report : {"at-risk", "pairs", "neighbors", "counts"}) {
     expect_same({metres, "--threshold", "2", "--vertical", "6", "--report", report});
   }
-  // What is rounded is not compared as it stands.
-  const std::string feet = folder_.file("feet.csv", "x_m,y_m,z_ft\n0,0,0\n1,0,1000\n");
-  expect_refused({feet, "--threshold", "2", "--vertical", "1000ft"}, 2, "say --vertical in metres");
-  expect_refused({file, "--vertical", "20"}, 2, "--vertical of positions in metres only");
+}
+
+// Heights that are compared as they stand, exactly; and those above the ground.
+TEST_F(OutOfCoreCommand, HeightsApartFromPositions) {
+  const std::string feet =
+      folder_.file("feet.csv", "x_m,y_m,z_ft\n0,0,0.1\n1,0,1000.1\n0,1,1000.099\n0,0,2000\n");
+  for (const std::string vertical : {"1000ft", "304.8", "999.9999ft"}) {
+    for (const std::string report : {"at-risk", "pairs", "neighbors", "counts"}) {
+      for (const std::string inclusive : {"--inclusive", "--output=-"}) {
+        expect_same(
+            {feet, "--threshold", "2", "--vertical", vertical, "--report", report, inclusive}, {},
+            0);
+      }
+    }
+  }
+  ASSERT_EQ(run({"generate", "--area", "medellin", "--points", "100000", "--seed", "7", "--quiet",
+                 "--output", folder_.path("plain.csv")})
+                .exit_code,
+            0);
+  const std::string named = with_ids("plain.csv", "named.csv");
+  for (const std::string report : {"at-risk", "pairs", "neighbors", "counts"}) {
+    for (const std::string form : {"--csv", "--output=-"}) {
+      expect_same({named, "--columns", "id=1,lon=2,lat=3,height=4", "--crs", "wgs84", "--threshold",
+                   "20", "--vertical", "8", "--report", report, form},
+                  {}, 10'000);
+    }
+  }
+  expect_refused({feet, "--vertical", "9", "--report", "nearest"}, 2, "--vertical with nearest");
+  EXPECT_EQ(small({feet, "--vertical", "9", "--json"}).exit_code, 2);
 }
 
 TEST_F(OutOfCoreCommand, FewBees) {
