@@ -46,7 +46,10 @@ class PointStream {
 
   // All points where they lie in the file, as long as this lives: of arrays in metres.
   [[nodiscard]] std::optional<PointsView> in_place() const;
-  // Errors: kReadFailed where the file was written to since it was opened.
+  // Of a regular file. Errors: kReadFailed where it was written to since it was opened.
+  [[nodiscard]] const std::optional<InputFile::State>& state() const {
+    return stream_.file().state();
+  }
   [[nodiscard]] Status check_unchanged() const { return stream_.file().check_unchanged(); }
 
   // The next points and their records, of which the rows are counted from row(), and bad records

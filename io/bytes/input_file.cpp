@@ -43,6 +43,12 @@ Error read_error(const std::string& path, int error_number) {
           {source_name(path)}};
 }
 
+InputFile::State state_of(const struct stat& status) {
+  return {static_cast<std::uint64_t>(status.st_dev), static_cast<std::uint64_t>(status.st_ino),
+          static_cast<std::uint64_t>(status.st_size), status.st_mtim.tv_sec,
+          status.st_mtim.tv_nsec};
+}
+
 }  // namespace
 
 Result<InputFile> InputFile::open(const std::string& path) {
@@ -60,8 +66,7 @@ Result<InputFile> InputFile::open(const std::string& path) {
   // A size of 0 is also what /proc says of files that have content. Standard input may stand in
   // the middle of a file; then the rest is read.
   if (S_ISREG(status.st_mode) && status.st_size > 0) {
-    file.state_ = State{static_cast<std::uint64_t>(status.st_size), status.st_mtim.tv_sec,
-                        status.st_mtim.tv_nsec};
+    file.state_ = state_of(status);
     file.from_start_ = ::lseek(number, 0, SEEK_CUR) == 0;
   }
   return file;
@@ -93,13 +98,15 @@ Status InputFile::check_unchanged() const {
   if (!state_) return std::monostate{};
   struct stat status = {};
   if (::fstat(number_, &status) != 0) return read_error(path_, errno);
-  const State now{static_cast<std::uint64_t>(status.st_size), status.st_mtim.tv_sec,
-                  status.st_mtim.tv_nsec};
-  if (now == *state_) return std::monostate{};
-  return Error{ErrorCode::kReadFailed,
-               "this file was written to while it was read, so the answer would be about neither "
-               "of the two; read a copy that stays as it is",
-               {source_name(path_)}};
+  if (state_of(status) == *state_) return std::monostate{};
+  return written_meanwhile(path_);
+}
+
+Error written_meanwhile(const std::string& path) {
+  return {ErrorCode::kReadFailed,
+          "this file was written to while it was read, so the answer would be about neither of "
+          "the two; read a copy that stays as it is",
+          {source_name(path)}};
 }
 
 }  // namespace beespace::io

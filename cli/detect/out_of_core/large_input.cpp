@@ -7,6 +7,7 @@
 #include "cli/detect/answer_ids.hpp"
 #include "cli/detect/load_inputs.hpp"
 #include "io/bytes/byte_source.hpp"
+#include "io/bytes/input_file.hpp"
 #include "io/bytes/number_text.hpp"
 #include "io/bytes/scratch_file.hpp"
 
@@ -38,6 +39,7 @@ Result<LargeFile> LargeInput::open_file(const std::string& path) const {
   if (!stream) return std::move(stream).error();
   LargeFile file{.path = path};
   file.facts = stream->facts();
+  file.state = stream->state();
   file.in_place = stream->in_place().has_value();
   if (const io::TableLayout* const table = stream->table()) {
     file.is_table = true;
@@ -150,8 +152,7 @@ Status LargeInput::read(const LargeInputSinks& sinks, ProgressBar& bar) {
     if (!file.stream) {
       auto again = open_file(file.path);
       if (!again) return std::move(again).error();
-      // What could not be taken together before cannot be now.
-      if (auto problem = mix_problem(*again)) return *std::move(problem);
+      if (again->state != file.state) return io::written_meanwhile(file.path);
       file = *std::move(again);
     }
     file.first_point = first_point;

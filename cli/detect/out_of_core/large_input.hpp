@@ -30,6 +30,7 @@ struct LargeFile {
   bool in_place = false;          // its points are searched where they are
   std::uint64_t first_point = 0;  // their ids go on from file to file
   std::uint64_t points = 0;
+  std::optional<io::InputFile::State> state = {};
   std::optional<io::PointStream> stream = {};  // as long as it is needed
 };
 

@@ -26,8 +26,8 @@ class OutOfCoreEnds : public OutOfCoreRuns {
             "--output",    folder_.path("answer.txt")};
   }
   static void send_much(const Running& running, std::string text = "id,x_m,y_m,z_m\n",
-                        std::string_view row = "a,1.25,2.5,3.75\n") {
-    for (int count = 0; count < 300'000; ++count) text += row;
+                        std::string_view row = "a,1.25,2.5,3.75\n", int rows = 300'000) {
+    for (int count = 0; count < rows; ++count) text += row;
     // What is read of a pipe that holds 64 KiB is more than waits in memory.
     running.send(text);
   }
@@ -114,6 +114,28 @@ TEST_F(OutOfCoreEnds, AnArrayThatChangesMeanwhileIsAnErrorWithoutAnAnswer) {
               std::string::npos)
         << finished.err;
     EXPECT_EQ(folder_.names(), std::vector<std::string>{"swarm.npy"});
+  }
+}
+
+// Several files are looked at first, and read later.
+TEST_F(OutOfCoreEnds, ATableThatChangesBeforeItIsReadIsAnError) {
+  const std::string table = folder_.file("table.csv", "x_m,y_m,z_m\n1,2,3\n");
+  for (const bool replaced : {false, true}) {
+    Running running({"detect", table, "-", "--memory", "17MB", "--threads", "1", "--temporary",
+                     scratch_.path("")});
+    // More than a pipe holds, and less than what a table is told by: it waits.
+    send_much(running, "x_m,y_m,z_m\n", "1,2,3\n", 20'000);
+    if (replaced) {
+      std::filesystem::rename(folder_.file("other.csv", "x_m,y_m,z_m\n9,2,3\n"), table);
+    } else {
+      folder_.file("table.csv", "x_m,y_m,z_m\n1,2,3\n4,5,6\n");
+    }
+    running.close_input();
+    const Finished finished = running.finish();
+    EXPECT_EQ(finished.exit_code, 4);
+    EXPECT_EQ(finished.out, "");
+    EXPECT_NE(finished.err.find("table.csv: this file was written to"), std::string::npos)
+        << finished.err;
   }
 }
 
