@@ -81,7 +81,7 @@ Result<Closest> closest_pair_between(Engine& engine, const PointsView& points,
 }
 
 // The library speaks to those who call it.
-Error in_words_of_the_command(Error error, const DetectRequest& request) {
+Error in_words_of_the_command(const Error& error, const DetectRequest& request) {
   return error.code == ErrorCode::kTooManyResults ? too_many_results(request) : error;
 }
 
@@ -137,7 +137,7 @@ Result<Detection> search(const Inputs& inputs, const DetectRequest& request) {
   std::optional<std::vector<PointId>> at_risk;
   if (!is_closest_pair) {
     auto found = request.report->find(question);
-    if (!found) return in_words_of_the_command(std::move(found).error(), request);
+    if (!found) return in_words_of_the_command(found.error(), request);
     detection.table = std::move(found->table);
     at_risk = std::move(found->at_risk);
   }
