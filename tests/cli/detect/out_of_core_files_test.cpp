@@ -158,15 +158,15 @@ TEST_F(OutOfCoreFiles, WhatIsWrongSaysWhere) {
       folder_.file("cut.csv.gz", std::string_view(whole).substr(0, whole.size() - 10));
   expect_refused({cut}, 3, "ends too early");
   // Numbers in arrays that are searched where they are.
-  std::vector<double> numbers(300, 0.5);
+  std::vector<double> numbers(60'000, 0.5);
   const std::string fine(reinterpret_cast<const char*>(numbers.data()), 2400);
   const std::string first = folder_.file("first.bin", fine);
-  numbers[250] = 1e300;
-  const std::string second =
-      folder_.file("second.bin", std::string(reinterpret_cast<const char*>(numbers.data()), 2400));
+  numbers[45'001] = 1e300;  // behind the first block, which is looked at when it is opened
+  const std::string second = folder_.file(
+      "second.bin", std::string(reinterpret_cast<const char*>(numbers.data()), 480'000));
   const Finished outside = small({first, second, "--crs", "metres"});
   EXPECT_EQ(outside.exit_code, 3);
-  expect_parts(outside.err, {"second.bin: point 83:"});
+  expect_parts(outside.err, {"second.bin: points[15000]:"});
 }
 
 TEST_F(OutOfCoreFiles, BadRecordsAreLeftOutAsWithoutMemory) {
