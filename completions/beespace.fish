@@ -35,7 +35,7 @@ complete -c beespace -n '__fish_seen_subcommand_from detect' -f -l inclusive -d 
 complete -c beespace -n '__fish_seen_subcommand_from detect' -f -l at-risk-only -d 'Only who is at risk (neighbors, counts, nearest)'
 complete -c beespace -n '__fish_seen_subcommand_from detect' -x -l max-results -d 'Fail beyond so many (pairs, neighbors; default: no limit)'
 complete -c beespace -n '__fish_seen_subcommand_from detect' -x -l threads -d 'How many threads work (default: 0, all)'
-complete -c beespace -n '__fish_seen_subcommand_from detect' -x -l memory -d 'Use so much memory and temporary files, for files that do not fit: 500MB, 4GB (text of at-risk, pairs in no order, closest-pair)'
+complete -c beespace -n '__fish_seen_subcommand_from detect' -x -l memory -d 'Use so much memory and temporary files, for files that do not fit: 500MB, 4GB (no groups, --others and --geojson)'
 complete -c beespace -n '__fish_seen_subcommand_from detect' -x -l temporary -d 'Where temporary files go, which have no name (default: $TMPDIR, or /var/tmp)'
 complete -c beespace -n '__fish_seen_subcommand_from detect' -r -s o -l output -d 'Where the answer goes, by its ending .csv, .json or .geojson, perhaps with .gz, in this form (default: standard output)'
 complete -c beespace -n '__fish_seen_subcommand_from detect' -f -l csv -d 'The bees\' records as they stand, with columns added'

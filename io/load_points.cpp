@@ -29,14 +29,6 @@ bool ends_with(std::string_view text, std::string_view end) {
   return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
 }
 
-Format detect_format(std::string_view bytes, const std::string& path, Format asked) {
-  if (asked != Format::kAuto) return asked;
-  if (is_npy(bytes)) return Format::kNpy;
-  const std::string name = lower_case(path);
-  const bool raw = ends_with(name, ".bin") || ends_with(name, ".bin.gz");
-  return raw ? Format::kRawFloat64 : Format::kText;
-}
-
 // Explains a point that is no position in its frame, by where it came from.
 Error explain(const RecordSource& source, std::uint64_t row, const Point& point,
               const RangeProblem& problem) {
@@ -135,28 +127,17 @@ std::string_view or_raw(const LoadOptions& options) {
                                     : ", or let the name of raw float64 end in .bin";
 }
 
-std::optional<Error> load_table(LoadedPoints& loaded, RecordSource& source,
-                                const LoadOptions& options) {
-  if (auto problem = text_problem(source.bytes.view, or_raw(options))) return problem;
-  source.text = without_byte_order_mark(source.bytes.view);
-  auto layout = find_layout(source.text, options);
-  if (!layout) return layout.error();
-  source.table = std::move(layout).value();
+// The records behind what `source` says of the layout.
+std::optional<Error> read_records(LoadedPoints& loaded, RecordSource& source,
+                                  const FrameDecision& known, const LoadOptions& options) {
   const auto& choice = source.table->choice;
-  const FrameDecision known = frame_before_values(options.frame, {choice.evidence, choice.reason});
   loaded.frame = known.frame;
   loaded.frame_reason = known.reason;
-
   TableOptions table_options;
   table_options.frame = known.frame;
   table_options.skip_bad = options.skip_bad;
   table_options.threads = options.threads;
   table_options.progress = options.progress;
-  if (options.progress != nullptr) {
-    // Everything before the records.
-    options.progress->done +=
-        source.bytes.view.size() - source.text.size() + source.table->data_offset;
-  }
   auto content = read_table(source.text, *source.table, table_options);
   if (!content) return content.error();
   loaded.points = std::move(content->points);
@@ -175,6 +156,23 @@ std::optional<Error> load_table(LoadedPoints& loaded, RecordSource& source,
   }
   note_columns(*source.table, loaded.frame, loaded.notes);
   return std::nullopt;
+}
+
+std::optional<Error> load_table(LoadedPoints& loaded, RecordSource& source,
+                                const LoadOptions& options) {
+  auto beginning = find_points_table(source.bytes.view, options);
+  if (!beginning) return beginning.error();
+  source.text = beginning->text;
+  source.table = std::move(beginning->layout);
+  if (options.progress != nullptr) {
+    // Everything before the records.
+    options.progress->done +=
+        source.bytes.view.size() - source.text.size() + source.table->data_offset;
+  }
+  const auto& choice = source.table->choice;
+  return read_records(loaded, source,
+                      frame_before_values(options.frame, {choice.evidence, choice.reason}),
+                      options);
 }
 
 // All points of the array, as they are.
@@ -265,11 +263,9 @@ Result<LoadedPoints> load_bytes(Bytes bytes, const std::string& path, const Load
   }
   auto source = std::make_shared<RecordSource>();
   source->bytes = std::move(bytes);
-  const Format format = detect_format(source->bytes.view, path, options.format);
+  const Format format = format_of(source->bytes.view, path, options.format);
   if (compressed && format == Format::kText && is_gzip(source->bytes.view)) {
-    return placed({ErrorCode::kUnsupportedFormat,
-                   "this is compressed twice; unpack it once first: gzip -dc",
-                   {}});
+    return compressed_twice(name);
   }
   auto error = format == Format::kText ? load_table(loaded, *source, options)
                                        : load_array(loaded, *source, format, options);
@@ -281,10 +277,7 @@ Result<LoadedPoints> load_bytes(Bytes bytes, const std::string& path, const Load
   if (loaded.points.empty()) {
     std::string message = "no record is left";
     if (!loaded.skipped.empty()) {
-      message = loaded.skipped_count == 1 ? "the only record is bad: "
-                                          : "all " + std::to_string(loaded.skipped_count) +
-                                                " records are bad; the first: ";
-      message += loaded.skipped.front().message;
+      message = all_bad_text(loaded.skipped_count, loaded.skipped.front());
     }
     return placed({ErrorCode::kNoPoints, std::move(message), {}});
   }
@@ -295,10 +288,46 @@ Result<LoadedPoints> load_bytes(Bytes bytes, const std::string& path, const Load
 
 }  // namespace
 
+Format format_of(std::string_view bytes, const std::string& path, Format asked) {
+  if (asked != Format::kAuto) return asked;
+  if (is_npy(bytes)) return Format::kNpy;
+  const std::string name = lower_case(path);
+  const bool raw = ends_with(name, ".bin") || ends_with(name, ".bin.gz");
+  return raw ? Format::kRawFloat64 : Format::kText;
+}
+
+Result<TableBeginning> find_points_table(std::string_view bytes, const LoadOptions& options) {
+  if (auto problem = text_problem(bytes, or_raw(options))) return *std::move(problem);
+  const std::string_view text = without_byte_order_mark(bytes);
+  auto layout = find_layout(text, options);
+  if (!layout) return std::move(layout).error();
+  return TableBeginning{*std::move(layout), text};
+}
+
+std::string all_bad_text(std::uint64_t records, const Error& first) {
+  const std::string all = "all " + std::to_string(records) + " records are bad; the first: ";
+  return (records == 1 ? "the only record is bad: " : all) + first.message;
+}
+
 Result<LoadedPoints> load_points(const std::string& path, const LoadOptions& options) {
   auto bytes = open_bytes(path, options.progress);
   if (!bytes) return bytes.error();
   return load_bytes(std::move(bytes).value(), path, options);
+}
+
+Result<LoadedPoints> load_lines(Bytes lines, const TableLayout& layout, const FrameDecision& frame,
+                                const LoadOptions& options) {
+  LoadedPoints loaded;
+  auto source = std::make_shared<RecordSource>();
+  source->bytes = std::move(lines);
+  source->text = source->bytes.view;
+  source->table = layout;
+  if (auto error = read_records(loaded, *source, frame, options)) return *std::move(error);
+  loaded.bytes = source->text.size();
+  loaded.skipped = source->skipped.errors;
+  loaded.skipped_count = source->skipped.rows.size();
+  loaded.records = std::move(source);
+  return loaded;
 }
 
 Result<LoadedPoints> load_points_from_memory(std::string_view content, const std::string& name,

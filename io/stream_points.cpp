@@ -2,57 +2,125 @@
 
 #include "io/bytes/gzip.hpp"
 #include "io/load_points.hpp"
-#include "io/problems/text_check.hpp"
+#include "io/table/fields.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <cstring>
+#include <span>
 #include <utility>
 
 namespace beespace::io {
 namespace {
 
-Error unsupported(std::string message) {
-  return {ErrorCode::kUnsupportedFormat, std::move(message), {}};
-}
+// What a layout is told by: the longest line, and the first lines after it.
+constexpr std::size_t kHeadBytes = kLongestLine + (std::size_t{1} << 17U);
 
 std::uint64_t lines_in(std::string_view text, char line_end) {
   return static_cast<std::uint64_t>(std::count(text.begin(), text.end(), line_end));
 }
 
-bool is_raw(const std::string& path, Format format) {
-  return format == Format::kRawFloat64 || (format == Format::kAuto && path.ends_with(".bin"));
+Bytes joined(std::string_view before, std::string_view text) {
+  GrowingBytes bytes;
+  bytes.make_room(before.size() + text.size());
+  for (const std::string_view part : {before, text}) {
+    std::copy(part.begin(), part.end(), bytes.free_begin());
+    bytes.add(part.size());
+  }
+  return bytes.release();
+}
+
+// Of rows that lie column by column.
+std::string gathered(const ArrayLayout& array, std::uint64_t begin, std::uint64_t count) {
+  std::string rows;
+  rows.reserve(count * 3 * array.item_bytes);
+  for (std::uint64_t row = begin; row < begin + count; ++row) {
+    for (std::uint64_t axis = 0; axis < 3; ++axis) {
+      rows.append(array.data.data() + (axis * array.rows + row) * array.item_bytes,
+                  array.item_bytes);
+    }
+  }
+  return rows;
+}
+
+bool is_whole(double value) {
+  return std::floor(value) == value;
 }
 
 }  // namespace
+
+PointStream::PointStream(std::string path, const LoadOptions& options, std::size_t block_bytes,
+                         ByteStream stream)
+    : path_(std::move(path)),
+      options_(options),
+      block_bytes_(block_bytes),
+      stream_(std::move(stream)) {
+  options_.progress = nullptr;
+}
+
+Result<PointStream> PointStream::open(const std::string& path, const LoadOptions& options,
+                                      std::size_t block_bytes) {
+  auto bytes = ByteStream::open(path);
+  if (!bytes) return std::move(bytes).error();
+  PointStream stream(path, options, block_bytes, *std::move(bytes));
+  if (auto status = stream.settle(); !status) return stream.placed(std::move(status).error());
+  auto first = stream.next();
+  if (!first) return std::move(first).error();
+  if (!*first) {
+    return stream.placed({ErrorCode::kNoPoints, "no record is there; at least one is needed", {}});
+  }
+  stream.keep_first(**std::move(first));
+  return stream;
+}
+
+// What the input is: also told by its first block.
+void PointStream::keep_first(LoadedPoints first) {
+  auto points = std::exchange(first.points, {});
+  auto records = std::exchange(first.records, nullptr);
+  facts_ = first;
+  facts_.skipped.clear();
+  facts_.skipped_count = 0;
+  if (array_) facts_.format_description = array_->description;
+  if (stream_.is_compressed()) facts_.format_description += ", gzip-compressed";
+  const auto read = static_cast<double>(first.bytes);
+  const auto unpacked = read + static_cast<double>(pending().size());
+  const auto taken = static_cast<double>(stream_.taken());
+  const double size = ended_ ? taken : static_cast<double>(stream_.file().size());
+  if (array_ && array_->rows > 0) {
+    likely_size_ = array_->rows;
+  } else if (size > 0.0 && read > 0.0) {
+    likely_size_ = static_cast<std::uint64_t>(static_cast<double>(points.size()) *
+                                              (unpacked / read) * (size / taken));
+  }
+  if (!mapped_.view.empty()) {
+    rows_ = 0;  // read once more, if at all
+    return;
+  }
+  first.points = std::move(points);
+  first.records = std::move(records);
+  first_ = std::move(first);
+}
 
 Error PointStream::placed(Error error) const {
   error.location.source = source_name(path_);
   return error;
 }
 
-Result<PointStream> PointStream::open(const std::string& path, const LoadOptions& options,
-                                      std::size_t block_bytes) {
-  auto bytes = open_bytes(path, options.progress);
-  if (!bytes) return std::move(bytes).error();
-  PointStream stream;
-  stream.path_ = path;
-  stream.block_bytes_ = block_bytes;
-  stream.bytes_ = *std::move(bytes);
-  stream.options_ = options;
-  stream.options_.progress = nullptr;
-  const std::string_view view = stream.bytes_.view;
-  if (is_gzip(view)) {
-    return stream.placed(
-        unsupported("compressed files are not read block by block; unpack it first: gzip -d"));
-  }
-  const bool npy =
-      options.format == Format::kNpy || (options.format == Format::kAuto && is_npy(view));
-  auto settled = npy                            ? stream.settle_array(Format::kNpy)
-                 : is_raw(path, options.format) ? stream.settle_array(Format::kRawFloat64)
-                                                : stream.settle_table();
-  if (!settled) return stream.placed(std::move(settled).error());
-  return stream;
+Status PointStream::want(std::size_t bytes) {
+  if (pending().size() >= bytes || ended_) return std::monostate{};
+  pending_->drop(std::exchange(at_, 0));
+  pending_->make_room(bytes - pending_->size());
+  auto status = stream_.read(*pending_);
+  ended_ = pending_->free_size() > 0;
+  return status;
+}
+
+Status PointStream::settle() {
+  if (auto status = want(kHeadBytes); !status) return status;
+  const Format format = format_of(pending(), path_, options_.format);
+  if (format != Format::kText) return settle_array(format);
+  if (stream_.is_compressed() && is_gzip(pending())) return compressed_twice(path_);
+  return settle_table();
 }
 
 Status PointStream::settle_frame(const FrameEvidence& evidence, bool names_are_enough) {
@@ -64,43 +132,81 @@ Status PointStream::settle_frame(const FrameEvidence& evidence, bool names_are_e
         "together; say --crs metres or --crs wgs84",
         {}};
   }
+  if (options_.frame == Frame::kAuto && table_ && table_->choice.naming == Naming::kBareAxes) {
+    extent_.emplace();
+  }
+  frame_ = known;
   options_.frame = known.frame;
-  frame_reason_ = known.reason;
   return std::monostate{};
 }
 
 Status PointStream::settle_table() {
-  if (auto problem = text_problem(bytes_.view)) return *std::move(problem);
-  text_ = without_byte_order_mark(bytes_.view);
-  auto layout = find_layout(text_, options_);
-  if (!layout) return std::move(layout).error();
-  table_ = *std::move(layout);
-  const ColumnChoice& choice = table_->choice;
-  if (choice.id) {
-    return unsupported(
-        "the records have ids, and block by block they are told by their rows, counted from 0; say "
-        "with --columns where the position stands, and leave the id out");
+  auto beginning = find_points_table(pending(), options_);
+  // Blank lines only, so far.
+  while (!beginning && beginning.error().code == ErrorCode::kNoPoints && !ended_) {
+    if (auto status = want(2 * pending().size()); !status) return status;
+    beginning = find_points_table(pending(), options_);
   }
-  format_description_ = "text, " + std::string(delimiter_name(table_->delimiter)) + "-separated";
-  at_ = table_->data_offset;
-  lines_ = table_->lines_before;
-  return settle_frame({choice.evidence, choice.reason}, choice.naming == Naming::kSure);
+  if (!beginning) return std::move(beginning).error();
+  table_ = std::move(beginning->layout);
+  header_ = std::make_shared<const std::string>(table_->header);
+  table_->header = *header_;
+  at_ += pending().size() - beginning->text.size() + table_->data_offset;
+  table_->data_offset = 0;
+  const ColumnChoice& choice = table_->choice;
+  return settle_frame({choice.evidence, choice.reason},
+                      choice.naming == Naming::kSure || choice.naming == Naming::kBareAxes);
 }
 
 Status PointStream::settle_array(Format format) {
-  auto layout = format == Format::kNpy ? npy_layout(bytes_.view) : raw_layout(bytes_.view);
-  if (!layout) return std::move(layout).error();
-  array_ = *std::move(layout);
-  format_description_ = array_->description;
   if (!options_.columns.empty()) {
     return Error{ErrorCode::kInvalidArgument, "--columns is for text tables", {}};
   }
-  options_.format = Format::kRawFloat64;
+  if (options_.skip_bad) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "of arrays no records are left out where they are not in memory together; leave "
+                 "--skip-bad out",
+                 {}};
+  }
+  const bool npy = format == Format::kNpy;
+  if (npy && !is_npy(pending())) {
+    return Error{ErrorCode::kUnsupportedFormat,
+                 "this is no .npy file: it does not begin with \\x93NUMPY",
+                 {}};
+  }
+  if (!stream_.is_compressed()) mapped_ = stream_.file().map().value_or(Bytes());
+  if (!mapped_.view.empty()) {
+    auto layout = npy ? npy_layout(mapped_.view) : raw_layout(mapped_.view);
+    if (!layout) return std::move(layout).error();
+    array_ = *std::move(layout);
+  } else if (npy) {
+    auto layout = npy_beginning(pending());
+    if (!layout) return std::move(layout).error();
+    if (layout->column_by_column) {
+      return Error{ErrorCode::kUnsupportedFormat,
+                   "this array lies column by column (Fortran order), which cannot be read as it "
+                   "comes; name the unpacked file, or save it with numpy.ascontiguousarray(array)",
+                   {}};
+    }
+    at_ += pending().size() - layout->data.size();
+    array_ = *std::move(layout);
+  } else {
+    array_ = ArrayLayout{};
+    array_->description = "raw float64";
+  }
+  is_npy_ = npy;
+  options_.format = Format::kNpy;
   return settle_frame({}, true);
 }
 
+std::uint64_t PointStream::bytes_read() const {
+  return mapped_.view.empty() ? stream_.taken() : rows_ * 3 * array_->item_bytes;
+}
+
 std::optional<PointsView> PointStream::in_place() const {
-  if (!array_ || options_.frame != Frame::kMetres || options_.units.any()) return std::nullopt;
+  if (mapped_.view.empty() || options_.frame != Frame::kMetres || options_.units.any()) {
+    return std::nullopt;
+  }
   const char* const data = array_->data.data();
   const auto item = static_cast<std::ptrdiff_t>(array_->item_bytes);
   if (reinterpret_cast<std::uintptr_t>(data) % array_->item_bytes != 0) return std::nullopt;
@@ -117,81 +223,134 @@ std::optional<PointsView> PointStream::in_place() const {
                                              : view(reinterpret_cast<const double*>(data));
 }
 
-// The header, and as many whole lines behind it as fit; or so many rows as raw float64.
-std::string PointStream::next_block() {
-  std::string block;
-  if (table_) {
-    std::size_t end = std::min(text_.size(), at_ + block_bytes_);
-    if (end < text_.size()) {
-      const std::size_t line_end = text_.find(table_->line_end, end - 1);
-      end = line_end == std::string_view::npos ? text_.size() : line_end + 1;
+// Whole lines, about a block of them; none at the end.
+Result<Bytes> PointStream::next_lines() {
+  std::size_t wanted = block_bytes_;
+  while (true) {
+    if (auto status = want(wanted); !status) return std::move(status).error();
+    const std::string_view all = pending();
+    std::size_t end = all.size();
+    if (all.size() > wanted || !ended_) {
+      const std::size_t last = all.substr(0, wanted).rfind(table_->line_end);
+      const std::size_t next =
+          last != std::string_view::npos ? last : all.find(table_->line_end, wanted);
+      // A line that is too long for a record is an error of the record.
+      if (next == std::string_view::npos && !ended_ && all.size() <= kLongestLine) {
+        wanted = all.size() + block_bytes_;
+        continue;
+      }
+      if (next != std::string_view::npos) end = next + 1;
     }
-    block.append(text_.substr(0, table_->data_offset)).append(text_.substr(at_, end - at_));
-    at_ = end;
+    Bytes lines = joined({}, all.substr(0, end));
+    at_ += end;
+    return lines;
+  }
+}
+
+Result<std::optional<LoadedPoints>> PointStream::next_of_table() {
+  while (true) {
+    auto lines = next_lines();
+    if (!lines) return std::move(lines).error();
+    if (lines->view.empty()) break;
+    const std::uint64_t count = lines_in(lines->view, table_->line_end);
+    auto block = load_lines(*std::move(lines), *table_, frame_, options_);
+    if (!block) return std::move(block).error();
+    table_->lines_before += count;
+    if (block->points.empty() && block->skipped_count == 0) continue;  // blank lines
+    look_at_values(*block);
+    return std::optional(*std::move(block));
+  }
+  if (auto problem = contradiction()) return *std::move(problem);
+  return std::optional<LoadedPoints>();
+}
+
+Result<std::optional<LoadedPoints>> PointStream::next_of_array() {
+  const std::size_t row_bytes = 3 * array_->item_bytes;
+  const std::size_t most = std::max<std::size_t>(1, block_bytes_ / row_bytes);
+  if (!mapped_.view.empty()) {
+    const std::uint64_t count = std::min<std::uint64_t>(most, array_->rows - rows_);
+    if (count == 0) return std::optional<LoadedPoints>();
+    const std::string rows =
+        array_->column_by_column
+            ? gathered(*array_, rows_, count)
+            : std::string(array_->data.substr(rows_ * row_bytes, count * row_bytes));
+    return load_rows(rows, count);
+  }
+  if (auto status = want(most * row_bytes); !status) return std::move(status).error();
+  const std::uint64_t left = is_npy_ ? array_->rows - rows_ : most;
+  const std::uint64_t count = std::min<std::uint64_t>({most, pending().size() / row_bytes, left});
+  if (count == 0) {
+    // What follows is too much, or too little for a row.
+    std::uint64_t bytes = rows_ * row_bytes;
+    while (!pending().empty()) {
+      bytes += pending().size();
+      at_ += pending().size();
+      if (auto status = want(block_bytes_); !status) return std::move(status).error();
+    }
+    auto problem = is_npy_ ? npy_length_problem(*array_, bytes) : raw_length_problem(bytes);
+    if (problem) return *std::move(problem);
+    return std::optional<LoadedPoints>();
+  }
+  const std::string rows(pending().substr(0, count * row_bytes));
+  at_ += rows.size();
+  return load_rows(rows, count);
+}
+
+Result<std::optional<LoadedPoints>> PointStream::load_rows(std::string_view rows,
+                                                           std::uint64_t count) const {
+  const std::string header = npy_header_for(*array_, count);
+  auto block = load_points_from_memory(joined(header, rows).view, path_, options_);
+  if (!block) return std::move(block).error();
+  return std::optional(*std::move(block));
+}
+
+Result<std::optional<LoadedPoints>> PointStream::next() {
+  if (first_) {
+    row_ = 0;
+    auto first = std::move(first_);
+    first_.reset();
+    return first;
+  }
+  auto block = table_ ? next_of_table() : next_of_array();
+  if (!block) {
+    Error error = std::move(block).error();
+    if (error.location.record) *error.location.record += rows_;
+    return placed(std::move(error));
+  }
+  row_ = rows_;
+  if (!*block) {
+    if (auto problem = nothing_left()) return placed(*std::move(problem));
     return block;
   }
-  const std::size_t count =
-      std::min<std::uint64_t>(block_bytes_ / sizeof(Point), array_->rows - at_);
-  block.resize(count * sizeof(Point));
-  for (std::size_t row = 0; row < count; ++row) {
-    std::array<double, 3> numbers{};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      numbers[axis] = array_->coordinate(at_ + row, axis);
-    std::memcpy(block.data() + row * sizeof numbers, numbers.data(), sizeof numbers);
+  LoadedPoints& points = **block;
+  for (Error& error : points.skipped) {
+    *error.location.record += rows_;
+    error = placed(std::move(error));
   }
-  at_ += count;
+  if (!bad_ && !points.skipped.empty()) bad_ = points.skipped.front();
+  points_ += points.points.size();
+  rows_ += points.points.size() + points.skipped_count;
   return block;
 }
 
-Status PointStream::next(std::vector<Point>& points) {
-  points.clear();
-  const std::uint64_t end = table_ ? text_.size() : array_->rows;
-  // A block may hold blank lines only; more may come behind it.
-  while (at_ < end && points.empty()) {
-    const std::size_t begin = at_;
-    const std::string block = next_block();
-    if (auto problem = other_layout(block)) return placed(*std::move(problem));
-    auto loaded = load_points_from_memory(block, path_, options_);
-    const bool blank =
-        !loaded && loaded.error().code == ErrorCode::kNoPoints && (rows_ > 0 || at_ < end);
-    if (!loaded && !blank) return placed(there(std::move(loaded).error()));
-    if (loaded) points = std::move(loaded->points);
-    rows_ += points.size();
-    if (table_) lines_ += lines_in(text_.substr(begin, at_ - begin), table_->line_end);
-  }
-  return std::monostate{};
+// At the end: as load_points() says it.
+std::optional<Error> PointStream::nothing_left() const {
+  if (points_ > 0 || !bad_) return std::nullopt;
+  return Error{ErrorCode::kNoPoints, all_bad_text(rows_, *bad_), {}};
 }
 
-// Each block tells its layout anew, and all must tell the same.
-std::optional<Error> PointStream::other_layout(std::string_view block) const {
-  if (!table_) return std::nullopt;
-  const auto layout = find_layout(block, options_);
-  if (!layout) {
-    if (layout.error().code == ErrorCode::kNoPoints) return std::nullopt;
-    return there(layout.error());
+void PointStream::look_at_values(const LoadedPoints& block) {
+  if (!extent_) return;
+  extent_->include(extent_of(block.points));
+  for (const Point& point : block.points) {
+    if (witness_ && !(is_whole(witness_->x) && is_whole(witness_->y))) return;
+    witness_ = point;
   }
-  const ColumnChoice& now = layout->choice;
-  const ColumnChoice& before = table_->choice;
-  if (layout->delimiter == table_->delimiter && layout->columns == table_->columns &&
-      layout->data_offset == table_->data_offset && now.axes == before.axes &&
-      now.dimensions == before.dimensions && now.units == before.units) {
-    return std::nullopt;
-  }
-  Error error{
-      ErrorCode::kColumnCount,
-      "from this line on the table is laid out otherwise than before it: split the file here",
-      {}};
-  error.location.line = lines_ + 1;
-  return error;
 }
 
-// An error of a block, as one of the file.
-Error PointStream::there(Error error) const {
-  if (table_ && error.location.line && *error.location.line > table_->lines_before) {
-    *error.location.line += lines_ - table_->lines_before;
-  }
-  if (error.location.record) *error.location.record += rows_;
-  return error;
+std::optional<Error> PointStream::contradiction() const {
+  if (!extent_ || !witness_) return std::nullopt;
+  return contradiction_to_metres(std::span(&*witness_, 1), *extent_, table_->choice.dimensions);
 }
 
 }  // namespace beespace::io

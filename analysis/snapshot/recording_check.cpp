@@ -8,11 +8,11 @@
 #include "io/table/fields.hpp"
 #include "io/tracks/track_columns.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <numeric>
 #include <system_error>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -33,27 +33,6 @@ bool is_same_time(const std::string& a, const std::string& b) {
   const auto first = io::parse_number(a);
   return first && first == io::parse_number(b);  // "1" and "1.0"
 }
-
-// Takes records, and keeps the first that has a bee at a second time.
-class SecondTimes {
- public:
-  explicit SecondTimes(std::size_t bees) { first_times_.reserve(bees); }
-
-  void add(const std::string& id, const std::string& time) {
-    if (problem_ || id.empty() || time.empty()) return;
-    const auto& [known, is_new] = first_times_.try_emplace(id, time);
-    if (is_new || is_same_time(known->second, time)) return;
-    problem_ = "this is a recording: bee " + io::excerpt(id) + " is in it at more than one time (" +
-               io::excerpt(known->second) + " and " + io::excerpt(time) +
-               "); ask 'beespace replay' about it, or leave one time in it";
-  }
-
-  [[nodiscard]] const std::optional<std::string>& problem() const { return problem_; }
-
- private:
-  std::unordered_map<std::string, std::string> first_times_;
-  std::optional<std::string> problem_;
-};
 
 Error blamed_on(const std::string& path, std::string message) {
   Error error{ErrorCode::kUnsupportedFormat, std::move(message), {}};
@@ -76,25 +55,47 @@ bool is_about_data(ErrorCode code) {
   }
 }
 
-std::optional<Error> recording_problem(const io::LoadedPoints& loaded, const std::string& path) {
+void RecordingCheck::add(const std::string& id, const std::string& time) {
+  if (problem_ || id.empty() || time.empty()) return;
+  auto known = first_times_.find(id);
+  if (known == first_times_.end()) {
+    if (first_times_.size() < most_bees_) first_times_.emplace(id, time);
+    return;
+  }
+  if (is_same_time(known->second, time)) return;
+  problem_ = "this is a recording: bee " + io::excerpt(id) + " is in it at more than one time (" +
+             io::excerpt(known->second) + " and " + io::excerpt(time) +
+             "); ask 'beespace replay' about it, or leave one time in it";
+}
+
+void RecordingCheck::add(const io::LoadedPoints& loaded) {
   const auto time = find_column(loaded, io::Role::kTime);
-  if (!time) return std::nullopt;
+  if (problem_ || !time) return;
   // "drone" names no column of ids to a snapshot.
   const bool own_ids = io::has_id_column(loaded);
   const auto id = find_column(loaded, io::Role::kId);
-  if (!own_ids && !id) return std::nullopt;
+  if (!own_ids && !id) return;
   const char delimiter = io::delimiter(loaded);
   const auto field = [delimiter](const io::Record& record, std::size_t column) {
     return io::unquoted(io::field_at(record.text, delimiter, column));
   };
   std::vector<PointId> all(loaded.points.size());
   std::iota(all.begin(), all.end(), PointId{0});
-  SecondTimes times(all.size());
+  first_times_.reserve(std::min(most_bees_, all.size()));
   io::for_each_record(loaded, all, [&](const io::Record& record) {
-    times.add(own_ids ? std::string(record.id) : field(record, *id), field(record, *time));
+    add(own_ids ? std::string(record.id) : field(record, *id), field(record, *time));
   });
-  if (!times.problem()) return std::nullopt;
-  return blamed_on(path, *times.problem());
+}
+
+std::optional<Error> RecordingCheck::problem(const std::string& path) const {
+  if (!problem_) return std::nullopt;
+  return blamed_on(path, *problem_);
+}
+
+std::optional<Error> recording_problem(const io::LoadedPoints& loaded, const std::string& path) {
+  RecordingCheck check(loaded.points.size());
+  check.add(loaded);
+  return check.problem(path);
 }
 
 bool has_several_times(const io::LoadedPoints& loaded) {

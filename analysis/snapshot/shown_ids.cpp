@@ -12,15 +12,23 @@ namespace {
 
 constexpr std::string_view kTabsAndLineEnds = "\t\n\v\f\r";
 
-bool is_empty(std::string_view id) {
+}  // namespace
+
+bool is_empty_id(std::string_view id) {
   return id.find_first_not_of(" \t\n\v\f\r") == std::string_view::npos;
 }
 
-bool is_broken(std::string_view id) {
+bool is_broken_id(std::string_view id) {
   return id.find_first_of(kTabsAndLineEnds) != std::string_view::npos;
 }
 
-}  // namespace
+void append_id(std::string& out, std::string_view id) {
+  const std::size_t begin = out.size();
+  out += id;
+  std::replace_if(
+      out.begin() + static_cast<std::ptrdiff_t>(begin), out.end(),
+      [](char c) { return kTabsAndLineEnds.find(c) != std::string_view::npos; }, ' ');
+}
 
 ShownIds::ShownIds(const io::LoadedPoints& loaded, const std::vector<PointId>& ascending)
     : own_ids_(io::has_id_column(loaded)),
@@ -30,9 +38,9 @@ ShownIds::ShownIds(const io::LoadedPoints& loaded, const std::vector<PointId>& a
   begin_.reserve(ascending.size() + 1);
   io::for_each_record(loaded, ascending, [this](const io::Record& record) {
     begin_.push_back(texts_.size());
-    if (own_ids_ && !is_empty(record.id)) {
+    if (own_ids_ && !is_empty_id(record.id)) {
       texts_ += record.id;
-      if (is_broken(record.id)) ++broken_count_;
+      if (is_broken_id(record.id)) ++broken_count_;
       return;
     }
     io::append_exact(texts_, record.row);
@@ -52,12 +60,8 @@ void ShownIds::append(std::string& out, PointId point) const {
     io::append_exact(out, std::uint64_t{point});
     return;
   }
-  const std::size_t begin = out.size();
+  if (broken_count_ > 0) return append_id(out, find(point));
   out += find(point);
-  if (broken_count_ == 0) return;
-  std::replace_if(
-      out.begin() + static_cast<std::ptrdiff_t>(begin), out.end(),
-      [](char c) { return kTabsAndLineEnds.find(c) != std::string_view::npos; }, ' ');
 }
 
 std::string ShownIds::text(PointId point) const {

@@ -48,4 +48,11 @@ class ShownIds {
   std::vector<std::size_t> begin_;  // of each in texts_, and the end of the last
 };
 
+// Whether the data row stands for it.
+bool is_empty_id(std::string_view id);
+// Whether there are tabs or line ends in it.
+bool is_broken_id(std::string_view id);
+// For people and lines of text: these become blanks.
+void append_id(std::string& out, std::string_view id);
+
 }  // namespace beespace::analysis

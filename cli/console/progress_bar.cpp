@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdint>
 #include <new>
@@ -28,6 +29,13 @@ std::string bar(double fraction) {
 }
 
 }  // namespace
+
+std::string left_text(double fraction, double passed_s) {
+  constexpr double kLeastShare = 0.01;
+  constexpr double kLeast_s = 1.0;
+  if (fraction < kLeastShare || fraction >= 1.0 || passed_s < kLeast_s) return {};
+  return ", about " + io::time_span(std::ceil(passed_s * (1.0 - fraction) / fraction)) + " left";
+}
 
 ProgressBar::ProgressBar(bool wanted) {
   if (!wanted || !messages_are_on_terminal()) return;
@@ -55,8 +63,10 @@ ProgressBar::~ProgressBar() {
 }
 
 void ProgressBar::enter_stage(const char* name) {
+  const std::lock_guard lock(mutex_);
+  if (std::string_view(name) == stage_.name) return;
   share_.store(kUnknown, std::memory_order_relaxed);
-  stage_.store(name, std::memory_order_relaxed);
+  stage_ = {name};
 }
 
 void ProgressBar::finish() {
@@ -74,13 +84,13 @@ void ProgressBar::run() {
   std::unique_lock lock(mutex_);
   auto wait = kPatience;
   while (!wake_.wait_for(lock, wait, [this] { return finished_; })) {
-    draw();
+    draw(stage_);
     wait = kRedraw;
   }
 }
 
-void ProgressBar::draw() {
-  const std::string_view stage = stage_.load(std::memory_order_relaxed);
+void ProgressBar::draw(const Stage& at) {
+  const std::string_view stage = at.name;
   const auto done = static_cast<double>(reading_.done.load(std::memory_order_relaxed));
   const auto total = static_cast<double>(reading_.total.load(std::memory_order_relaxed));
   std::string line(kWipeLine);
@@ -93,6 +103,8 @@ void ProgressBar::draw() {
     line += bar(fraction);
     line += ' ';
     line += io::percentage(fraction);
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - at.began;
+    line += left_text(fraction, passed.count());
   } else {
     line += " ...";
   }

@@ -5,6 +5,7 @@
 #include <unistd.h>
 #include <csignal>
 #include <initializer_list>
+#include <string_view>
 
 namespace beespace::cli {
 namespace {
@@ -15,6 +16,17 @@ constexpr int kSignalExitCode = 128;
 extern "C" void leave(int signal) {
   io::discard_open_outputs_in_signal_handler();
   _exit(kSignalExitCode + signal);
+}
+
+// What is read where it lies in a file is gone when the file becomes shorter.
+extern "C" void leave_without_input(int /*signal*/) {
+  io::discard_open_outputs_in_signal_handler();
+  constexpr std::string_view kMessage =
+      "beespace: error: a file became shorter while it was read, or its disk failed; read a copy "
+      "that stays as it is\n";
+  // Nothing can be done where that is not read either.
+  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, kMessage.data(), kMessage.size());
+  _exit(static_cast<int>(ExitCode::kSystem));
 }
 
 volatile std::sig_atomic_t end_wanted = 0;
@@ -46,6 +58,7 @@ void handle_signals() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGALRM, SIGXCPU}) {
     handle(signal, leave);
   }
+  handle(SIGBUS, leave_without_input);
 }
 
 void let_interruption_wait() {

@@ -7,7 +7,8 @@
 namespace beespace::cli {
 
 // SIGINT ends the program with 130, SIGTERM with 143, SIGHUP with 129, unless the one who started
-// it had them ignored (nohup). SIGPIPE is ignored: a closed pipe is seen as a failed write.
+// it had them ignored (nohup). SIGPIPE is ignored: a closed pipe is seen as a failed write. SIGBUS,
+// which comes when a mapped input becomes shorter, ends it with 4 and says so.
 void handle_signals();
 
 // From now on the first SIGINT, SIGTERM or SIGHUP only asks for an end, which interrupted() tells;

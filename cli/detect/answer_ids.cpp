@@ -1,5 +1,7 @@
 #include "cli/detect/answer_ids.hpp"
 
+#include "io/bytes/number_text.hpp"
+
 #include <algorithm>
 #include <cstddef>
 
@@ -79,6 +81,20 @@ AnswerIds::AnswerIds(const Inputs& inputs, const Table& table, Form form)
       their_points_(their_points(inputs, table)),
       ours_(inputs.ours, our_points_) {
   if (inputs.others) theirs_.emplace(*inputs.others, their_points_);
+}
+
+void note_ids(const OddIds& ids, std::string_view which, Form form,
+              std::vector<std::string>& notes) {
+  if (ids.empty > 0) {
+    notes.push_back(io::grouped(ids.empty) + (ids.empty == 1 ? " bee" : " bees") +
+                    std::string(which) + (ids.empty == 1 ? " has" : " have") +
+                    " an empty id: the data row stands for it");
+  }
+  const bool is_text = form == Form::kText || form == Form::kCsv;
+  if (ids.broken > 0 && is_text) {
+    notes.push_back("tabs and line ends inside an id are written as blanks (" +
+                    io::counted(ids.broken, "id", "ids") + ")");
+  }
 }
 
 }  // namespace beespace::cli

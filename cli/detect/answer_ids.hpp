@@ -6,7 +6,10 @@
 #include "analysis/snapshot/shown_ids.hpp"
 #include "cli/detect/detection.hpp"
 
+#include <cstdint>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace beespace::cli {
@@ -32,5 +35,15 @@ class AnswerIds {
   analysis::ShownIds ours_;
   std::optional<analysis::ShownIds> theirs_;
 };
+
+// Ids that are not shown as the file has them: that are empty, or have tabs or line ends in them.
+struct OddIds {
+  std::uint64_t empty = 0;
+  std::uint64_t broken = 0;
+};
+
+// Says so of bees, `which` behind that word; JSON needs no blanks.
+void note_ids(const OddIds& ids, std::string_view which, Form form,
+              std::vector<std::string>& notes);
 
 }  // namespace beespace::cli

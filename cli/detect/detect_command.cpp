@@ -1,6 +1,7 @@
 #include "cli/console/progress_bar.hpp"
 #include "cli/console/stopwatch.hpp"
 #include "cli/console/terminal.hpp"
+#include "cli/detect/answer_ids.hpp"
 #include "cli/detect/answer_output.hpp"
 #include "cli/detect/detect_search.hpp"
 #include "cli/detect/detection.hpp"
@@ -8,26 +9,17 @@
 #include "cli/detect/summary.hpp"
 #include "cli/output/output_file.hpp"
 #include "io/bytes/atomic_output.hpp"
-#include "io/bytes/number_text.hpp"
 
-#include <cstddef>
+#include <string_view>
 #include <utility>
 
 namespace beespace::cli {
 namespace {
 
-// Says when an id is not shown as the file has it; JSON needs no blanks.
-void note_ids(const analysis::ShownIds& ids, Form form, std::vector<std::string>& notes) {
-  if (const std::size_t count = ids.empty_count(); count > 0) {
-    notes.push_back(io::grouped(count) +
-                    (count == 1 ? " bee of the answer has" : " bees of the answer have") +
-                    " an empty id: the data row stands for it");
-  }
-  const bool is_text = form == Form::kText || form == Form::kCsv;
-  if (const std::size_t count = ids.broken_count(); count > 0 && is_text) {
-    notes.push_back("tabs and line ends inside an id are written as blanks (" + io::grouped(count) +
-                    (count == 1 ? " id)" : " ids)"));
-  }
+constexpr std::string_view kOfAnswer = " of the answer";
+
+OddIds odd_ids(const analysis::ShownIds& ids) {
+  return {ids.empty_count(), ids.broken_count()};
 }
 
 void write_answer(const Answer& answer, io::AtomicOutput& output) {
@@ -47,8 +39,8 @@ void write_answer(const Answer& answer, io::AtomicOutput& output) {
 
 Result<ExitCode> run_detect(const DetectRequest& request) {
   // Opened first, so that a folder that is not there is known before a long read.
-  auto output = open_output("detect", request.output, {request.input, request.others.value_or("")},
-                            request.form.packing);
+  auto output = open_output("detect", request.output,
+                            {request.input(), request.others.value_or("")}, request.form.packing);
   if (!output) return std::move(output).error();
   ProgressBar progress(!request.quiet);
   Stopwatch watch;
@@ -64,8 +56,10 @@ Result<ExitCode> run_detect(const DetectRequest& request) {
 
   progress.enter_stage("writing");
   const AnswerIds ids(*inputs, detection->table, request.form.form);
-  note_ids(ids.ours(), request.form.form, inputs->ours.notes);
-  if (inputs->others) note_ids(ids.theirs(), request.form.form, inputs->others->notes);
+  note_ids(odd_ids(ids.ours()), kOfAnswer, request.form.form, inputs->ours.notes);
+  if (inputs->others) {
+    note_ids(odd_ids(ids.theirs()), kOfAnswer, request.form.form, inputs->others->notes);
+  }
   write_answer({request, *inputs, *detection, ids}, *output);
   const Status written = output->commit();
   if (!written && output->pipe_closed()) return ExitCode::kPipeClosed;

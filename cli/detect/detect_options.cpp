@@ -1,9 +1,10 @@
 #include "cli/command_line/option_values.hpp"
 #include "cli/console/terminal.hpp"
 #include "cli/detect/detect_command.hpp"
-#include "cli/detect/detect_out_of_core.hpp"
 #include "cli/detect/detection.hpp"
+#include "cli/detect/out_of_core/detect_out_of_core.hpp"
 #include "cli/input/moving_options.hpp"
+#include "io/problems/excerpt.hpp"
 
 #include <memory>
 #include <utility>
@@ -42,6 +43,8 @@ constexpr const char* kDetails =
     "  beespace detect ours.csv --others towers.csv --report closest-pair\n"
     "  zcat swarm.txt.gz | beespace detect --columns id=1,lon=2,lat=3,height=4 --json\n"
     "  beespace detect archive.npy --crs metres --memory 4GB --output at-risk.txt\n"
+    "  beespace detect part-*.csv.gz --memory 2GB --temporary /scratch --output pairs.csv \\\n"
+    "    --report pairs\n"
     "  beespace detect swarm.npy --crs metres --quiet --fail-on-risk --output /dev/null\n"
     "  [ $? -eq 1 ] && echo danger\n"
     "\n"
@@ -55,7 +58,8 @@ Error wrong(std::string message) {
 }
 
 void add_input_options(Command& detect, DetectRequest& request) {
-  detect.argument("FILE", request.input, "What to read (default, or -: standard input)");
+  detect.arguments("FILE", request.inputs,
+                   "What to read (default, or -: standard input); several\nwith --memory");
   detect.group("Input");
   detect.option("--others", "FILE", request.others, take_text,
                 "Compare with these, not with each other");
@@ -96,7 +100,7 @@ void add_search_options(Command& detect, DetectRequest& request) {
                 "How many threads work (default: 0, all)");
   detect.option("--memory", "SIZE", request.memory_bytes, read_memory,
                 "Use so much memory and temporary files, for files\nthat do not fit: 500MB, 4GB "
-                "(text of at-risk,\npairs in no order, closest-pair)");
+                "(no groups, --others\nand --geojson)");
   detect.option("--temporary", "FOLDER", request.temporary, take_text,
                 "Where temporary files go, which have no name\n(default: $TMPDIR, or /var/tmp)");
 }
@@ -133,13 +137,18 @@ Status check_fit(const DetectRequest& request) {
 
 // What no option says alone, once all are read.
 Status settle(DetectRequest& request) {
-  if (request.input.empty() && (input_is_terminal() || request.others == "-")) {
+  if (request.inputs.empty() && (input_is_terminal() || request.others == "-")) {
     return wrong("say which file to read, or pipe the input in");
   }
-  if (request.input == "-" && request.others == "-") {
+  if (request.inputs.empty()) request.inputs.emplace_back("-");
+  if (request.input() == "-" && request.others == "-") {
     return wrong("standard input can be read once; name a file for one of the two");
   }
-  if (request.input.empty()) request.input += '-';
+  if (request.inputs.size() > 1 && !request.memory_bytes) {
+    return wrong(io::excerpt(request.inputs[1]) +
+                 " is one argument too many for 'beespace detect', unless --memory SIZE is given: "
+                 "then it reads several files");
+  }
   const auto form =
       output_form("detect", {request.output, request.csv, request.json, request.geojson},
                   {{Form::kText, Form::kCsv, Form::kJson, Form::kGeoJson}});

@@ -80,14 +80,9 @@ Result<Closest> closest_pair_between(Engine& engine, const PointsView& points,
   return Closest({static_cast<PointId>(best - nearest.begin()), best->id, best->distance_m});
 }
 
-// The library speaks to those who call it; here --max-results is what they can turn.
-Error in_words_of_the_command(Error error, const DetectRequest& request) {
-  if (error.code != ErrorCode::kTooManyResults) return error;
-  const bool pairs = std::string_view(request.report->name) == "pairs";
-  error.message = std::string("there are more than ") + io::grouped(request.search.max_results) +
-                  (pairs ? " pairs" : " neighbours") +
-                  "; raise --max-results, or lower the threshold";
-  return error;
+// The library speaks to those who call it.
+Error in_words_of_the_command(const Error& error, const DetectRequest& request) {
+  return error.code == ErrorCode::kTooManyResults ? too_many_results(request) : error;
 }
 
 // The closest pair that is told: of all; with a vertical threshold, where some are at risk, of
@@ -114,6 +109,14 @@ Result<Closest> told_pair(const Question& question, const Inputs& inputs,
 
 }  // namespace
 
+Error too_many_results(const DetectRequest& request) {
+  const bool pairs = std::string_view(request.report->name) == "pairs";
+  return {ErrorCode::kTooManyResults,
+          "there are more than " + io::grouped(request.search.max_results) +
+              (pairs ? " pairs" : " neighbours") + "; raise --max-results, or lower the threshold",
+          {}};
+}
+
 Result<Detection> search(const Inputs& inputs, const DetectRequest& request) {
   Engine engine;
   Detection detection;
@@ -134,7 +137,7 @@ Result<Detection> search(const Inputs& inputs, const DetectRequest& request) {
   std::optional<std::vector<PointId>> at_risk;
   if (!is_closest_pair) {
     auto found = request.report->find(question);
-    if (!found) return in_words_of_the_command(std::move(found).error(), request);
+    if (!found) return in_words_of_the_command(found.error(), request);
     detection.table = std::move(found->table);
     at_risk = std::move(found->at_risk);
   }

@@ -23,7 +23,7 @@ namespace beespace::cli {
 
 // What is asked for: each value as its option says it, then what follows from them.
 struct DetectRequest {
-  std::string input;
+  std::vector<std::string> inputs;  // one, or with memory_bytes several
   std::optional<std::string> others;
   std::string output = "-";
   io::LoadOptions load;  // of both inputs
@@ -43,10 +43,21 @@ struct DetectRequest {
 
   PairOptions search{.threads = 0};
   OutputForm form;
+
+  // The only one.
+  [[nodiscard]] const std::string& input() const { return inputs.front(); }
 };
 
 // The exit code, or what went wrong.
 Result<ExitCode> run_detect(const DetectRequest& request);
+
+// What is said of an input, however many of its points are in memory. Refers to all.
+struct InputFacts {
+  const std::string& path;
+  const io::LoadedPoints& loaded;
+  std::uint64_t points;
+  const io::RepeatedIds* repeated;  // null: said elsewhere
+};
 
 struct Inputs {
   io::LoadedPoints ours;

@@ -1,52 +1,12 @@
-#include "analysis/text/unit_notes.hpp"
-#include "cli/console/error_json.hpp"
-#include "cli/console/summary_line.hpp"
 #include "cli/detect/answer_output.hpp"
 #include "cli/detect/json_cell.hpp"
+#include "cli/detect/json_facts.hpp"
 #include "cli/output/block_writer.hpp"
-#include "cli/output/json_units.hpp"
-#include "io/bytes/byte_source.hpp"
 
 #include <beespace/version.hpp>
 
-#include <array>
-
 namespace beespace::cli {
 namespace {
-
-std::string_view name_of(io::Frame frame) {
-  return frame == io::Frame::kWgs84 ? "wgs84" : "metres";
-}
-
-void write_skipped(io::JsonWriter& json, const std::vector<Error>& skipped) {
-  if (skipped.empty()) return;
-  json.begin_array("first_skipped", io::JsonLayout::kLines);
-  for (const Error& error : skipped) write_error(json, error);
-  json.end();
-}
-
-void write_repeated(io::JsonWriter& json, const io::RepeatedIds& repeated) {
-  json.member("repeated_ids", repeated.count);
-  if (repeated.count == 0) return;
-  json.begin_object("first_repeated").member("id", repeated.id);
-  json.member("records", std::array{repeated.first_row, repeated.second_row});
-  json.end();
-}
-
-void write_input(io::JsonWriter& json, const char* key, const io::LoadedPoints& loaded,
-                 const std::string& path, const io::RepeatedIds& repeated) {
-  const std::string_view datum = analysis::datum_text(loaded.heights);
-  json.begin_object(key, io::JsonLayout::kLines).member("file", io::source_name(path));
-  json.member("format", loaded.format_description).member("frame", name_of(loaded.frame));
-  json.member("reason", loaded.frame_reason);
-  write_units(json.key("units"), loaded.units);
-  json.member("heights", io::known_if(!datum.empty(), datum));
-  json.member("points", loaded.points.size()).member("skipped", loaded.skipped_count);
-  write_skipped(json, loaded.skipped);
-  write_repeated(json, repeated);
-  json.member("notes", loaded.notes);
-  json.end();
-}
 
 void write_closest(io::JsonWriter& json, const Answer& answer) {
   const auto& closest = answer.detection.closest;
@@ -135,20 +95,18 @@ void write_json(const Answer& answer, io::AtomicOutput& output) {
   io::JsonWriter json(out.text);
   json.begin_object(io::JsonLayout::kLines);
   json.member("version", version()).member("report", request.report->name);
-  write_input(json, "input", answer.inputs.ours, request.input, answer.inputs.our_repeated);
+  const Inputs& inputs = answer.inputs;
+  write_input(json.key("input"),
+              {request.input(), inputs.ours, inputs.ours.points.size(), &inputs.our_repeated});
   if (request.others) {
-    write_input(json, "others", *answer.inputs.others, *request.others,
-                answer.inputs.their_repeated);
+    write_input(json.key("others"), {*request.others, *inputs.others, inputs.others->points.size(),
+                                     &inputs.their_repeated});
   }
-  json.member("threshold_m", request.search.threshold_m);
-  json.member("vertical_m", request.search.vertical_m);
-  write_vertical(json.key("vertical"), request.vertical, answer.inputs.height_unit());
-  json.member("inclusive", request.search.inclusive);
+  write_search(json, request, inputs.height_unit());
   json.member("at_risk_count", detection.at_risk.size());
-  json.member("share", detection.share(answer.inputs.ours));
+  json.member("share", detection.share(inputs.ours));
   write_closest(json, answer);
-  json.begin_object("timings").member("read_s", detection.timings.read_s);
-  json.member("search_s", detection.timings.search_s).end();
+  write_timings(json, detection.timings);
   if (*request.report->key != '\0') write_table(answer, out, json);
   json.end();
   out.text += '\n';

@@ -4,7 +4,7 @@
 #include "analysis/text/unit_notes.hpp"
 #include "cli/command_line/option_values.hpp"
 #include "cli/console/summary_line.hpp"
-#include "io/bytes/number_text.hpp"
+#include "io/bytes/byte_source.hpp"
 #include "io/load_points.hpp"
 #include "io/points/loaded_points.hpp"
 #include "io/problems/excerpt.hpp"
@@ -25,16 +25,6 @@
 namespace beespace::cli {
 namespace {
 
-std::string quoted_source(const std::string& path) {
-  return path == "-" ? "standard input" : "'" + path + "'";
-}
-
-std::string taken_for(const io::LoadedPoints& loaded, const std::string& path) {
-  return quoted_source(path) + " was taken for " +
-         (loaded.frame == io::Frame::kWgs84 ? "degrees" : "metres") + " (" + loaded.frame_reason +
-         ")";
-}
-
 Result<io::LoadedPoints> load_snapshot(const std::string& path, const io::LoadOptions& options) {
   auto loaded = io::load_points(path, options);
   if (!loaded) return analysis::or_recording(std::move(loaded).error(), path, options);
@@ -42,32 +32,16 @@ Result<io::LoadedPoints> load_snapshot(const std::string& path, const io::LoadOp
   return loaded;
 }
 
-bool has_heights(const io::LoadedPoints& loaded) {
-  return std::none_of(loaded.notes.begin(), loaded.notes.end(), [](const std::string& note) {
-    return note.starts_with("no height column") || note.starts_with("no z column");
-  });
-}
-
 // Refused where they are to be unique.
-Result<io::RepeatedIds> repeated_ids(const io::LoadedPoints& loaded, const std::string& path,
-                                     bool unique) {
+Result<io::RepeatedIds> unless_repeated(const io::LoadedPoints& loaded, const std::string& path,
+                                        bool unique) {
   io::RepeatedIds repeated = io::find_repeated_ids(loaded);
   if (!unique || repeated.count == 0) return repeated;
-  Error error{
-      ErrorCode::kMalformedRecord,
-      analysis::text_of(repeated) + "; give each bee an id of its own, or leave --unique-ids out",
-      {}};
-  error.location.source = path == "-" ? "<stdin>" : path;
-  error.location.record = repeated.second_row;
-  return error;
+  return repeated_error(repeated, path);
 }
 
-// Never some by pressure and some by satellites.
 std::optional<Error> datum_problem(const io::LoadedPoints& ours, const io::LoadedPoints& others) {
-  const auto none = io::HeightDatum::kUnstated;
-  if (ours.heights == others.heights || ours.heights == none || others.heights == none) {
-    return std::nullopt;
-  }
+  if (can_compare(ours.heights, others.heights)) return std::nullopt;
   return usage_error("detect", "the heights of the two swarms cannot be compared: ours are " +
                                    std::string(analysis::datum_text(ours.heights)) + ", theirs " +
                                    std::string(analysis::datum_text(others.heights)) +
@@ -78,8 +52,8 @@ std::optional<Error> datum_problem(const io::LoadedPoints& ours, const io::Loade
 std::optional<Error> height_problem(const Inputs& inputs, const io::LoadedPoints& others,
                                     const DetectRequest& request) {
   if (has_heights(inputs.ours) == has_heights(others)) return std::nullopt;
-  const std::string& without = has_heights(others) ? request.input : *request.others;
-  const std::string& with = has_heights(others) ? *request.others : request.input;
+  const std::string& without = has_heights(others) ? request.input() : *request.others;
+  const std::string& with = has_heights(others) ? *request.others : request.input();
   const bool degrees = others.frame == io::Frame::kWgs84;
   return usage_error(
       "detect",
@@ -121,7 +95,7 @@ std::optional<Error> columns_problem(const Inputs& inputs, const io::LoadedPoint
     if (alike && role != io::Role::kNone) continue;
     return usage_error("detect",
                        "--columns goes to both files, but column " + wanted.column + " is " +
-                           io::excerpt(ours[number - 1]) + " in " + quoted_source(request.input) +
+                           io::excerpt(ours[number - 1]) + " in " + quoted_source(request.input()) +
                            " and " + io::excerpt(theirs[number - 1]) + " in " +
                            quoted_source(*request.others) +
                            "; name the columns instead of numbering them, or leave --columns out");
@@ -131,17 +105,48 @@ std::optional<Error> columns_problem(const Inputs& inputs, const io::LoadedPoint
 
 }  // namespace
 
+std::string quoted_source(const std::string& path) {
+  return path == "-" ? "standard input" : "'" + path + "'";
+}
+
+std::string taken_for(const io::LoadedPoints& loaded, const std::string& path) {
+  return quoted_source(path) + " was taken for " +
+         (loaded.frame == io::Frame::kWgs84 ? "degrees" : "metres") + " (" + loaded.frame_reason +
+         ")";
+}
+
+bool has_heights(const io::LoadedPoints& loaded) {
+  return std::none_of(loaded.notes.begin(), loaded.notes.end(), [](const std::string& note) {
+    return note.starts_with("no height column") || note.starts_with("no z column");
+  });
+}
+
+bool can_compare(io::HeightDatum some, io::HeightDatum others) {
+  const auto none = io::HeightDatum::kUnstated;
+  return some == others || some == none || others == none;
+}
+
+Error repeated_error(const io::RepeatedIds& repeated, const std::string& path) {
+  Error error{
+      ErrorCode::kMalformedRecord,
+      analysis::text_of(repeated) + "; give each bee an id of its own, or leave --unique-ids out",
+      {}};
+  error.location.source = io::source_name(path);
+  error.location.record = repeated.second_row;
+  return error;
+}
+
 Result<Inputs> load_inputs(const DetectRequest& request, ProgressBar& progress) {
   io::LoadOptions options = request.load;
   options.progress = &progress.reading();
-  auto ours = load_snapshot(request.input, options);
+  auto ours = load_snapshot(request.input(), options);
   if (!ours) return std::move(ours).error();
   if (request.form.form == Form::kGeoJson && ours->frame != io::Frame::kWgs84) {
     return usage_error(
         "detect", "--geojson needs longitude and latitude, but the input was taken for metres: " +
                       ours->frame_reason);
   }
-  auto our_repeated = repeated_ids(*ours, request.input, request.unique_ids);
+  auto our_repeated = unless_repeated(*ours, request.input(), request.unique_ids);
   if (!our_repeated) return std::move(our_repeated).error();
   Inputs inputs{*std::move(ours), std::nullopt};
   inputs.our_repeated = *std::move(our_repeated);
@@ -150,14 +155,14 @@ Result<Inputs> load_inputs(const DetectRequest& request, ProgressBar& progress) 
   if (!others) return std::move(others).error();
   if (others->frame != inputs.ours.frame) {
     return usage_error("detect", "the two swarms are not in the same frame: " +
-                                     taken_for(inputs.ours, request.input) + ", and " +
+                                     taken_for(inputs.ours, request.input()) + ", and " +
                                      taken_for(*others, *request.others) +
                                      "; convert one, or say with --crs what both are");
   }
   if (auto problem = columns_problem(inputs, *others, request)) return *std::move(problem);
   if (auto problem = height_problem(inputs, *others, request)) return *std::move(problem);
   if (auto problem = datum_problem(inputs.ours, *others)) return *std::move(problem);
-  auto their_repeated = repeated_ids(*others, *request.others, request.unique_ids);
+  auto their_repeated = unless_repeated(*others, *request.others, request.unique_ids);
   if (!their_repeated) return std::move(their_repeated).error();
   inputs.their_repeated = *std::move(their_repeated);
   inputs.others = *std::move(others);

@@ -33,18 +33,6 @@ std::string frame_line(const io::LoadedPoints& loaded) {
   return frame + ": " + printable(loaded.frame_reason);
 }
 
-std::string at_risk_line(const Inputs& inputs, const Detection& detection) {
-  const io::LoadedPoints& loaded = inputs.ours;
-  if (const std::uint64_t skipped = inputs.skipped(); detection.at_risk.empty() && skipped > 0) {
-    return bold("none of those that are known") + "; " + io::grouped(skipped) +
-           (skipped == 1 ? " record was left out" : " records were left out");
-  }
-  if (detection.at_risk.empty()) return bold("none");
-  const std::string text =
-      io::grouped(detection.at_risk.size()) + " (" + io::percentage(detection.share(loaded)) + ")";
-  return red(text);
-}
-
 std::string closest_line(const Inputs& inputs, const ClosestPair& pair) {
   const std::vector<PointId> first = {pair.first};
   const std::vector<PointId> second = {pair.second};
@@ -78,35 +66,58 @@ void append_skipped(std::string& out, const io::LoadedPoints& loaded) {
   }
 }
 
-// What one file turned out to be.
-void append_input(std::string& out, std::string_view label, const io::LoadedPoints& loaded,
-                  const std::string& path, const io::RepeatedIds& repeated) {
-  append_summary_line(out, label, input_line(loaded, path));
+}  // namespace
+
+void append_input(std::string& out, std::string_view label, const InputFacts& facts) {
+  const io::LoadedPoints& loaded = facts.loaded;
+  append_summary_line(out, label, input_line(loaded, facts.path));
   append_summary_line(out, "frame", frame_line(loaded));
   append_units(out, loaded.units);
   const std::string_view datum = analysis::datum_text(loaded.heights);
   if (!datum.empty()) append_summary_line(out, "heights", datum);
   for (const std::string& note : loaded.notes) append_summary_line(out, "note", printable(note));
   if (loaded.skipped_count > 0) append_skipped(out, loaded);
-  append_summary_line(out, "points", io::grouped(loaded.points.size()));
-  if (repeated.count > 0) append_summary_line(out, "repeated", red(analysis::text_of(repeated)));
+  append_summary_line(out, "points", io::grouped(facts.points));
+  if (facts.repeated != nullptr) append_repeated(out, *facts.repeated);
 }
 
-}  // namespace
+void append_repeated(std::string& out, const io::RepeatedIds& repeated) {
+  if (repeated.count == 0) return;
+  append_summary_line(out, "repeated", red(analysis::text_of(repeated)));
+}
 
-std::string summary(const Inputs& inputs, const Detection& detection,
-                    const DetectRequest& request) {
-  std::string out;
-  append_input(out, "input", inputs.ours, request.input, inputs.our_repeated);
-  if (inputs.others) {
-    append_input(out, "others", *inputs.others, *request.others, inputs.their_repeated);
+std::string at_risk_text(std::uint64_t at_risk, std::uint64_t points, std::uint64_t skipped) {
+  if (at_risk == 0 && skipped > 0) {
+    return bold("none of those that are known") + "; " + io::grouped(skipped) +
+           (skipped == 1 ? " record was left out" : " records were left out");
   }
+  const double share = static_cast<double>(at_risk) / static_cast<double>(points);
+  if (at_risk == 0) return bold("none");
+  return red(io::grouped(at_risk) + " (" + io::percentage(share) + ")");
+}
+
+void append_search(std::string& out, const DetectRequest& request, io::Unit height_unit) {
   append_summary_line(out, "threshold",
                       separation_text(request.search.threshold_m, request.search.vertical_m,
                                       request.search.inclusive) +
                           (!request.threshold_m ? kDefaultThresholdWords : ""));
-  append_vertical(out, request.vertical, inputs.height_unit());
-  append_summary_line(out, "at risk", at_risk_line(inputs, detection));
+  append_vertical(out, request.vertical, height_unit);
+}
+
+std::string summary(const Inputs& inputs, const Detection& detection,
+                    const DetectRequest& request) {
+  std::string out;
+  append_input(out, "input",
+               {request.input(), inputs.ours, inputs.ours.points.size(), &inputs.our_repeated});
+  if (inputs.others) {
+    append_input(
+        out, "others",
+        {*request.others, *inputs.others, inputs.others->points.size(), &inputs.their_repeated});
+  }
+  append_search(out, request, inputs.height_unit());
+  append_summary_line(
+      out, "at risk",
+      at_risk_text(detection.at_risk.size(), inputs.ours.points.size(), inputs.skipped()));
   if (!detection.table.finding.empty()) {
     append_summary_line(out, request.report->label, detection.table.finding);
   }

@@ -1,14 +1,8 @@
 #include "io/bytes/byte_source.hpp"
 
-#include "io/bytes/descriptor.hpp"
-
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
+#include "io/bytes/input_file.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <new>
@@ -20,59 +14,16 @@ namespace {
 constexpr std::size_t kPadding = 64;
 constexpr std::size_t kReadSize = std::size_t{1} << 20;
 
-Error open_error(const std::string& path, int error_number) {
-  std::string message;
-  switch (error_number) {
-    case ENOENT:
-      message = "there is no such file; check the name and the folder";
-      break;
-    case EACCES:
-    case EPERM:
-      message = "not allowed to read this file; check its permissions (ls -l)";
-      break;
-    case EISDIR:
-      message = "this is a directory; name a file in it";
-      break;
-    case ENOTDIR:
-      message = "a part of this path is not a directory; check the name";
-      break;
-    default:
-      message = std::string("cannot open this file: ") + std::strerror(error_number);
-      break;
-  }
-  return {ErrorCode::kCannotOpen, message, {source_name(path)}};
-}
-
-Error read_error(const std::string& path, int error_number) {
-  return {ErrorCode::kReadFailed,
-          std::string("reading failed: ") + std::strerror(error_number) +
-              "; check the disk or the connection and try again",
-          {source_name(path)}};
-}
-
-Result<Bytes> read_to_end(int descriptor, const std::string& path, Progress* progress) {
+Result<Bytes> read_to_end(const InputFile& file, Progress* progress) {
   GrowingBytes bytes;
   while (true) {
     bytes.make_room(kReadSize);
-    const ssize_t count = ::read(descriptor, bytes.free_begin(), bytes.free_size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0 && errno == EISDIR) return open_error(path, EISDIR);
-    if (count < 0) return read_error(path, errno);
-    if (count == 0) return bytes.release();
-    bytes.add(static_cast<std::size_t>(count));
+    const auto count = file.read(bytes.free_begin(), bytes.free_size());
+    if (!count) return count.error();
+    if (*count == 0) return bytes.release();
+    bytes.add(*count);
     if (progress != nullptr) progress->done = bytes.size();
   }
-}
-
-std::optional<Bytes> map_file(int descriptor, std::size_t size) {
-  void* const begin = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor, 0);
-  if (begin == MAP_FAILED) return std::nullopt;
-  ::madvise(begin, size, MADV_SEQUENTIAL);
-  ::madvise(begin, size, MADV_WILLNEED);
-  return Bytes{
-      std::shared_ptr<const void>(
-          begin, [size](const void* mapped) { ::munmap(const_cast<void*>(mapped), size); }),
-      std::string_view(static_cast<const char*>(begin), size)};
 }
 
 }  // namespace
@@ -89,6 +40,12 @@ void GrowingBytes::make_room(std::size_t wanted) {
   if (moved == nullptr) throw std::bad_alloc();
   data_ = static_cast<char*>(moved);
   capacity_ = capacity;
+}
+
+void GrowingBytes::drop(std::size_t count) {
+  if (count == 0) return;
+  size_ -= count;
+  std::memmove(data_, data_ + count, size_);
 }
 
 Bytes GrowingBytes::release() {
@@ -118,24 +75,10 @@ std::string source_name(const std::string& path) {
 }
 
 Result<Bytes> open_bytes(const std::string& path, Progress* progress) {
-  const bool standard_input = path == "-";
-  int number = STDIN_FILENO;
-  while (!standard_input) {
-    number = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (number >= 0) break;
-    if (errno != EINTR) return open_error(path, errno);
-  }
-  const Descriptor owned(standard_input ? -1 : number);
-  struct stat status = {};
-  if (::fstat(number, &status) != 0) return open_error(path, errno);
-  if (S_ISDIR(status.st_mode)) return open_error(path, EISDIR);
-  // A size of 0 is also what /proc says of files that have content. Standard input may stand in
-  // the middle of a file; then the rest is read.
-  if (S_ISREG(status.st_mode) && status.st_size > 0 && ::lseek(number, 0, SEEK_CUR) == 0) {
-    const auto size = static_cast<std::size_t>(status.st_size);
-    if (auto mapped = map_file(number, size)) return *std::move(mapped);
-  }
-  return read_to_end(number, path, progress);
+  const auto file = InputFile::open(path);
+  if (!file) return file.error();
+  if (auto mapped = file->map()) return *std::move(mapped);
+  return read_to_end(*file, progress);
 }
 
 }  // namespace beespace::io

@@ -37,6 +37,9 @@ class GrowingBytes {
   [[nodiscard]] std::size_t free_size() const { return capacity_ - size_; }
   void add(std::size_t count) { size_ += count; }
   [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] std::string_view view() const { return {data_, size_}; }
+  // Takes so many bytes away from the front.
+  void drop(std::size_t count);
 
   // Hands the content over; this object is empty afterwards.
   Bytes release();

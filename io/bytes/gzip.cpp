@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <new>
+#include <utility>
 
 namespace beespace::io {
 namespace {
@@ -12,20 +14,6 @@ namespace {
 constexpr int kGzipWindow = 15 + 16;  // the largest window; a gzip header and no other
 constexpr std::size_t kLeastRoom = std::size_t{1} << 16;
 constexpr std::size_t kLargestRatio = 1032;  // deflate cannot do better
-
-class Inflater {
- public:
-  Inflater() {
-    if (inflateInit2(&stream_, kGzipWindow) != Z_OK) throw std::bad_alloc();
-  }
-  Inflater(const Inflater&) = delete;
-  Inflater& operator=(const Inflater&) = delete;
-  ~Inflater() { inflateEnd(&stream_); }
-  z_stream& stream() { return stream_; }
-
- private:
-  z_stream stream_ = {};
-};
 
 uInt at_most(std::size_t size) {
   return static_cast<uInt>(std::min<std::size_t>(size, std::numeric_limits<uInt>::max()));
@@ -46,7 +34,7 @@ Error truncated(const std::string& source) {
           {source}};
 }
 
-Error corrupt(const std::string& source, const char* why, std::size_t offset) {
+Error corrupt(const std::string& source, const char* why, std::uint64_t offset) {
   return {ErrorCode::kCorrupt,
           std::string("the gzip data is damaged near byte ") + std::to_string(offset) + " (" +
               (why != nullptr ? why : "bad content") + "); copy or download the file again",
@@ -63,46 +51,98 @@ bool is_gzip(std::string_view bytes) {
   return bytes.size() >= 2 && bytes[0] == '\x1f' && bytes[1] == '\x8b';
 }
 
-Result<Bytes> gunzip(std::string_view compressed, const std::string& source, Progress* progress) {
-  Inflater inflater;
-  z_stream& stream = inflater.stream();
-  GrowingBytes unpacked;
-  unpacked.make_room(std::max(likely_size(compressed) + 1, kLeastRoom));
-  std::size_t taken = 0;
-  while (true) {
-    unpacked.make_room(kLeastRoom);
-    const uInt offered = at_most(compressed.size() - taken);
-    const uInt room = at_most(unpacked.free_size());
-    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(compressed.data() + taken));
+class Unpacking::Inflater {
+ public:
+  Inflater() {
+    if (inflateInit2(&stream_, kGzipWindow) != Z_OK) throw std::bad_alloc();
+  }
+  Inflater(const Inflater&) = delete;
+  Inflater& operator=(const Inflater&) = delete;
+  ~Inflater() { inflateEnd(&stream_); }
+  z_stream& stream() { return stream_; }
+
+ private:
+  z_stream stream_ = {};
+};
+
+Unpacking::Unpacking(std::string source)
+    : source_(std::move(source)), inflater_(std::make_unique<Inflater>()) {
+}
+Unpacking::Unpacking(Unpacking&&) noexcept = default;
+Unpacking& Unpacking::operator=(Unpacking&&) noexcept = default;
+Unpacking::~Unpacking() = default;
+
+Result<bool> Unpacking::begin_member(std::string_view& packed, bool last) {
+  if (!between_members_) return true;
+  if (packed.empty()) return false;
+  // Tapes and disks pad with zeros.
+  if (in_padding_ || packed.front() == '\0') {
+    if (!only_zeros(packed)) return corrupt(source_, "other data follows", taken_);
+    in_padding_ = true;
+    taken_ += packed.size();
+    packed = {};
+    return false;
+  }
+  if (packed.size() == 1 && !last) return false;
+  if (!is_gzip(packed) && packed != "\x1f") {
+    return corrupt(source_, "other data follows", taken_);
+  }
+  if (inflateReset(&inflater_->stream()) != Z_OK) throw std::bad_alloc();
+  between_members_ = false;
+  return true;
+}
+
+Status Unpacking::unpack(std::string_view& packed, bool last, GrowingBytes& into) {
+  z_stream& stream = inflater_->stream();
+  while (into.free_size() > 0) {
+    const auto goes_on = begin_member(packed, last);
+    if (!goes_on) return goes_on.error();
+    if (!*goes_on) return std::monostate{};
+    const uInt offered = at_most(packed.size());
+    const uInt room = at_most(into.free_size());
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
     stream.avail_in = offered;
-    stream.next_out = reinterpret_cast<Bytef*>(unpacked.free_begin());
+    stream.next_out = reinterpret_cast<Bytef*>(into.free_begin());
     stream.avail_out = room;
     const int outcome = inflate(&stream, Z_NO_FLUSH);
-    taken += offered - stream.avail_in;
-    unpacked.add(room - stream.avail_out);
-    if (progress != nullptr) progress->done = taken;
+    packed.remove_prefix(offered - stream.avail_in);
+    taken_ += offered - stream.avail_in;
+    into.add(room - stream.avail_out);
     if (outcome == Z_MEM_ERROR) throw std::bad_alloc();
     if (outcome == Z_STREAM_END) {
-      const std::string_view rest = compressed.substr(taken);
-      if (only_zeros(rest)) return unpacked.release();  // tapes and disks pad with zeros
-      if (!is_gzip(rest) && rest != "\x1f") return corrupt(source, "other data follows", taken);
-      if (inflateReset(&stream) != Z_OK) throw std::bad_alloc();
+      between_members_ = true;
     } else if (outcome != Z_OK && outcome != Z_BUF_ERROR) {
-      return corrupt(source, stream.msg, taken);
-    } else if (taken == compressed.size() && stream.avail_out != 0) {
-      return truncated(source);
+      return corrupt(source_, stream.msg, taken_);
+    } else if (packed.empty() && stream.avail_out != 0) {
+      if (last) return truncated(source_);
+      return std::monostate{};
     }
   }
+  return std::monostate{};
+}
+
+Result<Bytes> gunzip(std::string_view compressed, const std::string& source, Progress* progress) {
+  Unpacking unpacking(source);
+  GrowingBytes unpacked;
+  unpacked.make_room(std::max(likely_size(compressed) + 1, kLeastRoom));
+  while (!compressed.empty() || !unpacking.may_end()) {
+    unpacked.make_room(kLeastRoom);
+    if (auto status = unpacking.unpack(compressed, true, unpacked); !status) return status.error();
+    if (progress != nullptr) progress->done = unpacking.taken();
+  }
+  return unpacked.release();
+}
+
+Error compressed_twice(const std::string& source) {
+  return {ErrorCode::kUnsupportedFormat,
+          "this is compressed twice; unpack it once first: gzip -dc",
+          {source}};
 }
 
 Result<Bytes> unpacked(Bytes bytes, const std::string& source) {
   if (!is_gzip(bytes.view)) return bytes;
   auto inside = gunzip(bytes.view, source, nullptr);
-  if (inside && is_gzip(inside->view)) {
-    return Error{ErrorCode::kUnsupportedFormat,
-                 "this is compressed twice; unpack it once first: gzip -dc",
-                 {source}};
-  }
+  if (inside && is_gzip(inside->view)) return compressed_twice(source);
   return inside;
 }
 

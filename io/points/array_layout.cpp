@@ -14,6 +14,7 @@ namespace beespace::io {
 namespace {
 
 constexpr std::string_view kMagic = "\x93NUMPY";
+constexpr std::size_t kRawPointBytes = 3 * sizeof(double);
 constexpr const char* kHowToSave = "save it with numpy.save(name, array.astype('<f8'))";
 
 Error unsupported(std::string message) {
@@ -175,7 +176,7 @@ bool is_npy(std::string_view bytes) {
   return !bytes.empty() && bytes.substr(0, kMagic.size()) == kMagic.substr(0, bytes.size());
 }
 
-Result<ArrayLayout> npy_layout(std::string_view bytes) {
+Result<ArrayLayout> npy_beginning(std::string_view bytes) {
   const auto found = npy_header(bytes);
   if (!found) return found.error();
   const auto [text, data_begin] = found.value();
@@ -196,7 +197,11 @@ Result<ArrayLayout> npy_layout(std::string_view bytes) {
   layout.data = bytes.substr(data_begin);
   layout.description = std::string("npy ") + (layout.item_bytes == 8 ? "float64 " : "float32 ") +
                        shape_text(header->shape) + (header->fortran_order ? ", Fortran order" : "");
-  const std::uint64_t whole_rows = layout.data.size() / (3 * layout.item_bytes);
+  return layout;
+}
+
+std::optional<Error> npy_length_problem(const ArrayLayout& layout, std::uint64_t data_bytes) {
+  const std::uint64_t whole_rows = data_bytes / (3 * layout.item_bytes);
   if (whole_rows < layout.rows) {
     return Error{ErrorCode::kTruncated,
                  "the .npy file ends after " + std::to_string(whole_rows) + " of " +
@@ -204,33 +209,55 @@ Result<ArrayLayout> npy_layout(std::string_view bytes) {
                  {}};
   }
   const std::uint64_t needed = layout.rows * 3 * layout.item_bytes;
-  if (layout.data.size() > needed) {
+  if (data_bytes > needed) {
     return Error{ErrorCode::kCorrupt,
-                 std::to_string(layout.data.size() - needed) +
-                     (layout.data.size() - needed == 1 ? " byte follows" : " bytes follow") +
+                 std::to_string(data_bytes - needed) +
+                     (data_bytes - needed == 1 ? " byte follows" : " bytes follow") +
                      " the array that the .npy header announces; " + kHowToSave,
                  {}};
   }
   if (layout.rows == 0) {
     return Error{ErrorCode::kNoPoints, "the array is empty; at least one point is needed", {}};
   }
+  return std::nullopt;
+}
+
+Result<ArrayLayout> npy_layout(std::string_view bytes) {
+  auto layout = npy_beginning(bytes);
+  if (!layout) return layout;
+  if (auto problem = npy_length_problem(*layout, layout->data.size())) return *std::move(problem);
   return layout;
 }
 
-Result<ArrayLayout> raw_layout(std::string_view bytes) {
-  constexpr std::size_t kPointBytes = 3 * sizeof(double);
-  if (bytes.empty()) {
+std::string npy_header_for(const ArrayLayout& layout, std::uint64_t rows) {
+  const std::string text = std::string("{'descr': '") + (layout.item_bytes == 8 ? "<f8" : "<f4") +
+                           "', 'fortran_order': False, 'shape': (" + std::to_string(rows) + ", 3)}";
+  std::string header(kMagic);
+  header += '\x01';
+  header += '\0';
+  header += static_cast<char>(text.size());
+  header += '\0';
+  return header + text;
+}
+
+std::optional<Error> raw_length_problem(std::uint64_t data_bytes) {
+  if (data_bytes == 0) {
     return Error{ErrorCode::kNoPoints, "the input is empty; at least one point is needed", {}};
   }
-  if (bytes.size() % kPointBytes != 0) {
+  if (data_bytes % kRawPointBytes != 0) {
     return Error{ErrorCode::kTruncated,
-                 std::to_string(bytes.size()) + (bytes.size() == 1 ? " byte is" : " bytes are") +
+                 std::to_string(data_bytes) + (data_bytes == 1 ? " byte is" : " bytes are") +
                      " no whole number of points (24 bytes each: x, y, z as "
                      "little-endian float64); the file is cut off, or in another format",
                  {}};
   }
+  return std::nullopt;
+}
+
+Result<ArrayLayout> raw_layout(std::string_view bytes) {
+  if (auto problem = raw_length_problem(bytes.size())) return *std::move(problem);
   ArrayLayout layout;
-  layout.rows = bytes.size() / kPointBytes;
+  layout.rows = bytes.size() / kRawPointBytes;
   layout.data = bytes;
   layout.description = "raw float64 (" + std::to_string(layout.rows) + ", 3)";
   return layout;

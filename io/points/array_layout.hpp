@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -34,6 +35,17 @@ bool is_npy(std::string_view bytes);
 // Versions 1 to 3, `<f8` or `<f4`, shape (N, 3). Errors: kUnsupportedFormat, kTruncated, kCorrupt,
 // kNoPoints; without source.
 Result<ArrayLayout> npy_layout(std::string_view bytes);
+
+// The same of the beginning of such a file, which has all of its header; `data` is what it has
+// behind that. Errors: but kTruncated of the data, and kCorrupt of its length.
+Result<ArrayLayout> npy_beginning(std::string_view bytes);
+
+// What is wrong where so many bytes of data were found: kTruncated, kCorrupt, kNoPoints.
+std::optional<Error> npy_length_problem(const ArrayLayout& layout, std::uint64_t data_bytes);
+std::optional<Error> raw_length_problem(std::uint64_t data_bytes);
+
+// The beginning of a version 1 file with so many rows of such numbers; the data follows it.
+std::string npy_header_for(const ArrayLayout& layout, std::uint64_t rows);
 
 // x0 y0 z0 x1 y1 z1 ... Errors: kTruncated, kNoPoints; without source.
 Result<ArrayLayout> raw_layout(std::string_view bytes);

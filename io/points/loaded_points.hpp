@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,6 +53,9 @@ struct Record {
 // valid during the call only. Fast: one walk over the input.
 void for_each_record(const LoadedPoints& loaded, const std::vector<PointId>& ascending,
                      const std::function<void(const Record&)>& visit);
+
+// The 0-based data rows that were left out, ascending.
+std::span<const std::uint64_t> skipped_rows(const LoadedPoints& loaded);
 
 bool has_id_column(const LoadedPoints& loaded);
 std::string_view header_line(const LoadedPoints& loaded);  // empty when there is none

@@ -89,6 +89,11 @@ void for_each_record(const LoadedPoints& loaded, const std::vector<PointId>& asc
   if (loaded.records->array) visit_array(*loaded.records, ascending, wanted, visit);
 }
 
+std::span<const std::uint64_t> skipped_rows(const LoadedPoints& loaded) {
+  if (loaded.records == nullptr) return {};
+  return loaded.records->skipped.rows;
+}
+
 bool has_id_column(const LoadedPoints& loaded) {
   return loaded.records != nullptr && loaded.records->table &&
          loaded.records->table->choice.id.has_value();

@@ -1,81 +1,120 @@
 // `beespace detect --memory`: the answers of the whole, by cells.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cstring>
 #include <sstream>
 #include <string>
-#include <vector>
 
-#include "tests/cli/run/below_header.hpp"
-#include "tests/cli/run/command_run.hpp"
-#include "tests/cli/run/temporary_folder.hpp"
+#include "tests/cli/detect/out_of_core_runs.hpp"
 
 namespace beespace::cli_test {
 namespace {
 
-std::vector<std::string> sorted_lines(const std::string& text) {
-  std::istringstream in(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  std::sort(lines.begin(), lines.end());
-  return lines;
-}
-
-class OutOfCoreCommand : public testing::Test {
+class OutOfCoreCommand : public OutOfCoreRuns {
  protected:
-  Finished small(Arguments arguments) const {
-    arguments.insert(arguments.begin(), "detect");
-    arguments.insert(arguments.end(),
-                     {"--memory", "17MB", "--threads", "1", "--temporary", folder_.path("")});
-    return run(arguments);
+  // A table with a column of ids, some of which are empty or have quotes and tabs.
+  [[nodiscard]] std::string with_ids(const std::string& table, const std::string& name) const {
+    std::istringstream in(folder_.read(table));
+    std::string text;
+    std::size_t row = 0;
+    for (std::string line; std::getline(in, line); ++row) {
+      if (row == 0) {
+        text += "name;";
+      } else if (row % 1000 == 0) {
+        text += ";";
+      } else if (row % 999 == 0) {
+        text += "\"a\t" + std::to_string(row) + ";\"\"\";";
+      } else {
+        text += "bee " + std::to_string(row * 7919) + ";";
+      }
+      for (const char c : line) text += c == ',' ? ';' : c;
+      text += '\n';
+    }
+    return folder_.file(name, text);
   }
-  void expect_refused(const Arguments& arguments, int exit_code, const std::string& message) const {
-    const Finished finished = small(arguments);
-    EXPECT_EQ(finished.exit_code, exit_code);
-    EXPECT_EQ(finished.out, "");
-    EXPECT_NE(finished.err.find(message), std::string::npos) << "'" << message << "' in\n"
-                                                             << finished.err;
-  }
-
-  TemporaryFolder folder_;
 };
 
-// 200,000 points, so that there are several cells.
 TEST_F(OutOfCoreCommand, AnswersAreThoseOfTheWhole) {
-  const std::string text = folder_.path("swarm.csv");
-  const std::string array = folder_.path("swarm.npy");
-  const std::string raw = folder_.path("swarm.bin");
-  ASSERT_EQ(run({"generate", "--points", "200000", "--size", "60", "--output", text}).exit_code, 0);
-  ASSERT_EQ(run({"generate", "--points", "200000", "--size", "60", "--output", array}).exit_code,
-            0);
+  const std::string text = swarm("swarm.csv");
+  const std::string array = swarm("swarm.npy");
   // What follows the header of an .npy file is raw.
   const std::string npy = folder_.read("swarm.npy");
-  folder_.file("swarm.bin", std::string_view(npy).substr(npy.size() - std::size_t{200'000} * 24));
+  const std::string raw = folder_.file(
+      "swarm.bin", std::string_view(npy).substr(npy.size() - std::size_t{100'000} * 24));
   for (const std::string& file : {text, array, raw}) {
-    for (const std::string report : {"at-risk", "pairs", "closest-pair"}) {
-      SCOPED_TRACE(file + " " + report);
-      const Arguments what = {file, "--crs", "metres", "--threshold", "0.7", "--report", report};
-      Arguments whole = what;
-      whole.insert(whole.begin(), "detect");
-      const Finished expected = run(whole);
-      const Finished found = small(what);
-      EXPECT_EQ(found.exit_code, 0) << found.err;
-      EXPECT_GT(expected.out.size(), 30U);
-      if (report == "pairs") {
-        EXPECT_EQ(sorted_lines(found.out), sorted_lines(expected.out));
-      } else {
-        EXPECT_EQ(found.out, expected.out);
-      }
-      EXPECT_NE(found.err.find("17"), std::string::npos);
-      EXPECT_EQ(found.err.find(", 1 cell\n"), std::string::npos) << found.err;
+    for (const std::string report :
+         {"at-risk", "pairs", "neighbors", "counts", "nearest", "closest-pair"}) {
+      expect_same({file, "--crs", "metres", "--threshold", "0.9", "--report", report});
     }
   }
-  EXPECT_EQ(small({text, "--crs", "metres", "--threshold", "0.7", "--fail-on-risk"}).exit_code, 1);
-  EXPECT_EQ(small({text, "--crs", "metres", "--threshold", "0.000001", "--fail-on-risk"}).exit_code,
-            0);
-  // No temporary file has a name.
-  EXPECT_EQ(folder_.names(), (std::vector<std::string>{"swarm.bin", "swarm.csv", "swarm.npy"}));
+  const Finished found = small({text, "--crs", "metres"});
+  EXPECT_NE(found.err.find("17.0 MB, "), std::string::npos);
+  EXPECT_EQ(found.err.find(", 1 cell\n"), std::string::npos) << found.err;
+}
+
+TEST_F(OutOfCoreCommand, EveryFormHasTheIdsOfTheFile) {
+  const std::string plain = swarm("swarm.csv");
+  const std::string named = with_ids("swarm.csv", "named.csv");
+  for (const std::string report :
+       {"at-risk", "pairs", "neighbors", "counts", "nearest", "closest-pair"}) {
+    for (const std::string form : {"--csv", "--json"}) {
+      expect_same({plain, "--threshold", "0.8", "--report", report, form});
+    }
+    expect_same({named, "--threshold", "0.8", "--report", report});
+    expect_same({named, "--threshold", "0.8", "--report", report, "--csv"});
+  }
+  // How many ids are empty or broken is said of all bees, not of those of the answer: the notes
+  // differ.
+  const Finished json = small({named, "--threshold", "0.8", "--report", "nearest", "--json"});
+  const Finished whole =
+      run({"detect", named, "--threshold", "0.8", "--report", "nearest", "--json"});
+  const auto rows = [](const std::string& text) {
+    return text.substr(text.find("\"nearest\": ["));
+  };
+  EXPECT_GT(rows(whole.out).size(), 100'000U);
+  EXPECT_TRUE(rows(json.out) == rows(whole.out));
+  EXPECT_NE(json.out.find("100 bees have an empty id"), std::string::npos);
+}
+
+TEST_F(OutOfCoreCommand, OfArraysRecordsAreTheirNumbers) {
+  const std::string array = swarm("swarm.npy", 30'000);
+  expect_same({array, "--crs", "metres", "--threshold", "1.2", "--report", "nearest", "--csv"});
+  expect_same({array, "--crs", "metres", "--threshold", "1.2", "--csv"});
+}
+
+TEST_F(OutOfCoreCommand, WhoIsAtRiskOnly) {
+  ASSERT_EQ(swarm("swarm.csv", 30'000), folder_.path("swarm.csv"));
+  const std::string file = with_ids("swarm.csv", "named.csv");
+  for (const std::string report : {"neighbors", "counts", "nearest"}) {
+    for (const std::string form : {"--csv", "--output=-"}) {
+      expect_same(
+          {file, "--threshold", "1", "--at-risk-only", "--inclusive", "--report", report, form});
+    }
+  }
+}
+
+TEST_F(OutOfCoreCommand, FailsOnRiskInEveryReport) {
+  const std::string file = swarm("swarm.csv", 20'000);
+  for (const std::string report :
+       {"at-risk", "pairs", "neighbors", "counts", "nearest", "closest-pair"}) {
+    const Arguments what = {file, "--report", report, "--fail-on-risk", "--quiet"};
+    EXPECT_EQ(small(what + Arguments{"--threshold", "0.7"}).exit_code, 1) << report;
+    EXPECT_EQ(small(what + Arguments{"--threshold", "0.000001"}).exit_code, 0) << report;
+  }
+}
+
+TEST_F(OutOfCoreCommand, MoreThanTheMostResultsIsAnErrorWithoutAnAnswer) {
+  const std::string file = swarm("swarm.csv", 20'000);
+  for (const std::string report : {"pairs", "neighbors"}) {
+    const Arguments what = {file, "--threshold", "0.7", "--report", report};
+    const std::size_t pairs =
+        lines_of(run({"detect", file, "--threshold", "0.7", "--report", "pairs"}).out).size() - 1;
+    ASSERT_GT(pairs, 100U);
+    const std::size_t most = report == "pairs" ? pairs : 2 * pairs;
+    expect_same(what + Arguments{"--max-results", std::to_string(most)});
+    const Arguments fewer = what + Arguments{"--max-results", std::to_string(most - 1)};
+    expect_refused(fewer, 3, "--max-results");
+    EXPECT_EQ(small(fewer).err, run(Arguments{"detect"} + fewer).err);
+  }
 }
 
 TEST_F(OutOfCoreCommand, DegreesAndHeightsInTheirUnits) {
@@ -83,24 +122,68 @@ TEST_F(OutOfCoreCommand, DegreesAndHeightsInTheirUnits) {
       folder_.file("bees.csv",
                    "longitude,latitude,height_ft\n8,47,1000\n8.0001,47,1000\n9,47,1000\n"
                    "8,47,1100\n");
-  const Arguments what = {file, "--report", "pairs", "--threshold", "40"};
-  Arguments whole = what;
-  whole.insert(whole.begin(), "detect");
-  const Finished expected = run(whole);
-  EXPECT_EQ(sorted_lines(expected.out).size(), 4U) << expected.out;
-  EXPECT_EQ(sorted_lines(small(what).out), sorted_lines(expected.out));
+  for (const std::string report : {"pairs", "nearest", "counts"}) {
+    for (const std::string form : {"--csv", "--json"}) {
+      expect_same({file, "--report", report, "--threshold", "40", form});
+    }
+  }
+  const std::string metres = folder_.file("metres.csv", "x_m,y_m,z_m\n0,0,0\n1,0,5\n0,1,9\n");
+  for (const std::string report : {"at-risk", "pairs", "neighbors", "counts"}) {
+    expect_same({metres, "--threshold", "2", "--vertical", "6", "--report", report});
+  }
+}
+
+// Heights that are compared as they stand, exactly; and those above the ground.
+TEST_F(OutOfCoreCommand, HeightsApartFromPositions) {
+  const std::string feet =
+      folder_.file("feet.csv", "x_m,y_m,z_ft\n0,0,0.1\n1,0,1000.1\n0,1,1000.099\n0,0,2000\n");
+  for (const std::string vertical : {"1000ft", "304.8", "999.9999ft"}) {
+    for (const std::string report : {"at-risk", "pairs", "neighbors", "counts"}) {
+      for (const std::string inclusive : {"--inclusive", "--output=-"}) {
+        expect_same(
+            {feet, "--threshold", "2", "--vertical", vertical, "--report", report, inclusive}, {},
+            0);
+      }
+    }
+  }
+  ASSERT_EQ(run({"generate", "--area", "medellin", "--points", "100000", "--seed", "7", "--quiet",
+                 "--output", folder_.path("plain.csv")})
+                .exit_code,
+            0);
+  const std::string named = with_ids("plain.csv", "named.csv");
+  for (const std::string report : {"at-risk", "pairs", "neighbors", "counts"}) {
+    for (const std::string form : {"--csv", "--output=-"}) {
+      expect_same({named, "--columns", "id=1,lon=2,lat=3,height=4", "--crs", "wgs84", "--threshold",
+                   "20", "--vertical", "8", "--report", report, form},
+                  {}, 10'000);
+    }
+  }
+  expect_refused({feet, "--vertical", "9", "--report", "nearest"}, 2, "--vertical with nearest");
+  EXPECT_EQ(small({feet, "--vertical", "9", "--json"}).exit_code, 2);
+}
+
+TEST_F(OutOfCoreCommand, FewBees) {
+  const std::string one = folder_.file("one.csv", "x_m,y_m,z_m\n1,2,3\n");
+  const std::string two = folder_.file("two.csv", "x_m,y_m,z_m\n1,2,3\n\n1,2,3\n");
+  for (const std::string report :
+       {"at-risk", "pairs", "neighbors", "counts", "nearest", "closest-pair"}) {
+    expect_same({one, "--report", report, "--json"});
+    expect_same({two, "--report", report, "--json"});
+    expect_same({two, "--report", report});
+    expect_same({two, "--report", report, "--csv"});
+  }
+  expect_same({one, "--report", "nearest"});
+  expect_same({one, "--report", "nearest", "--csv"});
 }
 
 TEST_F(OutOfCoreCommand, WhatItDoesNotTake) {
   const std::string plain = folder_.file("plain.csv", "1,2,3\n4,5,6\n");
-  const std::string named = folder_.file("named.csv", "id,x_m,y_m,z_m\nmaya,2,3,4\n");
   expect_refused({plain}, 3, "say --crs metres");
-  expect_refused({named}, 3, "leave the id out");
-  expect_refused({plain, "--crs", "metres", "--report", "groups"}, 2, "at-risk, pairs and closest");
-  expect_refused({plain, "--crs", "metres", "--csv"}, 2, "the answer is text");
-  EXPECT_EQ(small({plain, "--crs", "metres", "--json"}).exit_code, 2);
-  expect_refused({plain, "--crs", "metres", "--skip-bad"}, 2, "--skip-bad");
-  expect_refused({plain, "--crs", "metres", "--others", plain}, 2, "--others");
+  const Arguments metres = {plain, "--crs", "metres"};
+  expect_refused(metres + Arguments{"--report", "groups"}, 2, "groups");
+  expect_refused(metres + Arguments{"--geojson"}, 2, "--csv or --json");
+  expect_refused(metres + Arguments{"--others", plain}, 2, "--others");
+  expect_refused(metres + Arguments{"--vertical", "5", "--report", "nearest"}, 2, "--vertical");
   expect_refused({folder_.file("bad.csv", "x_m,y_m,z_m\n1,2,3\n1,nan,3\n"), "--crs", "metres"}, 3,
                  "bad.csv:3:2");
   EXPECT_EQ(run({"detect", plain, "--memory", "4"}).exit_code, 2);
