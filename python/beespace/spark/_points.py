@@ -83,10 +83,9 @@ def at_risk(
     [Row(id=8), Row(id=9)]
     """
     places = places_of(id, x, y, z, lon, lat, height)
+    reach = reach_of(threshold, vertical, places)
     arguments = _arguments(threshold, vertical, inclusive)
-    prepared = prepare(
-        df, places, reach_of(threshold, vertical, places), cell_points, tasks, check_ids
-    )
+    prepared = prepare(df, places, reach, cell_points, tasks, check_ids)
     return _ask(prepared, AtRisk(prepared.axes, id, arguments), f"{quoted(id)} long")
 
 
@@ -129,10 +128,9 @@ def pairs(
     [Row(first=7, second=8, distance=5.0), Row(first=8, second=9, distance=5.0)]
     """
     places = places_of(id, x, y, z, lon, lat, height)
+    reach = reach_of(threshold, vertical, places)
     arguments = _arguments(threshold, vertical, inclusive)
-    prepared = prepare(
-        df, places, reach_of(threshold, vertical, places), cell_points, tasks, check_ids
-    )
+    prepared = prepare(df, places, reach, cell_points, tasks, check_ids)
     question = PairsOf(prepared.axes, id, arguments)
     return _ask(prepared, question, "first long, second long, distance double")
 
@@ -175,10 +173,9 @@ def counts(
     [Row(bee=7, count=1), Row(bee=8, count=2), Row(bee=9, count=1)]
     """
     places = places_of(id, x, y, z, lon, lat, height)
+    reach = reach_of(threshold, vertical, places)
     arguments = _arguments(threshold, vertical, inclusive)
-    prepared = prepare(
-        df, places, reach_of(threshold, vertical, places), cell_points, tasks, check_ids
-    )
+    prepared = prepare(df, places, reach, cell_points, tasks, check_ids)
     question = Counts(prepared.axes, id, arguments)
     return _ask(prepared, question, f"{quoted(id)} long, `count` long")
 
