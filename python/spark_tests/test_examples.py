@@ -6,6 +6,7 @@ import doctest
 import inspect
 import subprocess
 import sys
+from pathlib import Path
 
 import beespace.spark
 import pytest
@@ -20,6 +21,13 @@ def test_the_example_is_right(session, name):
     runner = doctest.DocTestRunner(optionflags=doctest.NORMALIZE_WHITESPACE)
     runner.run(test, out=said.append)
     assert runner.failures == 0, "".join(said)
+
+
+@pytest.mark.parametrize("document", ["spark.md", "tutorials/flights-on-a-cluster.md"])
+def test_the_document_says_what_comes_out(session, document):
+    path = Path(__file__).resolve().parents[2] / "docs" / document
+    found = doctest.testfile(str(path), module_relative=False, globs={"session": session})
+    assert found.attempted > 3 and found.failed == 0
 
 
 @pytest.mark.parametrize("module", ["beespace", "beespace.spark"])

@@ -57,7 +57,7 @@ def at_risk(
     inclusive : bool
         Whether exactly the threshold apart counts as closer.
     cell_points : int
-        About the most points that a task has in memory at a time, each of some 200 bytes.
+        About the most points that a task has in memory at a time.
     tasks : int, optional
         How many tasks search; by default a few for each processor.
     check_ids : bool
