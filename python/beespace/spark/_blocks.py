@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from beespace._errors import BeespaceError
 from beespace._geodesy import to_ecef
 from beespace.spark._cut import Cut
+from beespace.spark._workers import arrow
 
 BLOCK_SCHEMA = "part int, cell int, first long, home boolean, points binary"
 
@@ -90,7 +91,7 @@ class Distribution:
             yield from self._blocks(waiting)
 
     def _blocks(self, batches: list[Any]) -> Iterator[Any]:
-        import pyarrow
+        pyarrow = arrow()
 
         for batch in batches:
             if any(column.null_count for column in batch.columns):
@@ -181,7 +182,7 @@ def cells_of(batches: Iterator[Any], axes: int) -> Iterator[Cell]:
 def _points_of(
     column: Any, begin: int, end: int, homes: NDArray[np.bool_], width: int
 ) -> tuple[NDArray[np.int64], NDArray[np.bool_]]:
-    import pyarrow
+    pyarrow = arrow()
 
     wide = pyarrow.types.is_large_binary(column.type)
     _, offsets, data = column.buffers()
@@ -211,7 +212,7 @@ def _put_together(pieces: list[tuple[NDArray[np.int64], NDArray[np.bool_]]]) -> 
 
 def batches_of(names: list[str], columns: list[NDArray[Any]]) -> Iterator[Any]:
     """Columns of one length as batches of Arrow, none of which is large."""
-    import pyarrow
+    pyarrow = arrow()
 
     for begin in range(0, len(columns[0]), _ROWS_AT_ONCE):
         yield pyarrow.RecordBatch.from_arrays(

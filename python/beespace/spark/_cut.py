@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -49,8 +48,8 @@ class Cut:
         """Cuts until no cell has more than `wanted` points of the sample, halo included, as far as that
         costs little; and until none has more than `most`, as far as that helps at all."""
         cut = cls()
-        everything = np.arange(len(sample[0]))
-        waiting = [(0, everything, everything[:0])]
+        everything: Rows = np.arange(len(sample[0]))
+        waiting: list[tuple[int, Rows, Rows]] = [(0, everything, everything[:0])]
         while waiting:
             node, home, halo = waiting.pop()
             size = len(home) + len(halo)
@@ -93,8 +92,8 @@ class Cut:
 
     def distribute(self, axes: Axes) -> Iterator[tuple[int, Rows, Rows]]:
         """Of each cell that gets any of the points: the rows at home, and those in its halo."""
-        rows = np.arange(len(axes[0]))
-        waiting = [(0, rows, rows[:0])]
+        rows: Rows = np.arange(len(axes[0]))
+        waiting: list[tuple[int, Rows, Rows]] = [(0, rows, rows[:0])]
         while waiting:
             node, home, halo = waiting.pop()
             if not len(home) and not len(halo):
@@ -115,8 +114,8 @@ def _find_plane(axes: Axes, reach: list[float], share: int) -> tuple[int, float]
     within reach of the plane, near their middle."""
     if len(axes[0]) < 2:
         return None
-    widths: list[tuple[Any, int]] = [
-        (-(along.max() - along.min()) / reach[axis], axis) for axis, along in enumerate(axes)
+    widths: list[tuple[float, int]] = [
+        (-float(np.ptp(along)) / reach[axis], axis) for axis, along in enumerate(axes)
     ]
     for _, axis in sorted(widths):
         plane = _find_value(np.sort(axes[axis]), reach[axis], share)

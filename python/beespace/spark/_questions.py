@@ -8,6 +8,7 @@ from typing import Any
 from beespace._engine import Engine
 from beespace._errors import BeespaceError
 from beespace.spark._blocks import Cell, batches_of, cells_of
+from beespace.spark._workers import threads_of_task
 
 # More pairs of a cell than this are found in pieces, so that the memory of a task is bounded.
 _PAIRS_AT_ONCE = 4_000_000
@@ -22,10 +23,7 @@ class Question:
         self.arguments = arguments  # of the methods of Engine
 
     def __call__(self, batches: Iterator[Any]) -> Iterator[Any]:
-        from pyspark import TaskContext
-
-        context = TaskContext.get()
-        threads = 1 if context is None else max(int(context.cpus()), 1)
+        threads = threads_of_task()
         engine = Engine()
         for cell in cells_of(batches, self.axes):
             yield from self.ask(engine, cell, {**self.arguments, "threads": threads})

@@ -82,8 +82,9 @@ def conflicts(
     >>> rows = [("ann", 0.0, 0.0, 0.0), ("bob", 0.0, 100.0, 3.0)]
     >>> rows += [("ann", 10.0, 100.0, 0.0), ("bob", 10.0, 0.0, 3.0)]
     >>> fixes = session.createDataFrame(rows, "id string, time double, x double, y double")
-    >>> beespace.spark.conflicts(fixes, 5, z=None).select("first", "second", "begin", "end").collect()
-    [Row(first='ann', second='bob', begin=4.8, end=5.2)]
+    >>> found = beespace.spark.conflicts(fixes, 5, z=None)
+    >>> found.select("first", "second", "closest_time", "closest_distance").collect()
+    [Row(first='ann', second='bob', closest_time=5.0, closest_distance=3.0)]
     """
     places = places_of(id, x, y, z, lon, lat, height)
     reach_of(threshold, vertical, places)
@@ -163,8 +164,11 @@ def _fixes_of(df: DataFrame, places: Places, time: str) -> tuple[DataFrame, str]
     functions: Any = importlib.import_module("pyspark.sql.functions")
     check_columns(
         df,
-        [("id", places.id, _IDS), ("time", time, _TIMES)]
-        + [(role, name, _REALS) for role, name in zip(places.columns.names, places.names)],
+        [
+            ("id", places.id, _IDS),
+            ("time", time, _TIMES),
+            *((role, name, _REALS) for role, name in zip(places.columns.names, places.names)),
+        ],
     )
     texts = df.schema[places.id].dataType.typeName() == "string"
     kind = "string" if texts else "long"

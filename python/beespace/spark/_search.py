@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import logging
 import math
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from beespace._calls import length, whole
@@ -100,7 +101,7 @@ def places_of(
     return Places(id, names, Columns(len(names), True))
 
 
-def check_columns(df: DataFrame, wanted: list[tuple[str, str, tuple[str, ...]]]) -> None:
+def check_columns(df: DataFrame, wanted: Sequence[tuple[str, str, tuple[str, ...]]]) -> None:
     """Of each role its column and the types that it may have."""
     if not hasattr(df, "mapInArrow") or not hasattr(df, "schema"):
         raise invalid(f"this is a data frame of Spark, not {type(df).__name__}", "df")
@@ -132,20 +133,20 @@ def check_workers(session: Any) -> None:
 
     # Defined here, it is sent as it is: workers without the package can run it.
     def probe(batches: Any) -> Any:
+        import importlib
         import socket
-
-        import pyarrow
 
         for _ in batches:
             pass
         try:
-            import beespace.spark._questions as found  # noqa: F401
-            from beespace import __version__ as there
+            importlib.import_module("beespace.spark._questions")
+            there = importlib.import_module("beespace").__version__
         except ImportError as error:
             told = f"{error}"
         else:
             told = "" if there == expected else f"its version is {there}"
-        yield pyarrow.RecordBatch.from_arrays([[socket.gethostname()], [told]], ["host", "told"])
+        batch: Any = importlib.import_module("pyarrow").RecordBatch
+        yield batch.from_arrays([[socket.gethostname()], [told]], ["host", "told"])
 
     tasks = processors_of(session)
     rows = session.range(0, tasks, 1, tasks).mapInArrow(probe, "host string, told string").collect()
@@ -219,8 +220,10 @@ def prepare(
     """Checks and surveys the data, cuts space, and says how blocks come together by cell."""
     check_columns(
         df,
-        [("id", places.id, _WHOLE)]
-        + [(role, name, _REAL) for role, name in zip(places.columns.names, places.names)],
+        [
+            ("id", places.id, _WHOLE),
+            *((role, name, _REAL) for role, name in zip(places.columns.names, places.names)),
+        ],
     )
     most = whole(cell_points, "cell_points")
     if most < 1:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from beespace._errors import BeespaceError
 from beespace.spark._blocks import Columns, in_metres, integers, reals
+from beespace.spark._workers import arrow, partition_of_task
 
 SURVEY_SCHEMA = (
     "part int, rows long, bad long, bad_row long, bad_id long, bad_column string, bad_value string, "
@@ -49,13 +50,14 @@ class Surveyor:
         self.columns = columns
 
     def __call__(self, batches: Iterator[Any]) -> Iterator[Any]:
-        import pyarrow
-        from pyspark import TaskContext
+        pyarrow = arrow()
 
         rows = bad = 0
         first_bad: tuple[int, int | None, str, str] | None = None
         ascending = True
-        low, high, last = None, None, None
+        low: int | None = None
+        high: int | None = None
+        last: int | None = None
         keys = np.empty(0, np.uint64)
         sample = np.empty((0, self.columns.axes))
         for batch in batches:
@@ -85,12 +87,10 @@ class Surveyor:
                 keys, sample = _lowest(keys, sample)
         keys, sample = _lowest(keys, sample)
         row, id, column, value = first_bad or (None, None, None, None)
-        context = TaskContext.get()
-        part = 0 if context is None else context.partitionId()
-        told = [part, rows, bad, row, id, column, value, ascending, low, high]
-        told += [keys.tobytes(), np.ascontiguousarray(sample).tobytes()]
+        facts: list[Any] = [partition_of_task(), rows, bad, row, id, column, value, ascending, low, high]
+        facts += [keys.tobytes(), np.ascontiguousarray(sample).tobytes()]
         types = ["int32", *["int64"] * 4, "string", "string", "bool", "int64", "int64", "binary", "binary"]
-        arrays = [pyarrow.array([each], type=kind) for each, kind in zip(told, types)]
+        arrays = [pyarrow.array([each], type=kind) for each, kind in zip(facts, types)]
         names = [each.split()[0] for each in SURVEY_SCHEMA.split(", ")]
         yield pyarrow.RecordBatch.from_arrays(arrays, names)
 
@@ -170,7 +170,7 @@ class IdBuckets:
         self.parts = parts
 
     def __call__(self, batches: Iterator[Any]) -> Iterator[Any]:
-        import pyarrow
+        pyarrow = arrow()
 
         for batch in batches:
             ids = integers(batch.column(0))
@@ -191,7 +191,7 @@ class IdBuckets:
 
 def find_twice(batches: Iterator[Any]) -> Iterator[Any]:
     """How many ids of the partition are there more than once, and the lowest of them."""
-    import pyarrow
+    pyarrow = arrow()
 
     found = 0
     lowest: int | None = None

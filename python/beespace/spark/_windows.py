@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 from beespace._errors import BeespaceError
 from beespace._recording import Recording
 from beespace.spark._blocks import Columns, batches_of, in_metres, reals
+from beespace.spark._workers import arrow
 
 _FIXES_AT_ONCE = 1 << 18
 
@@ -37,7 +38,7 @@ class Windows:
         self.max_gap = max_gap
 
     def __call__(self, batches: Iterator[Any]) -> Iterator[Any]:
-        import pyarrow
+        pyarrow = arrow()
 
         waiting: list[Any] = []
         rows = 0
@@ -58,12 +59,12 @@ class Windows:
             yield from self._rows(table, carried, True)[0]
 
     def _rows(self, table: Any, carried: Any, is_last: bool) -> tuple[list[Any], Any]:
-        import pyarrow
+        pyarrow = arrow()
 
         led_to_first = False
         if carried is not None:
-            before, led_to_first = carried
-            table = pyarrow.concat_tables([before, table])
+            kept, led_to_first = carried
+            table = pyarrow.concat_tables([kept, table])
         table = table.combine_chunks()
         for name in table.column_names:
             if table.column(name).null_count:
@@ -72,7 +73,7 @@ class Windows:
                     "frame must give the same rows each time",
                     "not_a_number",
                 )
-        ids = table.column(0).to_numpy()
+        ids: NDArray[Any] = np.asarray(table.column(0).to_numpy())
         times = reals(table.column(1), "time")
         same = ids[1:] == ids[:-1]
         late = np.flatnonzero(same & ~(times[1:] > times[:-1]))
@@ -87,7 +88,7 @@ class Windows:
         leads_to = np.concatenate([[led_to_first], pieces])
         leads_on = np.concatenate([pieces, [False]])
         count = len(ids)
-        rest = None
+        rest: Any = None
         if not is_last:
             rest = (table.slice(count - 1), bool(leads_to[-1]))
             count -= 1
@@ -117,7 +118,7 @@ class Windows:
         first: NDArray[np.int64],
         last: NDArray[np.int64],
     ) -> Iterator[Any]:
-        import pyarrow
+        pyarrow = arrow()
 
         repeats = last - first + 1
         rows = np.repeat(np.arange(len(ids)), repeats)
@@ -214,10 +215,11 @@ class ConflictsOf:
 def join_conflicts(batches: Iterator[Any]) -> Iterator[Any]:
     """Stretches of conflict, sorted by pair, window and begin, to conflicts: what goes on over a border is
     one."""
-    import pyarrow
+    pyarrow = arrow()
 
     names = ["first", "second", "begin", "end", "closest_time", "closest_distance"]
     open_one: list[Any] | None = None
+    last: Any = None
     for batch in batches:
         joined: list[list[Any]] = []
         for row in zip(*(column.to_pylist() for column in batch.columns)):
@@ -239,7 +241,7 @@ def join_conflicts(batches: Iterator[Any]) -> Iterator[Any]:
             yield _batch_of(joined, batch, names, pyarrow)
         last = batch
     if open_one is not None:
-        yield _batch_of([open_one], last, names, pyarrow)  # pyright: ignore[reportPossiblyUnbound]
+        yield _batch_of([open_one], last, names, pyarrow)
 
 
 def _batch_of(rows: list[list[Any]], like: Any, names: list[str], pyarrow: Any) -> Any:
