@@ -67,3 +67,22 @@ def test_each_part_goes_to_a_partition_of_its_own(session):
         frame = session.createDataFrame([(key,) for key in keys], "part int").repartition(parts, "part")
         rows = frame.selectExpr("spark_partition_id() AS at").collect()
         assert sorted(row["at"] for row in rows) == list(range(parts))
+
+
+def test_halos_reach_as_far_as_rounding_does():
+    """A point an ulp below a plane, and one whose distance from it is 1 or less, though plane + 1 rounds to it."""
+    rng = np.random.default_rng(5)
+    tried = 0
+    for plane in (rng.random(2_000) * 0.1 + 0.1).tolist():
+        below, above = np.nextafter(plane, 0), plane + 1.0
+        if Fraction(above) - Fraction(float(below)) > 1:
+            continue
+        tried += 1
+        cut = Cut()
+        rows = np.arange(2)
+        axes = [np.array([below, above])]
+        cut._split(0, (0, plane), axes, [1.0], rows, rows[:0])
+        cut.child[1:] = [0, 1]
+        for _, home, halo in cut.distribute(axes):
+            assert len(home) + len(halo) == 2
+    assert tried > 100

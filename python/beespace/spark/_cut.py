@@ -115,7 +115,7 @@ def _find_plane(axes: Axes, reach: list[float], share: int) -> tuple[int, float]
     if len(axes[0]) < 2:
         return None
     widths: list[tuple[float, int]] = [
-        (-float(np.ptp(along)) / reach[axis], axis) for axis, along in enumerate(axes)
+        ((float(along.min()) - float(along.max())) / reach[axis], axis) for axis, along in enumerate(axes)
     ]
     for _, axis in sorted(widths):
         plane = _find_value(np.sort(axes[axis]), reach[axis], share)
@@ -127,7 +127,8 @@ def _find_plane(axes: Axes, reach: list[float], share: int) -> tuple[int, float]
 def _find_value(along: NDArray[np.float64], reach: float, share: int) -> float | None:
     count = len(along)
     aside = count // _FEWEST_ASIDE
-    at = np.arange(max(aside, int(np.searchsorted(along, along[0], "right"))), count - aside)
+    lowest = int(np.count_nonzero(along == along[0]))
+    at = np.arange(max(aside, lowest), count - aside)
     if not len(at):
         return None
     first = np.searchsorted(along, along[at] - reach, "left")
