@@ -8,7 +8,6 @@ import numpy as np
 import pandas
 import pytest
 
-
 def flight(seed, agents=60, fixes=80, regular=False):
     """Agents that cross each other's ways again and again; some with pauses, some with one fix."""
     rng = np.random.default_rng(seed)
@@ -24,13 +23,11 @@ def flight(seed, agents=60, fixes=80, regular=False):
         places.append(np.cumsum(rng.integers(-3, 4, (len(clock), 3)), axis=0) + rng.integers(0, 30, 3))
     return np.concatenate(ids), np.concatenate(times), np.concatenate(places).astype(np.float64)
 
-
 def frame_of(session, ids, times, places, kind="long"):
     order = np.random.default_rng(0).permutation(len(ids))
     columns = {"id": ids, "time": times, "x": places[:, 0], "y": places[:, 1], "z": places[:, 2]}
     frame = pandas.DataFrame(columns).iloc[order]
     return session.createDataFrame(frame, f"id {kind}, time double, x double, y double, z double").repartition(3)
-
 
 def compare(found, wanted):
     got = found.toPandas().sort_values(["first", "second", "begin", "end"], kind="stable")
@@ -38,7 +35,6 @@ def compare(found, wanted):
     assert len(got) == len(wanted)
     for name in got.columns:
         np.testing.assert_array_equal(got[name].to_numpy(), getattr(wanted, named.get(name, name)))
-
 
 @pytest.mark.parametrize("max_gap", [None, 1.0, 5.0])
 @pytest.mark.parametrize("regular", [False, True])
@@ -55,14 +51,14 @@ def test_conflicts_are_those_of_one_machine(session, max_gap, regular):
         np.testing.assert_array_equal(gaps["begin"], wanted.gaps.begin)
         np.testing.assert_array_equal(gaps["end"], wanted.gaps.end)
 
-
 def test_every_border_that_there_can_be(session):
     """Without Spark between: windows that end at each time there is, and in between."""
     import pyarrow
+    from beespace.spark import _windows
     from beespace.spark._blocks import Columns
     from beespace.spark._windows import ConflictsOf, Windows, join_conflicts
 
-    for seed in range(6):
+    for seed in range(8):
         ids, times, places = flight(seed, 14, 30, regular=seed % 2 == 0)
         order = np.lexsort((times, ids))
         arrays = [ids, times, *places.T]
@@ -72,13 +68,11 @@ def test_every_border_that_there_can_be(session):
         for borders in (instants[:-1], between, np.union1d(instants[:-1], between), instants[3:4]):
             for gap in (np.inf, 1.0):
                 windows = Windows(borders.tolist(), list(range(len(borders) + 1)), Columns(3, False), gap)
-                pieces = []
-                # One batch is one call: what is carried from one to the next counts, too.
-                from beespace.spark import _windows
 
-                kept, _windows._FIXES_AT_ONCE = _windows._FIXES_AT_ONCE, 17
+                # What is carried from one piece of work to the next counts, too.
+                kept, _windows._FIXES_AT_ONCE = _windows._FIXES_AT_ONCE, 3
                 try:
-                    pieces = list(windows(iter(table.to_batches(max_chunksize=5))))
+                    pieces = list(windows(iter(table.to_batches(max_chunksize=2))))
                 finally:
                     _windows._FIXES_AT_ONCE = kept
                 rows = pyarrow.Table.from_batches(pieces)
@@ -100,7 +94,6 @@ def test_every_border_that_there_can_be(session):
                                         ("closest_time", "closest_time"), ("closest_distance", "closest_distance")):
                         np.testing.assert_array_equal(got.column(name).to_numpy(), getattr(wanted, other))
 
-
 def test_texts_as_ids_and_timestamps(session):
     rows = [("zoë", 0, 0.0, 0.0), ("bob", 0, 100.0, 3.0), ("zoë", 10, 100.0, 0.0), ("bob", 10, 0.0, 3.0)]
     frame = session.createDataFrame(rows, "id string, s long, x double, y double")
@@ -112,13 +105,11 @@ def test_texts_as_ids_and_timestamps(session):
     told = [row[name] for name in ("begin", "end", "closest_time", "closest_distance")]
     assert told == [wanted.begin[0], wanted.end[0], wanted.closest_time[0], wanted.closest_distance[0]]
 
-
 def test_two_fixes_of_an_agent_at_one_time(session):
     rows = [(1, 0.0, 0.0, 0.0), (1, 0.0, 5.0, 0.0), (1, 2.0, 9.0, 0.0)]
     frame = session.createDataFrame(rows, "id long, time double, x double, y double")
     with pytest.raises(Exception, match="the agent 1 has two fixes at 0.0 s"):
         beespace.spark.conflicts(frame, 5, z=None).collect()
-
 
 def test_fixes_that_cannot_be_used_are_counted(session):
     rows = [(1, 0.0, 0.0), (2, float("nan"), 5.0), (3, 2.0, None)]
