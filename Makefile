@@ -1,6 +1,6 @@
 # The everyday commands. Each works on a brand-new Debian 12 or Ubuntu 24.04 machine.
 .DEFAULT_GOAL := help
-.PHONY: help demo test python bench bench-prevention prevention-table bench-out-of-core compare compare-python docs format lint clean install install-lib
+.PHONY: help demo test python bench bench-prevention prevention-table bench-out-of-core compare compare-python test-spark docs format lint clean install install-lib
 
 PREFIX ?= /usr/local
 
@@ -14,6 +14,7 @@ help: ## this list
 	@echo "make bench-out-of-core  search 300 million points with 4 GB (needs 16 GB of disk)"
 	@echo "make compare  compare with other libraries and the paper's methods (about 25 minutes)"
 	@echo "make compare-python  compare the Python package with others (about 25 minutes)"
+	@echo "make test-spark  test beespace.spark on clusters of processes (about 8 minutes)"
 	@echo "make docs     build the site of the documents in build/docs/site"
 	@echo "make format   format the sources with clang-format 14"
 	@echo "make lint     format, include and header checks, clang-tidy"
@@ -61,6 +62,11 @@ compare:
 compare-python:
 	@scripts/install-packages build bench python
 	@scripts/compare-python
+
+test-spark:
+	@scripts/install-packages build spark
+	@scripts/build-command beespace_c
+	@scripts/test-spark
 
 docs:
 	@scripts/install-packages build docs

@@ -18,7 +18,8 @@ for python in python3 /usr/bin/python3; do
   if "$python" -c 'import hypothesis, numpy, pytest, scipy' 2> /dev/null; then
     export BEESPACE_LIBRARY=$library PYTHONPATH=$source/python PYTHONDONTWRITEBYTECODE=1
     cd "$source/python"
-    exec "$python" -m pytest -q -p no:cacheprovider --doctest-modules \
+    # Examples of beespace.spark need a cluster: scripts/test-spark.
+    exec "$python" -m pytest -q -p no:cacheprovider --doctest-modules --ignore=beespace/spark \
       -W error --doctest-glob='*.md' "$@" beespace tests "${documents[@]}"
   fi
 done
