@@ -6,7 +6,7 @@ import ctypes
 
 from beespace import _fleet_library as _c
 from beespace import _library
-from beespace._calls import check, number_of
+from beespace._calls import number_of
 from beespace._fleet import integer
 from beespace._library import at_once
 from beespace._messages import (
@@ -17,6 +17,7 @@ from beespace._messages import (
     acknowledgement_from,
     c_command,
     c_stored,
+    check_fleet,
     setpoint_from,
     stored_from,
 )
@@ -70,7 +71,7 @@ class Follower(InTurn):
             ctypes.byref(self._handle),
             ctypes.byref(error),
         )
-        check(code, error)
+        check_fleet(code, error)
 
     def __repr__(self) -> str:
         held = self.held
@@ -116,7 +117,7 @@ class Follower(InTurn):
             code = at_once.beespace_follower_receive(
                 self._handle, ctypes.byref(given), ctypes.byref(said), ctypes.byref(error)
             )
-        check(code, error)
+        check_fleet(code, error)
         return acknowledgement_from(said)
 
     def promise(self, epoch: int) -> bool:
@@ -167,7 +168,7 @@ class Follower(InTurn):
             code = at_once.beespace_follower_stored(
                 self._handle, ctypes.byref(into), ctypes.byref(error)
             )
-        check(code, error)
+        check_fleet(code, error)
         return stored_from(into)
 
     def restore(self, stored: StoredBranch) -> None:
@@ -187,7 +188,7 @@ class Follower(InTurn):
             code = at_once.beespace_follower_restore(
                 self._handle, ctypes.byref(given), ctypes.byref(error)
             )
-        check(code, error)
+        check_fleet(code, error)
 
     def setpoint(self, after: float = 0.0) -> Setpoint:
         """Where it should be, some seconds after its tick. On no branch that is an error.
@@ -207,7 +208,7 @@ class Follower(InTurn):
             code = at_once.beespace_follower_setpoint(
                 self._handle, since, ctypes.byref(into), ctypes.byref(error)
             )
-        check(code, error)
+        check_fleet(code, error)
         return setpoint_from(into)
 
     @property

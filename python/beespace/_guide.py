@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from beespace import _fleet_library as _c
 from beespace import _library
 from beespace._advice import ArrayReader, shape_of
-from beespace._calls import check, number_of, run_of
+from beespace._calls import number_of, run_of
 from beespace._fleet import FleetFigures, LinkFigures, Tube, integer, tube_from
 from beespace._guidance import Guidance, JoinAnswer
 from beespace._guide_calls import GuideCalls
@@ -24,6 +24,7 @@ from beespace._messages import (
     c_acknowledgement,
     c_report,
     c_stored,
+    check_fleet,
     three,
 )
 from beespace._motion import movers_of
@@ -412,7 +413,7 @@ class Guide(GuideCalls):
                 into,
                 ctypes.byref(error),
             )
-        check(code, error)
+        check_fleet(code, error)
         return Guidance(into)
 
     def tube(self, agent: int) -> Tube:

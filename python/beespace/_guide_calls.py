@@ -13,12 +13,12 @@ from numpy.typing import NDArray
 from beespace import _fleet_library as _c
 from beespace import _library
 from beespace._advice import PLANAR, ArrayReader, above_zero
-from beespace._calls import check, length, number_of, threads_of
+from beespace._calls import length, number_of, threads_of
 from beespace._errors import invalid
 from beespace._fleet import FleetFigures, LinkFigures, c_figures, c_link, integer
 from beespace._guidance import JoinAnswer
 from beespace._library import at_once
-from beespace._messages import three
+from beespace._messages import check_fleet, three
 from beespace._obstacles import handle_of_obstacles
 from beespace._turns import InTurn
 from beespace._units import ACCELERATIONS, METRES, SECONDS, SPEEDS
@@ -74,7 +74,7 @@ class GuideCalls(InTurn):
         code = at_once.beespace_guide_create(
             ctypes.byref(options), ctypes.byref(self._handle), ctypes.byref(error)
         )
-        check(code, error)
+        check_fleet(code, error)
 
     def _request(
         self,
@@ -110,7 +110,7 @@ class GuideCalls(InTurn):
             code = function(
                 self._handle, ctypes.byref(request), ctypes.byref(answer), ctypes.byref(error)
             )
-            check(code, error)
+            check_fleet(code, error)
             return JoinAnswer(
                 bool(answer.joined),
                 tuple(answer.touches[: answer.touch_count]),
@@ -126,7 +126,7 @@ class GuideCalls(InTurn):
             code = at_once.beespace_guide_claim(
                 self._handle, agent, ctypes.byref(first), ctypes.byref(count), ctypes.byref(error)
             )
-            check(code, error)
+            check_fleet(code, error)
             # Copied before another call of a thread overwrites them.
             return np.array(first[: 3 * count.value]).reshape(count.value, 3)
 
@@ -145,4 +145,4 @@ class GuideCalls(InTurn):
         error = _library.new_error()
         with self._lock:
             code = function(self._handle, *arguments, ctypes.byref(error))
-        check(code, error)
+        check_fleet(code, error)

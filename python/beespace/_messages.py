@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from beespace import _fleet_library as _c
-from beespace._calls import number_of
+from beespace import _library
+from beespace._calls import check, number_of
 from beespace._errors import invalid
 from beespace._fleet import integer
 from beespace._units import METRES, SECONDS, SPEEDS, plain
@@ -185,6 +186,13 @@ class Setpoint(NamedTuple):
     velocity: Three
     correction: Three
     holding: bool
+
+
+def check_fleet(code: int, error: _library.CError) -> None:
+    """Raises the error of a call of a guide or a follower, which may be about an agent: any number."""
+    if code != _library.OK and error.place == b"agents":
+        raise _library.error_of(error, of_agent=True)
+    check(code, error)
 
 
 def branch(number: Any, place: str = "number") -> int:
