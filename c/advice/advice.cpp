@@ -2,6 +2,7 @@
 
 #include "c/door/door.hpp"
 #include "c/door/movers.hpp"
+#include "c/door/points.hpp"
 
 #include <cstddef>
 #include <utility>
@@ -94,9 +95,7 @@ void beespace_advice::write(const beespace::Advised& advised, const beespace::Mo
   }
   for (std::size_t i = 0; i < size; ++i) {
     const beespace::Advice& advice = advised.advice[i];
-    velocities[3 * i] = advice.velocity.x;
-    velocities[3 * i + 1] = advice.velocity.y;
-    velocities[3 * i + 2] = advice.velocity.z;
+    beespace::c::write_three(advice.velocity, &velocities[3 * i]);
     kinds[i] = beespace::c::kind_of(advice.kind);
     certified[i] = advice.certified ? 1 : 0;
     keeps_apart[i] = advice.keeps_apart ? 1 : 0;

@@ -48,7 +48,7 @@ Status read_intruders(const beespace_advise_options& given, AdviseOptions& optio
   return std::monostate{};
 }
 
-Result<std::optional<PointId>> agent_of(std::int64_t agent, std::size_t record) {
+Result<std::optional<PointId>> index_of_agent(std::int64_t agent, std::size_t record) {
   if (agent == -1) return std::optional<PointId>();
   if (agent >= 0 && agent <= std::numeric_limits<PointId>::max()) {
     return std::optional<PointId>(static_cast<PointId>(agent));
@@ -78,7 +78,7 @@ Status read_unknown(const beespace_advise_options& given, std::vector<UnknownAge
   const auto agents = column_of(given.unknown_agents, some_are_agents ? size : 0, "unknown_agents");
   if (!agents) return agents.error();
   for (std::size_t k = 0; k < size; ++k) {
-    const auto agent = agent_of(some_are_agents ? (*agents)[k] : -1, k);
+    const auto agent = index_of_agent(some_are_agents ? (*agents)[k] : -1, k);
     if (!agent) return agent.error();
     unknown.push_back({(*centers)[k], (*radii)[k], (*growths)[k], *agent});
   }
@@ -177,12 +177,21 @@ Velocity velocity_of(const Point& numbers) {
   return {numbers.x, numbers.y, numbers.z};
 }
 
-// A number that is no shape is none of C++ either, which says so.
-Separation separation_of(std::int32_t shape, double vertical_factor, double vertical_m) {
-  constexpr std::int32_t kNoShape = 255;
-  const bool is_shape = shape >= BEESPACE_FREE_SPHERE && shape <= BEESPACE_FREE_CYLINDER;
-  return {static_cast<SeparationShape>(is_shape ? shape : kNoShape), given_or(vertical_factor, 1.0),
-          given_or_not(vertical_m)};
+Result<Separation> separation_of(std::int32_t shape, double vertical_factor, double vertical_m) {
+  if (shape < BEESPACE_FREE_SPHERE || shape > BEESPACE_FREE_CYLINDER) {
+    return invalid(
+        "shape is none of BEESPACE_FREE_SPHERE, BEESPACE_FREE_ELLIPSOID and "
+        "BEESPACE_FREE_CYLINDER",
+        "options");
+  }
+  if (shape != BEESPACE_FREE_ELLIPSOID && vertical_factor != 0.0) {
+    return invalid("vertical_factor is given, but shape is not BEESPACE_FREE_ELLIPSOID", "options");
+  }
+  if (shape != BEESPACE_FREE_CYLINDER && vertical_m != 0.0) {
+    return invalid("vertical_m is given, but shape is not BEESPACE_FREE_CYLINDER", "options");
+  }
+  return Separation{static_cast<SeparationShape>(shape), given_or(vertical_factor, 1.0),
+                    given_or_not(vertical_m)};
 }
 
 Status read_fences(const beespace_points* directions, const double* offsets_m,
@@ -243,11 +252,13 @@ Result<AdviseOptions> advise_options_of(const beespace_advise_options* options, 
   if (!unknown) return std::move(unknown).error();
   Status claims = read_claims(*given, agents, arrays);
   if (!claims) return std::move(claims).error();
+  const auto separation = separation_of(given->shape, given->vertical_factor, given->vertical_m);
+  if (!separation) return separation.error();
   AdviseOptions all;
   Status intruders = read_intruders(*given, all);
   if (!intruders) return std::move(intruders).error();
   all.threshold_m = given->threshold_m;
-  all.separation = separation_of(given->shape, given->vertical_factor, given->vertical_m);
+  all.separation = *separation;
   all.step_s = given_or(given->step_s, all.step_s);
   if (given->obstacles != nullptr) all.obstacles = &given->obstacles->map;
   all.fences = arrays.fences;

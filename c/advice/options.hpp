@@ -31,7 +31,7 @@ double given_or_not(double value);
 // Zero stands for the default.
 double given_or(double value, double otherwise);
 
-Separation separation_of(std::int32_t shape, double vertical_factor, double vertical_m);
+Result<Separation> separation_of(std::int32_t shape, double vertical_factor, double vertical_m);
 // NULL for both is none.
 Status read_fences(const beespace_points* directions, const double* offsets_m,
                    std::vector<Fence>& fences);

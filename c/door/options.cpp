@@ -22,13 +22,20 @@ Result<Search> search_of(const beespace_search* search, std::uint32_t known) {
   if ((given->flags & ~known) != 0) {
     return invalid("flags ask for what this function cannot do", "search");
   }
+  const auto has = [&](std::uint32_t flag) { return (given->flags & flag) != 0; };
+  if (!has(BEESPACE_VERTICAL) && given->vertical_m != 0.0) {
+    return invalid("vertical_m is given without its flag, BEESPACE_VERTICAL", "search");
+  }
+  if (!has(BEESPACE_MAX_RESULTS) && given->max_results != 0) {
+    return invalid("max_results is given without its flag, BEESPACE_MAX_RESULTS", "search");
+  }
   Search asked;
   asked.options.threshold_m = given->threshold_m;
-  asked.options.inclusive = (given->flags & BEESPACE_INCLUSIVE) != 0;
-  if ((given->flags & BEESPACE_VERTICAL) != 0) asked.options.vertical_m = given->vertical_m;
-  if ((given->flags & BEESPACE_MAX_RESULTS) != 0) asked.options.max_results = given->max_results;
-  asked.distances = (given->flags & BEESPACE_DISTANCES) != 0;
-  asked.with_self = (given->flags & BEESPACE_WITH_SELF) != 0;
+  asked.options.inclusive = has(BEESPACE_INCLUSIVE);
+  if (has(BEESPACE_VERTICAL)) asked.options.vertical_m = given->vertical_m;
+  if (has(BEESPACE_MAX_RESULTS)) asked.options.max_results = given->max_results;
+  asked.distances = has(BEESPACE_DISTANCES);
+  asked.with_self = has(BEESPACE_WITH_SELF);
   return asked;
 }
 

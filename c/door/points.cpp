@@ -3,8 +3,12 @@
 #include "c/door/door.hpp"
 #include "c/door/structs.hpp"
 
+#include <beespace/point.hpp>
+
 #include <array>
+#include <cstdint>
 #include <limits>
+#include <string>
 
 namespace beespace::c {
 
@@ -40,12 +44,23 @@ Result<PointsView> view_of_numbers(const beespace_points& points, const char* na
   return PointsView::strided(axes, count, strides);
 }
 
+std::string too_many(std::int64_t count) {
+  return "there are " + std::to_string(count) + ", but ids have 32 bits: give at most " +
+         std::to_string(kMaxPoints) + " at a time";
+}
+
 }  // namespace
 
 Result<PointsView> view_of(const beespace_points* points, const char* name) {
   const Result<beespace_points> given = read_struct(points, name);
   if (!given) return given.error();
   if (given->count < 0) return invalid("count is below zero", name);
+  // Before one is read: of a stride of 0 there may be any number.
+  if (static_cast<std::uint64_t>(given->count) > kMaxPoints) {
+    Error error{ErrorCode::kTooManyPoints, too_many(given->count), {}};
+    error.location.array = name;
+    return error;
+  }
   if (given->type != BEESPACE_FLOAT64 && given->type != BEESPACE_FLOAT32) {
     return invalid("type is neither BEESPACE_FLOAT64 nor BEESPACE_FLOAT32", name);
   }

@@ -18,6 +18,14 @@ struct PointSets {
   std::optional<PointsView> others;
 };
 
+// Three coordinates, one after the other.
+template <class Vector>
+void write_three(const Vector& vector, double* into) {
+  into[0] = vector.x;
+  into[1] = vector.y;
+  into[2] = vector.z;
+}
+
 // NULL for `others` means none.
 Result<PointSets> sets_of(const beespace_points* points, const beespace_points* others);
 

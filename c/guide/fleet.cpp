@@ -1,6 +1,7 @@
 // Who is in the fleet of a guide, what its agents shall do, and what they say.
 #include <beespace/guide.hpp>
 
+#include "c/door/agents.hpp"
 #include "c/door/door.hpp"
 #include "c/door/movers.hpp"
 #include "c/door/number_column.hpp"
@@ -45,19 +46,21 @@ Result<JoinRequest> request_of(const beespace_join_request* request) {
   return all;
 }
 
-template <class Number>
-const std::int64_t* kept(const std::vector<Number>& numbers, std::vector<std::int64_t>& in) {
+template <class Number, class ToC>
+const std::int64_t* kept(const std::vector<Number>& numbers, ToC&& to_c,
+                         std::vector<std::int64_t>& in) {
   in.clear();
-  for (const Number number : numbers) in.push_back(static_cast<std::int64_t>(number));
+  for (const Number number : numbers) in.push_back(to_c(number));
   return in.empty() ? nullptr : in.data();
 }
 
 Status write_answer(const JoinAnswer& answer, beespace_guide& guide, beespace_join_answer* into) {
   beespace_join_answer shown{};
   shown.joined = answer.joined ? 1 : 0;
-  shown.touches = kept(answer.touches, guide.touches);
-  shown.obstacles = kept(answer.obstacles, guide.near_obstacles);
-  shown.fences = kept(answer.fences, guide.near_fences);
+  const auto as_it_is = [](std::size_t index) { return static_cast<std::int64_t>(index); };
+  shown.touches = kept(answer.touches, agent_number_of, guide.touches);
+  shown.obstacles = kept(answer.obstacles, as_it_is, guide.near_obstacles);
+  shown.fences = kept(answer.fences, as_it_is, guide.near_fences);
   shown.touch_count = static_cast<std::int64_t>(guide.touches.size());
   shown.obstacle_count = static_cast<std::int64_t>(guide.near_obstacles.size());
   shown.fence_count = static_cast<std::int64_t>(guide.near_fences.size());

@@ -1,7 +1,9 @@
 // The agent's side of the protocol.
 #include <beespace/follower.hpp>
 
+#include "c/door/agents.hpp"
 #include "c/door/door.hpp"
+#include "c/door/points.hpp"
 #include "c/door/structs.hpp"
 #include "c/guide/messages.hpp"
 
@@ -19,6 +21,7 @@ using beespace::StoredBranch;
 // NOLINTNEXTLINE(readability-identifier-naming): a name of C
 struct beespace_follower {
   Follower follower;
+  beespace::AgentId agent;
 };
 
 namespace {
@@ -45,7 +48,8 @@ beespace_code beespace_follower_create(int64_t agent, double planned_speed_mps,
     Result<Follower> made = Follower::make(
         agent_id_of(agent), {planned_speed_mps, planned_acceleration_mps2}, period_s);
     if (!made) return made.error();
-    *follower = std::make_unique<beespace_follower>(beespace_follower{*made}).release();
+    *follower =
+        std::make_unique<beespace_follower>(beespace_follower{*made, agent_id_of(agent)}).release();
     return std::monostate{};
   });
 }
@@ -59,7 +63,9 @@ beespace_code beespace_follower_restore(beespace_follower* follower,
                                         beespace_error* error) {
   return with_follower(follower, error, [&](Follower& used) -> Status {
     const Result<StoredBranch> given = stored_of(stored);
-    return given ? used.restore(*given) : Status(given.error());
+    if (!given) return given.error();
+    Status restored = used.restore(*given);
+    return restored ? restored : with_agent_number(restored.error(), follower->agent);
   });
 }
 

@@ -1,7 +1,9 @@
 #include "c/guide/guidance.hpp"
 
 #include "c/advice/advice.hpp"
+#include "c/door/agents.hpp"
 #include "c/door/door.hpp"
+#include "c/door/points.hpp"
 #include "c/guide/messages.hpp"
 
 #include <cstddef>
@@ -42,14 +44,7 @@ std::int32_t reason_of(ContractReason reason) {
 }
 
 Findings::Row row_of_object(const AgentAndObject& found) {
-  return {agent_of(found.agent), static_cast<std::int64_t>(found.object), found.gap_m};
-}
-
-template <class Three>
-void write_three_of(const Three& three, double* into) {
-  into[0] = three.x;
-  into[1] = three.y;
-  into[2] = three.z;
+  return {agent_number_of(found.agent), static_cast<std::int64_t>(found.object), found.gap_m};
 }
 
 }  // namespace
@@ -80,7 +75,7 @@ void beespace_guidance::write() {
   resize(given.agents.size());
   for (std::size_t i = 0; i < given.agents.size(); ++i) {
     const beespace::AgentGuidance& agent = given.agents[i];
-    agents[i] = beespace::c::agent_of(agent.agent);
+    agents[i] = beespace::c::agent_number_of(agent.agent);
     contracts[i] = beespace::c::contract_of(agent.contract);
     reasons[i] = beespace::c::reason_of(agent.reason);
     certified[i] = agent.certified ? 1 : 0;
@@ -89,14 +84,14 @@ void beespace_guidance::write() {
     kinds[i] = beespace::c::kind_of(agent.kind);
     commanded[i] = agent.commanded ? 1 : 0;
     branches[i] = static_cast<std::int32_t>(agent.branches);
-    beespace::c::write_three_of(agent.nominal.position, &positions[3 * i]);
-    beespace::c::write_three_of(agent.nominal.velocity, &velocities[3 * i]);
+    beespace::c::write_three(agent.nominal.position, &positions[3 * i]);
+    beespace::c::write_three(agent.nominal.velocity, &velocities[3 * i]);
     tubes_m[i] = agent.tube_m;
     deviations_m[i] = agent.deviation_m;
   }
   findings[BEESPACE_TOO_CLOSE].write(given.pairs, true, [](const auto& pair) {
-    return Findings::Row{beespace::c::agent_of(pair.first), beespace::c::agent_of(pair.second),
-                         pair.gap_m, pair.clear_s};
+    return Findings::Row{beespace::c::agent_number_of(pair.first),
+                         beespace::c::agent_number_of(pair.second), pair.gap_m, pair.clear_s};
   });
   findings[BEESPACE_NEAR_OBSTACLE].write(given.near_obstacle, false, beespace::c::row_of_object);
   findings[BEESPACE_NEAR_FENCE].write(given.near_fence, false, beespace::c::row_of_object);

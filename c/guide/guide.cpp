@@ -2,6 +2,7 @@
 #include <beespace/guide.hpp>
 
 #include "c/advice/options.hpp"
+#include "c/door/agents.hpp"
 #include "c/door/door.hpp"
 #include "c/door/structs.hpp"
 #include "c/door/watched_call.hpp"
@@ -27,11 +28,6 @@ using beespace::Tube;
 
 namespace {
 
-unsigned threads_of(std::uint32_t threads) {
-  if (threads == BEESPACE_ALL_PROCESSORS) return 0;
-  return threads == 0 ? 1 : threads;
-}
-
 // Refers to `fences` and to `map`, which the caller's map is copied to.
 Result<GuideOptions> guide_options_of(const beespace_guide_options* options,
                                       std::vector<beespace::Fence>& fences, ObstacleMap& map) {
@@ -49,9 +45,11 @@ Result<GuideOptions> guide_options_of(const beespace_guide_options* options,
   if (!link) return link.error();
   Status read = read_fences(given->fence_directions, given->fence_offsets_m, fences);
   if (!read) return std::move(read).error();
+  const auto separation = separation_of(given->shape, given->vertical_factor, given->vertical_m);
+  if (!separation) return separation.error();
   GuideOptions all;
   all.threshold_m = given->threshold_m;
-  all.separation = separation_of(given->shape, given->vertical_factor, given->vertical_m);
+  all.separation = *separation;
   all.link = *link;
   all.figures = *figures;
   all.limits = {given->max_speed_mps, given->max_acceleration_mps2};

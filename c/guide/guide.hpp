@@ -1,6 +1,7 @@
 // What is behind beespace_guide.
 #pragma once
 
+#include "c/door/agents.hpp"
 #include "c/door/door.hpp"
 
 #include <beespace.h>
@@ -32,7 +33,11 @@ template <class Handle, class Work>
 beespace_code with_guide(Handle* guide, beespace_error* error, Work&& work) {
   return enter(error, [&]() -> Status {
     if (guide == nullptr) return invalid("the pointer to the guide is NULL", "guide");
-    return std::forward<Work>(work)(*guide);
+    Status done = std::forward<Work>(work)(*guide);
+    if (done || !done.error().location.record) return done;
+    const ErrorLocation& where = done.error().location;
+    if (where.array != "agents") return done;
+    return with_agent_number(done.error(), *where.record);
   });
 }
 

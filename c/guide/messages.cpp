@@ -1,6 +1,8 @@
 #include "c/guide/messages.hpp"
 
+#include "c/door/agents.hpp"
 #include "c/door/door.hpp"
+#include "c/door/points.hpp"
 #include "c/door/structs.hpp"
 
 #include <algorithm>
@@ -103,7 +105,8 @@ Result<Command> command_of(const beespace_command* command, const char* name) {
 beespace_command c_command_of(const Command& command) {
   beespace_command all{};
   all.struct_size = sizeof all;
-  all.agent = agent_of(command.agent);
+  if (command.number == 0) return all;  // no branch
+  all.agent = agent_number_of(command.agent);
   all.number = command.number;
   all.starts = command.starts;
   all.state_count = static_cast<std::int32_t>(command.state_count);
@@ -136,7 +139,7 @@ beespace_acknowledgement c_acknowledgement_of(const Acknowledgement& acknowledge
   beespace_acknowledgement all{};
   all.struct_size = sizeof all;
   all.reply = c_reply_of(acknowledgement.reply);
-  all.agent = agent_of(acknowledgement.agent);
+  all.agent = agent_number_of(acknowledgement.agent);
   all.number = acknowledgement.number;
   all.held = acknowledgement.held;
   all.tick = acknowledgement.tick;
@@ -149,13 +152,18 @@ Result<AgentReport> report_of(const beespace_agent_report* report) {
   if ((given->flags & ~static_cast<std::uint32_t>(BEESPACE_WITH_VELOCITY)) != 0) {
     return invalid("flags are none that a report has", "report");
   }
+  const bool has_velocity = (given->flags & BEESPACE_WITH_VELOCITY) != 0;
+  const auto is_given = [](double number) { return number != 0.0; };
+  if (!has_velocity && std::any_of(given->velocity, given->velocity + 3, is_given)) {
+    return invalid("there is a velocity without its flag, BEESPACE_WITH_VELOCITY", "report");
+  }
   AgentReport all;
   all.agent = agent_id_of(given->agent);
   all.held = given->held;
   all.tick = given->tick;
   all.after_s = given->after_s;
   all.position = point_of(given->position);
-  if ((given->flags & BEESPACE_WITH_VELOCITY) != 0) all.velocity = velocity_of(given->velocity);
+  if (has_velocity) all.velocity = velocity_of(given->velocity);
   return all;
 }
 

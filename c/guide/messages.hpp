@@ -2,7 +2,6 @@
 #pragma once
 
 #include <beespace.h>
-#include <beespace/agent_id.hpp>
 #include <beespace/command.hpp>
 #include <beespace/fleet.hpp>
 #include <beespace/mover.hpp>
@@ -13,27 +12,12 @@
 
 namespace beespace::c {
 
-// Any number of C is one of C++, and the other way round.
-inline AgentId agent_id_of(std::int64_t agent) {
-  return static_cast<AgentId>(agent);
-}
-inline std::int64_t agent_of(AgentId agent) {
-  return static_cast<std::int64_t>(agent);
-}
-
 inline Point point_of(const double (&numbers)[3]) {
   return {numbers[0], numbers[1], numbers[2]};
 }
 inline Velocity velocity_of(const double (&numbers)[3]) {
   return {numbers[0], numbers[1], numbers[2]};
 }
-template <class Three>
-void write_three(const Three& three, double (&into)[3]) {
-  into[0] = three.x;
-  into[1] = three.y;
-  into[2] = three.z;
-}
-
 // NULL: perfect; as one of zeros.
 Result<FleetFigures> figures_of(const beespace_fleet_figures* figures);
 Result<LinkFigures> link_of(const beespace_link_figures* link);

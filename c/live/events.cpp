@@ -1,5 +1,7 @@
 #include "c/live/events.hpp"
 
+#include "c/door/agents.hpp"
+
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -80,8 +82,8 @@ void write_events(std::span<const SwarmEvent> from, beespace_events& into) {
     const SwarmEvent& event = from[i];
     into.kinds[i] = number_of(event.kind);
     into.times_s[i] = event.time_s;
-    into.first[i] = has_agents(event) ? id_of(event.first) : 0;
-    into.second[i] = has_agents(event) ? id_of(event.second) : 0;
+    into.first[i] = has_agents(event) ? agent_number_of(event.first) : 0;
+    into.second[i] = has_agents(event) ? agent_number_of(event.second) : 0;
     into.distances_m[i] = event.distance_m;
     into.closest_s[i] = event.closest_s;
     into.since_s[i] =

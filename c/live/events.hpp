@@ -4,7 +4,6 @@
 #include "c/door/result.hpp"
 
 #include <beespace.h>
-#include <beespace/agent_id.hpp>
 #include <beespace/swarm.hpp>
 
 #include <cstddef>
@@ -27,15 +26,6 @@ struct beespace_events {
 };
 
 namespace beespace::c {
-
-// Ids of C have a sign, those of C++ have none. Every one of the one is one of the other, and what
-// ascends goes on ascending.
-constexpr AgentId agent_of(std::int64_t id) {
-  return static_cast<AgentId>(id) ^ (AgentId{1} << 63);
-}
-constexpr std::int64_t id_of(AgentId agent) {
-  return static_cast<std::int64_t>(agent ^ (AgentId{1} << 63));
-}
 
 void write_events(std::span<const SwarmEvent> from, beespace_events& into);
 

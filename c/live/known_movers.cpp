@@ -1,19 +1,9 @@
 #include "c/live/known_movers.hpp"
 
-#include "c/live/events.hpp"
+#include "c/door/agents.hpp"
+#include "c/door/points.hpp"
 
 namespace beespace::c {
-
-namespace {
-
-template <class Vector>
-void write_three(Column<double>& column, std::size_t index, const Vector& vector) {
-  column[3 * index] = vector.x;
-  column[3 * index + 1] = vector.y;
-  column[3 * index + 2] = vector.z;
-}
-
-}  // namespace
 
 void write_movers(std::span<const LiveMover> movers, std::span<const Silence> silences,
                   beespace_movers& into) {
@@ -21,11 +11,11 @@ void write_movers(std::span<const LiveMover> movers, std::span<const Silence> si
   auto silence = silences.begin();
   for (std::size_t i = 0; i < movers.size(); ++i) {
     const LiveMover& mover = movers[i];
-    into.ids[i] = id_of(mover.id);
-    write_three(into.positions, i, mover.mover.position);
-    write_three(into.velocities, i, mover.mover.velocity);
+    into.ids[i] = agent_number_of(mover.id);
+    write_three(mover.mover.position, &into.positions[3 * i]);
+    write_three(mover.mover.velocity, &into.velocities[3 * i]);
     into.heard_s[i] = mover.heard_s;
-    write_three(into.heard_at, i, mover.heard_at);
+    write_three(mover.heard_at, &into.heard_at[3 * i]);
     into.stale[i] = mover.stale ? 1 : 0;
     into.move[i] = mover.moves ? 1 : 0;
     into.unknown_s[i] = 0.0;

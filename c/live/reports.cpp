@@ -1,8 +1,8 @@
 #include "c/live/reports.hpp"
 
+#include "c/door/agents.hpp"
 #include "c/door/door.hpp"
 #include "c/door/points.hpp"
-#include "c/live/events.hpp"
 
 #include <beespace/mover.hpp>
 
@@ -40,7 +40,7 @@ bool all_in_motion(std::initializer_list<double> values) {
 
 PositionReport Reports::operator[](std::size_t row) const {
   PositionReport report;
-  report.id = agent_of(columns.agents[row]);
+  report.id = agent_id_of(columns.agents[row]);
   report.time_s = columns.times_s[row];
   report.position = positions[row];
   if (velocities) {

@@ -1,6 +1,7 @@
 // Live swarms: reports in, events out.
 #include <beespace/swarm.hpp>
 
+#include "c/door/agents.hpp"
 #include "c/door/door.hpp"
 #include "c/door/structs.hpp"
 #include "c/door/watched_call.hpp"
@@ -121,7 +122,7 @@ beespace_code change_agents(beespace_swarm* swarm, const std::int64_t* ids, std:
     if (count < 0) return invalid("count is below zero", "ids");
     if (ids == nullptr && count > 0) return invalid("this is NULL, but there are ids", "ids");
     if (!is_aligned(ids)) return invalid("ids are not aligned as their type is", "ids");
-    for (std::int64_t i = 0; i < count; ++i) change(swarm->swarm, agent_of(ids[i]));
+    for (std::int64_t i = 0; i < count; ++i) change(swarm->swarm, agent_id_of(ids[i]));
     return std::monostate{};
   });
 }

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import threading
 from typing import Any
 
 import numpy as np
@@ -14,17 +13,20 @@ from beespace import _library
 from beespace._advice_answers import Advice, advice_of
 from beespace._calls import check, length, number_of, run_of, whole
 from beespace._errors import invalid
+from beespace._fixes import flags_of, integers_of, numbers_of
 from beespace._library import at_once, library
 from beespace._motion import movers_of, rows_of, spread
 from beespace._obstacles import Obstacles, handle_of_obstacles
 from beespace._points import Points, PointsLike
+from beespace._turns import InTurn
+from beespace._units import ACCELERATIONS, METRES, NO_UNIT, SECONDS, SPEEDS
 
 PLANAR = _c.PLANAR
 
 _methods = {"certified": 0, "orca": 1, "mvp": 2}
 
 
-class Adviser:
+class Adviser(InTurn):
     """Advises agents step after step, so that none come closer than the threshold.
 
     An agent that is certified keeps the threshold from all others that are advised, for ever, as long
@@ -56,16 +58,26 @@ class Adviser:
     (True, True)
     """
 
-    __slots__ = ("_handle", "_lock")
+    __slots__ = ("_remembers",)
 
     def __init__(self) -> None:
-        self._handle = library.beespace_adviser_create()
-        if not self._handle:
+        self._remembers = False
+        self._begin()
+
+    def _begin(self) -> None:
+        handle = library.beespace_adviser_create()
+        if not handle:
             raise MemoryError("beespace: no memory for an adviser")
-        self._lock = threading.Lock()
+        self._take_turns(handle, threaded=False)
+
+    def _lose(self) -> None:
+        if self._remembers:
+            super()._lose()
+        else:
+            self._begin()  # it has nothing but memory
 
     def __repr__(self) -> str:
-        return f"<beespace.Adviser{': a call now' if self._lock.locked() else ''}>"
+        return f"<beespace.Adviser{': a call now' if not self._is_lost and self._is_asked() else ''}>"
 
     def advise(
         self,
@@ -199,6 +211,7 @@ class Adviser:
                 f"there are {wanted.count:,} preferred velocities for {places.count:,} agents",
                 "preferred",
             )
+        wanted.check_axes(places.axes, "preferred", "positions")
         limits = Limits(max_speed, max_acceleration, places.count)
         flat = places.count > 0 and places.struct.z is None
         options = _c.CAdviseOptions(
@@ -206,7 +219,7 @@ class Adviser:
             (PLANAR if planar or flat else 0) | (_c.REMEMBER if remember else 0),
             0,
             length(threshold, "threshold"),
-            above_zero(step, "step"),
+            above_zero(step, "step", SECONDS),
         )
         if method not in _methods:
             raise invalid(f"there is no method {method!r}: {', '.join(_methods)}", "method")
@@ -214,35 +227,39 @@ class Adviser:
         options.shape, options.vertical_factor, options.vertical_m = shape_of(
             vertical, vertical_factor
         )
-        options.uncertainty_m = number_of(uncertainty, "uncertainty")
-        options.clearance_m = 0.0 if clearance is None else above_zero(clearance, "clearance")
+        options.uncertainty_m = number_of(uncertainty, "uncertainty", METRES)
+        options.clearance_m = 0.0 if clearance is None else above_zero(clearance, "clearance", METRES)
         options.obstacles = handle_of_obstacles(obstacles)
-        read = ArrayReader(copy)
+        read = ArrayReader(copy, places.axes)
         options.fence_directions = read.points(fence_directions, "fence_directions")
         count = read.count
-        options.fence_offsets_m = read.numbers(fence_offsets, "fence_offsets", count)
+        options.fence_offsets_m = read.numbers(fence_offsets, "fence_offsets", count, METRES)
         options.intruder_positions = read.points(intruder_positions, "intruder_positions")
         count = read.count
         options.intruder_velocities = read.points(intruder_velocities, "intruder_velocities")
-        options.intruder_margins_m = read.numbers(intruder_margins, "intruder_margins", count)
-        options.intruder_horizon_s = above_zero(intruder_horizon, "intruder_horizon")
+        options.intruder_margins_m = read.numbers(
+            intruder_margins, "intruder_margins", count, METRES
+        )
+        options.intruder_horizon_s = above_zero(intruder_horizon, "intruder_horizon", SECONDS)
         options.unknown_centers = read.points(unknown_centers, "unknown_centers")
         count = read.count
-        options.unknown_radii_m = read.numbers(unknown_radii, "unknown_radii", count)
-        options.unknown_growths_mps = read.numbers(unknown_growths, "unknown_growths", count)
-        options.unknown_agents = read.numbers(unknown_agents, "unknown_agents", count, np.int64)
-        options.unknown_horizon_s = above_zero(unknown_horizon, "unknown_horizon")
-        options.radii_m = read.numbers(radii, "radii", places.count)
-        options.tubes_m = read.numbers(tubes, "tubes", places.count)
-        options.claim_places = read.points(claim_places, "claim_places")
-        options.claim_offsets = read.numbers(
-            claim_indptr, "claim_indptr", places.count + 1, np.int64
+        options.unknown_radii_m = read.numbers(unknown_radii, "unknown_radii", count, METRES)
+        options.unknown_growths_mps = read.numbers(
+            unknown_growths, "unknown_growths", count, SPEEDS
         )
-        options.holds = read.numbers(holds, "holds", places.count, np.bool_)
+        options.unknown_agents = read.integers(unknown_agents, "unknown_agents", count)
+        options.unknown_horizon_s = above_zero(unknown_horizon, "unknown_horizon", SECONDS)
+        options.radii_m = read.numbers(radii, "radii", places.count, METRES)
+        options.tubes_m = read.numbers(tubes, "tubes", places.count, METRES)
+        options.claim_places = read.points(claim_places, "claim_places")
+        options.claim_offsets = read.integers(claim_indptr, "claim_indptr", places.count + 1)
+        options.holds = read.flags(holds, "holds", places.count)
         into = _new_advice()
         error = _library.new_error()
         run = run_of(threads, places.count)
         with self._lock:
+            self._threaded = self._threaded or threads != 1
+            self._remembers = self._remembers or remember
             code = library.beespace_advise(
                 self._handle,
                 ctypes.byref(places.struct),
@@ -268,8 +285,9 @@ class Adviser:
         >>> adviser
         <beespace.Adviser>
         """
+        index = whole(agent, "agent")
         with self._lock:
-            at_once.beespace_adviser_forget(self._handle, whole(agent, "agent"))
+            at_once.beespace_adviser_forget(self._handle, index)
 
 
 def velocity_to_goal(
@@ -306,8 +324,7 @@ def velocity_to_goal(
     """
     places = Points(rows_of(positions), "positions")
     ends = Points(rows_of(goals), "goals")
-    if places.count and ends.count and (places.struct.z is None) != (ends.struct.z is None):
-        raise invalid("positions and goals differ in their number of axes", "goals")
+    ends.check_axes(places.axes, "goals", "positions")
     count = spread([(places, "positions"), (ends, "goals")])
     limits = Limits(max_speed, max_acceleration, count)
     velocities = np.empty((count, 3))
@@ -316,7 +333,7 @@ def velocity_to_goal(
         ctypes.byref(places.struct),
         ctypes.byref(ends.struct),
         ctypes.byref(limits.struct),
-        above_zero(step, "step"),
+        above_zero(step, "step", SECONDS),
         address_of(velocities),
         ctypes.byref(error),
     )
@@ -330,12 +347,14 @@ class Limits:
     __slots__ = ("keep", "struct")
 
     def __init__(self, max_speed: ArrayLike, max_acceleration: ArrayLike | None, count: int) -> None:
-        speeds = _for_each(max_speed, "max_speed", count)
+        speeds = _for_each(max_speed, "max_speed", count, SPEEDS)
         self.struct = _c.CLimits(ctypes.sizeof(_c.CLimits))
         self.struct.max_speeds_mps, self.struct.max_speeds_stride = _address(speeds)
         self.keep: object = speeds
         if max_acceleration is not None:
-            accelerations = _for_each(max_acceleration, "max_acceleration", count)
+            accelerations = _for_each(
+                max_acceleration, "max_acceleration", count, ACCELERATIONS
+            )
             self.struct.max_accelerations_mps2, self.struct.max_accelerations_stride = _address(
                 accelerations
             )
@@ -347,40 +366,30 @@ def shape_of(vertical: Any, vertical_factor: Any) -> tuple[int, float, float]:
     if vertical is not None and vertical_factor is not None:
         raise invalid("what stays free is a cylinder or an ellipsoid: leave one out", "vertical")
     if vertical is not None:
-        return _c.FREE_CYLINDER, 0.0, above_zero(vertical, "vertical")
+        return _c.FREE_CYLINDER, 0.0, above_zero(vertical, "vertical", METRES)
     if vertical_factor is not None:
-        return _c.FREE_ELLIPSOID, above_zero(vertical_factor, "vertical_factor"), 0.0
+        return _c.FREE_ELLIPSOID, above_zero(vertical_factor, "vertical_factor", NO_UNIT), 0.0
     return _c.FREE_SPHERE, 0.0, 0.0
 
 
-def above_zero(number: Any, place: str) -> float:
+def above_zero(number: Any, place: str, units: tuple[str, ...]) -> float:
     """A number that must not be zero, which stands for a default in C."""
-    value = number_of(number, place)
+    value = number_of(number, place, units)
     if value == 0.0:
         raise invalid("this is above zero, not 0", place)
     return value
 
 
-def numbers_of(given: Any, place: str, kind: Any = np.float64) -> NDArray[Any]:
-    """Numbers as a contiguous array that the library reads."""
-    try:
-        array = np.asarray(given)
-        allowed = {np.int64: "iu", np.bool_: "b"}.get(kind, "iuf")
-        if array.size and array.dtype.kind not in allowed:
-            raise invalid(f"these are not the numbers that belong here: {array.dtype}", place)
-        return np.ascontiguousarray(array, dtype=kind)
-    except (TypeError, ValueError, OverflowError) as error:
-        raise invalid(f"this is no array of numbers: {error}", place) from error
-
-
 class ArrayReader:
-    """Reads arrays of options, and keeps them alive as long as itself."""
+    """Reads arrays of options, and keeps them alive as long as itself. Positions among them have as
+    many axes as those of agents."""
 
-    __slots__ = ("_copy", "_kept", "count")
+    __slots__ = ("_axes", "_copy", "_kept", "count")
 
-    def __init__(self, copy: bool) -> None:
+    def __init__(self, copy: bool, axes: int | None) -> None:
         self._kept: list[object] = []
         self._copy = copy
+        self._axes = axes
         self.count = 0
 
     def points(self, given: Any, place: str) -> Any:
@@ -388,20 +397,26 @@ class ArrayReader:
         if given is None:
             return None
         points = Points(given, place, self._copy)
+        points.check_axes(self._axes, place, "positions")
         self.count = points.count
         self._kept.append(points)
         return ctypes.pointer(points.struct)
 
-    def numbers(self, given: Any, place: str, count: int, kind: Any = np.float64) -> int | None:
-        if given is None:
-            return None
-        array = numbers_of(given, place, kind)
-        if array.shape != (count,):
-            raise invalid(f"there must be {count:,} of these, not {array.shape}", place)
-        if self._copy:
-            array = array.copy()
-        self._kept.append(array)
-        return address_of(array)
+    def numbers(
+        self, given: Any, place: str, count: int, units: tuple[str, ...]
+    ) -> int | None:
+        return None if given is None else self._kept_at(numbers_of(given, count, place, units))
+
+    def integers(self, given: Any, place: str, count: int) -> int | None:
+        return None if given is None else self._kept_at(integers_of(given, count, place))
+
+    def flags(self, given: Any, place: str, count: int) -> int | None:
+        return None if given is None else self._kept_at(flags_of(given, count, place))
+
+    def _kept_at(self, array: NDArray[Any]) -> int:
+        kept = array.copy() if self._copy else array
+        self._kept.append(kept)
+        return address_of(kept)
 
 
 def address_of(array: NDArray[Any]) -> int:
@@ -409,13 +424,13 @@ def address_of(array: NDArray[Any]) -> int:
     return int(array.__array_interface__["data"][0])
 
 
-def _for_each(given: Any, place: str, count: int) -> NDArray[np.float64]:
-    array = numbers_of(given, place)
-    if array.ndim != 0 and np.ndim(given) == 0:  # ascontiguousarray makes one dimension of none
-        array = array.reshape(())
-    if array.ndim > 1 or (array.ndim == 1 and len(array) != count):
-        raise invalid(f"this is one number, or one for each of {count:,} agents", place)
-    return array
+def _for_each(
+    given: Any, place: str, count: int, units: tuple[str, ...]
+) -> NDArray[np.float64]:
+    is_one = not hasattr(given, "__len__") or getattr(given, "ndim", 1) == 0
+    if is_one:
+        return np.array(number_of(given, place, units))
+    return numbers_of(given, count, place, units)
 
 
 def _address(array: NDArray[np.float64]) -> tuple[int, int]:

@@ -71,4 +71,8 @@ def sets_of(
 ) -> tuple[Points, Points | None]:
     check_frames(points, others, vertical)
     first = Points(points, "points", copy)
-    return first, None if others is None else Points(others, "others", copy)
+    if others is None:
+        return first, None
+    second = Points(others, "others", copy)
+    second.check_axes(first.axes, "others", "points")
+    return first, second

@@ -12,6 +12,7 @@ from typing import Any
 from beespace import _library
 from beespace._errors import BeespaceError, invalid
 from beespace._library import CRun, CSearch, library
+from beespace._units import METRES, NO_DATES, SECONDS, is_date, plain
 
 # With fewer points a call is over before Ctrl-C matters, and a thread would cost more than it.
 _MANY = 5_000
@@ -39,8 +40,9 @@ def search_of(
     max_results: Any = None,
     distances: bool = False,
     with_self: bool = False,
+    height_units: tuple[str, ...] | None = METRES,
 ) -> CSearch:
-    """The C structure of a search within a threshold."""
+    """The C structure of a search within a threshold; heights may be in another unit."""
     flags = 0
     if inclusive:
         flags |= _library.INCLUSIVE
@@ -51,7 +53,7 @@ def search_of(
     height = 0.0
     if vertical is not None:
         flags |= _library.VERTICAL
-        height = length(vertical, "vertical")
+        height = length(vertical, "vertical", height_units)
     most = 0
     if max_results is not None:
         flags |= _library.MAX_RESULTS
@@ -101,15 +103,16 @@ def whole(number: Any, place: str) -> int:
 
 def seconds(number: Any, place: str) -> float:
     """A length of time."""
-    value = _real(number)
+    value = _real(number, place, SECONDS)
     if value is None:
-        raise invalid(f"this is a number of seconds, not {number!r}", place)
+        told = NO_DATES if is_date(number) else f"this is a number of seconds, not {number!r}"
+        raise invalid(told, place)
     return value
 
 
-def length(number: Any, place: str) -> float:
+def length(number: Any, place: str, units: tuple[str, ...] | None = METRES) -> float:
     """A threshold."""
-    value = _real(number)
+    value = _real(number, place, units)
     if value is None:
         raise BeespaceError(
             "a threshold is one number for all points, in metres", "invalid_threshold", place
@@ -117,9 +120,9 @@ def length(number: Any, place: str) -> float:
     return value
 
 
-def number_of(number: Any, place: str) -> float:
-    """Any other number."""
-    value = _real(number)
+def number_of(number: Any, place: str, units: tuple[str, ...] | None) -> float:
+    """Any other number, in one of the units."""
+    value = _real(number, place, units)
     if value is None:
         raise invalid(f"this is a number, not {number!r}", place)
     return value
@@ -131,10 +134,12 @@ def threads_of(threads: Any) -> int:
     return _library.ALL_PROCESSORS if number == 0 else min(number, 256)
 
 
-def _real(number: Any) -> float | None:
-    """As a double, where it is a number: a text may have a unit."""
+def _real(number: Any, place: str, units: tuple[str, ...] | None) -> float | None:
+    """As a double, where it is a number: a text may have a unit, and so has a length of time."""
+    number = plain(number, place, units)
     try:
-        return None if isinstance(number, (str, bytes)) else float(number)
+        is_other = isinstance(number, (str, bytes)) or is_date(number)
+        return None if is_other else float(number)
     except (TypeError, ValueError):
         return None
     except OverflowError:

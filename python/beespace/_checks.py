@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ctypes
 import sys
-import threading
 from typing import Any
 
 import numpy as np
@@ -18,16 +17,18 @@ from beespace._errors import invalid
 from beespace._library import at_once, library
 from beespace._obstacles import handle_of_obstacles
 from beespace._points import Points
+from beespace._turns import InTurn
+from beespace._units import ACCELERATIONS, METRES, SPEEDS
 from beespace._verdict import Breaches, ClearanceLosses, Losses, Verdict
 
 _kinds = np.array([at_once.beespace_violation_name(kind).decode() for kind in range(4)])
 _loss, _clearance = 0, 1
 
 
-class Check:
+class Check(InTurn):
     """The C verifier, which serves one call at a time."""
 
-    __slots__ = ("_handle", "_lock", "_threads")
+    __slots__ = ("_axes", "_threads")
 
     def __init__(
         self,
@@ -43,18 +44,20 @@ class Check:
         options.threshold_m = length(threshold, "threshold")
         if max_speed is not None:
             options.flags |= _c.MAX_SPEED
-            options.max_speed_mps = number_of(max_speed, "max_speed")
+            options.max_speed_mps = number_of(max_speed, "max_speed", SPEEDS)
         if max_acceleration is not None:
             options.flags |= _c.MAX_ACCELERATION
-            options.max_acceleration_mps2 = number_of(max_acceleration, "max_acceleration")
+            options.max_acceleration_mps2 = number_of(
+                max_acceleration, "max_acceleration", ACCELERATIONS
+            )
         if straight:
             options.flags |= _c.STRAIGHT
         options.obstacles = handle_of_obstacles(obstacles)
         if clearance is not None:
-            options.clearance_m = number_of(clearance, "clearance")
+            options.clearance_m = number_of(clearance, "clearance", METRES)
         self._threads = threads
-        self._lock = threading.Lock()
-        self._handle = _c.CVerifier()
+        self._axes: int | None = None  # of all moments
+        self._take_turns(_c.CVerifier(), threaded=threads != 1)
         error = _library.new_error()
         code = library.beespace_verifier_create(
             ctypes.byref(options), ctypes.byref(self._handle), ctypes.byref(error)
@@ -63,17 +66,23 @@ class Check:
 
     def add(self, time: Any, places: Points, speeds: Points | None) -> None:
         """Takes where all agents are at a time."""
+        moment = seconds(time, "time")
+        if speeds is not None:
+            speeds.check_axes(places.axes, "velocities", "positions")
         error = _library.new_error()
         run = run_of(self._threads, places.count)
         with self._lock:
+            places.check_axes(self._axes, "positions", "moments before")
             code = library.beespace_verifier_add(
                 self._handle,
-                seconds(time, "time"),
+                moment,
                 ctypes.byref(places.struct),
                 None if speeds is None else ctypes.byref(speeds.struct),
                 None if run is None else ctypes.byref(run),
                 ctypes.byref(error),
             )
+            if code == _library.OK:
+                self._axes = self._axes or places.axes
         check(code, error)
 
     def add_recording(self, recording: ctypes.c_void_p, fixes: int, max_gap: float) -> None:

@@ -2,20 +2,14 @@
 
 from __future__ import annotations
 
-import os
-import threading
-import weakref
 from typing import Any
 
 from beespace._library import library
 from beespace._searches import Searches
+from beespace._turns import InTurn
 
 
-# For the child of a fork, which has the memory of its engines, but not their threads.
-_engines: weakref.WeakSet[Engine] = weakref.WeakSet()
-
-
-class Engine(Searches):
+class Engine(InTurn, Searches):
     """The questions about points, with memory and threads that are kept from call to call.
 
     For a swarm frame after frame: searches allocate nothing after two similar frames, besides their
@@ -36,36 +30,24 @@ class Engine(Searches):
     <beespace.Engine: 3 calls so far>
     """
 
-    __slots__ = ("__weakref__", "_calls", "_handle", "_lock")
+    __slots__ = ("_calls",)
 
     def __init__(self) -> None:
         self._calls = 0
         self._begin()
-        _engines.add(self)
 
     def _begin(self) -> None:
-        self._handle = library.beespace_engine_create()
-        if not self._handle:
+        handle = library.beespace_engine_create()
+        if not handle:
             raise MemoryError("beespace: no memory for an engine")
-        self._lock = threading.Lock()
+        self._take_turns(handle, threaded=True)
 
-    def _renew(self) -> None:
-        """Begins anew in the child of a fork, where a call, or the end of the engine, would wait for
-        ever for threads that the child does not have."""
-        self._handle.value = None  # so that it is not freed
-        self._begin()
-
-    @staticmethod
-    def _renew_all() -> None:
-        for engine in list(_engines):
-            engine._renew()
-
-    if hasattr(os, "register_at_fork"):
-        os.register_at_fork(after_in_child=_renew_all)
+    def _lose(self) -> None:
+        self._begin()  # it has nothing but memory
 
     def __repr__(self) -> str:
         calls = "1 call" if self._calls == 1 else f"{self._calls:,} calls"
-        return f"<beespace.Engine: {calls} so far{', one now' if self._lock.locked() else ''}>"
+        return f"<beespace.Engine: {calls} so far{', one now' if self._is_asked() else ''}>"
 
     def __reduce__(self) -> tuple[type[Engine], tuple[()]]:
         """Of an engine, a copy is a new one: it has nothing but memory."""

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from beespace._errors import BeespaceError, invalid
 from beespace._library import CFixes
-from beespace._units import SECONDS, plain
+from beespace._units import NO_DATES, SECONDS, is_date, plain
 
 
 class Fixes:
@@ -47,29 +47,30 @@ def _address(array: NDArray[Any]) -> int:
     return int(array.__array_interface__["data"][0])
 
 
-def integers_of(ids: Any, count: int) -> NDArray[np.int64]:
-    """Ids that are integers."""
-    given = _one_each(ids, count, "ids")
+def integers_of(ids: Any, count: int, place: str = "ids") -> NDArray[np.int64]:
+    """Integers, one for each."""
+    given = _column(ids, count, place)
     if not count:
         return np.empty(0, np.int64)
     if given.dtype.kind not in "iu":
-        raise invalid(f"ids are integers, not {given.dtype}", "ids")
+        is_text = given.dtype.kind in "SUT" or isinstance(given[0], str)
+        hint = "; number the agents, as by a dict" if is_text and place == "ids" else ""
+        what = "texts" if is_text else given.dtype
+        raise invalid(f"{place} are integers, not {what}{hint}", place)
     if not _fits(given):
-        raise invalid("ids are integers of 64 bits with a sign: below 2**63", "ids")
+        raise invalid(f"{place} are integers of 64 bits with a sign: below 2**63", place)
     return np.ascontiguousarray(given, np.int64)
 
 
 def agents_of(ids: Any, count: int) -> tuple[NDArray[np.int64], NDArray[Any] | None]:
     """The agent of each fix as a number; and what the numbers mean, where they are not ids."""
-    given = _one_each(ids, count, "ids")
+    given = _column(ids, count, "ids")
     if not count:
         return np.empty(0, np.int64), None
     if given.dtype.kind in "iu":
         if _fits(given):
             return np.ascontiguousarray(given, np.int64), None
-    elif given.dtype.kind == "O" or given.dtype.kind == "T":
-        _check_texts(given)
-    elif given.dtype.kind not in "US":
+    elif given.dtype.kind not in "USOT":
         raise invalid(f"ids of agents are integers or texts, not {given.dtype}", "ids")
     labels, numbers = np.unique(given, return_inverse=True)
     return np.ascontiguousarray(numbers, np.int64), labels
@@ -78,41 +79,106 @@ def agents_of(ids: Any, count: int) -> tuple[NDArray[np.int64], NDArray[Any] | N
 def seconds_of(times: Any, count: int) -> NDArray[np.float64]:
     """A time for each."""
     given = np.asarray(plain(times, "times", SECONDS))
-    if given.dtype.kind in "mM":
-        raise invalid(
-            "times are numbers of seconds, not dates: subtract a moment and divide by "
-            'numpy.timedelta64(1, "s")',
-            "times",
-        )
-    clock = numbers_of(given, count, "times")
+    if is_date(given) or (given.dtype.kind == "O" and any(map(is_date, given.flat))):
+        raise invalid(NO_DATES, "times")
+    clock = numbers_of(given, count, "times", SECONDS)
     if given.dtype.kind in "iu" and count and bool((np.abs(clock) >= 2.0**53).any()):
         raise invalid("not all integers beyond 2**53 are doubles: are these nanoseconds?", "times")
     return clock
 
 
 def numbers_of(
-    numbers: Any, count: int, place: str, units: tuple[str, ...] | None = None
+    numbers: Any, count: int, place: str, units: tuple[str, ...] | None
 ) -> NDArray[np.float64]:
     """A number for each."""
-    given = np.asarray(plain(numbers, place, units))
+    given = _one_each(_array_of(plain(numbers, place, units), place), count, place)
+    if not count:
+        return np.empty(0)
     if given.dtype.kind not in "iuf" or (given.dtype.kind == "f" and given.dtype.itemsize > 8):
         raise invalid(f"{place} are numbers, not {given.dtype}", place)
-    return np.ascontiguousarray(_one_each(given, count, place), np.float64)
+    return np.ascontiguousarray(given, np.float64)
 
 
-def _one_each(column: Any, count: int, place: str) -> NDArray[Any]:
-    given = np.asarray(plain(column, place, None))
+def flags_of(flags: Any, count: int, place: str) -> NDArray[np.bool_]:
+    """True or false for each."""
+    given = _one_each(_array_of(plain(flags, place, None), place), count, place)
+    if count and given.dtype.kind != "b":
+        raise invalid(f"{place} are true or false, not {given.dtype}", place)
+    return np.ascontiguousarray(given, np.bool_)
+
+
+def ids_of(ids: Any) -> Any:
+    """One id or several, as a sequence."""
+    given = plain(ids, "ids", None)
+    is_one = isinstance(given, (str, bytes)) or not hasattr(given, "__len__")
+    return [given] if is_one or getattr(given, "ndim", 1) == 0 else given
+
+
+def _array_of(given: Any, place: str) -> NDArray[Any]:
+    try:
+        return np.asarray(given)
+    except (TypeError, ValueError, OverflowError) as error:
+        raise invalid(f"this is no array of numbers: {error}", place) from error
+
+
+def _one_each(given: NDArray[Any], count: int, place: str) -> NDArray[Any]:
     if given.ndim != 1 or len(given) != count:
         raise invalid(f"there are {given.shape} {place} for {count:,} positions", place)
     return given
 
 
+def _column(ids: Any, count: int, place: str) -> NDArray[Any]:
+    """Ids, of which no two that differ have become the same."""
+    given = plain(ids, place, None)
+    if isinstance(given, _LISTS):
+        # Looked at one by one: NumPy would make texts of numbers that stand beside texts, integers of
+        # what is true, and drop zero bytes at the end of a text.
+        array = np.empty(len(given), object)
+        array[:] = given
+    else:
+        array = _one_each(_array_of(given, place), count, place)
+    if array.dtype.kind != "O":
+        return array
+    return _alike(_one_each(array, count, place), place)
+
+
+_LISTS: Any = (list, tuple)
+
+
+def _alike(ids: NDArray[Any], place: str) -> NDArray[Any]:
+    """Objects that are all integers, all texts, or all bytes, as an array of these."""
+    if not len(ids):
+        return ids
+    each: list[Any] = ids.tolist()
+    samples: dict[Any, Any] = {id.__class__: id for id in each}
+    kinds = {_kind_of(id) for id in samples.values()}
+    first = _kind_of(each[0])
+    if kinds == {None} and len(samples) == 1:
+        name = each[0].__class__.__name__
+        raise invalid(f"{place} are integers or texts, not {name}", place)
+    if len(kinds) > 1 or first is None:
+        for row, id in enumerate(each):
+            kind = _kind_of(id)
+            if kind is None or kind is not first:
+                message = f"this id is {id!r}; ids are integers, or all of them texts"
+                raise BeespaceError(message, "invalid_argument", place, row)
+    if first is int:
+        try:
+            return ids.astype(np.int64)
+        except OverflowError:
+            message = f"{place} are integers of 64 bits with a sign: below 2**63"
+            raise invalid(message, place) from None
+    is_cut = any(text[-1:] in ("\0", b"\0") for text in each)
+    return ids if is_cut else np.array(each)
+
+
+def _kind_of(id: Any) -> type | None:
+    if isinstance(id, (bool, np.bool_)):
+        return None
+    if isinstance(id, (int, np.integer)):
+        return int
+    return next((kind for kind in (str, bytes) if isinstance(id, kind)), None)
+
+
 def _fits(given: NDArray[Any]) -> bool:
     return given.dtype.kind == "i" or given.dtype.itemsize < 8 or bool(given.max() < 2**63)
-
-
-def _check_texts(ids: NDArray[Any]) -> None:
-    for row, id in enumerate(ids):
-        if not isinstance(id, str):
-            message = f"this id is {id!r}; ids are integers, or all of them texts"
-            raise BeespaceError(message, "invalid_argument", "ids", row)

@@ -12,6 +12,7 @@ from beespace import _library
 from beespace._calls import check, number_of
 from beespace._errors import invalid
 from beespace._library import at_once
+from beespace._units import ACCELERATIONS, METRES, SECONDS, SPEEDS
 
 
 @dataclass(frozen=True)
@@ -159,8 +160,8 @@ def tube_of(
     code = at_once.beespace_tube_of(
         ctypes.byref(c_figures(figures)),
         ctypes.byref(c_link(link or LinkFigures())),
-        number_of(max_speed, "max_speed"),
-        number_of(max_acceleration, "max_acceleration"),
+        number_of(max_speed, "max_speed", SPEEDS),
+        number_of(max_acceleration, "max_acceleration", ACCELERATIONS),
         ctypes.byref(into),
         ctypes.byref(error),
     )
@@ -179,30 +180,33 @@ def integer(number: Any, place: str, low: int = -(2**63), high: int = 2**63 - 1)
     return value
 
 
+# The figures that are numbers, in the order of C.
+_units = {
+    "report_error": METRES,
+    "report_age": SECONDS,
+    "sensing_error": METRES,
+    "loop_period": SECONDS,
+    "loop_delay": SECONDS,
+    "deviation": SPEEDS,
+    "clock_error": SECONDS,
+    "correction_acceleration": ACCELERATIONS,
+    "correction_speed": SPEEDS,
+}
+
+
 def c_figures(figures: FleetFigures) -> _c.CFleetFigures:
     if figures.loop not in _c.LOOPS:
         raise invalid(f'loop is "onboard" or "ground", not {figures.loop!r}', "loop")
-    numbers = (
-        figures.report_error,
-        figures.report_age,
-        figures.sensing_error,
-        figures.loop_period,
-        figures.loop_delay,
-        figures.deviation,
-        figures.clock_error,
-        figures.correction_acceleration,
-        figures.correction_speed,
-    )
     return _c.CFleetFigures(
         ctypes.sizeof(_c.CFleetFigures),
         _c.LOOPS[figures.loop],
         0,
-        *(number_of(number, "figures") for number in numbers),
+        *(number_of(getattr(figures, name), name, units) for name, units in _units.items()),
     )
 
 
 def c_link(link: LinkFigures) -> _c.CLinkFigures:
-    period = number_of(link.period, "period")
+    period = number_of(link.period, "period", SECONDS)
     delay = integer(link.command_delay, "command_delay", 0, 2**31 - 1)
     if period == 0.0 or delay == 0:  # which stand for the defaults in C
         raise invalid("a period and a command delay are above zero", "link")

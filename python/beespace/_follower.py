@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import ctypes
-import threading
 
 from beespace import _fleet_library as _c
 from beespace import _library
-from beespace._calls import check, number_of
+from beespace._calls import number_of
 from beespace._fleet import integer
 from beespace._library import at_once
 from beespace._messages import (
@@ -18,12 +17,15 @@ from beespace._messages import (
     acknowledgement_from,
     c_command,
     c_stored,
+    check_fleet,
     setpoint_from,
     stored_from,
 )
+from beespace._turns import InTurn
+from beespace._units import ACCELERATIONS, SECONDS, SPEEDS
 
 
-class Follower:
+class Follower(InTurn):
     """The agent's side: takes or refuses commands, and says where to be now.
 
     It holds one branch, and changes it as the rules of docs/prevention.md allow. It has no clock of
@@ -53,24 +55,23 @@ class Follower:
     (0.0, 0.0, 30.0)
     """
 
-    __slots__ = ("_handle", "_lock", "agent")
+    __slots__ = ("agent",)
 
     def __init__(
         self, agent: int, planned_speed: float, planned_acceleration: float, period: float
     ) -> None:
         self.agent = integer(agent, "agent")
-        self._handle = _c.CFollower()
-        self._lock = threading.Lock()
+        self._take_turns(_c.CFollower(), threaded=False)
         error = _library.new_error()
         code = at_once.beespace_follower_create(
             self.agent,
-            number_of(planned_speed, "planned_speed"),
-            number_of(planned_acceleration, "planned_acceleration"),
-            number_of(period, "period"),
+            number_of(planned_speed, "planned_speed", SPEEDS),
+            number_of(planned_acceleration, "planned_acceleration", ACCELERATIONS),
+            number_of(period, "period", SECONDS),
             ctypes.byref(self._handle),
             ctypes.byref(error),
         )
-        check(code, error)
+        check_fleet(code, error)
 
     def __repr__(self) -> str:
         held = self.held
@@ -89,8 +90,9 @@ class Follower:
         >>> follower.tick
         12
         """
+        number = integer(tick, "tick")
         with self._lock:
-            at_once.beespace_follower_advance(self._handle, integer(tick, "tick"))
+            at_once.beespace_follower_advance(self._handle, number)
 
     def receive(self, command: Command) -> Acknowledgement:
         """Takes a command or refuses it: anything may be in it.
@@ -115,7 +117,7 @@ class Follower:
             code = at_once.beespace_follower_receive(
                 self._handle, ctypes.byref(given), ctypes.byref(said), ctypes.byref(error)
             )
-        check(code, error)
+        check_fleet(code, error)
         return acknowledgement_from(said)
 
     def promise(self, epoch: int) -> bool:
@@ -133,8 +135,8 @@ class Follower:
         >>> follower.promise(3), follower.promise(2), follower.stored().promised
         (True, False, 3)
         """
+        number = integer(epoch, "epoch", 0, 2**32 - 1)
         with self._lock:
-            number = integer(epoch, "epoch", 0, 2**32 - 1)
             return bool(at_once.beespace_follower_promise(self._handle, number))
 
     def lose(self) -> None:
@@ -166,7 +168,7 @@ class Follower:
             code = at_once.beespace_follower_stored(
                 self._handle, ctypes.byref(into), ctypes.byref(error)
             )
-        check(code, error)
+        check_fleet(code, error)
         return stored_from(into)
 
     def restore(self, stored: StoredBranch) -> None:
@@ -186,7 +188,7 @@ class Follower:
             code = at_once.beespace_follower_restore(
                 self._handle, ctypes.byref(given), ctypes.byref(error)
             )
-        check(code, error)
+        check_fleet(code, error)
 
     def setpoint(self, after: float = 0.0) -> Setpoint:
         """Where it should be, some seconds after its tick. On no branch that is an error.
@@ -199,13 +201,14 @@ class Follower:
         ...
         beespace._errors.BeespaceError: follower: the agent is on no branch, ...
         """
+        since = number_of(after, "after", SECONDS)
         into = _c.CSetpoint(ctypes.sizeof(_c.CSetpoint))
         error = _library.new_error()
         with self._lock:
             code = at_once.beespace_follower_setpoint(
-                self._handle, number_of(after, "after"), ctypes.byref(into), ctypes.byref(error)
+                self._handle, since, ctypes.byref(into), ctypes.byref(error)
             )
-        check(code, error)
+        check_fleet(code, error)
         return setpoint_from(into)
 
     @property

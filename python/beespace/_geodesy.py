@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from beespace import _library
-from beespace._calls import check
+from beespace._calls import check, number_of
 from beespace._errors import invalid
 from beespace._library import library
 from beespace._points import Points, PointsLike
@@ -73,7 +73,7 @@ def to_ecef(
     count = lengths.pop() if lengths else 1
     # As the axes of points, of which a stride of 0 repeats what there is one of.
     axes = tuple(
-        np.broadcast_to(np.float64(_number(value, name)), (count,))
+        np.broadcast_to(np.float64(number_of(value, name, None)), (count,))
         if counts[name] is None
         else np.asarray(value)
         for name, value in given.items()
@@ -117,10 +117,3 @@ def _length(value: Any, place: str) -> int | None:
     if dimensions != 1:
         raise invalid(f"this is an array of one dimension, not of {dimensions}", place)
     return len(value)
-
-
-def _number(value: Any, place: str) -> float:
-    try:
-        return float(value)
-    except (TypeError, ValueError):
-        raise invalid(f"this is a number or an array of numbers, not {value!r}", place) from None

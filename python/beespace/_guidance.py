@@ -59,7 +59,7 @@ class Guidance(Table):
     commands : tuple of Command
         To be sent, in ascending order of agents.
     agents : ndarray of int64, shape (n,)
-        The agents, in ascending order (negative numbers come last); so all that follows.
+        The agents, in ascending order; so all that follows.
     contract : ndarray of str, shape (n,)
         Whether its figures hold: "kept" as far as reports tell, "doubted", or "out": it surely has
         left its tube.

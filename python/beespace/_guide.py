@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from beespace import _fleet_library as _c
 from beespace import _library
 from beespace._advice import ArrayReader, shape_of
-from beespace._calls import check, number_of, run_of
+from beespace._calls import number_of, run_of
 from beespace._fleet import FleetFigures, LinkFigures, Tube, integer, tube_from
 from beespace._guidance import Guidance, JoinAnswer
 from beespace._guide_calls import GuideCalls
@@ -24,11 +24,13 @@ from beespace._messages import (
     c_acknowledgement,
     c_report,
     c_stored,
+    check_fleet,
     three,
 )
 from beespace._motion import movers_of
 from beespace._obstacles import Obstacles
 from beespace._points import PointsLike
+from beespace._units import ACCELERATIONS, METRES, SPEEDS
 
 
 class Guide(GuideCalls):
@@ -112,7 +114,10 @@ class Guide(GuideCalls):
     ) -> None:
         super().__init__(
             threshold,
-            (number_of(max_speed, "max_speed"), number_of(max_acceleration, "max_acceleration")),
+            (
+                number_of(max_speed, "max_speed", SPEEDS),
+                number_of(max_acceleration, "max_acceleration", ACCELERATIONS),
+            ),
             figures or FleetFigures(),
             link or LinkFigures(),
             shape_of(vertical, vertical_factor),
@@ -130,6 +135,8 @@ class Guide(GuideCalls):
             return int(at_once.beespace_guide_size(self._handle))
 
     def __repr__(self) -> str:
+        if self._is_lost:
+            return "<beespace.Guide: in the process that this one was forked from>"
         count = len(self)
         agents = "1 agent" if count == 1 else f"{count:,} agents"
         return f"<beespace.Guide: {agents}, threshold {self._threshold:.6g} m>"
@@ -306,7 +313,7 @@ class Guide(GuideCalls):
         self._tell(
             at_once.beespace_guide_set_preferred,
             integer(agent, "agent"),
-            three(velocity, "velocity"),
+            three(velocity, "velocity", SPEEDS),
         )
 
     def take(self, message: AgentReport | Acknowledgement) -> None:
@@ -358,14 +365,15 @@ class Guide(GuideCalls):
         array([False])
         """
         places, speeds = movers_of(positions, velocities, "positions", "velocities", False)
-        read = ArrayReader(False)
+        places.check_axes(3, "positions", "fleet")
+        read = ArrayReader(False, 3)
         self._tell(
             at_once.beespace_guide_set_intruders,
             ctypes.byref(places.struct),
             ctypes.byref(speeds.struct),
-            read.numbers(radii, "radii", places.count),
-            read.numbers(position_errors, "position_errors", places.count),
-            read.numbers(speed_errors, "speed_errors", places.count),
+            read.numbers(radii, "radii", places.count, METRES),
+            read.numbers(position_errors, "position_errors", places.count, METRES),
+            read.numbers(speed_errors, "speed_errors", places.count, SPEEDS),
         )
 
     def step(self, now: int) -> Guidance:
@@ -405,7 +413,7 @@ class Guide(GuideCalls):
                 into,
                 ctypes.byref(error),
             )
-        check(code, error)
+        check_fleet(code, error)
         return Guidance(into)
 
     def tube(self, agent: int) -> Tube:
@@ -434,17 +442,4 @@ class Guide(GuideCalls):
         >>> guide.claim(7)[0]
         array([ 0.,  0., 30.])
         """
-        first = ctypes.POINTER(ctypes.c_double)()
-        count = ctypes.c_int64()
-        error = _library.new_error()
-        with self._lock:
-            code = at_once.beespace_guide_claim(
-                self._handle,
-                integer(agent, "agent"),
-                ctypes.byref(first),
-                ctypes.byref(count),
-                ctypes.byref(error),
-            )
-            check(code, error)
-            # Copied before another call of a thread overwrites them.
-            return np.array(first[: 3 * count.value]).reshape(count.value, 3)
+        return self._claim_of(integer(agent, "agent"))

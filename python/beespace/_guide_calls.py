@@ -3,24 +3,31 @@
 from __future__ import annotations
 
 import ctypes
-import threading
+from collections.abc import Generator
+from contextlib import contextmanager
 from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from beespace import _fleet_library as _c
 from beespace import _library
 from beespace._advice import PLANAR, ArrayReader, above_zero
-from beespace._calls import check, length, number_of, threads_of
+from beespace._calls import length, number_of, threads_of
+from beespace._errors import invalid
 from beespace._fleet import FleetFigures, LinkFigures, c_figures, c_link, integer
 from beespace._guidance import JoinAnswer
 from beespace._library import at_once
-from beespace._messages import three
+from beespace._messages import check_fleet, three
 from beespace._obstacles import handle_of_obstacles
+from beespace._turns import InTurn
+from beespace._units import ACCELERATIONS, METRES, SECONDS, SPEEDS
 
 
-class GuideCalls:
+class GuideCalls(InTurn):
     """The handle of a guide, for one call at a time."""
 
-    __slots__ = ("_handle", "_limits", "_lock", "_threshold")
+    __slots__ = ("_limits", "_shows", "_threshold")
 
     def __init__(
         self,
@@ -51,19 +58,23 @@ class GuideCalls:
         options.figures = ctypes.pointer(c_figures(figures))
         options.link = ctypes.pointer(c_link(link))
         options.max_speed_mps, options.max_acceleration_mps2 = self._limits
-        options.clearance_m = 0.0 if clearance is None else above_zero(clearance, "clearance")
+        options.clearance_m = (
+            0.0 if clearance is None else above_zero(clearance, "clearance", METRES)
+        )
         options.obstacles = handle_of_obstacles(obstacles)
-        read = ArrayReader(False)
+        read = ArrayReader(False, 3)
         options.fence_directions = read.points(fences[0], "fence_directions")
-        options.fence_offsets_m = read.numbers(fences[1], "fence_offsets", read.count)
-        options.intruder_horizon_s = above_zero(intruder_horizon, "intruder_horizon")
-        self._handle = _c.CGuide()
-        self._lock = threading.Lock()
+        options.fence_offsets_m = read.numbers(
+            fences[1], "fence_offsets", read.count, METRES
+        )
+        options.intruder_horizon_s = above_zero(intruder_horizon, "intruder_horizon", SECONDS)
+        self._take_turns(_c.CGuide(), threaded=threads != 1)
+        self._shows = False
         error = _library.new_error()
         code = at_once.beespace_guide_create(
             ctypes.byref(options), ctypes.byref(self._handle), ctypes.byref(error)
         )
-        check(code, error)
+        check_fleet(code, error)
 
     def _request(
         self,
@@ -77,27 +88,29 @@ class GuideCalls:
         request = _c.CJoinRequest(ctypes.sizeof(_c.CJoinRequest))
         request.agent = integer(agent, "agent")
         request.position = three(position, "position")
-        request.radius_m = number_of(radius, "radius")
+        request.radius_m = number_of(radius, "radius", METRES)
         if figures is not None:
             request.figures = ctypes.pointer(c_figures(figures))
         if max_speed is not None or max_acceleration is not None:
             speed, acceleration = self._limits
-            request.max_speed_mps = speed if max_speed is None else number_of(max_speed, "max_speed")
+            request.max_speed_mps = (
+                speed if max_speed is None else number_of(max_speed, "max_speed", SPEEDS)
+            )
             request.max_acceleration_mps2 = (
                 acceleration
                 if max_acceleration is None
-                else above_zero(max_acceleration, "max_acceleration")
+                else above_zero(max_acceleration, "max_acceleration", ACCELERATIONS)
             )
         return request
 
     def _ask_to_join(self, function: Any, request: _c.CJoinRequest) -> JoinAnswer:
         answer = _c.CJoinAnswer(ctypes.sizeof(_c.CJoinAnswer))
         error = _library.new_error()
-        with self._lock:
+        with self._lock, self._showing():
             code = function(
                 self._handle, ctypes.byref(request), ctypes.byref(answer), ctypes.byref(error)
             )
-            check(code, error)
+            check_fleet(code, error)
             return JoinAnswer(
                 bool(answer.joined),
                 tuple(answer.touches[: answer.touch_count]),
@@ -105,8 +118,31 @@ class GuideCalls:
                 tuple(answer.fences[: answer.fence_count]),
             )
 
+    def _claim_of(self, agent: int) -> NDArray[np.float64]:
+        first = ctypes.POINTER(ctypes.c_double)()
+        count = ctypes.c_int64()
+        error = _library.new_error()
+        with self._lock, self._showing():
+            code = at_once.beespace_guide_claim(
+                self._handle, agent, ctypes.byref(first), ctypes.byref(count), ctypes.byref(error)
+            )
+            check_fleet(code, error)
+            # Copied before another call of a thread overwrites them.
+            return np.array(first[: 3 * count.value]).reshape(count.value, 3)
+
+    @contextmanager
+    def _showing(self) -> Generator[None, None, None]:
+        """While an answer is read that the next call of its kind overwrites."""
+        if self._shows:
+            raise invalid("the handler of a signal cannot ask this while it is being answered")
+        self._shows = True
+        try:
+            yield
+        finally:
+            self._shows = False
+
     def _tell(self, function: Any, *arguments: Any) -> None:
         error = _library.new_error()
         with self._lock:
             code = function(self._handle, *arguments, ctypes.byref(error))
-        check(code, error)
+        check_fleet(code, error)

@@ -47,11 +47,12 @@ class Index:
     <beespace.Index: 4 points>
     """
 
-    __slots__ = ("_handle",)
+    __slots__ = ("_axes", "_handle")
 
     def __init__(self, points: PointsLike, *, threads: int = 1) -> None:
         self._handle = _library.CIndex()
         given = Points(points, "points")
+        self._axes = given.axes
         error = _library.new_error()
         run = run_of(threads, given.count)
         check(
@@ -215,9 +216,10 @@ class Index:
         id = ctypes.c_int64()
         error = _library.new_error()
         code = library.beespace_index_insert(
-            self._handle, position(point), ctypes.byref(id), ctypes.byref(error)
+            self._handle, position(point, self._axes), ctypes.byref(id), ctypes.byref(error)
         )
         check(code, error)
+        self._axes = self._axes or np.size(point)
         return id.value
 
     def move(self, id: int, point: ArrayLike) -> None:
@@ -245,7 +247,7 @@ class Index:
         """
         error = _library.new_error()
         code = library.beespace_index_move(
-            self._handle, whole(id, "id"), position(point), ctypes.byref(error)
+            self._handle, whole(id, "id"), position(point, self._axes), ctypes.byref(error)
         )
         check(code, error)
 
@@ -286,6 +288,7 @@ class Index:
         shape: tuple[int, ...] | None = None,
     ) -> tuple[Points, Result]:
         given = Points(places, "places")
+        given.check_axes(self._axes, "places", "points")
         if shape is not None and shape != (given.count,):
             raise invalid(f"{given.count} places need as many radii, not {shape}", "radii")
         error = _library.new_error()

@@ -250,9 +250,9 @@ def raise_error(error: CError) -> None:
     raise error_of(error)
 
 
-def error_of(error: CError) -> BeespaceError:
-    """What the library said is wrong, as an exception."""
+def error_of(error: CError, of_agent: bool = False) -> BeespaceError:
+    """What the library said is wrong, as an exception; of an agent, any record is its number."""
     code = library.beespace_code_name(error.code).decode()
     place = error.place.decode() or None
-    record = None if error.record < 0 else int(error.record)
+    record = None if error.record < 0 and not of_agent else int(error.record)
     return BeespaceError(error.message.decode(), code, place, record)

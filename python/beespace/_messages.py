@@ -7,9 +7,11 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from beespace import _fleet_library as _c
-from beespace._calls import number_of
+from beespace import _library
+from beespace._calls import check, number_of
 from beespace._errors import invalid
 from beespace._fleet import integer
+from beespace._units import METRES, SECONDS, SPEEDS, plain
 
 Three = tuple[float, float, float]
 
@@ -186,16 +188,26 @@ class Setpoint(NamedTuple):
     holding: bool
 
 
+def check_fleet(code: int, error: _library.CError) -> None:
+    """Raises the error of a call of a guide or a follower, which may be about an agent: any number."""
+    if code != _library.OK and error.place == b"agents":
+        raise _library.error_of(error, of_agent=True)
+    check(code, error)
+
+
 def branch(number: Any, place: str = "number") -> int:
     """The number of a branch."""
     return integer(number, place, 0, 2**64 - 1)
 
 
-def three(numbers: Any, place: str) -> Any:
+def three(numbers: Any, place: str, units: tuple[str, ...] = METRES) -> Any:
     """Three numbers of C; of two the third is zero."""
+    given = plain(numbers, place, units)
     try:
-        values = [float(number) for number in numbers]
-    except (TypeError, ValueError):
+        if isinstance(given, (str, bytes)):
+            raise TypeError
+        values = [number_of(number, place, units) for number in given]
+    except TypeError:
         raise invalid(f"these are three numbers, not {numbers!r}", place) from None
     if len(values) not in (2, 3):
         raise invalid(f"these are three numbers, not {len(values)}", place)
@@ -220,7 +232,7 @@ def c_command(command: Command) -> _c.CCommand:
     for k, state in enumerate(command.states):
         position, velocity, correction = state
         into.states[k] = _c.CBranchState(
-            three(position, "states"), three(velocity, "states"), three(correction, "states")
+            three(position, "states"), three(velocity, "states", SPEEDS), three(correction, "states", SPEEDS)
         )
     for k, (number, departs) in enumerate(command.ancestors):
         into.ancestors[k] = _c.CAncestor(branch(number, "ancestors"), integer(departs, "ancestors"))
@@ -271,12 +283,12 @@ def c_report(report: AgentReport) -> _c.CAgentReport:
         integer(report.agent, "agent"),
         branch(report.held, "held"),
         integer(report.tick, "tick"),
-        number_of(report.after, "after"),
+        number_of(report.after, "after", SECONDS),
         three(report.position, "position"),
     )
     if report.velocity is not None:
         into.flags = _c.WITH_VELOCITY
-        into.velocity = three(report.velocity, "velocity")
+        into.velocity = three(report.velocity, "velocity", SPEEDS)
     return into
 
 

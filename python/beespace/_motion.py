@@ -218,6 +218,7 @@ def closest_approach(
         ),
     ]
     places = ("positions", "velocities", "other_positions", "other_velocities")
+    given[2].check_axes(given[0].axes, "other_positions", "positions")
     count = spread(list(zip(given, places)))
     error = _library.new_error()
     result = Result()
@@ -262,8 +263,7 @@ def movers_of(
 ) -> tuple[Points, Points]:
     places = Points(positions, positions_name, copy)
     speeds = Points(velocities, velocities_name, copy)
-    if places.count and speeds.count and (places.struct.z is None) != (speeds.struct.z is None):
-        raise invalid("positions and velocities differ in their number of axes", velocities_name)
+    speeds.check_axes(places.axes, velocities_name, "positions")
     if places.count != speeds.count and not (one_for_all and 1 in (places.count, speeds.count)):
         raise invalid(
             f"there are {speeds.count:,} velocities for {places.count:,} positions", velocities_name
@@ -271,13 +271,14 @@ def movers_of(
     return places, speeds
 
 
-_IN_ROWS: Any = (list, tuple, np.ndarray)
-
-
 def rows_of(given: Any) -> Any:
-    """One position as an array of one."""
-    is_row = isinstance(given, _IN_ROWS) and len(given) and np.ndim(given[0]) == 0
-    return np.asarray(given)[np.newaxis] if is_row else given
+    """One position as a list of one: what it says of units and masks is still to be heard."""
+    if isinstance(given, _SEQUENCES):
+        return [given] if given and np.ndim(given[0]) == 0 else given
+    return [given] if getattr(given, "ndim", 0) == 1 and len(given) else given
+
+
+_SEQUENCES: Any = (list, tuple)
 
 
 def spread(given: list[tuple[Points, str]]) -> int:

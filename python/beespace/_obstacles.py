@@ -15,6 +15,7 @@ from beespace._calls import number_of
 from beespace._errors import BeespaceError, invalid
 from beespace._library import library
 from beespace._tables import plural
+from beespace._units import METRES, plain
 
 
 class Sphere(NamedTuple):
@@ -212,31 +213,30 @@ def _fill(struct: _c.CObstacle, obstacle: Any, index: int) -> NDArray[np.float64
     try:
         return _fill_fields(struct, obstacle)
     except (TypeError, ValueError) as error:
-        message = str(error) if isinstance(error, BeespaceError) else f"{error}"
-        raise BeespaceError(message, "invalid_argument", "obstacles", index) from None
+        raise BeespaceError(str(error), "invalid_argument", "obstacles", index) from None
 
 
 def _fill_fields(struct: _c.CObstacle, obstacle: Any) -> NDArray[np.float64] | None:
     if isinstance(obstacle, Sphere):
         struct.kind = _c.SPHERE
         struct.center = _corner(obstacle.center)
-        struct.radius_m = number_of(obstacle.radius, "radius")
+        struct.radius_m = number_of(obstacle.radius, "radius", METRES)
     elif isinstance(obstacle, Box):
         struct.kind = _c.BOX
         struct.low, struct.high = _corner(obstacle.low), _corner(obstacle.high)
     elif isinstance(obstacle, Ground):
         struct.kind = _c.GROUND
-        struct.high[2] = number_of(obstacle.height, "height")
+        struct.high[2] = number_of(obstacle.height, "height", METRES)
     elif isinstance(obstacle, Cylinder):
         struct.kind = _c.CYLINDER
-        struct.center[0] = number_of(obstacle.x, "x")
-        struct.center[1] = number_of(obstacle.y, "y")
-        struct.radius_m = number_of(obstacle.radius, "radius")
+        struct.center[0] = number_of(obstacle.x, "x", METRES)
+        struct.center[1] = number_of(obstacle.y, "y", METRES)
+        struct.radius_m = number_of(obstacle.radius, "radius", METRES)
         _set_heights(struct, obstacle.low, obstacle.high)
     elif isinstance(obstacle, Prism):
         struct.kind = _c.PRISM
         _set_heights(struct, obstacle.low, obstacle.high)
-        outline = np.ascontiguousarray(obstacle.outline, np.float64)
+        outline = np.ascontiguousarray(_numbers(obstacle.outline, "outline"))
         if outline.ndim != 2 or outline.shape[1] != 2:
             raise invalid(f"an outline has the shape (n, 2), not {outline.shape}")
         struct.outline = outline.__array_interface__["data"][0]
@@ -247,8 +247,15 @@ def _fill_fields(struct: _c.CObstacle, obstacle: Any) -> NDArray[np.float64] | N
     return None
 
 
+def _numbers(given: ArrayLike, place: str) -> NDArray[np.float64]:
+    numbers = np.asarray(plain(given, place, METRES))
+    if numbers.dtype.kind not in "iuf":
+        raise invalid(f"coordinates are floats or integers, not {numbers.dtype}")
+    return numbers.astype(np.float64)
+
+
 def _corner(point: ArrayLike) -> tuple[float, float, float]:
-    numbers = np.asarray(point, np.float64)
+    numbers = _numbers(point, "point")
     if numbers.shape != (3,):
         raise invalid(f"a point has three coordinates, not the shape {numbers.shape}")
     x, y, z = numbers.tolist()
@@ -258,7 +265,7 @@ def _corner(point: ArrayLike) -> tuple[float, float, float]:
 def _set_heights(struct: _c.CObstacle, low: float | None, high: float | None) -> None:
     if low is not None:
         struct.flags |= _c.LOWEST
-        struct.low[2] = number_of(low, "low")
+        struct.low[2] = number_of(low, "low", METRES)
     if high is not None:
         struct.flags |= _c.HIGHEST
-        struct.high[2] = number_of(high, "high")
+        struct.high[2] = number_of(high, "high", METRES)

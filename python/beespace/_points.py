@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from beespace._errors import invalid
 from beespace._library import FLOAT32, FLOAT64, CPoints
-from beespace._units import METRES, SPEEDS, plain
+from beespace._units import METRES, NO_UNIT, SPEEDS, plain
 
 PointsLike = ArrayLike  # or a tuple of arrays, a data frame, anything that DLPack knows
 
@@ -43,6 +43,20 @@ class Points:
             self._of_rows(rows)
             return
         self._of_axes([_numbers(axis, place, copy) for axis in axes], place)
+
+    @property
+    def axes(self) -> int | None:
+        """How many there are; None where there are no points, which then go with any."""
+        return None if not self.count else 2 if self.struct.z is None else 3
+
+    def check_axes(self, axes: int | None, place: str, of: str) -> None:
+        """Refuses points that have another number of axes than those that they are compared with: heights
+        of 0 would be made up."""
+        if None not in (axes, self.axes) and axes != self.axes:
+            raise invalid(
+                f"these have {self.axes} axes, and the {of} {axes}: give all of them heights, or none",
+                place,
+            )
 
     def rows(self) -> NDArray[np.float64]:
         """The same as an array of shape (n, 3)."""
@@ -89,11 +103,14 @@ class Points:
         self.struct = CPoints(_size, _types[axes[0].dtype], 0, self.count, *addresses, *strides)
 
 
-def position(point: Any, place: str = "position") -> ctypes.Array[ctypes.c_double]:
-    """One position of two or three coordinates."""
+def position(point: Any, axes: int | None) -> ctypes.Array[ctypes.c_double]:
+    """One position of as many coordinates as others have axes; beside those in a plane z may be 0."""
+    place = "position"
     numbers = _numbers(_array_of(point, place), place, False)
     if numbers.shape not in ((2,), (3,)):
         raise invalid("a position has two or three coordinates", place)
+    if axes is not None and len(numbers) != axes and (axes == 3 or numbers[2] != 0):
+        raise invalid(f"this has {len(numbers)} coordinates, and the points have {axes}", place)
     return (ctypes.c_double * 3)(*(float(number) for number in numbers))
 
 
@@ -117,7 +134,8 @@ def _is_a(thing: Any, kind: type) -> bool:
 
 
 def _axes_of(points: Any, place: str) -> list[NDArray[Any]] | None:
-    """One array an axis, of a tuple or of a data frame; None of anything else."""
+    """One array an axis, of a tuple or of a data frame; None of anything else. In a tuple there may be
+    lists and tuples, too: only a list, or an array, is one of rows."""
     columns: list[Any]
     if _are_columns(points):
         columns = [*points]
@@ -130,6 +148,10 @@ def _axes_of(points: Any, place: str) -> list[NDArray[Any]] | None:
     else:
         return None
     if len(columns) not in (2, 3):
+        if _is_a(points, tuple):
+            raise invalid(
+                f"a tuple has two or three axes, not {len(columns)}; rows are given as a list", place
+            )
         raise invalid(
             f"points have two or three axes, not {len(columns)}: choose the columns, as in "
             'frame[["x", "y", "z"]]',
@@ -139,20 +161,19 @@ def _axes_of(points: Any, place: str) -> list[NDArray[Any]] | None:
 
 
 def _are_columns(points: Any) -> bool:
-    return _is_a(points, tuple) and bool(points) and all(map(_is_column, points))
+    """Whether this is one array or list an axis: any tuple is, but for one of numbers."""
+    return _is_a(points, tuple) and any(hasattr(axis, "__len__") for axis in points)
 
 
-def _is_column(axis: Any) -> bool:
-    if isinstance(axis, (list, tuple, int, float)):
-        return False
-    shape = getattr(axis, "shape", None)
-    if shape is not None:
-        return len(shape) == 1
-    return hasattr(axis, "__array__") or hasattr(axis, "__dlpack__")
+def units_of(place: str) -> tuple[str, ...]:
+    """In which unit the points of an argument are."""
+    if place == "fence_directions":
+        return NO_UNIT
+    return SPEEDS if place == "preferred" or place.endswith("velocities") else METRES
 
 
 def _array_of(points: Any, place: str) -> NDArray[Any]:
-    points = plain(points, place, SPEEDS if place.endswith("velocities") else METRES)
+    points = plain(points, place, units_of(place))
     try:
         if hasattr(points, "__dlpack__") and not hasattr(points, "__array__"):
             array = np.from_dlpack(points)

@@ -66,7 +66,7 @@ class Recording:
     <RecordedConflicts: 1 conflict of 2 agents, from 4.8 to 5.2 s, closest ann and bob: 3 m at 5 s; no gaps>
     """
 
-    __slots__ = ("_agents", "_fixes", "_handle", "_ids", "_labels", "_span")
+    __slots__ = ("_agents", "_fixes", "_handle", "_height_units", "_ids", "_labels", "_span")
 
     def __init__(
         self,
@@ -82,10 +82,11 @@ class Recording:
         agents, self._labels = agents_of(ids, given.count)
         clock = seconds_of(times, given.count)
         fixes = Fixes(agents, clock)
+        # Of heights in another unit it is not known what it is called.
+        self._height_units = METRES if heights is None or height_unit == 1 else None
         if heights is not None:
-            units = METRES if height_unit == 1 else None
-            fixes.set_heights(numbers_of(heights, given.count, "heights", units))
-            fixes.struct.height_unit_m = number_of(height_unit, "height_unit")
+            fixes.set_heights(numbers_of(heights, given.count, "heights", self._height_units))
+            fixes.struct.height_unit_m = number_of(height_unit, "height_unit", METRES)
         error = _library.new_error()
         run = run_of(1, given.count)
         code = library.beespace_recording_create(
@@ -203,7 +204,9 @@ class Recording:
         >>> recording.conflicts(5, max_gap=2)
         <RecordedConflicts: 0 conflicts of 2 agents; 2 gaps of 2 agents, 20 s in all, of which nothing is known>
         """
-        search = search_of(threshold, vertical, inclusive, max_results)
+        search = search_of(
+            threshold, vertical, inclusive, max_results, height_units=self._height_units
+        )
         result = self._ask(
             library.beespace_recording_conflicts, (ctypes.byref(search),), max_gap, threads
         )
@@ -315,6 +318,9 @@ class Recording:
         return ids if self._labels is None else self._labels[ids]
 
 
+_LISTS: Any = (list, tuple)
+
+
 def _column_of(frame: Any, name: str, role: str) -> Any:
     names = list(frame.columns) if hasattr(frame, "columns") else list(frame)
     if names.count(name) != 1:
@@ -323,5 +329,7 @@ def _column_of(frame: Any, name: str, role: str) -> Any:
         raise BeespaceError(
             f"the frame {problem} {name!r} for {role}; it has: {told}", "missing_column", role
         )
-    column = frame[name]
-    return column if hasattr(column, "shape") else np.asarray(column)
+    column: Any = frame[name]
+    # Of a list, each id is looked at.
+    as_it_is: bool = hasattr(column, "shape") or isinstance(column, _LISTS)
+    return column if as_it_is else np.asarray(column)

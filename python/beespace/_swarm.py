@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import threading
 from typing import Any
 
 import numpy as np
@@ -15,13 +14,14 @@ from beespace._calls import length, number_of, seconds, threads_of, whole
 from beespace._columns import Columns
 from beespace._errors import BeespaceError
 from beespace._events import Events, KnownAgents, SwarmCounts
-from beespace._fixes import Fixes, integers_of, numbers_of, seconds_of
+from beespace._fixes import Fixes, ids_of, integers_of, numbers_of, seconds_of
 from beespace._library import at_once, library
 from beespace._points import Points, PointsLike
-from beespace._units import SECONDS, plain
+from beespace._turns import InTurn
+from beespace._units import METRES, NO_UNIT, SECONDS, SPEEDS, plain
 
 
-class Swarm:
+class Swarm(InTurn):
     """A live swarm: takes position reports, reports events.
 
     What has happened is derived from reports alone: between two reports that are no more than
@@ -76,7 +76,7 @@ class Swarm:
     <beespace.Swarm: 0 agents and 2 stale ones, 4 reports so far>
     """
 
-    __slots__ = ("_handle", "_heights_apart", "_lock")
+    __slots__ = ("_axes", "_other_heights")
 
     def __init__(
         self,
@@ -95,24 +95,25 @@ class Swarm:
     ) -> None:
         options = _c.CSwarmOptions(ctypes.sizeof(_c.CSwarmOptions), _c.SWARM_HORIZON)
         options.threads = threads_of(threads)
+        # Heights in another unit, of which it is not known what it is called.
+        self._other_heights = heights_apart and height_unit != 1
         options.threshold_m = length(threshold, "threshold")
         options.horizon_s = seconds(horizon, "horizon")
         for name, value in (("leave_factor", leave_factor), ("height_unit", height_unit)):
-            setattr(options, _fields[name], _above_zero(number_of(value, name), name))
+            setattr(options, _fields[name], _above_zero(number_of(value, name, _units[name]), name))
         options.max_age_s = _above_zero(seconds(max_age, "max_age"), "max_age")
         for name, number in (("max_agents", max_agents), ("max_pairs", max_pairs)):
             setattr(options, name, _above_zero(whole(number, name), name))
         if vertical is not None:
             options.flags |= _c.SWARM_VERTICAL
-            options.vertical_m = length(vertical, "vertical")
+            options.vertical_m = length(vertical, "vertical", None if self._other_heights else METRES)
         if heights_apart:
             options.flags |= _c.SWARM_HEIGHTS_APART
         if max_speed is not None:
             options.flags |= _c.SWARM_MAX_SPEED
-            options.max_speed_mps = number_of(max_speed, "max_speed")
-        self._handle = _c.CSwarm()
-        self._lock = threading.Lock()
-        self._heights_apart = heights_apart
+            options.max_speed_mps = number_of(max_speed, "max_speed", SPEEDS)
+        self._take_turns(_c.CSwarm(), threaded=threads != 1)
+        self._axes: int | None = None  # of all reports
         error = _library.new_error()
         code = library.beespace_swarm_create(
             ctypes.byref(options), ctypes.byref(self._handle), ctypes.byref(error)
@@ -171,19 +172,23 @@ class Swarm:
         """
         places = Points(positions, "positions")
         speeds = None if velocities is None else Points(velocities, "velocities")
+        if speeds is not None:
+            speeds.check_axes(places.axes, "velocities", "positions")
         when = np.asarray(plain(times, "times", SECONDS))
         when = np.broadcast_to(when, (places.count,)) if when.ndim == 0 else when
         fixes = Fixes(integers_of(ids, places.count), seconds_of(when, places.count))
         if heights is not None:
+            of_heights, of_climbs = (None, None) if self._other_heights else (METRES, SPEEDS)
             fixes.set_heights(
-                numbers_of(heights, places.count, "heights"),
-                None if climbs is None else numbers_of(climbs, places.count, "climbs"),
+                numbers_of(heights, places.count, "heights", of_heights),
+                None if climbs is None else numbers_of(climbs, places.count, "climbs", of_climbs),
             )
         elif climbs is not None:
             raise BeespaceError("there are climb rates without heights", "invalid_argument", "climbs")
         error = _library.new_error()
         refused = ctypes.c_int64()
         with self._lock:
+            places.check_axes(self._axes, "positions", "reports before")
             code = library.beespace_swarm_update(
                 self._handle,
                 ctypes.byref(fixes.struct),
@@ -192,6 +197,8 @@ class Swarm:
                 ctypes.byref(refused),
                 ctypes.byref(error),
             )
+            if 0 <= refused.value < places.count:
+                self._axes = places.axes
         if refused.value > 1:
             more = f"; {refused.value:,} of {places.count:,} reports were refused, the others count"
             error.message = (error.message.decode()[: 511 - len(more)] + more).encode()
@@ -247,7 +254,11 @@ class Swarm:
         >>> swarm.finish(1)
         <Events: 2 events: 1 entered, 1 ended>
         """
-        return self._events(library.beespace_swarm_finish, seconds(now, "now"))
+        last = seconds(now, "now")
+        with self._lock:
+            events = self._events(library.beespace_swarm_finish, last)
+            self._axes = None
+        return events
 
     def begin_anew(self, now: float, then: float) -> Events:
         """As `finish`, but all agents stay known: times begin anew.
@@ -341,11 +352,12 @@ class Swarm:
         >>> swarm.movers(3).position
         array([[3., 0., 0.]])
         """
+        moment = seconds(time, "time")
         columns = Columns(at_once.beespace_movers_create)
         error = _library.new_error()
         with self._lock:
             code = library.beespace_swarm_movers(
-                self._handle, seconds(time, "time"), columns.handle, ctypes.byref(error)
+                self._handle, moment, columns.handle, ctypes.byref(error)
             )
         _check(code, error)
         return KnownAgents(columns)
@@ -363,6 +375,8 @@ class Swarm:
         return SwarmCounts(*(getattr(counts, field[0]) for field in _c.CCounts._fields_[1:]))
 
     def __repr__(self) -> str:
+        if self._is_lost:
+            return "<beespace.Swarm: in the process that this one was forked from>"
         counts = self.counts
         agents = "1 agent" if counts.agents == 1 else f"{counts.agents:,} agents"
         stale = "" if not counts.stale else f" and {counts.stale:,} stale ones"
@@ -380,7 +394,7 @@ class Swarm:
         return Events(columns)
 
     def _change(self, function: Any, ids: Any) -> None:
-        given = np.atleast_1d(np.asarray(ids))
+        given = ids_of(ids)
         agents = integers_of(given, len(given))
         error = _library.new_error()
         with self._lock:
@@ -391,6 +405,7 @@ class Swarm:
 
 
 _fields = {"leave_factor": "leave_factor", "height_unit": "height_unit_m"}
+_units = {"leave_factor": NO_UNIT, "height_unit": METRES}
 
 
 def _above_zero(number: Any, name: str) -> Any:

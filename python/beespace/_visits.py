@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import atexit
 import ctypes
 import queue
 import threading
+import weakref
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -43,6 +45,21 @@ class _Piece:
         return Pairs(i, j, distance[0] if distance else None, (points, points), False)
 
 
+# Those whose pieces are being taken, and their threads.
+_running: weakref.WeakKeyDictionary[Visit, threading.Thread] = weakref.WeakKeyDictionary()
+
+
+def _end_all() -> None:
+    """At the end of the interpreter, which ends threads where they come back to it: in the midst of a
+    search, through which no such end passes."""
+    for visit, worker in list(_running.items()):
+        visit._end()  # pyright: ignore[reportPrivateUsage]
+        worker.join()
+
+
+atexit.register(_end_all)
+
+
 class Visit:
     """One search whose pairs come in pieces of at most `chunk`."""
 
@@ -65,6 +82,7 @@ class Visit:
         """The pieces. Who does not take them all ends the search."""
         worker = threading.Thread(target=self._run, name="beespace.iter_pairs", daemon=True)
         worker.start()
+        _running[self] = worker
         try:
             while True:
                 piece = self._pieces.get()
@@ -74,9 +92,12 @@ class Visit:
                     raise piece
                 yield piece
         finally:
-            self._ended.set()
-            library.beespace_stop_request(self._stop)
+            self._end()
             worker.join()
+
+    def _end(self) -> None:
+        self._ended.set()
+        library.beespace_stop_request(self._stop)
 
     def _run(self) -> None:
         self._put(self._search_all())

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import beespace
+from arrays_with_units import Astropy, Pint
 from beespace._points import Points
 
 cube = np.random.default_rng(7).uniform(0, 10, (300, 3))
@@ -222,34 +223,6 @@ def test_a_million_points_cost_no_memory(library):
 
 
 # ---- Units -------------------------------------------------------------------------------------
-
-
-class Astropy(np.ndarray):
-    """As a quantity of astropy: an array with a unit, which NumPy drops."""
-
-    unit = "km"
-
-    def to_value(self, unit):
-        raise NotImplementedError
-
-
-class Pint:
-    """As a quantity of pint."""
-
-    def __init__(self, magnitude, units):
-        self.magnitude = magnitude
-        self.units = units
-        self.shape = magnitude.shape
-        self.ndim = magnitude.ndim
-
-    def m_as(self, unit):
-        raise NotImplementedError
-
-    def __len__(self):
-        return len(self.magnitude)
-
-    def __array__(self, dtype=None, copy=None):
-        raise AssertionError("the unit would be lost")
 
 
 def test_what_is_in_another_unit_is_refused():

@@ -122,8 +122,8 @@ def test_fences_intruders_and_own_figures_count():
     assert guide.join(-2, [0, 30, 10], radius=0.5).joined
     guide.set_intruders([[-40, 30, 10]], [[20, 0, 0]], radii=[0.5], position_errors=[1])
     guidance = guide.step(1)
-    assert guidance.agents.tolist() == [1, -2]
-    assert guidance.clear_of_intruders.tolist() == [True, False]
+    assert guidance.agents.tolist() == [-2, 1]
+    assert guidance.clear_of_intruders.tolist() == [False, True]
     assert guidance.intruder_conflicts.first.tolist() == [-2]
     assert guide.claim(-2).shape[1] == 3
     assert (guide.claim(-2) == [0, 30, 10]).all()
@@ -132,6 +132,26 @@ def test_fences_intruders_and_own_figures_count():
         guide.set_intruders([[np.nan, 0, 0]], [[0, 0, 0]])
     assert (raised.value.code, raised.value.record) == ("not_finite", 0)
     assert not guide.step(2).clear_of_intruders.any()
+
+
+@pytest.mark.parametrize("agent", [3, -5, -1, -(2**63), 2**63 - 1])
+def test_an_error_about_an_agent_has_its_number(agent):
+    guide = beespace.Guide(2, **LIMITS)
+    for call in (
+        lambda: guide.leave(agent),
+        lambda: guide.set_goal(agent, (0, 0, 0)),
+        lambda: guide.claim(agent),
+        lambda: guide.take(beespace.AgentReport(agent, 1, 1, (0, 0, 0))),
+    ):
+        with pytest.raises(beespace.BeespaceError, match=f"agent {agent} is not") as raised:
+            call()
+        assert (raised.value.place, raised.value.record) == ("agents", agent)
+    # A follower, too, knows itself by that number.
+    follower = beespace.Follower(agent, 6, 4, 0.1)
+    other = beespace.Command(agent ^ 1, (1 << 32) + 1, 0, (beespace.BranchState((0, 0, 0), (0, 0, 0)),))
+    with pytest.raises(beespace.BeespaceError, match=f"of agent {agent} with") as raised:
+        follower.restore(beespace.StoredBranch(other, 1, 0))
+    assert raised.value.record == agent
 
 
 def _refused(call, code, place):

@@ -152,9 +152,34 @@ def test_a_copy_is_one():
 
 
 def test_three_points_in_a_list_are_points():
-    # Of nine numbers, lists are rows; only a tuple of arrays is axes.
+    # Of nine numbers a list is one of rows, and a tuple one of axes, whatever is in it.
     rows = [[0, 0, 0], [0, 0, 1], [9, 9, 9]]
     assert beespace.at_risk(rows, 2).tolist() == [0, 1]
-    assert beespace.at_risk(tuple(map(tuple, rows)), 2).tolist() == [0, 1]
+    assert beespace.at_risk([*map(tuple, rows)], 2).tolist() == [0, 1]
+    assert beespace.at_risk(tuple(zip(*rows)), 2).tolist() == [0, 1]
+    assert beespace.at_risk(tuple(map(list, zip(*rows))), 2).tolist() == [0, 1]
     assert beespace.at_risk(tuple(np.array(rows, float).T), 2).tolist() == [0, 1]
     assert beespace.at_risk([np.array(row) for row in rows], 2).tolist() == [0, 1]
+
+
+@pytest.mark.parametrize(
+    ("axes", "near"),
+    [
+        (([0, 100, 200], [0, 0, 0], [0, 0, 0]), []),
+        (([0, 1], [0, 0], [50, 50]), [0, 1]),
+        ((np.array([0.0, 100, 200]), [0, 0, 0], np.zeros(3)), []),
+        (((0, 3, 90), (0, 4, 0)), [0, 1]),
+    ],
+)
+def test_a_tuple_of_lists_is_one_of_axes(axes, near):
+    assert beespace.at_risk(axes, 10).tolist() == near
+    # As where each axis is an array.
+    assert beespace.at_risk(tuple(map(np.asarray, axes)), 10).tolist() == near
+
+
+def test_a_tuple_of_rows_is_refused():
+    for rows in (([0, 0, 0],), ([0, 0, 0],) * 4):
+        with pytest.raises(beespace.BeespaceError, match="rows are given as a list"):
+            beespace.at_risk(rows, 5)
+    with pytest.raises(beespace.BeespaceError, match="differ in length: 3, 2, 3"):
+        beespace.at_risk(([0, 1, 2], [0, 1], [0, 0, 0]), 5)

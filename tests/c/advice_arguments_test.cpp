@@ -24,7 +24,23 @@ TEST_F(CAdvice, OptionsThatMakeNoSenseAreRefused) {
   refuse([](Options& o) { o.reserved = 1; }, "options");
   refuse([](Options& o) { o.flags = 4; }, "options");
   refuse([](Options& o) { o.method = 3; }, "options");
-  refuse([](Options& o) { o.shape = 3; }, "");
+  refuse([](Options& o) { o.shape = 3; }, "options");
+  refuse([](Options& o) { o.shape = 77; }, "options");
+  // What a shape has no use for was meant for another one.
+  refuse([](Options& o) { o.vertical_factor = 3.0; }, "options");
+  refuse([](Options& o) { o.vertical_m = 3.0; }, "options");
+  refuse(
+      [](Options& o) {
+        o.shape = BEESPACE_FREE_ELLIPSOID;
+        o.vertical_factor = o.vertical_m = 3.0;
+      },
+      "options");
+  refuse(
+      [](Options& o) {
+        o.shape = BEESPACE_FREE_CYLINDER;
+        o.vertical_factor = o.vertical_m = 3.0;
+      },
+      "options");
   refuse([](Options& o) { o.shape = BEESPACE_FREE_CYLINDER; }, "");
   refuse([](Options& o) { o.step_s = -0.1; }, "");
   refuse([](Options& o) { o.uncertainty_m = kNaN; }, "");
@@ -104,6 +120,17 @@ TEST_F(CAdvice, ArraysThatDoNotFitAreRefused) {
   EXPECT_EQ(beespace_advise(adviser_.get(), &points, &points, &points, &limits, nullptr, nullptr,
                             nullptr, nullptr),
             BEESPACE_INVALID_ARGUMENT);
+}
+
+TEST_F(CAdvice, MoreAgentsThanIdsAreRefusedBeforeOneIsCopied) {
+  beespace_points points = c_vectors(flock_.positions);
+  points.count = std::numeric_limits<std::int64_t>::max();
+  points.x_stride = points.y_stride = points.z_stride = 0;
+  const beespace_limits limits = c_limits(flock_.limits);
+  EXPECT_EQ(beespace_advise(adviser_.get(), &points, &points, &points, &limits, &options_, nullptr,
+                            advice_.get(), &error_),
+            BEESPACE_TOO_MANY_POINTS);
+  EXPECT_STREQ(error_.place, "positions");
 }
 
 TEST_F(CAdvice, NoAgentAndNoPointerAreNoCrash) {

@@ -42,6 +42,7 @@ TEST_F(CAdvice, ShapesStepsMethodsAndLimitsAreThoseOfCpp) {
   cpp_.separation = {SeparationShape::kEllipsoid, 3.0};
   expect_as_cpp(cpp_);
   options_.shape = BEESPACE_FREE_CYLINDER;
+  options_.vertical_factor = 0.0;
   options_.vertical_m = 1.5;
   cpp_.separation = {SeparationShape::kCylinder, 3.0, 1.5};
   expect_as_cpp(cpp_);

@@ -119,8 +119,6 @@ TEST_F(CArguments, NullPointersAreRefused) {
 TEST_F(CArguments, PointsThatCannotBeAreRefused) {
   points_.count = -1;
   expect_refused("points");
-  points_.count = std::numeric_limits<std::int64_t>::max();
-  expect_refused("points");  // the last one would lie beyond all memory
   points_.count = 3;
   points_.type = 2;
   expect_refused("points");
@@ -163,7 +161,64 @@ TEST_F(CArguments, ReservedFieldsMustBeZeroAndStridesMustNotOverflow) {
 TEST_F(CArguments, TooManyPointsAreRefusedBeforeOneIsRead) {
   points_.count = std::int64_t{1} << 33;
   points_.x_stride = points_.y_stride = points_.z_stride = 0;
-  EXPECT_EQ(ask(), BEESPACE_TOO_MANY_POINTS);
+  for (const std::int64_t count :
+       {std::int64_t{1} << 33, std::numeric_limits<std::int64_t>::max()}) {
+    points_.count = count;
+    EXPECT_EQ(ask(), BEESPACE_TOO_MANY_POINTS);
+    EXPECT_STREQ(error_.place, "points");
+  }
+}
+
+// Each would go on for ages, or until memory is gone.
+TEST_F(CArguments, TooManyReportsMomentsAndIntrudersAreRefusedBeforeOneIsRead) {
+  points_.count = std::numeric_limits<std::int64_t>::max();
+  points_.x_stride = points_.y_stride = points_.z_stride = 0;
+  const auto expect_too_many = [&](beespace_code code) {
+    EXPECT_EQ(code, BEESPACE_TOO_MANY_POINTS);
+    EXPECT_STREQ(error_.place, "positions");
+    error_ = c_error();
+  };
+  beespace_swarm_options of_swarm{};
+  of_swarm.struct_size = sizeof of_swarm;
+  of_swarm.threshold_m = 5.0;
+  beespace_swarm* swarm = nullptr;
+  ASSERT_EQ(beespace_swarm_create(&of_swarm, &swarm, nullptr), BEESPACE_OK);
+  const std::int64_t agent = 1;
+  const double time_s = 0.0;
+  beespace_fixes fixes{};
+  fixes.struct_size = sizeof fixes;
+  fixes.agents = &agent;
+  fixes.times_s = &time_s;
+  expect_too_many(beespace_swarm_update(swarm, &fixes, &points_, nullptr, nullptr, &error_));
+  beespace_swarm_free(swarm);
+  beespace_verify_options of_verifier{};
+  of_verifier.struct_size = sizeof of_verifier;
+  of_verifier.flags = BEESPACE_VERIFY_STRAIGHT;
+  of_verifier.threshold_m = 5.0;
+  beespace_verifier* verifier = nullptr;
+  ASSERT_EQ(beespace_verifier_create(&of_verifier, &verifier, nullptr), BEESPACE_OK);
+  expect_too_many(beespace_verifier_add(verifier, 0.0, &points_, nullptr, nullptr, &error_));
+  beespace_verifier_free(verifier);
+  beespace_guide_options of_guide{};
+  of_guide.struct_size = sizeof of_guide;
+  of_guide.threshold_m = 2.0;
+  of_guide.max_speed_mps = 6.0;
+  of_guide.max_acceleration_mps2 = 4.0;
+  beespace_guide* guide = nullptr;
+  ASSERT_EQ(beespace_guide_create(&of_guide, &guide, nullptr), BEESPACE_OK);
+  expect_too_many(
+      beespace_guide_set_intruders(guide, &points_, &points_, nullptr, nullptr, nullptr, &error_));
+  beespace_guide_free(guide);
+}
+
+TEST_F(CArguments, AValueWithoutItsFlagIsRefused) {
+  search_.vertical_m = 3.0;
+  expect_refused("search");
+  search_.vertical_m = 0.0;
+  search_.max_results = 1;
+  expect_refused("search");
+  search_.max_results = 0;
+  expect_one_pair();
 }
 
 TEST_F(CArguments, FlagsThatAFunctionDoesNotKnowAreRefused) {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace beespace::test {
 namespace {
@@ -164,7 +166,9 @@ TEST_F(CGuide, OptionsThatMakeNoSenseAreRefused) {
   refuse([](Options& o) { o.more_reserved = 1; }, "options");
   refuse([](Options& o) { o.flags = 8; }, "options");
   refuse([](Options& o) { o.threshold_m = 0.0; }, "", BEESPACE_INVALID_THRESHOLD);
-  refuse([](Options& o) { o.shape = -1; }, "");
+  refuse([](Options& o) { o.shape = -1; }, "options");
+  refuse([](Options& o) { o.vertical_m = 2.0; }, "options");
+  refuse([](Options& o) { o.vertical_factor = 2.0; }, "options");
   refuse([](Options& o) { o.max_acceleration_mps2 = 0.0; }, "");
   refuse([](Options& o) { o.max_acceleration_mps2 = INFINITY; }, "");
   refuse([&](Options&) { figures_.loop = 2; }, "figures");
@@ -285,6 +289,43 @@ TEST_F(CGuide, AFollowerGoesOnAfterARestartAndAPlannerAdoptsIt) {
   EXPECT_EQ(beespace_follower_create(1, 5.0, 0.0, 0.1, &none, nullptr), BEESPACE_INVALID_ARGUMENT);
   EXPECT_EQ(beespace_follower_create(1, 5.0, 3.0, kNaN, &none, nullptr), BEESPACE_INVALID_ARGUMENT);
   EXPECT_EQ(none, nullptr);
+}
+
+TEST_F(CGuide, AgentsHaveTheirNumbersInErrorsAndInOrder) {
+  make();
+  constexpr auto kLowest = std::numeric_limits<std::int64_t>::min();
+  for (const std::int64_t agent : {std::int64_t{3}, std::int64_t{-5}, std::int64_t{-1}, kLowest}) {
+    const std::string name = "agent " + std::to_string(agent);
+    error_ = c_error();
+    EXPECT_EQ(beespace_guide_leave(guide_.get(), agent, &error_), BEESPACE_INVALID_ARGUMENT);
+    EXPECT_STREQ(error_.place, "agents");
+    EXPECT_EQ(error_.record, agent);
+    EXPECT_EQ(std::string(error_.message).rfind(name + " is not in the fleet", 0), 0U)
+        << error_.message;
+  }
+  const std::vector<std::int64_t> ascending = {kLowest, -5, -1, 0, 3};
+  for (const std::size_t i : {3U, 1U, 4U, 0U, 2U}) {
+    EXPECT_TRUE(join(ascending[i], {20.0 * static_cast<double>(i), 0.0, 10.0}));
+  }
+  EXPECT_FALSE(join(7, {20.0, 0.5, 10.0}));
+  EXPECT_EQ(answer_.touches[0], -5);
+  step(1);
+  ASSERT_EQ(beespace_guidance_size(guidance_.get()), 5);
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_EQ(beespace_guidance_agents(guidance_.get())[i], ascending[i]);
+    const auto k = static_cast<std::int64_t>(i);
+    EXPECT_EQ(beespace_guidance_command(guidance_.get(), k)->agent, ascending[i]);
+  }
+}
+
+TEST_F(CGuide, AVelocityOfAReportWithoutItsFlagIsRefused) {
+  make();
+  EXPECT_TRUE(join(7, {0.0, 0.0, 10.0}));
+  auto report = sized<beespace_agent_report>();
+  report.agent = 7;
+  report.velocity[2] = 1.0;
+  EXPECT_EQ(beespace_guide_take_report(guide_.get(), &report, &error_), BEESPACE_INVALID_ARGUMENT);
+  EXPECT_STREQ(error_.place, "report");
 }
 
 }  // namespace

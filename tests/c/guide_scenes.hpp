@@ -22,6 +22,11 @@ struct FreeGuide {
 template <class Handle>
 using OwnedGuide = std::unique_ptr<Handle, FreeGuide>;
 
+// The agent of C++ that has a number of C: the lowest number is 0.
+inline AgentId cpp_agent(std::int64_t number) {
+  return static_cast<AgentId>(number) + (AgentId{1} << 63U);
+}
+
 template <class Struct>
 Struct sized() {
   Struct made{};
@@ -135,7 +140,7 @@ inline Agent make_agent(std::int64_t id, const Tube& tube) {
                                kLink.period_s, &made, nullptr),
       BEESPACE_OK);
   return {OwnedGuide<beespace_follower>(made),
-          *Follower::make(static_cast<AgentId>(id), tube.planned, kLink.period_s),
+          *Follower::make(cpp_agent(id), tube.planned, kLink.period_s),
           {}};
 }
 

@@ -13,7 +13,7 @@ namespace beespace::test {
 namespace {
 
 void expect_command(const beespace_command& found, const Command& expected) {
-  EXPECT_EQ(found.agent, static_cast<std::int64_t>(expected.agent));
+  EXPECT_EQ(cpp_agent(found.agent), expected.agent);
   EXPECT_EQ(found.number, expected.number);
   EXPECT_EQ(found.starts, expected.starts);
   ASSERT_EQ(static_cast<std::size_t>(found.state_count), expected.path().size());
@@ -36,7 +36,7 @@ void expect_objects(const beespace_guidance* guidance, std::int32_t what,
   ASSERT_EQ(list.count, static_cast<std::int64_t>(expected.size()));
   EXPECT_EQ(list.times_s, nullptr);
   for (std::size_t i = 0; i < expected.size(); ++i) {
-    EXPECT_EQ(list.first[i], static_cast<std::int64_t>(expected[i].agent));
+    EXPECT_EQ(cpp_agent(list.first[i]), expected[i].agent);
     EXPECT_EQ(list.second[i], static_cast<std::int64_t>(expected[i].object));
     EXPECT_EQ(list.distances_m[i], expected[i].gap_m);
   }
@@ -47,7 +47,7 @@ void expect_same(const beespace_guidance* found, const Guidance& expected) {
   ASSERT_EQ(beespace_guidance_size(found), static_cast<std::int64_t>(expected.agents.size()));
   for (std::size_t i = 0; i < expected.agents.size(); ++i) {
     const AgentGuidance& one = expected.agents[i];
-    EXPECT_EQ(beespace_guidance_agents(found)[i], static_cast<std::int64_t>(one.agent));
+    EXPECT_EQ(cpp_agent(beespace_guidance_agents(found)[i]), one.agent);
     EXPECT_EQ(beespace_guidance_contracts(found)[i], static_cast<int>(one.contract));
     EXPECT_EQ(beespace_guidance_reasons(found)[i], static_cast<int>(one.reason));
     EXPECT_EQ(beespace_guidance_certified(found)[i], one.certified ? 1 : 0);
@@ -75,8 +75,8 @@ void expect_same(const beespace_guidance* found, const Guidance& expected) {
   ASSERT_EQ(beespace_guidance_findings(found, BEESPACE_TOO_CLOSE, &pairs, nullptr), BEESPACE_OK);
   ASSERT_EQ(pairs.count, static_cast<std::int64_t>(expected.pairs.size()));
   for (std::size_t i = 0; i < expected.pairs.size(); ++i) {
-    EXPECT_EQ(pairs.first[i], static_cast<std::int64_t>(expected.pairs[i].first));
-    EXPECT_EQ(pairs.second[i], static_cast<std::int64_t>(expected.pairs[i].second));
+    EXPECT_EQ(cpp_agent(pairs.first[i]), expected.pairs[i].first);
+    EXPECT_EQ(cpp_agent(pairs.second[i]), expected.pairs[i].second);
     EXPECT_EQ(pairs.distances_m[i], expected.pairs[i].gap_m);
     EXPECT_EQ(pairs.times_s[i], expected.pairs[i].clear_s);
   }
@@ -87,7 +87,7 @@ void expect_same(const beespace_guidance* found, const Guidance& expected) {
 
 Command cpp_command(const beespace_command& given) {
   Command all;
-  all.agent = static_cast<AgentId>(given.agent);
+  all.agent = cpp_agent(given.agent);
   all.number = given.number;
   all.starts = given.starts;
   all.state_count = static_cast<std::uint32_t>(given.state_count);
@@ -129,12 +129,12 @@ TEST_F(CGuide, SaysWhatThatOfCppSaysWhateverBecomesOfMessages) {
   for (std::size_t i = 0; i < ids.size(); ++i) {
     const Point place{9.0 * static_cast<double>(i), 0.0, 10.0};
     ASSERT_TRUE(join(ids[i], place));
-    const JoinRequest asked{.agent = static_cast<AgentId>(ids[i]), .position = place};
+    const JoinRequest asked{.agent = cpp_agent(ids[i]), .position = place};
     ASSERT_TRUE((*cpp.join(asked)).joined);
     const std::array goal = {36.0 - place.x, 20.0, 10.0};
     ASSERT_EQ(beespace_guide_set_goal(guide_.get(), ids[i], goal.data(), &error_), BEESPACE_OK);
-    ASSERT_TRUE(cpp.set_goal(static_cast<AgentId>(ids[i]), {goal[0], goal[1], goal[2]}));
-    agents.push_back(make_agent(ids[i], *cpp.tube(static_cast<AgentId>(ids[i]))));
+    ASSERT_TRUE(cpp.set_goal(cpp_agent(ids[i]), {goal[0], goal[1], goal[2]}));
+    agents.push_back(make_agent(ids[i], *cpp.tube(cpp_agent(ids[i]))));
   }
   EXPECT_EQ(beespace_guide_size(guide_.get()), 5);
   std::mt19937 random(5);
@@ -145,7 +145,7 @@ TEST_F(CGuide, SaysWhatThatOfCppSaysWhateverBecomesOfMessages) {
     if (tick == 40) {
       const std::array velocity = {0.0, 0.0, -3.0};
       beespace_guide_set_preferred(guide_.get(), 7, velocity.data(), nullptr);
-      (void)cpp.set_preferred(7, {0.0, 0.0, -3.0});
+      (void)cpp.set_preferred(cpp_agent(7), {0.0, 0.0, -3.0});
     }
     if (tick == 60) {
       const std::vector<Intruder> all = {{{{18.0, -20.0, 10.0}, {0.0, 4.0, 0.0}}, 0.5, 0.2, 0.1}};
@@ -161,7 +161,7 @@ TEST_F(CGuide, SaysWhatThatOfCppSaysWhateverBecomesOfMessages) {
     if (tick == 150) {
       const std::int64_t unknown = 99;
       ASSERT_EQ(beespace_guide_expect(guide_.get(), &unknown, 1, nullptr), BEESPACE_OK);
-      const std::array<AgentId, 1> same = {99};
+      const std::array<AgentId, 1> same = {cpp_agent(99)};
       cpp.expect(same);
     }
     step(tick);
@@ -210,7 +210,7 @@ TEST_F(CGuide, SaysWhatThatOfCppSaysWhateverBecomesOfMessages) {
       report.position[0] = at.nominal.position.x + (i == 2 && tick > 120 ? 8.0 : 0.05);
       report.position[1] = at.nominal.position.y;
       report.position[2] = at.nominal.position.z;
-      AgentReport same{static_cast<AgentId>(ids[i]), report.held, tick, 0.03, at.nominal.position};
+      AgentReport same{cpp_agent(ids[i]), report.held, tick, 0.03, at.nominal.position};
       same.position.x = report.position[0];
       if (i == 1) {
         report.flags = BEESPACE_WITH_VELOCITY;
@@ -228,12 +228,12 @@ TEST_F(CGuide, SaysWhatThatOfCppSaysWhateverBecomesOfMessages) {
   }
   EXPECT_GT(commands, 100U);
   EXPECT_GT(taken, 50U);
-  EXPECT_EQ(beespace_guidance_contracts(guidance_.get())[2], BEESPACE_CONTRACT_OUT);
+  EXPECT_EQ(beespace_guidance_contracts(guidance_.get())[4], BEESPACE_CONTRACT_OUT);
   EXPECT_EQ(beespace_guidance_certified(guidance_.get())[0], 0);
   const double* claim = nullptr;
   std::int64_t places = 0;
   ASSERT_EQ(beespace_guide_claim(guide_.get(), 12, &claim, &places, &error_), BEESPACE_OK);
-  const std::vector<Point> same = *cpp.claim(12);
+  const std::vector<Point> same = *cpp.claim(cpp_agent(12));
   ASSERT_EQ(places, static_cast<std::int64_t>(same.size()));
   EXPECT_EQ(std::memcmp(claim, same.data(), same.size() * sizeof(Point)), 0);
 }

@@ -65,7 +65,8 @@ typedef struct beespace_error {
   size_t struct_size;  ///< sizeof(beespace_error), set by the caller.
   beespace_code code;  ///< The kind of the error.
   int32_t reserved;    ///< Zero.
-  int64_t record;      ///< The index into `place` that it is about; -1 where it is about none.
+  int64_t record;      ///< The index into `place` that it is about; -1 where it is about none. Of a
+                       ///< guide or follower, where `place` is "agents": the number of the agent.
   char place[32];      ///< The argument that it is about: "points", "others", ...; or empty.
   char message[512];   ///< One sentence: what is wrong and what to do. Ends with a zero byte.
 } beespace_error;
