@@ -9,7 +9,9 @@
 #include <stdlib.h>
 
 int main(int count, char** arguments) {
-  if (count != 3) return 2;
+  char* end = NULL;
+  const double metres = count == 3 ? strtod(arguments[2], &end) : 0.0;
+  if (count != 3 || end == arguments[2] || *end != '\0') return 2; /* "5ft" is no number */
   beespace_io_error problem = {.struct_size = sizeof problem};
   beespace_io_points* bees = NULL;
   if (beespace_io_read_points(arguments[1], NULL, &bees, &problem) != BEESPACE_OK) {
@@ -25,8 +27,7 @@ int main(int count, char** arguments) {
   }
 
   const beespace_points points = beespace_io_points_view(bees);
-  const beespace_search search = {.struct_size = sizeof search,
-                                  .threshold_m = strtod(arguments[2], NULL)};
+  const beespace_search search = {.struct_size = sizeof search, .threshold_m = metres};
   beespace_error error = {.struct_size = sizeof error};
   beespace_result* at_risk = beespace_result_create();
   const beespace_code code = beespace_at_risk(NULL, &points, NULL, &search, NULL, at_risk, &error);

@@ -16,7 +16,8 @@ constexpr std::int64_t agent_number_of(AgentId agent) {
   return static_cast<std::int64_t>(agent ^ (AgentId{1} << 63));
 }
 
-// An error of C++ about an agent, which has the number of the caller, as record and in words.
+// An error of C++ that is about an agent, as record and in its words, with the caller's number of
+// it.
 Error with_agent_number(Error error, AgentId agent);
 
 }  // namespace beespace::c

@@ -166,7 +166,9 @@ struct Intruder {
 
 /// @brief Guides a fleet, tick after tick.
 ///
-/// An error of a call changes nothing: an agent that is reported wrongly does not stop the others.
+/// An agent that is reported wrongly does not stop the others. An error of a call changes nothing,
+/// but for three: while intruders are refused no agent is clear of them, a report of a branch that
+/// was never sent marks its agent, and a step that was stopped has had its tick.
 ///
 /// Thread safety: none; use one Guide per thread. A moved-from Guide can only be destroyed or
 /// assigned to.

@@ -11,7 +11,7 @@ from typing import Any
 
 from beespace import _library
 from beespace._errors import BeespaceError, invalid
-from beespace._library import CRun, CSearch, library
+from beespace._library import CRun, CSearch
 from beespace._units import METRES, NO_DATES, SECONDS, is_date, plain
 
 # With fewer points a call is over before Ctrl-C matters, and a thread would cost more than it.
@@ -150,7 +150,6 @@ __all__ = [
     "after_ctrl_c",
     "check",
     "length",
-    "library",
     "number_of",
     "run_of",
     "search_of",

@@ -28,7 +28,7 @@ _loss, _clearance = 0, 1
 class Check(InTurn):
     """The C verifier, which serves one call at a time."""
 
-    __slots__ = ("_axes", "_threads")
+    __slots__ = ("_axes", "_straight", "_threads")
 
     def __init__(
         self,
@@ -52,10 +52,13 @@ class Check(InTurn):
             )
         if straight:
             options.flags |= _c.STRAIGHT
+        if straight and max_acceleration is not None:
+            raise invalid("of straight lines, without velocities, no acceleration is known", "max_acceleration")
         options.obstacles = handle_of_obstacles(obstacles)
         if clearance is not None:
             options.clearance_m = number_of(clearance, "clearance", METRES)
         self._threads = threads
+        self._straight = straight
         self._axes: int | None = None  # of all moments
         self._take_turns(_c.CVerifier(), threaded=threads != 1)
         error = _library.new_error()
@@ -67,6 +70,8 @@ class Check(InTurn):
     def add(self, time: Any, places: Points, speeds: Points | None) -> None:
         """Takes where all agents are at a time."""
         moment = seconds(time, "time")
+        if speeds is None and not self._straight:
+            raise invalid("give these: only with straight=True they are not needed", "velocities")
         if speeds is not None:
             speeds.check_axes(places.axes, "velocities", "positions")
         error = _library.new_error()
@@ -129,6 +134,7 @@ def gap_of(max_gap: Any) -> float:
 def _verdict_of(told: _c.CVerdict, columns: Columns, names: NDArray[Any] | None) -> Verdict:
     verdict = Verdict()
     verdict.holds = bool(told.holds)
+    verdict.moments = told.moments
     verdict.steps, verdict.unseen = told.steps, told.unseen
     verdict.loss_count, verdict.breach_count = told.losses, told.breaches
     verdict.clearance_loss_count = told.clearance_losses

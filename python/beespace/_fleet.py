@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import operator
+import re
 from dataclasses import dataclass
 from typing import Any
 
@@ -153,7 +154,7 @@ def tube_of(
     >>> beespace.tube_of(weak, max_speed=6, max_acceleration=4)
     Traceback (most recent call last):
     ...
-    beespace._errors.BeespaceError: deviation_mps 2 needs correction_mps of at least 2, ...
+    beespace._errors.BeespaceError: deviation 2 needs correction_speed of at least 2, ...
     """
     into = _c.CTube(ctypes.sizeof(_c.CTube))
     error = _library.new_error()
@@ -165,8 +166,29 @@ def tube_of(
         ctypes.byref(into),
         ctypes.byref(error),
     )
-    check(code, error)
+    check_fleet(code, error)
     return tube_from(into)
+
+
+def check_fleet(code: int, error: _library.CError) -> None:
+    """Raises the error of a call about a fleet: of an agent, which has any number, or of figures."""
+    if code in (_library.OK, _library.STOPPED):
+        check(code, error)
+        return
+    error.message = _field.sub(lambda name: _names.get(name[0], name[0]), error.message)
+    if error.place == b"agents":
+        raise _library.error_of(error, of_agent=True)
+    check(code, error)
+
+
+# What C calls otherwise.
+_field = re.compile(rb"\b[a-z_]+_(?:mps2|mps|m|s)\b")
+_names = {b"correction_mps2": b"correction_acceleration", b"correction_mps": b"correction_speed"}
+for _name in (
+    b"report_error_m", b"report_age_s", b"sensing_error_m", b"loop_period_s", b"loop_delay_s",
+    b"deviation_mps", b"clock_error_s", b"max_speed_mps", b"max_acceleration_mps2", b"period_s",
+):  # fmt: skip
+    _names[_name] = _name.rpartition(b"_")[0]
 
 
 def integer(number: Any, place: str, low: int = -(2**63), high: int = 2**63 - 1) -> int:
@@ -195,6 +217,8 @@ _units = {
 
 
 def c_figures(figures: FleetFigures) -> _c.CFleetFigures:
+    if not isinstance(figures, FleetFigures):  # pyright: ignore[reportUnnecessaryIsInstance]
+        raise invalid(f"these are FleetFigures, and not {figures!r}", "figures")
     if figures.loop not in _c.LOOPS:
         raise invalid(f'loop is "onboard" or "ground", not {figures.loop!r}', "loop")
     return _c.CFleetFigures(
@@ -206,6 +230,8 @@ def c_figures(figures: FleetFigures) -> _c.CFleetFigures:
 
 
 def c_link(link: LinkFigures) -> _c.CLinkFigures:
+    if not isinstance(link, LinkFigures):  # pyright: ignore[reportUnnecessaryIsInstance]
+        raise invalid(f"these are LinkFigures, and not {link!r}", "link")
     period = number_of(link.period, "period", SECONDS)
     delay = integer(link.command_delay, "command_delay", 0, 2**31 - 1)
     if period == 0.0 or delay == 0:  # which stand for the defaults in C

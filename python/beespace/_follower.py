@@ -7,7 +7,8 @@ import ctypes
 from beespace import _fleet_library as _c
 from beespace import _library
 from beespace._calls import number_of
-from beespace._fleet import integer
+from beespace._errors import BeespaceError
+from beespace._fleet import check_fleet, integer
 from beespace._library import at_once
 from beespace._messages import (
     Acknowledgement,
@@ -17,7 +18,6 @@ from beespace._messages import (
     acknowledgement_from,
     c_command,
     c_stored,
-    check_fleet,
     setpoint_from,
     stored_from,
 )
@@ -95,7 +95,7 @@ class Follower(InTurn):
             at_once.beespace_follower_advance(self._handle, number)
 
     def receive(self, command: Command) -> Acknowledgement:
-        """Takes a command or refuses it: anything may be in it.
+        """Takes a command or refuses it: anything may be in it, and what is no command is "invalid".
 
         Returns
         -------
@@ -110,7 +110,12 @@ class Follower(InTurn):
         >>> follower.receive(beespace.Command(8, (1 << 32) + 1, 0, (state,))).reply
         'invalid'
         """
-        given = c_command(command)
+        try:
+            given = c_command(command)
+        except BeespaceError:
+            number = getattr(command, "number", 0)
+            is_one = isinstance(number, int) and 0 <= number < 2**64
+            return Acknowledgement(self.agent, number if is_one else 0, "invalid", self.held, self.tick)
         said = _c.CAcknowledgement(ctypes.sizeof(_c.CAcknowledgement))
         error = _library.new_error()
         with self._lock:

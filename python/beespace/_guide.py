@@ -13,7 +13,8 @@ from beespace import _fleet_library as _c
 from beespace import _library
 from beespace._advice import ArrayReader, shape_of
 from beespace._calls import number_of, run_of
-from beespace._fleet import FleetFigures, LinkFigures, Tube, integer, tube_from
+from beespace._errors import invalid
+from beespace._fleet import FleetFigures, LinkFigures, Tube, check_fleet, integer, tube_from
 from beespace._guidance import Guidance, JoinAnswer
 from beespace._guide_calls import GuideCalls
 from beespace._library import at_once, library
@@ -24,7 +25,6 @@ from beespace._messages import (
     c_acknowledgement,
     c_report,
     c_stored,
-    check_fleet,
     three,
 )
 from beespace._motion import movers_of
@@ -42,7 +42,8 @@ class Guide(GuideCalls):
     put out of order. An agent whose figures do not hold is named (docs/prevention.md).
 
     Agents are known by any integers of 64 bits. One call at a time: a thread waits until the call of
-    another has ended. An error of a call changes nothing.
+    another has ended. An error of a call changes nothing, but for three: while intruders are refused none
+    is clear of them, a report of a branch never sent names its agent, a stopped `step` has had its tick.
 
     Parameters
     ----------
@@ -262,7 +263,11 @@ class Guide(GuideCalls):
         >>> guide.step(1).certified
         array([False])
         """
-        numbers = [integer(agent, "agents") for agent in agents]
+        try:
+            given = list(agents)
+        except TypeError:
+            raise invalid(f"these are numbers of agents, and not {agents!r}", "agents") from None
+        numbers = [integer(agent, "agents") for agent in given]
         array = (ctypes.c_int64 * len(numbers))(*numbers)
         self._tell(at_once.beespace_guide_expect, array, len(numbers))
 

@@ -15,10 +15,10 @@ from beespace import _library
 from beespace._advice import PLANAR, ArrayReader, above_zero
 from beespace._calls import length, number_of, threads_of
 from beespace._errors import invalid
-from beespace._fleet import FleetFigures, LinkFigures, c_figures, c_link, integer
+from beespace._fleet import FleetFigures, LinkFigures, c_figures, c_link, check_fleet, integer
 from beespace._guidance import JoinAnswer
 from beespace._library import at_once
-from beespace._messages import check_fleet, three
+from beespace._messages import three
 from beespace._obstacles import handle_of_obstacles
 from beespace._turns import InTurn
 from beespace._units import ACCELERATIONS, METRES, SECONDS, SPEEDS

@@ -250,9 +250,15 @@ def raise_error(error: CError) -> None:
     raise error_of(error)
 
 
+# Arguments that are called otherwise here.
+_places = {b"claim_offsets": "claim_indptr", b"after_s": "after"}
+
+
 def error_of(error: CError, of_agent: bool = False) -> BeespaceError:
     """What the library said is wrong, as an exception; of an agent, any record is its number."""
     code = library.beespace_code_name(error.code).decode()
-    place = error.place.decode() or None
+    place = _places.get(error.place) or error.place.decode() or None
+    if code == "invalid_threshold" and place in (None, "options"):
+        place = "vertical" if error.message.startswith(b"the vertical") else "threshold"
     record = None if error.record < 0 and not of_agent else int(error.record)
     return BeespaceError(error.message.decode(), code, place, record)

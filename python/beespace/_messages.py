@@ -7,9 +7,8 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from beespace import _fleet_library as _c
-from beespace import _library
-from beespace._calls import check, number_of
-from beespace._errors import invalid
+from beespace._calls import number_of
+from beespace._errors import BeespaceError, invalid
 from beespace._fleet import integer
 from beespace._units import METRES, SECONDS, SPEEDS, plain
 
@@ -188,13 +187,6 @@ class Setpoint(NamedTuple):
     holding: bool
 
 
-def check_fleet(code: int, error: _library.CError) -> None:
-    """Raises the error of a call of a guide or a follower, which may be about an agent: any number."""
-    if code != _library.OK and error.place == b"agents":
-        raise _library.error_of(error, of_agent=True)
-    check(code, error)
-
-
 def branch(number: Any, place: str = "number") -> int:
     """The number of a branch."""
     return integer(number, place, 0, 2**64 - 1)
@@ -215,6 +207,22 @@ def three(numbers: Any, place: str, units: tuple[str, ...] = METRES) -> Any:
 
 
 def c_command(command: Command) -> _c.CCommand:
+    check_type(command, Command, "command")
+    try:
+        return _c_command(command)
+    except BeespaceError:
+        raise
+    except (TypeError, ValueError) as error:
+        raise invalid(f"this is no command: {error}", "command") from None
+
+
+def check_type(given: Any, kind: type, place: str) -> None:
+    """Refuses what is something else."""
+    if not isinstance(given, kind):
+        raise invalid(f"this is of the type {kind.__name__}, and not {given!r}", place)
+
+
+def _c_command(command: Command) -> _c.CCommand:
     if len(command.states) > _c.MOST_STATES or len(command.ancestors) > _c.MOST_ANCESTORS:
         raise invalid(
             f"a command has at most {_c.MOST_STATES} states and {_c.MOST_ANCESTORS} ancestors",
@@ -256,6 +264,7 @@ def command_from(command: Any) -> Command:
 
 
 def c_acknowledgement(said: Acknowledgement) -> _c.CAcknowledgement:
+    check_type(said, Acknowledgement, "message")
     if said.reply not in _c.REPLIES:
         raise invalid(f"there is no reply {said.reply!r}: {', '.join(_c.REPLIES)}", "reply")
     return _c.CAcknowledgement(
@@ -293,6 +302,7 @@ def c_report(report: AgentReport) -> _c.CAgentReport:
 
 
 def c_stored(stored: StoredBranch) -> _c.CStoredBranch:
+    check_type(stored, StoredBranch, "stored")
     into = _c.CStoredBranch(
         ctypes.sizeof(_c.CStoredBranch),
         integer(stored.promised, "promised", 0, 2**32 - 1),

@@ -155,7 +155,10 @@ class Obstacles:
     __slots__ = ("_all", "_handle")
 
     def __init__(self, obstacles: Sequence[Obstacle]) -> None:
-        self._all = tuple(obstacles)
+        try:
+            self._all = tuple(obstacles)
+        except TypeError:
+            raise invalid(f"these are obstacles in a list, and not {obstacles!r}", "obstacles") from None
         structs = (_c.CObstacle * len(self._all))()
         keep = [_fill(structs[i], obstacle, i) for i, obstacle in enumerate(self._all)]
         self._handle = _c.CObstacles()

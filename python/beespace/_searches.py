@@ -20,6 +20,14 @@ from beespace._points import PointsLike
 from beespace._visits import Visit
 
 
+_MOST_POINTS = 2**32
+
+
+def _refuse_self(include_self: bool, others: Any) -> None:
+    if include_self and others is not None:
+        raise invalid("a point is not among the others: leave this out", "include_self")
+
+
 class Searches(Predictions):
     """The questions about points, with arguments as `at_risk` has them. Each call stands alone: any
     number of threads may ask at once.
@@ -252,6 +260,7 @@ class Searches(Predictions):
         >>> beespace.neighbors([[0, 0], [3, 4], [6, 8]], 6, include_self=True)[1]
         array([0, 1, 2])
         """
+        _refuse_self(include_self, others)
         first, second = sets_of(points, others, copy, vertical)
         search = search_of(threshold, vertical, inclusive, max_results, distances, include_self)
         result = self._ask(
@@ -298,6 +307,7 @@ class Searches(Predictions):
         >>> beespace.count([[0, 0], [3, 4], [6, 8]], 6)
         array([1, 2, 1])
         """
+        _refuse_self(include_self, others)
         first, second = sets_of(points, others, copy, vertical)
         search = search_of(threshold, vertical, inclusive, with_self=include_self)
         return self._ask(
@@ -390,6 +400,8 @@ class Searches(Predictions):
         """
         first, second = sets_of(points, others, copy, vertical)
         number = whole(k, "k")
+        if number > _MOST_POINTS:
+            raise invalid(f"there are never more than {_MOST_POINTS:,} points, and this is {number:,}", "k")
         if within is not None:
             if number != 1:
                 raise invalid("within a threshold, one neighbour of each point is found", "k")

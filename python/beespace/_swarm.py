@@ -12,7 +12,7 @@ from beespace import _library
 from beespace import _live_library as _c
 from beespace._calls import length, number_of, seconds, threads_of, whole
 from beespace._columns import Columns
-from beespace._errors import BeespaceError
+from beespace._errors import BeespaceError, invalid
 from beespace._events import Events, KnownAgents, SwarmCounts
 from beespace._fixes import Fixes, ids_of, integers_of, numbers_of, seconds_of
 from beespace._library import at_once, library
@@ -76,7 +76,7 @@ class Swarm(InTurn):
     <beespace.Swarm: 0 agents and 2 stale ones, 4 reports so far>
     """
 
-    __slots__ = ("_axes", "_other_heights")
+    __slots__ = ("_axes", "_heights_apart", "_other_heights")
 
     def __init__(
         self,
@@ -96,6 +96,7 @@ class Swarm(InTurn):
         options = _c.CSwarmOptions(ctypes.sizeof(_c.CSwarmOptions), _c.SWARM_HORIZON)
         options.threads = threads_of(threads)
         # Heights in another unit, of which it is not known what it is called.
+        self._heights_apart = heights_apart
         self._other_heights = heights_apart and height_unit != 1
         options.threshold_m = length(threshold, "threshold")
         options.horizon_s = seconds(horizon, "horizon")
@@ -177,6 +178,8 @@ class Swarm(InTurn):
         when = np.asarray(plain(times, "times", SECONDS))
         when = np.broadcast_to(when, (places.count,)) if when.ndim == 0 else when
         fixes = Fixes(integers_of(ids, places.count), seconds_of(when, places.count))
+        if heights is not None and not self._heights_apart:
+            raise invalid("make the swarm with heights_apart=True, or give these as z", "heights")
         if heights is not None:
             of_heights, of_climbs = (None, None) if self._other_heights else (METRES, SPEEDS)
             fixes.set_heights(

@@ -227,6 +227,9 @@ class Verdict:
     ----------
     holds : bool
         Whether a step was checked, nothing was found, and nothing was left unseen.
+    moments : int
+        How many times were taken. A `Verifier.add` that Ctrl-C ended has taken its own, or not: one more
+        than before says that it has.
     steps : int
         How many steps were checked.
     unseen : int
@@ -269,6 +272,7 @@ class Verdict:
         "holds",
         "loss_count",
         "losses",
+        "moments",
         "peak_acceleration",
         "peak_speed",
         "steps",
@@ -276,6 +280,7 @@ class Verdict:
     )
 
     holds: bool
+    moments: int
     steps: int
     unseen: int
     losses: Losses

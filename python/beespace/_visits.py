@@ -21,19 +21,26 @@ from beespace._library import CRun, library
 Ask = Callable[[Any, Any, None, Any], int]
 
 
+# For so many pairs there is room at first; a piece that has more grows.
+_FIRST = 1 << 20
+
+
 class _Piece:
     """Room for a number of pairs."""
 
     def __init__(self, size: int, distances: bool) -> None:
         self.size = size
         self.filled = 0
-        self.columns: list[NDArray[Any]] = [np.empty(size, np.int64), np.empty(size, np.int64)]
-        if distances:
-            self.columns.append(np.empty(size, np.float64))
+        kinds = (np.int64, np.int64, np.float64)[: 3 if distances else 2]
+        self.columns: list[NDArray[Any]] = [np.empty(min(size, _FIRST), kind) for kind in kinds]
 
     def take(self, addresses: list[int], begin: int, count: int) -> int:
         """Copies as many pairs as fit, from the one at `begin` on; says how many."""
         taken = min(count - begin, self.size - self.filled)
+        needed, there = self.filled + taken, len(self.columns[0])
+        if needed > there:
+            room = min(self.size, max(needed, 2 * there))
+            self.columns = [np.concatenate([c, np.empty(room - there, c.dtype)]) for c in self.columns]
         for column, address in zip(self.columns, addresses):
             into = column.__array_interface__["data"][0] + 8 * self.filled
             ctypes.memmove(into, address + 8 * begin, 8 * taken)

@@ -197,7 +197,7 @@ def test_agents_have_radii_tubes_and_claims():
         ({"radii": [1.0]}, "radii"),
         ({"holds": [1, 0, 0]}, "holds"),
         ({"claim_indptr": [0, 0, 0, 0]}, "claim_places"),
-        ({**claim, "claim_indptr": [0, 2, 1, 2]}, "claim_offsets"),
+        ({**claim, "claim_indptr": [0, 2, 1, 2]}, "claim_indptr"),
     ):
         with pytest.raises(beespace.BeespaceError) as raised:
             close(**change)
@@ -223,7 +223,7 @@ def test_fences_and_intruders_are_named():
 @pytest.mark.parametrize(
     ("change", "place", "code"),
     [
-        ({"threshold": 0}, None, "invalid_threshold"),
+        ({"threshold": 0}, "threshold", "invalid_threshold"),
         ({"threshold": "two"}, "threshold", "invalid_threshold"),
         ({"velocities": [[0, 0, 0]] * 2}, "velocities", "invalid_argument"),
         ({"preferred": [[0, 0, 0]] * 2}, "preferred", "invalid_argument"),

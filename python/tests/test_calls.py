@@ -25,9 +25,9 @@ def test_errors_say_what_where_and_which():
         (lambda: beespace.pairs(points, 1, others=wrong), "not_finite", "others", 17),
         (lambda: beespace.Index(points).nearest(wrong), "not_finite", "places", 17),
         (lambda: beespace.pairs(wrong * 1e200, 1), "outside_domain", "points", 0),
-        (lambda: beespace.pairs(points, 0), "invalid_threshold", None, None),
-        (lambda: beespace.pairs(points, np.nan), "invalid_threshold", None, None),
-        (lambda: beespace.pairs(points, 1, vertical=-1), "invalid_threshold", None, None),
+        (lambda: beespace.pairs(points, 0), "invalid_threshold", "threshold", None),
+        (lambda: beespace.pairs(points, np.nan), "invalid_threshold", "threshold", None),
+        (lambda: beespace.pairs(points, 1, vertical=-1), "invalid_threshold", "vertical", None),
         (lambda: beespace.pairs(points, 1, max_results=2), "too_many_results", None, None),
         (lambda: beespace.neighbors(points, 1, max_results=2), "too_many_results", None, None),
         (lambda: list(beespace.iter_pairs(wrong, 1)), "not_finite", "points", 17),
@@ -43,7 +43,7 @@ def test_errors_say_what_where_and_which():
         (
             lambda: beespace.neighbors(points, 1, others=points, include_self=True),
             "invalid_argument",
-            "search",
+            "include_self",
             None,
         ),
     ]:
@@ -172,3 +172,23 @@ def test_ctrl_c_ends_a_long_search(call, error):
 
 def test_the_version_is_that_of_the_library():
     assert beespace.__version__.count(".") == 2
+
+
+def test_great_numbers_take_no_memory_before_anything_is_found():
+    for chunk in (2**40, sys.maxsize):
+        pieces = list(beespace.iter_pairs(points[:100], 5, chunk=chunk))
+        assert len(pieces) == 1 and len(pieces[0]) == len(beespace.pairs(points[:100], 5)) > 0
+    with pytest.raises(beespace.BeespaceError) as caught:
+        beespace.nearest(points, 2**62)
+    assert caught.value.place == "k"
+
+
+def test_a_piece_grows_as_pairs_come():
+    crowd = np.random.default_rng(2).uniform(0, 1, (2500, 3))  # over three million pairs
+    for chunk, sizes in ((2**40, [3_123_750]), (3_000_000, [3_000_000, 123_750])):
+        found = list(beespace.iter_pairs(crowd, 5, chunk=chunk))
+        assert [len(piece) for piece in found] == sizes
+        i, j = (np.concatenate([getattr(piece, axis) for piece in found]) for axis in "ij")
+        assert len(np.unique(i * 2500 + j)) == 3_123_750 and (i < j).all()
+        distance = np.concatenate([piece.distance for piece in found])
+        assert np.allclose(distance, np.linalg.norm(crowd[i] - crowd[j], axis=1))

@@ -175,7 +175,7 @@ def test_what_makes_no_sense_is_refused():
         ({"clearance": 0}, "clearance"),
     ):
         _refused(lambda: beespace.Guide(2, **{**LIMITS, **change}), invalid, place)
-    _refused(lambda: beespace.Guide(0, **LIMITS), "invalid_threshold", None)
+    _refused(lambda: beespace.Guide(0, **LIMITS), "invalid_threshold", "threshold")
     guide = beespace.Guide(2, **LIMITS)
     _refused(lambda: guide.join(2**63, [0, 0, 0]), invalid, "agent")
     _refused(lambda: guide.join("one", [0, 0, 0]), invalid, "agent")
@@ -199,16 +199,47 @@ def test_what_makes_no_sense_is_refused():
     _refused(lambda: guide.step(0.5), invalid, "now")
     follower = beespace.Follower(1, 6, 4, 0.1)
     state = beespace.BranchState((0, 0, 0), (0, 0, 0))
-    _refused(
-        lambda: follower.receive(beespace.Command(1, 5, 0, (state,) * 37)), invalid, "command"
-    )
-    _refused(lambda: follower.receive(beespace.Command(1, 2**64, 0, (state,))), invalid, "number")
-    assert follower.receive(beespace.Command(1, 5, 0, ())).reply == "invalid"
+    _refused(lambda: guide.take("a report"), invalid, "message")
+    _refused(lambda: guide.take(beespace.Command(1, 5, 0, (state,))), invalid, "message")
+    _refused(lambda: guide.adopt(1, None), invalid, "stored")
+    _refused(lambda: guide.expect(5), invalid, "agents")
+    _refused(lambda: follower.restore(None), invalid, "stored")
+    _refused(lambda: follower.restore(beespace.StoredBranch(state, 1, 0)), invalid, "command")
+    _refused(lambda: beespace.Guide(2, **LIMITS, figures=(1, 2)), invalid, "figures")
+    _refused(lambda: beespace.Guide(2, **LIMITS, link=(1, 2)), invalid, "link")
+    _refused(lambda: beespace.Obstacles(None), invalid, "obstacles")
     _refused(lambda: beespace.Follower(1, 6, 0, 0.1), invalid, None)
-    _refused(lambda: follower.setpoint(-1), invalid, "after_s")
+    _refused(lambda: follower.setpoint(-1), invalid, "after")
     _refused(
         lambda: follower.restore(beespace.StoredBranch(None, -1, 0)), invalid, "promised"
     )
+
+
+def test_whatever_comes_instead_of_a_command_is_invalid():
+    state = beespace.BranchState((0, 0, 0), (0, 0, 0))
+    follower = beespace.Follower(1, 6, 4, 0.1)
+    follower.advance(3)
+    for number, states in [
+        (5, ()), (5, (state,) * 37), (2**64, (state,)), (-5, (state,)), ("5", (state,)), (5, None),
+        (5, (1, 2)), (5, ((1, 2),)), (5, (("a", (0, 0, 0), (0, 0, 0)),)), (5, "states"),
+    ]:  # fmt: skip
+        said = follower.receive(beespace.Command(1, number, 0, states))
+        assert said == beespace.Acknowledgement(1, 5 if number == 5 else 0, "invalid", 0, 3)
+    for command in (None, "a command", beespace.Command(1, 5, 0.5, (state,))):
+        assert follower.receive(command).reply == "invalid"
+
+
+def test_errors_name_figures_as_python_does():
+    for figures, said in [
+        ({"deviation": 2, "correction_speed": 1, "correction_acceleration": 1},
+         "deviation 2 needs correction_speed"),
+        ({"deviation": 2, "correction_speed": 3}, "needs correction_acceleration above"),
+        ({"report_error": -1}, "report_error is"),
+        ({"correction_speed": 9}, "must be below max_speed"),
+    ]:  # fmt: skip
+        with pytest.raises(beespace.BeespaceError, match=said) as raised:
+            beespace.tube_of(beespace.FleetFigures(**figures), max_speed=6, max_acceleration=4)
+        assert "_m" not in str(raised.value).replace("must", "")
 
 
 def test_threads_share_a_guide():

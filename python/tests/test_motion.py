@@ -212,7 +212,7 @@ def test_errors_say_which_array_and_which_of_it():
         ),
         (lambda: predict(*mine, 1, within=-1), "invalid_argument", None, None),
         (lambda: predict(*mine, 1, within="soon"), "invalid_argument", "within", None),
-        (lambda: predict(*mine, 0, within=1), "invalid_threshold", None, None),
+        (lambda: predict(*mine, 0, within=1), "invalid_threshold", "threshold", None),
         (lambda: predict(*mine, 9, within=9, max_results=1), "too_many_results", None, None),
         (lambda: approach(*mine, *mine, inclusive=True), "invalid_argument", None, None),
     ]:

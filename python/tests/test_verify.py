@@ -200,10 +200,10 @@ def test_what_was_not_seen_does_not_hold():
 @pytest.mark.parametrize(
     ("change", "code", "place", "record"),
     [
-        ({"threshold": 0}, "invalid_threshold", "options", None),
+        ({"threshold": 0}, "invalid_threshold", "threshold", None),
         ({"threshold": "far"}, "invalid_threshold", "threshold", None),
         ({"max_speed": -1}, "invalid_argument", "options", None),
-        ({"max_acceleration": 3}, "invalid_argument", "options", None),  # of straight lines
+        ({"max_acceleration": 3}, "invalid_argument", "max_acceleration", None),  # of straight lines
         ({"max_gap": 0}, "invalid_argument", "max_gap", None),
         ({"max_gap": math.nan}, "invalid_argument", "max_gap", None),
         ({"clearance": 3}, "invalid_argument", "options", None),
@@ -319,3 +319,16 @@ def test_what_a_verifier_needs_outlives_its_obstacles():
         except ImportError:
             continue
         assert len(frame) == 1
+
+
+def test_moments_say_whether_one_was_taken():
+    verifier = beespace.Verifier(5, straight=True)
+    verifier.add(0, [[0, 0], [9, 0]])
+    assert verifier.verdict().moments == 1 and verifier.verdict().steps == 0
+    with pytest.raises(beespace.BeespaceError):
+        verifier.add(0, [[0, 0], [9, 0]])
+    assert verifier.verdict().moments == 1
+    verifier.add(1, [[0, 0], [9, 0]])
+    assert verifier.verdict().moments == 2
+    with pytest.raises(beespace.BeespaceError, match="straight=True"):
+        beespace.Verifier(5).add(0, [[0, 0]])

@@ -41,7 +41,11 @@ typedef struct beespace_guide_options {
   double intruder_horizon_s;  ///< How far to look ahead for intruders, in seconds; 0 is 10.
 } beespace_guide_options;
 
-/// @brief Guides a fleet, tick after tick. One call at a time. An error of a call changes nothing.
+/// @brief Guides a fleet, tick after tick. One call at a time.
+///
+/// An error of a call changes nothing, but for three: while intruders are refused no agent is clear
+/// of them, a report of a branch that was never sent marks its agent, and a step that was stopped
+/// has had its tick.
 typedef struct beespace_guide beespace_guide;
 
 /// @brief Makes a guide of no agents.
