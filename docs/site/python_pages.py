@@ -11,6 +11,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "python"))
 
 import beespace  # noqa: E402
 import beespace.compat.scipy  # noqa: E402
+import beespace.spark  # noqa: E402
 
 folder = "reference/python"
 kinds = {
@@ -19,7 +20,7 @@ kinds = {
     and not issubclass(thing, BaseException),
     "Errors": lambda thing: inspect.isclass(thing) and issubclass(thing, BaseException),
 }
-modules = (beespace, beespace.compat.scipy)
+modules = (beespace, beespace.compat.scipy, beespace.spark)
 
 
 def public() -> dict[str, Any]:

@@ -360,8 +360,7 @@ struct NearUnknown {
 /// @brief Which input cannot be used, and what that means.
 enum class RefusedKind : std::uint8_t {
   /// @brief The position, velocity or limits of an agent: no advice for it. It may be anywhere, so
-  /// no
-  /// other agent is clear of it, unless AdviseOptions::unknown gives a ball that contains it.
+  /// no other agent is clear of it, unless AdviseOptions::unknown gives a ball that contains it.
   kState,
   /// @brief The preferred velocity of an agent: it is advised as if it preferred to stand.
   kPreferred,

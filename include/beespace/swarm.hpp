@@ -19,8 +19,8 @@
 /// instant. With SwarmOptions::max_speed_mps, a stale agent is somewhere in a growing ball around
 /// the position where it was last heard of, and any other agent in one around its own last report:
 /// where these come closer than the threshold, before one of the two is heard of, a conflict is
-/// *possible*. That is reported once for a
-/// pair until one of the two is heard of again after a silence, or removed, and is true until then.
+/// *possible*. That is reported once for a pair until one of the two is heard of again after a
+/// silence, or removed, and is true until then.
 ///
 /// Hysteresis: a pair that has entered (come closer than the threshold) has left only when it is
 /// farther apart than the leave threshold, so that events do not alternate at the threshold.

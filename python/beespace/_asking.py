@@ -11,6 +11,7 @@ from beespace import _library
 from beespace._answers import Nearest
 from beespace._calls import check, run_of
 from beespace._columns import Result
+from beespace._errors import invalid
 from beespace._frames import check_frames
 from beespace._points import Points
 
@@ -76,3 +77,8 @@ def sets_of(
     second = Points(others, "others", copy)
     second.check_axes(first.axes, "others", "points")
     return first, second
+
+
+def refuse_self(include_self: bool, others: Any) -> None:
+    if include_self and others is not None:
+        raise invalid("a point is not among the others: leave this out", "include_self")

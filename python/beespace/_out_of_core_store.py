@@ -53,7 +53,7 @@ class Store:
         path: str = os.fspath(folder) if folder is not None else os.environ.get("TMPDIR") or "/var/tmp"
         if not os.path.isdir(path):
             raise invalid(f"there is no folder {path!r} for a temporary file", "folder")
-        unit = number_of(height_unit, "height_unit")
+        unit = number_of(height_unit, "height_unit", METRES)
         if not 1e-6 <= unit <= 1e6:
             raise invalid("this is a length in metres, such as 0.3048 for feet", "height_unit")
         options = _c.COptions(

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from beespace import _library
 from beespace._answers import ClosestPair, Groups, Nearest, Neighbors, Pairs
-from beespace._asking import nearest_of, sets_of
+from beespace._asking import nearest_of, refuse_self, sets_of
 from beespace._calls import search_of, whole
 from beespace._errors import invalid
 from beespace._library import library
@@ -19,13 +19,7 @@ from beespace._motion import Predictions
 from beespace._points import PointsLike
 from beespace._visits import Visit
 
-
 _MOST_POINTS = 2**32
-
-
-def _refuse_self(include_self: bool, others: Any) -> None:
-    if include_self and others is not None:
-        raise invalid("a point is not among the others: leave this out", "include_self")
 
 
 class Searches(Predictions):
@@ -260,7 +254,7 @@ class Searches(Predictions):
         >>> beespace.neighbors([[0, 0], [3, 4], [6, 8]], 6, include_self=True)[1]
         array([0, 1, 2])
         """
-        _refuse_self(include_self, others)
+        refuse_self(include_self, others)
         first, second = sets_of(points, others, copy, vertical)
         search = search_of(threshold, vertical, inclusive, max_results, distances, include_self)
         result = self._ask(
@@ -307,7 +301,7 @@ class Searches(Predictions):
         >>> beespace.count([[0, 0], [3, 4], [6, 8]], 6)
         array([1, 2, 1])
         """
-        _refuse_self(include_self, others)
+        refuse_self(include_self, others)
         first, second = sets_of(points, others, copy, vertical)
         search = search_of(threshold, vertical, inclusive, with_self=include_self)
         return self._ask(

@@ -57,10 +57,8 @@ enum beespace_advise_flags {
   /// not that of most, or whose vertical velocity is not zero, is refused.
   BEESPACE_PLANAR = 1,
   /// @brief The adviser remembers the planes between agents from one call with this flag to the
-  /// next:
-  /// one that certified a pair does so again. Should be set where there are claims. Agents must
-  /// keep
-  /// their indices; see beespace_adviser_forget().
+  /// next: one that certified a pair does so again. Should be set where there are claims. Agents
+  /// must keep their indices; see beespace_adviser_forget().
   BEESPACE_REMEMBER = 2
 };
 
@@ -138,8 +136,7 @@ enum beespace_finding_lists {
   /// never).
   BEESPACE_TOO_CLOSE = 0,
   /// @brief An agent, an obstacle that its way to a stop comes closer to than the clearance, and
-  /// the
-  /// gap.
+  /// the gap.
   BEESPACE_NEAR_OBSTACLE = 1,
   BEESPACE_NEAR_FENCE = 2,  ///< The same of a fence; the gap is below zero outside.
   /// @brief An agent, an intruder that comes closer to it than the threshold, how close, and when
