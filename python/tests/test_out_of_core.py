@@ -115,7 +115,7 @@ def test_few_points_have_few_neighbours():
         (lambda: beespace.OutOfCore("1GB", "/no/such/folder"), "invalid_argument", "folder"),
         (lambda: beespace.OutOfCore("1GB", height_unit=0), "invalid_argument", "height_unit"),
         (lambda: filled(points, threads=4).at_risk(1.0), "invalid_argument", None),
-        (lambda: filled(points).at_risk(0.0), "invalid_threshold", None),
+        (lambda: filled(points).at_risk(0.0), "invalid_threshold", "threshold"),
         (lambda: filled(points).iter_pairs(1.0, chunk=0), "invalid_argument", "chunk"),
         (lambda: filled(points).nearest(-1), "invalid_argument", "k"),
         (lambda: filled([[0, 0], [np.nan, 0]]), "not_finite", "points"),
