@@ -32,7 +32,7 @@ Result<OutOfCoreOptions> options_of(const beespace_out_of_core_options& given) {
   if (given.folder == nullptr || *given.folder == '\0') {
     return invalid("no folder: name one for the temporary file", "options");
   }
-  if (given.memory_bytes < OutOfCoreOptions::kLeastMemory_bytes) {
+  if (given.memory_bytes < OutOfCoreOptions::kLeastMemoryBytes) {
     return invalid("memory_bytes is less than 16 MiB, which each thread needs", "options");
   }
   OutOfCoreOptions options;
@@ -49,7 +49,7 @@ Result<OutOfCoreOptions> options_of(const beespace_out_of_core_options& given) {
 }
 
 Result<PointsView> view_with_heights(const beespace_points* points, const double* heights_m) {
-  const Result<PointsView> view = view_of(points, "points");
+  Result<PointsView> view = view_of(points, "points");
   if (!view || heights_m == nullptr || view->empty()) return view;
   if (const char* const problem = NumberColumn(heights_m).problem(view->size())) {
     return invalid(problem, "heights");

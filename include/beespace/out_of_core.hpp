@@ -53,9 +53,9 @@ struct OutOfCoreProgress {
 /// @brief What a search out of core needs to know. Plain values; nothing is referred to.
 struct OutOfCoreOptions {
   /// @brief The least memory of a search, for each of its threads.
-  static constexpr std::uint64_t kLeastMemory_bytes = std::uint64_t{16} << 20U;
+  static constexpr std::uint64_t kLeastMemoryBytes = std::uint64_t{16} << 20U;
 
-  /// @brief How much memory it may use, in bytes: #kLeastMemory_bytes a thread, or more. Must be
+  /// @brief How much memory it may use, in bytes: #kLeastMemoryBytes a thread, or more. Must be
   /// given: there is no default. Points that are searched where they are (OutOfCore::refer) do not
   /// count.
   std::uint64_t memory_bytes = 0;

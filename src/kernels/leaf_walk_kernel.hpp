@@ -190,6 +190,7 @@ template <class Lanes>
 template <class Lanes>
 class LeafWalk {
  public:
+  // NOLINTNEXTLINE(clang-analyzer-optin.cplusplus.UninitializedObject): written before it is read
   [[gnu::always_inline]] LeafWalk(const TreeView& tree, std::size_t leaf, unsigned wanted,
                                   LeafNeighbors& found)
       : tree_(tree),

@@ -26,7 +26,7 @@ constexpr std::uint64_t kBytesInSample = 48;
 }  // namespace
 
 Result<Plan> plan_for(std::uint64_t memory_bytes, unsigned workers, bool heights) {
-  const std::uint64_t least = OutOfCoreOptions::kLeastMemory_bytes * workers;
+  const std::uint64_t least = OutOfCoreOptions::kLeastMemoryBytes * workers;
   if (memory_bytes < least) {
     return Error{ErrorCode::kInvalidArgument,
                  "a search out of core with " + std::to_string(workers) +
