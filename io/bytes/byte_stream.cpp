@@ -25,7 +25,7 @@ Result<ByteStream> ByteStream::open(const std::string& path) {
 }
 
 Status ByteStream::fill() {
-  std::memmove(buffer_.data(), waiting_.data(), waiting_.size());
+  if (!waiting_.empty()) std::memmove(buffer_.data(), waiting_.data(), waiting_.size());
   const auto count = file_.read(buffer_.data() + waiting_.size(), buffer_.size() - waiting_.size());
   if (!count) return count.error();
   waiting_ = {buffer_.data(), waiting_.size() + *count};

@@ -27,7 +27,7 @@ class Checksum {
       }
     }
     words = {};
-    std::memcpy(words.data(), bytes.data() + at, bytes.size() - at);
+    if (at < bytes.size()) std::memcpy(words.data(), bytes.data() + at, bytes.size() - at);
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       lanes_[lane] = core::mix(lanes_[lane] + words[lane] + bytes.size());
     }

@@ -131,7 +131,8 @@ TEST(Intruders, AreMetWithinTheStepToo) {
   flock.options.step_s = 1.0;
   flock.limits = {{6.0, 6.0}};
   flock.movers = {{{0, 0, 0}, {3, 0, 0}}};
-  flock.options.intruders = std::vector<Mover>{{{2.2, 0, 0}, {}}};
+  const std::vector<Mover> intruders{{{2.2, 0, 0}, {}}};
+  flock.options.intruders = intruders;
   const auto advised =
       advise(flock.movers, std::vector<Velocity>{{-3, 0, 0}}, flock.limits, flock.options);
   ASSERT_TRUE(advised);
