@@ -3,6 +3,7 @@
 
 #include "out_of_core/nearest_question.hpp"
 #include "out_of_core/questions.hpp"
+#include "tests/support/rounds.hpp"
 
 #include <beespace/brute_force.hpp>
 #include <beespace/engine.hpp>
@@ -283,6 +284,7 @@ TEST(SearchCells, AnswersAreThoseOfTheReference) {
     for (const std::size_t cell : {8U, 60U, 400U, 100'000U}) {
       if (cell == 8 && scene.points.size() > 800) continue;
       for (const unsigned threads : {1U, 3U}) {
+        if (test::kSanitized && threads == 1) continue;
         SCOPED_TRACE(scene.name + ", cells of " + std::to_string(cell) + ", threads " +
                      std::to_string(threads));
         const Searched found = search(scene, cell, threads, threads == 3);
