@@ -212,9 +212,16 @@ bool Guide::State::meets_before_departing(PointId index, Tick now) {
   const double apart_m =
       farthest_apart_m(member.radius_m, 0.5 * options_.threshold_m) + member.tube.radius_m;
   const Tick departs = now + options_.link.command_delay;
+  const core::Vector3 place_then = core::vector_of(member.branches.base_state(departs).position);
+  const double fastest_now = length(core::vector_of(member.branches.base_state(now).velocity));
   bool meets = false;
   for (std::size_t k = 0; k < intruder_movers_.size(); ++k) {
     const Mover& there = intruder_movers_[k];
+    const double delay_s = seconds(departs - now);
+    const double speeds = length(core::vector_of(there.velocity)) +
+                          std::max(member.tube.planned.max_speed_mps, fastest_now);
+    const double far_m = apart_m + intruder_margins_m_[k] + 2.0 * speeds * delay_s;
+    if (length(core::vector_of(there.position) - place_then) > far_m) continue;
     std::optional<double> closest_m;
     for (Tick tick = now; tick < departs; ++tick) {
       const Mover from = member.branches.base_state(tick);
@@ -314,8 +321,9 @@ void Guide::State::tell(PointId index, Tick now, Guidance& guidance) {
   told.keeps_apart = advice.keeps_apart && advice.clear_of_unknown &&
                      told.contract != Contract::kOut && !member.branches.awaits_root() &&
                      expected_.empty();
-  told.clear_of_intruders = advice.clear_of_intruders && !intruder_anywhere_ && !intruder_lost_ &&
-                            !meets_before_departing(index, now);
+  const bool meets_early = meets_before_departing(index, now);
+  told.clear_of_intruders =
+      advice.clear_of_intruders && !intruder_anywhere_ && !intruder_lost_ && !meets_early;
   told.certified = told.keeps_apart && told.clear_of_intruders && told.contract == Contract::kKept;
   told.kind = advice.kind;
   told.tube_m = member.tube.radius_m;
@@ -364,13 +372,18 @@ void Guide::State::tell_findings(Guidance& guidance) const {
   for (const NearFence& near : advised_.near_fence) {
     guidance.near_fence.push_back({id(near.agent), near.fence, near.gap_m});
   }
-  // Of one that is met before and after, the first is as near.
-  for (const AgentAndObject& met : met_early_) guidance.intruder_conflicts.push_back(met);
+  // One that is met before and after is told once, as close as it comes.
+  guidance.intruder_conflicts.assign(met_early_.begin(), met_early_.end());
   for (const IntruderConflict& conflict : advised_.intruder_conflicts) {
-    const auto is_met = [&](const AgentAndObject& met) {
+    const auto same = [&](const AgentAndObject& met) {
       return met.agent == id(conflict.agent) && met.object == intruders_of_step_[conflict.intruder];
     };
-    if (std::any_of(met_early_.begin(), met_early_.end(), is_met)) continue;
+    auto& told = guidance.intruder_conflicts;
+    const auto early_end = told.begin() + static_cast<std::ptrdiff_t>(met_early_.size());
+    if (const auto met = std::find_if(told.begin(), early_end, same); met != early_end) {
+      met->gap_m = std::min(met->gap_m, conflict.closest_m);
+      continue;
+    }
     guidance.intruder_conflicts.push_back(
         {id(conflict.agent), intruders_of_step_[conflict.intruder], conflict.closest_m});
   }

@@ -28,6 +28,7 @@ namespace {
 // NOLINTBEGIN(misc-definitions-in-headers): in an unnamed namespace, once in each kernel
 constexpr unsigned kMostLeaves = 96;  // around one leaf, a multiple of kFanOut
 constexpr double kLongestUnit = 0x1p+10;
+constexpr double kShortestUnit = 0x1p-60;  // below, offsets and units would leave the floats
 constexpr double kFarthestFrame = 16.0;
 constexpr float kNowhere = __builtin_inff();
 // NOLINTEND(misc-definitions-in-headers)
@@ -120,7 +121,7 @@ template <class Lanes>
   const double unit = own.scale / node.scale;
   const double longest = unit > 1.0 ? unit : 1.0;
   if (around.count + static_cast<unsigned>(__builtin_popcount(leaves)) > kMostLeaves) return false;
-  if (!(longest <= kLongestUnit)) return false;
+  if (!(longest <= kLongestUnit) || !(unit >= kShortestUnit)) return false;
   if (longest > static_cast<double>(around.longest_unit)) {
     around.longest_unit = static_cast<float>(longest);
   }

@@ -130,6 +130,30 @@ TEST_P(TreeWalk, GivesUpSeldomWhereDensityChanges) {
   EXPECT_LT(given_up, points.size() / 10);
 }
 
+// A node so dense that its frame has no place among the floats of another: nothing of it is lost.
+TEST_P(TreeWalk, KeepsWhatIsDenserThanFloatsCanTell) {
+  const TreeWalks walks = tree_walks(GetParam());
+  Crew alone;
+  std::vector<Point> points = test::SceneMaker(3).box(600, {0, 0, 0}, {1, 1, 1});
+  for (const Point& p : test::SceneMaker(4).box(1200, {0, 0, 0}, {1, 1, 1})) {
+    points.push_back({p.x * 1e-50, p.y * 1e-50, p.z * 1e-50});
+  }
+  const core::PointTree tree = test::tree_of(points, alone);
+  const test::PlainIndex plain(points);
+  for (std::size_t leaf = 0; leaf < tree.size() / core::kFanOut; ++leaf) {
+    const LeafRows rows = rows_of_leaf(walks, tree, leaf, 3);
+    for (std::size_t place = 0; place < core::kFanOut; ++place) {
+      if (rows.slots[place].empty()) continue;
+      const auto self = static_cast<std::uint32_t>(leaf * core::kFanOut + place);
+      for (const Nearest& each : plain.k_nearest(tree.point(self), 4)) {
+        const auto is_it = [&](std::uint32_t slot) { return tree.id(slot) == each.id; };
+        EXPECT_TRUE(each.id == tree.id(self) ||
+                    std::any_of(rows.slots[place].begin(), rows.slots[place].end(), is_it));
+      }
+    }
+  }
+}
+
 TEST_P(TreeWalk, DoesNotFindDiscardedPoints) {
   const TreeWalks walks = tree_walks(GetParam());
   const std::vector<Point> points = test::SceneMaker(5).box(900, {0, 0, 0}, {9, 9, 9});
