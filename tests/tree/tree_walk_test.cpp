@@ -134,8 +134,8 @@ TEST_P(TreeWalk, GivesUpSeldomWhereDensityChanges) {
 TEST_P(TreeWalk, KeepsWhatIsDenserThanFloatsCanTell) {
   const TreeWalks walks = tree_walks(GetParam());
   Crew alone;
-  std::vector<Point> points = test::SceneMaker(3).box(600, {0, 0, 0}, {1, 1, 1});
-  for (const Point& p : test::SceneMaker(4).box(1200, {0, 0, 0}, {1, 1, 1})) {
+  std::vector<Point> points = test::SceneMaker(3).box(512, {0, 0, 0}, {1, 1, 1});
+  for (const Point& p : test::SceneMaker(4).box(512, {0, 0, 0}, {1, 1, 1})) {
     points.push_back({p.x * 1e-50, p.y * 1e-50, p.z * 1e-50});
   }
   const core::PointTree tree = test::tree_of(points, alone);
