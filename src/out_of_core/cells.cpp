@@ -1,5 +1,6 @@
 #include "out_of_core/cells.hpp"
 
+#include "base/point_block.hpp"
 #include "base/stopping.hpp"
 #include "exact/validate.hpp"
 #include "out_of_core/checksum.hpp"
@@ -54,28 +55,42 @@ PointsView CellPoints::view() const {
 // Sorts one batch after the other by cell; one for each worker.
 class Cells::Sorter {
  public:
-  Sorter(std::size_t cells, bool heights) : heights_(heights), counts_(cells), homes_(cells) {}
+  Sorter(std::size_t cells, bool heights)
+      : heights_(heights), counts_(cells), homes_(cells), begins_(cells), ends_(cells) {}
 
   [[nodiscard]] std::size_t cells() const { return counts_.size(); }
   [[nodiscard]] std::uint32_t count(std::size_t cell) const { return counts_[cell]; }
   [[nodiscard]] std::uint32_t home_count(std::size_t cell) const { return homes_[cell]; }
 
   void sort(const PointsView& points, const Cut& cut) {
-    std::fill(counts_.begin(), counts_.end(), 0);
-    std::fill(homes_.begin(), homes_.end(), 0);
-    entries_.clear();
-    for (std::size_t index = 0; index < points.size(); ++index) {
-      cut.for_each_cell(points[index], [&](CellNumber cell, bool home) {
-        ++counts_[cell];
-        if (home) ++homes_[cell];
-        entries_.push_back({cell, static_cast<std::uint32_t>(index) | (home ? 0U : kHaloBit)});
-      });
+    count(points, cut);
+    std::size_t begin = 0;
+    for (std::size_t cell = 0; cell < cells(); ++cell) {
+      begins_[cell] = begin;
+      begin += counts_[cell];
     }
-    begins_.assign(1, 0);
-    for (const std::uint32_t count : counts_) begins_.push_back(begins_.back() + count);
-    bytes_.resize(entries_.size() * bytes_on_disk(heights_));
-    next_.assign(begins_.begin(), begins_.end() - 1);
-    for (const Entry& entry : entries_) place(entry, points);
+    bytes_.resize(begin * bytes_on_disk(heights_));
+    for (std::size_t cell = 0; cell < cells(); ++cell) {
+      std::byte* const data = bytes_.data() + offset(cell);
+      const std::size_t column = counts_[cell] * sizeof(double);
+      ends_[cell] = {data, data + columns_of(heights_) * column, column};
+    }
+    core::for_each_block(0, points.size(), [&](std::size_t first, std::size_t count) {
+      block_.load(points, first, count);
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto index = static_cast<std::uint32_t>(first + i);
+        const Point point = {block_.axis(0)[i], block_.axis(1)[i], block_.axis(2)[i]};
+        const double height = heights_ ? points.heights_m()[index] : 0.0;
+        const std::uint32_t home = homes_of_[index];
+        if ((home & kHaloBit) == 0) {
+          put(home, point, height, index);
+          continue;
+        }
+        cut.for_each_cell(point, [&](CellNumber cell, bool at_home) {
+          put(cell, point, height, index | (at_home ? 0U : kHaloBit));
+        });
+      }
+    });
   }
 
   [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
@@ -94,36 +109,54 @@ class Cells::Sorter {
   }
 
  private:
-  struct Entry {
-    CellNumber cell;
-    std::uint32_t index;  // in the batch
+  // Where the next point of a cell goes: all x of a cell, all y, all z, all heights, then where
+  // they stood.
+  struct End {
+    std::byte* number = nullptr;
+    std::byte* place = nullptr;
+    std::size_t column = 0;  // bytes
   };
 
-  // All x of a cell, all y, all z, all heights, then where they stood.
-  void place(const Entry& entry, const PointsView& points) {
-    std::byte* const data = bytes_.data() + offset(entry.cell);
-    const std::size_t count = counts_[entry.cell];
-    const std::size_t at = next_[entry.cell]++ - begins_[entry.cell];
-    const auto put = [&](std::size_t column, double number) {
-      std::memcpy(data + (column * count + at) * sizeof(double), &number, sizeof number);
-    };
-    const std::size_t index = entry.index & ~kHaloBit;
-    const Point point = points[index];
-    put(0, point.x);
-    put(1, point.y);
-    put(2, point.z);
-    if (heights_) put(3, points.heights_m()[index]);
-    std::memcpy(data + columns_of(heights_) * count * sizeof(double) + at * sizeof(std::uint32_t),
-                &entry.index, sizeof entry.index);
+  void count(const PointsView& points, const Cut& cut) {
+    std::fill(counts_.begin(), counts_.end(), 0);
+    std::fill(homes_.begin(), homes_.end(), 0);
+    homes_of_.resize(points.size());
+    core::for_each_block(0, points.size(), [&](std::size_t first, std::size_t count) {
+      block_.load(points, first, count);
+      cut.find_homes(block_, count, found_);
+      for (std::size_t i = 0; i < count; ++i) {
+        ++homes_[found_.cell[i]];
+        homes_of_[first + i] = found_.cell[i];
+        if (!found_.near_border[i]) continue;
+        homes_of_[first + i] |= kHaloBit;
+        const Point point = {block_.axis(0)[i], block_.axis(1)[i], block_.axis(2)[i]};
+        cut.for_each_cell(point,
+                          [&](CellNumber cell, bool home) { counts_[cell] += home ? 0 : 1; });
+      }
+    });
+    for (std::size_t cell = 0; cell < cells(); ++cell) counts_[cell] += homes_[cell];
+  }
+
+  void put(CellNumber cell, const Point& point, double height, std::uint32_t place) {
+    End& end = ends_[cell];
+    std::memcpy(end.number, &point.x, sizeof(double));
+    std::memcpy(end.number + end.column, &point.y, sizeof(double));
+    std::memcpy(end.number + 2 * end.column, &point.z, sizeof(double));
+    if (heights_) std::memcpy(end.number + 3 * end.column, &height, sizeof(double));
+    std::memcpy(end.place, &place, sizeof place);
+    end.number += sizeof(double);
+    end.place += sizeof place;
   }
 
   bool heights_;
   std::vector<std::uint32_t> counts_;
   std::vector<std::uint32_t> homes_;
-  std::vector<Entry> entries_;
   std::vector<std::size_t> begins_;
-  std::vector<std::size_t> next_;
+  std::vector<End> ends_;
+  std::vector<CellNumber> homes_of_;  // of each point; with kHaloBit where it may be in halos
   std::vector<std::byte> bytes_;
+  core::PointBlock block_;
+  Cut::Homes found_;
 };
 
 Status Cells::distribute(const StoredPoints& points, std::size_t batch, Crew& crew,

@@ -42,7 +42,8 @@ class Cut::Builder {
   void split(std::uint32_t index, std::span<Point> sample, const Box& box) {
     Plane plane;
     if (sample.size() <= most_ || !find_plane(sample, plane)) {
-      cut_.nodes_[index].left = static_cast<std::uint32_t>(cut_.boxes_.size());
+      cut_.nodes_[index] = leaf(index);
+      cut_.cells_[index] = static_cast<CellNumber>(cut_.boxes_.size());
       cut_.boxes_.push_back(box);
       return;
     }
@@ -52,8 +53,9 @@ class Cut::Builder {
     // Rounding keeps order: what lies within reach of a point on the other side is not beyond the
     // rounded sum either.
     cut_.nodes_[index] = {value, value - reach, value + reach, left,
-                          static_cast<std::uint8_t>(axis)};
+                          static_cast<std::uint32_t>(axis)};
     cut_.nodes_.resize(cut_.nodes_.size() + 2);
+    cut_.cells_.resize(cut_.nodes_.size());
     const auto middle = std::partition(
         sample.begin(), sample.end(),
         [axis = axis, value = value](const Point& point) { return along(point, axis) < value; });
@@ -118,6 +120,27 @@ class Cut::Builder {
 
 Cut Cut::of_sample(std::vector<Point>& sample, std::size_t most, const Reach& reach) {
   return Builder(std::max<std::size_t>(most, 1), reach).build(sample);
+}
+
+void Cut::find_homes(const core::PointBlock& block, std::size_t count, Homes& homes) const {
+  auto& at = homes.cell;  // nodes at first
+  std::fill_n(at.begin(), count, 0U);
+  std::fill_n(homes.near_border.begin(), count, false);
+  const std::array<const double*, 3> axes = {block.axis(0), block.axis(1), block.axis(2)};
+  // A level at a time, so that no point waits for the one before it.
+  std::uint32_t moved = 1;
+  while (moved != 0) {
+    moved = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Node& node = nodes_[at[i]];
+      const double coordinate = axes[node.axis][i];
+      homes.near_border[i] |= (coordinate >= node.low) & (coordinate <= node.high);
+      const std::uint32_t below = node.left + static_cast<std::uint32_t>(coordinate >= node.value);
+      moved |= below ^ at[i];
+      at[i] = below;
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i) at[i] = cells_[at[i]];
 }
 
 }  // namespace beespace::out_of_core

@@ -2,6 +2,8 @@
 // it is.
 #pragma once
 
+#include "base/point_block.hpp"
+
 #include <beespace/point.hpp>
 
 #include <array>
@@ -26,7 +28,7 @@ struct Box {
 class Cut {
  public:
   // All of space is one cell.
-  Cut() : nodes_(1), boxes_{kEverywhere} {}
+  Cut() : nodes_{leaf(0)}, cells_(1), boxes_{kEverywhere} {}
 
   // Cuts so that no cell has more than `most` points of the sample, as far as that helps: a cell
   // stays whole where each plane would put most of its points into halos. Coordinates are finite.
@@ -37,6 +39,13 @@ class Cut {
   [[nodiscard]] std::size_t cells() const { return boxes_.size(); }
   [[nodiscard]] const std::vector<Box>& boxes() const { return boxes_; }
 
+  // Of the points in a block: where each is at home, and whether it may be in halos, too.
+  struct Homes {
+    std::array<CellNumber, core::PointBlock::kSize> cell;
+    std::array<bool, core::PointBlock::kSize> near_border;
+  };
+  void find_homes(const core::PointBlock& block, std::size_t count, Homes& homes) const;
+
   // Calls visit(cell, is_home) for the home of the point, and for each cell in whose halo it is: at
   // least for all whose points can be within reach of it.
   template <class Visit>
@@ -46,40 +55,48 @@ class Cut {
   }
 
  private:
-  static constexpr std::uint8_t kLeaf = 3;
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   static constexpr Box kEverywhere = {{-kInfinity, -kInfinity, -kInfinity},
                                       {kInfinity, kInfinity, kInfinity}};
 
   // A plane across `axis`: what is below `value` belongs to the left child, the rest to the right
-  // one, which follows it. Points from `low` to `high` may be within reach of both.
+  // one, which follows it. Points from `low` to `high` may be within reach of both. A leaf has all
+  // points below it, is their left child itself, and has no border: so all of a block can descend
+  // in the same steps.
   struct Node {
-    double value = 0.0;
-    double low = 0.0;
-    double high = 0.0;
-    std::uint32_t left = 0;  // of a leaf: its cell
-    std::uint8_t axis = kLeaf;
+    double value = kInfinity;
+    double low = kInfinity;
+    double high = -kInfinity;
+    std::uint32_t left = 0;
+    std::uint32_t axis = 0;
   };
+  static constexpr Node leaf(std::uint32_t index) {
+    Node node;
+    node.left = index;
+    return node;
+  }
 
   template <class Visit>
   void descend(std::uint32_t index, const std::array<double, 3>& at, bool home,
                Visit& visit) const {
     const Node* node = &nodes_[index];
-    while (node->axis != kLeaf) {
+    while (node->left != index) {
       const double coordinate = at[node->axis];
       // Without a branch on the side, which no processor can foretell.
       const auto right = static_cast<std::uint32_t>(coordinate >= node->value);
       if (coordinate >= node->low && coordinate <= node->high) {
         descend(node->left + 1 - right, at, false, visit);
       }
-      node = &nodes_[node->left + right];
+      index = node->left + right;
+      node = &nodes_[index];
     }
-    visit(node->left, home);
+    visit(cells_[index], home);
   }
 
   class Builder;
 
   std::vector<Node> nodes_;
+  std::vector<CellNumber> cells_;  // of each node that is a leaf
   std::vector<Box> boxes_;
 };
 

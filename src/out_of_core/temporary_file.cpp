@@ -4,6 +4,7 @@
 #include <sys/statvfs.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <string>
@@ -21,6 +22,9 @@ Error failed(ErrorCode code, const std::string& what, const std::string& folder,
 std::string megabytes(std::uint64_t bytes) {
   return std::to_string((bytes + 999'999) / 1'000'000) + " MB";
 }
+
+// Room is taken in steps of so many bytes.
+constexpr std::uint64_t kRoomStep = std::uint64_t{64} << 20U;
 
 // Not all file systems know files without a name.
 int open_unnamed(const std::string& folder) {
@@ -53,19 +57,23 @@ Result<TemporaryFile> TemporaryFile::make(const std::string& folder, std::uint64
   if (descriptor < 0) {
     return failed(ErrorCode::kWriteFailed, "cannot put a temporary file", folder, errno);
   }
-  return TemporaryFile(descriptor, folder);
+  TemporaryFile file(descriptor, folder);
+  file.take_room(needed_bytes);
+  return file;
 }
 
 TemporaryFile::TemporaryFile(TemporaryFile&& other) noexcept
     : descriptor_(std::exchange(other.descriptor_, -1)),
       folder_(std::move(other.folder_)),
-      size_(other.size_.load()) {
+      size_(other.size_.load()),
+      room_(other.room_.load()) {
 }
 
 TemporaryFile& TemporaryFile::operator=(TemporaryFile&& other) noexcept {
   std::swap(descriptor_, other.descriptor_);
   std::swap(folder_, other.folder_);
   size_ = other.size_.exchange(size_);
+  room_ = other.room_.exchange(room_);
   return *this;
 }
 
@@ -73,8 +81,24 @@ TemporaryFile::~TemporaryFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
+// Blocks of a disk that are found one by one, while they are written, are written several times as
+// slowly. Whether there is room in the end is for writing to say: not all file systems can tell.
+void TemporaryFile::take_room(std::uint64_t end) {
+#ifdef __linux__
+  std::uint64_t begin = room_;
+  if (end <= begin) return;
+  end = std::max(end, begin + kRoomStep);
+  if (!room_.compare_exchange_strong(begin, end)) return;  // another thread does
+  ::fallocate(descriptor_, FALLOC_FL_KEEP_SIZE, static_cast<off_t>(begin),
+              static_cast<off_t>(end - begin));
+#else
+  static_cast<void>(end);
+#endif
+}
+
 Result<std::uint64_t> TemporaryFile::append(std::span<const std::byte> bytes) {
   const std::uint64_t begin = size_.fetch_add(bytes.size());
+  take_room(begin + bytes.size());
   std::uint64_t offset = begin;
   while (!bytes.empty()) {
     const ssize_t written =

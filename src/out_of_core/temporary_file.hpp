@@ -16,7 +16,8 @@ namespace beespace::out_of_core {
 
 class TemporaryFile {
  public:
-  // Errors: kWriteFailed, also where the folder has less room than so many bytes.
+  // Room for so many bytes is taken at once, where the file system can. Errors: kWriteFailed, also
+  // where the folder has less room.
   static Result<TemporaryFile> make(const std::string& folder, std::uint64_t needed_bytes);
 
   TemporaryFile(TemporaryFile&& other) noexcept;
@@ -34,10 +35,12 @@ class TemporaryFile {
  private:
   explicit TemporaryFile(int descriptor, std::string folder)
       : descriptor_(descriptor), folder_(std::move(folder)) {}
+  void take_room(std::uint64_t end);
 
   int descriptor_;
   std::string folder_;
   std::atomic<std::uint64_t> size_ = 0;
+  std::atomic<std::uint64_t> room_ = 0;  // bytes that the disk has for it
 };
 
 }  // namespace beespace::out_of_core
