@@ -1,14 +1,20 @@
-"""Examples that need a library which is not there are skipped, and said to be."""
+"""Examples that need a library which is not there are skipped, and said to be. Ctrl-C is what it is at a
+terminal."""
 
 from __future__ import annotations
 
 import importlib.util
 import os
+import signal
 
 import pytest
 
 _needs = {"to_pandas": "pandas", "to_polars": "polars", "plot": "matplotlib"}
 _readers = ("_files.", "_report.", "FileError", "OSError")
+
+# A shell starts what runs in its background deaf to Ctrl-C.
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

@@ -161,8 +161,11 @@ def _axes_of(points: Any, place: str) -> list[NDArray[Any]] | None:
 
 
 def _are_columns(points: Any) -> bool:
-    """Whether this is one array or list an axis: any tuple is, but for one of numbers."""
-    return _is_a(points, tuple) and any(hasattr(axis, "__len__") for axis in points)
+    """Whether this is one array or list an axis: any tuple is, but for one of numbers. Not all arrays
+    have a length, nor have all lists a number of dimensions."""
+    return _is_a(points, tuple) and any(
+        hasattr(axis, "__len__") or getattr(axis, "ndim", 0) > 0 for axis in points
+    )
 
 
 def units_of(place: str) -> tuple[str, ...]:

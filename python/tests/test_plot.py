@@ -139,7 +139,7 @@ def test_answers_about_other_points_are_refused():
         (lambda: beespace.plot(cube, np.array([0.5])), "answer"),
         (lambda: beespace.plot(cube, np.ones(79, bool)), "answer"),
         (lambda: beespace.plot(cube, "near"), "threshold"),
-        (lambda: beespace.plot(cube, -1.0), None),
+        (lambda: beespace.plot(cube, -1.0), "threshold"),
         (lambda: beespace.plot(cube, pairs, vertical=3), None),
         (lambda: beespace.plot(cube, 5, projection="polar"), "projection"),
         (lambda: beespace.plot(cube * np.nan), "points"),
