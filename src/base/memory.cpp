@@ -9,6 +9,9 @@
 #if defined(__linux__)
 #include <sys/mman.h>
 #endif
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 
 namespace beespace::core {
 
@@ -53,13 +56,21 @@ void free_block(void* data, std::size_t bytes) {
   ::operator delete(data, alignment_of(bytes));
 }
 
+void trim_freed_memory([[maybe_unused]] std::size_t bytes) {
+#if defined(__GLIBC__)
+  // It looks through all that is free.
+  constexpr std::size_t kWorthWhile = std::size_t{1} << 22;
+  if (bytes >= kWorthWhile) malloc_trim(0);
+#endif
+}
+
 Memory::Memory() {
   kept_.reserve(kBlocks);
   lent_.reserve(kBlocks);
 }
 
 Memory::~Memory() {
-  release();
+  free_all_kept();
 }
 
 Memory& Memory::of(unsigned worker) {
@@ -68,14 +79,36 @@ Memory& Memory::of(unsigned worker) {
   while (of_workers_.size() < worker) {
     of_workers_.push_back(std::make_unique<Memory>());
     of_workers_.back()->calls_ = calls_;
+    of_workers_.back()->most_ = most_;
   }
   return *of_workers_[worker - 1];
 }
 
 void Memory::release() {
+  trim_freed_memory(free_all_kept());
+}
+
+std::size_t Memory::free_all_kept() {
   const std::lock_guard lock(mutex_);
-  for (const auto& memory : of_workers_) memory->release();
+  std::size_t bytes = 0;
+  for (const Block& block : kept_) bytes += block.bytes;
+  for (const auto& memory : of_workers_) bytes += memory->free_all_kept();
   free_kept();
+  return bytes;
+}
+
+void Memory::bound(std::size_t bytes) {
+  const std::lock_guard lock(mutex_);
+  most_ = bytes;
+  for (const auto& memory : of_workers_) memory->bound(bytes);
+}
+
+bool Memory::is_full(std::size_t bytes) const {
+  if (most_ == SIZE_MAX) return false;
+  std::size_t all = bytes;
+  for (const Block& block : kept_) all += block.bytes;
+  for (const Block& block : lent_) all += block.bytes;
+  return all > most_;
 }
 
 // A block of exactly this size: so a frame gets the blocks of a similar frame before, whatever came
@@ -112,7 +145,7 @@ void* Memory::do_allocate(std::size_t bytes, std::size_t /*alignment: a cache li
     kept_[found] = kept_.back();
     kept_.pop_back();
   } else {
-    if (calls_ <= 1) free_kept();
+    if (calls_ <= 1 || is_full(whole)) free_kept();
     // Room for all blocks in either list first: giving back must not fail.
     const std::size_t blocks = kept_.size() + lent_.size() + 1;
     if (kept_.capacity() < blocks) kept_.reserve(2 * blocks);

@@ -24,6 +24,10 @@ void advise_huge_pages(void* data, std::size_t bytes);
 void* allocate_block(std::size_t bytes);
 void free_block(void* data, std::size_t bytes);
 
+// After about so many bytes were freed: gives what the allocator keeps of them back to the system,
+// where it can.
+void trim_freed_memory(std::size_t bytes);
+
 class Memory final : public std::pmr::memory_resource {
  public:
   Memory();
@@ -40,8 +44,12 @@ class Memory final : public std::pmr::memory_resource {
   // blocks.
   void start_call();
 
-  // Gives all unused blocks back to the system.
+  // Gives all unused blocks back to the system, so that the process has less memory then.
   void release();
+
+  // From now on the unused blocks of a thread go back to the system where one more would make it
+  // more than so many bytes, used and unused.
+  void bound(std::size_t bytes);
 
  private:
   struct Block {
@@ -50,7 +58,11 @@ class Memory final : public std::pmr::memory_resource {
     std::uint64_t last_call;
   };
 
+  // Says how many bytes.
+  std::size_t free_all_kept();
   void free_kept();
+  // Whether one more of so many bytes would be too much.
+  [[nodiscard]] bool is_full(std::size_t bytes) const;
 
   void* do_allocate(std::size_t bytes, std::size_t alignment) override;
   void do_deallocate(void* data, std::size_t bytes, std::size_t alignment) override;
@@ -61,6 +73,7 @@ class Memory final : public std::pmr::memory_resource {
 
   std::mutex mutex_;
   std::uint64_t calls_ = 0;
+  std::size_t most_ = SIZE_MAX;  // bytes of kept_ and lent_
   std::vector<Block> kept_;  // unused, for the next allocation
   std::vector<Block> lent_;
   std::vector<std::unique_ptr<Memory>> of_workers_;

@@ -2,6 +2,8 @@
 
 #include "base/stopping.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <exception>
 #include <span>
 #include <thread>
@@ -14,7 +16,11 @@ namespace {
 // Reads one cell while another is searched.
 class Reading {
  public:
-  explicit Reading(const Cells& cells) : cells_(cells) {}
+  // Of at most so many points at a time: memory that is taken anew for each cell does not always go
+  // back to the system.
+  Reading(const Cells& cells, std::uint64_t most) : cells_(cells) {
+    points_.resize(static_cast<std::size_t>(most), cells.have_heights());
+  }
   Reading(const Reading&) = delete;
   Reading& operator=(const Reading&) = delete;
   ~Reading() {
@@ -76,14 +82,20 @@ Status walk_cells(const Cells& cells, std::size_t most, CellQuestion& question,
                   std::uint64_t& crowded) {
   std::vector<std::size_t> whole;
   std::vector<std::size_t> too_full;
+  std::uint64_t largest = 0;  // of those that are whole
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
     if (cells.home_count(cell) == 0) continue;
-    (cells.count(cell) <= most ? whole : too_full).push_back(cell);
+    if (cells.count(cell) > most) {
+      too_full.push_back(cell);
+      continue;
+    }
+    whole.push_back(cell);
+    largest = std::max(largest, cells.count(cell));
   }
   crowded = too_full.size();
 
   std::uint64_t searched = 0;
-  Reading readings[2] = {Reading(cells), Reading(cells)};
+  Reading readings[2] = {{cells, largest}, {cells, largest}};
   if (!whole.empty()) readings[0].start(cells.segments(whole[0]));
   for (std::size_t at = 0; at < whole.size(); ++at) {
     Reading& reading = readings[at % 2];

@@ -85,6 +85,7 @@ class Cells {
                     const std::function<void(std::uint64_t)>& done);
 
   [[nodiscard]] std::size_t size() const { return segments_.size(); }
+  [[nodiscard]] bool have_heights() const { return heights_; }
   // Where its home points are.
   [[nodiscard]] const Box& box(std::size_t cell) const { return cut_.boxes()[cell]; }
   // Points of a cell, its halo included; and those at home.

@@ -111,6 +111,7 @@ Status NearestQuestion::compare(std::vector<Open>& open, const std::vector<std::
 }
 
 Status NearestQuestion::ask_crowded(const CrowdedCell& cell, const Cells& cells) {
+  engine_.release_memory();
   CellPoints points;
   CellPoints others;
   std::vector<Open> open;

@@ -90,9 +90,7 @@ class __attribute__((visibility("hidden"))) OutOfCore::State {
     const auto reach = reach_of_closest_pair(stored_, run, at);
     if (!reach) return reach.error();
     ClosestPairQuestion question(engine_, run);
-    if (auto status = search_cells(stored_, *reach, at, question, facts_); !status) {
-      return std::move(status).error();
-    }
+    if (auto status = ask(question, *reach, at); !status) return std::move(status).error();
     return question.closest();
   }
 
@@ -111,7 +109,7 @@ class __attribute__((visibility("hidden"))) OutOfCore::State {
     const NearestQuestion::Setting setting = {run, length, reach->front(), plan->cell / 2,
                                               waiting_within(*plan, length)};
     NearestQuestion question(engine_, setting, visit);
-    return search_cells(stored_, *reach, at, question, facts_);
+    return ask(question, *reach, at);
   }
 
  private:
@@ -121,6 +119,15 @@ class __attribute__((visibility("hidden"))) OutOfCore::State {
     if (options_.folder.empty())
       return invalid_option("a folder for temporary files must be named");
     return plan_for(options_.memory_bytes, crew().size(), stored_.have_heights());
+  }
+
+  // Searches cell after cell. No two cells have as many points, and what one of them has used would
+  // wait for another one in vain.
+  Status ask(CellQuestion& question, const Reach& reach, const Workplace& at) {
+    engine_.bound_memory(at.plan.work);
+    auto status = search_cells(stored_, reach, at, question, facts_);
+    engine_.release_memory();
+    return status;
   }
 
   [[nodiscard]] std::optional<Error> wrong_points(const PointsView& points) const {
@@ -153,7 +160,7 @@ class __attribute__((visibility("hidden"))) OutOfCore::State {
     how.threads = options_.threads;
     how.stop = options_.stop;
     auto question = make_question(how, *plan);
-    return search_cells(stored_, reach_of(how, heights), workplace(*plan), question, facts_);
+    return ask(question, reach_of(how, heights), workplace(*plan));
   }
 
   Workplace workplace(const Plan& plan) {

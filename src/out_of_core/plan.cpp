@@ -41,6 +41,7 @@ Result<Plan> plan_for(std::uint64_t memory_bytes, unsigned workers, bool heights
   Plan plan;
   plan.cell =
       static_cast<std::size_t>(std::min<std::uint64_t>(used / in_cell, std::uint64_t{1} << 31U));
+  plan.work = plan.cell * kBytesOfSearch;
   // So that a segment is never more than a part of a cell.
   plan.batch =
       static_cast<std::size_t>(std::min({used / (Cells::bytes_a_batch_point(heights) * workers),

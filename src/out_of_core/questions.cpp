@@ -40,6 +40,7 @@ Status AtRiskQuestion::ask(const CellPoints& points, const Cells& /*cells*/) {
 }
 
 Status AtRiskQuestion::ask_crowded(const CrowdedCell& cell, const Cells& /*cells*/) {
+  engine_.release_memory();
   CellPoints points;
   open_.clear();
   clear(open_points_);
@@ -119,6 +120,7 @@ Status CountQuestion::ask(const CellPoints& points, const Cells& /*cells*/) {
 }
 
 Status CountQuestion::ask_crowded(const CrowdedCell& cell, const Cells& /*cells*/) {
+  engine_.release_memory();
   CellPoints points;
   CellPoints others;
   for (std::size_t piece = 0; piece < cell.pieces(); ++piece) {
@@ -168,6 +170,7 @@ Status PairsQuestion::ask(const CellPoints& points, const Cells& /*cells*/) {
 }
 
 Status PairsQuestion::ask_crowded(const CrowdedCell& cell, const Cells& cells) {
+  engine_.release_memory();
   CellPoints points;
   CellPoints others;
   for (std::size_t piece = 0; piece < cell.pieces(); ++piece) {
@@ -218,6 +221,7 @@ Status ClosestPairQuestion::ask_between(const CellPoints& points, const CellPoin
 }
 
 Status ClosestPairQuestion::ask_crowded(const CrowdedCell& cell, const Cells& cells) {
+  engine_.release_memory();
   CellPoints points;
   CellPoints others;
   for (std::size_t piece = 0; piece < cell.pieces(); ++piece) {

@@ -1,5 +1,6 @@
 #include "out_of_core/search_cells.hpp"
 
+#include "base/memory.hpp"
 #include "base/stopping.hpp"
 #include "out_of_core/cells.hpp"
 #include "out_of_core/temporary_file.hpp"
@@ -132,6 +133,8 @@ Status search_cells(StoredPoints& points, const Reach& reach, const Workplace& a
   return core::unless_stopped([&]() -> Status {
     const auto cells = distribute(points, reach, at);
     if (!cells) return cells.error();
+    core::trim_freed_memory(std::min<std::size_t>(points.size(), at.plan.batch) *
+                            Cells::bytes_a_batch_point(points.have_heights()));
     for (std::size_t cell = 0; cell < cells->size(); ++cell) {
       if (cells->home_count(cell) > 0) ++facts.cells;
       facts.copies += cells->count(cell) - cells->home_count(cell);

@@ -23,8 +23,8 @@ std::string megabytes(std::uint64_t bytes) {
   return std::to_string((bytes + 999'999) / 1'000'000) + " MB";
 }
 
-// Room is taken in steps of so many bytes.
-constexpr std::uint64_t kRoomStep = std::uint64_t{64} << 20U;
+// For less it is not worth while.
+constexpr std::uint64_t kLeastRoom = std::uint64_t{1} << 20U;
 
 // Not all file systems know files without a name.
 int open_unnamed(const std::string& folder) {
@@ -86,8 +86,8 @@ TemporaryFile::~TemporaryFile() {
 void TemporaryFile::take_room(std::uint64_t end) {
 #ifdef __linux__
   std::uint64_t begin = room_;
-  if (end <= begin) return;
-  end = std::max(end, begin + kRoomStep);
+  if (end <= begin || end < kLeastRoom) return;
+  end = std::max(end, begin + begin / 8);
   if (!room_.compare_exchange_strong(begin, end)) return;  // another thread does
   ::fallocate(descriptor_, FALLOC_FL_KEEP_SIZE, static_cast<off_t>(begin),
               static_cast<off_t>(end - begin));

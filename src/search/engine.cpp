@@ -37,6 +37,10 @@ void Engine::release_memory() {
   state_->memory().release();
 }
 
+void Engine::bound_memory(std::size_t bytes) {
+  state_->memory().bound(bytes);
+}
+
 Status Engine::find_at_risk(const PointsView& points, const SearchOptions& options,
                             std::vector<PointId>& at_risk) {
   return core::answered(at_risk, [&]() -> Status {

@@ -37,9 +37,25 @@ bool within(const Point& a, const Point& b, const Reach& reach) {
          std::abs(a.z - b.z) <= reach[2];
 }
 
+// Those of blocks are those of points.
+void expect_homes(const std::vector<Point>& points, const Cut& cut,
+                  const std::vector<Where>& places) {
+  core::PointBlock block;
+  Cut::Homes homes;
+  core::for_each_block(0, points.size(), [&](std::size_t begin, std::size_t count) {
+    block.load(points, begin, count);
+    cut.find_homes(block, count, homes);
+    for (std::size_t i = 0; i < count; ++i) {
+      ASSERT_EQ(homes.cell[i], places[begin + i].home) << begin + i;
+      ASSERT_EQ(homes.near_border[i], places[begin + i].all.size() > 1) << begin + i;
+    }
+  });
+}
+
 void expect_complete_halos(const std::vector<Point>& points, const Cut& cut, const Reach& reach) {
   std::vector<Where> places;
   for (const Point& point : points) places.push_back(where(cut, point));
+  expect_homes(points, cut, places);
   for (std::size_t a = 0; a < points.size(); ++a) {
     for (std::size_t b = 0; b < points.size(); ++b) {
       if (!within(points[a], points[b], reach)) continue;

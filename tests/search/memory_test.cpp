@@ -7,6 +7,7 @@
 #include <beespace/pairs.hpp>
 
 #include "scenes/swarm_scenes.hpp"
+#include "tests/support/process_memory.hpp"
 #include "tests/support/rounds.hpp"
 
 #include <gtest/gtest.h>
@@ -24,23 +25,6 @@ namespace beespace {
 namespace {
 
 constexpr std::size_t kSize = 2'000'000;
-
-std::optional<std::uint64_t> status_bytes(const std::string& field) {
-  std::ifstream status("/proc/self/status");
-  for (std::string word; status >> word;) {
-    if (word != field) continue;
-    std::uint64_t kibibytes = 0;
-    status >> kibibytes;
-    return kibibytes * 1024;
-  }
-  return std::nullopt;
-}
-
-bool reset_peak() {
-  std::ofstream clear("/proc/self/clear_refs");
-  clear << "5" << std::flush;
-  return clear.good() && status_bytes("VmHWM:").has_value();
-}
 
 struct Scene {
   const char* name;
@@ -87,10 +71,10 @@ struct Measured {
 template <class Ask>
 Measured measured(const Scene& scene, unsigned threads, Ask&& ask) {
   malloc_trim(0);  // or memory kept from the run before would be used again, unseen
-  EXPECT_TRUE(reset_peak());
-  const std::uint64_t before = *status_bytes("VmRSS:");
+  EXPECT_TRUE(test::reset_peak());
+  const std::uint64_t before = *test::status_bytes("VmRSS:");
   const std::size_t results = ask(scene.points, SearchOptions{scene.threshold_m, false, threads});
-  const std::uint64_t peak = *status_bytes("VmHWM:");
+  const std::uint64_t peak = *test::status_bytes("VmHWM:");
   EXPECT_GE(peak, before);
   return {static_cast<double>(peak - before), static_cast<double>(results)};
 }
@@ -99,7 +83,7 @@ class WorkingMemory : public testing::Test {
  protected:
   void SetUp() override {
     if (test::kSanitized) GTEST_SKIP() << "a sanitizer's shadow memory would be measured";
-    if (!reset_peak()) GTEST_SKIP() << "this system does not tell the peak of resident memory";
+    if (!test::reset_peak()) GTEST_SKIP() << "this system does not tell the peak of resident memory";
   }
 };
 
