@@ -241,8 +241,8 @@ class BEESPACE_API Engine {
   /// @brief Bounds the working memory that waits for another use. A call takes what it needs all
   /// the same; but before it takes more than this, it gives back what it has no use for. Swarms
   /// whose size changes from call to call otherwise keep memory of several sizes.
-  /// @param bytes Of the memory of all calls of one thread, used and waiting; SIZE_MAX, as at first:
-  /// no bound.
+  /// @param bytes Of the memory of all calls of one thread, used and waiting; SIZE_MAX, as at
+  /// first: no bound.
   void bound_memory(std::size_t bytes);
 
  private:

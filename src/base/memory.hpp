@@ -74,7 +74,7 @@ class Memory final : public std::pmr::memory_resource {
   std::mutex mutex_;
   std::uint64_t calls_ = 0;
   std::size_t most_ = SIZE_MAX;  // bytes of kept_ and lent_
-  std::vector<Block> kept_;  // unused, for the next allocation
+  std::vector<Block> kept_;      // unused, for the next allocation
   std::vector<Block> lent_;
   std::vector<std::unique_ptr<Memory>> of_workers_;
 };

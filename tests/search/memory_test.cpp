@@ -83,7 +83,8 @@ class WorkingMemory : public testing::Test {
  protected:
   void SetUp() override {
     if (test::kSanitized) GTEST_SKIP() << "a sanitizer's shadow memory would be measured";
-    if (!test::reset_peak()) GTEST_SKIP() << "this system does not tell the peak of resident memory";
+    if (!test::reset_peak())
+      GTEST_SKIP() << "this system does not tell the peak of resident memory";
   }
 };
 
