@@ -77,8 +77,9 @@ Status poll_until_done(const beespace_run& run, RunOptions options, const Watche
   }
   Status status = worker->finish();
   // A poll may have taken a signal away to say so: the caller must hear of it, even where the
-  // answer was complete by then.
-  if (asked && status) return Error{ErrorCode::kStopped, "the poll ended the call", {}};
+  // answer was complete by then, or another error came first.
+  if (asked && (status || status.error().code != ErrorCode::kStopped))
+    return Error{ErrorCode::kStopped, "the poll ended the call", {}};
   return status;
 }
 

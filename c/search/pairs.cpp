@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string>
 
 using namespace beespace::c;  // NOLINT(google-build-using-namespace): the functions are of C
 using beespace::Pair;
@@ -25,16 +26,12 @@ namespace {
 
 constexpr std::uint32_t kOfPairs = kWithin | BEESPACE_MAX_RESULTS | BEESPACE_DISTANCES;
 
-// Of rows with the point itself, the limit counts it, too.
-Result<PairOptions> leave_room_for_self(PairOptions options, std::size_t points) {
-  if (options.max_results < points) {
-    return beespace::Error{beespace::ErrorCode::kTooManyResults,
-                           "each point is its own neighbour, and there are more points than "
-                           "max_results",
-                           {}};
-  }
-  options.max_results -= points;
-  return options;
+beespace::Error too_many_with_self(std::uint64_t most) {
+  return {
+      beespace::ErrorCode::kTooManyResults,
+      "there are more than " + std::to_string(most) +
+          " results, as each point is its own neighbour; raise max_results or lower the threshold",
+      {}};
 }
 
 Status find_rows(const Search& asked, const PointSets& sets, beespace_engine& used,
@@ -55,9 +52,14 @@ Status find_rows(const Search& asked, const PointSets& sets, beespace_engine& us
 Status find_rows_with_self(const Search& asked, const PointSets& sets, beespace_engine& used,
                            const RunOptions& run, beespace_result& into) {
   const std::size_t count = sets.points.size();
-  const Result<PairOptions> options = leave_room_for_self(asked.pairs(run), count);
-  if (!options) return options.error();
-  Status status = used.engine.find_neighbors(sets.points, *options, used.rows);
+  PairOptions options = asked.pairs(run);
+  const std::uint64_t most = options.max_results;
+  if (most < count) return too_many_with_self(most);
+  options.max_results -= count;
+  Status status = used.engine.find_neighbors(sets.points, options, used.rows);
+  if (!status && status.error().code == beespace::ErrorCode::kTooManyResults) {
+    return too_many_with_self(most);
+  }
   if (status) status = write_rows_with_self(used.rows, count, run.stop, into);
   if (!status || !asked.distances) return status;
   return write_row_distances(sets.points, sets.points, run.stop, into);

@@ -49,8 +49,8 @@ constexpr auto span_of(const T& numbers) {
 /// function that the view is given to: the view remembers what it was made of, and reads none of it
 /// beyond its end.
 ///
-/// Ownership: none; the memory must outlive the view and must not change while a search reads it.
-/// Cheap to copy.
+/// Ownership: none; the memory must outlive the view and must not change while a search reads it,
+/// or the search is undefined: it reads coordinates more than once. Cheap to copy.
 class PointsView {
  public:
   /// @brief A view of no points.

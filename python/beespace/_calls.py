@@ -16,6 +16,8 @@ from beespace._units import METRES, NO_DATES, SECONDS, is_date, plain
 
 # With fewer points a call is over before Ctrl-C matters, and a thread would cost more than it.
 _MANY = 5_000
+# Of what moves each pair may have to be looked at, for some microseconds.
+_MANY_MOVING = 500
 
 try:
     # Whether SIGINT has come, as the interpreter's own code asks: no Python code runs in the call, in
@@ -61,10 +63,10 @@ def search_of(
     return CSearch(_search_size, flags, 0, length(threshold, "threshold"), height, most)
 
 
-def run_of(threads: Any, points: int) -> CRun | None:
+def run_of(threads: Any, points: int, moving: bool = False) -> CRun | None:
     """The C structure of a run: its threads, and that Ctrl-C ends it."""
     watched = (
-        points >= _MANY
+        points >= (_MANY_MOVING if moving else _MANY)
         and _interrupted is not None
         and threading.current_thread() is _main_thread()
     )

@@ -75,7 +75,7 @@ class Check(InTurn):
         if speeds is not None:
             speeds.check_axes(places.axes, "velocities", "positions")
         error = _library.new_error()
-        run = run_of(self._threads, places.count)
+        run = run_of(self._threads, places.count, moving=True)
         with self._lock:
             places.check_axes(self._axes, "positions", "moments before")
             code = library.beespace_verifier_add(
@@ -93,7 +93,7 @@ class Check(InTurn):
     def add_recording(self, recording: ctypes.c_void_p, fixes: int, max_gap: float) -> None:
         """Takes a recording of the library."""
         error = _library.new_error()
-        run = run_of(self._threads, fixes)
+        run = run_of(self._threads, fixes, moving=True)
         with self._lock:
             code = library.beespace_verifier_add_recording(
                 self._handle,

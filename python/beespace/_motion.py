@@ -135,7 +135,7 @@ class Predictions(Asking):
         places, speeds = movers_of(positions, velocities, "positions", "velocities", copy)
         error = _library.new_error()
         result = Result()
-        run = run_of(threads, places.count)
+        run = run_of(threads, places.count, moving=True)
         code = self._call(
             function,
             (

@@ -299,7 +299,7 @@ class Recording:
     def _ask(self, function: Any, search: tuple[Any, ...], max_gap: Any, threads: int) -> Result:
         error = _library.new_error()
         result = Result()
-        run = run_of(threads, self._fixes)
+        run = run_of(threads, self._fixes, moving=True)
         code = function(
             self._handle,
             *search,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import atexit
 import ctypes
+import os
 import queue
 import threading
 import weakref
@@ -15,6 +16,7 @@ from numpy.typing import NDArray
 
 from beespace import _library
 from beespace._answers import Pairs
+from beespace._errors import BeespaceError
 from beespace._library import CRun, library
 
 # What shows pairs to a visitor: called with the run, the visitor, its data and the error.
@@ -90,8 +92,15 @@ class Visit:
         worker = threading.Thread(target=self._run, name="beespace.iter_pairs", daemon=True)
         worker.start()
         _running[self] = worker
+        process = os.getpid()
         try:
             while True:
+                if os.getpid() != process:
+                    raise BeespaceError(
+                        "these pairs are found by a thread of the process that this one was forked from: "
+                        "ask anew",
+                        "invalid_argument",
+                    )
                 piece = self._pieces.get()
                 if piece is None:
                     return
@@ -99,8 +108,9 @@ class Visit:
                     raise piece
                 yield piece
         finally:
-            self._end()
-            worker.join()
+            if os.getpid() == process:
+                self._end()
+                worker.join()
 
     def _end(self) -> None:
         self._ended.set()

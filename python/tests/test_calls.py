@@ -170,6 +170,43 @@ def test_ctrl_c_ends_a_long_search(call, error):
     assert complaint == ""
 
 
+_movers_interrupted = """
+import signal, threading, time, numpy, beespace
+crowd = numpy.random.default_rng(5).uniform(0, 1, (4_000, 3))
+
+def seconds_of(call):
+    began = time.process_time()
+    try:
+        call()
+    except KeyboardInterrupt:
+        print("ended")
+    return time.process_time() - began
+
+ask = lambda: {call}
+whole = seconds_of(ask)
+threading.Timer(0.02, signal.raise_signal, [signal.SIGINT]).start()
+print(seconds_of(ask) < whole / 2)
+"""
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        "beespace.predict(crowd, crowd[::-1], 0.9, within=1)",
+        "beespace.Recording(list(range(4_000)) * 2, [0] * 4_000 + [1] * 4_000, "
+        "numpy.vstack([crowd, crowd[::-1]])).conflicts(0.9)",
+    ],
+)
+def test_ctrl_c_ends_a_long_question_about_few_that_move(call):
+    ended = subprocess.run(
+        [sys.executable, "-c", _movers_interrupted.format(call=call)],
+        capture_output=True,
+        text=True,
+        timeout=300,
+    )
+    assert ended.stdout == "ended\nTrue\n", ended.stderr
+
+
 def test_the_version_is_that_of_the_library():
     assert beespace.__version__.count(".") == 2
 

@@ -202,3 +202,14 @@ def test_ctrl_c_in_the_midst_of_pieces_ends_them():
             print("ended", threading.active_count())
     """)
     assert (code, told) == (0, ["ended 1"]), problem
+
+
+@_no_fork
+def test_pieces_that_a_thread_of_the_parent_finds_are_refused_in_the_child_of_a_fork():
+    code, told, problem = run("""
+        pieces = beespace.iter_pairs(points, 60, chunk=1000)
+        seen = len(next(pieces))
+        print(in_child(lambda: is_refused(lambda: next(pieces))))
+        print(seen + sum(map(len, pieces)) == len(beespace.pairs(points, 60)))
+    """)
+    assert (code, told) == (0, ["0", "True"]), problem

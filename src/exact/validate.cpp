@@ -189,7 +189,7 @@ std::optional<Error> check_set(const PointsView& points, const char* name) {
 Error too_many_results(std::uint64_t most) {
   return Error{ErrorCode::kTooManyResults,
                "there are more than " + std::to_string(most) +
-                   " results; raise max_results, lower the threshold, or visit the pairs instead",
+                   " results; raise max_results or lower the threshold",
                {}};
 }
 

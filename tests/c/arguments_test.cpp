@@ -273,8 +273,11 @@ TEST_F(CArguments, LimitsAreErrorsAndNeverCutAnAnswer) {
   for (const std::uint64_t limit : {2U, 4U, 5U}) {
     search_.max_results = limit;
     EXPECT_EQ(
-        beespace_neighbors(nullptr, &points_, nullptr, &search_, nullptr, result_.get(), nullptr),
+        beespace_neighbors(nullptr, &points_, nullptr, &search_, nullptr, result_.get(), &error_),
         limit == 5 ? BEESPACE_OK : BEESPACE_TOO_MANY_RESULTS);
+    if (limit == 5) continue;
+    const std::string message = error_.message;
+    EXPECT_EQ(message.find("more than " + std::to_string(limit) + " results"), 10) << message;
   }
   EXPECT_EQ(beespace_result_size(result_.get()), 5);
 }

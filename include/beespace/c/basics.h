@@ -85,6 +85,9 @@ enum beespace_number_types {
 
 /// @brief Points in the caller's memory, whatever their layout. Nothing is copied.
 ///
+/// They must not change during a call, which reads them more than once: not even values that other
+/// threads write may change, or the answer is wrong or the process crashes.
+///
 /// Coordinate `x` of point i stands `i * x_stride` bytes behind `x`. Strides may be negative; 0
 /// repeats one coordinate for all points. Pointers and strides must be multiples of the size that
 /// the type is aligned to: packed structures must be copied first.
