@@ -193,8 +193,8 @@ print(seconds_of(ask) < whole / 2)
     "call",
     [
         "beespace.predict(crowd, crowd[::-1], 0.9, within=1)",
-        "beespace.Recording(list(range(4_000)) * 2, [0] * 4_000 + [1] * 4_000, "
-        "numpy.vstack([crowd, crowd[::-1]])).conflicts(0.9)",
+        "beespace.Recording(list(range(2_000)) * 2, [0] * 2_000 + [1] * 2_000, "
+        "numpy.vstack([crowd[:2_000], crowd[2_000:]])).conflicts(0.9)",
     ],
 )
 def test_ctrl_c_ends_a_long_question_about_few_that_move(call):
