@@ -162,7 +162,7 @@ def test_nearly_no_points(session, count):
 
 
 def test_points_are_cut_once(session, tmp_path):
-    """The rounds read one shuffle, though it is named several times."""
+    """The rounds read one shuffle of points and one of the first round, though they are named several times."""
     folder = str(tmp_path)
 
     def counted(batches):
@@ -181,3 +181,5 @@ def test_points_are_cut_once(session, tmp_path):
     compare(found.toPandas(), ids, points, 1)
     # Tasks may be run twice, by speculation.
     assert 4 <= len(list(tmp_path.iterdir())) - before <= 8
+    plan = found._jdf.queryExecution().executedPlan().toString().split("Initial Plan")[0]
+    assert plan.count("MapInArrow FirstRound") == plan.count("MapInArrow Distribution") == 1

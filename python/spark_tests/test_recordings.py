@@ -104,12 +104,15 @@ def check_without_spark(recorded, borders, gap, most, **more):
     recording = beespace.Recording(ids, times, places)
     wanted = recording.conflicts(2.5, max_gap=None if gap == np.inf else gap)
     got, cells, fixes = conflicts_without_spark(recorded, borders, gap, most, threshold=2.5, **more)
+    same_conflicts(got, wanted)
+    return cells, fixes, len(wanted)
+
+def same_conflicts(got, wanted):
     assert (0 if got is None else got.num_rows) == len(wanted)
     if got is not None:
         for name, other in (("first", "i"), ("second", "j"), ("begin", "begin"), ("end", "end"),
                             ("closest_time", "closest_time"), ("closest_distance", "closest_distance")):
             np.testing.assert_array_equal(got.column(name).to_numpy(), getattr(wanted, other))
-    return cells, fixes, len(wanted)
 
 @pytest.fixture
 def little_at_once(monkeypatch):
@@ -149,6 +152,40 @@ def test_windows_with_more_agents_than_fit_are_cut_into_cells(far):
     # Nothing is lost where all tubes but one are longer than those of the sample.
     check_without_spark(spread(12, 200, regular=False, far=199), np.array([5.0, 9.5]), 1.0, 300)
 
+@pytest.mark.parametrize("most", [None, 300])
+def test_heights_apart_in_feet(most):
+    ids, times, places = spread(21, 300)
+    recorded = ids, times, places * [1, 1, 500]
+    columns = Columns(2, False, True)
+    apart = {"threshold": 3.0, "vertical": 1_000.0, "inclusive": True}
+    got, cells, _ = conflicts_without_spark(
+        recorded, np.array([3.0, 6.5]), np.inf, most, columns, 0.3048, **apart
+    )
+    recording = beespace.Recording(ids, times, places[:, :2], heights=places[:, 2] * 500, height_unit=0.3048)
+    wanted = recording.conflicts(3.0, vertical=1_000.0, inclusive=True)
+    assert 20 < len(wanted) < len(recording.conflicts(3.0, vertical=1e9))
+    assert most is None or cells > 4
+    same_conflicts(got, wanted)
+
+def test_cells_and_feet_on_a_cluster(session, caplog):
+    ids, times, places = spread(11, 500, far=10)
+    frame = frame_of(session, ids, times, places)
+    frame = frame.selectExpr("id", "time", "8 + x / 1e5 AS lon", "47 + y / 1e5 AS lat", "z * 500 AS feet")
+    found = beespace.spark.conflicts(
+        frame, 4, lon="lon", lat="lat", height="feet", vertical=1_000, height_unit=0.3048, window_fixes=500
+    )
+    ground = beespace.to_ecef(8 + places[:, 0] / 1e5, 47 + places[:, 1] / 1e5, 0.0)
+    recording = beespace.Recording(ids, times, ground, heights=places[:, 2] * 500, height_unit=0.3048)
+    wanted = recording.conflicts(4, vertical=1_000)
+    assert len(wanted) > 50
+    compare(found, wanted)
+
+def test_agents_too_close_to_cut_space_are_searched_whole_and_that_is_said(session, caplog):
+    recorded = flight(7, regular=True)
+    wanted = beespace.Recording(*recorded).conflicts(30)
+    compare(beespace.spark.conflicts(frame_of(session, *recorded), 30, window_fixes=60), wanted)
+    assert any("is too large beside them" in record.message for record in caplog.records)
+
 def test_texts_as_ids_and_timestamps(session):
     rows = [("zoë", 0, 0.0, 0.0), ("bob", 0, 100.0, 3.0), ("zoë", 10, 100.0, 0.0), ("bob", 10, 0.0, 3.0)]
     frame = session.createDataFrame(rows, "id string, s long, x double, y double")
@@ -165,6 +202,27 @@ def test_two_fixes_of_an_agent_at_one_time(session):
     frame = session.createDataFrame(rows, "id long, time double, x double, y double")
     with pytest.raises(Exception, match="the agent 1 has two fixes at 0.0 s"):
         beespace.spark.conflicts(frame, 5, z=None).collect()
+
+@pytest.mark.parametrize(
+    ("arguments", "code", "place"),
+    [
+        ({"time": "when"}, "missing_column", "time"),
+        ({"id": "x"}, "invalid_argument", "id"),
+        ({"y": "text"}, "invalid_argument", "y"),
+        ({"threshold": -1}, "invalid_threshold", "threshold"),
+        ({"max_gap": 0}, "invalid_argument", "max_gap"),
+        ({"window_fixes": 0}, "invalid_argument", "window_fixes"),
+        ({"height": "time"}, "invalid_argument", "height"),
+        ({"height_unit": 0.3048}, "invalid_argument", "height_unit"),
+    ],
+)
+def test_columns_of_recordings_are_checked_without_a_job(session, arguments, code, place):
+    frame = session.range(1).selectExpr(
+        "id", "cast(raise_error('read') AS double) AS time", "1.5D AS x", "2.5D AS y", "'a' AS text"
+    )
+    with pytest.raises(beespace.BeespaceError) as caught:
+        beespace.spark.conflicts(frame, **{"threshold": 5, "z": None, **arguments})
+    assert caught.value.code == code and caught.value.place == place
 
 def test_fixes_that_cannot_be_used_are_counted(session):
     rows = [(1, 0.0, 0.0), (2, float("nan"), 5.0), (3, 2.0, None)]

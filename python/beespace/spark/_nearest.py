@@ -30,6 +30,7 @@ from beespace.spark._search import (
     DataFrame,
     Prepared,
     check_limits,
+    cut_space,
     look,
     names_of_answer,
     places_of,
@@ -40,9 +41,10 @@ from beespace.spark._survey import Survey
 from beespace.spark._workers import arrow, threads_of_task
 
 _CELL_POINTS = 1_000_000
-# Halos are so many times as wide as the nearest ones of a usual point are far: of points at random nearly
-# all are settled then.
-_IN_REACH = 3.0
+# Halos are as wide as the nearest ones are far, of at most this share of all points: the first of these
+# with which cells have no more than so many times their points.
+_SHARES = (0.9, 0.5, 0.1, 0.01)
+_MOST_IN_HALOS = 1.3
 # So many nearest ones take about the memory that a point takes.
 _LIKE_A_POINT = 8
 _SMALLEST_REACH = 2.0**-400
@@ -107,7 +109,7 @@ def nearest(
         raise invalid("this is at least one neighbour, and at most 2**31 - 1", "k")
     most = max(check_limits(cell_points, tasks) * _LIKE_A_POINT // (_LIKE_A_POINT + number), 1)
     found = look(df, places, check_ids)
-    reach = _reach_of_nearest(found, number, places.columns)
+    reach = _reach_of_nearest(found, number, places.columns, most)
     prepared = prepare(df, places, found, [reach] * places.columns.searched, most, tasks)
     buckets = max(len(prepared.keys), math.ceil(found.rows * (1 + number) / _OPEN_IN_BUCKET / 16))
     keys = prepared.keys
@@ -129,7 +131,7 @@ def _rounds(session: Any, prepared: Prepared, plan: Plan, id: str) -> DataFrame:
     names = [id, "rank", "nearest", "distance"]
     schema = f"{quoted(id)} long, rank int, nearest long, distance double"
     first = prepared.blocks.mapInArrow(FirstRound(plan), ROUND_SCHEMA).repartition(number, "part")
-    asks = first.where(_after_the_shuffle(f"kind = {ASKS}"))
+    asks = first.where(_after_the_shuffle(_of_kind(ASKS)))
     home = prepared.blocks.where(_after_the_shuffle("home")).selectExpr(
         "part", f"{HOME} AS kind", "cell", "first", "points AS data"
     )
@@ -145,7 +147,7 @@ def _rounds(session: Any, prepared: Prepared, plan: Plan, id: str) -> DataFrame:
         .mapInArrow(SecondRound(plan), ROUND_SCHEMA)
     )
     last = (
-        first.where(_after_the_shuffle(f"kind = {TOLD}"))
+        first.where(_after_the_shuffle(_of_kind(TOLD)))
         .union(second)
         .repartition(number, "part")
         .sortWithinPartitions("cell")
@@ -154,13 +156,18 @@ def _rounds(session: Any, prepared: Prepared, plan: Plan, id: str) -> DataFrame:
     return first.mapInArrow(Answers(plan, names), schema).union(last)
 
 
+def _of_kind(kind: int) -> str:
+    """Names all columns, so that Spark shuffles none of them apart from the others."""
+    return f"kind = {kind} AND part + first IS NOT NULL AND data IS NOT NULL"
+
+
 def _after_the_shuffle(condition: str) -> str:
     """A condition that Spark does not move to before the shuffle, which several read; then it shuffles once."""
     return f"CASE WHEN spark_partition_id() >= 0 THEN {condition} END"
 
 
-def _reach_of_nearest(found: Survey, count: int, columns: Columns) -> float:
-    """How wide halos are."""
+def _reach_of_nearest(found: Survey, count: int, columns: Columns, most: int) -> float:
+    """How wide halos are: as the nearest ones of a usual point are far, if that costs little; else less."""
     if not found.sample or len(found.sample[0]) < 2:
         return _SMALLEST_REACH
     # Of the nearest ones of all, so many are in the sample; distances go with the root.
@@ -168,7 +175,14 @@ def _reach_of_nearest(found: Survey, count: int, columns: Columns) -> float:
     whole_ones = min(math.ceil(among), len(found.sample[0]) - 1)
     distances = _once.nearest(np.column_stack(found.sample), whole_ones).distances[:, -1]
     shrunk = min(among / whole_ones, 1.0) ** (1 / columns.axes if not columns.degrees else 1 / 3)
-    return max(_SMALLEST_REACH, _IN_REACH * float(np.median(distances)) * shrunk)
+    reach = _SMALLEST_REACH
+    for share in _SHARES:
+        reach = max(_SMALLEST_REACH, float(np.quantile(distances, share)) * shrunk)
+        cut = cut_space(found, [reach] * columns.searched, most, most)
+        in_cells = [home + copy for home, copy in zip(cut.homes, cut.copies)]
+        if sum(in_cells) <= _MOST_IN_HALOS * sum(cut.homes) and max(in_cells) <= 1.25 * most * found.rate:
+            break
+    return reach
 
 
 def closest_pair(

@@ -1,8 +1,8 @@
 """What workers do to find the nearest points: functions for `mapInArrow`.
 
 First round: each cell, with its halo, finds the nearest ones of its home points. Those that are within
-the reach of halos are the answer: whoever is not in the cell is farther than that, as a real number. The other
-points are open.
+the reach of halos are the answer: whoever is not in the cell is farther than that, as a real number. So are
+those that no other cell comes nearer than. The other points are open.
 
 Second round: an open point asks each cell in which a nearer one may be, and the cell tells the nearest ones
 of its home points. At least as many points as are wanted are known to be within some distance of an open point,
@@ -117,36 +117,44 @@ class FirstRound:
         if length == plan.length:
             bound = distances[home, -1]
         settled = bound <= plan.reach * (1 - _ALLOWANCE)
-        some = home[settled]
-        part = plan.parts[cell.number]
-        if len(some):
-            answers = np.column_stack([cell.ids[some], cell.ids[near[some]], _bits(distances[some])])
-            yield from _blocks(part, ANSWER, -1, answers, max(plan.block // (1 + plan.length), 1))
         for begin in range(0, len(home), _POINTS_AT_ONCE):
             open_ones = np.flatnonzero(~settled[begin : begin + _POINTS_AT_ONCE]) + begin
-            if len(open_ones):
-                yield from self._open(cell, home[open_ones], near, bound[open_ones])
+            if not len(open_ones):
+                continue
+            asks = list(self._asks(cell, home[open_ones], bound[open_ones]))
+            waits = np.zeros(len(open_ones), bool)
+            for _, some in asks:
+                waits[some] = True
+            # Who has no other cell to ask has all that is nearer in its own.
+            settled[open_ones] = ~waits if length == plan.length else False
+            places = np.column_stack([cell.ids, _bits(cell.points)])
+            rows = home[open_ones[~settled[open_ones]]]
+            if len(rows):
+                yield _told(plan, places[rows], places[near[rows]])
+            for asked, some in asks:
+                block = places[home[open_ones[some]]]
+                yield from _blocks(plan.parts[asked], ASKS, asked, block, plan.block)
+        some = home[settled]
+        if len(some):
+            answers = np.column_stack([cell.ids[some], cell.ids[near[some]], _bits(distances[some])])
+            most = max(plan.block // (1 + plan.length), 1)
+            yield from _blocks(plan.parts[cell.number], ANSWER, -1, answers, most)
 
-    def _open(
-        self,
-        cell: Cell,
-        rows: NDArray[np.int64],
-        near: NDArray[np.int64],
-        bound: NDArray[np.float64],
-    ) -> Iterator[Any]:
-        plan = self.plan
-        places = np.column_stack([cell.ids, _bits(cell.points)])
-        yield from _told(plan, places[rows], places[near[rows]])
+    def _asks(
+        self, cell: Cell, rows: NDArray[np.int64], bound: NDArray[np.float64]
+    ) -> Iterator[tuple[int, NDArray[np.int64]]]:
+        """Of each other cell in which nearer points may be: which of these rows ask it."""
+        cut = self.plan.cut
         axes = list(np.ascontiguousarray(cell.points[rows].T))
         unbounded = np.flatnonzero(np.isinf(bound))
         # One more, as the point may be in the sample itself.
-        bound[unbounded] = plan.cut.bounds([axis[unbounded] for axis in axes], plan.length + 1)
-        for asked, some in plan.cut.within(axes, bound * (1 + _ALLOWANCE)):
+        bound[unbounded] = cut.bounds([axis[unbounded] for axis in axes], self.plan.length + 1)
+        for asked, some in cut.within(axes, bound * (1 + _ALLOWANCE)):
             if asked != cell.number:
-                yield from _blocks(plan.parts[asked], ASKS, asked, places[rows[some]], plan.block)
+                yield asked, some
 
 
-def _told(plan: Plan, asked: NDArray[np.int64], near: NDArray[np.int64]) -> Iterator[Any]:
+def _told(plan: Plan, asked: NDArray[np.int64], near: NDArray[np.int64]) -> Any:
     """Open points and candidates of each, into buckets."""
     count = len(asked)
     records = np.concatenate([asked, near.reshape(count, near.shape[1] * near.shape[2])], axis=1)
@@ -165,21 +173,7 @@ def _told(plan: Plan, asked: NDArray[np.int64], near: NDArray[np.int64]) -> Iter
             # How many candidates each of the points has comes first.
             data.append(np.int64(near.shape[1]).tobytes() + piece.tobytes())
             of.append(int(buckets[begin]))
-    yield _rows(np.array(plan.bucket_parts, np.int32)[of], TOLD, of, 0, data)
-
-
-def homes(batches: Iterator[Any]) -> Iterator[Any]:
-    """Blocks of cells as rows of a round: those of home points."""
-    pyarrow = arrow()
-
-    for batch in batches:
-        kept = batch.filter(batch.column(3))
-        if not kept.num_rows:
-            continue
-        names = [each.split()[0] for each in ROUND_SCHEMA.split(", ")]
-        kind = pyarrow.array(np.full(kept.num_rows, HOME, np.int32))
-        columns = [kept.column(0), kind, kept.column(1), kept.column(2), kept.column(4)]
-        yield pyarrow.RecordBatch.from_arrays(columns, names)
+    return _rows(np.array(plan.bucket_parts, np.int32)[of], TOLD, of, 0, data)
 
 
 class SecondRound:
@@ -219,7 +213,7 @@ class SecondRound:
         self, index: Index, home: NDArray[np.int64], asked: NDArray[np.int64]
     ) -> Iterator[Any]:
         found = index.nearest(_numbers(asked), min(self.plan.length, len(home)))
-        yield from _told(self.plan, asked, home[found.ids])
+        yield _told(self.plan, asked, home[found.ids])
 
 
 def _numbers(places: NDArray[np.int64]) -> NDArray[np.float64]:

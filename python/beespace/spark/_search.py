@@ -296,12 +296,8 @@ def prepare(
     """Cuts space, and says how blocks come together by cell."""
     session = df.sparkSession
     at_once = processors_of(session)
-    wanted = min(most, max(found.rows / (_TASKS_A_PROCESSOR * (tasks or at_once)), _WORTH_A_CELL))
-    if found.sample:
-        cut = Cut.of_sample(found.sample, reach, most * found.rate, wanted * found.rate)
-    else:
-        cut = Cut()
-        cut.homes, cut.copies, cut.boxes = [0], [0], [np.zeros((2, len(reach)))]
+    wanted = _wanted(found, most, tasks, at_once)
+    cut = cut_space(found, reach, most, wanted)
     sizes = [(home + copy) / max(found.rate, 1e-30) for home, copy in zip(cut.homes, cut.copies)]
     in_all = sum(sizes)
     number = tasks or min(cut.cells, max(_TASKS_A_PROCESSOR * at_once, math.ceil(in_all / most)))
@@ -327,6 +323,20 @@ def prepare(
         .sortWithinPartitions("cell", "first")
     )
     return Prepared(blocks, facts, cut, parts, keys, block)
+
+
+def _wanted(found: Survey, most: int, tasks: int | None, at_once: int) -> float:
+    """How many points a cell is to have, so that all processors have work."""
+    return min(most, max(found.rows / (_TASKS_A_PROCESSOR * (tasks or at_once)), _WORTH_A_CELL))
+
+
+def cut_space(found: Survey, reach: list[float], most: float, wanted: float) -> Cut:
+    """Cells, as the sample says."""
+    if found.sample:
+        return Cut.of_sample(found.sample, reach, most * found.rate, wanted * found.rate)
+    cut = Cut()
+    cut.homes, cut.copies, cut.boxes = [0], [0], [np.zeros((2, len(reach)))]
+    return cut
 
 
 def _tell(facts: CutFacts, most: int, wanted: float) -> None:

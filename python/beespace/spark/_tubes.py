@@ -84,7 +84,7 @@ def _last_agent(table: Any, borders: NDArray[np.float64], columns: Columns) -> t
     numbers, ends = _numbers_of(table, columns)
     latest = numbers[ends[1:] - 1, 0][is_last].max()
     window = np.asarray(table.column("window").to_numpy())
-    open_ones = is_last & (window >= np.searchsorted(borders, latest, "left"))
+    open_ones: NDArray[np.bool_] = is_last & (window >= np.searchsorted(borders, latest, "left"))
     return table.filter(pyarrow.array(open_ones)), table.filter(pyarrow.array(~open_ones))
 
 
@@ -179,7 +179,6 @@ def facts_of(rows: list[Any], reach: list[float], most: int) -> WindowFacts:
     fixes = sum(row["fixes"] for row in rows)
     if fixes <= most:
         return WindowFacts(None, [float(fixes)])
-    tubes = sum(row["tubes"] for row in rows)
     keys = [np.frombuffer(row["keys"], np.uint64) for row in rows]
     samples = [np.frombuffer(row["sample"]).reshape(-1, 2 * axes) for row in rows]
     # A partition that gives all its tubes does not limit the others.
@@ -256,8 +255,8 @@ class IntoCells:
         pyarrow = arrow()
 
         lengths = tubes.begins[whom + 1] - tubes.begins[whom]
-        behind = np.arange(lengths.sum()) - np.repeat(np.cumsum(lengths) - lengths, lengths)
-        rows = np.repeat(tubes.begins[whom], lengths) + behind
+        behind = np.arange(int(lengths.sum())) - np.repeat(np.cumsum(lengths) - lengths, lengths)
+        rows: NDArray[np.int64] = np.repeat(tubes.begins[whom], lengths) + behind
         table = tubes.rows.take(pyarrow.array(rows)).combine_chunks()
         told = [self.windows.parts[window][cell], window, cell, role]
         arrays = [pyarrow.array(np.full(len(rows), each, np.int32)) for each in told]
