@@ -1,4 +1,4 @@
-"""A Master and two Workers of their own: one is killed, one has no room, a task is run twice, and none has
+"""A Master and two Workers of their own: one is killed, one has no room. A task is run twice, and none has
 much more to do than the others."""
 
 from __future__ import annotations
@@ -185,7 +185,7 @@ def test_a_task_that_is_slow_is_run_twice(session, tmp_path):
     assert {"0", "1"} <= {attempt for stage, attempt in stages if stage == max(stages)[0]}
 
 
-def test_large_no_task_takes_much_longer_than_the_others(session):
+def test_millions_no_task_takes_much_longer_than_the_others(session):
     """Of a swarm a part of which is a thousand times denser: by the clock of Spark."""
     count = 1_500_000
     side = (count / 2) ** (1 / 3) * 10
@@ -214,7 +214,7 @@ def test_large_no_task_takes_much_longer_than_the_others(session):
 @pytest.mark.parametrize(
     ("kind", "count"), [("uniform", 1_000_000), ("clusters", 1_000_000), ("uniform", 10_000_000)]
 )
-def test_large_scenes(session, kind, count):
+def test_millions_of_points(session, kind, count):
     """Millions of points: who is at risk and how many are near each, as one machine says."""
     side = (count * 2.0) ** (1 / 3)
     shrunk = "if(id % 2 = 0, 1D, 0.1D)" if kind == "clusters" else "1D"
