@@ -65,6 +65,10 @@ def test_ids_that_are_there_twice_in_a_cell_are_found_without_the_check(session)
         ({"threshold": 0}, "invalid_threshold", "threshold"),
         ({"threshold": "5m"}, "invalid_threshold", "threshold"),
         ({"threshold": float("nan")}, "invalid_threshold", "threshold"),
+        ({"z": None, "height": "z"}, "invalid_argument", "height"),
+        ({"height_unit": 0.3048}, "invalid_argument", "height_unit"),
+        ({"z": None, "height": "z", "vertical": 5, "height_unit": 0}, "invalid_argument", "height_unit"),
+        ({"z": None, "height": "text", "vertical": 5}, "invalid_argument", "height"),
         ({"cell_points": 0}, "invalid_argument", "cell_points"),
         ({"tasks": 0}, "invalid_argument", "tasks"),
     ],
@@ -76,6 +80,33 @@ def test_columns_and_arguments_are_checked_without_a_job(session, arguments, cod
     )
     error = _error(lambda: beespace.spark.at_risk(frame, **{"threshold": 5, **arguments}))
     assert error.code == code and error.place == place
+
+
+def test_what_nearest_is_asked_is_checked_without_a_job(session):
+    frame = session.createDataFrame(_rows(1), TYPES).selectExpr(
+        "id AS rank", "x", "y", "cast(raise_error('read') AS double) AS z", "id AS count"
+    )
+    for k in (0, -1, 1.5, 2**31):
+        assert _error(lambda k=k: beespace.spark.nearest(frame, k, id="count")).place == "k"
+    assert _error(lambda: beespace.spark.nearest(frame, id="rank")).place == "id"
+    assert "rename" in str(_error(lambda: beespace.spark.counts(frame, 5, id="count")))
+    assert _error(lambda: beespace.spark.closest_pair(frame, id="no")).code == "missing_column"
+
+
+@pytest.mark.parametrize("value", [float("nan"), float("inf"), 1e200])
+def test_a_height_apart_that_cannot_be_used(session, value):
+    rows = _rows()
+    rows[8] = (8, 1.0, 0.0, value)
+    frame = session.createDataFrame(rows, TYPES)
+    error = _error(lambda: beespace.spark.pairs(frame, 5, z=None, height="z", vertical=3))
+    assert error.place == "height" and "1 of 100 rows" in str(error) and "id 8" in str(error)
+
+
+def test_nearest_of_rows_that_cannot_be_used(session):
+    frame = session.createDataFrame([*_rows(), (500, None, 0.0, 0.0)], TYPES)
+    for ask in (beespace.spark.nearest, beespace.spark.closest_pair):
+        error = _error(lambda ask=ask: ask(frame))
+        assert error.place == "x" and "1 of 101 rows" in str(error) and "id 500" in str(error)
 
 
 def test_a_latitude_beyond_the_pole(session):

@@ -94,6 +94,41 @@ def test_degrees(session):
     same(columns_of(flat), [beespace.at_risk(beespace.to_ecef(lon, lat, 0.0), 25)])
 
 
+@pytest.mark.parametrize("question", ["pairs", "at_risk", "counts"])
+def test_heights_in_feet_beside_degrees(session, question):
+    """5 NM over ground and 1,000 ft: positions at height 0, heights as they are."""
+    rng = np.random.default_rng(14)
+    count = 3_000
+    lon, lat = 8 + rng.random(count) * 3, 47 + rng.random(count) * 3
+    feet = rng.integers(0, 40, count) * 500.0
+    ids = rng.permutation(count)
+    frame = frame_of(session, ids, np.column_stack([lon, lat, feet]), ("id", "lon", "lat", "feet"))
+    apart = {"vertical": 1_000, "inclusive": True}
+    places = {"lon": "lon", "lat": "lat", "height": "feet", "height_unit": 0.3048}
+    found = getattr(beespace.spark, question)(frame, 9_260, **places, **apart, **SMALL)
+    order = np.argsort(ids)
+    search = beespace.OutOfCore("64 MB", height_unit=0.3048)
+    search.add(beespace.to_ecef(lon, lat, 0.0)[order], heights=feet[order])
+    if question == "pairs":
+        pairs = np.concatenate([np.column_stack([p.i, p.j]) for p in search.iter_pairs(9_260, **apart)])
+        distances = np.concatenate([p.distance for p in search.iter_pairs(9_260, **apart)])
+        sorted_ones = np.lexsort((pairs[:, 1], pairs[:, 0]))
+        assert 1_000 < len(pairs) < count**2 / 100
+        wanted = [*pairs[sorted_ones].T, distances[sorted_ones]]
+    elif question == "counts":
+        wanted = [np.arange(count), search.count(9_260, **apart)]
+    else:
+        wanted = [search.at_risk(9_260, **apart)]
+    same(columns_of(found), wanted)
+
+
+def test_heights_beside_x_and_y_decide_as_z_does(session):
+    ids, points = scenes.swarm("lattice")
+    frame = frame_of(session, ids, points)
+    found = beespace.spark.at_risk(frame, scenes.THRESHOLD, z=None, height="z", vertical=2.0, **SMALL)
+    same(columns_of(found), expected(ids, points, vertical=2.0)["at_risk"])
+
+
 @pytest.mark.parametrize("count", [0, 1])
 def test_nothing_to_compare(session, count):
     frame = frame_of(session, np.arange(count), np.zeros((count, 3)))

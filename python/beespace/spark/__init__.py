@@ -13,8 +13,19 @@ installed; this module does not import them before a function is called.
 
 from __future__ import annotations
 
+from beespace.spark._nearest import closest_pair, nearest
 from beespace.spark._points import at_risk, counts, facts, pairs
 from beespace.spark._recordings import conflicts, gaps
 from beespace.spark._search import CutFacts
 
-__all__ = ["CutFacts", "at_risk", "conflicts", "counts", "facts", "gaps", "pairs"]
+__all__ = [
+    "CutFacts",
+    "at_risk",
+    "closest_pair",
+    "conflicts",
+    "counts",
+    "facts",
+    "gaps",
+    "nearest",
+    "pairs",
+]

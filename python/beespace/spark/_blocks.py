@@ -27,14 +27,28 @@ _ROWS_AT_ONCE = 1 << 16
 
 
 class Columns(NamedTuple):
-    """Which columns of the selected ones are what: the first is the id, then come coordinates."""
+    """Which columns of the selected ones are what: the first is the id, then come coordinates, and last
+    a height, where heights are apart from positions."""
 
     axes: int
     degrees: bool
+    apart: bool = False
 
     @property
     def names(self) -> tuple[str, ...]:
-        return ("lon", "lat", "height")[: self.axes] if self.degrees else ("x", "y", "z")[: self.axes]
+        """The roles of the columns of numbers."""
+        roles = ("lon", "lat", "height") if self.degrees else ("x", "y", "z")
+        return (*roles[: self.axes], "height") if self.apart else roles[: self.axes]
+
+    @property
+    def searched(self) -> int:
+        """How many axes positions have where they are searched."""
+        return 3 if self.degrees else self.axes
+
+    @property
+    def width(self) -> int:
+        """How many numbers each point has where it is searched, its height apart included."""
+        return self.searched + self.apart
 
 
 def points_in_block(max_records: int) -> int:
@@ -62,11 +76,12 @@ def reals(column: Any, name: str) -> NDArray[np.float64]:
 
 
 def in_metres(given: list[NDArray[np.float64]], columns: Columns) -> list[NDArray[np.float64]]:
-    """Positions as they are searched."""
+    """Positions as they are searched; and heights that are apart, as they are."""
     if not columns.degrees:
         return given
     height = given[2] if columns.axes == 3 else 0.0
-    return list(np.ascontiguousarray(to_ecef(given[0], given[1], height).T))
+    axes = list(np.ascontiguousarray(to_ecef(given[0], given[1], height).T))
+    return [*axes, given[-1]] if columns.apart else axes
 
 
 class Distribution:
@@ -118,7 +133,7 @@ class Distribution:
             table[:, 1 + at] = axis.view(np.int64)
         data: list[NDArray[np.int64]] = []
         told: list[tuple[int, bool, int]] = []
-        for cell, home, halo in self.cut.distribute(axes):
+        for cell, home, halo in self.cut.distribute(axes[: self.columns.searched]):
             for rows, is_home in ((home, True), (halo, False)):
                 if len(rows):
                     data.append(table[rows])
@@ -147,12 +162,14 @@ class Distribution:
 class Cell(NamedTuple):
     """The points of a cell and of its halo, ascending by id."""
 
+    number: int
     ids: NDArray[np.int64]
     points: NDArray[np.float64]
+    heights: NDArray[np.float64] | None  # where they are apart
     home: NDArray[np.bool_]
 
 
-def cells_of(batches: Iterator[Any], axes: int) -> Iterator[Cell]:
+def cells_of(batches: Iterator[Any], columns: Columns) -> Iterator[Cell]:
     """Cells that have points at home, one after the other, of blocks that are sorted by cell."""
     pieces: list[tuple[NDArray[np.int64], NDArray[np.bool_]]] = []
     current = -1
@@ -167,16 +184,16 @@ def cells_of(batches: Iterator[Any], axes: int) -> Iterator[Cell]:
                 continue
             cell = int(cells[begin])
             if cell != current:
-                yield from _put_together(pieces)
+                yield from _put_together(current, pieces, columns)
                 pieces = []
                 done.add(current)
                 current = cell
                 if cell in done:
                     # An answer without the rest of the cell would be a false all-clear.
                     raise RuntimeError("beespace: the blocks of a cell did not come together")
-            pieces.append(_points_of(batch.column(4), begin, end, homes[begin:end], 1 + axes))
+            pieces.append(_points_of(batch.column(4), begin, end, homes[begin:end], 1 + columns.width))
             begin = end
-    yield from _put_together(pieces)
+    yield from _put_together(current, pieces, columns)
 
 
 def _points_of(
@@ -192,7 +209,9 @@ def _points_of(
     return points, np.repeat(homes, np.diff(some) // (8 * width))
 
 
-def _put_together(pieces: list[tuple[NDArray[np.int64], NDArray[np.bool_]]]) -> Iterator[Cell]:
+def _put_together(
+    number: int, pieces: list[tuple[NDArray[np.int64], NDArray[np.bool_]]], columns: Columns
+) -> Iterator[Cell]:
     if not any(bool(home.any()) for _, home in pieces):
         return
     table = np.concatenate([points for points, _ in pieces])
@@ -207,7 +226,9 @@ def _put_together(pieces: list[tuple[NDArray[np.int64], NDArray[np.bool_]]]) -> 
             "id",
         )
     home = np.concatenate([home for _, home in pieces])[order]
-    yield Cell(ids, table[:, 1:].view(np.float64), home)
+    numbers = table[:, 1:].view(np.float64)
+    apart = numbers[:, -1] if columns.apart else None
+    yield Cell(number, ids, numbers[:, : columns.searched], apart, home)
 
 
 def batches_of(names: list[str], columns: list[NDArray[Any]]) -> Iterator[Any]:

@@ -19,6 +19,8 @@ _OFF_THE_MIDDLE = 8
 _MOST_IN_HALOS = 2
 _MOST_IN_HALOS_OF_SMALL = 8
 _LEAF = -1
+# Of points from cells, so many are computed at a time.
+_DISTANCES_AT_ONCE = 1 << 20
 
 
 class Cut:
@@ -37,6 +39,7 @@ class Cut:
         self.child = [0]  # of a leaf: its cell
         self.homes: list[int] = []  # of each cell, how many points of the sample are at home
         self.copies: list[int] = []  # and how many are in its halo
+        self.boxes: list[NDArray[np.float64]] = []  # and the lowest and the highest of them along each axis
 
     @property
     def cells(self) -> int:
@@ -61,6 +64,7 @@ class Cut:
                 cut.child[node] = cut.cells
                 cut.homes.append(len(home))
                 cut.copies.append(len(halo))
+                cut.boxes.append(_box_of(sample, home))
                 continue
             waiting += cut._split(node, found, sample, reach, home, halo)
         return cut
@@ -107,6 +111,69 @@ class Cut:
             for side in (0, 1):
                 own, near = sides[side]
                 waiting.append((self.child[node] + side, own, np.concatenate([near, *of_halo[side]])))
+
+    def within(self, axes: Axes, radii: NDArray[np.float64]) -> Iterator[tuple[int, Rows]]:
+        """Of each cell in which anything may be that is not farther than the radius along any axis: the
+        rows of the points for which that holds.
+
+        What is not above a point + its radius as real numbers is not above their rounded sum either,
+        as rounding keeps order; so if it is not below a plane, nor is the sum.
+        """
+        rows: Rows = np.arange(len(radii))
+        waiting: list[tuple[int, Rows]] = [(0, rows)]
+        while waiting:
+            node, some = waiting.pop()
+            if not len(some):
+                continue
+            if self.axis[node] == _LEAF:
+                yield self.child[node], some
+                continue
+            at, plane = axes[self.axis[node]][some], self.plane[node]
+            left = self.child[node]
+            waiting.append((left, some[at - radii[some] <= plane]))
+            waiting.append((left + 1, some[at + radii[some] >= plane]))
+
+    def touching(self, low: Axes, high: Axes) -> Iterator[tuple[int, Rows]]:
+        """Of each cell: the rows of the boxes that come within reach of anything at home in it."""
+        rows: Rows = np.arange(len(low[0]))
+        waiting: list[tuple[int, Rows]] = [(0, rows)]
+        while waiting:
+            node, some = waiting.pop()
+            if not len(some):
+                continue
+            if self.axis[node] == _LEAF:
+                yield self.child[node], some
+                continue
+            axis, left = self.axis[node], self.child[node]
+            waiting.append((left, some[low[axis][some] <= self.high[node]]))
+            waiting.append((left + 1, some[high[axis][some] >= self.low[node]]))
+
+    def bounds(self, axes: Axes, count: int) -> NDArray[np.float64]:
+        """How far from each point so many points of the sample are at most; infinity where it has fewer."""
+        bounds = np.full(len(axes[0]), np.inf)
+        if sum(self.homes) < count:
+            return bounds
+        boxes = np.array(self.boxes)
+        homes = np.array(self.homes)
+        at_once = max(_DISTANCES_AT_ONCE // len(homes), 1)
+        for begin in range(0, len(bounds), at_once):
+            squares = np.zeros((len(bounds[begin : begin + at_once]), len(homes)))
+            for axis, along in enumerate(axes):
+                at = along[begin : begin + at_once, None]
+                far = np.maximum(np.abs(at - boxes[:, 0, axis]), np.abs(boxes[:, 1, axis] - at))
+                squares += far * far
+            order = np.argsort(squares, axis=1, kind="stable")
+            enough = (np.cumsum(homes[order], axis=1) >= count).argmax(axis=1)
+            last = order[np.arange(len(order)), enough]
+            bounds[begin : begin + at_once] = np.sqrt(squares[np.arange(len(order)), last])
+        return bounds * (1 + 2.0**-40)
+
+
+def _box_of(sample: Axes, rows: Rows) -> NDArray[np.float64]:
+    some = [axis[rows] for axis in sample]
+    if not len(rows):
+        return np.zeros((2, len(sample)))
+    return np.array([[each.min() for each in some], [each.max() for each in some]])
 
 
 def _find_plane(axes: Axes, reach: list[float], share: int) -> tuple[int, float] | None:

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import NamedTuple
 
 from beespace.spark._questions import AtRisk, Counts, PairsOf, Question
 from beespace.spark._search import (
     CutFacts,
     DataFrame,
+    Level,
     Places,
-    Prepared,
+    arguments_of,
+    check_limits,
+    look,
+    names_of_answer,
     places_of,
     prepare,
     quoted,
@@ -31,6 +35,7 @@ def at_risk(
     lat: str | None = None,
     height: str | None = None,
     vertical: float | None = None,
+    height_unit: float = 1.0,
     inclusive: bool = False,
     cell_points: int = _CELL_POINTS,
     tasks: int | None = None,
@@ -49,11 +54,16 @@ def at_risk(
     x, y, z : str
         The columns of coordinates in metres, floats or integers; heights are 0 where `z` is None.
     lon, lat, height : str, optional
-        Instead of these, the columns of WGS84 degrees and of heights above the ellipsoid in metres,
-        which are converted as by `to_ecef`.
+        Instead of x, y and z, the columns of WGS84 degrees and of heights above the ellipsoid in metres,
+        which are converted as by `to_ecef`. With `vertical`, heights may be above whatever all are above,
+        and there may be one beside x and y.
     vertical : float, optional
-        A vertical threshold in metres: two points conflict when they are closer than `threshold` in
-        x and y, and closer than this in z.
+        A vertical threshold: two points conflict when they are closer than `threshold` in x and y, and
+        closer than this in z. Where there is a `height`, it is compared instead of z, and positions are
+        horizontal: those of degrees are brought to height 0.
+    height_unit : float
+        The length in metres of one unit of heights that `vertical` compares, and of `vertical`: 0.3048
+        for feet.
     inclusive : bool
         Whether exactly the threshold apart counts as closer.
     cell_points : int
@@ -82,11 +92,9 @@ def at_risk(
     >>> beespace.spark.at_risk(drones, 100).orderBy("id").collect()
     [Row(id=8), Row(id=9)]
     """
-    places = places_of(id, x, y, z, lon, lat, height)
-    reach = reach_of(threshold, vertical, places)
-    arguments = _arguments(threshold, vertical, inclusive)
-    prepared = prepare(df, places, reach, cell_points, tasks, check_ids)
-    return _ask(prepared, AtRisk(prepared.axes, id, arguments), f"{quoted(id)} long")
+    places = places_of(id, x, y, z, lon, lat, height, height_unit, vertical)
+    search = _Search(places, Level(threshold, vertical, inclusive), cell_points, tasks, check_ids)
+    return search.ask(df, AtRisk, f"{quoted(id)} long")
 
 
 def pairs(
@@ -101,6 +109,7 @@ def pairs(
     lat: str | None = None,
     height: str | None = None,
     vertical: float | None = None,
+    height_unit: float = 1.0,
     inclusive: bool = False,
     cell_points: int = _CELL_POINTS,
     tasks: int | None = None,
@@ -110,7 +119,9 @@ def pairs(
 
     Parameters
     ----------
-    df, threshold, id, x, y, z, lon, lat, height, vertical, inclusive, cell_points, tasks, check_ids
+    df, threshold, id, x, y, z, lon, lat, height, vertical, height_unit, inclusive
+        As of `at_risk`.
+    cell_points, tasks, check_ids
         As of `at_risk`.
 
     Returns
@@ -127,12 +138,9 @@ def pairs(
     >>> beespace.spark.pairs(drones, 6, z=None).orderBy("first").collect()
     [Row(first=7, second=8, distance=5.0), Row(first=8, second=9, distance=5.0)]
     """
-    places = places_of(id, x, y, z, lon, lat, height)
-    reach = reach_of(threshold, vertical, places)
-    arguments = _arguments(threshold, vertical, inclusive)
-    prepared = prepare(df, places, reach, cell_points, tasks, check_ids)
-    question = PairsOf(prepared.axes, id, arguments)
-    return _ask(prepared, question, "first long, second long, distance double")
+    places = places_of(id, x, y, z, lon, lat, height, height_unit, vertical)
+    search = _Search(places, Level(threshold, vertical, inclusive), cell_points, tasks, check_ids)
+    return search.ask(df, PairsOf, "first long, second long, distance double")
 
 
 def counts(
@@ -147,6 +155,7 @@ def counts(
     lat: str | None = None,
     height: str | None = None,
     vertical: float | None = None,
+    height_unit: float = 1.0,
     inclusive: bool = False,
     cell_points: int = _CELL_POINTS,
     tasks: int | None = None,
@@ -156,7 +165,9 @@ def counts(
 
     Parameters
     ----------
-    df, threshold, id, x, y, z, lon, lat, height, vertical, inclusive, cell_points, tasks, check_ids
+    df, threshold, id, x, y, z, lon, lat, height, vertical, height_unit, inclusive
+        As of `at_risk`.
+    cell_points, tasks, check_ids
         As of `at_risk`.
 
     Returns
@@ -172,12 +183,10 @@ def counts(
     >>> beespace.spark.counts(drones, 6, id="bee", z=None).orderBy("bee").collect()
     [Row(bee=7, count=1), Row(bee=8, count=2), Row(bee=9, count=1)]
     """
-    places = places_of(id, x, y, z, lon, lat, height)
-    reach = reach_of(threshold, vertical, places)
-    arguments = _arguments(threshold, vertical, inclusive)
-    prepared = prepare(df, places, reach, cell_points, tasks, check_ids)
-    question = Counts(prepared.axes, id, arguments)
-    return _ask(prepared, question, f"{quoted(id)} long, `count` long")
+    names_of_answer(id, "count")
+    places = places_of(id, x, y, z, lon, lat, height, height_unit, vertical)
+    search = _Search(places, Level(threshold, vertical, inclusive), cell_points, tasks, check_ids)
+    return search.ask(df, Counts, f"{quoted(id)} long, `count` long")
 
 
 def facts(
@@ -192,6 +201,7 @@ def facts(
     lat: str | None = None,
     height: str | None = None,
     vertical: float | None = None,
+    height_unit: float = 1.0,
     cell_points: int = _CELL_POINTS,
     tasks: int | None = None,
 ) -> CutFacts:
@@ -199,7 +209,7 @@ def facts(
 
     Parameters
     ----------
-    df, threshold, id, x, y, z, lon, lat, height, vertical, cell_points, tasks
+    df, threshold, id, x, y, z, lon, lat, height, vertical, height_unit, cell_points, tasks
         As of `at_risk`.
 
     Returns
@@ -213,20 +223,30 @@ def facts(
     >>> beespace.spark.facts(drones, 2, z=None).points
     1000
     """
-    places = places_of(id, x, y, z, lon, lat, height)
-    reach = reach_of(threshold, vertical, places)
-    return prepare(df, places, reach, cell_points, tasks, True).facts
+    places = places_of(id, x, y, z, lon, lat, height, height_unit, vertical)
+    reach = reach_of(Level(threshold, vertical, False), places.columns)
+    most = check_limits(cell_points, tasks)
+    return prepare(df, places, look(df, places, True), reach, most, tasks).facts
 
 
-def _arguments(threshold: float, vertical: float | None, inclusive: bool) -> dict[str, Any]:
-    arguments: dict[str, Any] = {"threshold": float(threshold), "inclusive": bool(inclusive)}
-    if vertical is not None:
-        arguments["vertical"] = float(vertical)
-    return arguments
+class _Search(NamedTuple):
+    """What a question is asked with."""
+
+    places: Places
+    level: Level
+    cell_points: int
+    tasks: int | None
+    check_ids: bool
+
+    def ask(self, df: DataFrame, question: type[Question], schema: str) -> DataFrame:
+        """The answers of all cells."""
+        columns = self.places.columns
+        reach = reach_of(self.level, columns)
+        asked = question(columns, self.places.id, self.places.unit, arguments_of(self.level))
+        most = check_limits(self.cell_points, self.tasks)
+        found = look(df, self.places, self.check_ids)
+        prepared = prepare(df, self.places, found, reach, most, self.tasks)
+        return prepared.blocks.mapInArrow(asked, schema)
 
 
-def _ask(prepared: Prepared, question: Question, schema: str) -> DataFrame:
-    return prepared.blocks.mapInArrow(question, schema)
-
-
-__all__ = ["CutFacts", "Places", "at_risk", "counts", "facts", "pairs"]
+__all__ = ["at_risk", "counts", "facts", "pairs"]

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import importlib
+import logging
 import math
 from typing import Any
 
 from beespace._calls import seconds, whole
 from beespace._checks import gap_of
 from beespace._errors import BeespaceError, invalid
-from beespace.spark._parts import keys_of_parts
+from beespace.spark._parts import keys_of_parts, pack
 from beespace.spark._search import (
     DataFrame,
+    Level,
     Places,
+    arguments_of,
     check_columns,
     check_workers,
     places_of,
@@ -20,11 +23,18 @@ from beespace.spark._search import (
     quoted,
     reach_of,
 )
-from beespace.spark._windows import ConflictsOf, Windows, join_conflicts
+from beespace.spark._tubes import TUBES_SCHEMA, IntoCells, TubeSurveyor, WindowFacts, facts_of, windows_of
+from beespace.spark._windows import WINDOW_SCHEMA, ConflictsOf, Windows, join_conflicts
 
 _WINDOW_FIXES = 1_000_000
 _WORTH_A_WINDOW = 20_000
 _WINDOWS_A_PROCESSOR = 3
+_MOST_WINDOWS = 1024
+# An agent has so many fixes in a window at least: two of each piece, over either border. Where these are most of
+# what a task may have in memory, windows are cut into cells.
+_FIXES_AT_BORDERS = 4
+
+_log = logging.getLogger("beespace.spark")
 _IDS = ("string", "byte", "short", "integer", "long")
 _TIMES = ("timestamp", "float", "double", "byte", "short", "integer", "long")
 _REALS = ("float", "double", "byte", "short", "integer", "long")
@@ -44,19 +54,20 @@ def conflicts(
     height: str | None = None,
     max_gap: float | None = None,
     vertical: float | None = None,
+    height_unit: float = 1.0,
     inclusive: bool = False,
     window_fixes: int = _WINDOW_FIXES,
 ) -> DataFrame:
     """Which agents came closer than the threshold to each other, when, and how close?
 
-    The answers of `Recording.conflicts`. Time is cut into windows with equally many fixes, and a window
-    is searched by one task, which has all agents of that time in memory.
+    The answers of `Recording.conflicts`. Time is cut into windows with equally many fixes; and a window
+    with more agents than a task has memory for is cut into cells of space.
 
     Parameters
     ----------
     df : pyspark.sql.DataFrame
         A row for each fix, in any order.
-    threshold, x, y, z, lon, lat, height, vertical, inclusive
+    threshold, x, y, z, lon, lat, height, vertical, height_unit, inclusive
         As of `at_risk`.
     id : str
         The column of agents: texts or whole numbers.
@@ -86,8 +97,9 @@ def conflicts(
     >>> found.select("first", "second", "closest_time", "closest_distance").collect()
     [Row(first='ann', second='bob', closest_time=5.0, closest_distance=3.0)]
     """
-    places = places_of(id, x, y, z, lon, lat, height)
-    reach_of(threshold, vertical, places)
+    places = places_of(id, x, y, z, lon, lat, height, height_unit, vertical)
+    level = Level(threshold, vertical, inclusive)
+    reach = reach_of(level, places.columns)
     longest = gap_of(max_gap)
     most = whole(window_fixes, "window_fixes")
     if most < 1:
@@ -96,25 +108,28 @@ def conflicts(
     session = df.sparkSession
     check_workers(session)
     at_once = processors_of(session) * _WINDOWS_A_PROCESSOR
-    borders = _borders_of(fixes, places, most, at_once)
-    number = len(borders) + 1
-    parts = keys_of_parts(min(number, max(at_once, number // 4)))
-    windows = Windows(
-        borders, [parts[window % len(parts)] for window in range(number)], places.columns, longest
-    )
-    arguments: dict[str, Any] = {"threshold": float(threshold), "inclusive": bool(inclusive)}
-    if vertical is not None:
-        arguments["vertical"] = float(vertical)
-    axes = 3 if places.columns.degrees else places.columns.axes
+    looked = _look(fixes, places)
+    together = _together(fixes, looked) if looked["agents"] * _FIXES_AT_BORDERS > most else 0.0
+    number = windows_of(looked["rows"], at_once, most, _WORTH_A_WINDOW, together)
+    borders = _borders_of(looked, number)
+    in_order = fixes.repartition(at_once, "id").sortWithinPartitions("id", "time")
+    windows = Windows(borders, places.columns, longest)
+    facts = [WindowFacts(None, [1.0])] * (len(borders) + 1)
+    if together * _FIXES_AT_BORDERS > most:
+        facts = _cut_windows(in_order, windows, places, reach, most)
+    sizes = [size for each in facts for size in each.sizes]
+    keys = keys_of_parts(min(len(sizes), max(at_once, len(sizes) // 4)))
+    parts = iter([keys[part] for part in pack(sizes, len(keys))])
+    windows.parts = [[next(parts) for _ in each.sizes] for each in facts]
+    cuts = {window: each.cut for window, each in enumerate(facts) if each.cut is not None}
+    into_rows = IntoCells(windows, places.columns, cuts) if cuts else windows
     found = "begin double, end double, closest_time double, closest_distance double"
     return (
-        fixes.repartition(at_once, "id")
-        .sortWithinPartitions("id", "time")
-        .mapInArrow(windows, f"part int, window int, id {kind}, first double, fixes binary")
-        .repartition(len(parts), "part")
-        .sortWithinPartitions("window", "id", "first")
+        in_order.mapInArrow(into_rows, WINDOW_SCHEMA.format(kind=kind))
+        .repartition(len(keys), "part")
+        .sortWithinPartitions("window", "cell", "id", "first")
         .mapInArrow(
-            ConflictsOf(axes, longest, arguments),
+            ConflictsOf(places.columns, places.unit, longest, arguments_of(level)),
             f"first {kind}, second {kind}, window int, {found}",
         )
         .repartition(at_once, "first", "second")
@@ -181,17 +196,19 @@ def _fixes_of(df: DataFrame, places: Places, time: str) -> tuple[DataFrame, str]
     return df.select(*columns), kind
 
 
-def _borders_of(fixes: DataFrame, places: Places, most: int, at_once: int) -> list[float]:
-    """Looks at all fixes once. Borders between windows, ascending."""
+def _look(fixes: DataFrame, places: Places) -> Any:
+    """Looks at all fixes once: how many there are, when, and about how many agents."""
     functions: Any = importlib.import_module("pyspark.sql.functions")
     bad = functions.col("id").isNull()
     for name in ("time", *places.columns.names):
         value = functions.col(name).cast("double")
         bad = bad | value.isNull() | functions.isnan(value) | (functions.abs(value) == math.inf)
-    shares = [at / 1024 for at in range(1, 1024)]
+    shares = [at / _MOST_WINDOWS for at in range(1, _MOST_WINDOWS)]
     row = fixes.agg(
         functions.count(functions.lit(1)).alias("rows"),
         functions.count(functions.when(bad, 1)).alias("bad"),
+        functions.approx_count_distinct("id").alias("agents"),
+        functions.min("time").alias("begin"),
         functions.max("time").alias("last"),
         functions.percentile_approx("time", shares, 10_000).alias("times"),
     ).first()
@@ -203,8 +220,46 @@ def _borders_of(fixes: DataFrame, places: Places, most: int, at_once: int) -> li
             "leave them out knowingly, with DataFrame.where",
             "not_finite",
         )
-    size = min(most, max(row["rows"] / at_once, _WORTH_A_WINDOW if most > _WORTH_A_WINDOW else 1))
-    number = min(math.ceil(row["rows"] / size) if row["rows"] else 1, 1024)
-    times: list[float] = row["times"] or []
-    chosen = {times[at * 1024 // number - 1] for at in range(1, number)}
-    return sorted(each for each in chosen if each < row["last"])
+    return row
+
+
+def _together(fixes: DataFrame, looked: Any) -> float:
+    """How many agents are there at a time, on average. Looks at all fixes once more."""
+    functions: Any = importlib.import_module("pyspark.sql.functions")
+    lasting = functions.max("time") - functions.min("time")
+    spans = fixes.groupBy("id").agg(lasting.alias("lasting"))
+    row = spans.agg(functions.sum("lasting").alias("lasting"), functions.count("id").alias("agents")).first()
+    duration = looked["last"] - looked["begin"]
+    return row["lasting"] / duration if duration > 0 else float(row["agents"])
+
+
+def _borders_of(looked: Any, windows: int) -> list[float]:
+    """Borders between windows, ascending."""
+    number = min(windows, _MOST_WINDOWS)
+    times: list[float] = looked["times"] or []
+    chosen = {times[at * _MOST_WINDOWS // number - 1] for at in range(1, number)}
+    return sorted(each for each in chosen if each < looked["last"])
+
+
+def _cut_windows(
+    in_order: DataFrame, windows: Windows, places: Places, reach: list[float], most: int
+) -> list[WindowFacts]:
+    """Looks at all fixes once more, for how agents are spread in each window."""
+    surveyor = TubeSurveyor(windows, places.columns)
+    rows: dict[int, list[Any]] = {}
+    for row in in_order.mapInArrow(surveyor, TUBES_SCHEMA).collect():
+        rows.setdefault(row["window"], []).append(row)
+    facts = [
+        facts_of(rows.get(window, []), reach, most)
+        for window in range(len(windows.borders) + 1)
+    ]
+    fullest = max(size for each in facts for size in each.sizes)
+    if fullest > 1.25 * most:
+        _log.warning(
+            "of the cells that windows are cut into, the fullest has about %d fixes, and not %d: the threshold, or "
+            "the way of agents between two fixes, is too large beside them. Each is searched whole, by one task, "
+            "which needs memory for it",
+            fullest,
+            most,
+        )
+    return facts

@@ -8,9 +8,12 @@ import math
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from beespace._calls import length, whole
+import numpy as np
+
+from beespace._calls import length, number_of, whole
 from beespace._errors import BeespaceError, invalid
 from beespace._library import version
+from beespace._units import METRES
 from beespace.spark._blocks import BLOCK_SCHEMA, Columns, Distribution, points_in_block
 from beespace.spark._cut import Cut
 from beespace.spark._parts import keys_of_parts, pack
@@ -77,28 +80,68 @@ class Prepared(NamedTuple):
 
     blocks: DataFrame
     facts: CutFacts
-    axes: int
+    cut: Cut
+    parts: list[int]  # of each cell
+    keys: list[int]  # of each task the part that it gets
+    block: int  # how many points a block has
 
 
 class Places(NamedTuple):
-    """Where the columns are."""
+    """Where the columns are, and what a height in them is."""
 
     id: str
     names: tuple[str, ...]
     columns: Columns
+    unit: float  # of heights apart, in metres
+
+
+class Level(NamedTuple):
+    """The thresholds of a search, as they were given."""
+
+    threshold: Any
+    vertical: Any
+    inclusive: Any
 
 
 def places_of(
-    id: str, x: str, y: str, z: str | None, lon: str | None, lat: str | None, height: str | None
+    id: str,
+    x: str,
+    y: str,
+    z: str | None,
+    lon: str | None,
+    lat: str | None,
+    height: str | None,
+    height_unit: Any = 1.0,
+    vertical: Any = None,
 ) -> Places:
-    """Which columns are meant."""
-    if lon is None and lat is None and height is None:
+    """Which columns are meant. With a vertical threshold, heights are kept apart from positions."""
+    unit = number_of(height_unit, "height_unit", METRES)
+    if not 1e-6 <= unit <= 1e6:
+        raise invalid("this is a length in metres, such as 0.3048 for feet", "height_unit")
+    apart = height is not None and vertical is not None
+    if unit != 1 and not apart:
+        raise invalid(
+            "only heights that a vertical threshold compares may have a unit of their own: give `height` "
+            "and `vertical`",
+            "height_unit",
+        )
+    if lon is None and lat is None:
+        if height is not None and vertical is None:
+            raise invalid(
+                "a height beside x and y is compared with a vertical threshold: give `vertical`, or the "
+                "column as z",
+                "height",
+            )
         names = (x, y) if z is None else (x, y, z)
-        return Places(id, names, Columns(len(names), False))
-    if lon is None or lat is None:
+        columns = Columns(len(names), False, apart)
+    elif lon is None or lat is None:
         raise invalid("positions in degrees need both lon and lat; height is that above the ellipsoid")
-    names = (lon, lat) if height is None else (lon, lat, height)
-    return Places(id, names, Columns(len(names), True))
+    else:
+        if vertical is not None and height is None:
+            raise invalid("a vertical threshold needs a height beside lon and lat", "vertical")
+        names = (lon, lat) if height is None or apart else (lon, lat, height)
+        columns = Columns(len(names), True, apart)
+    return Places(id, (*names, str(height)) if apart else names, columns, unit)
 
 
 def check_columns(df: DataFrame, wanted: Sequence[tuple[str, str, tuple[str, ...]]]) -> None:
@@ -120,6 +163,16 @@ def check_columns(df: DataFrame, wanted: Sequence[tuple[str, str, tuple[str, ...
                 "Cast it, knowing what that rounds",
                 role,
             )
+
+
+def names_of_answer(id: str, *others: str) -> None:
+    """Refuses a name for the ids that another column of the answer has."""
+    if id.lower() in others:
+        raise invalid(
+            f"the answer has a column {id.lower()!r} of its own: rename that of the ids, as by "
+            "DataFrame.withColumnRenamed",
+            "id",
+        )
 
 
 def quoted(name: str) -> str:
@@ -209,15 +262,8 @@ def select(df: DataFrame, places: Places) -> DataFrame:
     return df.select(*columns)
 
 
-def prepare(
-    df: DataFrame,
-    places: Places,
-    reach: list[float],
-    cell_points: int,
-    tasks: int | None,
-    check_ids: bool,
-) -> Prepared:
-    """Checks and surveys the data, cuts space, and says how blocks come together by cell."""
+def look(df: DataFrame, places: Places, check_ids: bool) -> Survey:
+    """Checks columns, workers, and all rows."""
     check_columns(
         df,
         [
@@ -225,24 +271,33 @@ def prepare(
             *((role, name, _REAL) for role, name in zip(places.columns.names, places.names)),
         ],
     )
+    check_workers(df.sparkSession)
+    return survey(df, places, check_ids)
+
+
+def check_limits(cell_points: Any, tasks: Any) -> int:
+    """How many points a cell has at most."""
     most = whole(cell_points, "cell_points")
     if most < 1:
         raise invalid("a cell has at least one point", "cell_points")
     if tasks is not None and whole(tasks, "tasks") < 1:
         raise invalid("there is at least one task", "tasks")
+    return most
+
+
+def prepare(
+    df: DataFrame,
+    places: Places,
+    found: Survey,
+    reach: list[float],
+    most: int,
+    tasks: int | None,
+) -> Prepared:
+    """Cuts space, and says how blocks come together by cell."""
     session = df.sparkSession
-    check_workers(session)
-    found = survey(df, places, check_ids)
     at_once = processors_of(session)
-    wanted = min(most, max(found.rows / (_TASKS_A_PROCESSOR * (tasks or at_once)), _WORTH_A_CELL))
-    if len(reach) > len(found.sample) and found.sample:
-        # Positions in degrees without a height have three axes in metres all the same.
-        raise AssertionError("each axis has a reach")
-    if found.sample:
-        cut = Cut.of_sample(found.sample, reach, most * found.rate, wanted * found.rate)
-    else:
-        cut = Cut()
-        cut.homes, cut.copies = [0], [0]
+    wanted = _wanted(found, most, tasks, at_once)
+    cut = cut_space(found, reach, most, wanted)
     sizes = [(home + copy) / max(found.rate, 1e-30) for home, copy in zip(cut.homes, cut.copies)]
     in_all = sum(sizes)
     number = tasks or min(cut.cells, max(_TASKS_A_PROCESSOR * at_once, math.ceil(in_all / most)))
@@ -259,14 +314,29 @@ def prepare(
     )
     _tell(facts, most, wanted)
     records = int(session.conf.get("spark.sql.execution.arrow.maxRecordsPerBatch"))
-    distribution = Distribution(cut, parts, places.columns, points_in_block(records))
+    block = points_in_block(records)
+    distribution = Distribution(cut, parts, places.columns, block)
     blocks = (
         select(df, places)
         .mapInArrow(distribution, BLOCK_SCHEMA)
         .repartition(number, "part")
         .sortWithinPartitions("cell", "first")
     )
-    return Prepared(blocks, facts, 3 if places.columns.degrees else places.columns.axes)
+    return Prepared(blocks, facts, cut, parts, keys, block)
+
+
+def _wanted(found: Survey, most: int, tasks: int | None, at_once: int) -> float:
+    """How many points a cell is to have, so that all processors have work."""
+    return min(most, max(found.rows / (_TASKS_A_PROCESSOR * (tasks or at_once)), _WORTH_A_CELL))
+
+
+def cut_space(found: Survey, reach: list[float], most: float, wanted: float) -> Cut:
+    """Cells, as the sample says."""
+    if found.sample:
+        return Cut.of_sample(found.sample, reach, most * found.rate, wanted * found.rate)
+    cut = Cut()
+    cut.homes, cut.copies, cut.boxes = [0], [0], [np.zeros((2, len(reach)))]
+    return cut
 
 
 def _tell(facts: CutFacts, most: int, wanted: float) -> None:
@@ -289,20 +359,27 @@ def _tell(facts: CutFacts, most: int, wanted: float) -> None:
     _log.info("%s", facts)
 
 
-def reach_of(threshold: Any, vertical: Any, places: Places) -> list[float]:
+def reach_of(level: Level, columns: Columns) -> list[float]:
     """How far apart two points in conflict can be along each axis."""
-    along = _positive(threshold, "threshold")
-    if vertical is None:
-        return [along] * (3 if places.columns.degrees else places.columns.axes)
-    if places.columns.degrees:
-        raise invalid(
-            "a vertical threshold needs x, y and z with z as the height; of degrees, the third axis is "
-            "not the height",
-            "vertical",
-        )
-    if places.columns.axes == 2:
+    along = _positive(level.threshold, "threshold")
+    if level.vertical is None:
+        return [along] * columns.searched
+    height = _positive(level.vertical, "vertical")
+    if columns.apart:
+        return [along] * columns.searched
+    if columns.axes == 2:
         raise invalid("a vertical threshold needs z", "vertical")
-    return [along, along, _positive(vertical, "vertical")]
+    return [along, along, height]
+
+
+def arguments_of(level: Level) -> dict[str, Any]:
+    """The thresholds as the engine is asked."""
+    arguments: dict[str, Any] = {
+        "threshold": float(level.threshold), "inclusive": bool(level.inclusive)
+    }
+    if level.vertical is not None:
+        arguments["vertical"] = float(level.vertical)
+    return arguments
 
 
 def _positive(value: Any, place: str) -> float:

@@ -59,7 +59,7 @@ class Surveyor:
         high: int | None = None
         last: int | None = None
         keys = np.empty(0, np.uint64)
-        sample = np.empty((0, self.columns.axes))
+        sample = np.empty((0, len(self.columns.names)))
         for batch in batches:
             if not batch.num_rows:
                 continue
@@ -112,7 +112,7 @@ class Surveyor:
         return usable, told
 
     def _is_possible(self, name: str, values: NDArray[np.float64]) -> NDArray[np.bool_]:
-        if self.columns.degrees:
+        if self.columns.degrees and not (self.columns.apart and name == "height"):
             low, high = _LIMITS[name]
             return (values >= low) & (values <= high)
         size = np.abs(values)
@@ -152,15 +152,16 @@ def survey_of(rows: list[Any], columns: Columns, names: list[str]) -> Survey:
         before[1] < after[0] for before, after in zip(spans, spans[1:])
     )
     keys = [np.frombuffer(row["keys"], np.uint64) for row in full]
-    samples = [np.frombuffer(row["sample"]).reshape(-1, columns.axes) for row in full]
+    width = len(columns.names)
+    samples = [np.frombuffer(row["sample"]).reshape(-1, width) for row in full]
     # A partition that gives all its points does not limit the others.
     below = min(
         (int(key.max()) for key, row in zip(keys, full) if row["rows"] > len(key)), default=2**64 - 1
     )
     kept = [sample[key <= np.uint64(below)] for key, sample in zip(keys, samples)]
-    points = np.concatenate(kept) if kept else np.empty((0, columns.axes))
+    points = np.concatenate(kept) if kept else np.empty((0, width))
     axes = in_metres([np.ascontiguousarray(axis) for axis in points.T], columns) if len(points) else []
-    return Survey(count, len(rows), in_order, len(points) / max(count, 1), axes)
+    return Survey(count, len(rows), in_order, len(points) / max(count, 1), axes[: columns.searched])
 
 
 class IdBuckets:

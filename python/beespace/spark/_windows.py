@@ -8,6 +8,9 @@ one window and the first of the other, and the engine finds the same in it: at m
 Where there is one, the last stretch of the pair in the one window and the first in the other both contain
 it, and are one conflict. Where there is none, the one ends where W begins at the latest, and the other begins
 where W ends at the earliest, which is later.
+
+A window with more agents than fit into memory is cut into cells (`_tubes.py`): each pair that is in conflict is
+together in the one cell that tells it, with all that the window has of both. So the above holds in cells, too.
 """
 
 from __future__ import annotations
@@ -18,6 +21,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from beespace._conflicts import RecordedConflicts
 from beespace._errors import BeespaceError
 from beespace._recording import Recording
 from beespace.spark._blocks import Columns, batches_of, in_metres, reals
@@ -25,15 +29,19 @@ from beespace.spark._workers import arrow
 
 _FIXES_AT_ONCE = 1 << 18
 
+# Rows of an agent in a cell of a window.
+WINDOW_COLUMNS = ["part", "window", "cell", "role", "id", "first", "fixes"]
+WINDOW_SCHEMA = "part int, window int, cell int, role int, id {kind}, first double, fixes binary"
+# What an agent is in a cell: near it, at home, or one that goes far.
+NEAR, HOME, FAR = range(3)
+
 
 class Windows:
     """Fixes, sorted by agent and time, into rows of an agent in a window: for `mapInArrow`."""
 
-    def __init__(
-        self, borders: list[float], parts: list[int], columns: Columns, max_gap: float
-    ) -> None:
+    def __init__(self, borders: list[float], columns: Columns, max_gap: float) -> None:
         self.borders = np.array(borders, np.float64)
-        self.parts = parts
+        self.parts = [[0]] * (len(borders) + 1)  # of each window, of each of its cells
         self.columns = columns
         self.max_gap = max_gap
 
@@ -141,75 +149,95 @@ class Windows:
             names = pyarrow.concat_arrays(names.chunks)
         yield pyarrow.RecordBatch.from_arrays(
             [
-                pyarrow.array(np.array(self.parts, np.int32)[own]),
+                pyarrow.array(np.array([parts[0] for parts in self.parts], np.int32)[own]),
                 pyarrow.array(own),
+                pyarrow.array(np.zeros(len(begins), np.int32)),
+                pyarrow.array(np.full(len(begins), HOME, np.int32)),
                 names.take(pyarrow.array(rows[begins])),
                 pyarrow.array(data[begins, 0]),
                 binary,
             ],
-            ["part", "window", "id", "first", "fixes"],
+            WINDOW_COLUMNS,
         )
 
 
 class ConflictsOf:
-    """Rows of windows, sorted by window, agent and time, to conflicts in each window: for `mapInArrow`."""
+    """Rows of windows, sorted by window, cell, agent and time, to the conflicts of each: for `mapInArrow`."""
 
-    def __init__(self, axes: int, max_gap: float, arguments: dict[str, Any]) -> None:
-        self.axes = axes
+    def __init__(
+        self, columns: Columns, unit: float, max_gap: float, arguments: dict[str, Any]
+    ) -> None:
+        self.columns = columns
+        self.unit = unit  # of heights apart, in metres
         self.max_gap = max_gap
         self.arguments = arguments  # of Recording.conflicts
 
     def __call__(self, batches: Iterator[Any]) -> Iterator[Any]:
-        ids: list[Any] = []
-        fixes: list[bytes] = []
-        current: int | None = None
-        done: set[int] = set()
+        rows: list[tuple[Any, int, bytes]] = []
+        current: tuple[int, int] | None = None
+        done: set[tuple[int, int]] = set()
         for batch in batches:
-            windows = batch.column(1).to_pylist()
-            for window, id, some in zip(windows, batch.column(2).to_pylist(), batch.column(4).to_pylist()):
-                if window != current:
+            numbers = [batch.column(at).to_pylist() for at in (1, 2, 3)]
+            ids, fixes = batch.column(4).to_pylist(), batch.column(6).to_pylist()
+            for window, cell, role, id, some in zip(*numbers, ids, fixes):
+                if (window, cell) != current:
                     if current is not None:
-                        yield from self._search(current, ids, fixes)
+                        yield from self._search(current[0], rows)
                         done.add(current)
-                    if window in done:
-                        # An answer without the rest of the window would be a false all-clear.
+                    current = window, cell
+                    if current in done:
+                        # An answer without the rest of the cell would be a false all-clear.
                         raise RuntimeError("beespace: the fixes of a window did not come together")
-                    ids, fixes, current = [], [], window
-                ids.append(id)
-                fixes.append(some)
+                    rows = []
+                rows.append((id, role, some))
         if current is not None:
-            yield from self._search(current, ids, fixes)
+            yield from self._search(current[0], rows)
 
-    def _search(self, window: int, ids: list[Any], fixes: list[bytes]) -> Iterator[Any]:
-        width = 8 * (1 + self.axes)
-        table = np.frombuffer(b"".join(fixes)).reshape(-1, 1 + self.axes)
+    def _search(self, window: int, rows: list[tuple[Any, int, bytes]]) -> Iterator[Any]:
         # Agents by number, in the order of their ids, in which they come.
         numbers: list[int] = []
         names: list[Any] = []
-        for id in ids:
+        all_roles: list[int] = []
+        for id, role, _ in rows:
             if not names or names[-1] != id:
                 names.append(id)
+                all_roles.append(role)
             numbers.append(len(names) - 1)
-        agents = np.repeat(np.array(numbers), [len(some) // width for some in fixes])
-        recording = Recording(agents, np.ascontiguousarray(table[:, 0]), table[:, 1:])
-        gap = None if np.isinf(self.max_gap) else self.max_gap
-        found = recording.conflicts(max_gap=gap, **self.arguments)
-        if not len(found):
+        if len(names) < 2 or HOME not in all_roles:
             return
-        first = np.array([names[at] for at in found.i.tolist()])
-        second = np.array([names[at] for at in found.j.tolist()])
+        found = self._conflicts(np.array(numbers), [some for _, _, some in rows])
+        roles = np.array(all_roles)
+        i, j = roles[found.i], roles[found.j]
+        # A pair belongs to the home of its lower one, or to that of the one that does not go far.
+        own = np.flatnonzero((i == HOME) | ((i == FAR) & (j == HOME)))
+        if not len(own):
+            return
+        first = np.array([names[at] for at in found.i[own].tolist()])
+        second = np.array([names[at] for at in found.j[own].tolist()])
         columns = [
             first,
             second,
             np.full(len(first), window, np.int32),
-            found.begin,
-            found.end,
-            found.closest_time,
-            found.closest_distance,
+            found.begin[own],
+            found.end[own],
+            found.closest_time[own],
+            found.closest_distance[own],
         ]
         yield from batches_of(
             ["first", "second", "window", "begin", "end", "closest_time", "closest_distance"], columns
         )
+
+    def _conflicts(self, numbers: NDArray[np.int64], fixes: list[bytes]) -> RecordedConflicts:
+        each = 1 + self.columns.width
+        table = np.frombuffer(b"".join(fixes)).reshape(-1, each)
+        agents = np.repeat(numbers, [len(some) // (8 * each) for some in fixes])
+        places = table[:, 1 : 1 + self.columns.searched]
+        apart: dict[str, Any] = {}
+        if self.columns.apart:
+            apart = {"heights": table[:, -1], "height_unit": self.unit}
+        recording = Recording(agents, np.ascontiguousarray(table[:, 0]), places, **apart)
+        gap = None if np.isinf(self.max_gap) else self.max_gap
+        return recording.conflicts(max_gap=gap, **self.arguments)
 
 
 def join_conflicts(batches: Iterator[Any]) -> Iterator[Any]:
