@@ -50,12 +50,12 @@ struct LargeGap {
 
 /// @brief What there is of an agent.
 struct LargeAgent {
-  AgentId id = 0;            ///< The agent.
-  std::uint64_t fixes = 0;   ///< How many fixes it has; one or more.
-  double begins_s = 0.0;     ///< The time of the first one, in seconds.
-  double ends_s = 0.0;       ///< The time of the last one, in seconds.
-  double interval_s = 0.0;   ///< The median of the times between two fixes, the lower one of two in
-                             ///< the middle; 0 of a single fix.
+  AgentId id = 0;           ///< The agent.
+  std::uint64_t fixes = 0;  ///< How many fixes it has; one or more.
+  double begins_s = 0.0;    ///< The time of the first one, in seconds.
+  double ends_s = 0.0;      ///< The time of the last one, in seconds.
+  double interval_s = 0.0;  ///< The median of the times between two fixes, the lower one of two in
+                            ///< the middle; 0 of a single fix.
 
   friend constexpr bool operator==(const LargeAgent&, const LargeAgent&) = default;
 };

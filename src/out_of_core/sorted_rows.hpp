@@ -52,15 +52,13 @@ class SortedRows {
 
   // Brings what waits in memory to the disk. Errors: kWriteFailed, after which nothing else may be
   // done.
-  Status flush(Crew& crew) {
-    return rows_.empty() ? Status(std::monostate{}) : write_runs(crew);
-  }
+  Status flush(Crew& crew) { return rows_.empty() ? Status(std::monostate{}) : write_runs(crew); }
 
   // Flushes, gives the memory back, and brings runs together until all can be merged at once. To be
   // called before for_each(). Errors: kWriteFailed, kReadFailed, kCorrupt.
   Status settle(Crew& crew) {
     if (auto status = flush(crew); !status) return status;
-    rows_ = {};
+    std::vector<Row>().swap(rows_);  // `= {}` would keep the memory
     while (runs_.size() > at_once_) {
       if (auto status = merge_runs(); !status) return status;
     }

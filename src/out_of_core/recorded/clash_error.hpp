@@ -12,8 +12,9 @@ namespace beespace::out_of_core {
 
 inline Error clash_error(const TimeClash& clash) {
   Error error{ErrorCode::kTimeOrder,
-              "the agent has two fixes at " + core::shown(clash.time_s) + " s, the first as record " +
-                  std::to_string(clash.first_row) + "; leave one of them out",
+              "the agent has two fixes at " + core::shown(clash.time_s) +
+                  " s, the first as record " + std::to_string(clash.first_row) +
+                  "; leave one of them out",
               {}};
   error.location.array = "times";
   error.location.record = clash.second_row;

@@ -50,8 +50,7 @@ class IntervalMedian {
       if (!status) return std::move(status).error();
       rest_.reset();
     } else if (!numbers_.empty()) {
-      const auto middle =
-          numbers_.begin() + static_cast<std::ptrdiff_t>((numbers_.size() - 1) / 2);
+      const auto middle = numbers_.begin() + static_cast<std::ptrdiff_t>((numbers_.size() - 1) / 2);
       std::nth_element(numbers_.begin(), middle, numbers_.end());
       median = *middle;
     }

@@ -1,13 +1,13 @@
-// Conflicts of one window after the other, in the order of pairs, and joined where they go on over a
-// border.
+// Conflicts of one window after the other, in the order of pairs, and joined where they go on over
+// a border.
 //
 // The piece of an agent that goes over a border (begins at or before it, ends after it) is in both
 // windows, whole, and no other is in two neighbouring windows unless it goes over their border. Of
 // two agents, the time W in which both are on such a piece is thus the last of the one window and
 // the first of the other, and the engine finds the same in it: at most one stretch of conflict.
-// Where there is one, the last stretch of the pair in the one window and the first in the other both
-// contain it, and are one conflict. Where there is none, the one ends where W begins at the latest,
-// and the other begins where W ends at the earliest, which is later.
+// Where there is one, the last stretch of the pair in the one window and the first in the other
+// both contain it, and are one conflict. Where there is none, the one ends where W begins at the
+// latest, and the other begins where W ends at the earliest, which is later.
 #pragma once
 
 #include "out_of_core/recorded/time_windows.hpp"

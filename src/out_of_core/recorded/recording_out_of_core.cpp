@@ -137,7 +137,8 @@ class __attribute__((visibility("hidden"))) RecordingOutOfCore::State {
     if (agents.size() != positions.size() || times_s.size() != positions.size()) {
       return invalid("there are " + std::to_string(agents.size()) + " agents and " +
                      std::to_string(times_s.size()) + " times for " +
-                     std::to_string(positions.size()) + " positions; give one of each for every "
+                     std::to_string(positions.size()) +
+                     " positions; give one of each for every "
                      "fix");
     }
     if (size() == 0 || positions.empty() || positions.has_heights() == fixes_->have_heights()) {

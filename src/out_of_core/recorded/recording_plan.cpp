@@ -13,7 +13,7 @@ constexpr std::uint64_t kBytesOfFix = 40;
 constexpr std::uint64_t kBytesOfSegment = 600;
 
 // Sixteenths of the memory.
-constexpr std::uint64_t kWindow = 11;
+constexpr std::uint64_t kWindow = 13;
 constexpr std::uint64_t kConflicts = 2;
 
 }  // namespace
@@ -27,6 +27,7 @@ Result<RecordingPlan> recording_plan_for(std::uint64_t memory_bytes, unsigned wo
   plan.waiting = parts(6);
   plan.cost = {kBytesOfFix, kBytesOfSegment};
   plan.window = kWindow * part;
+  plan.cut_for = plan.window;
   plan.conflicts = {parts(kConflicts), parts(4)};
   plan.intervals = parts(4) / sizeof(double);
   return plan;

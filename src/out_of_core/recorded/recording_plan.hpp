@@ -16,6 +16,7 @@ struct RecordingPlan {
   std::size_t waiting = 0;    // bytes of what waits to be written to windows
   WindowCost cost;            // of what a window has
   std::uint64_t window = 0;   // the most that a window may cost
+  std::uint64_t cut_for = 0;  // windows are made to cost at most this: the same, but in tests
   SortMemory conflicts;
   std::size_t intervals = 0;  // of an agent, in memory
 };

@@ -1,5 +1,5 @@
-// All fixes of a recording, on the disk: added in any order, and read agent by agent in the order of
-// time.
+// All fixes of a recording, on the disk: added in any order, and read agent by agent in the order
+// of time.
 #pragma once
 
 #include "out_of_core/sorted_rows.hpp"
@@ -79,16 +79,16 @@ class StoredFixes {
   [[nodiscard]] const TimeSample& times() const { return times_; }
 
   // As many of each, and positions with heights where those before have them. What is too small for
-  // exact comparison becomes zero. Errors, none is added: kNotFinite, kOutsideDomain, with the array
-  // and the row in it. kWriteFailed, after which nothing else may be done.
+  // exact comparison becomes zero. Errors, none is added: kNotFinite, kOutsideDomain, with the
+  // array and the row in it. kWriteFailed, after which nothing else may be done.
   Status add(std::span<const AgentId> agents, std::span<const double> times_s,
              const PointsView& positions, Crew& crew);
 
   // To be called before for_each(). Errors: those of SortedRows.
   Status settle(Crew& crew) { return rows_.settle(crew); }
 
-  // Calls visit(fix) in ascending order of agents, then times, until it returns false; without those
-  // that come again. Errors: those of SortedRows.
+  // Calls visit(fix) in ascending order of agents, then times, until it returns false; without
+  // those that come again. Errors: those of SortedRows.
   template <class Visit>
   Status for_each(RepeatedFixes& repeated, Visit&& visit) const {
     repeated = {repeated.allowed, 0, {}};

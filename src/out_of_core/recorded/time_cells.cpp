@@ -20,7 +20,8 @@ std::vector<std::size_t> TimeCells::cut(const WindowCost& cost, std::uint64_t li
     const Cell& next = cells_[cell];
     const auto leaving = static_cast<std::uint64_t>(next.over);
     WindowSize grown{inside.fixes + next.fixes, inside.segments + next.segments};
-    // It never gets smaller: what goes over a border ends in the next cell, or goes over its border.
+    // It never gets smaller: what goes over a border ends in the next cell, or goes over its
+    // border.
     if (cell > 0 && cost.of({grown.fixes + leaving, grown.segments}) > limit) {
       lasts.push_back(cell - 1);
       const auto entering = static_cast<std::uint64_t>(cells_[cell - 1].over);

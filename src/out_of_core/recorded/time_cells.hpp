@@ -1,7 +1,7 @@
 // Time cut at borders, and what lies between two of them: where windows can begin and end.
 //
-// A window has the straight pieces between two fixes that begin at or before its last border and end
-// after its first one, whole, and the fixes in it that are alone.
+// A window has the straight pieces between two fixes that begin at or before its last border and
+// end after its first one, whole, and the fixes in it that are alone.
 #pragma once
 
 #include <algorithm>

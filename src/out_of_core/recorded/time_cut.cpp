@@ -58,8 +58,8 @@ Result<TimeCells> count(const Passage& in, const TimeBorders& borders) {
   return cells;
 }
 
-// What cells that are too large by themselves can be cut at: of each the least of its times, so that
-// it gets smaller in any case, and some others.
+// What cells that are too large by themselves can be cut at: of each the least of its times, so
+// that it gets smaller in any case, and some others.
 Result<std::vector<double>> more_borders(const Passage& in, const TimeBorders& borders,
                                          const std::vector<bool>& too_large) {
   constexpr double kNone = std::numeric_limits<double>::infinity();

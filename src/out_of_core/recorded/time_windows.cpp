@@ -114,7 +114,7 @@ Status TimeWindows::distribute(const StoredFixes& fixes, double max_gap_s, Repea
   if (!status) return status;
   if (written && before) written = put(before->fix, before->first, before->window);
   for (std::size_t window = 0; written && window < count(); ++window) written = write(window);
-  waiting_ = {};
+  std::vector<std::vector<Row>>().swap(waiting_);
   if (written) unknown.flush();
   return written;
 }

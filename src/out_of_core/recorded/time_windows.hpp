@@ -73,9 +73,9 @@ class TimeWindows {
 
   TimeCut cut_;
   BlockFile file_;
-  std::size_t at_a_time_;                             // rows of a window that wait
-  std::vector<std::vector<Row>> waiting_;             // of each window
-  std::vector<std::vector<BlockFile::Block>> blocks_; // of each window
+  std::size_t at_a_time_;                              // rows of a window that wait
+  std::vector<std::vector<Row>> waiting_;              // of each window
+  std::vector<std::vector<BlockFile::Block>> blocks_;  // of each window
 };
 
 }  // namespace beespace::out_of_core

@@ -115,7 +115,7 @@ Result<std::vector<Conflict>> search(const WindowTracks& tracks, const ConflictO
 Result<TimeWindows> distribute(const StoredFixes& fixes, const ConflictOptions& options,
                                RepeatedFixes& repeated, const RecordingWorkplace& at,
                                Teller& teller, const LargeGapVisitor& gaps) {
-  auto cut = find_cut(fixes, {options.max_gap_s, at.plan.cost, at.plan.window}, repeated,
+  auto cut = find_cut(fixes, {options.max_gap_s, at.plan.cost, at.plan.cut_for}, repeated,
                       teller.watcher(0));
   if (!cut) return std::move(cut).error();
   if (repeated.clash) return clash_error(*repeated.clash);
