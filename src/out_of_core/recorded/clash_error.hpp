@@ -10,7 +10,7 @@
 
 namespace beespace::out_of_core {
 
-inline Error clash_error(const TimeClash& clash) {
+inline Error clash_error(const LargeTimeClash& clash) {
   Error error{ErrorCode::kTimeOrder,
               "the agent has two fixes at " + core::shown(clash.time_s) +
                   " s, the first as record " + std::to_string(clash.first_row) +

@@ -88,6 +88,7 @@ class __attribute__((visibility("hidden"))) RecordingOutOfCore::State {
     if (!status) return status;
     if (done) end();
     facts_.repeated = repeated.count;
+    facts_.clash = repeated.clash;
     if (done && repeated.clash) return clash_error(*repeated.clash);
     return done;
   }

@@ -7,6 +7,7 @@
 #include <beespace/agent_id.hpp>
 #include <beespace/crew.hpp>
 #include <beespace/points_view.hpp>
+#include <beespace/recording_out_of_core.hpp>
 #include <beespace/result.hpp>
 #include <beespace/track.hpp>
 
@@ -32,19 +33,11 @@ struct StoredFix {
   }
 };
 
-// Two fixes of one agent at one time.
-struct TimeClash {
-  AgentId agent = 0;
-  double time_s = 0.0;
-  std::uint64_t first_row = 0;
-  std::uint64_t second_row = 0;  // behind the first
-};
-
 // Fixes of a time that their agent has one at already: no reader sees them.
 struct RepeatedFixes {
   bool allowed = false;            // to say the same place again
   std::uint64_t count = 0;         // of those that are allowed
-  std::optional<TimeClash> clash;  // of the others the one with the lowest second row
+  std::optional<LargeTimeClash> clash;  // of the others the one with the lowest second row
 };
 
 // Some of the times, evenly spread over the fixes as they come.

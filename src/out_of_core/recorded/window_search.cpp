@@ -114,10 +114,13 @@ Result<std::vector<Conflict>> search(const WindowTracks& tracks, const ConflictO
 
 Result<TimeWindows> distribute(const StoredFixes& fixes, const ConflictOptions& options,
                                RepeatedFixes& repeated, const RecordingWorkplace& at,
-                               Teller& teller, const LargeGapVisitor& gaps) {
+                               Teller& teller, const LargeGapVisitor& gaps,
+                               RecordingOutOfCoreFacts& facts) {
   auto cut = find_cut(fixes, {options.max_gap_s, at.plan.cost, at.plan.cut_for}, repeated,
                       teller.watcher(0));
   if (!cut) return std::move(cut).error();
+  facts.repeated = repeated.count;
+  facts.clash = repeated.clash;
   if (repeated.clash) return clash_error(*repeated.clash);
   if (auto error = too_large(*cut, at.plan)) return *std::move(error);
   auto windows = TimeWindows::make(*std::move(cut), at.folder, at.plan.waiting);
@@ -136,10 +139,9 @@ Status search_windows(const StoredFixes& fixes, const ConflictOptions& options,
                       RecordingOutOfCoreFacts& facts) {
   Teller teller(at, fixes.size());
   RepeatedFixes repeated{repeats_allowed, 0, {}};
-  const auto windows = distribute(fixes, options, repeated, at, teller, gaps);
+  const auto windows = distribute(fixes, options, repeated, at, teller, gaps, facts);
   if (!windows) return windows.error();
   core::trim_freed_memory(at.plan.fixes.merge_bytes + at.plan.waiting);
-  facts.repeated = repeated.count;
 
   JoinedConflicts found(at.folder, at.plan.conflicts);
   {
