@@ -103,9 +103,9 @@ class PointStream {
 
   std::optional<LoadedPoints> first_;  // the first block, as long as it waits
   std::uint64_t row_ = 0;
-  std::uint64_t rows_ = 0;        // that were read
-  std::uint64_t points_ = 0;      // among these
-  std::optional<Error> bad_;      // the first record that was left out
+  std::uint64_t rows_ = 0;               // that were read
+  std::uint64_t points_ = 0;             // among these
+  std::optional<Error> bad_;             // the first record that was left out
   std::optional<FrameWitness> witness_;  // where values may contradict names
 };
 

@@ -44,9 +44,8 @@ std::optional<Error> format_problem(std::string_view beginning, RecordingFormat 
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   const bool json = first != std::string_view::npos && text[first] == '{';
   const bool table = format == RecordingFormat::kTable || format == RecordingFormat::kSkybrushCsv;
-  if (format == RecordingFormat::kSkybrushShow || (json && !table)) {
-    return not_as_it_comes("JSON, or named a show");
-  }
+  if (format == RecordingFormat::kSkybrushShow) return not_as_it_comes("said to be a show");
+  if (json && !table) return not_as_it_comes("JSON");
   if (format != RecordingFormat::kAuto) return std::nullopt;
   if (is_telemetry_log(beginning)) return not_as_it_comes("a MAVLink telemetry log");
   if (is_base_station(beginning)) return not_as_it_comes("a list of BaseStation messages");
@@ -172,16 +171,16 @@ Status RecordingStream::next(std::vector<StreamedFix>& fixes) {
       if (auto status = begin_source(); !status) return status;
     }
     if (auto status = read_lines(); !status) return status;
-    assembly_->tracks().drain([&](std::size_t bee, const Fix& fix,
-                                  const std::optional<double>& stated, Origin origin) {
-      const bool follows =
-          last_ && last_->source == origin.source && last_->line + 1 == origin.line;
-      if (!follows) places_.push_back({fixes_, origin});
-      last_ = origin;
-      ++fixes_;
-      if (witness_) witness_->look_at(std::span(&fix.position, 1));
-      fixes.push_back({bee, fix, stated});
-    });
+    assembly_->tracks().drain(
+        [&](std::size_t bee, const Fix& fix, const std::optional<double>& stated, Origin origin) {
+          const bool follows =
+              last_ && last_->source == origin.source && last_->line + 1 == origin.line;
+          if (!follows) places_.push_back({fixes_, origin});
+          last_ = origin;
+          ++fixes_;
+          if (witness_) witness_->look_at(std::span(&fix.position, 1));
+          fixes.push_back({bee, fix, stated});
+        });
     const bool over = ended_ && pending().empty();
     if (progress_ != nullptr) progress_->done = bytes_before_ + stream_->taken();
     if (!over) continue;
@@ -203,8 +202,7 @@ Origin RecordingStream::origin_of(std::uint64_t fix) const {
 
 Error RecordingStream::clash(std::size_t bee, double time_s, std::uint64_t first,
                              std::uint64_t second) const {
-  Error error =
-      assembly_->conflict_error({id(bee), time_s, origin_of(first), origin_of(second)});
+  Error error = assembly_->conflict_error({id(bee), time_s, origin_of(first), origin_of(second)});
   const std::size_t advice = error.message.rfind(kOrLeaveOut);
   if (advice != std::string::npos) error.message.erase(advice, kOrLeaveOut.size());
   if (options_->skip_bad) error.message += " (with --memory, --skip-bad does not leave it out)";

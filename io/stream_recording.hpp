@@ -1,5 +1,5 @@
-// From files, folders or standard input to fixes, a block after the other: for recordings that memory
-// does not hold. What is known of bees stays in memory: their ids.
+// From files, folders or standard input to fixes, a block after the other: for recordings that
+// memory does not hold. What is known of bees stays in memory: their ids.
 //
 // Reads text tables of fixes, plain or gzip-compressed, as load_recording() does. Whether positions
 // are degrees or metres must be said by the header or by the caller: the values could tell only all

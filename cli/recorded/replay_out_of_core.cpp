@@ -31,8 +31,6 @@
 namespace beespace::cli {
 namespace {
 
-constexpr const char* kReplay = "replay";
-
 // What a block of text takes while it is read: the text, and its fixes twice.
 constexpr std::uint64_t kTimesABlock = 8;
 
@@ -128,11 +126,10 @@ class Replaying {
     std::vector<double> heights;
     for (const io::StreamedFix& each : block) {
       const analysis::StatedHeight stated =
-          each.stated_height
-              ? analysis::StatedHeight{*each.stated_height, stream_.height_unit()}
-              : analysis::StatedHeight{each.fix.position.z, io::Unit::kMetre};
-      const auto at = analysis::in_metres(each.fix.position, std::nullopt, stream_.frame(),
-                                          geometry_, stated);
+          each.stated_height ? analysis::StatedHeight{*each.stated_height, stream_.height_unit()}
+                             : analysis::StatedHeight{each.fix.position.z, io::Unit::kMetre};
+      const auto at =
+          analysis::in_metres(each.fix.position, std::nullopt, stream_.frame(), geometry_, stated);
       if (!at) return analysis::of_bee(at.error(), {stream_.id(each.bee), {}});
       bees.push_back(each.bee);
       times_s.push_back(each.fix.time_s);
@@ -185,10 +182,9 @@ class Replaying {
   }
 
   Result<ExitCode> write() {
-    const analysis::Coverage coverage =
-        analysis::coverage_of(recording_, found_.gaps, max_gap_);
+    const analysis::Coverage coverage = analysis::coverage_of(recording_, found_.gaps, max_gap_);
     const RecordingOutOfCoreFacts facts = fixes_.facts();
-    const analysis::Findings findings{recording_, tracks_, tracks_,         found_,
+    const analysis::Findings findings{recording_, tracks_,  tracks_,         found_,
                                       closest_,   coverage, facts.encounters};
     const JsonHead head = [&](io::JsonWriter& json) {
       write_findings(json, findings, request_, threshold_m_);
@@ -228,7 +224,7 @@ class Replaying {
 
 Result<ExitCode> run_replay_out_of_core(const ReplayRequest& request) {
   const MovingRequest& moving = request.moving;
-  auto output = open_output(kReplay, moving.output, moving.inputs, moving.form.packing);
+  auto output = open_output("replay", moving.output, moving.inputs, moving.form.packing);
   if (!output) return std::move(output).error();
   ProgressBar bar(!moving.quiet);
   io::RecordingOptions load = moving.load;

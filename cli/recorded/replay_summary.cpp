@@ -115,10 +115,9 @@ std::string replay_summary(const analysis::Findings& findings, const MovingReque
     append_summary_line(out, "closest", encounter_text(*findings.closest, recording));
   }
   append_worst(out, findings, pairs);
-  const std::string bars =
-      findings.has_encounters && !figures.memory_bytes
-          ? bars_over_time(findings, figures.threshold_m)
-          : std::string();
+  const std::string bars = findings.has_encounters && !figures.memory_bytes
+                               ? bars_over_time(findings, figures.threshold_m)
+                               : std::string();
   if (!bars.empty()) {
     append_summary_line(out, "over time", bars);
     append_summary_line(out, "",

@@ -71,22 +71,22 @@ using LargeAgentVisitor = std::function<void(const LargeAgent&)>;
 
 /// @brief Two fixes of one agent at one time, which is an error.
 struct LargeTimeClash {
-  AgentId agent = 0;              ///< The agent.
-  double time_s = 0.0;            ///< The time in seconds.
-  std::uint64_t first_row = 0;    ///< Which of all fixes that were added is the first of them.
-  std::uint64_t second_row = 0;   ///< And which the second.
+  AgentId agent = 0;             ///< The agent.
+  double time_s = 0.0;           ///< The time in seconds.
+  std::uint64_t first_row = 0;   ///< Which of all fixes that were added is the first of them.
+  std::uint64_t second_row = 0;  ///< And which the second.
 
   friend constexpr bool operator==(const LargeTimeClash&, const LargeTimeClash&) = default;
 };
 
 /// @brief What the last search of a recording went through.
 struct RecordingOutOfCoreFacts {
-  std::uint64_t windows = 0;         ///< Windows with fixes.
-  std::uint64_t copies = 0;          ///< How many more fixes were written than there are.
-  std::uint64_t largest_window = 0;  ///< The fixes of the fullest window.
-  std::uint64_t repeated = 0;        ///< Fixes that were said again, which do not count (see
-                                     ///< RecordingOutOfCore::allow_repeated).
-  bool encounters = false;           ///< Whether two agents are known at the same time.
+  std::uint64_t windows = 0;            ///< Windows with fixes.
+  std::uint64_t copies = 0;             ///< How many more fixes were written than there are.
+  std::uint64_t largest_window = 0;     ///< The fixes of the fullest window.
+  std::uint64_t repeated = 0;           ///< Fixes that were said again, which do not count (see
+                                        ///< RecordingOutOfCore::allow_repeated).
+  bool encounters = false;              ///< Whether two agents are known at the same time.
   std::optional<LargeTimeClash> clash;  ///< What ErrorCode::kTimeOrder was about.
 };
 

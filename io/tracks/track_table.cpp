@@ -108,8 +108,8 @@ Result<TrackTableReader> TrackTableReader::begin(const TrackTable& beginning,
 
 std::optional<Error> TrackTableReader::read(std::string_view lines) {
   auto error = read_records(lines, *layout_, stem_, rows_, *assembly_);
-  layout_->table.lines_before += static_cast<std::uint64_t>(
-      std::count(lines.begin(), lines.end(), layout_->table.line_end));
+  layout_->table.lines_before +=
+      static_cast<std::uint64_t>(std::count(lines.begin(), lines.end(), layout_->table.line_end));
   return error;
 }
 

@@ -1,5 +1,5 @@
-// Recordings beyond memory: C answers as a recording in memory does, under ids that have a sign, and
-// refuses what makes no sense.
+// Recordings beyond memory: C answers as a recording in memory does, under ids that have a sign,
+// and refuses what makes no sense.
 #include "tests/c/c_scenes.hpp"
 #include "tests/support/recording_scenes.hpp"
 
@@ -84,8 +84,7 @@ int see_conflicts(void* data, const std::int64_t* first, const std::int64_t* sec
   auto& seen = *static_cast<Seen*>(data);
   for (std::int64_t i = 0; i < count; ++i) {
     seen.ids.insert(seen.ids.end(), {first[i], second[i]});
-    seen.numbers.insert(seen.numbers.end(),
-                        {begins_s[i], closest_s[i], ends_s[i], distances_m[i]});
+    seen.numbers.insert(seen.numbers.end(), {begins_s[i], closest_s[i], ends_s[i], distances_m[i]});
   }
   return seen.answer;
 }

@@ -21,7 +21,8 @@ typedef struct beespace_large_recording beespace_large_recording;
 
 /// @brief Makes a recording without fixes.
 /// @param options The memory and the folder, which must have room for some 60 bytes a fix, while it
-///   is searched for twice as much. `height_unit_m` is that of all fixes; progress is told in fixes.
+///   is searched for twice as much. `height_unit_m` is that of all fixes; progress is told in
+///   fixes.
 /// @param[out] recording The recording, to be freed by beespace_large_recording_free(); NULL after
 ///   an error.
 /// @param[out] error What went wrong; or NULL.
@@ -69,7 +70,8 @@ typedef int (*beespace_conflicts_visitor)(void* data, const int64_t* first, cons
                                           const double* begins_s, const double* closest_s,
                                           const double* ends_s, const double* distances_m,
                                           int64_t count);
-/// @brief Sees gaps, in which it is unknown where an agent is; all arrays are valid during the call.
+/// @brief Sees gaps, in which it is unknown where an agent is; all arrays are valid during the
+/// call.
 /// @param data What the search was given.
 /// @param agents The ids of agents, in ascending order of ids and times.
 /// @param begins_s The time of the fix before each gap, in seconds.

@@ -35,8 +35,8 @@ struct StoredFix {
 
 // Fixes of a time that their agent has one at already: no reader sees them.
 struct RepeatedFixes {
-  bool allowed = false;            // to say the same place again
-  std::uint64_t count = 0;         // of those that are allowed
+  bool allowed = false;                 // to say the same place again
+  std::uint64_t count = 0;              // of those that are allowed
   std::optional<LargeTimeClash> clash;  // of the others the one with the lowest second row
 };
 
