@@ -54,6 +54,7 @@ bench-out-of-core:
 	@scripts/install-packages build bench
 	@scripts/build release -DBEESPACE_BUILD_BENCHMARKS=ON
 	@build/release/out_of_core_benchmark
+	@build/release/recording_out_of_core_benchmark
 
 compare:
 	@scripts/install-packages build compare

@@ -9,6 +9,7 @@
 #include <beespace/at_risk.hpp>
 #include <beespace/out_of_core.hpp>
 
+#include "bench/peak_memory.hpp"
 #include "scenes/random_stream.hpp"
 
 #include <fcntl.h>
@@ -17,22 +18,20 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <numbers>
 #include <span>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace {
 
 using beespace::Point;
+using beespace::bench::PeakMemory;
 using Clock = std::chrono::steady_clock;
 
 constexpr double kThreshold_m = 1.0;
@@ -41,35 +40,6 @@ constexpr double kNeighbours = 2.0;
 double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
-
-// Memory of the process that no file stands behind, in bytes.
-std::uint64_t anonymous_bytes() {
-  std::ifstream status("/proc/self/status");
-  std::string word;
-  while (status >> word) {
-    std::uint64_t kilobytes = 0;
-    if (word == "RssAnon:" && status >> kilobytes) return kilobytes * 1024;
-  }
-  return 0;
-}
-
-// Looks fifty times a second.
-class PeakMemory {
- public:
-  PeakMemory()
-      : thread_([this](const std::stop_token& stop) {
-          while (!stop.stop_requested()) {
-            peak_ = std::max(peak_.load(), anonymous_bytes());
-            std::this_thread::sleep_for(std::chrono::milliseconds(20));
-          }
-        }) {}
-
-  [[nodiscard]] std::uint64_t bytes() const { return peak_; }
-
- private:
-  std::atomic<std::uint64_t> peak_ = 0;
-  std::jthread thread_;
-};
 
 // A file of points without a name, mapped.
 class MappedPoints {

@@ -57,8 +57,8 @@ _beespace() {
         --max-gap) values='never' ;;
         --report) values='conflicts bees separation events' ;;
         -o | --output) files=yes ;;
-        --columns | --units | --tolerance | --threshold | --vertical | --threads | --max-results | --every | --horizon | --leave-factor | --look-every) return ;;
-        *) options='--crs --columns --time-unit --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --inclusive --threads --max-results --report --every --horizon --leave-factor --look-every --output --csv --json --fail-on-risk --quiet --help --version' files=yes ;;
+        --columns | --units | --tolerance | --threshold | --vertical | --threads | --max-results | --every | --horizon | --leave-factor | --look-every | --memory | --temporary) return ;;
+        *) options='--crs --columns --time-unit --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --inclusive --threads --max-results --report --every --horizon --leave-factor --look-every --memory --temporary --output --csv --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     watch)

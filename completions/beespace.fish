@@ -83,6 +83,8 @@ complete -c beespace -n '__fish_seen_subcommand_from replay' -x -l every -d 'How
 complete -c beespace -n '__fish_seen_subcommand_from replay' -x -l horizon -d 'How far to look ahead (default: 10; 0: not at all)'
 complete -c beespace -n '__fish_seen_subcommand_from replay' -x -l leave-factor -d 'Bees leave a conflict at the threshold times this (default: 1.1)'
 complete -c beespace -n '__fish_seen_subcommand_from replay' -x -l look-every -d 'How often to look, by the reports\' clock (default: 0.1)'
+complete -c beespace -n '__fish_seen_subcommand_from replay' -x -l memory -d 'Use so much memory and temporary files, for tables that do not fit: 500MB, 4GB (conflicts and bees only)'
+complete -c beespace -n '__fish_seen_subcommand_from replay' -x -l temporary -d 'Where temporary files go, which have no name (default: $TMPDIR, or /var/tmp)'
 complete -c beespace -n '__fish_seen_subcommand_from replay' -r -s o -l output -d 'Where the answer goes, by its ending .csv or .json, perhaps with .gz, in this form (default: standard output)'
 complete -c beespace -n '__fish_seen_subcommand_from replay' -f -l csv -d 'With a header, values between commas'
 complete -c beespace -n '__fish_seen_subcommand_from replay' -f -l json -d 'One JSON document with everything in it'

@@ -35,6 +35,7 @@
 #include <beespace/c/geodesy.h>
 #include <beespace/c/guide.h>
 #include <beespace/c/index.h>
+#include <beespace/c/large_recording.h>
 #include <beespace/c/motion.h>
 #include <beespace/c/obstacles.h>
 #include <beespace/c/out_of_core.h>

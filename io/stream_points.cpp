@@ -5,16 +5,12 @@
 #include "io/table/fields.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <span>
 #include <utility>
 
 namespace beespace::io {
 namespace {
-
-// What a layout is told by: the longest line, and the first lines after it.
-constexpr std::size_t kHeadBytes = kLongestLine + (std::size_t{1} << 17U);
 
 std::uint64_t lines_in(std::string_view text, char line_end) {
   return static_cast<std::uint64_t>(std::count(text.begin(), text.end(), line_end));
@@ -41,10 +37,6 @@ std::string gathered(const ArrayLayout& array, std::uint64_t begin, std::uint64_
     }
   }
   return rows;
-}
-
-bool is_whole(double value) {
-  return std::floor(value) == value;
 }
 
 }  // namespace
@@ -133,7 +125,7 @@ Status PointStream::settle_frame(const FrameEvidence& evidence, bool names_are_e
         {}};
   }
   if (options_.frame == Frame::kAuto && table_ && table_->choice.naming == Naming::kBareAxes) {
-    extent_.emplace();
+    witness_.emplace();
   }
   frame_ = known;
   options_.frame = known.frame;
@@ -340,17 +332,11 @@ std::optional<Error> PointStream::nothing_left() const {
 }
 
 void PointStream::look_at_values(const LoadedPoints& block) {
-  if (!extent_) return;
-  extent_->include(extent_of(block.points));
-  for (const Point& point : block.points) {
-    if (witness_ && !(is_whole(witness_->x) && is_whole(witness_->y))) return;
-    witness_ = point;
-  }
+  if (witness_) witness_->look_at(block.points);
 }
 
 std::optional<Error> PointStream::contradiction() const {
-  if (!extent_ || !witness_) return std::nullopt;
-  return contradiction_to_metres(std::span(&*witness_, 1), *extent_, table_->choice.dimensions);
+  return witness_ ? witness_->contradiction(table_->choice.dimensions) : std::nullopt;
 }
 
 }  // namespace beespace::io

@@ -8,6 +8,7 @@
 #include "io/bytes/byte_source.hpp"
 #include "io/bytes/byte_stream.hpp"
 #include "io/frames/frame_decision.hpp"
+#include "io/frames/frame_witness.hpp"
 #include "io/points/array_layout.hpp"
 #include "io/points/load_options.hpp"
 #include "io/points/loaded_points.hpp"
@@ -102,11 +103,10 @@ class PointStream {
 
   std::optional<LoadedPoints> first_;  // the first block, as long as it waits
   std::uint64_t row_ = 0;
-  std::uint64_t rows_ = 0;        // that were read
-  std::uint64_t points_ = 0;      // among these
-  std::optional<Error> bad_;      // the first record that was left out
-  std::optional<Extent> extent_;  // where values may contradict names,
-  std::optional<Point> witness_;  // and one that does, if any
+  std::uint64_t rows_ = 0;               // that were read
+  std::uint64_t points_ = 0;             // among these
+  std::optional<Error> bad_;             // the first record that was left out
+  std::optional<FrameWitness> witness_;  // where values may contradict names
 };
 
 }  // namespace beespace::io

@@ -21,9 +21,21 @@ double lower_median(std::vector<double>& numbers) {
   return *middle;
 }
 
-std::optional<double> typical_interval(const io::Recording& recording) {
+std::optional<double> typical_interval(const std::vector<BeeInterval>& bees) {
   std::vector<double> of_bees;
   std::vector<double> of_bees_that_can_tell;
+  for (const BeeInterval& bee : bees) {
+    if (bee.fixes < 2) continue;
+    of_bees.push_back(bee.median_s);
+    if (bee.fixes >= kFixesToTell) of_bees_that_can_tell.push_back(bee.median_s);
+  }
+  if (!of_bees_that_can_tell.empty()) return lower_median(of_bees_that_can_tell);
+  if (of_bees.empty()) return std::nullopt;
+  return lower_median(of_bees);
+}
+
+std::vector<BeeInterval> intervals_of(const io::Recording& recording) {
+  std::vector<BeeInterval> bees;
   std::vector<double> intervals;
   for (const io::RecordedBee& bee : recording.bees) {
     if (bee.fixes.size() < 2) continue;
@@ -31,12 +43,9 @@ std::optional<double> typical_interval(const io::Recording& recording) {
     for (std::size_t i = 1; i < bee.fixes.size(); ++i) {
       intervals.push_back(bee.fixes[i].time_s - bee.fixes[i - 1].time_s);
     }
-    of_bees.push_back(lower_median(intervals));
-    if (bee.fixes.size() >= kFixesToTell) of_bees_that_can_tell.push_back(of_bees.back());
+    bees.push_back({bee.fixes.size(), lower_median(intervals)});
   }
-  if (!of_bees_that_can_tell.empty()) return lower_median(of_bees_that_can_tell);
-  if (of_bees.empty()) return std::nullopt;
-  return lower_median(of_bees);
+  return bees;
 }
 
 double with_three_digits(double value) {
@@ -51,7 +60,12 @@ double with_three_digits(double value) {
 
 MaxGap max_gap_of(const io::Recording& recording, const std::optional<double>& asked) {
   if (asked) return {*asked, std::nullopt, true};
-  const auto typical_s = typical_interval(recording);
+  return max_gap_of(intervals_of(recording), asked);
+}
+
+MaxGap max_gap_of(const std::vector<BeeInterval>& bees, const std::optional<double>& asked) {
+  if (asked) return {*asked, std::nullopt, true};
+  const auto typical_s = typical_interval(bees);
   if (!typical_s) return {kNever, std::nullopt};
   return {with_three_digits(kGapFactor * *typical_s), with_three_digits(*typical_s)};
 }

@@ -11,8 +11,10 @@
 #include "io/recording/recording.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace beespace::analysis {
 
@@ -27,6 +29,14 @@ struct MaxGap {
 
 // Of seconds that come from the data three digits count, so that --max-gap can say the same.
 MaxGap max_gap_of(const io::Recording& recording, const std::optional<double>& asked);
+
+// The same, of what is known of each bee with two fixes or more: how many it has, and the lower
+// median of the times between them.
+struct BeeInterval {
+  std::uint64_t fixes = 0;
+  double median_s = 0.0;
+};
+MaxGap max_gap_of(const std::vector<BeeInterval>& bees, const std::optional<double>& asked);
 
 // "5 s, 5 times the typical interval of 1 s (--max-gap)".
 std::string max_gap_text(const MaxGap& max_gap);

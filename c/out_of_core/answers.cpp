@@ -1,6 +1,7 @@
 // Questions about points beyond memory, whose answers are shown to visitors, block by block.
 #include "c/door/options.hpp"
 #include "c/door/question.hpp"
+#include "c/out_of_core/audience.hpp"
 #include "c/out_of_core/out_of_core.hpp"
 
 #include <beespace/pairs.hpp>
@@ -12,11 +13,9 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <stop_token>
 #include <vector>
 
 using namespace beespace::c;  // NOLINT(google-build-using-namespace): the functions are of C
-using beespace::ErrorCode;
 using beespace::kMostPairsAtOnce;
 using beespace::LargeClosestPair;
 using beespace::LargeId;
@@ -29,38 +28,6 @@ using beespace::SearchOptions;
 using beespace::Status;
 
 namespace {
-
-// What a visitor says, which may want no more; and the stop of the call.
-class Audience {
- public:
-  explicit Audience(const RunOptions& run)
-      : threads_(run.threads), pass_on_(run.stop, End{&source_}) {}
-
-  [[nodiscard]] RunOptions run() const { return {threads_, source_.get_token()}; }
-  // Calls show(), which returns what the visitor says, unless it has gone.
-  template <class Show>
-  void tell(const Show& show) {
-    if (gone_ || show() != 0) return;
-    gone_ = true;
-    source_.request_stop();
-  }
-  // A search that ended as the visitor wanted is none that failed.
-  [[nodiscard]] Status status_of(Status status) const {
-    if (gone_ && !status && status.error().code == ErrorCode::kStopped) return std::monostate{};
-    return status;
-  }
-
- private:
-  struct End {
-    std::stop_source* source;
-    void operator()() const { source->request_stop(); }
-  };
-
-  unsigned threads_;
-  std::stop_source source_;
-  bool gone_ = false;
-  std::stop_callback<End> pass_on_;  // last: it uses the source
-};
 
 // The same numbers: none of them has the highest bit.
 const std::int64_t* signed_of(std::span<const std::uint64_t> numbers) {

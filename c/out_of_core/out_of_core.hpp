@@ -3,6 +3,14 @@
 
 #include <beespace.h>
 #include <beespace/out_of_core.hpp>
+#include <beespace/result.hpp>
+
+namespace beespace::c {
+
+// Errors: kInvalidArgument.
+Result<OutOfCoreOptions> options_of(const beespace_out_of_core_options& given);
+
+}  // namespace beespace::c
 
 // NOLINTNEXTLINE(readability-identifier-naming): a name of C
 struct beespace_out_of_core {

@@ -12,6 +12,7 @@
 #include "cli/input/moving_output.hpp"
 #include "cli/output/coverage_output.hpp"
 #include "cli/output/output_file.hpp"
+#include "cli/recorded/replay_answer.hpp"
 #include "cli/recorded/replay_events.hpp"
 #include "cli/recorded/replay_rows.hpp"
 #include "cli/recorded/replay_summary.hpp"
@@ -72,43 +73,6 @@ Status write_events(const ReplayRequest& request, const analysis::Findings& find
     write_answer(events->rows, request.moving, head, "events", output);
   }
   return std::monostate{};
-}
-
-Rows rows_of(const ReplayRequest& request, const analysis::Findings& findings) {
-  if (request.report == "bees") return bee_rows(findings);
-  if (request.report == "separation") {
-    return separation_rows(analysis::separation_over_time(findings, request.every_s),
-                           findings.recording);
-  }
-  const bool curved = std::any_of(findings.tracks.begin(), findings.tracks.end(),
-                                  [](const Track& track) { return track.tolerance_m > 0.0; });
-  return conflict_rows(findings.recorded.conflicts, findings.recording, curved);
-}
-
-Rows closest_row(const Conflict& closest, const io::Recording& recording) {
-  Rows rows{{{"first", "first_label"}, {"second", "second_label"}, {"time_s"}, {"distance_m"}},
-            {{analysis::name_of(closest.first, recording),
-              analysis::name_of(closest.second, recording), closest.closest_s, closest.closest_m}},
-            analysis::has_labels(recording)};
-  set_labels_apart(rows);
-  return rows;
-}
-
-void write_findings(io::JsonWriter& json, const analysis::Findings& findings,
-                    const ReplayRequest& request, double threshold_m) {
-  const auto& conflicts = findings.recorded.conflicts;
-  write_head(json, findings.recording, request.moving, threshold_m);
-  json.member("conflict_count", conflicts.size());
-  json.member("pair_count", analysis::pairs_in_conflict(conflicts).size());
-  json.member("gap_count", findings.recorded.gaps.size());
-  write_coverage(json.key("known"), findings.coverage, findings.recording);
-  json.key("closest");
-  if (findings.closest) {
-    const Rows closest = closest_row(*findings.closest, findings.recording);
-    write_row(json, closest.columns, closest.rows.front());
-  } else {
-    json.null();
-  }
 }
 
 // The closest of the conflicts, or of all encounters where there is none. With a vertical threshold

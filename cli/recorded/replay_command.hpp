@@ -5,6 +5,7 @@
 #include "cli/input/live_options.hpp"
 #include "cli/input/moving_options.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -17,6 +18,8 @@ struct ReplayRequest {
   double tolerance_m = 0.001;
   double every_s = 1.0;
   LiveRequest live;
+  std::optional<std::uint64_t> memory_bytes;  // absent: all that it takes
+  std::string temporary;                      // the folder of temporary files, with memory_bytes
 };
 
 Command replay_command();

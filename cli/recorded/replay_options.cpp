@@ -1,5 +1,6 @@
 #include "cli/command_line/option_values.hpp"
 #include "cli/recorded/replay_command.hpp"
+#include "cli/recorded/replay_out_of_core.hpp"
 
 #include <memory>
 
@@ -76,8 +77,20 @@ Status check_fit(const Command& command, const ReplayRequest& request) {
   return std::monostate{};
 }
 
+Status check_memory(const ReplayRequest& request) {
+  if (!request.memory_bytes) {
+    return request.temporary.empty() ? Status(std::monostate{})
+                                     : usage_error("replay", "--temporary goes with --memory");
+  }
+  if (request.report == "conflicts" || request.report == "bees") return std::monostate{};
+  return usage_error("replay", "--memory does not take --report " + request.report +
+                                   ", for which all bees must be in memory; it takes conflicts "
+                                   "and bees");
+}
+
 Status settle(const Command& command, ReplayRequest& request) {
   if (Status fit = check_fit(command, request); !fit) return fit;
+  if (Status fit = check_memory(request); !fit) return fit;
   // Events are lines of JSON.
   if (request.report == "events")
     return settle_answer(request.moving, "replay", {"jsonl", "ndjson"});
@@ -90,7 +103,9 @@ Command replay_command() {
   const auto request = std::make_shared<ReplayRequest>();
   MovingRequest& moving = request->moving;
   Command replay("replay", kReplayDescription, kReplayDetails, [request](const Command& command) {
-    return settle(command, *request).and_then([&] { return run_replay(*request); });
+    return settle(command, *request).and_then([&] {
+      return request->memory_bytes ? run_replay_out_of_core(*request) : run_replay(*request);
+    });
   });
   replay.arguments("FILES", moving.inputs,
                    "Files and folders to read (default, or -:\nstandard input)");
@@ -103,6 +118,12 @@ Command replay_command() {
                 "How often --report separation looks (default: 1)");
   replay.group("Events");
   add_live_options(replay, request->live);
+  replay.group("Memory");
+  replay.option("--memory", "SIZE", request->memory_bytes, read_memory,
+                "Use so much memory and temporary files, for tables\nthat do not fit: 500MB, 4GB "
+                "(conflicts and bees only)");
+  replay.option("--temporary", "FOLDER", request->temporary, take_text,
+                "Where temporary files go, which have no name\n(default: $TMPDIR, or /var/tmp)");
   add_form_options(replay, moving);
   add_risk_option(replay, moving);
   add_quiet_option(replay, moving.quiet);

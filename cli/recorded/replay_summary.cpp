@@ -115,13 +115,19 @@ std::string replay_summary(const analysis::Findings& findings, const MovingReque
     append_summary_line(out, "closest", encounter_text(*findings.closest, recording));
   }
   append_worst(out, findings, pairs);
-  const std::string bars =
-      findings.has_encounters ? bars_over_time(findings, figures.threshold_m) : std::string();
+  const std::string bars = findings.has_encounters && !figures.memory_bytes
+                               ? bars_over_time(findings, figures.threshold_m)
+                               : std::string();
   if (!bars.empty()) {
     append_summary_line(out, "over time", bars);
     append_summary_line(out, "",
                         "(how far apart the closest two are: a full bar is twice the "
                         "threshold, ! a conflict)");
+  }
+  if (figures.memory_bytes) {
+    append_summary_line(out, "memory",
+                        io::byte_count(*figures.memory_bytes) + ", " +
+                            io::counted(figures.windows, "window of time", "windows of time"));
   }
   append_summary_line(
       out, "time",

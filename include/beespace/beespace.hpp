@@ -32,6 +32,7 @@
 #include <beespace/point.hpp>
 #include <beespace/points_view.hpp>
 #include <beespace/predict_conflicts.hpp>
+#include <beespace/recording_out_of_core.hpp>
 #include <beespace/result.hpp>
 #include <beespace/row_iterator.hpp>
 #include <beespace/search_options.hpp>

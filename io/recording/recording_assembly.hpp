@@ -62,6 +62,12 @@ class RecordingAssembly {
   // Errors: kUnknownFrame, kMissingColumn, kInvalidArgument for inputs that do not go together:
   // in frame, time or what heights are counted from.
   std::optional<Error> agree(const SourceFacts& facts);
+  // What they agree on so far; null where nothing was read.
+  [[nodiscard]] const SourceFacts* facts() const { return facts_ ? &*facts_ : nullptr; }
+  // Whether heights as they are stated have several units.
+  [[nodiscard]] bool several_height_units() const { return several_height_units_; }
+  // Of sources that were begun.
+  [[nodiscard]] Error conflict_error(const TimeConflict& conflict) const;
   // Says it once, however often it is handed in.
   void note(std::string text);
   // An error that skip_bad leaves out: nothing then, and a record of that bee is missing; no id
@@ -87,7 +93,6 @@ class RecordingAssembly {
  private:
   std::optional<Error> settle_times();
   std::optional<Error> settle_frame();
-  [[nodiscard]] Error conflict_error(const TimeConflict& conflict) const;
   void settle_heard();
   [[nodiscard]] MissingRecords missing() const;
   void note_counts();

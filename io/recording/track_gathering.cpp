@@ -68,6 +68,44 @@ void TrackGathering::add(std::string_view id, const Fix& fix, const Velocity* ve
   }
   fixes.push_back(fix);
   bee.origins.push_back(origin);
+  if (bee.waits) return;
+  bee.waits = true;
+  waiting_.push_back(last_);
+}
+
+void TrackGathering::drain(const Take& take) {
+  struct Place {
+    std::size_t bee;
+    std::size_t fix;
+    Origin origin;
+  };
+  std::vector<Place> places;
+  for (const std::size_t number : waiting_) {
+    const Bee& bee = bees_[number];
+    for (std::size_t at = bee.taken; at < bee.recorded.fixes.size(); ++at) {
+      places.push_back({number, at, bee.origins[at]});
+    }
+  }
+  std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
+    if (a.origin.source != b.origin.source) return a.origin.source < b.origin.source;
+    return a.origin.line < b.origin.line;
+  });
+  for (const auto& [number, at, origin] : places) {
+    const RecordedBee& bee = bees_[number].recorded;
+    take(number, bee.fixes[at],
+         bee.stated_heights.empty() ? std::nullopt : std::optional(bee.stated_heights[at]), origin);
+  }
+  // The last one stays, which the next one is compared with.
+  for (const std::size_t number : waiting_) {
+    Bee& bee = bees_[number];
+    bee.waits = false;
+    bee.taken = 1;
+    bee.recorded.fixes = std::vector<Fix>{bee.recorded.fixes.back()};
+    bee.origins = std::vector<Origin>{bee.origins.back()};
+    std::vector<Velocity>().swap(bee.recorded.velocities);
+    std::vector<double>().swap(bee.recorded.stated_heights);
+  }
+  waiting_.clear();
 }
 
 void TrackGathering::label(std::string_view id, std::string_view text) {

@@ -60,6 +60,17 @@ class TrackGathering {
   // handed to `conflict`, in no particular order.
   void settle(const std::function<void(const TimeConflict&)>& conflict);
 
+  // Calls take(bee, fix, stated height, origin) with all fixes that were not taken before, in the
+  // order of the input; bees are counted in the order in which they came first. Bees stay, without
+  // fixes to settle.
+  using Take = std::function<void(std::size_t bee, const Fix& fix,
+                                  const std::optional<double>& stated_height, Origin origin)>;
+  void drain(const Take& take);
+  // Fixes that were taken, and found to come again.
+  void add_repeated(std::uint64_t count) { repeated_ += count; }
+  [[nodiscard]] const std::string& id(std::size_t bee) const { return bees_[bee].recorded.id; }
+  [[nodiscard]] std::size_t size() const { return bees_.size(); }
+
   // What was found by add() and settle().
   [[nodiscard]] std::uint64_t out_of_order() const { return out_of_order_; }
   [[nodiscard]] std::uint64_t repeated() const { return repeated_; }
@@ -77,6 +88,8 @@ class TrackGathering {
     RecordedBee recorded;
     std::vector<Origin> origins;
     bool several_sources = false;
+    std::size_t taken = 0;  // of the fixes: the last one that drain() has told of, or none
+    bool waits = false;     // some were not told of
   };
   struct TextHash {
     using is_transparent = void;  // NOLINT(readability-identifier-naming): the library's name
@@ -90,7 +103,8 @@ class TrackGathering {
 
   std::vector<Bee> bees_;
   std::unordered_map<std::string, std::size_t, TextHash, std::equal_to<>> index_;
-  std::size_t last_ = 0;  // records of one bee often follow each other
+  std::vector<std::size_t> waiting_;  // bees with fixes that drain() has not told of
+  std::size_t last_ = 0;              // records of one bee often follow each other
   std::uint64_t out_of_order_ = 0;
   std::uint64_t repeated_ = 0;
   std::uint64_t clashing_ = 0;

@@ -6,6 +6,7 @@
 #include "io/frames/coordinate_frame.hpp"
 #include "io/frames/frame_decision.hpp"
 #include "io/table/column_options.hpp"
+#include "io/table/fields.hpp"
 #include "io/units/heights.hpp"
 #include "io/units/unit_taken.hpp"
 
@@ -55,6 +56,9 @@ struct TableLayout {
   std::uint64_t lines_before = 0;  // how many lines lie before that place
   ColumnChoice choice = {};
 };
+
+// What a layout is told by: the longest line, and the first lines after it.
+inline constexpr std::size_t kHeadBytes = kLongestLine + (std::size_t{1} << 17U);
 
 // `text` has no byte-order mark any more. Errors: kNoPoints, kMalformedRecord, kMissingColumn,
 // kInvalidArgument, kUnsupportedFormat; without location.source.

@@ -5,6 +5,7 @@
 #include "io/tracks/track_layout.hpp"
 #include "io/tracks/track_record.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace beespace::io {
@@ -26,9 +27,10 @@ SourceFacts facts_of(const TrackLayout& layout) {
   return facts;
 }
 
-// All records, from the first line behind the header on.
+// All records of some lines, behind so many rows; counts the rows.
 std::optional<Error> read_records(std::string_view text, const TrackLayout& layout,
-                                  const std::string& stem, RecordingAssembly& assembly) {
+                                  const std::string& stem, std::uint64_t& rows_before,
+                                  RecordingAssembly& assembly) {
   constexpr std::uint64_t kRowsPerReport = 4096;
   Progress* const progress = assembly.options().progress;
   const bool nameless_rows = !layout.table.choice.id && !layout.time;
@@ -39,7 +41,7 @@ std::optional<Error> read_records(std::string_view text, const TrackLayout& layo
   std::string row_id;
   std::uint64_t rows = 0;
   const char* reported = text.data();
-  RecordWalk walk(text, layout.table.data_offset, layout.table.line_end);
+  RecordWalk walk(text, 0, layout.table.line_end);
   while (walk.next()) {
     const std::uint64_t line = layout.table.lines_before + walk.line() + 1;
     const char* const here = walk.record().data();
@@ -55,7 +57,7 @@ std::optional<Error> read_records(std::string_view text, const TrackLayout& layo
     }
     if (auto error = reader.read(walk.record(), record)) {
       error->location.line = line;
-      error->location.record = walk.row();
+      error->location.record = rows_before + walk.row();
       if (auto fatal = assembly.bad(*std::move(error), record.id)) return fatal;
       continue;
     }
@@ -71,23 +73,50 @@ std::optional<Error> read_records(std::string_view text, const TrackLayout& layo
     progress->done += static_cast<std::uint64_t>(text.data() + text.size() - reported);
   }
   if (nameless_rows) assembly.add_nameless(rows);
+  rows_before += rows;
   return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<Error> read_track_table(const TrackTable& table, RecordingAssembly& assembly) {
-  if (auto problem = text_problem(table.bytes)) return problem;
-  const std::string_view text = without_byte_order_mark(table.bytes);
-  auto layout = find_track_layout(text, assembly.options(), table.bare_skybrush);
-  if (!layout) return layout.error();
-  if (auto error = assembly.agree(facts_of(*layout))) return error;
+TrackTableReader::TrackTableReader(TrackLayout layout, std::string stem,
+                                   RecordingAssembly& assembly)
+    : layout_(std::make_unique<TrackLayout>(std::move(layout))),
+      header_(std::make_unique<std::string>(layout_->table.header)),
+      data_offset_(layout_->table.data_offset),
+      stem_(std::move(stem)),
+      assembly_(&assembly) {
+  layout_->table.header = *header_;
+}
+
+Result<TrackTableReader> TrackTableReader::begin(const TrackTable& beginning,
+                                                 RecordingAssembly& assembly) {
+  if (auto problem = text_problem(beginning.bytes)) return *std::move(problem);
+  const std::string_view text = without_byte_order_mark(beginning.bytes);
+  auto layout = find_track_layout(text, assembly.options(), beginning.bare_skybrush);
+  if (!layout) return std::move(layout).error();
+  if (auto error = assembly.agree(facts_of(*layout))) return *std::move(error);
   for (std::string& note : layout->notes) assembly.note(std::move(note));
   if (!layout->table.choice.id) {
     assembly.note(layout->time ? "there is no id: each file is taken for one bee, named after it"
                                : "there is no id: bees are numbered in their order, from 0");
   }
-  return read_records(text, *layout, table.stem, assembly);
+  TrackTableReader reader(*std::move(layout), beginning.stem, assembly);
+  reader.data_offset_ += beginning.bytes.size() - text.size();
+  return reader;
+}
+
+std::optional<Error> TrackTableReader::read(std::string_view lines) {
+  auto error = read_records(lines, *layout_, stem_, rows_, *assembly_);
+  layout_->table.lines_before +=
+      static_cast<std::uint64_t>(std::count(lines.begin(), lines.end(), layout_->table.line_end));
+  return error;
+}
+
+std::optional<Error> read_track_table(const TrackTable& table, RecordingAssembly& assembly) {
+  auto reader = TrackTableReader::begin(table, assembly);
+  if (!reader) return std::move(reader).error();
+  return reader->read(table.bytes.substr(reader->data_offset()));
 }
 
 }  // namespace beespace::io

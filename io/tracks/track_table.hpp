@@ -2,9 +2,13 @@
 #pragma once
 
 #include "io/recording/recording_assembly.hpp"
+#include "io/tracks/track_layout.hpp"
 
 #include <beespace/result.hpp>
 
+#include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,6 +19,31 @@ struct TrackTable {
   std::string_view bytes = {};  // unpacked
   std::string stem = {};        // of the file's name: the bee, where there is no id column
   bool bare_skybrush = false;   // without a header it is a Skybrush CSV
+};
+
+// A table whose lines come some at a time, into the source that `assembly` has begun; it must
+// outlive this.
+class TrackTableReader {
+ public:
+  // `beginning` is all of the table, or its first lines. Errors have line and column.
+  static Result<TrackTableReader> begin(const TrackTable& beginning, RecordingAssembly& assembly);
+
+  // Where in the beginning the first line behind the header begins.
+  [[nodiscard]] std::size_t data_offset() const { return data_offset_; }
+  [[nodiscard]] char line_end() const { return layout_->table.line_end; }
+
+  // The next lines, whole ones. Errors have line and column.
+  std::optional<Error> read(std::string_view lines);
+
+ private:
+  TrackTableReader(TrackLayout layout, std::string stem, RecordingAssembly& assembly);
+
+  std::unique_ptr<TrackLayout> layout_;  // of the lines that come next
+  std::unique_ptr<std::string> header_;  // which it views
+  std::size_t data_offset_;
+  std::string stem_;
+  std::uint64_t rows_ = 0;  // that were read
+  RecordingAssembly* assembly_;
 };
 
 // Into the source that `assembly` has begun. Errors have line and column, and the source where it

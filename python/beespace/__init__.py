@@ -25,6 +25,7 @@ from beespace._geodesy import to_ecef
 from beespace._guidance import Guidance, JoinAnswer
 from beespace._guide import Guide
 from beespace._index import Index
+from beespace._large_recording import RecordingOutOfCore, RecordingOutOfCoreFacts
 from beespace._library import version as _version
 from beespace._messages import (
     Acknowledgement,
@@ -106,6 +107,8 @@ __all__ = [
     "Prism",
     "RecordedConflicts",
     "Recording",
+    "RecordingOutOfCore",
+    "RecordingOutOfCoreFacts",
     "Report",
     "Setpoint",
     "Sphere",

@@ -1,11 +1,21 @@
-"""What <beespace/c/out_of_core.h> declares of libbeespace.so."""
+"""What <beespace/c/out_of_core.h> and <beespace/c/large_recording.h> declare of libbeespace.so."""
 
 from __future__ import annotations
 
 import ctypes
 from ctypes import POINTER, c_char_p, c_double, c_int, c_int32, c_int64, c_size_t, c_uint64, c_void_p
 
-from beespace._library import VISITOR, CError, CPoints, CRun, CSearch, declare, handle_of, library
+from beespace._library import (
+    VISITOR,
+    CError,
+    CFixes,
+    CPoints,
+    CRun,
+    CSearch,
+    declare,
+    handle_of,
+    library,
+)
 
 PROGRESS = ctypes.CFUNCTYPE(None, c_void_p, c_int32, c_int64, c_int64)
 IDS_VISITOR = ctypes.CFUNCTYPE(c_int, c_void_p, c_void_p, c_int64)
@@ -13,6 +23,10 @@ COUNTS_VISITOR = ctypes.CFUNCTYPE(c_int, c_void_p, c_void_p, c_void_p, c_int64)
 NEAREST_VISITOR = ctypes.CFUNCTYPE(
     c_int, c_void_p, c_void_p, c_int64, c_void_p, c_void_p, c_int64
 )
+CONFLICTS_VISITOR = ctypes.CFUNCTYPE(
+    c_int, c_void_p, c_void_p, c_void_p, c_void_p, c_void_p, c_void_p, c_void_p, c_int64
+)
+GAPS_VISITOR = ctypes.CFUNCTYPE(c_int, c_void_p, c_void_p, c_void_p, c_void_p, c_int64)
 
 
 class COptions(ctypes.Structure):
@@ -37,7 +51,18 @@ class CFacts(ctypes.Structure):
     ]
 
 
+class CRecordingFacts(ctypes.Structure):
+    _fields_ = [
+        ("struct_size", c_size_t),
+        ("windows", c_int64),
+        ("copies", c_int64),
+        ("largest_window", c_int64),
+        ("encounters", c_int64),
+    ]
+
+
 COutOfCore = handle_of(library, "out_of_core")
+CLargeRecording = handle_of(library, "large_recording")
 
 _points: list[object] = [c_void_p, POINTER(CPoints), c_void_p, POINTER(CError)]
 _search, _run = POINTER(CSearch), POINTER(CRun)
@@ -56,4 +81,21 @@ declare({
     "out_of_core_nearest": (c_int32, [c_void_p, c_int64, _run, NEAREST_VISITOR, *_tail]),
     "out_of_core_closest_pair": (c_int32, [c_void_p, _run, *_tail]),
     "out_of_core_facts_of": (c_int32, [c_void_p, POINTER(CFacts), POINTER(CError)]),
+    "large_recording_create": (
+        c_int32,
+        [POINTER(COptions), POINTER(CLargeRecording), POINTER(CError)],
+    ),
+    "large_recording_size": (c_int64, [c_void_p]),
+    "large_recording_add": (
+        c_int32,
+        [c_void_p, POINTER(CFixes), POINTER(CPoints), POINTER(CError)],
+    ),
+    "large_recording_conflicts": (
+        c_int32,
+        [c_void_p, _search, c_double, _run, CONFLICTS_VISITOR, GAPS_VISITOR, *_tail],
+    ),
+    "large_recording_facts_of": (
+        c_int32,
+        [c_void_p, POINTER(CRecordingFacts), POINTER(CError)],
+    ),
 })

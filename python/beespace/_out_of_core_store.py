@@ -32,7 +32,17 @@ _phases = ("distributing", "searching")
 class Store:
     """The C search, its options, and what it refers to."""
 
-    __slots__ = ("_handle", "_kept", "_like", "_lock", "_memory", "_progress", "_threads", "_upright")
+    __slots__ = (
+        "_handle",
+        "_kept",
+        "_like",
+        "_lock",
+        "_memory",
+        "_progress",
+        "_size_of",
+        "_threads",
+        "_upright",
+    )
 
     def __init__(
         self,
@@ -41,8 +51,11 @@ class Store:
         threads: Any,
         height_unit: Any,
         progress: Callable[[str, int, int], object] | None,
+        *,
+        kind: str = "out_of_core",
     ) -> None:
-        self._handle = _c.COutOfCore()
+        self._handle = _c.COutOfCore() if kind == "out_of_core" else _c.CLargeRecording()
+        self._size_of = library[f"beespace_{kind}_size"]
         self._kept: list[object] = []
         self._like = _Like()
         self._lock = threading.Lock()
@@ -60,13 +73,13 @@ class Store:
             ctypes.sizeof(_c.COptions), self._memory, os.fsencode(path), unit, self._progress.called
         )
         error = _library.new_error()
-        code = library.beespace_out_of_core_create(
+        code = library[f"beespace_{kind}_create"](
             ctypes.byref(options), ctypes.byref(self._handle), ctypes.byref(error)
         )
         check(code, error)
 
     def __len__(self) -> int:
-        return int(library.beespace_out_of_core_size(self._handle))
+        return int(self._size_of(self._handle))
 
     def _take(self, function: Any, points: Any, heights: Any) -> object:
         check_frames(points, self._like if len(self) else None, None)
@@ -109,17 +122,7 @@ class Store:
     ) -> None:
         """Asks a question whose answer a visitor sees."""
         problems: list[BaseException] = []
-
-        def guarded(*shown: Any) -> int:
-            # What is raised here would be lost, and the search would look complete.
-            try:
-                see(*shown)
-                return 1
-            except BaseException as problem:
-                problems.append(problem)
-                return 0
-
-        self._run(function, arguments, (visitor(guarded), None))
+        self._run(function, arguments, (visitor(guarded(see, problems)), None))
         if problems:
             raise problems[0]
 
@@ -150,6 +153,20 @@ class Store:
     @staticmethod
     def _new_problem(stop: Any) -> Problem:
         return Problem(stop)
+
+
+def guarded(see: Callable[..., None], problems: list[BaseException]) -> Callable[..., int]:
+    """A visitor: what is raised in it would be lost, and the search would look complete."""
+
+    def called(*shown: Any) -> int:
+        try:
+            see(*shown)
+            return 1
+        except BaseException as problem:
+            problems.append(problem)
+            return 0
+
+    return called
 
 
 class _Like:

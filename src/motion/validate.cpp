@@ -108,6 +108,11 @@ std::optional<Error> check_height(double height_m, double climb_mps, std::size_t
   return std::nullopt;
 }
 
+std::optional<Error> check_time(double time_s, std::size_t record) {
+  if (in_motion_domain(time_s)) return std::nullopt;
+  return error_of(time_s, "time", "s", record);
+}
+
 std::optional<Error> check_mover(const Mover& mover, std::size_t record) {
   if (auto error = check_position(mover.position, record)) return error;
   const Velocity& v = mover.velocity;
@@ -135,9 +140,7 @@ std::optional<Error> check_track(const Track& track, std::size_t record) {
     if (!error && !track.heights_m.empty() && !in_motion_domain(track.heights_m[i])) {
       error = error_of(track.heights_m[i], "height", "m", record);
     }
-    if (!error && !in_motion_domain(fixes[i].time_s)) {
-      error = error_of(fixes[i].time_s, "time", "s", record);
-    }
+    if (!error) error = check_time(fixes[i].time_s, record);
     if (!error && i > 0 && !(fixes[i - 1].time_s < fixes[i].time_s)) {
       error = Error{ErrorCode::kTimeOrder,
                     "time " + shown(fixes[i].time_s) + " s does not come after " +

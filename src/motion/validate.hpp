@@ -24,6 +24,7 @@ std::optional<Error> check_options(const ConflictOptions& options);
 // `record` is the mover whose position or time is checked.
 std::optional<Error> check_position(const Point& position, std::size_t record);
 std::optional<Error> check_height(double height_m, double climb_mps, std::size_t record);
+std::optional<Error> check_time(double time_s, std::size_t record);
 std::optional<Error> check_mover(const Mover& mover, std::size_t record);
 // Checks that all arrays are equally long, and their length: before any element is read.
 std::optional<Error> check_size(const MoversView& movers);

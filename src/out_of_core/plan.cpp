@@ -25,16 +25,19 @@ constexpr std::uint64_t kBytesInSample = 48;
 
 }  // namespace
 
-Result<Plan> plan_for(std::uint64_t memory_bytes, unsigned workers, bool heights) {
+std::optional<Error> too_little_memory(std::uint64_t memory_bytes, unsigned workers) {
   const std::uint64_t least = OutOfCoreOptions::kLeastMemoryBytes * workers;
-  if (memory_bytes < least) {
-    return Error{ErrorCode::kInvalidArgument,
-                 "a search out of core with " + std::to_string(workers) +
-                     (workers == 1 ? " thread" : " threads") + " needs " +
-                     std::to_string(least >> 20U) + " MiB of memory or more, not " +
-                     std::to_string(memory_bytes) + " bytes",
-                 {}};
-  }
+  if (memory_bytes >= least) return std::nullopt;
+  return Error{ErrorCode::kInvalidArgument,
+               "a search out of core with " + std::to_string(workers) +
+                   (workers == 1 ? " thread" : " threads") + " needs " +
+                   std::to_string(least >> 20U) + " MiB of memory or more, not " +
+                   std::to_string(memory_bytes) + " bytes",
+               {}};
+}
+
+Result<Plan> plan_for(std::uint64_t memory_bytes, unsigned workers, bool heights) {
+  if (auto error = too_little_memory(memory_bytes, workers)) return *std::move(error);
   const std::uint64_t used = memory_bytes - memory_bytes / kShareOfTheRest;
   // Cells are read while the one before is searched, so there are two.
   const std::uint64_t in_cell = 2 * CellPoints::bytes_a_point(heights) + kBytesOfSearch;

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace beespace::out_of_core {
 
@@ -15,6 +16,9 @@ struct Plan {
   std::size_t work = 0;    // bytes of working memory for searching a cell
   std::size_t pairs = 0;   // pairs that are found at a time between two pieces of a crowded cell
 };
+
+// What is wrong where the memory is too little for so many workers.
+std::optional<Error> too_little_memory(std::uint64_t memory_bytes, unsigned workers);
 
 // For points with heights apart from their positions, or without. Errors: kInvalidArgument where
 // the memory is too little for so many workers.

@@ -73,7 +73,7 @@ Result<Cells> distribute(const StoredPoints& points, const Reach& reach, const W
   Cut cut = Cut::of_sample(*sample, most, reach);
   auto file = TemporaryFile::make(at.folder, expected_bytes(*sample, cut, points));
   if (!file) return std::move(file).error();
-  *sample = {};
+  std::vector<Point>().swap(*sample);  // `= {}` would keep the memory
 
   const std::size_t batch = batch_for(cut.cells(), at.plan.batch);
   Cells cells(*std::move(file), std::move(cut), points.have_heights());

@@ -19,6 +19,9 @@ struct Free {
   void operator()(beespace_index* index) const { beespace_index_free(index); }
   void operator()(beespace_obstacles* obstacles) const { beespace_obstacles_free(obstacles); }
   void operator()(beespace_out_of_core* search) const { beespace_out_of_core_free(search); }
+  void operator()(beespace_large_recording* recording) const {
+    beespace_large_recording_free(recording);
+  }
   void operator()(beespace_swarm* swarm) const { beespace_swarm_free(swarm); }
   void operator()(beespace_events* events) const { beespace_events_free(events); }
   void operator()(beespace_movers* movers) const { beespace_movers_free(movers); }

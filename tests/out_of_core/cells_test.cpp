@@ -2,6 +2,7 @@
 #include "out_of_core/cells.hpp"
 
 #include "out_of_core/temporary_file.hpp"
+#include "tests/out_of_core/damage.hpp"
 
 #include <gtest/gtest.h>
 
@@ -29,22 +30,6 @@ std::vector<Point> row_of_points(std::size_t count) {
     points[index] = {static_cast<double>(index), -1.0, 0.5};
   }
   return points;
-}
-
-// Changes a byte of the newest file without a name that this process has open.
-void damage_last_temporary_file(std::uint64_t offset) {
-  int newest = -1;
-  for (int descriptor = 3; descriptor < 256; ++descriptor) {
-    std::error_code none;
-    const auto target =
-        std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(descriptor), none);
-    if (!none && target.string().find("(deleted)") != std::string::npos) newest = descriptor;
-  }
-  ASSERT_GE(newest, 0);
-  char byte = 0;
-  ASSERT_EQ(::pread(newest, &byte, 1, static_cast<off_t>(offset)), 1);
-  byte = static_cast<char>(byte ^ 4);
-  ASSERT_EQ(::pwrite(newest, &byte, 1, static_cast<off_t>(offset)), 1);
 }
 
 TEST(TemporaryFile, HasNoNameAndGivesBackWhatWasWritten) {
@@ -168,7 +153,7 @@ TEST_F(DistributedCells, TellADamagedHeight) {
   give_heights();
   distribute(1000, 1);
   const Segment& first = cells_->segments(0)[0];
-  damage_last_temporary_file(first.offset + 3 * 8 * first.count + 9);
+  test::damage_last_temporary_file(first.offset + 3 * 8 * first.count + 9);
   CellPoints points;
   const auto status = cells_->read(cells_->segments(0), points);
   ASSERT_FALSE(status);
@@ -179,7 +164,7 @@ TEST_F(DistributedCells, TellDamage) {
   for (const std::uint64_t offset : {0U, 9U, 2403U, 5000U, 20'000U}) {
     distribute(1000, 1);
     CellPoints points;
-    damage_last_temporary_file(offset);
+    test::damage_last_temporary_file(offset);
     std::size_t damaged = 0;
     for (std::size_t cell = 0; cell < cells_->size(); ++cell) {
       const auto status = cells_->read(cells_->segments(cell), points);
@@ -195,7 +180,7 @@ TEST(StoredPoints, TellDamage) {
   StoredPoints stored;
   ASSERT_TRUE(stored.copy(row_of_points(1000), folder(), 300));
   ASSERT_TRUE(stored.flush());
-  damage_last_temporary_file(100);
+  test::damage_last_temporary_file(100);
   PointMemory memory;
   const auto stretches = stored.stretches(1000);
   ASSERT_EQ(stretches.size(), 4U);
@@ -224,7 +209,7 @@ TEST(StoredPoints, KeepHeights) {
   }
   EXPECT_EQ(seen, points.size());
   // The heights of a part stand behind its points.
-  damage_last_temporary_file(300 * 24 + 10);
+  test::damage_last_temporary_file(300 * 24 + 10);
   EXPECT_EQ(stored.view(stored.stretches(1000)[0], memory).error().code, ErrorCode::kCorrupt);
 }
 

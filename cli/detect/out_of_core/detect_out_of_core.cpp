@@ -12,6 +12,7 @@
 #include "cli/detect/out_of_core/large_search.hpp"
 #include "cli/detect/out_of_core/large_table.hpp"
 #include "cli/detect/summary.hpp"
+#include "cli/input/temporary_folder.hpp"
 #include "cli/output/block_writer.hpp"
 #include "cli/output/output_file.hpp"
 #include "io/bytes/number_text.hpp"
@@ -21,7 +22,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -32,12 +32,6 @@ namespace {
 // The summary names no more files than these.
 constexpr std::size_t kFilesShown = 5;
 
-std::string folder_for(const DetectRequest& request) {
-  if (!request.temporary.empty()) return request.temporary;
-  const char* const said = std::getenv("TMPDIR");
-  return said != nullptr && *said != '\0' ? said : "/var/tmp";
-}
-
 class Detecting {
  public:
   Detecting(const DetectRequest& request, LargeInput& input, const LargeMemory& memory,
@@ -47,7 +41,7 @@ class Detecting {
         memory_(memory),
         output_(output),
         bar_(bar),
-        folder_(folder_for(request)),
+        folder_(temporary_folder(request.temporary)),
         search_(request, folder_, memory, bar),
         ids_(folder_),
         records_(folder_),

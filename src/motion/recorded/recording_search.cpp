@@ -287,7 +287,9 @@ class RecordingSearch {
 
 void order_conflicts(std::vector<Conflict>& conflicts) {
   std::sort(conflicts.begin(), conflicts.end(), [](const Conflict& a, const Conflict& b) {
-    return std::tie(a.first, a.second, a.begins_s) < std::tie(b.first, b.second, b.begins_s);
+    // Two that begin at one instant by rounding have an order, too.
+    return std::tie(a.first, a.second, a.begins_s, a.ends_s) <
+           std::tie(b.first, b.second, b.begins_s, b.ends_s);
   });
 }
 

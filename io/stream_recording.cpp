@@ -1,0 +1,223 @@
+#include "io/stream_recording.hpp"
+
+#include "io/aircraft/base_station_reading.hpp"
+#include "io/bytes/byte_source.hpp"
+#include "io/bytes/gzip.hpp"
+#include "io/bytes/zip_archive.hpp"
+#include "io/mavlink/telemetry_log.hpp"
+#include "io/problems/skipped_records.hpp"
+#include "io/problems/text_check.hpp"
+#include "io/recording/recording_sources.hpp"
+#include "io/table/fields.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <utility>
+
+namespace beespace::io {
+namespace {
+
+Status list_files(const std::string& path, std::vector<std::string>& files, bool& several) {
+  if (!is_folder(path)) {
+    files.push_back(path);
+    return std::monostate{};
+  }
+  const auto inside = recordings_in(path);
+  if (!inside) return inside.error();
+  several = several || inside->size() > 1;
+  files.insert(files.end(), inside->begin(), inside->end());
+  return std::monostate{};
+}
+
+Error not_as_it_comes(const std::string& what) {
+  return {ErrorCode::kUnsupportedFormat,
+          "this is " + what +
+              ", which is read as a whole; leave --memory out, or export the recording as CSV",
+          {}};
+}
+
+std::optional<Error> format_problem(std::string_view beginning, RecordingFormat format) {
+  if (is_zip(beginning)) return not_as_it_comes("a zip archive");
+  if (is_gzip(beginning)) return not_as_it_comes("compressed twice");
+  const std::string_view text = without_byte_order_mark(beginning);
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  const bool json = first != std::string_view::npos && text[first] == '{';
+  const bool table = format == RecordingFormat::kTable || format == RecordingFormat::kSkybrushCsv;
+  if (format == RecordingFormat::kSkybrushShow) return not_as_it_comes("said to be a show");
+  if (json && !table) return not_as_it_comes("JSON");
+  if (format != RecordingFormat::kAuto) return std::nullopt;
+  if (is_telemetry_log(beginning)) return not_as_it_comes("a MAVLink telemetry log");
+  if (is_base_station(beginning)) return not_as_it_comes("a list of BaseStation messages");
+  return std::nullopt;
+}
+
+}  // namespace
+
+RecordingStream::RecordingStream(const RecordingOptions& options)
+    : options_(std::make_unique<RecordingOptions>(options)),
+      progress_(std::exchange(options_->progress, nullptr)) {
+  assembly_ = std::make_unique<RecordingAssembly>(*options_);
+}
+
+Result<RecordingStream> RecordingStream::open(const std::vector<std::string>& paths,
+                                              const RecordingOptions& options,
+                                              std::size_t block_bytes) {
+  if (paths.empty()) {
+    return Error{ErrorCode::kInvalidArgument, "no input is named; name a file, a folder, or -", {}};
+  }
+  RecordingStream stream(options);
+  stream.block_bytes_ = block_bytes;
+  bool several = paths.size() > 1;
+  for (const std::string& path : paths) {
+    if (auto status = list_files(path, stream.files_, several); !status) {
+      return std::move(status).error();
+    }
+  }
+  if (several) stream.assembly_->expect_several();
+  return stream;
+}
+
+Error RecordingStream::placed(Error error) const {
+  if (error.location.source.empty()) error.location.source = assembly_->source_name();
+  return error;
+}
+
+Status RecordingStream::want(std::size_t bytes) {
+  if (pending().size() >= bytes || ended_) return std::monostate{};
+  pending_->drop(std::exchange(at_, 0));
+  pending_->make_room(bytes - pending_->size());
+  auto status = stream_->read(*pending_);
+  ended_ = pending_->free_size() > 0;
+  return status;
+}
+
+Status RecordingStream::begin_source() {
+  const std::string& path = files_[next_file_++];
+  auto bytes = ByteStream::open(path);
+  if (!bytes) return std::move(bytes).error();
+  assembly_->begin_source(source_name(path));
+  stream_.emplace(*std::move(bytes));
+  if (progress_ != nullptr) progress_->total += stream_->file().size();
+  ended_ = false;
+  pending_->drop(pending_->size());
+  at_ = 0;
+  if (auto status = want(kHeadBytes); !status) return placed(std::move(status).error());
+  if (auto problem = format_problem(pending(), options_->format)) return placed(*problem);
+  auto status = begin_table(path);
+  return status ? std::move(status) : Status(placed(std::move(status).error()));
+}
+
+Status RecordingStream::begin_table(const std::string& path) {
+  const bool bare = options_->format == RecordingFormat::kSkybrushCsv;
+  auto table = TrackTableReader::begin({pending(), stem_of(path), bare}, *assembly_);
+  // Blank lines only, so far.
+  while (!table && table.error().code == ErrorCode::kNoPoints && !ended_) {
+    if (auto status = want(2 * pending().size()); !status) return status;
+    table = TrackTableReader::begin({pending(), stem_of(path), bare}, *assembly_);
+  }
+  if (!table) return std::move(table).error();
+  at_ += table->data_offset();
+  table_.emplace(*std::move(table));
+  if (frame() == Frame::kAuto) {
+    return Error{
+        ErrorCode::kUnknownFrame,
+        "degrees or metres? Only all values together could tell, and they are not in memory "
+        "together; say --crs metres or --crs wgs84",
+        {}};
+  }
+  const bool bare_axes =
+      options_->frame == Frame::kAuto && assembly_->facts()->naming == Naming::kBareAxes;
+  if (bare_axes && !witness_) witness_.emplace();
+  return std::monostate{};
+}
+
+void RecordingStream::end_source() {
+  const std::uint64_t bytes = std::max(stream_->taken(), stream_->file().size());
+  assembly_->add_bytes(bytes);
+  stream_.reset();
+  table_.reset();
+}
+
+// About a block of whole lines.
+Status RecordingStream::read_lines() {
+  std::size_t wanted = block_bytes_;
+  while (true) {
+    if (auto status = want(wanted); !status) return placed(std::move(status).error());
+    const std::string_view all = pending();
+    std::size_t end = all.size();
+    if (all.size() > wanted || !ended_) {
+      const std::size_t last = all.substr(0, wanted).rfind(table_->line_end());
+      const std::size_t next =
+          last != std::string_view::npos ? last : all.find(table_->line_end(), wanted);
+      // A line that is too long for a record is an error of the record.
+      if (next == std::string_view::npos && !ended_ && all.size() <= kLongestLine) {
+        wanted = all.size() + block_bytes_;
+        continue;
+      }
+      if (next != std::string_view::npos) end = next + 1;
+    }
+    if (auto error = table_->read(all.substr(0, end))) return placed(*std::move(error));
+    at_ += end;
+    return std::monostate{};
+  }
+}
+
+Status RecordingStream::next(std::vector<StreamedFix>& fixes) {
+  fixes.clear();
+  while (fixes.empty()) {
+    if (!stream_) {
+      if (next_file_ == files_.size()) return std::monostate{};
+      if (auto status = begin_source(); !status) return status;
+    }
+    if (auto status = read_lines(); !status) return status;
+    assembly_->tracks().drain(
+        [&](std::size_t bee, const Fix& fix, const std::optional<double>& stated, Origin origin) {
+          const bool follows =
+              last_ && last_->source == origin.source && last_->line + 1 == origin.line;
+          if (!follows) places_.push_back({fixes_, origin});
+          last_ = origin;
+          ++fixes_;
+          if (witness_) witness_->look_at(std::span(&fix.position, 1));
+          fixes.push_back({bee, fix, stated});
+        });
+    const bool over = ended_ && pending().empty();
+    if (progress_ != nullptr) progress_->done = bytes_before_ + stream_->taken();
+    if (!over) continue;
+    bytes_before_ += stream_->taken();
+    end_source();
+  }
+  return std::monostate{};
+}
+
+Origin RecordingStream::origin_of(std::uint64_t fix) const {
+  auto place =
+      std::upper_bound(places_.begin(), places_.end(), fix,
+                       [](std::uint64_t number, const Place& at) { return number < at.fix; });
+  --place;
+  Origin origin = place->origin;
+  origin.line = (origin.line + (fix - place->fix)) & 0xFF'FFFF'FFFFu;
+  return origin;
+}
+
+Error RecordingStream::clash(std::size_t bee, double time_s, std::uint64_t first,
+                             std::uint64_t second) const {
+  Error error = assembly_->conflict_error({id(bee), time_s, origin_of(first), origin_of(second)});
+  const std::size_t advice = error.message.rfind(kOrLeaveOut);
+  if (advice != std::string::npos) error.message.erase(advice, kOrLeaveOut.size());
+  if (options_->skip_bad) error.message += " (with --memory, --skip-bad does not leave it out)";
+  return error;
+}
+
+Result<Recording> RecordingStream::finish(std::uint64_t repeated) {
+  if (witness_) {
+    if (auto error = witness_->contradiction(assembly_->facts()->dimensions)) {
+      error->location.source = source_name(files_.front());
+      return *std::move(error);
+    }
+  }
+  assembly_->tracks().add_repeated(repeated);
+  return assembly_->finish();
+}
+
+}  // namespace beespace::io

@@ -1,0 +1,246 @@
+// `beespace replay --memory`: the answers of the same command without it, byte for byte, what it
+// says beside them, and what it refuses.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "tests/cli/run/command_run.hpp"
+#include "tests/cli/run/expectations.hpp"
+#include "tests/cli/run/temporary_folder.hpp"
+
+namespace beespace::cli_test {
+namespace {
+
+class ReplayOutOfCore : public testing::Test {
+ protected:
+  [[nodiscard]] Finished small(const Arguments& arguments, std::string_view input = {},
+                               const Surroundings& surroundings = {}) const {
+    return run(
+        Arguments{"replay"} + arguments +
+            Arguments{"--memory", "17MB", "--threads", "1", "--temporary", scratch_.path("")},
+        input, surroundings);
+  }
+
+  // The summary without what is said of memory and time, and of the closest over time.
+  static std::string known_lines(const std::string& summary) {
+    std::string known;
+    bool over_time = false;
+    for (const std::string& line : lines_of(summary)) {
+      const bool goes_on = line.starts_with("             ");
+      over_time = line.starts_with("  over time") || (over_time && goes_on);
+      if (over_time || line.starts_with("  memory") || line.starts_with("  time")) continue;
+      known += line + '\n';
+    }
+    return known;
+  }
+
+  // All that is written is the same, at least so much.
+  void expect_same(const Arguments& arguments, std::string_view input = {},
+                   std::size_t least = 100) const {
+    const Finished expected = run(Arguments{"replay"} + arguments, input);
+    const Finished found = small(arguments, input);
+    EXPECT_EQ(found.exit_code, expected.exit_code) << found.err;
+    EXPECT_GE(expected.out.size(), least) << expected.err;
+    EXPECT_TRUE(found.out == expected.out) << found.out.substr(0, 1000) << "\ninstead of\n"
+                                           << expected.out.substr(0, 1000);
+    EXPECT_EQ(known_lines(found.err), known_lines(expected.err));
+    EXPECT_TRUE(scratch_.names().empty());
+  }
+
+  void expect_same_error(const Arguments& arguments, const std::string& input,
+                         const std::string& more = {}) const {
+    const Finished expected = run(Arguments{"replay"} + arguments, input);
+    const Finished found = small(arguments, input);
+    EXPECT_NE(expected.exit_code, 0);
+    EXPECT_EQ(found.exit_code, expected.exit_code);
+    EXPECT_EQ(found.out, "");
+    if (more.empty()) {
+      EXPECT_EQ(found.err, expected.err);
+    } else {
+      expect_parts(found.err, {more});
+    }
+  }
+
+  // Of a hundred bees, which all report once a second; in windows of time.
+  [[nodiscard]] std::string flight(const std::string& name, int seconds = 2000) const {
+    const std::string path = folder_.path(name);
+    EXPECT_EQ(run({"generate", "--scene", "flight", "--points", "100", "--size", "200",
+                   "--duration", std::to_string(seconds), "--quiet", "--output", path})
+                  .exit_code,
+              0);
+    return path;
+  }
+
+  TemporaryFolder folder_;
+  TemporaryFolder scratch_;
+};
+
+TEST_F(ReplayOutOfCore, AnswersInEveryForm) {
+  // To and fro on a line, at speeds of their own: some gaps, and more fixes than a window has.
+  std::string text = "id,time_s,x,y\n";
+  for (int second = 0; second < 10'000; ++second) {
+    for (int bee = 0; bee < 50; ++bee) {
+      if ((second + 13 * bee) % 1000 < 3) continue;
+      const int at = (second * (bee % 7 + 1) + 37 * bee) % 400;
+      text += std::to_string(bee) + "," + std::to_string(second) + "," +
+              std::to_string(std::min(at, 400 - at)) + "," + std::to_string(20 * (bee % 25)) + "\n";
+    }
+  }
+  const std::string file = folder_.file("lines.csv", text);
+  for (const Arguments& more :
+       {Arguments{}, Arguments{"--json", "--inclusive"}, Arguments{"--report", "bees", "--csv"},
+        Arguments{"--max-gap", "3", "--csv"}, Arguments{"--vertical", "2", "--max-gap", "never"}}) {
+    expect_same(Arguments{file, "--threshold", "5"} + more);
+  }
+  const Finished told = small({file, "--threshold", "5", "--output", folder_.path("answer.tsv")});
+  EXPECT_EQ(told.err.find("over time"), std::string::npos);
+  EXPECT_NE(told.err.find("windows of time"), std::string::npos) << told.err;
+}
+
+TEST_F(ReplayOutOfCore, ReadsSeveralFilesCompressedOnesAndStandardInput) {
+  const std::string file = flight("flight.csv", 300);
+  const std::vector<std::string> lines = lines_of(folder_.read("flight.csv"));
+  std::string even = lines[0] + '\n';
+  std::string odd = even;
+  std::string mixed = even;
+  for (std::size_t at = 1; at < lines.size(); ++at) {
+    (at % 2 == 0 ? even : odd) += lines[at] + '\n';
+    // Back in time, again and again; and now and then a line comes again.
+    const std::string& other = lines[1 + (at * 7919) % (lines.size() - 1)];
+    mixed += other + '\n';
+    if (at % 1000 == 0) mixed += other + '\n';
+  }
+  const std::string first = folder_.file("first.csv", even);
+  const std::string second = folder_.file("second.csv", odd);
+  ASSERT_EQ(std::system(("gzip -k " + second).c_str()), 0);
+  expect_same({first, second + ".gz", "--threshold", "5"});
+  expect_same({"--threshold", "5"}, mixed);
+  expect_same({folder_.path(""), "--threshold", "5"});
+}
+
+TEST_F(ReplayOutOfCore, DegreesAndHeightsInFeet) {
+  std::string text = "id,time_s,lon,lat,altitude_ft\n";
+  for (int second = 0; second < 3000; ++second) {
+    for (int bee = 0; bee < 10; ++bee) {
+      const double away = 1e-4 * ((second * (bee + 3)) % 97);
+      text += "a" + std::to_string(bee) + "," + std::to_string(second) + "," +
+              std::to_string(8.5 + away) + "," + std::to_string(47.4 - away) + "," +
+              std::to_string(1000 + 30 * bee + second % 7) + "\n";
+    }
+  }
+  const std::string file = folder_.file("air.csv", text);
+  expect_same({file, "--threshold", "50"});
+  expect_same({file, "--threshold", "50", "--vertical", "60 ft"});
+  expect_same({file, "--threshold", "50", "--vertical", "60 ft", "--inclusive", "--csv"});
+  expect_same({file, "--threshold", "50", "--vertical", "15 m", "--report", "bees"});
+}
+
+// Without a conflict, and what is unknown: never a false all-clear.
+TEST_F(ReplayOutOfCore, SaysWhatIsUnknown) {
+  const std::string header = "id,time_s,x,y,z\n";
+  std::string text = header;
+  for (int t = 0; t <= 7230; ++t) {
+    text += "b," + std::to_string(t) + ",0,0,0\n";
+    if (t <= 10) text += "a," + std::to_string(t) + ",-1000,0,0\n";
+    if (t >= 7211) text += "a," + std::to_string(t) + ",1000,0,0\n";
+  }
+  const Finished finished = small({"--threshold", "5", "--fail-on-risk"}, text);
+  EXPECT_EQ(finished.exit_code, 1);
+  expect_parts(finished.err,
+               {"no conflict in the known time; 1 bee unknown for 2 h in all",
+                "5 s, 5 times the typical interval of 1 s (--max-gap)", "a from 10.00 s for 2 h"});
+  EXPECT_EQ(finished.err.find("keeps its distance"), std::string::npos);
+  EXPECT_EQ(finished.err.find("closest"), std::string::npos);
+  const Finished clear = small({"--threshold", "5"}, header + "a,0,0,0,0\nb,0,9,9,9\n");
+  expect_parts(clear.err, {"verdict    keeps its distance"});
+  const Finished none = small({"--threshold", "5"}, header + "a,0,0,0,0\nb,1,9,9,9\n");
+  expect_parts(none.err, {"nothing to compare"});
+  const Finished skipped = small({"--threshold", "5", "--skip-bad", "--fail-on-risk"},
+                                 header + "a,0,0,0,0\nb,0,9,9,9\nc,0,9,x,9\n");
+  EXPECT_EQ(skipped.exit_code, 1);
+  expect_parts(skipped.err, {"1 bee is known nowhere, 1 record was left out"});
+}
+
+TEST_F(ReplayOutOfCore, ErrorsAreThoseInMemory) {
+  const std::string header = "id,time_s,x,y,z\n";
+  for (const std::string& text :
+       {header, std::string(), header + "a,0,0,0,0\na,1,0,x,0\n", header + "a,0,0,0\n",
+        std::string("id,time_s,east\n1,2,3\n"), header + "a,0,nan,0,0\n"}) {
+    expect_same_error({"--threshold", "5"}, text);
+  }
+  expect_same_error({"--threshold", "-1"}, header + "a,0,0,0,0\n");
+  expect_same_error({"--threshold", "5", "--max-results", "0"}, header + "a,0,0,0,0\nb,0,1,0,0\n");
+  expect_same_error({folder_.path("missing.csv")}, {});
+  // Of bees at two places at one time the first line that says so.
+  std::string clash = header;
+  for (int t = 0; t < 50'000; ++t) clash += "a," + std::to_string(t) + ",1,2,3\n";
+  clash += "b,7,0,0,0\na,49000,5,5,5\na,7,6,6,6\n";
+  expect_same_error({"--threshold", "5"}, clash,
+                    "<stdin>:50003: bee 'a' is at another place at the same time, 49000 s, in "
+                    "<stdin>, line 49002");
+}
+
+TEST_F(ReplayOutOfCore, RefusesWhatItCannotDo) {
+  const std::string table = "id,time_s,x,y,z\na,0,0,0,0\n";
+  const auto refused = [&](const Arguments& arguments, std::string_view input, int code,
+                           const std::string& message) {
+    const Finished finished = small(arguments, input);
+    EXPECT_EQ(finished.exit_code, code);
+    EXPECT_EQ(finished.out, "");
+    expect_parts(finished.err, {message});
+  };
+  refused({"--report", "separation"}, table, 2, "--memory does not take --report separation");
+  refused({"--report", "events"}, table, 2, "--memory does not take --report events");
+  refused({}, "{\"swarm\": {}}", 3, "read as a whole; leave --memory out");
+  refused({},
+          "MSG,3,1,1,4B1815,1,2020/01/01,00:00:00.000,2020/01/01,00:00:00.000,,100,,,1,2,,,,,,0\n",
+          3, "read as a whole; leave --memory out");
+  const Finished alone = run({"replay", "--temporary", scratch_.path("")}, table);
+  EXPECT_EQ(alone.exit_code, 2);
+  expect_parts(alone.err, {"--temporary goes with --memory"});
+  const Finished little = run({"replay", "--memory", "1MB", "--threads", "1"}, table);
+  EXPECT_EQ(little.exit_code, 2);
+  expect_parts(little.err, {"16 MiB"});
+  const Finished nowhere =
+      run({"replay", "--memory", "20MB", "--threads", "1", "--temporary", "/no/such"}, table);
+  EXPECT_EQ(nowhere.exit_code, 4);
+}
+
+TEST_F(ReplayOutOfCore, AFullDiskIsAnErrorThatLeavesNothing) {
+  const std::string file = flight("flight.csv");
+  Surroundings narrow;
+  narrow.file_bytes = 1'000'000;
+  const Finished finished = small({file, "--output", folder_.path("answer.txt")}, {}, narrow);
+  EXPECT_EQ(finished.exit_code, 4);
+  expect_parts(finished.err, {"cannot write a temporary file in", scratch_.path("")});
+  EXPECT_EQ(folder_.names(), std::vector<std::string>{"flight.csv"});
+  EXPECT_TRUE(scratch_.names().empty());
+}
+
+TEST_F(ReplayOutOfCore, SignalsEndItAndLeaveNothing) {
+  for (const auto& [signal, exit_code] :
+       {std::pair(SIGINT, 130), std::pair(SIGTERM, 143), std::pair(SIGKILL, -1)}) {
+    folder_.file("answer.txt", "old");
+    Running running({"replay", "-", "--memory", "17MB", "--threads", "1", "--temporary",
+                     scratch_.path(""), "--output", folder_.path("answer.txt")});
+    std::string text = "id,time_s,x,y,z\n";
+    for (int t = 0; t < 400'000; ++t) text += "a," + std::to_string(t) + ",1.25,2.5,3.75\n";
+    running.send(text);
+    running.signal(signal);
+    const Finished finished = running.finish();
+    EXPECT_EQ(finished.exit_code, exit_code);
+    EXPECT_EQ(finished.out, "");
+    EXPECT_EQ(folder_.read("answer.txt"), "old");
+    EXPECT_TRUE(scratch_.names().empty());
+  }
+}
+
+}  // namespace
+}  // namespace beespace::cli_test
