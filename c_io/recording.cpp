@@ -82,8 +82,9 @@ void settle_velocities(beespace_io_recording& recording) {
   if (known == 0) {
     velocities = {};
   } else if (known < count) {
-    recording.facts.notes.push_back(io::grouped(count - known) + " of " + io::grouped(count) +
-                                    " fixes have no velocity that is known: theirs is no number");
+    recording.facts.notes.push_back("no velocity is known of " + io::grouped(count - known) +
+                                    " of " + io::grouped(count) +
+                                    " fixes: theirs are no numbers");
   }
 }
 
@@ -91,7 +92,7 @@ void settle_velocities(beespace_io_recording& recording) {
 io::RecordedBee last_fixes(const io::RecordedBee& bee) {
   io::RecordedBee last;
   last.id = bee.id;
-  last.path = bee.path;
+  if (bee.path) last.path.emplace();  // that there is one
   const auto from =
       static_cast<std::ptrdiff_t>(bee.fixes.size() - std::min<std::size_t>(bee.fixes.size(), 2));
   last.fixes.assign(bee.fixes.begin() + from, bee.fixes.end());
@@ -113,11 +114,16 @@ Result<std::unique_ptr<beespace_io_recording>> columns_of(const io::Recording& l
   if (!missing.empty()) {
     recording->facts.notes.push_back("what is said is of those that are known: " + missing);
   }
+  const bool any_velocity =
+      std::any_of(loaded.bees.begin(), loaded.bees.end(),
+                  [](const io::RecordedBee& bee) { return !bee.velocities.empty(); });
   for (std::size_t bee = 0; bee < loaded.bees.size(); ++bee) {
     recording->ids.add(loaded.bees[bee].id);
     recording->labels.add(loaded.bees[bee].label);
     append((*tracks)[bee], *recording);
-    if (Status good = append_velocities(loaded, bee, *recording); !good) return good.error();
+    if (any_velocity) {
+      if (Status good = append_velocities(loaded, bee, *recording); !good) return good.error();
+    }
     recording->last.bees.push_back(last_fixes(loaded.bees[bee]));
     if (loaded.frame != io::Frame::kWgs84) continue;
     for (const Fix& fix : loaded.bees[bee].fixes) append(fix.position, recording->degrees);

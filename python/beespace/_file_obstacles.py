@@ -36,6 +36,7 @@ def read_obstacles(path: PathLike) -> Obstacles:
     >>> import beespace
     >>> city = beespace.read_obstacles("../examples/data/city.json")
     >>> city
+    <beespace.Obstacles: 2 boxes, 1 ground, 1 cylinder>
     """
     error = _io_library.new_error()
     io = _io_library.load()

@@ -58,7 +58,7 @@ TEST_F(CVelocities, OfATableInMetresAreItsNumbers) {
                     "id,time_s,x,y,z,vx,vy,vz\na,0,0,0,0,1,-2.5,3\nb,0,9,9,9,0.1,0,-0.25\n"
                     "a,1,1,0,0,4,5,6\n")});
   EXPECT_EQ(velocities_of(read), (std::vector<double>{1, -2.5, 3, 4, 5, 6, 0.1, 0, -0.25}));
-  EXPECT_FALSE(has_note(read, "no velocity that is known"));
+  EXPECT_FALSE(has_note(read, "no velocity is known"));
 }
 
 TEST_F(CVelocities, NeedNoTime) {
@@ -129,7 +129,7 @@ TEST_F(CVelocities, ThatAreNotKnownAsAWholeAreNoNumbersAndCounted) {
   ASSERT_EQ(found.size(), 12U);
   EXPECT_EQ(std::vector<double>(found.begin(), found.begin() + 3), (std::vector<double>{1, 2, 3}));
   for (std::size_t i = 3; i < 12; ++i) EXPECT_TRUE(std::isnan(found[i])) << i;
-  EXPECT_TRUE(has_note(read, "3 of 4 fixes have no velocity that is known"));
+  EXPECT_TRUE(has_note(read, "no velocity is known of 3 of 4 fixes"));
 }
 
 TEST_F(CVelocities, OfSeveralFilesAreThoseOfTheFilesThatHaveSome) {
@@ -141,7 +141,7 @@ TEST_F(CVelocities, OfSeveralFilesAreThoseOfTheFilesThatHaveSome) {
   for (std::size_t i = 0; i < 6; ++i) EXPECT_TRUE(std::isnan(found[i])) << i;
   EXPECT_EQ(std::vector<double>(found.begin() + 6, found.end()),
             (std::vector<double>{4, 5, 6, 1, 1, 1}));
-  EXPECT_TRUE(has_note(read, "2 of 4 fixes"));
+  EXPECT_TRUE(has_note(read, "no velocity is known of 2 of 4 fixes"));
 }
 
 TEST_F(CVelocities, AreNullWhereNoFixHasOne) {
