@@ -3,12 +3,14 @@
 #include "analysis/snapshot/recording_check.hpp"
 #include "c/door/door.hpp"
 #include "c_io/door.hpp"
+#include "c_io/left_out_velocities.hpp"
 #include "c_io/read_options.hpp"
 #include "io/load_points.hpp"
 
 #include <cstddef>
 #include <memory>
 #include <numeric>
+#include <string>
 #include <utility>
 
 using namespace beespace::c_io;  // NOLINT(google-build-using-namespace): the functions are of C
@@ -63,6 +65,8 @@ Result<std::unique_ptr<beespace_io_points>> read_points(const char* path,
   points->loaded = *std::move(loaded);
   points->path = *std::move(name);
   points->facts = facts_of(points->loaded);
+  std::string left_out = left_out_velocities(points->loaded);
+  if (!left_out.empty()) points->facts.notes.push_back(std::move(left_out));
   take_records(*points);
   points->loaded.records.reset();
   return points;

@@ -1,17 +1,26 @@
+#include "c_io/recording.hpp"
+
+#include "analysis/geometry/geometry.hpp"
 #include "analysis/recorded/coverage.hpp"
 #include "analysis/recorded/tracks.hpp"
 #include "c/door/door.hpp"
 #include "c_io/door.hpp"
 #include "c_io/facts.hpp"
 #include "c_io/read_options.hpp"
-#include "c_io/texts.hpp"
+#include "io/bytes/number_text.hpp"
 #include "io/load_recording.hpp"
 
 #include <beespace_io.h>
+#include <beespace/mover.hpp>
 #include <beespace/track.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,27 +30,15 @@ using beespace::Fix;
 using beespace::Result;
 using beespace::Status;
 using beespace::Track;
+using beespace::Velocity;
 using beespace::c::invalid;
 namespace analysis = beespace::analysis;
 namespace io = beespace::io;
 
-// NOLINTNEXTLINE(readability-identifier-naming): a name of C
-struct beespace_io_recording {
-  Texts ids;
-  Texts labels;
-  std::vector<std::int64_t> offsets = {0};
-  std::vector<std::int64_t> agent;
-  std::vector<double> times_s;
-  std::vector<double> xyz;
-  std::vector<double> degrees;  // none of metres
-  bool since_1970 = false;
-  std::int64_t missing = 0;
-  beespace_io_facts facts;
-};
-
 namespace {
 
 constexpr double kTolerance_m = 0.001;  // of curves that become straight lines
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 void append(const beespace::Point& point, std::vector<double>& numbers) {
   numbers.insert(numbers.end(), {point.x, point.y, point.z});
@@ -57,24 +54,81 @@ void append(const Track& track, beespace_io_recording& recording) {
   recording.offsets.push_back(static_cast<std::int64_t>(recording.times_s.size()));
 }
 
+// The velocities of one agent, whose fixes are there already.
+Status append_velocities(const io::Recording& loaded, std::size_t bee,
+                         beespace_io_recording& recording) {
+  const bool any = !loaded.bees[bee].velocities.empty();
+  const std::size_t fixes = recording.times_s.size() - recording.velocities.size() / 3;
+  for (std::size_t fix = 0; fix < fixes; ++fix) {
+    std::optional<Velocity> velocity;
+    if (any) {
+      const auto at = analysis::in_metres(loaded, bee, fix, analysis::Geometry::kSpace);
+      if (!at) return at.error();
+      velocity = at->velocity;
+    }
+    const Velocity& v = velocity.value_or(Velocity{kUnknown, kUnknown, kUnknown});
+    recording.velocities.insert(recording.velocities.end(), {v.x, v.y, v.z});
+  }
+  return std::monostate{};
+}
+
+// Says how many fixes have no velocity, where some have one; where none has, there are none.
+void settle_velocities(beespace_io_recording& recording) {
+  std::vector<double>& velocities = recording.velocities;
+  const auto count = static_cast<std::uint64_t>(recording.times_s.size());
+  const auto numbers =
+      std::count_if(velocities.begin(), velocities.end(), [](double v) { return !std::isnan(v); });
+  const std::uint64_t known = static_cast<std::uint64_t>(numbers) / 3;
+  if (known == 0) {
+    velocities = {};
+  } else if (known < count) {
+    recording.facts.notes.push_back("no velocity is known of " + io::grouped(count - known) +
+                                    " of " + io::grouped(count) +
+                                    " fixes: theirs are no numbers");
+  }
+}
+
+// What io::RecordedBee says of its last two fixes.
+io::RecordedBee last_fixes(const io::RecordedBee& bee) {
+  io::RecordedBee last;
+  last.id = bee.id;
+  if (bee.path) last.path.emplace();  // that there is one
+  const auto from =
+      static_cast<std::ptrdiff_t>(bee.fixes.size() - std::min<std::size_t>(bee.fixes.size(), 2));
+  last.fixes.assign(bee.fixes.begin() + from, bee.fixes.end());
+  if (!bee.velocities.empty()) {
+    last.velocities.assign(bee.velocities.begin() + from, bee.velocities.end());
+  }
+  return last;
+}
+
 Result<std::unique_ptr<beespace_io_recording>> columns_of(const io::Recording& loaded) {
   const auto tracks = analysis::tracks_of(loaded, analysis::Geometry::kSpace, kTolerance_m);
   if (!tracks) return tracks.error();
   auto recording = std::make_unique<beespace_io_recording>();
   recording->since_1970 = loaded.since_1970;
+  recording->last.frame = loaded.frame;
   recording->missing = static_cast<std::int64_t>(loaded.missing.count);
   recording->facts = facts_of(loaded);
   const std::string missing = analysis::missing_text(loaded.missing);
   if (!missing.empty()) {
     recording->facts.notes.push_back("what is said is of those that are known: " + missing);
   }
+  const bool any_velocity =
+      std::any_of(loaded.bees.begin(), loaded.bees.end(),
+                  [](const io::RecordedBee& bee) { return !bee.velocities.empty(); });
   for (std::size_t bee = 0; bee < loaded.bees.size(); ++bee) {
     recording->ids.add(loaded.bees[bee].id);
     recording->labels.add(loaded.bees[bee].label);
     append((*tracks)[bee], *recording);
+    if (any_velocity) {
+      if (Status good = append_velocities(loaded, bee, *recording); !good) return good.error();
+    }
+    recording->last.bees.push_back(last_fixes(loaded.bees[bee]));
     if (loaded.frame != io::Frame::kWgs84) continue;
     for (const Fix& fix : loaded.bees[bee].fixes) append(fix.position, recording->degrees);
   }
+  settle_velocities(*recording);
   return recording;
 }
 
@@ -139,6 +193,10 @@ const double* beespace_io_recording_times_s(const beespace_io_recording* recordi
 
 const double* beespace_io_recording_xyz(const beespace_io_recording* recording) {
   return recording == nullptr ? nullptr : first_of(recording->xyz);
+}
+
+const double* beespace_io_recording_velocities(const beespace_io_recording* recording) {
+  return recording == nullptr ? nullptr : first_of(recording->velocities);
 }
 
 const double* beespace_io_recording_degrees(const beespace_io_recording* recording) {

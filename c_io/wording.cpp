@@ -15,7 +15,16 @@ struct Wording {
 };
 
 // Longer ones first, where one begins as another one.
-constexpr std::array<Wording, 15> kWordings = {{
+constexpr std::array<Wording, 24> kWordings = {{
+    {"give it with --obstacles to 'beespace simulate', 'advise' or 'verify'",
+     "read it as obstacles"},
+    {"'beespace replay' and 'beespace predict' read it", "read it as a recording"},
+    {"'beespace replay' reads the show", "read the show as a recording"},
+    {"with which 'beespace predict' needs no time", "with which no time is needed"},
+    {"which 'beespace replay' reads", "which is read as a recording"},
+    {"'beespace detect' reads it", "read it as points"},
+    {"'beespace replay' reads it", "read it as a recording"},
+    {"'beespace watch' reads it", "the command 'beespace watch' reads it"},
     {"ask 'beespace replay' about it", "read it as a recording"},
     {"ask 'beespace detect'", "read it as points"},
     {"is for 'beespace replay'", "is read as a recording"},
@@ -31,6 +40,7 @@ constexpr std::array<Wording, 15> kWordings = {{
     {"--vertical", "vertical"},
     {"--inclusive", "inclusive"},
     {"--max-gap", "max_gap"},
+    {"--max-age", "max_age"},
 }};
 
 }  // namespace

@@ -1,6 +1,6 @@
 /// @file
-/// @brief Files for C: points and recordings out of what other programs write, and pages about
-/// them. A library of its own, libbeespace_io.so, beside that of <beespace.h>.
+/// @brief Files for C: points, recordings and obstacles out of what other programs write, and pages
+/// about them. A library of its own, libbeespace_io.so, beside that of <beespace.h>.
 ///
 /// C99. What is read, and how, is what the command `beespace` does: tables of text in any layout,
 /// arrays of NumPy, raw doubles, drone shows, telemetry logs, reports of aircraft; each plain or
@@ -140,7 +140,9 @@ typedef struct beespace_io_points beespace_io_points;
 /// (.bin).
 ///
 /// A recording, in which something is at more than one place, is an error: each fix would count as
-/// a point. Memory: the file, while it is read; then about 40 bytes a point and its id.
+/// a point. Points have no velocities: where a table names columns of such a note says that they
+/// are left out, and beespace_io_read_recording() reads them. Memory: the file, while it is read;
+/// then about 40 bytes a point and its id.
 ///
 /// @param path The file.
 /// @param options How to read it; or NULL.
@@ -254,6 +256,18 @@ BEESPACE_C_API const double* beespace_io_recording_times_s(const beespace_io_rec
 /// @param recording The recording.
 /// @return 3 * beespace_io_recording_fixes() coordinates; NULL where there is no fix.
 BEESPACE_C_API const double* beespace_io_recording_xyz(const beespace_io_recording* recording);
+/// @brief Gives the velocity of each fix: vx0 vy0 vz0 vx1 ... in metres per second, along the axes
+/// of the positions: of degrees those of ECEF, whatever the file has (east, north and up; speed,
+/// track and climb rate).
+///
+/// Of a fix whose velocity is not known as a whole, all three are not-a-number: its fields are
+/// empty, how fast it climbs is not known, or its input has none. A note says of how many that is
+/// so. Nothing is made up: none is taken from positions.
+///
+/// @param recording The recording.
+/// @return 3 * beespace_io_recording_fixes() numbers; NULL where no fix has a velocity.
+BEESPACE_C_API const double* beespace_io_recording_velocities(
+    const beespace_io_recording* recording);
 /// @brief Gives longitude and latitude in degrees and the height in metres of each fix.
 /// @param recording The recording.
 /// @return 3 * beespace_io_recording_fixes() numbers; NULL of recordings in metres.
@@ -286,11 +300,70 @@ BEESPACE_C_API int32_t beespace_io_recording_since_1970(const beespace_io_record
 /// @param recording The recording.
 /// @return The number of records.
 BEESPACE_C_API int64_t beespace_io_recording_missing(const beespace_io_recording* recording);
+/// @brief How it is known how fast an agent flies: what beespace_io_recording_movers() writes.
+enum {
+  BEESPACE_IO_NOWHERE = 0,           ///< It has no fix: nothing is known of it.
+  BEESPACE_IO_STALE = 1,             ///< It was last heard of too long ago.
+  BEESPACE_IO_WITHOUT_VELOCITY = 2,  ///< Neither a velocity nor two fixes that are close in time.
+  BEESPACE_IO_ESTIMATED = 3,         ///< The velocity is that of its last two fixes.
+  BEESPACE_IO_STATED = 4             ///< The velocity is that of its last fix.
+};
+/// @brief Says where all agents are at the last time of a recording, and how fast they fly: for
+/// beespace_predict(), as the command `beespace predict` reads it.
+///
+/// An agent that was last heard of before is brought to that time in a straight line. Of one that
+/// is stale or without a velocity it is not known where it goes: it has the place where it was last
+/// heard of, and a velocity of not-a-numbers, which beespace_predict() refuses. Who leaves such
+/// agents out must say so: no conflict of the others does not mean that there is none with these.
+///
+/// @param recording The recording.
+/// @param max_age_s Agents that were last heard of longer ago than this, in seconds, are stale; and
+///   two fixes farther apart tell no velocity. The command takes 30.
+/// @param[out] xyz Where: 3 * beespace_io_recording_agents() coordinates, as those of
+///   beespace_io_recording_xyz(); not-a-numbers where the agent has no fix.
+/// @param[out] velocities How fast: as many numbers, as those of
+/// beespace_io_recording_velocities().
+/// @param[out] known BEESPACE_IO_STATED ... of each agent; or NULL.
+/// @param[out] time_s The last time of the recording, in seconds; or NULL.
+/// @param[out] error What went wrong; or NULL. What was written of the arrays is then of no use.
+/// @return BEESPACE_OK or the code of the error: BEESPACE_INVALID_ARGUMENT; BEESPACE_MISSING_COLUMN
+///   where it is known of no agent how fast it flies; BEESPACE_UNSUPPORTED_FORMAT of drone shows,
+///   whose curves say where each is.
+BEESPACE_C_API beespace_code beespace_io_recording_movers(const beespace_io_recording* recording,
+                                                          double max_age_s, double* xyz,
+                                                          double* velocities, uint8_t* known,
+                                                          double* time_s, beespace_io_error* error);
 /// @brief Gives what the input was taken for.
 /// @param recording The recording.
 /// @return The facts, which end with the recording; NULL of NULL.
 BEESPACE_C_API const beespace_io_facts* beespace_io_recording_facts(
     const beespace_io_recording* recording);
+
+/* ---- Obstacles ------------------------------------------------------------------------------ */
+
+/// @brief The obstacles of a file.
+typedef struct beespace_io_obstacles beespace_io_obstacles;
+
+/// @brief Reads obstacles from a file: JSON, as `beespace advise --obstacles` reads it.
+/// @param path The file.
+/// @param[out] obstacles The obstacles; NULL after an error.
+/// @param[out] error What went wrong, and with which obstacle; or NULL.
+/// @return BEESPACE_OK or the code of the error: as beespace_io_read_points().
+BEESPACE_C_API beespace_code beespace_io_read_obstacles(const char* path,
+                                                        beespace_io_obstacles** obstacles,
+                                                        beespace_io_error* error);
+/// @brief Frees obstacles.
+/// @param obstacles The obstacles; NULL does nothing.
+BEESPACE_C_API void beespace_io_obstacles_free(beespace_io_obstacles* obstacles);
+/// @brief Says how many obstacles there are.
+/// @param obstacles The obstacles.
+/// @return Their number; 0 of NULL.
+BEESPACE_C_API int64_t beespace_io_obstacles_count(const beespace_io_obstacles* obstacles);
+/// @brief Gives the obstacles, for beespace_obstacles_create(), which copies them.
+/// @param obstacles The obstacles.
+/// @return beespace_io_obstacles_count() of them; NULL where there is none.
+BEESPACE_C_API const beespace_obstacle* beespace_io_obstacles_list(
+    const beespace_io_obstacles* obstacles);
 
 /* ---- Pages ---------------------------------------------------------------------------------- */
 

@@ -18,6 +18,8 @@ from beespace._conflicts import Approaches, Conflicts, Encounter, Gaps, Recorded
 from beespace._engine import Engine
 from beespace._errors import BeespaceError, BeespaceFileError, BeespaceOSError
 from beespace._events import Event, Events, KnownAgents, SwarmCounts
+from beespace._file_movers import FileMovers
+from beespace._file_obstacles import read_obstacles
 from beespace._files import FilePoints, FileRecording, read, read_recording
 from beespace._fleet import FleetFigures, LinkFigures, Tube, tube_of
 from beespace._follower import Follower
@@ -83,6 +85,7 @@ __all__ = [
     "Engine",
     "Event",
     "Events",
+    "FileMovers",
     "FilePoints",
     "FileRecording",
     "Findings",
@@ -131,6 +134,7 @@ __all__ = [
     "predict",
     "predict_pairs",
     "read",
+    "read_obstacles",
     "read_recording",
     "report",
     "to_ecef",

@@ -51,3 +51,14 @@ def array_of(
     if address is None:
         return np.empty(shape, dtype)
     return np.asarray(_Memory(handle, address, shape, np.dtype(dtype).str))
+
+
+def converted(
+    positions: NDArray[np.float64], dtype: Any, copy: bool | None
+) -> NDArray[Any]:
+    """What NumPy is given where it asks for an array."""
+    if dtype is not None and np.dtype(dtype) != positions.dtype:
+        if copy is False:
+            raise ValueError("positions are float64; another type is a copy")
+        return positions.astype(dtype)
+    return positions.copy() if copy else positions

@@ -12,70 +12,17 @@ from numpy.typing import NDArray
 
 from beespace import _io_library, _library
 from beespace._calls import whole
-from beespace._errors import BeespaceFileError
-from beespace._file_columns import array_of, text_of, texts_of
+from beespace._file_columns import array_of, converted, text_of, texts_of
+from beespace._file_facts import Facts
+from beespace._file_movers import FileMovers
 
 PathLike = str | bytes | os.PathLike[str] | os.PathLike[bytes]
 
 
-class Facts:
-    """What a file was taken for, and why: what people must be told who rely on an answer.
-
-    Attributes
-    ----------
-    path : str
-        The file as it was given; of several, the first.
-    frame : str
-        "wgs84": longitude and latitude in degrees, which became metres; or "metres".
-    frame_reason : str
-        Why it was taken for that.
-    format : str
-        How the file is written: "text, comma-separated".
-    heights : str
-        What heights are counted from: "above mean sea level"; empty where the file does not say.
-    notes : tuple of str
-        Which units were taken, and what else was decided.
-    skipped : tuple of BeespaceFileError
-        With `skip_bad`: why records were left out, of the first 20.
-    skipped_count : int
-        How many were. None at risk does not mean that none of these is.
-    """
-
-    __slots__ = (
-        "format",
-        "frame",
-        "frame_reason",
-        "heights",
-        "notes",
-        "path",
-        "skipped",
-        "skipped_count",
-    )
-
-    def _take(self, path: str, facts: Any) -> None:
-        at_once = _io_library.load().at_once
-        self.path = path
-        self.frame = text_of(at_once.beespace_io_facts_frame(facts))
-        self.frame_reason = text_of(at_once.beespace_io_facts_frame_reason(facts))
-        self.format = text_of(at_once.beespace_io_facts_format(facts))
-        self.heights = text_of(at_once.beespace_io_facts_heights(facts))
-        notes = range(at_once.beespace_io_facts_note_count(facts))
-        self.notes = tuple(text_of(at_once.beespace_io_facts_note(facts, each)) for each in notes)
-        self.skipped_count = int(at_once.beespace_io_facts_skipped(facts))
-        self.skipped: tuple[BeespaceFileError, ...] = tuple(_skipped(facts, self.skipped_count))
-
-    def _said(self) -> str:
-        """What comes after "3 points" where this is shown."""
-        said = f" of {os.path.basename(self.path)!r}, {self.frame} ({self.frame_reason})"
-        if self.skipped_count:
-            records = "record" if self.skipped_count == 1 else "records"
-            said += f"; {self.skipped_count:,} bad {records} left out"
-        return said + "".join(f"\n  {note}" for note in self.notes)
-
-
 class FilePoints(Facts):
     """The points of a file, as `read` gives them. They are points for all questions:
-    ``beespace.at_risk(points, 50)``; ids of an answer are indices of `ids` and `positions`.
+    ``beespace.at_risk(points, 50)``; ids of an answer are indices of `ids` and `positions`. They have
+    no velocities: `notes` say where the file has some, which `read_recording` reads.
 
     Besides the attributes of what the file was taken for (`frame`, `notes`, ...) it has these:
 
@@ -140,12 +87,7 @@ class FilePoints(Facts):
         return self._ids
 
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
-        positions = self.positions
-        if dtype is not None and np.dtype(dtype) != positions.dtype:
-            if copy is False:
-                raise ValueError("positions are float64; another type is a copy")
-            return positions.astype(dtype)
-        return positions.copy() if copy else positions
+        return converted(self.positions, dtype, copy)
 
     def __repr__(self) -> str:
         count = len(self)
@@ -172,6 +114,10 @@ class FileRecording(Facts):
         Seconds: since 1970 in UTC where `since_1970`, otherwise from a zero of the file's.
     positions : ndarray of float64, shape (n, 3)
         Metres; of degrees those of ECEF, whose z is not a height.
+    velocities : ndarray of float64, shape (n, 3), or None
+        Metres per second, along the axes of the positions, whatever the file has: speed, track and
+        climb rate, too. All three are NaN where that of a fix is not known as a whole; None where no
+        fix has one.
     degrees : ndarray of float64, shape (n, 3), or None
         Longitude and latitude in degrees and the height in metres; None of those in metres.
     since_1970 : bool
@@ -230,10 +176,55 @@ class FileRecording(Facts):
         return self._column("xyz", (len(self), 3), np.float64)
 
     @property
+    def velocities(self) -> NDArray[np.float64] | None:
+        address = _io_library.load().at_once.beespace_io_recording_velocities(self._handle)
+        if address is None:
+            return None
+        return array_of(self._handle, address, (len(self), 3), np.float64)
+
+    @property
     def degrees(self) -> NDArray[np.float64] | None:
         if self.frame != "wgs84":
             return None
         return self._column("degrees", (len(self), 3), np.float64)
+
+    def movers(self, *, max_age: float = 30.0) -> FileMovers:
+        """Where all agents are at the last time of the recording, and how fast they fly: what is
+        about to happen is a question of `predict`.
+
+        An agent without a velocity has that of its last two fixes; one that was last heard of before
+        is brought to that time in a straight line. This is what the command `beespace predict` takes.
+
+        Parameters
+        ----------
+        max_age : float
+            Of an agent that was last heard of longer ago than this, in seconds, or whose last two
+            fixes are farther apart where it has no velocity, it is not known where it goes: its
+            velocity is NaN, which `predict` refuses.
+
+        Returns
+        -------
+        FileMovers
+
+        Raises
+        ------
+        BeespaceFileError
+            "missing_column" where it is known of no agent how fast it flies; "unsupported_format" of
+            drone shows, whose curves say where each is.
+
+        Examples
+        --------
+        >>> import beespace
+        >>> now = beespace.read_recording("../examples/data/swarm.csv").movers()
+        >>> conflicts = beespace.predict(now, now.velocities, 5, within=60)
+        >>> for i, j, begin in zip(now.ids[conflicts.i], now.ids[conflicts.j], conflicts.begin):
+        ...     print(f"{i} and {j} in {begin:.1f} s")
+        anna and bert in 0.9 s
+        anna and cora in 6.9 s
+        anna and dora in 7.2 s
+        cora and dora in 0.0 s
+        """
+        return FileMovers(self._handle, self.ids, self.frame, max_age)
 
     def __repr__(self) -> str:
         agents, fixes = self._sizes
@@ -401,12 +392,3 @@ def reading_options(skip_bad: bool, grounded: bool, threads: Any, **texts: str |
     for name, text in texts.items():
         setattr(options, name, _io_library.encoded(text))
     return ctypes.byref(options)
-
-
-def _skipped(facts: Any, count: int) -> Iterable[BeespaceFileError]:
-    at_once = _io_library.load().at_once
-    for each in range(count):
-        error = _io_library.new_error()
-        if at_once.beespace_io_facts_skipped_error(facts, each, error) == _library.OK:
-            return  # only the first ones are kept
-        yield _io_library.error_of(error)

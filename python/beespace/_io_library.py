@@ -19,6 +19,10 @@ from beespace._errors import BeespaceFileError, BeespaceOSError
 
 SKIP_BAD = 1
 GROUNDED = 2
+# How it is known how fast an agent flies.
+STALE = 1
+ESTIMATED = 3
+STATED = 4
 
 
 class CFileError(ctypes.Structure):
@@ -90,12 +94,20 @@ _signatures: dict[str, tuple[object, list[object]]] = {
     "recording_agent": (c_void_p, [c_void_p]),
     "recording_times_s": (c_void_p, [c_void_p]),
     "recording_xyz": (c_void_p, [c_void_p]),
+    "recording_velocities": (c_void_p, [c_void_p]),
     "recording_degrees": (c_void_p, [c_void_p]),
     "recording_ids": (c_void_p, [c_void_p, c_void_p]),
     "recording_label": (c_char_p, [c_void_p, c_int64]),
     "recording_since_1970": (c_int32, [c_void_p]),
     "recording_missing": (c_int64, [c_void_p]),
+    "recording_movers": (
+        c_int32,
+        [c_void_p, c_double, c_void_p, c_void_p, c_void_p, POINTER(c_double), _error],
+    ),
     "recording_facts": (c_void_p, [c_void_p]),
+    "read_obstacles": (c_int32, [c_char_p, c_void_p, _error]),
+    "obstacles_count": (c_int64, [c_void_p]),
+    "obstacles_list": (c_void_p, [c_void_p]),
     "page_of_files": (c_int32, [c_void_p, c_int64, _options, *_page_tail]),
     "page_of_read": (c_int32, [c_void_p, *_page_tail]),
     "page_of_points": (c_int32, [POINTER(_library.CPoints), c_void_p, *_page_tail]),
@@ -105,7 +117,7 @@ _signatures: dict[str, tuple[object, list[object]]] = {
     "page_note_count": (c_int64, [c_void_p]),
     "page_note": (c_char_p, [c_void_p, c_int64]),
 }
-_handles = ("points", "recording", "page")
+_handles = ("points", "recording", "obstacles", "page")
 
 
 class IoLibrary(NamedTuple):
