@@ -83,8 +83,7 @@ void settle_velocities(beespace_io_recording& recording) {
     velocities = {};
   } else if (known < count) {
     recording.facts.notes.push_back("no velocity is known of " + io::grouped(count - known) +
-                                    " of " + io::grouped(count) +
-                                    " fixes: theirs are no numbers");
+                                    " of " + io::grouped(count) + " fixes: theirs are no numbers");
   }
 }
 

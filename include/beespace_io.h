@@ -140,8 +140,8 @@ typedef struct beespace_io_points beespace_io_points;
 /// (.bin).
 ///
 /// A recording, in which something is at more than one place, is an error: each fix would count as
-/// a point. Points have no velocities: where a table names columns of such a note says that they
-/// are left out, and beespace_io_read_recording() reads them. Memory: the file, while it is read;
+/// a point. Points have no velocities: where a table has columns of them, a note says that they are
+/// left out; beespace_io_read_recording() reads them. Memory: the file, while it is read;
 /// then about 40 bytes a point and its id.
 ///
 /// @param path The file.
