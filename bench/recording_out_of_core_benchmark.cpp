@@ -1,7 +1,7 @@
 // How fast a recording beyond memory is searched for conflicts, and with how much memory: beside
 // the same search in memory.
 //
-//   recording_out_of_core_benchmark [FIXES [MEMORY_MB [FOLDER]]]     (3e7 fixes, 500 MB, /var/tmp)
+//   recording_out_of_core_benchmark [FIXES [MEMORY_MB [FOLDER]]]     (3e7 fixes, 200 MB, /var/tmp)
 //
 // Agents that turn every now and then, one fix a second each, as they come to a receiver: all
 // agents of one second, then those of the next one. They come and go.
@@ -169,7 +169,7 @@ Found in_memory(std::size_t seconds) {
 
 int main(int argc, char** argv) {
   const double fixes = argc > 1 ? std::atof(argv[1]) : 3e7;
-  const auto memory = static_cast<std::uint64_t>((argc > 2 ? std::atof(argv[2]) : 500.0) * 1e6);
+  const auto memory = static_cast<std::uint64_t>((argc > 2 ? std::atof(argv[2]) : 200.0) * 1e6);
   const std::string folder = argc > 3 ? argv[3] : "/var/tmp";
   const auto seconds = static_cast<std::size_t>(fixes / kAgents);
   const Found cut = out_of_core(seconds, memory, folder);

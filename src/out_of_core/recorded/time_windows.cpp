@@ -35,15 +35,17 @@ class GapsToTell {
 
 }  // namespace
 
-void WindowTracks::start(std::uint64_t fixes, bool have_heights, double max_gap_s) {
-  max_gap_s_ = max_gap_s;
-  have_heights_ = have_heights;
+WindowTracks::WindowTracks(std::uint64_t most, bool have_heights, double max_gap_s)
+    : max_gap_s_(max_gap_s), have_heights_(have_heights) {
+  fixes_.reserve(static_cast<std::size_t>(most));
+  if (have_heights) heights_.reserve(static_cast<std::size_t>(most));
+}
+
+void WindowTracks::start() {
   fixes_.clear();
   heights_.clear();
   agents_.clear();
   begins_.clear();
-  fixes_.reserve(static_cast<std::size_t>(fixes));
-  if (have_heights) heights_.reserve(static_cast<std::size_t>(fixes));
 }
 
 void WindowTracks::add(AgentId agent, const Fix& fix, double height_m) {
@@ -140,9 +142,8 @@ Status TimeWindows::write(std::size_t window) {
   return std::monostate{};
 }
 
-Status TimeWindows::read(std::size_t window, bool have_heights, double max_gap_s,
-                         WindowTracks& tracks) const {
-  tracks.start(size(window).fixes, have_heights, max_gap_s);
+Status TimeWindows::read(std::size_t window, WindowTracks& tracks) const {
+  tracks.start();
   std::vector<Row> rows;
   for (const BlockFile::Block& block : blocks_[window]) {
     rows.resize(static_cast<std::size_t>(block.bytes) / sizeof(Row));

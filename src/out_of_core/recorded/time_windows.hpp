@@ -21,8 +21,11 @@ namespace beespace::out_of_core {
 // A window in memory.
 class WindowTracks {
  public:
-  // Forgets what was there; memory for so many fixes.
-  void start(std::uint64_t fixes, bool have_heights, double max_gap_s);
+  // For windows of at most so many fixes: memory that is taken anew for each does not always go
+  // back to the system.
+  WindowTracks(std::uint64_t most, bool have_heights, double max_gap_s);
+  // Forgets what was there.
+  void start();
   // In ascending order of agents, then times.
   void add(AgentId agent, const Fix& fix, double height_m);
 
@@ -31,8 +34,8 @@ class WindowTracks {
   [[nodiscard]] std::vector<motion::TrackSegment> segments() const;
 
  private:
-  double max_gap_s_ = 0.0;
-  bool have_heights_ = false;
+  double max_gap_s_;
+  bool have_heights_;
   std::vector<Fix> fixes_;
   std::vector<double> heights_;
   std::vector<AgentId> agents_;
@@ -58,7 +61,7 @@ class TimeWindows {
   [[nodiscard]] const WindowSize& size(std::size_t window) const { return cut_.sizes[window]; }
 
   // Errors: kReadFailed, kCorrupt.
-  Status read(std::size_t window, bool have_heights, double max_gap_s, WindowTracks& tracks) const;
+  Status read(std::size_t window, WindowTracks& tracks) const;
 
  private:
   struct Row {

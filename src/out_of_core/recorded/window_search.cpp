@@ -145,12 +145,16 @@ Status search_windows(const StoredFixes& fixes, const ConflictOptions& options,
 
   JoinedConflicts found(at.folder, at.plan.conflicts);
   {
-    WindowTracks tracks;
+    std::uint64_t most = 0;
+    for (std::size_t window = 0; window < windows->count(); ++window) {
+      most = std::max(most, windows->size(window).fixes);
+    }
+    WindowTracks tracks(most, fixes.have_heights(), options.max_gap_s);
     std::uint64_t searched = 0;
     for (std::size_t window = 0; window < windows->count(); ++window) {
       const std::uint64_t size = windows->size(window).fixes;
       if (size == 0) continue;
-      auto read = windows->read(window, fixes.have_heights(), options.max_gap_s, tracks);
+      auto read = windows->read(window, tracks);
       if (!read) return read;
       const auto some = search(tracks, options, fixes.have_heights(), at, facts.encounters);
       if (!some) return some.error();

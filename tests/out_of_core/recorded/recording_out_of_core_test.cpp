@@ -291,7 +291,7 @@ TEST(RecordingOutOfCoreMemory, IsKeptToWithinATenth) {
     std::uint64_t found = 0;
     ASSERT_TRUE(
         recording.find_conflicts({.threshold_m = 7.1}, [&](auto some) { found += some.size(); }));
-    EXPECT_GT(found, 1000U);
+    EXPECT_GT(found, 500U);  // it has something to find
     EXPECT_GT(recording.facts().windows, 1U);
     const std::uint64_t peak = *test::status_bytes("VmHWM:") - before;
     EXPECT_LT(static_cast<double>(peak), 1.1 * static_cast<double>(kEnough)) << fixes_each;
