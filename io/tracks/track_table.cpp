@@ -1,5 +1,6 @@
 #include "io/tracks/track_table.hpp"
 
+#include "io/problems/excerpt.hpp"
 #include "io/problems/text_check.hpp"
 #include "io/table/record_walk.hpp"
 #include "io/tracks/track_layout.hpp"
@@ -10,7 +11,22 @@
 namespace beespace::io {
 namespace {
 
-SourceFacts facts_of(const TrackLayout& layout) {
+// The column of an error by the name of its key.
+void place(Error& error, std::uint64_t line, std::uint64_t row, RecordPlace how,
+           const TrackLayout& layout) {
+  if (how != RecordPlace::kRecordAndName) error.location.line = line;
+  error.location.record = row;
+  if (how == RecordPlace::kLineAndColumn || !error.location.column) return;
+  const std::size_t column = *error.location.column - 1;
+  if (column < layout.table.names.size()) {
+    error.message.insert(0, excerpt(layout.table.names[column]) + ": ");
+  }
+  error.location.column.reset();
+}
+
+}  // namespace
+
+SourceFacts facts_of(const TrackLayout& layout, std::string description) {
   const ColumnChoice& choice = layout.table.choice;
   SourceFacts facts;
   facts.frame = layout.frame;
@@ -22,13 +38,13 @@ SourceFacts facts_of(const TrackLayout& layout) {
   facts.heights = choice.datum;
   facts.height_unit = choice.height_unit();
   facts.units = layout.units;
-  facts.description = "text, " + std::string(delimiter_name(layout.table.delimiter)) + "-separated";
+  facts.description = std::move(description);
   return facts;
 }
 
-// All records, from the first line behind the header on.
-std::optional<Error> read_records(std::string_view text, const TrackLayout& layout,
-                                  const std::string& stem, RecordingAssembly& assembly) {
+std::optional<Error> read_track_records(std::string_view text, const TrackLayout& layout,
+                                        const std::string& stem, RecordPlace place_of,
+                                        RecordingAssembly& assembly) {
   constexpr std::uint64_t kRowsPerReport = 4096;
   Progress* const progress = assembly.options().progress;
   const bool nameless_rows = !layout.table.choice.id && !layout.time;
@@ -54,9 +70,12 @@ std::optional<Error> read_records(std::string_view text, const TrackLayout& layo
       record.id = row_id;
     }
     if (auto error = reader.read(walk.record(), record)) {
-      error->location.line = line;
-      error->location.record = walk.row();
+      place(*error, line, walk.row(), place_of, layout);
       if (auto fatal = assembly.bad(*std::move(error), record.id)) return fatal;
+      continue;
+    }
+    if (record.left_out != nullptr) {
+      assembly.leave_out(*record.left_out, record.id);
       continue;
     }
     Origin origin;
@@ -66,6 +85,7 @@ std::optional<Error> read_records(std::string_view text, const TrackLayout& layo
     if (height_unit != Unit::kMetre) stated_height = record.stated_height;
     assembly.tracks().add(record.id, {record.time_s, record.position},
                           layout.velocity ? &record.velocity : nullptr, origin, stated_height);
+    if (!record.label.empty()) assembly.tracks().label(record.id, record.label);
   }
   if (progress != nullptr) {
     progress->done += static_cast<std::uint64_t>(text.data() + text.size() - reported);
@@ -74,20 +94,19 @@ std::optional<Error> read_records(std::string_view text, const TrackLayout& layo
   return std::nullopt;
 }
 
-}  // namespace
-
 std::optional<Error> read_track_table(const TrackTable& table, RecordingAssembly& assembly) {
   if (auto problem = text_problem(table.bytes)) return problem;
   const std::string_view text = without_byte_order_mark(table.bytes);
   auto layout = find_track_layout(text, assembly.options(), table.bare_skybrush);
   if (!layout) return layout.error();
-  if (auto error = assembly.agree(facts_of(*layout))) return error;
+  std::string form = "text, " + std::string(delimiter_name(layout->table.delimiter)) + "-separated";
+  if (auto error = assembly.agree(facts_of(*layout, std::move(form)))) return error;
   for (std::string& note : layout->notes) assembly.note(std::move(note));
   if (!layout->table.choice.id) {
     assembly.note(layout->time ? "there is no id: each file is taken for one bee, named after it"
                                : "there is no id: bees are numbered in their order, from 0");
   }
-  return read_records(text, *layout, table.stem, assembly);
+  return read_track_records(text, *layout, table.stem, RecordPlace::kLineAndColumn, assembly);
 }
 
 }  // namespace beespace::io

@@ -1,0 +1,25 @@
+// Scenarios of BlueSky (.scn): where its aircraft begin.
+//
+//   00:00:00.00>CRE KL204,B744,52.3,4.7,90,FL250,280
+//
+// An aircraft is where CRE or the last MOVE puts it, and flies as it does then: its calibrated
+// speed or Mach number in the standard atmosphere, without wind. Where it is told to fly from there
+// (HDG, ALT, ADDWPT, DEST, ...) is for the simulator to say, whose logs are tables: that is said,
+// and not followed.
+#pragma once
+
+#include "io/recording/recording_assembly.hpp"
+
+#include <beespace/result.hpp>
+
+#include <optional>
+#include <string_view>
+
+namespace beespace::io {
+
+bool is_bluesky_scenario(std::string_view text);
+
+// Into the source that `assembly` has begun. Errors have the line.
+std::optional<Error> read_bluesky_scenario(std::string_view text, RecordingAssembly& assembly);
+
+}  // namespace beespace::io
