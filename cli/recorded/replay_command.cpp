@@ -74,28 +74,32 @@ Status write_events(const ReplayRequest& request, const analysis::Findings& find
   return std::monostate{};
 }
 
-Rows rows_of(const ReplayRequest& request, const analysis::Findings& findings) {
-  if (request.report == "bees") return bee_rows(findings);
+Rows rows_of(const ReplayRequest& request, const analysis::Findings& findings,
+             const Distances& distances) {
+  if (request.report == "bees") return bee_rows(findings, distances);
   if (request.report == "separation") {
-    return separation_rows(analysis::separation_over_time(findings, request.every_s),
-                           findings.recording);
+    return separation_rows(analysis::separation_over_time(findings, request.every_s), findings,
+                           distances);
   }
   const bool curved = std::any_of(findings.tracks.begin(), findings.tracks.end(),
                                   [](const Track& track) { return track.tolerance_m > 0.0; });
-  return conflict_rows(findings.recorded.conflicts, findings.recording, curved);
+  return conflict_rows(findings.recorded.conflicts, findings.recording, curved, distances);
 }
 
-Rows closest_row(const Conflict& closest, const io::Recording& recording) {
+Rows closest_row(const Conflict& closest, const io::Recording& recording,
+                 const Distances& distances) {
   Rows rows{{{"first", "first_label"}, {"second", "second_label"}, {"time_s"}, {"distance_m"}},
             {{analysis::name_of(closest.first, recording),
               analysis::name_of(closest.second, recording), closest.closest_s, closest.closest_m}},
             analysis::has_labels(recording)};
+  add_apart_columns(rows.columns, distances);
+  add_apart(rows.rows.front(), distances.of(closest), distances);
   set_labels_apart(rows);
   return rows;
 }
 
 void write_findings(io::JsonWriter& json, const analysis::Findings& findings,
-                    const ReplayRequest& request, double threshold_m) {
+                    const ReplayRequest& request, double threshold_m, const Distances& distances) {
   const auto& conflicts = findings.recorded.conflicts;
   write_head(json, findings.recording, request.moving, threshold_m);
   json.member("conflict_count", conflicts.size());
@@ -104,7 +108,7 @@ void write_findings(io::JsonWriter& json, const analysis::Findings& findings,
   write_coverage(json.key("known"), findings.coverage, findings.recording);
   json.key("closest");
   if (findings.closest) {
-    const Rows closest = closest_row(*findings.closest, findings.recording);
+    const Rows closest = closest_row(*findings.closest, findings.recording, distances);
     write_row(json, closest.columns, closest.rows.front());
   } else {
     json.null();
@@ -191,22 +195,27 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
                                     *closest,
                                     coverage,
                                     has_encounters(*closest, *in_space, max_gap.seconds, request)};
+  Distances distances{.aviation = in_aviation(moving, *recording)};
+  if (moving.vertical) {
+    distances.apart = analysis::apart_of(*tracks, height_unit_m(geometry, recording->height_unit));
+  }
   progress.enter_stage("writing");
   const JsonHead head = [&](io::JsonWriter& json) {
-    write_findings(json, findings, request, threshold_m);
+    write_findings(json, findings, request, threshold_m, distances);
   };
   if (request.report == "events") {
     const Status done = write_events(request, findings, threshold_m, head, *output);
     if (!done) return done.error();
   } else {
-    write_answer(rows_of(request, findings), moving, head, request.report.c_str(), *output);
+    write_answer(rows_of(request, findings, distances), moving, head, request.report.c_str(),
+                 *output);
   }
   const Status written = output->commit();
   if (!written && output->pipe_closed()) return ExitCode::kPipeClosed;
   if (!written) return written.error();
   progress.finish();
   if (!moving.quiet) {
-    say(replay_summary(findings, moving, {threshold_m, read_s, search_s}));
+    say(replay_summary(findings, moving, {threshold_m, read_s, search_s}, distances));
   }
   const bool risky = !recorded->conflicts.empty() || coverage.may_hide_conflicts();
   const bool risk = moving.fail_on_risk && risky;
