@@ -15,7 +15,9 @@ struct Wording {
 };
 
 // Longer ones first, where one begins as another one.
-constexpr std::array<Wording, 15> kWordings = {{
+constexpr std::array<Wording, 17> kWordings = {{
+    {"ask 'beespace predict' about it, with --horizon 0 for now only", "read it as a recording"},
+    {"ask 'beespace predict' about it", "read it as a recording"},
     {"ask 'beespace replay' about it", "read it as a recording"},
     {"ask 'beespace detect'", "read it as points"},
     {"is for 'beespace replay'", "is read as a recording"},

@@ -32,16 +32,6 @@ Point flown(const Mover& mover, double seconds) {
 
 }  // namespace
 
-Apart apart(const Point& a, const Point& b) {
-  return {std::hypot(a.x - b.x, a.y - b.y), std::abs(a.z - b.z)};
-}
-
-Apart apart(const Point& a, double height_a, const Point& b, double height_b,
-            double height_unit_m) {
-  return {std::hypot(a.x - b.x, a.y - b.y, a.z - b.z),
-          std::abs(height_a - height_b) * height_unit_m};
-}
-
 std::optional<Apart> apart_at(const Track& a, const Track& b, double time_s, double height_unit_m) {
   if (a.fixes.empty() || b.fixes.empty()) return std::nullopt;
   // An instant at the end of what is known may be rounded to beyond it.

@@ -1,7 +1,7 @@
-// How far apart two bees are horizontally and vertically, at one instant: what a vertical threshold
-// compares, in metres, for those who read it.
+// How far apart two bees are horizontally and vertically, at one instant.
 #pragma once
 
+#include "analysis/geometry/apart.hpp"
 #include "analysis/recorded/last_snapshot.hpp"
 
 #include <beespace/conflict.hpp>
@@ -12,15 +12,6 @@
 #include <vector>
 
 namespace beespace::analysis {
-
-struct Apart {
-  double horizontal_m = 0.0;
-  double vertical_m = 0.0;
-};
-
-// Between places whose heights are z, or stand beside them, in a unit of so many metres.
-Apart apart(const Point& a, const Point& b);
-Apart apart(const Point& a, double height_a, const Point& b, double height_b, double height_unit_m);
 
 // Of two tracks; nothing where they are never known at the same time. Between two fixes each flies
 // straight, whatever gap is between them.

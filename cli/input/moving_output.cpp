@@ -92,15 +92,8 @@ std::string pair_text(const Conflict& conflict, const io::Recording& recording) 
 }
 
 bool in_aviation(const MovingRequest& request, const io::Recording& recording) {
-  const auto is_of_aviation = [](io::Unit unit) {
-    return unit == io::Unit::kNauticalMile || unit == io::Unit::kFoot ||
-           unit == io::Unit::kFlightLevel;
-  };
-  const io::UnitConvention said = request.load.units.convention;
-  if (said != io::UnitConvention::kNone) return said == io::UnitConvention::kAviation;
-  return is_of_aviation(recording.height_unit) ||
-         (request.threshold && is_of_aviation(request.threshold->unit)) ||
-         (request.vertical && is_of_aviation(request.vertical->unit));
+  return in_aviation(request.load.units.convention, recording.height_unit, request.threshold,
+                     request.vertical);
 }
 
 namespace {

@@ -56,6 +56,18 @@ Status settle_separation(const char* command, const UsualSeparation* usual,
   return std::monostate{};
 }
 
+bool in_aviation(io::UnitConvention said, io::Unit height_unit,
+                 const std::optional<io::StatedLength>& threshold,
+                 const std::optional<io::StatedLength>& vertical) {
+  const auto is_of_aviation = [](io::Unit unit) {
+    return unit == io::Unit::kNauticalMile || unit == io::Unit::kFoot ||
+           unit == io::Unit::kFlightLevel;
+  };
+  if (said != io::UnitConvention::kNone) return said == io::UnitConvention::kAviation;
+  return is_of_aviation(height_unit) || (threshold && is_of_aviation(threshold->unit)) ||
+         (vertical && is_of_aviation(vertical->unit));
+}
+
 std::string usual_text(const UsualSeparation* usual) {
   if (usual == nullptr) return {};
   return std::string(", which is ") + usual->name + " (" + usual->source + ")";

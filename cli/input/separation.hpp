@@ -3,6 +3,7 @@
 #pragma once
 
 #include "io/units/stated_length.hpp"
+#include "io/units/unit_overrides.hpp"
 
 #include <beespace/result.hpp>
 
@@ -33,6 +34,12 @@ void add_usual_separation_option(Command& command, const UsualSeparation*& into)
 Status settle_separation(const char* command, const UsualSeparation* usual,
                          std::optional<io::StatedLength>& threshold,
                          std::optional<io::StatedLength>& vertical);
+
+// Whether distances are told in nautical miles and feet too: where the thresholds or the heights of
+// the input are, or --units says so.
+bool in_aviation(io::UnitConvention said, io::Unit height_unit,
+                 const std::optional<io::StatedLength>& threshold,
+                 const std::optional<io::StatedLength>& vertical);
 
 // ", which is enroute (ICAO Doc 4444)"; empty without a name.
 std::string usual_text(const UsualSeparation* usual);

@@ -12,6 +12,7 @@
 #include "cli/input/moving_output.hpp"
 #include "cli/output/coverage_output.hpp"
 #include "cli/output/output_file.hpp"
+#include "cli/recorded/flight_check.hpp"
 #include "cli/recorded/replay_events.hpp"
 #include "cli/recorded/replay_rows.hpp"
 #include "cli/recorded/replay_summary.hpp"
@@ -160,6 +161,9 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
   load.progress = &progress.reading();
   const auto recording = io::load_recording(moving.inputs, load);
   if (!recording) return recording.error();
+  if (Status flight = check_flight(*recording, moving.inputs.front()); !flight) {
+    return flight.error();
+  }
   const analysis::Geometry geometry = analysis::geometry_for(*recording, moving.vertical);
   const auto tracks = tracks_of(*recording, geometry, request.tolerance_m);
   if (!tracks) return tracks.error();

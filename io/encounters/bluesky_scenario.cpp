@@ -337,7 +337,7 @@ SourceFacts facts() {
   facts.height_unit = Unit::kFoot;
   facts.units = {taken("heights", Unit::kFoot), taken("speeds", Unit::kKnot),
                  taken("climb rates", Unit::kFootPerMinute)};
-  facts.description = "BlueSky scenario";
+  facts.description = kBlueSkyScenario;
   return facts;
 }
 
@@ -358,6 +358,11 @@ bool is_bluesky_scenario(std::string_view text) {
 std::optional<Error> read_bluesky_scenario(std::string_view text, RecordingAssembly& assembly) {
   if (auto problem = text_problem(text)) return problem;
   if (auto problem = aircraft_problem(assembly.options(), kScenario)) return problem;
+  if (assembly.has_several()) {
+    return Error{ErrorCode::kInvalidArgument,
+                 "a BlueSky scenario is read alone: its times are its own; leave the others out",
+                 {}};
+  }
   if (auto error = assembly.agree(facts())) return error;
   Scenario scenario(assembly);
   if (auto error = scenario.read(text)) return error;

@@ -19,7 +19,12 @@ namespace beespace::io {
 
 bool is_bluesky_scenario(std::string_view text);
 
-// Into the source that `assembly` has begun. Errors have the line.
+// What a recording is called that a scenario was read into: it says where aircraft begin, and
+// nothing of where they fly.
+inline constexpr std::string_view kBlueSkyScenario = "BlueSky scenario";
+
+// Into the source that `assembly` has begun. Errors have the line; kInvalidArgument where there are
+// other inputs.
 std::optional<Error> read_bluesky_scenario(std::string_view text, RecordingAssembly& assembly);
 
 }  // namespace beespace::io

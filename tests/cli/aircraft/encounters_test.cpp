@@ -39,6 +39,28 @@ TEST(Encounters, AScenarioOfUnknownAircraftIsNoAllClear) {
   expect_parts(finished.err, {"none of those that are known; 1 record was left out"});
 }
 
+// Where aircraft begin is no flight: no verdict about one follows from it.
+TEST(Encounters, AScenarioIsNoFlight) {
+  for (const char* const command : {"replay", "verify"}) {
+    const Finished finished = run({command, "--threshold", "10"}, kScenario);
+    EXPECT_EQ(finished.exit_code, 3) << command << finished.err;
+    EXPECT_EQ(finished.out.find("holds"), std::string::npos);
+    EXPECT_EQ(finished.err.find("keeps its distance"), std::string::npos);
+    expect_parts(finished.err, {"ask 'beespace predict' about it"});
+  }
+  const TemporaryFolder folder;
+  const std::string file = folder.file("crossing.scn", kScenario);
+  const Finished two = run({"predict", file, "--separation", "enroute"});
+  EXPECT_EQ(two.exit_code, 0) << two.err;
+  const Finished several =
+      run({"replay", file, folder.file("more.csv", "id,time_s,lon,lat\na,0,0,0\n")});
+  EXPECT_EQ(several.exit_code, 2);
+  expect_parts(several.err, {"a BlueSky scenario is read alone"});
+  const Finished shown = run({"detect", file});
+  EXPECT_EQ(shown.exit_code, 3);
+  expect_parts(shown.err, {"ask 'beespace predict' about it, with --horizon 0 for now only"});
+}
+
 TEST(Encounters, ADaidalusEncounterIsReplayed) {
   std::string text =
       "NAME lat lon alt trk gs vs time\n[none] [deg] [deg] [ft] [deg] [knot] [fpm] [s]\n";

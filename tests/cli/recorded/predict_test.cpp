@@ -229,8 +229,11 @@ TEST_F(PredictAircraft, TheDistanceShownIsThatOnTheGroundAndTheHeightPutTogether
                           still)
                           .out),
               {{"a", "b", std::to_string(straight)}});
-  expect_rows(rows_of(run(Arguments{"detect", "--report", "pairs"} + question, still).out),
-              {{"a", "b", std::to_string(straight)}});
+  const TextRows pairs =
+      rows_of(run(Arguments{"detect", "--report", "pairs"} + question, still).out);
+  ASSERT_EQ(pairs.size(), 1u);
+  expect_rows({{pairs[0].at(2), pairs[0].at(3), pairs[0].at(4)}},
+              {{std::to_string(straight), std::to_string(apart_m_), "200"}});
 }
 
 TEST(Predict, TheHelpSaysWhatTimesAndDistancesMean) {
