@@ -78,12 +78,15 @@ std::string input_summary(const io::Recording& recording, const MovingRequest& r
   return out;
 }
 
-std::string separation_summary(const MovingRequest& request, double threshold_m, bool declared) {
+std::string separation_summary(const MovingRequest& request, double threshold_m, bool declared,
+                               bool aircraft) {
   const std::string text = separation_text(threshold_m, request.vertical_m, request.inclusive,
                                            request.threshold, request.vertical) +
                            usual_text(request.separation);
   if (declared) return text + ", as the input declares";
-  return request.threshold_m ? text : text + kDefaultThresholdWords;
+  if (request.threshold_m) return text;
+  return text + kDefaultThresholdWords +
+         (aircraft ? "; of aircraft --separation has the usual ones" : "");
 }
 
 std::string pair_text(const Conflict& conflict, const io::Recording& recording) {

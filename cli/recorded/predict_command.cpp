@@ -137,11 +137,11 @@ std::string summary(const Prediction& prediction, const PredictRequest& request,
         out, "note",
         io::grouped(snapshot.estimated) + " without a velocity: it is that of the last two fixes");
   }
-  append_summary_line(
-      out, "threshold",
-      separation_summary(request.moving, prediction.threshold_m,
-                         !request.moving.threshold_m.has_value() &&
-                             prediction.recording.declared_threshold_m.has_value()));
+  append_summary_line(out, "threshold",
+                      separation_summary(request.moving, prediction.threshold_m,
+                                         !request.moving.threshold_m.has_value() &&
+                                             prediction.recording.declared_threshold_m.has_value(),
+                                         prediction.distances.aviation));
   append_summary_line(out, "horizon", io::exact(request.horizon_s) + " s");
   append_summary_line(out, "conflicts", found_line(prediction));
   const auto& conflicts = prediction.conflicts;

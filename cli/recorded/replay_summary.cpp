@@ -108,7 +108,9 @@ std::string replay_summary(const analysis::Findings& findings, const MovingReque
                             " one fix only, and so are known for an instant; 'beespace predict' "
                             "brings all bees to one time");
   }
-  append_summary_line(out, "threshold", separation_summary(request, figures.threshold_m, declared));
+  append_summary_line(
+      out, "threshold",
+      separation_summary(request, figures.threshold_m, declared, distances.aviation));
   const auto pairs = analysis::pairs_in_conflict(findings.recorded.conflicts);
   append_summary_line(out, "verdict", verdict(findings, pairs));
   if (findings.closest) {

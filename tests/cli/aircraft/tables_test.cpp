@@ -181,6 +181,14 @@ TEST(AircraftTables, TheAddressIsTheIdWhateverTheOrder) {
   EXPECT_EQ(flights[1].size(), 6u);
 }
 
+TEST(AircraftTables, TheDefaultThresholdIsSaidToBeNoneOfAircraft) {
+  for (const char* const command : {"predict", "replay"}) {
+    expect_parts(run({command, table("traffic.csv")}).err,
+                 {"threshold  100 m (closer than), the default (--threshold); of aircraft "
+                  "--separation has the usual ones\n"});
+  }
+}
+
 TEST(AircraftTables, ASnapshotIsForPredict) {
   const Finished finished = run({"detect", table("traffic_records.json")});
   EXPECT_EQ(finished.exit_code, 3);
