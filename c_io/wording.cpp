@@ -15,7 +15,7 @@ struct Wording {
 };
 
 // Longer ones first, where one begins as another one.
-constexpr std::array<Wording, 24> kWordings = {{
+constexpr std::array<Wording, 26> kWordings = {{
     {"give it with --obstacles to 'beespace simulate', 'advise' or 'verify'",
      "read it as obstacles"},
     {"'beespace replay' and 'beespace predict' read it", "read it as a recording"},
@@ -25,6 +25,8 @@ constexpr std::array<Wording, 24> kWordings = {{
     {"'beespace detect' reads it", "read it as points"},
     {"'beespace replay' reads it", "read it as a recording"},
     {"'beespace watch' reads it", "the command 'beespace watch' reads it"},
+    {"ask 'beespace predict' about it, with --horizon 0 for now only", "read it as a recording"},
+    {"ask 'beespace predict' about it", "read it as a recording"},
     {"ask 'beespace replay' about it", "read it as a recording"},
     {"ask 'beespace detect'", "read it as points"},
     {"is for 'beespace replay'", "is read as a recording"},

@@ -38,6 +38,8 @@ constexpr const char* kExamples =
     "  beespace detect bees.csv                      who is closer than 100 m to another bee\n"
     "  beespace detect bees.csv --report pairs       who is too close to whom, and how close\n"
     "  beespace predict swarm.csv --threshold 5      who is about to come too close to whom\n"
+    "  beespace predict traffic.json --separation enroute\n"
+    "                                                the same of aircraft: 5 NM and 1000 ft\n"
     "  beespace replay show.skyc                     whether a drone show keeps its distance\n"
     "  tail -f swarm.csv | beespace watch            the same live\n"
     "  beespace advise swarm.csv                     how all bees should fly to keep apart\n"

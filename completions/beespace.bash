@@ -34,9 +34,10 @@ _beespace() {
         --heights) values='auto geometric pressure' ;;
         --format) values='auto text npy bin' ;;
         --report) values='at-risk pairs neighbors counts nearest groups closest-pair' ;;
+        --separation) values='enroute terminal well-clear-suas nmac' ;;
         --others | -o | --output) files=yes ;;
         --columns | --units | --threshold | --vertical | --max-results | --threads | --memory | --temporary) return ;;
-        *) options='--others --crs --columns --units --heights --format --skip-bad --unique-ids --report --threshold --vertical --inclusive --at-risk-only --max-results --threads --memory --temporary --output --csv --json --geojson --fail-on-risk --quiet --help --version' files=yes ;;
+        *) options='--others --crs --columns --units --heights --format --skip-bad --unique-ids --report --threshold --vertical --separation --inclusive --at-risk-only --max-results --threads --memory --temporary --output --csv --json --geojson --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     predict)
@@ -44,9 +45,10 @@ _beespace() {
         --crs) values='auto wgs84 metres' ;;
         --time-unit) values='auto s ms us ns' ;;
         --heights) values='auto geometric pressure' ;;
+        --separation) values='enroute terminal well-clear-suas nmac' ;;
         -o | --output) files=yes ;;
         --columns | --units | --max-age | --threshold | --vertical | --threads | --max-results | --horizon) return ;;
-        *) options='--crs --columns --time-unit --grounded --units --heights --skip-bad --max-age --threshold --vertical --inclusive --threads --max-results --horizon --output --csv --json --fail-on-risk --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --grounded --units --heights --skip-bad --max-age --threshold --vertical --separation --inclusive --threads --max-results --horizon --output --csv --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     replay)
@@ -55,6 +57,7 @@ _beespace() {
         --time-unit) values='auto s ms us ns' ;;
         --heights) values='auto geometric pressure' ;;
         --max-gap) values='never' ;;
+        --separation) values='enroute terminal well-clear-suas nmac' ;;
         --report) values='conflicts bees separation events' ;;
         -o | --output) files=yes ;;
         --columns | --units | --tolerance | --threshold | --vertical | --threads | --max-results | --every | --horizon | --leave-factor | --look-every | --memory | --temporary) return ;;
@@ -67,9 +70,10 @@ _beespace() {
         --time-unit) values='auto s ms us ns' ;;
         --heights) values='auto geometric pressure' ;;
         --clock) values='report arrival' ;;
+        --separation) values='enroute terminal well-clear-suas nmac' ;;
         --max-acceleration) values='none' ;;
         --columns | --units | --max-age | --max-skew | --max-bees | --speed | --rate | --threshold | --vertical | --threads | --horizon | --leave-factor | --look-every | --max-pairs | --max-speed | --uncertainty | --step) return ;;
-        *) options='--crs --columns --time-unit --units --heights --max-age --clock --max-skew --max-bees --speed --rate --threshold --vertical --threads --horizon --leave-factor --look-every --max-pairs --advise --max-speed --max-acceleration --uncertainty --step --fail-on-risk --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --units --heights --max-age --clock --max-skew --max-bees --speed --rate --threshold --vertical --separation --threads --horizon --leave-factor --look-every --max-pairs --advise --max-speed --max-acceleration --uncertainty --step --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     advise)
@@ -139,9 +143,10 @@ _beespace() {
         --time-unit) values='auto s ms us ns' ;;
         --heights) values='auto geometric pressure' ;;
         --max-gap) values='never' ;;
+        --separation) values='enroute terminal well-clear-suas nmac' ;;
         --compare | --fleet-log | -o | --output) files=yes ;;
         --columns | --units | --tolerance | --threshold | --vertical | --threads) return ;;
-        *) options='--crs --columns --time-unit --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --inclusive --threads --compare --fleet-log --output --json --fail-on-risk --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --compare --fleet-log --output --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     view)
@@ -150,9 +155,10 @@ _beespace() {
         --time-unit) values='auto s ms us ns' ;;
         --heights) values='auto geometric pressure' ;;
         --max-gap) values='never' ;;
+        --separation) values='enroute terminal well-clear-suas nmac' ;;
         --compare | --fleet-log) files=yes ;;
         --columns | --units | --tolerance | --threshold | --vertical | --threads | --port) return ;;
-        *) options='--crs --columns --time-unit --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --inclusive --threads --compare --fleet-log --no-open --port --json --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --compare --fleet-log --no-open --port --json --quiet --help --version' files=yes ;;
       esac
       ;;
     plot)
@@ -161,9 +167,10 @@ _beespace() {
         --time-unit) values='auto s ms us ns' ;;
         --heights) values='auto geometric pressure' ;;
         --max-gap) values='never' ;;
+        --separation) values='enroute terminal well-clear-suas nmac' ;;
         -o | --output) files=yes ;;
         --columns | --units | --tolerance | --threshold | --vertical | --threads | --width | --title) return ;;
-        *) options='--crs --columns --time-unit --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --inclusive --threads --output --width --title --json --fail-on-risk --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --output --width --title --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     export)
@@ -172,10 +179,11 @@ _beespace() {
         --time-unit) values='auto s ms us ns' ;;
         --heights) values='auto geometric pressure' ;;
         --max-gap) values='never' ;;
+        --separation) values='enroute terminal well-clear-suas nmac' ;;
         --format) values='kml czml geojson csv' ;;
         -o | --output) files=yes ;;
         --columns | --units | --tolerance | --threshold | --vertical | --threads) return ;;
-        *) options='--crs --columns --time-unit --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --inclusive --threads --output --format --json --fail-on-risk --quiet --help --version' files=yes ;;
+        *) options='--crs --columns --time-unit --grounded --units --heights --skip-bad --max-gap --tolerance --threshold --vertical --separation --inclusive --threads --output --format --json --fail-on-risk --quiet --help --version' files=yes ;;
       esac
       ;;
     generate)

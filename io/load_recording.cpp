@@ -5,6 +5,9 @@
 #include "io/bytes/byte_source.hpp"
 #include "io/bytes/gzip.hpp"
 #include "io/bytes/zip_archive.hpp"
+#include "io/encounters/bluesky_scenario.hpp"
+#include "io/encounters/daidalus_encounter.hpp"
+#include "io/json/json_document.hpp"
 #include "io/mavlink/telemetry_log.hpp"
 #include "io/mavlink/telemetry_reading.hpp"
 #include "io/problems/excerpt.hpp"
@@ -14,6 +17,7 @@
 #include "io/recording/recording_sources.hpp"
 #include "io/shows/show_documents.hpp"
 #include "io/shows/show_reading.hpp"
+#include "io/tracks/json_table.hpp"
 #include "io/tracks/track_table.hpp"
 
 #include <algorithm>
@@ -80,22 +84,42 @@ std::optional<Error> read_archive(Bytes bytes, const std::string& source,
   return std::nullopt;
 }
 
+// A list, which only tables are.
+std::optional<Error> read_json_list(const Bytes& bytes, const std::string& source,
+                                    const std::string& path, RecordingAssembly& assembly) {
+  const auto document = JsonDocument::parse(without_byte_order_mark(bytes.view), source);
+  if (!document) return document.error();
+  if (is_json_table(document->root())) {
+    return read_json_table(document->root(), stem_of(path), assembly);
+  }
+  const std::string words = json_words(without_byte_order_mark(bytes.view));
+  if (words.starts_with("JSON of a kind")) {
+    return Error{ErrorCode::kUnsupportedFormat, "this is " + words, {}};
+  }
+  return Error{ErrorCode::kUnsupportedFormat,
+               "this is JSON, a list, but no table of records: each must be an object that names "
+               "a position, as in {\"time_s\": 0, \"id\": \"a\", \"lon\": 8, \"lat\": 47, "
+               "\"height_m\": 500}",
+               {}};
+}
+
 std::optional<Error> read_json_file(const Bytes& bytes, const std::string& source,
-                                    RecordingAssembly& assembly) {
+                                    const std::string& path, RecordingAssembly& assembly) {
   auto documents = ShowDocuments::from_text(without_byte_order_mark(bytes.view), source);
   if (!documents) return documents.error();
   if (is_show(*documents)) return read_show(*documents, assembly);
   const bool any = assembly.options().format == RecordingFormat::kAuto;
   const JsonElement root = documents->root().element;
   if (any && is_aircraft_document(root)) return read_aircraft_document(root, assembly);
+  if (any && is_json_table(root)) return read_json_table(root, stem_of(path), assembly);
   const std::string what = json_words(without_byte_order_mark(bytes.view));
   // What it is to be for this reader, but is not.
   const bool meant = what.find("'beespace replay'") != std::string::npos;
   if (any && (meant || what.starts_with("JSON of a kind"))) {
     return Error{ErrorCode::kUnsupportedFormat,
                  "this is JSON, but no Skybrush show: it has no 'swarm', nor does it list "
-                 "'aircraft' (readsb) or 'states' (OpenSky); name another file, or export the "
-                 "recording as CSV",
+                 "'aircraft' (readsb) or 'states' (OpenSky), nor is it a table with names of a "
+                 "position in it; name another file, or export the recording as CSV",
                  {}};
   }
   return Error{ErrorCode::kUnsupportedFormat,
@@ -103,10 +127,11 @@ std::optional<Error> read_json_file(const Bytes& bytes, const std::string& sourc
                {}};
 }
 
-bool is_json_object(std::string_view bytes) {
+// The first character that is no blank; 0 where there is none.
+char front_of(std::string_view bytes) {
   const std::string_view text = without_byte_order_mark(bytes);
   const std::size_t first = text.find_first_not_of(" \t\r\n");
-  return first != std::string_view::npos && text[first] == '{';
+  return first != std::string_view::npos ? text[first] : '\0';
 }
 
 // One input, whatever it holds.
@@ -120,10 +145,19 @@ std::optional<Error> read_source(Bytes bytes, const std::string& path,
   if (!content) return content.error();
   if (is_zip(content->view)) return read_archive(*std::move(content), source, assembly);
   const bool tables = format == RecordingFormat::kTable || format == RecordingFormat::kSkybrushCsv;
-  if (!tables && is_json_object(content->view)) return read_json_file(*content, source, assembly);
+  const bool object = front_of(content->view) == '{';
+  if (format == RecordingFormat::kAuto) {
+    const std::string_view text = without_byte_order_mark(content->view);
+    if (object && is_json_lines(text)) return read_json_lines(text, stem_of(path), assembly);
+    if (front_of(text) == '[') return read_json_list(*content, source, path, assembly);
+  }
+  if (!tables && object) return read_json_file(*content, source, path, assembly);
   if (format == RecordingFormat::kAuto) {
     if (is_telemetry_log(content->view)) return read_telemetry(content->view, path, assembly);
     if (is_base_station(content->view)) return read_base_station(content->view, assembly);
+    const std::string_view text = without_byte_order_mark(content->view);
+    if (is_daidalus_encounter(text)) return read_daidalus_encounter(text, assembly);
+    if (is_bluesky_scenario(text)) return read_bluesky_scenario(text, assembly);
   }
   if (format == RecordingFormat::kSkybrushShow) {
     return Error{

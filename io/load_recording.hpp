@@ -3,9 +3,11 @@
 // Reads, each plain or gzip-compressed and told by its content:
 // - text tables of fixes (id, time, position, perhaps velocity), one table of many bees or a file a
 //   bee, also a folder or a zip of them;
+// - the same tables as JSON, as pandas writes them: records, columns, an object a line;
 // - Skybrush shows (.skyc, or one JSON file);
 // - aircraft: aircraft.json of readsb and dump1090, state vectors of OpenSky, both also a series
 //   of files, and BaseStation (SBS-1) messages. Bees are named by the address of the aircraft;
+// - DAIDALUS encounters (.daa), and where BlueSky scenarios (.scn) create their aircraft;
 // - MAVLink telemetry logs (.tlog). Bees are named by their system id, in several inputs with the
 //   name of the file before it.
 //

@@ -4,6 +4,8 @@
 #include "io/bytes/byte_source.hpp"
 #include "io/bytes/gzip.hpp"
 #include "io/bytes/zip_archive.hpp"
+#include "io/encounters/bluesky_scenario.hpp"
+#include "io/encounters/daidalus_encounter.hpp"
 #include "io/mavlink/telemetry_log.hpp"
 #include "io/problems/skipped_records.hpp"
 #include "io/problems/text_check.hpp"
@@ -42,13 +44,23 @@ std::optional<Error> format_problem(std::string_view beginning, RecordingFormat 
   if (is_gzip(beginning)) return not_as_it_comes("compressed twice");
   const std::string_view text = without_byte_order_mark(beginning);
   const std::size_t first = text.find_first_not_of(" \t\r\n");
-  const bool json = first != std::string_view::npos && text[first] == '{';
+  const bool json =
+      first != std::string_view::npos &&
+      (text[first] == '{' || (text[first] == '[' && format == RecordingFormat::kAuto));
   const bool table = format == RecordingFormat::kTable || format == RecordingFormat::kSkybrushCsv;
   if (format == RecordingFormat::kSkybrushShow) return not_as_it_comes("said to be a show");
   if (json && !table) return not_as_it_comes("JSON");
   if (format != RecordingFormat::kAuto) return std::nullopt;
   if (is_telemetry_log(beginning)) return not_as_it_comes("a MAVLink telemetry log");
   if (is_base_station(beginning)) return not_as_it_comes("a list of BaseStation messages");
+  if (is_daidalus_encounter(text)) return not_as_it_comes("an encounter of DAIDALUS");
+  if (is_bluesky_scenario(text)) {
+    return Error{
+        ErrorCode::kUnsupportedFormat,
+        "this is a scenario of BlueSky, which says where aircraft begin and not where they "
+        "fly; ask 'beespace predict' about it",
+        {}};
+  }
   return std::nullopt;
 }
 

@@ -133,7 +133,9 @@ bool is_at_one_time(const io::Recording& recording) {
 // Whether all bees are at one time, or it is a look at aircraft, each last heard of at a time of
 // its own. A table with several times is no such look: it says where all were when.
 bool is_a_snapshot(const io::Recording& recording) {
-  if (recording.format_description.starts_with("text") && !is_at_one_time(recording)) return false;
+  const std::string& format = recording.format_description;
+  const bool table = format.starts_with("text") || format.starts_with("JSON");
+  if (table && !is_at_one_time(recording)) return false;
   return std::all_of(recording.bees.begin(), recording.bees.end(),
                      [](const io::RecordedBee& bee) { return !bee.path && bee.fixes.size() <= 1; });
 }

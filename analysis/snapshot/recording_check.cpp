@@ -136,6 +136,14 @@ Error or_recording(Error error, const std::string& path, const io::LoadOptions& 
   // know.
   const bool table = recording->format_description.starts_with("text");
   if (table && error.code != ErrorCode::kUnsupportedFormat) return error;
+  const bool at_an_instant =
+      std::all_of(recording->bees.begin(), recording->bees.end(),
+                  [](const io::RecordedBee& bee) { return !bee.path && bee.fixes.size() <= 1; });
+  if (at_an_instant) {
+    return blamed_on(path, "this is a look at bees that move (" + recording->format_description +
+                               "), not a table or an array of places; ask 'beespace predict' about "
+                               "it, with --horizon 0 for now only");
+  }
   return blamed_on(path,
                    "this is a recording of bees that move (" + recording->format_description +
                        "), not a table or an array of places; ask 'beespace replay' about it");

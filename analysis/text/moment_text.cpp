@@ -29,11 +29,14 @@ std::string date_and_time(double since_1970_s) {
 
 }  // namespace
 
-std::string moment_text(double time_s, const io::Recording& recording) {
-  // Within a few thousand years; and not what is no time at all.
+std::string utc_text(double since_1970_s) {
   constexpr double kFarthest_s = 1e11;
-  if (recording.since_1970 && std::abs(time_s) < kFarthest_s) return date_and_time(time_s);
-  return io::grouped(time_s, 2) + " s";
+  return std::abs(since_1970_s) < kFarthest_s ? date_and_time(since_1970_s) : std::string();
+}
+
+std::string moment_text(double time_s, const io::Recording& recording) {
+  const std::string date = recording.since_1970 ? utc_text(time_s) : std::string();
+  return date.empty() ? io::grouped(time_s, 2) + " s" : date;
 }
 
 }  // namespace beespace::analysis

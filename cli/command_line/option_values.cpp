@@ -56,6 +56,12 @@ Result<double> read_threshold_in(const std::string& text, const Domain& domain) 
                {}};
 }
 
+// Of a value that has been read in metres: as it was typed.
+Result<io::StatedLength> as_stated(const Typed& typed, const Result<double>& read) {
+  if (!read) return read.error();
+  return *io::parse_stated(typed.text, io::Quantity::kLength);
+}
+
 Result<double> in_motion_domain(const Typed& typed, double value) {
   const double size = std::abs(value);
   if (value == 0.0 || (size >= kSmallestInMotion && size <= kLargestInMotion)) return value;
@@ -88,9 +94,16 @@ Result<double> read_threshold_in_motion(const Typed& typed) {
                            {kSmallestInMotion, kLargestInMotion, "7.9e-31 m to 1.3e+30 m"});
 }
 
+Result<io::StatedLength> read_stated_threshold(const Typed& typed) {
+  return as_stated(typed, read_threshold(typed));
+}
+
+Result<io::StatedLength> read_stated_threshold_in_motion(const Typed& typed) {
+  return as_stated(typed, read_threshold_in_motion(typed));
+}
+
 Result<io::StatedLength> read_vertical(const Typed& typed) {
-  return amount("metres", kAboveZero)(typed).transform(
-      [&](double) { return *io::parse_stated(typed.text, io::Quantity::kLength); });
+  return as_stated(typed, amount("metres", kAboveZero)(typed));
 }
 
 Result<io::StatedLength> read_vertical_in_motion(const Typed& typed) {

@@ -29,6 +29,9 @@ inline Result<std::string> take_text(const Typed& typed) {
 // moves. Error: kInvalidThreshold.
 Result<double> read_threshold(const Typed& typed);
 Result<double> read_threshold_in_motion(const Typed& typed);
+// The same as typed, so that it can be said in its own unit.
+Result<io::StatedLength> read_stated_threshold(const Typed& typed);
+Result<io::StatedLength> read_stated_threshold_in_motion(const Typed& typed);
 
 // Bytes: 500MB, 4GB, 2GiB; a thousand or 1024 a step.
 Result<std::uint64_t> read_memory(const Typed& typed);

@@ -31,11 +31,16 @@ void append_vertical(std::string& out, const std::optional<io::StatedLength>& ve
 }
 
 std::string separation_text(double threshold_m, const std::optional<double>& vertical_m,
-                            bool inclusive) {
-  const char* const how = inclusive ? " m or closer" : " m (closer than)";
-  std::string text = io::exact(threshold_m) + how;
-  if (!vertical_m) return text;
-  return "horizontally " + text + ", and in height " + io::exact(*vertical_m) + how;
+                            bool inclusive, const std::optional<io::StatedLength>& threshold,
+                            const std::optional<io::StatedLength>& vertical) {
+  const auto length = [inclusive](double metres, const std::optional<io::StatedLength>& stated) {
+    std::string text = io::exact(metres) + " m";
+    if (stated && stated->unit != io::Unit::kMetre) text += ", " + text_of(*stated);
+    return text + (inclusive ? " or closer" : " (closer than)");
+  };
+  if (!vertical_m) return length(threshold_m, threshold);
+  return "horizontally " + length(threshold_m, threshold) + ", and in height " +
+         length(*vertical_m, vertical);
 }
 
 }  // namespace beespace::cli

@@ -21,9 +21,11 @@ void append_units(std::string& out, const std::vector<io::UnitTaken>& units);
 void append_vertical(std::string& out, const std::optional<io::StatedLength>& vertical,
                      io::Unit height_unit);
 
-// "5 m (closer than)", or "horizontally 5 m or closer, and in height 2 m or closer".
+// "5 m (closer than)", or "horizontally 5 m or closer, and in height 2 m or closer"; of what was
+// typed in another unit with that too, "9260 m, 5 NM (closer than)".
 std::string separation_text(double threshold_m, const std::optional<double>& vertical_m,
-                            bool inclusive);
+                            bool inclusive, const std::optional<io::StatedLength>& threshold = {},
+                            const std::optional<io::StatedLength>& vertical = {});
 
 // Behind it, where the threshold was not given.
 inline constexpr const char* kDefaultThresholdWords = ", the default (--threshold)";

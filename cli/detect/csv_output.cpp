@@ -65,10 +65,12 @@ void write_csv_rows(const PairTable& rows, const Answer& answer, io::AtomicOutpu
   const Inputs& inputs = answer.inputs;
   BlockWriter out(output);
   io::TableWriter table(out.text, io::delimiter(inputs.ours));
-  table.header("first,second,distance_m").end_row();
+  table.header(pair_header(rows.fields)).end_row();
+  std::size_t row = 0;
   for (const Pair& pair : rows.pairs) {
     table.field(answer.ids.ours().text(pair.first)).field(answer.ids.theirs().text(pair.second));
     table.field(distance(inputs.ours.points[pair.first], inputs.theirs().points[pair.second]));
+    write_apart(table, rows.apart_of(row++), rows.fields);
     table.end_row();
     out.pass_on();
   }

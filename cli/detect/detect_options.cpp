@@ -39,7 +39,7 @@ constexpr const char* kDetails =
     "  beespace detect bees.csv\n"
     "  beespace detect bees.csv --threshold 50 --report pairs --output pairs.csv\n"
     "  beespace detect bees.csv --report nearest --at-risk-only\n"
-    "  beespace detect traffic.csv --threshold 5NM --vertical 1000ft\n"
+    "  beespace detect traffic.csv --separation terminal\n"
     "  beespace detect ours.csv --others towers.csv --report closest-pair\n"
     "  zcat swarm.txt.gz | beespace detect --columns id=1,lon=2,lat=3,height=4 --json\n"
     "  beespace detect archive.npy --crs metres --memory 4GB --output at-risk.txt\n"
@@ -84,12 +84,13 @@ void add_search_options(Command& detect, DetectRequest& request) {
   detect.group("Search");
   detect.choice("--report", request.report, words, "What to find, see below (default: at-risk)",
                 "WHAT");
-  detect.option("--threshold", "LENGTH", request.threshold_m, read_threshold,
+  detect.option("--threshold", "LENGTH", request.threshold, read_stated_threshold,
                 "Closer than this is too close (default: 100)");
   detect.option("--vertical", "LENGTH", request.vertical, read_vertical,
                 "Too close only if closer than this in height too;\nthe threshold is then "
                 "horizontal. The distance shown\nis still that in a straight line, and the "
                 "nearest is\nthe nearest of those in the cylinder");
+  add_usual_separation_option(detect, request.separation);
   detect.flag("--inclusive", request.search.inclusive,
               "A distance of exactly the threshold counts too");
   detect.flag("--at-risk-only", request.at_risk_only,
@@ -127,7 +128,8 @@ Status check_fit(const DetectRequest& request) {
     bool fits;
   } table[] = {{"--others", !request.others || report.takes_others},
                {"--max-results", !request.max_results || report.has_limit},
-               {"--vertical", !request.vertical || report.takes_vertical},
+               {request.separation != nullptr ? "--separation" : "--vertical",
+                !request.vertical || report.takes_vertical},
                {"--at-risk-only", !request.at_risk_only || report.lists_all}};
   for (const auto& [option, fits] : table) {
     if (!fits) return wrong(std::string(option) + " does not apply to --report " + report.name);
@@ -154,8 +156,13 @@ Status settle(DetectRequest& request) {
                   {{Form::kText, Form::kCsv, Form::kJson, Form::kGeoJson}});
   if (!form) return form.error();
   request.form = *form;
+  if (auto status =
+          settle_separation("detect", request.separation, request.threshold, request.vertical);
+      !status) {
+    return status;
+  }
   PairOptions& search = request.search;
-  search.threshold_m = request.threshold_m.value_or(kDefaultThreshold_m);
+  search.threshold_m = request.threshold ? request.threshold->metric : kDefaultThreshold_m;
   search.max_results = request.max_results.value_or(search.max_results);
   if (request.vertical) search.vertical_m = request.vertical->metric;
   request.load.threads = search.threads;

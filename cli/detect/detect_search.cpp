@@ -1,5 +1,6 @@
 #include "cli/detect/detect_search.hpp"
 
+#include "analysis/geometry/apart.hpp"
 #include "analysis/geometry/ground_places.hpp"
 #include "analysis/snapshot/closest_in_conflict.hpp"
 #include "io/bytes/number_text.hpp"
@@ -80,6 +81,27 @@ Result<Closest> closest_pair_between(Engine& engine, const PointsView& points,
   return Closest({static_cast<PointId>(best - nearest.begin()), best->id, best->distance_m});
 }
 
+// With a vertical threshold, how far apart the pairs are in what it compares.
+void tell_apart(PairTable& table, const Question& question, const DetectRequest& request,
+                io::Unit height_unit) {
+  if (!request.vertical) return;
+  table.fields = {true, in_aviation(request.load.units.convention, height_unit, request.threshold,
+                                    request.vertical)};
+  const PointsView& ours = question.points;
+  const PointsView& theirs = question.others != nullptr ? *question.others : question.points;
+  const double unit_m =
+      io::compares_as_stated(request.vertical, height_unit) ? io::in_metric(1.0, height_unit) : 1.0;
+  table.apart.reserve(table.pairs.size());
+  for (const Pair& pair : table.pairs) {
+    const Point a = ours[pair.first];
+    const Point b = theirs[pair.second];
+    table.apart.push_back(ours.has_heights()
+                              ? analysis::apart(a, ours.heights_m()[pair.first], b,
+                                                theirs.heights_m()[pair.second], unit_m)
+                              : analysis::apart(a, b));
+  }
+}
+
 // The library speaks to those who call it.
 Error in_words_of_the_command(const Error& error, const DetectRequest& request) {
   return error.code == ErrorCode::kTooManyResults ? too_many_results(request) : error;
@@ -140,6 +162,9 @@ Result<Detection> search(const Inputs& inputs, const DetectRequest& request) {
     if (!found) return in_words_of_the_command(found.error(), request);
     detection.table = std::move(found->table);
     at_risk = std::move(found->at_risk);
+    if (auto* pairs = std::get_if<PairTable>(&detection.table.rows)) {
+      tell_apart(*pairs, question, request, height_unit);
+    }
   }
   const bool is_told = !request.quiet || request.form.form == Form::kJson;
   // Who is at risk follows from most answers.

@@ -3,6 +3,7 @@
 
 #include "cli/console/exit_code.hpp"
 #include "cli/detect/reports/report.hpp"
+#include "cli/input/separation.hpp"
 #include "cli/output/output_form.hpp"
 #include "cli/output/table.hpp"
 #include "io/points/load_options.hpp"
@@ -28,11 +29,12 @@ struct DetectRequest {
   std::string output = "-";
   io::LoadOptions load;  // of both inputs
   const Report* report = &reports().front();
-  std::optional<double> threshold_m;          // absent: the default
-  std::optional<io::StatedLength> vertical;   // as typed
-  std::optional<std::uint64_t> max_results;   // absent: no limit
-  std::optional<std::uint64_t> memory_bytes;  // absent: all that it takes
-  std::string temporary;                      // the folder of temporary files, with memory_bytes
+  std::optional<io::StatedLength> threshold;    // as typed; absent: the default
+  std::optional<io::StatedLength> vertical;     // as typed
+  const UsualSeparation* separation = nullptr;  // that stands for both
+  std::optional<std::uint64_t> max_results;     // absent: no limit
+  std::optional<std::uint64_t> memory_bytes;    // absent: all that it takes
+  std::string temporary;                        // the folder of temporary files, with memory_bytes
   bool unique_ids = false;
   bool at_risk_only = false;
   bool csv = false;

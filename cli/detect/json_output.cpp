@@ -40,9 +40,11 @@ void write_json_rows(const BeeTable& table, const Answer& answer, BlockWriter& o
 void write_json_rows(const PairTable& table, const Answer& answer, BlockWriter& out,
                      io::JsonWriter& json) {
   json.begin_array(io::JsonLayout::kRows);
+  std::size_t row = 0;
   for (const Pair& pair : table.pairs) {
     json.begin_object();
     write_pair(json, pair, answer.inputs, answer.ids);
+    write_apart(json, table.apart_of(row++), table.fields);
     json.end();
     out.pass_on();
   }

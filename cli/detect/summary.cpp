@@ -97,10 +97,11 @@ std::string at_risk_text(std::uint64_t at_risk, std::uint64_t points, std::uint6
 }
 
 void append_search(std::string& out, const DetectRequest& request, io::Unit height_unit) {
-  append_summary_line(out, "threshold",
-                      separation_text(request.search.threshold_m, request.search.vertical_m,
-                                      request.search.inclusive) +
-                          (!request.threshold_m ? kDefaultThresholdWords : ""));
+  append_summary_line(
+      out, "threshold",
+      separation_text(request.search.threshold_m, request.search.vertical_m,
+                      request.search.inclusive, request.threshold, request.vertical) +
+          usual_text(request.separation) + (!request.threshold ? kDefaultThresholdWords : ""));
   append_vertical(out, request.vertical, height_unit);
 }
 

@@ -71,11 +71,13 @@ void write_text_rows(const PairTable& rows, const Answer& answer, io::AtomicOutp
   const Inputs& inputs = answer.inputs;
   BlockWriter out(output);
   io::TableWriter table(out.text, kTab);
-  table.header("first,second,distance_m").end_row();
+  table.header(pair_header(rows.fields)).end_row();
+  std::size_t row = 0;
   for (const Pair& pair : rows.pairs) {
     answer.ids.ours().append(table.next(), pair.first);
     answer.ids.theirs().append(table.next(), pair.second);
     table.field(distance(inputs.ours.points[pair.first], inputs.theirs().points[pair.second]));
+    write_apart(table, rows.apart_of(row++), rows.fields);
     table.end_row();
     out.pass_on();
   }

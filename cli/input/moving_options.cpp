@@ -36,7 +36,8 @@ void add_time_unit_option(Command& command, io::Unit& unit) {
 
 void add_units_options(Command& command, io::UnitOverrides& units, io::HeightSource& heights) {
   command.option("--units", "LIST", units, read_units,
-                 "Where the header names none: height=ft,speed=kt,\nclimb=ft/min, position=m");
+                 "Where the header names none: height=ft,speed=kt,\nclimb=ft/min, position=m; or "
+                 "metric, or aviation\n(ft, kt, ft/min, and told in NM and ft too)");
   command.choice("--heights", heights,
                  {{"auto", io::HeightSource::kAuto},
                   {"geometric", io::HeightSource::kGeometric},
@@ -71,9 +72,10 @@ void add_gap_options(Command& command, std::optional<double>& max_gap_s, double&
 
 void add_threshold_options(Command& command, MovingRequest& request) {
   command.group("Separation");
-  command.option("--threshold", "LENGTH", request.threshold_m, read_threshold_in_motion,
+  command.option("--threshold", "LENGTH", request.threshold, read_stated_threshold_in_motion,
                  "Closer than this is too close (default: what the\ninput declares, or 100)");
   command.option("--vertical", "LENGTH", request.vertical, read_vertical, kVerticalHelp);
+  add_usual_separation_option(command, request.separation);
   command.flag("--inclusive", request.inclusive, "A distance of exactly the threshold counts too");
   command.option("--threads", "N", request.threads, read_threads,
                  "How many threads work (default: 0, all)");
@@ -113,6 +115,12 @@ Status settle(MovingRequest& request, const char* command) {
     return usage_error(command, "standard input can be read once");
   }
   if (request.inputs.empty()) request.inputs.emplace_back("-");
+  if (Status settled =
+          settle_separation(command, request.separation, request.threshold, request.vertical);
+      !settled) {
+    return settled;
+  }
+  if (request.threshold) request.threshold_m = request.threshold->metric;
   if (request.vertical) request.vertical_m = request.vertical->metric;
   return std::monostate{};
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "analysis/scene/scene_request.hpp"
+#include "cli/input/separation.hpp"
 #include "cli/output/output_form.hpp"
 #include "cli/output/rows.hpp"
 #include "io/recording/recording_options.hpp"
@@ -27,8 +28,10 @@ struct MovingRequest {
   std::vector<std::string> inputs = {};
   io::RecordingOptions load = {};
   std::optional<double> threshold_m = {};  // absent: what the input declares, or the default
+  std::optional<io::StatedLength> threshold = {};  // the same, as typed
   std::optional<double> vertical_m = {};
   std::optional<io::StatedLength> vertical = {};  // the same, as typed
+  const UsualSeparation* separation = nullptr;    // that stands for both
   bool inclusive = false;
   std::uint64_t max_results = std::numeric_limits<std::uint64_t>::max();
   unsigned threads = 0;

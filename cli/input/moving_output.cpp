@@ -7,6 +7,7 @@
 #include "cli/output/block_writer.hpp"
 #include "cli/output/json_units.hpp"
 #include "io/bytes/number_text.hpp"
+#include "io/units/units.hpp"
 
 #include <beespace/version.hpp>
 
@@ -77,10 +78,15 @@ std::string input_summary(const io::Recording& recording, const MovingRequest& r
   return out;
 }
 
-std::string separation_summary(const MovingRequest& request, double threshold_m, bool declared) {
-  const std::string text = separation_text(threshold_m, request.vertical_m, request.inclusive);
+std::string separation_summary(const MovingRequest& request, double threshold_m, bool declared,
+                               bool aircraft) {
+  const std::string text = separation_text(threshold_m, request.vertical_m, request.inclusive,
+                                           request.threshold, request.vertical) +
+                           usual_text(request.separation);
   if (declared) return text + ", as the input declares";
-  return request.threshold_m ? text : text + kDefaultThresholdWords;
+  if (request.threshold_m) return text;
+  return text + kDefaultThresholdWords +
+         (aircraft ? "; of aircraft --separation has the usual ones" : "");
 }
 
 std::string pair_text(const Conflict& conflict, const io::Recording& recording) {
@@ -88,28 +94,87 @@ std::string pair_text(const Conflict& conflict, const io::Recording& recording) 
          printable(text_of(analysis::name_of(conflict.second, recording)));
 }
 
-std::string encounter_text(const Conflict& conflict, const io::Recording& recording) {
-  return pair_text(conflict, recording) + ", " + io::length(conflict.closest_m) + " apart at " +
+bool in_aviation(const MovingRequest& request, const io::Recording& recording) {
+  return in_aviation(request.load.units.convention, recording.height_unit, request.threshold,
+                     request.vertical);
+}
+
+namespace {
+
+// A rounding of what would be 0 has many digits that say nothing.
+std::string length_text(double metres) {
+  return metres > 0.0 && metres < 0.001 ? std::string("under 1 mm") : io::length(metres);
+}
+
+std::string horizontal_text(double metres, bool aviation) {
+  if (!aviation) return length_text(metres);
+  return io::grouped(io::from_metric(metres, io::Unit::kNauticalMile), 3) + " NM (" +
+         length_text(metres) + ")";
+}
+
+std::string vertical_text(double metres, bool aviation) {
+  if (!aviation) return length_text(metres);
+  return io::grouped(io::from_metric(metres, io::Unit::kFoot), 0) + " ft (" + length_text(metres) +
+         ")";
+}
+
+}  // namespace
+
+std::string encounter_text(const Conflict& conflict, const io::Recording& recording,
+                           const Distances& distances) {
+  const bool aviation = distances.aviation;
+  const auto apart = distances.of(conflict);
+  const std::string how_far =
+      apart ? horizontal_text(apart->horizontal_m, aviation) + " horizontally and " +
+                  vertical_text(apart->vertical_m, aviation) + " vertically apart"
+            : horizontal_text(conflict.closest_m, aviation) + " apart";
+  return pair_text(conflict, recording) + ", " + how_far + " at " +
          analysis::moment_text(conflict.closest_s, recording);
 }
 
+void add_apart_columns(std::vector<RowColumn>& columns, const Distances& distances) {
+  if (!distances.apart) return;
+  columns.push_back({"horizontal_m"});
+  columns.push_back({"vertical_m"});
+  if (!distances.aviation) return;
+  columns.push_back({"horizontal_NM"});
+  columns.push_back({"vertical_ft"});
+}
+
+void add_apart(std::vector<Value>& row, const std::optional<analysis::Apart>& apart,
+               const Distances& distances) {
+  if (!distances.apart) return;
+  if (!apart) {
+    row.resize(row.size() + (distances.aviation ? 4 : 2));
+    return;
+  }
+  row.emplace_back(apart->horizontal_m);
+  row.emplace_back(apart->vertical_m);
+  if (!distances.aviation) return;
+  row.emplace_back(io::from_metric(apart->horizontal_m, io::Unit::kNauticalMile));
+  row.emplace_back(io::from_metric(apart->vertical_m, io::Unit::kFoot));
+}
+
 Rows conflict_rows(const std::vector<Conflict>& conflicts, const io::Recording& recording,
-                   bool with_certain) {
+                   bool with_certain, const Distances& distances) {
   Rows rows{{{"first", "first_label"},
              {"second", "second_label"},
-             {"begins_s"},
-             {"closest_s"},
+             {"begins_s", nullptr, "begins"},
+             {"closest_s", nullptr, "closest"},
              {"closest_m"},
-             {"ends_s"}},
+             {"ends_s", nullptr, "ends"}},
             {},
-            analysis::has_labels(recording)};
+            analysis::has_labels(recording),
+            recording.since_1970};
   if (with_certain) rows.columns.push_back({"certain"});
+  add_apart_columns(rows.columns, distances);
   rows.rows.reserve(conflicts.size());
   for (const Conflict& c : conflicts) {
     rows.rows.push_back({analysis::name_of(c.first, recording),
                          analysis::name_of(c.second, recording), c.begins_s, c.closest_s,
                          c.closest_m, c.ends_s});
     if (with_certain) rows.rows.back().emplace_back(c.certain);
+    add_apart(rows.rows.back(), distances.of(c), distances);
   }
   return rows;
 }

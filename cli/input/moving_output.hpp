@@ -2,6 +2,7 @@
 // conflicts as rows, and the answer written where it is wanted.
 #pragma once
 
+#include "analysis/recorded/apart.hpp"
 #include "cli/console/summary_line.hpp"
 #include "cli/input/moving_options.hpp"
 #include "cli/output/rows.hpp"
@@ -12,6 +13,7 @@
 #include <beespace/conflict.hpp>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,16 +27,40 @@ void append_frame_lines(std::string& out, io::Frame frame, const std::string& re
 // The lines about what was read.
 std::string input_summary(const io::Recording& recording, const MovingRequest& request);
 
-// "5 m (closer than), as the show declares".
-std::string separation_summary(const MovingRequest& request, double threshold_m, bool declared);
+// "5 m (closer than), as the show declares". Of `aircraft` the default is hardly what is meant.
+std::string separation_summary(const MovingRequest& request, double threshold_m, bool declared,
+                               bool aircraft = false);
+
+// Whether distances are told in nautical miles and feet too: where the thresholds or the heights of
+// the input are, or --units says so.
+bool in_aviation(const MovingRequest& request, const io::Recording& recording);
+
+// How distances are told: with a vertical threshold horizontally and vertically, and perhaps in
+// nautical miles and feet too.
+struct Distances {
+  analysis::ApartOf apart = {};  // where there is a vertical threshold
+  bool aviation = false;
+
+  [[nodiscard]] std::optional<analysis::Apart> of(const Conflict& conflict) const {
+    return apart ? apart(conflict) : std::nullopt;
+  }
+};
 
 // "drone_01 and drone_02"; "drone_01 and drone_02, 4.31 m apart at 63.2 s".
 std::string pair_text(const Conflict& conflict, const io::Recording& recording);
-std::string encounter_text(const Conflict& conflict, const io::Recording& recording);
+std::string encounter_text(const Conflict& conflict, const io::Recording& recording,
+                           const Distances& distances);
 
-// first, second, begins_s, closest_s, closest_m, ends_s; and certain, where there are tolerances.
+// With a vertical threshold the columns of how far two are apart, and their values, which are empty
+// where that is not known.
+void add_apart_columns(std::vector<RowColumn>& columns, const Distances& distances);
+void add_apart(std::vector<Value>& row, const std::optional<analysis::Apart>& apart,
+               const Distances& distances);
+
+// first, second, begins_s, closest_s, closest_m, ends_s; certain, where there are tolerances; and
+// with a vertical threshold how far apart they are horizontally and vertically.
 Rows conflict_rows(const std::vector<Conflict>& conflicts, const io::Recording& recording,
-                   bool with_certain);
+                   bool with_certain, const Distances& distances);
 
 // The first members of the JSON document, up to and with the separation.
 void write_head(io::JsonWriter& json, const io::Recording& recording, const MovingRequest& request,

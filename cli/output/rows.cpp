@@ -1,7 +1,10 @@
 #include "cli/output/rows.hpp"
 
+#include "analysis/text/moment_text.hpp"
 #include "cli/output/block_writer.hpp"
 #include "io/table/table_writer.hpp"
+
+#include <utility>
 
 namespace beespace::cli {
 namespace {
@@ -18,14 +21,32 @@ void write_field(io::TableWriter& table, const Value& value, bool with_label) {
   if (std::holds_alternative<std::monostate>(value)) table.empty_field();
 }
 
+// Whether the values are dates to people.
+bool has_dates(const Rows& rows, const RowColumn& column) {
+  return rows.since_1970 && column.moment != nullptr;
+}
+
+// A time as a date; any other value as it is.
+Value as_date(const Value& value) {
+  const auto* time_s = std::get_if<double>(&value);
+  if (time_s == nullptr) return value;
+  std::string date = analysis::utc_text(*time_s);
+  return date.empty() ? value : Value(std::move(date));
+}
+
 void write_table(const Rows& rows, char delimiter, io::TableText text, io::AtomicOutput& output) {
-  const bool with_labels = text == io::TableText::kOneLine;
+  const bool for_people = text == io::TableText::kOneLine;
   BlockWriter out(output);
   io::TableWriter table(out.text, delimiter, text);
-  for (const RowColumn& column : rows.columns) table.field(column.name);
+  for (const RowColumn& column : rows.columns) {
+    table.field(for_people && has_dates(rows, column) ? column.moment : column.name);
+  }
   table.end_row();
   for (const auto& row : rows.rows) {
-    for (const Value& value : row) write_field(table, value, with_labels);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const bool date = for_people && has_dates(rows, rows.columns[i]);
+      write_field(table, date ? as_date(row[i]) : row[i], for_people);
+    }
     table.end_row();
     out.pass_on();
   }

@@ -19,19 +19,22 @@ using Value =
 
 struct RowColumn {
   const char* name;
-  const char* label = nullptr;  // of bees: what the column of their labels is called
+  const char* label = nullptr;   // of bees: what the column of their labels is called
+  const char* moment = nullptr;  // of times: what the column is called where they are dates
 };
 
 struct Rows {
   std::vector<RowColumn> columns;
   std::vector<std::vector<Value>> rows;
-  bool labelled = false;  // whether any bee of the input has a label
+  bool labelled = false;    // whether any bee of the input has a label
+  bool since_1970 = false;  // whether times count from there: for people they are dates, in UTC
 };
 
 // For programs, to whom a bee is its id: labels go into columns of their own, behind all others.
 void set_labels_apart(Rows& rows);
 
-// A header line, then a row a line: values between tabs, bees with their labels; or between commas.
+// A header line, then a row a line: values between tabs, bees with their labels, times since 1970
+// as dates; or between commas.
 void write_rows_as_text(const Rows& rows, io::AtomicOutput& output);
 void write_rows_as_csv(const Rows& rows, io::AtomicOutput& output);
 

@@ -4,11 +4,14 @@
 // answer is not there twice.
 #pragma once
 
+#include "cli/output/apart_fields.hpp"
+
 #include <beespace/id_rows.hpp>
 #include <beespace/nearest.hpp>
 #include <beespace/pairs.hpp>
 #include <beespace/point.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -43,9 +46,16 @@ struct BeeTable {
   std::vector<Column> columns;
 };
 
-// A row for each pair. How far apart the two are follows from their positions.
+// A row for each pair. How far apart the two are follows from their positions; with a vertical
+// threshold `apart` has it horizontally and vertically, of each pair.
 struct PairTable {
   std::vector<Pair> pairs;
+  std::vector<analysis::Apart> apart = {};
+  ApartFields fields = {};
+
+  [[nodiscard]] analysis::Apart apart_of(std::size_t pair) const {
+    return pair < apart.size() ? apart[pair] : analysis::Apart();
+  }
 };
 
 // A row for each group; or for each member, in the forms that give the records themselves.

@@ -65,6 +65,7 @@ struct Prediction {
   const analysis::Snapshot& snapshot;
   double threshold_m;
   const std::vector<Conflict>& conflicts;
+  const Distances& distances;
 
   // Whether it is known of every bee where it goes.
   [[nodiscard]] bool complete() const {
@@ -136,11 +137,11 @@ std::string summary(const Prediction& prediction, const PredictRequest& request,
         out, "note",
         io::grouped(snapshot.estimated) + " without a velocity: it is that of the last two fixes");
   }
-  append_summary_line(
-      out, "threshold",
-      separation_summary(request.moving, prediction.threshold_m,
-                         !request.moving.threshold_m.has_value() &&
-                             prediction.recording.declared_threshold_m.has_value()));
+  append_summary_line(out, "threshold",
+                      separation_summary(request.moving, prediction.threshold_m,
+                                         !request.moving.threshold_m.has_value() &&
+                                             prediction.recording.declared_threshold_m.has_value(),
+                                         prediction.distances.aviation));
   append_summary_line(out, "horizon", io::exact(request.horizon_s) + " s");
   append_summary_line(out, "conflicts", found_line(prediction));
   const auto& conflicts = prediction.conflicts;
@@ -154,7 +155,8 @@ std::string summary(const Prediction& prediction, const PredictRequest& request,
     append_summary_line(out, "soonest",
                         pair_text(*soonest, prediction.recording) + ", in " +
                             io::grouped(soonest->begins_s - snapshot.time_s, 2) + " s");
-    append_summary_line(out, "closest", encounter_text(*closest, prediction.recording));
+    append_summary_line(out, "closest",
+                        encounter_text(*closest, prediction.recording, prediction.distances));
   }
   append_summary_line(out, "time", "search " + io::duration(search_s));
   return out;
@@ -205,9 +207,14 @@ Result<ExitCode> run_predict(const PredictRequest& request) {
   const double search_s = watch.lap();
   translate(*conflicts, *snapshot);
 
-  const Prediction prediction{*recording, *snapshot, threshold_m, *conflicts};
+  Distances distances{.aviation = in_aviation(moving, *recording)};
+  if (moving.vertical) {
+    distances.apart = apart_of(*snapshot, height_unit_m(geometry, recording->height_unit));
+  }
+  const Prediction prediction{*recording, *snapshot, threshold_m, *conflicts, distances};
   const auto head = [&](io::JsonWriter& json) { write_outlook(json, prediction, request); };
-  write_answer(conflict_rows(*conflicts, *recording, false), moving, head, "conflicts", *output);
+  write_answer(conflict_rows(*conflicts, *recording, false, distances), moving, head, "conflicts",
+               *output);
   const Status written = output->commit();
   if (!written && output->pipe_closed()) return ExitCode::kPipeClosed;
   if (!written) return written.error();

@@ -12,6 +12,7 @@
 #include "cli/input/moving_output.hpp"
 #include "cli/output/coverage_output.hpp"
 #include "cli/output/output_file.hpp"
+#include "cli/recorded/flight_check.hpp"
 #include "cli/recorded/replay_answer.hpp"
 #include "cli/recorded/replay_events.hpp"
 #include "cli/recorded/replay_rows.hpp"
@@ -120,6 +121,9 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
   load.progress = &progress.reading();
   const auto recording = io::load_recording(moving.inputs, load);
   if (!recording) return recording.error();
+  if (Status flight = check_flight(*recording, moving.inputs.front()); !flight) {
+    return flight.error();
+  }
   const analysis::Geometry geometry = analysis::geometry_for(*recording, moving.vertical);
   const auto tracks = tracks_of(*recording, geometry, request.tolerance_m);
   if (!tracks) return tracks.error();
@@ -155,22 +159,27 @@ Result<ExitCode> run_replay(const ReplayRequest& request) {
                                     *closest,
                                     coverage,
                                     has_encounters(*closest, *in_space, max_gap.seconds, request)};
+  Distances distances{.aviation = in_aviation(moving, *recording)};
+  if (moving.vertical) {
+    distances.apart = analysis::apart_of(*tracks, height_unit_m(geometry, recording->height_unit));
+  }
   progress.enter_stage("writing");
   const JsonHead head = [&](io::JsonWriter& json) {
-    write_findings(json, findings, request, threshold_m);
+    write_findings(json, findings, request, threshold_m, distances);
   };
   if (request.report == "events") {
     const Status done = write_events(request, findings, threshold_m, head, *output);
     if (!done) return done.error();
   } else {
-    write_answer(rows_of(request, findings), moving, head, request.report.c_str(), *output);
+    write_answer(rows_of(request, findings, distances), moving, head, request.report.c_str(),
+                 *output);
   }
   const Status written = output->commit();
   if (!written && output->pipe_closed()) return ExitCode::kPipeClosed;
   if (!written) return written.error();
   progress.finish();
   if (!moving.quiet) {
-    say(replay_summary(findings, moving, {threshold_m, read_s, search_s}));
+    say(replay_summary(findings, moving, {threshold_m, read_s, search_s}, distances));
   }
   const bool risky = !recorded->conflicts.empty() || coverage.may_hide_conflicts();
   const bool risk = moving.fail_on_risk && risky;

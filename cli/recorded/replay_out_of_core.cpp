@@ -186,17 +186,27 @@ class Replaying {
     const RecordingOutOfCoreFacts facts = fixes_.facts();
     const analysis::Findings findings{recording_, tracks_,  tracks_,         found_,
                                       closest_,   coverage, facts.encounters};
+    // Where two were when they were closest is not kept: with a vertical threshold, columns of how
+    // far apart they are horizontally and vertically are empty.
+    Distances distances{.aviation = in_aviation(moving_, recording_)};
+    if (moving_.vertical) {
+      distances.apart = [](const Conflict& /*conflict*/) {
+        return std::optional<analysis::Apart>();
+      };
+    }
     const JsonHead head = [&](io::JsonWriter& json) {
-      write_findings(json, findings, request_, threshold_m_);
+      write_findings(json, findings, request_, threshold_m_, distances);
     };
-    write_answer(rows_of(request_, findings), moving_, head, request_.report.c_str(), output_);
+    write_answer(rows_of(request_, findings, distances), moving_, head, request_.report.c_str(),
+                 output_);
     const Status written = output_.commit();
     if (!written && output_.pipe_closed()) return ExitCode::kPipeClosed;
     if (!written) return written.error();
     bar_.finish();
     if (!moving_.quiet) {
       say(replay_summary(findings, moving_,
-                         {threshold_m_, read_s_, search_s_, request_.memory_bytes, facts.windows}));
+                         {threshold_m_, read_s_, search_s_, request_.memory_bytes, facts.windows},
+                         distances));
     }
     const bool risky = !found_.conflicts.empty() || coverage.may_hide_conflicts();
     return moving_.fail_on_risk && risky ? ExitCode::kRiskFound : ExitCode::kFine;

@@ -8,17 +8,20 @@
 
 namespace beespace::cli {
 
-Rows bee_rows(const analysis::Findings& findings) {
+Rows bee_rows(const analysis::Findings& findings, const Distances& distances) {
   const auto& recording = findings.recording;
   Rows rows{{{"id", "label"},
              {"conflicts"},
              {"in_conflict_s"},
              {"closest_m"},
-             {"closest_s"},
+             {"closest_s", nullptr, "closest"},
              {"closest_id", "closest_label"},
              {"unknown_s"}},
             {},
-            analysis::has_labels(recording)};
+            analysis::has_labels(recording),
+            recording.since_1970};
+  const std::size_t columns = rows.columns.size();
+  add_apart_columns(rows.columns, distances);
   const auto bees = analysis::bees_in_conflict(findings.tracks.size(), findings.recorded.conflicts);
   const auto unknown_s = analysis::unknown_times_s(recording, findings.recorded.gaps);
   for (PointId bee = 0; bee < bees.size(); ++bee) {
@@ -30,31 +33,43 @@ Rows bee_rows(const analysis::Findings& findings) {
       row.insert(row.end(), {of.closest->closest_m, of.closest->closest_s,
                              analysis::name_of(other, recording)});
     } else {
-      row.resize(rows.columns.size() - 1);
+      row.resize(columns - 1);
     }
     row.emplace_back(unknown_s[bee]);
+    add_apart(row, of.closest != nullptr ? distances.of(*of.closest) : std::nullopt, distances);
     rows.rows.push_back(std::move(row));
   }
   return rows;
 }
 
-Rows separation_rows(const std::vector<analysis::Moment>& moments, const io::Recording& recording) {
-  Rows rows{{{"time_s"},
+Rows separation_rows(const std::vector<analysis::Moment>& moments,
+                     const analysis::Findings& findings, const Distances& distances) {
+  const io::Recording& recording = findings.recording;
+  Rows rows{{{"time_s", nullptr, "time"},
              {"distance_m"},
              {"first", "first_label"},
              {"second", "second_label"},
              {"unknown"}},
             {},
-            analysis::has_labels(recording)};
+            analysis::has_labels(recording),
+            recording.since_1970};
+  const std::size_t columns = rows.columns.size();
+  add_apart_columns(rows.columns, distances);
   for (const analysis::Moment& moment : moments) {
     std::vector<Value> row{moment.time_s};
     if (std::isfinite(moment.distance_m)) {
       row.insert(row.end(), {moment.distance_m, analysis::name_of(moment.first, recording),
                              analysis::name_of(moment.second, recording)});
     } else {
-      row.resize(rows.columns.size() - 1);
+      row.resize(columns - 1);
     }
     row.emplace_back(moment.unknown);
+    Conflict closest;
+    closest.first = moment.first;
+    closest.second = moment.second;
+    closest.closest_s = moment.time_s;
+    const bool known = std::isfinite(moment.distance_m);
+    add_apart(row, known ? distances.of(closest) : std::nullopt, distances);
     rows.rows.push_back(std::move(row));
   }
   return rows;

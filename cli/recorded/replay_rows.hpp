@@ -2,8 +2,8 @@
 #pragma once
 
 #include "analysis/recorded/findings.hpp"
+#include "cli/input/moving_output.hpp"
 #include "cli/output/rows.hpp"
-#include "io/recording/recording.hpp"
 
 #include <vector>
 
@@ -11,8 +11,9 @@ namespace beespace::cli {
 
 // A row a bee: its id, its conflicts, how long it was in conflict (with however many at a time),
 // how close it came to another one in a conflict, and to which; and how long it is unknown.
-Rows bee_rows(const analysis::Findings& findings);
+Rows bee_rows(const analysis::Findings& findings, const Distances& distances);
 
-Rows separation_rows(const std::vector<analysis::Moment>& moments, const io::Recording& recording);
+Rows separation_rows(const std::vector<analysis::Moment>& moments,
+                     const analysis::Findings& findings, const Distances& distances);
 
 }  // namespace beespace::cli

@@ -39,11 +39,11 @@ std::string verdict(const analysis::Findings& findings,
 }
 
 void append_worst(std::string& out, const analysis::Findings& findings,
-                  const std::vector<analysis::PairInConflict>& pairs) {
+                  const std::vector<analysis::PairInConflict>& pairs, const Distances& distances) {
   constexpr std::size_t kMost = 5;
   for (std::size_t i = 0; i < std::min(kMost, pairs.size()); ++i) {
     const analysis::PairInConflict& pair = pairs[i];
-    std::string text = encounter_text(pair.closest, findings.recording);
+    std::string text = encounter_text(pair.closest, findings.recording, distances);
     text += "; in conflict for " + io::grouped(pair.time_s, 2) + " s";
     if (pair.conflicts > 1) text += " in " + io::grouped(pair.conflicts) + " conflicts";
     append_summary_line(out, i == 0 ? "worst" : "", text);
@@ -87,7 +87,7 @@ std::string bars_over_time(const analysis::Findings& findings, double threshold_
 }  // namespace
 
 std::string replay_summary(const analysis::Findings& findings, const MovingRequest& request,
-                           const ReplayFigures& figures) {
+                           const ReplayFigures& figures, const Distances& distances) {
   const io::Recording& recording = findings.recording;
   std::string out = input_summary(recording, request);
   append_summary_line(out, "bees", io::grouped(findings.tracks.size()));
@@ -108,13 +108,15 @@ std::string replay_summary(const analysis::Findings& findings, const MovingReque
                             " one fix only, and so are known for an instant; 'beespace predict' "
                             "brings all bees to one time");
   }
-  append_summary_line(out, "threshold", separation_summary(request, figures.threshold_m, declared));
+  append_summary_line(
+      out, "threshold",
+      separation_summary(request, figures.threshold_m, declared, distances.aviation));
   const auto pairs = analysis::pairs_in_conflict(findings.recorded.conflicts);
   append_summary_line(out, "verdict", verdict(findings, pairs));
   if (findings.closest) {
-    append_summary_line(out, "closest", encounter_text(*findings.closest, recording));
+    append_summary_line(out, "closest", encounter_text(*findings.closest, recording, distances));
   }
-  append_worst(out, findings, pairs);
+  append_worst(out, findings, pairs, distances);
   const std::string bars = findings.has_encounters && !figures.memory_bytes
                                ? bars_over_time(findings, figures.threshold_m)
                                : std::string();

@@ -3,6 +3,7 @@
 
 #include "analysis/recorded/findings.hpp"
 #include "cli/input/moving_options.hpp"
+#include "cli/input/moving_output.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -21,6 +22,6 @@ struct ReplayFigures {
 };
 
 std::string replay_summary(const analysis::Findings& findings, const MovingRequest& request,
-                           const ReplayFigures& figures);
+                           const ReplayFigures& figures, const Distances& distances);
 
 }  // namespace beespace::cli

@@ -8,6 +8,7 @@
 #include "cli/input/moving_output.hpp"
 #include "cli/input/obstacle_file.hpp"
 #include "cli/output/output_file.hpp"
+#include "cli/recorded/flight_check.hpp"
 #include "cli/recorded/verify_findings.hpp"
 #include "cli/recorded/verify_steps.hpp"
 #include "io/bytes/number_text.hpp"
@@ -80,6 +81,9 @@ Result<ExitCode> run_verify(const VerifyRequest& request) {
   load.progress = &progress.reading();
   const auto recording = io::load_recording(moving.inputs, load);
   if (!recording) return recording.error();
+  if (Status flight = check_flight(*recording, moving.inputs.front()); !flight) {
+    return flight.error();
+  }
   if (Status good = check_frame(*recording, request.obstacles); !good) return good.error();
   const auto times_s = analysis::common_times(*recording);
   if (!times_s) return times_s.error();

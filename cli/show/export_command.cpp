@@ -92,7 +92,7 @@ Result<ExitCode> export_to(const ShowRequest& request, const std::string& format
   progress.finish();
   if (!moving.quiet) {
     std::string text;
-    append_scene(text, *scene);
+    append_scene(text, *scene, moving);
     for (const std::string& note : notes) append_summary_line(text, "note", printable(note));
     append_written(text, moving.output, timings);
     say(text);

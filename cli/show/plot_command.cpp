@@ -86,7 +86,7 @@ Result<ExitCode> run_plot(const PlotRequest& request) {
   progress.finish();
   if (!moving.quiet) {
     std::string text;
-    append_scene(text, *scene);
+    append_scene(text, *scene, moving);
     if (!note.empty()) append_summary_line(text, "note", printable(note));
     append_written(text, moving.output, timings);
     say(text);

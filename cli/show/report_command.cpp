@@ -69,7 +69,7 @@ Result<ExitCode> run_report(const ReportRequest& request) {
   progress.finish();
   if (!moving.quiet) {
     std::string text;
-    for (const analysis::Scene& scene : loaded->scenes) append_scene(text, scene);
+    for (const analysis::Scene& scene : loaded->scenes) append_scene(text, scene, moving);
     SceneTimings timings = loaded->timings;
     timings.write_s += written_s;
     append_written(text, moving.output, timings);

@@ -39,7 +39,7 @@ std::size_t bees_of(const report::RecordingFacts& facts) {
 
 }  // namespace
 
-void append_scene(std::string& out, const analysis::Scene& scene) {
+void append_scene(std::string& out, const analysis::Scene& scene, const MovingRequest& request) {
   const report::SwarmFacts& swarm = analysis::swarm_of(scene);
   append_summary_line(out, "input", printable(swarm.title) + " (" + printable(swarm.source) + ")");
   for (const std::string& note : swarm.notes) append_summary_line(out, "note", printable(note));
@@ -47,7 +47,9 @@ void append_scene(std::string& out, const analysis::Scene& scene) {
       out, "bees",
       std::visit([](const auto& facts) { return io::grouped(bees_of(facts)); }, scene));
   append_summary_line(out, "threshold",
-                      separation_text(swarm.threshold_m, swarm.vertical_m, swarm.inclusive));
+                      separation_text(swarm.threshold_m, swarm.vertical_m, swarm.inclusive,
+                                      request.threshold, request.vertical) +
+                          usual_text(request.separation));
   append_summary_line(out, "at risk",
                       std::visit([](const auto& facts) { return risk_of(facts); }, scene));
 }

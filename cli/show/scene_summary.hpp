@@ -2,13 +2,15 @@
 #pragma once
 
 #include "analysis/scene/scene.hpp"
+#include "cli/input/moving_options.hpp"
 #include "cli/show/scene_loading.hpp"
 
 #include <string>
 
 namespace beespace::cli {
 
-void append_scene(std::string& out, const analysis::Scene& scene);
+// The thresholds are said as the request has them, too.
+void append_scene(std::string& out, const analysis::Scene& scene, const MovingRequest& request);
 
 // Where it went, and how long it took.
 void append_written(std::string& out, const std::string& output, const SceneTimings& timings);

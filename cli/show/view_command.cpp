@@ -67,7 +67,8 @@ Result<std::string> page_for(const ReportRequest& request) {
   progress.finish();
   if (!request.show.moving.quiet) {
     std::string text;
-    for (const analysis::Scene& scene : loaded->scenes) append_scene(text, scene);
+    for (const analysis::Scene& scene : loaded->scenes)
+      append_scene(text, scene, request.show.moving);
     say(text);
   }
   return page;

@@ -324,9 +324,10 @@ class Watch {
         out, "bees",
         io::grouped(counts.agents) + " heard of, " + io::grouped(counts.stale) + " stale");
     if (feed_) tally_.append_unknown(out, *feed_);
-    append_summary_line(
-        out, "threshold",
-        separation_text(request_.swarm.threshold_m, request_.swarm.vertical_m, false));
+    append_summary_line(out, "threshold",
+                        separation_text(request_.swarm.threshold_m, request_.swarm.vertical_m,
+                                        false, request_.threshold, request_.vertical) +
+                            usual_text(request_.separation));
     if (feed_) tally_.append_events(out, *feed_, left_out_);
     if (advice_) append_advice(out);
     return out;

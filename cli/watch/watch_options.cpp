@@ -103,9 +103,10 @@ void add_input_options(Command& watch, Asked& asked) {
   watch.option("--rate", "N", request.rate, amount("reports a second", kAboveZero),
                "Read so many reports a second at most");
   watch.group("Separation");
-  watch.option("--threshold", "LENGTH", request.swarm.threshold_m, read_threshold_in_motion,
+  watch.option("--threshold", "LENGTH", request.threshold, read_stated_threshold_in_motion,
                "Closer than this is too close (default: 100)");
   watch.option("--vertical", "LENGTH", request.vertical, read_vertical_in_motion, kVerticalHelp);
+  add_usual_separation_option(watch, request.separation);
   watch.option("--threads", "N", request.swarm.threads, read_threads,
                "How many threads work (default: 1; 0: all)");
   add_live_options(watch, asked.live);
@@ -141,9 +142,9 @@ Status settle_advice(const Command& command, Asked& asked) {
   }
   WatchRequest& request = asked.request;
   if (request.vertical) {
-    return usage_error(kName,
-                       "--advise knows distances in space only; leave --vertical out, or watch "
-                       "twice");
+    return usage_error(kName, std::string("--advise knows distances in space only; leave --") +
+                                  (request.separation != nullptr ? "separation" : "vertical") +
+                                  " out, or watch twice");
   }
   const double look_every_s = asked.live.look_every_s;
   if (!asked.step_s && !(look_every_s >= 1e-6 && look_every_s <= 1e6)) {
@@ -192,6 +193,12 @@ Status settle(const Command& command, Asked& asked) {
   }
   if (request.input.empty()) request.input += '-';
   SwarmOptions& swarm = request.swarm;
+  if (Status settled =
+          settle_separation(kName, request.separation, request.threshold, request.vertical);
+      !settled) {
+    return settled;
+  }
+  if (request.threshold) swarm.threshold_m = request.threshold->metric;
   if (request.vertical) swarm.vertical_m = request.vertical->metric;
   swarm.leave_factor = asked.live.leave_factor;
   swarm.horizon_s = asked.live.horizon_s;

@@ -3,6 +3,7 @@
 
 #include "analysis/live/live_feed.hpp"
 #include "cli/console/exit_code.hpp"
+#include "cli/input/separation.hpp"
 #include "cli/watch/live_advice.hpp"
 #include "io/recording/recording_options.hpp"
 #include "io/units/stated_length.hpp"
@@ -19,7 +20,10 @@ struct WatchRequest {
   std::string input;
   io::RecordingOptions lines;
   SwarmOptions swarm{.threshold_m = 100.0};
-  std::optional<io::StatedLength> vertical;  // that of `swarm`, as typed
+  // Those of `swarm` as typed, and what stands for both.
+  std::optional<io::StatedLength> threshold;
+  std::optional<io::StatedLength> vertical;
+  const UsualSeparation* separation = nullptr;
   analysis::LiveTimes times = {};
   bool by_arrival = false;                  // the time of a report is when it came
   std::optional<double> speed;              // times that of the clock of the reports

@@ -3,6 +3,7 @@
 #include "io/frames/to_metres.hpp"
 #include "io/frames/track_domain.hpp"
 #include "io/problems/skipped_records.hpp"
+#include "io/problems/unplaced.hpp"
 
 #include <beespace/geodesy.hpp>
 
@@ -13,15 +14,6 @@
 
 namespace beespace::io {
 namespace {
-
-constexpr LeftOutReason kNoPosition = {"without a position"};
-constexpr LeftOutReason kNoTime = {"without the time of the position"};
-constexpr LeftOutReason kOnGround = {"of aircraft on the ground",
-                                     "--grounded keeps those that tell a height", true};
-constexpr LeftOutReason kNoEllipsoidHeight = {
-    "without a height above the ellipsoid",
-    "--heights pressure takes heights by pressure instead, for all"};
-constexpr LeftOutReason kNoPressureHeight = {"without a height by pressure"};
 
 std::string number_text(double value) {
   std::array<char, 32> text = {};

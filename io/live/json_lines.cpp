@@ -2,14 +2,18 @@
 //
 // The keys become the columns of a TrackLayout: each key that is new makes the layout be chosen
 // again, so that "vx" may come later than "x".
+#include "io/bytes/characters.hpp"
+#include "io/bytes/number_text.hpp"
 #include "io/frames/to_metres.hpp"
 #include "io/frames/track_domain.hpp"
 #include "io/json/json_line.hpp"
 #include "io/live/line_reader.hpp"
 #include "io/live/report_layout.hpp"
 #include "io/problems/excerpt.hpp"
+#include "io/problems/unplaced.hpp"
 #include "io/table/coordinate_units.hpp"
 #include "io/tracks/track_layout.hpp"
+#include "io/tracks/track_time.hpp"
 #include "io/tracks/track_velocity.hpp"
 #include "io/units/iso_time.hpp"
 
@@ -33,7 +37,7 @@ ColumnContent content_of(JsonElement value) {
 // What a field of a table would hold of it: enough to tell dates from numbers.
 std::string field_text(JsonElement value) {
   std::string_view text;
-  if (value.is_number()) return "1";
+  if (double number = 0.0; value.get(number)) return exact(number);
   if (!value.get(text)) return value.is_null() ? "" : "?";
   std::string field(text.substr(0, 40));
   for (char& c : field) {
@@ -48,6 +52,7 @@ class JsonLines final : public LineReader {
 
   Result<std::optional<ReportLine>> read(std::string_view line) override {
     last_id_.clear();
+    hides_ = false;
     if (unit_problem_) return *unit_problem_;
     const auto object = line_.parse(line);
     if (!object) return object.error();
@@ -60,12 +65,14 @@ class JsonLines final : public LineReader {
 
   [[nodiscard]] bool settled() const override { return chosen_; }
   [[nodiscard]] std::string_view last_id() const override { return last_id_; }
+  [[nodiscard]] bool hides() const override { return hides_; }
 
   [[nodiscard]] LineFacts facts() const override {
     LineFacts facts;
     facts.description = "JSON, an object a line";
     if (!chosen_) return facts;
     facts.notes = layout_.notes;
+    for (std::string& note : left_out_.notes()) facts.notes.push_back(std::move(note));
     facts.units = layout_.units;
     facts.heights = layout_.table.choice.datum;
     return facts;
@@ -174,6 +181,12 @@ class JsonLines final : public LineReader {
     report.since_1970 = layout_.time->since_1970;
     if (auto error = read_id(report)) return *std::move(error);
     last_id_ = report.id;
+    if (const LeftOutReason* const reason = reason_to_leave_out()) {
+      left_out_.add(*reason);
+      hides_ = !reason->harmless;
+      return std::optional<ReportLine>();
+    }
+    read_label(report);
     if (auto error = read_time(report)) return *std::move(error);
     if (auto error = read_position(report)) return *std::move(error);
     if (auto error = read_velocity(report)) return *std::move(error);
@@ -188,6 +201,28 @@ class JsonLines final : public LineReader {
     return Error{ErrorCode::kMalformedRecord,
                  name_of(column) + " is no id; give a text or a whole number",
                  {}};
+  }
+
+  void read_label(ReportLine& report) {
+    const auto& value = values_[TrackSlot::kLabel];
+    if (!layout_.label || !value || !value->get(report.label)) return;
+    report.label = without_padding(report.label);
+  }
+
+  // Of what aircraft say of themselves: what is not known is no mistake.
+  [[nodiscard]] const LeftOutReason* reason_to_leave_out() const {
+    if (!layout_.of_aircraft) return nullptr;
+    const auto unknown = [this](std::size_t slot) {
+      return !values_[slot] || values_[slot]->is_null();
+    };
+    bool on_ground = false;
+    if (const auto& value = values_[TrackSlot::kOnGround]; layout_.on_ground && value) {
+      if (value->get(on_ground) && on_ground) return &kOnGround;
+    }
+    if (unknown(TrackSlot::kPosition) || unknown(TrackSlot::kPosition + 1)) return &kNoPosition;
+    if (unknown(TrackSlot::kTime)) return &kNoTime;
+    const bool height = layout_.table.choice.dimensions == 3;
+    return height && unknown(TrackSlot::kPosition + 2) ? layout_.no_height : nullptr;
   }
 
   std::optional<Error> read_time(ReportLine& report) {
@@ -209,6 +244,14 @@ class JsonLines final : public LineReader {
     }
     double number = 0.0;
     if (value->get(number)) {
+      if (time.by_size && unit_since_1970(number) != time.unit) {
+        return Error{ErrorCode::kOutsideDomain,
+                     name_of(time.column) + " is no time since 1970 in " +
+                         std::string(symbol_of(time.unit)) +
+                         ", as the first one is; say the unit of all with --time-unit, or correct "
+                         "it",
+                     {}};
+      }
       report.time_s = without_dust(in_metric(number, time.unit));
       if (in_motion_domain(report.time_s)) return std::nullopt;
     }
@@ -255,6 +298,8 @@ class JsonLines final : public LineReader {
   std::vector<std::uint8_t> slots_;  // by key: which value it is
   TrackLayout layout_;
   bool chosen_ = false;
+  LeftOut left_out_;
+  bool hides_ = false;
   std::optional<Error> unit_problem_;  // that a later key has brought
   std::array<std::optional<JsonElement>, TrackSlot::kNothing + 1> values_ = {};
 };

@@ -22,6 +22,7 @@ class TableLines final : public LineReader {
 
   Result<std::optional<ReportLine>> read(std::string_view line) override {
     record_.id = {};
+    hides_ = false;
     if (!reader_) {
       if (auto header = take_header(line)) return *std::move(header);
       return read_first(line);
@@ -34,6 +35,7 @@ class TableLines final : public LineReader {
   }
 
   [[nodiscard]] std::string_view last_id() const override { return record_.id; }
+  [[nodiscard]] bool hides() const override { return hides_; }
   [[nodiscard]] bool ended() const override { return ended_; }
 
   [[nodiscard]] bool settled() const override { return layout_found_; }
@@ -44,6 +46,7 @@ class TableLines final : public LineReader {
     if (!reader_) return facts;
     facts.description += ", " + std::string(delimiter_name(layout_.table.delimiter)) + "-separated";
     facts.notes = layout_.notes;
+    for (std::string& note : left_out_.notes()) facts.notes.push_back(std::move(note));
     facts.units = layout_.units;
     facts.heights = layout_.table.choice.datum;
     return facts;
@@ -120,8 +123,14 @@ class TableLines final : public LineReader {
       if (record_.id.empty()) record_.id = id_of(line);
       return without_advice(*std::move(error));
     }
+    hides_ = record_.left_out != nullptr && !record_.left_out->harmless;
+    if (record_.left_out != nullptr) {
+      left_out_.add(*record_.left_out);
+      return std::optional<ReportLine>();
+    }
     ReportLine report;
     report.id = record_.id;
+    report.label = record_.label;
     report.time_s = record_.time_s;
     report.position = record_.position;
     report.frame = layout_.frame;
@@ -153,6 +162,8 @@ class TableLines final : public LineReader {
   TrackLayout layout_;
   bool layout_found_ = false;
   bool ended_ = false;
+  LeftOut left_out_;
+  bool hides_ = false;
   std::optional<TrackRecordReader> reader_;
   TrackRecord record_;
 };

@@ -29,10 +29,15 @@ constexpr std::array<Kind, 11> kKinds = {{
     {"\"trajectory\"",
      "JSON of a Skybrush trajectory, which is a part of a show; 'beespace replay' reads the show"},
     {"\"hex\"", "JSON of aircraft, an object a line; 'beespace watch' reads it"},
-    {"\"lat\"", "JSON of reports; where each is an object on a line, 'beespace watch' reads it"},
+    {"\"lat\"",
+     "JSON with a table of positions; 'beespace replay' and 'beespace predict' read it, and "
+     "'beespace watch' where each is an object on a line"},
     {"\"latitude\"",
-     "JSON of reports; where each is an object on a line, 'beespace watch' reads it"},
-    {"\"time_s\"", "JSON of reports; where each is an object on a line, 'beespace watch' reads it"},
+     "JSON with a table of positions; 'beespace replay' and 'beespace predict' read it, and "
+     "'beespace watch' where each is an object on a line"},
+    {"\"time_s\"",
+     "JSON with a table of positions; 'beespace replay' and 'beespace predict' read it, and "
+     "'beespace watch' where each is an object on a line"},
 }};
 
 }  // namespace

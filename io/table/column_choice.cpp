@@ -290,10 +290,16 @@ ColumnMeaning Header::stated(std::size_t column) const {
 }
 
 std::size_t choose_id(const TableLayout& table, const std::vector<std::size_t>& candidates) {
-  const auto alone = std::find_if(
-      candidates.begin(), candidates.end(),
-      [&table](std::size_t column) { return split_words(table.names[column]).size() == 1; });
-  return alone != candidates.end() ? *alone : candidates.front();
+  std::vector<std::size_t> alone;
+  for (const std::size_t column : candidates) {
+    if (split_words(table.names[column]).size() == 1) alone.push_back(column);
+  }
+  if (alone.empty()) return candidates.front();
+  // An aircraft has one address and flies as many.
+  const auto lasting = std::find_if(alone.begin(), alone.end(), [&table](std::size_t column) {
+    return lower_case(without_padding(table.names[column])) != "callsign";
+  });
+  return lasting != alone.end() ? *lasting : alone.front();
 }
 
 bool resembles(const ColumnSchema& schema, const std::string& name, Role role) {

@@ -59,7 +59,8 @@ class Header {
   std::array<std::vector<std::size_t>, kRoles> by_role_;
 };
 
-// Of columns that could all be the id, the one that is: "id" before "frame_id".
+// Of columns that could all be the id, the one that is: "id" before "frame_id", "icao24" before
+// "callsign".
 std::size_t choose_id(const TableLayout& table, const std::vector<std::size_t>& candidates);
 
 // A column whose name is not understood, but resembles the role.

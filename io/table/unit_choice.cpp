@@ -37,14 +37,15 @@ Error UnitChoice::unknown(UnitRole role, std::size_t column) const {
   const std::string word(role_name(role));
   const std::string unit(symbol_of(usual(role)));
   const std::string metric(symbol_of(ours(role)));
-  return at_column(ErrorCode::kInvalidArgument,
-                   "column " + std::to_string(column + 1) + " " + excerpt(name) + " holds the " +
-                       word + ", but in which unit? The header speaks of aviation (" + aviation_ +
-                       "), where it may be " + unit + " or " + metric +
-                       "; say it in the header, as in " + excerpt(name + " [" + unit + "]") +
-                       " or " + excerpt(name + " [" + metric + "]") + ", or with --units " + word +
-                       "=" + unit + " or " + word + "=" + metric,
-                   column);
+  return at_column(
+      ErrorCode::kInvalidArgument,
+      "column " + std::to_string(column + 1) + " " + excerpt(name) + " holds the " + word +
+          ", but in which unit? The header speaks of aviation (" + aviation_ +
+          "), where it may be " + unit + " or " + metric + "; say it in the header, as in " +
+          excerpt(name + " [" + unit + "]") + " or " + excerpt(name + " [" + metric + "]") +
+          ", or with --units " + word + "=" + unit + " or " + word + "=" + metric +
+          (role == UnitRole::kPosition ? "" : "; --units aviation says ft, kt and ft/min of all"),
+      column);
 }
 
 Result<UnitTaken> UnitChoice::choose(UnitRole role, const std::string& of, std::size_t column,
@@ -75,8 +76,21 @@ Result<UnitTaken> UnitChoice::choose(UnitRole role, const std::string& of, std::
           "the header is that of " + std::string(source_->name) + ", which has " + name + " in it"};
     }
   }
+  const UnitConvention convention = overrides_.convention;
+  if (convention == UnitConvention::kMetric) {
+    return UnitTaken{of, ours(role), UnitEvidence::kAsked, "asked for with --units metric"};
+  }
+  if (convention == UnitConvention::kAviation && role != UnitRole::kPosition) {
+    return UnitTaken{of, usual(role), UnitEvidence::kAsked, "asked for with --units aviation"};
+  }
   if (!aviation_.empty() && !name.empty()) {
     return unknown(role, column);
+  }
+  if (convention == UnitConvention::kAviation) {
+    return at_column(ErrorCode::kInvalidArgument,
+                     "--units aviation does not say in which unit x, y and z are; add it, as in "
+                     "--units aviation,position=NM or position=m",
+                     column);
   }
   return UnitTaken{of, ours(role), UnitEvidence::kUsual,
                    names_.empty() ? "there is no header that says otherwise"

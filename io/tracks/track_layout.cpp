@@ -1,15 +1,12 @@
 #include "io/tracks/track_layout.hpp"
 
-#include "io/bytes/characters.hpp"
-#include "io/points/record_reading.hpp"
-#include "io/problems/excerpt.hpp"
 #include "io/table/column_choice.hpp"
-#include "io/table/fields.hpp"
 #include "io/table/record_problems.hpp"
 #include "io/table/unit_choice.hpp"
+#include "io/tracks/track_aircraft.hpp"
 #include "io/tracks/track_columns.hpp"
+#include "io/tracks/track_time.hpp"
 #include "io/tracks/track_velocity.hpp"
-#include "io/units/iso_time.hpp"
 
 #include <utility>
 
@@ -29,81 +26,12 @@ std::optional<std::size_t> choose_id(const Header& header, std::vector<std::stri
   const TableLayout& table = header.table();
   const std::size_t chosen = io::choose_id(table, found);
   for (const std::size_t other : found) {
-    if (other == chosen) continue;
+    if (other == chosen || names_flight(table.names[other])) continue;
     notes.push_back("ids are read from " + column_text(table, chosen) + ", not from " +
                     column_text(table, other) + "; --columns id=" + std::to_string(other + 1) +
                     " would change that");
   }
   return chosen;
-}
-
-// ---- Time ----------------------------------------------------------------------------------
-
-// Whether the first time of the table is a date.
-bool holds_dates(std::string_view text, const TableLayout& table, std::size_t column) {
-  constexpr int kLookedAt = 16;
-  std::size_t offset = table.data_offset;
-  for (int i = 0; i < kLookedAt && offset < text.size(); ++i) {
-    const Line line = line_at(text, offset, table.line_end);
-    offset = line.next;
-    if (line.text.size() > kLongestLine) continue;
-    const auto time = without_padding(field_at(line.text, table.delimiter, column).text);
-    if (!time.empty()) return looks_like_iso_time(time);
-  }
-  return false;
-}
-
-Result<TimeChoice> choose_unit(TimeChoice time, const ColumnMeaning& meaning,
-                               const TableLayout& table, Unit asked) {
-  if (time.iso) {
-    time.since_1970 = true;
-    return time;
-  }
-  time.since_1970 = meaning.since_1970;
-  time.unit = asked != Unit::kUnstated ? asked : if_unit_of(meaning.unit, Quantity::kTime);
-  if (asked == Unit::kUnstated && !meaning.foreign_unit.empty()) {
-    return at_column(ErrorCode::kUnsupportedFormat,
-                     column_text(table, time.column) + " is in '" + meaning.foreign_unit +
-                         "'; convert it first: beespace reads s, ms, us, ns and dates of ISO 8601",
-                     time.column);
-  }
-  if (time.unit == Unit::kUnstated) {
-    return at_column(ErrorCode::kInvalidArgument,
-                     column_text(table, time.column) +
-                         " holds the time, but in which unit? Say it with --time-unit s, ms, us "
-                         "or ns, or in the header: time_s",
-                     time.column);
-  }
-  return time;
-}
-
-Result<std::optional<TimeChoice>> choose_time(std::string_view text, const Header& header,
-                                              Unit asked) {
-  const TableLayout& table = header.table();
-  std::optional<std::size_t> column = header.override_of(Role::kTime);
-  const ColumnMeaning meaning = column ? header.stated(*column) : ColumnMeaning();
-  const std::vector<std::size_t>& found = header.columns(Role::kTime);
-  if (!column && found.size() > 1) {
-    return missing("both " + column_text(table, found[0]) + " and " + column_text(table, found[1]) +
-                   " look like the time; say which with --columns "
-                   "time=" +
-                   std::to_string(found[0] + 1) + " or time=" + std::to_string(found[1] + 1));
-  }
-  if (!column && found.empty()) return std::optional<TimeChoice>();
-  TimeChoice time;
-  time.column = column ? *column : found.front();
-  time.iso = holds_dates(text, table, time.column);
-  auto chosen = choose_unit(time, column ? meaning : header.meaning(time.column), table, asked);
-  if (!chosen) return chosen.error();
-  return std::optional<TimeChoice>(chosen.value());
-}
-
-std::string time_note(const TableLayout& table, const TimeChoice& time, bool asked) {
-  std::string text = "times are read from " + column_text(table, time.column);
-  if (time.iso) return text + " as dates and times (ISO 8601)";
-  text += " in " + std::string(symbol_of(time.unit));
-  if (asked) text += ", as asked for";
-  return text + (time.since_1970 ? ", since 1970" : "");
 }
 
 // ---- Position ------------------------------------------------------------------------------
@@ -216,6 +144,8 @@ std::vector<std::uint8_t> slots_of(const TrackLayout& layout) {
     if (column < slots.size()) slots[column] = static_cast<std::uint8_t>(slot);
   };
   const ColumnChoice& choice = layout.table.choice;
+  if (layout.label) fill(*layout.label, TrackSlot::kLabel);
+  if (layout.on_ground) fill(*layout.on_ground, TrackSlot::kOnGround);
   for (std::size_t i = 0; layout.velocity && i < layout.velocity->dimensions; ++i) {
     fill(layout.velocity->columns[i], TrackSlot::kVelocity + i);
   }
@@ -255,6 +185,7 @@ Result<TrackLayout> choose_track_layout(TableLayout table, std::string_view text
   layout.velocity = *velocity;
   if (!layout.time && !layout.velocity) return missing(no_time(header));
   if (auto error = doubly_used(track_columns(), columns_read(layout))) return *std::move(error);
+  settle_aircraft(header, options, layout);
   if (layout.time) {
     layout.notes.push_back(
         time_note(layout.table, *layout.time, options.time_unit != Unit::kUnstated));

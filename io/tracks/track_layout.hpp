@@ -3,6 +3,7 @@
 #pragma once
 
 #include "io/frames/coordinate_frame.hpp"
+#include "io/problems/left_out.hpp"
 #include "io/recording/recording_options.hpp"
 #include "io/table/table_layout.hpp"
 #include "io/units/unit_taken.hpp"
@@ -24,6 +25,7 @@ struct TimeChoice {
   Unit unit = Unit::kSecond;
   bool iso = false;  // dates and times, not numbers
   bool since_1970 = false;
+  bool by_size = false;  // the unit was told by the size of the numbers
 };
 
 struct VelocityChoice {
@@ -41,7 +43,13 @@ struct TrackLayout {
   std::string frame_reason = {};
   std::optional<TimeChoice> time = {};  // none: a snapshot
   std::optional<VelocityChoice> velocity = {};
-  std::vector<UnitTaken> units = {};  // of positions and velocities
+  // Of aircraft, what may be unknown is left out where it is: a record without a place is no
+  // mistake.
+  bool of_aircraft = false;
+  const LeftOutReason* no_height = nullptr;   // what to say of such a record
+  std::optional<std::size_t> label = {};      // what each is called beside its id: the flight
+  std::optional<std::size_t> on_ground = {};  // of those that are left out
+  std::vector<UnitTaken> units = {};          // of positions and velocities
   std::vector<std::string> notes = {};
 };
 
@@ -51,7 +59,9 @@ struct TrackSlot {
   static constexpr std::size_t kTime = 1;
   static constexpr std::size_t kPosition = 2;  // three of them
   static constexpr std::size_t kVelocity = 5;  // three of them
-  static constexpr std::size_t kNothing = 8;   // where columns go that are not asked for
+  static constexpr std::size_t kLabel = 8;
+  static constexpr std::size_t kOnGround = 9;
+  static constexpr std::size_t kNothing = 10;  // where columns go that are not asked for
 };
 
 // By column: which slot it fills. An id may be read from a column that is something else too, but

@@ -6,9 +6,12 @@
 #include "io/frames/track_domain.hpp"
 #include "io/problems/excerpt.hpp"
 #include "io/problems/skipped_records.hpp"
+#include "io/problems/unplaced.hpp"
 #include "io/table/coordinate_units.hpp"
 #include "io/table/fields.hpp"
 #include "io/table/record_problems.hpp"
+#include "io/tracks/track_aircraft.hpp"
+#include "io/tracks/track_time.hpp"
 #include "io/tracks/track_velocity.hpp"
 #include "io/units/iso_time.hpp"
 
@@ -89,6 +92,30 @@ std::optional<Error> TrackRecordReader::read_id(TrackRecord& record) {
   return std::nullopt;
 }
 
+void TrackRecordReader::read_label(TrackRecord& record) {
+  record.label = {};
+  if (!layout_.label) return;
+  const Field& field = fields_[TrackSlot::kLabel];
+  record.label = without_padding(field.text);
+  if (is_unknown(record.label)) record.label = {};
+  if (!field.doubled_quotes) return;
+  unquoted_label_ = unquoted(field);
+  record.label = unquoted_label_;
+}
+
+// Of what aircraft say of themselves: what is not known is no mistake.
+const LeftOutReason* TrackRecordReader::reason_to_leave_out() const {
+  if (!layout_.of_aircraft) return nullptr;
+  const auto unknown = [this](std::size_t slot) {
+    return is_unknown(without_padding(fields_[slot].text));
+  };
+  if (layout_.on_ground && says_yes(fields_[TrackSlot::kOnGround].text)) return &kOnGround;
+  if (unknown(TrackSlot::kPosition) || unknown(TrackSlot::kPosition + 1)) return &kNoPosition;
+  if (layout_.time && unknown(TrackSlot::kTime)) return &kNoTime;
+  const bool height = layout_.table.choice.dimensions == 3;
+  return height && unknown(TrackSlot::kPosition + 2) ? layout_.no_height : nullptr;
+}
+
 std::optional<Error> TrackRecordReader::read_time(TrackRecord& record) {
   if (!layout_.time) return std::nullopt;
   const TimeChoice& time = *layout_.time;
@@ -110,6 +137,15 @@ std::optional<Error> TrackRecordReader::read_time(TrackRecord& record) {
   }
   if (kind != NumberKind::kNumber) {
     return number_problem(kind, text, "time", std::string(kMotionDomain) + " s", time.column);
+  }
+  if (time.by_size && unit_since_1970(value) != time.unit) {
+    return at_column(ErrorCode::kOutsideDomain,
+                     excerpt(text) + " is no time since 1970 in " +
+                         std::string(symbol_of(time.unit)) +
+                         ", as the first times are; say the unit of all with --time-unit, or "
+                         "correct it" +
+                         std::string(kOrLeaveOut),
+                     time.column);
   }
   record.time_s = without_dust(in_metric(value, time.unit));
   if (in_motion_domain(record.time_s)) return std::nullopt;
@@ -194,6 +230,9 @@ std::optional<Error> TrackRecordReader::read(std::string_view line, TrackRecord&
   }
   if (auto problem = record_problem(line, layout_.table, count, cursor.problem())) return problem;
   if (auto problem = read_id(record)) return problem;
+  read_label(record);
+  record.left_out = reason_to_leave_out();
+  if (record.left_out != nullptr) return std::nullopt;
   if (auto problem = read_time(record)) return problem;
   if (auto problem = read_position(record)) return problem;
   return read_velocity(record);

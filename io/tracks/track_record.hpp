@@ -1,6 +1,7 @@
 // One line of a table of fixes -> whose, when, where and how fast, or what is wrong.
 #pragma once
 
+#include "io/problems/left_out.hpp"
 #include "io/table/fields.hpp"
 #include "io/tracks/track_layout.hpp"
 
@@ -19,11 +20,14 @@
 namespace beespace::io {
 
 struct TrackRecord {
-  std::string_view id = {};    // as long as the line and the reader live
-  double time_s = 0.0;         // 0 where there is no time
-  Point position = {};         // metres, or degrees and a height in metres
-  double stated_height = 0.0;  // or z, as the input has it
-  Velocity velocity = {};      // not-a-number where it is unknown
+  // Why the record of an aircraft is left out, and read no further; or nothing.
+  const LeftOutReason* left_out = nullptr;
+  std::string_view label = {};  // what it is called beside its id; as long as that
+  std::string_view id = {};     // as long as the line and the reader live
+  double time_s = 0.0;          // 0 where there is no time
+  Point position = {};          // metres, or degrees and a height in metres
+  double stated_height = 0.0;   // or z, as the input has it
+  Velocity velocity = {};       // not-a-number where it is unknown
 };
 
 class TrackRecordReader {
@@ -37,6 +41,8 @@ class TrackRecordReader {
 
  private:
   std::optional<Error> read_id(TrackRecord& record);
+  void read_label(TrackRecord& record);
+  [[nodiscard]] const LeftOutReason* reason_to_leave_out() const;
   std::optional<Error> read_time(TrackRecord& record);
   std::optional<Error> read_position(TrackRecord& record);
   std::optional<Error> read_velocity(TrackRecord& record);
@@ -45,6 +51,7 @@ class TrackRecordReader {
   std::vector<std::uint8_t> slots_;  // by column: which slot it fills
   std::array<Field, TrackSlot::kNothing + 1> fields_ = {};
   std::string unquoted_id_;
+  std::string unquoted_label_;
 };
 
 }  // namespace beespace::io

@@ -1,5 +1,6 @@
 #include "io/tracks/track_table.hpp"
 
+#include "io/problems/excerpt.hpp"
 #include "io/problems/text_check.hpp"
 #include "io/table/record_walk.hpp"
 #include "io/tracks/track_layout.hpp"
@@ -11,7 +12,22 @@
 namespace beespace::io {
 namespace {
 
-SourceFacts facts_of(const TrackLayout& layout) {
+// The column of an error by the name of its key.
+void place(Error& error, std::uint64_t line, std::uint64_t row, RecordPlace how,
+           const TrackLayout& layout) {
+  if (how != RecordPlace::kRecordAndName) error.location.line = line;
+  error.location.record = row;
+  if (how == RecordPlace::kLineAndColumn || !error.location.column) return;
+  const std::size_t column = *error.location.column - 1;
+  if (column < layout.table.names.size()) {
+    error.message.insert(0, excerpt(layout.table.names[column]) + ": ");
+  }
+  error.location.column.reset();
+}
+
+}  // namespace
+
+SourceFacts facts_of(const TrackLayout& layout, std::string description) {
   const ColumnChoice& choice = layout.table.choice;
   SourceFacts facts;
   facts.frame = layout.frame;
@@ -23,14 +39,13 @@ SourceFacts facts_of(const TrackLayout& layout) {
   facts.heights = choice.datum;
   facts.height_unit = choice.height_unit();
   facts.units = layout.units;
-  facts.description = "text, " + std::string(delimiter_name(layout.table.delimiter)) + "-separated";
+  facts.description = std::move(description);
   return facts;
 }
 
-// All records of some lines, behind so many rows; counts the rows.
-std::optional<Error> read_records(std::string_view text, const TrackLayout& layout,
-                                  const std::string& stem, std::uint64_t& rows_before,
-                                  RecordingAssembly& assembly) {
+std::optional<Error> read_track_records(std::string_view text, const TrackLayout& layout,
+                                        const std::string& stem, RecordPlace place_of,
+                                        std::uint64_t& rows_before, RecordingAssembly& assembly) {
   constexpr std::uint64_t kRowsPerReport = 4096;
   Progress* const progress = assembly.options().progress;
   const bool nameless_rows = !layout.table.choice.id && !layout.time;
@@ -56,9 +71,12 @@ std::optional<Error> read_records(std::string_view text, const TrackLayout& layo
       record.id = row_id;
     }
     if (auto error = reader.read(walk.record(), record)) {
-      error->location.line = line;
-      error->location.record = rows_before + walk.row();
+      place(*error, line, rows_before + walk.row(), place_of, layout);
       if (auto fatal = assembly.bad(*std::move(error), record.id)) return fatal;
+      continue;
+    }
+    if (record.left_out != nullptr) {
+      assembly.leave_out(*record.left_out, record.id);
       continue;
     }
     Origin origin;
@@ -68,6 +86,7 @@ std::optional<Error> read_records(std::string_view text, const TrackLayout& layo
     if (height_unit != Unit::kMetre) stated_height = record.stated_height;
     assembly.tracks().add(record.id, {record.time_s, record.position},
                           layout.velocity ? &record.velocity : nullptr, origin, stated_height);
+    if (!record.label.empty()) assembly.tracks().label(record.id, record.label);
   }
   if (progress != nullptr) {
     progress->done += static_cast<std::uint64_t>(text.data() + text.size() - reported);
@@ -76,8 +95,6 @@ std::optional<Error> read_records(std::string_view text, const TrackLayout& layo
   rows_before += rows;
   return std::nullopt;
 }
-
-}  // namespace
 
 TrackTableReader::TrackTableReader(TrackLayout layout, std::string stem,
                                    RecordingAssembly& assembly)
@@ -95,7 +112,8 @@ Result<TrackTableReader> TrackTableReader::begin(const TrackTable& beginning,
   const std::string_view text = without_byte_order_mark(beginning.bytes);
   auto layout = find_track_layout(text, assembly.options(), beginning.bare_skybrush);
   if (!layout) return std::move(layout).error();
-  if (auto error = assembly.agree(facts_of(*layout))) return *std::move(error);
+  std::string form = "text, " + std::string(delimiter_name(layout->table.delimiter)) + "-separated";
+  if (auto error = assembly.agree(facts_of(*layout, std::move(form)))) return *std::move(error);
   for (std::string& note : layout->notes) assembly.note(std::move(note));
   if (!layout->table.choice.id) {
     assembly.note(layout->time ? "there is no id: each file is taken for one bee, named after it"
@@ -107,7 +125,8 @@ Result<TrackTableReader> TrackTableReader::begin(const TrackTable& beginning,
 }
 
 std::optional<Error> TrackTableReader::read(std::string_view lines) {
-  auto error = read_records(lines, *layout_, stem_, rows_, *assembly_);
+  auto error =
+      read_track_records(lines, *layout_, stem_, RecordPlace::kLineAndColumn, rows_, *assembly_);
   layout_->table.lines_before +=
       static_cast<std::uint64_t>(std::count(lines.begin(), lines.end(), layout_->table.line_end));
   return error;

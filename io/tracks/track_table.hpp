@@ -21,6 +21,22 @@ struct TrackTable {
   bool bare_skybrush = false;   // without a header it is a Skybrush CSV
 };
 
+// How errors name the place of a record.
+enum class RecordPlace : std::uint8_t {
+  kLineAndColumn,  // of a text table
+  kLineAndName,    // of objects, one a line: the column is a key
+  kRecordAndName,  // of other JSON, whose lines say nothing
+};
+
+// Facts of a layout that `description` says the form of.
+SourceFacts facts_of(const TrackLayout& layout, std::string description);
+
+// All records of `text`, some lines behind the header and behind so many rows, into the source that
+// `assembly` has begun; counts the rows. `stem` is the bee where there is no id column.
+std::optional<Error> read_track_records(std::string_view text, const TrackLayout& layout,
+                                        const std::string& stem, RecordPlace place,
+                                        std::uint64_t& rows_before, RecordingAssembly& assembly);
+
 // A table whose lines come some at a time, into the source that `assembly` has begun; it must
 // outlive this.
 class TrackTableReader {

@@ -104,7 +104,7 @@ std::optional<VelocityChoice> choose_along_axes(const VelocityQuestion& question
 
 std::optional<VelocityChoice> choose_over_ground(const VelocityQuestion& question,
                                                  std::vector<std::string>& notes) {
-  if (question.frame != Frame::kWgs84) return std::nullopt;
+  if (question.frame != Frame::kWgs84 && !is_east_north(question)) return std::nullopt;
   const Header& header = question.header;
   const auto speed = header.only(Role::kGroundSpeed);
   const auto track = header.only(Role::kTrack);

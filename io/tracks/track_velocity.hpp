@@ -23,10 +23,10 @@ struct VelocityQuestion {
 };
 
 // Velocities are read where they are along the axes of the position: x, y, z in metres; east,
-// north, up (or down) beside degrees, or beside metres that are named so; or beside degrees as
-// speed and direction over ground, perhaps with a climb rate. Others are left out, and `notes` says
-// why: they are no part of a track. `taken` says which units they have. Errors: kInvalidArgument
-// where a unit must be said.
+// north, up (or down) beside degrees, or beside metres that are named so; or beside either of these
+// as speed and direction over ground, perhaps with a climb rate. Others are left out, and `notes`
+// says why: they are no part of a track. `taken` says which units they have. Errors:
+// kInvalidArgument where a unit must be said.
 Result<std::optional<VelocityChoice>> choose_velocity(const VelocityQuestion& question,
                                                       std::vector<std::string>& notes,
                                                       std::vector<UnitTaken>& taken);

@@ -4,6 +4,7 @@
 #include "io/problems/excerpt.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -29,7 +30,13 @@ Error invalid(std::string message) {
 Error not_understood(std::string_view item) {
   return invalid(excerpt(item) +
                  " is not understood; write role=unit, where the role is position, height, speed "
-                 "or climb, as in height=ft,speed=kt,climb=ft/min");
+                 "or climb, as in height=ft,speed=kt,climb=ft/min; or metric, or aviation");
+}
+
+std::optional<UnitConvention> convention_of(std::string_view word) {
+  if (word == "metric") return UnitConvention::kMetric;
+  if (word == "aviation") return UnitConvention::kAviation;
+  return std::nullopt;
 }
 
 const Slot& slot_of(UnitRole role) {
@@ -64,6 +71,16 @@ Result<UnitOverrides> read_unit_overrides(std::string_view text) {
     const std::size_t comma = text.find(',');
     const std::string_view item = text.substr(0, comma);
     const std::size_t equals = item.find('=');
+    if (const auto convention = convention_of(without_padding(item))) {
+      if (overrides.convention != UnitConvention::kNone) {
+        return invalid("metric and aviation are given, or one of them twice; keep one");
+      }
+      overrides.convention = *convention;
+      if (comma == std::string_view::npos) break;
+      text.remove_prefix(comma + 1);
+      if (text.empty()) return invalid("a comma at the end; remove it");
+      continue;
+    }
     if (equals == std::string_view::npos) return not_understood(item);
     const std::string_view role = without_padding(item.substr(0, equals));
     const std::string_view word = without_padding(item.substr(equals + 1));

@@ -1,4 +1,5 @@
-// What the caller says of units: "height=ft,speed=kt,climb=ft/min", by role.
+// What the caller says of units: "height=ft,speed=kt,climb=ft/min", by role; or "metric",
+// "aviation".
 #pragma once
 
 #include "io/units/units.hpp"
@@ -22,13 +23,23 @@ enum class UnitRole : std::uint8_t {
 std::string_view role_name(UnitRole role);
 Quantity quantity_of(UnitRole role);
 
+// What holds where neither the header, nor a known source, nor a unit by role says anything, and in
+// which units people are told.
+enum class UnitConvention : std::uint8_t {
+  kNone,
+  kMetric,    // metres, metres a second
+  kAviation,  // feet, knots, feet a minute; told in nautical miles and feet, too
+};
+
 // kUnstated where nothing is said.
 struct UnitOverrides {
   Unit position = Unit::kUnstated;
   Unit height = Unit::kUnstated;
   Unit speed = Unit::kUnstated;
   Unit climb = Unit::kUnstated;
+  UnitConvention convention = UnitConvention::kNone;
 
+  // Whether a unit is said by role.
   [[nodiscard]] bool any() const;
   [[nodiscard]] Unit of(UnitRole role) const;
 };

@@ -45,7 +45,7 @@ class Detecting {
         search_(request, folder_, memory, bar),
         ids_(folder_),
         records_(folder_),
-        positions_(folder_),
+        places_(folder_),
         shown_(input.own_ids() ? &ids_ : nullptr, input.skipped()) {}
 
   Result<ExitCode> run() {
@@ -78,21 +78,21 @@ class Detecting {
   }
 
   // Whether how far a pair is apart is told of them.
-  [[nodiscard]] bool needs_positions() const {
-    return input_.heights_are_apart() && std::string_view(request_.report->name) == "pairs";
+  [[nodiscard]] bool needs_places() const {
+    return request_.vertical && std::string_view(request_.report->name) == "pairs";
   }
 
-  [[nodiscard]] std::array<TextStore*, 3> stores() { return {&ids_, &records_, &positions_}; }
+  [[nodiscard]] std::array<TextStore*, 3> stores() { return {&ids_, &records_, &places_}; }
 
   [[nodiscard]] std::uint64_t skipped() const { return input_.skipped().rows.size(); }
 
   Status read() {
     const LargeInputSinks sinks = {search_.points(), input_.own_ids() ? &ids_ : nullptr,
                                    writes_records() ? &records_ : nullptr,
-                                   needs_positions() ? &positions_ : nullptr};
-    search_.set_heights(input_.height_unit(), sinks.positions);
+                                   needs_places() ? &places_ : nullptr};
+    search_.set_heights(input_.height_unit(), input_.heights_are_apart(), sinks.places);
     if (auto status = input_.read(sinks, bar_); !status) return status;
-    const std::size_t texts = memory_.texts / (writes_records() || needs_positions() ? 2 : 1);
+    const std::size_t texts = memory_.texts / (writes_records() || needs_places() ? 2 : 1);
     for (TextStore* const store : stores()) {
       store->finish(texts);
       if (!store->status()) return store->status();
@@ -231,7 +231,7 @@ class Detecting {
   LargeSearch search_;
   TextStore ids_;
   TextStore records_;
-  TextStore positions_;
+  TextStore places_;
   LargeIds shown_;
   io::RepeatedIds repeated_;
   Stopwatch watch_;

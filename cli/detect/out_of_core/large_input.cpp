@@ -185,6 +185,16 @@ Status LargeInput::skip(LargeFile& file, std::uint64_t row, io::LoadedPoints& bl
   return error;
 }
 
+void LargeInput::add_places(const std::vector<Point>& points, const analysis::GroundPlaces& places,
+                            TextStore& store) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool apart = !places.ground.empty();
+    const LargePlace place{points[i], apart ? places.ground[i] : points[i],
+                           apart ? places.heights_m[i] : points[i].z};
+    store.add({reinterpret_cast<const char*>(&place), sizeof place});
+  }
+}
+
 Status LargeInput::read_file(LargeFile& file, const LargeInputSinks& sinks,
                              io::Progress& progress) {
   io::PointStream& stream = *file.stream;
@@ -197,7 +207,7 @@ Status LargeInput::read_file(LargeFile& file, const LargeInputSinks& sinks,
   OddIds odd_ids;
   std::vector<PointId> all;
   // What lies in place is read where its text is wanted.
-  const bool goes_through = !in_place || sinks.records != nullptr;
+  const bool goes_through = !in_place || sinks.records != nullptr || sinks.places != nullptr;
   while (goes_through) {
     auto block = stream.next();
     if (!block) return std::move(block).error();
@@ -218,17 +228,13 @@ Status LargeInput::read_file(LargeFile& file, const LargeInputSinks& sinks,
         if (sinks.records != nullptr) sinks.records->add(record.text);
       });
     }
-    if (sinks.positions != nullptr) {
-      for (const Point& point : points.points) {
-        sinks.positions->add({reinterpret_cast<const char*>(&point), sizeof point});
-      }
-    }
-    for (const TextStore* const store : {sinks.ids, sinks.records, sinks.positions}) {
+    const analysis::GroundPlaces places =
+        analysis::ground_places(points, request_->vertical, height_unit());
+    if (sinks.places != nullptr) add_places(points.points, places, *sinks.places);
+    for (const TextStore* const store : {sinks.ids, sinks.records, sinks.places}) {
       if (store != nullptr && !store->status()) return store->status();
     }
     if (!in_place) {
-      const analysis::GroundPlaces places =
-          analysis::ground_places(points, request_->vertical, height_unit());
       if (auto status = sinks.search.add(places.view(points.points)); !status) return status;
       file.points += points.points.size();
     }

@@ -1,6 +1,7 @@
 // The files of a search with --memory, read a block after the other.
 #pragma once
 
+#include "analysis/geometry/ground_places.hpp"
 #include "analysis/snapshot/recording_check.hpp"
 #include "cli/console/progress_bar.hpp"
 #include "cli/detect/detection.hpp"
@@ -34,12 +35,20 @@ struct LargeFile {
   std::optional<io::PointStream> stream = {};  // as long as it is needed
 };
 
+// Where a point is, and what a vertical threshold compares of it: its place on the ground and its
+// height, or the same place and its z.
+struct LargePlace {
+  Point place;
+  Point ground;
+  double height = 0.0;
+};
+
 // Where points and what is to be known of them go.
 struct LargeInputSinks {
   OutOfCore& search;
-  TextStore* ids;        // null: not wanted, as these
-  TextStore* records;    // as they stand
-  TextStore* positions;  // as the bytes of Point
+  TextStore* ids;      // null: not wanted, as these
+  TextStore* records;  // as they stand
+  TextStore* places;   // as the bytes of LargePlace
 };
 
 class LargeInput {
@@ -80,6 +89,8 @@ class LargeInput {
   [[nodiscard]] std::optional<Error> mix_problem(const LargeFile& file) const;
   // What was left out of a block.
   Status skip(LargeFile& file, std::uint64_t row, io::LoadedPoints& block);
+  static void add_places(const std::vector<Point>& points, const analysis::GroundPlaces& places,
+                         TextStore& store);
   Status read_file(LargeFile& file, const LargeInputSinks& sinks, io::Progress& progress);
 
   const DetectRequest* request_;

@@ -61,11 +61,15 @@ LargeSearch::LargeSearch(const DetectRequest& request, const std::string& folder
       rows_(folder, memory.rows) {
 }
 
-void LargeSearch::set_heights(io::Unit height_unit, TextStore* positions) {
+void LargeSearch::set_heights(io::Unit height_unit, bool apart, TextStore* places) {
+  heights_apart_ = apart;
   if (io::compares_as_stated(request_.vertical, height_unit)) {
     options_.vertical_m = request_.vertical->value;
+    height_unit_m_ = io::in_metric(1.0, height_unit);
   }
-  positions_ = positions;
+  places_ = places;
+  fields_ = {places != nullptr, in_aviation(request_.load.units.convention, height_unit,
+                                            request_.threshold, request_.vertical)};
 }
 
 bool LargeSearch::is(const char* report) const {
@@ -174,16 +178,19 @@ std::string LargeSearch::finding() const {
   return {};
 }
 
-// Where heights are apart, the search knows no straight line between the two.
-double LargeSearch::distance_of(const LargeRow& pair) {
-  if (positions_ == nullptr) return pair.distance_m;
-  std::array<Point, 2> places;
+// With a vertical threshold the search knows no straight line between the two.
+LargeSearch::LargeDistance LargeSearch::distance_of(const LargeRow& pair) {
+  if (places_ == nullptr) return {pair.distance_m};
+  std::array<LargePlace, 2> places;
   for (std::size_t at = 0; at < 2; ++at) {
-    const std::string_view bytes = positions_->text(at == 0 ? pair.first : pair.second);
-    if (bytes.size() != sizeof(Point)) return 0.0;  // said by its status
-    std::memcpy(&places[at], bytes.data(), sizeof(Point));
+    const std::string_view bytes = places_->text(at == 0 ? pair.first : pair.second);
+    if (bytes.size() != sizeof(LargePlace)) return {};  // said by its status
+    std::memcpy(&places[at], bytes.data(), sizeof(LargePlace));
   }
-  return distance(places[0], places[1]);
+  const auto& [a, b] = places;
+  return {distance(a.place, b.place),
+          heights_apart_ ? analysis::apart(a.ground, a.height, b.ground, b.height, height_unit_m_)
+                         : analysis::apart(a.place, b.place)};
 }
 
 // Rows come by their first point.
@@ -206,13 +213,14 @@ Status LargeSearch::write(LargeTable& table) {
       table.bee(id, {});
     });
   } else if (is("pairs")) {
-    table.begin_pairs();
+    table.begin_pairs(fields_);
     for_each_row([&](const LargeRow& row) {
-      table.pair({row.first, row.second}, distance_of(row));
+      const LargeDistance far = distance_of(row);
+      table.pair({row.first, row.second}, far.distance_m, far.apart);
     });
   } else if (is("closest-pair")) {
-    table.begin_pairs();
-    if (closest_) table.pair(closest_->pair, closest_->distance_m);
+    table.begin_pairs({});
+    if (closest_) table.pair(closest_->pair, closest_->distance_m, {});
   } else if (is("counts")) {
     write_counts(table);
   } else if (is("neighbors")) {

@@ -73,9 +73,9 @@ class LargeSearch {
   [[nodiscard]] std::uint64_t size() const { return points_ ? points_->size() : size_; }
 
   // What is asked, once that is known: heights that are apart from positions are compared in the
-  // unit of `height_unit`, and pairs are as far apart as `positions` are, where these are not null.
-  // They must outlive this.
-  void set_heights(io::Unit height_unit, TextStore* positions);
+  // unit of `height_unit`, and pairs are as far apart as `places` are (LargePlace), where these are
+  // not null. They must outlive this.
+  void set_heights(io::Unit height_unit, bool apart, TextStore* places);
 
   // Once, when all points are there. Errors: those of OutOfCore and of temporary files;
   // kTooManyResults.
@@ -118,12 +118,19 @@ class LargeSearch {
   void write_lonely(LargeTable& table, LargeId& next, LargeId end,
                     std::span<const LargeCell> cells) const;
 
-  // In metres.
-  [[nodiscard]] double distance_of(const LargeRow& pair);
+  // In metres; and in what a vertical threshold compares.
+  struct LargeDistance {
+    double distance_m = 0.0;
+    analysis::Apart apart = {};
+  };
+  [[nodiscard]] LargeDistance distance_of(const LargeRow& pair);
 
   const DetectRequest& request_;
   SearchOptions options_;
-  TextStore* positions_ = nullptr;
+  TextStore* places_ = nullptr;
+  double height_unit_m_ = 1.0;
+  bool heights_apart_ = false;
+  ApartFields fields_;
   ProgressBar& bar_;
   std::stop_source stop_;
   std::optional<OutOfCore> points_;

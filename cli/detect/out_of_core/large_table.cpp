@@ -44,12 +44,17 @@ class LargeFieldTable final : public LargeTable {
     out_.pass_on();
   }
 
-  void begin_pairs() override { table_.header("first,second,distance_m").end_row(); }
+  void begin_pairs(const ApartFields& fields) override {
+    fields_ = fields;
+    table_.header(pair_header(fields)).end_row();
+  }
 
-  void pair(const LargePair& pair, double distance_m) override {
+  void pair(const LargePair& pair, double distance_m, const analysis::Apart& apart) override {
     write_id(pair.first);
     write_id(pair.second);
-    table_.field(distance_m).end_row();
+    table_.field(distance_m);
+    write_apart(table_, apart, fields_);
+    table_.end_row();
     out_.pass_on();
   }
 
@@ -103,6 +108,7 @@ class LargeFieldTable final : public LargeTable {
   const LargeFile& file_;
   TextStore* records_;
   io::TableWriter table_;
+  ApartFields fields_;
   bool csv_;
   bool with_rows_ = false;
 };
@@ -133,11 +139,15 @@ class LargeJsonTable final : public LargeTable {
     out_.pass_on();
   }
 
-  void begin_pairs() override { json_.begin_array(io::JsonLayout::kRows); }
+  void begin_pairs(const ApartFields& fields) override {
+    fields_ = fields;
+    json_.begin_array(io::JsonLayout::kRows);
+  }
 
-  void pair(const LargePair& pair, double distance_m) override {
+  void pair(const LargePair& pair, double distance_m, const analysis::Apart& apart) override {
     json_.begin_object();
     write_pair(json_, ids_, pair, distance_m);
+    write_apart(json_, apart, fields_);
     json_.end();
     out_.pass_on();
   }
@@ -164,6 +174,7 @@ class LargeJsonTable final : public LargeTable {
   const LargeIds& ids_;
   io::JsonWriter& json_;
   std::vector<LargeColumn> columns_;
+  ApartFields fields_;
 };
 
 }  // namespace

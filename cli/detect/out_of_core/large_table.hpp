@@ -4,6 +4,7 @@
 
 #include "cli/detect/out_of_core/large_ids.hpp"
 #include "cli/detect/out_of_core/large_input.hpp"
+#include "cli/output/apart_fields.hpp"
 #include "cli/output/block_writer.hpp"
 #include "cli/output/output_form.hpp"
 #include "cli/output/table.hpp"
@@ -53,8 +54,8 @@ class LargeTable {
   // About bees, with these columns behind the bee itself; or of pairs.
   virtual void begin_bees(const std::vector<LargeColumn>& columns) = 0;
   virtual void bee(LargeId id, std::span<const LargeCell> cells) = 0;
-  virtual void begin_pairs() = 0;
-  virtual void pair(const LargePair& pair, double distance_m) = 0;
+  virtual void begin_pairs(const ApartFields& fields) = 0;
+  virtual void pair(const LargePair& pair, double distance_m, const analysis::Apart& apart) = 0;
   virtual void end() {}
 
   // Text, CSV or JSON.

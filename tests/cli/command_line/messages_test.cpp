@@ -102,7 +102,7 @@ TEST_F(Messages, TheErrorForJsonNamesTheCommandThatReadsIt) {
               "GeoJSON, which beespace writes and does not read");
   const std::string aircraft =
       R"({"now": 1, "aircraft": [{"hex": "ab", "lat": 8, "lon": 47, "alt_geom": 100, "seen_pos": 0}]})";
-  expect_said({"detect"}, "aircraft.json", aircraft, "ask 'beespace replay' about it");
+  expect_said({"detect"}, "aircraft.json", aircraft, "ask 'beespace predict' about it");
   expect_said({"advise"}, "aircraft.json", aircraft,
               "JSON with aircraft (readsb, dump1090); 'beespace replay' and 'beespace predict' "
               "read it");

@@ -71,7 +71,7 @@ TEST_F(Others, WithAVerticalThresholdHeightsCountOnTheirOwn) {
   const Arguments low = {"--threshold", "100", "--vertical", "51"};
   EXPECT_EQ(report("at-risk", low).out, "maya\nwilli\n");
   EXPECT_EQ(below_header(report("pairs", low).out),
-            "maya\twasp\t50\nwilli\twasp\t78.10249675906654\n");
+            "maya\twasp\t50\t0\t50\nwilli\twasp\t78.10249675906654\t60\t50\n");
   EXPECT_EQ(below_header(report("neighbors", low).out), "maya\t1\twasp\nwilli\t1\twasp\nflip\t0\n");
   EXPECT_EQ(below_header(report("counts", low).out), "maya\t1\nwilli\t1\nflip\t0\n");
   EXPECT_EQ(below_header(report("nearest", low).out),

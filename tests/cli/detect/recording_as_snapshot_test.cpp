@@ -70,7 +70,7 @@ TEST(RecordingAsSnapshot, OtherFormatsOfRecordingsAreNamedToo) {
       "MSG,3,1,1,4B1814,1,2024/05/01,12:00:00.250,2024/05/01,12:00:00.250,,10000,,,47.25,8.5,,,0,"
       "0,0,0\n");
   expect_failure({"detect", heard}, {}, kBadInput,
-                 "port30003.csv: this is a recording of bees that move (BaseStation messages)");
+                 "port30003.csv: this is a look at bees that move (BaseStation messages)");
 }
 
 TEST(RecordingAsSnapshot, WhatIsNoRecordingKeepsItsError) {

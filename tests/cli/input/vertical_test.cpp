@@ -34,12 +34,13 @@ TEST(Vertical, ExactlyTheThresholdsCountsOnlyWhenInclusive) {
   const Arguments exactly = {"--threshold", "4", "--vertical", "3", "--report", "pairs"};
   EXPECT_EQ(below_header(asked(exactly).out), "");
   EXPECT_EQ(below_header(asked(exactly + Arguments{"--inclusive"}).out),
-            "a\tb\t4\na\tc\t5\nb\tc\t3\n");
+            "a\tb\t4\t4\t0\na\tc\t5\t4\t3\nb\tc\t3\t0\t3\n");
 }
 
 TEST(Vertical, EveryReportThatTakesItAgrees) {
   const Arguments question = {"--threshold", "5", "--vertical", "4", "--report"};
-  EXPECT_EQ(below_header(asked(question + Arguments{"pairs"}).out), "a\tb\t4\na\tc\t5\nb\tc\t3\n");
+  EXPECT_EQ(below_header(asked(question + Arguments{"pairs"}).out),
+            "a\tb\t4\t4\t0\na\tc\t5\t4\t3\nb\tc\t3\t0\t3\n");
   EXPECT_EQ(below_header(asked(question + Arguments{"neighbors"}).out),
             "a\t2\tb\tc\nb\t2\ta\tc\nc\t2\ta\tb\nd\t0\n");
   EXPECT_EQ(below_header(asked(question + Arguments{"counts"}).out), "a\t2\nb\t2\nc\t2\nd\t0\n");
@@ -50,7 +51,54 @@ TEST(Vertical, EveryReportThatTakesItAgrees) {
   EXPECT_EQ(below_header(asked(question + Arguments{"nearest", "--at-risk-only"}).out),
             "a\tb\t4\nb\tc\t3\nc\tb\t3\n");
   EXPECT_EQ(asked(question + Arguments{"pairs", "--csv"}).out,
-            "first,second,distance_m\na,b,4\na,c,5\nb,c,3\n");
+            "first,second,distance_m,horizontal_m,vertical_m\na,b,4,4,0\na,c,5,4,3\nb,c,3,0,3\n");
+}
+
+// On the equator a thousandth of a degree is 111.319 m; c is at height 0.
+constexpr std::string_view kAircraft =
+    "id,lon,lat,alt_ft\na,0,0,1000\nb,0.001,0,1600\nc,0.001,0,0\nd,5,0,1000\n";
+
+TEST(Vertical, PairsOfAircraftAreInNauticalMilesAndFeetToo) {
+  const Arguments question = {"--separation", "enroute", "--report", "pairs"};
+  const auto rows = rows_of(asked(question + Arguments{"--csv"}, kAircraft).out, ',');
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0], (std::vector<std::string>{"first", "second", "distance_m", "horizontal_m",
+                                               "vertical_m", "horizontal_NM", "vertical_ft"}));
+  EXPECT_EQ(rows[1][0] + rows[1][1], "ab");
+  EXPECT_NEAR(std::stod(rows[1][3]), 111.31949, 1e-4);
+  EXPECT_NEAR(std::stod(rows[1][5]), 111.31949 / 1852, 1e-7);
+  EXPECT_NEAR(std::stod(rows[1][4]), 182.88, 1e-9);
+  EXPECT_EQ(rows[1][6], "600");
+  const std::string json = asked(question + Arguments{"--json"}, kAircraft).out;
+  EXPECT_TRUE(is_json(json)) << json;
+  expect_parts(json, {R"("vertical_ft": 600})"});
+  const auto metric =
+      rows_of(asked(question + Arguments{"--csv", "--units", "metric"}, kAircraft).out, ',');
+  EXPECT_EQ(metric.at(0).size(), 5u);
+}
+
+TEST(Vertical, PairsBeyondMemoryAreTheSame) {
+  const Arguments memory = {"--memory", "100MB", "--threads", "1"};
+  for (const std::string& input :
+       {std::string(kFour), std::string(kAircraft),
+        std::string("id,lon,lat,height\na,0,0,0\nb,0.001,0,0\nc,0.001,0,3\n"),
+        std::string("id,x,y,z_ft\na,0,0,0\nb,3,4,0\nc,3,4,8\n")}) {
+    for (const Arguments& form : {Arguments{"--csv"}, Arguments{}}) {
+      for (const Arguments& height :
+           {Arguments{"--vertical", "5"}, Arguments{"--vertical", "900ft"},
+            Arguments{"--vertical", "9ft"}}) {
+        Arguments question = Arguments{"--threshold", "200", "--report", "pairs"} + height + form;
+        if (input.find("z_ft") != std::string::npos) {
+          question = question + Arguments{"--units", "position=m"};
+        }
+        const Finished in_memory = asked(question, input);
+        const Finished beyond = asked(question + memory, input);
+        ASSERT_EQ(in_memory.exit_code, 0) << in_memory.err;
+        EXPECT_EQ(beyond.out, in_memory.out) << input << beyond.err;
+        EXPECT_NE(in_memory.out.find("horizontal_m"), std::string::npos);
+      }
+    }
+  }
 }
 
 TEST(Vertical, TheSummaryAndTheDocumentSayIt) {

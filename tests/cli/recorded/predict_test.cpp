@@ -28,6 +28,13 @@ constexpr std::string_view kSinking =
     "a,0,0,0,1,0,0\n"
     "b,100,3,20,-1,0,-0.4\n";
 
+// Without the header.
+TextRows csv_rows(const std::string& text) {
+  TextRows rows = rows_of(text, ',');
+  if (!rows.empty()) rows.erase(rows.begin());
+  return rows;
+}
+
 TextRows predicted(const Arguments& more, std::string_view input = kHeadOn) {
   const Finished finished = run(Arguments{"predict", "--threshold", "5"} + more, input);
   EXPECT_EQ(finished.exit_code, 0) << finished.err;
@@ -57,8 +64,10 @@ TEST(Predict, ExactlyTheThresholdCountsOnlyWhenInclusive) {
 
 TEST(Predict, AVerticalThresholdHoldsAtTheSameTimeAsTheHorizontalOne) {
   // Within 2 m in height from 45 s to 55 s; within 0.4 m from 49 s to 51 s.
-  expect_rows(predicted({"--vertical", "2"}, kSinking), {{"a", "b", "48", "50", "3", "52"}});
-  expect_rows(predicted({"--vertical", "0.4"}, kSinking), {{"a", "b", "49", "50", "3", "51"}});
+  expect_rows(predicted({"--vertical", "2"}, kSinking),
+              {{"a", "b", "48", "50", "3", "52", "3", "0"}});
+  expect_rows(predicted({"--vertical", "0.4"}, kSinking),
+              {{"a", "b", "49", "50", "3", "51", "3", "0"}});
   // In space |(2 u, 3, 0.4 u)| < 5 for |u| < 4 / sqrt(4.16), u seconds before or after.
   const double u = 4.0 / std::sqrt(4.16);
   expect_rows(predicted({}, kSinking),
@@ -135,7 +144,8 @@ TEST(Predict, TheSummarySaysWhatWasAskedAndFound) {
        "note       velocities along x, y, z are read", "bees       2\n", "now        0.00 s\n",
        "threshold  horizontally 5 m (closer than), and in height 2 m (closer than)\n",
        "horizon    60 s\n", "conflicts  1, of 2 bees\n", "soonest    a and b, in 48.00 s\n",
-       "closest    a and b, 3.000 m apart at 50.00 s\n", "time       search "});
+       "closest    a and b, 3.000 m horizontally and 0 m vertically apart at 50.00 s\n",
+       "time       search "});
   expect_parts(run({"predict", "--threshold", "3"}, kHeadOn).err, {"conflicts  none\n"});
   expect_parts(run({"predict", "--threshold", "3", "--inclusive"}, kHeadOn).err,
                {"threshold  3 m or closer\n"});
@@ -170,18 +180,19 @@ class PredictAircraft : public testing::Test {
 };
 
 TEST_F(PredictAircraft, GroundDistanceAndHeightAreComparedApart) {
-  const Arguments question = {"predict", "--threshold", "1000", "--horizon", "100"};
+  const Arguments question = {"predict", "--threshold", "1000", "--horizon", "100", "--csv"};
   const TextRows meeting = {{"KLM1", "BAW2", at((apart_m_ - 1'000.0) / closing_mps_),
                              at(apart_m_ / closing_mps_), "200",
-                             at((apart_m_ + 1'000.0) / closing_mps_)}};
-  expect_rows(rows_of(run(question + Arguments{"--vertical", "201"}, traffic("0")).out), meeting);
+                             at((apart_m_ + 1'000.0) / closing_mps_), "0", "200"}};
+  expect_rows(csv_rows(run(question + Arguments{"--vertical", "201"}, traffic("0")).out), meeting);
   EXPECT_EQ(below_header(run(question + Arguments{"--vertical", "200"}, traffic("0")).out), "");
 }
 
 TEST_F(PredictAircraft, TheClimbCountsForTheHeight) {
   // Less than 50 m apart in height while |200 - 4 t| < 50.
-  const auto rows = rows_of(
-      run({"predict", "--threshold", "5000", "--vertical", "50", "--horizon", "100"}, traffic("4"))
+  const auto rows = csv_rows(
+      run({"predict", "--threshold", "5000", "--vertical", "50", "--horizon", "100", "--csv"},
+          traffic("4"))
           .out);
   ASSERT_EQ(rows.size(), 1u);
   expect_rows({{rows[0].at(2), rows[0].at(5)}}, {{at(37.5), at(62.5)}});
@@ -190,10 +201,10 @@ TEST_F(PredictAircraft, TheClimbCountsForTheHeight) {
 TEST_F(PredictAircraft, TimesAreShownAsDates) {
   const Finished finished =
       run({"predict", "--threshold", "1000", "--vertical", "300"}, traffic("0"));
-  expect_parts(
-      finished.err,
-      {"frame      WGS84 longitude, latitude, height", "now        2024-05-01T12:00:00.000Z",
-       "closest    KLM1 and BAW2, 200.000 m apart at 2024-05-01T12:00:55.660Z"});
+  expect_parts(finished.err, {"frame      WGS84 longitude, latitude, height",
+                              "now        2024-05-01T12:00:00.000Z",
+                              "closest    KLM1 and BAW2, under 1 mm horizontally and 200.000 m "
+                              "vertically apart at 2024-05-01T12:00:55.660Z"});
   const Finished json =
       run({"predict", "--threshold", "1000", "--vertical", "300", "--json"}, traffic("0"));
   EXPECT_TRUE(is_json(json.out)) << json.out;
@@ -218,8 +229,11 @@ TEST_F(PredictAircraft, TheDistanceShownIsThatOnTheGroundAndTheHeightPutTogether
                           still)
                           .out),
               {{"a", "b", std::to_string(straight)}});
-  expect_rows(rows_of(run(Arguments{"detect", "--report", "pairs"} + question, still).out),
-              {{"a", "b", std::to_string(straight)}});
+  const TextRows pairs =
+      rows_of(run(Arguments{"detect", "--report", "pairs"} + question, still).out);
+  ASSERT_EQ(pairs.size(), 1u);
+  expect_rows({{pairs[0].at(2), pairs[0].at(3), pairs[0].at(4)}},
+              {{std::to_string(straight), std::to_string(apart_m_), "200"}});
 }
 
 TEST(Predict, TheHelpSaysWhatTimesAndDistancesMean) {

@@ -375,5 +375,29 @@ TEST(UnitsInTables, ArraysHaveThemAsAskedFor) {
   EXPECT_EQ(loaded->height_unit, Unit::kFoot);
 }
 
+TEST(UnitsInTables, AConventionHoldsWhereNothingElseSaysAUnit) {
+  const std::string asked = "icao24,lat,lon,altitude\na,48,2,35000\n";
+  EXPECT_EQ(points_of(load_text(asked, with_units("aviation"))),
+            std::vector<Point>{at(k35000Feet_m)});
+  EXPECT_EQ(points_of(load_text(asked, with_units("metric"))), std::vector<Point>{at(35000)});
+  EXPECT_EQ(points_of(load_text("lat,lon,alt\n48,2,35000\n", with_units("aviation"))),
+            std::vector<Point>{at(k35000Feet_m)});
+  EXPECT_EQ(points_of(load_text("lat,lon,alt_ft\n48,2,35000\n", with_units("metric"))),
+            std::vector<Point>{at(k35000Feet_m)});
+  EXPECT_EQ(points_of(load_text(asked, with_units("aviation,height=m"))),
+            std::vector<Point>{at(35000)});
+  // A known source says more.
+  EXPECT_EQ(points_of(load_text(kOpenSky, with_units("aviation"))),
+            std::vector<Point>{at(k35000Feet_m)});
+  expect_error(
+      load_text("x,y,z\n1,2,3\n", with_units("aviation")),
+      {ErrorCode::kInvalidArgument, "bees.csv:1:1", "does not say in which unit x, y and z"});
+  const Recording fast = recording_of(
+      record("icao24,time_s,lat,lon,altitude,gs,track,vertical_rate\na,0,48,2,1,90,90,60\n",
+             recording_units("aviation")));
+  EXPECT_NEAR(fast.bees.at(0).velocities.at(0).x, 46.3, 1e-9);
+  EXPECT_NEAR(fast.bees[0].velocities[0].z, 0.3048, 1e-12);
+}
+
 }  // namespace
 }  // namespace beespace::io

@@ -110,12 +110,20 @@ TEST(Units, MayBeGivenByRole) {
   EXPECT_EQ(wishes->climb, Unit::kFootPerMinute);
   EXPECT_EQ(wishes->position, Unit::kKilometre);
   EXPECT_FALSE(read_unit_overrides("").value().any());
+  EXPECT_EQ(read_unit_overrides("aviation").value().convention, UnitConvention::kAviation);
+  EXPECT_EQ(read_unit_overrides("metric, height=ft").value().convention, UnitConvention::kMetric);
+  EXPECT_EQ(read_unit_overrides("metric, height=ft").value().height, Unit::kFoot);
+  EXPECT_FALSE(read_unit_overrides("aviation").value().any());
   for (const auto& [text, part] : {std::pair{"height", "'height' is not understood"},
                                    {"hight=ft", "'hight=ft' is not understood"},
                                    {"height=", "'height=' is not understood"},
                                    {"height=kt", "'kt' is no unit of a height; it is one of m, km"},
                                    {"speed=ft", "'ft' is no unit of a speed; it is one of m/s"},
                                    {"height=ft,height=m", "height is given twice"},
+                                   {"metric,aviation", "metric and aviation are given"},
+                                   {"aviation,aviation", "or one of them twice"},
+                                   {"metric,", "a comma at the end"},
+                                   {"imperial", "'imperial' is not understood"},
                                    {"height=ft,", "a comma at the end"}}) {
     const auto refused = read_unit_overrides(text);
     ASSERT_FALSE(refused.has_value()) << text;

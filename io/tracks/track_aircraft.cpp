@@ -1,0 +1,73 @@
+#include "io/tracks/track_aircraft.hpp"
+
+#include "io/bytes/characters.hpp"
+#include "io/problems/unplaced.hpp"
+#include "io/table/column_overrides.hpp"
+#include "io/table/table_sources.hpp"
+
+#include <algorithm>
+
+namespace beespace::io {
+namespace {
+
+// The column that says what each is called beside its id.
+std::optional<std::size_t> choose_label(const Header& header, std::optional<std::size_t> id) {
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    if (names_flight(header.table().names[i]) && i != id) return i;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::size_t> choose_on_ground(const Header& header) {
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    const auto words = split_words(header.table().names[i]);
+    const bool joined = words.size() == 1 && words[0] == "onground";
+    if (joined || (words.size() == 2 && words[0] == "on" && words[1] == "ground")) return i;
+  }
+  return std::nullopt;
+}
+
+// What is to be said of a record without a height of that kind.
+const LeftOutReason* reason_without_height(const Header& header, HeightDatum datum) {
+  if (datum == HeightDatum::kPressure) return &kNoPressureHeight;
+  for (std::size_t i = 0; i < header.size() && datum == HeightDatum::kEllipsoid; ++i) {
+    if (header.meaning(i).datum == HeightDatum::kPressure) return &kNoEllipsoidHeight;
+  }
+  return &kNoHeight;
+}
+
+}  // namespace
+
+bool is_unknown(std::string_view text) {
+  const std::string lower = lower_case(text);
+  return lower.empty() || is_one_of("nan nat none null na n/a <na>", lower);
+}
+
+bool says_yes(std::string_view text) {
+  return is_one_of("true t yes y 1 1.0", lower_case(without_padding(text)));
+}
+
+bool names_flight(std::string_view column) {
+  const auto words = split_words(column);
+  return (words.size() == 1 && is_one_of("callsign flight", words[0])) ||
+         (words.size() == 2 && words[0] == "call" && words[1] == "sign");
+}
+
+void settle_aircraft(const Header& header, const RecordingOptions& options, TrackLayout& layout) {
+  layout.of_aircraft = !words_of_aviation(layout.table.names).empty();
+  if (!layout.of_aircraft) return;
+  const ColumnChoice& choice = layout.table.choice;
+  layout.no_height = reason_without_height(header, choice.datum);
+  layout.label = choose_label(header, choice.id);
+  if (layout.label && choice.id) {
+    layout.notes.push_back(
+        "ids are read from " + column_text(layout.table, *choice.id) +
+        ", and how they are called beside from " + column_text(layout.table, *layout.label) +
+        "; --columns id=" + std::to_string(*layout.label + 1) + " would take that for the id");
+  } else {
+    layout.label.reset();
+  }
+  if (!options.grounded) layout.on_ground = choose_on_ground(header);
+}
+
+}  // namespace beespace::io

@@ -1,0 +1,25 @@
+// What tables of aircraft have beside other tables of fixes: flights as names, aircraft on the
+// ground, and records that say too little.
+#pragma once
+
+#include "io/recording/recording_options.hpp"
+#include "io/table/column_choice.hpp"
+#include "io/tracks/track_layout.hpp"
+
+#include <string_view>
+
+namespace beespace::io {
+
+// Whether a text says that something is not known, as tables write it.
+bool is_unknown(std::string_view text);
+// Whether it says yes: "True", "1".
+bool says_yes(std::string_view text);
+
+// Whether the column is called as the flight is: "callsign".
+bool names_flight(std::string_view column);
+
+// Fills in what is told of aircraft where the header speaks of them; the position and the id are
+// there already.
+void settle_aircraft(const Header& header, const RecordingOptions& options, TrackLayout& layout);
+
+}  // namespace beespace::io

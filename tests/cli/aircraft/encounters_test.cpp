@@ -1,0 +1,91 @@
+// What simulators of air traffic read, by the first command that somebody would type.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/cli/run/command_run.hpp"
+#include "tests/cli/run/expectations.hpp"
+#include "tests/cli/run/temporary_folder.hpp"
+
+namespace beespace::cli_test {
+namespace {
+
+// One flies north along the equator's meridian, the other to the west along 1.5 degrees north from
+// 1.5 degrees east, both at 400 kt calibrated and FL200: 269.76 m/s. They are at the crossing after
+// 614.9 s and 618.9 s.
+constexpr std::string_view kScenario =
+    "# crossing\n00:00:00.00>ASAS ON\n00:00:00.00>CRE NORTH B744 0. 0. 0. FL200 400\n"
+    "00:00:00.00>CRE WEST B744 1.50 1.50 270 FL200 400\n"
+    "00:00:00.00>CRE ABOVE B744 0. 0.5 0. FL210 400\n";
+
+TEST(Encounters, AScenarioIsPredicted) {
+  const Finished finished =
+      run({"predict", "--separation", "enroute", "--horizon", "900", "--csv"}, kScenario);
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  const TextRows rows = rows_of(finished.out, ',');
+  ASSERT_EQ(rows.size(), 2u) << finished.out << finished.err;
+  EXPECT_EQ(rows[1].at(0) + rows[1].at(1), "NORTHWEST");
+  // They are closing at 381.5 m/s, and within 9,260 m some 24 s before they are closest.
+  EXPECT_NEAR(std::stod(rows[1].at(2)), 616.9 - 24.3, 3.0);
+  expect_parts(finished.err, {"BlueSky scenario", "compared with heights in ft as they stand",
+                              "where they fly from there is for BlueSky to say",
+                              "in the standard atmosphere without wind"});
+}
+
+TEST(Encounters, AScenarioOfUnknownAircraftIsNoAllClear) {
+  const Finished finished = run({"predict", "--threshold", "10", "--fail-on-risk"},
+                                std::string(kScenario) + "00:00:00.00>MCRE 5\n");
+  EXPECT_EQ(finished.exit_code, 1);
+  expect_parts(finished.err, {"none of those that are known; 1 record was left out"});
+}
+
+// Where aircraft begin is no flight: no verdict about one follows from it.
+TEST(Encounters, AScenarioIsNoFlight) {
+  for (const char* const command : {"replay", "verify"}) {
+    const Finished finished = run({command, "--threshold", "10"}, kScenario);
+    EXPECT_EQ(finished.exit_code, 3) << command << finished.err;
+    EXPECT_EQ(finished.out.find("holds"), std::string::npos);
+    EXPECT_EQ(finished.err.find("keeps its distance"), std::string::npos);
+    expect_parts(finished.err, {"ask 'beespace predict' about it"});
+  }
+  const TemporaryFolder folder;
+  const std::string file = folder.file("crossing.scn", kScenario);
+  const Finished two = run({"predict", file, "--separation", "enroute"});
+  EXPECT_EQ(two.exit_code, 0) << two.err;
+  const Finished several =
+      run({"replay", file, folder.file("more.csv", "id,time_s,lon,lat\na,0,0,0\n")});
+  EXPECT_EQ(several.exit_code, 2);
+  expect_parts(several.err, {"a BlueSky scenario is read alone"});
+  const Finished shown = run({"detect", file});
+  EXPECT_EQ(shown.exit_code, 3);
+  expect_parts(shown.err, {"ask 'beespace predict' about it, with --horizon 0 for now only"});
+}
+
+TEST(Encounters, ADaidalusEncounterIsReplayed) {
+  std::string text =
+      "NAME lat lon alt trk gs vs time\n[none] [deg] [deg] [ft] [deg] [knot] [fpm] [s]\n";
+  for (int second = 0; second <= 60; ++second) {
+    const std::string time = ", " + std::to_string(second) + ".0\n";
+    const double moved = 0.0005 * second;
+    text += "Ownship, 40.0, " + std::to_string(-74.0 + moved) + ", 15000.0, 90, 82.9, 0" + time;
+    text += "Intruder, 40.0, " + std::to_string(-73.95 - moved) + ", 15200.0, 270, 82.9, 0" + time;
+    text += "Other, 40.0, " + std::to_string(-73.95 - moved) + ", 15250.0, 270, 82.9, 0" + time;
+  }
+  const TemporaryFolder folder;
+  const std::string file = folder.file("encounter.daa", text);
+  const Finished finished = run({"replay", file, "--separation", "well-clear-suas", "--csv"});
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  const TextRows rows = rows_of(finished.out, ',');
+  // The third is exactly 250 ft above the ownship.
+  ASSERT_EQ(rows.size(), 3u) << finished.out << finished.err;
+  EXPECT_EQ(rows[1].at(0) + rows[1].at(1), "OwnshipIntruder");
+  EXPECT_EQ(rows[2].at(0) + rows[2].at(1), "IntruderOther");
+  EXPECT_NEAR(std::stod(rows[1].at(3)), 50.0, 0.01);
+  expect_parts(finished.err,
+               {"DAIDALUS encounter", "the first aircraft of each time is the ownship",
+                "heights in ft: the line of units says so",
+                "verdict    does not keep its distance: 2 conflicts of 2 pairs"});
+}
+
+}  // namespace
+}  // namespace beespace::cli_test

@@ -1,0 +1,139 @@
+// Answers as people read them: dates instead of seconds since 1970, how far apart horizontally and
+// vertically, in nautical miles and feet where the thresholds are.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "tests/cli/run/command_run.hpp"
+#include "tests/cli/run/expectations.hpp"
+#include "tests/cli/run/json_check.hpp"
+
+namespace beespace::cli_test {
+namespace {
+
+// Along x they meet after 50 s; b is then 3 m beside a, and 4 m below it.
+constexpr std::string_view kMetres =
+    "id,time_s,x,y,z,vx,vy,vz\n"
+    "a,0,0,0,10,1,0,0\na,100,100,0,10,1,0,0\n"
+    "b,0,100,3,6,-1,0,0\nb,100,0,3,6,-1,0,0\n";
+
+// Two towards each other on the equator, 600 ft apart in height: 20,000 m are 0.179663 degrees.
+std::string aircraft(const std::string& first_time, const std::string& second_time,
+                     const std::string& time = "timestamp") {
+  const std::string header = "icao24," + time + ",lat,lon,alt_ft,gs_kt,track,vertical_rate_fpm\n";
+  return header + "a," + first_time + ",0,0,10000,200,90,0\nb," + first_time +
+         ",0,0.1796631,10600,200,270,0\na," + second_time + ",0,0.0898315,10000,200,90,0\nb," +
+         second_time + ",0,0.0898316,10600,200,270,0\n";
+}
+
+TEST(AnswersForPeople, HorizontalAndVerticalStandBehindTheOthers) {
+  const Finished finished = run(
+      {"replay", "--threshold", "5", "--vertical", "6", "--csv", "--max-gap", "never"}, kMetres);
+  const TextRows rows = rows_of(finished.out, ',');
+  ASSERT_EQ(rows.size(), 2u) << finished.err;
+  EXPECT_EQ(rows[0],
+            (std::vector<std::string>{"first", "second", "begins_s", "closest_s", "closest_m",
+                                      "ends_s", "horizontal_m", "vertical_m"}));
+  expect_rows({{rows[1][3], rows[1][4], rows[1][6], rows[1][7]}}, {{"50", "5", "3", "4"}});
+  expect_parts(
+      finished.err,
+      {"closest    a and b, 3.000 m horizontally and 4.000 m vertically apart at 50.00 s\n",
+       "worst      a and b, 3.000 m horizontally and 4.000 m vertically apart at 50.00 s;"});
+  const std::string json =
+      run({"replay", "--threshold", "5", "--vertical", "6", "--json", "--max-gap", "never"},
+          kMetres)
+          .out;
+  EXPECT_TRUE(is_json(json)) << json;
+  expect_parts(json, {R"("distance_m": 5, "horizontal_m": 3, "vertical_m": 4})",
+                      R"("horizontal_m": 3, "vertical_m": 4})"});
+}
+
+TEST(AnswersForPeople, WithoutAVerticalThresholdAllIsAsItWas) {
+  const Finished finished = run({"replay", "--threshold", "6", "--max-gap", "never"}, kMetres);
+  EXPECT_EQ(lines_of(finished.out).front(),
+            "first\tsecond\tbegins_s\tclosest_s\tclosest_m\tends_s");
+  expect_parts(finished.err, {"closest    a and b, 5.000 m apart at 50.00 s\n"});
+}
+
+TEST(AnswersForPeople, AVerticalThresholdHasItsColumnsWithoutAnyConflict) {
+  const Finished finished = run(
+      {"replay", "--threshold", "1", "--vertical", "6", "--csv", "--max-gap", "never"}, kMetres);
+  EXPECT_EQ(finished.out,
+            "first,second,begins_s,closest_s,closest_m,ends_s,horizontal_m,vertical_m\n");
+}
+
+TEST(AnswersForPeople, PredictTellsThemWhereTheyWillBe) {
+  const Finished finished =
+      run({"predict", "--threshold", "5", "--vertical", "6", "--csv", "--horizon", "60"},
+          "id,x,y,z,vx,vy,vz\na,0,0,10,1,0,0.1\nb,100,3,6,-1,0,0.08\n");
+  const TextRows rows = rows_of(finished.out, ',');
+  ASSERT_EQ(rows.size(), 2u) << finished.err;
+  // After 50 s or so: in height 4 m and a metre more; a straight line is shortest a little before.
+  EXPECT_EQ(rows[0].at(6) + " " + rows[0].at(7), "horizontal_m vertical_m");
+  const double closest_s = std::stod(rows[1].at(3));
+  EXPECT_NEAR(std::stod(rows[1].at(6)), std::hypot(100 - 2 * closest_s, 3), 1e-9);
+  EXPECT_NEAR(std::stod(rows[1].at(7)), 4 + 0.02 * closest_s, 1e-9);
+}
+
+TEST(AnswersForPeople, AviationHasNauticalMilesAndFeetToo) {
+  const std::string input = aircraft("0", "100", "time_s");
+  for (const char* const command : {"replay", "predict"}) {
+    Arguments arguments = {command, "--separation", "enroute", "--csv"};
+    if (std::string(command) == "replay") arguments = arguments + Arguments{"--max-gap", "never"};
+    const Finished finished = run(arguments, input);
+    const TextRows rows = rows_of(finished.out, ',');
+    ASSERT_EQ(rows.size(), 2u) << finished.err;
+    EXPECT_EQ(rows[0].at(8) + " " + rows[0].at(9), "horizontal_NM vertical_ft");
+    const double horizontal_m = std::stod(rows[1].at(6));
+    EXPECT_NEAR(std::stod(rows[1].at(8)), horizontal_m / 1852, 1e-12);
+    EXPECT_EQ(rows[1].at(9), "600");
+    EXPECT_NEAR(std::stod(rows[1].at(7)), 182.88, 1e-9);
+  }
+  const Finished said =
+      run({"replay", "--threshold", "3NM", "--vertical", "1000ft", "--max-gap", "never"}, input);
+  expect_parts(said.err, {" NM (", " m) horizontally and 600 ft (182.880 m) vertically apart at "});
+}
+
+TEST(AnswersForPeople, TimesSince1970AreDatesInTextAndNumbersForPrograms) {
+  const std::string input = aircraft("1533099600", "1533099700");
+  const Arguments question = {"replay", "--threshold", "5NM",  "--vertical",
+                              "1000ft", "--max-gap",   "never"};
+  const Finished text = run(question, input);
+  const auto lines = lines_of(text.out);
+  ASSERT_EQ(lines.size(), 2u) << text.err;
+  EXPECT_EQ(fields_of(lines[0], '\t')[2] + " " + fields_of(lines[0], '\t')[3] + " " +
+                fields_of(lines[0], '\t')[5],
+            "begins closest ends");
+  EXPECT_EQ(fields_of(lines[1], '\t')[3].substr(0, 20), "2018-08-01T05:01:40.");
+  EXPECT_EQ(fields_of(lines[1], '\t')[3].back(), 'Z');
+  const Finished csv = run(question + Arguments{"--csv"}, input);
+  EXPECT_EQ(rows_of(csv.out, ',')[0][2], "begins_s");
+  EXPECT_NEAR(std::stod(rows_of(csv.out, ',')[1][3]), 1533099699.9, 0.2);
+  for (const char* const report : {"bees", "separation"}) {
+    const Finished other = run(question + Arguments{"--report", report}, input);
+    expect_parts(other.out,
+                 {"2018-08-01T05:0", report == std::string("bees") ? "closest\t" : "time\t"});
+    expect_parts(run(question + Arguments{"--report", report, "--csv"}, input).out, {"1533099700"});
+  }
+}
+
+TEST(AnswersForPeople, UnitsOfAviationMayBeAskedForOrNot) {
+  const Arguments question = {"replay", "--threshold", "9260", "--vertical",
+                              "300",    "--max-gap",   "never"};
+  const std::string metres =
+      "id,time_s,lat,lon,height_m\na,0,0,0,1000\na,10,0,0,1000\nb,0,0,0.01,1100\nb,10,0,0.01,"
+      "1100\n";
+  expect_parts(run(question, metres).err,
+               {"1,113.195 m horizontally and 100.000 m vertically apart"});
+  expect_parts(run(question + Arguments{"--units", "aviation"}, metres).err,
+               {"0.601 NM (1,113.195 m) horizontally and 328 ft (100.000 m) vertically apart"});
+  const std::string feet =
+      "id,time_s,lat,lon,alt_ft\na,0,0,0,1000\na,10,0,0,1000\nb,0,0,0.01,1100\nb,10,0,0.01,1100\n";
+  expect_parts(run(question, feet).err, {"0.601 NM (1,113.195 m) horizontally and 100 ft ("});
+  expect_parts(run(question + Arguments{"--units", "metric"}, feet).err,
+               {"1,113.195 m horizontally and 30.480 m vertically apart"});
+}
+
+}  // namespace
+}  // namespace beespace::cli_test

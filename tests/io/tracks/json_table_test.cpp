@@ -1,0 +1,130 @@
+// Tables of fixes as JSON: every form says the same, and what is broken says where.
+#include "tests/io/tracks/recording_loading.hpp"
+
+#include <string>
+
+namespace beespace::io {
+namespace {
+
+constexpr std::string_view kRecords =
+    R"([{"id": "a", "time_s": 0, "x": 1, "y": 2, "z": 3}, {"id": "b", "time_s": 1, "x": 4.5, "y": 5, "z": 6}])";
+
+void expect_two(std::string_view text) {
+  const Recording recording = recording_of(record(text));
+  ASSERT_EQ(ids_of(recording), (std::vector<std::string>{"a", "b"})) << text;
+  EXPECT_EQ(recording.bees[0].fixes.at(0), (Fix{0.0, {1, 2, 3}})) << text;
+  EXPECT_EQ(recording.bees[1].fixes.at(0), (Fix{1.0, {4.5, 5, 6}})) << text;
+  EXPECT_EQ(recording.frame, Frame::kMetres);
+}
+
+TEST(JsonTable, EveryFormSaysTheSame) {
+  expect_two(kRecords);
+  expect_two(std::string("\xEF\xBB\xBF \n ") + std::string(kRecords));
+  expect_two(R"({"id": {"0": "a", "1": "b"}, "time_s": {"0": 0, "1": 1}, "x": {"0": 1, "1": 4.5},
+                 "y": {"0": 2, "1": 5}, "z": {"0": 3, "1": 6}})");
+  expect_two(R"({"id": ["a", "b"], "time_s": [0, 1], "x": [1, 4.5], "y": [2, 5], "z": [3, 6]})");
+  expect_two(R"({"columns": ["id", "time_s", "x", "y", "z"], "index": [0, 1],
+                 "data": [["a", 0, 1, 2, 3], ["b", 1, 4.5, 5, 6]]})");
+  expect_two(R"({"7": {"id": "a", "time_s": 0, "x": 1, "y": 2, "z": 3},
+                 "9": {"id": "b", "time_s": 1, "x": 4.5, "y": 5, "z": 6}})");
+  expect_two(R"({"schema": {"fields": []}, "data": )" + std::string(kRecords) + "}");
+  expect_two(
+      "{\"id\": \"a\", \"time_s\": 0, \"x\": 1, \"y\": 2, \"z\": 3}\n\n"
+      "{\"id\": \"b\", \"time_s\": 1, \"x\": 4.5, \"y\": 5, \"z\": 6}\n");
+  // Keys in another order, and one that others lack.
+  expect_two(R"([{"id": "a", "time_s": 0, "x": 1, "y": 2, "z": 3},
+                 {"note": "late", "z": 6, "y": 5, "x": 4.5, "time_s": 1, "id": "b"}])");
+}
+
+TEST(JsonTable, NumbersAreTheSameDoubles) {
+  const Recording recording = recording_of(record(
+      R"([{"id": 18446744073709551615, "time_s": 0.1, "x": 0.30000000000000004, "y": -5e-7, "z": 1e22}])"));
+  ASSERT_EQ(ids_of(recording), (std::vector<std::string>{"18446744073709551615"}));
+  EXPECT_EQ(recording.bees[0].fixes.at(0), (Fix{0.1, {0.30000000000000004, -5e-7, 1e22}}));
+}
+
+TEST(JsonTable, TextsMayHoldWhatTablesAreMadeOf) {
+  const Recording recording = recording_of(record(
+      R"([{"id": "a, \"b\"", "time_s": 0, "x": 1, "y": 2, "z": 3},
+          {"id": "c\nd\u001fe", "time_s": 0, "x": 1, "y": 2, "z": 9}])"));
+  EXPECT_EQ(ids_of(recording), (std::vector<std::string>{"a, \"b\"", "c?d?e"}));
+}
+
+void expect_problem(std::string_view text, ErrorCode code, std::string_view part) {
+  const auto loaded = record(text);
+  ASSERT_FALSE(loaded.has_value()) << text;
+  EXPECT_EQ(loaded.error().code, code) << to_string(loaded.error());
+  EXPECT_NE(to_string(loaded.error()).find(part), std::string::npos) << to_string(loaded.error());
+}
+
+TEST(JsonTable, WhatIsBrokenSaysWhere) {
+  expect_problem(
+      R"([{"id": "a", "time_s": 0, "x": 1, "y": 2}, {"id": "b", "time_s": 0, "x": "east", "y": 2}])",
+      ErrorCode::kNotANumber, "point 1: 'x': 'east' is not a number (x)");
+  expect_problem(R"([{"id": "a", "time_s": 0, "x": 1, "y": 2}, {"id": "b", "time_s": 0, "y": 2}])",
+                 ErrorCode::kNotANumber, "point 1: 'x': the field is empty");
+  expect_problem(R"([{"id": "a", "time_s": 0, "x": 1, "y": 2}, 7])", ErrorCode::kColumnCount,
+                 "a number where an object should be");
+  expect_problem(R"([{"id": "a", "time_s": 0, "x": 1, "y": 2, "x": 3}])", ErrorCode::kColumnCount,
+                 "the key x twice");
+  expect_problem(R"([{"id": "a", "time_s": 0, "x": [1], "y": 2}])", ErrorCode::kNotANumber,
+                 "'x': ");
+  expect_problem(R"([{"id": "a", "time_s": 0, "x": 1, "y": 2)", ErrorCode::kTruncated,
+                 "bees.csv:1:");
+  expect_problem(R"({"id": {"0": "a"}, "time_s": {"0": 1}, "x": {"0": 1, "1": 2}, "y": {"0": 1}})",
+                 ErrorCode::kMalformedRecord, "the column 'x' has 2 values, but 'id' has 1");
+  expect_problem(R"({"id": {"0": "a"}, "time_s": {"0": 1}, "x": {"1": 1}, "y": {"0": 1}})",
+                 ErrorCode::kMalformedRecord, "the column 'x' has other rows than 'id'");
+  expect_problem(R"({"id": ["a"], "time_s": [1], "x": [1], "y": [1], "x": [2]})",
+                 ErrorCode::kMalformedRecord, "the column 'x' is there twice");
+  expect_problem(R"({"id": ["a"], "time_s": [1], "x": 1, "y": [1]})", ErrorCode::kMalformedRecord,
+                 "the column 'x' is a number where its values should be");
+  expect_problem(
+      R"({"columns": ["id", "time_s", "x", "y"], "data": [["a", 0, 1, 2], ["b", 0, 1]]})",
+      ErrorCode::kColumnCount, "point 1: it does not have the 4 values of 'columns'");
+  expect_problem(R"({"columns": ["id", 5, "x", "y"], "data": []})", ErrorCode::kMalformedRecord,
+                 "'columns' names a column by a number");
+  expect_problem("[1, 2, 3]", ErrorCode::kUnsupportedFormat, "this is JSON of a kind that");
+  expect_problem("[]", ErrorCode::kUnsupportedFormat, "this is JSON of a kind that");
+  expect_problem(R"([{"time_s": 0, "id": "a"}])", ErrorCode::kUnsupportedFormat,
+                 "a list, but no table");
+  expect_problem(R"([{"x": 1, "y": 2}])", ErrorCode::kMissingColumn,
+                 "there is neither a time nor a velocity");
+}
+
+TEST(JsonTable, LinesHaveTheirNumbers) {
+  const std::string good = R"({"id": "a", "time_s": 0, "x": 1, "y": 2, "z": 3})";
+  expect_problem(good + "\n\n{\"id\": \"b\", \"time_s\": 0, \"x\": 1, \"y\": 2, \"z\": \"up\"}\n",
+                 ErrorCode::kNotANumber, "bees.csv:3: 'z': 'up' is not a number (z)");
+  expect_problem(good + "\n{\"id\": \"b\", \"time_s\"\n", ErrorCode::kTruncated, "bees.csv:2:");
+  const Recording skipped =
+      recording_of(record(good + "\n{\"id\": \"b\", \"time_s\"\n" +
+                              R"({"id": "c", "time_s": 0, "x": 1, "y": 2, "z": 3})",
+                          skipping_bad()));
+  EXPECT_EQ(ids_of(skipped), (std::vector<std::string>{"a", "c"}));
+  EXPECT_EQ(skipped.skipped_count, 1u);
+  EXPECT_EQ(skipped.missing.count, 1u);
+}
+
+TEST(JsonTable, BadRecordsAreLeftOutAndCounted) {
+  const Recording recording = recording_of(record(
+      R"([{"id": "a", "time_s": 0, "x": 1, "y": 2, "z": 3}, null, {"id": "b", "time_s": 0, "x": null, "y": 2, "z": 3}])",
+      skipping_bad()));
+  EXPECT_EQ(ids_of(recording), (std::vector<std::string>{"a"}));
+  EXPECT_EQ(recording.missing.count, 2u);
+  EXPECT_EQ(recording.missing.nowhere, 1u);
+}
+
+TEST(JsonTable, ShowsAndAircraftAreStillTheirOwn) {
+  const Recording aircraft = recording_of(record(
+      R"({"now": 100, "aircraft": [{"hex": "a1", "lat": 47, "lon": 8, "seen_pos": 0, "alt_geom": 1000}]})"));
+  EXPECT_EQ(aircraft.format_description, "aircraft.json of readsb or dump1090");
+}
+
+TEST(JsonTable, OneObjectIsOneRecord) {
+  const Recording one = recording_of(record(R"({"id": "a", "time_s": 0, "x": 1, "y": 2, "z": 3})"));
+  EXPECT_EQ(ids_of(one), (std::vector<std::string>{"a"}));
+}
+
+}  // namespace
+}  // namespace beespace::io
