@@ -49,7 +49,10 @@ def used(work: Callable[[], Any]) -> Used:
     """What some work takes."""
     wall, processor = time.perf_counter(), processor_seconds()
     work()
-    return Used(time.perf_counter() - wall, processor_seconds() - processor)
+    taken = Used(time.perf_counter() - wall, processor_seconds() - processor)
+    if taken.processor_s < 0:
+        raise RuntimeError("an executor was lost, and with it what it had used: measure again")
+    return taken
 
 
 def processor_seconds() -> float:

@@ -26,6 +26,7 @@ from scenes import THRESHOLD_M, Scene
 
 _TO_FIT = [Scene(100_000, 2), Scene(500_000, 2), Scene(2_000_000, 2), Scene(200_000, 20)]
 _TO_CHECK = [Scene(1_000_000, 2), Scene(300_000, 2, "clusters"), Scene(500_000, 20)]
+SCENES = len(_TO_FIT) + len(_TO_CHECK)
 _RUNS = 3
 _CELL_POINTS = 1_000_000
 

@@ -49,8 +49,13 @@ def write(results: Path, document: Path) -> None:
     machine = next(each["machine"] for each in told if "machine" in each)
     rows = [each["row"] for each in told if "row" in each]
     costs = [each["cost"] for each in told if "cost" in each]
-    lines = [_BEGIN, "", *_introduction(machine, rows), *_throughput(rows), *_model(costs, rows)]
-    lines += ["", _END]
+    lines = [_BEGIN, "", *_introduction(machine, rows), *_throughput(rows)]
+    # A run that was ended has no model: there are constants for as many scenes as are fitted, and more.
+    if len(costs) >= cost.SCENES:
+        lines += _model(costs)
+    else:
+        lines += ["The run was ended before the model of cost was measured, and before all scenes were.", ""]
+    lines += [_END]
     text = document.read_text()
     before, _, rest = text.partition(_BEGIN)
     _, _, after = rest.partition(_END)
@@ -59,6 +64,7 @@ def write(results: Path, document: Path) -> None:
 
 def _introduction(machine: Row, rows: list[Row]) -> list[str]:
     loads = [row["load"] for row in rows]
+    runs = max(len(row["ways"][ways.OURS]) for row in rows)
     return [
         "## On a cluster of processes",
         "",
@@ -69,7 +75,7 @@ def _introduction(machine: Row, rows: list[Row]) -> list[str]:
         "",
         "Points lie in Parquet; the answer is computed and thrown away (`noop`). λ is the mean number of neighbours; of the clusters, half of the",
         "points are in ten boxes 100 times as dense. Answers were compared before, with those of one process: ids exactly. All was asked some times",
-        "before, of 20,000 points. Medians of up to 3 runs, in turn; what took 3 times as long as `beespace.spark` once.",
+        f"before, of 20,000 points. Medians of up to {runs} runs, in turn; what took 3 times as long as `beespace.spark` once.",
         "The grid joins are plain Spark SQL, written for speed: cells as numbers, one side goes to half of the neighbours; or larger cells, and",
         "one side goes to all that it may touch. One process has two threads, and reads the same Parquet.",
         "",
@@ -104,7 +110,7 @@ def _throughput(rows: list[Row]) -> list[str]:
     ]
 
 
-def _model(costs: list[Row], rows: list[Row]) -> list[str]:
+def _model(costs: list[Row]) -> list[str]:
     parts = cost.fitted(costs)
     bytes_sent = statistics.median(row["bytes"] / (row["points"] * row["halo"]) for row in costs)
     lines = [
