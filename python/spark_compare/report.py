@@ -74,7 +74,7 @@ def _introduction(machine: Row, rows: list[Row]) -> list[str]:
         f"{min(loads):.0f} to {max(loads):.0f}: look at processor seconds, of all processes together, rather than at the clock's.",
         "",
         "Points lie in Parquet; the answer is computed and thrown away (`noop`). λ is the mean number of neighbours; of the clusters, half of the",
-        "points are in ten boxes 100 times as dense. Answers were compared before, with those of one process: ids exactly. All was asked some times",
+        "points are in ten boxes 100 times as dense. Answers were compared before, with those of one process: ids exactly. All was asked at least once",
         f"before, of 20,000 points. Medians of up to {runs} runs, in turn; what took 3 times as long as `beespace.spark` once.",
         "The grid joins are plain Spark SQL, written for speed: cells as numbers, one side goes to half of the neighbours; or larger cells, and",
         "one side goes to all that it may touch. One process has two threads, and reads the same Parquet.",
