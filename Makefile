@@ -1,6 +1,6 @@
 # The everyday commands. Each works on a brand-new Debian 12 or Ubuntu 24.04 machine.
 .DEFAULT_GOAL := help
-.PHONY: help demo test python bench bench-prevention prevention-table bench-out-of-core compare compare-python test-spark docs format lint clean install install-lib
+.PHONY: help demo test python bench bench-prevention prevention-table bench-out-of-core bench-scale compare compare-python compare-spark test-spark docs format lint clean install install-lib
 
 PREFIX ?= /usr/local
 
@@ -12,8 +12,10 @@ help: ## this list
 	@echo "make bench-prevention  fly whole missions with and without advice (takes long)"
 	@echo "make prevention-table  fly fleets that are not exact (takes long)"
 	@echo "make bench-out-of-core  search 300 million points with 4 GB (needs 16 GB of disk)"
+	@echo "make bench-scale  all figures of docs/benchmarks/scale.md: bench-out-of-core and compare-spark"
 	@echo "make compare  compare with other libraries and the paper's methods (about 25 minutes)"
 	@echo "make compare-python  compare the Python package with others (about 25 minutes)"
+	@echo "make compare-spark  compare beespace.spark with other ways on a cluster of processes (about 15 minutes)"
 	@echo "make test-spark  test beespace.spark on clusters of processes (about 8 minutes)"
 	@echo "make docs     build the site of the documents in build/docs/site"
 	@echo "make format   format the sources with clang-format 14"
@@ -56,6 +58,8 @@ bench-out-of-core:
 	@build/release/out_of_core_benchmark
 	@build/release/recording_out_of_core_benchmark
 
+bench-scale: bench-out-of-core compare-spark
+
 compare:
 	@scripts/install-packages build compare
 	@scripts/compare
@@ -64,9 +68,14 @@ compare-python:
 	@scripts/install-packages build bench python
 	@scripts/compare-python
 
-test-spark:
+compare-spark:
 	@scripts/install-packages build spark
 	@scripts/build-command beespace_c
+	@scripts/compare-spark
+
+test-spark:
+	@scripts/install-packages build spark
+	@scripts/build-command beespace_c beespace_c_io
 	@scripts/test-spark
 
 docs:

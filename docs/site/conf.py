@@ -12,6 +12,7 @@ root = here.parents[1]
 sys.path[:0] = [str(here), str(root / "python")]
 
 import beespace  # noqa: E402
+import notebooks  # noqa: E402
 import python_pages  # noqa: E402
 
 project = "beespace"
@@ -33,6 +34,7 @@ myst_heading_anchors = 6
 myst_enable_extensions = ["colon_fence"]
 # Notebooks are run while the site is built; one that fails is an error.
 nb_execution_mode = "force"
+nb_execution_excludepatterns = list(notebooks.NOT_RUN)
 nb_execution_timeout = 120
 nb_execution_raise_on_error = True
 

@@ -36,8 +36,10 @@ _REAL = (*_WHOLE, "float", "double")
 # Tasks for each of the processors, so that a slow one does not keep the others waiting for long.
 _TASKS_A_PROCESSOR = 3
 # A cell is not cut for the sake of other processors below this.
-_WORTH_A_CELL = 20_000
+_WORTH_A_CELL = 200_000
 _IDS_IN_BUCKET = 2_000_000
+# Applications of Spark whose workers were found to have the package.
+_checked: set[str] = set()
 
 
 class CutFacts(NamedTuple):
@@ -181,8 +183,11 @@ def quoted(name: str) -> str:
 
 
 def check_workers(session: Any) -> None:
-    """A tiny job: do workers have the package, and is it this one?"""
+    """A tiny job, once for each application of Spark: do workers have the package, and is it this one?"""
     expected = version()
+    application = application_of(session)
+    if application in _checked:
+        return
 
     # Defined here, it is sent as it is: workers without the package can run it.
     def probe(batches: Any) -> Any:
@@ -211,6 +216,16 @@ def check_workers(session: Any) -> None:
             "Install it there for the Python of spark.pyspark.python, or ship it with --archives",
             "invalid_argument",
         )
+    if application:
+        _checked.add(application)
+
+
+def application_of(session: Any) -> str | None:
+    """What Spark calls this application, where it says so."""
+    try:
+        return str(session.sparkContext.applicationId)
+    except Exception:  # Spark Connect has no context, and says so in ways of its own
+        return None
 
 
 def processors_of(session: Any) -> int:

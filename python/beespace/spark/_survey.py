@@ -14,13 +14,15 @@ from beespace.spark._workers import arrow, partition_of_task
 
 SURVEY_SCHEMA = (
     "part int, rows long, bad long, bad_row long, bad_id long, bad_column string, bad_value string, "
-    "ascending boolean, low long, high long, keys binary, sample binary"
+    "runs binary, keys binary, sample binary"
 )
 IDS_SCHEMA = "part int, bucket int, ids binary"
 TWICE_SCHEMA = "twice long, id long"
 
 # The most points of the sample that a partition gives.
 _SAMPLE = 4096
+# A partition tells of at most so many stretches in which ids ascend: Spark puts small files together.
+_RUNS = 256
 _SMALLEST, _LARGEST = 2.0**-400, 2.0**400
 _LIMITS = {"lon": (-360.0, 360.0), "lat": (-90.0, 90.0), "height": (-12_000.0, 1_000_000.0)}
 
@@ -30,7 +32,7 @@ class Survey(NamedTuple):
 
     rows: int
     partitions: int
-    in_order: bool  # ids ascend, so each is there once
+    in_order: bool  # ids ascend in stretches that do not overlap, so each is there once
     rate: float  # the share of the points that is in the sample
     sample: list[NDArray[np.float64]]
 
@@ -54,10 +56,7 @@ class Surveyor:
 
         rows = bad = 0
         first_bad: tuple[int, int | None, str, str] | None = None
-        ascending = True
-        low: int | None = None
-        high: int | None = None
-        last: int | None = None
+        runs: NDArray[np.int64] | None = np.empty((0, 2), np.int64)
         keys = np.empty(0, np.uint64)
         sample = np.empty((0, len(self.columns.names)))
         for batch in batches:
@@ -74,10 +73,7 @@ class Surveyor:
             if bad:
                 continue
             ids = integers(batch.column(0))
-            ascending &= bool((ids[1:] > ids[:-1]).all()) and (last is None or last < int(ids[0]))
-            last = int(ids[-1])
-            low = int(ids.min()) if low is None else min(low, int(ids.min()))
-            high = int(ids.max()) if high is None else max(high, int(ids.max()))
+            runs = None if runs is None else _with_runs(runs, ids)
             given = np.column_stack(
                 [reals(batch.column(1 + at), name) for at, name in enumerate(self.columns.names)]
             )
@@ -87,9 +83,10 @@ class Surveyor:
                 keys, sample = _lowest(keys, sample)
         keys, sample = _lowest(keys, sample)
         row, id, column, value = first_bad or (None, None, None, None)
-        facts: list[Any] = [partition_of_task(), rows, bad, row, id, column, value, ascending, low, high]
-        facts += [keys.tobytes(), np.ascontiguousarray(sample).tobytes()]
-        types = ["int32", *["int64"] * 4, "string", "string", "bool", "int64", "int64", "binary", "binary"]
+        facts: list[Any] = [partition_of_task(), rows, bad, row, id, column, value]
+        facts += [None if runs is None else runs.tobytes(), keys.tobytes()]
+        facts += [np.ascontiguousarray(sample).tobytes()]
+        types = ["int32", *["int64"] * 4, "string", "string", "binary", "binary", "binary"]
         arrays = [pyarrow.array([each], type=kind) for each, kind in zip(facts, types)]
         names = [each.split()[0] for each in SURVEY_SCHEMA.split(", ")]
         yield pyarrow.RecordBatch.from_arrays(arrays, names)
@@ -117,6 +114,18 @@ class Surveyor:
             return (values >= low) & (values <= high)
         size = np.abs(values)
         return (values == 0) | ((size >= _SMALLEST) & (size <= _LARGEST))
+
+
+def _with_runs(runs: NDArray[np.int64], ids: NDArray[np.int64]) -> NDArray[np.int64] | None:
+    """The first and the last id of each stretch in which ids ascend, with those of the ids that follow."""
+    ends = np.flatnonzero(ids[1:] <= ids[:-1])
+    if len(runs) + len(ends) >= _RUNS:
+        return None
+    new = np.column_stack([ids[np.append(0, ends + 1)], ids[np.append(ends, len(ids) - 1)]])
+    if len(runs) and runs[-1, 1] < new[0, 0]:
+        new[0, 0] = runs[-1, 0]
+        runs = runs[:-1]
+    return np.concatenate([runs, new])
 
 
 def _lowest(
@@ -147,9 +156,8 @@ def survey_of(rows: list[Any], columns: Columns, names: list[str]) -> Survey:
             place,
         )
     full = [row for row in rows if row["rows"]]
-    spans = sorted((row["low"], row["high"]) for row in full)
-    in_order = all(row["ascending"] for row in full) and all(
-        before[1] < after[0] for before, after in zip(spans, spans[1:])
+    in_order = all(row["runs"] is not None for row in full) and _are_apart(
+        np.frombuffer(b"".join(row["runs"] for row in full), np.int64).reshape(-1, 2)
     )
     keys = [np.frombuffer(row["keys"], np.uint64) for row in full]
     width = len(columns.names)
@@ -162,6 +170,11 @@ def survey_of(rows: list[Any], columns: Columns, names: list[str]) -> Survey:
     points = np.concatenate(kept) if kept else np.empty((0, width))
     axes = in_metres([np.ascontiguousarray(axis) for axis in points.T], columns) if len(points) else []
     return Survey(count, len(rows), in_order, len(points) / max(count, 1), axes[: columns.searched])
+
+
+def _are_apart(runs: NDArray[np.int64]) -> bool:
+    runs = runs[np.argsort(runs[:, 0])]
+    return bool((runs[1:, 0] > runs[:-1, 1]).all())
 
 
 class IdBuckets:
