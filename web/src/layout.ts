@@ -12,7 +12,7 @@ export interface Layout {
   panels: HTMLElement;
 }
 
-export function layout(page: Page, choices: Choices, help: () => void): Layout {
+export function layout(page: Page, choices: Choices, help: () => void, copyLink: () => Promise<boolean>): Layout {
   const title = element('h1', {});
   page.swarms.forEach(({ title: name }, i) => title.append(...(i > 0 ? [' → '] : []), nameElement(name)));
   const theme = button('', { class: 'quiet-button', title: 'Dark or light (d)' }, () => toggleTheme(choices));
@@ -29,12 +29,25 @@ export function layout(page: Page, choices: Choices, help: () => void): Layout {
     { class: 'head' },
     element('span', { class: 'brand' }, 'beespace'),
     title,
+    linkButton(copyLink),
     theme,
     button('?', { class: 'quiet-button', 'aria-label': 'Help', title: 'Help (?)' }, help),
   );
   const holder = document.getElementById('page') as HTMLElement;
   holder.append(head, column, panels);
   return { page: holder, toolbar, stages, column, panels };
+}
+
+function linkButton(copy: () => Promise<boolean>): HTMLElement {
+  const said = element('span', { role: 'status', class: 'hidden-text' });
+  const made = button('Copy link', { class: 'quiet-button', title: 'Copy a link to this moment, as it is seen' }, () => {
+    void copy().then((copied) => {
+      made.textContent = copied ? 'Copied' : 'See address';
+      said.textContent = copied ? 'The link is copied.' : 'The link is in the address of this page.';
+      setTimeout(() => (made.textContent = 'Copy link'), 2000);
+    });
+  });
+  return element('span', {}, made, said);
 }
 
 export function toggleTheme(choices: Choices): void {

@@ -54,6 +54,7 @@ export function makeStage(
       label: label ? `The swarm ${label.toLowerCase()}` : 'The swarm',
       count: head.count,
       axes: head.axes,
+      inFeet: head.heights?.in_feet ?? false,
       threshold_m: head.threshold_m,
       vertical_m: head.vertical_m ?? null,
       nearest,
@@ -73,6 +74,7 @@ export function makeStage(
   box.append(element('div', { class: 'stage-head' }, title, legend(nearest, range, words, choices.theme)), scene);
   const seen = view;
   choices.theme.watch((theme) => seen.colour(kPalettes[theme]));
+  choices.lift.listen((times) => seen.lift(times));
   return { box, view };
 }
 

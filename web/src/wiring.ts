@@ -5,7 +5,9 @@ import { toggleTheme, type Layout } from './layout';
 import { contractPanel } from './panels/contracts';
 import { filterControls } from './panels/filter';
 import { histogramPanel } from './panels/histogram';
+import { liftControl } from './panels/lift';
 import { notesPanel } from './panels/notes';
+import { pairPanelOf } from './panels/pair';
 import { pairPanel } from './panels/pair_table';
 import { searchBox } from './panels/search';
 import { selectionPanel } from './panels/selection';
@@ -55,22 +57,24 @@ export function wirePanels({ shown, choices, times, room, help, version, notes }
   const contracts = contractPanel(shown, actions);
   room.panels.append(
     summaryPanel(shown, actions),
+    pairPanelOf(shown, choices, times),
     selectionPanel(shown, choices, now, actions),
     ...(contracts ? [contracts] : []),
     pairPanel(shown, choices, actions),
     ...(histogram ? [histogram] : []),
     notesPanel(shown, version, notes),
   );
-  room.toolbar.append(searchBox(shown, choices, actions), filterControls(shown, choices), viewButtons(shown));
+  room.toolbar.append(searchBox(shown, choices, actions), filterControls(shown, choices), viewButtons(shown, choices));
   wireKeys(shown, choices, times, line, actions, help);
 }
 
-function viewButtons(shown: Shown[]): HTMLElement {
+function viewButtons(shown: Shown[], choices: Choices): HTMLElement {
   // Linked views follow the first one.
   const orbit = shown[0].view?.orbit;
   const box = element('div', { class: 'view-buttons', role: 'group', 'aria-label': 'View' });
   if (!orbit) return box;
   box.append(
+    liftControl(choices),
     button('Reset view', { title: 'All of the swarm again (r)' }, () => orbit.home()),
     button('Top', { title: 'From the top (t)' }, () => orbit.lookFromAbove()),
     button('Side', { title: 'From the side (s)' }, () => orbit.lookFromSide()),

@@ -7,7 +7,19 @@ export interface Origin {
   height_m: number;
 }
 
-export interface ClosestPair {
+/** How those who made the input speak of heights; absent: in metres, not by pressure. */
+export interface HeightWords {
+  in_feet: boolean;
+  by_pressure: boolean;
+}
+
+/** How far apart two are horizontally and in height. */
+export interface ApartHead {
+  horizontal_m?: number;
+  height_m?: number;
+}
+
+export interface ClosestPair extends ApartHead {
   first: number;
   second: number;
   distance_m: number;
@@ -34,12 +46,19 @@ export interface RecordingRisk {
 
 type Places<Names extends string> = Record<Names, ColumnPlace>;
 
+/** Both or none. */
+export type ApartPlaces = Partial<Places<'horizontal_m' | 'height_m'>>;
+
+export type PairWaysHead = Places<'counts' | 'time_s' | 'x' | 'y' | 'z'> &
+  Partial<Places<'ground_x' | 'ground_y' | 'ground_z' | 'height'>>;
+
 interface SwarmHead {
   title: string;
   source: string;
   count: number;
   axes: [string, string, string];
   origin?: Origin;
+  heights?: HeightWords;
   threshold_m: number;
   vertical_m?: number;
   inclusive: boolean;
@@ -54,7 +73,7 @@ export interface SnapshotHead extends SwarmHead {
   positions: Places<'x' | 'y' | 'z'>;
   at_risk: ColumnPlace;
   nearest?: { code: ColumnPlace; least_m: number; ratio: number };
-  pairs: Places<'first' | 'second' | 'distance_m'>;
+  pairs: Places<'first' | 'second' | 'distance_m'> & ApartPlaces;
 }
 
 /** What the planner of the fleet said of each bee. */
@@ -86,9 +105,11 @@ export interface RecordingHead extends SwarmHead {
   absent_after: ColumnPlace;
   conflicts: Places<
     'first' | 'second' | 'begins_s' | 'closest_s' | 'ends_s' | 'distance_m' | 'certain'
-  >;
+  > &
+    ApartPlaces;
+  pair_ways: PairWaysHead;
   at_risk: Places<'bee' | 'begins_s' | 'ends_s'>;
-  separation: Places<'time_s' | 'distance_m' | 'first' | 'second'>;
+  separation: Places<'time_s' | 'distance_m' | 'first' | 'second'> & ApartPlaces;
   fleet?: FleetHead;
 }
 

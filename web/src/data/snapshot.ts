@@ -1,5 +1,6 @@
 // A swarm at one moment.
 import { readColumn, readCounts, readMeasures } from './column';
+import { readApart, type Apart } from './apart';
 import { readNearest, type Nearest } from './nearest';
 import { Names } from './names';
 import type { SnapshotHead } from './page';
@@ -9,6 +10,7 @@ export interface Pairs {
   first: Uint32Array;
   second: Uint32Array;
   distance_m: Float64Array;
+  apart: Apart | null;
 }
 
 export interface Snapshot {
@@ -44,6 +46,7 @@ export async function readSnapshot(head: SnapshotHead): Promise<Snapshot> {
     first: await readCounts(head.pairs.first),
     second: await readCounts(head.pairs.second),
     distance_m: await readMeasures(head.pairs.distance_m),
+    apart: await readApart(head.pairs),
   };
   return {
     kind: 'snapshot',
