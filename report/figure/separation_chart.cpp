@@ -143,11 +143,12 @@ void draw_apart(const RecordingFacts& facts, const Box& box, Drawing& drawing) {
   const Box upper{box.left, box.top, box.width, height};
   const Box lower{box.left, upper.bottom() + kBetween, box.width, height};
   const SwarmFacts& swarm = facts.swarm;
-  const Measure across{"Nearest to a conflict, horizontally", "Distance (m)",
-                       length_label(swarm.threshold_m), swarm.threshold_m,
+  const Measure across{"Nearest to a conflict, horizontally", "Distance (m)", threshold_name(swarm),
+                       swarm.threshold_m,
                        [](const Separation& at) { return at.apart->horizontal_m; }};
-  const Measure up{"The same two, in height", "Height (m)", length_label(*swarm.vertical_m),
-                   *swarm.vertical_m, [](const Separation& at) { return at.apart->height_m; }};
+  const Measure up{"The same two, in height", "Height (m)",
+                   "in height " + length_label(*swarm.vertical_m), *swarm.vertical_m,
+                   [](const Separation& at) { return at.apart->height_m; }};
   for (const auto& [measure, place] : {std::pair(across, upper), std::pair(up, lower)}) {
     Axis time = time_axis(facts, place);
     if (place.top == upper.top) time.title.clear();

@@ -56,6 +56,7 @@ export function toggleTheme(choices: Choices): void {
 
 /** What the page is at, until it is done. */
 export function progress(text: string | null): Promise<void> {
+  document.getElementById('stuck')?.remove();
   const line = document.getElementById('progress');
   if (line) {
     if (text === null) line.remove();
@@ -66,6 +67,6 @@ export function progress(text: string | null): Promise<void> {
 }
 
 export function fail(text: string): void {
-  document.getElementById('progress')?.remove();
+  for (const id of ['progress', 'stuck']) document.getElementById(id)?.remove();
   document.getElementById('page')?.append(element('p', { class: 'message', role: 'alert' }, text));
 }

@@ -40,7 +40,7 @@ async function show(page: Page): Promise<void> {
   const swarms: Swarm[] = [];
   for (const head of page.swarms) {
     await progress(`Reading ${formatCount(head.count)} bees …`);
-    swarms.push(await readSwarm(head));
+    swarms.push(await undamaged(() => readSwarm(head)));
   }
   await progress('Drawing …');
 
@@ -69,7 +69,7 @@ async function show(page: Page): Promise<void> {
   await progress('Reading names …');
 
   const companies: Company[] = [];
-  for (const swarm of swarms) companies.push(await completeSwarm(swarm));
+  for (const swarm of swarms) companies.push(await undamaged(() => completeSwarm(swarm)));
   placing.companies = companies;
   choices.selected.set(selected);
   const shown: Shown[] = swarms.map((swarm, index) => ({
@@ -95,8 +95,27 @@ async function show(page: Page): Promise<void> {
   document.documentElement.dataset.beespace = 'ready';
 }
 
+/** What cannot be read was changed on its way. */
+async function undamaged<T>(read: () => T | Promise<T>): Promise<T> {
+  try {
+    return await read();
+  } catch (error) {
+    throw new DamagedPage(error instanceof Error ? error.message : String(error));
+  }
+}
+
+class DamagedPage extends Error {}
+
+/** The program is there before the data are. */
+function whole(): Promise<void> {
+  if (document.readyState !== 'loading') return Promise.resolve();
+  return new Promise((resolve) => document.addEventListener('DOMContentLoaded', () => resolve()));
+}
+
 async function start(): Promise<void> {
-  const page = readPage();
+  await whole();
+  if (document.documentElement.dataset.beespace === 'failed') return;
+  const page = await undamaged(readPage);
   if (!page) {
     followTheme();
     fail('This page holds no swarm yet. The command `beespace report` puts one in.');
@@ -106,8 +125,14 @@ async function start(): Promise<void> {
   await show(page);
 }
 
+document.documentElement.dataset.program = 'runs';
 start().catch((error: unknown) => {
   document.documentElement.dataset.beespace = 'failed';
-  fail(`This page cannot be shown: ${error instanceof Error ? error.message : String(error)}.`);
+  const why = error instanceof Error ? error.message : String(error);
+  fail(
+    error instanceof DamagedPage
+      ? `This page is damaged: ${why}. Copy it again, or make it anew with \`beespace report\`.`
+      : `This page cannot be shown: ${why}.`,
+  );
   throw error;
 });

@@ -1,4 +1,5 @@
 // The page's own data: one JSON object that says where the columns are.
+import { adler32 } from './checksum';
 import type { ColumnPlace } from './column';
 
 export interface Origin {
@@ -124,7 +125,15 @@ export interface Page {
 export function readPage(): Page | null {
   const holder = document.getElementById('beespace-page');
   if (!holder) return null;
-  const page = JSON.parse(holder.textContent ?? '') as Page & { format: number };
+  const end = document.getElementById('beespace-end');
+  if (!end) throw new Error('it is cut off');
+  const text = holder.textContent ?? '';
+  const [sum, columns] = (end.textContent ?? '').split(' ');
+  if (parseInt(sum, 16) !== adler32(new TextEncoder().encode(text))) throw new Error('what it says of the swarm was changed');
+  if (document.querySelectorAll('script[id^="beespace-"][type="text/plain"]').length !== Number(columns) + 2) {
+    throw new Error('columns of it are missing');
+  }
+  const page = JSON.parse(text) as Page & { format: number };
   if (page.format !== 1) throw new Error(`format ${page.format} of the data is not known to this page`);
   return page;
 }

@@ -1,4 +1,5 @@
 // A swarm that moves.
+import { agree, agreeOnPairs } from './agreement';
 import { readColumn, readCounts, readMeasures } from './column';
 import { Fixes } from './fixes';
 import { readFleet, type Fleet } from './fleet';
@@ -60,6 +61,10 @@ export async function readRecording(head: RecordingHead): Promise<Recording> {
   const time = await readColumn(head.fixes.time_s);
   const counts = await readCounts(head.fixes.counts);
   const conflicts = await readConflicts(head.conflicts);
+  const fixes = counts.reduce((sum, count) => sum + count, 0);
+  agree(counts.length === head.count, 'bees');
+  agree([time.raw, positions.x, positions.y, positions.z].every(({ length }) => length === fixes), 'fixes');
+  agreeOnPairs(conflicts, head.count);
   return {
     kind: 'recording',
     head,

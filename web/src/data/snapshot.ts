@@ -1,4 +1,5 @@
 // A swarm at one moment.
+import { agree, agreeOnPairs } from './agreement';
 import { readColumn, readCounts, readMeasures } from './column';
 import { readApart, type Apart } from './apart';
 import { readNearest, type Nearest } from './nearest';
@@ -48,6 +49,9 @@ export async function readSnapshot(head: SnapshotHead): Promise<Snapshot> {
     distance_m: await readMeasures(head.pairs.distance_m),
     apart: await readApart(head.pairs),
   };
+  agree([positions.x, positions.y, positions.z].every(({ length }) => length === head.count), 'positions');
+  agree(bits.length === (head.count + 7) >> 3 && (!nearest || nearest.codes.length === head.count), 'bees');
+  agreeOnPairs(pairs, head.count);
   return {
     kind: 'snapshot',
     head,
