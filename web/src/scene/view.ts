@@ -15,7 +15,7 @@ import { Markers } from './markers';
 import { Outcasts } from './outcasts';
 import type { Palette } from './palette';
 import { pickBee } from './picking';
-import type { Placement } from './placement';
+import { placeIn, type Placement } from './placement';
 import { ScaleBar } from './scale_bar';
 import { ThresholdShape } from './threshold_shape';
 import { Trails } from './trails';
@@ -174,13 +174,12 @@ export class View {
     if (!placed) return null;
     // A bee of a recording is nowhere at times; one of a snapshot is where it is even if filtered out.
     if (placed.x instanceof Float32Array && placed.shown && !placed.shown.includes(bee)) return null;
-    return new Vector3(
-      ...this.frame.toScene([
-        placed.start[0] + placed.step[0] * placed.x[bee],
-        placed.start[1] + placed.step[1] * placed.y[bee],
-        placed.start[2] + placed.step[2] * placed.z[bee],
-      ]),
-    );
+    return new Vector3(...this.frame.toScene(placeIn(placed, bee)));
+  }
+
+  /** Where the bee is as it is drawn, in metres of the axes. */
+  placeOf(bee: number): Triple | null {
+    return this.#placement && placeIn(this.#placement, bee);
   }
 
   /** Goes to where these bees fill a part of the view. */

@@ -5,6 +5,11 @@ import { formatBelow, formatDigits, formatMetres } from './numbers';
 
 const kNauticalMile_m = 1852;
 
+/** 2.956 NM, and no more digits than it has. */
+export function formatMiles(metres: number): string {
+  return `${Number((metres / kNauticalMile_m).toPrecision(4))}\u202fNM`;
+}
+
 /** 5,475 m, and where the input speaks of feet also 2.956 NM. */
 export function formatHorizontal(metres: number, head: Head): string {
   const text = head.vertical_m === undefined ? formatMetres(metres, 4) : formatBelow(metres, head.threshold_m, 4);

@@ -53,7 +53,7 @@ export function pairChart(swarm: Recording, place: number, name: string): PairCh
     svg.append(drawing('rect', { class: 'band', x: from, y: kTop - 4, width: Math.max(1, to - from), height: height - kBottom - kTop + 4 }));
   }
   rows.forEach((row, i) => svg.append(...drawRow(row, i * kRow, swarm, place, instants, xOf)));
-  for (const after_s of niceTicks(span[0] - middle_s, span[1] - middle_s, 4)) {
+  for (const after_s of niceTicks(span[0] - middle_s, span[1] - middle_s, 5)) {
     const text = after_s === 0 ? 'closest' : `${after_s > 0 ? '+' : '\u2212'}${Math.abs(after_s)}\u202fs`;
     const x = Math.min(kWidth - 3.2 * text.length, xOf(middle_s + after_s));
     svg.append(drawing('text', { class: 'level-text', x, y: height - 4, 'text-anchor': 'middle' }, text));
