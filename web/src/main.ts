@@ -8,6 +8,8 @@ import { helpDialog } from './panels/help';
 import type { Shown } from './panels/shown';
 import { preparePrinting } from './printing';
 import { frameAround, liftFor, type Frame } from './scene/frame';
+import { Crowding } from './scene/crowding';
+import { earlyRenderer } from './scene/early';
 import { linkViews, makeStage } from './stage';
 import { followPlaces, type Placing } from './scene/following';
 import { RecordingPlacer } from './scene/placement';
@@ -28,6 +30,11 @@ function frameOf([one, other = one]: Swarm[]): Frame {
   return frame;
 }
 
+/** Whether bees have a colour by the distance to the nearest one. */
+function isColoured(head: Page['swarms'][number]): boolean {
+  return head.kind === 'snapshot' ? head.nearest !== undefined : Crowding.for(head.count, head.threshold_m) !== null;
+}
+
 async function show(page: Page): Promise<void> {
   const choices: Choices = {
     selected: new Signal<Selected | null>(null),
@@ -37,6 +44,7 @@ async function show(page: Page): Promise<void> {
     lift: new Signal<number>(1),
   };
 
+  const renderers = page.swarms.map((head) => earlyRenderer(head.count, isColoured(head)));
   const swarms: Swarm[] = [];
   for (const head of page.swarms) {
     await progress(`Reading ${formatCount(head.count)} bees …`);
@@ -55,7 +63,7 @@ async function show(page: Page): Promise<void> {
   document.body.append(help);
   const labels = swarms.length === 2 ? ['Before', 'After'] : [''];
   const placers = swarms.map((swarm) => (swarm.kind === 'recording' ? new RecordingPlacer(swarm) : null));
-  const stages = swarms.map((swarm, i) => makeStage(swarm, labels[i], frame, placers[i]?.crowding ?? null, choices));
+  const stages = swarms.map((swarm, i) => makeStage(swarm, labels[i], frame, placers[i]?.crowding ?? null, choices, renderers[i]));
   room.stages.append(...stages.map(({ box }) => box));
 
   opening.views.push(...stages.map(({ view }) => view));

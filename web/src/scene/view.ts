@@ -1,9 +1,8 @@
 // One swarm in three dimensions. It draws when something changed, and rests otherwise.
-import { Color, Group, Scene, Vector3, WebGLRenderer } from 'three';
+import { Color, Group, Scene, Vector3, type WebGLRenderer } from 'three';
 import type { Fixes } from '../data/fixes';
 import type { Nearest } from '../data/nearest';
 import type { Triple } from '../data/positions';
-import { element } from '../text/element';
 import { Axes } from './axes';
 import { Orbit } from './camera';
 import { Cloud } from './cloud';
@@ -66,25 +65,18 @@ export class View {
   /** Whether the last frame of the whole crowd was. */
   #slow = false;
 
-  /** Throws where the browser has no WebGL. */
   constructor(
     readonly holder: HTMLElement,
     readonly frame: Frame,
     readonly subject: ViewSubject,
+    renderer: WebGLRenderer,
   ) {
     const { count } = subject;
-    this.canvas = element('canvas', {
-      tabindex: '0',
-      role: 'img',
-      'aria-label': `${subject.label} in three dimensions. Arrow keys turn, + and − zoom.`,
-    });
-    this.#renderer = new WebGLRenderer({
-      canvas: this.canvas,
-      antialias: count <= 20000,
-      alpha: false,
-      stencil: false,
-      powerPreference: 'high-performance',
-    });
+    this.#renderer = renderer;
+    this.canvas = renderer.domElement;
+    this.canvas.tabIndex = 0;
+    this.canvas.setAttribute('role', 'img');
+    this.canvas.setAttribute('aria-label', `${subject.label} in three dimensions. Arrow keys turn, + and − zoom.`);
     this.orbit = new Orbit(this.canvas, frame);
     this.#cloud = new Cloud(count, frame, subject.nearest, subject.range);
     this.#axes = new Axes(frame, subject.axes, subject.inFeet);
